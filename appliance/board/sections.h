@@ -1,0 +1,88 @@
+// The board's sections: what each input is now. One program writes each; everyone reads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "drivers/base/clock.h"
+
+namespace kaori::board {
+
+// A source that was never there, is there, or was there and is silent or gone.
+enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
+
+// Values are plain 32-bit words so that they cross the shared memory without tearing types apart.
+// Written by kaori-input.
+struct Surface {
+  static constexpr const char* kName = "surface";
+  std::array<std::int32_t, 8> counts{};    // Dials, accumulated; clockwise is positive.
+  std::int32_t counts_per_turn = 256;
+  std::uint32_t buttons_down = 0;          // Bit n: button n is held.
+  std::array<std::uint32_t, 32> pushes{};  // How often each button went down since the board began.
+};
+
+// Written by kaori-input; [0] is the left stick (head), [1] the right one (gaze and brows).
+struct Stick {
+  static constexpr const char* kName = "stick";
+  float x = 0;       // -1 left .. 1 right, after dead zone, centre and curve.
+  float y = 0;       // -1 pulled back .. 1 pushed forwards.
+  float twist = 0;   // -1 counter-clockwise .. 1 clockwise, seen from above.
+  float slider = 0;  // 0 .. 1.
+  std::int32_t hat = -1;  // 0 up, clockwise in eighths to 7; -1 centred.
+  std::uint32_t buttons_down = 0;
+  std::array<std::uint32_t, 16> pushes{};
+};
+
+// Written by kaori-input. Usages of HID page 7.
+struct Keys {
+  static constexpr const char* kName = "keys";
+  std::array<std::uint32_t, 8> down{};      // Bit u % 32 of word u / 32: the key with usage u is held.
+  std::array<std::uint32_t, 256> pushes{};  // How often each went down since the board began.
+};
+
+// Written by kaori-input. GPIO lines.
+struct Lines {
+  static constexpr const char* kName = "lines";
+  std::uint32_t active = 0;
+  std::array<std::uint32_t, 16> pushes{};
+};
+
+// Written by kaori-lips. Sizes are fractions of the width of the mouth at rest.
+struct Lips {
+  static constexpr const char* kName = "lips";
+  float height = 0;
+  float width = 1;
+  float quality = 0;  // 0 no paint found .. 1 a clean mouth.
+  std::uint32_t frames = 0;
+};
+
+// Written by kaori-stage; kaori-input lights the lamps from it.
+struct Lamps {
+  static constexpr const char* kName = "lamps";
+  std::uint32_t lit = 0;
+};
+
+// Written by kaori-stage, for people and tests.
+struct StageStatus {
+  static constexpr const char* kName = "stage_status";
+  std::uint32_t frames = 0;
+  std::uint32_t missed_flips = 0;
+  float frame_cpu_ms = 0;          // Mean of the last second.
+  float frames_per_s = 0;
+  std::uint32_t face = 0;          // Called last.
+  std::uint32_t expression = 0;
+  std::uint32_t style = 0;
+  std::uint32_t scene = 0;
+  std::uint32_t input_age_us = 0;  // Age of the newest input at the last frame's light.
+};
+
+// What a reader gets: a value, when it became true, and how its source stands.
+template <class T>
+struct Stamped {
+  T value{};
+  Time at{};
+  SourceState source = SourceState::kAbsent;
+};
+
+}  // namespace kaori::board

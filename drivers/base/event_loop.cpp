@@ -1,0 +1,100 @@
+#include "drivers/base/event_loop.h"
+
+#include <signal.h>
+#include <sys/epoll.h>
+#include <sys/signalfd.h>
+#include <sys/timerfd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace kaori {
+namespace {
+
+constexpr std::size_t kEventsAtOnce = 16;
+
+void Drain(int fd) {
+  std::array<char, 256> ignored;
+  while (::read(fd, ignored.data(), ignored.size()) > 0) {
+  }
+}
+
+timespec ToTimespec(Duration d) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(d);
+  return {seconds.count(), (d - seconds).count()};
+}
+
+}  // namespace
+
+Result<EventLoop> EventLoop::Open() {
+  UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
+  if (!epoll.valid()) return FailErrno("create an epoll set");
+  sigset_t stops;
+  ::sigemptyset(&stops);
+  ::sigaddset(&stops, SIGINT);
+  ::sigaddset(&stops, SIGTERM);
+  ::sigprocmask(SIG_BLOCK, &stops, nullptr);
+  UniqueFd signals(::signalfd(-1, &stops, SFD_NONBLOCK | SFD_CLOEXEC));
+  if (!signals.valid()) return FailErrno("create a signal descriptor");
+  EventLoop loop(std::move(epoll));
+  const int fd = signals.get();
+  loop.owned_.push_back(std::move(signals));
+  // No handler: Run() itself stops on the signal descriptor, which survives a move of the loop.
+  if (auto ok = loop.Watch(fd, nullptr); !ok) return tl::unexpected(ok.error());
+  return loop;
+}
+
+Result<void> EventLoop::Watch(int fd, Handler handler) {
+  epoll_event event{};
+  event.events = EPOLLIN;
+  event.data.fd = fd;
+  if (::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event) < 0)
+    return FailErrno("watch descriptor " + std::to_string(fd));
+  watched_.push_back(std::make_unique<Watched>(Watched{fd, std::move(handler)}));
+  return {};
+}
+
+void EventLoop::Forget(int fd) {
+  const auto it = std::ranges::find(watched_, fd, [](const auto& w) { return w->fd; });
+  if (it == watched_.end()) return;
+  ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, fd, nullptr);
+  forgotten_.push_back(std::move(*it));
+  watched_.erase(it);
+}
+
+Result<void> EventLoop::Every(Duration period, Handler handler) {
+  UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
+  if (!timer.valid()) return FailErrno("create a timer");
+  const itimerspec spec{ToTimespec(period), ToTimespec(period)};
+  if (::timerfd_settime(timer.get(), 0, &spec, nullptr) < 0) return FailErrno("start a timer");
+  const int fd = timer.get();
+  owned_.push_back(std::move(timer));
+  return Watch(fd, [fd, handler = std::move(handler)] {
+    Drain(fd);
+    handler();
+  });
+}
+
+Result<void> EventLoop::Run() {
+  running_ = true;
+  while (running_) {
+    std::array<epoll_event, kEventsAtOnce> events;
+    const int count = ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()), -1);
+    if (count < 0 && errno != EINTR) return FailErrno("wait for events");
+    for (int i = 0; i < count && running_; ++i) Dispatch(events[static_cast<std::size_t>(i)].data.fd);
+    forgotten_.clear();
+  }
+  return {};
+}
+
+void EventLoop::Dispatch(int fd) {
+  const auto it = std::ranges::find(watched_, fd, [](const auto& w) { return w->fd; });
+  if (it == watched_.end()) return;
+  if (const Watched* watched = it->get(); watched->handler)
+    watched->handler();
+  else
+    Stop();
+}
+
+}  // namespace kaori

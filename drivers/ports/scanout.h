@@ -1,0 +1,46 @@
+// A screen: memory for the next picture, a flip at its vertical blank, and the time at which it was shown.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/result.h"
+
+namespace kaori::ports {
+
+// 8-bit R, G, B, X in memory order, sRGB; row 0 is the bottom row (as GLES reads pixels).
+struct PixelBuffer {
+  int width_px = 0;
+  int height_px = 0;
+  std::span<std::uint8_t> bytes;  // width * height * 4, tightly packed.
+};
+
+struct Flip {
+  Time at{};                // The vertical blank at which the frame came to light.
+  std::uint64_t frame = 0;  // The number given to Present.
+  Duration period{};        // To the next vertical blank.
+};
+
+// No call blocks. One thread.
+class Scanout {
+ public:
+  virtual ~Scanout() = default;
+
+  // Readable when ReadFlip would give a flip, or the screen is gone.
+  virtual int pollable() const = 0;
+
+  // The buffer to draw the next frame into; valid until Present. Its size may change between frames. Errors:
+  //   resource_unavailable_try_again  the previous frame waits for its flip
+  //   no_such_device                  the screen was unplugged
+  virtual Result<PixelBuffer> Acquire() = 0;
+
+  // Shows the acquired buffer at the next vertical blank. Errors: no_such_device,
+  //   invalid_argument  nothing was acquired
+  virtual Result<void> Present(std::uint64_t frame) = 0;
+
+  // Errors: resource_unavailable_try_again, no_such_device.
+  virtual Result<Flip> ReadFlip() = 0;
+};
+
+}  // namespace kaori::ports

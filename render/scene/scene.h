@@ -1,0 +1,61 @@
+// One frame, described in plain values: what the face does, how it is drawn, and what stands behind it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/face/weights.h"
+
+namespace kaori::scene {
+
+// The four ways of drawing of 1993, and today's.
+enum class Style : std::uint8_t { kWire, kFlat, kBare, kHair, kSoft };
+inline constexpr int kStyleCount = 5;
+
+struct Head {
+  float yaw_rad = 0;    // Positive turns to the character's left.
+  float pitch_rad = 0;  // Positive looks up.
+  float roll_rad = 0;   // Positive leans to the character's left shoulder.
+  glm::vec3 shift_m{};
+};
+
+struct Gaze {
+  float yaw_rad = 0;  // Relative to the head; positive to the character's left.
+  float pitch_rad = 0;
+};
+
+struct Light {
+  glm::vec3 key{-0.45F, 0.55F, 0.75F};  // Direction towards the key light, camera frame; need not be a unit.
+  float exposure = 1;                   // 0 is black.
+};
+
+struct Camera {
+  glm::vec3 target_m{0.0F, -0.015F, 0.0F};
+  float distance_m = 0.95F;
+  float yaw_rad = 0;    // Round the target; positive looks from the character's left.
+  float height_rad = 0;
+  float field_of_view_rad = 0.40F;  // Vertical.
+};
+
+// A vertical gradient, linear RGB.
+struct Backdrop {
+  glm::vec3 top{0.053F, 0.080F, 0.144F};
+  glm::vec3 bottom{0.011F, 0.014F, 0.030F};
+};
+
+struct Scene {
+  face::Weights weights;
+  std::array<Gaze, 2> gaze{};                          // The character's left, right.
+  Head head;
+  std::array<float, kStyleCount> styles{0, 0, 0, 0, 1};  // Cross-fade; sum 1.
+  Light light;
+  Camera camera;
+  Backdrop backdrop;
+  glm::vec2 hair_sway_rad{};                           // Tips swing: sideways, forwards.
+  float breath = 0;                                    // -1 out .. 1 in.
+};
+
+}  // namespace kaori::scene
