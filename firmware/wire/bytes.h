@@ -1,0 +1,36 @@
+// Little-endian numbers in reports, byte by byte: no casts, no alignment, no operating system.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kaori::wire {
+
+constexpr void PutU16(std::span<std::uint8_t> into, std::size_t at, std::uint16_t value) {
+  into[at] = static_cast<std::uint8_t>(value & 0xFFu);
+  into[at + 1] = static_cast<std::uint8_t>(value >> 8);
+}
+
+constexpr void PutU32(std::span<std::uint8_t> into, std::size_t at, std::uint32_t value) {
+  PutU16(into, at, static_cast<std::uint16_t>(value & 0xFFFFu));
+  PutU16(into, at + 2, static_cast<std::uint16_t>(value >> 16));
+}
+
+constexpr std::uint16_t GetU16(std::span<const std::uint8_t> from, std::size_t at) {
+  return static_cast<std::uint16_t>(from[at] | (from[at + 1] << 8));
+}
+
+constexpr std::uint32_t GetU32(std::span<const std::uint8_t> from, std::size_t at) {
+  return GetU16(from, at) | (static_cast<std::uint32_t>(GetU16(from, at + 2)) << 16);
+}
+
+constexpr void PutI16(std::span<std::uint8_t> into, std::size_t at, std::int16_t value) {
+  PutU16(into, at, static_cast<std::uint16_t>(value));
+}
+
+constexpr std::int16_t GetI16(std::span<const std::uint8_t> from, std::size_t at) {
+  return static_cast<std::int16_t>(GetU16(from, at));
+}
+
+}  // namespace kaori::wire

@@ -1,0 +1,99 @@
+// Our dial-and-button box on the wire: 8 relative dials, 32 buttons, 32 lamps, who it is.
+//
+// No report ids, so a report is its bytes alone (hidraw puts a 0 before an output report).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "firmware/wire/bytes.h"
+
+namespace kaori::wire {
+
+// A pid.codes test id: for development only, never on a box that leaves the house.
+inline constexpr std::uint16_t kDialBoxVendor = 0x1209;
+inline constexpr std::uint16_t kDialBoxProduct = 0x0001;
+
+inline constexpr std::size_t kDials = 8;
+inline constexpr std::size_t kDialBoxButtons = 32;
+inline constexpr std::size_t kDialBoxReportBytes = 20;  // u32 buttons, 8 x i16 dials.
+inline constexpr std::size_t kDialBoxLampBytes = 4;     // u32, bit n lights lamp n.
+inline constexpr std::size_t kDialBoxFeatureBytes = 8;  // u16 major, u16 minor, u32 serial.
+inline constexpr int kDialCountsPerTurn = 256;
+
+// The lamps are on a vendor page: on the LED page a kernel would switch them as caps and num lock.
+inline constexpr auto kDialBoxDescriptor = std::to_array<std::uint8_t>({
+    0x05, 0x01,                                      // Usage page: Generic Desktop
+    0x09, 0x08,                                      // Usage: Multi-axis Controller
+    0xA1, 0x01,                                      // Collection: Application
+    0x05, 0x09,                                      //   Usage page: Button
+    0x19, 0x01, 0x29, 0x20,                          //   Usages 1..32
+    0x15, 0x00, 0x25, 0x01,                          //   Logical 0..1
+    0x75, 0x01, 0x95, 0x20,                          //   32 x 1 bit
+    0x81, 0x02,                                      //   Input: data, variable, absolute
+    0x05, 0x01,                                      //   Usage page: Generic Desktop
+    0x09, 0x37, 0x09, 0x37, 0x09, 0x37, 0x09, 0x37,  // Usage: Dial, four times
+    0x09, 0x37, 0x09, 0x37, 0x09, 0x37, 0x09, 0x37,  // and four more
+    0x16, 0x00, 0x80, 0x26, 0xFF, 0x7F,              // Logical -32768..32767
+    0x75, 0x10, 0x95, 0x08,                          //   8 x 16 bits
+    0x81, 0x06,                                      //   Input: data, variable, relative
+    0x06, 0x00, 0xFF,                                //   Usage page: vendor FF00
+    0x19, 0x01, 0x29, 0x20,                          //   Usages 1..32: the lamps
+    0x15, 0x00, 0x25, 0x01,                          //   Logical 0..1
+    0x75, 0x01, 0x95, 0x20,                          //   32 x 1 bit
+    0x91, 0x02,                                      //   Output: data, variable, absolute
+    0x09, 0x41,                                      //   Usage: vendor 41, version and serial number
+    0x26, 0xFF, 0x00,                                //   Logical 0..255
+    0x75, 0x08, 0x95, 0x08,                          //   8 x 8 bits
+    0xB1, 0x02,                                      //   Feature: data, variable, absolute
+    0xC0,                                            // End collection
+});
+
+struct DialBoxReport {
+  std::uint32_t buttons_down = 0;             // Bit n: button n is held.
+  std::array<std::int16_t, kDials> turned{};  // Counts since the last report; clockwise is positive.
+};
+
+struct DialBoxFeature {
+  std::uint16_t firmware_major = 0;
+  std::uint16_t firmware_minor = 0;
+  std::uint32_t serial = 0;
+};
+
+constexpr std::array<std::uint8_t, kDialBoxReportBytes> Encode(const DialBoxReport& report) {
+  std::array<std::uint8_t, kDialBoxReportBytes> bytes{};
+  PutU32(bytes, 0, report.buttons_down);
+  for (std::size_t n = 0; n < kDials; ++n) PutI16(bytes, 4 + 2 * n, report.turned[n]);
+  return bytes;
+}
+
+constexpr DialBoxReport DecodeDialBox(std::span<const std::uint8_t, kDialBoxReportBytes> bytes) {
+  DialBoxReport report{.buttons_down = GetU32(bytes, 0)};
+  for (std::size_t n = 0; n < kDials; ++n) report.turned[n] = GetI16(bytes, 4 + 2 * n);
+  return report;
+}
+
+constexpr std::array<std::uint8_t, kDialBoxLampBytes> EncodeLamps(std::uint32_t lit) {
+  std::array<std::uint8_t, kDialBoxLampBytes> bytes{};
+  PutU32(bytes, 0, lit);
+  return bytes;
+}
+
+constexpr std::uint32_t DecodeLamps(std::span<const std::uint8_t, kDialBoxLampBytes> bytes) {
+  return GetU32(bytes, 0);
+}
+
+constexpr std::array<std::uint8_t, kDialBoxFeatureBytes> Encode(const DialBoxFeature& feature) {
+  std::array<std::uint8_t, kDialBoxFeatureBytes> bytes{};
+  PutU16(bytes, 0, feature.firmware_major);
+  PutU16(bytes, 2, feature.firmware_minor);
+  PutU32(bytes, 4, feature.serial);
+  return bytes;
+}
+
+constexpr DialBoxFeature DecodeDialBoxFeature(std::span<const std::uint8_t, kDialBoxFeatureBytes> bytes) {
+  return {.firmware_major = GetU16(bytes, 0), .firmware_minor = GetU16(bytes, 2), .serial = GetU32(bytes, 4)};
+}
+
+}  // namespace kaori::wire
