@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+"""Names headers without a purpose line or #pragma once, and files that are too long.
+
+Usage: shape.py ROOT     prints "file: rule" for each, and exits 1 when there is one.
+"""
+
+import pathlib
+import re
+import sys
+
+import direction
+import table
+
+PURPOSE = re.compile(r"^// [A-Z0-9].*[.]$")
+
+
+def check_header(lines):
+    if not lines or not PURPOSE.match(lines[0]):
+        yield "the first line of a header says in one sentence, with a full stop, what it is for"
+    if "#pragma once" not in lines:
+        yield "a header has #pragma once"
+
+
+def check_length(path, lines):
+    if len(lines) > table.LINES_WANTED and path not in table.LONG_FILES:
+        yield f"{len(lines)} lines; {table.LINES_WANTED} at most, or a reason in tests/rules/table.py"
+
+
+def offences(root):
+    """Lines "file: rule", one for each fault of shape."""
+    for path, file in direction.sources(root):
+        lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
+        faults = [*check_length(path, lines), *(check_header(lines) if file.suffix in (".h", ".hpp") else ())]
+        yield from (f"{path}: {fault}" for fault in faults)
+    for path in table.LONG_FILES:
+        if not (root / path).exists():
+            yield f"{path}: is allowed to be long, and is not there"
+
+
+def main():
+    found = list(offences(pathlib.Path(sys.argv[1])))
+    print("\n".join(found) or "every file has its shape")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
