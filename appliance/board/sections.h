@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -16,7 +17,7 @@ enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
 // Written by kaori-input.
 struct Surface {
   static constexpr const char* kName = "surface";
-  std::array<std::int32_t, 8> counts{};    // Dials, accumulated; clockwise is positive.
+  std::array<std::int32_t, 8> counts{};  // Dials, accumulated; clockwise is positive.
   std::int32_t counts_per_turn = 256;
   std::uint32_t buttons_down = 0;          // Bit n: button n is held.
   std::array<std::uint32_t, 32> pushes{};  // How often each button went down since the board began.
@@ -25,10 +26,10 @@ struct Surface {
 // Written by kaori-input; [0] is the left stick (head), [1] the right one (gaze and brows).
 struct Stick {
   static constexpr const char* kName = "stick";
-  float x = 0;       // -1 left .. 1 right, after dead zone, centre and curve.
-  float y = 0;       // -1 pulled back .. 1 pushed forwards.
-  float twist = 0;   // -1 counter-clockwise .. 1 clockwise, seen from above.
-  float slider = 0;  // 0 .. 1.
+  float x = 0;            // -1 left .. 1 right, after dead zone, centre and curve.
+  float y = 0;            // -1 pulled back .. 1 pushed forwards.
+  float twist = 0;        // -1 counter-clockwise .. 1 clockwise, seen from above.
+  float slider = 0;       // 0 .. 1.
   std::int32_t hat = -1;  // 0 up, clockwise in eighths to 7; -1 centred.
   std::uint32_t buttons_down = 0;
   std::array<std::uint32_t, 16> pushes{};
@@ -68,13 +69,23 @@ struct StageStatus {
   static constexpr const char* kName = "stage_status";
   std::uint32_t frames = 0;
   std::uint32_t missed_flips = 0;
-  float frame_cpu_ms = 0;          // Mean of the last second.
+  float frame_cpu_ms = 0;  // Mean of the last second.
   float frames_per_s = 0;
-  std::uint32_t face = 0;          // Called last.
+  std::uint32_t face = 0;  // Called last.
   std::uint32_t expression = 0;
   std::uint32_t style = 0;
   std::uint32_t scene = 0;
   std::uint32_t input_age_us = 0;  // Age of the newest input at the last frame's light.
+};
+
+// Written by kaori-stage for itself: what it needs to go on after a restart without a jump. Opaque to the
+// board; see Hold and Take in performance_state.h.
+struct Performance {
+  static constexpr const char* kName = "performance";
+  static constexpr std::size_t kCapacityBytes = 8192 - 2 * sizeof(std::uint32_t);
+  std::uint32_t layout = 0;  // Which struct lies here, as the stage numbers them; 0 is none.
+  std::uint32_t bytes = 0;   // How much of `state` is in use.
+  std::array<std::uint8_t, kCapacityBytes> state{};
 };
 
 // What a reader gets: a value, when it became true, and how its source stands.

@@ -1,0 +1,15 @@
+#include "appliance/board/snapshot.h"
+
+namespace kaori::board {
+
+Snapshot ReadAll(const Board& board) {
+  return {.surface = board.Read<Surface>(),
+          .sticks = {board.Read<Stick>(0), board.Read<Stick>(1)},
+          .keys = board.Read<Keys>(),
+          .lines = board.Read<Lines>(),
+          .lips = board.Read<Lips>(),
+          .lamps = board.Read<Lamps>(),
+          .stage_status = board.Read<StageStatus>()};
+}
+
+}  // namespace kaori::board

@@ -1,0 +1,54 @@
+#include "appliance/board/valid.h"
+
+namespace kaori::board {
+namespace {
+
+constexpr std::int32_t kMaxCountsPerTurn = 1 << 20;  // The finest optical dials have a tenth of it.
+constexpr float kMaxLip = 8.0F;                      // Mouth widths; no mouth opens so far.
+constexpr float kMaxFigure = 1e9F;
+
+// False for NaN too: every comparison with it is.
+bool Within(float value, float low, float high) {
+  return value >= low && value <= high;
+}
+
+}  // namespace
+
+bool Valid(const Surface& surface) {
+  return surface.counts_per_turn > 0 && surface.counts_per_turn <= kMaxCountsPerTurn;
+}
+
+bool Valid(const Stick& stick) {
+  return Within(stick.x, -1, 1) && Within(stick.y, -1, 1) && Within(stick.twist, -1, 1) &&
+         Within(stick.slider, 0, 1) && stick.hat >= -1 && stick.hat <= 7;
+}
+
+bool Valid(const Keys& /*any bits are keys*/) {
+  return true;
+}
+
+bool Valid(const Lines& /*any bits are lines*/) {
+  return true;
+}
+
+bool Valid(const Lips& lips) {
+  return Within(lips.height, 0, kMaxLip) && Within(lips.width, 0, kMaxLip) && Within(lips.quality, 0, 1);
+}
+
+bool Valid(const Lamps& /*any bits are lamps*/) {
+  return true;
+}
+
+bool Valid(const StageStatus& status) {
+  return Within(status.frame_cpu_ms, 0, kMaxFigure) && Within(status.frames_per_s, 0, kMaxFigure);
+}
+
+bool Valid(const Performance& performance) {
+  return performance.bytes <= Performance::kCapacityBytes;
+}
+
+bool Valid(SourceState source) {
+  return source <= SourceState::kStale;
+}
+
+}  // namespace kaori::board

@@ -1,0 +1,19 @@
+// What may stand on the board: every reader checks every field before it believes a section.
+#pragma once
+
+#include "appliance/board/sections.h"
+
+namespace kaori::board {
+
+// True where every field is finite and within the range that its declaration in sections.h gives. Pure.
+bool Valid(const Surface& surface);
+bool Valid(const Stick& stick);
+bool Valid(const Keys& keys);
+bool Valid(const Lines& lines);
+bool Valid(const Lips& lips);
+bool Valid(const Lamps& lamps);
+bool Valid(const StageStatus& status);
+bool Valid(const Performance& performance);
+bool Valid(SourceState source);
+
+}  // namespace kaori::board
