@@ -1,0 +1,52 @@
+// The simulated dial and button box: 8 relative dials, 32 buttons with lamps.
+#pragma once
+
+#include <array>
+
+#include "firmware/wire/dial_box.h"
+#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/report_queue.h"
+
+namespace kaori::sim {
+
+// Dials 0..7 and buttons 0..31, from the upper left; other numbers are ignored.
+class DialBox final : public HidDevice {
+ public:
+  // Borrows the bench.
+  explicit DialBox(const Workbench& bench) : bench_(bench) {}
+
+  // Test's side: the operator's hands. Clockwise is positive; parts of a count are kept for the next turn.
+  void Turn(int dial, double turns);
+  void Push(int button);
+  void Release(int button);
+  std::uint32_t lamps() const { return lamps_; }  // Bit n: lamp n is lit.
+  std::uint32_t buttons_down() const { return waiting_.newest().buttons_down; }
+  double turned(int dial) const;  // All turns since the box was made.
+
+  // Appliance's side.
+  HidNameplate nameplate() const override;
+  std::optional<Time> next_due() const override { return waiting_.next_due(); }
+  std::optional<Report> TakeReport(Time now) override;
+  Report Standing() const override;
+  void TakeOutput(std::span<const std::uint8_t> report) override;
+  void HostCame() override;
+  void HostLeft() override { waiting_.set_hosted(false); }
+  void LosePower() override;
+
+ private:
+  struct Dial {
+    double turns = 0;           // Where the shaft is,
+    std::int64_t reported = 0;  // and up to which count it has been told.
+  };
+  static wire::DialBoxReport Next(const wire::DialBoxReport& last) { return {last.buttons_down, {}}; }
+  void SetButton(int button, bool down);
+  void AddCounts(int dial, std::int64_t counts);
+
+  const Workbench& bench_;
+  ReportQueue<wire::DialBoxReport> waiting_{&Next};
+  std::array<Dial, wire::kDials> dials_{};
+  std::uint32_t lamps_ = 0;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,55 @@
+// One movement of an operator's hand, or of a cable, as a plain value: what scenarios are made of.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "drivers/base/clock.h"
+
+namespace kaori::sim {
+
+// Where a simulated device is plugged in; the names are the ports of the link.
+enum class Place : std::uint8_t { kDialBox, kStickLeft, kStickRight, kKeyboard, kCamera, kScreen };
+inline constexpr int kPlaceCount = 6;
+
+// "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen".
+std::string_view PortName(Place place);
+std::optional<Place> PlaceNamed(std::string_view port);
+
+enum class Verb : std::uint8_t {
+  kTurn,       // Dial `index` by `a` turns, clockwise is positive.
+  kPush,       // Button or key `index` goes down,
+  kRelease,    // and up.
+  kMove,       // Stick to x = `a`, y = `b`.
+  kTwist,      // Stick's twist to `a`.
+  kSlide,      // Stick's slider to `a`.
+  kHat,        // Stick's hat to `index`, -1 is centred.
+  kLips,       // Mouth to height `a`, width `b`.
+  kCoverLens,  // `index` 1 covers, 0 uncovers.
+  kStall,      // Camera stops (`index` 1) or goes on (0).
+  kPlug,
+  kUnplug,
+};
+
+struct Hand {
+  Place place = Place::kDialBox;
+  Verb verb = Verb::kTurn;
+  int index = 0;
+  double a = 0;
+  double b = 0;
+  friend bool operator==(const Hand&, const Hand&) = default;
+};
+
+// What all simulated devices share: the time, and someone who watches the hands.
+struct Workbench {
+  const Clock& clock;
+  std::function<void(const Hand&)> watcher;  // May be empty. Called for every hand that changes something.
+
+  void Saw(const Hand& hand) const {
+    if (watcher) watcher(hand);
+  }
+};
+
+}  // namespace kaori::sim

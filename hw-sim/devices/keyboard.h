@@ -1,0 +1,41 @@
+// A simulated keyboard with n-key rollover.
+#pragma once
+
+#include "firmware/wire/keyboard.h"
+#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/report_queue.h"
+
+namespace kaori::sim {
+
+class Keyboard final : public HidDevice {
+ public:
+  // Borrows the bench.
+  explicit Keyboard(const Workbench& bench) : bench_(bench) {}
+
+  // Test's side. `usage` is of HID page 7: 0x04..0xDF keys, 0xE0..0xE7 modifiers; others are ignored.
+  void Press(std::uint8_t usage) { Set(usage, true); }
+  void Release(std::uint8_t usage) { Set(usage, false); }
+  bool held(std::uint8_t usage) const { return waiting_.newest().held(usage); }
+  std::uint8_t lights() const { return lights_; }  // Bit 0 num lock, 1 caps lock, 2 scroll lock.
+
+  // Appliance's side.
+  HidNameplate nameplate() const override;
+  std::optional<Time> next_due() const override { return waiting_.next_due(); }
+  std::optional<Report> TakeReport(Time now) override;
+  Report Standing() const override;
+  void TakeOutput(std::span<const std::uint8_t> report) override;
+  void HostCame() override;
+  void HostLeft() override { waiting_.set_hosted(false); }
+  void LosePower() override;
+
+ private:
+  static wire::KeyboardReport Next(const wire::KeyboardReport& last) { return last; }
+  void Set(std::uint8_t usage, bool down);
+
+  const Workbench& bench_;
+  ReportQueue<wire::KeyboardReport> waiting_{&Next};
+  std::uint8_t lights_ = 0;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,65 @@
+// The simulated lip camera: draws the lower half of a face whose lips are painted blue.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "drivers/ports/camera.h"
+#include "hw-sim/devices/hand.h"
+
+namespace kaori::sim {
+
+// Width of the painted mouth at rest as a part of the picture's width.
+inline constexpr double kRestMouthOfPicture = 0.28;
+
+// Sizes of the paint's outline, in widths of the mouth at rest.
+struct Mouth {
+  double height = 0.25;
+  double width = 1;
+  friend bool operator==(const Mouth&, const Mouth&) = default;
+};
+
+// How the next frame is spoilt.
+enum class Spoil : std::uint8_t { kNothing, kMessage, kPixels };
+
+class LipCamera {
+ public:
+  // Borrows the bench.
+  LipCamera(ports::CameraFormat format, const Workbench& bench);
+
+  // Test's side. Sizes are held within 0.02 .. 2 (height) and 0.1 .. 2 (width).
+  void SetMouth(double height, double width);
+  void CoverLens(bool covered);
+  void Stall(bool stalled);                         // No frames while stalled; their numbers go by.
+  void SendGarbage() { spoil_ = Spoil::kMessage; }  // The next frame comes with nonsense for its numbers.
+  void Scramble() { spoil_ = Spoil::kPixels; }      // The next frame's bytes are noise.
+  void SetFormat(ports::CameraFormat format);       // Even sizes up to 1920 x 1080; others are ignored.
+  Mouth mouth() const { return mouth_; }
+  bool covered() const { return covered_; }
+  bool stalled() const { return stalled_; }
+  ports::CameraFormat format() const { return format_; }
+
+  // Appliance's side. Room that every frame of the present format fits into.
+  std::size_t frame_bytes() const;
+  std::uint32_t stride_bytes() const;
+
+  // Draws frame `sequence` into `into` (frame_bytes of room); the same numbers give the same bytes.
+  // Returns the bytes used.
+  std::size_t Shoot(std::uint32_t sequence, std::span<std::uint8_t> into);
+
+  // How the frame that is now leaving is spoilt; the one after it is clean again.
+  Spoil TakeSpoil() { return std::exchange(spoil_, Spoil::kNothing); }
+
+ private:
+  const Workbench& bench_;
+  ports::CameraFormat format_;
+  Mouth mouth_;
+  bool covered_ = false;
+  bool stalled_ = false;
+  Spoil spoil_ = Spoil::kNothing;
+  std::vector<std::uint8_t> backdrop_;  // YUYV: the face without its mouth.
+  std::vector<std::uint8_t> picture_;   // YUYV: where other formats are made from.
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,76 @@
+// Changes on their way into reports: merged within a millisecond, but never so that an edge is lost.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <optional>
+
+#include "drivers/base/clock.h"
+
+namespace kaori::sim {
+
+inline constexpr Duration kReportPeriod = std::chrono::milliseconds(1);
+
+// A host that is stopped for good must not eat memory: beyond this many reports, edges merge after all.
+inline constexpr std::size_t kMaxWaitingReports = 1024;
+
+// State is the report as a struct. `at_rest_next` makes the state from which the next report starts.
+template <class State>
+class ReportQueue {
+ public:
+  explicit ReportQueue(State (*at_rest_next)(const State&)) : next_from_(at_rest_next) {}
+
+  // The state to change. `would_merge(last, back)` says whether the change would wipe out one that waits.
+  template <class WouldMerge>
+  State& Change(Time now, WouldMerge would_merge) {
+    if (waiting_.empty()) {
+      Append(now);
+    } else if (hosted_ && waiting_.size() < kMaxWaitingReports) {
+      const State& before = waiting_.size() > 1 ? waiting_[waiting_.size() - 2].state : sent_;
+      if (would_merge(before, waiting_.back().state)) Append(now);
+    }
+    return waiting_.back().state;
+  }
+
+  std::optional<Time> next_due() const {
+    if (waiting_.empty()) return std::nullopt;
+    return waiting_.front().due;
+  }
+
+  std::optional<State> Take(Time now) {
+    if (waiting_.empty() || waiting_.front().due > now) return std::nullopt;
+    sent_ = waiting_.front().state;
+    free_at_ = now + kReportPeriod;
+    waiting_.pop_front();
+    return sent_;
+  }
+
+  // The newest state, sent or not.
+  const State& newest() const { return waiting_.empty() ? sent_ : waiting_.back().state; }
+
+  void set_hosted(bool hosted) { hosted_ = hosted; }
+  void Forget() {
+    sent_ = next_from_(newest());
+    waiting_.clear();
+  }
+
+ private:
+  struct Waiting {
+    Time due;
+    State state;
+  };
+
+  void Append(Time now) {
+    const Time after_last = waiting_.empty() ? free_at_ : waiting_.back().due + kReportPeriod;
+    waiting_.push_back({std::max(now, after_last), next_from_(newest())});
+  }
+
+  State (*next_from_)(const State&);
+  State sent_{};
+  std::deque<Waiting> waiting_;
+  Time free_at_{};
+  bool hosted_ = false;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,54 @@
+// The simulated screen: what the audience sees, and when it came to light.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "drivers/base/clock.h"
+
+namespace kaori::sim {
+
+struct ScreenMode {
+  int width_px = 960;
+  int height_px = 540;
+  Duration period = std::chrono::nanoseconds(16'666'667);
+  friend bool operator==(const ScreenMode&, const ScreenMode&) = default;
+};
+
+struct Shown {
+  std::uint64_t frame = 0;  // The program's number.
+  Time at{};                // The vertical blank at which it came to light.
+  int width_px = 0;
+  int height_px = 0;
+  std::span<const std::uint8_t> rgbx;  // Bottom row first, tightly packed. Borrowed until the next Pump.
+};
+
+// Vertical blanks fall on start + n * period.
+class Screen {
+ public:
+  Screen(ScreenMode mode, Time start) : mode_(mode), start_(start) {}
+
+  // Test's side. A new mode takes the picture's memory away: the program must open the screen anew.
+  std::optional<Shown> latest() const { return latest_; }
+  std::uint64_t frames_shown() const { return frames_shown_; }
+  ScreenMode mode() const { return mode_; }
+  void SetPeriod(Duration period) { SetMode({mode_.width_px, mode_.height_px, period}); }
+  void SetMode(ScreenMode mode);
+
+  // Appliance's side. Number of the last vertical blank at or before `now`, and its time.
+  std::int64_t blank_before(Time now) const { return (now - start_) / mode_.period; }
+  Time blank_at(std::int64_t number) const { return start_ + number * mode_.period; }
+  std::uint32_t mode_changes() const { return mode_changes_; }
+  void Show(const Shown& shown);  // Borrows the pixels until the next Show or Darken.
+  void Darken() { latest_.reset(); }
+
+ private:
+  ScreenMode mode_;
+  Time start_;
+  std::optional<Shown> latest_;
+  std::uint64_t frames_shown_ = 0;
+  std::uint32_t mode_changes_ = 0;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,54 @@
+// A simulated joystick: two axes, twist, slider, hat and 12 buttons.
+#pragma once
+
+#include "firmware/wire/stick_pod.h"
+#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/report_queue.h"
+
+namespace kaori::sim {
+
+class StickPod final : public HidDevice {
+ public:
+  // `place` is kStickLeft or kStickRight. Borrows the bench.
+  StickPod(Place place, const Workbench& bench) : place_(place), bench_(bench) {}
+
+  // Test's side. Values beyond the stops are held at the stops.
+  void Move(float x, float y);  // x: -1 left .. 1 right; y: -1 pulled back .. 1 pushed forwards.
+  void Twist(float twist);      // -1 counter-clockwise .. 1 clockwise, seen from above.
+  void Slide(float slider);     // 0 .. 1.
+  void Hat(int direction);      // 0 up, clockwise in eighths to 7; -1 centred. Others are ignored.
+  void Push(int button);        // 0 .. 11; others are ignored.
+  void Release(int button);
+  float x() const { return x_; }
+  float y() const { return y_; }
+  float twist() const { return twist_; }
+  float slider() const { return slider_; }
+  int hat() const;
+  std::uint16_t buttons_down() const { return waiting_.newest().buttons_down; }
+
+  // Appliance's side.
+  HidNameplate nameplate() const override;
+  std::optional<Time> next_due() const override { return waiting_.next_due(); }
+  std::optional<Report> TakeReport(Time now) override;
+  Report Standing() const override;
+  void TakeOutput(std::span<const std::uint8_t>) override {}
+  void HostCame() override;
+  void HostLeft() override { waiting_.set_hosted(false); }
+  void LosePower() override { waiting_.Forget(); }
+
+ private:
+  static wire::StickPodReport Next(const wire::StickPodReport& last) { return last; }
+  wire::StickPodReport& Change();
+  void SetButton(int button, bool down);
+
+  Place place_;
+  const Workbench& bench_;
+  ReportQueue<wire::StickPodReport> waiting_{&Next};
+  float x_ = 0;
+  float y_ = 0;
+  float twist_ = 0;
+  float slider_ = 0;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,107 @@
+// All simulated devices, plugged into one folder of the local link: the bench on which the programs play.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
+#include "hw-sim/devices/dial_box.h"
+#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/keyboard.h"
+#include "hw-sim/devices/lip_camera.h"
+#include "hw-sim/devices/screen.h"
+#include "hw-sim/devices/stick_pod.h"
+
+namespace kaori::sim {
+
+struct RigOptions {
+  std::string folder;  // Made if it is not there; what a dead simulator left in it is replaced.
+  int screen_width_px = 960;
+  int screen_height_px = 540;
+  Duration screen_period = std::chrono::nanoseconds(16'666'667);
+  int camera_width_px = 640;
+  int camera_height_px = 480;
+  Duration camera_period = std::chrono::nanoseconds(33'333'333);
+  bool wakes_by_timer = false;  // With a SteadyClock: pollable() also wakes when something falls due.
+};
+
+class LinkPort;
+class HidPort;
+
+// One thread. Time comes from the clock alone: the same hands at the same times give the same bytes.
+class Rig {
+ public:
+  // Everything is plugged in at once. The clock outlives the rig. Errors: those of the folder and its
+  // sockets.
+  static Result<std::unique_ptr<Rig>> Open(RigOptions options, const Clock& clock);
+  ~Rig();
+
+  // Accepts, receives and sends whatever is due at clock.now(): reports that wait, a camera frame, a flip.
+  // Never blocks. Call it when pollable() is readable, and after hands or time have moved. A frame that was
+  // presented before this call and after the last one is shown at a vertical blank between the two, if there
+  // is one.
+  void Pump();
+
+  // An epoll descriptor of every socket; readable when Pump has something to do.
+  int pollable() const { return epoll_.get(); }
+  // When Pump is next needed though no socket speaks.
+  Time next_due() const;
+
+  DialBox& dial_box() { return dial_box_; }
+  StickPod& left_stick() { return left_stick_; }
+  StickPod& right_stick() { return right_stick_; }
+  StickPod& stick(Place place) { return place == Place::kStickRight ? right_stick_ : left_stick_; }
+  Keyboard& keyboard() { return keyboard_; }
+  LipCamera& camera() { return camera_; }
+  Screen& screen() { return screen_; }
+  const Clock& clock() const { return bench_.clock; }
+
+  // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen. Plugging what is
+  // plugged, or unplugging what is not, does nothing. Errors: invalid_argument (no such port), those of
+  // sockets.
+  Result<void> Plug(std::string_view name);
+  Result<void> Unplug(std::string_view name);
+  bool plugged(std::string_view name) const;
+  bool connected(std::string_view name) const;  // A program has the device open.
+
+  // Does one hand: any verb, any place. Verbs that the place does not have are ignored.
+  void Do(const Hand& hand);
+
+  // Who watches the hands that change something, Plug and Unplug included; replaces the last watcher.
+  void Watch(std::function<void(const Hand&)> watcher) { bench_.watcher = std::move(watcher); }
+
+  // Faults of HID devices, sent at once. Errors: invalid_argument (no HID device of that name),
+  // not_connected.
+  Result<void> SendTorn(std::string_view name, std::size_t first_bytes);  // The start of a standing report.
+  Result<void> SendRaw(std::string_view name, std::span<const std::uint8_t> report);
+  Result<void> VanishInReport(std::string_view name, std::size_t first_bytes);  // Torn, and the cable is out.
+
+ private:
+  Rig(RigOptions options, const Clock& clock);
+  Result<void> PlugAll();
+  LinkPort* port(std::string_view name) const;
+  Result<HidPort*> hid_port(std::string_view name) const;
+  void ArmTimer();
+
+  RigOptions options_;
+  Workbench bench_;
+  DialBox dial_box_;
+  StickPod left_stick_;
+  StickPod right_stick_;
+  Keyboard keyboard_;
+  LipCamera camera_;
+  Screen screen_;
+  UniqueFd epoll_;
+  UniqueFd timer_;
+  std::array<std::unique_ptr<LinkPort>, kPlaceCount> ports_;
+};
+
+}  // namespace kaori::sim
