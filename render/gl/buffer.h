@@ -1,0 +1,40 @@
+// Memory that vertices, indices and uniform blocks are read from.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "render/gl/handle.h"
+
+namespace kaori::gl {
+
+enum class BufferUse { kStatic, kEachFrame };
+
+// Made for a size; a write may be shorter, never longer.
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(BufferUse use, std::size_t size_bytes);
+
+  template <class T>
+  static Buffer Of(std::span<const T> values) {
+    Buffer buffer(BufferUse::kStatic, values.size_bytes());
+    buffer.Write(std::as_bytes(values));
+    return buffer;
+  }
+
+  // Replaces the content from the start; what is not covered is lost.
+  void Write(std::span<const std::byte> bytes);
+
+  // Makes uniform block `binding` of every program read this buffer.
+  void BindUniforms(unsigned binding) const;
+
+  unsigned id() const { return handle_.id(); }
+  std::size_t size_bytes() const { return size_bytes_; }
+
+ private:
+  Handle handle_;
+  std::size_t size_bytes_ = 0;
+};
+
+}  // namespace kaori::gl

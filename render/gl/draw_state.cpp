@@ -1,0 +1,31 @@
+#include "render/gl/draw_state.h"
+
+#include <GLES3/gl3.h>
+
+namespace kaori::gl {
+namespace {
+
+void Switch(GLenum what, bool on) {
+  if (on) {
+    glEnable(what);
+  } else {
+    glDisable(what);
+  }
+}
+
+}  // namespace
+
+void Apply(const DrawState& state) {
+  Switch(GL_CULL_FACE, state.cull == Cull::kBack);
+  Switch(GL_DEPTH_TEST, state.depth != Depth::kOff);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(state.depth == Depth::kTestAndWrite ? GL_TRUE : GL_FALSE);
+  Switch(GL_BLEND, state.blend == Blend::kOver || state.blend == Blend::kBrightest);
+  Switch(GL_SAMPLE_ALPHA_TO_COVERAGE, state.blend == Blend::kCoverage);
+  glBlendEquation(state.blend == Blend::kBrightest ? GL_MAX : GL_FUNC_ADD);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  Switch(GL_POLYGON_OFFSET_FILL, state.push_back);
+  glPolygonOffset(1.5F, 4.0F);
+}
+
+}  // namespace kaori::gl

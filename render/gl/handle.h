@@ -1,0 +1,33 @@
+// One GL object with one owner; deleted when the owner goes.
+#pragma once
+
+#include <utility>
+
+namespace kaori::gl {
+
+class Handle {
+ public:
+  using Delete = void (*)(unsigned);
+
+  Handle() = default;
+  Handle(unsigned id, Delete destroy) : id_(id), destroy_(destroy) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)), destroy_(other.destroy_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(destroy_, other.destroy_);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ != 0) destroy_(id_);
+  }
+
+  unsigned id() const { return id_; }
+
+ private:
+  unsigned id_ = 0;
+  Delete destroy_ = nullptr;
+};
+
+}  // namespace kaori::gl

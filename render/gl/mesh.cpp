@@ -1,0 +1,76 @@
+#include "render/gl/mesh.h"
+
+#include <GLES3/gl3.h>
+
+namespace kaori::gl {
+namespace {
+
+void Delete(unsigned id) {
+  glDeleteVertexArrays(1, &id);
+}
+
+GLenum TypeOf(Scalar scalar) {
+  switch (scalar) {
+    case Scalar::kFloat:
+      return GL_FLOAT;
+    case Scalar::kByteNorm:
+      return GL_BYTE;
+    case Scalar::kUByteNorm:
+      return GL_UNSIGNED_BYTE;
+    case Scalar::kUShortNorm:
+      return GL_UNSIGNED_SHORT;
+    case Scalar::kUInt:
+      return GL_UNSIGNED_INT;
+  }
+  return GL_FLOAT;
+}
+
+void Describe(const Attribute& a, int stride_bytes) {
+  const auto* offset = reinterpret_cast<const void*>(static_cast<std::intptr_t>(a.offset_bytes));
+  glEnableVertexAttribArray(a.location);
+  if (a.scalar == Scalar::kUInt) {
+    glVertexAttribIPointer(a.location, a.components, GL_UNSIGNED_INT, stride_bytes, offset);
+    return;
+  }
+  const GLboolean norm = a.scalar == Scalar::kFloat ? GL_FALSE : GL_TRUE;
+  glVertexAttribPointer(a.location, a.components, TypeOf(a.scalar), norm, stride_bytes, offset);
+}
+
+// Leaves the new array bound.
+Handle NewArray(std::initializer_list<VertexStream> streams) {
+  GLuint id = 0;
+  glGenVertexArrays(1, &id);
+  glBindVertexArray(id);
+  for (const VertexStream& stream : streams) {
+    glBindBuffer(GL_ARRAY_BUFFER, stream.buffer.id());
+    for (const Attribute& attribute : stream.attributes) Describe(attribute, stream.stride_bytes);
+  }
+  return Handle(id, Delete);
+}
+
+}  // namespace
+
+Mesh::Mesh(std::initializer_list<VertexStream> streams, std::span<const std::uint32_t> indices)
+    : array_(NewArray(streams)),
+      indices_(Buffer::Of(indices)),
+      element_count_(static_cast<int>(indices.size())) {
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+  glBindVertexArray(0);
+}
+
+Mesh::Mesh(std::initializer_list<VertexStream> streams, int vertex_count)
+    : array_(NewArray(streams)), element_count_(vertex_count) {
+  glBindVertexArray(0);
+}
+
+void Mesh::Draw() const {
+  if (element_count_ == 0) return;
+  glBindVertexArray(array_.id());
+  if (indices_.id() != 0) {
+    glDrawElements(GL_TRIANGLES, element_count_, GL_UNSIGNED_INT, nullptr);
+  } else {
+    glDrawArrays(GL_TRIANGLES, 0, element_count_);
+  }
+}
+
+}  // namespace kaori::gl

@@ -1,0 +1,46 @@
+// Vertices in buffers, their layout, and the indices that join them.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+
+#include "render/gl/buffer.h"
+#include "render/gl/handle.h"
+
+namespace kaori::gl {
+
+enum class Scalar : std::uint8_t { kFloat, kByteNorm, kUByteNorm, kUShortNorm, kUInt };
+
+// Where a shader's `layout(location = ...)` input lies in each vertex of a buffer.
+struct Attribute {
+  unsigned location = 0;
+  int components = 0;
+  Scalar scalar = Scalar::kFloat;
+  int offset_bytes = 0;
+};
+
+struct VertexStream {
+  const Buffer& buffer;
+  int stride_bytes = 0;
+  std::initializer_list<Attribute> attributes;
+};
+
+// Borrows the buffers of its streams: they live as long as the mesh.
+class Mesh {
+ public:
+  Mesh() = default;
+  Mesh(std::initializer_list<VertexStream> streams, std::span<const std::uint32_t> indices);
+  // Without indices: triangles of consecutive vertices.
+  Mesh(std::initializer_list<VertexStream> streams, int vertex_count);
+
+  void Draw() const;
+  int triangle_count() const { return element_count_ / 3; }
+
+ private:
+  Handle array_;
+  Buffer indices_;
+  int element_count_ = 0;
+};
+
+}  // namespace kaori::gl

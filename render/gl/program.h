@@ -1,0 +1,61 @@
+// Shaders, compiled and linked; errors name the file and the line.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "drivers/base/result.h"
+#include "render/gl/handle.h"
+
+namespace kaori::gl {
+
+// A shader's text under its file name.
+struct ShaderFile {
+  std::string_view name;
+  std::string_view text;
+};
+
+// `library` holds every file that a program or an #include "name" asks for. Texts carry no #version line.
+struct ProgramSource {
+  std::span<const ShaderFile> library;
+  std::string_view vertex;
+  std::string_view fragment;
+  std::string defines = {};  // Lines such as "#define TEXTURES 4\n", before both texts.
+};
+
+class Program {
+ public:
+  Program() = default;
+  // Errors: invalid_argument (a text does not compile or link: "skin.frag:12: ..."),
+  // no_such_file_or_directory.
+  static Result<Program> Make(const ProgramSource& source);
+
+  void Use() const;
+  // Where a uniform lives; -1 where the compiler dropped it, which every Set accepts. Ask once, when opening.
+  int Find(const char* name) const;
+  // Makes uniform block `name` read binding point `binding`, and sampler `name` read texture unit `unit`.
+  void BindBlock(const char* name, unsigned binding) const;
+  void BindSampler(const char* name, int unit) const;
+
+  // The program must be in use.
+  static void Set(int at, int value);
+  static void Set(int at, float value);
+  static void Set(int at, const glm::vec2& value);
+  static void Set(int at, const glm::vec3& value);
+  static void Set(int at, const glm::vec4& value);
+  static void Set(int at, const glm::mat3& value);
+  static void Set(int at, std::span<const float> values);
+  static void Set(int at, std::span<const glm::vec4> values);
+
+ private:
+  explicit Program(Handle handle) : handle_(std::move(handle)) {}
+  Handle handle_;
+};
+
+}  // namespace kaori::gl

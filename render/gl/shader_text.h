@@ -1,0 +1,27 @@
+// Puts #include "file" lines of a shader in place, with #line marks so that errors can be traced back.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drivers/base/result.h"
+#include "render/gl/program.h"
+
+namespace kaori::gl {
+
+struct WholeText {
+  std::string text;
+  std::vector<std::string_view> files;  // File number n of the #line marks.
+};
+
+// Each file is put in once, at its first #include. Errors: no_such_file_or_directory.
+Result<WholeText> Assemble(std::span<const ShaderFile> library, std::string_view file,
+                           std::string_view defines);
+
+// Replaces a driver's "n:line" at the start of each line of its log by "file:line". Understands Mesa's
+// "0:12(3): error" and the common "ERROR: 0:12:".
+std::string NameFiles(std::string_view log, std::span<const std::string_view> files);
+
+}  // namespace kaori::gl

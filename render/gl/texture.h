@@ -1,0 +1,44 @@
+// Pictures that shaders look up.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "render/gl/handle.h"
+
+namespace kaori::gl {
+
+enum class Texels : std::uint8_t {
+  kSrgb8,   // 4 bytes, R G B sRGB-coded and A linear; read as linear light.
+  kRgba8,   // 4 bytes, read as they are.
+  kGrey8,   // 1 byte.
+  kFloat4,  // 4 floats; read by texelFetch alone.
+};
+
+struct TextureOptions {
+  int width_px = 0;
+  int height_px = 0;
+  Texels texels = Texels::kRgba8;
+  bool mipmaps = false;
+  bool repeat = false;
+};
+
+class Texture {
+ public:
+  Texture() = default;
+  // `pixels` holds the rows one after another, the one at v = 0 first; empty leaves them unset.
+  Texture(const TextureOptions& options, std::span<const std::byte> pixels);
+
+  // Replaces the first `rows` rows of the picture. For textures without mipmaps.
+  void Write(int rows, std::span<const std::byte> pixels);
+
+  void Bind(unsigned unit) const;
+  unsigned id() const { return handle_.id(); }
+
+ private:
+  Handle handle_;
+  TextureOptions options_;
+};
+
+}  // namespace kaori::gl
