@@ -24,10 +24,10 @@ struct EyeBall {
 
 // How a face's iris and lashes look.
 struct EyeLook {
-  glm::vec3 iris{};          // Colour.
-  float iris_radius_m = 0;   // Measured along the ball's surface.
-  float lash_length_m = 0;   // 0: none.
-  float lash_wing_m = 0;     // How far the outer lashes reach out beyond the eye.
+  glm::vec3 iris{};         // Colour.
+  float iris_radius_m = 0;  // Measured along the ball's surface.
+  float lash_length_m = 0;  // 0: none.
+  float lash_wing_m = 0;    // How far the outer lashes reach out beyond the eye.
 };
 
 // Where the shared teeth and tongue sit in a face: p -> (p - anchor) * scale + anchor + offset.
@@ -41,23 +41,23 @@ struct MouthFit {
 
 // How a face's surface answers light.
 struct SurfaceLook {
-  float softness = 1;      // 1: skin, light bleeds into shade (red most); 0: hard.
-  float metal = 0;         // 1: a polished kettle.
-  int texture = 0;         // Index into Cast::textures.
-  glm::vec3 flat{};        // The one colour of the flat-shaded style.
+  float softness = 1;  // 1: skin, light bleeds into shade (red most); 0: hard.
+  float metal = 0;     // 1: a polished kettle.
+  int texture = 0;     // Index into Cast::textures.
+  glm::vec3 flat{};    // The one colour of the flat-shaded style.
 };
 
 // The global shape: one position for each vertex of the cage.
 struct Face {
   std::string name;
   std::vector<glm::vec3> positions;
-  std::vector<float> occlusion;     // Per cage vertex: 0 shut in, 1 open to the sky.
-  std::array<EyeBall, 2> eyes{};    // [0] the character's left (+X).
+  std::vector<float> occlusion;   // Per cage vertex: 0 shut in, 1 open to the sky.
+  std::array<EyeBall, 2> eyes{};  // [0] the character's left (+X).
   EyeLook eye_look;
   MouthFit mouth;
   SurfaceLook surface;
-  std::vector<int> props;           // Indices into Cast::props: its hair, its clothes.
-  float expression_gain = 1;        // A kettle has to try harder.
+  std::vector<int> props;     // Indices into Cast::props: its hair, its clothes.
+  float expression_gain = 1;  // A kettle has to try harder.
 };
 
 // A control point: its place in the parameter space. Names are per side: "MC.l", "UC".
@@ -70,9 +70,9 @@ struct ControlPoint {
 // above Topology::moving_count do not exist; border points hold zero and carry no column.
 struct ControlNet {
   std::vector<ControlPoint> points;
-  SparseRows to_cage;                     // moving_count rows, |points| columns; smoothed for display.
-  SparseRows to_cage_linear;              // The paper's piecewise linear interpolant; the reference.
-  SparseRows surface;                     // |points| rows over cage vertices: where a point lies on a face.
+  SparseRows to_cage;         // moving_count rows, |points| columns; smoothed for display.
+  SparseRows to_cage_linear;  // The paper's piecewise linear interpolant; the reference.
+  SparseRows surface;         // |points| rows over cage vertices: where a point lies on a face.
 };
 
 enum class ExpressionKind : std::uint8_t {
@@ -87,7 +87,7 @@ struct Expression {
   std::string name;
   ExpressionKind kind = ExpressionKind::kExpression;
   std::vector<glm::vec3> displacement;  // One for each control point.
-  std::array<float, 2> lids{};          // Lids shut by this much as part of the expression: left, right, 0..1.
+  std::array<float, 2> lids{};  // Lids shut by this much as part of the expression: left, right, 0..1.
 };
 
 enum class Part : std::uint8_t { kHair, kUpperTeeth, kLowerTeeth, kTongue, kClothes };
@@ -96,10 +96,10 @@ enum class Part : std::uint8_t { kHair, kUpperTeeth, kLowerTeeth, kTongue, kClot
 struct PropVertex {
   glm::vec3 position{};
   glm::vec3 normal{};
-  glm::vec3 tangent{};   // Along the lock, towards its tip.
+  glm::vec3 tangent{};  // Along the lock, towards its tip.
   float along = 0;
   float across = 0;
-  float shade = 1;       // Baked occlusion, 0..1.
+  float shade = 1;  // Baked occlusion, 0..1.
 };
 
 // A mesh that does not deform. Hair and teeth turn with the head, clothes do not.
@@ -125,8 +125,8 @@ struct Cast {
   std::vector<Expression> expressions;  // [0] is "neutral"; kinds may be mixed.
   std::vector<Prop> props;
   std::vector<Texture> textures;
-  glm::vec3 neck_pivot{};               // The head turns about this point.
-  glm::vec3 mouth_anchor{};             // See MouthFit.
+  glm::vec3 neck_pivot{};    // The head turns about this point.
+  glm::vec3 mouth_anchor{};  // See MouthFit.
 };
 
 }  // namespace kaori::face

@@ -14,6 +14,10 @@ using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;  // Counter-clockwise seen from outside.
 using Line = std::array<Index, 2>;
 
+// The unit square of the parameter space spans this much of the reference face, unrolled.
+inline constexpr float kParameterWidth_m = 0.42F;
+inline constexpr float kParameterHeight_m = 0.31F;
+
 // Rows of a sparse matrix: row r uses entries [row_start[r], row_start[r + 1]) of `column` and `weight`.
 struct SparseRows {
   std::vector<std::uint32_t> row_start;  // rows + 1
@@ -27,8 +31,8 @@ struct FineMesh {
   SparseRows from_cage;             // Positions.
   SparseRows attributes_from_cage;  // The same rows for attributes (plain means, nothing is pulled inwards).
   std::vector<Triangle> triangles;
-  std::vector<glm::vec2> texture;   // Per fine vertex, 0..1, v up.
-  std::vector<Index> twin;          // The vertex that shares position and normal across a seam; itself if none.
+  std::vector<glm::vec2> texture;  // Per fine vertex, 0..1, v up.
+  std::vector<Index> twin;  // The vertex that shares position and normal across a seam; itself if none.
 };
 
 // One eye's lids as rings of vertices. Column j runs from the inner corner (0) to the outer (columns - 1);
@@ -45,15 +49,15 @@ struct LidRig {
 };
 
 struct Topology {
-  Index vertex_count = 0;               // Of the cage. Vertices [0, moving_count) can move with expressions.
+  Index vertex_count = 0;  // Of the cage. Vertices [0, moving_count) can move with expressions.
   Index moving_count = 0;
-  std::vector<glm::vec2> place;         // Place in the parameter space: the unit square, u round, v up.
-  std::vector<glm::vec2> texture;       // Texture coordinates 0..1 (place, stretched towards the face), v up.
-  std::vector<Triangle> triangles;      // The cage.
-  std::vector<Line> wires;              // The cage's quad edges, for the wireframe.
-  std::vector<Index> twin;              // As in FineMesh.
-  std::vector<float> mouth_share;       // 0..1: how much of a vertex's motion belongs to the lips.
-  std::array<LidRig, 2> lids;           // [0] the character's left (+X), [1] the right.
+  std::vector<glm::vec2> place;     // Place in the parameter space: the unit square, u round, v up.
+  std::vector<glm::vec2> texture;   // Texture coordinates 0..1 (place, stretched towards the face), v up.
+  std::vector<Triangle> triangles;  // The cage.
+  std::vector<Line> wires;          // The cage's quad edges, for the wireframe.
+  std::vector<Index> twin;          // As in FineMesh.
+  std::vector<float> mouth_share;   // 0..1: how much of a vertex's motion belongs to the lips.
+  std::array<LidRig, 2> lids;       // [0] the character's left (+X), [1] the right.
   FineMesh fine;
 };
 

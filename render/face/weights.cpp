@@ -5,6 +5,35 @@
 #include <numeric>
 
 namespace kaori::face {
+namespace {
+
+constexpr float kCancelledOut = 0.25F;  // A smaller sum of face weights would be blown up by dividing by it.
+
+Terms PlayableTerms(const Terms& terms, std::size_t count) {
+  Terms kept;
+  for (const Term& term : terms) {
+    if (term.index >= count || !std::isfinite(term.weight) || term.weight == 0) continue;
+    kept.Push(term.index, std::clamp(term.weight, -kHeaviest, kHeaviest));
+  }
+  return kept;
+}
+
+Terms WithSumOne(const Terms& terms) {
+  const float sum = terms.sum();
+  Terms scaled;
+  if (sum < kCancelledOut) {
+    scaled.Push(0, 1);
+    return scaled;
+  }
+  for (const Term& term : terms) scaled.Push(term.index, term.weight / sum);
+  return scaled;
+}
+
+float PartOf1(float value) {
+  return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.0F;
+}
+
+}  // namespace
 
 void Terms::Push(std::uint16_t index, float weight) {
   if (size_ < kCapacity) {
@@ -20,6 +49,16 @@ float Terms::sum() const {
   return std::accumulate(begin(), end(), 0.0F, [](float s, const Term& t) { return s + t.weight; });
 }
 
-bool operator==(const Terms& a, const Terms& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
+bool operator==(const Terms& a, const Terms& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+Weights Playable(const Weights& weights, std::size_t faces, std::size_t expressions) {
+  return {.faces = WithSumOne(PlayableTerms(weights.faces, faces)),
+          .expressions = PlayableTerms(weights.expressions, expressions),
+          .channels = PlayableTerms(weights.channels, expressions),
+          .mouth_given_away = PartOf1(weights.mouth_given_away),
+          .lids_shut = {PartOf1(weights.lids_shut[0]), PartOf1(weights.lids_shut[1])}};
+}
 
 }  // namespace kaori::face

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace kaori::face {
@@ -34,11 +35,17 @@ class Terms {
 
 // P = sum_i s_i ( B_i + sum_j t_j E_ij + sum_k c_k A_ik )  (equation 1 of Arai et al. 1994, and channels).
 struct Weights {
-  Terms faces;                              // s_i, sum 1.
-  Terms expressions;                        // t_j, sum 1; indices of Cast::expressions.
-  Terms channels;                           // c_k, free; indices of Cast::expressions.
-  float mouth_given_away = 0;               // 0: the expression's own mouth; 1: it gives way to the channels.
-  std::array<float, 2> lids_shut{};         // 0 open .. 1 shut: the character's left, right.
+  Terms faces;                       // s_i, sum 1.
+  Terms expressions;                 // t_j, sum 1; indices of Cast::expressions.
+  Terms channels;                    // c_k, free; indices of Cast::expressions.
+  float mouth_given_away = 0;        // 0: the expression's own mouth; 1: it gives way to the channels.
+  std::array<float, 2> lids_shut{};  // 0 open .. 1 shut: the character's left, right.
 };
+
+// What can be played of `weights` by a cast of so many faces and expressions: terms that are not finite, or
+// name nothing, are left out; the others are kept within kHeaviest, the faces are brought to the sum 1 (face
+// 0 alone if they come near to cancelling out), and what is a part of something is kept within 0..1.
+Weights Playable(const Weights& weights, std::size_t faces, std::size_t expressions);
+inline constexpr float kHeaviest = 4;
 
 }  // namespace kaori::face

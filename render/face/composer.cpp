@@ -1,0 +1,182 @@
+#include "render/face/composer.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "render/face/aligned.h"
+#include "render/face/blend.h"
+#include "render/face/composites.h"
+#include "render/face/eyelids.h"
+#include "render/face/mix.h"
+#include "render/face/normals.h"
+#include "render/face/sparse.h"
+
+namespace kaori::face {
+namespace {
+
+constexpr std::size_t kTerms = Terms::kCapacity;
+
+// A stream of each face's occlusion; an empty one is open everywhere.
+AlignedFloats OcclusionOfFaces(const Cast& cast, std::size_t stride) {
+  AlignedFloats all(cast.faces.size() * stride);
+  for (std::size_t i = 0; i < cast.faces.size(); ++i) {
+    float* out = all.data() + i * stride;
+    const auto& occlusion = cast.faces[i].occlusion;
+    if (occlusion.empty()) std::fill_n(out, stride, 1.0F);
+    std::ranges::copy(occlusion, out);
+  }
+  return all;
+}
+
+// The mouth's share of each vertex, three times over: once for each float of a stream.
+AlignedFloats MouthShareOfFloats(const Topology& topology, std::size_t floats) {
+  AlignedFloats share(floats);
+  if (topology.mouth_share.empty()) return share;
+  for (std::size_t i = 0; i < 3 * std::size_t{topology.moving_count}; ++i) {
+    share.data()[i] = topology.mouth_share[i / 3];
+  }
+  return share;
+}
+
+}  // namespace
+
+// Everything that Compose writes to, and what it needs at hand. Sized once.
+struct Composer::Work {
+  explicit Work(const Cast& cast);
+
+  void Gather(const Weights& weights);
+  void GatherFace(const Term& face, const Weights& weights);
+  void BlendCage(float mouth_given_away);
+  void ComputeNormals(Detail detail);
+  void BlendOcclusion(const Terms& faces);
+  void RefineOcclusion();
+  Shape View(const Topology& topology, Detail detail) const;
+
+  Composites composites;
+  const FineMesh& mesh;
+  SurfaceNormals cage_surface;
+  SurfaceNormals fine_surface;
+  AlignedFloats mouth_share;
+  std::size_t occlusion_floats;
+  AlignedFloats face_occlusion;
+
+  std::vector<Stream> bases;       // s_i B_i.
+  std::vector<Stream> unyielding;  // The same, and s_i c_k A_ik.
+  std::vector<Stream> yielding;    // s_i t_j E_ij.
+  AlignedFloats cage, cage_normals, fine, fine_normals, occlusion, fine_occlusion;
+  Terms occlusion_of;                 // The faces whose occlusion was blended last;
+  bool fine_occlusion_holds = false;  // and whether the fine mesh has it.
+};
+
+Composer::Work::Work(const Cast& cast)
+    : composites(cast),
+      mesh(cast.topology.fine),
+      cage_surface(cast.topology.triangles, cast.topology.twin, cast.topology.wires),
+      fine_surface(mesh.triangles, mesh.twin, {}),
+      mouth_share(MouthShareOfFloats(cast.topology, composites.moving_floats())),
+      occlusion_floats(Padded(cast.topology.vertex_count)),
+      face_occlusion(OcclusionOfFaces(cast, occlusion_floats)),
+      cage(composites.face_floats()),
+      cage_normals(composites.face_floats()),
+      fine(3 * mesh.from_cage.rows()),
+      fine_normals(3 * mesh.from_cage.rows()),
+      occlusion(occlusion_floats),
+      fine_occlusion(mesh.from_cage.rows()) {
+  bases.reserve(kTerms);
+  unyielding.reserve(kTerms + kTerms * kTerms);
+  yielding.reserve(kTerms * kTerms);
+}
+
+void Composer::Work::Gather(const Weights& weights) {
+  bases.clear();
+  unyielding.clear();
+  yielding.clear();
+  for (const Term& face : weights.faces) GatherFace(face, weights);
+}
+
+void Composer::Work::GatherFace(const Term& face, const Weights& weights) {
+  const auto add = [&](const Terms& terms, std::vector<Stream>& streams) {
+    for (const Term& term : terms) {
+      const float* values = composites.displacement(face.index, term.index);
+      if (values != nullptr) streams.push_back({values, face.weight * term.weight});
+    }
+  };
+  bases.push_back({composites.base(face.index), face.weight});
+  unyielding.push_back(bases.back());
+  add(weights.channels, unyielding);
+  add(weights.expressions, weights.mouth_given_away > 0 ? yielding : unyielding);
+}
+
+// The part that moves with expressions, then the rest, where only faces differ.
+void Composer::Work::BlendCage(float mouth_given_away) {
+  const std::size_t moving = composites.moving_floats();
+  Blend(unyielding, {yielding, mouth_share.data(), mouth_given_away}, moving, cage.data());
+  for (Stream& base : bases) base.values += moving;
+  Blend(bases, composites.face_floats() - moving, cage.data() + moving);
+}
+
+void Composer::Work::ComputeNormals(Detail detail) {
+  cage_surface.Compute(cage.data(), cage_normals.data());
+  if (detail == Detail::kCage) return;
+  ApplyToVertices(mesh.from_cage, cage.data(), fine.data());
+  fine_surface.Compute(fine.data(), fine_normals.data());
+}
+
+// Occlusion depends on the faces alone, so it is kept until their weights change.
+void Composer::Work::BlendOcclusion(const Terms& faces) {
+  if (faces == occlusion_of) return;
+  bases.clear();
+  for (const Term& t : faces) bases.push_back({face_occlusion.data() + t.index * occlusion_floats, t.weight});
+  Blend(bases, occlusion_floats, occlusion.data());
+  occlusion_of = faces;
+  fine_occlusion_holds = false;
+}
+
+void Composer::Work::RefineOcclusion() {
+  if (fine_occlusion_holds) return;
+  ApplyToValues(mesh.attributes_from_cage, occlusion.data(), fine_occlusion.data());
+  fine_occlusion_holds = true;
+}
+
+Shape Composer::Work::View(const Topology& topology, Detail detail) const {
+  const std::size_t vertices = topology.vertex_count;
+  const std::size_t fine_vertices = detail == Detail::kFine ? mesh.from_cage.rows() : 0;
+  Shape shape;
+  shape.cage = cage.vertices(vertices);
+  shape.cage_normals = cage_normals.vertices(vertices);
+  shape.occlusion = {occlusion.data(), vertices};
+  shape.fine = fine.vertices(fine_vertices);
+  shape.fine_normals = fine_normals.vertices(fine_vertices);
+  shape.fine_occlusion = {fine_occlusion.data(), fine_vertices};
+  return shape;
+}
+
+Composer::Composer(const Cast& cast) : cast_(cast), work_(std::make_unique<Work>(cast)) {}
+Composer::~Composer() = default;
+
+const Shape& Composer::Compose(const Weights& weights, Detail detail) {
+  const Weights playable = Playable(weights, cast_.faces.size(), cast_.expressions.size());
+  const Topology& topology = cast_.topology;
+  work_->Gather(playable);
+  work_->BlendCage(playable.mouth_given_away);
+  work_->BlendOcclusion(playable.faces);
+  if (detail == Detail::kFine) work_->RefineOcclusion();
+
+  shape_ = work_->View(topology, detail);
+  shape_.faces = playable.faces;
+  shape_.eyes = MixEyes(cast_.faces, playable);
+  shape_.eye_look = MixEyeLook(cast_.faces, playable);
+  shape_.mouth = MixMouth(cast_.faces, playable);
+  shape_.lids_shut = MixLids(cast_.expressions, playable);
+  shape_.jaw_drop_m = MixJawDrop(work_->composites, playable);
+
+  const auto cage = work_->cage.vertices(topology.vertex_count);
+  for (std::size_t side = 0; side < 2; ++side) {
+    ShutLids(topology.lids[side], shape_.lids_shut[side], cage);
+    SeatLids(topology.lids[side], shape_.eyes[side], cage);
+  }
+  work_->ComputeNormals(detail);
+  return shape_;
+}
+
+}  // namespace kaori::face

@@ -1,0 +1,60 @@
+// All composites of a cast, built once: what each expression does to each face, ready to be added up.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/face/aligned.h"
+#include "render/face/cast.h"
+
+namespace kaori::face {
+
+// Borrows nothing after construction. Every array it gives out is aligned and padded for Blend; three packed
+// floats a vertex.
+class Composites {
+ public:
+  // The cast must have passed CheckCast.
+  explicit Composites(const Cast& cast);
+
+  std::size_t faces() const { return faces_; }
+  std::size_t expressions() const { return expressions_; }
+
+  // Floats of a whole face, and of the part that moves with expressions; both padded to cache lines.
+  std::size_t face_floats() const { return face_floats_; }
+  std::size_t moving_floats() const { return moving_floats_; }
+
+  // B_i: face_floats() long.
+  const float* base(std::size_t face) const { return bases_.data() + face * face_floats_; }
+  // E_ij, metres: moving_floats() long; null where the expression moves nothing.
+  const float* displacement(std::size_t face, std::size_t expression) const;
+  // How far expression j takes the lower lip's middle down on face i.
+  float jaw_drop_m(std::size_t face, std::size_t expression) const {
+    return jaw_drops_m_[face * expressions_ + expression];
+  }
+
+  // The part of the jaw drop that gives way with the mouth, 0..1.
+  float jaw_mouth_share() const { return jaw_mouth_share_; }
+  std::size_t bytes() const { return (bases_.size() + displacements_.size()) * sizeof(float); }
+
+ private:
+  void CopyBases(const Cast& cast);
+  void NumberMoving(const Cast& cast);
+  void FindJaw(const Cast& cast);
+  void ComposeFace(const Cast& cast, std::size_t face);
+
+  std::size_t faces_ = 0;
+  std::size_t expressions_ = 0;
+  std::size_t face_floats_ = 0;
+  std::size_t moving_floats_ = 0;
+  std::vector<std::optional<std::size_t>> slot_;  // Per expression; none where it moves nothing.
+  std::size_t slots_ = 0;
+  AlignedFloats bases_;
+  AlignedFloats displacements_;
+  std::vector<float> jaw_drops_m_;
+  std::optional<std::size_t> jaw_point_;  // Of "LC" in the net.
+  float jaw_mouth_share_ = 0;
+};
+
+}  // namespace kaori::face

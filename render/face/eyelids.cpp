@@ -1,0 +1,66 @@
+#include "render/face/eyelids.h"
+
+#include <glm/geometric.hpp>
+
+namespace kaori::face {
+namespace {
+
+constexpr float kUpperWay = 0.88F;          // Part of the gap that the upper lid closes;
+constexpr float kLowerWay = 1 - kUpperWay;  // the lower lid rises by the rest.
+constexpr float kSkinOverMargin =
+    0.045F;  // Of the ball's radius: skin around the lid lies higher than its edge.
+constexpr float kBehindMargin_m = 0.0002F;  // The first ring behind the edge lies on the ball,
+constexpr float kInTheSocket_m = -0.003F;   // further ones are hidden in it.
+
+float SmallestRadius_m(const LidRig& rig, const EyeBall& ball, int ring) {
+  const float margin_m = ball.radius_m + ball.lid_thickness_m;
+  if (ring < rig.margin_ring) return margin_m + kSkinOverMargin * ball.radius_m;
+  if (ring == rig.margin_ring) return margin_m;
+  return ball.radius_m + (ring == rig.margin_ring + 1 ? kBehindMargin_m : kInTheSocket_m);
+}
+
+void PushOut(glm::vec3& vertex, const glm::vec3& centre, float radius_m) {
+  const glm::vec3 from = vertex - centre;
+  const float square = glm::dot(from, from);
+  if (square >= radius_m * radius_m) return;
+  const bool at_centre = !(square > 0);
+  vertex = centre + (at_centre ? glm::vec3{0, 0, radius_m} : from * (radius_m * glm::inversesqrt(square)));
+}
+
+std::size_t At(const LidRig& rig, int ring, int column) {
+  return static_cast<std::size_t>(ring) * static_cast<std::size_t>(rig.columns) +
+         static_cast<std::size_t>(column);
+}
+
+void ShutColumn(const LidRig& rig, int column, float shut, std::span<glm::vec3> cage) {
+  const std::size_t margin = At(rig, rig.margin_ring, column);
+  const glm::vec3 gap = cage[rig.lower[margin]] - cage[rig.upper[margin]];
+  const glm::vec3 down = gap * (shut * kUpperWay);
+  const glm::vec3 up = gap * (shut * -kLowerWay);
+  for (int ring = 0; ring < rig.rings; ++ring) {
+    const auto k = static_cast<std::size_t>(ring);
+    cage[rig.upper[At(rig, ring, column)]] += rig.follow_upper[k] * down;
+    cage[rig.lower[At(rig, ring, column)]] += rig.follow_lower[k] * up;
+  }
+}
+
+}  // namespace
+
+void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage) {
+  if (!(shut > 0)) return;
+  // The corners of the eye, the first and the last column, stay.
+  for (int column = 1; column + 1 < rig.columns; ++column) ShutColumn(rig, column, shut, cage);
+}
+
+void SeatLids(const LidRig& rig, const EyeBall& ball, std::span<glm::vec3> cage) {
+  if (!(ball.radius_m > 0)) return;
+  for (int ring = 0; ring < rig.rings; ++ring) {
+    const float radius_m = SmallestRadius_m(rig, ball, ring);
+    for (std::size_t i = At(rig, ring, 0); i < At(rig, ring, rig.columns); ++i) {
+      PushOut(cage[rig.upper[i]], ball.centre, radius_m);
+      PushOut(cage[rig.lower[i]], ball.centre, radius_m);
+    }
+  }
+}
+
+}  // namespace kaori::face

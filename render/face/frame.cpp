@@ -1,0 +1,102 @@
+#include "render/face/frame.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/matrix.hpp>
+
+namespace kaori::face {
+namespace {
+
+constexpr double kFitRadius_m = 0.016;  // Of the Gaussian weight. Narrower fits follow the folds of the lips.
+constexpr double kFlat = 1e-6;  // A fit this much thinner in one direction than in the other has no frame.
+
+glm::dvec2 InMetres(glm::vec2 place) {
+  return {static_cast<double>(place.x) * static_cast<double>(kParameterWidth_m),
+          static_cast<double>(place.y) * static_cast<double>(kParameterHeight_m)};
+}
+
+// The linear map from parameter space to space, as its two columns.
+struct Slope {
+  glm::dvec3 along_u{};
+  glm::dvec3 along_v{};
+};
+
+bool Flat(const glm::dmat2& m) {
+  const double trace = m[0][0] + m[1][1];
+  return !(glm::determinant(m) > kFlat * kFlat * trace * trace);
+}
+
+// Sums of the normal equations: moments of the places, and of the points against the places.
+struct Moments {
+  glm::dmat2 places{0.0};
+  Slope points;
+
+  void Add(glm::dvec2 place, glm::dvec3 point) {
+    const double weight = std::exp(-glm::dot(place, place) / (2 * kFitRadius_m * kFitRadius_m));
+    places += weight * glm::outerProduct(place, place);
+    points.along_u += weight * place.x * point;
+    points.along_v += weight * place.y * point;
+  }
+
+  Slope Solve() const {
+    const glm::dmat2 inverse = glm::inverse(places);
+    return {points.along_u * inverse[0][0] + points.along_v * inverse[0][1],
+            points.along_u * inverse[1][0] + points.along_v * inverse[1][1]};
+  }
+};
+
+// J = R S: R keeps the direction nearest to J, and the two sizes in S are replaced by their geometric mean.
+Frame RotationAndSize(const Slope& slope) {
+  const double shear = glm::dot(slope.along_u, slope.along_v);
+  const glm::dmat2 square{glm::dot(slope.along_u, slope.along_u), shear,  //
+                          shear, glm::dot(slope.along_v, slope.along_v)};
+  if (Flat(square)) return {};
+  const double area = std::sqrt(glm::determinant(square));
+  const glm::dmat2 root =
+      (square + area * glm::dmat2(1.0)) / std::sqrt(square[0][0] + square[1][1] + 2 * area);
+  const glm::dmat2 unstretch = glm::inverse(root) * std::sqrt(area);
+  const glm::dvec3 u = slope.along_u * unstretch[0][0] + slope.along_v * unstretch[0][1];
+  const glm::dvec3 v = slope.along_u * unstretch[1][0] + slope.along_v * unstretch[1][1];
+  return {glm::vec3(u), glm::vec3(v), glm::vec3(glm::cross(u, v) / std::sqrt(area))};
+}
+
+Frame FitFrame(const ControlNet& net, std::span<const glm::vec3> on_face, std::size_t at) {
+  Moments moments;
+  const glm::dvec2 here = InMetres(net.points[at].place);
+  for (std::size_t i = 0; i < net.points.size(); ++i) {
+    moments.Add(InMetres(net.points[i].place) - here, glm::dvec3(on_face[i]) - glm::dvec3(on_face[at]));
+  }
+  if (Flat(moments.places)) return {};
+  return RotationAndSize(moments.Solve());
+}
+
+}  // namespace
+
+std::vector<glm::vec3> PointsOnFace(const ControlNet& net, std::span<const glm::vec3> positions) {
+  std::vector<glm::vec3> points(net.surface.rows());
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    for (auto i = net.surface.row_start[row]; i < net.surface.row_start[row + 1]; ++i) {
+      points[row] += net.surface.weight[i] * positions[net.surface.column[i]];
+    }
+  }
+  return points;
+}
+
+std::vector<Frame> FitFrames(const ControlNet& net, std::span<const glm::vec3> on_face) {
+  std::vector<Frame> frames(net.points.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i] = FitFrame(net, on_face, i);
+  return frames;
+}
+
+std::vector<glm::vec3> Carry(const Expression& expression, std::span<const Frame> frames, float gain) {
+  std::vector<glm::vec3> moved(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const glm::vec3 d = gain * expression.displacement[i];
+    moved[i] = d.x * frames[i].along_u + d.y * frames[i].along_v + d.z * frames[i].outwards;
+  }
+  return moved;
+}
+
+}  // namespace kaori::face

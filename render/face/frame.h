@@ -1,0 +1,34 @@
+// Where a control point lies on a face, and how the parameter space sits there: direction and size.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/face/cast.h"
+
+namespace kaori::face {
+
+// Three directions at right angles, all of the same length: the size of the face there, 1 on a face as
+// large as the parameter space says.
+struct Frame {
+  glm::vec3 along_u{1, 0, 0};
+  glm::vec3 along_v{0, 1, 0};
+  glm::vec3 outwards{0, 0, 1};
+};
+
+// The place of each control point on a face, metres.
+std::vector<glm::vec3> PointsOnFace(const ControlNet& net, std::span<const glm::vec3> positions);
+
+// For each control point, the rotation and the one size that fit the face best within some 3 cm: weighted
+// least squares from the parameter space to the face over all points, then its polar decomposition. Fitted
+// this widely it ignores the small folds of lips and nose, which would tear an expression. A point whose
+// neighbours lie on one line, or on one spot of the face, gets the frame of the space itself.
+std::vector<Frame> FitFrames(const ControlNet& net, std::span<const glm::vec3> on_face);
+
+// What an expression does to the control points of the face that has these frames, metres.
+std::vector<glm::vec3> Carry(const Expression& expression, std::span<const Frame> frames, float gain);
+
+}  // namespace kaori::face

@@ -1,0 +1,37 @@
+// Unit normals of a surface that deforms, the same on both sides of a seam.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/face/aligned.h"
+#include "render/face/topology.h"
+
+namespace kaori::face {
+
+class SurfaceNormals {
+ public:
+  // `twin` as in Topology. Two triangles in a row that share an edge are one quad, and weigh as one, unless
+  // the edge is among `wires`; so normals do not depend on which diagonal a quad was split along.
+  SurfaceNormals(std::span<const Triangle> triangles, std::span<const Index> twin,
+                 std::span<const Line> wires);
+
+  // Weighted by area. Packed vertices with one float of slack; a vertex whose surface has no area gets +Z.
+  void Compute(const float* positions, float* normals);
+
+  std::size_t patches() const { return patches_.size(); }
+
+ private:
+  using Patch = std::array<Index, 4>;  // A quad, or a triangle with its last corner twice.
+
+  void ListPatches(std::span<const Triangle> triangles, std::span<const Line> wires);
+  void ListIncident(std::span<const Index> twin);
+  void ComputeAreas(const float* positions);
+
+  std::vector<Patch> patches_;
+  std::vector<std::uint32_t> incident_start_;  // Per vertex, into incident_: the patches that meet there.
+  std::vector<std::uint32_t> incident_;
+  AlignedFloats areas_;  // Four floats a patch: its normal, as long as its area.
+};
+
+}  // namespace kaori::face
