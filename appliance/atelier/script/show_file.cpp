@@ -1,0 +1,203 @@
+#include "appliance/atelier/script/show_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include "appliance/atelier/script/key_names.h"
+
+namespace kaori::atelier {
+namespace {
+
+constexpr std::array<const char*, scene::kStyleCount> kStyles{"wire", "flat", "bare", "hair", "soft"};
+struct Target {
+  const char* name;
+  show::TakeTarget target;
+  bool degrees;
+};
+constexpr std::array<Target, 6> kTargets{{{"head_yaw", show::TakeTarget::kHeadYaw, true},
+                                          {"head_pitch", show::TakeTarget::kHeadPitch, true},
+                                          {"head_roll", show::TakeTarget::kHeadRoll, true},
+                                          {"gaze_yaw", show::TakeTarget::kGazeYaw, true},
+                                          {"gaze_pitch", show::TakeTarget::kGazePitch, true},
+                                          {"lids", show::TakeTarget::kLids, false}}};
+
+float ToLinear(unsigned byte) {
+  const double s = byte / 255.0;
+  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+}
+
+// One pass over the file; faults gather while it goes on.
+class Reader {
+ public:
+  Reader(std::string file, show::Show& show) : file_(std::move(file)), show_(show) {}
+
+  std::vector<std::string> Read(const toml::table& table) {
+    show_.name = table["name"].value_or(std::string("unnamed"));
+    if (const auto* scenes = table["scene"].as_array()) ForEachTable(*scenes, [&](auto& t) { ReadScene(t); });
+    if (show_.scenes.empty()) Fault("scenes", "there is none; the first one opens the show");
+    if (const auto* takes = table["take"].as_array()) ForEachTable(*takes, [&](auto& t) { ReadTake(t); });
+    if (const auto* rows = table["buttons"].as_array()) ReadButtons(*rows);
+    if (const auto* channels = table["channels"].as_table()) ReadChannels(*channels);
+    return std::move(faults_);
+  }
+
+ private:
+  void Fault(const std::string& item, const std::string& reason) {
+    faults_.push_back(fmt::format("{}: {}: {}", file_, item, reason));
+  }
+
+  template <class Read>
+  void ForEachTable(const toml::array& array, Read read) {
+    for (const toml::node& node : array)
+      if (const auto* table = node.as_table())
+        read(*table);
+      else
+        Fault("line " + std::to_string(node.source().begin.line), "a table is expected here");
+  }
+
+  template <class Items>
+  std::uint16_t Named(const std::string& item, const char* kind, const Items& items, const std::string& name) {
+    const auto it = std::ranges::find_if(items, [&](const auto& one) { return one.name == name; });
+    if (it != items.end()) return static_cast<std::uint16_t>(it - items.begin());
+    Fault(item, fmt::format("there is no {} \"{}\"", kind, name));
+    return 0;
+  }
+
+  std::uint16_t Style(const std::string& item, const std::string& name) {
+    const auto it = std::ranges::find(kStyles, name);
+    if (it != kStyles.end()) return static_cast<std::uint16_t>(it - kStyles.begin());
+    Fault(item, fmt::format("there is no style \"{}\"; styles are wire, flat, bare, hair, soft", name));
+    return 0;
+  }
+
+  std::uint16_t Key(const std::string& item, const toml::table& table) {
+    const auto name = table["key"].value<std::string>();
+    if (!name) return 0;
+    if (const auto usage = KeyUsage(*name)) return *usage;
+    Fault(item, fmt::format("there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12", *name));
+    return 0;
+  }
+
+  glm::vec3 Colour(const std::string& item, const toml::node_view<const toml::node>& node) {
+    const auto text = node.value_or(std::string());
+    unsigned value = 0;
+    if (text.size() != 7 || text[0] != '#' || std::sscanf(text.c_str() + 1, "%6x", &value) != 1) {
+      Fault(item, fmt::format("\"{}\" is no colour; write one as \"#41506a\"", text));
+      return {};
+    }
+    return {ToLinear(value >> 16U), ToLinear((value >> 8U) & 255U), ToLinear(value & 255U)};
+  }
+
+  void ReadScene(const toml::table& table) {
+    show::StageScene scene;
+    scene.name = table["name"].value_or(std::string("unnamed"));
+    const std::string item = fmt::format("scene \"{}\"", scene.name);
+    scene.key_usage = Key(item, table);
+    scene.face = Named(item, "face", show_.cast.faces, table["face"].value_or(std::string()));
+    scene.expression = Named(item, "expression", show_.cast.expressions, table["expression"].value_or(std::string("neutral")));
+    scene.style = static_cast<scene::Style>(Style(item, table["style"].value_or(std::string("soft"))));
+    scene.exposure = table["light"].value_or(1.0F);
+    scene.fade_s = table["fade_s"].value_or(0.8F);
+    scene.backdrop = {Colour(item, table["backdrop"]["top"]), Colour(item, table["backdrop"]["bottom"])};
+    show_.scenes.push_back(std::move(scene));
+  }
+
+  std::vector<show::TakeKey> Curve(const std::string& item, const toml::array& pairs, float unit) {
+    std::vector<show::TakeKey> keys;
+    for (const toml::node& node : pairs) {
+      const auto* pair = node.as_array();
+      const auto at_s = pair != nullptr && pair->size() == 2 ? (*pair)[0].value<float>() : std::nullopt;
+      const auto value = at_s ? (*pair)[1].value<float>() : std::nullopt;
+      if (value)
+        keys.push_back({*at_s, *value * unit});
+      else
+        Fault(item, fmt::format("line {}: a pair [second, value] is expected", node.source().begin.line));
+    }
+    return keys;
+  }
+
+  void ReadTake(const toml::table& table) {
+    show::Take take;
+    take.name = table["name"].value_or(std::string("unnamed"));
+    const std::string item = fmt::format("take \"{}\"", take.name);
+    take.key_usage = Key(item, table);
+    for (const auto& [key, node] : table)
+      if (const auto* pairs = node.as_array()) take.curves.push_back(TargetCurve(item, std::string(key.str()), *pairs));
+    if (take.curves.empty()) Fault(item, "it moves nothing");
+    show_.takes.push_back(std::move(take));
+  }
+
+  show::TakeCurve TargetCurve(const std::string& item, const std::string& name, const toml::array& pairs) {
+    const auto it = std::ranges::find_if(kTargets, [&](const Target& t) { return name == t.name; });
+    if (it == kTargets.end())
+      return {show::TakeTarget::kChannel, Named(item, "target or channel", show_.cast.expressions, name),
+              Curve(item, pairs, 1)};
+    return {it->target, 0, Curve(item, pairs, it->degrees ? std::numbers::pi_v<float> / 180 : 1.0F)};
+  }
+
+  void ReadButtons(const toml::array& rows) {
+    std::size_t number = 0;
+    for (const toml::node& row : rows)
+      if (const auto* buttons = row.as_array())
+        for (const toml::node& button : *buttons) {
+          if (number < show_.buttons.size()) show_.buttons[number] = ReadCall(number, button.value_or(std::string()));
+          ++number;
+        }
+    if (number != show_.buttons.size())
+      Fault("buttons", fmt::format("{} are given; the box has {}", number, show_.buttons.size()));
+  }
+
+  show::Call ReadCall(std::size_t number, const std::string& text) {
+    if (text.empty()) return {};
+    const std::string item = fmt::format("button {}", number + 1);
+    const auto space = text.find(' ');
+    const std::string kind = text.substr(0, space);
+    const std::string name = space == std::string::npos ? "" : text.substr(space + 1);
+    if (kind == "face") return {show::CallKind::kFace, Named(item, "face", show_.cast.faces, name)};
+    if (kind == "expression")
+      return {show::CallKind::kExpression, Named(item, "expression", show_.cast.expressions, name)};
+    if (kind == "style") return {show::CallKind::kStyle, Style(item, name)};
+    if (kind == "scene") return {show::CallKind::kScene, Named(item, "scene", show_.scenes, name)};
+    Fault(item, fmt::format("\"{}\" is none of face, expression, style, scene", kind));
+    return {};
+  }
+
+  int Channel(const toml::node_view<const toml::node>& node, const std::string& role) {
+    const auto name = node.value<std::string>();
+    return name ? Named("channel " + role, "expression", show_.cast.expressions, *name) : -1;
+  }
+
+  void ReadChannels(const toml::table& table) {
+    show::Channels& channels = show_.channels;
+    channels.brow_up = {Channel(table["brow_up_left"], "brow_up_left"), Channel(table["brow_up_right"], "brow_up_right")};
+    channels.brow_frown = Channel(table["brow_frown"], "brow_frown");
+    channels.lids_up = Channel(table["lids_up"], "lids_up");
+    channels.lids_down = Channel(table["lids_down"], "lids_down");
+    for (std::size_t i = 0; i < channels.mouth.size(); ++i)
+      channels.mouth[i] = Channel(table["mouth"][i], "mouth");
+  }
+
+  std::string file_;
+  show::Show& show_;
+  std::vector<std::string> faults_;
+};
+
+}  // namespace
+
+std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show) {
+  const toml::parse_result parsed = toml::parse_file(file.string());
+  if (!parsed) {
+    const auto& at = parsed.error().source().begin;
+    return {fmt::format("{}:{}:{}: {}", file.string(), at.line, at.column, parsed.error().description())};
+  }
+  return Reader(file.string(), show).Read(parsed.table());
+}
+
+}  // namespace kaori::atelier

@@ -1,0 +1,132 @@
+#include "appliance/performance/animate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "appliance/performance/blink.h"
+#include "appliance/performance/hands.h"
+#include "appliance/performance/life.h"
+#include "appliance/performance/mouth.h"
+#include "appliance/performance/takes.h"
+
+namespace kaori::performance {
+namespace {
+
+constexpr float kLongestStep_s = 0.1F;
+constexpr float kLidFollow_rad = 0.38F;  // The lids have followed wholly when the gaze is this far up or down.
+
+float At(const std::array<float, kKnobCount>& knobs, Knob knob) { return knobs[static_cast<std::size_t>(knob)]; }
+
+void PushChannel(face::Terms& channels, int index, float weight) {
+  if (index >= 0 && weight > 1e-4F) channels.Push(static_cast<std::uint16_t>(index), weight);
+}
+
+// Strength scales every expression but the neutral one, which takes the rest.
+face::Terms Strengthened(const face::Terms& terms, float strength) {
+  face::Terms out;
+  float rest = 1;
+  for (const face::Term& t : terms)
+    if (t.index != 0) {
+      out.Push(t.index, t.weight * strength);
+      rest -= t.weight * strength;
+    }
+  out.Push(0, rest);
+  return out;
+}
+
+void AddBrowsAndLids(const State& state, const show::Channels& channels, const scene::Gaze& gaze,
+                     face::Terms& terms) {
+  for (const int brow : channels.brow_up) PushChannel(terms, brow, state.brow);
+  PushChannel(terms, channels.brow_frown, -state.brow);
+  PushChannel(terms, channels.lids_up, std::min(1.0F, gaze.pitch_rad / kLidFollow_rad));
+  PushChannel(terms, channels.lids_down, std::min(1.0F, -gaze.pitch_rad / kLidFollow_rad));
+}
+
+scene::Head Sum(const scene::Head& a, const scene::Head& b, const scene::Head& c) {
+  return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad,
+          a.roll_rad + b.roll_rad + c.roll_rad, a.shift_m + b.shift_m + c.shift_m};
+}
+
+scene::Gaze Sum(const scene::Gaze& a, const scene::Gaze& b, const scene::Gaze& c) {
+  return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad};
+}
+
+std::uint32_t Lamps(const State& state, const show::Show& show) {
+  const auto lit = [&](const show::Call& call) {
+    switch (call.kind) {
+      case show::CallKind::kFace: return call.index == state.faces.to;
+      case show::CallKind::kExpression: return call.index == state.expressions.to;
+      case show::CallKind::kStyle: return call.index == state.styles.to;
+      case show::CallKind::kScene: return call.index == state.scene;
+      case show::CallKind::kNothing: break;
+    }
+    return false;
+  };
+  std::uint32_t lamps = 0;
+  for (std::size_t i = 0; i < show.buttons.size(); ++i)
+    if (lit(show.buttons[i])) lamps |= 1U << i;
+  return lamps;
+}
+
+void MoveOn(State& state, const board::Snapshot& board, const show::Show& show, float dt_s) {
+  state.age_s += dt_s;
+  PushButtons(state, board.surface.value, show);
+  StrikeKeys(state, board.keys.value, show);
+  TurnKnobs(state, board.surface.value, dt_s);
+  MoveSticks(state, board, dt_s);
+  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles}) Advance(*mixture, dt_s);
+  if (state.backstage.duration_s > 0)
+    state.backstage.progress = std::min(1.0F, state.backstage.progress + dt_s / state.backstage.duration_s);
+}
+
+void Weigh(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
+           scene::Scene& scene, float dt_s) {
+  face::Weights& weights = scene.weights;
+  weights.faces = Current(state.faces, At(state.shown, Knob::kFace));
+  weights.expressions = Strengthened(Current(state.expressions, At(state.shown, Knob::kExpression)),
+                                     At(state.shown, Knob::kStrength));
+  weights.channels = motion.channels;
+  AddBrowsAndLids(state, show.channels, scene.gaze[0], weights.channels);
+  MoveMouth(state, board.lips, show.channels, weights, dt_s);
+  const auto shut = Lids(state, board.keys.value, dt_s);
+  for (std::size_t eye = 0; eye < shut.size(); ++eye)
+    weights.lids_shut[eye] = std::clamp(std::max(shut[eye], motion.lids), 0.0F, 1.0F);
+  scene.styles = {};
+  for (const face::Term& t : Current(state.styles, 1)) scene.styles[t.index] = t.weight;
+}
+
+}  // namespace
+
+State Opening(const show::Show& show, const board::Snapshot& board, Time light) {
+  State state;
+  state.last = light;
+  state.seen = {board.surface.value.counts, board.surface.value.pushes, board.keys.value.pushes};
+  state.styles.to = static_cast<std::uint16_t>(scene::Style::kSoft);
+  if (!show.scenes.empty()) EnterScene(state, show, 0, 0);
+  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles}) mixture->from.clear();
+  return state;
+}
+
+Performed Animate(const State& previous, const board::Snapshot& board, const show::Show& show, Time light) {
+  Performed performed{previous, {}, 0};
+  State& state = performed.state;
+  const float dt_s = std::clamp(static_cast<float>(Seconds(light - previous.last)), 0.0F, kLongestStep_s);
+  state.last = light;
+  MoveOn(state, board, show, dt_s);
+
+  scene::Scene& scene = performed.scene;
+  const Idle idle = Live(state, At(state.shown, Knob::kLife), dt_s);
+  const Motion motion = PlayTakes(state, show, dt_s);
+  scene.head = Sum(state.head, idle.head, motion.head);
+  scene.gaze[0] = scene.gaze[1] = Sum(state.gaze, idle.gaze, motion.gaze);
+  scene.breath = idle.breath;
+  Weigh(state, board, show, motion, scene, dt_s);
+  Swing(state.sway, scene.head, dt_s);
+  scene.hair_sway_rad = state.sway.angle_rad;
+  scene.backdrop = BackdropNow(state.backstage);
+  scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight);
+  performed.lamps = Lamps(state, show);
+  return performed;
+}
+
+}  // namespace kaori::performance

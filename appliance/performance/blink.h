@@ -1,0 +1,32 @@
+// How lids move in time, and how a scene's light travels.
+#pragma once
+
+#include "appliance/performance/ease.h"
+#include "appliance/performance/state.h"
+
+namespace kaori::performance {
+
+// One blink of 0.26 s: shut in 80 ms, held for 40, open after another 140. 0 open .. 1 shut.
+inline float BlinkCurve(float since_s) {
+  constexpr float kShut_s = 0.08F, kHeld_s = 0.12F, kOpen_s = 0.26F;
+  if (since_s < kShut_s) return SmoothStep(since_s / kShut_s);
+  if (since_s < kHeld_s) return 1;
+  return 1 - SmoothStep((since_s - kHeld_s) / (kOpen_s - kHeld_s));
+}
+
+// A lid that a key holds: quick to shut, slower to open.
+inline float HoldLid(float now, bool held, float dt_s) {
+  return Travel(now, held ? 1.0F : 0.0F, dt_s, held ? 12.0F : 7.0F);
+}
+
+inline scene::Backdrop BackdropNow(const Backstage& b) {
+  const float t = SmoothStep(b.progress);
+  return {b.backdrop_from.top * (1 - t) + b.backdrop_to.top * t,
+          b.backdrop_from.bottom * (1 - t) + b.backdrop_to.bottom * t};
+}
+
+inline float ExposureNow(const Backstage& b) {
+  return Mix(b.exposure_from, b.exposure_to, SmoothStep(b.progress));
+}
+
+}  // namespace kaori::performance

@@ -1,0 +1,14 @@
+// Who moves the mouth: a hand on its dial, else the lips before the camera, else the expression itself.
+#pragma once
+
+#include "appliance/board/snapshot.h"
+#include "appliance/performance/state.h"
+#include "appliance/show/show.h"
+
+namespace kaori::performance {
+
+// Moves state.mouth_* and adds the four mouth shapes, bilinear in height and width, to the channels.
+void MoveMouth(State& state, const board::Stamped<board::Lips>& lips, const show::Channels& channels,
+               face::Weights& weights, float dt_s);
+
+}  // namespace kaori::performance

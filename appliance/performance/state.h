@@ -1,0 +1,92 @@
+// What the performance remembers from frame to frame. Plain bytes: the stage keeps it on the board, so that a
+// stage that was killed goes on in the middle of a fade.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include <glm/vec2.hpp>
+
+#include "appliance/performance/mixture.h"
+#include "appliance/show/show.h"
+#include "drivers/base/clock.h"
+#include "render/scene/scene.h"
+
+namespace kaori::performance {
+
+// What each dial of the box does, in the order in which they stand.
+enum class Knob : std::uint8_t { kFace, kExpression, kStrength, kFade, kMouth, kMouthWidth, kLife, kLight };
+inline constexpr int kKnobCount = 8;
+
+// Counters of the board as they stood at the last frame: a difference is a push that happened since.
+struct Seen {
+  std::array<std::int32_t, 8> dials{};
+  std::array<std::uint32_t, 32> buttons{};
+  std::array<std::uint32_t, 256> keys{};
+};
+
+struct Backstage {  // The scene's light and backdrop on their way.
+  scene::Backdrop backdrop_from, backdrop_to;
+  float exposure_from = 1, exposure_to = 1;
+  float progress = 1, duration_s = 0;
+};
+
+struct StickNow {
+  float presence = 1;  // 1: its hand counts; eases to 0 when the device is lost.
+  float lost_s = 0;    // For how long it has been gone.
+};
+
+// A registered motion that is playing.
+struct Playing {
+  std::int32_t take = -1;  // -1: nothing.
+  float at_s = 0;
+  float gain = 1;          // Falls to 0 when another motion takes over.
+};
+inline constexpr int kVoices = 4;
+
+struct Life {
+  std::uint64_t random = 0x9E3779B97F4A7C15U;
+  float to_next_blink_s = 2;
+  float to_next_glance_s = 1;
+  glm::vec2 glance_rad{};
+};
+
+// A swinging tip of hair: angle and speed, sideways and forwards.
+struct Sway {
+  glm::vec2 angle_rad{};
+  glm::vec2 speed_rad_s{};
+  glm::vec2 head_rad{};  // The head at the last frame.
+};
+
+struct State {
+  static constexpr std::uint32_t kLayout = 1;  // Raise it when a field changes: see board::Hold.
+  Time last{};           // For which light the last frame was made.
+  float age_s = 0;       // Of the performance.
+  Seen seen;
+  Mixture faces, expressions, styles;
+  Backstage backstage;
+  std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
+  std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.
+  std::array<StickNow, 2> sticks;
+  std::array<float, 2> blink_s{10, 10};  // Since a blink began: the character's left, right.
+  std::array<float, 2> lids_held{};
+  std::array<Playing, kVoices> voices;
+  Life life;
+  Sway sway;
+  scene::Head head;
+  scene::Gaze gaze;
+  float brow = 0;        // -1 frown .. 1 raised.
+  float mouth_open = 0;
+  float mouth_wide = 0.5F;
+  float mouth_drive = 0;  // 0: the expression's mouth .. 1: the hand's or the lips'.
+  float mouth_quiet_s = 10;
+  std::uint16_t scene = 0;
+};
+static_assert(std::is_trivially_copyable_v<State>);
+
+// Whether a state found on the board may be gone on with: every number finite and in range, everything that it
+// calls exists in the show.
+bool Sound(const State& state, const show::Show& show);
+
+}  // namespace kaori::performance

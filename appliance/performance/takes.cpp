@@ -1,0 +1,62 @@
+#include "appliance/performance/takes.h"
+
+#include <algorithm>
+
+#include "appliance/performance/ease.h"
+
+namespace kaori::performance {
+namespace {
+
+constexpr float kFadeOut_s = 0.25F;
+
+float At(const show::TakeCurve& curve, float at_s) {
+  const auto next = std::ranges::upper_bound(curve.keys, at_s, {}, &show::TakeKey::at_s);
+  if (next == curve.keys.begin() || next == curve.keys.end()) return 0;
+  const show::TakeKey& a = *(next - 1);
+  const float t = (at_s - a.at_s) / std::max(1e-6F, next->at_s - a.at_s);
+  return Mix(a.value, next->value, SmoothStep(t));
+}
+
+void Add(Motion& motion, const show::TakeCurve& curve, float value) {
+  switch (curve.target) {
+    case show::TakeTarget::kHeadYaw: motion.head.yaw_rad += value; break;
+    case show::TakeTarget::kHeadPitch: motion.head.pitch_rad += value; break;
+    case show::TakeTarget::kHeadRoll: motion.head.roll_rad += value; break;
+    case show::TakeTarget::kGazeYaw: motion.gaze.yaw_rad += value; break;
+    case show::TakeTarget::kGazePitch: motion.gaze.pitch_rad += value; break;
+    case show::TakeTarget::kLids: motion.lids += value; break;
+    case show::TakeTarget::kChannel: motion.channels.Push(curve.channel, value); break;
+  }
+}
+
+float End(const show::Take& take) {
+  float end_s = 0;
+  for (const auto& curve : take.curves) end_s = std::max(end_s, curve.keys.back().at_s);
+  return end_s;
+}
+
+// The one struck last is the youngest; it keeps its full gain.
+const Playing* Youngest(const State& state) {
+  const Playing* youngest = nullptr;
+  for (const Playing& voice : state.voices)
+    if (voice.take >= 0 && (youngest == nullptr || voice.at_s < youngest->at_s)) youngest = &voice;
+  return youngest;
+}
+
+}  // namespace
+
+Motion PlayTakes(State& state, const show::Show& show, float dt_s) {
+  Motion motion;
+  const Playing* youngest = Youngest(state);
+  for (Playing& voice : state.voices) {
+    if (voice.take < 0 || voice.take >= static_cast<int>(show.takes.size())) continue;
+    const show::Take& take = show.takes[static_cast<std::size_t>(voice.take)];
+    voice.at_s += dt_s;
+    if (&voice != youngest) voice.gain = Travel(voice.gain, 0, dt_s, 1 / kFadeOut_s);
+    for (const auto& curve : take.curves) Add(motion, curve, voice.gain * At(curve, voice.at_s));
+    if (voice.gain <= 0 || voice.at_s >= End(take)) voice.take = -1;
+  }
+  return motion;
+}
+
+}  // namespace kaori::performance
