@@ -32,7 +32,7 @@ class DialBox final : public HidDevice {
   void TakeOutput(std::span<const std::uint8_t> report) override;
   void HostCame() override;
   void HostLeft() override { waiting_.set_hosted(false); }
-  void LosePower() override;
+  void PowerCycle() override;
 
  private:
   struct Dial {

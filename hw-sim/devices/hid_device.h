@@ -44,8 +44,8 @@ class HidDevice {
   virtual void HostCame() = 0;
   virtual void HostLeft() = 0;
 
-  // The cable was pulled: what was not reported is lost, lamps go dark; hands stay where they are.
-  virtual void LosePower() = 0;
+  // The power went or came: what was not reported is lost, lamps are dark; hands stay where they are.
+  virtual void PowerCycle() = 0;
 };
 
 }  // namespace kaori::sim

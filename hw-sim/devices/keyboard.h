@@ -27,7 +27,7 @@ class Keyboard final : public HidDevice {
   void TakeOutput(std::span<const std::uint8_t> report) override;
   void HostCame() override;
   void HostLeft() override { waiting_.set_hosted(false); }
-  void LosePower() override;
+  void PowerCycle() override;
 
  private:
   static wire::KeyboardReport Next(const wire::KeyboardReport& last) { return last; }

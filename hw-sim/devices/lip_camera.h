@@ -3,22 +3,14 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "drivers/ports/camera.h"
 #include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/lip_picture.h"
 
 namespace kaori::sim {
-
-// Width of the painted mouth at rest as a part of the picture's width.
-inline constexpr double kRestMouthOfPicture = 0.28;
-
-// Sizes of the paint's outline, in widths of the mouth at rest.
-struct Mouth {
-  double height = 0.25;
-  double width = 1;
-  friend bool operator==(const Mouth&, const Mouth&) = default;
-};
 
 // How the next frame is spoilt.
 enum class Spoil : std::uint8_t { kNothing, kMessage, kPixels };
@@ -52,8 +44,10 @@ class LipCamera {
   Spoil TakeSpoil() { return std::exchange(spoil_, Spoil::kNothing); }
 
  private:
+  void Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv) const;
+
   const Workbench& bench_;
-  ports::CameraFormat format_;
+  ports::CameraFormat format_{};
   Mouth mouth_;
   bool covered_ = false;
   bool stalled_ = false;

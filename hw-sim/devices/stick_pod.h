@@ -35,7 +35,7 @@ class StickPod final : public HidDevice {
   void TakeOutput(std::span<const std::uint8_t>) override {}
   void HostCame() override;
   void HostLeft() override { waiting_.set_hosted(false); }
-  void LosePower() override { waiting_.Forget(); }
+  void PowerCycle() override { waiting_.Forget(); }
 
  private:
   static wire::StickPodReport Next(const wire::StickPodReport& last) { return last; }

@@ -1,0 +1,57 @@
+#include "hw-sim/devices/keyboard.h"
+
+#include <algorithm>
+
+namespace kaori::sim {
+namespace {
+
+constexpr std::uint8_t kLastUsage = 0xE7;
+constexpr std::uint8_t kLightBits = 0x1F;
+
+Report Bytes(const wire::KeyboardReport& report) {
+  const auto bytes = wire::Encode(report);
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+void Keyboard::Set(std::uint8_t usage, bool down) {
+  if (usage < wire::kFirstKeyUsage || usage > kLastUsage || held(usage) == down) return;
+  auto& report = waiting_.Change(bench_.clock.now(), [usage](const auto& before, const auto& back) {
+    return before.held(usage) != back.held(usage);
+  });
+  report.Hold(usage, down);
+  bench_.Saw({Place::kKeyboard, down ? Verb::kPush : Verb::kRelease, usage, 0, 0});
+}
+
+HidNameplate Keyboard::nameplate() const {
+  return {wire::kKeyboardVendor, wire::kKeyboardProduct, "Kaori keyboard", wire::kKeyboardDescriptor};
+}
+
+std::optional<Report> Keyboard::TakeReport(Time now) {
+  const auto report = waiting_.Take(now);
+  if (!report) return std::nullopt;
+  return Bytes(*report);
+}
+
+Report Keyboard::Standing() const {
+  return Bytes(waiting_.newest());
+}
+
+void Keyboard::TakeOutput(std::span<const std::uint8_t> report) {
+  if (report.size() == 2 && report[0] == 0) lights_ = report[1] & kLightBits;
+}
+
+void Keyboard::HostCame() {
+  waiting_.set_hosted(true);
+  const auto& down = waiting_.newest().down;
+  if (waiting_.next_due() || std::ranges::all_of(down, [](std::uint32_t word) { return word == 0; })) return;
+  waiting_.Change(bench_.clock.now(), [](const auto&, const auto&) { return false; });
+}
+
+void Keyboard::PowerCycle() {
+  waiting_.Forget();
+  lights_ = 0;
+}
+
+}  // namespace kaori::sim

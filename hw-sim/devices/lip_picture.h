@@ -1,0 +1,37 @@
+// Draws what the lip camera sees: the lower half of a face, and a mouth painted blue. Pure functions on YUYV.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace kaori::sim {
+
+// 4 bytes hold two pixels: Y Cb Y Cr, BT.601 of limited range. Width is even; bytes = width * height * 2.
+struct YuyvPicture {
+  int width_px = 0;
+  int height_px = 0;
+  std::span<std::uint8_t> bytes;
+};
+
+// The face without its mouth: skin, the shadow under the nose, the chin, a dark room beside it.
+void PaintFace(const YuyvPicture& into);
+
+// Width of the painted mouth at rest as a part of the picture's width.
+inline constexpr double kRestMouthOfPicture = 0.28;
+
+// Sizes of the paint's outline, in widths of the mouth at rest; what is higher than shut lips opens between
+// them.
+struct Mouth {
+  double height = 0.25;
+  double width = 1;
+  friend bool operator==(const Mouth&, const Mouth&) = default;
+};
+void PaintMouth(const Mouth& mouth, const YuyvPicture& into);
+
+// Adds the sensor's noise of frame `sequence` to `from`, up to 3 steps; the same number gives the same noise.
+void AddNoise(std::span<const std::uint8_t> from, std::uint32_t sequence, std::span<std::uint8_t> into);
+
+// Nothing but noise.
+void FillWithNoise(std::uint32_t sequence, std::span<std::uint8_t> into);
+
+}  // namespace kaori::sim

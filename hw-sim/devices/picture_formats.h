@@ -1,0 +1,18 @@
+// YUYV pictures as other cameras send them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace kaori::sim {
+
+// `width` and `height` are even. `into` holds width * height * 3 / 2 bytes. Returns the bytes used.
+std::size_t YuyvToNv12(std::span<const std::uint8_t> yuyv, int width_px, int height_px,
+                       std::span<std::uint8_t> into);
+
+// Returns the bytes used, 0 where `into` is too small for the picture.
+std::size_t YuyvToJpeg(std::span<const std::uint8_t> yuyv, int width_px, int height_px,
+                       std::span<std::uint8_t> into);
+
+}  // namespace kaori::sim

@@ -1,0 +1,111 @@
+#include "hw-sim/devices/stick_pod.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaori::sim {
+namespace {
+
+constexpr float kAxisEnd = 32767;
+constexpr float kSliderEnd = 65535;
+
+Report Bytes(const wire::StickPodReport& report) {
+  const auto bytes = wire::Encode(report);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::int16_t AxisCounts(float value) {
+  return static_cast<std::int16_t>(std::lround(value * kAxisEnd));
+}
+
+// A number that is none leaves the stick where it is.
+float Held(float value, float low, float high, float otherwise) {
+  return std::isnan(value) ? otherwise : std::clamp(value, low, high);
+}
+
+}  // namespace
+
+// Positions may share a report: the newest one counts.
+wire::StickPodReport& StickPod::Change() {
+  return waiting_.Change(bench_.clock.now(), [](const auto&, const auto&) { return false; });
+}
+
+void StickPod::Move(float x, float y) {
+  x = Held(x, -1, 1, x_);
+  y = Held(y, -1, 1, y_);
+  if (x == x_ && y == y_) return;
+  x_ = x;
+  y_ = y;
+  auto& report = Change();
+  report.x = AxisCounts(x);
+  report.y = AxisCounts(-y);  // On the wire Y grows towards the operator.
+  bench_.Saw({place_, Verb::kMove, 0, x, y});
+}
+
+void StickPod::Twist(float twist) {
+  twist = Held(twist, -1, 1, twist_);
+  if (twist == twist_) return;
+  twist_ = twist;
+  Change().twist = AxisCounts(twist);
+  bench_.Saw({place_, Verb::kTwist, 0, twist, 0});
+}
+
+void StickPod::Slide(float slider) {
+  slider = Held(slider, 0, 1, slider_);
+  if (slider == slider_) return;
+  slider_ = slider;
+  Change().slider = static_cast<std::uint16_t>(std::lround(slider * kSliderEnd));
+  bench_.Saw({place_, Verb::kSlide, 0, slider, 0});
+}
+
+int StickPod::hat() const {
+  const int hat = waiting_.newest().hat;
+  return hat == wire::kHatCentred ? -1 : hat;
+}
+
+void StickPod::Hat(int direction) {
+  if (direction < -1 || direction > 7 || direction == hat()) return;
+  auto& report = waiting_.Change(bench_.clock.now(),
+                                 [](const auto& before, const auto& back) { return before.hat != back.hat; });
+  report.hat = direction < 0 ? wire::kHatCentred : static_cast<std::uint8_t>(direction);
+  bench_.Saw({place_, Verb::kHat, direction, 0, 0});
+}
+
+void StickPod::Push(int button) {
+  SetButton(button, true);
+}
+void StickPod::Release(int button) {
+  SetButton(button, false);
+}
+
+void StickPod::SetButton(int button, bool down) {
+  if (button < 0 || button >= static_cast<int>(wire::kStickPodButtons)) return;
+  const auto bit = static_cast<std::uint16_t>(1u << button);
+  if (((buttons_down() & bit) != 0) == down) return;
+  auto& report = waiting_.Change(bench_.clock.now(), [bit](const auto& before, const auto& back) {
+    return ((before.buttons_down ^ back.buttons_down) & bit) != 0;
+  });
+  report.buttons_down = static_cast<std::uint16_t>(report.buttons_down ^ bit);
+  bench_.Saw({place_, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
+}
+
+HidNameplate StickPod::nameplate() const {
+  return {wire::kStickPodVendor, wire::kStickPodProduct, "Kaori stick pod", wire::kStickPodDescriptor};
+}
+
+std::optional<Report> StickPod::TakeReport(Time now) {
+  const auto report = waiting_.Take(now);
+  if (!report) return std::nullopt;
+  return Bytes(*report);
+}
+
+Report StickPod::Standing() const {
+  return Bytes(waiting_.newest());
+}
+
+void StickPod::HostCame() {
+  waiting_.set_hosted(true);
+  if (!waiting_.next_due() && Standing() != Bytes({})) Change();
+}
+
+}  // namespace kaori::sim
