@@ -1,0 +1,114 @@
+#include "drivers/base/packet_socket.h"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+
+namespace kaori {
+namespace {
+
+constexpr int kWaitingCalls = 4;
+
+std::optional<sockaddr_un> AddressOf(const std::string& path) {
+  sockaddr_un address{};
+  if (path.size() >= sizeof(address.sun_path)) return std::nullopt;
+  address.sun_family = AF_UNIX;
+  std::memcpy(address.sun_path, path.data(), path.size());
+  return address;
+}
+
+UniqueFd NewSocket() {
+  return UniqueFd(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+}
+
+bool IsGone(int error) {
+  return error == EPIPE || error == ECONNRESET || error == ENOTCONN;
+}
+
+// Room for one descriptor beside a packet, aligned as the kernel wants it.
+struct Beside {
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> bytes{};
+};
+
+UniqueFd DescriptorIn(msghdr& message) {
+  const cmsghdr* control = CMSG_FIRSTHDR(&message);
+  if (control == nullptr || control->cmsg_level != SOL_SOCKET || control->cmsg_type != SCM_RIGHTS) return {};
+  if (control->cmsg_len < CMSG_LEN(sizeof(int))) return {};
+  int fd = -1;
+  std::memcpy(&fd, CMSG_DATA(control), sizeof(fd));
+  return UniqueFd(fd);
+}
+
+}  // namespace
+
+Result<UniqueFd> ListenForPackets(const std::string& path) {
+  const std::string newcomer = path + ".new";  // Renamed when it listens: nobody finds a deaf socket.
+  const auto address = AddressOf(newcomer);
+  if (!address) return Fail(std::errc::filename_too_long, "listen at " + path);
+  UniqueFd socket = NewSocket();
+  if (!socket.valid()) return FailErrno("make a socket for " + path);
+  ::unlink(newcomer.c_str());
+  if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) < 0)
+    return FailErrno("bind " + path);
+  if (::listen(socket.get(), kWaitingCalls) < 0) return FailErrno("listen at " + path);
+  if (::rename(newcomer.c_str(), path.c_str()) < 0) return FailErrno("put a socket at " + path);
+  return socket;
+}
+
+Result<UniqueFd> AcceptPeer(int listener) {
+  UniqueFd peer(::accept4(listener, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+  if (!peer.valid()) return FailErrno("accept a peer");
+  return peer;
+}
+
+Result<UniqueFd> ConnectToPeer(const std::string& path) {
+  const auto address = AddressOf(path);
+  if (!address) return Fail(std::errc::filename_too_long, "connect to " + path);
+  UniqueFd socket = NewSocket();
+  if (!socket.valid()) return FailErrno("make a socket for " + path);
+  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) < 0)
+    return FailErrno("connect to " + path);
+  return socket;
+}
+
+Result<void> SendPacket(int socket, std::span<const std::uint8_t> bytes, int descriptor) {
+  iovec part{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};
+  Beside beside;
+  msghdr message{};
+  message.msg_iov = &part;
+  message.msg_iovlen = 1;
+  if (descriptor >= 0) {
+    message.msg_control = beside.bytes.data();
+    message.msg_controllen = beside.bytes.size();
+    cmsghdr* control = CMSG_FIRSTHDR(&message);
+    control->cmsg_level = SOL_SOCKET;
+    control->cmsg_type = SCM_RIGHTS;
+    control->cmsg_len = CMSG_LEN(sizeof(int));
+    std::memcpy(CMSG_DATA(control), &descriptor, sizeof(descriptor));
+  }
+  if (::sendmsg(socket, &message, MSG_NOSIGNAL) >= 0) return {};
+  if (IsGone(errno)) return Fail(std::errc::no_such_device, "send a packet");
+  return FailErrno("send a packet");
+}
+
+Result<Packet> ReceivePacket(int socket, std::span<std::uint8_t> into) {
+  iovec part{into.data(), into.size()};
+  Beside beside;
+  msghdr message{};
+  message.msg_iov = &part;
+  message.msg_iovlen = 1;
+  message.msg_control = beside.bytes.data();
+  message.msg_controllen = beside.bytes.size();
+  const ssize_t bytes = ::recvmsg(socket, &message, MSG_CMSG_CLOEXEC);
+  if (bytes < 0 && !IsGone(errno)) return FailErrno("receive a packet");
+  if (bytes <= 0) return Fail(std::errc::no_such_device, "receive a packet");
+  Packet packet{static_cast<std::size_t>(bytes), DescriptorIn(message)};
+  if ((message.msg_flags & MSG_TRUNC) != 0) return Fail(std::errc::message_size, "receive a packet");
+  return packet;
+}
+
+}  // namespace kaori
