@@ -1,0 +1,122 @@
+#include "appliance/stage/stage.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "appliance/board/performance_state.h"
+#include "drivers/base/log.h"
+
+namespace kaori::stage {
+namespace {
+
+constexpr Duration kSecond = std::chrono::seconds(1);
+
+Duration CpuOfProcess() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto time = [](const timeval& t) {
+    return std::chrono::seconds(t.tv_sec) + std::chrono::microseconds(t.tv_usec);
+  };
+  return time(usage.ru_utime) + time(usage.ru_stime);
+}
+
+Time NewestInput(const board::Snapshot& s) {
+  return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at});
+}
+
+bool Waits(const Error& error) { return error.cause == std::errc::resource_unavailable_try_again; }
+
+}  // namespace
+
+Result<StageWriters> StageWriters::Take(const board::Board& board) {
+  auto performance = board.TakeWriter<board::Performance>();
+  if (!performance) return tl::unexpected(performance.error());
+  auto lamps = board.TakeWriter<board::Lamps>();
+  if (!lamps) return tl::unexpected(lamps.error());
+  auto status = board.TakeWriter<board::StageStatus>();
+  if (!status) return tl::unexpected(status.error());
+  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status)};
+}
+
+Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
+    : board_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
+  const auto kept = board::Take<performance::State>(board.Read<board::Performance>().value);
+  resumed_ = kept && performance::Sound(*kept, studio.show());
+  state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
+  status_.frames = board.Read<board::StageStatus>().value.frames;
+}
+
+void Stage::SetScreen(std::unique_ptr<ports::Scanout> screen) {
+  screen_ = std::move(screen);
+  last_flip_.reset();
+}
+
+void Stage::Step() {
+  if (!screen_) return;
+  auto done = TakeFlips();
+  if (done) done = Draw();
+  if (done || Waits(done.error())) return;
+  Log("the screen is gone ({}); playing on without it", done.error().message());
+  SetScreen(nullptr);
+}
+
+void Stage::StepUnseen() {
+  const board::Snapshot snapshot = board::ReadAll(board_);
+  Perform(snapshot, clock_.now());
+}
+
+Result<void> Stage::TakeFlips() {
+  while (true) {
+    const auto flip = screen_->ReadFlip();
+    if (!flip && Waits(flip.error())) return {};
+    if (!flip) return tl::unexpected(flip.error());
+    if (last_flip_ && flip->at - last_flip_->at > flip->period * 3 / 2) ++status_.missed_flips;
+    last_flip_ = *flip;
+  }
+}
+
+Result<void> Stage::Draw() {
+  const auto picture = screen_->Acquire();
+  if (!picture) return tl::unexpected(picture.error());
+  const Duration cpu_before = CpuOfProcess();
+  const Time now = clock_.now();
+  // The flip after the one just seen; before the first flip the screen's beat is not known.
+  const Time light = last_flip_ ? std::max(now, last_flip_->at + last_flip_->period) : now;
+  const board::Snapshot snapshot = board::ReadAll(board_);
+  const scene::Scene scene = Perform(snapshot, light);
+  if (auto drawn = studio_.Draw(scene, *picture); !drawn) return drawn;
+  if (auto shown = screen_->Present(++frame_); !shown) return shown;
+  Report(snapshot, CpuOfProcess() - cpu_before);
+  return {};
+}
+
+scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
+  const auto performed = performance::Animate(state_, snapshot, studio_.show(), light);
+  state_ = performed.state;
+  writers_.performance.Write(board::Hold(state_), light, board::SourceState::kLive);
+  if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
+    writers_.lamps.Write({performed.lamps}, light, board::SourceState::kLive);
+  return performed.scene;
+}
+
+void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
+  const Time now = clock_.now();
+  ++status_.frames;
+  ++second_.frames;
+  second_.cpu += cpu;
+  if (const Duration passed = now - second_.began; passed >= kSecond) {
+    status_.frames_per_s = static_cast<float>(second_.frames / Seconds(passed));
+    status_.frame_cpu_ms = static_cast<float>(Seconds(second_.cpu) * 1e3 / second_.frames);
+    second_ = {now, 0, {}};
+  }
+  status_.face = state_.faces.to;
+  status_.expression = state_.expressions.to;
+  status_.style = state_.styles.to;
+  status_.scene = state_.scene;
+  const auto age = std::chrono::duration_cast<std::chrono::microseconds>(state_.last - NewestInput(snapshot));
+  status_.input_age_us = static_cast<std::uint32_t>(std::clamp<std::int64_t>(age.count(), 0, UINT32_MAX));
+  writers_.status.Write(status_, now, board::SourceState::kLive);
+}
+
+}  // namespace kaori::stage

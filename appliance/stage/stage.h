@@ -1,0 +1,70 @@
+// The stage: reads the board as late as the frame allows, animates, draws, and shows.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "appliance/board/board.h"
+#include "appliance/performance/animate.h"
+#include "appliance/stage/studio.h"
+#include "drivers/base/clock.h"
+#include "drivers/ports/scanout.h"
+
+namespace kaori::stage {
+
+// What the stage writes to the board.
+struct StageWriters {
+  board::Writer<board::Performance> performance;
+  board::Writer<board::Lamps> lamps;
+  board::Writer<board::StageStatus> status;
+
+  // Errors: as Board::TakeWriter; a second stage is refused.
+  static Result<StageWriters> Take(const board::Board& board);
+};
+
+// One thread. The board, the studio and the clock must outlive it.
+class Stage {
+ public:
+  // Goes on from the state that an earlier stage left on the board, if that is sound.
+  Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock);
+
+  // The screen that shows the frames from now on; none when it was unplugged.
+  void SetScreen(std::unique_ptr<ports::Scanout> screen);
+  bool has_screen() const { return screen_ != nullptr; }
+
+  // Takes the flips that happened, and draws the next frame when the screen has room for it. Never waits for
+  // the screen. A screen that is gone is let go.
+  void Step();
+
+  // Without a screen the performance still moves, so that lamps answer and no jump is seen later.
+  void StepUnseen();
+
+  bool resumed() const { return resumed_; }
+  const performance::State& state() const { return state_; }
+
+ private:
+  Result<void> TakeFlips();
+  Result<void> Draw();
+  scene::Scene Perform(const board::Snapshot& snapshot, Time light);
+  void Report(const board::Snapshot& snapshot, Duration cpu);
+
+  const board::Board& board_;
+  StageWriters writers_;
+  Studio& studio_;
+  const Clock& clock_;
+  std::unique_ptr<ports::Scanout> screen_;
+  performance::State state_;
+  bool resumed_ = false;
+  std::optional<ports::Flip> last_flip_;
+  board::StageStatus status_;
+  std::uint64_t frame_ = 0;
+  struct Second {  // What is averaged over a second.
+    Time began{};
+    std::uint32_t frames = 0;
+    Duration cpu{};
+  } second_;
+};
+
+}  // namespace kaori::stage
