@@ -34,13 +34,18 @@ struct Beside {
   alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> bytes{};
 };
 
+// The first descriptor that came along; others that a peer may have slipped in are closed.
 UniqueFd DescriptorIn(msghdr& message) {
   const cmsghdr* control = CMSG_FIRSTHDR(&message);
   if (control == nullptr || control->cmsg_level != SOL_SOCKET || control->cmsg_type != SCM_RIGHTS) return {};
-  if (control->cmsg_len < CMSG_LEN(sizeof(int))) return {};
-  int fd = -1;
-  std::memcpy(&fd, CMSG_DATA(control), sizeof(fd));
-  return UniqueFd(fd);
+  UniqueFd first;
+  for (std::size_t at = CMSG_LEN(0); at + sizeof(int) <= control->cmsg_len; at += sizeof(int)) {
+    int fd = -1;
+    std::memcpy(&fd, reinterpret_cast<const char*>(control) + at, sizeof(fd));
+    UniqueFd owned(fd);
+    if (!first.valid()) first = std::move(owned);
+  }
+  return first;
 }
 
 }  // namespace

@@ -1,0 +1,171 @@
+// The local link's packets as structs, and their bytes: what link.h says in words. No operating system.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "firmware/wire/bytes.h"
+#include "firmware/wire/link.h"
+
+namespace kaori::wire {
+
+// Of every hello the first word is what it greets as. Decoding looks at that word and at the length; whether
+// the numbers make sense is for the reader to say.
+inline constexpr std::size_t kHidHelloBytes = 12;  // The name and the descriptor follow.
+inline constexpr std::size_t kHidStampBytes = 8;   // Before each input report.
+inline constexpr std::size_t kCameraHelloBytes = 12;
+inline constexpr std::size_t kCameraFrameBytes = 36;
+inline constexpr std::size_t kCameraReturnBytes = 4;
+inline constexpr std::size_t kScreenHelloBytes = 24;
+inline constexpr std::size_t kScreenFlipBytes = 20;
+inline constexpr std::size_t kScreenPresentBytes = 12;
+
+struct HidHello {
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  std::uint16_t name_bytes = 0;
+  std::uint16_t descriptor_bytes = 0;
+};
+struct CameraHello {
+  std::uint32_t slots = 0;
+  std::uint32_t slot_bytes = 0;
+};
+struct CameraFrameNote {
+  std::int64_t at_ns = 0;
+  std::uint32_t sequence = 0;
+  std::uint32_t slot = 0;
+  std::uint32_t width_px = 0;
+  std::uint32_t height_px = 0;
+  std::uint32_t stride_bytes = 0;
+  std::uint32_t pixels = 0;  // ports::PixelFormat.
+  std::uint32_t bytes = 0;
+};
+struct ScreenHello {
+  std::uint32_t slots = 0;
+  std::uint32_t width_px = 0;
+  std::uint32_t height_px = 0;
+  std::int64_t period_ns = 0;
+};
+struct ScreenFlip {
+  std::int64_t at_ns = 0;
+  std::uint64_t frame = 0;
+  std::uint32_t slot = 0;
+};
+struct ScreenPresent {
+  std::uint64_t frame = 0;
+  std::uint32_t slot = 0;
+};
+
+constexpr void PutU64(std::span<std::uint8_t> into, std::size_t at, std::uint64_t value) {
+  PutU32(into, at, static_cast<std::uint32_t>(value & 0xFFFFFFFFu));
+  PutU32(into, at + 4, static_cast<std::uint32_t>(value >> 32));
+}
+
+constexpr std::uint64_t GetU64(std::span<const std::uint8_t> from, std::size_t at) {
+  return GetU32(from, at) | (static_cast<std::uint64_t>(GetU32(from, at + 4)) << 32);
+}
+
+constexpr std::int64_t GetI64(std::span<const std::uint8_t> from, std::size_t at) {
+  return static_cast<std::int64_t>(GetU64(from, at));
+}
+
+constexpr std::array<std::uint8_t, kHidHelloBytes> Encode(const HidHello& hello) {
+  std::array<std::uint8_t, kHidHelloBytes> bytes{};
+  PutU32(bytes, 0, kHidHello);
+  PutU16(bytes, 4, hello.vendor);
+  PutU16(bytes, 6, hello.product);
+  PutU16(bytes, 8, hello.name_bytes);
+  PutU16(bytes, 10, hello.descriptor_bytes);
+  return bytes;
+}
+
+// Nothing unless the name and the descriptor fill the rest exactly.
+constexpr std::optional<HidHello> DecodeHidHello(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHidHelloBytes || GetU32(bytes, 0) != kHidHello) return std::nullopt;
+  const HidHello hello{GetU16(bytes, 4), GetU16(bytes, 6), GetU16(bytes, 8), GetU16(bytes, 10)};
+  const std::size_t rest = std::size_t{hello.name_bytes} + hello.descriptor_bytes;
+  if (bytes.size() - kHidHelloBytes != rest) return std::nullopt;
+  return hello;
+}
+
+constexpr std::array<std::uint8_t, kCameraHelloBytes> Encode(const CameraHello& hello) {
+  std::array<std::uint8_t, kCameraHelloBytes> bytes{};
+  PutU32(bytes, 0, kCameraHello);
+  PutU32(bytes, 4, hello.slots);
+  PutU32(bytes, 8, hello.slot_bytes);
+  return bytes;
+}
+
+constexpr std::optional<CameraHello> DecodeCameraHello(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() != kCameraHelloBytes || GetU32(bytes, 0) != kCameraHello) return std::nullopt;
+  return CameraHello{GetU32(bytes, 4), GetU32(bytes, 8)};
+}
+
+constexpr std::array<std::uint8_t, kCameraFrameBytes> Encode(const CameraFrameNote& note) {
+  std::array<std::uint8_t, kCameraFrameBytes> bytes{};
+  PutU64(bytes, 0, static_cast<std::uint64_t>(note.at_ns));
+  PutU32(bytes, 8, note.sequence);
+  PutU32(bytes, 12, note.slot);
+  PutU32(bytes, 16, note.width_px);
+  PutU32(bytes, 20, note.height_px);
+  PutU32(bytes, 24, note.stride_bytes);
+  PutU32(bytes, 28, note.pixels);
+  PutU32(bytes, 32, note.bytes);
+  return bytes;
+}
+
+constexpr std::optional<CameraFrameNote> DecodeCameraFrame(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() != kCameraFrameBytes) return std::nullopt;
+  return CameraFrameNote{.at_ns = GetI64(bytes, 0),
+                         .sequence = GetU32(bytes, 8),
+                         .slot = GetU32(bytes, 12),
+                         .width_px = GetU32(bytes, 16),
+                         .height_px = GetU32(bytes, 20),
+                         .stride_bytes = GetU32(bytes, 24),
+                         .pixels = GetU32(bytes, 28),
+                         .bytes = GetU32(bytes, 32)};
+}
+
+constexpr std::array<std::uint8_t, kScreenHelloBytes> Encode(const ScreenHello& hello) {
+  std::array<std::uint8_t, kScreenHelloBytes> bytes{};
+  PutU32(bytes, 0, kScreenHello);
+  PutU32(bytes, 4, hello.slots);
+  PutU32(bytes, 8, hello.width_px);
+  PutU32(bytes, 12, hello.height_px);
+  PutU64(bytes, 16, static_cast<std::uint64_t>(hello.period_ns));
+  return bytes;
+}
+
+constexpr std::optional<ScreenHello> DecodeScreenHello(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() != kScreenHelloBytes || GetU32(bytes, 0) != kScreenHello) return std::nullopt;
+  return ScreenHello{GetU32(bytes, 4), GetU32(bytes, 8), GetU32(bytes, 12), GetI64(bytes, 16)};
+}
+
+constexpr std::array<std::uint8_t, kScreenFlipBytes> Encode(const ScreenFlip& flip) {
+  std::array<std::uint8_t, kScreenFlipBytes> bytes{};
+  PutU64(bytes, 0, static_cast<std::uint64_t>(flip.at_ns));
+  PutU64(bytes, 8, flip.frame);
+  PutU32(bytes, 16, flip.slot);
+  return bytes;
+}
+
+constexpr std::optional<ScreenFlip> DecodeScreenFlip(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() != kScreenFlipBytes) return std::nullopt;
+  return ScreenFlip{GetI64(bytes, 0), GetU64(bytes, 8), GetU32(bytes, 16)};
+}
+
+constexpr std::array<std::uint8_t, kScreenPresentBytes> Encode(const ScreenPresent& present) {
+  std::array<std::uint8_t, kScreenPresentBytes> bytes{};
+  PutU64(bytes, 0, present.frame);
+  PutU32(bytes, 8, present.slot);
+  return bytes;
+}
+
+constexpr std::optional<ScreenPresent> DecodeScreenPresent(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() != kScreenPresentBytes) return std::nullopt;
+  return ScreenPresent{GetU64(bytes, 0), GetU32(bytes, 8)};
+}
+
+}  // namespace kaori::wire
