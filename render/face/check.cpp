@@ -1,0 +1,120 @@
+#include "render/face/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include <fmt/format.h>
+
+#include "render/face/faults.h"
+
+namespace kaori::face {
+namespace {
+
+constexpr float kFarthest_m = 10;  // A head beyond this was not made in metres.
+
+bool Is0To1(float value) {
+  return value >= 0 && value <= 1;
+}
+
+void CheckNet(const Cast& cast, Faults& faults) {
+  const ControlNet& net = cast.net;
+  const std::size_t points = net.points.size();
+  const std::size_t moving = cast.topology.moving_count;
+  faults.Rows("control points to cage", net.to_cage, moving, points);
+  if (net.to_cage_linear.rows() != 0)
+    faults.Rows("control points to cage, linear", net.to_cage_linear, moving, points);
+  faults.Rows("control points on the surface", net.surface, points, cast.topology.vertex_count);
+  for (const ControlPoint& point : net.points) {
+    if (Is0To1(point.place.x) && Is0To1(point.place.y)) continue;
+    faults.Add(fmt::format("control point \"{}\": lies outside the parameter space", point.name));
+  }
+}
+
+void CheckEyes(const std::string& item, const Face& face, Faults& faults) {
+  for (const EyeBall& eye : face.eyes) {
+    const bool good = IsFinite(eye.centre) && std::isfinite(eye.radius_m) && eye.radius_m >= 0 &&
+                      std::isfinite(eye.lid_thickness_m);
+    if (!good) faults.Add(item + ": an eye has no place or size");
+  }
+}
+
+void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
+  const std::string item = fmt::format("face \"{}\"", face.name);
+  const std::size_t vertices = cast.topology.vertex_count;
+  if (face.positions.size() != vertices) {
+    faults.Add(fmt::format("{}: {} vertices, the topology has {}", item, face.positions.size(), vertices));
+  }
+  const bool finite = faults.Finite(item, face.positions);
+  const auto far = [](const glm::vec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_m;
+  };
+  if (finite && std::ranges::any_of(face.positions, far))
+    faults.Add(item + ": is larger than 10 m; are these metres?");
+  if (!face.occlusion.empty()) faults.Size(item + ", occlusion", face.occlusion.size(), vertices);
+  faults.Finite(item + ", occlusion", face.occlusion);
+  CheckEyes(item, face, faults);
+  if (!std::isfinite(face.expression_gain))
+    faults.Add(item + ": the gain of its expressions is not a number");
+  const auto within = [](int index, std::size_t count) {
+    return index >= 0 && static_cast<std::size_t>(index) < count;
+  };
+  if (!cast.textures.empty() && !within(face.surface.texture, cast.textures.size())) {
+    faults.Add(fmt::format("{}: texture {} is missing", item, face.surface.texture));
+  }
+  for (const int prop : face.props) {
+    if (!within(prop, cast.props.size())) faults.Add(fmt::format("{}: prop {} is missing", item, prop));
+  }
+}
+
+void CheckExpression(const Cast& cast, const Expression& expression, Faults& faults) {
+  const std::string item = fmt::format("expression \"{}\"", expression.name);
+  faults.Size(item, expression.displacement.size(), cast.net.points.size());
+  faults.Finite(item, expression.displacement);
+  if (!std::ranges::all_of(expression.lids, Is0To1)) faults.Add(item + ": its lids are not within 0 to 1");
+}
+
+void CheckProp(const Prop& prop, Faults& faults) {
+  const std::string item = fmt::format("prop \"{}\"", prop.name);
+  for (const Triangle& t : prop.triangles) {
+    if (faults.Indices(item, t, prop.vertices.size())) continue;
+    break;
+  }
+  const auto wrong = [](const PropVertex& v) { return !IsFinite(v.position) || !IsFinite(v.normal); };
+  if (std::ranges::any_of(prop.vertices, wrong)) faults.Add(item + ": a position or normal is not a number");
+}
+
+void CheckTexture(std::size_t index, const Texture& texture, Faults& faults) {
+  const std::string item = fmt::format("texture {}", index);
+  if (texture.width_px <= 0 || texture.height_px <= 0) {
+    faults.Add(item + ": has no size");
+    return;
+  }
+  const std::size_t pixels =
+      static_cast<std::size_t>(texture.width_px) * static_cast<std::size_t>(texture.height_px);
+  faults.Size(item + ", bytes", texture.rgba.size(), 4 * pixels);
+}
+
+}  // namespace
+
+std::vector<std::string> FindFaults(const Cast& cast) {
+  Faults faults;
+  CheckTopology(cast.topology, faults);
+  CheckNet(cast, faults);
+  if (cast.faces.empty()) faults.Add("cast: has no face");
+  if (cast.expressions.empty()) faults.Add("cast: has no expression");
+  for (const Face& face : cast.faces) CheckFace(cast, face, faults);
+  for (const Expression& expression : cast.expressions) CheckExpression(cast, expression, faults);
+  for (const Prop& prop : cast.props) CheckProp(prop, faults);
+  for (std::size_t i = 0; i < cast.textures.size(); ++i) CheckTexture(i, cast.textures[i], faults);
+  return faults.Take();
+}
+
+Result<void> CheckCast(const Cast& cast) {
+  const auto faults = FindFaults(cast);
+  if (faults.empty()) return {};
+  if (faults.size() == 1) return FailInput(faults.front());
+  return FailInput(fmt::format("{} (and {} more)", faults.front(), faults.size() - 1));
+}
+
+}  // namespace kaori::face

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "render/face/faults.h"
+
+namespace kaori::face {
+namespace {
+
+constexpr float kNoArea = 1e-9F;  // Of the unit square.
+constexpr float kSliver = 0.02F;  // Of the mean triangle. One that is turned over by less does no harm.
+
+float Area(const std::vector<glm::vec2>& place, const Triangle& t) {
+  const glm::vec2 a = place[t[1]] - place[t[0]];
+  const glm::vec2 b = place[t[2]] - place[t[0]];
+  return 0.5F * (a.x * b.y - a.y * b.x);
+}
+
+std::span<const Index> Flat(const std::vector<Triangle>& triangles) {
+  return {triangles.empty() ? nullptr : triangles.front().data(), 3 * triangles.size()};
+}
+
+std::span<const Index> Flat(const std::vector<Line>& lines) {
+  return {lines.empty() ? nullptr : lines.front().data(), 2 * lines.size()};
+}
+
+// The parameter space must not fold: an expression would be carried to the wrong side of the fold.
+void CheckUnfolding(const Topology& topology, Faults& faults) {
+  std::vector<float> areas;
+  for (const Triangle& t : topology.triangles) areas.push_back(Area(topology.place, t));
+  const float sum =
+      std::accumulate(areas.begin(), areas.end(), 0.0F, [](float s, float a) { return s + std::abs(a); });
+  const float sliver = kSliver * sum / static_cast<float>(std::max<std::size_t>(areas.size(), 1));
+  const auto flat = std::ranges::count_if(areas, [](float area) { return std::abs(area) <= kNoArea; });
+  const auto turned = std::ranges::count_if(areas, [&](float area) { return area < -sliver; });
+  if (flat > 0) faults.Add(fmt::format("parameter space: {} triangles have no area", flat));
+  if (turned > 0) faults.Add(fmt::format("parameter space: {} triangles are turned over", turned));
+}
+
+void CheckTwins(const std::string& item, const std::vector<Index>& twin, std::size_t vertices,
+                Faults& faults) {
+  if (!faults.Size(item, twin.size(), vertices) || !faults.Indices(item, twin, vertices)) return;
+  const bool mutual = std::ranges::all_of(twin, [&](Index t) { return twin[twin[t]] == t; });
+  if (!mutual) faults.Add(item + ": a vertex is not the twin of its twin");
+}
+
+void CheckLids(const std::string& item, const LidRig& rig, std::size_t vertices, Faults& faults) {
+  if (rig.columns == 0 && rig.rings == 0) return;
+  if (rig.columns < 2 || rig.rings < 1 || rig.margin_ring < 0 || rig.margin_ring >= rig.rings) {
+    faults.Add(fmt::format("{}: {} columns, {} rings and margin ring {} do not make a lid", item, rig.columns,
+                           rig.rings, rig.margin_ring));
+    return;
+  }
+  const auto rings = static_cast<std::size_t>(rig.rings);
+  const std::size_t wanted = rings * static_cast<std::size_t>(rig.columns);
+  faults.Size(item + ", upper", rig.upper.size(), wanted);
+  faults.Size(item + ", lower", rig.lower.size(), wanted);
+  faults.Indices(item + ", upper", rig.upper, vertices);
+  faults.Indices(item + ", lower", rig.lower, vertices);
+  faults.Size(item + ", upper rings' weights", rig.follow_upper.size(), rings);
+  faults.Size(item + ", lower rings' weights", rig.follow_lower.size(), rings);
+  faults.Finite(item + ", upper rings' weights", rig.follow_upper);
+  faults.Finite(item + ", lower rings' weights", rig.follow_lower);
+}
+
+void CheckFine(const FineMesh& fine, std::size_t cage_vertices, Faults& faults) {
+  const std::size_t vertices = fine.from_cage.rows();
+  faults.Rows("fine mesh, positions", fine.from_cage, vertices, cage_vertices);
+  faults.Rows("fine mesh, attributes", fine.attributes_from_cage, vertices, cage_vertices);
+  faults.Indices("fine mesh, triangles", Flat(fine.triangles), vertices);
+  faults.Size("fine mesh, texture coordinates", fine.texture.size(), vertices);
+  faults.Finite("fine mesh, texture coordinates", fine.texture);
+  CheckTwins("fine mesh, twins", fine.twin, vertices, faults);
+}
+
+}  // namespace
+
+void CheckTopology(const Topology& topology, Faults& faults) {
+  const std::size_t vertices = topology.vertex_count;
+  if (vertices == 0) faults.Add("topology: has no vertices");
+  if (topology.moving_count > vertices) faults.Add("topology: more vertices move than there are");
+  const bool places = faults.Size("parameter space", topology.place.size(), vertices) &&
+                      faults.Finite("parameter space", topology.place);
+  const bool corners = faults.Indices("triangles", Flat(topology.triangles), vertices);
+  if (places && corners) CheckUnfolding(topology, faults);
+  faults.Size("texture coordinates", topology.texture.size(), vertices);
+  faults.Finite("texture coordinates", topology.texture);
+  faults.Indices("wires", Flat(topology.wires), vertices);
+  faults.Size("mouth share", topology.mouth_share.size(), vertices);
+  faults.Finite("mouth share", topology.mouth_share);
+  CheckTwins("twins", topology.twin, vertices, faults);
+  CheckLids("left lids", topology.lids[0], vertices, faults);
+  CheckLids("right lids", topology.lids[1], vertices, faults);
+  CheckFine(topology.fine, vertices, faults);
+}
+
+}  // namespace kaori::face
