@@ -49,13 +49,16 @@ struct Lines {
   std::array<std::uint32_t, 16> pushes{};
 };
 
-// Written by kaori-lips. Sizes are fractions of the width of the mouth at rest.
+// Written by kaori-lips. Sizes are of the paint's outline, as fractions of the mouth's width at rest: a mouth
+// at rest is 1 wide and, shut, about a quarter high.
 struct Lips {
   static constexpr const char* kName = "lips";
   float height = 0;
   float width = 1;
   float quality = 0;  // 0 no paint found .. 1 a clean mouth.
   std::uint32_t frames = 0;
+  float rest_width =
+      0;  // In widths of the picture; 0: not yet known. Here, so that a restart measures on as before.
 };
 
 // Written by kaori-stage; kaori-input lights the lamps from it.

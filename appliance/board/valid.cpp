@@ -32,7 +32,8 @@ bool Valid(const Lines& /*any bits are lines*/) {
 }
 
 bool Valid(const Lips& lips) {
-  return Within(lips.height, 0, kMaxLip) && Within(lips.width, 0, kMaxLip) && Within(lips.quality, 0, 1);
+  return Within(lips.height, 0, kMaxLip) && Within(lips.width, 0, kMaxLip) && Within(lips.quality, 0, 1) &&
+         Within(lips.rest_width, 0, 1);
 }
 
 bool Valid(const Lamps& /*any bits are lamps*/) {

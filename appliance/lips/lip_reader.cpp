@@ -1,0 +1,118 @@
+#include "appliance/lips/lip_reader.h"
+
+#include "drivers/base/log.h"
+
+namespace kaori::lips {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr Duration kSilence =
+    milliseconds(200);  // After that the lips are stale, and the stage looks elsewhere.
+constexpr Duration kRetry = milliseconds(250);
+constexpr Duration kGiveUp = milliseconds(2000);  // A stream this silent does not come back by itself.
+constexpr Duration kOldest = milliseconds(500);   // A stamp further off than this is the source's mistake.
+
+// Some sources stamp with another clock, or leap: then the arrival is the better guess.
+Time Believable(Time stamp, Time now) {
+  return stamp > now || now - stamp > kOldest ? now : stamp;
+}
+
+}  // namespace
+
+LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board::Writer<board::Lips> writer,
+                     const LipSettings& settings, const Clock& clock)
+    : open_(std::move(open)),
+      writer_(std::move(writer)),
+      clock_(clock),
+      key_(settings.paint),
+      gauge_(board.Read<board::Lips>().value),
+      source_(board.Read<board::Lips>().source),
+      last_frame_(clock.now()),
+      last_sign_(clock.now()) {
+  if (settings.rest_width > 0) gauge_.SetRest(settings.rest_width);
+}
+
+void LipReader::Step() {
+  const Time now = clock_.now();
+  if (!camera_ && now >= retry_at_) TryOpen(now);
+  if (camera_) TakeFrame(now);
+  CheckSilence(now);
+}
+
+void LipReader::TryOpen(Time now) {
+  auto camera = open_();
+  retry_at_ = now + kRetry;
+  if (!camera) {
+    if (logged_ != camera.error().cause) Log("{}; trying again until it is there", camera.error().message());
+    logged_ = camera.error().cause;
+    return;
+  }
+  camera_ = std::move(*camera);
+  last_sign_ = now;
+  ++opened_;
+  if (logged_ != std::errc::timed_out) Log("lip camera: open");
+}
+
+void LipReader::TakeFrame(Time now) {
+  const auto frame = camera_->Next();
+  if (frame) return Measure(*frame, now);
+  switch (frame.error().cause) {
+    case std::errc::resource_unavailable_try_again:
+      return;
+    case std::errc::bad_message:
+      return Drop(frame.error());
+    default:
+      return Close(now, frame.error().message());
+  }
+}
+
+void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
+  const auto planes = planes_.Read(frame);
+  if (!planes) return Drop(planes.error());
+  if (frame.format != format_)
+    Log("lip camera: frames of {} x {}", frame.format.width_px, frame.format.height_px);
+  format_ = frame.format;
+  const Time at = Believable(frame.at, now);
+  const bool knew_rest = gauge_.lips().rest_width > 0;
+  gauge_.Measure(finder_.Find(*planes, key_), *planes, at);
+  if (!knew_rest && gauge_.lips().rest_width > 0)
+    Log("lip camera: the mouth at rest is {:.3f} of the picture wide", gauge_.lips().rest_width);
+  last_frame_ = last_sign_ = now;
+  logged_ = {};
+  Write(at, board::SourceState::kLive);
+}
+
+void LipReader::Drop(const Error& error) {
+  if (logged_ != error.cause) Log("{}; frame dropped", error.message());
+  logged_ = error.cause;
+}
+
+void LipReader::Close(Time now, std::string_view why) {
+  camera_.reset();
+  retry_at_ = now + kRetry;
+  Log("{}; opening the lip camera anew", why);
+  logged_ = std::errc::no_such_device;
+  if (source_ == board::SourceState::kLive) Write(last_frame_, board::SourceState::kStale);
+}
+
+void LipReader::CheckSilence(Time now) {
+  if (source_ == board::SourceState::kLive && now - last_frame_ >= kSilence) {
+    Log("lip camera: silent for {} ms; the lips are stale", kSilence / milliseconds(1));
+    Write(last_frame_, board::SourceState::kStale);
+  }
+  if (!camera_ || now - last_sign_ < kGiveUp) return;
+  if (logged_ != std::errc::timed_out)
+    Log("lip camera: silent for {} s; opening it anew", kGiveUp / milliseconds(1000));
+  logged_ = std::errc::timed_out;
+  camera_.reset();
+  retry_at_ = now;
+}
+
+void LipReader::Write(Time at, board::SourceState source) {
+  if (source == board::SourceState::kLive && source_ != source) Log("lip camera: live");
+  source_ = source;
+  writer_.Write(gauge_.lips(), at, source);
+}
+
+}  // namespace kaori::lips

@@ -1,0 +1,62 @@
+// From the lip camera to the board: opens it, measures each frame, and outlives everything a camera does.
+#pragma once
+
+#include <optional>
+
+#include "appliance/board/board.h"
+#include "appliance/lips/mouth_gauge.h"
+#include "appliance/lips/paint_key.h"
+#include "appliance/lips/region.h"
+#include "drivers/base/clock.h"
+#include "drivers/camera/planes.h"
+#include "drivers/ports/camera.h"
+
+namespace kaori::lips {
+
+struct LipSettings {
+  Paint paint;
+  float rest_width = 0;  // Of the mouth, in widths of the picture; 0: as the board has it, else measured.
+};
+
+// One thread. Silence of 200 ms, or a camera that is gone, makes the section stale; its sizes hold. A camera
+// that is gone is opened anew every 250 ms, and one that has been silent for 2 s as well.
+class LipReader {
+ public:
+  // Goes on from what `board` holds. Borrows the clock.
+  LipReader(ports::CameraOpener open, const board::Board& board, board::Writer<board::Lips> writer,
+            const LipSettings& settings, const Clock& clock);
+
+  // Does everything that waits; never blocks. Call it when pollable() is readable, and every 50 ms or sooner.
+  void Step();
+
+  // Of the camera that is open; -1 while none is. Another camera may have the same number: see opened().
+  int pollable() const { return camera_ ? camera_->pollable() : -1; }
+  int opened() const { return opened_; }  // How often a camera was opened.
+
+ private:
+  void TryOpen(Time now);
+  void TakeFrame(Time now);
+  void Measure(const ports::CameraFrame& frame, Time now);
+  void Drop(const Error& error);
+  void Close(Time now, std::string_view why);
+  void CheckSilence(Time now);
+  void Write(Time at, board::SourceState source);
+
+  ports::CameraOpener open_;
+  board::Writer<board::Lips> writer_;
+  const Clock& clock_;
+  PaintKey key_;
+  RegionFinder finder_;
+  MouthGauge gauge_;
+  camera::PlaneReader planes_;
+  std::unique_ptr<ports::Camera> camera_;
+  board::SourceState source_;
+  ports::CameraFormat format_;
+  Time last_frame_;  // When the newest good frame was measured.
+  Time last_sign_;   // When the camera was opened, or last gave a good frame.
+  Time retry_at_{};
+  std::errc logged_{};  // The last trouble that was logged: the same again is not.
+  int opened_ = 0;
+};
+
+}  // namespace kaori::lips
