@@ -1,0 +1,133 @@
+#include "hw-sim/console/console.h"
+
+#include <sys/timerfd.h>
+
+#include <fmt/format.h>
+
+#include "hw-sim/console/hands.h"
+#include "hw-sim/console/page.h"
+
+namespace kaori::console {
+namespace {
+
+// Twice as often as pictures leave, so that a picture waits for half of its period at most.
+constexpr Duration kTick = std::chrono::microseconds(8'333);
+constexpr Duration kStatePeriod = std::chrono::milliseconds(50);
+// Silence is broken this often: listeners that went away are noticed only when something is sent.
+constexpr Duration kSignOfLife = std::chrono::seconds(1);
+
+constexpr std::string_view kBoundary = "--kaori\r\n";
+
+// A part of the endless picture, closed by the next boundary: browsers show a part when it is closed.
+std::string PicturePart(std::string_view jpeg) {
+  return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg, kBoundary);
+}
+
+Reply NotFound(const std::string& path) { return {404, "text/plain; charset=utf-8", path + " is not here\n"}; }
+
+}  // namespace
+
+Console::Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop)
+    : options_(std::move(options)),
+      rig_(rig),
+      loop_(loop),
+      pictures_("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary)),
+      states_("text/event-stream", "retry: 500\n\n") {}
+
+Result<std::unique_ptr<Console>> Console::Open(ConsoleOptions options, sim::Rig& rig, EventLoop& loop) {
+  std::unique_ptr<Console> console(new Console(std::move(options), rig, loop));
+  auto server = HttpServer::Open(console->options_.port, loop,
+                                 [self = console.get()](const Request& request) { return self->Answer(request); });
+  if (!server) return tl::unexpected(server.error());
+  console->server_ = std::move(*server);
+  if (auto ticking = console->StartTicking(); !ticking) return tl::unexpected(ticking.error());
+  return console;
+}
+
+Console::~Console() {
+  if (ticks_.valid()) loop_.Forget(ticks_.get());
+}
+
+std::string Console::address() const { return fmt::format("http://127.0.0.1:{}/", server_->port()); }
+
+// A timer of our own: EventLoop::Every has no end, and a console may end before its loop.
+Result<void> Console::StartTicking() {
+  ticks_ = UniqueFd(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
+  if (!ticks_.valid()) return FailErrno("create the console's timer");
+  const timespec period{0, kTick.count()};
+  const itimerspec spec{period, period};
+  if (::timerfd_settime(ticks_.get(), 0, &spec, nullptr) < 0) return FailErrno("start the console's timer");
+  return loop_.Watch(ticks_.get(), [this] { Tick(); });
+}
+
+void Console::Tick() {
+  std::uint64_t passed = 0;
+  (void)!::read(ticks_.get(), &passed, sizeof(passed));
+  const Time now = clock_.now();
+  shown_.See(rig_.screen().frames_shown(), now);
+  ShowPicture(now);
+  TellState(now);
+  server_->Run();
+}
+
+// Encodes once for all listeners, and only when one of them can take it.
+void Console::ShowPicture(Time now) {
+  if (!pictures_.awaited()) return;
+  const Duration age = now - picture_at_;
+  // Half a tick early is on time: else a rate that divides the tick would lose every other picture.
+  if (age + kTick / 2 < FromSeconds(1 / options_.most_pictures_per_s)) return;
+  if (rig_.screen().frames_shown() == sent_frame_ && age < kSignOfLife) return;
+  const auto jpeg = EncodeLatest();
+  if (!jpeg) return;  // The screen is dark: the page keeps its last picture and says so from the state.
+  picture_at_ = now;
+  sent_frame_ = rig_.screen().frames_shown();
+  pictures_.Publish(PicturePart(*jpeg));
+}
+
+void Console::TellState(Time now) {
+  if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
+  auto state = StateJson(rig_, shown_.per_s());
+  if (state == state_ && now - state_at_ < kSignOfLife) return;
+  state_ = std::move(state);
+  state_at_ = now;
+  states_.Publish(fmt::format("data: {}\n\n", state_));
+}
+
+HttpServer::Answer Console::Answer(const Request& request) {
+  if (request.method == "POST") {
+    if (request.path == "/hands") return MoveHands(request.body);
+    return NotFound(request.path);
+  }
+  if (request.method != "GET" && request.method != "HEAD")
+    return Reply{405, "text/plain; charset=utf-8", "GET and POST only\n"};
+  if (request.path == "/picture") return &pictures_;
+  if (request.path == "/events") return &states_;
+  if (request.path == "/frame.jpg") return OnePicture();
+  if (request.path == "/state") return Reply{200, "application/json", StateJson(rig_, shown_.per_s())};
+  if (request.path == "/labels") return Reply{200, "application/json", LabelsJson(options_.labels)};
+  if (const auto* file = FindPageFile(request.path))
+    return Reply{200, std::string(file->content_type), std::string(file->bytes)};
+  return NotFound(request.path);
+}
+
+Reply Console::MoveHands(const std::string& lines) {
+  const auto hands = ParseHands(lines);
+  if (!hands) return {400, "text/plain; charset=utf-8", hands.error().attempt + "\n"};
+  for (const auto& hand : *hands) rig_.Do(hand);
+  rig_.Pump();
+  return {204, "text/plain; charset=utf-8", {}};
+}
+
+Reply Console::OnePicture() {
+  auto jpeg = EncodeLatest();
+  if (!jpeg) return {503, "text/plain; charset=utf-8", jpeg.error().message() + "\n"};
+  return {200, "image/jpeg", std::move(*jpeg)};
+}
+
+Result<std::string> Console::EncodeLatest() {
+  const auto shown = rig_.screen().latest();
+  if (!shown) return Fail(std::errc::no_message_available, "show the screen: it is dark");
+  return jpeg_.Encode({shown->width_px, shown->height_px, shown->rgbx}, options_.jpeg_quality);
+}
+
+}  // namespace kaori::console

@@ -1,0 +1,64 @@
+// A page in the browser that plays the simulated devices: dials, sticks, keys, lips, and the picture.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "drivers/base/event_loop.h"
+#include "drivers/base/result.h"
+#include "hw-sim/console/feed.h"
+#include "hw-sim/console/http_server.h"
+#include "hw-sim/console/jpeg.h"
+#include "hw-sim/console/rate.h"
+#include "hw-sim/console/words.h"
+#include "hw-sim/links/local/rig.h"
+
+namespace kaori::console {
+
+struct ConsoleOptions {
+  std::uint16_t port = 0;  // 0: any free one.
+  Labels labels;
+  double most_pictures_per_s = 30;  // Sent to the page; each costs about 3 ms of CPU at 960x540.
+  int jpeg_quality = 85;
+};
+
+// Serves 127.0.0.1 only. Hands act through Rig::Do alone, so as report bytes and camera frames; the console
+// pumps the rig after them, and nobody else's pump is in its way. One thread, the loop's.
+class Console {
+ public:
+  // `rig` and `loop` must outlive the console. Errors: address_in_use, those of sockets and timers.
+  static Result<std::unique_ptr<Console>> Open(ConsoleOptions options, sim::Rig& rig, EventLoop& loop);
+  ~Console();
+
+  // "http://127.0.0.1:8093/".
+  std::string address() const;
+
+ private:
+  Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop);
+  Result<void> StartTicking();
+  void Tick();
+  void ShowPicture(Time now);
+  void TellState(Time now);
+  HttpServer::Answer Answer(const Request& request);
+  Reply MoveHands(const std::string& lines);
+  Reply OnePicture();
+  Result<std::string> EncodeLatest();
+
+  ConsoleOptions options_;
+  sim::Rig& rig_;
+  EventLoop& loop_;
+  SteadyClock clock_;  // The page lives in real time, whatever the rig's clock does.
+  JpegEncoder jpeg_;
+  Rate shown_;                    // Frames the screen has shown.
+  std::uint64_t sent_frame_ = 0;  // frames_shown() of the last picture that was sent.
+  Time picture_at_{};
+  std::string state_;
+  Time state_at_{};
+  Feed pictures_;
+  Feed states_;
+  UniqueFd ticks_;
+  std::unique_ptr<HttpServer> server_;
+};
+
+}  // namespace kaori::console

@@ -1,0 +1,98 @@
+#include "hw-sim/console/feed.h"
+
+#include <microhttpd.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace kaori::console {
+namespace {
+
+constexpr std::size_t kBlockBytes = 32768;
+// What the kernel may hold for one listener: about one picture, so that a slow one sees the present.
+constexpr int kSendBufferBytes = 65536;
+
+void KeepSendBufferShort(MHD_Connection* connection) {
+  const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+  if (info == nullptr) return;
+  ::setsockopt(info->connect_fd, SOL_SOCKET, SO_SNDBUF, &kSendBufferBytes, sizeof(kSendBufferBytes));
+}
+
+}  // namespace
+
+struct Feed::Listener {
+  Feed* feed;
+  MHD_Connection* connection;
+  std::string sending;
+  std::size_t sent_bytes = 0;
+  std::uint64_t number = 0;  // Of the message in `sending`.
+  bool asleep = false;       // Suspended until the next message.
+};
+
+Feed::Feed(std::string content_type, std::string opening)
+    : content_type_(std::move(content_type)), opening_(std::move(opening)) {}
+
+Feed::~Feed() = default;
+
+void Feed::Publish(std::string message) {
+  newest_ = std::move(message);
+  ++number_;
+  for (auto& listener : listeners_) Wake(*listener);
+}
+
+bool Feed::awaited() const {
+  return std::ranges::any_of(listeners_, [](const auto& l) { return l->sent_bytes == l->sending.size(); });
+}
+
+MHD_Response* Feed::Listen(MHD_Connection* connection) {
+  auto listener = std::make_unique<Listener>(Listener{this, connection, opening_});
+  MHD_Response* response =
+      MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, kBlockBytes, &Read, listener.get(), &Leave);
+  if (response == nullptr) return nullptr;
+  // The first to listen waits for a fresh message: the newest may be as old as the last listener.
+  if (listeners_.empty()) listener->number = number_;
+  KeepSendBufferShort(connection);
+  MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, content_type_.c_str());
+  listeners_.push_back(std::move(listener));
+  return response;
+}
+
+void Feed::End() {
+  ended_ = true;
+  for (auto& listener : listeners_) Wake(*listener);
+}
+
+void Feed::Wake(Listener& listener) {
+  if (!listener.asleep) return;
+  listener.asleep = false;
+  MHD_resume_connection(listener.connection);
+}
+
+// MHD's content reader: the next bytes for one listener, 0 after putting it to sleep.
+std::ptrdiff_t Feed::Read(void* context, std::uint64_t, char* into, std::size_t most) {
+  auto& listener = *static_cast<Listener*>(context);
+  Feed& feed = *listener.feed;
+  if (feed.ended_) return MHD_CONTENT_READER_END_OF_STREAM;
+  if (listener.sent_bytes == listener.sending.size()) {
+    if (listener.number == feed.number_) {
+      listener.asleep = true;
+      MHD_suspend_connection(listener.connection);
+      return 0;
+    }
+    listener.sending = feed.newest_;
+    listener.number = feed.number_;
+    listener.sent_bytes = 0;
+  }
+  const std::size_t bytes = std::min(most, listener.sending.size() - listener.sent_bytes);
+  std::memcpy(into, listener.sending.data() + listener.sent_bytes, bytes);
+  listener.sent_bytes += bytes;
+  return static_cast<std::ptrdiff_t>(bytes);
+}
+
+void Feed::Leave(void* context) {
+  const auto* leaving = static_cast<Listener*>(context);
+  std::erase_if(leaving->feed->listeners_, [&](const auto& l) { return l.get() == leaving; });
+}
+
+}  // namespace kaori::console

@@ -1,0 +1,38 @@
+// Pictures of the screen as JPEG.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "drivers/base/result.h"
+
+namespace kaori::console {
+
+// 8-bit R, G, B, X; bottom row first, tightly packed: as the screen has them.
+struct Picture {
+  int width_px = 0;
+  int height_px = 0;
+  std::span<const std::uint8_t> rgbx;
+};
+
+// Keeps its tables from picture to picture. One thread.
+class JpegEncoder {
+ public:
+  JpegEncoder();
+  ~JpegEncoder();
+
+  // `quality` 1..100. Errors: invalid_argument (sizes and bytes do not agree), not_enough_memory.
+  Result<std::string> Encode(const Picture& picture, int quality);
+
+ private:
+  struct Close {
+    void operator()(void* handle) const;
+  };
+  std::unique_ptr<void, Close> handle_;
+  unsigned char* buffer_ = nullptr;  // The library's, grown as needed.
+  unsigned long buffer_bytes_ = 0;
+};
+
+}  // namespace kaori::console

@@ -1,0 +1,79 @@
+// The keyboard: caps on the page, and the real one, both as usages of HID page 7.
+import {make, onHold} from './drag.js';
+import {lastWords, tell} from './wire.js';
+
+// KeyboardEvent.code -> usage (HID Usage Tables, keyboard page).
+const kUsages = new Map();
+const kNames = new Map();
+
+function addRun(first, codes, names = codes) {
+  codes.forEach((code, n) => {
+    kUsages.set(code, first + n);
+    kNames.set(first + n, names[n]);
+  });
+}
+const letters = [...'ABCDEFGHIJKLMNOPQRSTUVWXYZ'];
+addRun(0x04, letters.map((letter) => `Key${letter}`), letters);
+addRun(0x1e, [...'1234567890'].map((digit) => `Digit${digit}`), [...'1234567890']);
+addRun(0x28, ['Enter', 'Escape', 'Backspace'], ['Enter', 'Esc', '⌫']);
+addRun(0x2c, ['Space', 'Minus', 'Equal', 'BracketLeft', 'BracketRight', 'Backslash'], ['Space', '-', '=', '[', ']', '\\']);
+addRun(0x33, ['Semicolon', 'Quote', 'Backquote', 'Comma', 'Period', 'Slash', 'CapsLock'], [';', '\'', '`', ',', '.', '/', 'Caps']);
+addRun(0x3a, Array.from({length: 12}, (_, n) => `F${n + 1}`));
+addRun(0x49, ['Insert', 'Home', 'PageUp', 'Delete', 'End', 'PageDown', 'ArrowRight', 'ArrowLeft', 'ArrowDown', 'ArrowUp'],
+       ['Ins', 'Home', 'PgUp', 'Del', 'End', 'PgDn', '→', '←', '↓', '↑']);
+addRun(0x54, ['NumpadDivide', 'NumpadMultiply', 'NumpadSubtract', 'NumpadAdd', 'NumpadEnter', 'Numpad1', 'Numpad2',
+              'Numpad3', 'Numpad4', 'Numpad5', 'Numpad6', 'Numpad7', 'Numpad8', 'Numpad9', 'Numpad0', 'NumpadDecimal']);
+addRun(0x87, ['IntlRo', 'KanaMode', 'IntlYen', 'Convert', 'NonConvert']);
+addRun(0xe0, ['ControlLeft', 'ShiftLeft', 'AltLeft', 'MetaLeft', 'ControlRight', 'ShiftRight', 'AltRight', 'MetaRight']);
+
+// These stay with the browser: reload, full screen, tools, and everything with Ctrl, Alt or Meta.
+const kBrowsers = new Set(['F5', 'F11', 'F12']);
+const isBrowsers = (event) => kBrowsers.has(event.code) || event.ctrlKey || event.altKey || event.metaKey;
+
+const held = new Set();
+const caps = new Map();
+
+function hold(usage, down) {
+  if (down === held.has(usage)) return;
+  if (down) held.add(usage);
+  else held.delete(usage);
+  caps.get(usage)?.classList.toggle('held', down);
+  tell(`key ${usage} ${down ? 'press' : 'release'}`);
+}
+
+// A key that was let go elsewhere would stay down for ever.
+function releaseAll() {
+  for (const usage of [...held]) hold(usage, false);
+}
+
+function listenToKeyboard() {
+  window.addEventListener('keydown', (event) => {
+    const usage = kUsages.get(event.code);
+    // What a focused control took (arrows of a dial, Enter of a button) is its own.
+    const taken = event.defaultPrevented || (event.target !== document.body && event.target.matches('button, input'));
+    if (usage === undefined || isBrowsers(event) || taken) return;
+    event.preventDefault();
+    if (!event.repeat) hold(usage, true);
+  });
+  window.addEventListener('keyup', (event) => {
+    const usage = kUsages.get(event.code);
+    if (usage !== undefined) hold(usage, false);
+  });
+  window.addEventListener('blur', releaseAll);
+  window.addEventListener('pagehide', () => lastWords([...held].map((usage) => `key ${usage} release`)));
+}
+
+function makeCap({usage, text, group}) {
+  const key = kNames.get(usage) ?? `#${usage}`;
+  const cap = make('button', {type: 'button', class: 'cap', 'data-group': group, 'aria-label': `${text || key}: key ${key}`},
+                   make('kbd', {}, key), make('span', {class: 'text'}, text));
+  if (key === 'Space') cap.classList.add('wide');
+  onHold(cap, {push: () => hold(usage, true), release: () => hold(usage, false)});
+  caps.set(usage, cap);
+  return cap;
+}
+
+export function makeKeys(parent, labels) {
+  parent.append(...labels.map(makeCap));
+  listenToKeyboard();
+}

@@ -1,0 +1,74 @@
+// The operator's lips before the camera: drag down to open, sideways to narrow and widen; they spring shut.
+import {clamp, make, onDrag, placeIn, springBack} from './drag.js';
+import {onState, set} from './wire.js';
+
+const kRest = [0, 0];          // Shut, at rest width.
+const kShutHeight = 0.25;      // Painted lips have a height even when shut; in widths of the mouth at rest.
+const kOpenHeight = 0.85;      // Added when wide open.
+const kWidthSpan = 0.4;        // Added or taken at the sides of the pad.
+const kLocalTime_ms = 400;
+
+const kDrawing = `
+  <svg viewBox="-100 -60 200 160" aria-hidden="true">
+    <path class="inside"/><path class="lip upper"/><path class="lip lower"/>
+  </svg>`;
+
+// Two lips round an opening: open 0..1, wide -1..1.
+function shapes(open, wide) {
+  const half = 46 * (1 + wide * 0.36);
+  const gap = open * 44;
+  const up = 15 - open * 3;
+  const low = 19 - open * 2;
+  const outerTop = `C${-half * 0.5} ${-up - gap * 0.25} ${-half * 0.22} ${-up * 1.5 - gap * 0.3} 0 ${-up - gap * 0.3}` +
+      ` C${half * 0.22} ${-up * 1.5 - gap * 0.3} ${half * 0.5} ${-up - gap * 0.25} ${half} 0`;
+  const innerTop = (y) => `Q0 ${y} ${-half} 0`;
+  const innerLow = `Q0 ${gap * 1.7 + 3} ${-half} 0`;
+  return {
+    upper: `M${-half} 0 ${outerTop} ${innerTop(-gap * 0.5 + 3)}Z`,
+    lower: `M${-half} 0 C${-half * 0.6} ${low + gap * 1.1} ${-half * 0.25} ${low * 1.35 + gap * 1.15}` +
+        ` 0 ${low * 1.35 + gap * 1.15} C${half * 0.25} ${low * 1.35 + gap * 1.15} ${half * 0.6} ${low + gap * 1.1} ${half} 0 ${innerLow}Z`,
+    inside: `M${-half} 0 Q0 ${-gap * 0.5} ${half} 0 ${innerLow}Z`,
+  };
+}
+
+function draw(svg, [open, wide]) {
+  for (const [name, path] of Object.entries(shapes(open, wide))) svg.querySelector(`.${name}`).setAttribute('d', path);
+}
+
+function send([open, wide]) {
+  const height = kShutHeight + open * kOpenHeight;
+  const width = 1 + wide * kWidthSpan;
+  set('lips', `lips ${height.toFixed(4)} ${width.toFixed(4)}`);
+}
+
+// The upper quarter of the pad is shut, its lower edge wide open.
+function read(element, event) {
+  const {x, y} = placeIn(element, event);
+  return [clamp((0.5 - y) / 1.3, 0, 1), clamp(x * 1.15, -1, 1)];
+}
+
+export function makeLips(parent) {
+  const element = make('div', {class: 'lips', role: 'application',
+                               'aria-label': 'Lips: drag down to open, sideways to widen'});
+  element.innerHTML = kDrawing;
+  parent.append(make('h2', {}, 'Lips'), element);
+  let value = kRest;
+  let touched_ms = -Infinity;
+  let stop = () => {};
+  const put = (next) => {
+    value = next;
+    touched_ms = performance.now();
+    draw(element, value);
+    send(value);
+  };
+  const take = (event) => {
+    stop();
+    put(read(element, event));
+  };
+  onDrag(element, {begin: take, move: take, end: () => { stop = springBack(value, kRest, put); }});
+  draw(element, kRest);
+  onState(({lips}) => {
+    if (performance.now() - touched_ms < kLocalTime_ms) return;
+    draw(element, [clamp((lips.height - kShutHeight) / kOpenHeight, 0, 1), clamp((lips.width - 1) / kWidthSpan, -1, 1)]);
+  });
+}

@@ -1,0 +1,51 @@
+// Puts the page together from the labels, and keeps its few words true.
+import {makeButtons} from './buttons.js';
+import {makeCables} from './cables.js';
+import {makeDials} from './dials.js';
+import {makeKeys} from './keys.js';
+import {makeLips} from './lips.js';
+import {makeStick} from './sticks.js';
+import {connect, onState} from './wire.js';
+
+const $ = (id) => document.getElementById(id);
+
+// The hint goes for good when somebody plays.
+function showHint() {
+  const kSeen = 'kaori-played';
+  const hint = $('hint');
+  if (localStorage.getItem(kSeen)) hint.classList.add('gone');
+  const played = (event) => {
+    if (event.type === 'pointerdown' && !event.target.closest('.panel')) return;
+    localStorage.setItem(kSeen, 'yes');
+    hint.classList.add('gone');
+  };
+  for (const name of ['pointerdown', 'keydown']) window.addEventListener(name, played);
+}
+
+function notice(state) {
+  if (!state.ports.screen.plugged) return 'The screen is unplugged.';
+  if (!state.ports.screen.connected) return 'Waiting for the stage.';
+  return '';
+}
+
+function showState(state) {
+  $('fps').textContent = state.fps > 0 ? state.fps : '–';
+  $('notice').textContent = notice(state);
+  $('mouth').classList.toggle('covered', state.covered);
+}
+
+async function begin() {
+  const labels = await (await fetch('/labels')).json();
+  makeDials($('dials'), labels.dials);
+  makeButtons($('buttons'), labels.buttons);
+  makeStick($('left'), 'left', labels.sticks[0]);
+  makeStick($('right'), 'right', labels.sticks[1]);
+  makeLips($('mouth'));
+  makeKeys($('keys'), labels.keys);
+  makeCables();
+  showHint();
+  onState(showState);
+  connect($('picture'));
+}
+
+begin();

@@ -1,0 +1,95 @@
+// The line to the simulator: hands go out as lines of text, the state comes in, 20 times a second at most.
+
+const kMostLines = 80;  // In one message; the simulator takes 4096 bytes.
+
+const waiting = new Map();  // Slot -> line, or the turns of a dial.
+const listeners = [];
+let sending = false;
+let edges = 0;
+let events = null;
+
+function text(slot, value) {
+  return typeof value === 'number' ? `${slot} turn ${value.toFixed(5)}` : value;
+}
+
+function take() {
+  const slots = [...waiting].slice(0, kMostLines);
+  for (const [slot] of slots) waiting.delete(slot);
+  return slots.map(([slot, value]) => text(slot, value)).join('\n');
+}
+
+// One message at a time: what happens meanwhile shares the next one.
+async function flush() {
+  if (sending) return;
+  sending = true;
+  while (waiting.size > 0) {
+    try {
+      const reply = await fetch('/hands', {method: 'POST', body: take()});
+      if (!reply.ok) console.warn(await reply.text());
+    } catch {
+      waiting.clear();  // The simulator is gone; old hands must not fall on a new one.
+    }
+  }
+  sending = false;
+}
+
+// Something happened once: a button went down. Kept in order.
+export function tell(line) {
+  waiting.set(`edge ${++edges}`, line);
+  flush();
+}
+
+// Where something stands: only the newest counts.
+export function set(slot, line) {
+  waiting.set(slot, line);
+  flush();
+}
+
+// A dial turned on; turns add up. Dials count from 1.
+export function turn(dial, turns) {
+  const slot = `dial ${dial}`;
+  waiting.set(slot, (waiting.get(slot) ?? 0) + turns);
+  flush();
+}
+
+// The page is going: sent even though nobody waits for it any more.
+export function lastWords(lines) {
+  if (lines.length > 0) navigator.sendBeacon('/hands', lines.join('\n'));
+}
+
+export function onState(listener) {
+  listeners.push(listener);
+}
+
+function setLink(link) {
+  document.body.dataset.link = link;
+}
+
+function open(picture) {
+  events = new EventSource('/events');
+  events.onopen = () => {
+    setLink('live');
+    picture.src = `/picture?${Date.now()}`;  // A new stream after each break.
+  };
+  events.onerror = () => setLink('lost');
+  events.onmessage = (event) => {
+    const state = JSON.parse(event.data);
+    for (const listener of listeners) listener(state);
+  };
+}
+
+function close(picture) {
+  events?.close();
+  events = null;
+  picture.removeAttribute('src');
+}
+
+// Listens while the page can be seen; a hidden page costs the show nothing.
+export function connect(picture) {
+  const follow = () => {
+    if (document.hidden) close(picture);
+    else if (!events) open(picture);
+  };
+  document.addEventListener('visibilitychange', follow);
+  follow();
+}

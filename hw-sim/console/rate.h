@@ -1,0 +1,28 @@
+// How often something happens in a second, from a counter that is looked at now and then.
+#pragma once
+
+#include <cstdint>
+
+#include "drivers/base/clock.h"
+
+namespace kaori::console {
+
+class Rate {
+ public:
+  // `count` is a counter that only grows. Looks at it again no sooner than after a second.
+  void See(std::uint64_t count, Time now) {
+    const Duration since = now - at_;
+    if (since < std::chrono::seconds(1)) return;
+    per_s_ = at_ == Time{} ? 0 : static_cast<double>(count - count_) / Seconds(since);
+    count_ = count;
+    at_ = now;
+  }
+  double per_s() const { return per_s_; }
+
+ private:
+  std::uint64_t count_ = 0;
+  Time at_{};
+  double per_s_ = 0;
+};
+
+}  // namespace kaori::console
