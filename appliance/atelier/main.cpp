@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "appliance/atelier/author.h"
+#include "appliance/atelier/sheet/sheet.h"
 #include "appliance/show/pack.h"
 #include "drivers/base/clock.h"
 
@@ -15,6 +16,7 @@ constexpr std::string_view kHelp = R"(kaori-atelier: makes shows
 
   kaori-atelier pack FOLDER FILE   build the show that FOLDER describes and write it as one pack
   kaori-atelier info FILE          what a pack holds
+  kaori-atelier sheet FILE FOLDER  pictures of every face with every expression, and a page that shows them
   kaori-atelier --help
 
 Every fault of the authoring files is named with file, item and reason; a pack is written whole or not at all.
@@ -61,6 +63,19 @@ int Info(const char* file) {
   return 0;
 }
 
+int Sheet(const char* file, const char* folder) {
+  auto show = kaori::show::LoadPack(file);
+  if (!show) return Complain(show.error());
+  const auto studio = kaori::stage::Studio::Open(std::move(*show));
+  if (!studio) return Complain(studio.error());
+  const auto wrote = [](std::string_view name) {
+    fmt::print("{}\n", name);
+    std::fflush(stdout);
+  };
+  if (const auto ok = kaori::atelier::DrawSheets(**studio, folder, {}, wrote); !ok) return Complain(ok.error());
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -68,6 +83,7 @@ int main(int argc, char** argv) {
   const std::string_view verb = argc > 1 ? args[1] : "--help";
   if (verb == "pack" && argc == 4) return Pack(args[2], args[3]);
   if (verb == "info" && argc == 3) return Info(args[2]);
+  if (verb == "sheet" && argc == 4) return Sheet(args[2], args[3]);
   fmt::print(verb == "--help" ? stdout : stderr, "{}", kHelp);
   return verb == "--help" ? 0 : 2;
 }

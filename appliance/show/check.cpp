@@ -66,7 +66,7 @@ void CheckChannels(const Show& show, std::vector<std::string>& faults) {
 }  // namespace
 
 std::vector<std::string> CheckShow(const Show& show) {
-  std::vector<std::string> faults = face::CheckCast(show.cast);
+  std::vector<std::string> faults = face::FindFaults(show.cast);
   CheckButtons(show, faults);
   for (const Take& take : show.takes) CheckTake(show, take, faults);
   for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);

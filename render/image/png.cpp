@@ -1,0 +1,55 @@
+#include "render/image/png.h"
+
+#include <png.h>
+
+#include <cstring>
+
+namespace kaori::image {
+namespace {
+
+// libpng's simple interface: version set, everything else zero.
+png_image Blank() {
+  png_image image;
+  std::memset(&image, 0, sizeof(image));
+  image.version = PNG_IMAGE_VERSION;
+  return image;
+}
+
+}  // namespace
+
+Result<void> WritePng(const std::filesystem::path& file, const Picture& picture) {
+  png_image image = Blank();
+  image.width = static_cast<png_uint_32>(picture.width_px);
+  image.height = static_cast<png_uint_32>(picture.height_px);
+  image.format = PNG_FORMAT_RGB;
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(picture.rgbx.size() / 4 * 3);
+  for (std::size_t i = 0; i + 3 < picture.rgbx.size(); i += 4)
+    rgb.insert(rgb.end(), picture.rgbx.begin() + static_cast<std::ptrdiff_t>(i),
+               picture.rgbx.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+  // A negative stride: the last row in memory is the top one.
+  if (png_image_write_to_file(&image, file.c_str(), 0, rgb.data(), -picture.width_px * 3, nullptr) == 0)
+    return Fail(std::errc::io_error, "write " + file.string() + " (" + image.message + ")");
+  return {};
+}
+
+Result<Picture> ReadPng(const std::filesystem::path& file) {
+  png_image image = Blank();
+  if (png_image_begin_read_from_file(&image, file.c_str()) == 0)
+    return FailInput("read " + file.string() + ": " + image.message);
+  image.format = PNG_FORMAT_RGBA;
+  Picture picture = Picture::Blank(static_cast<int>(image.width), static_cast<int>(image.height));
+  const bool read = png_image_finish_read(&image, nullptr, picture.rgbx.data(), -picture.width_px * 4, nullptr) != 0;
+  if (!read) return FailInput("read " + file.string() + ": " + image.message);
+  return picture;
+}
+
+void Paste(const Picture& from, Picture& into, int x_px, int y_px) {
+  for (int row = 0; row < from.height_px; ++row) {
+    const auto source = static_cast<std::size_t>(row * from.width_px) * 4;
+    const auto target = static_cast<std::size_t>((y_px + row) * into.width_px + x_px) * 4;
+    std::memcpy(into.rgbx.data() + target, from.rgbx.data() + source, static_cast<std::size_t>(from.width_px) * 4);
+  }
+}
+
+}  // namespace kaori::image
