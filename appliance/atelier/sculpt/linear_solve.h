@@ -1,0 +1,23 @@
+// Dense linear equations, a few hundred of them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace kaori::sculpt {
+
+struct SquareMatrix {
+  explicit SquareMatrix(std::size_t n) : size(n), value(n * n) {}
+  double& operator()(std::size_t row, std::size_t column) { return value[row * size + column]; }
+
+  std::size_t size;
+  std::vector<double> value;
+};
+
+// Solves a * x = right for three right sides at once, in place: `right` becomes x. Gauss with row pivots.
+// False where `a` is singular.
+bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right);
+
+}  // namespace kaori::sculpt

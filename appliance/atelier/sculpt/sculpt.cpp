@@ -1,0 +1,35 @@
+#include "appliance/atelier/sculpt/sculpt.h"
+
+#include <utility>
+
+#include "appliance/atelier/sculpt/cage.h"
+#include "appliance/atelier/sculpt/faces.h"
+#include "appliance/atelier/sculpt/recipe_file.h"
+#include "appliance/atelier/sculpt/topology.h"
+
+namespace kaori::sculpt {
+namespace {
+
+// The head turns where the neck meets the skull; teeth are scaled about the middle of the lips.
+constexpr glm::vec3 kNeckPivot_m{0, -0.06F, -0.015F};
+constexpr glm::vec3 kMouthAnchor_m{0, -0.0585F, 0.083F};
+
+}  // namespace
+
+Result<void> Sculpt(const std::filesystem::path& show_folder, face::Cast& cast) {
+  const Result<CastRecipe> recipe = ReadCastRecipe(show_folder / "faces");
+  if (!recipe) return tl::unexpected(recipe.error());
+  const Cage cage = BuildCage();
+  const Result<std::vector<ShapedFace>> shaped = ShapeFaces(cage, *recipe);
+  if (!shaped) return tl::unexpected(shaped.error());
+  cast.topology = MakeTopology(cage, shaped->front().shape);
+  cast.faces.clear();
+  for (std::size_t i = 0; i < shaped->size(); ++i) {
+    cast.faces.push_back(MakeFace(cage, recipe->faces[i], (*shaped)[i]));
+  }
+  cast.neck_pivot = kNeckPivot_m;
+  cast.mouth_anchor = kMouthAnchor_m;
+  return {};
+}
+
+}  // namespace kaori::sculpt

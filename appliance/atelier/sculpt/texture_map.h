@@ -1,0 +1,24 @@
+// Where a place of the head's unrolled surface lies in the texture, and the exact way back for the painter.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace kaori::sculpt {
+
+// The unrolled surface in centimetres of the reference face: u runs round the head from the seam at the back
+// (-21) over the middle of the face (0) to the seam (21), positive on the character's left; v runs up.
+// Near the face u and v are the reference face's own x and y.
+inline constexpr glm::dvec2 kPlaceMin_cm{-21.0, -17.5};
+inline constexpr glm::dvec2 kPlaceMax_cm{21.0, 13.5};
+
+// The unit square of Topology::place, without any stretch.
+glm::dvec2 UnitFromPlace(glm::dvec2 place_cm);
+glm::dvec2 PlaceFromUnit(glm::dvec2 unit);
+
+// Topology::texture: the face (|u| < 7, -10.2 < v < 5) gets 62 x 70 percent of the picture. Piecewise linear
+// with its knots on lines of the mesh's grid; the two are each other's inverse. Left and right are mirror
+// images.
+glm::dvec2 TextureFromPlace(glm::dvec2 place_cm);
+glm::dvec2 PlaceFromTexture(glm::dvec2 texture);
+
+}  // namespace kaori::sculpt
