@@ -29,7 +29,8 @@ class Screen {
  public:
   Screen(ScreenMode mode, Time start) : mode_(mode), start_(start) {}
 
-  // Test's side. A new mode takes the picture's memory away: the program must open the screen anew.
+  // Test's side. On a new mode the program loses the screen and must open it anew;
+  // the last picture stands until then.
   std::optional<Shown> latest() const { return latest_; }
   std::uint64_t frames_shown() const { return frames_shown_; }
   ScreenMode mode() const { return mode_; }

@@ -52,7 +52,7 @@ class Rig {
 
   // An epoll descriptor of every socket; readable when Pump has something to do.
   int pollable() const { return epoll_.get(); }
-  // When Pump is next needed though no socket speaks.
+  // When Pump is next needed though no socket speaks; Time::max() while nothing waits.
   Time next_due() const;
 
   DialBox& dial_box() { return dial_box_; }
@@ -72,8 +72,8 @@ class Rig {
   bool plugged(std::string_view name) const;
   bool connected(std::string_view name) const;  // A program has the device open.
 
-  // Does one hand: any verb, any place. Verbs that the place does not have are ignored.
-  void Do(const Hand& hand);
+  // Does one hand: any verb, any place. Verbs that the place does not have are ignored. Errors: as Plug.
+  Result<void> Do(const Hand& hand);
 
   // Who watches the hands that change something, Plug and Unplug included; replaces the last watcher.
   void Watch(std::function<void(const Hand&)> watcher) { bench_.watcher = std::move(watcher); }
@@ -99,6 +99,7 @@ class Rig {
   Keyboard keyboard_;
   LipCamera camera_;
   Screen screen_;
+  UniqueFd lock_;  // On the folder.
   UniqueFd epoll_;
   UniqueFd timer_;
   std::array<std::unique_ptr<LinkPort>, kPlaceCount> ports_;

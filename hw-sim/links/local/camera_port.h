@@ -1,0 +1,45 @@
+// The lip camera on the local link: frames in shared memory, one for each period.
+#pragma once
+
+#include <array>
+
+#include "drivers/base/shared_memory.h"
+#include "firmware/wire/link_packets.h"
+#include "hw-sim/devices/lip_camera.h"
+#include "hw-sim/links/local/link_port.h"
+
+namespace kaori::sim {
+
+struct CameraTiming {
+  Time start{};  // Frame n is read out at start + n * period.
+  Duration period{};
+};
+
+class CameraPort final : public LinkPort {
+ public:
+  // One that the driver looks at, one that waits, one being drawn, one to spare.
+  static constexpr std::size_t kSlots = 4;
+
+  // Borrows the camera.
+  CameraPort(std::string path, int epoll, LipCamera& camera, CameraTiming timing)
+      : LinkPort(std::move(path), epoll), camera_(camera), timing_(timing) {}
+
+  std::optional<Time> next_due() const override;
+
+ protected:
+  bool Greet() override;
+  void Take(std::span<const std::uint8_t> packet) override;
+  void SendDue(Time now) override;
+
+ private:
+  void SendFrame(std::int64_t number, std::size_t slot);
+  wire::CameraFrameNote Describe(std::int64_t number, std::size_t slot, std::size_t bytes) const;
+
+  LipCamera& camera_;
+  CameraTiming timing_;
+  std::int64_t last_ = -1;  // The newest frame that was read out, sent or not.
+  SharedMemory memory_;
+  std::array<bool, kSlots> lent_{};
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,65 @@
+#include "hw-sim/links/local/hid_port.h"
+
+#include <algorithm>
+
+#include "firmware/wire/link_packets.h"
+#include "hw-sim/devices/report_queue.h"
+
+namespace kaori::sim {
+
+std::optional<Time> HidPort::next_due() const {
+  if (!connected()) return std::nullopt;
+  if (!unsent_.empty()) return clock_.now() + kReportPeriod;
+  return device_.next_due();
+}
+
+bool HidPort::Greet() {
+  const HidNameplate plate = device_.nameplate();
+  const auto head =
+      wire::Encode(wire::HidHello{plate.vendor, plate.product, static_cast<std::uint16_t>(plate.name.size()),
+                                  static_cast<std::uint16_t>(plate.descriptor.size())});
+  std::vector<std::uint8_t> hello(head.begin(), head.end());
+  hello.insert(hello.end(), plate.name.begin(), plate.name.end());
+  hello.insert(hello.end(), plate.descriptor.begin(), plate.descriptor.end());
+  if (!Send(hello)) return false;
+  device_.HostCame();
+  return true;
+}
+
+void HidPort::SendDue(Time now) {
+  if (!unsent_.empty()) {
+    if (!SendReport(now, unsent_)) return;
+    unsent_.clear();
+  }
+  while (auto report = device_.TakeReport(now)) {
+    if (SendReport(now, *report)) continue;
+    if (connected()) unsent_ = std::move(*report);
+    return;
+  }
+}
+
+bool HidPort::SendReport(Time at, std::span<const std::uint8_t> report) {
+  std::vector<std::uint8_t> packet(wire::kHidStampBytes);
+  wire::PutU64(packet, 0, static_cast<std::uint64_t>(at.time_since_epoch().count()));
+  packet.insert(packet.end(), report.begin(), report.end());
+  return Send(packet);
+}
+
+void HidPort::PeerLeft() {
+  unsent_.clear();
+  device_.HostLeft();
+}
+
+Result<void> HidPort::SendRaw(std::span<const std::uint8_t> report) {
+  if (!connected()) return Fail(std::errc::not_connected, "send a report at " + path());
+  if (!SendReport(clock_.now(), report)) return Fail(std::errc::not_connected, "send a report at " + path());
+  return {};
+}
+
+Result<void> HidPort::SendTorn(std::size_t first_bytes) {
+  Report report = device_.Standing();
+  report.resize(std::min(first_bytes, report.size()));
+  return SendRaw(report);
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,38 @@
+// A HID device on the local link.
+#pragma once
+
+#include <cstddef>
+
+#include "hw-sim/devices/hid_device.h"
+#include "hw-sim/links/local/link_port.h"
+
+namespace kaori::sim {
+
+class HidPort final : public LinkPort {
+ public:
+  // Borrows the device and the clock.
+  HidPort(std::string path, int epoll, HidDevice& device, const Clock& clock)
+      : LinkPort(std::move(path), epoll), device_(device), clock_(clock) {}
+
+  std::optional<Time> next_due() const override;
+
+  // Faults, sent at once. Errors: not_connected.
+  Result<void> SendRaw(std::span<const std::uint8_t> report);
+  Result<void> SendTorn(std::size_t first_bytes);
+
+ protected:
+  bool Greet() override;
+  void Take(std::span<const std::uint8_t> packet) override { device_.TakeOutput(packet); }
+  void SendDue(Time now) override;
+  void PeerLeft() override;
+  void PowerChanged() override { device_.PowerCycle(); }
+
+ private:
+  bool SendReport(Time at, std::span<const std::uint8_t> report);
+
+  HidDevice& device_;
+  const Clock& clock_;
+  Report unsent_;  // Left the device, but the driver reads too slowly.
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,193 @@
+#include "hw-sim/links/local/rig.h"
+
+#include <fcntl.h>
+#include <sys/epoll.h>
+#include <sys/file.h>
+#include <sys/timerfd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "hw-sim/links/local/camera_port.h"
+#include "hw-sim/links/local/hid_port.h"
+#include "hw-sim/links/local/screen_port.h"
+
+namespace kaori::sim {
+namespace {
+
+std::string PathOf(const std::string& folder, Place place) {
+  const char* kind = place == Place::kCamera ? "/camera." : place == Place::kScreen ? "/screen." : "/hid.";
+  return folder + kind + std::string(PortName(place));
+}
+
+Result<void> MakeFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "make the link folder " + folder);
+  return {};
+}
+
+// Two simulators in one folder would take each other's sockets away.
+Result<UniqueFd> LockFolder(const std::string& folder) {
+  UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!fd.valid()) return FailErrno("open the link folder " + folder);
+  if (::flock(fd.get(), LOCK_EX | LOCK_NB) < 0)
+    return Fail(std::errc::device_or_resource_busy,
+                "plug devices into " + folder + ": another simulator does");
+  return fd;
+}
+
+Result<UniqueFd> MakeTimer(int epoll) {
+  UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
+  if (!timer.valid()) return FailErrno("create the simulator's timer");
+  epoll_event event{};
+  event.events = EPOLLIN;
+  event.data.fd = timer.get();
+  if (::epoll_ctl(epoll, EPOLL_CTL_ADD, timer.get(), &event) < 0)
+    return FailErrno("watch the simulator's timer");
+  return timer;
+}
+
+}  // namespace
+
+Rig::Rig(RigOptions options, const Clock& clock)
+    : options_(std::move(options)),
+      bench_{clock, {}},
+      dial_box_(bench_),
+      left_stick_(Place::kStickLeft, bench_),
+      right_stick_(Place::kStickRight, bench_),
+      keyboard_(bench_),
+      camera_({options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}, bench_),
+      screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()) {}
+
+Rig::~Rig() {
+  for (auto& port : ports_) {
+    if (port) port->Unplug();
+  }
+}
+
+Result<std::unique_ptr<Rig>> Rig::Open(RigOptions options, const Clock& clock) {
+  if (auto made = MakeFolder(options.folder); !made) return tl::unexpected(made.error());
+  auto lock = LockFolder(options.folder);
+  if (!lock) return tl::unexpected(lock.error());
+  UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
+  if (!epoll.valid()) return FailErrno("create the simulator's epoll set");
+  const bool wakes_by_timer = options.wakes_by_timer;
+  std::unique_ptr<Rig> rig(new Rig(std::move(options), clock));
+  rig->lock_ = std::move(*lock);
+  rig->epoll_ = std::move(epoll);
+  if (wakes_by_timer) {
+    auto timer = MakeTimer(rig->epoll_.get());
+    if (!timer) return tl::unexpected(timer.error());
+    rig->timer_ = std::move(*timer);
+  }
+  if (auto plugged = rig->PlugAll(); !plugged) return tl::unexpected(plugged.error());
+  return rig;
+}
+
+Result<void> Rig::PlugAll() {
+  const auto path = [this](Place place) { return PathOf(options_.folder, place); };
+  const auto add = [this](Place place, std::unique_ptr<LinkPort> port) {
+    ports_[static_cast<std::size_t>(place)] = std::move(port);
+  };
+  const auto add_hid = [&](Place place, HidDevice& device) {
+    add(place, std::make_unique<HidPort>(path(place), epoll_.get(), device, bench_.clock));
+  };
+  add_hid(Place::kDialBox, dial_box_);
+  add_hid(Place::kStickLeft, left_stick_);
+  add_hid(Place::kStickRight, right_stick_);
+  add_hid(Place::kKeyboard, keyboard_);
+  add(Place::kCamera, std::make_unique<CameraPort>(path(Place::kCamera), epoll_.get(), camera_,
+                                                   CameraTiming{bench_.clock.now(), options_.camera_period}));
+  add(Place::kScreen, std::make_unique<ScreenPort>(path(Place::kScreen), epoll_.get(), screen_));
+  for (auto& port : ports_) {
+    if (auto plugged = port->Plug(); !plugged) return plugged;
+  }
+  return {};
+}
+
+void Rig::Pump() {
+  const Time now = bench_.clock.now();
+  for (auto& port : ports_) port->Pump(now);
+  ArmTimer();
+}
+
+Time Rig::next_due() const {
+  Time soonest = Time::max();
+  for (const auto& port : ports_) {
+    if (const auto due = port->next_due()) soonest = std::min(soonest, *due);
+  }
+  return soonest;
+}
+
+// Setting the timer also takes back that it has rung.
+void Rig::ArmTimer() {
+  if (!timer_.valid()) return;
+  const Time due = next_due();
+  itimerspec spec{};
+  if (due != Time::max()) {
+    const auto since_start = std::max(due.time_since_epoch(), Duration(1));
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since_start);
+    spec.it_value = {seconds.count(), (since_start - seconds).count()};
+  }
+  ::timerfd_settime(timer_.get(), TFD_TIMER_ABSTIME, &spec, nullptr);
+}
+
+LinkPort* Rig::port(std::string_view name) const {
+  const auto place = PlaceNamed(name);
+  return place ? ports_[static_cast<std::size_t>(*place)].get() : nullptr;
+}
+
+Result<void> Rig::Plug(std::string_view name) {
+  LinkPort* const found = port(name);
+  if (found == nullptr) return FailInput("no port is called " + std::string(name));
+  if (found->plugged()) return {};
+  if (auto made = MakeFolder(options_.folder); !made) return made;
+  if (auto plugged_in = found->Plug(); !plugged_in) return plugged_in;
+  bench_.Saw({*PlaceNamed(name), Verb::kPlug, 0, 0, 0});
+  return {};
+}
+
+Result<void> Rig::Unplug(std::string_view name) {
+  LinkPort* const found = port(name);
+  if (found == nullptr) return FailInput("no port is called " + std::string(name));
+  if (!found->plugged()) return {};
+  found->Unplug();
+  bench_.Saw({*PlaceNamed(name), Verb::kUnplug, 0, 0, 0});
+  return {};
+}
+
+bool Rig::plugged(std::string_view name) const {
+  const LinkPort* const found = port(name);
+  return found != nullptr && found->plugged();
+}
+
+bool Rig::connected(std::string_view name) const {
+  const LinkPort* const found = port(name);
+  return found != nullptr && found->connected();
+}
+
+Result<HidPort*> Rig::hid_port(std::string_view name) const {
+  auto* const found = dynamic_cast<HidPort*>(port(name));
+  if (found == nullptr) return FailInput("no HID device is called " + std::string(name));
+  return found;
+}
+
+Result<void> Rig::SendTorn(std::string_view name, std::size_t first_bytes) {
+  const auto hid = hid_port(name);
+  if (!hid) return tl::unexpected(hid.error());
+  return (*hid)->SendTorn(first_bytes);
+}
+
+Result<void> Rig::SendRaw(std::string_view name, std::span<const std::uint8_t> report) {
+  const auto hid = hid_port(name);
+  if (!hid) return tl::unexpected(hid.error());
+  return (*hid)->SendRaw(report);
+}
+
+Result<void> Rig::VanishInReport(std::string_view name, std::size_t first_bytes) {
+  if (auto sent = SendTorn(name, first_bytes); !sent) return sent;
+  return Unplug(name);
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,48 @@
+#include "hw-sim/links/local/rig.h"
+
+namespace kaori::sim {
+namespace {
+
+void DoOnBox(DialBox& box, const Hand& hand) {
+  if (hand.verb == Verb::kTurn) box.Turn(hand.index, hand.a);
+  if (hand.verb == Verb::kPush) box.Push(hand.index);
+  if (hand.verb == Verb::kRelease) box.Release(hand.index);
+}
+
+void DoOnStick(StickPod& stick, const Hand& hand) {
+  const auto a = static_cast<float>(hand.a);
+  if (hand.verb == Verb::kMove) stick.Move(a, static_cast<float>(hand.b));
+  if (hand.verb == Verb::kTwist) stick.Twist(a);
+  if (hand.verb == Verb::kSlide) stick.Slide(a);
+  if (hand.verb == Verb::kHat) stick.Hat(hand.index);
+  if (hand.verb == Verb::kPush) stick.Push(hand.index);
+  if (hand.verb == Verb::kRelease) stick.Release(hand.index);
+}
+
+void DoOnKeyboard(Keyboard& keyboard, const Hand& hand) {
+  if (hand.index < 0 || hand.index > 0xFF) return;
+  const auto usage = static_cast<std::uint8_t>(hand.index);
+  if (hand.verb == Verb::kPush) keyboard.Press(usage);
+  if (hand.verb == Verb::kRelease) keyboard.Release(usage);
+}
+
+void DoOnCamera(LipCamera& camera, const Hand& hand) {
+  if (hand.verb == Verb::kLips) camera.SetMouth(hand.a, hand.b);
+  if (hand.verb == Verb::kCoverLens) camera.CoverLens(hand.index != 0);
+  if (hand.verb == Verb::kStall) camera.Stall(hand.index != 0);
+}
+
+}  // namespace
+
+Result<void> Rig::Do(const Hand& hand) {
+  if (hand.verb == Verb::kPlug) return Plug(PortName(hand.place));
+  if (hand.verb == Verb::kUnplug) return Unplug(PortName(hand.place));
+  if (hand.place == Place::kDialBox) DoOnBox(dial_box_, hand);
+  if (hand.place == Place::kStickLeft) DoOnStick(left_stick_, hand);
+  if (hand.place == Place::kStickRight) DoOnStick(right_stick_, hand);
+  if (hand.place == Place::kKeyboard) DoOnKeyboard(keyboard_, hand);
+  if (hand.place == Place::kCamera) DoOnCamera(camera_, hand);
+  return {};
+}
+
+}  // namespace kaori::sim

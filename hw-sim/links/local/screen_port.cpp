@@ -1,0 +1,62 @@
+#include "hw-sim/links/local/screen_port.h"
+
+namespace kaori::sim {
+namespace {
+
+std::size_t PictureBytes(const ScreenMode& mode) {
+  return static_cast<std::size_t>(mode.width_px) * static_cast<std::size_t>(mode.height_px) * 4;
+}
+
+}  // namespace
+
+std::optional<Time> ScreenPort::next_due() const {
+  if (!waiting_) return std::nullopt;
+  return screen_.blank_at(last_blank_ + 1);
+}
+
+// Every driver gets memory of its own: the picture that stands belongs to the one before, dead or alive.
+bool ScreenPort::Greet() {
+  const ScreenMode mode = screen_.mode();
+  auto memory = SharedMemory::Make("kaori-screen", kSlots * PictureBytes(mode));
+  if (!memory) return false;
+  if (!shown_.valid()) shown_ = std::move(drawn_);
+  drawn_ = std::move(*memory);
+  greeted_ = mode;
+  return Send(
+      wire::Encode(wire::ScreenHello{kSlots, static_cast<std::uint32_t>(mode.width_px),
+                                     static_cast<std::uint32_t>(mode.height_px), mode.period.count()}),
+      drawn_.descriptor());
+}
+
+void ScreenPort::Take(std::span<const std::uint8_t> packet) {
+  const auto present = wire::DecodeScreenPresent(packet);
+  if (!present || present->slot >= kSlots) return HangUp();
+  waiting_ = present;
+}
+
+void ScreenPort::SendDue(Time now) {
+  if (greeted_ != screen_.mode()) return HangUp();
+  const std::int64_t blank = screen_.blank_before(now);
+  if (waiting_ && blank > last_blank_) {
+    const wire::ScreenPresent present = *waiting_;
+    waiting_.reset();
+    Flip(present, screen_.blank_at(blank));
+  }
+  last_blank_ = blank;
+}
+
+void ScreenPort::Flip(const wire::ScreenPresent& present, Time at) {
+  const std::size_t bytes = PictureBytes(greeted_);
+  screen_.Show({present.frame, at, greeted_.width_px, greeted_.height_px,
+                drawn_.bytes().subspan(present.slot * bytes, bytes)});
+  shown_ = {};
+  Send(wire::Encode(wire::ScreenFlip{at.time_since_epoch().count(), present.frame, present.slot}));
+}
+
+void ScreenPort::PowerChanged() {
+  screen_.Darken();
+  shown_ = {};
+  drawn_ = {};
+}
+
+}  // namespace kaori::sim
