@@ -1,11 +1,10 @@
 #include "render/gl/canvas.h"
 
-#include <GLES3/gl3.h>
+#include <GLES3/gl31.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cassert>
-
-#include <fmt/format.h>
 
 namespace kaori::gl {
 namespace {
@@ -16,7 +15,11 @@ void DeleteFramebuffer(unsigned id) {
 void DeleteRenderbuffer(unsigned id) {
   glDeleteRenderbuffers(1, &id);
 }
+void DeleteTexture(unsigned id) {
+  glDeleteTextures(1, &id);
+}
 
+// Leaves it bound.
 Handle NewFramebuffer() {
   GLuint id = 0;
   glGenFramebuffers(1, &id);
@@ -32,12 +35,24 @@ Handle NewRenderbuffer(const CanvasOptions& o, GLenum format) {
   return Handle(id, DeleteRenderbuffer);
 }
 
-void AttachTexture(const Texture& texture) {
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+Handle NewSamplesTexture(const CanvasOptions& o) {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
+  glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, o.samples, GL_RGBA8, o.width_px, o.height_px, GL_TRUE);
+  return Handle(id, DeleteTexture);
+}
+
+void AttachTexture(GLenum kind, unsigned id) {
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, id, 0);
 }
 
 void AttachRenderbuffer(GLenum place, const Handle& renderbuffer) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, renderbuffer.id());
+}
+
+bool Complete() {
+  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 void Aim(unsigned framebuffer, const CanvasOptions& options, const Box& box) {
@@ -53,78 +68,88 @@ bool Sane(const CanvasOptions& o) {
   return o.width_px > 0 && o.height_px > 0 && o.width_px <= limit && o.height_px <= limit;
 }
 
-}  // namespace
-
-Canvas::Canvas(const CanvasOptions& options) : options_(options) {
-  if (options_.samples == 1) options_.samples = 0;
-  const TextureOptions picture{
-      .width_px = options.width_px, .height_px = options.height_px, .texels = Texels::kSrgb8};
-  picture_ = Texture(picture, {});
-  layer_ = Texture(picture, {});
-  depth_ = NewRenderbuffer(options_, GL_DEPTH_COMPONENT16);
-  layer_frame_ = NewFramebuffer();
-  AttachTexture(layer_);
-  picture_frame_ = NewFramebuffer();
-  AttachTexture(picture_);
-  sample_frame_ = NewFramebuffer();
-  AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
-  if (options_.samples == 0) {
-    AttachTexture(picture_);
-    return;
-  }
-  samples_ = NewRenderbuffer(options_, GL_SRGB8_ALPHA8);
-  AttachRenderbuffer(GL_COLOR_ATTACHMENT0, samples_);
+// The depth is not looked at again: a tiled GPU need not write it back.
+void ForgetDepth() {
+  constexpr std::array kDepth{static_cast<GLenum>(GL_DEPTH_ATTACHMENT)};
+  glInvalidateFramebuffer(GL_FRAMEBUFFER, kDepth.size(), kDepth.data());
 }
 
-Result<Canvas> Canvas::Make(const CanvasOptions& options) {
-  if (!Sane(options)) {
-    return FailInput(fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px));
-  }
+}  // namespace
+
+Result<Canvas> Canvas::Make(const Context& context, const CanvasOptions& options) {
+  const auto attempt = fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px);
+  if (!Sane(options)) return Fail(std::errc::invalid_argument, attempt);
   Canvas canvas(options);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    return Fail(std::errc::not_enough_memory,
-                fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px));
-  }
+  if (canvas.options_.samples == 1) canvas.options_.samples = 0;
+  const bool made = canvas.MakePicture() && canvas.MakeLayer(context.reads_samples());
+  if (!made) return Fail(std::errc::not_enough_memory, attempt);
   return canvas;
 }
 
-void Canvas::Begin(const Box& box) const {
-  Aim(sample_frame_.id(), options_, box);
+bool Canvas::MakePicture() {
+  picture_ =
+      Texture({.width_px = options_.width_px, .height_px = options_.height_px, .texels = Texels::kSrgb8}, {});
+  picture_frame_ = NewFramebuffer();
+  AttachTexture(GL_TEXTURE_2D, picture_.id());
+  return Complete();
+}
+
+bool Canvas::MakeLayer(bool reads_samples) {
+  depth_ = NewRenderbuffer(options_, GL_DEPTH_COMPONENT16);
+  layer_frame_ = NewFramebuffer();
+  AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
+  AttachLayerColour(reads_samples);
+  return Complete();
+}
+
+void Canvas::AttachLayerColour(bool reads_samples) {
+  if (options_.samples > 0 && reads_samples) {
+    samples_texture_ = NewSamplesTexture(options_);
+    AttachTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_texture_.id());
+    return;
+  }
+  layer_ = Texture({.width_px = options_.width_px, .height_px = options_.height_px}, {});
+  if (options_.samples == 0) {
+    AttachTexture(GL_TEXTURE_2D, layer_.id());
+    return;
+  }
+  samples_ = NewRenderbuffer(options_, GL_RGBA8);
+  AttachRenderbuffer(GL_COLOR_ATTACHMENT0, samples_);
+  resolved_frame_ = NewFramebuffer();
+  AttachTexture(GL_TEXTURE_2D, layer_.id());
+}
+
+void Canvas::BeginLayer(const Box& box) const {
+  Aim(layer_frame_.id(), options_, box);
   glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void Canvas::BeginPicture(const Box& box) const {
   Aim(picture_frame_.id(), options_, box);
 }
 
-void Canvas::Resolve(unsigned from, unsigned to, const Box& box) const {
-  constexpr std::array kDepth{static_cast<GLenum>(GL_DEPTH_ATTACHMENT)};
-  constexpr std::array kColour{static_cast<GLenum>(GL_COLOR_ATTACHMENT0)};
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
-  glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, kDepth.size(), kDepth.data());
-  if (from == to) return;
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+void Canvas::BindLayer(unsigned unit, const Box& box) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, layer_frame_.id());
+  ForgetDepth();
+  glActiveTexture(GL_TEXTURE0 + unit);
+  if (layer_has_samples()) {
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_texture_.id());
+    return;
+  }
+  glBindTexture(GL_TEXTURE_2D, layer_.id());
+  if (options_.samples == 0) return;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_frame_.id());
+  glDisable(GL_SCISSOR_TEST);
   const int right = box.left_px + box.width_px;
   const int top = box.bottom_px + box.height_px;
-  glDisable(GL_SCISSOR_TEST);
   glBlitFramebuffer(box.left_px, box.bottom_px, right, top, box.left_px, box.bottom_px, right, top,
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  if (options_.samples > 0) glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, kColour.size(), kColour.data());
-}
-
-void Canvas::Finish(const Box& box) const {
-  Resolve(sample_frame_.id(), options_.samples == 0 ? sample_frame_.id() : picture_frame_.id(), box);
-}
-
-void Canvas::FinishLayer(const Box& box) const {
-  Resolve(sample_frame_.id(), layer_frame_.id(), box);
-  BeginPicture(box);
 }
 
 void Canvas::ReadPixels(std::span<std::uint8_t> bytes) const {
-  assert(bytes.size() >=
-         static_cast<std::size_t>(options_.width_px) * static_cast<std::size_t>(options_.height_px) * 4);
+  assert(bytes.size() >= std::size_t(options_.width_px) * std::size_t(options_.height_px) * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_.id());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, options_.width_px, options_.height_px, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());

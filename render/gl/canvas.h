@@ -1,10 +1,11 @@
-// What a frame is drawn on: samples and depth, and the picture that they are resolved into.
+// What a frame is drawn on: a layer with samples and depth, and the picture that layers are laid on.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
 #include "drivers/base/result.h"
+#include "render/gl/context.h"
 #include "render/gl/handle.h"
 #include "render/gl/texture.h"
 
@@ -13,7 +14,7 @@ namespace kaori::gl {
 struct CanvasOptions {
   int width_px = 0;
   int height_px = 0;
-  int samples = 4;  // For each pixel; 0 or 1 draws straight into the picture.
+  int samples = 4;  // For each pixel of the layer; 0 or 1: no smooth edges.
 };
 
 // Pixels from the left bottom corner.
@@ -22,46 +23,51 @@ struct Box {
   int bottom_px = 0;
   int width_px = 0;
   int height_px = 0;
+  bool empty() const { return width_px <= 0 || height_px <= 0; }
 };
 
-// The picture is sRGB-coded, 8 bit; shaders write linear light and blending happens in linear light.
+// The picture is sRGB-coded and takes linear light: blending on it is right. A layer holds square roots of
+// linear light, 8 bit, and coverage in alpha. Coding each sample as sRGB costs a software renderer half its
+// time, a square root next to nothing; whoever lays the layer on the picture squares it, sample by sample.
 class Canvas {
  public:
   Canvas() = default;
-  // Errors: not_enough_memory, invalid_argument (a size below 1 or beyond the driver's limit).
-  static Result<Canvas> Make(const CanvasOptions& options);
+  // Borrows the context. Errors: not_enough_memory; invalid_argument (a size below 1 or beyond the driver's
+  // limit).
+  static Result<Canvas> Make(const Context& context, const CanvasOptions& options);
 
-  // Drawing goes to the samples within `box` from here on; their depth is cleared, their colour is not.
-  void Begin(const Box& box) const;
-  // The samples in `box` become the picture.
-  void Finish(const Box& box) const;
-  // The samples in `box` become layer(); drawing goes to the picture from here on.
-  void FinishLayer(const Box& box) const;
-  // Drawing goes to the picture itself, where there are no samples and no depth.
+  // Drawing goes to the layer within `box` from here on; it is cleared to nothing, and its depth to far.
+  void BeginLayer(const Box& box) const;
+  // Drawing goes to the picture within `box` from here on, without depth.
   void BeginPicture(const Box& box) const;
+  // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
+  void BindLayer(unsigned unit, const Box& box) const;
 
   // Waits until the picture is finished and copies it out: R, G, B, X; the bottom row first.
   // `bytes` holds width * height * 4.
   void ReadPixels(std::span<std::uint8_t> bytes) const;
 
-  const Texture& layer() const { return layer_; }
   int width_px() const { return options_.width_px; }
   int height_px() const { return options_.height_px; }
   int samples() const { return options_.samples; }
+  bool layer_has_samples() const { return samples_texture_.id() != 0; }
   Box whole() const { return {0, 0, options_.width_px, options_.height_px}; }
 
  private:
-  explicit Canvas(const CanvasOptions& options);
-  void Resolve(unsigned from, unsigned to, const Box& box) const;
+  explicit Canvas(const CanvasOptions& options) : options_(options) {}
+  bool MakePicture();
+  bool MakeLayer(bool reads_samples);
+  void AttachLayerColour(bool reads_samples);
 
   CanvasOptions options_;
   Texture picture_;
-  Texture layer_;
-  Handle samples_;  // Renderbuffers.
+  Texture layer_;           // Without samples: drawn to, or resolved into.
+  Handle samples_texture_;  // The samples of the layer, one of the two where it has any.
+  Handle samples_;
   Handle depth_;
-  Handle picture_frame_;  // Framebuffers.
-  Handle layer_frame_;
-  Handle sample_frame_;
+  Handle picture_frame_;
+  Handle layer_frame_;  // With the samples and the depth.
+  Handle resolved_frame_;
 };
 
 }  // namespace kaori::gl

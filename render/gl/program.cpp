@@ -28,7 +28,7 @@ std::string DriversLog(unsigned id, GetNumber get_number, GetText get_text) {
 }
 
 Result<Handle> Compile(GLenum stage, const ProgramSource& source, std::string_view file) {
-  const auto whole = Assemble(source.library, file, source.defines);
+  const auto whole = Assemble(source, file);
   if (!whole) return tl::unexpected(whole.error());
   Handle shader(glCreateShader(stage), DeleteShader);
   const char* text = whole->text.c_str();

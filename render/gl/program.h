@@ -26,7 +26,8 @@ struct ProgramSource {
   std::span<const ShaderFile> library;
   std::string_view vertex;
   std::string_view fragment;
-  std::string defines = {};  // Lines such as "#define TEXTURES 4\n", before both texts.
+  std::string defines = {};    // Lines such as "#define TEXTURES 4\n", before both texts.
+  bool reads_samples = false;  // Written in the language of GLES 3.1.
 };
 
 class Program {

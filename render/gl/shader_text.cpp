@@ -61,12 +61,13 @@ std::string NameFile(std::string_view text, std::span<const std::string_view> fi
 
 }  // namespace
 
-Result<WholeText> Assemble(std::span<const ShaderFile> library, std::string_view file,
-                           std::string_view defines) {
+Result<WholeText> Assemble(const ProgramSource& source, std::string_view file) {
   WholeText whole;
-  whole.text = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
-  whole.text += defines;
-  if (auto done = Append(library, file, whole); !done) return tl::unexpected(done.error());
+  whole.text = source.reads_samples ? "#version 310 es\n" : "#version 300 es\n";
+  whole.text += "precision highp float;\nprecision highp int;\n";
+  if (source.reads_samples) whole.text += "precision highp sampler2DMS;\n";
+  whole.text += source.defines;
+  if (auto done = Append(source.library, file, whole); !done) return tl::unexpected(done.error());
   return whole;
 }
 
