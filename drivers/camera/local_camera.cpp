@@ -1,0 +1,118 @@
+#include "drivers/camera/local_camera.h"
+
+#include <array>
+
+#include "drivers/base/packet_socket.h"
+
+namespace kaori::camera {
+namespace {
+
+// More than any camera of ours sends: beyond it a hello is nonsense.
+constexpr std::uint32_t kMostSlots = 64;
+constexpr std::uint32_t kMostSlotBytes = 64u << 20;
+constexpr std::uint32_t kMostSide = 16384;
+
+bool HasAnyFrameSize(const wire::CameraFrameNote& note) {
+  return note.width_px > 0 && note.width_px <= kMostSide && note.height_px > 0 &&
+         note.height_px <= kMostSide && note.stride_bytes <= 4 * kMostSide;
+}
+
+// The numbers fit each other, so that a reader who trusts them stays within the bytes.
+bool MakesSense(const wire::CameraFrameNote& note) {
+  if (!HasAnyFrameSize(note) || note.bytes == 0) return false;
+  const std::uint64_t rows = std::uint64_t{note.stride_bytes} * note.height_px;
+  switch (note.pixels) {
+    case static_cast<std::uint32_t>(ports::PixelFormat::kYuyv):
+      return note.width_px % 2 == 0 && note.stride_bytes >= note.width_px * 2 && note.bytes >= rows;
+    case static_cast<std::uint32_t>(ports::PixelFormat::kNv12):
+      return note.width_px % 2 == 0 && note.height_px % 2 == 0 && note.stride_bytes >= note.width_px &&
+             note.bytes >= rows + rows / 2;
+    case static_cast<std::uint32_t>(ports::PixelFormat::kMjpeg):
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ports::Camera>> LocalCamera::Open(const std::string& folder, const std::string& port) {
+  auto socket = ConnectToPeer(folder + "/camera." + port);
+  if (socket) return std::make_unique<LocalCamera>(std::move(*socket));
+  const bool denied = socket.error().cause == std::errc::permission_denied;
+  return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
+}
+
+Result<ports::CameraFrame> LocalCamera::Next() {
+  if (broken_) return Fail(std::errc::io_error, "read the local camera's hello");
+  if (borrowed_) GiveBack(*borrowed_);
+  borrowed_.reset();
+  if (!memory_.valid()) {
+    if (auto greeted = ReadHello(); !greeted) return tl::unexpected(greeted.error());
+  }
+  const auto note = NewestNote();
+  if (!note) return tl::unexpected(note.error());
+  if (!*note) return Fail(std::errc::bad_message, "read a frame's note from the local camera");
+  return Look(**note);
+}
+
+Result<void> LocalCamera::ReadHello() {
+  std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
+  auto packet = ReceivePacket(socket_.get(), buffer);
+  if (!packet && packet.error().cause != std::errc::message_size) return tl::unexpected(packet.error());
+  broken_ = true;
+  const auto hello = packet ? wire::DecodeCameraHello(std::span(buffer).first(packet->bytes)) : std::nullopt;
+  if (!hello || hello->slots == 0 || hello->slots > kMostSlots || hello->slot_bytes > kMostSlotBytes)
+    return Fail(std::errc::io_error, "read the local camera's hello");
+  auto memory =
+      SharedMemory::Adopt(std::move(packet->descriptor), std::size_t{hello->slots} * hello->slot_bytes);
+  if (!memory) return Fail(std::errc::io_error, memory.error().attempt);
+  memory_ = std::move(*memory);
+  hello_ = *hello;
+  broken_ = false;
+  return {};
+}
+
+// The last note that waits; slots of earlier ones go back. No value: the last one was torn.
+Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
+  std::optional<wire::CameraFrameNote> newest;
+  bool any = false;
+  for (;;) {
+    std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
+    const auto packet = ReceivePacket(socket_.get(), buffer);
+    const bool torn = !packet && packet.error().cause == std::errc::message_size;
+    if (!packet && !torn) {
+      if (any) return newest;  // What ended the stream shows again at the next call.
+      return tl::unexpected(packet.error());
+    }
+    any = true;
+    if (newest) GiveBack(newest->slot);
+    newest = torn ? std::nullopt : wire::DecodeCameraFrame(std::span(buffer).first(packet->bytes));
+  }
+}
+
+Result<ports::CameraFrame> LocalCamera::Look(const wire::CameraFrameNote& note) {
+  if (note.slot >= hello_.slots)
+    return Fail(std::errc::bad_message, "look at a slot that the local camera lacks");
+  if (!MakesSense(note) || note.bytes > hello_.slot_bytes) {
+    GiveBack(note.slot);
+    return Fail(std::errc::bad_message, "look at a frame of the local camera");
+  }
+  borrowed_ = note.slot;
+  const auto slot = memory_.bytes().subspan(std::size_t{note.slot} * hello_.slot_bytes, note.bytes);
+  return ports::CameraFrame{.at = Time(Duration(note.at_ns)),
+                            .sequence = note.sequence,
+                            .format = {static_cast<int>(note.width_px), static_cast<int>(note.height_px),
+                                       static_cast<ports::PixelFormat>(note.pixels)},
+                            .stride_bytes = note.stride_bytes,
+                            .bytes = slot};
+}
+
+// A camera that is gone wants nothing back.
+void LocalCamera::GiveBack(std::uint32_t slot) {
+  std::array<std::uint8_t, wire::kCameraReturnBytes> packet{};
+  wire::PutU32(packet, 0, slot);
+  static_cast<void>(SendPacket(socket_.get(), packet));
+}
+
+}  // namespace kaori::camera

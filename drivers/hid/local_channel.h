@@ -1,0 +1,31 @@
+// A HID device on the simulator's local link.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "drivers/base/unique_fd.h"
+#include "drivers/ports/hid_channel.h"
+
+namespace kaori::hid {
+
+// A hello's bytes as an identity; nothing if it is torn, too long, or no HID device's.
+std::optional<ports::HidIdentity> ReadHello(const std::string& port, std::span<const std::uint8_t> packet);
+
+class LocalHidChannel final : public ports::HidChannel {
+ public:
+  // `socket` is connected and its hello was read.
+  LocalHidChannel(UniqueFd socket, ports::HidIdentity identity)
+      : socket_(std::move(socket)), identity_(std::move(identity)) {}
+
+  int pollable() const override { return socket_.get(); }
+  const ports::HidIdentity& identity() const override { return identity_; }
+  Result<ports::HidInput> Read(std::span<std::uint8_t> into) override;
+  Result<void> Write(std::span<const std::uint8_t> report) override;
+
+ private:
+  UniqueFd socket_;
+  ports::HidIdentity identity_;
+};
+
+}  // namespace kaori::hid

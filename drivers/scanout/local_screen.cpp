@@ -1,0 +1,100 @@
+#include "drivers/scanout/local_screen.h"
+
+#include <array>
+
+#include "drivers/base/packet_socket.h"
+
+namespace kaori::scanout {
+namespace {
+
+// Beyond these a hello is nonsense.
+constexpr std::uint32_t kMostSlots = 8;
+constexpr std::uint32_t kMostSide = 16384;
+
+bool MakesSense(const wire::ScreenHello& hello) {
+  return hello.slots >= 2 && hello.slots <= kMostSlots && hello.width_px > 0 && hello.width_px <= kMostSide &&
+         hello.height_px > 0 && hello.height_px <= kMostSide && hello.period_ns > 0;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ports::Scanout>> LocalScreen::Open(const std::string& folder,
+                                                          const std::string& port) {
+  auto socket = ConnectToPeer(folder + "/screen." + port);
+  if (socket) return std::make_unique<LocalScreen>(std::move(*socket));
+  const bool denied = socket.error().cause == std::errc::permission_denied;
+  return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
+}
+
+// Whatever a screen sends that cannot be read makes it a screen that is gone: it is opened anew.
+Result<std::size_t> LocalScreen::Receive(std::span<std::uint8_t> into, UniqueFd* descriptor) {
+  if (gone_) return Fail(std::errc::no_such_device, "read the local screen");
+  auto packet = ReceivePacket(socket_.get(), into);
+  if (packet) {
+    *descriptor = std::move(packet->descriptor);
+    return packet->bytes;
+  }
+  if (packet.error().cause == std::errc::resource_unavailable_try_again)
+    return tl::unexpected(packet.error());
+  gone_ = true;
+  return Fail(std::errc::no_such_device, "read the local screen");
+}
+
+Result<void> LocalScreen::ReadHello() {
+  std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
+  UniqueFd descriptor;
+  const auto bytes = Receive(buffer, &descriptor);
+  if (!bytes) return tl::unexpected(bytes.error());
+  gone_ = true;
+  const auto hello = wire::DecodeScreenHello(std::span(buffer).first(*bytes));
+  if (!hello || !MakesSense(*hello)) return Fail(std::errc::no_such_device, "read the local screen's hello");
+  hello_ = *hello;
+  auto memory = SharedMemory::Adopt(std::move(descriptor), hello_.slots * picture_bytes());
+  if (!memory) return Fail(std::errc::no_such_device, memory.error().attempt);
+  memory_ = std::move(*memory);
+  gone_ = false;
+  return {};
+}
+
+Result<ports::PixelBuffer> LocalScreen::Acquire() {
+  if (!memory_.valid()) {
+    if (auto greeted = ReadHello(); !greeted) return tl::unexpected(greeted.error());
+  }
+  if (gone_) return Fail(std::errc::no_such_device, "acquire a buffer of the local screen");
+  if (presented_)
+    return Fail(std::errc::resource_unavailable_try_again, "acquire a buffer of the local screen");
+  acquired_ = true;
+  return ports::PixelBuffer{static_cast<int>(hello_.width_px), static_cast<int>(hello_.height_px),
+                            memory_.bytes().subspan(next_slot_ * picture_bytes(), picture_bytes())};
+}
+
+Result<void> LocalScreen::Present(std::uint64_t frame) {
+  if (!acquired_) return Fail(std::errc::invalid_argument, "present without a buffer");
+  if (gone_ || !SendPacket(socket_.get(), wire::Encode(wire::ScreenPresent{frame, next_slot_}))) {
+    gone_ = true;
+    return Fail(std::errc::no_such_device, "present a frame on the local screen");
+  }
+  acquired_ = false;
+  presented_ = frame;
+  return {};
+}
+
+Result<ports::Flip> LocalScreen::ReadFlip() {
+  if (!memory_.valid()) {
+    if (auto greeted = ReadHello(); !greeted) return tl::unexpected(greeted.error());
+  }
+  std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
+  UniqueFd none;
+  const auto bytes = Receive(buffer, &none);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto flip = wire::DecodeScreenFlip(std::span(buffer).first(*bytes));
+  if (!flip || !presented_ || flip->frame != *presented_ || flip->slot != next_slot_) {
+    gone_ = true;
+    return Fail(std::errc::no_such_device, "read a flip of the local screen");
+  }
+  presented_.reset();
+  next_slot_ = (next_slot_ + 1) % hello_.slots;
+  return ports::Flip{Time(Duration(flip->at_ns)), flip->frame, Duration(hello_.period_ns)};
+}
+
+}  // namespace kaori::scanout

@@ -1,0 +1,44 @@
+// The simulator's screen: pictures in shared memory, flips by packets.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "drivers/base/shared_memory.h"
+#include "drivers/base/unique_fd.h"
+#include "drivers/ports/scanout.h"
+#include "firmware/wire/link_packets.h"
+
+namespace kaori::scanout {
+
+class LocalScreen final : public ports::Scanout {
+ public:
+  // Connects to "<folder>/screen.<port>". Until the screen has answered, Acquire says try again; pollable()
+  // wakes when it did, and ReadFlip takes the answer. Errors: no_such_device (nobody is there),
+  // permission_denied.
+  static Result<std::unique_ptr<ports::Scanout>> Open(const std::string& folder,
+                                                      const std::string& port = "screen");
+
+  explicit LocalScreen(UniqueFd socket) : socket_(std::move(socket)) {}
+
+  int pollable() const override { return socket_.get(); }
+  Result<ports::PixelBuffer> Acquire() override;
+  Result<void> Present(std::uint64_t frame) override;
+  Result<ports::Flip> ReadFlip() override;
+
+ private:
+  Result<void> ReadHello();
+  Result<std::size_t> Receive(std::span<std::uint8_t> into, UniqueFd* descriptor);
+  std::size_t picture_bytes() const { return std::size_t{hello_.width_px} * hello_.height_px * 4; }
+
+  UniqueFd socket_;
+  wire::ScreenHello hello_;
+  SharedMemory memory_;
+  std::uint32_t next_slot_ = 0;  // Not the one that is shown.
+  bool acquired_ = false;
+  std::optional<std::uint64_t> presented_;  // Waits for its flip.
+  bool gone_ = false;
+};
+
+}  // namespace kaori::scanout
