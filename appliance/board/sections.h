@@ -33,6 +33,8 @@ struct Stick {
   std::int32_t hat = -1;  // 0 up, clockwise in eighths to 7; -1 centred.
   std::uint32_t buttons_down = 0;
   std::array<std::uint32_t, 16> pushes{};
+  std::uint32_t port =
+      0;  // A hash of where it is plugged in: a restart gives it the same role. 0: nowhere yet.
 };
 
 // Written by kaori-input. Usages of HID page 7.
@@ -57,8 +59,7 @@ struct Lips {
   float width = 1;
   float quality = 0;  // 0 no paint found .. 1 a clean mouth.
   std::uint32_t frames = 0;
-  float rest_width =
-      0;  // In widths of the picture; 0: not yet known. Here, so that a restart measures on as before.
+  float rest_width = 0;  // In widths of the picture; 0: not yet known. A restart measures on with it.
 };
 
 // Written by kaori-stage; kaori-input lights the lamps from it.

@@ -1,0 +1,222 @@
+#include "appliance/input/input_desk.h"
+
+#include <poll.h>
+
+#include <algorithm>
+
+#include "appliance/input/dial_seat.h"
+#include "appliance/input/key_seat.h"
+#include "appliance/input/stick_seat.h"
+#include "drivers/base/log.h"
+
+namespace kaori::input {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::size_t kReportBytes = 256;       // Ours have 32 at most; keyboards and pads up to 64.
+constexpr int kReportsAtOnce = 256;             // A quarter of a second of the quickest device.
+constexpr Duration kRetry = milliseconds(250);  // For a device that is there and cannot be opened yet.
+constexpr Duration kFindTime =
+    milliseconds(500);              // What a predecessor had open is found by then, or is gone.
+constexpr int kFaultsToLeave = 64;  // One failed transfer is nothing; this many are a dead device.
+constexpr std::size_t kFirstStick = 1;
+
+bool Readable(int fd) {
+  pollfd poll{fd, POLLIN, 0};
+  return ::poll(&poll, 1, 0) > 0;
+}
+
+std::array<std::uint32_t, kSticks> PortsBefore(const board::Board& board) {
+  return {board.Read<board::Stick>(0).value.port, board.Read<board::Stick>(1).value.port};
+}
+
+}  // namespace
+
+Result<DeskWriters> DeskWriters::Take(const board::Board& board) {
+  auto surface = board.TakeWriter<board::Surface>();
+  if (!surface) return tl::unexpected(surface.error());
+  auto left = board.TakeWriter<board::Stick>(0);
+  if (!left) return tl::unexpected(left.error());
+  auto right = board.TakeWriter<board::Stick>(1);
+  if (!right) return tl::unexpected(right.error());
+  auto keys = board.TakeWriter<board::Keys>();
+  if (!keys) return tl::unexpected(keys.error());
+  auto lines = board.TakeWriter<board::Lines>();
+  if (!lines) return tl::unexpected(lines.error());
+  return DeskWriters{
+      std::move(*surface), {std::move(*left), std::move(*right)}, std::move(*keys), std::move(*lines)};
+}
+
+InputDesk::InputDesk(const board::Board& board, DeskWriters writers, DeskSources sources,
+                     const InputSettings& settings, const Clock& clock)
+    : clock_(clock),
+      buses_(std::move(sources.buses)),
+      lines_(board, std::move(writers.lines), sources.lines),
+      roles_(settings.stick_ports, PortsBefore(board)),
+      started_(clock.now()) {
+  using hid::DeviceKind;
+  auto& [dials, left, right, keys] = places_;
+  dials.seat = std::make_unique<DialSeat>(board, std::move(writers.surface), settings.counts_per_turn);
+  dials.kind = DeviceKind::kDialBox;
+  dials.port = settings.dial_box_port;
+  left.seat = std::make_unique<StickSeat>(board, std::move(writers.sticks[0]), 0, settings.sticks[0]);
+  right.seat = std::make_unique<StickSeat>(board, std::move(writers.sticks[1]), 1, settings.sticks[1]);
+  left.kind = right.kind = DeviceKind::kJoystick;  // Their ports are the roles' business.
+  keys.seat = std::make_unique<KeySeat>(board, std::move(writers.keys));
+  keys.kind = DeviceKind::kKeyboard;
+  keys.port = settings.keyboard_port;
+}
+
+void InputDesk::Step() {
+  const Time now = clock_.now();
+  if (ScanIsDue(now)) Scan(now);
+  for (Place& place : places_) {
+    if (place.device) Listen(place, now);
+    place.seat->Tick(now, place.device.get());
+  }
+  if (!absent_known_ && now - started_ >= kFindTime) LeaveAbsent(now);
+  lines_.Step(now);
+}
+
+bool InputDesk::ScanIsDue(Time now) const {
+  if (scan_now_ || std::ranges::any_of(buses_, [](const auto* bus) { return Readable(bus->pollable()); }))
+    return true;
+  return now >= next_scan_ && std::ranges::any_of(passed_, &Passed::try_again);
+}
+
+void InputDesk::Scan(Time now) {
+  scan_now_ = false;
+  next_scan_ = now + kRetry;
+  for (std::size_t bus = 0; bus < buses_.size(); ++bus) ScanBus(bus, now);
+}
+
+void InputDesk::ScanBus(std::size_t bus, Time now) {
+  auto ports = buses_[bus]->Ports();
+  if (!ports) {
+    Log("{}; looking again", ports.error().message());
+    scan_now_ = true;
+    return;
+  }
+  std::ranges::sort(*ports, PortBefore);
+  std::erase_if(passed_, [&](const Passed& passed) {
+    return passed.socket.bus == bus && std::ranges::find(*ports, passed.socket.port) == ports->end();
+  });
+  for (const std::string& port : *ports) {
+    const Socket socket{bus, port};
+    const auto passed = std::ranges::find(passed_, socket, &Passed::socket);
+    if (!Seated(socket) && (passed == passed_.end() || passed->try_again)) Come(socket, now);
+  }
+}
+
+void InputDesk::Come(const Socket& socket, Time now) {
+  auto device = buses_[socket.bus]->Open(socket.port);
+  if (!device) return TryLater(socket, device.error());
+  std::erase_if(passed_, [&](const Passed& passed) { return passed.socket == socket; });
+  const auto layout = hid::LayoutOf((*device)->identity());
+  if (!layout) return PassBy(socket, hid::DeviceKind::kOther, layout.error().message());
+  const hid::DeviceKind kind = hid::Recognise(*layout);
+  if (kind == hid::DeviceKind::kOther) return PassBy(socket, kind, "not a device that plays");
+  Place* place = PlaceFor(kind, socket);
+  if (place == nullptr) return PassBy(socket, kind, "its seat is taken; it is a spare");
+  Sit(*place, socket, std::move(*device), now);
+}
+
+void InputDesk::Sit(Place& place, const Socket& socket, std::unique_ptr<ports::HidChannel> device, Time now) {
+  if (auto plugged = place.seat->Plug(device->identity(), now); !plugged)
+    return PassBy(socket, place.kind, plugged.error().message());
+  Log("{}: {} at port {}", place.seat->name(), device->identity().name, socket.port);
+  place.device = std::move(device);
+  place.socket = socket;
+  place.complained = false;
+  place.faults = 0;
+  ++generation_;
+}
+
+InputDesk::Place* InputDesk::PlaceFor(hid::DeviceKind kind, const Socket& socket) {
+  if (kind == hid::DeviceKind::kJoystick) return StickPlace(socket);
+  for (Place& place : places_) {
+    const bool may_sit = place.port.empty() || place.port == socket.port;
+    if (place.kind == kind && !place.device && may_sit) return &place;
+  }
+  return nullptr;
+}
+
+InputDesk::Place* InputDesk::StickPlace(const Socket& socket) {
+  std::array<bool, kSticks> taken{};
+  for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = places_[kFirstStick + i].device != nullptr;
+  const auto role = roles_.RoleOf(socket.port, taken);
+  return role ? &places_[kFirstStick + static_cast<std::size_t>(*role)] : nullptr;
+}
+
+void InputDesk::PassBy(const Socket& socket, hid::DeviceKind kind, const std::string& why) {
+  Log("port {}: {}", socket.port, why);
+  passed_.push_back({.socket = socket, .kind = kind});
+}
+
+void InputDesk::TryLater(const Socket& socket, const Error& error) {
+  const auto known = std::ranges::find(passed_, socket, &Passed::socket);
+  if (known != passed_.end() && known->cause == error.cause) return;
+  Log("{}; trying again", error.message());
+  std::erase_if(passed_, [&](const Passed& passed) { return passed.socket == socket; });
+  passed_.push_back({.socket = socket, .try_again = true, .cause = error.cause});
+}
+
+void InputDesk::Listen(Place& place, Time now) {
+  std::array<std::uint8_t, kReportBytes> bytes;
+  for (int i = 0; i < kReportsAtOnce; ++i) {
+    const auto input = place.device->Read(bytes);
+    if (!input) {
+      place.seat->Publish();
+      return TakeFault(place, input.error(), now);
+    }
+    place.faults = 0;
+    const auto taken =
+        place.seat->Take(std::span(bytes).first(std::min(input->bytes, bytes.size())), input->at);
+    if (taken || std::exchange(place.complained, true)) continue;
+    Log("{}: {}; such reports are ignored from here on", place.seat->name(), taken.error().message());
+  }
+  place.seat->Publish();
+}
+
+void InputDesk::TakeFault(Place& place, const Error& error, Time now) {
+  if (error.cause == std::errc::resource_unavailable_try_again) return;
+  const bool gone = error.cause == std::errc::no_such_device || ++place.faults == kFaultsToLeave;
+  if (gone) Leave(place, error, now);
+}
+
+void InputDesk::Leave(Place& place, const Error& error, Time now) {
+  Log("{}: {}; waiting for it", place.seat->name(), error.message());
+  place.device.reset();
+  place.seat->Unplug(now);
+  ++generation_;
+  scan_now_ = true;
+  // A spare dial box or keyboard may take the seat. A stick may not: it would swap roles at a loose plug.
+  if (place.kind != hid::DeviceKind::kJoystick)
+    std::erase_if(passed_, [&](const Passed& passed) { return passed.kind == place.kind; });
+}
+
+void InputDesk::LeaveAbsent(Time now) {
+  absent_known_ = true;
+  for (Place& place : places_)
+    if (!place.device) place.seat->Unplug(now);
+}
+
+bool InputDesk::Seated(const Socket& socket) const {
+  return std::ranges::any_of(places_, [&](const Place& p) { return p.device && p.socket == socket; });
+}
+
+std::vector<int> InputDesk::pollables() const {
+  std::vector<int> fds;
+  for (const ports::HidBus* bus : buses_) fds.push_back(bus->pollable());
+  for (const Place& place : places_)
+    if (place.device) fds.push_back(place.device->pollable());
+  if (lines_.pollable() >= 0) fds.push_back(lines_.pollable());
+  return fds;
+}
+
+int InputDesk::seated() const {
+  return static_cast<int>(std::ranges::count_if(places_, [](const Place& p) { return p.device != nullptr; }));
+}
+
+}  // namespace kaori::input

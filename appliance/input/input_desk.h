@@ -1,0 +1,110 @@
+// The input desk: whatever HID devices are plugged in sit down at their seats and play onto the board.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "appliance/board/board.h"
+#include "appliance/input/line_desk.h"
+#include "appliance/input/roles.h"
+#include "appliance/input/seat.h"
+#include "appliance/input/settings.h"
+#include "drivers/base/clock.h"
+#include "drivers/hid/recognise.h"
+#include "drivers/ports/gpio_lines.h"
+#include "drivers/ports/hid_channel.h"
+
+namespace kaori::input {
+
+// The sections that the desk writes.
+struct DeskWriters {
+  board::Writer<board::Surface> surface;
+  std::array<board::Writer<board::Stick>, kSticks> sticks;
+  board::Writer<board::Keys> keys;
+  board::Writer<board::Lines> lines;
+
+  // Errors: as Board::TakeWriter, of the first section that cannot be had.
+  static Result<DeskWriters> Take(const board::Board& board);
+};
+
+// What the desk listens to; everything outlives the desk.
+struct DeskSources {
+  std::vector<ports::HidBus*> buses;
+  ports::GpioLines* lines = nullptr;
+};
+
+// One thread. Goes on from what the board holds.
+class InputDesk {
+ public:
+  // Borrows the board, the sources and the clock.
+  InputDesk(const board::Board& board, DeskWriters writers, DeskSources sources,
+            const InputSettings& settings, const Clock& clock);
+
+  // Does everything that waits: devices that come and go, reports, edges, lamps. Never blocks, and never
+  // stays with one device that floods. Call it when any of pollables() is readable, and every 10 ms or
+  // sooner.
+  void Step();
+
+  // What to wait for. Numbers may be those of other descriptors when generation() changed: watch all anew.
+  std::vector<int> pollables() const;
+  std::uint32_t generation() const { return generation_; }
+
+  // How many devices sit at the desk.
+  int seated() const;
+
+ private:
+  // Buses give ports; two buses may use the same name.
+  struct Socket {
+    std::size_t bus = 0;
+    std::string port;
+    friend bool operator==(const Socket&, const Socket&) = default;
+  };
+  struct Place {
+    std::unique_ptr<Seat> seat;
+    hid::DeviceKind kind = hid::DeviceKind::kOther;
+    std::string port;  // The only one that may sit here; empty: any.
+    Socket socket;     // Where the device that sits here is plugged in.
+    std::unique_ptr<ports::HidChannel> device;
+    bool complained = false;  // Of a bad report, since the plug.
+    int faults = 0;           // Failed transfers in a row.
+  };
+  // A port whose device has no seat, or could not be opened yet.
+  struct Passed {
+    Socket socket;
+    hid::DeviceKind kind = hid::DeviceKind::kOther;
+    bool try_again = false;
+    std::errc cause{};
+  };
+
+  void Scan(Time now);
+  void ScanBus(std::size_t bus, Time now);
+  bool ScanIsDue(Time now) const;
+  void Come(const Socket& socket, Time now);
+  void PassBy(const Socket& socket, hid::DeviceKind kind, const std::string& why);
+  void TryLater(const Socket& socket, const Error& error);
+  Place* PlaceFor(hid::DeviceKind kind, const Socket& socket);
+  Place* StickPlace(const Socket& socket);
+  void Sit(Place& place, const Socket& socket, std::unique_ptr<ports::HidChannel> device, Time now);
+  void Listen(Place& place, Time now);
+  void TakeFault(Place& place, const Error& error, Time now);
+  void Leave(Place& place, const Error& error, Time now);
+  void LeaveAbsent(Time now);
+  bool Seated(const Socket& socket) const;
+
+  const Clock& clock_;
+  std::vector<ports::HidBus*> buses_;
+  LineDesk lines_;
+  std::array<Place, 4> places_;  // Dial box, left stick, right stick, keyboard.
+  StickRoles roles_;
+  std::vector<Passed> passed_;
+  Time started_;
+  Time next_scan_{};
+  bool scan_now_ = true;
+  bool absent_known_ = false;
+  std::uint32_t generation_ = 0;
+};
+
+}  // namespace kaori::input

@@ -1,0 +1,93 @@
+#include "appliance/input/stick_seat.h"
+
+#include <algorithm>
+
+#include "appliance/input/roles.h"
+
+namespace kaori::input {
+namespace {
+
+// The stage eases a lost stick to neutral in 1 s after 250 ms; a little more, and both agree that it is
+// there.
+constexpr Duration kEased = std::chrono::milliseconds(1750);
+
+bool AtRest(const board::Stick& stick) {
+  return stick.x == 0 && stick.y == 0 && stick.twist == 0 && stick.hat < 0 && stick.buttons_down == 0;
+}
+
+}  // namespace
+
+using board::SourceState;
+
+StickSeat::StickSeat(const board::Board& board, board::Writer<board::Stick> writer, int which,
+                     const hid::StickSettings& settings)
+    : writer_(std::move(writer)),
+      which_(which),
+      settings_(settings),
+      stick_(board.Read<board::Stick>(which)) {
+  buttons_.down = {stick_.value.buttons_down};
+  std::ranges::copy(stick_.value.pushes, buttons_.pushes.begin());
+}
+
+Result<void> StickSeat::Plug(const ports::HidIdentity& identity, Time now) {
+  auto decoder = hid::JoystickDecoder::For(identity, settings_);
+  if (!decoder) return tl::unexpected(decoder.error());
+  decoder_ = std::move(*decoder);
+  buttons_.Plug();
+  plugged_ = now;
+  fresh_ = false;
+  stick_.value.port = HashOfPort(identity.port);
+  // Never moved: neutral is right. Live: this program restarted and goes on. Stale: see the class.
+  Write(now, stick_.source == SourceState::kAbsent ? SourceState::kLive : stick_.source);
+  return {};
+}
+
+Result<void> StickSeat::Take(std::span<const std::uint8_t> report, Time at) {
+  const auto sample = decoder_->Decode(report, at);
+  if (!sample) return tl::unexpected(sample.error());
+  board::Stick& stick = stick_.value;
+  stick.x = sample->x;
+  stick.y = sample->y;
+  stick.twist = sample->twist;
+  stick.slider = sample->slider;
+  stick.hat = sample->hat;
+  buttons_.Take(sample->buttons);
+  stick_.at = at;
+  fresh_ = changed_ = true;
+  return {};
+}
+
+void StickSeat::Publish() {
+  if (std::exchange(changed_, false)) Write(stick_.at, SourceState::kLive);
+}
+
+void StickSeat::Unplug(Time now) {
+  decoder_.reset();
+  buttons_.Release();
+  stick_.value.hat = -1;
+  if (stick_.source == SourceState::kLive) Write(now, SourceState::kStale);
+}
+
+void StickSeat::Tick(Time now, ports::HidChannel* device) {
+  if (device == nullptr || fresh_) return;
+  if (stick_.source == SourceState::kLive && AtRest(stick_.value)) return;
+  if (stick_.source == SourceState::kLive && now - plugged_ >= kProof) {
+    // It was held when this program's predecessor died, and is at rest now: as if it had been pulled.
+    buttons_.Release();
+    Write(now, SourceState::kStale);
+  }
+  if (now - plugged_ < kEased) return;
+  stick_.value = {.slider = stick_.value.slider, .pushes = stick_.value.pushes, .port = stick_.value.port};
+  fresh_ = true;
+  Write(now, SourceState::kLive);
+}
+
+void StickSeat::Write(Time at, SourceState source) {
+  stick_.at = at;
+  stick_.source = source;
+  stick_.value.buttons_down = buttons_.down[0];
+  std::copy_n(buttons_.pushes.begin(), stick_.value.pushes.size(), stick_.value.pushes.begin());
+  writer_.Write(stick_.value, at, source);
+}
+
+}  // namespace kaori::input

@@ -1,0 +1,44 @@
+// A joystick: axes and buttons to the board, and what they are worth while the stick is away.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "appliance/board/board.h"
+#include "appliance/input/carried_switches.h"
+#include "appliance/input/seat.h"
+#include "drivers/hid/joystick.h"
+
+namespace kaori::input {
+
+// A stick that is pulled leaves its axes on the board and makes the section stale: the stage eases them to
+// neutral. After a re-plug the section stays stale until a fresh report, or until that ease is over: from
+// then on a silent stick is one at rest. So nothing ever jumps.
+class StickSeat final : public Seat {
+ public:
+  // `which` as on the board: 0 left, 1 right.
+  StickSeat(const board::Board& board, board::Writer<board::Stick> writer, int which,
+            const hid::StickSettings& settings);
+
+  std::string_view name() const override { return which_ == 0 ? "left stick" : "right stick"; }
+  Result<void> Plug(const ports::HidIdentity& identity, Time now) override;
+  Result<void> Take(std::span<const std::uint8_t> report, Time at) override;
+  void Publish() override;
+  void Unplug(Time now) override;
+  void Tick(Time now, ports::HidChannel* device) override;
+
+ private:
+  void Write(Time at, board::SourceState source);
+
+  board::Writer<board::Stick> writer_;
+  int which_;
+  hid::StickSettings settings_;
+  board::Stamped<board::Stick> stick_;
+  CarriedSwitches<1> buttons_;
+  std::optional<hid::JoystickDecoder> decoder_;
+  Time plugged_{};
+  bool fresh_ = false;  // A report came since the plug.
+  bool changed_ = false;
+};
+
+}  // namespace kaori::input
