@@ -1,0 +1,99 @@
+// kaori-stage: draws the face that the board describes.
+#include "appliance/board/board.h"
+#include "appliance/show/pack.h"
+#include "appliance/stage/stage.h"
+#include "appliance/stage/studio.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "drivers/scanout/local_screen.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board describes
+
+  --board FILE    the board, shared with the other programs
+  --pack FILE     the show
+  --links FOLDER  the simulator's link folder, in which the screen is plugged
+)";
+
+constexpr kaori::Duration kUnseenPeriod = 33ms;   // Without a screen: often enough for lamps.
+constexpr kaori::Duration kScreenPeriod = 250ms;  // How often a screen that is gone is looked for.
+
+struct Settings {
+  std::string board, pack, links;
+};
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.message());
+  return 1;
+}
+
+// Looks for the screen, and watches it while it is there.
+class ScreenSeat {
+ public:
+  ScreenSeat(kaori::stage::Stage& stage, kaori::EventLoop& loop, std::string links)
+      : stage_(stage), loop_(loop), links_(std::move(links)) {}
+
+  void Look() {
+    if (stage_.has_screen()) return;
+    auto screen = kaori::scanout::LocalScreen::Open(links_);
+    if (!screen) return;  // Expected while nobody has plugged one in.
+    kaori::Log("a screen is plugged in");
+    watched_ = (*screen)->pollable();
+    stage_.SetScreen(std::move(*screen));
+    if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) kaori::Log("{}", ok.error().message());
+    Step();
+  }
+
+ private:
+  void Step() {
+    const int fd = watched_;
+    stage_.Step();
+    if (!stage_.has_screen()) loop_.Forget(fd);
+  }
+
+  kaori::stage::Stage& stage_;
+  kaori::EventLoop& loop_;
+  std::string links_;
+  int watched_ = -1;
+};
+
+int Play(const Settings& settings, kaori::EventLoop& loop) {
+  auto show = kaori::show::LoadPack(settings.pack);
+  if (!show) return Complain(show.error());
+  const auto board = kaori::board::Board::Create(settings.board);
+  if (!board) return Complain(board.error());
+  auto writers = kaori::stage::StageWriters::Take(*board);
+  if (!writers) return Complain(writers.error());
+  const auto studio = kaori::stage::Studio::Open(std::move(*show));
+  if (!studio) return Complain(studio.error());
+  const kaori::SteadyClock clock;
+  kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
+  kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
+             (*studio)->renderer());
+  ScreenSeat seat(stage, loop, settings.links);
+  seat.Look();
+  const auto unseen = [&stage] {
+    if (!stage.has_screen()) stage.StepUnseen();
+  };
+  for (const auto& ok : {loop.Every(kUnseenPeriod, unseen), loop.Every(kScreenPeriod, [&seat] { seat.Look(); }),
+                         loop.Run()})
+    if (!ok) return Complain(ok.error());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-stage");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--board", settings.board, true).Text("--pack", settings.pack, true).Text("--links", settings.links, true);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return Complain(loop.error());
+  return Play(settings, *loop);
+}

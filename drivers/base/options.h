@@ -1,0 +1,43 @@
+// The options of a program: "--name VALUE" and "--switch"; a bad one is named in one line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaori {
+
+class Options {
+ public:
+  // `help` is the page that --help prints. The values borrowed below outlive Parse.
+  explicit Options(std::string_view help) : help_(help) {}
+
+  Options& Text(std::string_view name, std::string& value, bool needed = false);
+  Options& Switch(std::string_view name, bool& value);
+
+  // Sets the values. Returns the exit status when the program is to end: 0 after --help, 2 after an unknown
+  // option, one without its value, or one that is needed and missing.
+  std::optional<int> Parse(int argc, char** argv);
+
+ private:
+  struct Option {
+    std::string_view name;
+    std::string* text;
+    bool* flag;
+    bool needed;
+  };
+  const Option* Find(std::string_view name) const;
+
+  std::string_view help_;
+  std::vector<Option> options_;
+};
+
+// "960x540" as width and height; nothing for anything else, or a side outside 16..16384.
+struct Size {
+  int width_px = 0;
+  int height_px = 0;
+};
+std::optional<Size> ParseSize(const std::string& text);
+
+}  // namespace kaori
