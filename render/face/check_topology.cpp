@@ -41,7 +41,8 @@ void CheckUnfolding(const Topology& topology, Faults& faults) {
 void CheckTwins(const std::string& item, const std::vector<Index>& twin, std::size_t vertices,
                 Faults& faults) {
   if (!faults.Size(item, twin.size(), vertices) || !faults.Indices(item, twin, vertices)) return;
-  const bool mutual = std::ranges::all_of(twin, [&](Index t) { return twin[twin[t]] == t; });
+  bool mutual = true;
+  for (Index v = 0; v < twin.size(); ++v) mutual = mutual && twin[twin[v]] == v;
   if (!mutual) faults.Add(item + ": a vertex is not the twin of its twin");
 }
 

@@ -1,0 +1,11 @@
+// Counts what the program under test takes from the heap.
+#pragma once
+
+#include <cstddef>
+
+namespace kaori::testing {
+
+// Calls of operator new, of any form, on any thread, since the program started.
+std::size_t AllocationCount();
+
+}  // namespace kaori::testing

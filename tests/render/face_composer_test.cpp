@@ -1,0 +1,191 @@
+// The composer as its callers see it: what it gives, what it refuses, what it costs.
+#include "render/face/composer.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/render/allocation_count.h"
+#include "tests/render/face_reference.h"
+#include "tests/render/synthetic_cast.h"
+
+namespace kaori::testing {
+namespace {
+
+using face::Cast;
+using face::Composer;
+using face::Detail;
+using face::Shape;
+using face::Weights;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+Weights Wearing(std::uint16_t face, std::uint16_t expression) {
+  Weights w;
+  w.faces.Push(face, 1);
+  w.expressions.Push(expression, 1);
+  return w;
+}
+
+std::vector<glm::vec3> Cage(Composer& composer, const Weights& weights) {
+  const auto cage = composer.Compose(weights, Detail::kCage).cage;
+  return {cage.begin(), cage.end()};
+}
+
+TEST(Composer, TakesNothingFromTheHeap) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  Weights busy;
+  for (std::uint16_t i = 0; i < 40; ++i) {
+    busy.faces.Push(i % 4, 0.03F);
+    busy.expressions.Push(i % 6, 0.03F);
+    busy.channels.Push(i % 6, 0.5F);
+  }
+  busy.mouth_given_away = 0.5F;
+  const std::size_t before = AllocationCount();
+  composer.Compose(busy, Detail::kFine);
+  composer.Compose(Wearing(1, 1), Detail::kCage);
+  EXPECT_EQ(AllocationCount(), before);
+  EXPECT_GT(before, 0U);
+}
+
+TEST(Composer, ShowsTheReferenceFaceWhenNoFaceHasWeight) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  EXPECT_EQ(Cage(composer, {}), Cage(composer, Wearing(0, 0)));
+}
+
+TEST(Composer, LeavesOutWeightsThatAreNoNumbersOrNameNothing) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  Weights spoiled = Wearing(1, 2);
+  spoiled.faces.Push(2, kNan);
+  spoiled.faces.Push(9999, 1);
+  spoiled.expressions.Push(1, kInfinity);
+  spoiled.expressions.Push(9999, 1);
+  spoiled.channels.Push(4, -kInfinity);
+  spoiled.mouth_given_away = kNan;
+  spoiled.lids_shut = {kNan, kInfinity};
+  EXPECT_EQ(Cage(composer, spoiled), Cage(composer, Wearing(1, 2)));
+}
+
+TEST(Composer, StaysFiniteWhateverTheWeights) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  Weights wild = Wearing(0, 1);
+  wild.faces.Push(1, -1e30F);
+  wild.expressions.Push(2, 1e30F);
+  wild.channels.Push(3, -1e30F);
+  wild.lids_shut = {1e30F, -1e30F};
+  const Shape& shape = composer.Compose(wild, Detail::kFine);
+  for (const glm::vec3& p : shape.fine) ASSERT_LT(glm::length(p), 10);
+  for (const glm::vec3& n : shape.fine_normals) ASSERT_NEAR(glm::length(n), 1, 1e-3);
+}
+
+TEST(Composer, KeepsTheHeadsSizeWhenFaceWeightsDoNotSumToOne) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  Weights half;
+  half.faces.Push(0, 0.4F);
+  Weights whole;
+  whole.faces.Push(0, 1);
+  EXPECT_EQ(Cage(composer, half), Cage(composer, whole));
+}
+
+TEST(Composer, GivesTheMouthAwayButNotTheBrows) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  Weights w = Wearing(0, ExpressionNamed(cast, "surprise"));
+  w.mouth_given_away = 1;
+  const auto given = Cage(composer, w);
+  const auto rest = Cage(composer, Wearing(0, 0));
+  w.mouth_given_away = 0;
+  const auto kept = Cage(composer, w);
+  const auto at = [&](const char* point) { return cast.net.surface.column[PointNamed(cast, point)]; };
+  EXPECT_NEAR(given[at("LC")].y, rest[at("LC")].y, 1e-6F);
+  EXPECT_LT(kept[at("LC")].y, rest[at("LC")].y - 0.005F);
+  EXPECT_NEAR(given[at("B2.l")].y, kept[at("B2.l")].y, 1e-6F);
+}
+
+TEST(Composer, TellsHowFarTheJawDropped) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  EXPECT_EQ(composer.Compose(Wearing(0, 0), Detail::kCage).jaw_drop_m, 0);
+  Weights w = Wearing(0, 0);
+  w.channels.Push(ExpressionNamed(cast, "A"), 1);
+  const float drop_m = composer.Compose(w, Detail::kCage).jaw_drop_m;
+  EXPECT_GT(drop_m, 0.01F);
+  EXPECT_LT(drop_m, 0.03F);
+  w.channels.clear();
+  w.channels.Push(ExpressionNamed(cast, "A"), -1);
+  EXPECT_EQ(composer.Compose(w, Detail::kCage).jaw_drop_m, 0);
+}
+
+TEST(Composer, BlendsEyesLookAndMouthWithTheFaces) {
+  Cast cast = MakeSyntheticCast();
+  cast.faces[1].mouth.scale = 3;
+  cast.faces[1].mouth.lower_teeth = 0;
+  cast.faces[1].eye_look.iris = {1, 0, 0};
+  cast.faces[0].eye_look.iris = {0, 0, 0};
+  Composer composer(cast);
+  Weights w;
+  w.faces.Push(0, 0.75F);
+  w.faces.Push(1, 0.25F);
+  const Shape& shape = composer.Compose(w, Detail::kCage);
+  EXPECT_FLOAT_EQ(shape.mouth.scale, 1.5F);
+  EXPECT_FLOAT_EQ(shape.mouth.lower_teeth, 0.75F);
+  EXPECT_FLOAT_EQ(shape.eye_look.iris.r, 0.25F);
+  const glm::vec3 wanted = 0.75F * cast.faces[0].eyes[0].centre + 0.25F * cast.faces[1].eyes[0].centre;
+  EXPECT_LT(glm::distance(shape.eyes[0].centre, wanted), 1e-6F);
+}
+
+TEST(Composer, BlendsOcclusionAndFollowsANewFade) {
+  Cast cast = MakeSyntheticCast();
+  cast.faces[1].occlusion.assign(cast.topology.vertex_count, 0.5F);
+  cast.faces[2].occlusion.clear();  // Open everywhere.
+  Composer composer(cast);
+  Weights w;
+  w.faces.Push(0, 0.5F);
+  w.faces.Push(1, 0.5F);
+  EXPECT_FLOAT_EQ(composer.Compose(w, Detail::kCage).occlusion[7], 0.75F);
+  EXPECT_FLOAT_EQ(composer.Compose(w, Detail::kFine).fine_occlusion[7], 0.75F);
+  EXPECT_FLOAT_EQ(composer.Compose(Wearing(1, 0), Detail::kFine).fine_occlusion[7], 0.5F);
+  EXPECT_FLOAT_EQ(composer.Compose(Wearing(2, 0), Detail::kFine).fine_occlusion[7], 1);
+}
+
+TEST(Composer, LeavesTheFineMeshOutAtTheCagesDetail) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  EXPECT_TRUE(composer.Compose({}, Detail::kCage).fine.empty());
+  EXPECT_EQ(composer.Compose({}, Detail::kFine).fine.size(), cast.topology.fine.from_cage.rows());
+  EXPECT_EQ(composer.Compose({}, Detail::kFine).cage.size(), cast.topology.vertex_count);
+}
+
+TEST(Composer, PutsTheFineMeshWhereItsMatrixSays) {
+  const Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  const Shape& shape = composer.Compose(Wearing(3, 2), Detail::kFine);
+  const auto& rows = cast.topology.fine.from_cage;
+  for (std::size_t r = 0; r < rows.rows(); ++r) {
+    glm::vec3 wanted{};
+    for (auto i = rows.row_start[r]; i < rows.row_start[r + 1]; ++i)
+      wanted += rows.weight[i] * shape.cage[rows.column[i]];
+    ASSERT_LT(glm::distance(wanted, shape.fine[r]), 1e-6F);
+  }
+}
+
+TEST(Terms, DropTheLightestWhenThereAreTooMany) {
+  face::Terms terms;
+  for (std::uint16_t i = 0; i < face::Terms::kCapacity; ++i) terms.Push(i, i == 5 ? 0.01F : 0.5F);
+  terms.Push(99, 0.4F);
+  EXPECT_EQ(terms.size(), face::Terms::kCapacity);
+  EXPECT_EQ(terms[5].index, 99);
+  terms.Push(100, 0.001F);
+  EXPECT_EQ(terms[5].index, 99);
+}
+
+}  // namespace
+}  // namespace kaori::testing
