@@ -1,0 +1,318 @@
+// What hands at the simulated devices do to the board, through report bytes.
+#include <filesystem>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/appliance/input_bench.h"
+
+namespace kaori::input {
+namespace {
+
+using board::SourceState;
+using std::chrono::milliseconds;
+using ::testing::FloatNear;
+
+constexpr std::uint8_t kSpace = 0x2C;
+constexpr std::uint8_t kA = 0x04;
+
+bool Held(const board::Keys& keys, std::uint8_t usage) {
+  return (keys.down[usage / 32U] >> (usage % 32U) & 1U) != 0;
+}
+
+class DialBox : public InputBench {};
+class Sticks : public InputBench {};
+class Keyboard : public InputBench {};
+class Cables : public InputBench {};
+class BadReports : public InputBench {};
+
+TEST_F(DialBox, TurnsAndPushesReachTheBoard) {
+  rig_->dial_box().Turn(0, 0.5);
+  rig_->dial_box().Turn(7, -1);
+  rig_->dial_box().Push(31);
+  Play(milliseconds(5));
+  EXPECT_EQ(Board().surface.source, SourceState::kLive);
+  EXPECT_EQ(Board().surface.value.counts[0], 128);
+  EXPECT_EQ(Board().surface.value.counts[7], -256);
+  EXPECT_EQ(Board().surface.value.buttons_down, 0x80000000U);
+  rig_->dial_box().Release(31);
+  Play(milliseconds(5));
+  EXPECT_EQ(Board().surface.value.buttons_down, 0U);
+  EXPECT_EQ(Board().surface.value.pushes[31], 1U);
+}
+
+TEST_F(DialBox, KeepsItsCountsWhenTheCableIsPulled) {
+  rig_->dial_box().Turn(3, 1);
+  rig_->dial_box().Push(2);
+  Play(milliseconds(5));
+  ASSERT_TRUE(rig_->Unplug("dial-box"));
+  Play(milliseconds(5));
+  EXPECT_EQ(Board().surface.source, SourceState::kStale);
+  EXPECT_EQ(Board().surface.value.counts[3], 256);
+  EXPECT_EQ(Board().surface.value.buttons_down, 0U);
+  ASSERT_TRUE(rig_->Plug("dial-box"));
+  Play(milliseconds(50));
+  rig_->dial_box().Turn(3, 1);
+  Play(milliseconds(5));
+  EXPECT_EQ(Board().surface.source, SourceState::kLive);
+  EXPECT_EQ(Board().surface.value.counts[3], 512);
+}
+
+TEST_F(DialBox, ShowsTheStagesLampsAndPaintsThemAgainAfterAReplug) {
+  auto stage = board_.TakeWriter<board::Lamps>().value();
+  stage.Write({.lit = 0x80000005}, clock_.now(), SourceState::kLive);
+  Play(milliseconds(5));
+  EXPECT_EQ(rig_->dial_box().lamps(), 0x80000005U);
+  ASSERT_TRUE(rig_->Unplug("dial-box"));
+  Play(milliseconds(5));
+  EXPECT_EQ(rig_->dial_box().lamps(), 0U) << "without power";
+  ASSERT_TRUE(rig_->Plug("dial-box"));
+  Play(milliseconds(50));
+  EXPECT_EQ(rig_->dial_box().lamps(), 0x80000005U);
+}
+
+TEST_F(DialBox, GoesOnWhereItWasWhenTheProgramIsKilledWithAButtonHeld) {
+  rig_->dial_box().Turn(1, 0.25);
+  rig_->dial_box().Push(4);
+  Play(milliseconds(5));
+  const board::Surface before = Board().surface.value;
+  KillDesk();
+  Play(milliseconds(100));
+  EXPECT_EQ(Board().surface.value.counts, before.counts) << "the board outlives the program";
+  StartDesk();
+  Play(milliseconds(600));
+  EXPECT_EQ(Board().surface.value.counts, before.counts);
+  EXPECT_EQ(Board().surface.value.pushes, before.pushes) << "held, not pushed again";
+  EXPECT_EQ(Board().surface.value.buttons_down, before.buttons_down);
+}
+
+TEST_F(DialBox, CountsWhatWasTurnedWhileTheProgramWasAway) {
+  KillDesk();
+  rig_->dial_box().Turn(1, 1);
+  Play(milliseconds(100));
+  StartDesk();
+  Play(milliseconds(100));
+  EXPECT_EQ(Board().surface.value.counts[1], 256);
+}
+
+TEST_F(Sticks, MoveTheirOwnSections) {
+  rig_->left_stick().Move(1, -1);
+  rig_->right_stick().Twist(-1);
+  rig_->right_stick().Hat(2);
+  rig_->right_stick().Push(0);
+  Play(milliseconds(5));
+  const board::Snapshot all = Board();
+  EXPECT_THAT(all.sticks[0].value.x, FloatNear(1, 1e-3F));
+  EXPECT_THAT(all.sticks[0].value.y, FloatNear(-1, 1e-3F));
+  EXPECT_EQ(all.sticks[1].value.x, 0.0F);
+  EXPECT_THAT(all.sticks[1].value.twist, FloatNear(-1, 1e-3F));
+  EXPECT_EQ(all.sticks[1].value.hat, 2);
+  EXPECT_EQ(all.sticks[1].value.pushes[0], 1U);
+}
+
+TEST_F(Sticks, LeaveTheirPlaceOnTheBoardForTheStageToEaseWhenTheyArePulled) {
+  rig_->left_stick().Move(1, 0);
+  rig_->left_stick().Push(3);
+  Play(milliseconds(5));
+  ASSERT_TRUE(rig_->Unplug("stick-left"));
+  Play(milliseconds(5));
+  EXPECT_EQ(Board().sticks[0].source, SourceState::kStale);
+  EXPECT_GT(Board().sticks[0].value.x, 0.9F);
+  EXPECT_EQ(Board().sticks[0].value.buttons_down, 0U);
+  EXPECT_EQ(Board().sticks[1].source, SourceState::kLive) << "the other one plays on";
+}
+
+TEST_F(Sticks, AreNeutralAfterAReplugUntilTheyAreMoved) {
+  rig_->left_stick().Move(1, 0);
+  Play(milliseconds(5));
+  ASSERT_TRUE(rig_->Unplug("stick-left"));
+  rig_->left_stick().Move(0, 0);
+  Play(milliseconds(5));
+  ASSERT_TRUE(rig_->Plug("stick-left"));
+  Play(milliseconds(1000));
+  EXPECT_EQ(Board().sticks[0].source, SourceState::kStale) << "the stage is still easing";
+  Play(milliseconds(1000));
+  EXPECT_EQ(Board().sticks[0].source, SourceState::kLive);
+  EXPECT_EQ(Board().sticks[0].value.x, 0.0F);
+  rig_->left_stick().Move(0, 1);
+  Play(milliseconds(5));
+  EXPECT_THAT(Board().sticks[0].value.y, FloatNear(1, 1e-3F));
+}
+
+TEST_F(Sticks, NeverSwapWhateverTheOrderOfThePlugs) {
+  for (const char* port : {"stick-left", "stick-right"}) ASSERT_TRUE(rig_->Unplug(port));
+  Play(milliseconds(5));
+  ASSERT_TRUE(rig_->Plug("stick-right"));
+  Play(milliseconds(50));
+  ASSERT_TRUE(rig_->Plug("stick-left"));
+  rig_->right_stick().Move(1, 0);
+  rig_->left_stick().Move(-1, 0);
+  Play(milliseconds(50));
+  EXPECT_LT(Board().sticks[0].value.x, -0.9F);
+  EXPECT_GT(Board().sticks[1].value.x, 0.9F);
+}
+
+TEST_F(Sticks, HoldStillWhenTheProgramIsKilled) {
+  rig_->left_stick().Move(0.5F, -0.25F);
+  Play(milliseconds(5));
+  const board::Stick before = Board().sticks[0].value;
+  KillDesk();
+  Play(milliseconds(50));
+  StartDesk();
+  for (int i = 0; i < 3000; ++i) {
+    Play(milliseconds(1));
+    ASSERT_EQ(Board().sticks[0].value.x, before.x);
+    ASSERT_EQ(Board().sticks[0].value.y, before.y);
+    ASSERT_EQ(Board().sticks[0].source, SourceState::kLive);
+  }
+}
+
+TEST_F(Sticks, EaseToNeutralWhenTheyWereLetGoWhileTheProgramWasDead) {
+  rig_->left_stick().Move(1, 0);
+  Play(milliseconds(5));
+  KillDesk();
+  rig_->left_stick().Move(0, 0);
+  Play(milliseconds(50));
+  rig_->Unplug("stick-left");
+  rig_->Plug("stick-left");  // The simulated stick has told of its rest to nobody.
+  StartDesk();
+  Play(milliseconds(400));
+  EXPECT_EQ(Board().sticks[0].source, SourceState::kStale);
+  Play(milliseconds(2000));
+  EXPECT_EQ(Board().sticks[0].source, SourceState::kLive);
+  EXPECT_EQ(Board().sticks[0].value.x, 0.0F);
+}
+
+TEST_F(Keyboard, ReleasesHeldKeysWhenTheCableIsPulled) {
+  rig_->keyboard().Press(kSpace);
+  rig_->keyboard().Press(kA);
+  Play(milliseconds(5));
+  EXPECT_TRUE(Held(Board().keys.value, kSpace));
+  ASSERT_TRUE(rig_->Unplug("keyboard"));
+  Play(milliseconds(5));
+  EXPECT_FALSE(Held(Board().keys.value, kSpace));
+  EXPECT_FALSE(Held(Board().keys.value, kA));
+  EXPECT_EQ(Board().keys.value.pushes[kA], 1U);
+  EXPECT_EQ(Board().keys.source, SourceState::kStale);
+}
+
+TEST_F(Keyboard, KeepsAHeldKeyHeldWhenTheProgramIsKilled) {
+  rig_->keyboard().Press(kSpace);
+  Play(milliseconds(5));
+  KillDesk();
+  Play(milliseconds(50));
+  StartDesk();
+  for (int i = 0; i < 600; ++i) {
+    Play(milliseconds(1));
+    ASSERT_TRUE(Held(Board().keys.value, kSpace));
+  }
+  EXPECT_EQ(Board().keys.value.pushes[kSpace], 1U);
+}
+
+TEST_F(Keyboard, LosesNoKeyThatWasLetGoWhileTheProgramWasDead) {
+  rig_->keyboard().Press(kSpace);
+  Play(milliseconds(5));
+  KillDesk();
+  rig_->keyboard().Release(kSpace);
+  Play(milliseconds(50));
+  StartDesk();
+  Play(milliseconds(400));
+  EXPECT_FALSE(Held(Board().keys.value, kSpace)) << "lids would stay shut";
+}
+
+TEST_F(Cables, OfADeadPredecessorsDevicesThatAreGoneMakeTheirSectionsStale) {
+  KillDesk();
+  ASSERT_TRUE(rig_->Unplug("keyboard"));
+  Play(milliseconds(5));
+  StartDesk();
+  Play(milliseconds(100));
+  EXPECT_EQ(Board().keys.source, SourceState::kLive) << "it may yet be found";
+  Play(milliseconds(500));
+  EXPECT_EQ(Board().keys.source, SourceState::kStale);
+  EXPECT_EQ(Board().surface.source, SourceState::kLive);
+}
+
+TEST_F(Cables, AreFoundAgainTwoHundredTimesWithNoSwapAndNoLeak) {
+  const auto open_files = [] {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+  };
+  const std::array<const char*, 4> ports{"dial-box", "stick-left", "stick-right", "keyboard"};
+  const auto files_before = open_files();
+  std::mt19937 random(200);
+  for (int round = 0; round < 200; ++round) {
+    const char* port = ports[random() % ports.size()];
+    ASSERT_TRUE(rig_->Unplug(port));
+    Play(milliseconds(random() % 3));
+    ASSERT_TRUE(rig_->Plug(port));
+    rig_->left_stick().Move(-1, 0);
+    rig_->right_stick().Move(1, 0);
+    Play(milliseconds(20));
+    ASSERT_EQ(desk_->seated(), 4) << "round " << round << ", " << port;
+    rig_->left_stick().Move(-1, 0.01F * static_cast<float>(round % 50));
+    rig_->right_stick().Move(1, 0.01F * static_cast<float>(round % 50));
+    Play(milliseconds(3));
+    ASSERT_LT(Board().sticks[0].value.x, -0.9F) << "round " << round;
+    ASSERT_GT(Board().sticks[1].value.x, 0.9F) << "round " << round;
+  }
+  EXPECT_EQ(open_files(), files_before);
+}
+
+TEST_F(Cables, MayBePulledWithTheWholeSimulator) {
+  rig_->dial_box().Turn(0, 1);
+  Play(milliseconds(5));
+  rig_.reset();
+  for (int i = 0; i < 20; ++i) {
+    clock_.Advance(milliseconds(10));
+    desk_->Step();
+  }
+  EXPECT_EQ(desk_->seated(), 0);
+  EXPECT_EQ(Board().surface.value.counts[0], 256);
+  rig_ = sim::Rig::Open({.folder = links()}, clock_).value();
+  Play(milliseconds(500));
+  EXPECT_EQ(desk_->seated(), 4);
+  EXPECT_EQ(Board().surface.value.counts[0], 256);
+}
+
+TEST_F(BadReports, TornShortLongAndUnknownOnesChangeNothing) {
+  rig_->dial_box().Turn(0, 1);
+  rig_->left_stick().Move(0.5F, 0.5F);
+  rig_->keyboard().Press(kA);
+  Play(milliseconds(5));
+  const board::Snapshot before = Board();
+  for (const char* port : {"dial-box", "stick-left", "keyboard"}) {
+    ASSERT_TRUE(rig_->SendTorn(port, 3));
+    ASSERT_TRUE(rig_->SendRaw(port, std::vector<std::uint8_t>(1, 0xFF)));
+    ASSERT_TRUE(rig_->SendRaw(port, std::vector<std::uint8_t>(64, 0xFF)));
+    ASSERT_TRUE(rig_->SendRaw(port, std::vector<std::uint8_t>(4000, 0x55)));
+  }
+  Play(milliseconds(20));
+  const board::Snapshot after = Board();
+  EXPECT_EQ(after.surface.value.counts, before.surface.value.counts);
+  EXPECT_EQ(after.surface.value.pushes, before.surface.value.pushes);
+  EXPECT_EQ(after.sticks[0].value.x, before.sticks[0].value.x);
+  EXPECT_EQ(after.keys.value.pushes, before.keys.value.pushes);
+  EXPECT_EQ(desk_->seated(), 4) << "nobody is sent away for it";
+  rig_->dial_box().Turn(0, 1);
+  Play(milliseconds(5));
+  EXPECT_EQ(Board().surface.value.counts[0], 512) << "and good ones count again";
+}
+
+TEST_F(BadReports, ADeviceThatVanishesInTheMiddleOfOneComesBack) {
+  rig_->dial_box().Turn(0, 1);
+  Play(milliseconds(5));
+  for (int round = 1; round <= 20; ++round) {
+    ASSERT_TRUE(rig_->VanishInReport("dial-box", static_cast<std::size_t>(round)));
+    Play(milliseconds(3));
+    EXPECT_EQ(Board().surface.source, SourceState::kStale);
+    EXPECT_EQ(Board().surface.value.counts[0], 256 * round);
+    ASSERT_TRUE(rig_->Plug("dial-box"));
+    Play(milliseconds(50));
+    rig_->dial_box().Turn(0, 1);
+    Play(milliseconds(3));
+    EXPECT_EQ(Board().surface.value.counts[0], 256 * (round + 1));
+  }
+}
+
+}  // namespace
+}  // namespace kaori::input
