@@ -1,113 +1,149 @@
 #include "render/face/blend.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <utility>
 
 #include "render/face/aligned.h"
+
+// The build aims at any machine; on a PC, its wider units are used where it has them. Wider than eight floats
+// does not pay: the sum waits for memory.
+#if defined(__x86_64__)
+#define KAORI_WIDE_UNITS [[gnu::target("avx2,fma")]]
+#endif
 
 namespace kaori::face {
 namespace {
 
-#if defined(__x86_64__)
-// The build aims at any 64-bit PC; the wider units of the machine at hand are chosen when the program runs.
-#define KAORI_TARGET(name) [[gnu::target(name)]]
-#endif
+constexpr std::size_t kGroup = 8;  // Streams that are read side by side; more confuse the prefetcher.
+constexpr std::size_t kChunk_floats =
+    1024;  // Between groups, a chunk of the result stays in the first cache.
 
 using Lane4 [[gnu::vector_size(16)]] = float;
 using Lane8 [[gnu::vector_size(32)]] = float;
-using Lane16 [[gnu::vector_size(64)]] = float;
 
-// A block of the sum that stays in registers.
-template <class Lane, std::size_t kLanes>
-struct Block {
-  static constexpr std::size_t kLaneFloats = sizeof(Lane) / sizeof(float);
-  static constexpr std::size_t kFloats = kLaneFloats * kLanes;
-  Lane lanes[kLanes];
+template <class Lane>
+[[gnu::always_inline]] inline void Load(Lane& lane, const float* at) {
+  std::memcpy(&lane, at, sizeof lane);
+}
 
-  [[gnu::always_inline]] void Clear() { std::memset(lanes, 0, sizeof lanes); }
-
-  [[gnu::always_inline]] void Add(const Stream& stream, std::size_t at) {
-    const float* values = stream.values + at;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      Lane lane;
-      std::memcpy(&lane, values + i * kLaneFloats, sizeof lane);
-      lanes[i] += lane * stream.weight;
-    }
+// The number of streams is known to the compiler, so that weights and addresses stay in registers.
+template <class Lane, std::size_t... kStream>
+[[gnu::always_inline]] inline void SumOf(const Stream* streams, std::size_t floats, float* out,
+                                         std::index_sequence<kStream...>) {
+  const float* const values[]{streams[kStream].values...};
+  const Lane weights[]{(Lane{} + streams[kStream].weight)...};
+  for (std::size_t at = 0; at < floats; at += sizeof(Lane) / sizeof(float)) {
+    Lane sum{};
+    Lane lane;
+    ((Load(lane, values[kStream] + at), sum += lane * weights[kStream]), ...);
+    std::memcpy(out + at, &sum, sizeof sum);
   }
+}
 
-  [[gnu::always_inline]] void GiveWay(const Yielding& yielding, std::size_t at) {
-    const float* share = yielding.share + at;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      Lane lane;
-      std::memcpy(&lane, share + i * kLaneFloats, sizeof lane);
-      lanes[i] *= 1.0F - lane * yielding.given_away;
-    }
+// out[i] *= 1 - given_away * share[i].
+template <class Lane>
+[[gnu::always_inline]] inline void GiveWay(const float* share, float given_away, std::size_t floats,
+                                           float* out) {
+  for (std::size_t at = 0; at < floats; at += sizeof(Lane) / sizeof(float)) {
+    Lane shared;
+    Lane value;
+    Load(shared, share + at);
+    Load(value, out + at);
+    value *= 1.0F - shared * given_away;
+    std::memcpy(out + at, &value, sizeof value);
   }
+}
 
-  [[gnu::always_inline]] void Store(float* out) const { std::memcpy(out, lanes, sizeof lanes); }
+// What one kind of vector unit offers: sums of 0 to kGroup streams, and giving way.
+struct Kernels {
+  using Sum = void (*)(const Stream* streams, std::size_t floats, float* out);
+  std::array<Sum, kGroup + 1> sums{};
+  void (*give_way)(const float* share, float given_away, std::size_t floats, float* out) = nullptr;
 };
 
-struct Sum {
-  std::span<const Stream> streams;
-  Yielding yielding;
-  std::size_t floats = 0;
-  float* out = nullptr;
-};
-
-template <class AnyBlock>
-[[gnu::always_inline]] inline void SumBlock(const Sum& sum, std::size_t at) {
-  AnyBlock block;
-  block.Clear();
-  if (!sum.yielding.streams.empty()) {
-    for (const Stream& stream : sum.yielding.streams) block.Add(stream, at);
-    block.GiveWay(sum.yielding, at);
-  }
-  for (const Stream& stream : sum.streams) block.Add(stream, at);
-  block.Store(sum.out + at);
+template <std::size_t kStreams>
+void BaselineSum(const Stream* streams, std::size_t floats, float* out) {
+  SumOf<Lane4>(streams, floats, out, std::make_index_sequence<kStreams>());
 }
 
-template <class Wide, class Line>
-[[gnu::always_inline]] inline void SumAll(const Sum& sum) {
-  std::size_t at = 0;
-  for (; at + Wide::kFloats <= sum.floats; at += Wide::kFloats) SumBlock<Wide>(sum, at);
-  for (; at < sum.floats; at += Line::kFloats) SumBlock<Line>(sum, at);
+void BaselineGiveWay(const float* share, float given_away, std::size_t floats, float* out) {
+  GiveWay<Lane4>(share, given_away, floats, out);
 }
 
-void SumBaseline(const Sum& sum) {
-  SumAll<Block<Lane4, 8>, Block<Lane4, 4>>(sum);
+void Clear(const Stream* /*streams*/, std::size_t floats, float* out) {
+  std::fill_n(out, floats, 0.0F);
 }
 
-#if defined(KAORI_TARGET)
-KAORI_TARGET("avx2,fma") void SumAvx2(const Sum& sum) {
-  SumAll<Block<Lane8, 8>, Block<Lane8, 2>>(sum);
+template <std::size_t... kBefore>
+constexpr Kernels BaselineKernels(std::index_sequence<kBefore...> /*below*/) {
+  return {{Clear, BaselineSum<kBefore + 1>...}, BaselineGiveWay};
 }
-KAORI_TARGET("avx512f") void SumAvx512(const Sum& sum) {
-  SumAll<Block<Lane16, 8>, Block<Lane16, 1>>(sum);
+
+#if defined(KAORI_WIDE_UNITS)
+template <std::size_t kStreams>
+KAORI_WIDE_UNITS void WideSum(const Stream* streams, std::size_t floats, float* out) {
+  SumOf<Lane8>(streams, floats, out, std::make_index_sequence<kStreams>());
+}
+
+KAORI_WIDE_UNITS void WideGiveWay(const float* share, float given_away, std::size_t floats, float* out) {
+  GiveWay<Lane8>(share, given_away, floats, out);
+}
+
+template <std::size_t... kBefore>
+constexpr Kernels WideKernels(std::index_sequence<kBefore...> /*below*/) {
+  return {{Clear, WideSum<kBefore + 1>...}, WideGiveWay};
 }
 #endif
 
-using Kernel = void (*)(const Sum&);
-
-Kernel FastestKernel() {
-#if defined(KAORI_TARGET)
-  if (__builtin_cpu_supports("avx512f") != 0) return SumAvx512;
-  if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) return SumAvx2;
+Kernels FastestKernels() {
+#if defined(KAORI_WIDE_UNITS)
+  if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) {
+    return WideKernels(std::make_index_sequence<kGroup>());
+  }
 #endif
-  return SumBaseline;
+  return BaselineKernels(std::make_index_sequence<kGroup>());
 }
 
-void RunFastest(const Sum& sum) {
-  static const Kernel kernel = FastestKernel();
-  kernel(sum);
+const Kernels& FastestKernelsHere() {
+  static const Kernels kernels = FastestKernels();
+  return kernels;
+}
+
+// Sums the streams from `at` on into `out`, which counts as one stream more where something is there already.
+void SumChunk(std::span<const Stream> streams, std::size_t at, std::size_t floats, float* out, bool add) {
+  std::array<Stream, kGroup> group;
+  do {
+    std::size_t size = 0;
+    if (add) group[size++] = {out, 1};
+    const std::size_t taken = std::min(streams.size(), kGroup - size);
+    for (const Stream& s : streams.first(taken)) group[size++] = {s.values + at, s.weight};
+    FastestKernelsHere().sums[size](group.data(), floats, out);
+    streams = streams.subspan(taken);
+    add = true;
+  } while (!streams.empty());
 }
 
 }  // namespace
 
 void Blend(std::span<const Stream> streams, std::size_t floats, float* out) {
-  RunFastest({.streams = streams, .yielding = {}, .floats = floats, .out = out});
+  Blend(streams, {}, floats, out);
 }
 
 void Blend(std::span<const Stream> streams, const Yielding& yielding, std::size_t floats, float* out) {
-  RunFastest({.streams = streams, .yielding = yielding, .floats = floats, .out = out});
+  const bool one_pass = yielding.streams.empty() && streams.size() <= kGroup;
+  const std::size_t chunk = one_pass ? std::max<std::size_t>(floats, 1) : kChunk_floats;
+  for (std::size_t at = 0; at < floats; at += chunk) {
+    const std::size_t size = std::min(chunk, floats - at);
+    if (!yielding.streams.empty()) {
+      SumChunk(yielding.streams, at, size, out + at, false);
+      FastestKernelsHere().give_way(yielding.share + at, yielding.given_away, size, out + at);
+    }
+    if (yielding.streams.empty() || !streams.empty()) {
+      SumChunk(streams, at, size, out + at, !yielding.streams.empty());
+    }
+  }
 }
 
 }  // namespace kaori::face
