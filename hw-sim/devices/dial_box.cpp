@@ -13,7 +13,7 @@ Report Bytes(const wire::DialBoxReport& report) {
 }
 
 // Beyond this a hand did not turn the dial: a number went wrong.
-constexpr double kMostTurns = 1e6;
+constexpr double kMostTurns = 1000;
 
 }  // namespace
 

@@ -1,0 +1,52 @@
+// Plays a scenario on a rig: hands move when their time has come.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "hw-sim/links/local/rig.h"
+#include "hw-sim/scenario/scenario.h"
+
+namespace kaori::sim {
+
+// One thread. Borrows the rig. The same calls at the same times do the same.
+class Player {
+ public:
+  // The scenario begins at `start`.
+  Player(Scenario scenario, Rig& rig, Time start);
+
+  // Does everything up to and including `now`, in order; slow hands move as far as they are by then. Does not
+  // pump the rig.
+  void Perform(Time now);
+
+  // Begins again; hands stay where they are.
+  void Restart(Time start);
+
+  bool finished() const { return position_ >= scenario_.length; }
+  Duration position() const { return position_; }  // At the last Perform.
+  std::string_view beat() const;                   // The scene that plays; empty before the first.
+  const Scenario& scenario() const { return scenario_; }
+
+ private:
+  // A hand on its way. Values are what `a` and `b` were when it began; a dial's are what was turned so far.
+  struct Motion {
+    const Action* action;
+    double from_a;
+    double from_b;
+  };
+
+  void Begin(const Action& action);
+  void MoveAll(Duration to);
+  void Move(Motion& motion, Duration to);
+
+  Scenario scenario_;
+  Rig& rig_;
+  Time start_;
+  Duration position_{};
+  bool began_ = false;
+  std::size_t next_ = 0;
+  std::vector<Motion> motions_;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,125 @@
+#include "hw-sim/scenario/reader.h"
+
+#include <fstream>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "hw-sim/scenario/speech.h"
+#include "hw-sim/scenario/statements.h"
+
+namespace kaori::sim {
+namespace {
+
+// Hours of recording; beyond it the file is something else.
+constexpr std::size_t kMostBytes = 64u << 20;
+
+bool ReadTimes(Words& words, Statement& statement) {
+  for (;;) {
+    auto* const time = words.Take("at") ? &statement.at : words.Take("over") ? &statement.over : nullptr;
+    if (time == nullptr) return !words.bad();
+    const int column = words.last_column();
+    if (*time) {
+      words.Complain(column, "a second time of the same kind in one line");
+      return false;
+    }
+    *time = words.TimeSpan();
+  }
+}
+
+bool TimesFit(Words& words, const Statement& statement, int column) {
+  const bool takes_time =
+      statement.say || (!statement.steps.empty() && MayTakeTime(statement.steps[0].hand.verb));
+  if (!statement.at && !statement.scene)
+    words.Complain(column, "when? A line begins with its time, such as at 2.5s");
+  if (statement.over && !takes_time)
+    words.Complain(column, "this happens at once: over is for dial, move, twist, slide, lips and say");
+  if (statement.say && (!statement.over || *statement.over == Duration::zero()))
+    words.Complain(column, "say wants a time to speak in, such as over 2s");
+  return !words.bad();
+}
+
+class Script {
+ public:
+  void ReadLine(std::string_view line, int number) {
+    Words words(line, number, reading_.problems);
+    if (words.AtEnd()) return;
+    Statement statement;
+    if (!ReadTimes(words, statement)) return;
+    const int column = words.next_column();
+    if (!ReadStatement(words, statement) || !ReadTimes(words, statement)) return;
+    if (!words.AtEnd()) return words.Complain(words.next_column(), "nothing more is expected in this line");
+    if (TimesFit(words, statement, column)) Add(statement);
+  }
+
+  Reading Finish() {
+    OpenScenes(reading_.scenario.actions.empty() ? Duration{} : last_at_);
+    PutInOrder(reading_.scenario);
+    return std::move(reading_);
+  }
+
+ private:
+  void Add(const Statement& statement) {
+    if (statement.scene && !statement.at) {
+      waiting_scenes_.push_back(*statement.scene);
+      return;
+    }
+    last_at_ = *statement.at;
+    OpenScenes(last_at_);
+    if (statement.scene) reading_.scenario.beats.push_back({last_at_, *statement.scene});
+    auto& actions = reading_.scenario.actions;
+    for (const Step& step : statement.steps)
+      actions.push_back({last_at_ + step.after, statement.over.value_or(Duration{}), step.hand});
+    if (!statement.say) return;
+    const auto spoken = Speak(*statement.say, last_at_, *statement.over);
+    actions.insert(actions.end(), spoken.begin(), spoken.end());
+  }
+
+  void OpenScenes(Duration at) {
+    for (std::string& name : waiting_scenes_) reading_.scenario.beats.push_back({at, std::move(name)});
+    waiting_scenes_.clear();
+  }
+
+  Reading reading_;
+  std::vector<std::string> waiting_scenes_;  // Named, and begin with the next line that has a time.
+  Duration last_at_{};
+};
+
+}  // namespace
+
+Reading ReadScenario(std::string_view text) {
+  Script script;
+  int number = 1;
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    script.ReadLine(text.substr(0, end), number++);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return script.Finish();
+}
+
+std::string Describe(const std::vector<Problem>& problems, std::string_view file) {
+  std::string lines;
+  for (const Problem& problem : problems) {
+    lines += fmt::format("{}{}:{}:{}: {}", lines.empty() ? "" : "\n", file, problem.line, problem.column,
+                         problem.what);
+  }
+  return lines;
+}
+
+Result<Scenario> LoadScenario(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return FailErrno("open scenario " + path);
+  const auto bytes = file.tellg();
+  if (bytes < 0) return Fail(std::errc::io_error, "read scenario " + path);
+  if (static_cast<std::size_t>(bytes) > kMostBytes)
+    return Fail(std::errc::file_too_large, "read scenario " + path);
+  file.seekg(0);
+  std::string text(static_cast<std::size_t>(bytes), '\0');
+  if (!file.read(text.data(), bytes)) return Fail(std::errc::io_error, "read scenario " + path);
+  Reading reading = ReadScenario(text);
+  if (!reading.problems.empty()) return FailInput(Describe(reading.problems, path));
+  return std::move(reading.scenario);
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,40 @@
+// Reads scenarios that people write.
+//
+//   # a comment
+//   scene poster                        names what follows
+//   at 0.2s push 7                      button 7 of the box, down and up again; hold 7, release 7 are its
+//   halves at 1s dial 1 turn 0.4               at once; and so that it takes a while: at 1s over 0.8s left
+//   move 0.25 0.05 (left or right: move X Y, twist A, slide A, hat up, push N, hold N, release N) at 2s key
+//   space tap                 or press, release at 2s lips 0.6 1.1                  height and width, in
+//   widths of the mouth at rest at 3s say "kon ni ti wa" over 1.4s at 4s lens cover                    or
+//   uncover at 4s camera stall                  or run at 5s unplug stick-left             or plug
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drivers/base/result.h"
+#include "hw-sim/scenario/scenario.h"
+#include "hw-sim/scenario/words.h"
+
+namespace kaori::sim {
+
+// How long a pushed button or a tapped key stays down.
+inline constexpr Duration kTap = std::chrono::milliseconds(100);
+
+struct Reading {
+  Scenario scenario;
+  std::vector<Problem> problems;  // All of them; with any, the scenario is not to be played.
+};
+
+// Pure. A line without a time is right for a scene only: the scene begins with what follows it.
+Reading ReadScenario(std::string_view text);
+
+// "play.txt:12:18: no dial 9; dials are 1 to 8", a line for each.
+std::string Describe(const std::vector<Problem>& problems, std::string_view file);
+
+// Errors: those of the file; invalid_argument with every problem described.
+Result<Scenario> LoadScenario(const std::string& path);
+
+}  // namespace kaori::sim

@@ -1,0 +1,34 @@
+// Writes down what hands do on a rig, as a scenario that does the same again.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "hw-sim/links/local/rig.h"
+#include "hw-sim/scenario/scenario.h"
+
+namespace kaori::sim {
+
+// Watches the rig from construction to destruction. Borrows it. Begin with a rig at rest: what is already
+// held down is not written.
+class Recorder {
+ public:
+  // `note`, if given, is called for each action as it happens.
+  explicit Recorder(Rig& rig, std::function<void(const Action&)> note = {});
+  ~Recorder() { rig_.Watch({}); }
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  // Everything so far; nothing where `note` takes it.
+  Scenario scenario() const;
+
+ private:
+  void Saw(const Hand& hand);
+
+  Rig& rig_;
+  Time start_;
+  std::function<void(const Action&)> note_;
+  std::vector<Action> actions_;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,20 @@
+#include "hw-sim/scenario/scenario.h"
+
+#include <algorithm>
+
+namespace kaori::sim {
+
+void PutInOrder(Scenario& scenario) {
+  std::ranges::stable_sort(scenario.actions, {}, &Action::at);
+  std::ranges::stable_sort(scenario.beats, {}, &Beat::at);
+  scenario.length = scenario.beats.empty() ? Duration{} : scenario.beats.back().at;
+  for (const Action& action : scenario.actions)
+    scenario.length = std::max(scenario.length, action.at + action.over);
+}
+
+bool MayTakeTime(Verb verb) {
+  return verb == Verb::kTurn || verb == Verb::kMove || verb == Verb::kTwist || verb == Verb::kSlide ||
+         verb == Verb::kLips;
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,94 @@
+#include "hw-sim/scenario/speech.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "hw-sim/devices/lip_picture.h"
+
+namespace kaori::sim {
+namespace {
+
+constexpr Mouth kAtRest{};
+
+struct Syllable {
+  bool shuts_first = false;  // m, b, p: the lips meet before it.
+  Mouth mouth;
+};
+
+// Height and width in widths of the mouth at rest: a wide open, i spread, u and o rounded.
+Mouth VowelMouth(char vowel) {
+  switch (vowel) {
+    case 'a':
+      return {0.78, 1.02};
+    case 'i':
+      return {0.36, 1.20};
+    case 'u':
+      return {0.34, 0.64};
+    case 'e':
+      return {0.52, 1.10};
+    default:
+      return {0.60, 0.74};
+  }
+}
+
+constexpr Mouth kShut{0.22, 0.96};
+constexpr std::string_view kVowels = "aiueo";
+constexpr std::string_view kLabials = "mbp";
+
+// Of a syllable's time: until the lips have met, and until the mouth stands.
+constexpr double kShutPart = 0.22;
+constexpr double kOpenPart = 0.62;
+
+std::vector<Syllable> Syllables(std::string_view text) {
+  std::vector<Syllable> syllables;
+  bool shuts = false;
+  char before = ' ';
+  for (std::size_t n = 0; n <= text.size(); ++n) {
+    const char c =
+        n < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[n]))) : ' ';
+    if (kVowels.find(c) != std::string_view::npos) {
+      syllables.push_back({shuts, VowelMouth(c)});
+      shuts = false;
+    } else if (c == ' ') {
+      if (before == 'n') syllables.push_back({false, kShut});
+      shuts = false;
+    } else {
+      shuts |= kLabials.find(c) != std::string_view::npos;
+    }
+    before = c;
+  }
+  return syllables;
+}
+
+Action Shape(Duration at, Duration over, const Mouth& mouth) {
+  return {at, over, {Place::kCamera, Verb::kLips, 0, mouth.height, mouth.width}};
+}
+
+}  // namespace
+
+bool CanSay(std::string_view text) {
+  const auto sayable = [](char c) { return c == ' ' || std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return std::ranges::all_of(text, sayable) && !Syllables(text).empty();
+}
+
+std::vector<Action> Speak(std::string_view text, Duration at, Duration over) {
+  const auto syllables = Syllables(text);
+  // The way back to rest takes as long as half a syllable.
+  const auto part = over / static_cast<double>(static_cast<double>(syllables.size()) + 0.5);
+  const auto after = [&](double parts) { return at + std::chrono::duration_cast<Duration>(part * parts); };
+  std::vector<Action> actions;
+  for (std::size_t n = 0; n < syllables.size(); ++n) {
+    const auto start = static_cast<double>(n);
+    double open = start;
+    if (syllables[n].shuts_first) {
+      open += kShutPart;
+      actions.push_back(Shape(after(start), after(open) - after(start), kShut));
+    }
+    actions.push_back(Shape(after(open), after(start + kOpenPart) - after(open), syllables[n].mouth));
+  }
+  const Duration end = after(static_cast<double>(syllables.size()));
+  actions.push_back(Shape(end, at + over - end, kAtRest));
+  return actions;
+}
+
+}  // namespace kaori::sim

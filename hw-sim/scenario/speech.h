@@ -1,0 +1,19 @@
+// What a mouth does while it says syllables.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "hw-sim/scenario/scenario.h"
+
+namespace kaori::sim {
+
+// Whether Speak can say it: letters and spaces, with a vowel or an n at least.
+bool CanSay(std::string_view text);
+
+// Lip movements from `at` on; the last of them brings the lips back to rest, `over` after the beginning.
+// Every syllable (a vowel with what comes before it, or an n that ends a word) gets an equal part of the
+// time.
+std::vector<Action> Speak(std::string_view text, Duration at, Duration over);
+
+}  // namespace kaori::sim

@@ -1,0 +1,30 @@
+// The statements of a scenario's line: words into hands.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw-sim/scenario/scenario.h"
+#include "hw-sim/scenario/words.h"
+
+namespace kaori::sim {
+
+struct Step {
+  Duration after{};  // The line's time.
+  Hand hand;
+};
+
+// One line: its times and exactly one of the others.
+struct Statement {
+  std::optional<Duration> at;
+  std::optional<Duration> over;
+  std::vector<Step> steps;
+  std::optional<std::string> say;
+  std::optional<std::string> scene;
+};
+
+// Reads from the statement's first word to its last one. False: a problem was told.
+bool ReadStatement(Words& words, Statement& into);
+
+}  // namespace kaori::sim

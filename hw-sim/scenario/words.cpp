@@ -1,0 +1,121 @@
+#include "hw-sim/scenario/words.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace kaori::sim {
+namespace {
+
+constexpr double kLongestTime_s = 24 * 60 * 60;
+
+// Columns count characters: a byte of the form 10xxxxxx goes on with the one before it.
+int ColumnAt(std::string_view line, std::size_t byte) {
+  int column = 1;
+  for (const char c : line.substr(0, byte)) column += (static_cast<unsigned char>(c) & 0xC0) == 0x80 ? 0 : 1;
+  return column;
+}
+
+bool IsSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+
+std::optional<double> WholeNumber(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Words::Words(std::string_view line, int number, std::vector<Problem>& problems)
+    : number_(number), problems_(problems) {
+  Split(line);
+}
+
+void Words::Split(std::string_view line) {
+  std::size_t at = 0;
+  while (at < line.size()) {
+    if (IsSpace(line[at])) {
+      ++at;
+      continue;
+    }
+    if (line[at] == '#') break;
+    const int column = ColumnAt(line, at);
+    const bool quoted = line[at] == '"';
+    std::size_t end = at + 1;
+    while (end < line.size() && (quoted ? line[end] != '"' : !IsSpace(line[end]) && line[end] != '#')) ++end;
+    if (quoted && end == line.size()) return Complain(column, "a quote that nothing closes");
+    words_.push_back({quoted ? line.substr(at + 1, end - at - 1) : line.substr(at, end - at), column});
+    at = quoted ? end + 1 : end;
+    end_column_ = ColumnAt(line, at);
+  }
+}
+
+int Words::next_column() const {
+  return next_ < words_.size() ? words_[next_].column : end_column_;
+}
+
+bool Words::Take(std::string_view word) {
+  if (AtEnd() || words_[next_].text != word) return false;
+  last_column_ = words_[next_++].column;
+  return true;
+}
+
+std::optional<Word> Words::Next(std::string_view expected) {
+  if (bad_) return std::nullopt;
+  if (AtEnd()) {
+    Complain(end_column_, fmt::format("the line ends where {} is expected", expected));
+    return std::nullopt;
+  }
+  last_column_ = words_[next_].column;
+  return words_[next_++];
+}
+
+std::optional<double> Words::Number(std::string_view expected, double low, double high) {
+  const auto word = Next(expected);
+  if (!word) return std::nullopt;
+  const auto value = WholeNumber(word->text);
+  if (value && *value >= low && *value <= high) return value;
+  Complain(word->column, fmt::format("\"{}\" is not {} ({} to {})", word->text, expected, low, high));
+  return std::nullopt;
+}
+
+std::optional<int> Words::Numbered(std::string_view thing, int last) {
+  const auto word = Next(fmt::format("the number of a {}", thing));
+  if (!word) return std::nullopt;
+  int value = 0;
+  const auto [end, error] = std::from_chars(word->text.data(), word->text.data() + word->text.size(), value);
+  const bool whole = error == std::errc{} && end == word->text.data() + word->text.size();
+  if (whole && value >= 1 && value <= last) return value;
+  Complain(word->column, fmt::format("no {0} {1}; {0}s are 1 to {2}", thing, word->text, last));
+  return std::nullopt;
+}
+
+std::optional<Duration> Words::TimeSpan() {
+  const auto word = Next("a time such as 2.5s or 800ms");
+  if (!word) return std::nullopt;
+  std::string_view text = word->text;
+  const bool milli = text.ends_with("ms");
+  if (milli || text.ends_with('s')) {
+    text.remove_suffix(milli ? 2 : 1);
+    const auto value = WholeNumber(text);
+    const double seconds = value ? *value * (milli ? 1e-3 : 1.0) : -1;
+    if (seconds >= 0 && seconds <= kLongestTime_s)
+      return Duration(static_cast<Duration::rep>(std::llround(seconds * 1e9)));
+  }
+  Complain(word->column,
+           fmt::format("\"{}\" is no time; times are such as 2.5s or 800ms, up to 24 hours", word->text));
+  return std::nullopt;
+}
+
+void Words::Complain(int column, std::string what) {
+  if (bad_) return;
+  bad_ = true;
+  problems_.push_back({number_, column, std::move(what)});
+}
+
+}  // namespace kaori::sim

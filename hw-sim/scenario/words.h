@@ -1,0 +1,59 @@
+// A line of a scenario as words that know their columns, and what was wrong with it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drivers/base/clock.h"
+
+namespace kaori::sim {
+
+struct Problem {
+  int line = 0;    // From 1,
+  int column = 0;  // in characters, from 1.
+  std::string what;
+};
+
+struct Word {
+  std::string_view text;  // Without its quotes.
+  int column = 0;
+};
+
+// Reads the words of one line; a comment begins with #, quotes hold spaces. After the first problem of a line
+// every question gets no answer, so that a line complains once.
+class Words {
+ public:
+  // Borrows the line and the problems.
+  Words(std::string_view line, int number, std::vector<Problem>& problems);
+
+  bool AtEnd() const { return bad_ || next_ >= words_.size(); }
+  bool bad() const { return bad_; }
+  // Whether the next word is `word`; takes it if so.
+  bool Take(std::string_view word);
+
+  // The next word. `expected` says what should be there: "a number of turns".
+  std::optional<Word> Next(std::string_view expected);
+  std::optional<double> Number(std::string_view expected, double low, double high);
+  // "no dial 9; dials are 1 to 8".
+  std::optional<int> Numbered(std::string_view thing, int last);
+  std::optional<Duration> TimeSpan();  // 2.5s or 800ms.
+
+  void Complain(int column, std::string what);
+  int last_column() const { return last_column_; }  // Of the word taken last,
+  int next_column() const;                          // and of the one to come, or of the line's end.
+
+ private:
+  void Split(std::string_view line);
+
+  std::vector<Word> words_;
+  std::size_t next_ = 0;
+  int number_;
+  int end_column_ = 1;
+  int last_column_ = 1;
+  bool bad_ = false;
+  std::vector<Problem>& problems_;
+};
+
+}  // namespace kaori::sim

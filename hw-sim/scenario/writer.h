@@ -1,0 +1,18 @@
+// Writes scenarios in the form that the reader reads.
+#pragma once
+
+#include <string>
+
+#include "hw-sim/scenario/scenario.h"
+
+namespace kaori::sim {
+
+// One line, without its end: "at 2.5s over 800ms left move 0.25 0.05". Reading it gives the same action, to
+// the last bit of what reaches a report.
+std::string WriteAction(const Action& action);
+std::string WriteBeat(const Beat& beat);
+
+// Everything by time, a line each.
+std::string WriteScenario(const Scenario& scenario);
+
+}  // namespace kaori::sim
