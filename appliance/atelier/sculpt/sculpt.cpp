@@ -3,6 +3,9 @@
 #include <utility>
 
 #include "appliance/atelier/sculpt/cage.h"
+#include "appliance/atelier/sculpt/control_net.h"
+#include "appliance/atelier/sculpt/expression_file.h"
+#include "appliance/atelier/sculpt/expressions.h"
 #include "appliance/atelier/sculpt/faces.h"
 #include "appliance/atelier/sculpt/recipe_file.h"
 #include "appliance/atelier/sculpt/topology.h"
@@ -22,7 +25,17 @@ Result<void> Sculpt(const std::filesystem::path& show_folder, face::Cast& cast) 
   const Cage cage = BuildCage();
   const Result<std::vector<ShapedFace>> shaped = ShapeFaces(cage, *recipe);
   if (!shaped) return tl::unexpected(shaped.error());
-  cast.topology = MakeTopology(cage, shaped->front().shape);
+  const HalfShape& reference = shaped->front().shape;
+
+  const std::filesystem::path expressions = show_folder / "expressions.toml";
+  const Result<ExpressionFile> file = ReadExpressionFile(expressions, cage.half, reference);
+  if (!file) return tl::unexpected(file.error());
+  Result<face::ControlNet> net = MakeControlNet(cage, reference, *file);
+  if (!net) return FailInput(expressions.string() + ": " + net.error().attempt);
+
+  cast.topology = MakeTopology(cage, reference);
+  cast.net = std::move(*net);
+  cast.expressions = MakeExpressions(*file);
   cast.faces.clear();
   for (std::size_t i = 0; i < shaped->size(); ++i) {
     cast.faces.push_back(MakeFace(cage, recipe->faces[i], (*shaped)[i]));
