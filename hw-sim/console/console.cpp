@@ -16,14 +16,18 @@ constexpr Duration kStatePeriod = std::chrono::milliseconds(50);
 // Silence is broken this often: listeners that went away are noticed only when something is sent.
 constexpr Duration kSignOfLife = std::chrono::seconds(1);
 
+constexpr const char* kText = "text/plain; charset=utf-8";
 constexpr std::string_view kBoundary = "--kaori\r\n";
 
 // A part of the endless picture, closed by the next boundary: browsers show a part when it is closed.
 std::string PicturePart(std::string_view jpeg) {
-  return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg, kBoundary);
+  return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg,
+                     kBoundary);
 }
 
-Reply NotFound(const std::string& path) { return {404, "text/plain; charset=utf-8", path + " is not here\n"}; }
+Reply NotFound(const std::string& path) {
+  return {404, kText, path + " is not here\n"};
+}
 
 }  // namespace
 
@@ -36,8 +40,9 @@ Console::Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop)
 
 Result<std::unique_ptr<Console>> Console::Open(ConsoleOptions options, sim::Rig& rig, EventLoop& loop) {
   std::unique_ptr<Console> console(new Console(std::move(options), rig, loop));
-  auto server = HttpServer::Open(console->options_.port, loop,
-                                 [self = console.get()](const Request& request) { return self->Answer(request); });
+  auto server =
+      HttpServer::Open(console->options_.port, loop,
+                       [self = console.get()](const Request& request) { return self->Answer(request); });
   if (!server) return tl::unexpected(server.error());
   console->server_ = std::move(*server);
   if (auto ticking = console->StartTicking(); !ticking) return tl::unexpected(ticking.error());
@@ -48,7 +53,9 @@ Console::~Console() {
   if (ticks_.valid()) loop_.Forget(ticks_.get());
 }
 
-std::string Console::address() const { return fmt::format("http://127.0.0.1:{}/", server_->port()); }
+std::string Console::address() const {
+  return fmt::format("http://127.0.0.1:{}/", server_->port());
+}
 
 // A timer of our own: EventLoop::Every has no end, and a console may end before its loop.
 Result<void> Console::StartTicking() {
@@ -98,8 +105,7 @@ HttpServer::Answer Console::Answer(const Request& request) {
     if (request.path == "/hands") return MoveHands(request.body);
     return NotFound(request.path);
   }
-  if (request.method != "GET" && request.method != "HEAD")
-    return Reply{405, "text/plain; charset=utf-8", "GET and POST only\n"};
+  if (request.method != "GET" && request.method != "HEAD") return Reply{405, kText, "GET and POST only\n"};
   if (request.path == "/picture") return &pictures_;
   if (request.path == "/events") return &states_;
   if (request.path == "/frame.jpg") return OnePicture();
@@ -112,15 +118,16 @@ HttpServer::Answer Console::Answer(const Request& request) {
 
 Reply Console::MoveHands(const std::string& lines) {
   const auto hands = ParseHands(lines);
-  if (!hands) return {400, "text/plain; charset=utf-8", hands.error().attempt + "\n"};
-  for (const auto& hand : *hands) rig_.Do(hand);
+  if (!hands) return {400, kText, hands.error().attempt + "\n"};
+  for (const auto& hand : *hands)
+    if (auto done = rig_.Do(hand); !done) return {503, kText, done.error().message() + "\n"};
   rig_.Pump();
-  return {204, "text/plain; charset=utf-8", {}};
+  return {204, kText, {}};
 }
 
 Reply Console::OnePicture() {
   auto jpeg = EncodeLatest();
-  if (!jpeg) return {503, "text/plain; charset=utf-8", jpeg.error().message() + "\n"};
+  if (!jpeg) return {503, kText, jpeg.error().message() + "\n"};
   return {200, "image/jpeg", std::move(*jpeg)};
 }
 

@@ -6,7 +6,8 @@ namespace {
 // "127.0.0.1:8080" names this machine; "127.0.0.1.example.org" does not.
 bool IsLoopback(std::string_view host) {
   const auto colon = host.find(':');
-  if (colon != std::string_view::npos && host.find_first_not_of("0123456789", colon + 1) != host.npos) return false;
+  if (colon != std::string_view::npos && host.find_first_not_of("0123456789", colon + 1) != host.npos)
+    return false;
   const auto name = host.substr(0, colon);
   return name == "127.0.0.1" || name == "localhost";
 }

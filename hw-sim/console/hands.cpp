@@ -130,8 +130,8 @@ struct Noun {
   std::string_view name;
   Hand (*parse)(Words&);
 };
-constexpr Noun kNouns[] = {{"dial", ParseDial}, {"button", ParseButton}, {"stick", ParseStick},
-                           {"key", ParseKey},   {"lips", ParseLips},     {"lens", ParseLens},
+constexpr Noun kNouns[] = {{"dial", ParseDial},  {"button", ParseButton}, {"stick", ParseStick},
+                           {"key", ParseKey},    {"lips", ParseLips},     {"lens", ParseLens},
                            {"cable", ParseCable}};
 
 Result<Hand> ParseLine(std::string_view line) {
@@ -143,7 +143,8 @@ Result<Hand> ParseLine(std::string_view line) {
     if (auto fault = words.Finish()) return FailInput(std::move(*fault));
     return hand;
   }
-  return FailInput(fmt::format("'{}' is no part of the console: dial, button, stick, key, lips, lens, cable", name));
+  return FailInput(
+      fmt::format("'{}' is no part of the console: dial, button, stick, key, lips, lens, cable", name));
 }
 
 }  // namespace

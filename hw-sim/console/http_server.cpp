@@ -56,7 +56,7 @@ MHD_Result Send(MHD_Connection* connection, unsigned status, MHD_Response* respo
 }
 
 MHD_Result SendText(MHD_Connection* connection, unsigned status, std::string_view text) {
-  return Send(connection, status, Text(text));
+  return Send(connection, status, Text(fmt::format("{}\n", text)));
 }
 
 Result<UniqueFd> ListenOnLoopback(std::uint16_t port) {
@@ -107,7 +107,8 @@ struct HttpServer::Calls {
     }
     if (exchange.too_long) return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE, "4096 bytes at most");
     unsigned status = MHD_HTTP_OK;
-    MHD_Response* response = static_cast<HttpServer*>(context)->Respond(exchange.request, connection, &status);
+    MHD_Response* response =
+        static_cast<HttpServer*>(context)->Respond(exchange.request, connection, &status);
     return Send(connection, status, response);
   }
 
@@ -121,11 +122,11 @@ Result<std::unique_ptr<HttpServer>> HttpServer::Open(std::uint16_t port, EventLo
   auto listener = ListenOnLoopback(port);
   if (!listener) return tl::unexpected(listener.error());
   std::unique_ptr<HttpServer> server(new HttpServer(loop, std::move(handler)));
-  server->daemon_ = MHD_start_daemon(
-      MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, &Calls::Access, server.get(),
-      MHD_OPTION_LISTEN_SOCKET, listener->get(), MHD_OPTION_CONNECTION_LIMIT, kMostConnections,
-      MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s, MHD_OPTION_NOTIFY_COMPLETED, &Calls::Complete, nullptr,
-      MHD_OPTION_END);
+  server->daemon_ =
+      MHD_start_daemon(MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, &Calls::Access,
+                       server.get(), MHD_OPTION_LISTEN_SOCKET, listener->get(), MHD_OPTION_CONNECTION_LIMIT,
+                       kMostConnections, MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s,
+                       MHD_OPTION_NOTIFY_COMPLETED, &Calls::Complete, nullptr, MHD_OPTION_END);
   if (server->daemon_ == nullptr) return Fail(std::errc::io_error, "start the web server");
   (void)listener->release();  // MHD closes it.
   auto watched = loop.Watch(server->pollable(), [self = server.get()] { self->Run(); });

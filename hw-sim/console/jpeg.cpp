@@ -20,9 +20,13 @@ bool Agrees(const Picture& picture) {
 
 JpegEncoder::JpegEncoder() : handle_(tjInitCompress()) {}
 
-JpegEncoder::~JpegEncoder() { tjFree(buffer_); }
+JpegEncoder::~JpegEncoder() {
+  tjFree(buffer_);
+}
 
-void JpegEncoder::Close::operator()(void* handle) const { tjDestroy(handle); }
+void JpegEncoder::Close::operator()(void* handle) const {
+  tjDestroy(handle);
+}
 
 Result<std::string> JpegEncoder::Encode(const Picture& picture, int quality) {
   const auto attempt = fmt::format("encode a picture of {}x{}", picture.width_px, picture.height_px);

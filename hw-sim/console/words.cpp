@@ -15,15 +15,13 @@ std::string Dump(const Json& json) {
 }
 
 // Four digits are finer than the page draws, and equal states give equal text.
-double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
+double Rounded(double value) {
+  return std::round(value * 1e4) / 1e4;
+}
 
 Json StickJson(const sim::StickPod& stick) {
-  return {{"x", Rounded(stick.x())},
-          {"y", Rounded(stick.y())},
-          {"twist", Rounded(stick.twist())},
-          {"slider", Rounded(stick.slider())},
-          {"hat", stick.hat()},
-          {"buttons", stick.buttons_down()}};
+  return {{"x", Rounded(stick.x())},           {"y", Rounded(stick.y())}, {"twist", Rounded(stick.twist())},
+          {"slider", Rounded(stick.slider())}, {"hat", stick.hat()},      {"buttons", stick.buttons_down()}};
 }
 
 Json PortsJson(const sim::Rig& rig) {
@@ -38,7 +36,10 @@ Json PortsJson(const sim::Rig& rig) {
 }  // namespace
 
 std::string LabelsJson(const Labels& labels) {
-  Json json{{"dials", labels.dials}, {"buttons", Json::array()}, {"sticks", labels.sticks}, {"keys", Json::array()}};
+  Json json{{"dials", labels.dials},
+            {"buttons", Json::array()},
+            {"sticks", labels.sticks},
+            {"keys", Json::array()}};
   for (const auto& button : labels.buttons)
     json["buttons"].push_back({{"text", button.text}, {"group", button.group}});
   for (const auto& key : labels.keys)

@@ -11,14 +11,14 @@
 namespace kaori::console {
 
 struct ButtonLabel {
-  std::string text;
-  std::string group;  // Buttons of one group have one colour: "face", "expression", "style", "scene" or "".
+  std::string text{};
+  std::string group{};  // Buttons of one group have one colour: "face", "expression", "style", "scene" or "".
 };
 
 struct KeyLabel {
   std::uint8_t usage = 0;  // HID keyboard usage.
-  std::string text;
-  std::string group;       // "blink", "take", "scene" or "".
+  std::string text{};
+  std::string group{};  // "blink", "take", "scene" or "".
 };
 
 // What is written on the devices; an empty text leaves the number alone.

@@ -11,12 +11,13 @@ import sys
 import direction
 import table
 
-PURPOSE = re.compile(r"^// [A-Z0-9].*[.]$")
+# One sentence from the first line on; it may run over into the second.
+PURPOSE = re.compile(r"^// [A-Z0-9][^\n]*[.](?: [^\n]*)?(?:\n|$)|^// [A-Z0-9][^\n]*\n// [^\n]*[.]")
 
 
 def check_header(lines):
-    if not lines or not PURPOSE.match(lines[0]):
-        yield "the first line of a header says in one sentence, with a full stop, what it is for"
+    if not PURPOSE.match("\n".join(lines[:2])):
+        yield "a header says on its first line, in one sentence with a full stop, what it is for"
     if "#pragma once" not in lines:
         yield "a header has #pragma once"
 

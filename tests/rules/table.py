@@ -22,12 +22,14 @@ MAY_INCLUDE = (
     *((driver, _DRIVER) for driver in CONCRETE_DRIVERS),
     ("render/face/", ("drivers/base/",)),
     ("render/scene/", ("drivers/base/", "render/face/")),
+    ("render/image/", ("drivers/base/",)),
     ("render/gl/", _DRAWING),
     ("render/passes/", _DRAWING + ("render/gl/", "render/shaders/")),
     ("render/wall/", _DRAWING + ("render/gl/", "render/shaders/")),
     ("appliance/board/", _DRIVER),
     ("appliance/show/", _DRAWING),
     ("appliance/performance/", _DRAWING + ("appliance/board/", "appliance/show/")),
+    ("appliance/atelier/", _PLAY + ("appliance/stage/",)),  # Its contact sheets are drawn by the stage's studio.
     ("appliance/", _PLAY),
     ("hw-sim/rehearsal/", EVERYTHING),
     ("hw-sim/", _SIMULATOR),
@@ -37,6 +39,13 @@ MAY_INCLUDE = (
 # The one file of each program that may name concrete drivers.
 MAIN_FILE = "main.cpp"
 
+# The pure middle of a driver, bytes to values: a program may use it anywhere, since no device hangs on it.
+# The rules test looks into their sources for system calls.
+PURE_DECODERS = tuple(f"drivers/hid/{name}.h" for name in (
+    "dial_box", "joystick", "keyboard", "recognise", "report_layout", "report_values", "switches", "usages",
+)) + ("drivers/camera/planes.h",)
+SYSTEM_HEADERS = ("unistd.h", "fcntl.h", "sys/", "linux/", "libusb", "libudev.h", "poll.h")
+
 # (what the <header> begins with, the rooms that may include it). Tests may include any.
 LIBRARIES = (
     (("EGL/", "GLES", "GL/"), ("render/gl/",)),
@@ -45,7 +54,9 @@ LIBRARIES = (
     (("libusb", "libudev.h", "linux/hidraw.h", "hidapi"), ("drivers/hid/",)),
     (("linux/videodev2.h",), ("drivers/camera/",)),
     (("alsa/",), ("drivers/audio/", "appliance/desk/")),
-    (("toml++/", "libqhull", "meshoptimizer.h", "tiny_gltf.h", "tiny_obj_loader.h"),
+    # Settings are TOML that people write by hand; shows are read by the atelier only.
+    (("toml++/",), ("appliance/atelier/", "tools/", "appliance/input/settings.cpp")),
+    (("libqhull", "meshoptimizer.h", "tiny_gltf.h", "tiny_obj_loader.h"),
      ("appliance/atelier/", "tools/")),
     (("microhttpd.h",), ("hw-sim/console/", "appliance/desk/")),
     (("nlohmann/",), ("appliance/atelier/", "appliance/desk/", "hw-sim/", "tools/")),

@@ -1,0 +1,62 @@
+// A rig, a console and a toy stage in one program: what the browser test plays on, without the appliance.
+// Usage: console-bench FOLDER [PORT]     prints the page's address, then what the drivers decode.
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "hw-sim/console/console.h"
+#include "hw-sim/links/local/rig.h"
+#include "tests/hw-sim/console_toy_stage.h"
+
+namespace kaori::console {
+namespace {
+
+constexpr Duration kStep = std::chrono::milliseconds(4);
+
+Labels BenchLabels() {
+  Labels labels;
+  labels.dials = {"Amount", "Speed", "Idle life", "Light", "", "", "", ""};
+  labels.buttons[0] = {"Kaori", "face"};
+  labels.buttons[1] = {"Dog", "face"};
+  labels.buttons[8] = {"Smile", "expression"};
+  labels.buttons[24] = {"Wireframe", "style"};
+  labels.sticks = {"Head", "Gaze and brows"};
+  labels.keys = {{0x2C, "Blink", "blink"}, {0x1E, "Nod", "take"}, {0x3A, "Poster", "scene"}};
+  return labels;
+}
+
+Result<void> Play(const std::string& folder, std::uint16_t port) {
+  SteadyClock clock;
+  auto loop = EventLoop::Open();
+  if (!loop) return tl::unexpected(loop.error());
+  auto rig = sim::Rig::Open({.folder = folder, .wakes_by_timer = true}, clock);
+  if (!rig) return tl::unexpected(rig.error());
+  auto console = Console::Open({.port = port, .labels = BenchLabels()}, **rig, *loop);
+  if (!console) return tl::unexpected(console.error());
+  auto stage = ToyStage::Open(folder);
+  if (!stage) return tl::unexpected(stage.error());
+  std::puts((*console)->address().c_str());
+  std::fflush(stdout);
+  if (auto ok = loop->Watch((*rig)->pollable(), [&] { (*rig)->Pump(); }); !ok) return ok;
+  if (auto ok = loop->Every(kStep, [&] { (*stage)->Step(); }); !ok) return ok;
+  return loop->Run();
+}
+
+}  // namespace
+}  // namespace kaori::console
+
+int main(int count, char** words) {
+  kaori::SetLogName("console-bench");
+  if (count < 2) {
+    kaori::LogLine("usage: console-bench FOLDER [PORT]");
+    return EXIT_FAILURE;
+  }
+  const auto port = static_cast<std::uint16_t>(count > 2 ? std::atoi(words[2]) : 0);
+  if (auto played = kaori::console::Play(words[1], port); !played) {
+    kaori::LogLine(played.error().message());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

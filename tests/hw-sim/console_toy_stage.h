@@ -1,0 +1,53 @@
+// A stage for the console's tests: reads the devices with the product's drivers, draws what they say, says it
+// aloud.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/base/result.h"
+#include "drivers/hid/dial_box.h"
+#include "drivers/hid/joystick.h"
+#include "drivers/hid/keyboard.h"
+#include "drivers/ports/hid_channel.h"
+#include "drivers/ports/scanout.h"
+
+namespace kaori::console {
+
+// Pushing a button switches its lamp. What the drivers decode goes to standard output, one line for each
+// change: "dial 1 64" (counts), "button 3 1", "key 44 1", "stick-left 0.50 0.00 0.00 0.00" (x, y, twist,
+// slider).
+class ToyStage {
+ public:
+  static Result<std::unique_ptr<ToyStage>> Open(const std::string& folder);
+
+  // Reads what waits, and draws a frame when the screen can take one. Does not block.
+  void Step();
+
+ private:
+  ToyStage(std::string folder, std::unique_ptr<ports::HidBus> bus);
+  void OpenPorts();
+  void ReadDialBox(ports::HidChannel& channel);
+  void ReadStick(ports::HidChannel& channel);
+  void ReadKeyboard(ports::HidChannel& channel);
+  void TellDialBox(const hid::DialSample& before, const hid::DialSample& now, ports::HidChannel& channel);
+  void Draw();
+  void DrawHand(const ports::PixelBuffer& into, std::size_t dial) const;
+
+  std::string folder_;
+  std::unique_ptr<ports::HidBus> bus_;
+  std::map<std::string, std::unique_ptr<ports::HidChannel>> channels_;
+  std::optional<hid::DialBoxDecoder> dial_box_;
+  std::map<std::string, hid::JoystickDecoder> sticks_;
+  std::optional<hid::KeyboardDecoder> keyboard_;
+  std::uint32_t lamps_ = 0;
+  std::unique_ptr<ports::Scanout> screen_;
+  std::uint64_t frame_ = 0;
+  std::vector<std::uint8_t> backdrop_;  // RGBX, as large as the screen.
+};
+
+}  // namespace kaori::console
