@@ -1,0 +1,151 @@
+// kaori-sim: simulated devices, plugged into a link folder and played by a page, a scenario, or both.
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "hw-sim/console/console.h"
+#include "hw-sim/links/local/rig.h"
+#include "hw-sim/scenario/player.h"
+#include "hw-sim/scenario/reader.h"
+#include "hw-sim/scenario/recorder.h"
+#include "hw-sim/scenario/writer.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view kHelp =
+    R"(kaori-sim: simulated dial box, joysticks, keyboard, lip camera and screen
+
+  --links FOLDER       where the devices are plugged in
+  --size 960x540       of the screen
+  --hz 60              of the screen
+  --play FILE          a scenario; with --loop again and again
+  --record FILE        writes what hands do, as a scenario
+  --console PORT       a page with dials, sticks, keys, lips and the picture; 0 takes any free port
+  --address-file FILE  where the page's address is written
+)";
+
+constexpr kaori::Duration kHandsPeriod = 4ms;  // Slow hands of a scenario move in steps of this.
+constexpr double kMostHz = 1000;
+
+struct Settings {
+  std::string links, size = "960x540", hz = "60", play, record, console, address_file;
+  bool loop = false;
+};
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.message());
+  return 1;
+}
+
+kaori::Result<double> Number(const std::string& name, const std::string& text, double low, double high) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0' && value >= low && value <= high) return value;
+  return kaori::FailInput(fmt::format("{} {}: expected a number from {} to {}", name, text, low, high));
+}
+
+kaori::Result<kaori::sim::RigOptions> RigOptionsOf(const Settings& settings) {
+  const auto size = kaori::ParseSize(settings.size);
+  if (!size) return kaori::FailInput("--size " + settings.size + ": expected such as 960x540");
+  const auto hz = Number("--hz", settings.hz, 1, kMostHz);
+  if (!hz) return tl::unexpected(hz.error());
+  return kaori::sim::RigOptions{.folder = settings.links,
+                                .screen_width_px = size->width_px,
+                                .screen_height_px = size->height_px,
+                                .screen_period = kaori::FromSeconds(1 / *hz),
+                                .wakes_by_timer = true};
+}
+
+// What plays and what writes down, beside the devices themselves.
+struct Bench {
+  kaori::sim::Rig& rig;
+  kaori::EventLoop& loop;
+  const kaori::Clock& clock;
+  std::optional<kaori::sim::Player> player;
+  std::ofstream record;
+  std::optional<kaori::sim::Recorder> recorder;
+  std::unique_ptr<kaori::console::Console> console;
+};
+
+kaori::Result<void> Play(const Settings& settings, Bench& bench) {
+  if (settings.play.empty()) return {};
+  auto scenario = kaori::sim::LoadScenario(settings.play);
+  if (!scenario) return tl::unexpected(scenario.error());
+  bench.player.emplace(std::move(*scenario), bench.rig, bench.clock.now());
+  return bench.loop.Every(kHandsPeriod, [&bench, again = settings.loop] {
+    if (bench.player->finished() && again) bench.player->Restart(bench.clock.now());
+    if (bench.player->finished()) return;
+    bench.player->Perform(bench.clock.now());
+    bench.rig.Pump();
+  });
+}
+
+// Each line is on the disk before the next hand moves: a simulator that is killed loses none.
+kaori::Result<void> Record(const Settings& settings, Bench& bench) {
+  if (settings.record.empty()) return {};
+  bench.record.open(settings.record);
+  if (!bench.record) return kaori::FailErrno("write " + settings.record);
+  bench.recorder.emplace(bench.rig, [&bench](const kaori::sim::Action& action) {
+    bench.record << kaori::sim::WriteAction(action) << std::endl;
+  });
+  return {};
+}
+
+kaori::Result<void> OpenConsole(const Settings& settings, Bench& bench) {
+  if (settings.console.empty()) return {};
+  const auto port = Number("--console", settings.console, 0, 65535);
+  if (!port) return tl::unexpected(port.error());
+  kaori::console::ConsoleOptions page;
+  page.port = static_cast<std::uint16_t>(*port);
+  auto console = kaori::console::Console::Open(std::move(page), bench.rig, bench.loop);
+  if (!console) return tl::unexpected(console.error());
+  bench.console = std::move(*console);
+  kaori::Log("console at {}", bench.console->address());
+  if (settings.address_file.empty()) return {};
+  std::ofstream file(settings.address_file);
+  file << bench.console->address() << '\n';
+  if (!file.flush()) return kaori::FailErrno("write " + settings.address_file);
+  return {};
+}
+
+int Simulate(const Settings& settings, kaori::EventLoop& loop) {
+  const kaori::SteadyClock clock;
+  auto options = RigOptionsOf(settings);
+  if (!options) return Complain(options.error());
+  auto rig = kaori::sim::Rig::Open(std::move(*options), clock);
+  if (!rig) return Complain(rig.error());
+  for (int n = 0; n < kaori::sim::kPlaceCount; ++n)
+    kaori::Log("plugged in: {}", kaori::sim::PortName(static_cast<kaori::sim::Place>(n)));
+  Bench bench{**rig, loop, clock, {}, {}, {}, {}};
+  for (const auto& step : {Record, Play, OpenConsole}) {
+    if (auto ok = step(settings, bench); !ok) return Complain(ok.error());
+  }
+  if (auto watched = loop.Watch((*rig)->pollable(), [&rig] { (*rig)->Pump(); }); !watched)
+    return Complain(watched.error());
+  if (auto ran = loop.Run(); !ran) return Complain(ran.error());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-sim");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--links", settings.links, true).Text("--size", settings.size).Text("--hz", settings.hz);
+  options.Text("--play", settings.play).Switch("--loop", settings.loop).Text("--record", settings.record);
+  options.Text("--console", settings.console).Text("--address-file", settings.address_file);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return Complain(loop.error());
+  return Simulate(settings, *loop);
+}
