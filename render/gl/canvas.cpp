@@ -6,6 +6,8 @@
 #include <array>
 #include <cassert>
 
+#include "render/gl/context.h"
+
 namespace kaori::gl {
 namespace {
 
@@ -76,12 +78,12 @@ void ForgetDepth() {
 
 }  // namespace
 
-Result<Canvas> Canvas::Make(const Context& context, const CanvasOptions& options) {
+Result<Canvas> Canvas::Make(const CanvasOptions& options) {
   const auto attempt = fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px);
   if (!Sane(options)) return Fail(std::errc::invalid_argument, attempt);
   Canvas canvas(options);
   if (canvas.options_.samples == 1) canvas.options_.samples = 0;
-  const bool made = canvas.MakePicture() && canvas.MakeLayer(context.reads_samples());
+  const bool made = canvas.MakePicture() && canvas.MakeLayer(Context::ReadsSamples());
   if (!made) return Fail(std::errc::not_enough_memory, attempt);
   return canvas;
 }

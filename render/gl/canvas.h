@@ -5,7 +5,6 @@
 #include <span>
 
 #include "drivers/base/result.h"
-#include "render/gl/context.h"
 #include "render/gl/handle.h"
 #include "render/gl/texture.h"
 
@@ -32,9 +31,9 @@ struct Box {
 class Canvas {
  public:
   Canvas() = default;
-  // Borrows the context. Errors: not_enough_memory; invalid_argument (a size below 1 or beyond the driver's
-  // limit).
-  static Result<Canvas> Make(const Context& context, const CanvasOptions& options);
+  // On the current context. Errors: not_enough_memory; invalid_argument (a size below 1 or beyond the
+  // driver's limit).
+  static Result<Canvas> Make(const CanvasOptions& options);
 
   // Drawing goes to the layer within `box` from here on; it is cleared to nothing, and its depth to far.
   void BeginLayer(const Box& box) const;

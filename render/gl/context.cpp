@@ -67,22 +67,20 @@ void ListenToDriver() {
   listen(LogMessage, nullptr);
 }
 
-bool AtLeastGles31() {
+}  // namespace
+
+Context::Context(std::unique_ptr<Egl> egl)
+    : egl_(std::move(egl)), renderer_(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) {}
+
+Context::~Context() = default;
+
+bool Context::ReadsSamples() {
   GLint major = 0;
   GLint minor = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   glGetIntegerv(GL_MINOR_VERSION, &minor);
-  return major > 3 || minor >= 1;
+  return major > 3 || (major == 3 && minor >= 1);
 }
-
-}  // namespace
-
-Context::Context(std::unique_ptr<Egl> egl)
-    : egl_(std::move(egl)),
-      renderer_(reinterpret_cast<const char*>(glGetString(GL_RENDERER))),
-      reads_samples_(AtLeastGles31()) {}
-
-Context::~Context() = default;
 
 Result<std::unique_ptr<Context>> Context::Open() {
   auto egl = std::make_unique<Egl>();

@@ -21,8 +21,9 @@ class Context {
 
   // The driver's own words: "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& renderer() const { return renderer_; }
-  // Shaders may read single samples (GLES 3.1); else they are resolved first.
-  bool reads_samples() const { return reads_samples_; }
+
+  // Shaders may read single samples (GLES 3.1); else these are resolved first. Of the current context.
+  static bool ReadsSamples();
 
  private:
   struct Egl;
@@ -30,7 +31,6 @@ class Context {
 
   std::unique_ptr<Egl> egl_;
   std::string renderer_;
-  bool reads_samples_ = false;
 };
 
 }  // namespace kaori::gl

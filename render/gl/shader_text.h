@@ -17,8 +17,7 @@ struct WholeText {
 };
 
 // Each file is put in once, at its first #include. Errors: no_such_file_or_directory.
-Result<WholeText> Assemble(std::span<const ShaderFile> library, std::string_view file,
-                           std::string_view defines);
+Result<WholeText> Assemble(const ProgramSource& source, std::string_view file);
 
 // Replaces a driver's "n:line" at the start of each line of its log by "file:line". Understands Mesa's
 // "0:12(3): error" and the common "ERROR: 0:12:".

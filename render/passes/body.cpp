@@ -1,0 +1,105 @@
+#include "render/passes/body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/gl/draw_state.h"
+#include "render/passes/frame.h"
+
+namespace kaori::passes {
+namespace {
+
+constexpr int kMostTextures = 4;
+
+// Textures are stored top row first; texture places count from below.
+std::vector<std::uint8_t> BottomRowFirst(const face::Texture& t) {
+  const std::size_t row = static_cast<std::size_t>(t.width_px) * 4;
+  std::vector<std::uint8_t> turned(t.rgba.size());
+  for (int y = 0; y < t.height_px; ++y) {
+    const auto from = t.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
+    const auto to =
+        turned.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(t.height_px - 1 - y));
+    std::copy_n(from, row, to);
+  }
+  return turned;
+}
+
+gl::Texture Load(const face::Texture& t) {
+  const auto pixels = BottomRowFirst(t);
+  return gl::Texture(
+      {.width_px = t.width_px, .height_px = t.height_px, .texels = gl::Texels::kSrgb8, .mipmaps = true},
+      std::as_bytes(std::span(pixels)));
+}
+
+// The heaviest faces' textures, each once, and their weights with the sum 1.
+struct Mixture {
+  std::array<int, kMostTextures> textures{};
+  glm::vec4 weights{};
+  int count = 0;
+
+  void Add(int texture, float weight) {
+    for (int i = 0; i < count; ++i) {
+      if (textures[static_cast<std::size_t>(i)] != texture) continue;
+      weights[i] += weight;
+      return;
+    }
+    if (count == kMostTextures) return;
+    textures[static_cast<std::size_t>(count)] = texture;
+    weights[count++] = weight;
+  }
+};
+
+// Fewer than this much of a face is not seen in the skin's colour.
+constexpr float kUnseen = 1.0F / 512;
+
+}  // namespace
+
+Result<void> BodyPass::AddVariant(int textures) {
+  auto program = MakeProgram("body.vert", "body.frag", fmt::format("#define TEXTURES {}\n", textures));
+  if (!program) return tl::unexpected(program.error());
+  Variant& v = variants_[static_cast<std::size_t>(textures / 2)];
+  v.program = std::move(*program);
+  v.surface = v.program.Find("surface");
+  v.weights = v.program.Find("weights");
+  for (int i = 0; i < textures; ++i) v.program.BindSampler(fmt::format("texture{}", i).c_str(), i);
+  return {};
+}
+
+Result<BodyPass> BodyPass::Open(const face::Cast& cast) {
+  BodyPass pass;
+  for (const int textures : {1, 2, 4}) {
+    if (auto added = pass.AddVariant(textures); !added) return tl::unexpected(added.error());
+  }
+  for (const face::Texture& t : cast.textures) pass.textures_.push_back(Load(t));
+  for (const face::Face& f : cast.faces) {
+    pass.looks_.push_back({f.surface.texture, {f.surface.softness, f.surface.metal}});
+  }
+  return pass;
+}
+
+const BodyPass::Variant& BodyPass::VariantFor(int textures) const {
+  return variants_[static_cast<std::size_t>(textures == 1 ? 0 : (textures == 2 ? 1 : 2))];
+}
+
+void BodyPass::Draw(const Surface& surface, const face::Shape& shape) const {
+  Mixture mixture;
+  glm::vec2 answer{};
+  for (const face::Term& term : shape.faces) {
+    const Look& look = looks_[term.index];
+    answer += term.weight * look.surface;
+    if (term.weight > kUnseen) mixture.Add(look.texture, term.weight);
+  }
+  mixture.weights /= glm::dot(mixture.weights, glm::vec4(1));
+  const Variant& variant = VariantFor(mixture.count);
+  for (std::size_t i = 0; i < kMostTextures; ++i) {
+    textures_[static_cast<std::size_t>(mixture.textures[i])].Bind(static_cast<unsigned>(i));
+  }
+  gl::Apply({});
+  variant.program.Use();
+  gl::Program::Set(variant.surface, answer);
+  gl::Program::Set(variant.weights, mixture.weights);
+  surface.fine().Draw();
+}
+
+}  // namespace kaori::passes

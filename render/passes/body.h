@@ -1,0 +1,40 @@
+// The face's skin: textured, lit a vertex at a time; up to four faces share it while they cross-fade.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/face/composer.h"
+#include "render/gl/program.h"
+#include "render/gl/texture.h"
+#include "render/passes/surface.h"
+
+namespace kaori::passes {
+
+class BodyPass {
+ public:
+  // Errors: invalid_argument (a shader).
+  static Result<BodyPass> Open(const face::Cast& cast);
+
+  void Draw(const Surface& surface, const face::Shape& shape) const;
+
+ private:
+  struct Variant {
+    gl::Program program;
+    int surface = -1;
+    int weights = -1;
+  };
+  struct Look {
+    int texture = 0;
+    glm::vec2 surface{};  // Softness, metal.
+  };
+  Result<void> AddVariant(int textures);
+  const Variant& VariantFor(int textures) const;
+
+  std::array<Variant, 3> variants_;  // For 1, 2 and 4 textures.
+  std::vector<gl::Texture> textures_;
+  std::vector<Look> looks_;  // One for each face.
+};
+
+}  // namespace kaori::passes

@@ -1,0 +1,22 @@
+// Shoulders and collar. Clothes of faces that cross-fade melt into each other; where a face wears none, they
+// sink.
+#pragma once
+
+#include "render/gl/program.h"
+#include "render/passes/prop_mesh.h"
+
+namespace kaori::passes {
+
+class ClothesPass {
+ public:
+  // Errors: invalid_argument (a shader).
+  static Result<ClothesPass> Open();
+
+  void Draw(const Wardrobe& wardrobe) const;
+
+ private:
+  gl::Program program_;
+  int paint_ = -1, sunk_ = -1, opacity_ = -1;
+};
+
+}  // namespace kaori::passes

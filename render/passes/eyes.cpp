@@ -1,0 +1,129 @@
+#include "render/passes/eyes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+#include <vector>
+
+#include "render/gl/draw_state.h"
+#include "render/passes/frame.h"
+
+namespace kaori::passes {
+namespace {
+
+// The lids hide all but the front of the ball.
+constexpr int kRings = 14;
+constexpr int kSpokes = 36;
+constexpr float kOpening_rad = 1.40F;
+
+constexpr int kLidPlaces = 9;      // As eye.vert.
+constexpr float kLidReach = 1.2F;  // In radii.
+
+std::vector<glm::vec3> CapDirections() {
+  std::vector<glm::vec3> directions;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    const float away = kOpening_rad * static_cast<float>(ring) / kRings;
+    for (int spoke = 0; spoke < kSpokes; ++spoke) {
+      const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(spoke) / kSpokes;
+      directions.emplace_back(std::sin(away) * std::cos(round), std::sin(away) * std::sin(round),
+                              std::cos(away));
+    }
+  }
+  return directions;
+}
+
+std::vector<std::uint32_t> CapTriangles() {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+    for (std::uint32_t spoke = 0; spoke < kSpokes; ++spoke) {
+      const std::uint32_t a = ring * kSpokes + spoke;
+      const std::uint32_t b = ring * kSpokes + (spoke + 1) % kSpokes;
+      indices.insert(indices.end(), {a, a + kSpokes, b + kSpokes, a, b + kSpokes, b});
+    }
+  }
+  return indices;
+}
+
+// The upper lid's margin, seen from the ball's centre in radii, in order of x.
+class LidEdge {
+ public:
+  LidEdge(const face::Shape& shape, const face::LidRig& rig, const face::EyeBall& ball) : ball_(ball) {
+    columns_ = std::min<std::size_t>(static_cast<std::size_t>(rig.columns), kMost);
+    const auto* margin = rig.upper.data() + static_cast<std::size_t>(rig.margin_ring * rig.columns);
+    for (std::size_t j = 0; j < columns_; ++j) edge_[j] = shape.cage[margin[j]];
+    if (columns_ > 1 && edge_[0].x > edge_[columns_ - 1].x)
+      std::reverse(edge_.begin(), edge_.begin() + Count());
+  }
+
+  float HeightAt(float x) const {
+    const float wanted_m = ball_.centre.x + x * ball_.radius_m;
+    std::size_t j = 1;
+    while (j + 1 < columns_ && edge_[j].x < wanted_m) ++j;
+    const glm::vec3 a = edge_[j - 1];
+    const glm::vec3 b = edge_[j];
+    const float t = std::clamp((wanted_m - a.x) / std::max(b.x - a.x, 1e-5F), 0.0F, 1.0F);
+    return (a.y + (b.y - a.y) * t - ball_.centre.y) / ball_.radius_m;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 64;
+  std::ptrdiff_t Count() const { return static_cast<std::ptrdiff_t>(columns_); }
+
+  face::EyeBall ball_;
+  std::size_t columns_ = 0;
+  std::array<glm::vec3, kMost> edge_{};
+};
+
+std::array<float, kLidPlaces> LidHeights(const face::Shape& shape, const face::LidRig& rig,
+                                         const face::EyeBall& ball) {
+  std::array<float, kLidPlaces> heights;
+  heights.fill(kLidReach);  // No lid, no shade.
+  if (rig.columns < 2) return heights;
+  const LidEdge edge(shape, rig, ball);
+  for (int i = 0; i < kLidPlaces; ++i) {
+    const float x = kLidReach * (2.0F * static_cast<float>(i) / (kLidPlaces - 1) - 1);
+    heights[static_cast<std::size_t>(i)] = edge.HeightAt(x);
+  }
+  return heights;
+}
+
+glm::mat3 HeadToIris(const scene::Gaze& gaze) {
+  const glm::quat turn = TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
+  return glm::transpose(glm::mat3_cast(turn));
+}
+
+}  // namespace
+
+EyesPass::EyesPass(gl::Program program, const face::Topology& topology)
+    : topology_(&topology),
+      program_(std::move(program)),
+      ball_(program_.Find("ball")),
+      gaze_(program_.Find("gaze")),
+      lid_(program_.Find("lid")),
+      iris_(program_.Find("iris")),
+      directions_(gl::Buffer::Of(std::span<const glm::vec3>(CapDirections()))),
+      cap_({{directions_, 12, {{0, 3, gl::Scalar::kFloat, 0}}}}, CapTriangles()) {}
+
+Result<EyesPass> EyesPass::Open(const face::Topology& topology) {
+  auto program = MakeProgram("eye.vert", "eye.frag");
+  if (!program) return tl::unexpected(program.error());
+  return EyesPass(std::move(*program), topology);
+}
+
+void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const {
+  gl::Apply({});
+  program_.Use();
+  for (std::size_t side = 0; side < 2; ++side) {
+    const face::EyeBall& ball = shape.eyes[side];
+    if (ball.radius_m < 1e-4F) continue;
+    const float reach = std::sin(std::min(shape.eye_look.iris_radius_m / ball.radius_m, 1.4F));
+    gl::Program::Set(ball_, glm::vec4(ball.centre, ball.radius_m));
+    gl::Program::Set(gaze_, HeadToIris(gaze[side]));
+    gl::Program::Set(lid_, LidHeights(shape, topology_->lids[side], ball));
+    gl::Program::Set(iris_, glm::vec4(shape.eye_look.iris, std::max(reach, 0.05F)));
+    cap_.Draw();
+  }
+}
+
+}  // namespace kaori::passes

@@ -1,0 +1,36 @@
+// The flat-shaded style: the cage's triangles, each with one colour of its own.
+#pragma once
+
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/face/composer.h"
+#include "render/gl/mesh.h"
+#include "render/gl/program.h"
+
+namespace kaori::passes {
+
+class FlatPass {
+ public:
+  // Borrows the cast. Errors: invalid_argument (a shader).
+  static Result<FlatPass> Open(const face::Cast& cast);
+
+  void Draw(const face::Shape& shape);
+
+ private:
+  struct Corner {
+    glm::vec3 position;
+    glm::vec3 normal;
+  };
+  FlatPass(gl::Program program, const face::Cast& cast);
+  void WriteFacets(const face::Shape& shape);
+
+  const face::Cast* cast_;
+  gl::Program program_;
+  int paint_;
+  std::vector<Corner> corners_;
+  gl::Buffer buffer_;
+  gl::Mesh mesh_;
+};
+
+}  // namespace kaori::passes

@@ -1,0 +1,83 @@
+#include "render/passes/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/passes/shader_library.h"
+
+namespace kaori::passes {
+namespace {
+
+// Of the reference face, from the lower edge of its neck: inside the collar, and just below the chin.
+constexpr float kStill_m = 0.016F;
+constexpr float kTurns_m = 0.062F;
+
+// Full breath lifts the shoulders by this much.
+constexpr float kBreath_m = 0.0025F;
+
+constexpr glm::vec3 kFillLight{0.80F, 0.10F, 0.50F};
+
+// How far before and behind the camera's target anything is drawn.
+constexpr float kReach_m = 0.45F;
+
+glm::mat4 ProjectionOf(const scene::Camera& camera, glm::vec2 canvas_px) {
+  const float near_m = std::max(camera.distance_m - kReach_m, 0.02F);
+  return glm::perspective(camera.field_of_view_rad, canvas_px.x / canvas_px.y, near_m,
+                          camera.distance_m + kReach_m);
+}
+
+}  // namespace
+
+Neck NeckOf(const face::Cast& cast) {
+  const auto& reference = cast.faces.front().positions;
+  const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
+  const float edge_m = std::min_element(reference.begin(), reference.end(), lower)->y;
+  return {cast.neck_pivot, edge_m + kStill_m, edge_m + kTurns_m};
+}
+
+glm::quat TurnOf(const scene::Head& head) {
+  return glm::angleAxis(head.yaw_rad, glm::vec3(0, 1, 0)) *
+         glm::angleAxis(-head.pitch_rad, glm::vec3(1, 0, 0)) *
+         glm::angleAxis(-head.roll_rad, glm::vec3(0, 0, 1));
+}
+
+glm::mat4 ViewOf(const scene::Camera& camera) {
+  const float level = std::cos(camera.height_rad);
+  const glm::vec3 away{std::sin(camera.yaw_rad) * level, std::sin(camera.height_rad),
+                       std::cos(camera.yaw_rad) * level};
+  return glm::lookAt(camera.target_m + away * camera.distance_m, camera.target_m, glm::vec3(0, 1, 0));
+}
+
+FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share) {
+  FrameBlock f{};
+  f.view = ViewOf(scene.camera);
+  f.projection = ProjectionOf(scene.camera, canvas_px);
+  const glm::quat turn = TurnOf(scene.head);
+  f.turn = {turn.x, turn.y, turn.z, turn.w};
+  f.pivot = {neck.pivot, neck.still_below_m};
+  f.shift = {scene.head.shift_m, neck.turns_above_m};
+  f.key = {glm::normalize(scene.light.key), scene.light.exposure};
+  f.fill = {glm::normalize(kFillLight), soft_share};
+  f.up = {glm::mat3(f.view) * glm::vec3(0, 1, 0), scene.breath * kBreath_m};
+  f.sway = {scene.hair_sway_rad, canvas_px};
+  return f;
+}
+
+glm::vec2 Project(const FrameBlock& f, glm::vec3 point, bool turns) {
+  if (turns) {
+    const glm::quat turn(f.turn.w, f.turn.x, f.turn.y, f.turn.z);
+    point = turn * (point - glm::vec3(f.pivot)) + glm::vec3(f.pivot) + glm::vec3(f.shift);
+  }
+  const glm::vec4 clip = f.projection * f.view * glm::vec4(point, 1);
+  return glm::vec2(clip) / std::max(clip.w, 1e-3F);
+}
+
+Result<gl::Program> MakeProgram(std::string_view vertex, std::string_view fragment, std::string defines) {
+  auto program = gl::Program::Make(
+      {.library = ShaderLibrary(), .vertex = vertex, .fragment = fragment, .defines = std::move(defines)});
+  if (program) program->BindBlock("Frame", kFrameBinding);
+  return program;
+}
+
+}  // namespace kaori::passes

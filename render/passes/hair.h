@@ -1,0 +1,33 @@
+// Hair: locks with a band of light. It grows out of the head while its face, or the style with hair, fades
+// in.
+#pragma once
+
+#include "render/gl/program.h"
+#include "render/gl/texture.h"
+#include "render/passes/prop_mesh.h"
+
+namespace kaori::passes {
+
+class HairPass {
+ public:
+  // Errors: invalid_argument (a shader).
+  static Result<HairPass> Open();
+
+  // `share` 0..1: how much of the hair the style shows.
+  void Draw(const Wardrobe& wardrobe, float share) const;
+
+ private:
+  struct Variant {
+    gl::Program program;
+    int paint = -1;
+    int grown = -1;
+  };
+  static Result<Variant> MakeVariant(std::string defines);
+  void DrawLocks(const PropMesh& hair, float presence) const;
+
+  Variant whole_;
+  Variant growing_;
+  gl::Texture stripes_;
+};
+
+}  // namespace kaori::passes

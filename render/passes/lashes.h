@@ -1,0 +1,33 @@
+// The upper lashes: a dark strip along the margin of each upper lid, with a wing at the outer corner.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/face/composer.h"
+#include "render/gl/mesh.h"
+#include "render/gl/program.h"
+
+namespace kaori::passes {
+
+class LashesPass {
+ public:
+  // Errors: invalid_argument (a shader).
+  static Result<LashesPass> Open(const face::Topology& topology);
+
+  void Draw(const face::Shape& shape);
+
+ private:
+  LashesPass(gl::Program program, const face::Topology& topology);
+  void Grow(const face::Shape& shape, std::size_t side);
+
+  gl::Program program_;
+  int paint_;
+  std::array<std::vector<face::Index>, 2> margins_;  // Vertices of the fine mesh, inner corner first.
+  std::vector<glm::vec3> points_;                    // Root, tip, root, tip ...; the left eye first.
+  gl::Buffer buffer_;
+  gl::Mesh strip_;
+};
+
+}  // namespace kaori::passes

@@ -1,0 +1,26 @@
+// Teeth and tongue, behind the lips: shared by all faces, fitted to each, moved by the jaw.
+#pragma once
+
+#include "render/face/cast.h"
+#include "render/face/composer.h"
+#include "render/gl/program.h"
+#include "render/passes/prop_mesh.h"
+
+namespace kaori::passes {
+
+class MouthPass {
+ public:
+  // Errors: invalid_argument (a shader).
+  static Result<MouthPass> Open(const face::Cast& cast);
+
+  void Draw(const Wardrobe& wardrobe, const face::Shape& shape) const;
+
+ private:
+  void DrawPart(const PropMesh& prop, float presence, const face::Shape& shape) const;
+
+  gl::Program program_;
+  glm::vec3 anchor_{};
+  int fit_ = -1, anchor_at_ = -1, paint_ = -1, look_ = -1;
+};
+
+}  // namespace kaori::passes

@@ -1,0 +1,192 @@
+#include "render/passes/painter.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "render/face/composer.h"
+#include "render/gl/buffer.h"
+#include "render/passes/body.h"
+#include "render/passes/clothes.h"
+#include "render/passes/eyes.h"
+#include "render/passes/figure_box.h"
+#include "render/passes/flat.h"
+#include "render/passes/frame.h"
+#include "render/passes/hair.h"
+#include "render/passes/lashes.h"
+#include "render/passes/layer.h"
+#include "render/passes/mouth.h"
+#include "render/passes/sane_scene.h"
+#include "render/passes/surface.h"
+#include "render/passes/wire.h"
+
+namespace kaori::passes {
+namespace {
+
+using scene::Style;
+
+// Styles that share a mesh are mixed in its shaders; the groups are drawn apart, and dissolve as whole
+// pictures.
+enum class Group : std::uint8_t { kTextured, kFlat, kWire };
+constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
+
+constexpr float kUnseen = 1.0F / 1024;
+
+// Behind glowing lines the stage is darker.
+constexpr float kWireBackdrop = 0.10F;
+
+float WeightOf(const scene::Scene& s, Style style) {
+  return s.styles[static_cast<std::size_t>(style)];
+}
+
+float WeightOf(const scene::Scene& s, Group group) {
+  switch (group) {
+    case Group::kTextured:
+      return WeightOf(s, Style::kBare) + WeightOf(s, Style::kHair) + WeightOf(s, Style::kSoft);
+    case Group::kFlat:
+      return WeightOf(s, Style::kFlat);
+    case Group::kWire:
+      return WeightOf(s, Style::kWire);
+  }
+  return 0;
+}
+
+scene::Backdrop BackdropOf(const scene::Scene& s, Group group) {
+  if (group != Group::kWire) return s.backdrop;
+  return {s.backdrop.top * kWireBackdrop, s.backdrop.bottom * kWireBackdrop};
+}
+
+// What all groups show together where there is no figure.
+scene::Backdrop MixedBackdrop(const scene::Scene& s) {
+  const float share = 1 - (1 - kWireBackdrop) * WeightOf(s, Group::kWire);
+  return {s.backdrop.top * share, s.backdrop.bottom * share};
+}
+
+// Of the textured styles alone.
+float SoftShare(const scene::Scene& s) {
+  return WeightOf(s, Style::kSoft) / std::max(WeightOf(s, Group::kTextured), kUnseen);
+}
+float HairShare(const scene::Scene& s) {
+  return 1 - WeightOf(s, Style::kBare) / std::max(WeightOf(s, Group::kTextured), kUnseen);
+}
+
+// Takes the value of a step that succeeded; else keeps the first error.
+template <class T>
+void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
+  if (made) {
+    into.emplace(std::move(*made));
+  } else if (outcome) {
+    outcome = tl::unexpected(std::move(made.error()));
+  }
+}
+
+}  // namespace
+
+struct Painter::Parts {
+  explicit Parts(const face::Cast& cast)
+      : composer(cast), neck(NeckOf(cast)), wardrobe(cast), surface(cast) {}
+
+  Result<void> Open(const face::Cast& cast);
+  void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
+  void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
+  void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
+  void DrawWire(const scene::Scene& scene, const face::Shape& shape);
+
+  face::Composer composer;
+  Neck neck;
+  Wardrobe wardrobe;
+  Surface surface;
+  gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
+  std::optional<BodyPass> body;
+  std::optional<EyesPass> eyes;
+  std::optional<LashesPass> lashes;
+  std::optional<MouthPass> mouth;
+  std::optional<HairPass> hair;
+  std::optional<ClothesPass> clothes;
+  std::optional<FlatPass> flat;
+  std::optional<WirePass> wire;
+  std::optional<LayerPass> layer;
+};
+
+Result<void> Painter::Parts::Open(const face::Cast& cast) {
+  Result<void> outcome;
+  Take(BodyPass::Open(cast), body, outcome);
+  Take(EyesPass::Open(cast.topology), eyes, outcome);
+  Take(LashesPass::Open(cast.topology), lashes, outcome);
+  Take(MouthPass::Open(cast), mouth, outcome);
+  Take(HairPass::Open(), hair, outcome);
+  Take(ClothesPass::Open(), clothes, outcome);
+  Take(FlatPass::Open(cast), flat, outcome);
+  Take(WirePass::Open(cast), wire, outcome);
+  Take(LayerPass::Open(), layer, outcome);
+  return outcome;
+}
+
+// Front to back, so that what is hidden costs little.
+void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& shape) {
+  surface.WriteFine(shape);
+  hair->Draw(wardrobe, HairShare(scene));
+  lashes->Draw(shape);
+  clothes->Draw(wardrobe);
+  body->Draw(surface, shape);
+  eyes->Draw(shape, scene.gaze);
+  mouth->Draw(wardrobe, shape);
+}
+
+void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shape) {
+  clothes->Draw(wardrobe);
+  flat->Draw(shape);
+  eyes->Draw(shape, scene.gaze);
+  mouth->Draw(wardrobe, shape);
+}
+
+void Painter::Parts::DrawWire(const scene::Scene& scene, const face::Shape& shape) {
+  surface.WriteCage(shape);
+  wire->Draw(surface, shape, scene.gaze);
+}
+
+void Painter::Parts::DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape) {
+  switch (group) {
+    case Group::kTextured:
+      return DrawTextured(scene, shape);
+    case Group::kFlat:
+      return DrawFlat(scene, shape);
+    case Group::kWire:
+      return DrawWire(scene, shape);
+  }
+}
+
+Painter::Painter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Painter::~Painter() = default;
+
+Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context&, const face::Cast& cast) {
+  auto parts = std::make_unique<Parts>(cast);
+  if (auto opened = parts->Open(cast); !opened) return tl::unexpected(opened.error());
+  return std::unique_ptr<Painter>(new Painter(std::move(parts)));
+}
+
+void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
+  Parts& p = *parts_;
+  const scene::Scene scene = Sane(wanted);
+  const bool fine = WeightOf(scene, Group::kTextured) > kUnseen;
+  const face::Shape& shape =
+      p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
+  p.wardrobe.Weigh(shape.faces);
+  const FrameBlock frame =
+      MakeFrame(scene, p.neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
+  p.frame.Write(std::as_bytes(std::span(&frame, 1)));
+  p.frame.BindUniforms(kFrameBinding);
+  const gl::Box box = FigureBox(frame, shape, p.wardrobe);
+  p.layer->LayBackdropAround(canvas, box, MixedBackdrop(scene));
+  float laid = 0;
+  for (const Group group : kGroups) {
+    const float weight = WeightOf(scene, group);
+    if (weight <= kUnseen) continue;
+    laid += weight;
+    canvas.BeginLayer(box);
+    p.DrawGroup(group, scene, shape);
+    p.layer->Lay(canvas, box, BackdropOf(scene, group), weight / laid);
+  }
+}
+
+}  // namespace kaori::passes

@@ -1,0 +1,31 @@
+// Paints a scene: composes the face, draws it in the styles that have weight, and cross-fades them.
+#pragma once
+
+#include <memory>
+
+#include "render/face/cast.h"
+#include "render/gl/canvas.h"
+#include "render/gl/context.h"
+#include "render/scene/scene.h"
+
+namespace kaori::passes {
+
+class Painter {
+ public:
+  // Compiles shaders and loads textures, which blocks. Borrows the context (current on this thread, as at
+  // every later call) and the cast; both outlive the painter. Errors: invalid_argument (a shader; names file
+  // and line).
+  static Result<std::unique_ptr<Painter>> Open(const gl::Context& context, const face::Cast& cast);
+  ~Painter();
+
+  // Makes the picture of `scene` on `canvas`, of any size. Values that are none are replaced (see
+  // sane_scene.h). Allocates nothing.
+  void Draw(const scene::Scene& scene, const gl::Canvas& canvas);
+
+ private:
+  struct Parts;
+  explicit Painter(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace kaori::passes

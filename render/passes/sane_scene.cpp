@@ -1,0 +1,72 @@
+#include "render/passes/sane_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace kaori::passes {
+namespace {
+
+constexpr float kTurn_rad = 1.6F;
+constexpr float kSway_rad = 0.6F;
+constexpr float kShift_m = 0.2F;
+
+float Within(float value, float fallback, float low, float high) {
+  return std::isfinite(value) ? std::clamp(value, low, high) : fallback;
+}
+
+float Turn(float rad) {
+  return Within(rad, 0, -kTurn_rad, kTurn_rad);
+}
+
+glm::vec3 Within(glm::vec3 value, glm::vec3 fallback, float low, float high) {
+  return {Within(value.x, fallback.x, low, high), Within(value.y, fallback.y, low, high),
+          Within(value.z, fallback.z, low, high)};
+}
+
+scene::Head Sane(const scene::Head& h) {
+  return {Turn(h.yaw_rad), Turn(h.pitch_rad), Turn(h.roll_rad), Within(h.shift_m, {}, -kShift_m, kShift_m)};
+}
+
+scene::Light Sane(const scene::Light& light) {
+  const scene::Light fresh;
+  scene::Light l{Within(light.key, fresh.key, -1e6F, 1e6F), Within(light.exposure, fresh.exposure, 0, 4)};
+  if (glm::dot(l.key, l.key) < 1e-12F) l.key = fresh.key;
+  return l;
+}
+
+scene::Camera Sane(const scene::Camera& c) {
+  const scene::Camera fresh;
+  return {Within(c.target_m, fresh.target_m, -1, 1), Within(c.distance_m, fresh.distance_m, 0.3F, 5),
+          Within(c.yaw_rad, 0, -7, 7), Within(c.height_rad, 0, -1.5F, 1.5F),
+          Within(c.field_of_view_rad, fresh.field_of_view_rad, 0.05F, 2)};
+}
+
+std::array<float, scene::kStyleCount> Sane(std::array<float, scene::kStyleCount> styles) {
+  for (float& s : styles) s = Within(s, 0, 0, 1);
+  const float sum = std::accumulate(styles.begin(), styles.end(), 0.0F);
+  if (sum < 1e-4F) return scene::Scene{}.styles;
+  for (float& s : styles) s /= sum;
+  return styles;
+}
+
+}  // namespace
+
+scene::Scene Sane(const scene::Scene& scene) {
+  const scene::Scene fresh;
+  scene::Scene s = scene;
+  for (scene::Gaze& g : s.gaze) g = {Turn(g.yaw_rad), Turn(g.pitch_rad)};
+  s.head = Sane(scene.head);
+  s.light = Sane(scene.light);
+  s.camera = Sane(scene.camera);
+  s.styles = Sane(scene.styles);
+  s.backdrop.top = Within(scene.backdrop.top, fresh.backdrop.top, 0, 1);
+  s.backdrop.bottom = Within(scene.backdrop.bottom, fresh.backdrop.bottom, 0, 1);
+  s.hair_sway_rad.x = Within(scene.hair_sway_rad.x, 0, -kSway_rad, kSway_rad);
+  s.hair_sway_rad.y = Within(scene.hair_sway_rad.y, 0, -kSway_rad, kSway_rad);
+  s.breath = Within(scene.breath, 0, -1, 1);
+  return s;
+}
+
+}  // namespace kaori::passes

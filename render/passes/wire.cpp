@@ -1,0 +1,128 @@
+#include "render/passes/wire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+#include "render/gl/draw_state.h"
+#include "render/passes/frame.h"
+
+namespace kaori::passes {
+namespace {
+
+constexpr glm::vec3 kPaint{0.205F, 0.871F, 1.0F};
+constexpr int kTexture_px = 64;  // Width of the texture of points, as wire.vert.
+constexpr std::size_t kCircle = 40;
+constexpr std::size_t kCircles = 4;     // Iris and pupil of two eyes.
+constexpr float kEyeBrightness = 2.6F;  // Beyond white: cyan pales.
+
+// From the lower edge of the neck upwards lines fade in over this height.
+constexpr float kFade_m = 0.045F;
+
+struct RibbonCorner {
+  std::uint32_t ends[2];
+  glm::vec2 corner;
+};
+
+void AppendRibbon(std::uint32_t from, std::uint32_t to, std::vector<RibbonCorner>& corners) {
+  constexpr glm::vec2 kCorners[] = {{0, -1}, {0, 1}, {1, -1}, {1, 1}};
+  for (const glm::vec2& corner : kCorners) corners.push_back({{from, to}, corner});
+}
+
+std::vector<RibbonCorner> RibbonCorners(const face::Topology& topology) {
+  std::vector<RibbonCorner> corners;
+  for (const face::Line& line : topology.wires) AppendRibbon(line[0], line[1], corners);
+  for (std::uint32_t circle = 0; circle < kCircles; ++circle) {
+    const auto first = static_cast<std::uint32_t>(topology.vertex_count + circle * std::uint32_t{kCircle});
+    for (std::uint32_t i = 0; i < kCircle; ++i) AppendRibbon(first + i, first + (i + 1) % kCircle, corners);
+  }
+  return corners;
+}
+
+std::vector<std::uint32_t> RibbonIndices(std::size_t ribbons) {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t r = 0; r < ribbons; ++r) {
+    const std::uint32_t a = 4 * r;
+    indices.insert(indices.end(), {a, a + 1, a + 3, a, a + 3, a + 2});
+  }
+  return indices;
+}
+
+int TextureRows(std::size_t points) {
+  return static_cast<int>((points + kTexture_px - 1) / static_cast<std::size_t>(kTexture_px));
+}
+
+std::size_t RibbonCount(const face::Topology& topology) {
+  return topology.wires.size() + kCircles * kCircle;
+}
+
+}  // namespace
+
+WirePass::WirePass(gl::Program body, gl::Program lines, const face::Cast& cast)
+    : body_(std::move(body)),
+      lines_(std::move(lines)),
+      body_paint_(body_.Find("paint")),
+      lines_paint_(lines_.Find("paint")),
+      cage_points_(cast.topology.vertex_count),
+      points_(static_cast<std::size_t>(TextureRows(cage_points_ + kCircles * kCircle) * kTexture_px)),
+      texture_(
+          {.width_px = kTexture_px, .height_px = TextureRows(points_.size()), .texels = gl::Texels::kFloat4},
+          {}),
+      corners_(gl::Buffer::Of(std::span<const RibbonCorner>(RibbonCorners(cast.topology)))),
+      ribbons_(
+          {{corners_, sizeof(RibbonCorner), {{0, 2, gl::Scalar::kUInt, 0}, {1, 2, gl::Scalar::kFloat, 8}}}},
+          RibbonIndices(RibbonCount(cast.topology))) {
+  lines_.BindSampler("points", 0);
+}
+
+Result<WirePass> WirePass::Open(const face::Cast& cast) {
+  auto body = MakeProgram("wire_body.vert", "wire_body.frag");
+  if (!body) return tl::unexpected(body.error());
+  auto lines = MakeProgram("wire.vert", "wire.frag");
+  if (!lines) return tl::unexpected(lines.error());
+  return WirePass(std::move(*body), std::move(*lines), cast);
+}
+
+void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m,
+                        glm::vec4* points) const {
+  const glm::quat turn = TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
+  for (const float part : {0.92F, 0.40F}) {
+    const float away = part * iris_m / std::max(ball.radius_m, 1e-4F);
+    for (std::size_t i = 0; i < kCircle; ++i) {
+      const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kCircle;
+      const glm::vec3 way{std::sin(away) * std::cos(round), std::sin(away) * std::sin(round), std::cos(away)};
+      *points++ = glm::vec4(ball.centre + turn * way * ball.radius_m, kEyeBrightness);
+    }
+  }
+}
+
+void WirePass::WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) {
+  const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
+  const float edge_m = std::ranges::min_element(shape.cage, lower)->y;
+  for (std::size_t i = 0; i < cage_points_; ++i) {
+    const float fade = glm::smoothstep(0.0F, kFade_m, shape.cage[i].y - edge_m);
+    points_[i] = glm::vec4(shape.cage[i], fade);
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    WriteEye(shape.eyes[side], gaze[side], shape.eye_look.iris_radius_m,
+             &points_[cage_points_ + side * 2 * kCircle]);
+  }
+  texture_.Write(TextureRows(points_.size()), std::as_bytes(std::span(points_)));
+}
+
+void WirePass::Draw(const Surface& surface, const face::Shape& shape,
+                    const std::array<scene::Gaze, 2>& gaze) {
+  WritePoints(shape, gaze);
+  gl::Apply({.cull = gl::Cull::kNone, .push_back = true});
+  body_.Use();
+  gl::Program::Set(body_paint_, kPaint);
+  surface.cage().Draw();
+  gl::Apply({.cull = gl::Cull::kNone, .depth = gl::Depth::kTestOnly, .blend = gl::Blend::kBrightest});
+  texture_.Bind(0);
+  lines_.Use();
+  gl::Program::Set(lines_paint_, kPaint);
+  ribbons_.Draw();
+}
+
+}  // namespace kaori::passes

@@ -1,0 +1,3 @@
+in vec3 backdrop;
+layout(location = 0) out vec4 colour;
+void main() { colour = vec4(backdrop, 1.0); }

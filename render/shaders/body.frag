@@ -1,0 +1,25 @@
+// Up to TEXTURES faces share the skin, each by its weight.
+in vec4 lit;
+in vec3 rest;
+uniform sampler2D texture0;
+#if TEXTURES > 1
+uniform sampler2D texture1;
+uniform vec4 weights;
+#endif
+#if TEXTURES > 2
+uniform sampler2D texture2;
+uniform sampler2D texture3;
+#endif
+layout(location = 0) out vec4 colour;
+
+void main() {
+#if TEXTURES == 1
+  vec4 skin = texture(texture0, rest.xy);
+#else
+  vec4 skin = weights.x * texture(texture0, rest.xy) + weights.y * texture(texture1, rest.xy);
+#endif
+#if TEXTURES > 2
+  skin += weights.z * texture(texture2, rest.xy) + weights.w * texture(texture3, rest.xy);
+#endif
+  colour = vec4(sqrt(skin.rgb * lit.rgb + (lit.a + skin.a * rest.z)), 1.0);
+}

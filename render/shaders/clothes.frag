@@ -1,0 +1,4 @@
+in vec3 lit;
+uniform float opacity;
+layout(location = 0) out vec4 colour;
+void main() { colour = vec4(sqrt(lit), opacity); }

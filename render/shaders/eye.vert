@@ -1,0 +1,27 @@
+// The front of a solid ball. It stays; the iris is turned by the gaze, highlights and shade are not.
+#include "frame.glsl"
+#include "light.glsl"
+layout(location = 0) in vec3 direction;  // Unit, head's frame.
+uniform vec4 ball;                       // xyz centre, w radius, metres.
+uniform mat3 gaze;                       // Head's frame to the iris's: columns.
+uniform float lid[9];                    // Height of the upper lid's margin over the centre, in radii, from x = -1.2 to 1.2 radii.
+out vec3 ahead;      // The point seen from the iris: z out of the pupil.
+out vec3 in_head;    // The point in the head's frame.
+out vec3 shade;      // x: diffuse light; y: shade of the lid, 0..1; z: turned away from the viewer, 0..1.
+
+float LidHeight(float x) {
+  float at = clamp((x + 1.2) / 2.4, 0.0, 0.999) * 8.0;
+  int i = int(at);
+  return mix(lid[i], lid[i + 1], at - float(i));
+}
+
+void main() {
+  vec3 n = direction;
+  vec3 p = HeadToCamera(ball.xyz + ball.w * direction, n);
+  ahead = gaze * direction;
+  in_head = direction;
+  float under_lid = LidHeight(direction.x) - direction.y;
+  shade = vec3(Ramp(dot(n, key.xyz), 0.6), smoothstep(0.48, 0.02, under_lid),
+               1.0 - clamp(dot(n, normalize(-p)), 0.0, 1.0));
+  gl_Position = projection * vec4(p, 1.0);
+}

@@ -1,0 +1,3 @@
+uniform vec3 paint;
+layout(location = 0) out vec4 colour;
+void main() { colour = vec4(sqrt(paint), 1.0); }

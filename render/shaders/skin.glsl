@@ -1,0 +1,43 @@
+// Light on the composed face, evaluated once a vertex: the fine mesh is dense enough, and pixels stay cheap.
+// `surface`: x softness, y metal.
+struct Lit {
+  vec3 diffuse;     // Times the texture.
+  float added;      // On top, white.
+  float gloss;      // On top, times the texture's alpha.
+};
+
+// A polished body mirrors a window high up and a dark horizon.
+float Mirror(vec3 n, vec3 toward_eye) {
+  vec3 r = reflect(-toward_eye, n);
+  float ry = dot(r, up.xyz);
+  float horizon = smoothstep(-0.2, 0.05, ry) * smoothstep(0.5, 0.2, ry);
+  float window = smoothstep(0.45, 0.75, ry) * smoothstep(0.98, 0.8, ry) * smoothstep(0.9, 0.1, r.x);
+  return 0.25 + 0.55 * horizon + 0.9 * window;
+}
+
+Lit SoftSkin(vec3 p, vec3 n, float open, vec2 surface) {
+  vec3 toward_eye = normalize(-p);
+  float edge = 1.0 - clamp(dot(n, toward_eye), 0.0, 1.0);
+  float sky = SkyShare(n);
+  vec3 ao = pow(vec3(open), vec3(0.75, 1.05, 1.1));
+  vec3 light = SkinRamp(dot(n, key.xyz), surface.x) * kKeyColour * (0.35 + 0.65 * ao);
+  light += (kSky * (0.55 + 0.45 * sky) + kBounce * (1.0 - sky)) * ao;
+  light += Ramp(dot(n, fill.xyz), 0.3) * kFillColour * ao;
+  float h = clamp(dot(n, normalize(key.xyz + toward_eye)), 0.0, 1.0);
+  Lit lit;
+  lit.added = edge * edge * edge * 0.10 * (0.3 + 0.7 * sky) * open + 0.035 * pow(h, 22.0) * open;
+  lit.gloss = 0.35 * pow(h, 60.0) * open;
+  float shine = Mirror(n, toward_eye) * (0.18 + 0.5 * edge * edge * edge * edge) * open;
+  lit.diffuse = light * mix(1.0, 0.78, surface.y) + surface.y * 0.88 * shine;
+  lit.added += surface.y * (0.22 * shine + 0.5 * pow(h, 90.0));
+  return lit;
+}
+
+Lit Skin(vec3 p, vec3 n, float open, vec2 surface) {
+  Lit lit = SoftSkin(p, n, open, surface);
+  float soft = fill.w;
+  lit.diffuse = mix(vec3(PlainLight(n)), lit.diffuse, soft) * key.w;
+  lit.added *= soft * key.w;
+  lit.gloss *= soft * key.w;
+  return lit;
+}

@@ -1,0 +1,8 @@
+in vec3 across;
+uniform vec3 paint;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  float there = clamp(across.z + 0.5 - abs(across.x), 0.0, 1.0);
+  colour = vec4(sqrt(paint * there * across.y), there);
+}

@@ -1,0 +1,30 @@
+// One line as a ribbon of constant width on the screen. Its ends are looked up by number.
+#include "frame.glsl"
+layout(location = 0) in uvec2 ends;
+layout(location = 1) in vec2 corner;   // x: at which end, 0 or 1; y: on which side, -1 or 1.
+uniform sampler2D points;              // xyz: metres, head's frame; w: brightness.
+uniform vec3 paint;
+out vec3 across;      // x: pixels from the middle of the line; y: brightness; z: half the width in pixels.
+
+vec4 Point(uint number) { return texelFetch(points, ivec2(int(number & 63u), int(number >> 6)), 0); }
+
+vec4 Project(vec3 p) {
+  vec3 n = vec3(0.0, 0.0, 1.0);
+  vec3 q = HeadToCamera(p, n);
+  return projection * vec4(q * 0.9985, 1.0);   // A little nearer than the surface that it lies on.
+}
+
+void main() {
+  vec4 a = Point(ends.x);
+  vec4 b = Point(ends.y);
+  vec4 from = Project(a.xyz);
+  vec4 to = Project(b.xyz);
+  vec2 half_size = 0.5 * sway.zw;
+  vec2 way = to.xy / to.w * half_size - from.xy / from.w * half_size;
+  vec2 side = normalize(vec2(-way.y, way.x) + vec2(1e-6, 0.0));
+  float half_width_px = 0.6 * max(1.0, sway.w / 720.0);   // Lines grow with the picture.
+  float reach = half_width_px + 1.0;
+  gl_Position = corner.x < 0.5 ? from : to;
+  gl_Position.xy += side * corner.y * reach / half_size * gl_Position.w;
+  across = vec3(corner.y * reach, mix(a.w, b.w, corner.x), half_width_px);
+}

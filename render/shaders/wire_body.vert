@@ -1,0 +1,14 @@
+// The dark body behind the wires: hides what lies behind, and glows faintly at its edges.
+#include "frame.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+uniform vec3 paint;
+out vec3 lit;
+
+void main() {
+  vec3 n = normal;
+  vec3 p = HeadToCamera(position, n);
+  float edge = 1.0 - abs(dot(n, normalize(-p)));
+  lit = paint * (0.004 + 0.11 * edge * edge) * key.w;
+  gl_Position = projection * vec4(p, 1.0);
+}
