@@ -1,0 +1,142 @@
+#include "drivers/hid/hidraw_bus.h"
+
+#include <fcntl.h>
+#include <libudev.h>
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "drivers/hid/hidraw_channel.h"
+
+namespace kaori::hid {
+namespace {
+
+constexpr const char* kSubsystem = "hidraw";
+constexpr std::string_view kFirstInterface = "00";
+
+struct EnumerateUnref {
+  void operator()(udev_enumerate* handle) const { udev_enumerate_unref(handle); }
+};
+
+std::string_view Text(const char* text) {
+  return text != nullptr ? text : std::string_view{};
+}
+
+// The middle and last numbers of HID_ID, "0003:00001209:00000001": bus, vendor, product.
+std::uint16_t HexAt(std::string_view id, std::size_t at) {
+  std::uint32_t value = 0;
+  if (id.size() >= at + 8) std::from_chars(id.data() + at, id.data() + at + 8, value, 16);
+  return static_cast<std::uint16_t>(value);
+}
+
+// Borrows from `device`; null without a USB interface above it.
+std::optional<std::string> UsbPort(udev_device* device) {
+  udev_device* interface = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_interface");
+  udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device");
+  if (interface == nullptr || usb == nullptr) return std::nullopt;
+  const auto number = Text(udev_device_get_sysattr_value(interface, "bInterfaceNumber"));
+  return std::string(Text(udev_device_get_sysname(number == kFirstInterface ? usb : interface)));
+}
+
+std::string PortOf(udev_device* device, udev_device* hid) {
+  if (const auto usb = UsbPort(device)) return *usb;
+  const auto place = Text(udev_device_get_property_value(hid, "HID_PHYS"));
+  return std::string(place.empty() ? Text(udev_device_get_sysname(hid)) : place);
+}
+
+std::errc CauseOfOpen(int error) {
+  const bool pulled = error == ENOENT || error == ENXIO || error == ENODEV || error == EIO;
+  return pulled ? std::errc::no_such_device : static_cast<std::errc>(error == EPERM ? EACCES : error);
+}
+
+}  // namespace
+
+void HidrawBus::Unref::operator()(udev* handle) const {
+  udev_unref(handle);
+}
+void HidrawBus::Unref::operator()(udev_monitor* handle) const {
+  udev_monitor_unref(handle);
+}
+void HidrawBus::Unref::operator()(udev_device* handle) const {
+  udev_device_unref(handle);
+}
+
+Result<std::unique_ptr<HidrawBus>> HidrawBus::Open(const Clock& clock) {
+  std::unique_ptr<HidrawBus> bus(new HidrawBus(clock));
+  bus->udev_.reset(udev_new());
+  if (!bus->udev_) return FailErrno("open udev");
+  bus->monitor_.reset(udev_monitor_new_from_netlink(bus->udev_.get(), "udev"));
+  if (!bus->monitor_) return FailErrno("watch udev");
+  if (udev_monitor_filter_add_match_subsystem_devtype(bus->monitor_.get(), kSubsystem, nullptr) < 0 ||
+      udev_monitor_enable_receiving(bus->monitor_.get()) < 0)
+    return FailErrno("watch udev for hidraw devices");
+  return bus;
+}
+
+int HidrawBus::pollable() const {
+  return udev_monitor_get_fd(monitor_.get());
+}
+
+Result<std::vector<std::string>> HidrawBus::Ports() {
+  if (TakeNotices() || !scanned_) {
+    if (auto ok = Scan(); !ok) return tl::unexpected(ok.error());
+  }
+  std::vector<std::string> ports;
+  for (const auto& [port, node] : nodes_) ports.push_back(port);
+  return ports;
+}
+
+bool HidrawBus::TakeNotices() {
+  bool any = false;
+  while (const std::unique_ptr<udev_device, Unref> device{udev_monitor_receive_device(monitor_.get())})
+    any = true;
+  return any;
+}
+
+Result<void> HidrawBus::Scan() {
+  const std::unique_ptr<udev_enumerate, EnumerateUnref> found(udev_enumerate_new(udev_.get()));
+  if (!found || udev_enumerate_add_match_subsystem(found.get(), kSubsystem) < 0 ||
+      udev_enumerate_scan_devices(found.get()) < 0)
+    return FailErrno("list hidraw devices");
+  nodes_.clear();
+  udev_list_entry* entry = nullptr;
+  udev_list_entry_foreach(entry, udev_enumerate_get_list_entry(found.get())) {
+    const std::unique_ptr<udev_device, Unref> device(
+        udev_device_new_from_syspath(udev_.get(), udev_list_entry_get_name(entry)));
+    if (device) Add(device.get());  // Null: pulled meanwhile.
+  }
+  scanned_ = true;
+  return {};
+}
+
+void HidrawBus::Add(udev_device* device) {
+  udev_device* hid = udev_device_get_parent_with_subsystem_devtype(device, "hid", nullptr);
+  const auto path = Text(udev_device_get_devnode(device));
+  if (hid == nullptr || path.empty()) return;
+  const auto id = Text(udev_device_get_property_value(hid, "HID_ID"));
+  nodes_[PortOf(device, hid)] =
+      Node{.path = std::string(path),
+           .vendor = HexAt(id, 5),
+           .product = HexAt(id, 14),
+           .name = std::string(Text(udev_device_get_property_value(hid, "HID_NAME")))};
+}
+
+Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& port) {
+  const auto it = nodes_.find(port);
+  if (it == nodes_.end()) return Fail(std::errc::no_such_device, "open " + port);
+  const Node& node = it->second;
+  UniqueFd fd(::open(node.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
+  if (!fd.valid()) return Fail(CauseOfOpen(errno), "open " + node.path + " at " + port);
+  auto descriptor = ReadHidrawDescriptor(fd.get());
+  if (!descriptor) return Fail(std::errc::no_such_device, descriptor.error().attempt + " at " + port);
+  return std::make_unique<HidrawChannel>(std::move(fd),
+                                         ports::HidIdentity{.port = port,
+                                                            .vendor = node.vendor,
+                                                            .product = node.product,
+                                                            .name = node.name,
+                                                            .descriptor = std::move(*descriptor)},
+                                         clock_);
+}
+
+}  // namespace kaori::hid

@@ -1,0 +1,67 @@
+#include "drivers/hid/hidraw_channel.h"
+
+#include <linux/hidraw.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace kaori::hid {
+namespace {
+
+using ports::HidInput;
+
+bool is_hung_up(int fd) {
+  pollfd state{.fd = fd, .events = POLLOUT, .revents = 0};
+  return ::poll(&state, 1, 0) > 0 && (state.revents & (POLLERR | POLLHUP)) != 0;
+}
+
+}  // namespace
+
+HidrawChannel::HidrawChannel(UniqueFd node, ports::HidIdentity identity, const Clock& clock)
+    : node_(std::move(node)), identity_(std::move(identity)), clock_(clock) {}
+
+Result<HidInput> HidrawChannel::Read(std::span<std::uint8_t> into) {
+  if (gone_) return Gone();
+  const ssize_t bytes = ::read(node_.get(), into.data(), into.size());
+  if (bytes < 0) return Failed(errno, "read ");
+  if (bytes == 0) return Failed(ENODEV, "read ");  // A node that hung up ends like a file.
+  return HidInput{.at = clock_.now(), .bytes = static_cast<std::size_t>(bytes)};
+}
+
+Result<void> HidrawChannel::Write(std::span<const std::uint8_t> report) {
+  if (gone_) return Gone();
+  if (report.empty()) return Fail(std::errc::invalid_argument, "write an empty report to " + identity_.port);
+  const ssize_t bytes = ::write(node_.get(), report.data(), report.size());
+  if (bytes < 0) return Failed(errno, "write ");
+  if (static_cast<std::size_t>(bytes) != report.size())
+    return Fail(std::errc::io_error, "write a whole report to " + identity_.port);
+  return {};
+}
+
+// The kernel says EIO both for a pulled cable and for a transfer that failed; the hang-up tells them apart.
+tl::unexpected<Error> HidrawChannel::Failed(int error, const char* verb) {
+  if (error == EAGAIN || error == EINTR)
+    return Fail(std::errc::resource_unavailable_try_again, verb + identity_.port);
+  const bool says_gone = error == ENODEV || error == ENXIO || error == EPIPE || error == ESHUTDOWN;
+  gone_ = says_gone || is_hung_up(node_.get());
+  if (gone_) return Gone();
+  return Fail(std::errc::io_error, verb + identity_.port);
+}
+
+tl::unexpected<Error> HidrawChannel::Gone() const {
+  return Fail(std::errc::no_such_device, "use " + identity_.port);
+}
+
+Result<std::vector<std::uint8_t>> ReadHidrawDescriptor(int node) {
+  int bytes = 0;
+  if (::ioctl(node, HIDIOCGRDESCSIZE, &bytes) < 0) return FailErrno("read the size of a report descriptor");
+  hidraw_report_descriptor descriptor{};
+  descriptor.size = static_cast<std::uint32_t>(std::clamp(bytes, 0, HID_MAX_DESCRIPTOR_SIZE));
+  if (::ioctl(node, HIDIOCGRDESC, &descriptor) < 0) return FailErrno("read a report descriptor");
+  return std::vector<std::uint8_t>(descriptor.value, descriptor.value + descriptor.size);
+}
+
+}  // namespace kaori::hid

@@ -1,0 +1,92 @@
+// The hidraw bus against a made-up kernel: sysfs, udev events and nodes that answer ioctls.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include "drivers/hid/dial_box.h"
+#include "drivers/hid/hidraw_bus.h"
+#include "firmware/wire/dial_box.h"
+#include "tests/drivers/hid_mock_device.h"
+
+namespace kaori::hid {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::uint8_t> BoxDescriptor() {
+  return {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()};
+}
+
+class HidrawBusTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!tests::InMockKernel()) GTEST_SKIP() << "the library umockdev-preload could not be loaded";
+    kernel_ = std::make_unique<tests::MockKernel>();
+    bus_ = HidrawBus::Open(clock_).value();
+  }
+  bool has_notice() const {
+    pollfd state{.fd = bus_->pollable(), .events = POLLIN, .revents = 0};
+    return ::poll(&state, 1, 1000) > 0;  // The made-up netlink socket needs its thread's turn.
+  }
+
+  ManualClock clock_;
+  tests::MockHidraw box_{BoxDescriptor()};
+  tests::MockHidraw other_{BoxDescriptor()};
+  std::unique_ptr<tests::MockKernel> kernel_;
+  std::unique_ptr<HidrawBus> bus_;
+};
+
+TEST_F(HidrawBusTest, NamesDevicesByTheirUsbPort) {
+  EXPECT_THAT(*bus_->Ports(), IsEmpty());
+  kernel_->Plug("1-4.2", 0, "hidraw0", box_);
+  kernel_->Plug("1-3", 0, "hidraw1", other_);
+  EXPECT_TRUE(has_notice());
+  EXPECT_THAT(*bus_->Ports(), ElementsAre("1-3", "1-4.2"));
+}
+
+TEST_F(HidrawBusTest, KeepsTheInterfacesOfOneDeviceApart) {
+  kernel_->Plug("1-4.2", 0, "hidraw0", box_);
+  kernel_->Plug("1-4.2", 1, "hidraw1", other_);
+  EXPECT_THAT(*bus_->Ports(), ElementsAre("1-4.2", "1-4.2:1.1"));
+}
+
+TEST_F(HidrawBusTest, SeesAPullAndAReplug) {
+  kernel_->Plug("1-4.2", 0, "hidraw0", box_);
+  ASSERT_TRUE(has_notice());
+  EXPECT_THAT(*bus_->Ports(), ElementsAre("1-4.2"));
+  kernel_->Unplug("1-4.2", 0, "hidraw0");
+  ASSERT_TRUE(has_notice());
+  EXPECT_THAT(*bus_->Ports(), IsEmpty());
+  EXPECT_EQ(bus_->Open("1-4.2").error().cause, std::errc::no_such_device);
+  kernel_->Plug("1-4.2", 0, "hidraw1", box_);  // The testbed keeps a node's name.
+  ASSERT_TRUE(has_notice());
+  EXPECT_THAT(*bus_->Ports(), ElementsAre("1-4.2"));
+}
+
+TEST_F(HidrawBusTest, OpensADeviceThatIsReadAndWritten) {
+  kernel_->Plug("1-4.2", 0, "hidraw0", box_);
+  ASSERT_TRUE(bus_->Ports());
+  const auto channel = bus_->Open("1-4.2");
+  ASSERT_TRUE(channel) << channel.error().message();
+  const ports::HidIdentity& identity = (*channel)->identity();
+  EXPECT_EQ(identity.port, "1-4.2");
+  EXPECT_EQ(identity.vendor, 0x1209);
+  EXPECT_EQ(identity.product, 0x0001);
+  EXPECT_EQ(identity.name, "Dial Box");
+  EXPECT_EQ(identity.descriptor, BoxDescriptor());
+
+  std::array<std::uint8_t, 64> into{};
+  EXPECT_EQ((*channel)->Read(into).error().cause, std::errc::resource_unavailable_try_again);
+  const auto report = wire::Encode(wire::DialBoxReport{.turned = {-3}});
+  box_.Send({report.begin(), report.end()});
+  const auto input = (*channel)->Read(into);
+  ASSERT_TRUE(input) << input.error().message();
+  auto decoder = DialBoxDecoder::For(identity).value();
+  EXPECT_EQ(decoder.Decode(std::span(into).first(input->bytes), input->at)->counts[0], -3);
+  ASSERT_TRUE((*channel)->Write(decoder.LampReport(0x81)));
+  EXPECT_THAT(box_.received(), ElementsAre(0, 0x81, 0, 0, 0));
+}
+
+}  // namespace
+}  // namespace kaori::hid
