@@ -23,6 +23,13 @@ void PlaceGridVertices(const HalfTopology& half, const AimTable& aim, const Carv
   }
 }
 
+// Before the rings: those of the mouth start from the grid.
+void Touch(const HalfTopology& half, const std::vector<Landmark>& touches, HalfShape& shape) {
+  for (const Landmark& touch : touches) {
+    shape.position[half.At(touch.vertex.region, touch.vertex.a, touch.vertex.b)] = touch.target;
+  }
+}
+
 }  // namespace
 
 HalfShape Carve(const HalfTopology& half, const AimTable& aim, const Carved& recipe) {
@@ -30,6 +37,7 @@ HalfShape Carve(const HalfTopology& half, const AimTable& aim, const Carved& rec
   shape.position.resize(half.keys.size());
   shape.place.resize(half.keys.size());
   PlaceGridVertices(half, aim, recipe, shape);
+  Touch(half, recipe.touches, shape);
   PlaceEyeRings(half, recipe.bodies, recipe.eye, shape);
   PlaceMouthRings(half, recipe.bodies, recipe.mouth, shape);
   PlaceEar(half, recipe.bodies, recipe.ear, shape);

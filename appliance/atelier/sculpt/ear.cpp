@@ -16,7 +16,7 @@ namespace {
 constexpr int kMiddleColumn = (kEarBlock.column0 + kEarBlock.column1) / 2;
 constexpr int kMiddleRow = (kEarBlock.row0 + kEarBlock.row1) / 2;
 constexpr glm::dvec3 kShift_cm{0, -0.1, -0.2};  // From the middle of the rim.
-constexpr double kCapDepth_cm = 0.35;
+constexpr double kCapDepth_cm = 0.75;
 constexpr double kPlaceShrink = 0.12;  // Each ring shrinks by this in the unrolled surface.
 
 // How large a ring is, and how far it stands off the head in front and behind.
@@ -25,8 +25,9 @@ struct Ring {
   double lift_front_cm;
   double lift_rear_cm;
 };
+// Out to the helix, into the groove behind it, up again to the inner ridge.
 constexpr std::array<Ring, kEarRings> kRings{
-    {{0.78, 0.15, 0.45}, {1.0, 0.30, 1.25}, {0.93, 0.42, 1.42}, {0.74, 0.30, 1.02}, {0.52, 0.10, 0.45}}};
+    {{0.78, 0.15, 0.45}, {1.0, 0.30, 1.25}, {0.93, 0.42, 1.42}, {0.77, 0.26, 0.98}, {0.58, 0.44, 1.06}}};
 
 // Offset of a ring's point in the plane of the head's side: x forward, y up.
 glm::dvec2 InPlane(const EarRecipe& ear, const Ring& ring, glm::dvec2 disc) {

@@ -148,16 +148,6 @@ void DrawOutSpout(const HalfTopology& half, const Spout& spout, HalfShape& shape
   }
 }
 
-// The two halves of the handle meet over the lid.
-void AttachHandle(const HalfTopology& half, const Tube& handle, HalfShape& shape) {
-  DrawOutEar(half, handle, shape);
-  for (Index v = 0; v < half.keys.size(); ++v) {
-    const Key& key = half.keys[v];
-    const bool end = key.region == Region::kEarCap || (key.region == Region::kEar && key.b == kEarRings);
-    if (end) shape.position[v].x = 0;
-  }
-}
-
 }  // namespace
 
 Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const EyeRecipe& eye,
@@ -171,7 +161,7 @@ Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const 
   RaiseLips(half, recipe.lip_relief, shape);
   EnlargeMouth(half, recipe.mouth_scale, recipe.wall_radius, shape);
   DrawOutSpout(half, recipe.spout, shape);
-  AttachHandle(half, recipe.handle, shape);
+  DrawOutEar(half, recipe.handle, shape);
   for (Index v = 0; v < half.keys.size(); ++v) {
     if (std::abs(reference.position[v].x) < kOnMiddle_cm) shape.position[v].x = 0;
   }

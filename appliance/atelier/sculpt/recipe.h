@@ -54,10 +54,18 @@ struct EarRecipe {
   double tilt_deg = 14;
 };
 
+// A vertex, and where it goes.
+struct Landmark {
+  Key vertex;
+  glm::dvec3 target{};
+};
+
 // A solid of round bodies, onto which the grid is projected.
 struct Carved {
   AimScale scale;
   std::vector<Body> bodies;
+  std::vector<Landmark>
+      touches;  // Points of the grid set by hand, where a solid is too coarse: the nose's base.
   EyeRecipe eye;
   MouthRecipe mouth;
   EarRecipe ear;
@@ -73,10 +81,6 @@ struct Tube {
 };
 
 // The reference face pulled to landmarks.
-struct Landmark {
-  Key vertex;
-  glm::dvec3 target{};
-};
 struct Warped {
   std::vector<Landmark> landmarks;
   glm::dvec3 eye_shift{};  // The ball goes here from its place in the reference face,

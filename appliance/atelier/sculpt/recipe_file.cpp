@@ -122,12 +122,29 @@ AimScale ReadScale(Section section) {
           .y_below_eyes = section.NumberOr("y_below_eyes", 1)};
 }
 
+Landmark ReadLandmark(Section section) {
+  section.AllowOnly({"at", "to"});
+  const auto vertex = AsVertex(section.Word("at"));
+  if (!vertex) section.Fault("at", "names no vertex");
+  return {vertex.value_or(Key{}), section.Point("to")};
+}
+
+// A touched vertex keeps to the grid: rings are laid after it. The middle of the face stays in the middle.
+Landmark ReadTouch(const Section& section) {
+  Landmark touch = ReadLandmark(section);
+  Section named = section;
+  if (touch.vertex.region != Region::kGrid) named.Fault("at", "must be a vertex of the grid");
+  if (touch.vertex.a == 0 && touch.target.x != 0) named.Fault("to", "must stay in the middle, at x = 0");
+  return touch;
+}
+
 Carved ReadCarved(Section& file) {
-  file.AllowOnly({"shape", "mouth_fit", "expression_gain", "scale", "body", "eye", "mouth", "ear"});
+  file.AllowOnly({"shape", "mouth_fit", "expression_gain", "scale", "body", "touch", "eye", "mouth", "ear"});
   Carved carved;
   if (file.Has("scale")) carved.scale = ReadScale(file.Part("scale"));
   for (const Section& body : file.Parts("body")) carved.bodies.push_back(ReadBody(body));
   if (carved.bodies.empty()) file.Fault("body", "there must be one at least");
+  for (const Section& touch : file.Parts("touch")) carved.touches.push_back(ReadTouch(touch));
   carved.eye = ReadEye(file.Part("eye"));
   carved.mouth = ReadMouth(file.Part("mouth"));
   if (file.Has("ear")) carved.ear = ReadEar(file.Part("ear"));
@@ -147,13 +164,6 @@ Tube ReadTube(Section section) {
   NeedCount(section, "half_thickness", tube.half_thickness.size(), kStations);
   if (tube.width_direction == glm::dvec3(0)) section.Fault("width_direction", "must point somewhere");
   return tube;
-}
-
-Landmark ReadLandmark(Section section) {
-  section.AllowOnly({"at", "to"});
-  const auto vertex = AsVertex(section.Word("at"));
-  if (!vertex) section.Fault("at", "names no vertex");
-  return {vertex.value_or(Key{}), section.Point("to")};
 }
 
 Warped ReadWarped(Section& file) {
