@@ -7,6 +7,8 @@ namespace {
 
 constexpr float kUpperWay = 0.88F;          // Part of the gap that the upper lid closes;
 constexpr float kLowerWay = 1 - kUpperWay;  // the lower lid rises by the rest.
+constexpr float kFurtherBehind =
+    1.12F;  // Behind the edges the lids overlap: a smoothed edge draws back a little.
 constexpr float kSkinOverMargin =
     0.045F;  // Of the ball's radius: skin around the lid lies higher than its edge.
 constexpr float kBehindMargin_m = 0.0002F;  // The first ring behind the edge lies on the ball,
@@ -39,8 +41,9 @@ void ShutColumn(const LidRig& rig, int column, float shut, std::span<glm::vec3> 
   const glm::vec3 up = gap * (shut * -kLowerWay);
   for (int ring = 0; ring < rig.rings; ++ring) {
     const auto k = static_cast<std::size_t>(ring);
-    cage[rig.upper[At(rig, ring, column)]] += rig.follow_upper[k] * down;
-    cage[rig.lower[At(rig, ring, column)]] += rig.follow_lower[k] * up;
+    const float further = ring > rig.margin_ring ? kFurtherBehind : 1.0F;
+    cage[rig.upper[At(rig, ring, column)]] += further * rig.follow_upper[k] * down;
+    cage[rig.lower[At(rig, ring, column)]] += further * rig.follow_lower[k] * up;
   }
 }
 

@@ -1,30 +1,26 @@
 #include "tests/render/default_cast.h"
 
-#include <optional>
-#include <string>
+#include <cstdio>
+#include <cstdlib>
 
-#include "appliance/show/pack.h"
+#include "appliance/atelier/sculpt/sculpt.h"
 
 namespace kaori::testing {
 namespace {
 
-struct Loaded {
-  std::optional<show::Show> show;
-  std::string why;
-};
-
-Loaded Load() {
-  auto show = show::LoadPack(KAORI_DEFAULT_PACK);
-  if (!show) return {std::nullopt, show.error().message()};
-  return {std::move(*show), ""};
+face::Cast SculptedCast() {
+  face::Cast cast;
+  const auto sculpted = sculpt::Sculpt(KAORI_DEFAULT_SHOW, cast);
+  if (sculpted) return cast;
+  std::fprintf(stderr, "%s\n", sculpted.error().message().c_str());
+  std::abort();
 }
 
 }  // namespace
 
-const face::Cast* DefaultCast(const char** why) {
-  static const Loaded loaded = Load();
-  if (why != nullptr) *why = loaded.why.c_str();
-  return loaded.show ? &loaded.show->cast : nullptr;
+const face::Cast& DefaultCast() {
+  static const face::Cast cast = SculptedCast();
+  return cast;
 }
 
 }  // namespace kaori::testing

@@ -98,7 +98,7 @@ TEST(Composer, KeepsTheHeadsSizeWhenFaceWeightsDoNotSumToOne) {
 TEST(Composer, GivesTheMouthAwayButNotTheBrows) {
   const Cast cast = MakeSyntheticCast();
   Composer composer(cast);
-  Weights w = Wearing(0, ExpressionNamed(cast, "surprise"));
+  Weights w = Wearing(0, ExpressionNamed(cast, "surprised"));
   w.mouth_given_away = 1;
   const auto given = Cage(composer, w);
   const auto rest = Cage(composer, Wearing(0, 0));
@@ -115,12 +115,12 @@ TEST(Composer, TellsHowFarTheJawDropped) {
   Composer composer(cast);
   EXPECT_EQ(composer.Compose(Wearing(0, 0), Detail::kCage).jaw_drop_m, 0);
   Weights w = Wearing(0, 0);
-  w.channels.Push(ExpressionNamed(cast, "A"), 1);
+  w.channels.Push(ExpressionNamed(cast, "a"), 1);
   const float drop_m = composer.Compose(w, Detail::kCage).jaw_drop_m;
   EXPECT_GT(drop_m, 0.01F);
   EXPECT_LT(drop_m, 0.03F);
   w.channels.clear();
-  w.channels.Push(ExpressionNamed(cast, "A"), -1);
+  w.channels.Push(ExpressionNamed(cast, "a"), -1);
   EXPECT_EQ(composer.Compose(w, Detail::kCage).jaw_drop_m, 0);
 }
 

@@ -77,7 +77,7 @@ TEST(Normals, AreUnitAndFollowTheDeformedSurface) {
   face::Composer composer(cast);
   face::Weights w;
   w.faces.Push(3, 1);
-  w.expressions.Push(ExpressionNamed(cast, "surprise"), 1);
+  w.expressions.Push(ExpressionNamed(cast, "surprised"), 1);
   const auto& shape = composer.Compose(w, face::Detail::kFine);
   const auto& fine = cast.topology.fine;
   const auto wanted = ByTriangles(fine.triangles, fine.twin, shape.fine);

@@ -58,7 +58,7 @@ void ExpectSmiles(const Cast& cast) {
 void ExpectSurprise(const Cast& cast) {
   Composer composer(cast);
   for (std::size_t i = 0; i < cast.faces.size(); ++i) {
-    const Motion surprise(composer, cast, i, "surprise");
+    const Motion surprise(composer, cast, i, "surprised");
     EXPECT_GT(surprise.Up_m("B2.l"), 0.0015F) << cast.faces[i].name;
     EXPECT_LT(surprise.Up_m("LC"), -0.0015F) << cast.faces[i].name;
     EXPECT_GT(surprise.Apart_m("UC", "LC"), 0.0015F) << cast.faces[i].name;
@@ -68,7 +68,7 @@ void ExpectSurprise(const Cast& cast) {
 void ExpectOpenMouths(const Cast& cast) {
   Composer composer(cast);
   for (std::size_t i = 0; i < cast.faces.size(); ++i) {
-    EXPECT_GT(Motion(composer, cast, i, "A").Apart_m("UC", "LC"), 0.003F) << cast.faces[i].name;
+    EXPECT_GT(Motion(composer, cast, i, "a").Apart_m("UC", "LC"), 0.003F) << cast.faces[i].name;
   }
 }
 
@@ -83,19 +83,16 @@ TEST(Transfer, AnAOpensEveryMouth) {
 }
 
 TEST(Transfer, KeepsItsMeaningOnEveryFaceOfTheDefaultCast) {
-  const char* why = nullptr;
-  const Cast* cast = DefaultCast(&why);
-  if (cast == nullptr) GTEST_SKIP() << "no default show: " << why;
-  ExpectSmiles(*cast);
-  ExpectSurprise(*cast);
-  ExpectOpenMouths(*cast);
+  ExpectSmiles(DefaultCast());
+  ExpectSurprise(DefaultCast());
+  ExpectOpenMouths(DefaultCast());
 }
 
 TEST(Transfer, GrowsWithTheFace) {
   const Cast cast = MakeSyntheticCast();
   Composer composer(cast);
-  const float on_reference = Motion(composer, cast, 0, "surprise").Up_m("B2.l");
-  const float on_larger = Motion(composer, cast, 2, "surprise").Up_m("B2.l");
+  const float on_reference = Motion(composer, cast, 0, "surprised").Up_m("B2.l");
+  const float on_larger = Motion(composer, cast, 2, "surprised").Up_m("B2.l");
   EXPECT_NEAR(on_larger / on_reference, 1.3F, 0.01F);
 }
 

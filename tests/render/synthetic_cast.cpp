@@ -123,12 +123,12 @@ std::vector<Expression> SixExpressions(const face::Cast& cast) {
                {"MC.r", {-0.006F, 0.006F, -0.002F}},
                {"K.l", {0, 0.003F, 0.002F}},
                {"K.r", {0, 0.003F, 0.002F}}}),
-      Express(cast, "surprise", kExpression,
+      Express(cast, "surprised", kExpression,
               {{"B2.l", {0, 0.009F, 0}},
                {"B2.r", {0, 0.009F, 0}},
                {"LC", {0, -0.012F, -0.002F}},
                {"CH", {0, -0.01F, 0}}}),
-      Express(cast, "A", kMouth, {{"LC", {0, -0.015F, 0}}, {"UC", {0, 0.001F, 0}}, {"CH", {0, -0.013F, 0}}}),
+      Express(cast, "a", kMouth, {{"LC", {0, -0.015F, 0}}, {"UC", {0, 0.001F, 0}}, {"CH", {0, -0.013F, 0}}}),
       Express(cast, "brow_up", kChannel, {{"B2.l", {0, 0.008F, 0}}, {"B2.r", {0, 0.008F, 0}}}),
       Express(cast, "wide", kMouth, {{"MC.l", {0.006F, 0, 0}}, {"MC.r", {-0.006F, 0, 0}}})};
   six[1].lids = {0.5F, 0.5F};

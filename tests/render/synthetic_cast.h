@@ -15,7 +15,7 @@ struct SyntheticSize {
 
 // Faces: 0 "reference", 1 "round" (wider), 2 "turned" (turned by 30 degrees about Y and 1.3 times as large),
 // 3 "long" (deep and tall, like a dog's head).
-// Expressions: 0 "neutral"; 1 "smile" with half-shut lids; 2 "surprise"; 3 "A", a mouth shape that takes the
+// Expressions: 0 "neutral"; 1 "smile" with half-shut lids; 2 "surprised"; 3 "a", a mouth shape that takes the
 // lower lip 1.5 cm down; 4 "brow_up", a channel; 5 "wide", a mouth shape.
 // Control points include UC, LC (lips), MC.l, MC.r (corners), B2.l, B2.r (brows), C2.l, C2.r (over the lids).
 face::Cast MakeSyntheticCast(const SyntheticSize& size = {});
