@@ -56,19 +56,61 @@ Result<Planes> ReadNv12(const CameraFrame& frame) {
 
 }  // namespace
 
-struct PlaneReader::Jpeg {
+class PlaneReader::Jpeg {
+ public:
+  Result<Planes> Decode(const CameraFrame& frame);
+
+ private:
   struct Destroy {
     void operator()(void* handle) const { tjDestroy(handle); }
   };
-  std::unique_ptr<void, Destroy> decoder{tjInitDecompress()};
-  std::array<std::vector<std::uint8_t>, 3> planes;
+  Result<int> ReadHeader(const CameraFrame& frame);
+  Plane MakePlane(int component, const CameraFormat& format, int subsampling);
+  bool is_harmless() const;
 
-  // Webcams pad their pictures: libjpeg warns, and the picture is whole all the same.
-  bool is_harmless() const {
-    const std::string_view text = tjGetErrorStr2(decoder.get());
-    return tjGetErrorCode(decoder.get()) == TJERR_WARNING && text.find("extraneous") != text.npos;
-  }
+  std::unique_ptr<void, Destroy> decoder_{tjInitDecompress()};
+  std::array<std::vector<std::uint8_t>, 3> memory_;
 };
+
+Result<Planes> PlaneReader::Jpeg::Decode(const CameraFrame& frame) {
+  const auto subsampling = ReadHeader(frame);
+  if (!subsampling) return tl::unexpected(subsampling.error());
+  const Planes planes{.y = MakePlane(0, frame.format, *subsampling),
+                      .cb = MakePlane(1, frame.format, *subsampling),
+                      .cr = MakePlane(2, frame.format, *subsampling),
+                      .full_range = true};
+  std::array<unsigned char*, 3> into = {memory_[0].data(), memory_[1].data(), memory_[2].data()};
+  const int result = tjDecompressToYUVPlanes(decoder_.get(), frame.bytes.data(), frame.bytes.size(),
+                                             into.data(), 0, nullptr, 0, TJFLAG_FASTDCT | TJFLAG_LIMITSCANS);
+  if (result != 0 && !is_harmless()) return Torn(frame, tjGetErrorStr2(decoder_.get()));
+  return planes;
+}
+
+// The way colour is subsampled, where the picture is one that we read.
+Result<int> PlaneReader::Jpeg::ReadHeader(const CameraFrame& frame) {
+  int w = 0, h = 0, subsampling = 0, colours = 0;
+  if (tjDecompressHeader3(decoder_.get(), frame.bytes.data(), frame.bytes.size(), &w, &h, &subsampling,
+                          &colours) != 0)
+    return Torn(frame, tjGetErrorStr2(decoder_.get()));
+  if (w != frame.format.width_px || h != frame.format.height_px)
+    return Torn(frame, "the JPEG has another size");
+  if (colours != TJCS_YCbCr || subsampling == TJSAMP_GRAY) return Torn(frame, "the JPEG has no Y, Cb and Cr");
+  return subsampling;
+}
+
+Plane PlaneReader::Jpeg::MakePlane(int component, const CameraFormat& format, int subsampling) {
+  auto& memory = memory_[static_cast<std::size_t>(component)];
+  memory.resize(tjPlaneSizeYUV(component, format.width_px, 0, format.height_px, subsampling));
+  const int width_px = tjPlaneWidth(component, format.width_px, subsampling);
+  const int height_px = tjPlaneHeight(component, format.height_px, subsampling);
+  return {memory, width_px, height_px, static_cast<std::uint32_t>(width_px)};
+}
+
+// Webcams pad their pictures: libjpeg warns, and the picture is whole all the same.
+bool PlaneReader::Jpeg::is_harmless() const {
+  const std::string_view text = tjGetErrorStr2(decoder_.get());
+  return tjGetErrorCode(decoder_.get()) == TJERR_WARNING && text.find("extraneous") != text.npos;
+}
 
 PlaneReader::PlaneReader() = default;
 PlaneReader::PlaneReader(PlaneReader&&) noexcept = default;
@@ -90,30 +132,9 @@ Result<Planes> PlaneReader::Read(const CameraFrame& frame) {
 
 Result<Planes> PlaneReader::ReadJpeg(const CameraFrame& frame) {
   if (!jpeg_) jpeg_ = std::make_unique<Jpeg>();
-  tjhandle decoder = jpeg_->decoder.get();
-  int w = 0, h = 0, subsampling = 0, colours = 0;
-  if (tjDecompressHeader3(decoder, frame.bytes.data(), frame.bytes.size(), &w, &h, &subsampling, &colours) !=
-      0)
-    return Torn(frame, tjGetErrorStr2(decoder));
-  if (w != frame.format.width_px || h != frame.format.height_px)
-    return Torn(frame, "the JPEG has another size");
-  if (colours != TJCS_YCbCr || subsampling == TJSAMP_GRAY) return Torn(frame, "the JPEG has no Y, Cb and Cr");
-  std::array<unsigned char*, 3> into{};
-  std::array<Plane, 3> planes;
-  for (int n = 0; n < 3; ++n) {
-    const auto i = static_cast<std::size_t>(n);
-    jpeg_->planes[i].resize(tjPlaneSizeYUV(n, w, 0, h, subsampling));
-    into[i] = jpeg_->planes[i].data();
-    const int plane_w = tjPlaneWidth(n, w, subsampling);
-    planes[i] = {jpeg_->planes[i], plane_w, tjPlaneHeight(n, h, subsampling),
-                 static_cast<std::uint32_t>(plane_w)};
-  }
-  const int flags = TJFLAG_FASTDCT | TJFLAG_LIMITSCANS;
-  if (tjDecompressToYUVPlanes(decoder, frame.bytes.data(), frame.bytes.size(), into.data(), 0, nullptr, 0,
-                              flags) != 0 &&
-      !jpeg_->is_harmless())
-    return Torn(frame, tjGetErrorStr2(decoder));
-  return Planes{.y = planes[0], .cb = planes[1], .cr = planes[2], .full_range = true};
+  auto planes = jpeg_->Decode(frame);
+  if (!planes) jpeg_.reset();  // libjpeg-turbo 2.1 may stumble over the next picture after a torn header.
+  return planes;
 }
 
 }  // namespace kaori::camera

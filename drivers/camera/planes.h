@@ -44,7 +44,7 @@ class PlaneReader {
   Result<Planes> Read(const ports::CameraFrame& frame);
 
  private:
-  struct Jpeg;
+  class Jpeg;
   Result<Planes> ReadJpeg(const ports::CameraFrame& frame);
 
   std::unique_ptr<Jpeg> jpeg_;  // Made at the first JPEG.

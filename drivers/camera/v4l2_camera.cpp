@@ -1,0 +1,179 @@
+#include "drivers/camera/v4l2_camera.h"
+
+#include <linux/videodev2.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace kaori::camera {
+namespace {
+
+using ports::CameraFrame;
+
+constexpr std::uint32_t kBuffers = 4;       // One looked at, one being filled, two for a busy moment.
+constexpr std::uint32_t kMostBuffers = 32;  // V4L2's own limit.
+
+std::errc CauseOfOpen(int error) {
+  const bool pulled = error == ENOENT || error == ENXIO || error == ENODEV || error == EIO;
+  return pulled ? std::errc::no_such_device : static_cast<std::errc>(error == EPERM ? EACCES : error);
+}
+
+v4l2_buffer Described(std::uint32_t index) {
+  v4l2_buffer buffer{};
+  buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  buffer.memory = V4L2_MEMORY_MMAP;
+  buffer.index = index;
+  return buffer;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<V4l2Camera>> V4l2Camera::Open(const std::string& path, const V4l2Wish& wish,
+                                                     const Clock& clock, V4l2Calls& calls) {
+  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(path, wish, clock, calls));
+  camera->fd_ = calls.Open(path);
+  if (!camera->fd_.valid()) return Fail(CauseOfOpen(errno), "open " + path);
+  auto format = Negotiate(calls, camera->fd_.get(), wish);
+  if (!format) return Fail(format.error().cause, path + ": " + format.error().attempt);
+  camera->format_ = *format;
+  if (auto ok = camera->Start(); !ok) return tl::unexpected(ok.error());
+  return camera;
+}
+
+V4l2Camera::V4l2Camera(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls)
+    : path_(std::move(path)), wish_(wish), clock_(clock), calls_(calls) {}
+
+V4l2Camera::~V4l2Camera() {
+  int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (!buffers_.empty()) calls_.Ioctl(fd_.get(), VIDIOC_STREAMOFF, &type);
+  for (const Buffer& buffer : buffers_) calls_.Unmap(buffer.memory, buffer.bytes);
+}
+
+Result<void> V4l2Camera::Start() {
+  if (auto ok = MapBuffers(); !ok) return ok;
+  for (std::uint32_t n = 0; n < buffers_.size(); ++n)
+    if (auto ok = GiveBack(n); !ok) return ok;
+  v4l2_event_subscription source{};
+  source.type = V4L2_EVENT_SOURCE_CHANGE;
+  watches_source_ = calls_.Ioctl(fd_.get(), VIDIOC_SUBSCRIBE_EVENT, &source) == 0;  // Few cameras have it.
+  int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (calls_.Ioctl(fd_.get(), VIDIOC_STREAMON, &type) < 0) return Broken(errno, "start the stream of ");
+  newest_ = clock_.now();
+  return {};
+}
+
+Result<void> V4l2Camera::MapBuffers() {
+  v4l2_requestbuffers request{};
+  request.count = kBuffers;
+  request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  request.memory = V4L2_MEMORY_MMAP;
+  if (calls_.Ioctl(fd_.get(), VIDIOC_REQBUFS, &request) < 0)
+    return Fail(CauseOfOpen(errno), "ask for buffers of " + path_);
+  if (request.count < 2) return Fail(std::errc::io_error, "get two buffers of " + path_);
+  for (std::uint32_t n = 0; n < std::min(request.count, kMostBuffers); ++n)
+    if (auto ok = MapBuffer(n); !ok) return ok;
+  return {};
+}
+
+Result<void> V4l2Camera::MapBuffer(std::uint32_t index) {
+  v4l2_buffer described = Described(index);
+  if (calls_.Ioctl(fd_.get(), VIDIOC_QUERYBUF, &described) < 0) return Broken(errno, "ask for a buffer of ");
+  std::uint8_t* memory = calls_.Map(fd_.get(), described.length, described.m.offset);
+  if (memory == nullptr) return Broken(errno, "map a buffer of ");
+  buffers_.push_back({memory, described.length});
+  return {};
+}
+
+Result<CameraFrame> V4l2Camera::Next() {
+  if (broken_) return tl::unexpected(*broken_);
+  if (auto ok = GiveBackHeld(); !ok) return tl::unexpected(ok.error());
+  bool torn = false;
+  if (auto ok = TakeAll(torn); !ok) return tl::unexpected(ok.error());
+  if (HasSourceChanged()) return Broken(EIO, "keep the format of ");
+  if (held_ || torn) newest_ = clock_.now();
+  if (!held_ && torn) return Fail(std::errc::bad_message, "read a whole frame of " + path_);
+  if (!held_ && clock_.now() - newest_ > wish_.stall) return Broken(EIO, "wait any longer for ");
+  if (!held_) return Fail(std::errc::resource_unavailable_try_again, "read " + path_);
+  return CameraFrame{.at = held_->at,
+                     .sequence = held_->sequence,
+                     .format = format_.format,
+                     .stride_bytes = format_.stride_bytes,
+                     .bytes = {buffers_[held_->index].memory, held_->bytes}};
+}
+
+// Takes all that wait and keeps the newest whole one; `torn` tells that another one was dropped for damage.
+Result<void> V4l2Camera::TakeAll(bool& torn) {
+  for (std::size_t n = 0; n <= buffers_.size(); ++n) {  // A driver that never runs dry must not hold us.
+    const auto taken = Take();
+    if (!taken) return tl::unexpected(taken.error());
+    if (!*taken) return {};
+    const bool whole = is_whole(**taken);
+    torn = torn || !whole;
+    if (auto ok = whole ? KeepNewest(**taken) : GiveBack((*taken)->index); !ok) return ok;
+  }
+  return {};
+}
+
+Result<std::optional<v4l2_buffer>> V4l2Camera::Take() {
+  v4l2_buffer taken = Described(0);
+  if (calls_.Ioctl(fd_.get(), VIDIOC_DQBUF, &taken) < 0) {
+    if (errno == EAGAIN) return std::nullopt;
+    return Broken(errno, "read ");
+  }
+  if (taken.index >= buffers_.size()) return Broken(EIO, "read a known buffer of ");
+  return taken;
+}
+
+bool V4l2Camera::is_whole(const v4l2_buffer& taken) const {
+  const bool fits = taken.bytesused > 0 && taken.bytesused <= buffers_[taken.index].bytes;
+  return fits && (taken.flags & V4L2_BUF_FLAG_ERROR) == 0 && taken.bytesused >= format_.frame_bytes;
+}
+
+Result<void> V4l2Camera::KeepNewest(const v4l2_buffer& taken) {
+  if (auto ok = GiveBackHeld(); !ok) return ok;
+  held_ = Filled{taken.index, taken.bytesused, taken.sequence, StampOf(taken)};
+  return {};
+}
+
+Time V4l2Camera::StampOf(const v4l2_buffer& taken) const {
+  const bool monotonic = (taken.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+  if (!monotonic) return clock_.now();
+  return Time{} + std::chrono::seconds(taken.timestamp.tv_sec) +
+         std::chrono::microseconds(taken.timestamp.tv_usec);
+}
+
+Result<void> V4l2Camera::GiveBackHeld() {
+  if (!held_) return {};
+  return GiveBack(std::exchange(held_, std::nullopt)->index);
+}
+
+Result<void> V4l2Camera::GiveBack(std::uint32_t index) {
+  v4l2_buffer described = Described(index);
+  if (calls_.Ioctl(fd_.get(), VIDIOC_QBUF, &described) < 0) return Broken(errno, "give a buffer back to ");
+  return {};
+}
+
+bool V4l2Camera::HasSourceChanged() {
+  v4l2_event event{};
+  return watches_source_ && calls_.Ioctl(fd_.get(), VIDIOC_DQEVENT, &event) == 0 &&
+         event.type == V4L2_EVENT_SOURCE_CHANGE;
+}
+
+tl::unexpected<Error> V4l2Camera::Broken(int error, const char* verb) {
+  const bool gone = error == ENODEV || error == ENXIO;
+  const bool busy = error == EBUSY;  // Another program streams already.
+  const auto cause = gone   ? std::errc::no_such_device
+                     : busy ? std::errc::device_or_resource_busy
+                            : std::errc::io_error;
+  held_.reset();
+  broken_ = Error{cause, verb + path_};
+  return tl::unexpected(*broken_);
+}
+
+ports::CameraOpener V4l2Opener(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls) {
+  return [path = std::move(path), wish, &clock, &calls]() -> Result<std::unique_ptr<ports::Camera>> {
+    return V4l2Camera::Open(path, wish, clock, calls);
+  };
+}
+
+}  // namespace kaori::camera

@@ -1,0 +1,162 @@
+// A V4L2 camera made of memory: it answers the system calls, and does what a test tells it to.
+#pragma once
+
+#include <linux/videodev2.h>
+#include <sys/eventfd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <set>
+#include <vector>
+
+#include "drivers/camera/v4l2_calls.h"
+
+namespace kaori::tests {
+
+struct OfferedFormat {
+  std::uint32_t fourcc = V4L2_PIX_FMT_YUYV;
+  std::uint32_t rate_hz = 30;
+};
+
+class FakeV4l2 final : public camera::V4l2Calls {
+ public:
+  static constexpr std::uint32_t kBufferBytes = 640 * 480 * 2;
+
+  // The camera's side: what it is.
+  std::vector<OfferedFormat> offers = {{V4L2_PIX_FMT_YUYV, 30}};
+  std::uint32_t width_px = 640, height_px = 480;  // What it gives, whatever is asked.
+  std::uint32_t capabilities = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
+  int open_error = 0;
+  int failing_error = 0;              // Every call fails with it, when not 0.
+  unsigned long failing_request = 0;  // Only this one, when not 0.
+  bool source_changed = false;
+
+  // The camera's side: what happens. False when it has no free buffer and drops the frame.
+  bool Expose(std::uint8_t grey, Time at, std::uint32_t bytes = kBufferBytes, std::uint32_t flags = 0) {
+    ++sequence_;
+    if (queued_.empty()) return false;
+    v4l2_buffer filled{};
+    filled.index = queued_.front();
+    queued_.pop_front();
+    filled.bytesused = bytes;
+    filled.flags = flags | V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+    filled.sequence = sequence_ - 1;
+    const auto us = std::chrono::duration_cast<std::chrono::microseconds>(at.time_since_epoch()).count();
+    filled.timestamp = {us / 1000000, us % 1000000};
+    std::memset(memory_[filled.index].data(), grey, memory_[filled.index].size());
+    filled_.push_back(filled);
+    return true;
+  }
+
+  // What a test may look at.
+  std::uint32_t chosen() const { return chosen_; }
+  std::size_t free_buffers() const { return queued_.size(); }
+  std::size_t mapped() const { return mapped_.size(); }
+  int opened() const { return opened_; }
+
+  UniqueFd Open(const std::string&) override {
+    ++opened_;
+    errno = open_error;
+    return open_error != 0 ? UniqueFd() : UniqueFd(::eventfd(0, EFD_CLOEXEC));
+  }
+  std::uint8_t* Map(int, std::size_t, std::uint32_t offset) override {
+    memory_[offset].assign(kBufferBytes, 0);
+    mapped_.insert(offset);
+    return memory_[offset].data();
+  }
+  void Unmap(std::uint8_t* memory, std::size_t) override {
+    for (std::uint32_t n = 0; n < memory_.size(); ++n)
+      if (memory_[n].data() == memory) mapped_.erase(n);
+  }
+  int Ioctl(int, unsigned long request, void* argument) override {
+    const bool fails = failing_error != 0 && (failing_request == 0 || failing_request == request);
+    return fails ? Refuse(failing_error) : Answer(request, argument);
+  }
+
+ private:
+  static int Refuse(int error) {
+    errno = error;
+    return -1;
+  }
+  int Answer(unsigned long request, void* argument) {
+    switch (request) {
+      case VIDIOC_QUERYCAP:
+        static_cast<v4l2_capability*>(argument)->capabilities = capabilities;
+        return 0;
+      case VIDIOC_ENUM_FMT:
+        return TellFormat(*static_cast<v4l2_fmtdesc*>(argument));
+      case VIDIOC_ENUM_FRAMEINTERVALS:
+        return TellRate(*static_cast<v4l2_frmivalenum*>(argument));
+      case VIDIOC_S_FMT:
+        return SetFormat(static_cast<v4l2_format*>(argument)->fmt.pix);
+      case VIDIOC_REQBUFS:
+        static_cast<v4l2_requestbuffers*>(argument)->count = 4;
+        return 0;
+      case VIDIOC_QUERYBUF:
+        return Describe(*static_cast<v4l2_buffer*>(argument));
+      case VIDIOC_QBUF:
+        queued_.push_back(static_cast<v4l2_buffer*>(argument)->index);
+        return 0;
+      case VIDIOC_DQBUF:
+        return Hand(*static_cast<v4l2_buffer*>(argument));
+      case VIDIOC_DQEVENT:
+        return TellEvent(*static_cast<v4l2_event*>(argument));
+      case VIDIOC_STREAMOFF:
+        queued_.clear();
+        return 0;
+      case VIDIOC_STREAMON:
+      case VIDIOC_S_PARM:
+      case VIDIOC_SUBSCRIBE_EVENT:
+        return 0;
+      default:
+        return Refuse(ENOTTY);
+    }
+  }
+  int TellFormat(v4l2_fmtdesc& entry) const {
+    if (entry.index >= offers.size()) return Refuse(EINVAL);
+    entry.pixelformat = offers[entry.index].fourcc;
+    return 0;
+  }
+  int TellRate(v4l2_frmivalenum& entry) const {
+    if (entry.index > 0) return Refuse(EINVAL);
+    entry.type = V4L2_FRMIVAL_TYPE_DISCRETE;
+    for (const OfferedFormat& offer : offers)
+      if (offer.fourcc == entry.pixel_format) entry.discrete = {1, offer.rate_hz};
+    return 0;
+  }
+  int SetFormat(v4l2_pix_format& format) {
+    chosen_ = format.pixelformat;
+    format.width = width_px;
+    format.height = height_px;
+    format.bytesperline = chosen_ == V4L2_PIX_FMT_YUYV ? width_px * 2 : width_px;
+    return 0;
+  }
+  int Describe(v4l2_buffer& buffer) const {
+    buffer.length = kBufferBytes;
+    buffer.m.offset = buffer.index;
+    return 0;
+  }
+  int Hand(v4l2_buffer& buffer) {
+    if (filled_.empty()) return Refuse(EAGAIN);
+    buffer = filled_.front();
+    filled_.pop_front();
+    return 0;
+  }
+  int TellEvent(v4l2_event& event) {
+    if (!std::exchange(source_changed, false)) return Refuse(ENOENT);
+    event.type = V4L2_EVENT_SOURCE_CHANGE;
+    return 0;
+  }
+
+  std::uint32_t chosen_ = 0;
+  std::uint32_t sequence_ = 0;
+  int opened_ = 0;
+  std::deque<std::uint32_t> queued_;
+  std::deque<v4l2_buffer> filled_;
+  std::array<std::vector<std::uint8_t>, 4> memory_;
+  std::set<std::uint32_t> mapped_;
+};
+
+}  // namespace kaori::tests

@@ -1,0 +1,287 @@
+// The drivers' end of the local link against a peer that does everything wrong.
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <random>
+
+#include "drivers/base/packet_socket.h"
+#include "drivers/base/shared_memory.h"
+#include "drivers/camera/local_camera.h"
+#include "drivers/hid/local_bus.h"
+#include "drivers/hid/local_channel.h"
+#include "drivers/scanout/local_screen.h"
+#include "firmware/wire/link_packets.h"
+#include "tests/hw-sim/link_bench.h"
+
+namespace kaori {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+template <std::size_t N>
+Bytes ToBytes(const std::array<std::uint8_t, N>& array) {
+  return {array.begin(), array.end()};
+}
+
+// A device that is played by the test.
+class Liar {
+ public:
+  explicit Liar(const std::string& path) : listener_(std::move(*ListenForPackets(path))) {}
+  bool Accept() {
+    auto peer = AcceptPeer(listener_.get());
+    if (peer) peer_ = std::move(*peer);
+    return peer.has_value();
+  }
+  void Say(std::span<const std::uint8_t> packet, int descriptor = -1) {
+    ASSERT_TRUE(SendPacket(peer_.get(), packet, descriptor));
+  }
+  Result<Packet> Hear(std::span<std::uint8_t> into) { return ReceivePacket(peer_.get(), into); }
+  void HangUp() { peer_.reset(); }
+
+ private:
+  UniqueFd listener_;
+  UniqueFd peer_;
+};
+
+Bytes HidHello() {
+  Bytes hello = ToBytes(wire::Encode(wire::HidHello{1, 2, 3, 2}));
+  for (const char c : {'b', 'o', 'x', '\x05', '\x01'}) hello.push_back(static_cast<std::uint8_t>(c));
+  return hello;
+}
+
+TEST(LocalHello, IsReadOnlyWhole) {
+  const Bytes hello = HidHello();
+  const auto identity = hid::ReadHello("p", hello);
+  ASSERT_TRUE(identity);
+  EXPECT_EQ(identity->name, "box");
+  EXPECT_EQ(identity->descriptor, (Bytes{5, 1}));
+  for (std::size_t n = 0; n < hello.size(); ++n)
+    EXPECT_FALSE(hid::ReadHello("p", std::span(hello).first(n))) << n;
+  Bytes longer = hello;
+  longer.push_back(0);
+  EXPECT_FALSE(hid::ReadHello("p", longer));
+  Bytes other = hello;
+  other[0] ^= 1;
+  EXPECT_FALSE(hid::ReadHello("p", other));
+}
+
+TEST(LocalHidBus, DoesNotListADeviceWithATornHello) {
+  const sim::TempFolder folder;
+  Liar liar(folder.path() + "/hid.liar");
+  const auto bus = *hid::LocalHidBus::Watch(folder.path());
+  ASSERT_TRUE(liar.Accept());
+  const Bytes hello = HidHello();
+  liar.Say(std::span(hello).first(9));
+  EXPECT_TRUE(bus->Ports()->empty());
+  EXPECT_EQ(bus->Open("liar").error().cause, std::errc::no_such_device);
+  EXPECT_FALSE(liar.Accept());  // And is not called again and again.
+}
+
+TEST(LocalHidBus, ListsADeviceThatIsPluggedInAnewAfterATornHello) {
+  const sim::TempFolder folder;
+  const auto bus = *hid::LocalHidBus::Watch(folder.path());
+  {
+    Liar liar(folder.path() + "/hid.liar");
+    EXPECT_TRUE(bus->Ports()->empty());
+    ASSERT_TRUE(liar.Accept());
+    liar.HangUp();
+    EXPECT_TRUE(bus->Ports()->empty());
+  }
+  Liar honest(folder.path() + "/hid.liar");
+  EXPECT_TRUE(bus->Ports()->empty());
+  ASSERT_TRUE(honest.Accept());
+  honest.Say(HidHello());
+  EXPECT_EQ(bus->Ports()->size(), 1u);
+}
+
+TEST(LocalHidBus, IgnoresWhatIsNoSocketAndWhatItsOwnerLeftBehind) {
+  const sim::TempFolder folder;
+  std::filesystem::create_directory(folder.path() + "/hid.folder");
+  { Liar dead(folder.path() + "/hid.dead"); }
+  const auto bus = *hid::LocalHidBus::Watch(folder.path());
+  EXPECT_TRUE(bus->Ports()->empty());
+  EXPECT_EQ(bus->Open("dead").error().cause, std::errc::no_such_device);
+}
+
+TEST(LocalHidChannel, CallsAPacketWithoutAStampAnError) {
+  const sim::TempFolder folder;
+  Liar liar(folder.path() + "/hid.liar");
+  const auto bus = *hid::LocalHidBus::Watch(folder.path());
+  ASSERT_TRUE(liar.Accept());
+  liar.Say(HidHello());
+  ASSERT_TRUE(bus->Ports());
+  const auto channel = *bus->Open("liar");
+  liar.Say(Bytes{1, 2, 3});
+  std::array<std::uint8_t, 64> buffer;
+  EXPECT_EQ(channel->Read(buffer).error().cause, std::errc::io_error);
+  EXPECT_EQ(channel->Read(buffer).error().cause, std::errc::resource_unavailable_try_again);
+  liar.HangUp();
+  EXPECT_EQ(channel->Read(buffer).error().cause, std::errc::no_such_device);
+}
+
+class LocalCameraTest : public ::testing::Test {
+ protected:
+  void Greet(const wire::CameraHello& hello, const SharedMemory& given) {
+    camera = *camera::LocalCamera::Open(folder.path(), "c");
+    ASSERT_TRUE(liar.Accept());
+    liar.Say(wire::Encode(hello), given.descriptor());
+  }
+  std::errc Cause() { return camera->Next().error().cause; }
+
+  sim::TempFolder folder;
+  Liar liar{folder.path() + "/camera.c"};
+  SharedMemory memory = std::move(*SharedMemory::Make("test", 2 * 64));
+  std::unique_ptr<ports::Camera> camera;
+  wire::CameraFrameNote good{
+      .at_ns = 5, .slot = 1, .width_px = 4, .height_px = 2, .stride_bytes = 8, .bytes = 16};
+};
+
+TEST_F(LocalCameraTest, RefusesMemoryThatIsSmallerThanPromised) {
+  Greet({3, 64}, memory);
+  EXPECT_EQ(Cause(), std::errc::io_error);
+  EXPECT_EQ(Cause(), std::errc::io_error);
+}
+
+TEST_F(LocalCameraTest, RefusesAHelloOfNonsense) {
+  for (const wire::CameraHello& hello :
+       {wire::CameraHello{0, 64}, {2, 0}, {0xFFFFFFFF, 0xFFFFFFFF}, {65, 1}}) {
+    Greet(hello, memory);
+    EXPECT_EQ(Cause(), std::errc::io_error);
+  }
+}
+
+TEST_F(LocalCameraTest, RefusesAHelloWithoutMemory) {
+  Greet({2, 64}, {});
+  EXPECT_EQ(Cause(), std::errc::io_error);
+}
+
+TEST_F(LocalCameraTest, GivesAFrameAndThenItsSlotBack) {
+  Greet({2, 64}, memory);
+  liar.Say(wire::Encode(good));
+  const auto frame = camera->Next();
+  ASSERT_TRUE(frame) << frame.error().message();
+  EXPECT_EQ(frame->at, Time(Duration(5)));
+  EXPECT_EQ(frame->bytes.size(), 16u);
+  std::array<std::uint8_t, 64> heard;
+  EXPECT_FALSE(liar.Hear(heard));
+  EXPECT_EQ(Cause(), std::errc::resource_unavailable_try_again);
+  ASSERT_TRUE(liar.Hear(heard));
+  EXPECT_EQ(wire::GetU32(heard, 0), 1u);
+}
+
+TEST_F(LocalCameraTest, DropsEveryFrameWhoseNumbersDoNotFit) {
+  Greet({2, 64}, memory);
+  const auto bad = [this](auto change) {
+    wire::CameraFrameNote note = good;
+    change(note);
+    liar.Say(wire::Encode(note));
+    EXPECT_EQ(Cause(), std::errc::bad_message);
+  };
+  bad([](auto& n) { n.slot = 2; });
+  bad([](auto& n) { n.slot = 0xFFFFFFFF; });
+  bad([](auto& n) { n.bytes = 65; });
+  bad([](auto& n) { n.bytes = 0; });
+  bad([](auto& n) { n.bytes = 15; });
+  bad([](auto& n) { n.width_px = 0; });
+  bad([](auto& n) { n.width_px = 5; });
+  bad([](auto& n) { n.height_px = 0xFFFFFFFF; });
+  bad([](auto& n) { n.stride_bytes = 7; });
+  bad([](auto& n) { n.stride_bytes = 0xFFFFFFFF; });
+  bad([](auto& n) { n.pixels = 3; });
+  liar.Say(Bytes{1, 2, 3});
+  EXPECT_EQ(Cause(), std::errc::bad_message);
+  liar.Say(wire::Encode(good));
+  EXPECT_TRUE(camera->Next());
+}
+
+TEST_F(LocalCameraTest, StandsRandomPackets) {
+  Greet({2, 64}, memory);
+  std::mt19937 random(7);
+  for (int n = 0; n < 20'000; ++n) {
+    wire::CameraFrameNote note = good;
+    std::uint32_t* const fields[] = {&note.slot,         &note.width_px, &note.height_px,
+                                     &note.stride_bytes, &note.pixels,   &note.bytes};
+    *fields[random() % 6] = static_cast<std::uint32_t>(random() >> (random() % 32));
+    liar.Say(wire::Encode(note));
+    const auto frame = camera->Next();
+    std::uint32_t sum = 0;
+    if (frame)
+      for (const std::uint8_t byte : frame->bytes) sum += byte;
+    ASSERT_EQ(sum, 0u);  // The memory is all zeros: what was read lies in it.
+    std::array<std::uint8_t, 8> heard;
+    while (liar.Hear(heard)) {
+    }
+  }
+}
+
+TEST(LocalScreenTest, IsGoneAfterNonsense) {
+  const sim::TempFolder folder;
+  Liar liar(folder.path() + "/screen.s");
+  const auto memory = *SharedMemory::Make("test", 2 * 16 * 4);
+  const auto open = [&](const wire::ScreenHello& hello) {
+    auto screen = *scanout::LocalScreen::Open(folder.path(), "s");
+    EXPECT_TRUE(liar.Accept());
+    liar.Say(wire::Encode(hello), memory.descriptor());
+    return screen;
+  };
+  const wire::ScreenHello good{2, 4, 4, 1000};
+  EXPECT_TRUE(open(good)->Acquire());
+  for (const wire::ScreenHello& bad : {wire::ScreenHello{1, 4, 4, 1000},
+                                       {3, 4, 4, 1000},
+                                       {2, 0, 4, 1000},
+                                       {2, 4, 0xFFFFFFFF, 1000},
+                                       {2, 4, 4, 0},
+                                       {2, 4, 4, -1}})
+    EXPECT_EQ(open(bad)->Acquire().error().cause, std::errc::no_such_device);
+
+  auto screen = open(good);
+  ASSERT_TRUE(screen->Acquire());
+  EXPECT_EQ(open(good)->Present(1).error().cause, std::errc::invalid_argument);
+  screen = open(good);
+  ASSERT_TRUE(screen->Acquire());
+  ASSERT_TRUE(screen->Present(1));
+  liar.Say(wire::Encode(wire::ScreenFlip{5, 2, 0}));  // Another frame than was presented.
+  EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::no_such_device);
+}
+
+TEST(SharedMemoryTest, ThatMayShrinkIsRefused) {
+  UniqueFd loose(::memfd_create("test", MFD_CLOEXEC));
+  ASSERT_EQ(::ftruncate(loose.get(), 4096), 0);
+  EXPECT_EQ(SharedMemory::Adopt(std::move(loose), 4096).error().cause, std::errc::invalid_argument);
+}
+
+TEST(PacketSocket, ClosesDescriptorsThatNobodyAskedFor) {
+  const sim::TempFolder folder;
+  const UniqueFd listener = *ListenForPackets(folder.path() + "/s");
+  const UniqueFd near = *ConnectToPeer(folder.path() + "/s");
+  const UniqueFd far = *AcceptPeer(listener.get());
+  const int before = sim::OpenDescriptors();
+  for (int n = 0; n < 10; ++n) {
+    ASSERT_TRUE(SendPacket(near.get(), Bytes{1}, near.get()));
+    std::array<std::uint8_t, 8> buffer;
+    ASSERT_TRUE(ReceivePacket(far.get(), buffer));
+  }
+  EXPECT_EQ(sim::OpenDescriptors(), before);
+}
+
+TEST(PacketSocket, SaysWhichPacketWasTooLong) {
+  const sim::TempFolder folder;
+  const UniqueFd listener = *ListenForPackets(folder.path() + "/s");
+  const UniqueFd near = *ConnectToPeer(folder.path() + "/s");
+  const UniqueFd far = *AcceptPeer(listener.get());
+  ASSERT_TRUE(SendPacket(near.get(), Bytes(100, 1)));
+  ASSERT_TRUE(SendPacket(near.get(), Bytes(3, 1)));
+  std::array<std::uint8_t, 8> buffer;
+  EXPECT_EQ(ReceivePacket(far.get(), buffer).error().cause, std::errc::message_size);
+  EXPECT_EQ(ReceivePacket(far.get(), buffer)->bytes, 3u);
+}
+
+TEST(PacketSocket, NamesAPathThatIsTooLong) {
+  EXPECT_EQ(ListenForPackets("/tmp/" + std::string(120, 'x')).error().cause, std::errc::filename_too_long);
+  EXPECT_EQ(ConnectToPeer("/tmp/" + std::string(120, 'x')).error().cause, std::errc::filename_too_long);
+}
+
+}  // namespace
+}  // namespace kaori
