@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/log.h"
 #include "hw-sim/console/hands.h"
 #include "hw-sim/console/page.h"
 
@@ -75,6 +76,7 @@ void Console::Tick() {
   ShowPicture(now);
   TellState(now);
   server_->Run();
+  LetGoAlone();
 }
 
 // Encodes once for all listeners, and only when one of them can take it.
@@ -117,12 +119,28 @@ HttpServer::Answer Console::Answer(const Request& request) {
 }
 
 Reply Console::MoveHands(const std::string& lines) {
-  const auto hands = ParseHands(lines);
+  const auto hands = ReadHands(lines);
   if (!hands) return {400, kText, hands.error().attempt + "\n"};
-  for (const auto& hand : *hands)
-    if (auto done = rig_.Do(hand); !done) return {503, kText, done.error().message() + "\n"};
-  rig_.Pump();
+  for (const auto& hand : *hands) held_.Note(hand);
+  if (auto done = Do(*hands); !done) return {503, kText, done.error().message() + "\n"};
   return {204, kText, {}};
+}
+
+Result<void> Console::Do(const std::vector<sim::Hand>& hands) {
+  for (const auto& hand : hands)
+    if (auto done = rig_.Do(hand); !done) return done;
+  rig_.Pump();
+  return {};
+}
+
+// A page that is closed in the middle of a drag lets go like a hand.
+void Console::LetGoAlone() {
+  if (states_.listeners() > 0) {
+    played_ = true;
+    return;
+  }
+  if (!std::exchange(played_, false)) return;
+  if (auto done = Do(held_.LetGo()); !done) Log("let go of the devices: {}", done.error().message());
 }
 
 Reply Console::OnePicture() {

@@ -4,14 +4,16 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "drivers/base/event_loop.h"
 #include "drivers/base/result.h"
 #include "hw-sim/console/feed.h"
+#include "hw-sim/console/held.h"
 #include "hw-sim/console/http_server.h"
 #include "hw-sim/console/jpeg.h"
+#include "hw-sim/console/json.h"
 #include "hw-sim/console/rate.h"
-#include "hw-sim/console/words.h"
 #include "hw-sim/links/local/rig.h"
 
 namespace kaori::console {
@@ -42,6 +44,8 @@ class Console {
   void TellState(Time now);
   HttpServer::Answer Answer(const Request& request);
   Reply MoveHands(const std::string& lines);
+  Result<void> Do(const std::vector<sim::Hand>& hands);
+  void LetGoAlone();
   Reply OnePicture();
   Result<std::string> EncodeLatest();
 
@@ -57,6 +61,8 @@ class Console {
   Time state_at_{};
   Feed pictures_;
   Feed states_;
+  Held held_;
+  bool played_ = false;  // A page listened at the last tick.
   UniqueFd ticks_;
   std::unique_ptr<HttpServer> server_;
 };

@@ -3,13 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
 
 #include "hw-sim/console/guard.h"
 #include "hw-sim/console/hands.h"
+#include "hw-sim/console/held.h"
 #include "hw-sim/console/jpeg.h"
+#include "hw-sim/console/json.h"
 #include "hw-sim/console/page.h"
 #include "hw-sim/console/rate.h"
-#include "hw-sim/console/words.h"
 
 namespace kaori::console {
 namespace {
@@ -22,52 +27,45 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 std::string Refused(std::string_view lines) {
-  const auto hands = ParseHands(lines);
+  const auto hands = ReadHands(lines);
   return hands ? "taken" : hands.error().attempt;
 }
 
 TEST(ConsoleHands, AreReadFromLines) {
-  const auto hands = ParseHands(
-      "dial 1 turn 0.25\nbutton 32 push\n\nstick left move -1 0.5\nstick right twist 1\nstick left slide "
-      "0.75\n"
-      "stick right hat 7\nstick right hat centre\nstick left push 12\nkey 44 press\nkey 44 release\n"
-      "lips 0.9 1.2\nlens cover\ncable camera pull\n");
+  const auto hands = ReadHands(
+      "dial 1 turn 0.25\nhold 32\n\nleft move -1 0.5\nright twist 1\nleft slide 0.75\nright hat right\n"
+      "key usage-44 press\nkey usage-44 release\nlips 0.9 1.2\nlens cover\nunplug camera\n");
   ASSERT_TRUE(hands) << hands.error().message();
   EXPECT_THAT(
       *hands,
       ElementsAre(Hand{Place::kDialBox, Verb::kTurn, 0, 0.25}, Hand{Place::kDialBox, Verb::kPush, 31},
                   Hand{Place::kStickLeft, Verb::kMove, 0, -1, 0.5},
                   Hand{Place::kStickRight, Verb::kTwist, 0, 1},
-                  Hand{Place::kStickLeft, Verb::kSlide, 0, 0.75}, Hand{Place::kStickRight, Verb::kHat, 7},
-                  Hand{Place::kStickRight, Verb::kHat, -1}, Hand{Place::kStickLeft, Verb::kPush, 11},
+                  Hand{Place::kStickLeft, Verb::kSlide, 0, 0.75}, Hand{Place::kStickRight, Verb::kHat, 2},
                   Hand{Place::kKeyboard, Verb::kPush, 44}, Hand{Place::kKeyboard, Verb::kRelease, 44},
                   Hand{Place::kCamera, Verb::kLips, 0, 0.9, 1.2}, Hand{Place::kCamera, Verb::kCoverLens, 1},
                   Hand{Place::kCamera, Verb::kUnplug}));
 }
 
 TEST(ConsoleHands, AreNoneInAnEmptyMessage) {
-  const auto hands = ParseHands("\n  \n");
+  const auto hands = ReadHands("\n  \n");
   ASSERT_TRUE(hands);
   EXPECT_THAT(*hands, IsEmpty());
 }
 
-TEST(ConsoleHands, NameTheLineAndTheLimitOfABadOne) {
-  EXPECT_EQ(Refused("dial 1 turn 0\ndial 9 turn 1"), "line 2: the dial is '9': it goes from 1 to 8");
-  EXPECT_THAT(Refused("dial 0 turn 1"), HasSubstr("from 1 to 8"));
-  EXPECT_THAT(Refused("dial 1.5 turn 1"), HasSubstr("whole number"));
-  EXPECT_THAT(Refused("dial 1 turn 5"), HasSubstr("from -4 to 4"));
-  EXPECT_THAT(Refused("dial 1 push"), HasSubstr("can only turn"));
-  EXPECT_THAT(Refused("button 33 push"), HasSubstr("from 1 to 32"));
-  EXPECT_THAT(Refused("button 3 hold"), HasSubstr("'hold' is neither push nor release"));
-  EXPECT_THAT(Refused("stick middle move 0 0"), HasSubstr("neither left nor right"));
-  EXPECT_THAT(Refused("stick left move 0 1.01"), HasSubstr("y is '1.01'"));
-  EXPECT_THAT(Refused("stick left fly"), HasSubstr("cannot 'fly'"));
-  EXPECT_THAT(Refused("stick left hat 8"), HasSubstr("from 0 to 7"));
-  EXPECT_THAT(Refused("key 3 press"), HasSubstr("from 4 to 231"));
-  EXPECT_THAT(Refused("lips 1"), HasSubstr("width is ''"));
-  EXPECT_THAT(Refused("cable toaster plug"), HasSubstr("no device is called 'toaster'"));
-  EXPECT_THAT(Refused("kettle 1"), HasSubstr("'kettle' is no part of the console"));
-  EXPECT_THAT(Refused("lens cover twice"), HasSubstr("'twice' is one word too many"));
+TEST(ConsoleHands, NameLineAndColumnOfABadOne) {
+  EXPECT_EQ(Refused("dial 1 turn 0\ndial 9 turn 1"), "2:6: no dial 9; dials are 1 to 8");
+  EXPECT_THAT(Refused("hold 33"), HasSubstr("buttons are 1 to 32"));
+  EXPECT_THAT(Refused("left move 0 1.01"), HasSubstr("1:13: \"1.01\""));
+  EXPECT_THAT(Refused("kettle 1"), HasSubstr("unknown word \"kettle\""));
+  EXPECT_THAT(Refused("lens cover twice"), HasSubstr("1:12: nothing more is expected"));
+}
+
+TEST(ConsoleHands, TakeNoTime) {
+  for (const char* line : {"push 3", "left push 1", "key space tap", "say \"ka\"", "scene poster"})
+    EXPECT_THAT(Refused(line), HasSubstr("this takes time")) << line;
+  for (const char* line : {"at 1s dial 1 turn 1", "over 1s dial 1 turn 1", "dial 1 turn 1 over 1s"})
+    EXPECT_NE(Refused(line), "taken") << line;
 }
 
 TEST(ConsoleHands, AreNeverNumbersThatAreNone) {
@@ -76,7 +74,21 @@ TEST(ConsoleHands, AreNeverNumbersThatAreNone) {
 }
 
 TEST(ConsoleHands, AllStayStillWhenOneLineIsWrong) {
-  EXPECT_FALSE(ParseHands("dial 1 turn 1\nbutton 40 push\ndial 2 turn 1"));
+  EXPECT_FALSE(ReadHands("dial 1 turn 1\nhold 40\ndial 2 turn 1"));
+}
+
+TEST(ConsoleHeld, LetsGoOfWhatIsHeldAndOfNothingElse) {
+  Held held;
+  const auto lines = ReadHands(
+      "hold 3\nhold 4\nrelease 3\nleft move 1 0\nleft move 0.5 0\nright twist 1\nright twist 0\n"
+      "left slide 1\nkey usage-44 press\nlips 1 1\ndial 1 turn 1\nunplug screen");
+  ASSERT_TRUE(lines) << lines.error().message();
+  for (const Hand& hand : *lines) held.Note(hand);
+  EXPECT_THAT(
+      held.LetGo(),
+      ElementsAre(Hand{Place::kDialBox, Verb::kRelease, 3}, Hand{Place::kStickLeft, Verb::kMove},
+                  Hand{Place::kKeyboard, Verb::kRelease, 44}, Hand{Place::kCamera, Verb::kLips, 0, 0.25, 1}));
+  EXPECT_THAT(held.LetGo(), IsEmpty());
 }
 
 TEST(ConsoleGuard, LetsInThePagesItServed) {
@@ -143,6 +155,51 @@ TEST(ConsoleWords, KeepLabelsWithQuotesAndBrokenTextWhole) {
   const auto json = LabelsJson(labels);
   EXPECT_THAT(json, HasSubstr("\\\"Kaori\\\" \xE3\x82\xAB"));
   EXPECT_THAT(json, HasSubstr("torn \xEF\xBF\xBD"));
+}
+
+// A file of labels, gone with the test.
+class ConsoleLabels : public ::testing::Test {
+ protected:
+  ~ConsoleLabels() override { std::remove(path_.c_str()); }
+  Result<Labels> Load(std::string_view text) {
+    std::ofstream(path_) << text;
+    return LoadLabels(path_);
+  }
+  std::string path_ = ::testing::TempDir() + "kaori-labels-" + std::to_string(::getpid());
+};
+
+TEST_F(ConsoleLabels, ComeBackAsTheyWereWritten) {
+  Labels labels;
+  labels.dials[7] = "Light";
+  labels.buttons[31] = {"Night", "scene"};
+  labels.sticks = {"Head", "Gaze"};
+  labels.keys = {{0x3A, "Poster", "scene"}};
+  const auto loaded = Load(LabelsJson(labels));
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_EQ(LabelsJson(*loaded), LabelsJson(labels));
+}
+
+TEST_F(ConsoleLabels, KeepTheirDefaultsWhereNothingIsSaid) {
+  const auto loaded = Load("{\"dials\": [\"Face\"]}");
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->dials[0], "Face");
+  ASSERT_EQ(loaded->keys.size(), 1u);
+  EXPECT_EQ(loaded->keys[0].text, "Blink");
+}
+
+TEST_F(ConsoleLabels, NameTheEntryThatIsWrong) {
+  const auto fault = [this](std::string_view text) {
+    const auto loaded = Load(text);
+    return loaded ? "taken" : loaded.error().attempt;
+  };
+  EXPECT_THAT(fault("{"), HasSubstr("no JSON object"));
+  EXPECT_THAT(fault("[]"), HasSubstr("no JSON object"));
+  EXPECT_THAT(fault("{\"dials\": [\"a\", 2]}"), HasSubstr("dials, entry 2"));
+  EXPECT_THAT(fault("{\"dials\": [1,2,3,4,5,6,7,8,9]}"), HasSubstr("8 at most"));
+  EXPECT_THAT(fault("{\"buttons\": [\"a\"]}"), HasSubstr("buttons, entry 1"));
+  EXPECT_THAT(fault("{\"keys\": [{\"usage\": 300}]}"), HasSubstr("keys, entry 1"));
+  EXPECT_THAT(fault("{\"keys\": 3}"), HasSubstr("keys are"));
+  EXPECT_FALSE(LoadLabels("/nowhere/labels.json"));
 }
 
 TEST(ConsolePage, CarriesItsFilesAndNothingElse) {

@@ -8,8 +8,8 @@ function makeButton({text, group}, number) {
                       make('span', {class: 'lamp'}), make('span', {class: 'text'}, text || `${number}`));
   if (!text) button.classList.add('blank');
   onHold(button, {
-    push: () => tell(`button ${number} push`),
-    release: () => tell(`button ${number} release`),
+    push: () => tell(`hold ${number}`),
+    release: () => tell(`release ${number}`),
   });
   return button;
 }

@@ -26,7 +26,7 @@ export function makeCables() {
     const cable = make('button', {type: 'button', class: 'cable'});
     cable.innerHTML = kDrawing;
     let plugged = true;
-    cable.addEventListener('click', () => tell(`cable ${port} ${plugged ? 'pull' : 'plug'}`));
+    cable.addEventListener('click', () => tell(`${plugged ? 'unplug' : 'plug'} ${port}`));
     cable.addEventListener('pointerdown', (event) => event.preventDefault());
     cable.addEventListener('mousedown', (event) => event.preventDefault());
     panel.append(cable);

@@ -26,19 +26,21 @@ addRun(0x54, ['NumpadDivide', 'NumpadMultiply', 'NumpadSubtract', 'NumpadAdd', '
 addRun(0x87, ['IntlRo', 'KanaMode', 'IntlYen', 'Convert', 'NonConvert']);
 addRun(0xe0, ['ControlLeft', 'ShiftLeft', 'AltLeft', 'MetaLeft', 'ControlRight', 'ShiftRight', 'AltRight', 'MetaRight']);
 
-// These stay with the browser: reload, full screen, tools, and everything with Ctrl, Alt or Meta.
-const kBrowsers = new Set(['F5', 'F11', 'F12']);
-const isBrowsers = (event) => kBrowsers.has(event.code) || event.ctrlKey || event.altKey || event.metaKey;
-
 const held = new Set();
 const caps = new Map();
+
+// These stay with the browser unless the show has a use for them: reload, full screen, tools. And everything
+// with Ctrl, Alt or Meta.
+const kBrowsers = new Set(['F5', 'F11', 'F12']);
+const isBrowsers = (event) => event.ctrlKey || event.altKey || event.metaKey ||
+    (kBrowsers.has(event.code) && !caps.has(kUsages.get(event.code)));
 
 function hold(usage, down) {
   if (down === held.has(usage)) return;
   if (down) held.add(usage);
   else held.delete(usage);
   caps.get(usage)?.classList.toggle('held', down);
-  tell(`key ${usage} ${down ? 'press' : 'release'}`);
+  tell(`key usage-${usage} ${down ? 'press' : 'release'}`);
 }
 
 // A key that was let go elsewhere would stay down for ever.
@@ -60,7 +62,7 @@ function listenToKeyboard() {
     if (usage !== undefined) hold(usage, false);
   });
   window.addEventListener('blur', releaseAll);
-  window.addEventListener('pagehide', () => lastWords([...held].map((usage) => `key ${usage} release`)));
+  window.addEventListener('pagehide', () => lastWords([...held].map((usage) => `key usage-${usage} release`)));
 }
 
 function makeCap({usage, text, group}) {

@@ -53,7 +53,7 @@ function makePad(side, name) {
                                'aria-label': `${name}: drag, or press the arrow keys`}, knob);
   const pad = new Pad(element, {
     springs: true,
-    send: (value) => set(`${side} move`, `stick ${side} move ${inCircle(value).map(number).join(' ')}`),
+    send: (value) => set(`${side} move`, `${side} move ${inCircle(value).map(number).join(' ')}`),
     draw: (value) => {
       const [x, y] = inCircle(value);
       knob.style.transform = `translate(${x * 100}%, ${-y * 100}%)`;
@@ -92,7 +92,7 @@ function makeTwist(side, name) {
   const element = make('div', {class: 'twist', role: 'application', 'aria-label': `${name}: twist`}, knob);
   return new Pad(element, {
     springs: true,
-    send: ([x]) => set(`${side} twist`, `stick ${side} twist ${number(x)}`),
+    send: ([x]) => set(`${side} twist`, `${side} twist ${number(x)}`),
     draw: ([x]) => { knob.style.left = `${50 + x * 50}%`; },
   });
 }
@@ -103,7 +103,7 @@ function makeSlider(side, name) {
   let touched_ms = -Infinity;
   input.addEventListener('input', () => {
     touched_ms = performance.now();
-    set(`${side} slide`, `stick ${side} slide ${number(input.valueAsNumber)}`);
+    set(`${side} slide`, `${side} slide ${number(input.valueAsNumber)}`);
   });
   const follow = (value) => {
     if (performance.now() - touched_ms > kLocalTime_ms) input.value = value;

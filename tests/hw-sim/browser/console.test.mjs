@@ -157,6 +157,19 @@ test('a slider stays where it is put', async () => {
   await until('half way', () => bench.heard('stick-left')?.[3] === 0.5);
 });
 
+test('a page that is closed in the middle of a drag lets go', async () => {
+  await page.goto('about:blank');  // The only page that listens shall be the one that is closed.
+  const leaving = await openPage(browser, await bench.address());
+  const {x, y, width} = await middle(leaving.locator('#left .pad'));
+  await leaving.mouse.move(x, y);
+  await leaving.mouse.down();
+  await leaving.mouse.move(x + width * 0.4, y, {steps: 4});
+  await until('a stick to the right', () => bench.heard('stick-left')[0] > 0.7);
+  await leaving.context().close();
+  await until('the stick in the middle', () => bench.heard('stick-left')[0] === 0);
+  await page.goto(await bench.address());
+});
+
 test('several pages see the same box', async () => {
   const second = await openPage(browser, await bench.address());
   await drag(knob(5), 0, -90);
@@ -211,7 +224,7 @@ test('only the page itself may play', async () => {
 test('a bad hand is refused in one clear line, and a long one unread', async () => {
   const reply = await fetch(new URL('hands', await bench.address()), {method: 'POST', body: 'dial 9 turn 1'});
   assert.equal(reply.status, 400);
-  assert.equal(await reply.text(), 'line 1: the dial is \'9\': it goes from 1 to 8\n');
+  assert.equal(await reply.text(), '1:6: no dial 9; dials are 1 to 8\n');
   const {host} = new URL(await bench.address());
   assert.equal(await status({Host: host}, 'POST', 'dial 1 turn 0\n'.repeat(1000)), 413);
   assert.equal(await status({Host: host}, 'DELETE', ''), 405);

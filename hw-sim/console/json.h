@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/base/result.h"
 #include "hw-sim/links/local/rig.h"
 
 namespace kaori::console {
@@ -26,8 +27,13 @@ struct Labels {
   std::array<std::string, 8> dials;
   std::array<ButtonLabel, 32> buttons;
   std::array<std::string, 2> sticks;  // Left, right.
-  std::vector<KeyLabel> keys;         // In the order in which the page shows them.
+  // In the order in which the page shows them. What every show has, until it says more.
+  std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
 };
+
+// Reads the form that LabelsJson writes; what is left out keeps its default. Errors: those of the file;
+// invalid_argument (no such form, too many entries, a usage beyond 231) with the file and the entry named.
+Result<Labels> LoadLabels(const std::string& path);
 
 // {"dials":[..], "buttons":[{"text","group"}..], "sticks":[..], "keys":[{"usage","text","group"}..]}
 std::string LabelsJson(const Labels& labels);

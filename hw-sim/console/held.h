@@ -1,0 +1,22 @@
+// What the page holds: let go when the last page leaves, as hands would.
+#pragma once
+
+#include <vector>
+
+#include "hw-sim/devices/hand.h"
+
+namespace kaori::console {
+
+// Pure. Knows only what it was told: buttons and keys that a scenario holds stay held.
+class Held {
+ public:
+  void Note(const sim::Hand& hand);
+
+  // The hands that let everything go: buttons and keys up, sticks and lips at rest. Then nothing is held.
+  std::vector<sim::Hand> LetGo();
+
+ private:
+  std::vector<sim::Hand> releases_;  // One for each thing that is held.
+};
+
+}  // namespace kaori::console
