@@ -56,9 +56,8 @@ void LipCamera::SetFormat(ports::CameraFormat format) {
   const bool same_size = format.width_px == format_.width_px && format.height_px == format_.height_px;
   format_ = format;
   if (same_size) return;
-  backdrop_.resize(YuyvBytes(format_));
+  backdrop_.clear();
   picture_.resize(YuyvBytes(format_));
-  PaintFace({format_.width_px, format_.height_px, backdrop_});
 }
 
 std::size_t LipCamera::frame_bytes() const {
@@ -82,7 +81,11 @@ std::size_t LipCamera::Shoot(std::uint32_t sequence, std::span<std::uint8_t> int
   return YuyvToJpeg(picture, format_.width_px, format_.height_px, into);
 }
 
-void LipCamera::Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv) const {
+void LipCamera::Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv) {
+  if (backdrop_.empty()) {
+    backdrop_.resize(YuyvBytes(format_));
+    PaintFace({format_.width_px, format_.height_px, backdrop_});
+  }
   if (covered_) {
     for (std::size_t n = 0; n < yuyv.size(); ++n) yuyv[n] = n % 2 == 0 ? kDarkLuma : kGrey;
     return AddNoise(yuyv, sequence, yuyv);

@@ -44,7 +44,7 @@ class LipCamera {
   Spoil TakeSpoil() { return std::exchange(spoil_, Spoil::kNothing); }
 
  private:
-  void Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv) const;
+  void Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv);
 
   const Workbench& bench_;
   ports::CameraFormat format_{};
@@ -52,7 +52,7 @@ class LipCamera {
   bool covered_ = false;
   bool stalled_ = false;
   Spoil spoil_ = Spoil::kNothing;
-  std::vector<std::uint8_t> backdrop_;  // YUYV: the face without its mouth.
+  std::vector<std::uint8_t> backdrop_;  // YUYV: the face without its mouth; painted for the first frame.
   std::vector<std::uint8_t> picture_;   // YUYV: where other formats are made from.
 };
 

@@ -57,6 +57,7 @@ Colour Mix(const Colour& a, const Colour& b, float part) {
 Colour FaceAt(double x, double y) {
   const double side = std::abs(x - kMouthX) / (0.40 - 0.10 * y * y);  // 1 on the cheek's outline.
   const float outside = static_cast<float>(std::clamp((side - 0.97) / 0.06, 0.0, 1.0));
+  if (outside >= 1) return kRoom;
   Colour skin = kSkin;
   skin.y *= 1.04F - 0.22F * static_cast<float>(side * side);
   skin.y -= 34 * Bump(std::hypot(x - kMouthX, (y - kNoseY) * 2.2), 0.10);  // Under the nose,
@@ -143,12 +144,8 @@ void PaintFace(const YuyvPicture& into) {
   for (int y = 0; y < into.height_px; ++y) {
     for (int x = 0; x < into.width_px; x += 2) {
       const double v = (y + 0.5) / into.height_px;
-      const Colour left = FaceAt((x + 0.5) / into.width_px, v);
-      const Colour right = FaceAt((x + 1.5) / into.width_px, v);
-      into.bytes[at++] = Byte(left.y);
-      into.bytes[at++] = Byte((left.cb + right.cb) / 2);
-      into.bytes[at++] = Byte(right.y);
-      into.bytes[at++] = Byte((left.cr + right.cr) / 2);
+      const Colour pair = FaceAt(static_cast<double>(x + 1) / into.width_px, v);
+      for (const float value : {pair.y, pair.cb, pair.y, pair.cr}) into.bytes[at++] = Byte(value);
     }
   }
 }
