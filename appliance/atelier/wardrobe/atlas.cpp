@@ -16,11 +16,12 @@ using Values = std::array<float, kValues>;
 // Rings lose their sign here: interpolated, a sign would drag a ring through 0 where it changes.
 Values Unsign(const sculpt::PaintAttributes& a) {
   const auto side = [](float ring) { return ring > 0 ? 1.0F : ring < 0 ? -1.0F : 0.0F; };
-  return {std::abs(a.eye_ring), side(a.eye_ring), std::abs(a.mouth_ring), side(a.mouth_ring),
-          a.bag,                a.ear_ring,       a.spout};
+  return {std::abs(a.eye_ring), side(a.eye_ring), std::abs(a.mouth_ring), side(a.mouth_ring), a.bag,
+          a.ear_ring,           a.spout};
 }
 
-std::vector<Values> OnFineMesh(const face::SparseRows& rows, const std::vector<sculpt::PaintAttributes>& cage) {
+std::vector<Values> OnFineMesh(const face::SparseRows& rows,
+                               const std::vector<sculpt::PaintAttributes>& cage) {
   std::vector<Values> fine(rows.rows(), Values{});
   for (std::size_t r = 0; r < rows.rows(); ++r) {
     for (std::uint32_t e = rows.row_start[r]; e < rows.row_start[r + 1]; ++e) {
@@ -36,7 +37,9 @@ struct Corner {
   const Values* values;
 };
 
-float Edge(glm::vec2 a, glm::vec2 b, glm::vec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+float Edge(glm::vec2 a, glm::vec2 b, glm::vec2 p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
 
 void Store(Texel& texel, const std::array<Corner, 3>& corners, const std::array<float, 3>& share) {
   Values v{};
@@ -75,7 +78,8 @@ void RasteriseTriangle(Atlas& atlas, const std::array<Corner, 3>& t) {
 }
 
 Atlas EmptyAtlas(int size_px) {
-  Atlas atlas{size_px, std::vector<Texel>(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px))};
+  Atlas atlas{size_px,
+              std::vector<Texel>(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px))};
   for (int y = 0; y < size_px; ++y) {
     for (int x = 0; x < size_px; ++x) {
       const glm::dvec2 unit((x + 0.5) / size_px, 1 - (y + 0.5) / size_px);

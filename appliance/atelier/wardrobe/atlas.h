@@ -20,7 +20,7 @@ struct Texel {
   float bag = 0;
   float ear_ring = 0;
   float spout = 0;
-  bool covered = false;   // A triangle of the fine mesh lies here.
+  bool covered = false;  // A triangle of the fine mesh lies here.
 
   glm::vec2 mirrored() const { return {place_cm.x < 0 ? -place_cm.x : place_cm.x, place_cm.y}; }
 };
@@ -30,7 +30,8 @@ struct Atlas {
   std::vector<Texel> texels;  // Row-major, top row first.
 
   const Texel& at(int x, int y) const {
-    return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_px) + static_cast<std::size_t>(x)];
+    return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_px) +
+                  static_cast<std::size_t>(x)];
   }
 };
 

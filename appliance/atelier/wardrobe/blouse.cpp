@@ -17,14 +17,16 @@ void AddBow(ClothMesh& mesh, glm::vec3 knot_cm) {
     AddLock(
         mesh, torso,
         [=](float t) {
-          return knot_cm + glm::vec3(side * (0.1F + 2.1F * t), 0.25F * t - 0.35F * t * t, 0.45F * std::sin(kPi * t) - 0.3F * t);
+          return knot_cm + glm::vec3(side * (0.1F + 2.1F * t), 0.25F * t - 0.35F * t * t,
+                                     0.45F * std::sin(kPi * t) - 0.3F * t);
         },
         loop);
     const LockShape tail{1.0F, 0.22F, 0.5F, 0.6F, 1.2F, 1, 9};
     AddLock(
         mesh, torso,
         [=](float t) {
-          return knot_cm + glm::vec3(side * (0.15F + 1.0F * t), -0.2F - 2.9F * t, 0.2F * std::sin(kPi * t) + 0.75F * t);
+          return knot_cm +
+                 glm::vec3(side * (0.15F + 1.0F * t), -0.2F - 2.9F * t, 0.2F * std::sin(kPi * t) + 0.75F * t);
         },
         tail);
   }
@@ -34,14 +36,14 @@ void AddBow(ClothMesh& mesh, glm::vec3 knot_cm) {
 }  // namespace
 
 Garment SewBlouse(const std::string& face, const ClothesLook& look, const Neck& neck) {
-  const Torso torso{neck, look.shoulders_cm - 3, 17.9F, 4.4F, 0.24F};
+  const Torso torso{neck, look.shoulders_cm - 3, 19.4F, 4.4F, 0.24F};
   ClothMesh body;
   AddBody(body, torso, kLine, 0);
   ClothMesh collar;
   const Collar cut{kLine, 2.9F, 0, true, 2, 9, 0.3F};
   AddCollar(collar, torso, cut);
   ClothMesh bow;
-  AddBow(bow, neck.At(0, kLine.front_y_cm - 0.7F, 1.5F));
+  AddBow(bow, neck.At(0, kLine.front_y_cm - 0.75F, 1.15F));
   Garment garment;
   garment.push_back(std::move(body).Finish(face + ".blouse", face::Part::kClothes, look.main));
   garment.push_back(std::move(collar).Finish(face + ".collar", face::Part::kClothes, look.collar));

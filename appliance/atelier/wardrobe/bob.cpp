@@ -31,7 +31,7 @@ std::array<Tip, kTips> ShareOutTips(float half_deg, Dice& dice) {
   float at_deg = -half_deg;
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const float width_deg = 2 * half_deg * widths[i] / sum;
-    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.35F, 0.85F), 0.25F * width_deg * dice.Spread()};
+    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.3F, 1.05F), 0.3F * width_deg * dice.Spread()};
     at_deg += width_deg;
   }
   return tips;
@@ -83,7 +83,7 @@ void AddFringeSheet(ClothMesh& mesh, const HairLook& look, Dice& dice) {
     for (const Column& c : columns) sheet.points.push_back(FringePoint(look, c, t));
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    sheet.across.push_back(static_cast<float>(i) / static_cast<float>(columns.size() - 1));
+    sheet.across.push_back(0.6F * static_cast<float>(i) / kColumnsPerTip);
   }
   mesh.AddSolid(sheet, [&](int row, int) {
     return 0.28F * (1 - 0.85F * SmoothStep(0.5F, 1, sheet.along[static_cast<std::size_t>(row)]));

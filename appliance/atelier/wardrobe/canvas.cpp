@@ -13,7 +13,7 @@
 namespace kaori::wardrobe {
 namespace {
 
-constexpr int kPieces = 5;            // Straight pieces that draw a bent stroke.
+constexpr int kPieces = 5;              // Straight pieces that draw a bent stroke.
 constexpr float kSoftEdge_cm = 0.014F;  // About half a texel where the texture is finest.
 
 using Bent = std::array<glm::vec2, kPieces + 1>;
@@ -108,7 +108,8 @@ void Canvas::FillOutside() {
   constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const auto each_neighbour = [&](int i, auto&& visit) {
     for (const auto& step : kSteps) {
-      if (inside(i % size + step[0], i / size + step[1])) visit(static_cast<std::size_t>(i + step[0] + step[1] * size));
+      if (inside(i % size + step[0], i / size + step[1]))
+        visit(static_cast<std::size_t>(i + step[0] + step[1] * size));
     }
   };
   for (int i = 0; i < size * size; ++i) {

@@ -43,8 +43,8 @@ class Canvas {
 
   void Draw(const Stroke& stroke);
 
-  // The texture: what no triangle covers takes the colour of its nearest neighbours, so that neither filtering
-  // nor mipmaps pull in a foreign colour at an edge.
+  // The texture: what no triangle covers takes the colour of its nearest neighbours, so that neither
+  // filtering nor mipmaps pull in a foreign colour at an edge.
   face::Texture Finish() &&;
 
  private:

@@ -96,7 +96,9 @@ void ClothMesh::Rim(const Patch& patch, face::Index front, face::Index back) {
   }
 }
 
-void ClothMesh::AddPatch(const Patch& patch) { Cells(patch, Append(patch, patch.points), false); }
+void ClothMesh::AddPatch(const Patch& patch) {
+  Cells(patch, Append(patch, patch.points), false);
+}
 
 void ClothMesh::AddSolid(const Patch& patch, const std::function<float(int, int)>& thickness_cm) {
   const std::vector<glm::vec3> normals = PatchNormals(patch);

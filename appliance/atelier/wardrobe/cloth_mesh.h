@@ -18,8 +18,8 @@ struct Patch {
   int columns = 0;
   bool closed_across = false;  // The last column joins the first.
   std::vector<glm::vec3> points;
-  std::vector<float> along;    // Per row, 0..1.
-  std::vector<float> across;   // Per column, 0..1.
+  std::vector<float> along;   // Per row, 0..1.
+  std::vector<float> across;  // Per column, 0..1.
 };
 
 class ClothMesh {

@@ -17,7 +17,8 @@ Garment SewKnit(const std::string& face, const ClothesLook& look, const Neck& ne
 Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& neck);
 Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& neck);
 
-// --- What garments share -------------------------------------------------------------------------------------
+// --- What garments share
+// -------------------------------------------------------------------------------------
 
 // Where a collar sits: lower in front than at the back.
 struct NeckLine {
@@ -26,26 +27,26 @@ struct NeckLine {
   float At(float around_deg) const;
 };
 
-// The whole torso in cloth, from under the neck line down out of the picture. The top edge turns inwards, into
-// the neck, so that nothing shows between neck and cloth. `off_cm` above the body.
+// The whole torso in cloth, from under the neck line down out of the picture. The top edge turns inwards,
+// into the neck, so that nothing shows between neck and cloth. `off_cm` above the body.
 void AddBody(ClothMesh& mesh, const Torso& torso, const NeckLine& line, float off_cm);
 
 // A turned-down collar: stands at the neck, folds, and falls over the cloth.
 struct Collar {
   NeckLine line;
-  float fall_cm = 3;          // Width of what falls, at the sides and the back.
-  float point_cm = 0;         // So much wider at its two ends in front,
-  bool rounded = true;        // or rounded there.
-  float gap_deg = 3;          // Open this far either side of the front, at the top,
-  float spread_deg = 10;      // and so much further at its edge.
-  float off_cm = 0.3F;        // Above the body.
+  float fall_cm = 3;      // Width of what falls, at the sides and the back.
+  float point_cm = 0;     // So much wider at its two ends in front,
+  bool rounded = true;    // or rounded there.
+  float gap_deg = 3;      // Open this far either side of the front, at the top,
+  float spread_deg = 10;  // and so much further at its edge.
+  float off_cm = 0.3F;    // Above the body.
 };
 void AddCollar(ClothMesh& mesh, const Torso& torso, const Collar& collar);
 
 // A ring round the neck with an oval section, ribbed if asked.
 struct NeckRing {
   NeckLine line;
-  float off_cm = 0.5F;        // The section's middle, off the skin.
+  float off_cm = 0.5F;  // The section's middle, off the skin.
   float half_thickness_cm = 0.5F;
   float half_height_cm = 1;
   int ribs = 0;

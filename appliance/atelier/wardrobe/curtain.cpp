@@ -11,11 +11,14 @@ namespace {
 constexpr int kCapRows = 8;
 constexpr int kCapColumns = 32;
 constexpr float kCapOffset_cm = 0.12F;
-constexpr int kCurtainRows = 13;
-constexpr int kCurtainColumns = 85;
+constexpr int kCurtainRows = 16;
+constexpr int kCurtainColumns = 73;
+constexpr float kLocksAcross = 14;  // A sheet counts as so many locks, for the stripes on it.
 constexpr float kSheet_cm = 0.35F;  // Thickness of the curtain.
 
-float Share(int i, int count) { return static_cast<float>(i) / static_cast<float>(count - 1); }
+float Share(int i, int count) {
+  return static_cast<float>(i) / static_cast<float>(count - 1);
+}
 
 // Degrees from the front, whichever side: tables of looks are the same left and right.
 float FromFront(float around_deg) {
@@ -53,7 +56,7 @@ void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
       sheet.points.push_back(OnFall(look.skull, fall, around, t));
     }
   }
-  for (int c = 0; c < kCurtainColumns; ++c) sheet.across.push_back(Share(c, kCurtainColumns));
+  for (int c = 0; c < kCurtainColumns; ++c) sheet.across.push_back(kLocksAcross * Share(c, kCurtainColumns));
   mesh.AddSolid(sheet, [](int row, int c) {
     const float edge = static_cast<float>(std::min(c, kCurtainColumns - 1 - c));
     const float at_end = 1 - 0.75F * SmoothStep(0.75F, 1, Share(row, kCurtainRows));
@@ -93,7 +96,7 @@ void AddCap(ClothMesh& mesh, const HairLook& look) {
       cap.points.push_back(look.skull.Above(Direction(around, elevation), kCapOffset_cm));
     }
   }
-  for (int c = 0; c < kCapColumns; ++c) cap.across.push_back(Share(c, kCapColumns));
+  for (int c = 0; c < kCapColumns; ++c) cap.across.push_back(kLocksAcross * Share(c, kCapColumns));
   mesh.AddPatch(cap);
 }
 

@@ -43,7 +43,8 @@ Stroke BrowHair(const BrowLook& look, Dice& dice) {
   const float half_cm = Table(look.half_width_cm, t);
   const float lie = SmoothStep(0, 0.45F, t);
   const float turn = 72 * (1 - lie) + (across < 0 ? 24.0F : -14.0F) * lie + 9 * dice.Spread();
-  const float length_cm = (0.62F - 0.2F * t) * dice.Between(0.75F, 1.2F) * (0.6F + 0.9F * std::min(half_cm, 0.45F));
+  const float length_cm =
+      (0.62F - 0.2F * t) * dice.Between(0.75F, 1.2F) * (0.6F + 0.9F * std::min(half_cm, 0.45F));
   Stroke hair;
   hair.root_cm = OnPath(look.path_cm, t) + up * (across * half_cm) - along * (0.35F * length_cm);
   hair.bend_cm = hair.root_cm + Turned(along, turn + 8) * (0.5F * length_cm);
@@ -56,12 +57,12 @@ Stroke BrowHair(const BrowLook& look, Dice& dice) {
 
 // A trimmed moustache: hairs fall from under the nose to both sides.
 Stroke MoustacheHair(const MoustacheLook& look, Dice& dice) {
-  const float u = 0.1F + 2.15F * dice.Unit();
+  const float u = 0.14F + 1.95F * dice.Unit();
   const float fall = 0.14F * u * u;
-  const float thick_cm = 0.42F * (1 - 0.75F * u / 2.3F);
-  const glm::vec2 root(u, -4.72F - fall - thick_cm * dice.Unit());
+  const float thick_cm = 0.24F * (1 - 0.7F * u / 2.3F);
+  const glm::vec2 root(u, -4.86F - fall - thick_cm * dice.Unit());
   const float turn = -62 + 44 * Clamp01(u / 1.4F) + 12 * dice.Spread();
-  const float length_cm = dice.Between(0.3F, 0.55F);
+  const float length_cm = dice.Between(0.22F, 0.42F);
   Stroke hair;
   hair.root_cm = root;
   hair.bend_cm = root + Turned({1, 0}, turn + 10) * (0.5F * length_cm);
@@ -77,8 +78,12 @@ Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
   const glm::vec2 root(u, Table(look.above_cm, u) + dice.Between(-0.45F, 0.7F));
   const float out = 0.25F * dice.Spread() + 0.25F * Clamp01(u / 6);
   const float length_cm = dice.Between(0.5F, 1.0F);
-  return {root, root + glm::vec2(out * 0.3F, 0.5F) * length_cm, root + glm::vec2(out, 1) * length_cm,
-          dice.Between(0.018F, 0.035F), dice.Between(0.4F, 0.85F), look.colour * dice.Between(0.7F, 1.5F)};
+  return {root,
+          root + glm::vec2(out * 0.3F, 0.5F) * length_cm,
+          root + glm::vec2(out, 1) * length_cm,
+          dice.Between(0.018F, 0.035F),
+          dice.Between(0.4F, 0.85F),
+          look.colour * dice.Between(0.7F, 1.5F)};
 }
 
 // Soft creases of age: broad strokes of little strength.
@@ -93,8 +98,8 @@ constexpr std::array<Crease, 7> kCreases{{
     {{{{2.0F, -1.25F}, {3.2F, -2.0F}, {4.6F, -1.4F}}}, 0.07F, 0.24F},    // Under the eye.
     {{{{5.5F, 0.2F}, {6.0F, 0.3F}, {6.5F, 0.6F}}}, 0.04F, 0.26F},        // Crow's feet.
     {{{{5.5F, -0.1F}, {6.0F, -0.25F}, {6.4F, -0.45F}}}, 0.04F, 0.26F},
-    {{{{0.55F, 1.6F}, {0.5F, 2.2F}, {0.62F, 2.8F}}}, 0.05F, 0.20F},      // Between the brows.
-    {{{{0.0F, 4.2F}, {2.0F, 4.4F}, {4.2F, 4.0F}}}, 0.05F, 0.16F},        // On the forehead.
+    {{{{0.55F, 1.6F}, {0.5F, 2.2F}, {0.62F, 2.8F}}}, 0.05F, 0.20F},  // Between the brows.
+    {{{{0.0F, 4.2F}, {2.0F, 4.4F}, {4.2F, 4.0F}}}, 0.05F, 0.16F},    // On the forehead.
     {{{{0.0F, 5.1F}, {1.8F, 5.3F}, {3.6F, 5.0F}}}, 0.05F, 0.13F},
 }};
 
@@ -110,7 +115,9 @@ void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint) {
   const float ends = SmoothStep(-0.05F, 0.15F, t) * SmoothStep(1.02F, 0.97F, t);
   const float solid = look.hairs > 0 ? 0.42F : 1.0F;  // Under hairs, a shadow.
   const float edge = look.hairs > 0 ? 0.25F : 0.75F;
-  paint.Mix(look.amount * solid * ends * SmoothStep(half_cm * 1.15F, half_cm * edge, off_cm), look.colour);
+  const float amount = look.amount * solid * ends * SmoothStep(half_cm * 1.15F, half_cm * edge, off_cm);
+  paint.Mix(amount, look.colour);
+  paint.MixGloss(amount, 0.1F);
 }
 
 void DrawBrows(Canvas& canvas, const BrowLook& look) {
@@ -123,7 +130,7 @@ void DrawBrows(Canvas& canvas, const BrowLook& look) {
 
 void DrawMoustache(Canvas& canvas, const MoustacheLook& look) {
   if (look.amount <= 0) return;
-  constexpr int kHairs = 420;
+  constexpr int kHairs = 330;
   for (const float side : {1.0F, -1.0F}) {
     Dice dice(side > 0 ? 21 : 22);
     for (int i = 0; i < kHairs; ++i) DrawOnSide(canvas, MoustacheHair(look, dice), side);
@@ -146,8 +153,12 @@ void DrawLines(Canvas& canvas, const SkinLook& look) {
     for (const Crease& crease : kCreases) {
       for (int layer = 0; layer < kLayers; ++layer) {
         const float width = 2.2F - 1.9F * static_cast<float>(layer) / (kLayers - 1);
-        const Stroke stroke{crease.points[0], crease.points[1], crease.points[2], crease.half_width_cm * width,
-                            look.lines * crease.strength / kLayers, look.base * glm::vec3(0.45F, 0.32F, 0.28F)};
+        const Stroke stroke{crease.points[0],
+                            crease.points[1],
+                            crease.points[2],
+                            crease.half_width_cm * width,
+                            look.lines * crease.strength / kLayers,
+                            look.base * glm::vec3(0.45F, 0.32F, 0.28F)};
         DrawOnSide(canvas, stroke, side);
       }
     }
@@ -162,7 +173,8 @@ void DrawFreckles(Canvas& canvas, const SkinLook& look) {
     const glm::vec2 p(std::abs(2.7F + 2.4F * dice.Spread()), -2.3F + 1.4F * dice.Spread());
     const glm::vec2 size(dice.Between(0.01F, 0.05F), dice.Between(-0.02F, 0.02F));
     const float opacity = dice.Between(0.12F, 0.4F) * Bell(p.x - 2.7F, 2.6F);
-    DrawOnSide(canvas, {p, p + size * 0.5F, p + size, dice.Between(0.03F, 0.06F), opacity, Hex("#a65a3a")}, side);
+    DrawOnSide(canvas, {p, p + size * 0.5F, p + size, dice.Between(0.03F, 0.06F), opacity, Hex("#a65a3a")},
+               side);
   }
 }
 

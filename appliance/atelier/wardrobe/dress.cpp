@@ -31,7 +31,8 @@ void AddHair(face::Cast& cast, const HairLook& look, face::Face& face) {
   if (look.cut == "none") return;
   ClothMesh mesh;
   look.cut == "bob" ? CutBob(mesh, look) : CutSwept(mesh, look);
-  face.props.push_back(AddProp(cast, std::move(mesh).Finish(face.name + ".hair", face::Part::kHair, look.colour)));
+  face.props.push_back(
+      AddProp(cast, std::move(mesh).Finish(face.name + ".hair", face::Part::kHair, look.colour)));
 }
 
 Garment Sew(const face::Face& face, const ClothesLook& look) {
@@ -70,14 +71,17 @@ void DressFace(const Studio& studio, const FaceLook& look, face::Cast& cast, fac
   ShadeFace(studio.attributes, studio.options.shade_directions, cast, face);
 }
 
-bool IsSize(int px) { return px >= 64 && px <= 4096 && (px & (px - 1)) == 0; }
+bool IsSize(int px) {
+  return px >= 64 && px <= 4096 && (px & (px - 1)) == 0;
+}
 
 }  // namespace
 
 Result<void> Dress(const std::filesystem::path& show_folder, face::Cast& cast, const DressOptions& options) {
   if (!IsSize(options.texture_px)) return FailInput("texture size: must be a power of two, 64 to 4096");
   const sculpt::Cage cage = sculpt::BuildCage();
-  if (cage.vertices.size() != cast.topology.vertex_count) return FailInput("dress: the cast has another topology");
+  if (cage.vertices.size() != cast.topology.vertex_count)
+    return FailInput("dress: the cast has another topology");
   const auto attributes = sculpt::PaintAttributesOf(cage);
   const Atlas atlas = UnrollSurface(cast.topology, attributes, options.texture_px);
   cast.props.clear();

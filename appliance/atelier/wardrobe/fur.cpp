@@ -12,21 +12,21 @@ constexpr NeckLine kStrap{-13.6F, -11.6F};
 
 // Tufts lie on the chest like tiles, each row over the next below.
 void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg, std::uint32_t seed) {
-  constexpr int kRows = 6;
-  constexpr float kSpacing_deg = 11;
+  constexpr int kRows = 5;
+  constexpr float kSpacing_deg = 8;
   Dice dice(seed);
   const Skull chest{{0, -40, -4}, {1, 1, 1}};
   for (int row = kRows - 1; row >= 0; --row) {
     const float shift = row % 2 == 0 ? 0 : kSpacing_deg / 2;
     for (float around = from_deg + shift; around < to_deg; around += kSpacing_deg) {
       const float at = around + 3 * dice.Spread();
-      const float top = 64 - 11.5F * static_cast<float>(row) + 3 * dice.Spread();
+      const float top = 54 - 11.5F * static_cast<float>(row) + 3 * dice.Spread();
       const float length = dice.Between(19, 25);
       const float lean = 6 * dice.Spread();
-      LockShape tuft{dice.Between(2.2F, 3.4F), dice.Between(0.3F, 0.5F), 0.3F, 0.4F, 0.5F, 0.05F, 7};
+      LockShape tuft{dice.Between(1.3F, 2.3F), dice.Between(0.14F, 0.26F), 0.5F, 0.4F, 0.45F, 0.04F, 6};
       AddLock(
-          mesh, chest,
-          [&](float t) { return torso.At(at + lean * t, top - length * t, -0.15F + 0.55F * t); }, tuft);
+          mesh, chest, [&](float t) { return torso.At(at + lean * t, top - length * t, -0.12F + 0.4F * t); },
+          tuft);
     }
   }
 }
@@ -41,14 +41,15 @@ Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& nec
   ClothMesh bib;
   AddTufts(bib, torso, -46, 47, 4);
   ClothMesh strap;
-  AddNeckRing(strap, neck, {kStrap, 0.4F, 0.4F, 0.95F, 0});
+  AddNeckRing(strap, neck, {kStrap, 0.6F, 0.42F, 0.95F, 0});
   ClothMesh tag;
   AddDisc(tag, neck.At(0, kStrap.front_y_cm - 2.0F, 1.2F), glm::normalize(glm::vec3(0, 0.15F, 1)), 1.15F);
   Garment garment;
   garment.push_back(std::move(coat).Finish(face + ".coat", face::Part::kClothes, look.main));
   garment.push_back(std::move(bib).Finish(face + ".bib", face::Part::kClothes, look.collar));
   garment.push_back(std::move(strap).Finish(face + ".strap", face::Part::kClothes, look.accent));
-  garment.push_back(std::move(tag).Finish(face + ".tag", face::Part::kClothes, glm::vec3(0.72F, 0.5F, 0.14F)));
+  garment.push_back(
+      std::move(tag).Finish(face + ".tag", face::Part::kClothes, glm::vec3(0.72F, 0.5F, 0.14F)));
   return garment;
 }
 

@@ -10,12 +10,14 @@ namespace {
 
 constexpr int kBodyRows = 30;
 constexpr int kBodyColumns = 72;
-constexpr float kHem_deg = -58;     // The cloth ends this far below the middle of the chest: out of the picture.
+constexpr float kHem_deg = -58;  // The cloth ends this far below the middle of the chest: out of the picture.
 constexpr int kCollarColumns = 65;
 constexpr int kStandRows = 4;
 constexpr int kFallRows = 6;
 
-float Share(int i, int count) { return static_cast<float>(i) / static_cast<float>(count - 1); }
+float Share(int i, int count) {
+  return static_cast<float>(i) / static_cast<float>(count - 1);
+}
 
 // The two inner rows lie inside the neck; the others go down the body.
 glm::vec3 BodyPoint(const Torso& torso, const NeckLine& line, float around_deg, int row, float off_cm) {

@@ -14,7 +14,9 @@ constexpr float kOpensAt_deg = 58;    // Elevation of the jacket's neck edge;
 constexpr float kClosesAt_deg = -22;  // its fronts meet here.
 constexpr float kHem_deg = -58;
 
-float Share(int i, int count) { return static_cast<float>(i) / static_cast<float>(count - 1); }
+float Share(int i, int count) {
+  return static_cast<float>(i) / static_cast<float>(count - 1);
+}
 
 // Half the opening between the jacket's fronts, round the body, at an elevation.
 float OpeningAt(float elevation_deg) {
@@ -74,8 +76,10 @@ void AddJacketCollar(ClothMesh& mesh, const Torso& torso) {
     for (int c = 0; c < kColumns; ++c) {
       const float around = 52 + 256 * Share(c, kColumns);
       const float back = 0.5F - 0.5F * std::cos(around * kRadPerDeg);
-      const float top_deg = kOpensAt_deg + 4 + 8 * back;
-      patch.points.push_back(torso.At(around, top_deg - 15 * t, 0.6F + 0.45F * std::sin(kPi * (0.3F + 0.7F * t))));
+      const float ends = std::min(Share(c, kColumns), 1 - Share(c, kColumns)) * 256;
+      const float top_deg = kOpensAt_deg + 4 + 8 * back - 9 * Bell(ends, 14);
+      patch.points.push_back(
+          torso.At(around, top_deg - 15 * t, 0.6F + 0.45F * std::sin(kPi * (0.3F + 0.7F * t))));
     }
   }
   mesh.AddSolid(patch, [](int, int) { return 0.3F; });
@@ -103,16 +107,18 @@ void AddTie(ClothMesh& mesh, const Torso& torso, glm::vec3 knot_cm) {
 }  // namespace
 
 Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& neck) {
-  const Torso torso{neck, look.shoulders_cm - 2.5F, 18.6F, 0, 0.14F};
+  const Torso torso{neck, look.shoulders_cm - 2.5F, 19.4F, 0, 0.14F};
   ClothMesh shirt;
-  AddBody(shirt, torso, kLine, 0);
+  Torso under = torso;  // The shirt lies well under the jacket.
+  under.shoulders_cm -= 4;
+  AddBody(shirt, under, kLine, -0.4F);
   AddCollar(shirt, torso, {kLine, 2.4F, 2.0F, false, 3, 22, 0.4F});
   ClothMesh jacket;
   AddJacketBody(jacket, torso);
   AddJacketCollar(jacket, torso);
   for (const float side : {1.0F, -1.0F}) AddLapel(jacket, torso, side);
   ClothMesh tie;
-  AddTie(tie, torso, neck.At(0, kLine.front_y_cm - 0.4F, 1));
+  AddTie(tie, torso, neck.At(0, kLine.front_y_cm + 0.35F, 1));
   Garment garment;
   garment.push_back(std::move(shirt).Finish(face + ".shirt", face::Part::kClothes, look.collar));
   garment.push_back(std::move(jacket).Finish(face + ".jacket", face::Part::kClothes, look.main));

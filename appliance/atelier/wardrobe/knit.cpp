@@ -4,7 +4,7 @@ namespace kaori::wardrobe {
 
 Garment SewKnit(const std::string& face, const ClothesLook& look, const Neck& neck) {
   constexpr NeckLine kLine{-13.2F, -12.4F};
-  const Torso torso{neck, look.shoulders_cm - 3, 17.8F, 0, 0.3F};
+  const Torso torso{neck, look.shoulders_cm - 3, 19.2F, 0, 0.3F};
   ClothMesh body;
   AddBody(body, torso, kLine, 0);
   ClothMesh roll;

@@ -11,10 +11,10 @@ namespace kaori::wardrobe {
 struct LockShape {
   float width_cm = 2;
   float thickness_cm = 0.4F;
-  float root = 0.3F;        // Width at the root, as a part of the width.
-  float full_from = 0.45F;  // Full width is reached here along the lock,
-  float tapers_from = 0.7F; // and left here.
-  float tip = 0.05F;        // Width just before the tip closes.
+  float root = 0.3F;         // Width at the root, as a part of the width.
+  float full_from = 0.45F;   // Full width is reached here along the lock,
+  float tapers_from = 0.7F;  // and left here.
+  float tip = 0.05F;         // Width just before the tip closes.
   int rings = 11;
 };
 

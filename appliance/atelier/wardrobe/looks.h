@@ -24,19 +24,19 @@ struct SkinLook {
   glm::vec3 base{};
   glm::vec3 blush{};
   float blush_amount = 0;
-  float freckles = 0;         // 0 none .. 1 many.
-  float stubble = 0;          // A shaved beard's shade.
-  float lines = 0;            // Of age: beside the nose, on the forehead, under the eyes.
-  float gloss = 0.1F;         // 0 matt .. 1 wet.
+  float freckles = 0;  // 0 none .. 1 many.
+  float stubble = 0;   // A shaved beard's shade.
+  float lines = 0;     // Of age: beside the nose, on the forehead, under the eyes.
+  float gloss = 0.1F;  // 0 matt .. 1 wet.
   float nostrils = 1;
 };
 
 struct BrowLook {
   glm::vec3 colour{};
-  float amount = 0;           // 0: no brows.
-  Knots path_cm;              // From the nose outwards; u > 0.
-  Knots half_width_cm;        // Over 0..1 along the path.
-  int hairs = 0;              // Fine strokes a side; 0 paints a solid brow.
+  float amount = 0;     // 0: no brows.
+  Knots path_cm;        // From the nose outwards; u > 0.
+  Knots half_width_cm;  // Over 0..1 along the path.
+  int hairs = 0;        // Fine strokes a side; 0 paints a solid brow.
 };
 
 struct LidLook {
@@ -53,14 +53,14 @@ struct LipLook {
 };
 
 struct MoustacheLook {
-  float amount = 0;           // 0: none.
+  float amount = 0;  // 0: none.
   glm::vec3 colour{};
 };
 
 // Painted skin under the hair, above a line: height over distance from the middle.
 struct ScalpLook {
   glm::vec3 colour{};
-  Knots above_cm;             // Empty: none.
+  Knots above_cm;  // Empty: none.
 };
 
 struct EyePaint {
@@ -71,27 +71,27 @@ struct EyePaint {
 };
 
 struct HairLook {
-  std::string cut = "none";   // "none", "bob" or "swept".
+  std::string cut = "none";  // "none", "bob" or "swept".
   glm::vec3 colour{};
   Skull skull;
   std::uint32_t seed = 1;
-  float volume_cm = 0.45F;    // Above the skull.
+  float volume_cm = 0.45F;  // Above the skull.
   float flare = 0.035F;
   float curl = 0.2F;
-  float opens_at_deg = 54;    // The bob's curtain starts this far round from the front.
-  Knots ends_cm;              // Degrees round -> height of the ends.
-  Knots fringe_cm;            // Degrees round -> height of the fringe; empty: no fringe.
+  float opens_at_deg = 54;  // The bob's curtain starts this far round from the front.
+  Knots ends_cm;            // Degrees round -> height of the ends.
+  Knots fringe_cm;          // Degrees round -> height of the fringe; empty: no fringe.
   float fringe_sweep_deg = 0;
-  bool framing = false;       // Locks that frame the cheeks.
-  Knots hairline_deg;         // Degrees round -> elevation where combed hair starts.
+  bool framing = false;  // Locks that frame the cheeks.
+  Knots hairline_deg;    // Degrees round -> elevation where combed hair starts.
 };
 
 struct ClothesLook {
-  std::string cut = "none";   // "none", "blouse", "knit", "jacket" or "fur".
+  std::string cut = "none";  // "none", "blouse", "knit", "jacket" or "fur".
   glm::vec3 main{};
   glm::vec3 collar{};
-  glm::vec3 accent{};         // Ribbon, tie, tag.
-  float shoulders_cm = 15;    // Half the width over the shoulders' joints.
+  glm::vec3 accent{};       // Ribbon, tie, tag.
+  float shoulders_cm = 15;  // Half the width over the shoulders' joints.
 };
 
 struct SurfacePaint {

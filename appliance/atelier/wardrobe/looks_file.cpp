@@ -11,7 +11,9 @@ namespace {
 using sculpt::Section;
 using sculpt::Value;
 
-float Real(Section& s, std::string_view key) { return static_cast<float>(s.Number(key)); }
+float Real(Section& s, std::string_view key) {
+  return static_cast<float>(s.Number(key));
+}
 
 float RealOr(Section& s, std::string_view key, float otherwise) {
   return static_cast<float>(s.NumberOr(key, otherwise));
@@ -62,7 +64,9 @@ Knots Pairs(Section& s, std::string_view key) {
   return knots;
 }
 
-Knots PairsOrNone(Section& s, std::string_view key) { return s.Has(key) ? Pairs(s, key) : Knots{}; }
+Knots PairsOrNone(Section& s, std::string_view key) {
+  return s.Has(key) ? Pairs(s, key) : Knots{};
+}
 
 template <std::size_t N>
 std::size_t OneOf(Section& s, std::string_view key, const std::array<std::string_view, N>& words) {
@@ -77,8 +81,7 @@ std::size_t OneOf(Section& s, std::string_view key, const std::array<std::string
 }
 
 SkinLook ReadSkin(Section s) {
-  s.AllowOnly({"hide", "base", "blush", "blush_amount", "freckles", "stubble", "lines", "gloss",
-               "nostrils"});
+  s.AllowOnly({"hide", "base", "blush", "blush_amount", "freckles", "stubble", "lines", "gloss", "nostrils"});
   SkinLook skin;
   constexpr std::array<std::string_view, 3> kHides{"skin", "coat", "metal"};
   skin.hide = static_cast<Hide>(OneOf(s, "hide", kHides));
@@ -107,7 +110,8 @@ BrowLook ReadBrows(Section s) {
 
 LidLook ReadLids(Section s) {
   s.AllowOnly({"shadow", "shadow_amount", "liner", "liner_amount"});
-  return {Colour(s, "shadow"), Share(s, "shadow_amount", 0.4F), Colour(s, "liner"), Share(s, "liner_amount", 0.95F)};
+  return {Colour(s, "shadow"), Share(s, "shadow_amount", 0.4F), Colour(s, "liner"),
+          Share(s, "liner_amount", 0.95F)};
 }
 
 LipLook ReadLips(Section s) {
@@ -143,7 +147,8 @@ HairLook ReadHair(Section s) {
   hair.flare = RealOr(s, "flare", hair.flare);
   hair.curl = RealOr(s, "curl", hair.curl);
   hair.opens_at_deg = Real(s, "opens_at");
-  if (!(hair.opens_at_deg > 10 && hair.opens_at_deg < 170)) s.Fault("opens_at", "must lie between 10 and 170");
+  if (!(hair.opens_at_deg > 10 && hair.opens_at_deg < 170))
+    s.Fault("opens_at", "must lie between 10 and 170");
   hair.ends_cm = Pairs(s, "ends");
   hair.fringe_cm = PairsOrNone(s, "fringe");
   hair.fringe_sweep_deg = RealOr(s, "fringe_sweep", 0);
@@ -161,7 +166,8 @@ ClothesLook ReadClothes(Section s) {
   clothes.collar = Colour(s, "collar");
   clothes.accent = Colour(s, "accent");
   clothes.shoulders_cm = Real(s, "shoulders");
-  if (!(clothes.shoulders_cm > 5 && clothes.shoulders_cm < 25)) s.Fault("shoulders", "must lie between 5 and 25");
+  if (!(clothes.shoulders_cm > 5 && clothes.shoulders_cm < 25))
+    s.Fault("shoulders", "must lie between 5 and 25");
   return clothes;
 }
 

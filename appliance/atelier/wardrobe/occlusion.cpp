@@ -85,7 +85,8 @@ bool Inside(const glm::vec3& p, const OcclusionSettings& s) {
 std::vector<face::Triangle> TrianglesInside(const Shell& shell, const OcclusionSettings& settings) {
   std::vector<face::Triangle> inside;
   for (const face::Triangle& t : shell.triangles) {
-    const bool any = std::any_of(t.begin(), t.end(), [&](face::Index i) { return Inside(shell.positions[i], settings); });
+    const bool any =
+        std::any_of(t.begin(), t.end(), [&](face::Index i) { return Inside(shell.positions[i], settings); });
     if (any) inside.push_back(t);
   }
   return inside;

@@ -23,7 +23,8 @@ float Nose(glm::vec2 p) {
 // Muzzle, throat and blaze.
 float Cream(glm::vec2 p) {
   const float ragged = 0.5F * (Noise(p.x * 1.6F, p.y * 1.6F) - 0.5F);
-  const float muzzle = SmoothStep(-1.2F, -3.4F, p.y + 0.25F * p.x + ragged) * SmoothStep(5.8F, 3.2F, p.x + ragged);
+  const float muzzle =
+      SmoothStep(-1.2F, -3.4F, p.y + 0.25F * p.x + ragged) * SmoothStep(5.8F, 3.2F, p.x + ragged);
   const float blaze = 0.95F * SmoothStep(1.15F, 0.35F, p.x + 0.12F * std::abs(p.y - 2) + 0.4F * ragged) *
                       SmoothStep(-2.5F, 0, p.y) * SmoothStep(7.5F, 4, p.y);
   return Clamp01(muzzle + blaze);
@@ -37,7 +38,8 @@ glm::vec2 Lie(glm::vec2 p, float ear_ring) {
   const float neck = SmoothStep(-6, -9, p.y);
   const glm::vec2 side(0.35F, -0.9F);
   const float cheek = SmoothStep(3.5F, 7, p.x) * SmoothStep(4, 0, p.y);
-  return glm::normalize(back * (1 - std::max(neck, cheek)) + side * std::max(neck, cheek) + glm::vec2(0, 1e-3F));
+  return glm::normalize(back * (1 - std::max(neck, cheek)) + side * std::max(neck, cheek) +
+                        glm::vec2(0, 1e-3F));
 }
 
 bool Bald(const Texel& t) {
@@ -45,7 +47,8 @@ bool Bald(const Texel& t) {
 }
 
 void PaintWhiskerSpots(glm::vec2 p, Paint& paint) {
-  constexpr glm::vec2 kSpots_cm[] = {{2.2F, -4.5F}, {2.7F, -4.1F}, {1.75F, -4.15F}, {2.3F, -3.75F}, {3.1F, -4.6F}};
+  constexpr glm::vec2 kSpots_cm[] = {
+      {2.2F, -4.5F}, {2.7F, -4.1F}, {1.75F, -4.15F}, {2.3F, -3.75F}, {3.1F, -4.6F}};
   for (const glm::vec2 spot : kSpots_cm) paint.Mix(0.55F * Bell2(p, spot, {0.09F, 0.08F}), Hex("#4a3626"));
 }
 
@@ -55,8 +58,8 @@ void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};
   paint.colour *= 1 + 0.22F * (Noise(p.x * 0.8F + 3, p.y * 0.8F) - 0.5F);
-  paint.Mix(0.30F * SmoothStep(4, 9, p.y), look.base * 0.55F);               // A darker crown
-  paint.Mix(0.35F * SmoothStep(9, 15, p.x), look.base * 0.6F);               // and back.
+  paint.Mix(0.30F * SmoothStep(4, 9, p.y), look.base * 0.55F);  // A darker crown
+  paint.Mix(0.35F * SmoothStep(9, 15, p.x), look.base * 0.6F);  // and back.
   paint.Mix(0.92F * Cream(p), Hex("#f3e3cc"));
   paint.Mix(0.85F * SmoothStep(0.08F, 0.35F, texel.ear_ring), Hex("#7a4a26"));
   paint.Mix(0.65F * Bell2(p, {2.7F, 2.7F}, {0.75F, 0.45F}), Hex("#f6dfba"));  // Dots over the eyes.

@@ -9,17 +9,16 @@ namespace kaori::wardrobe {
 namespace {
 
 constexpr glm::vec2 kBlush_cm{4.2F, -2.6F};
-constexpr float kLidGroove_cm = 7.1F;    // Heights in the parameter space: the lid's edge,
-constexpr float kKnob_cm = 10.85F;       // the knob's foot,
-constexpr float kBelly_cm = -9.5F;       // and where soot begins.
+constexpr float kLidGroove_cm = 7.1F;  // Heights in the parameter space: the lid's edge,
+constexpr float kKnob_cm = 10.85F;     // the knob's foot,
+constexpr float kBelly_cm = -9.5F;     // and where soot begins.
 
 void PaintWear(glm::vec2 place, Paint& paint) {
-  const float patina = Noise(place.x * 0.45F + 8, place.y * 0.45F);
-  const float spots = SmoothStep(0.72F, 0.9F, Noise(place.x * 2.3F, place.y * 2.3F));
+  const float patina =
+      0.6F * Noise(place.x * 0.3F + 8, place.y * 0.3F) + 0.4F * Noise(place.x * 0.8F, place.y * 0.8F + 4);
   const float spun = Noise(place.x * 0.25F, place.y * 11) - 0.5F;  // Turned on a lathe: fine level rings.
-  paint.colour *= 1 + 0.05F * spun;
-  paint.Mix(0.20F * SmoothStep(0.45F, 0.8F, patina), Hex("#9a6a24"));
-  paint.Mix(0.16F * spots, Hex("#8a5c22"));
+  paint.colour *= 1 + 0.035F * spun;
+  paint.Mix(0.14F * patina * patina, Hex("#9a6a24"));
   paint.gloss *= 1 - 0.25F * patina;
 }
 
@@ -40,7 +39,8 @@ void PaintMetal(const Texel& texel, const SkinLook& look, Paint& paint) {
   paint.Mix(look.blush_amount * Bell2(p, kBlush_cm, {1.9F, 1.1F}), look.blush);
   paint.Mix(0.75F * Bell(p.y - kLidGroove_cm, 0.12F), Hex("#5a3c10"));
   paint.Mix(0.35F * Bell(p.y - kLidGroove_cm - 0.3F, 0.1F), Hex("#f6dc92"));
-  const float black = std::max(SmoothStep(0.12F, 0.2F, texel.ear_ring), SmoothStep(kKnob_cm - 0.1F, kKnob_cm + 0.25F, p.y));
+  const float black =
+      std::max(SmoothStep(0.12F, 0.2F, texel.ear_ring), SmoothStep(kKnob_cm - 0.1F, kKnob_cm + 0.25F, p.y));
   paint.Mix(0.96F * black, Hex("#2a2426"));
   paint.MixGloss(black, 0.35F);
   paint.Mix(0.95F * SmoothStep(0.55F, 0.62F, texel.spout), Hex("#1a1008"));

@@ -1,4 +1,5 @@
-// Skin, scalp, lids, lips and the inside of the mouth. Places are those of the reference face, in centimetres.
+// Skin, scalp, lids, lips and the inside of the mouth. Places are those of the reference face, in
+// centimetres.
 #include <cmath>
 
 #include "appliance/atelier/wardrobe/colour.h"
@@ -29,12 +30,14 @@ float Oil(glm::vec2 p) {
 }
 
 float Mottle(glm::vec2 place) {
-  return Noise(place.x * 1.1F + 40, place.y * 1.1F) * 0.6F + Noise(place.x * 6 + 90, place.y * 6) * 0.4F - 0.5F;
+  return Noise(place.x * 1.1F + 40, place.y * 1.1F) * 0.6F + Noise(place.x * 6 + 90, place.y * 6) * 0.4F -
+         0.5F;
 }
 
 void PaintStubble(const Texel& texel, float amount, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
-  const float beard = SmoothStep(-3.9F, -5.2F, p.y) * SmoothStep(-11.5F, -9.6F, p.y) * SmoothStep(6.6F, 4.6F, p.x);
+  const float beard =
+      SmoothStep(-3.9F, -5.2F, p.y) * SmoothStep(-11.5F, -9.6F, p.y) * SmoothStep(6.6F, 4.6F, p.x);
   const float sides = SmoothStep(4.2F, 5.4F, p.x) * SmoothStep(8.2F, 6.8F, p.x) * SmoothStep(2, -2, p.y) *
                       SmoothStep(-9, -6, p.y);
   const float grain = 0.75F + 0.5F * (Noise(texel.place_cm.x * 26, texel.place_cm.y * 26) - 0.5F);
@@ -81,8 +84,10 @@ void PaintLids(const Texel& texel, const LidLook& look, Paint& paint) {
   paint.Mix(upper * Bell(k - 3.1F, 0.24F) * 0.45F * SmoothStep(1.7F, 2.4F, p.x), look.shadow * 0.45F);
   paint.Mix(lower * Bell(k - 2.2F, 0.9F) * 0.10F, look.shadow);
   paint.Mix(lower * SmoothStep(4.45F, 4.95F, k) * 0.5F, Hex("#7a4438"));
-  paint.Mix(lower * SmoothStep(4.6F, 4.95F, k) * 0.45F * SmoothStep(3.3F, 4.9F, p.x) * look.liner_amount, look.liner);
-  paint.Mix(upper * SmoothStep(4.3F, 4.75F, k) * look.liner_amount * SmoothStep(1.75F, 2.3F, p.x), look.liner);
+  paint.Mix(lower * SmoothStep(4.6F, 4.95F, k) * 0.45F * SmoothStep(3.3F, 4.9F, p.x) * look.liner_amount,
+            look.liner);
+  paint.Mix(upper * SmoothStep(4.3F, 4.75F, k) * look.liner_amount * SmoothStep(1.75F, 2.3F, p.x),
+            look.liner);
   if (k > 5) {
     paint.Mix(0.75F * SmoothStep(2.7F, 2.0F, p.x), Hex("#e3a090"));
     paint.Mix(0.5F * SmoothStep(1.9F, 2.4F, p.x) * SmoothStep(5, 5.3F, k), Hex("#7a4438"));
@@ -95,7 +100,8 @@ void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
   if (k <= 0) return;
   const glm::vec2 p = texel.mirrored();
   const float lip = SmoothStep(2.62F, 3.22F, k) * (1 - texel.bag);
-  const float lines = Noise(texel.place_cm.x * 15 + 50, k * 0.5F) + 0.6F * Noise(texel.place_cm.x * 31, k * 0.9F);
+  const float lines =
+      Noise(texel.place_cm.x * 15 + 50, k * 0.5F) + 0.6F * Noise(texel.place_cm.x * 31, k * 0.9F);
   const float shade = 1 - 0.16F * (lines - 0.8F) - 0.10F * texel.mouth_upper;
   paint.Mix(lip * look.amount, look.colour * shade);
   paint.Mix(lip * 0.30F * SmoothStep(1.3F, 2.1F, p.x), look.colour * 0.5F);

@@ -5,9 +5,12 @@ namespace {
 
 void PaintHide(const Texel& texel, const SkinLook& look, Paint& paint) {
   switch (look.hide) {
-    case Hide::kSkin: return PaintSkin(texel, look, paint);
-    case Hide::kCoat: return PaintCoat(texel, look, paint);
-    case Hide::kMetal: return PaintMetal(texel, look, paint);
+    case Hide::kSkin:
+      return PaintSkin(texel, look, paint);
+    case Hide::kCoat:
+      return PaintCoat(texel, look, paint);
+    case Hide::kMetal:
+      return PaintMetal(texel, look, paint);
   }
 }
 

@@ -8,7 +8,8 @@ namespace kaori::wardrobe {
 
 face::Texture PaintFace(const Atlas& atlas, const FaceLook& look);
 
-// --- The layers, in the order in which they go on. Texel by texel: -------------------------------------------
+// --- The layers, in the order in which they go on. Texel by texel:
+// -------------------------------------------
 void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint);
 void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint);
 void PaintMetal(const Texel& texel, const SkinLook& look, Paint& paint);
@@ -19,7 +20,8 @@ void PaintBag(const Texel& texel, Paint& paint);         // The inside of the mo
 void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint);
 void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint);
 
-// --- and stroke by stroke: -----------------------------------------------------------------------------------
+// --- and stroke by stroke:
+// -----------------------------------------------------------------------------------
 void DrawBrows(Canvas& canvas, const BrowLook& look);
 void DrawMoustache(Canvas& canvas, const MoustacheLook& look);
 void DrawLines(Canvas& canvas, const SkinLook& look);

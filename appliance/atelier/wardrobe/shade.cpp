@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFaceSmoothing = 3;
 constexpr int kPropSmoothing = 2;
-constexpr float kLidFloor = 0.85F;   // Lids stay light: their edge lies in a groove beside the ball.
+constexpr float kLidFloor = 0.85F;  // Lids stay light: their edge lies in a groove beside the ball.
 constexpr float kHairFloor = 0.18F;
 constexpr float kSkinLift_m = 0.0035F;
 constexpr float kPropLift_m = 0.0015F;  // Locks lie close to each other.
@@ -25,7 +25,8 @@ bool ThrowsShade(const face::Prop& prop) {
 void Append(Shell& shell, const face::Prop& prop) {
   const auto first = static_cast<face::Index>(shell.positions.size());
   for (const face::PropVertex& v : prop.vertices) shell.positions.push_back(v.position);
-  for (const face::Triangle& t : prop.triangles) shell.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  for (const face::Triangle& t : prop.triangles)
+    shell.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
 Shell ShellOf(const face::Cast& cast, const face::Face& face) {
@@ -74,7 +75,8 @@ void FinishSkin(const std::vector<sculpt::PaintAttributes>& attributes, const fa
 void FinishProp(std::vector<float> open, face::Prop& prop) {
   SmoothOver(prop.triangles, kPropSmoothing, open);
   const float floor = prop.part == face::Part::kHair ? kHairFloor : 0.0F;
-  for (std::size_t i = 0; i < open.size(); ++i) prop.vertices[i].shade = Clamp01(floor + (1 - floor) * open[i]);
+  for (std::size_t i = 0; i < open.size(); ++i)
+    prop.vertices[i].shade = Clamp01(floor + (1 - floor) * open[i]);
 }
 
 }  // namespace

@@ -12,7 +12,9 @@ namespace kaori::wardrobe {
 inline constexpr float kPi = 3.14159265F;
 inline constexpr float kRadPerDeg = kPi / 180;
 
-inline float Clamp01(float x) { return x < 0 ? 0 : x > 1 ? 1 : x; }
+inline float Clamp01(float x) {
+  return x < 0 ? 0 : x > 1 ? 1 : x;
+}
 
 // 0 at `from`, 1 at `to`, smooth between; `to` may be the smaller.
 inline float SmoothStep(float from, float to, float x) {
@@ -41,9 +43,9 @@ float Table(std::span<const glm::vec2> knots, float x);
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : state_(seed * 2654435761U + 0x9E3779B9U) {}
-  float Unit();                                                            // 0..1
+  float Unit();  // 0..1
   float Between(float low, float high) { return low + (high - low) * Unit(); }
-  float Spread() { return Unit() + Unit() + Unit() - 1.5F; }               // About 0, deviation 0.5.
+  float Spread() { return Unit() + Unit() + Unit() - 1.5F; }  // About 0, deviation 0.5.
 
  private:
   std::uint32_t state_;

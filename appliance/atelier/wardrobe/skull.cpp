@@ -10,8 +10,8 @@
 namespace kaori::wardrobe {
 namespace {
 
-constexpr float kHangsFrom = 0.5F;   // The part of a fall that lies on the skull.
-constexpr float kAxisZ_cm = -1.0F;   // What hangs, hangs round this axis.
+constexpr float kHangsFrom = 0.5F;  // The part of a fall that lies on the skull.
+constexpr float kAxisZ_cm = -1.0F;  // What hangs, hangs round this axis.
 
 // Where falling hair starts: a small whorl, a little behind the top.
 glm::vec3 CrownDirection(float around_deg) {

@@ -22,9 +22,9 @@ glm::vec3 GreatCircle(glm::vec3 from, glm::vec3 to, float t);
 // Hair that falls from the crown over the widest part of the skull and hangs from there.
 struct Fall {
   float end_y_cm = -8;
-  float offset_cm = 0.4F;   // Above the skull, once clear of the crown.
-  float flare = 0.035F;     // Out, halfway down what hangs; a part of the radius.
-  float curl = 0.2F;        // In, at the ends.
+  float offset_cm = 0.4F;  // Above the skull, once clear of the crown.
+  float flare = 0.035F;    // Out, halfway down what hangs; a part of the radius.
+  float curl = 0.2F;       // In, at the ends.
 };
 glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t);
 
@@ -32,7 +32,7 @@ glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t
 struct Fringe {
   float end_y_cm = 3.2F;
   float offset_cm = 0.4F;
-  float sweep_deg = 0;      // The ends lie this much further round.
+  float sweep_deg = 0;  // The ends lie this much further round.
 };
 glm::vec3 OnFringe(const Skull& skull, const Fringe& fringe, float around_deg, float t);
 
@@ -41,9 +41,9 @@ struct Comb {
   glm::vec3 from{0, 0, 1};
   glm::vec3 over{0, 1, 0};
   glm::vec3 to{0, 0, -1};
-  float root_cm = 0.05F;    // Above the skull at the hairline,
-  float lift_cm = 0.6F;     // at the highest,
-  float end_cm = 0.2F;      // and where it ends.
+  float root_cm = 0.05F;  // Above the skull at the hairline,
+  float lift_cm = 0.6F;   // at the highest,
+  float end_cm = 0.2F;    // and where it ends.
 };
 glm::vec3 OnComb(const Skull& skull, const Comb& comb, float t);
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kRows = 14;
 constexpr int kColumns = 61;
-constexpr float kHalf_deg = 104;   // The combed top reaches this far round, to behind the ears.
+constexpr float kHalf_deg = 104;  // The combed top reaches this far round, to behind the ears.
 constexpr int kLocks = 24;
-constexpr int kNapeLocks = 14;
+constexpr float kLocksAcross = 11;  // The sheet counts as so many locks, for the stripes on it.
 
 // Combed from the hairline at `around_deg` back over the top, a little to the character's right.
 Comb CombFrom(const HairLook& look, float around_deg) {
@@ -26,7 +26,7 @@ Comb CombFrom(const HairLook& look, float around_deg) {
   comb.over = Direction(around_deg * 1.22F - part_deg, std::max(elevation + 8, 80 - from_front * 0.78F));
   comb.to = Direction(std::copysign(180 - from_front * 0.5F, around_deg), -32);
   comb.lift_cm = look.volume_cm + 0.75F * Bell(around_deg, 45);
-  comb.end_cm = 0.3F;
+  comb.end_cm = 0.5F;
   return comb;
 }
 
@@ -42,7 +42,8 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
       sheet.points.push_back(OnComb(look.skull, comb, t));
     }
   }
-  for (int c = 0; c < kColumns; ++c) sheet.across.push_back(static_cast<float>(c) / (kColumns - 1));
+  for (int c = 0; c < kColumns; ++c)
+    sheet.across.push_back(kLocksAcross * static_cast<float>(c) / (kColumns - 1));
   mesh.AddPatch(sheet);
 }
 
@@ -65,7 +66,9 @@ void AddTopLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& d
 }  // namespace
 
 void CutSwept(ClothMesh& mesh, const HairLook& look) {
-  AddCurtain(mesh, look, kNapeLocks);
+  HairLook nape = look;
+  nape.volume_cm *= 0.5F;  // The top lies over it.
+  AddCurtain(mesh, nape, 0);
   AddTopSheet(mesh, look);
   Dice dice(look.seed + 2);
   for (int i = 0; i < kLocks; ++i) {

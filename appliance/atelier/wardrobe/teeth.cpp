@@ -14,16 +14,21 @@ constexpr int kColumnsPerTooth = 6;  // each with so many columns.
 constexpr int kColumns = kTeeth * kColumnsPerTooth + 1;
 
 struct Arch {
-  float root_y_cm;       // Where teeth leave the gum,
-  float edge_y_cm;       // and where they bite.
+  float root_y_cm;  // Where teeth leave the gum,
+  float edge_y_cm;  // and where they bite.
   float front_z_cm;
   float half_width_cm;
   float depth_cm = 3.6F;
 };
 
 // From the gum over the face of the teeth to behind their edge: share of the height, and how far forward.
-constexpr std::array<glm::vec2, 7> kProfile{
-    {{0, -0.35F}, {0.15F, -0.04F}, {0.5F, 0.05F}, {0.85F, 0.03F}, {0.97F, -0.04F}, {1, -0.14F}, {0.9F, -0.4F}}};
+constexpr std::array<glm::vec2, 7> kProfile{{{0, -0.35F},
+                                             {0.15F, -0.04F},
+                                             {0.5F, 0.05F},
+                                             {0.85F, 0.03F},
+                                             {0.97F, -0.04F},
+                                             {1, -0.14F},
+                                             {0.9F, -0.4F}}};
 
 // 0 in the gap between two teeth, 1 in the middle of one.
 float Roundness(int column) {
@@ -86,9 +91,13 @@ glm::vec3 TonguePoint(int row, int column) {
 
 }  // namespace
 
-face::Prop CarveUpperTeeth() { return CarveArch({-5.35F, -6.12F, 7.75F, 2.15F}, face::Part::kUpperTeeth); }
+face::Prop CarveUpperTeeth() {
+  return CarveArch({-5.35F, -6.12F, 7.75F, 2.15F}, face::Part::kUpperTeeth);
+}
 
-face::Prop CarveLowerTeeth() { return CarveArch({-6.95F, -6.3F, 7.5F, 1.95F}, face::Part::kLowerTeeth); }
+face::Prop CarveLowerTeeth() {
+  return CarveArch({-6.95F, -6.3F, 7.5F, 1.95F}, face::Part::kLowerTeeth);
+}
 
 face::Prop CarveTongue() {
   Patch patch{kTongueRows, kTongueColumns, true, {}, {}, {}};

@@ -13,6 +13,7 @@ namespace {
 
 constexpr glm::vec3 kMiddle_cm{0, -24, -4};  // Rays to the surface start here.
 constexpr float kFar_cm = 48;                // Everything lies nearer to it.
+constexpr float kYoke_cm = -16.9F;           // The shoulders slope down from here.
 
 float SmoothMin(float a, float b, float k) {
   const float h = std::max(k - std::abs(a - b), 0.0F) / k;
@@ -36,6 +37,10 @@ float Capsule(glm::vec3 p, const Bone& bone) {
   const glm::vec3 along = bone.b - bone.a;
   const float h = Clamp01(glm::dot(p - bone.a, along) / glm::dot(along, along));
   return glm::length(p - bone.a - along * h) - (bone.radius_a + (bone.radius_b - bone.radius_a) * h);
+}
+
+float Larger(glm::vec2 radii) {
+  return std::max(radii.x, radii.y);
 }
 
 // Soft folds of cloth, that run down from shoulders and armpits.
@@ -68,9 +73,10 @@ Slice SliceAt(const face::Face& face, float y_cm) {
 
 glm::vec3 Neck::At(float around_deg, float y_cm, float off_cm) const {
   const float t = (y_cm - top_cm.y) / (bottom_cm.y - top_cm.y);
-  const float radius = top_radius_cm + (bottom_radius_cm - top_radius_cm) * t + off_cm;
+  const glm::vec2 radii = top_radii_cm + (bottom_radii_cm - top_radii_cm) * t + off_cm;
   const glm::vec3 centre = top_cm + (bottom_cm - top_cm) * t;
-  return {radius * std::sin(around_deg * kRadPerDeg), y_cm, centre.z + radius * std::cos(around_deg * kRadPerDeg)};
+  const float a = around_deg * kRadPerDeg;
+  return {radii.x * std::sin(a), y_cm, centre.z + radii.y * std::cos(a)};
 }
 
 Neck MeasureNeck(const face::Face& face) {
@@ -80,8 +86,8 @@ Neck MeasureNeck(const face::Face& face) {
   if (top.half_width_cm <= 0 || bottom.half_width_cm <= 0) return neck;
   neck.top_cm.z = (top.front_cm + top.back_cm) / 2;
   neck.bottom_cm.z = (bottom.front_cm + bottom.back_cm) / 2;
-  neck.top_radius_cm = std::max(top.half_width_cm, (top.front_cm - top.back_cm) / 2);
-  neck.bottom_radius_cm = std::max(bottom.half_width_cm, (bottom.front_cm - bottom.back_cm) / 2);
+  neck.top_radii_cm = {top.half_width_cm, (top.front_cm - top.back_cm) / 2};
+  neck.bottom_radii_cm = {bottom.half_width_cm, (bottom.front_cm - bottom.back_cm) / 2};
   return neck;
 }
 
@@ -90,13 +96,14 @@ float Torso::Distance(glm::vec3 point_cm) const {
   const float s = shoulders_cm;
   const float joint_y = -drop_cm;
   const float back_z = neck.bottom_cm.z - 0.6F;
-  float d = Capsule(p, {neck.top_cm, neck.bottom_cm, neck.top_radius_cm + 0.2F, neck.bottom_radius_cm + 0.3F});
-  const Bone yoke{{0.5F, joint_y + 1.2F, back_z}, {s, joint_y - 0.3F, back_z}, 3.6F, 2.9F};
-  const Bone arm{{s + 0.3F, joint_y - 0.8F, back_z}, {s + 2.6F, -44, back_z + 2}, 3.4F, 3.0F};
+  float d = Capsule(p, {neck.top_cm, neck.bottom_cm, Larger(neck.top_radii_cm) + 0.2F,
+                        Larger(neck.bottom_radii_cm) + 0.3F});
+  const Bone yoke{{0.5F, kYoke_cm, back_z}, {s, joint_y - 0.3F, back_z}, 3.6F, 2.7F};
+  const Bone arm{{s + 0.3F, joint_y - 0.8F, back_z}, {s + 2.4F, -44, back_z + 2}, 3.2F, 2.9F};
   d = SmoothMin(d, Capsule(p, yoke), 3.4F);
   d = SmoothMin(d, Ellipsoid(p, {0, -27, back_z + 0.4F}, {s * 0.98F, 13, 6.6F}), 3.0F);
   if (chest_cm > 0) d = SmoothMin(d, Ellipsoid(p, {4.4F, -27, back_z + 4.6F}, {4.2F, 4.6F, chest_cm}), 3.0F);
-  return SmoothMin(d, Capsule(p, arm), 1.4F);
+  return SmoothMin(d, Capsule(p, arm), 3.0F);
 }
 
 glm::vec3 Torso::At(float around_deg, float elevation_deg, float off_cm) const {
