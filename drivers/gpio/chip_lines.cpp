@@ -1,0 +1,109 @@
+#include "drivers/gpio/chip_lines.h"
+
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace kaori::gpio {
+namespace {
+
+using ports::GpioEdge;
+
+constexpr std::size_t kMostInputs = 32;
+
+Result<void> WatchIn(const UniqueFd& epoll, int fd) {
+  epoll_event event{};
+  event.events = EPOLLIN;
+  event.data.fd = fd;
+  if (::epoll_ctl(epoll.get(), EPOLL_CTL_ADD, fd, &event) < 0) return FailErrno("watch a GPIO line");
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ChipLines>> ChipLines::Take(std::unique_ptr<GpioChip> chip, const Wiring& wiring) {
+  if (wiring.inputs.size() > kMostInputs) return FailInput("take more than 32 GPIO inputs");
+  UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
+  UniqueFd kept(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  if (!epoll.valid() || !kept.valid()) return FailErrno("watch GPIO lines");
+  if (auto ok = WatchIn(epoll, kept.get()); !ok) return tl::unexpected(ok.error());
+  std::unique_ptr<ChipLines> lines(new ChipLines(std::move(chip), std::move(epoll), std::move(kept)));
+  for (const LineWiring& input : wiring.inputs)
+    if (auto ok = lines->AddInput(input); !ok) return tl::unexpected(ok.error());
+  for (const LineWiring& output : wiring.outputs) {
+    auto line = lines->chip_->TakeOutput(output);
+    if (!line) return tl::unexpected(line.error());
+    lines->outputs_.push_back(std::move(*line));
+  }
+  return lines;
+}
+
+ChipLines::ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd kept)
+    : chip_(std::move(chip)), epoll_(std::move(epoll)), kept_(std::move(kept)) {}
+
+Result<void> ChipLines::AddInput(const LineWiring& wiring) {
+  auto line = chip_->TakeInput(wiring);
+  if (!line) return tl::unexpected(line.error());
+  if (auto ok = WatchIn(epoll_, (*line)->pollable()); !ok) return ok;
+  inputs_.push_back({.line = std::move(*line), .next = {}});
+  return {};
+}
+
+Result<std::uint32_t> ChipLines::Levels() {
+  std::uint32_t active = 0;
+  for (std::size_t n = 0; n < inputs_.size(); ++n) {
+    const auto level = inputs_[n].line->Level();
+    if (!level) return tl::unexpected(level.error());
+    if (*level) active |= std::uint32_t{1} << n;
+  }
+  return active;
+}
+
+Result<GpioEdge> ChipLines::ReadEdge() {
+  if (auto ok = Look(); !ok) return tl::unexpected(ok.error());
+  const auto oldest = std::ranges::min_element(
+      inputs_, {}, [](const Input& input) { return input.next ? input.next->at : Time::max(); });
+  if (oldest == inputs_.end() || !oldest->next)
+    return Fail(std::errc::resource_unavailable_try_again, "read GPIO lines");
+  const LineEdge edge = *std::exchange(oldest->next, std::nullopt);
+  ShowWhetherKept();
+  return GpioEdge{
+      .at = edge.at, .line = static_cast<std::uint32_t>(oldest - inputs_.begin()), .active = edge.active};
+}
+
+// Every line's next edge: only all of them together tell which is the oldest.
+Result<void> ChipLines::Look() {
+  for (Input& input : inputs_) {
+    if (input.next) continue;
+    const auto edge = input.line->ReadEdge();
+    if (edge) input.next = *edge;
+    if (!edge && edge.error().cause != std::errc::resource_unavailable_try_again)
+      return tl::unexpected(edge.error());
+  }
+  return {};
+}
+
+void ChipLines::ShowWhetherKept() {
+  eventfd_t count = 0;
+  const bool any = std::ranges::any_of(inputs_, [](const Input& input) { return input.next.has_value(); });
+  if (any)
+    ::eventfd_write(kept_.get(), 1);
+  else
+    ::eventfd_read(kept_.get(), &count);  // Non-blocking: empty is as good.
+}
+
+Result<void> ChipLines::Drive(std::uint32_t line, bool active) {
+  if (line >= outputs_.size())
+    return FailInput("drive GPIO output " + std::to_string(line) + ", which is not wired");
+  return outputs_[line]->Drive(active);
+}
+
+Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring) {
+  auto opened = OpenGpioChip(chip);
+  if (!opened) return tl::unexpected(opened.error());
+  return ChipLines::Take(std::move(*opened), wiring);
+}
+
+}  // namespace kaori::gpio

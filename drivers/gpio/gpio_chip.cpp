@@ -1,0 +1,109 @@
+#include "drivers/gpio/gpio_chip.h"
+
+#include <gpiod.h>
+
+#include <cerrno>
+
+namespace kaori::gpio {
+namespace {
+
+constexpr const char* kConsumer = "kaori";
+
+struct CloseChip {
+  void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }
+};
+struct ReleaseLine {
+  void operator()(gpiod_line* line) const { gpiod_line_release(line); }
+};
+using Line = std::unique_ptr<gpiod_line, ReleaseLine>;
+
+std::string Named(const char* verb, gpiod_line* line) {
+  return verb + std::string(" GPIO line ") + std::to_string(gpiod_line_offset(line));
+}
+
+tl::unexpected<Error> Failed(const char* verb, gpiod_line* line) {
+  const bool gone = errno == ENODEV || errno == ENXIO;
+  return Fail(gone ? std::errc::no_such_device : std::errc::io_error, Named(verb, line));
+}
+
+class Input final : public InputLine {
+ public:
+  explicit Input(Line line) : line_(std::move(line)) {}
+  int pollable() const override { return gpiod_line_event_get_fd(line_.get()); }
+
+  Result<bool> Level() override {
+    const int level = gpiod_line_get_value(line_.get());
+    if (level < 0) return Failed("read", line_.get());
+    return level != 0;
+  }
+
+  Result<LineEdge> ReadEdge() override {
+    const timespec at_once{};
+    const int waiting = gpiod_line_event_wait(line_.get(), &at_once);
+    if (waiting == 0) return Fail(std::errc::resource_unavailable_try_again, Named("read", line_.get()));
+    gpiod_line_event event{};
+    if (waiting < 0 || gpiod_line_event_read(line_.get(), &event) < 0) return Failed("read", line_.get());
+    // Linux stamps line events with CLOCK_MONOTONIC since 5.7.
+    return LineEdge{.at = Time{} + std::chrono::seconds(event.ts.tv_sec) + Duration(event.ts.tv_nsec),
+                    .active = event.event_type == GPIOD_LINE_EVENT_RISING_EDGE};
+  }
+
+ private:
+  Line line_;
+};
+
+class Output final : public OutputLine {
+ public:
+  explicit Output(Line line) : line_(std::move(line)) {}
+  Result<void> Drive(bool active) override {
+    if (gpiod_line_set_value(line_.get(), active ? 1 : 0) < 0) return Failed("drive", line_.get());
+    return {};
+  }
+
+ private:
+  Line line_;
+};
+
+class Chip final : public GpioChip {
+ public:
+  explicit Chip(std::unique_ptr<gpiod_chip, CloseChip> chip) : chip_(std::move(chip)) {}
+
+  Result<std::unique_ptr<InputLine>> TakeInput(const LineWiring& wiring) override {
+    auto line = Take(wiring, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES);
+    if (!line) return tl::unexpected(line.error());
+    return std::make_unique<Input>(std::move(*line));
+  }
+
+  Result<std::unique_ptr<OutputLine>> TakeOutput(const LineWiring& wiring) override {
+    auto line = Take(wiring, GPIOD_LINE_REQUEST_DIRECTION_OUTPUT);
+    if (!line) return tl::unexpected(line.error());
+    return std::make_unique<Output>(std::move(*line));
+  }
+
+ private:
+  Result<Line> Take(const LineWiring& wiring, int request_type) {
+    const std::string attempt = "take GPIO line " + std::to_string(wiring.offset);
+    gpiod_line* line = gpiod_chip_get_line(chip_.get(), wiring.offset);
+    if (line == nullptr) return FailErrno(attempt);
+    const int flags = (wiring.active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0) |
+                      (wiring.pull_up ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP : 0);
+    const gpiod_line_request_config config{
+        .consumer = kConsumer, .request_type = request_type, .flags = flags};
+    constexpr int kInactive = 0;
+    if (gpiod_line_request(line, &config, kInactive) < 0) return FailErrno(attempt);
+    return Line(line);
+  }
+
+  std::unique_ptr<gpiod_chip, CloseChip> chip_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<GpioChip>> OpenGpioChip(const std::string& name) {
+  std::unique_ptr<gpiod_chip, CloseChip> chip(gpiod_chip_open_lookup(name.c_str()));
+  if (chip) return std::make_unique<Chip>(std::move(chip));
+  const bool denied = errno == EACCES || errno == EPERM;
+  return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, "open GPIO chip " + name);
+}
+
+}  // namespace kaori::gpio
