@@ -1,5 +1,7 @@
 #include "render/passes/clothes.h"
 
+#include <algorithm>
+
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
 
@@ -10,12 +12,17 @@ namespace {
 constexpr float kSunk_m = 0.14F;
 constexpr float kGone = 0.004F;
 
-float TotalPresence(const Wardrobe& wardrobe) {
-  float total = 0;
-  for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {
-    if (wardrobe.meshes()[i].part == face::Part::kClothes) total += wardrobe.presence(i);
-  }
-  return total;
+bool WearsClothes(const Wardrobe& wardrobe, std::size_t face) {
+  return std::ranges::any_of(wardrobe.worn_by(face), [&](int prop) {
+    return wardrobe.meshes()[static_cast<std::size_t>(prop)].part == face::Part::kClothes;
+  });
+}
+
+// The part of the faces that wears anything.
+float Dressed(const Wardrobe& wardrobe, const face::Terms& faces) {
+  float dressed = 0;
+  for (const face::Term& term : faces) dressed += WearsClothes(wardrobe, term.index) ? term.weight : 0.0F;
+  return std::clamp(dressed, 0.0F, 1.0F);
 }
 
 }  // namespace
@@ -31,20 +38,25 @@ Result<ClothesPass> ClothesPass::Open() {
   return pass;
 }
 
-void ClothesPass::Draw(const Wardrobe& wardrobe) const {
-  const float total = TotalPresence(wardrobe);
-  const float sunk_m = kSunk_m * (1 - glm::clamp(total, 0.0F, 1.0F));
-  float laid = 0;
+void ClothesPass::Draw(const Wardrobe& wardrobe, const face::Terms& faces) const {
   program_.Use();
-  gl::Program::Set(sunk_, sunk_m);
-  for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {
-    const PropMesh& prop = wardrobe.meshes()[i];
-    const float presence = wardrobe.presence(i);
-    if (prop.part != face::Part::kClothes || presence < kGone) continue;
-    laid += presence;
-    gl::Apply({.cull = gl::Cull::kNone, .blend = laid > presence ? gl::Blend::kOver : gl::Blend::kReplace});
+  gl::Program::Set(sunk_, kSunk_m * (1 - Dressed(wardrobe, faces)));
+  float laid = 0;
+  for (const face::Term& term : faces) {
+    if (term.weight < kGone || !WearsClothes(wardrobe, term.index)) continue;
+    laid += term.weight;
+    const bool first = laid <= term.weight;
+    gl::Apply({.cull = gl::Cull::kNone, .blend = first ? gl::Blend::kReplace : gl::Blend::kOver});
+    gl::Program::Set(opacity_, term.weight / laid);
+    DrawWorn(wardrobe, term.index);
+  }
+}
+
+void ClothesPass::DrawWorn(const Wardrobe& wardrobe, std::size_t face) const {
+  for (const int index : wardrobe.worn_by(face)) {
+    const PropMesh& prop = wardrobe.meshes()[static_cast<std::size_t>(index)];
+    if (prop.part != face::Part::kClothes) continue;
     gl::Program::Set(paint_, prop.paint);
-    gl::Program::Set(opacity_, presence / laid);
     prop.mesh.Draw();
   }
 }

@@ -12,9 +12,11 @@ class ClothesPass {
   // Errors: invalid_argument (a shader).
   static Result<ClothesPass> Open();
 
-  void Draw(const Wardrobe& wardrobe) const;
+  void Draw(const Wardrobe& wardrobe, const face::Terms& faces) const;
 
  private:
+  void DrawWorn(const Wardrobe& wardrobe, std::size_t face) const;
+
   gl::Program program_;
   int paint_ = -1, sunk_ = -1, opacity_ = -1;
 };

@@ -127,14 +127,14 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
   surface.WriteFine(shape);
   hair->Draw(wardrobe, HairShare(scene));
   lashes->Draw(shape);
-  clothes->Draw(wardrobe);
+  clothes->Draw(wardrobe, shape.faces);
   body->Draw(surface, shape);
   eyes->Draw(shape, scene.gaze);
   mouth->Draw(wardrobe, shape);
 }
 
 void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shape) {
-  clothes->Draw(wardrobe);
+  clothes->Draw(wardrobe, shape.faces);
   flat->Draw(shape);
   eyes->Draw(shape, scene.gaze);
   mouth->Draw(wardrobe, shape);

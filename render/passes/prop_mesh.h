@@ -35,6 +35,7 @@ class Wardrobe {
 
   std::span<const PropMesh> meshes() const { return meshes_; }
   float presence(std::size_t prop) const { return presence_[prop]; }
+  std::span<const int> worn_by(std::size_t face) const { return worn_[face]; }
 
  private:
   std::vector<PropMesh> meshes_;

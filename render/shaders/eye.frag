@@ -32,7 +32,7 @@ void main() {
   vec3 d = normalize(in_head);
   float glint = smoothstep(0.984, 0.9915, dot(d, vec3(-0.295, 0.354, 0.888)));
   glint += 0.38 * smoothstep(0.992, 0.998, dot(d, vec3(0.257, -0.296, 0.920)));
-  float veil = 0.05 * smoothstep(0.2, 0.9, dot(d, vec3(-0.45, 0.55, 0.70)));
+  float veil = 0.010 * smoothstep(0.2, 0.9, dot(d, vec3(-0.45, 0.55, 0.70)));
   c += (0.95 * glint + veil) * soft;
   colour = Coded(c * key.w);
 }
