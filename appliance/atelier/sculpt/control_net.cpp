@@ -16,7 +16,7 @@ namespace kaori::sculpt {
 namespace {
 
 constexpr int kSmoothSteps = 3;
-constexpr double kOutside = -1e-6;     // A share below this: the point lies outside the triangle.
+constexpr double kOutside = -0.1;      // A share below this: the place lies too far outside the triangle.
 constexpr double kLeastWeight = 1e-4;  // Smaller ones cost and cannot be seen.
 constexpr std::array<double, kMouthRings - kLipContactRing> kIntoBag{1.0, 0.9, 0.6, 0.35};
 
@@ -58,6 +58,7 @@ class WeightTable {
 struct HalfNet {
   std::vector<glm::dvec2> place_cm;
   std::vector<Column> column;
+  std::vector<Key> vertex;  // What the point lies on, where that is the edge of a lid or a lip.
   std::vector<Corners3> triangles;
 };
 
@@ -69,6 +70,7 @@ HalfNet MakeHalfNet(const ExpressionFile& file, face::ControlNet& net) {
   };
   for (const AuthoredPoint& point : file.points) {
     half.place_cm.push_back(point.place_cm);
+    half.vertex.push_back(point.vertex.value_or(Key{}));
     if (point.paired) {
       const Index left = add(point.name + ".l", point.place_cm);
       half.column.push_back({left, add(point.name + ".r", point.place_cm * glm::dvec2(-1, 1))});
@@ -79,6 +81,7 @@ HalfNet MakeHalfNet(const ExpressionFile& file, face::ControlNet& net) {
   }
   for (glm::dvec2 place_cm : file.border_cm) {
     half.place_cm.push_back(place_cm);
+    half.vertex.push_back({});
     half.column.push_back({});
   }
   half.triangles = Delaunay(half.place_cm);
@@ -100,19 +103,48 @@ Lender LenderOf(const Key& key) {
   return {key, 1};
 }
 
-bool FillRow(const HalfNet& net, glm::dvec2 place_cm, const CageVertex& vertex, double share, double* row) {
+// Above (1) or below (-1) the slit of the eye or the mouth; 0 in its corners and elsewhere.
+int SideOfSlit(const Key& key) {
+  if (key.region == Region::kMouth) return key.a == kMouthCorner ? 0 : key.a < kMouthCorner ? 1 : -1;
+  if (key.region != Region::kEye || key.a % (kEyeRim / 2) == 0) return 0;
+  return key.a < kEyeRim / 2 ? 1 : -1;
+}
+
+bool AreOpposed(const Key& a, const Key& b) {
+  return a.region == b.region && SideOfSlit(a) * SideOfSlit(b) < 0;
+}
+
+struct Found {
+  Corners3 corners{};
+  glm::dvec3 shares{};
+  double inside = kOutside;  // The smallest share: how deep the place lies in the triangle.
+};
+
+// The triangle that holds the place. Between two points on its edge a lip bows into the slit, where triangles
+// reach over to the other lip: those are passed over for the one that the place misses by least.
+Found FindTriangle(const HalfNet& net, glm::dvec2 place_cm, const Key& key) {
+  Found best;
   for (const Corners3& t : net.triangles) {
+    const auto opposed = [&](std::size_t corner) { return AreOpposed(net.vertex[corner], key); };
+    if (std::any_of(t.begin(), t.end(), opposed)) continue;
     const auto shares = SharesIn(net.place_cm[t[0]], net.place_cm[t[1]], net.place_cm[t[2]], place_cm);
-    if (!shares || std::min({shares->x, shares->y, shares->z}) < kOutside) continue;
-    const glm::dvec3 clean = CleanShares(*shares);
-    for (int i = 0; i < 3; ++i) {
-      const Column& column = net.column[t[static_cast<std::size_t>(i)]];
-      const std::optional<Index>& c = vertex.side > 0 ? column.left : column.right;
-      if (c) row[*c] += clean[i] * share;
-    }
-    return true;
+    if (!shares) continue;
+    const double inside = std::min({shares->x, shares->y, shares->z});
+    if (inside > best.inside) best = {t, CleanShares(*shares), inside};
   }
-  return false;
+  return best;
+}
+
+bool FillRow(const HalfNet& net, glm::dvec2 place_cm, const CageVertex& vertex, const Lender& lender,
+             double* row) {
+  const Found found = FindTriangle(net, place_cm, lender.key);
+  if (found.shares == glm::dvec3(0)) return false;
+  for (int i = 0; i < 3; ++i) {
+    const Column& column = net.column[found.corners[static_cast<std::size_t>(i)]];
+    const std::optional<Index>& c = vertex.side > 0 ? column.left : column.right;
+    if (c) row[*c] += found.shares[i] * lender.share;
+  }
+  return true;
 }
 
 Result<WeightTable> LinearWeights(const Cage& cage, const HalfShape& reference, const HalfNet& net,
@@ -121,7 +153,7 @@ Result<WeightTable> LinearWeights(const Cage& cage, const HalfShape& reference, 
   for (Index v = 0; v < cage.moving_count; ++v) {
     const Lender lender = LenderOf(cage.key(v));
     const glm::dvec2 place_cm = reference.place[cage.half.At(lender.key.region, lender.key.a, lender.key.b)];
-    if (!FillRow(net, place_cm, cage.vertices[v], lender.share, table.row(v))) {
+    if (!FillRow(net, place_cm, cage.vertices[v], lender, table.row(v))) {
       return FailInput(fmt::format("control points: no triangle of theirs holds the place ({:.2f}, {:.2f})",
                                    place_cm.x, place_cm.y));
     }

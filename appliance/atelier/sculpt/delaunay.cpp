@@ -1,6 +1,8 @@
 #include "appliance/atelier/sculpt/delaunay.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <utility>
 
 extern "C" {
@@ -22,9 +24,10 @@ class Hull {
   explicit Hull(std::vector<double> coordinates) : coordinates_(std::move(coordinates)) {
     qh_zero(&hull_, nullptr);
     // d: Delaunay; Qbb, Qz: well scaled also for points on a circle; Qt: triangles only; Pp: no remarks.
+    // What it has to say about bad input goes nowhere: the caller says it better.
     char options[] = "qhull d Qbb Qc Qz Qt Pp";
     ok_ = qh_new_qhull(&hull_, 2, static_cast<int>(coordinates_.size() / 2), coordinates_.data(), False,
-                       options, nullptr, nullptr) == 0;
+                       options, nullptr, nowhere_.get()) == 0;
   }
   Hull(const Hull&) = delete;
   Hull& operator=(const Hull&) = delete;
@@ -60,6 +63,11 @@ class Hull {
     return corners;
   }
 
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::unique_ptr<std::FILE, Close> nowhere_{std::fopen("/dev/null", "w")};
   std::vector<double> coordinates_;
   qhT hull_{};
   bool ok_ = false;

@@ -42,21 +42,19 @@ class Reader {
  private:
   void ReadPoints(Section section) {
     for (const auto& [name, value] : section.table().table) {
-      const std::optional<glm::dvec2> place = PlaceOf(value);
+      const std::optional<Key> vertex = AsVertex(value.word);
+      const std::optional<glm::dvec2> place = vertex ? PlaceOf(*vertex) : AsPlace(value);
       if (!place || !IsOnLeftHalf(*place)) {
         section.Fault(name, "must be a place [u, v] on the left half of the face, or name a vertex");
         continue;
       }
-      file_.points.push_back({name, *place, place->x > kOnMiddle_cm});
+      file_.points.push_back({name, *place, place->x > kOnMiddle_cm, vertex});
     }
     if (file_.points.size() < 3) section.Fault("", "there must be three points at least");
   }
 
-  std::optional<glm::dvec2> PlaceOf(const Value& value) const {
-    if (value.kind != Value::Kind::kWord) return AsPlace(value);
-    const std::optional<Key> vertex = AsVertex(value.word);
-    if (!vertex) return std::nullopt;
-    return reference_.place[half_.At(vertex->region, vertex->a, vertex->b)];
+  std::optional<glm::dvec2> PlaceOf(const Key& vertex) const {
+    return reference_.place[half_.At(vertex.region, vertex.a, vertex.b)];
   }
 
   void ReadBorder(Section& file) {

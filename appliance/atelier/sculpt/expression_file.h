@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ namespace kaori::sculpt {
 struct AuthoredPoint {
   std::string name;
   glm::dvec2 place_cm{};
-  bool paired = false;  // Has a mirror image on the right.
+  bool paired = false;          // Has a mirror image on the right.
+  std::optional<Key> vertex{};  // On the edge of a lid or a lip.
 };
 
 // By point name: along u, along v, outwards, in centimetres on the reference face. Outwards from the middle

@@ -6,7 +6,7 @@ namespace kaori::sculpt {
 namespace {
 
 constexpr double kSunk_cm = 0.45;         // Ring 7 under the ball's surface.
-constexpr double kSkinOverLid_cm = 0.05;  // Rings 3 and 4 over the lid's edge.
+constexpr double kSkinOverLid_cm = 0.05;  // The rings before it over the lid's edge.
 
 glm::dvec3 AtRadius(const Ball& ball, glm::dvec3 p, double radius) {
   return ball.centre + glm::normalize(p - ball.centre) * radius;
@@ -23,8 +23,7 @@ void SeatRing(const HalfTopology& half, const Ball& ball, int k, double radius, 
 
 void SeatLids(const HalfTopology& half, const Ball& ball, HalfShape& shape) {
   const double edge = ball.radius + ball.lid_thickness;
-  SeatRing(half, ball, kLidRing - 2, edge + kSkinOverLid_cm, shape);
-  SeatRing(half, ball, kLidRing - 1, edge + kSkinOverLid_cm, shape);
+  for (int k = 1; k < kLidRing; ++k) SeatRing(half, ball, k, edge + kSkinOverLid_cm, shape);
   SeatRing(half, ball, kLidRing, edge, shape);
   SeatRing(half, ball, kLidRing + 1, ball.radius, shape);
   SeatRing(half, ball, kLidRing + 2, ball.radius - kSunk_cm, shape);
