@@ -90,8 +90,9 @@ void LipCamera::Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv) {
     for (std::size_t n = 0; n < yuyv.size(); ++n) yuyv[n] = n % 2 == 0 ? kDarkLuma : kGrey;
     return AddNoise(yuyv, sequence, yuyv);
   }
-  AddNoise(backdrop_, sequence, yuyv);
+  std::ranges::copy(backdrop_, yuyv.begin());
   PaintMouth(mouth_, {format_.width_px, format_.height_px, yuyv});
+  AddNoise(yuyv, sequence, yuyv);
 }
 
 }  // namespace kaori::sim

@@ -1,0 +1,190 @@
+// Scenarios as people write them: what a line means, and what is said about a wrong one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hw-sim/devices/lip_picture.h"
+#include "hw-sim/scenario/key_names.h"
+#include "hw-sim/scenario/reader.h"
+#include "hw-sim/scenario/speech.h"
+#include "hw-sim/scenario/writer.h"
+
+namespace kaori::sim {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+// The actions of a text that is right.
+std::vector<Action> Actions(std::string_view text) {
+  const Reading reading = ReadScenario(text);
+  EXPECT_EQ(Describe(reading.problems, "t"), "");
+  return reading.scenario.actions;
+}
+
+// What is said of a text that is wrong.
+std::string Complaint(std::string_view text) {
+  return Describe(ReadScenario(text).problems, "play.txt");
+}
+
+TEST(ScenarioReader, KnowsEveryHand) {
+  const auto one = [](const char* line) {
+    const auto actions = Actions(line);
+    return actions.size() == 1 ? actions[0].hand : Hand{};
+  };
+  EXPECT_EQ(one("at 1s dial 1 turn 0.4"), (Hand{Place::kDialBox, Verb::kTurn, 0, 0.4, 0}));
+  EXPECT_EQ(one("at 1s hold 9"), (Hand{Place::kDialBox, Verb::kPush, 8, 0, 0}));
+  EXPECT_EQ(one("at 1s release 32"), (Hand{Place::kDialBox, Verb::kRelease, 31, 0, 0}));
+  EXPECT_EQ(one("at 1s left move 0.5 -1"), (Hand{Place::kStickLeft, Verb::kMove, 0, 0.5, -1}));
+  EXPECT_EQ(one("at 1s right twist -.5"), (Hand{Place::kStickRight, Verb::kTwist, 0, -0.5, 0}));
+  EXPECT_EQ(one("at 1s right slide +1"), (Hand{Place::kStickRight, Verb::kSlide, 0, 1, 0}));
+  EXPECT_EQ(one("at 1s left hat up-left"), (Hand{Place::kStickLeft, Verb::kHat, 7, 0, 0}));
+  EXPECT_EQ(one("at 1s left hat centre"), (Hand{Place::kStickLeft, Verb::kHat, -1, 0, 0}));
+  EXPECT_EQ(one("at 1s left hold 12"), (Hand{Place::kStickLeft, Verb::kPush, 11, 0, 0}));
+  EXPECT_EQ(one("at 1s key F1 press"), (Hand{Place::kKeyboard, Verb::kPush, 0x3A, 0, 0}));
+  EXPECT_EQ(one("at 1s key a release"), (Hand{Place::kKeyboard, Verb::kRelease, 0x04, 0, 0}));
+  EXPECT_EQ(one("at 1s lips 0.6 1.1"), (Hand{Place::kCamera, Verb::kLips, 0, 0.6, 1.1}));
+  EXPECT_EQ(one("at 1s lens cover"), (Hand{Place::kCamera, Verb::kCoverLens, 1, 0, 0}));
+  EXPECT_EQ(one("at 1s camera run"), (Hand{Place::kCamera, Verb::kStall, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s unplug stick-left"), (Hand{Place::kStickLeft, Verb::kUnplug, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s plug screen"), (Hand{Place::kScreen, Verb::kPlug, 0, 0, 0}));
+}
+
+TEST(ScenarioReader, APushIsDownAndUpAgain) {
+  const auto actions = Actions("at 2s push 9\nat 2.05s key space tap");
+  ASSERT_EQ(actions.size(), 4u);
+  EXPECT_EQ(actions[0], (Action{2s, {}, {Place::kDialBox, Verb::kPush, 8, 0, 0}}));
+  EXPECT_EQ(actions[1], (Action{2050ms, {}, {Place::kKeyboard, Verb::kPush, 0x2C, 0, 0}}));
+  EXPECT_EQ(actions[2], (Action{2s + kTap, {}, {Place::kDialBox, Verb::kRelease, 8, 0, 0}}));
+}
+
+TEST(ScenarioReader, TimesStandBeforeOrAfter) {
+  const auto before = Actions("at 3.2s over 800ms left move 0.4 -0.2");
+  EXPECT_EQ(before, Actions("over 0.8s at 3.2s left move 0.4 -0.2"));
+  EXPECT_EQ(before, Actions("left move 0.4 -0.2 at 3.2s over 0.8s  # a comment"));
+  EXPECT_EQ(before[0].at, 3200ms);
+  EXPECT_EQ(before[0].over, 800ms);
+}
+
+TEST(ScenarioReader, OrdersByTimeAndKeepsTheOrderOfEqualTimes) {
+  const auto actions = Actions("at 2s hold 1\nat 1s hold 2\nat 2s release 1");
+  ASSERT_EQ(actions.size(), 3u);
+  EXPECT_EQ(actions[0].hand.index, 1);
+  EXPECT_EQ(actions[1].hand.verb, Verb::kPush);
+  EXPECT_EQ(actions[2].hand.verb, Verb::kRelease);
+}
+
+TEST(ScenarioReader, ASceneBeginsWithWhatFollowsIt) {
+  const auto scenario =
+      ReadScenario("scene poster\nat 2s hold 1\nscene dog\nat 5s hold 2\nat 9s scene end").scenario;
+  EXPECT_EQ(scenario.beats, (std::vector<Beat>{{2s, "poster"}, {5s, "dog"}, {9s, "end"}}));
+  EXPECT_EQ(scenario.length, 9s);
+}
+
+TEST(ScenarioReader, SpeechEndsAtRestWithinItsTime) {
+  const auto actions = Actions("at 1s say \"a i u e o\" over 2s");
+  ASSERT_EQ(actions.size(), 6u);
+  EXPECT_EQ(actions.front().at, 1s);
+  EXPECT_EQ(actions.back().at + actions.back().over, 3s);
+  EXPECT_EQ(actions.back().hand.a, Mouth{}.height);
+  EXPECT_GT(actions[0].hand.a, actions[1].hand.a);  // a is higher than i,
+  EXPECT_GT(actions[1].hand.b, actions[2].hand.b);  // i wider than u.
+}
+
+TEST(ScenarioReader, LipsMeetBeforeM) {
+  const auto actions = Actions("at 0s say \"ma\" over 1s");
+  ASSERT_EQ(actions.size(), 3u);
+  EXPECT_LT(actions[0].hand.a, Mouth{}.height);
+  EXPECT_GT(actions[1].hand.a, 0.5);
+}
+
+TEST(ScenarioReader, NamesLineColumnAndWhatWasExpected) {
+  EXPECT_EQ(Complaint("\nat 2.5s dial 9 turn 1"), "play.txt:2:14: no dial 9; dials are 1 to 8");
+  EXPECT_EQ(Complaint("at 2s push x"), "play.txt:1:12: no button x; buttons are 1 to 32");
+  EXPECT_EQ(Complaint("at 2s left push 13"), "play.txt:1:17: no stick button 13; stick buttons are 1 to 12");
+  EXPECT_EQ(Complaint("at 2 push 1"),
+            "play.txt:1:4: \"2\" is no time; times are such as 2.5s or 800ms, up to 24 hours");
+  EXPECT_EQ(Complaint("push 1"), "play.txt:1:1: when? A line begins with its time, such as at 2.5s");
+  EXPECT_EQ(Complaint("at 1s left move 0.5"),
+            "play.txt:1:20: the line ends where y, back to forwards is expected");
+  EXPECT_EQ(Complaint("at 1s left move 2 0"), "play.txt:1:17: \"2\" is not x, left to right (-1 to 1)");
+  EXPECT_EQ(Complaint("at 1s push 1 2"), "play.txt:1:14: nothing more is expected in this line");
+  EXPECT_EQ(Complaint("at 1s at 2s push 1"), "play.txt:1:7: a second time of the same kind in one line");
+  EXPECT_EQ(Complaint("at 1s say \"a i"), "play.txt:1:11: a quote that nothing closes");
+  EXPECT_THAT(Complaint("at 1s dail 1 turn 1"), HasSubstr("1:7: unknown word \"dail\"; expected dial, push"));
+  EXPECT_THAT(Complaint("at 1s over 1s push 1"), HasSubstr("1:15: this happens at once"));
+  EXPECT_THAT(Complaint("at 1s say \"a\""), HasSubstr("1:7: say wants a time"));
+  EXPECT_THAT(Complaint("at 1s say \"123\" over 1s"), HasSubstr("1:11: this cannot be said"));
+  EXPECT_THAT(Complaint("at 1s key hyper tap"), HasSubstr("1:11: no key \"hyper\""));
+  EXPECT_THAT(Complaint("at 1s plug toaster"), HasSubstr("1:12: no device \"toaster\""));
+  EXPECT_THAT(Complaint("at 1s left hat north"), HasSubstr("1:16: the hat knows no \"north\""));
+  EXPECT_THAT(Complaint("at 1s lens remove"), HasSubstr("1:12: expected cover or uncover"));
+  EXPECT_THAT(Complaint("at 1s dial 1 spin 2"), HasSubstr("1:14: expected turn"));
+  EXPECT_THAT(Complaint("at 1s"), HasSubstr("1:6: the line ends where"));
+}
+
+TEST(ScenarioReader, ColumnsCountCharactersNotBytes) {
+  EXPECT_EQ(Complaint("at 1s say \"カオリ\" over 1s"),
+            "play.txt:1:11: this cannot be said; syllables are such as \"ka o ri\"");
+  EXPECT_THAT(Complaint("at 1s scene \"カオリ\" x"), HasSubstr("1:19: nothing more"));
+}
+
+TEST(ScenarioReader, TellsEveryWrongLineAndEachOnce) {
+  const auto problems = ReadScenario("at 1s push 99\nat 2s push 1\nat x push 99 99\n# fine\ndial\n").problems;
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_EQ(problems[0].line, 1);
+  EXPECT_EQ(problems[1].line, 3);
+  EXPECT_EQ(problems[2].line, 5);
+}
+
+TEST(ScenarioReader, RefusesNumbersThatAreNone) {
+  for (const char* number : {"nan", "inf", "1e999", "0x1", "1,5", "--1", "1.0.0", "", "1001"})
+    EXPECT_NE(Complaint(std::string("at 1s dial 1 turn ") + number), "") << number;
+  for (const char* time : {"-1s", "1e9s", "s", "nans", "infs", "1m"})
+    EXPECT_NE(Complaint(std::string("at ") + time + " push 1"), "") << time;
+}
+
+TEST(ScenarioReader, ReadsLinesOfOtherSystems) {
+  EXPECT_EQ(Actions("at 1s hold 1\r\n\r\n\tat 2s\trelease 1\r\n").size(), 2u);
+}
+
+TEST(ScenarioReader, NamesTheFileThatIsNotThere) {
+  const auto loaded = LoadScenario("/nowhere/x.play");
+  EXPECT_EQ(loaded.error().message(), "open scenario /nowhere/x.play: No such file or directory");
+}
+
+TEST(ScenarioReader, ReadsThePlaysThatComeWithTheHouse) {
+  for (const char* name : {"warm-up", "kaori"}) {
+    const auto loaded = LoadScenario(std::string(KAORI_PLAYS) + "/" + name + ".play");
+    ASSERT_TRUE(loaded) << loaded.error().attempt;
+    EXPECT_GT(loaded->actions.size(), 50u);
+  }
+}
+
+TEST(KeyNames, AreReadAsTheyAreWritten) {
+  for (int usage = 0x04; usage <= 0xE7; ++usage)
+    EXPECT_EQ(KeyNamed(KeyName(static_cast<std::uint8_t>(usage))), usage)
+        << KeyName(static_cast<std::uint8_t>(usage));
+  EXPECT_EQ(KeyName(0x2C), "space");
+  EXPECT_EQ(KeyName(0x27), "0");
+  EXPECT_EQ(KeyNamed("F12"), 0x45);
+  EXPECT_FALSE(KeyNamed("f13"));
+  EXPECT_FALSE(KeyNamed("usage-3"));
+  EXPECT_FALSE(KeyNamed(""));
+}
+
+TEST(ScenarioWriter, WritesWhatTheReaderReadsBack) {
+  const Scenario scenario =
+      ReadScenario(
+          "scene a\nat 0.000000001s push 1\nat 1s over 2s dial 8 turn -0.123456789012345\n"
+          "at 1s left move 0.1 -0.3\nat 1s right hat down\nat 1s key up tap\nat 2s lens cover\n"
+          "at 3s say \"ka o ri\" over 1s\nat 4s unplug camera\nat 4s plug camera\nat 9s scene \"b c\"")
+          .scenario;
+  const Reading again = ReadScenario(WriteScenario(scenario));
+  EXPECT_EQ(Describe(again.problems, "t"), "");
+  EXPECT_EQ(WriteScenario(again.scenario), WriteScenario(scenario));
+  EXPECT_EQ(again.scenario.beats, scenario.beats);
+  EXPECT_EQ(again.scenario.actions.size(), scenario.actions.size());
+}
+
+}  // namespace
+}  // namespace kaori::sim
