@@ -118,7 +118,12 @@ int MockHidraw::OnWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* s
 }
 
 MockKernel::MockKernel() : testbed_(umockdev_testbed_new()) {
-  Add(testbed_.get(), "P: /devices/pci0000:00/usb1\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\n\n");
+  // The root hub, with what libusb reads of it; its configuration tells of no interface.
+  Add(testbed_.get(),
+      "P: /devices/pci0000:00/usb1\nN: bus/usb/001/001\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\n"
+      "E: DEVNAME=/dev/bus/usb/001/001\nE: BUSNUM=001\nE: DEVNUM=001\nA: busnum=1\\n\nA: devnum=1\\n\n"
+      "A: speed=480\\n\nA: bConfigurationValue=1\\n\n"
+      "H: descriptors=12010002090001406B1D0200060503020101090209000001008000\n\n");
 }
 
 void MockKernel::Plug(const std::string& usb_port, int interface, const std::string& node,

@@ -1,0 +1,35 @@
+// The HID devices on USB, found and watched with libusb.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/base/clock.h"
+#include "drivers/hid/libusb_session.h"
+#include "drivers/ports/hid_channel.h"
+
+namespace kaori::hid {
+
+// As ports::HidBus, with the ports of HidrawBus. Opening asks the device for its descriptors, within 250 ms
+// each, and takes its interface from the kernel's driver; closing gives it back.
+class LibusbBus final : public ports::HidBus {
+ public:
+  // Borrows `clock` for its life. Errors: not_supported (a libusb without hot-plug), io_error.
+  static Result<std::unique_ptr<LibusbBus>> Open(const Clock& clock);
+  ~LibusbBus() override;
+
+  int pollable() const override { return session_->pollable(); }
+  Result<std::vector<std::string>> Ports() override;
+  Result<std::unique_ptr<ports::HidChannel>> Open(const std::string& port) override;
+
+ private:
+  LibusbBus(std::unique_ptr<LibusbSession> session, const Clock& clock);
+
+  std::unique_ptr<LibusbSession> session_;
+  const Clock& clock_;
+  int hot_plug_ = 0;
+};
+
+}  // namespace kaori::hid
