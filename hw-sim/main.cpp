@@ -42,7 +42,8 @@ struct Settings {
 };
 
 int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
+  // What people wrote wrongly is told in words of its own; errno's would not help.
+  kaori::Log("{}", error.cause == std::errc::invalid_argument ? error.attempt : error.message());
   return 1;
 }
 
@@ -76,12 +77,9 @@ struct Bench {
   std::unique_ptr<kaori::console::Console> console;
 };
 
-kaori::Result<void> Play(const Settings& settings, Bench& bench) {
-  if (settings.play.empty()) return {};
-  auto scenario = kaori::sim::LoadScenario(settings.play);
-  if (!scenario) return tl::unexpected(scenario.error());
-  bench.player.emplace(std::move(*scenario), bench.rig, bench.clock.now());
-  return bench.loop.Every(kHandsPeriod, [&bench, again = settings.loop] {
+kaori::Result<void> Play(kaori::sim::Scenario scenario, bool again, Bench& bench) {
+  bench.player.emplace(std::move(scenario), bench.rig, bench.clock.now());
+  return bench.loop.Every(kHandsPeriod, [&bench, again] {
     if (bench.player->finished() && again) bench.player->Restart(bench.clock.now());
     if (bench.player->finished()) return;
     bench.player->Perform(bench.clock.now());
@@ -117,21 +115,27 @@ kaori::Result<void> OpenConsole(const Settings& settings, Bench& bench) {
   return {};
 }
 
+// Records first, so that a scenario's hands are recorded too; plays last, when all else stands.
+kaori::Result<void> SetUp(const Settings& settings, kaori::sim::Scenario scenario, Bench& bench) {
+  if (auto ok = Record(settings, bench); !ok) return ok;
+  if (auto ok = OpenConsole(settings, bench); !ok) return ok;
+  if (auto ok = bench.loop.Watch(bench.rig.pollable(), [&bench] { bench.rig.Pump(); }); !ok) return ok;
+  return settings.play.empty() ? kaori::Result<void>{} : Play(std::move(scenario), settings.loop, bench);
+}
+
 int Simulate(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   auto options = RigOptionsOf(settings);
   if (!options) return Complain(options.error());
+  auto scenario = settings.play.empty() ? kaori::sim::Scenario{} : kaori::sim::LoadScenario(settings.play);
+  if (!scenario) return Complain(scenario.error());
   auto rig = kaori::sim::Rig::Open(std::move(*options), clock);
   if (!rig) return Complain(rig.error());
   for (int n = 0; n < kaori::sim::kPlaceCount; ++n)
     kaori::Log("plugged in: {}", kaori::sim::PortName(static_cast<kaori::sim::Place>(n)));
   Bench bench{**rig, loop, clock, {}, {}, {}, {}};
-  for (const auto& step : {Record, Play, OpenConsole}) {
-    if (auto ok = step(settings, bench); !ok) return Complain(ok.error());
-  }
-  if (auto watched = loop.Watch((*rig)->pollable(), [&rig] { (*rig)->Pump(); }); !watched)
-    return Complain(watched.error());
-  if (auto ran = loop.Run(); !ran) return Complain(ran.error());
+  if (auto ok = SetUp(settings, std::move(*scenario), bench); !ok) return Complain(ok.error());
+  if (auto ok = loop.Run(); !ok) return Complain(ok.error());
   return 0;
 }
 

@@ -1,9 +1,13 @@
 #include "hw-sim/scenario/player.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kaori::sim {
 namespace {
+
+// Less of a turn waits until there is more: a quarter of the count that a dial can tell.
+constexpr double kLeastTurn = 1.0 / 1024;
 
 double Eased(double part) {
   return part * part * (3 - 2 * part);
@@ -78,6 +82,7 @@ void Player::Move(Motion& motion, Duration to) {
   Hand hand = action.hand;
   if (hand.verb == Verb::kTurn) {
     hand.a = action.hand.a * way - motion.from_a;
+    if (!arrived && std::abs(hand.a) < kLeastTurn) return;
     motion.from_a += hand.a;
   } else if (!arrived) {
     hand.a = motion.from_a + (hand.a - motion.from_a) * way;
