@@ -37,14 +37,22 @@ bool MakesSense(const wire::CameraFrameNote& note) {
 }  // namespace
 
 Result<std::unique_ptr<ports::Camera>> LocalCamera::Open(const std::string& folder, const std::string& port) {
-  auto socket = ConnectToPeer(folder + "/camera." + port);
-  if (socket) return std::make_unique<LocalCamera>(std::move(*socket));
+  const std::string path = folder + "/camera." + port;
+  auto socket = ConnectToPeer(path);
+  if (socket) return std::make_unique<LocalCamera>(std::move(*socket), path);
   const bool denied = socket.error().cause == std::errc::permission_denied;
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
 }
 
+// What ReceivePacket said, in the words of the port.
+tl::unexpected<Error> LocalCamera::ReceiveError(const Error& error) const {
+  const bool waits = error.cause == std::errc::resource_unavailable_try_again;
+  const bool gone = error.cause == std::errc::no_such_device;
+  return Fail(waits || gone ? error.cause : std::errc::io_error, "read a frame of " + name_);
+}
+
 Result<ports::CameraFrame> LocalCamera::Next() {
-  if (broken_) return Fail(std::errc::io_error, "read the local camera's hello");
+  if (broken_) return Fail(std::errc::io_error, "read the hello of " + name_);
   if (borrowed_) GiveBack(*borrowed_);
   borrowed_.reset();
   if (!memory_.valid()) {
@@ -52,18 +60,18 @@ Result<ports::CameraFrame> LocalCamera::Next() {
   }
   const auto note = NewestNote();
   if (!note) return tl::unexpected(note.error());
-  if (!*note) return Fail(std::errc::bad_message, "read a frame's note from the local camera");
+  if (!*note) return Fail(std::errc::bad_message, "read a frame's note of " + name_);
   return Look(**note);
 }
 
 Result<void> LocalCamera::ReadHello() {
   std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
   auto packet = ReceivePacket(socket_.get(), buffer);
-  if (!packet && packet.error().cause != std::errc::message_size) return tl::unexpected(packet.error());
+  if (!packet && packet.error().cause != std::errc::message_size) return ReceiveError(packet.error());
   broken_ = true;
   const auto hello = packet ? wire::DecodeCameraHello(std::span(buffer).first(packet->bytes)) : std::nullopt;
   if (!hello || hello->slots == 0 || hello->slots > kMostSlots || hello->slot_bytes > kMostSlotBytes)
-    return Fail(std::errc::io_error, "read the local camera's hello");
+    return Fail(std::errc::io_error, "read the hello of " + name_);
   auto memory =
       SharedMemory::Adopt(std::move(packet->descriptor), std::size_t{hello->slots} * hello->slot_bytes);
   if (!memory) return Fail(std::errc::io_error, memory.error().attempt);
@@ -83,7 +91,7 @@ Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
     const bool torn = !packet && packet.error().cause == std::errc::message_size;
     if (!packet && !torn) {
       if (any) return newest;  // What ended the stream shows again at the next call.
-      return tl::unexpected(packet.error());
+      return ReceiveError(packet.error());
     }
     any = true;
     if (newest) GiveBack(newest->slot);
@@ -93,10 +101,10 @@ Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
 
 Result<ports::CameraFrame> LocalCamera::Look(const wire::CameraFrameNote& note) {
   if (note.slot >= hello_.slots)
-    return Fail(std::errc::bad_message, "look at a slot that the local camera lacks");
+    return Fail(std::errc::bad_message, "look at a slot that is not there: " + name_);
   if (!MakesSense(note) || note.bytes > hello_.slot_bytes) {
     GiveBack(note.slot);
-    return Fail(std::errc::bad_message, "look at a frame of the local camera");
+    return Fail(std::errc::bad_message, "look at a frame of " + name_);
   }
   borrowed_ = note.slot;
   const auto slot = memory_.bytes().subspan(std::size_t{note.slot} * hello_.slot_bytes, note.bytes);

@@ -19,7 +19,8 @@ class LocalCamera final : public ports::Camera {
   static Result<std::unique_ptr<ports::Camera>> Open(const std::string& folder,
                                                      const std::string& port = "camera");
 
-  explicit LocalCamera(UniqueFd socket) : socket_(std::move(socket)) {}
+  // `name` is for errors.
+  LocalCamera(UniqueFd socket, std::string name) : socket_(std::move(socket)), name_(std::move(name)) {}
 
   int pollable() const override { return socket_.get(); }
   Result<ports::CameraFrame> Next() override;
@@ -29,8 +30,10 @@ class LocalCamera final : public ports::Camera {
   Result<std::optional<wire::CameraFrameNote>> NewestNote();
   Result<ports::CameraFrame> Look(const wire::CameraFrameNote& note);
   void GiveBack(std::uint32_t slot);
+  tl::unexpected<Error> ReceiveError(const Error& error) const;
 
   UniqueFd socket_;
+  std::string name_;
   wire::CameraHello hello_;
   SharedMemory memory_;
   std::optional<std::uint32_t> borrowed_;  // The slot whose bytes the caller holds.
