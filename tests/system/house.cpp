@@ -1,0 +1,106 @@
+#include "tests/system/house.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace kaori::test {
+namespace {
+
+constexpr int kLookEvery_ms = 1;
+
+[[noreturn]] void Become(const std::string& program, const std::vector<std::string>& options,
+                         const std::string& log) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+  ::dup2(out, STDOUT_FILENO);
+  ::dup2(out, STDERR_FILENO);
+  std::vector<char*> arguments{const_cast<char*>(program.c_str())};
+  for (const std::string& option : options) arguments.push_back(const_cast<char*>(option.c_str()));
+  arguments.push_back(nullptr);
+  ::execv(program.c_str(), arguments.data());
+  ::_exit(127);
+}
+
+}  // namespace
+
+House::House() {
+  std::string name = (std::filesystem::temp_directory_path() / "kaori-house-XXXXXX").string();
+  folder_ = ::mkdtemp(name.data());
+  std::filesystem::create_directory(links());
+}
+
+House::~House() {
+  while (!running_.empty()) Kill(running_.begin()->first);
+  std::filesystem::remove_all(folder_);
+}
+
+std::filesystem::path House::Programs() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+void House::Start(const std::string& program, const std::vector<std::string>& options) {
+  const std::string path = (Programs() / program).string();
+  const std::string log = File(program + ".log");
+  const pid_t pid = ::fork();
+  if (pid == 0) Become(path, options, log);
+  running_[program] = pid;
+}
+
+void House::Kill(const std::string& program) {
+  ::kill(running_.at(program), SIGKILL);
+  Reap(program);
+}
+
+int House::Stop(const std::string& program) {
+  ::kill(running_.at(program), SIGTERM);
+  return Reap(program);
+}
+
+int House::RunToEnd(const std::string& program, const std::vector<std::string>& options) {
+  Start(program, options);
+  if (!Await([&] { return !Runs(program); })) ::kill(running_.at(program), SIGKILL);
+  return Reap(program);
+}
+
+bool House::Runs(const std::string& program) const {
+  const auto it = running_.find(program);
+  if (it == running_.end()) return false;
+  siginfo_t ended{};
+  // WNOWAIT: its status stays for Reap.
+  ::waitid(P_PID, static_cast<id_t>(it->second), &ended, WEXITED | WNOHANG | WNOWAIT);
+  return ended.si_pid == 0;
+}
+
+int House::Reap(const std::string& program) {
+  int status = 0;
+  ::waitpid(running_.at(program), &status, 0);
+  running_.erase(program);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string House::LogOf(const std::string& program) const {
+  std::ifstream file(File(program + ".log"));
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool Await(const std::function<bool()>& condition, Duration patience) {
+  const SteadyClock clock;
+  const Time deadline = clock.now() + patience;
+  while (!condition()) {
+    if (clock.now() >= deadline) return false;
+    ::poll(nullptr, 0, kLookEvery_ms);
+  }
+  return true;
+}
+
+}  // namespace kaori::test
