@@ -8,11 +8,11 @@
 namespace kaori::wardrobe {
 namespace {
 
-constexpr int kCurtainLocks = 27;
+constexpr int kCurtainLocks = 22;
 constexpr int kTips = 15;          // Of the fringe's sheet,
 constexpr int kColumnsPerTip = 4;  // each drawn with so many columns.
 constexpr int kFringeRows = 10;
-constexpr int kFringeLocks = 15;
+constexpr int kFringeLocks = 13;
 constexpr float kFringeOverlap_deg = 3;  // The fringe reaches this far under the curtain.
 
 // A tip of the fringe: where it starts and ends round the head, and how it falls.
@@ -93,11 +93,12 @@ void AddFringeSheet(ClothMesh& mesh, const HairLook& look, Dice& dice) {
 void AddFringeLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
   shape.width_cm = dice.Between(0.8F, 2.6F);
-  shape.thickness_cm = dice.Between(0.2F, 0.36F);
-  shape.tip = 0.04F;
-  shape.tapers_from = dice.Between(0.55F, 0.72F);
+  shape.thickness_cm = dice.Between(0.16F, 0.28F);
+  shape.root = 0.5F;
+  shape.tip = dice.Between(0.1F, 0.3F);
+  shape.tapers_from = dice.Between(0.72F, 0.84F);
   Fringe fringe;
-  fringe.end_y_cm = Table(look.fringe_cm, std::abs(around_deg)) + dice.Between(-0.35F, 0.5F);
+  fringe.end_y_cm = Table(look.fringe_cm, std::abs(around_deg)) + dice.Between(-0.3F, 0.25F);
   fringe.offset_cm = look.volume_cm + dice.Between(0.05F, 0.2F);
   fringe.sweep_deg = look.fringe_sweep_deg;
   const float lean_deg = 3.0F * dice.Spread();

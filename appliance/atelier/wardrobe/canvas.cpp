@@ -51,6 +51,11 @@ float Coverage(const Stroke& stroke, Nearest n) {
          (1 - SmoothStep(0.85F, 1, n.along));
 }
 
+// No hair hangs into the mouth.
+bool InMouth(const Texel& texel) {
+  return texel.bag > 0.05F;
+}
+
 struct Box {
   int x0, y0, x1, y1;
 };
@@ -63,6 +68,40 @@ Box BoxOf(const Stroke& s, int size_px) {
   const glm::vec2 bottom_right = TexelFromPlace({high.x, low.y}, size_px);
   const auto clip = [size_px](float v) { return std::clamp(static_cast<int>(v), 0, size_px - 1); };
   return {clip(top_left.x), clip(top_left.y), clip(bottom_right.x + 1), clip(bottom_right.y + 1)};
+}
+
+// The texels above, below and beside one, as many as there are.
+class Around {
+ public:
+  Around(std::size_t texel, int size_px) {
+    const auto size = static_cast<std::size_t>(size_px);
+    if (texel % size > 0) Add(texel - 1);
+    if (texel % size + 1 < size) Add(texel + 1);
+    if (texel / size > 0) Add(texel - size);
+    if (texel / size + 1 < size) Add(texel + size);
+  }
+  const std::size_t* begin() const { return texels_.data(); }
+  const std::size_t* end() const { return texels_.data() + count_; }
+
+ private:
+  void Add(std::size_t texel) { texels_[count_++] = texel; }
+
+  std::array<std::size_t, 4> texels_{};
+  std::size_t count_ = 0;
+};
+
+// The texels beside a wave that nobody has filled, each once.
+std::vector<std::size_t> NextWave(const std::vector<std::size_t>& wave,
+                                  const std::vector<std::uint8_t>& filled, int size_px) {
+  std::vector<std::size_t> next;
+  for (const std::size_t i : wave) {
+    for (const std::size_t n : Around(i, size_px)) {
+      if (filled[n] == 0) next.push_back(n);
+    }
+  }
+  std::sort(next.begin(), next.end());
+  next.erase(std::unique(next.begin(), next.end()), next.end());
+  return next;
 }
 
 }  // namespace
@@ -91,51 +130,37 @@ void Canvas::Draw(const Stroke& stroke) {
     for (int x = box.x0; x <= box.x1; ++x) {
       const auto i = static_cast<std::size_t>(y * atlas_.size_px + x);
       const Nearest nearest = NearestOn(line, atlas_.texels[i].place_cm);
-      if (nearest.distance_cm > stroke.half_width_cm + kSoftEdge_cm) continue;
+      if (nearest.distance_cm > stroke.half_width_cm + kSoftEdge_cm || InMouth(atlas_.texels[i])) continue;
       texels_[i].Mix(Coverage(stroke, nearest), stroke.colour);
     }
   }
 }
 
-// Breadth first from the edges of what is covered: every texel outside takes the mean of its neighbours that
-// were filled before it.
+void Canvas::FillFrom(std::size_t texel, const std::vector<std::uint8_t>& filled) {
+  Paint sum;
+  float count = 0;
+  for (const std::size_t n : Around(texel, atlas_.size_px)) {
+    if (filled[n] == 0) continue;
+    sum.colour += texels_[n].colour;
+    sum.gloss += texels_[n].gloss;
+    ++count;
+  }
+  texels_[texel] = {sum.colour / count, sum.gloss / count};
+}
+
+// Wave by wave from the edges of what is covered: each texel outside takes the mean of its neighbours that
+// were filled by earlier waves.
 void Canvas::FillOutside() {
-  const int size = atlas_.size_px;
   std::vector<std::uint8_t> filled(texels_.size());
-  for (std::size_t i = 0; i < filled.size(); ++i) filled[i] = atlas_.texels[i].covered ? 1 : 0;
-  std::vector<int> wave;
-  const auto inside = [size](int x, int y) { return x >= 0 && y >= 0 && x < size && y < size; };
-  constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-  const auto each_neighbour = [&](int i, auto&& visit) {
-    for (const auto& step : kSteps) {
-      if (inside(i % size + step[0], i / size + step[1]))
-        visit(static_cast<std::size_t>(i + step[0] + step[1] * size));
-    }
-  };
-  for (int i = 0; i < size * size; ++i) {
-    if (filled[static_cast<std::size_t>(i)] == 1) wave.push_back(i);
+  std::vector<std::size_t> wave;
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    filled[i] = atlas_.texels[i].covered ? 1 : 0;
+    if (filled[i] == 1) wave.push_back(i);
   }
   while (!wave.empty()) {
-    std::vector<int> next;
-    for (const int i : wave) {
-      each_neighbour(i, [&](std::size_t n) {
-        if (filled[n] == 0) next.push_back(static_cast<int>(n));
-        if (filled[n] == 0) filled[n] = 2;
-      });
-    }
-    for (const int i : next) {
-      Paint sum;
-      float count = 0;
-      each_neighbour(i, [&](std::size_t n) {
-        if (filled[n] != 1) return;
-        sum.colour += texels_[n].colour;
-        sum.gloss += texels_[n].gloss;
-        ++count;
-      });
-      texels_[static_cast<std::size_t>(i)] = {sum.colour / count, sum.gloss / count};
-    }
-    for (const int i : next) filled[static_cast<std::size_t>(i)] = 1;
-    wave = std::move(next);
+    wave = NextWave(wave, filled, atlas_.size_px);
+    for (const std::size_t i : wave) FillFrom(i, filled);
+    for (const std::size_t i : wave) filled[i] = 1;
   }
 }
 

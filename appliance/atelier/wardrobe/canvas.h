@@ -1,6 +1,8 @@
 // A texture while it is painted: linear colour and gloss per texel, fine strokes, and the finish.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -49,6 +51,7 @@ class Canvas {
 
  private:
   void FillOutside();
+  void FillFrom(std::size_t texel, const std::vector<std::uint8_t>& filled);
 
   const Atlas& atlas_;
   std::vector<Paint> texels_;

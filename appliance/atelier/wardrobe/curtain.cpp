@@ -11,8 +11,8 @@ namespace {
 constexpr int kCapRows = 8;
 constexpr int kCapColumns = 32;
 constexpr float kCapOffset_cm = 0.12F;
-constexpr int kCurtainRows = 16;
-constexpr int kCurtainColumns = 73;
+constexpr int kCurtainRows = 15;
+constexpr int kCurtainColumns = 65;
 constexpr float kLocksAcross = 14;  // A sheet counts as so many locks, for the stripes on it.
 constexpr float kSheet_cm = 0.35F;  // Thickness of the curtain.
 

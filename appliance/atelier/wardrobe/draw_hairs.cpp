@@ -42,22 +42,22 @@ Stroke BrowHair(const BrowLook& look, Dice& dice) {
   const glm::vec2 up(-along.y, along.x);
   const float half_cm = Table(look.half_width_cm, t);
   const float lie = SmoothStep(0, 0.45F, t);
-  const float turn = 72 * (1 - lie) + (across < 0 ? 24.0F : -14.0F) * lie + 9 * dice.Spread();
-  const float length_cm =
-      (0.62F - 0.2F * t) * dice.Between(0.75F, 1.2F) * (0.6F + 0.9F * std::min(half_cm, 0.45F));
+  const float turn = 56 * (1 - lie) + (across < 0 ? 24.0F : -14.0F) * lie + 9 * dice.Spread();
+  const float length_cm = (0.42F + 0.2F * SmoothStep(0, 0.3F, t) - 0.2F * t) * dice.Between(0.75F, 1.2F) *
+                          (0.6F + 0.9F * std::min(half_cm, 0.45F));
   Stroke hair;
   hair.root_cm = OnPath(look.path_cm, t) + up * (across * half_cm) - along * (0.35F * length_cm);
   hair.bend_cm = hair.root_cm + Turned(along, turn + 8) * (0.5F * length_cm);
   hair.tip_cm = hair.bend_cm + Turned(along, turn - 16) * (0.5F * length_cm);
   hair.half_width_cm = dice.Between(0.016F, 0.03F);
-  hair.opacity = look.amount * dice.Between(0.5F, 0.95F) * (0.55F + 0.45F * SmoothStep(0, 0.16F, t));
+  hair.opacity = look.amount * dice.Between(0.5F, 0.95F) * (0.3F + 0.7F * SmoothStep(0, 0.22F, t));
   hair.colour = look.colour * dice.Between(0.6F, 1.25F);
   return hair;
 }
 
 // A trimmed moustache: hairs fall from under the nose to both sides.
 Stroke MoustacheHair(const MoustacheLook& look, Dice& dice) {
-  const float u = 0.14F + 1.95F * dice.Unit();
+  const float u = 0.03F + 2.05F * dice.Unit();
   const float fall = 0.14F * u * u;
   const float thick_cm = 0.24F * (1 - 0.7F * u / 2.3F);
   const glm::vec2 root(u, -4.86F - fall - thick_cm * dice.Unit());

@@ -13,17 +13,17 @@ constexpr NeckLine kStrap{-13.6F, -11.6F};
 // Tufts lie on the chest like tiles, each row over the next below.
 void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg, std::uint32_t seed) {
   constexpr int kRows = 5;
-  constexpr float kSpacing_deg = 8;
+  constexpr float kSpacing_deg = 9;
   Dice dice(seed);
   const Skull chest{{0, -40, -4}, {1, 1, 1}};
   for (int row = kRows - 1; row >= 0; --row) {
     const float shift = row % 2 == 0 ? 0 : kSpacing_deg / 2;
     for (float around = from_deg + shift; around < to_deg; around += kSpacing_deg) {
       const float at = around + 3 * dice.Spread();
-      const float top = 54 - 11.5F * static_cast<float>(row) + 3 * dice.Spread();
+      const float top = 50 - 11.5F * static_cast<float>(row) + 3 * dice.Spread();
       const float length = dice.Between(19, 25);
       const float lean = 6 * dice.Spread();
-      LockShape tuft{dice.Between(1.3F, 2.3F), dice.Between(0.14F, 0.26F), 0.5F, 0.4F, 0.45F, 0.04F, 6};
+      LockShape tuft{dice.Between(1.3F, 2.3F), dice.Between(0.14F, 0.26F), 0.5F, 0.4F, 0.45F, 0.04F, 5};
       AddLock(
           mesh, chest, [&](float t) { return torso.At(at + lean * t, top - length * t, -0.12F + 0.4F * t); },
           tuft);

@@ -8,10 +8,10 @@
 namespace kaori::wardrobe {
 namespace {
 
-constexpr int kBodyRows = 30;
-constexpr int kBodyColumns = 72;
+constexpr int kBodyRows = 24;
+constexpr int kBodyColumns = 64;
 constexpr float kHem_deg = -58;  // The cloth ends this far below the middle of the chest: out of the picture.
-constexpr int kCollarColumns = 65;
+constexpr int kCollarColumns = 57;
 constexpr int kStandRows = 4;
 constexpr int kFallRows = 6;
 
@@ -89,7 +89,7 @@ void AddCollar(ClothMesh& mesh, const Torso& torso, const Collar& collar) {
 }
 
 void AddNeckRing(ClothMesh& mesh, const Neck& neck, const NeckRing& ring) {
-  constexpr int kSection = 14;
+  constexpr int kSection = 10;
   const int columns = ring.ribs > 0 ? ring.ribs * 4 : 64;
   Patch patch{kSection + 1, columns, true, {}, {}, {}};
   for (int row = 0; row <= kSection; ++row) {

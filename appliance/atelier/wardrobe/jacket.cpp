@@ -25,8 +25,8 @@ float OpeningAt(float elevation_deg) {
 }
 
 void AddJacketBody(ClothMesh& mesh, const Torso& torso) {
-  constexpr int kRows = 26;
-  constexpr int kColumns = 61;
+  constexpr int kRows = 20;
+  constexpr int kColumns = 49;
   Patch patch{kRows, kColumns, false, {}, {}, {}};
   for (int row = 0; row < kRows; ++row) {
     for (int c = 0; c < kColumns; ++c) {
@@ -93,7 +93,7 @@ void AddTie(ClothMesh& mesh, const Torso& torso, glm::vec3 knot_cm) {
   for (int row = 0; row < kRows; ++row) {
     const float t = Share(row, kRows);
     const float knot = 1 - SmoothStep(0.02F, 0.13F, t);
-    const float half_cm = t < 0.13F ? 1.25F - 0.5F * SmoothStep(0.02F, 0.13F, t) : 0.72F + 1.1F * t;
+    const float half_cm = t < 0.13F ? 1.1F - 0.35F * SmoothStep(0.02F, 0.13F, t) : 0.72F + 1.1F * t;
     for (int c = 0; c < kColumns; ++c) {
       const float x = Share(c, kColumns) * 2 - 1;
       glm::vec3 p = torso.At(0, top_deg - 75 * t, 0.4F);
@@ -118,7 +118,7 @@ Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& 
   AddJacketCollar(jacket, torso);
   for (const float side : {1.0F, -1.0F}) AddLapel(jacket, torso, side);
   ClothMesh tie;
-  AddTie(tie, torso, neck.At(0, kLine.front_y_cm + 0.35F, 1));
+  AddTie(tie, torso, neck.At(0, kLine.front_y_cm + 0.2F, 1));
   Garment garment;
   garment.push_back(std::move(shirt).Finish(face + ".shirt", face::Part::kClothes, look.collar));
   garment.push_back(std::move(jacket).Finish(face + ".jacket", face::Part::kClothes, look.main));

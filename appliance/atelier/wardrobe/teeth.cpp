@@ -96,7 +96,7 @@ face::Prop CarveUpperTeeth() {
 }
 
 face::Prop CarveLowerTeeth() {
-  return CarveArch({-6.95F, -6.3F, 7.5F, 1.95F}, face::Part::kLowerTeeth);
+  return CarveArch({-6.95F, -6.32F, 7.35F, 1.75F}, face::Part::kLowerTeeth);
 }
 
 face::Prop CarveTongue() {
