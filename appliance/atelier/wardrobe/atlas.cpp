@@ -72,7 +72,9 @@ void RasteriseTriangle(Atlas& atlas, const std::array<Corner, 3>& t) {
                                        Edge(t[0].at_px, t[1].at_px, p) / area};
       constexpr float kTolerance = -1e-4F;
       if (std::min({share[0], share[1], share[2]}) < kTolerance) continue;
-      Store(atlas.texels[static_cast<std::size_t>(y * atlas.size_px + x)], t, share);
+      Store(atlas.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(atlas.size_px) +
+                         static_cast<std::size_t>(x)],
+            t, share);
     }
   }
 }

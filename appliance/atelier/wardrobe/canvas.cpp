@@ -51,6 +51,12 @@ float Coverage(const Stroke& stroke, Nearest n) {
          (1 - SmoothStep(0.85F, 1, n.along));
 }
 
+// Row-major; what lies outside counts as the nearest inside.
+std::size_t IndexOf(long x, long y, int size_px) {
+  const auto inside = [size_px](long v) { return static_cast<std::size_t>(std::clamp(v, 0L, size_px - 1L)); };
+  return inside(y) * static_cast<std::size_t>(size_px) + inside(x);
+}
+
 // No hair hangs into the mouth.
 bool InMouth(const Texel& texel) {
   return texel.bag > 0.05F;
@@ -118,9 +124,7 @@ void Paint::MixGloss(float amount, float over) {
 
 glm::vec3 Canvas::Sample(glm::vec2 place_cm) const {
   const glm::vec2 at = TexelFromPlace(place_cm, atlas_.size_px);
-  const int x = std::clamp(static_cast<int>(at.x + 0.5F), 0, atlas_.size_px - 1);
-  const int y = std::clamp(static_cast<int>(at.y + 0.5F), 0, atlas_.size_px - 1);
-  return texels_[static_cast<std::size_t>(y * atlas_.size_px + x)].colour;
+  return texels_[IndexOf(std::lround(at.x), std::lround(at.y), atlas_.size_px)].colour;
 }
 
 void Canvas::Draw(const Stroke& stroke) {
@@ -128,7 +132,7 @@ void Canvas::Draw(const Stroke& stroke) {
   const Box box = BoxOf(stroke, atlas_.size_px);
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {
-      const auto i = static_cast<std::size_t>(y * atlas_.size_px + x);
+      const std::size_t i = IndexOf(x, y, atlas_.size_px);
       const Nearest nearest = NearestOn(line, atlas_.texels[i].place_cm);
       if (nearest.distance_cm > stroke.half_width_cm + kSoftEdge_cm || InMouth(atlas_.texels[i])) continue;
       texels_[i].Mix(Coverage(stroke, nearest), stroke.colour);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kFaceSmoothing = 3;
 constexpr int kPropSmoothing = 2;
-constexpr float kLidFloor = 0.85F;  // Lids stay light: their edge lies in a groove beside the ball.
+constexpr float kLidFloor = 0.85F;   // Lids stay light: their edge lies in a groove beside the ball.
+constexpr float kSkinFloor = 0.24F;  // Light that skin passes on reaches every fold.
 constexpr float kHairFloor = 0.18F;
 constexpr float kSkinLift_m = 0.0035F;
 constexpr float kPropLift_m = 0.0015F;  // Locks lie close to each other.
@@ -43,7 +44,7 @@ float AdjustedOpenness(const sculpt::PaintAttributes& a, float measured) {
   if (a.bag > 0.5F) return 0.35F;
   if (std::abs(a.mouth_ring) >= 5.5F) return std::max(measured, 0.55F);
   if (std::abs(a.eye_ring) >= 4) return std::max(measured, kLidFloor);
-  return measured;
+  return std::max(measured, kSkinFloor);
 }
 
 // Both copies of a seam's vertex share one value, or the seam shows.
