@@ -82,7 +82,7 @@ const BodyPass::Variant& BodyPass::VariantFor(int textures) const {
   return variants_[static_cast<std::size_t>(textures == 1 ? 0 : (textures == 2 ? 1 : 2))];
 }
 
-void BodyPass::Draw(const Surface& surface, const face::Shape& shape) const {
+void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed) const {
   Mixture mixture;
   glm::vec2 answer{};
   for (const face::Term& term : shape.faces) {
@@ -99,7 +99,8 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape) const {
   variant.program.Use();
   gl::Program::Set(variant.surface, answer);
   gl::Program::Set(variant.weights, mixture.weights);
-  surface.fine().Draw();
+  const bool alone = shape.faces.size() == 1;
+  (dressed && alone ? surface.fine_worn(shape.faces[0].index) : surface.fine()).Draw();
 }
 
 }  // namespace kaori::passes

@@ -17,7 +17,8 @@ class BodyPass {
   // Errors: invalid_argument (a shader).
   static Result<BodyPass> Open(const face::Cast& cast);
 
-  void Draw(const Surface& surface, const face::Shape& shape) const;
+  // `dressed`: all hair and clothes of the faces are drawn, so that skin beneath need not be.
+  void Draw(const Surface& surface, const face::Shape& shape, bool dressed) const;
 
  private:
   struct Variant {

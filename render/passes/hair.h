@@ -3,7 +3,6 @@
 #pragma once
 
 #include "render/gl/program.h"
-#include "render/gl/texture.h"
 #include "render/passes/prop_mesh.h"
 
 namespace kaori::passes {
@@ -20,6 +19,7 @@ class HairPass {
   struct Variant {
     gl::Program program;
     int paint = -1;
+    int gleam = -1;
     int grown = -1;
   };
   static Result<Variant> MakeVariant(std::string defines);
@@ -27,7 +27,6 @@ class HairPass {
 
   Variant whole_;
   Variant growing_;
-  gl::Texture stripes_;
 };
 
 }  // namespace kaori::passes

@@ -31,6 +31,7 @@ enum class Group : std::uint8_t { kTextured, kFlat, kWire };
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
 constexpr float kUnseen = 1.0F / 1024;
+constexpr float kWhole = 1 - kUnseen;
 
 // Behind glowing lines the stage is darker.
 constexpr float kWireBackdrop = 0.10F;
@@ -128,7 +129,7 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
   hair->Draw(wardrobe, HairShare(scene));
   lashes->Draw(shape);
   clothes->Draw(wardrobe, shape.faces);
-  body->Draw(surface, shape);
+  body->Draw(surface, shape, HairShare(scene) > kWhole);
   eyes->Draw(shape, scene.gaze);
   mouth->Draw(wardrobe, shape);
 }

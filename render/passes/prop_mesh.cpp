@@ -1,52 +1,20 @@
 #include "render/passes/prop_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
-#include <numeric>
+
+#include "render/passes/lock_order.h"
 
 namespace kaori::passes {
 namespace {
 
-// Which lock each vertex belongs to: what triangles join hangs together.
-class Locks {
- public:
-  explicit Locks(const face::Prop& prop) : parent_(prop.vertices.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    for (const face::Triangle& t : prop.triangles) {
-      parent_[Root(t[1])] = Root(t[0]);
-      parent_[Root(t[2])] = Root(t[0]);
-    }
-  }
-
-  // Spread over 0..1 by the golden ratio, so that neighbours differ.
-  float NumberOf(std::uint32_t vertex) {
-    const float spread = static_cast<float>(Root(vertex)) * 0.6180340F;
-    return spread - std::floor(spread);
-  }
-
- private:
-  std::uint32_t Root(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  std::vector<std::uint32_t> parent_;
-};
-
-std::vector<float> LockNumbers(const face::Prop& prop) {
-  std::vector<float> numbers(prop.vertices.size());
-  if (prop.part != face::Part::kHair) return numbers;
-  Locks locks(prop);
-  for (std::uint32_t v = 0; v < numbers.size(); ++v) numbers[v] = locks.NumberOf(v);
-  return numbers;
-}
-
-gl::Mesh MeshOf(const face::Prop& prop, const gl::Buffer& vertices, const gl::Buffer& numbers) {
+gl::Mesh MeshOf(const face::Prop& prop, const gl::Buffer& vertices, const gl::Buffer& numbers,
+                std::span<const face::Triangle> triangles) {
   using face::PropVertex;
   using gl::Scalar;
   std::vector<std::uint32_t> indices;
-  for (const face::Triangle& t : prop.triangles) indices.insert(indices.end(), t.begin(), t.end());
+  for (const face::Triangle& t : triangles) indices.insert(indices.end(), t.begin(), t.end());
   constexpr int kStride = sizeof(PropVertex);
   constexpr gl::Attribute kPosition{0, 3, Scalar::kFloat, offsetof(PropVertex, position)};
   constexpr gl::Attribute kNormal{1, 3, Scalar::kFloat, offsetof(PropVertex, normal)};
@@ -69,8 +37,14 @@ PropMesh::PropMesh(const face::Prop& prop)
       lowest(prop.vertices.empty() ? glm::vec3{} : prop.vertices.front().position),
       highest(lowest),
       vertices(gl::Buffer::Of(std::span<const face::PropVertex>(prop.vertices))),
-      numbers(gl::Buffer::Of(std::span<const float>(LockNumbers(prop)))),
-      mesh(MeshOf(prop, vertices, numbers)) {
+      numbers(gl::BufferUse::kStatic, prop.vertices.size() * sizeof(float)) {
+  if (part == face::Part::kHair) {
+    const std::vector<float> lock_numbers = LockNumbers(prop);
+    numbers.Write(std::as_bytes(std::span(lock_numbers)));
+    mesh = MeshOf(prop, vertices, numbers, OuterLocksFirst(prop, lock_numbers));
+  } else {
+    mesh = MeshOf(prop, vertices, numbers, prop.triangles);
+  }
   for (const face::PropVertex& v : prop.vertices) {
     lowest = glm::min(lowest, v.position);
     highest = glm::max(highest, v.position);

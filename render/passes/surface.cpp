@@ -12,6 +12,42 @@ std::vector<std::uint32_t> Flatten(std::span<const face::Triangle> triangles) {
   return indices;
 }
 
+// A rigid part of the skin that is this much shut in lies under hair or a collar; cavities that open and
+// shut, the mouth above all, are not rigid.
+constexpr float kHidden = 0.06F;
+
+// For each fine vertex: no expression moves it.
+std::vector<bool> RigidVertices(const face::Topology& topology) {
+  const face::SparseRows& rows = topology.fine.from_cage;
+  std::vector<bool> rigid(rows.rows(), true);
+  for (std::size_t v = 0; v < rows.rows(); ++v) {
+    for (std::uint32_t k = rows.row_start[v]; k < rows.row_start[v + 1]; ++k) {
+      if (rows.column[k] < topology.moving_count) rigid[v] = false;
+    }
+  }
+  return rigid;
+}
+
+std::vector<float> FineOcclusion(const face::Topology& topology, const face::Face& face) {
+  const face::SparseRows& rows = topology.fine.attributes_from_cage;
+  std::vector<float> open(rows.rows());
+  for (std::size_t v = 0; v < rows.rows(); ++v) {
+    for (std::uint32_t k = rows.row_start[v]; k < rows.row_start[v + 1]; ++k) {
+      open[v] += rows.weight[k] * face.occlusion[rows.column[k]];
+    }
+  }
+  return open;
+}
+
+std::vector<face::Triangle> SeenOn(const face::Topology& topology, const face::Face& face,
+                                   const std::vector<bool>& rigid) {
+  const std::vector<float> open = FineOcclusion(topology, face);
+  const auto hidden = [&](face::Index v) { return rigid[v] && open[v] < kHidden; };
+  std::vector<face::Triangle> seen = topology.fine.triangles;
+  std::erase_if(seen, [&](const face::Triangle& t) { return std::ranges::all_of(t, hidden); });
+  return seen;
+}
+
 }  // namespace
 
 Surface::Arrays::Arrays(std::size_t vertices)
@@ -19,22 +55,26 @@ Surface::Arrays::Arrays(std::size_t vertices)
       normals(gl::BufferUse::kEachFrame, vertices * sizeof(glm::vec3)),
       open(gl::BufferUse::kEachFrame, vertices * sizeof(float)) {}
 
+gl::Mesh Surface::Arrays::Join(const gl::Buffer& places, std::span<const face::Triangle> triangles) const {
+  using gl::Scalar;
+  return gl::Mesh({{positions, sizeof(glm::vec3), {{0, 3, Scalar::kFloat, 0}}},
+                   {normals, sizeof(glm::vec3), {{1, 3, Scalar::kFloat, 0}}},
+                   {open, sizeof(float), {{2, 1, Scalar::kFloat, 0}}},
+                   {places, sizeof(glm::vec2), {{3, 2, Scalar::kFloat, 0}}}},
+                  Flatten(triangles));
+}
+
 Surface::Surface(const face::Cast& cast)
     : fine_places_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.fine.texture))),
       cage_places_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.texture))),
       fine_(cast.topology.fine.from_cage.rows()),
-      cage_(cast.topology.vertex_count) {
-  using gl::Scalar;
-  fine_mesh_ = gl::Mesh({{fine_.positions, 12, {{0, 3, Scalar::kFloat, 0}}},
-                         {fine_.normals, 12, {{1, 3, Scalar::kFloat, 0}}},
-                         {fine_.open, 4, {{2, 1, Scalar::kFloat, 0}}},
-                         {fine_places_, 8, {{3, 2, Scalar::kFloat, 0}}}},
-                        Flatten(cast.topology.fine.triangles));
-  cage_mesh_ = gl::Mesh({{cage_.positions, 12, {{0, 3, Scalar::kFloat, 0}}},
-                         {cage_.normals, 12, {{1, 3, Scalar::kFloat, 0}}},
-                         {cage_.open, 4, {{2, 1, Scalar::kFloat, 0}}},
-                         {cage_places_, 8, {{3, 2, Scalar::kFloat, 0}}}},
-                        Flatten(cast.topology.triangles));
+      cage_(cast.topology.vertex_count),
+      fine_mesh_(fine_.Join(fine_places_, cast.topology.fine.triangles)),
+      cage_mesh_(cage_.Join(cage_places_, cast.topology.triangles)) {
+  const std::vector<bool> rigid = RigidVertices(cast.topology);
+  for (const face::Face& f : cast.faces) {
+    worn_meshes_.push_back(fine_.Join(fine_places_, SeenOn(cast.topology, f, rigid)));
+  }
 }
 
 void Surface::WriteFine(const face::Shape& shape) {

@@ -35,7 +35,8 @@ std::vector<RibbonCorner> RibbonCorners(const face::Topology& topology) {
   for (const face::Line& line : topology.wires) AppendRibbon(line[0], line[1], corners);
   for (std::uint32_t circle = 0; circle < kCircles; ++circle) {
     const auto first = static_cast<std::uint32_t>(topology.vertex_count + circle * std::uint32_t{kCircle});
-    for (std::uint32_t i = 0; i < kCircle; ++i) AppendRibbon(first + i, first + (i + 1) % std::uint32_t{kCircle}, corners);
+    for (std::uint32_t i = 0; i < kCircle; ++i)
+      AppendRibbon(first + i, first + (i + 1) % std::uint32_t{kCircle}, corners);
   }
   return corners;
 }

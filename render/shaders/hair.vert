@@ -8,8 +8,8 @@ layout(location = 3) in vec3 lock_place;   // x along, y across, z shade.
 layout(location = 4) in float lock_number; // 0..1, one for each lock.
 #define lock vec4(lock_place, lock_number)
 uniform vec3 paint;
-out vec4 lit;      // rgb; a: how far along the lock.
-out vec4 gleam;    // rgb: highlight; a: a place across the stripes.
+out vec4 lit;
+out vec2 place;
 
 // The lower and further along, the more a point swings.
 vec3 Swing(vec3 p) {
@@ -33,8 +33,8 @@ void main() {
   float sky = SkyShare(n);
   vec3 soft = paint * (diffuse * 1.25 + 0.28 + 0.22 * sky) * open;
   soft += edge * vec3(0.205, 0.162, 0.246) * 0.22 * open * (0.3 + 0.7 * sky);
-  lit = vec4(mix(paint * 1.25 * PlainLight(n), soft, fill.w) * key.w, lock.x);
-  vec3 gleam_colour = paint * 3.2 + vec3(0.16, 0.10, 0.065);
-  gleam = vec4(gleam_colour * band * 0.62 * open * (0.25 + 0.75 * diffuse) * fill.w * key.w, lock.y * 0.5 + lock.w);
+  float highlight = band * 0.62 * open * (0.25 + 0.75 * diffuse) * fill.w * key.w;
+  lit = vec4(mix(paint * 1.25 * PlainLight(n), soft, fill.w) * key.w, highlight);
+  place = vec2(lock.y + 5.0 * lock.w, lock.x);
   gl_Position = projection * vec4(p, 1.0);
 }

@@ -1,0 +1,61 @@
+#include "render/passes/lock_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+
+namespace kaori::passes {
+namespace {
+
+// Which lock each vertex belongs to: what triangles join hangs together.
+class Locks {
+ public:
+  explicit Locks(const face::Prop& prop) : parent_(prop.vertices.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    for (const face::Triangle& t : prop.triangles) {
+      parent_[Root(t[1])] = Root(t[0]);
+      parent_[Root(t[2])] = Root(t[0]);
+    }
+  }
+
+  // Spread over 0..1 by the golden ratio, so that neighbours differ.
+  float NumberOf(std::uint32_t vertex) {
+    const float spread = static_cast<float>(Root(vertex)) * 0.6180340F;
+    return spread - std::floor(spread);
+  }
+
+ private:
+  std::uint32_t Root(std::uint32_t v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+std::vector<float> LockNumbers(const face::Prop& hair) {
+  Locks locks(hair);
+  std::vector<float> numbers(hair.vertices.size());
+  for (std::uint32_t v = 0; v < numbers.size(); ++v) numbers[v] = locks.NumberOf(v);
+  return numbers;
+}
+
+std::vector<face::Triangle> OuterLocksFirst(const face::Prop& hair, const std::vector<float>& numbers) {
+  glm::vec3 middle{};
+  for (const face::PropVertex& v : hair.vertices)
+    middle += v.position / static_cast<float>(hair.vertices.size());
+  std::map<float, float> reach;  // Of each lock: its farthest point from the middle, square metres.
+  for (std::size_t v = 0; v < numbers.size(); ++v) {
+    const glm::vec3 away = hair.vertices[v].position - middle;
+    reach[numbers[v]] = std::max(reach[numbers[v]], away.x * away.x + away.z * away.z);
+  }
+  std::vector<face::Triangle> sorted = hair.triangles;
+  std::ranges::stable_sort(sorted, std::ranges::greater{},
+                           [&](const face::Triangle& t) { return reach[numbers[t[0]]]; });
+  return sorted;
+}
+
+}  // namespace kaori::passes
