@@ -1,4 +1,5 @@
 // kaori-input: what the operators' hands do, from the devices to the board.
+#include <charconv>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/gpio/chip_lines.h"
+#include "drivers/hid/hidraw_bus.h"
+#include "drivers/hid/libusb_bus.h"
 #include "drivers/hid/local_bus.h"
 
 namespace {
@@ -17,7 +21,11 @@ using namespace std::chrono_literals;
 constexpr std::string_view kHelp = R"(kaori-input: what the operators' hands do, from the devices to the board
 
   --board FILE     the board, shared with the other programs
+  --hidraw         HID devices, by the kernel's driver
+  --usb            HID devices on USB, without it
   --links FOLDER   devices of the simulator, plugged in there
+  --gpiochip NAME  the chip of the foot and service switches: gpiochip0, or its label
+  --lines 4,17     their lines on that chip, switches to ground; the first is line 0 of the board
   --settings FILE  which port plays what, dead zones and curves (TOML)
 )";
 
@@ -25,7 +33,8 @@ constexpr kaori::Duration kTick = 5ms;  // Lamps, and devices that could not be 
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file;
+  std::string links, file, chip, lines;
+  bool hidraw = false, usb = false;
 };
 
 int Complain(const kaori::Error& error) {
@@ -58,14 +67,48 @@ class DeskWatch {
   std::uint32_t generation_ = 0;
 };
 
-kaori::Result<std::vector<std::unique_ptr<kaori::ports::HidBus>>> OpenBuses(const Settings& settings) {
-  std::vector<std::unique_ptr<kaori::ports::HidBus>> buses;
-  if (!settings.links.empty()) {
-    auto bus = kaori::hid::LocalHidBus::Watch(settings.links);
-    if (!bus) return tl::unexpected(bus.error());
-    buses.push_back(std::move(*bus));
-  }
+using Buses = std::vector<std::unique_ptr<kaori::ports::HidBus>>;
+
+template <class Bus>
+kaori::Result<void> Add(kaori::Result<std::unique_ptr<Bus>> bus, Buses& buses) {
+  if (!bus) return tl::unexpected(bus.error());
+  buses.push_back(std::move(*bus));
+  return {};
+}
+
+kaori::Result<Buses> OpenBuses(const Settings& settings, const kaori::Clock& clock) {
+  Buses buses;
+  kaori::Result<void> ok;
+  if (settings.hidraw) ok = Add(kaori::hid::HidrawBus::Open(clock), buses);
+  if (ok && settings.usb) ok = Add(kaori::hid::LibusbBus::Open(clock), buses);
+  if (ok && !settings.links.empty()) ok = Add(kaori::hid::LocalHidBus::Watch(settings.links), buses);
+  if (!ok) return tl::unexpected(ok.error());
+  if (buses.empty()) return kaori::FailInput("one of --hidraw, --usb and --links is wanted");
   return buses;
+}
+
+// "4,17" as offsets on the chip.
+kaori::Result<kaori::gpio::Wiring> ParseLines(const std::string& text) {
+  kaori::gpio::Wiring wiring;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at < end) {
+    kaori::gpio::LineWiring line;
+    const auto [after, error] = std::from_chars(at, end, line.offset);
+    if (error != std::errc{} || (after < end && *after != ','))
+      return kaori::FailInput("--lines " + text + ": numbers with commas between are wanted, as in 4,17");
+    wiring.inputs.push_back(line);
+    at = after + 1;
+  }
+  return wiring;
+}
+
+// Null where no chip is asked for.
+kaori::Result<std::unique_ptr<kaori::ports::GpioLines>> OpenLines(const Settings& settings) {
+  if (settings.chip.empty()) return nullptr;
+  const auto wiring = ParseLines(settings.lines);
+  if (!wiring) return tl::unexpected(wiring.error());
+  return kaori::gpio::OpenLines(settings.chip, *wiring);
 }
 
 kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path) {
@@ -80,11 +123,14 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!board) return Complain(board.error());
   auto writers = kaori::input::DeskWriters::Take(*board);
   if (!writers) return Complain(writers.error());
-  const auto buses = OpenBuses(settings);
-  if (!buses) return Complain(buses.error());
-  kaori::input::DeskSources sources;
-  for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   const kaori::SteadyClock clock;
+  const auto buses = OpenBuses(settings, clock);
+  if (!buses) return Complain(buses.error());
+  const auto lines = OpenLines(settings);
+  if (!lines) return Complain(lines.error());
+  kaori::input::DeskSources sources;
+  sources.lines = lines->get();
+  for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   kaori::input::InputDesk desk(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   DeskWatch watch(desk, loop);
   watch.Step();
@@ -99,7 +145,13 @@ int main(int argc, char** argv) {
   kaori::SetLogName("kaori-input");
   Settings settings;
   kaori::Options options(kHelp);
-  options.Text("--board", settings.board).Text("--links", settings.links).Text("--settings", settings.file);
+  options.Text("--board", settings.board)
+      .Switch("--hidraw", settings.hidraw)
+      .Switch("--usb", settings.usb)
+      .Text("--links", settings.links)
+      .Text("--gpiochip", settings.chip)
+      .Text("--lines", settings.lines)
+      .Text("--settings", settings.file);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return Complain(loop.error());

@@ -9,6 +9,7 @@
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/camera/local_camera.h"
+#include "drivers/camera/v4l2_camera.h"
 
 namespace {
 
@@ -17,6 +18,7 @@ using namespace std::chrono_literals;
 constexpr std::string_view kHelp = R"(kaori-lips: the operator's painted lips, from the camera to the board
 
   --board FILE    the board, shared with the other programs
+  --device FILE   the camera, say /dev/video0
   --links FOLDER  the simulator's camera, plugged in there
   --paint R,G,B   the paint's colour, 0 to 255 each; blue (20,60,200) if not given
   --rest WIDTH    the mouth at rest, in widths of the picture (0.05 to 0.95); measured in the first second if
@@ -27,7 +29,7 @@ constexpr kaori::Duration kTick = 25ms;  // Silence and re-opening; frames wake 
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, paint, rest;
+  std::string links, device, paint, rest;
 };
 
 int Complain(const kaori::Error& error) {
@@ -89,7 +91,8 @@ class LipWatch {
   int opened_ = 0;
 };
 
-kaori::ports::CameraOpener OpenerFor(const Settings& settings) {
+kaori::ports::CameraOpener OpenerFor(const Settings& settings, const kaori::Clock& clock) {
+  if (!settings.device.empty()) return kaori::camera::V4l2Opener(settings.device, {}, clock);
   return [links = settings.links] { return kaori::camera::LocalCamera::Open(links); };
 }
 
@@ -103,7 +106,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto writer = board->TakeWriter<kaori::board::Lips>();
   if (!writer) return Complain(writer.error());
   const kaori::SteadyClock clock;
-  kaori::lips::LipReader reader(OpenerFor(settings), *board, std::move(*writer), {*paint, *rest}, clock);
+  kaori::lips::LipReader reader(OpenerFor(settings, clock), *board, std::move(*writer), {*paint, *rest},
+                                clock);
   LipWatch watch(reader, loop);
   watch.Step();
   for (const auto& ok : {loop.Every(kTick, [&watch] { watch.Step(); }), loop.Run()})
@@ -118,6 +122,7 @@ int main(int argc, char** argv) {
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--board", settings.board)
+      .Text("--device", settings.device)
       .Text("--links", settings.links)
       .Text("--paint", settings.paint)
       .Text("--rest", settings.rest);
