@@ -20,9 +20,9 @@ tl::unexpected<Error> FailAll(const std::vector<std::string>& faults) {
 Result<show::Show> AuthorShow(const std::filesystem::path& folder, const Progress& progress) {
   show::Show show;
   progress("sculpting the faces and their expressions");
-  if (auto ok = Sculpt(folder, show.cast); !ok) return tl::unexpected(ok.error());
+  if (auto ok = sculpt::Sculpt(folder, show.cast); !ok) return tl::unexpected(ok.error());
   progress("painting, hair, clothes and shadows");
-  if (auto ok = Dress(folder, show.cast); !ok) return tl::unexpected(ok.error());
+  if (auto ok = wardrobe::Dress(folder, show.cast); !ok) return tl::unexpected(ok.error());
   progress("reading the script");
   if (const auto faults = ReadShowFile(folder / "show.toml", show); !faults.empty()) return FailAll(faults);
   if (const auto faults = show::CheckShow(show); !faults.empty()) return FailAll(faults);

@@ -37,7 +37,7 @@ struct Camera {
   float distance_m = 0.95F;
   float yaw_rad = 0;    // Round the target; positive looks from the character's left.
   float height_rad = 0;
-  float field_of_view_rad = 0.40F;  // Vertical.
+  float field_of_view_rad = 0.34F;  // Vertical.
 };
 
 // A vertical gradient, linear RGB.

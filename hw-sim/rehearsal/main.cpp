@@ -1,0 +1,128 @@
+// kaori-rehearsal: plays a scenario in a whole house on a simulated clock, into a film or pictures.
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "appliance/show/pack.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "hw-sim/rehearsal/film.h"
+#include "hw-sim/rehearsal/rehearsal.h"
+#include "hw-sim/scenario/player.h"
+#include "hw-sim/scenario/reader.h"
+#include "render/image/png.h"
+
+namespace {
+
+using kaori::Result;
+
+constexpr std::string_view kHelp = R"(kaori-rehearsal: plays a scenario in a whole house on a simulated clock
+
+  --pack FILE        the show (needed)
+  --play FILE        the scenario (needed)
+  --film FILE        write a film (.mp4) by ffmpeg
+  --pictures FOLDER  write a PNG once a second
+  --size 960x540     of the picture
+  --hz 30            pictures a second
+)";
+
+struct Settings {
+  std::string pack, play, film, pictures, size = "960x540", hz = "30";
+};
+
+// Where the pictures go.
+struct Outputs {
+  std::unique_ptr<kaori::sim::Film> film;
+  std::string pictures;
+  int hz = 30;
+
+  Result<void> Take(const kaori::sim::Shown& shown, int number) {
+    if (film)
+      if (auto ok = film->Add(shown.rgbx); !ok) return ok;
+    if (pictures.empty() || number % hz != 0) return {};
+    const kaori::image::Picture picture{shown.width_px, shown.height_px, {shown.rgbx.begin(), shown.rgbx.end()}};
+    return kaori::image::WritePng(fmt::format("{}/{:04}.png", pictures, number / hz), picture);
+  }
+};
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.cause == std::errc::invalid_argument ? error.attempt : error.message());
+  return 1;
+}
+
+void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
+  const double position_s = kaori::Seconds(player.position());
+  const double length_s = kaori::Seconds(player.scenario().length);
+  fmt::print(stderr, "\r{:5.1f} of {:.1f} s  {:3.0f} %  {:5.1f} pictures/s  {:<12}", position_s, length_s,
+             100 * position_s / length_s, pictures_per_s, player.beat());
+}
+
+Result<void> PlayThrough(kaori::sim::Rehearsal& house, kaori::sim::Scenario scenario, Outputs& outputs) {
+  const kaori::SteadyClock wall;
+  const auto begun = wall.now();
+  kaori::sim::Player player(std::move(scenario), house.rig(), house.began());
+  int number = 0;
+  for (; !player.finished(); ++number) {
+    const auto shown = house.NextPicture([&](kaori::Time now) { player.Perform(now); });
+    if (!shown) return tl::unexpected(shown.error());
+    if (auto ok = outputs.Take(*shown, number); !ok) return ok;
+    if (number % 10 == 0) ShowProgress(player, number / std::max(1e-3, kaori::Seconds(wall.now() - begun)));
+  }
+  ShowProgress(player, number / std::max(1e-3, kaori::Seconds(wall.now() - begun)));
+  fmt::print(stderr, "\n");
+  return {};
+}
+
+Result<Outputs> OpenOutputs(const Settings& settings, kaori::Size size, int hz) {
+  Outputs outputs{nullptr, settings.pictures, hz};
+  if (!settings.pictures.empty()) std::filesystem::create_directories(settings.pictures);
+  if (settings.film.empty()) return outputs;
+  auto film = kaori::sim::Film::Start(
+      {.file = settings.film, .width_px = size.width_px, .height_px = size.height_px, .hz = static_cast<double>(hz)});
+  if (!film) return tl::unexpected(film.error());
+  outputs.film = std::make_unique<kaori::sim::Film>(std::move(*film));
+  return outputs;
+}
+
+int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::string& folder) {
+  auto scenario = kaori::sim::LoadScenario(settings.play);
+  if (!scenario) return Complain(scenario.error());
+  auto show = kaori::show::LoadPack(settings.pack);
+  if (!show) return Complain(show.error());
+  const auto studio = kaori::stage::Studio::Open(std::move(*show));
+  if (!studio) return Complain(studio.error());
+  const auto house = kaori::sim::Rehearsal::Open(
+      {.folder = folder, .width_px = size.width_px, .height_px = size.height_px, .hz = static_cast<double>(hz)}, **studio);
+  if (!house) return Complain(house.error());
+  auto outputs = OpenOutputs(settings, size, hz);
+  if (!outputs) return Complain(outputs.error());
+  if (auto ok = PlayThrough(**house, std::move(*scenario), *outputs); !ok) return Complain(ok.error());
+  if (outputs->film)
+    if (auto ok = outputs->film->Finish(); !ok) return Complain(ok.error());
+  if (!settings.film.empty()) fmt::print("{}\n", settings.film);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-rehearsal");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--pack", settings.pack, true).Text("--play", settings.play, true).Text("--film", settings.film);
+  options.Text("--pictures", settings.pictures).Text("--size", settings.size).Text("--hz", settings.hz);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  const auto size = kaori::ParseSize(settings.size);
+  const int hz = std::atoi(settings.hz.c_str());
+  if (!size || hz < 1 || hz > 240 || size->width_px % 2 != 0 || size->height_px % 2 != 0) {
+    kaori::Log("--size is two even numbers such as 960x540, --hz 1 to 240");
+    return 2;
+  }
+  const std::string folder = std::filesystem::temp_directory_path() / fmt::format("kaori-rehearsal-{}", ::getpid());
+  const int status = Rehearse(settings, *size, hz, folder);
+  std::filesystem::remove_all(folder);
+  return status;
+}

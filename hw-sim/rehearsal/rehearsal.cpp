@@ -1,0 +1,97 @@
+#include "hw-sim/rehearsal/rehearsal.h"
+
+#include <filesystem>
+
+#include "drivers/camera/local_camera.h"
+#include "drivers/scanout/local_screen.h"
+
+namespace kaori::sim {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kTick = 1ms;
+constexpr int kPatience = 1000;  // Ticks.
+constexpr int kHidDevices = 4;
+
+Result<void> MakeFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder);
+  return {};
+}
+
+}  // namespace
+
+Rehearsal::~Rehearsal() = default;
+
+Result<std::unique_ptr<Rehearsal>> Rehearsal::Open(const RehearsalOptions& options, stage::Studio& studio) {
+  if (auto ok = MakeFolder(options.folder); !ok) return tl::unexpected(ok.error());
+  const std::string board_file = options.folder + "/board";
+  std::filesystem::remove(board_file);  // A rehearsal begins from nothing.
+  auto board = board::Board::Create(board_file);
+  if (!board) return tl::unexpected(board.error());
+  auto bus = hid::LocalHidBus::Watch(options.folder + "/links");
+  if (!bus) return tl::unexpected(bus.error());
+  std::unique_ptr<Rehearsal> rehearsal(new Rehearsal(std::move(*board), std::move(*bus)));
+  if (auto ok = rehearsal->Furnish(options, studio); !ok) return tl::unexpected(ok.error());
+  if (auto ok = rehearsal->Settle(); !ok) return tl::unexpected(ok.error());
+  return rehearsal;
+}
+
+Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& studio) {
+  links_ = options.folder + "/links";
+  auto rig = Rig::Open({.folder = links_,
+                        .screen_width_px = options.width_px,
+                        .screen_height_px = options.height_px,
+                        .screen_period = FromSeconds(1 / options.hz)},
+                       clock_);
+  if (!rig) return tl::unexpected(rig.error());
+  rig_ = std::move(*rig);
+  auto desk_writers = input::DeskWriters::Take(board_);
+  if (!desk_writers) return tl::unexpected(desk_writers.error());
+  desk_ = std::make_unique<input::InputDesk>(board_, std::move(*desk_writers), input::DeskSources{{bus_.get()}, nullptr},
+                                             input::InputSettings{}, clock_);
+  auto lip_writer = board_.TakeWriter<board::Lips>();
+  if (!lip_writer) return tl::unexpected(lip_writer.error());
+  lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); }, board_,
+                                            std::move(*lip_writer), lips::LipSettings{}, clock_);
+  auto stage_writers = stage::StageWriters::Take(board_);
+  if (!stage_writers) return tl::unexpected(stage_writers.error());
+  stage_ = std::make_unique<stage::Stage>(board_, std::move(*stage_writers), studio, clock_);
+  return {};
+}
+
+Result<void> Rehearsal::Settle() {
+  auto screen = scanout::LocalScreen::Open(links_);
+  if (!screen) return tl::unexpected(screen.error());
+  stage_->SetScreen(std::move(*screen));
+  const auto ready = [this] {
+    return desk_->seated() == kHidDevices && rig_->screen().frames_shown() > 0 &&
+           board_.Read<board::Lips>().source == board::SourceState::kLive;
+  };
+  for (int i = 0; i < kPatience && !ready(); ++i) Tick({});
+  began_ = clock_.now();
+  if (!ready()) return Fail(std::errc::timed_out, "wait for every device to take its seat");
+  return {};
+}
+
+Result<Shown> Rehearsal::NextPicture(const Hands& hands) {
+  const auto before = rig_->screen().frames_shown();
+  for (int i = 0; i < kPatience; ++i) {
+    Tick(hands);
+    if (rig_->screen().frames_shown() != before && rig_->screen().latest()) return *rig_->screen().latest();
+  }
+  return Fail(std::errc::timed_out, "wait for a picture");
+}
+
+void Rehearsal::Tick(const Hands& hands) {
+  clock_.Advance(kTick);
+  if (hands) hands(clock_.now());
+  rig_->Pump();
+  desk_->Step();
+  lips_->Step();
+  stage_->Step();
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,66 @@
+// A whole house in one process on a simulated clock: simulated devices, real drivers, board, stage. The same
+// hands give the same board and the same pictures every time. For films, golden pictures and tests.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "appliance/board/board.h"
+#include "appliance/input/input_desk.h"
+#include "appliance/lips/lip_reader.h"
+#include "appliance/stage/stage.h"
+#include "appliance/stage/studio.h"
+#include "drivers/base/clock.h"
+#include "drivers/hid/local_bus.h"
+#include "hw-sim/links/local/rig.h"
+
+namespace kaori::sim {
+
+struct RehearsalOptions {
+  std::string folder;  // Where the board and the links lie; made if it is not there.
+  int width_px = 960;
+  int height_px = 540;
+  double hz = 30;
+};
+
+// One thread.
+class Rehearsal {
+ public:
+  // Plugs every device in and waits, in simulated time, until all are seated. The studio outlives it and may
+  // serve one rehearsal after another. Errors: those of the folder, the board, the sockets; timed_out when a
+  // device was not seated within a simulated second.
+  static Result<std::unique_ptr<Rehearsal>> Open(const RehearsalOptions& options, stage::Studio& studio);
+  ~Rehearsal();
+
+  // What hands do at each moment; called once a millisecond of simulated time, before the devices speak.
+  using Hands = std::function<void(Time now)>;
+
+  // Moves time to the next vertical blank at which a new picture comes to light, and gives that picture.
+  // Errors: timed_out when no picture came within a simulated second.
+  Result<Shown> NextPicture(const Hands& hands = {});
+
+  Rig& rig() { return *rig_; }
+  const board::Board& board() const { return board_; }
+  const stage::Stage& stage() const { return *stage_; }
+  Time now() const { return clock_.now(); }
+  Time began() const { return began_; }  // When the house stood ready.
+
+ private:
+  Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus) : board_(std::move(board)), bus_(std::move(bus)) {}
+  Result<void> Furnish(const RehearsalOptions& options, stage::Studio& studio);
+  Result<void> Settle();
+  void Tick(const Hands& hands);
+
+  ManualClock clock_;
+  board::Board board_;
+  std::unique_ptr<ports::HidBus> bus_;
+  std::unique_ptr<Rig> rig_;
+  std::unique_ptr<input::InputDesk> desk_;
+  std::unique_ptr<lips::LipReader> lips_;
+  std::unique_ptr<stage::Stage> stage_;
+  std::string links_;
+  Time began_{};
+};
+
+}  // namespace kaori::sim
