@@ -12,6 +12,7 @@ constexpr int kEarRows = kEarBlock.row1 - kEarBlock.row0;
 
 struct Extent {
   int count_a, count_b;
+  std::size_t count() const { return static_cast<std::size_t>(count_a) * static_cast<std::size_t>(count_b); }
 };
 
 constexpr Extent ExtentOf(Region region) {
@@ -35,7 +36,7 @@ std::size_t Slot(Region region, int a, int b) {
   if (region == Region::kEye || region == Region::kEar) a = (a + extent.count_a) % extent.count_a;
   if (region == Region::kEarCap) a -= kEarBlock.column0, b -= kEarBlock.row0;
   assert(a >= 0 && a < extent.count_a && b >= 0 && b < extent.count_b);
-  return static_cast<std::size_t>(b * extent.count_a + a);
+  return static_cast<std::size_t>(b) * static_cast<std::size_t>(extent.count_a) + static_cast<std::size_t>(a);
 }
 
 bool IsInside(const Block& block, int column, int row) {
@@ -80,8 +81,7 @@ class Builder {
     half_.mouth_rim = OpenRim(kMouthBlock);
     half_.ear_rim = ClosedRim(kEarBlock);
     for (Region region : {Region::kGrid, Region::kEye, Region::kMouth, Region::kEar, Region::kEarCap}) {
-      const Extent extent = ExtentOf(region);
-      Table(region).assign(static_cast<std::size_t>(extent.count_a * extent.count_b), kNobody);
+      Table(region).assign(ExtentOf(region).count(), kNobody);
     }
     AddGrid();
     AddGridCells();
