@@ -86,6 +86,11 @@ int House::Reap(const std::string& program) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+pid_t House::PidOf(const std::string& program) const {
+  const auto it = running_.find(program);
+  return it == running_.end() ? -1 : it->second;
+}
+
 std::string House::LogOf(const std::string& program) const {
   std::ifstream file(File(program + ".log"));
   std::stringstream text;

@@ -37,6 +37,7 @@ class House {
   int RunToEnd(const std::string& program, const std::vector<std::string>& options);
 
   bool Runs(const std::string& program) const;  // Started, and has not ended by itself.
+  pid_t PidOf(const std::string& program) const;  // -1 when it does not run.
   std::string LogOf(const std::string& program) const;
 
  private:
