@@ -121,11 +121,16 @@ void Canvas::AttachLayerColour(bool reads_samples) {
   AttachTexture(GL_TEXTURE_2D, layer_.id());
 }
 
-void Canvas::BeginLayer(const Box& box) const {
-  Aim(layer_frame_.id(), options_, box);
+void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
+  Aim(layer_frame_.id(), options_, whole);
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (const Box& part : parts) {
+    if (part.empty()) continue;
+    glScissor(part.left_px, part.bottom_px, part.width_px, part.height_px);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  glScissor(whole.left_px, whole.bottom_px, whole.width_px, whole.height_px);
 }
 
 void Canvas::BeginPicture(const Box& box) const {

@@ -35,8 +35,9 @@ class Canvas {
   // driver's limit).
   static Result<Canvas> Make(const CanvasOptions& options);
 
-  // Drawing goes to the layer within `box` from here on; it is cleared to nothing, and its depth to far.
-  void BeginLayer(const Box& box) const;
+  // Drawing goes to the layer within `whole` from here on; `parts` are cleared to nothing, and their depth to
+  // far.
+  void BeginLayer(std::span<const Box> parts, const Box& whole) const;
   // Drawing goes to the picture within `box` from here on, without depth.
   void BeginPicture(const Box& box) const;
   // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.

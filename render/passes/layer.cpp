@@ -51,32 +51,31 @@ void LayerPass::Variant::Use(const scene::Backdrop& backdrop, float opaque) cons
   gl::Program::Set(opacity, opaque);
 }
 
-void LayerPass::Lay(const gl::Canvas& canvas, const gl::Box& box, const scene::Backdrop& backdrop,
-                    float opacity) const {
+void LayerPass::Fill(const gl::Canvas& canvas, const gl::Box& box) const {
   if (box.empty()) return;
-  canvas.BindLayer(0, box);
   canvas.BeginPicture(box);
-  const bool replaces = opacity >= 1;
-  gl::Apply({.depth = gl::Depth::kOff, .blend = replaces ? gl::Blend::kReplace : gl::Blend::kOver});
-  (canvas.layer_has_samples() ? samples_ : resolved_).Use(backdrop, opacity);
   everywhere_.Draw();
 }
 
-void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const gl::Box& box,
+void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const scene::Backdrop& backdrop,
+                    float opacity) const {
+  if (figure.whole.empty()) return;
+  canvas.BindLayer(0, figure.whole);
+  const bool replaces = opacity >= 1;
+  gl::Apply({.depth = gl::Depth::kOff, .blend = replaces ? gl::Blend::kReplace : gl::Blend::kOver});
+  (canvas.layer_has_samples() ? samples_ : resolved_).Use(backdrop, opacity);
+  for (const gl::Box& band : figure.bands) Fill(canvas, band);
+}
+
+void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
                                   const scene::Backdrop& backdrop) const {
-  const int width = canvas.width_px();
-  const int top = box.bottom_px + box.height_px;
-  const int right = box.left_px + box.width_px;
-  const gl::Box around[] = {{0, 0, width, box.bottom_px},
-                            {0, top, width, canvas.height_px() - top},
-                            {0, box.bottom_px, box.left_px, box.height_px},
-                            {right, box.bottom_px, width - right, box.height_px}};
   gl::Apply({.depth = gl::Depth::kOff});
   backdrop_.Use(backdrop, 1);
-  for (const gl::Box& part : around) {
-    if (part.empty()) continue;
-    canvas.BeginPicture(part);
-    everywhere_.Draw();
+  for (const gl::Box& band : figure.bands) {
+    const int left_px = band.empty() ? canvas.width_px() : band.left_px;
+    const int right_px = band.empty() ? canvas.width_px() : band.left_px + band.width_px;
+    Fill(canvas, {0, band.bottom_px, left_px, band.height_px});
+    Fill(canvas, {right_px, band.bottom_px, canvas.width_px() - right_px, band.height_px});
   }
 }
 

@@ -4,6 +4,7 @@
 #include "render/gl/canvas.h"
 #include "render/gl/mesh.h"
 #include "render/gl/program.h"
+#include "render/passes/figure_region.h"
 #include "render/scene/scene.h"
 
 namespace kaori::passes {
@@ -13,13 +14,16 @@ class LayerPass {
   // Errors: invalid_argument (a shader).
   static Result<LayerPass> Open();
 
-  // The canvas's layer within `box`. Opacity 1 replaces what is there.
-  void Lay(const gl::Canvas& canvas, const gl::Box& box, const scene::Backdrop& backdrop,
+  // The canvas's layer, where the figure is. Opacity 1 replaces what is there.
+  void Lay(const gl::Canvas& canvas, const FigureRegion& figure, const scene::Backdrop& backdrop,
            float opacity) const;
-  // The backdrop alone, everywhere but in `box`.
-  void LayBackdropAround(const gl::Canvas& canvas, const gl::Box& box, const scene::Backdrop& backdrop) const;
+  // The backdrop alone, everywhere but there.
+  void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
+                         const scene::Backdrop& backdrop) const;
 
  private:
+  void Fill(const gl::Canvas& canvas, const gl::Box& box) const;
+
   struct Variant {
     gl::Program program;
     int top = -1;

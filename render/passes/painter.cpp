@@ -9,7 +9,7 @@
 #include "render/passes/body.h"
 #include "render/passes/clothes.h"
 #include "render/passes/eyes.h"
-#include "render/passes/figure_box.h"
+#include "render/passes/figure_region.h"
 #include "render/passes/flat.h"
 #include "render/passes/frame.h"
 #include "render/passes/hair.h"
@@ -177,16 +177,16 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
       MakeFrame(scene, p.neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
   p.frame.Write(std::as_bytes(std::span(&frame, 1)));
   p.frame.BindUniforms(kFrameBinding);
-  const gl::Box box = FigureBox(frame, shape, p.wardrobe);
-  p.layer->LayBackdropAround(canvas, box, MixedBackdrop(scene));
+  const FigureRegion figure = FindFigure(frame, shape, p.wardrobe);
+  p.layer->LayBackdropAround(canvas, figure, MixedBackdrop(scene));
   float laid = 0;
   for (const Group group : kGroups) {
     const float weight = WeightOf(scene, group);
     if (weight <= kUnseen) continue;
     laid += weight;
-    canvas.BeginLayer(box);
+    canvas.BeginLayer(figure.bands, figure.whole);
     p.DrawGroup(group, scene, shape);
-    p.layer->Lay(canvas, box, BackdropOf(scene, group), weight / laid);
+    p.layer->Lay(canvas, figure, BackdropOf(scene, group), weight / laid);
   }
 }
 

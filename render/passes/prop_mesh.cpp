@@ -29,26 +29,43 @@ gl::Mesh MeshOf(const face::Prop& prop, const gl::Buffer& vertices, const gl::Bu
                   indices);
 }
 
+void Widen(Box3& box, const glm::vec3& p) {
+  box = {glm::min(box.low, p), glm::max(box.high, p)};
+}
+
+std::array<Box3, PropMesh::kSlices> Slice(const face::Prop& prop) {
+  Box3 all;
+  for (const face::PropVertex& v : prop.vertices) Widen(all, v.position);
+  const float per_metre = PropMesh::kSlices / std::max(all.high.y - all.low.y, 1e-6F);
+  const auto slice_of = [&](face::Index v) {
+    const float slice = (prop.vertices[v].position.y - all.low.y) * per_metre;
+    return std::clamp(static_cast<int>(slice), 0, PropMesh::kSlices - 1);
+  };
+  std::array<Box3, PropMesh::kSlices> slices;
+  for (const face::Triangle& t : prop.triangles) {
+    const auto [first, last] = std::minmax({slice_of(t[0]), slice_of(t[1]), slice_of(t[2])});
+    for (int s = first; s <= last; ++s) {
+      for (const face::Index v : t) Widen(slices[static_cast<std::size_t>(s)], prop.vertices[v].position);
+    }
+  }
+  return slices;
+}
+
 }  // namespace
 
 PropMesh::PropMesh(const face::Prop& prop)
     : part(prop.part),
       paint(prop.colour),
-      lowest(prop.vertices.empty() ? glm::vec3{} : prop.vertices.front().position),
-      highest(lowest),
+      slices(Slice(prop)),
       vertices(gl::Buffer::Of(std::span<const face::PropVertex>(prop.vertices))),
       numbers(gl::BufferUse::kStatic, prop.vertices.size() * sizeof(float)) {
-  if (part == face::Part::kHair) {
-    const std::vector<float> lock_numbers = LockNumbers(prop);
-    numbers.Write(std::as_bytes(std::span(lock_numbers)));
-    mesh = MeshOf(prop, vertices, numbers, OuterLocksFirst(prop, lock_numbers));
-  } else {
+  if (part != face::Part::kHair) {
     mesh = MeshOf(prop, vertices, numbers, prop.triangles);
+    return;
   }
-  for (const face::PropVertex& v : prop.vertices) {
-    lowest = glm::min(lowest, v.position);
-    highest = glm::max(highest, v.position);
-  }
+  const std::vector<float> lock_numbers = LockNumbers(prop);
+  numbers.Write(std::as_bytes(std::span(lock_numbers)));
+  mesh = MeshOf(prop, vertices, numbers, OuterLocksFirst(prop, lock_numbers));
 }
 
 Wardrobe::Wardrobe(const face::Cast& cast) : presence_(cast.props.size()) {

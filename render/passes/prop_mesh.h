@@ -1,6 +1,7 @@
 // Props in the memory of the graphics driver, and how much of each is there while faces cross-fade.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -10,16 +11,23 @@
 
 namespace kaori::passes {
 
+// Empty while low lies beyond high.
+struct Box3 {
+  glm::vec3 low{1e9F};
+  glm::vec3 high{-1e9F};
+};
+
 // Attribute locations: 0 position, 1 normal, 2 shade; hair: 2 tangent, 3 along, across, shade, 4 number of
 // the lock.
 struct PropMesh {
+  static constexpr int kSlices = 12;
+
   explicit PropMesh(const face::Prop& prop);
   PropMesh(PropMesh&&) = default;
 
   face::Part part;
   glm::vec3 paint;
-  glm::vec3 lowest;  // Corners of its bounding box, metres.
-  glm::vec3 highest;
+  std::array<Box3, kSlices> slices;  // From below: what lies at these heights is in these boxes, metres.
   gl::Buffer vertices;
   gl::Buffer numbers;  // Hair: for each vertex a number 0..1 that a lock's vertices share.
   gl::Mesh mesh;
