@@ -122,24 +122,22 @@ void EnlargeMouth(const HalfTopology& half, double scale, double wall, HalfShape
 }
 
 glm::dvec3 SpoutPoint(const Spout& spout, const Key& key, glm::dvec3 wall) {
-  const double length = glm::distance(spout.foot, spout.tip);
-  const glm::dvec3 axis = (spout.tip - spout.foot) / length;
+  const glm::dvec3 axis = glm::normalize(spout.tip - spout.foot);
   const glm::dvec3 up = glm::normalize(glm::dvec3(0, 1, 0) - axis * axis.y);
   const glm::dvec2 disc = OnSpoutDisc(key);
+  const glm::dvec2 round = disc / (glm::length(disc) + 1e-9);
   const auto across = [&](double x, double y) { return glm::dvec3(x, 0, 0) + up * y; };
   switch (SpoutPartOf(key)) {
     case SpoutPart::kFoot:
       return 0.35 * wall + 0.65 * (spout.foot + axis * spout.foot_out +
                                    across(disc.x * spout.foot_width, disc.y * spout.foot_height));
-    case SpoutPart::kRim: {
-      const glm::dvec2 round = disc / (glm::length(disc) + 1e-9) * spout.rim_radius;
-      return spout.foot + axis * length + across(round.x, round.y);
-    }
+    case SpoutPart::kRim:
+      return spout.tip + across(round.x * spout.rim_radius, round.y * spout.rim_radius);
     case SpoutPart::kInside:
       break;
   }
-  const glm::dvec2 hole = disc * spout.hole_width;
-  return spout.foot + axis * (length - spout.hole_depth) + across(hole.x, hole.y);
+  return spout.tip - axis * spout.hole_depth +
+         across(round.x * spout.hole_radius, round.y * spout.hole_radius);
 }
 
 void DrawOutSpout(const HalfTopology& half, const Spout& spout, HalfShape& shape) {

@@ -99,7 +99,7 @@ struct Spout {
   double foot_out = 0;  // How far the foot stands out along the axis.
   double rim_radius = 0;
   double hole_depth = 0;
-  double hole_width = 0;
+  double hole_radius = 0;
 };
 
 // A turned body with a spout for a nose and a handle for ears.

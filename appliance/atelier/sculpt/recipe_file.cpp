@@ -183,14 +183,14 @@ Warped ReadWarped(Section& file) {
 
 Spout ReadSpout(Section section) {
   section.AllowOnly(
-      {"foot", "tip", "foot_width", "foot_height", "foot_out", "rim_radius", "hole_depth", "hole_width"});
+      {"foot", "tip", "foot_width", "foot_height", "foot_out", "rim_radius", "hole_depth", "hole_radius"});
   Spout spout{.foot = section.Point("foot"), .tip = section.Point("tip")};
   spout.foot_width = section.Number("foot_width");
   spout.foot_height = section.Number("foot_height");
   spout.foot_out = section.NumberOr("foot_out", 0);
   spout.rim_radius = section.Number("rim_radius");
   spout.hole_depth = section.Number("hole_depth");
-  spout.hole_width = section.Number("hole_width");
+  spout.hole_radius = section.Number("hole_radius");
   if (spout.foot == spout.tip) section.Fault("tip", "must differ from 'foot'");
   return spout;
 }
