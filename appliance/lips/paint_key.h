@@ -26,7 +26,7 @@ class PaintKey {
   }
 
  private:
-  std::array<std::uint8_t, 64 * 64> table_{};  // In steps of 4: stays in the first-level cache.
+  std::array<std::uint8_t, std::size_t{64} * 64> table_{};  // In steps of 4: stays in the first-level cache.
 };
 
 }  // namespace kaori::lips
