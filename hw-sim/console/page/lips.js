@@ -25,8 +25,8 @@ function shapes(open, wide) {
   const innerLow = `Q0 ${gap * 1.7 + 3} ${-half} 0`;
   return {
     upper: `M${-half} 0 ${outerTop} ${innerTop(-gap * 0.5 + 3)}Z`,
-    lower: `M${-half} 0 C${-half * 0.6} ${low + gap * 1.1} ${-half * 0.25} ${low * 1.35 + gap * 1.15}` +
-        ` 0 ${low * 1.35 + gap * 1.15} C${half * 0.25} ${low * 1.35 + gap * 1.15} ${half * 0.6} ${low + gap * 1.1} ${half} 0 ${innerLow}Z`,
+    lower: `M${-half} 0 C${-half * 0.6} ${low + gap * 0.8} ${-half * 0.25} ${low * 1.35 + gap * 0.88}` +
+        ` 0 ${low * 1.35 + gap * 0.88} C${half * 0.25} ${low * 1.35 + gap * 0.88} ${half * 0.6} ${low + gap * 0.8} ${half} 0 ${innerLow}Z`,
     inside: `M${-half} 0 Q0 ${-gap * 0.5} ${half} 0 ${innerLow}Z`,
   };
 }
