@@ -101,6 +101,10 @@ bool Canvas::MakeLayer(bool reads_samples) {
   layer_frame_ = NewFramebuffer();
   AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
   AttachLayerColour(reads_samples);
+  if (!Complete()) return false;
+  if (options_.samples > 0) return true;
+  glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_.id());
+  AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
   return Complete();
 }
 
@@ -135,6 +139,15 @@ void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
 
 void Canvas::BeginPicture(const Box& box) const {
   Aim(picture_frame_.id(), options_, box);
+}
+
+void Canvas::BeginPlain(const glm::vec3& background) const {
+  assert(options_.samples == 0);
+  Aim(picture_frame_.id(), options_, whole());
+  glDisable(GL_SCISSOR_TEST);
+  glDepthMask(GL_TRUE);
+  glClearColor(background.r, background.g, background.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void Canvas::BindLayer(unsigned unit, const Box& box) const {

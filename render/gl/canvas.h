@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include <glm/vec3.hpp>
+
 #include "drivers/base/result.h"
 #include "render/gl/handle.h"
 #include "render/gl/texture.h"
@@ -40,6 +42,9 @@ class Canvas {
   void BeginLayer(std::span<const Box> parts, const Box& whole) const;
   // Drawing goes to the picture within `box` from here on, without depth.
   void BeginPicture(const Box& box) const;
+  // Drawing goes straight to the picture, which becomes `background` (linear light), with depth: for canvases
+  // without samples.
+  void BeginPlain(const glm::vec3& background) const;
   // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
   void BindLayer(unsigned unit, const Box& box) const;
 

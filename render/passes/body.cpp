@@ -2,35 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
+#include "render/passes/skin_texture.h"
 
 namespace kaori::passes {
 namespace {
 
 constexpr int kMostTextures = 4;
-
-// Textures are stored top row first; texture places count from below.
-std::vector<std::uint8_t> BottomRowFirst(const face::Texture& t) {
-  const std::size_t row = static_cast<std::size_t>(t.width_px) * 4;
-  std::vector<std::uint8_t> turned(t.rgba.size());
-  for (int y = 0; y < t.height_px; ++y) {
-    const auto from = t.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
-    const auto to =
-        turned.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(t.height_px - 1 - y));
-    std::copy_n(from, row, to);
-  }
-  return turned;
-}
-
-gl::Texture Load(const face::Texture& t) {
-  const auto pixels = BottomRowFirst(t);
-  return gl::Texture(
-      {.width_px = t.width_px, .height_px = t.height_px, .texels = gl::Texels::kSrgb8, .mipmaps = true},
-      std::as_bytes(std::span(pixels)));
-}
 
 // The heaviest faces' textures, each once, and their weights with the sum 1.
 struct Mixture {
@@ -71,7 +50,7 @@ Result<BodyPass> BodyPass::Open(const face::Cast& cast) {
   for (const int textures : {1, 2, 4}) {
     if (auto added = pass.AddVariant(textures); !added) return tl::unexpected(added.error());
   }
-  for (const face::Texture& t : cast.textures) pass.textures_.push_back(Load(t));
+  for (const face::Texture& t : cast.textures) pass.textures_.push_back(LoadSkin(t));
   for (const face::Face& f : cast.faces) {
     pass.looks_.push_back({f.surface.texture, {f.surface.softness, f.surface.metal}});
   }
