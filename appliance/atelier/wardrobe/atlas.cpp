@@ -82,10 +82,11 @@ void RasteriseTriangle(Atlas& atlas, const std::array<Corner, 3>& t) {
 Atlas EmptyAtlas(int size_px) {
   Atlas atlas{size_px,
               std::vector<Texel>(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px))};
+  std::size_t next = 0;
   for (int y = 0; y < size_px; ++y) {
     for (int x = 0; x < size_px; ++x) {
       const glm::dvec2 unit((x + 0.5) / size_px, 1 - (y + 0.5) / size_px);
-      atlas.texels[static_cast<std::size_t>(y * size_px + x)].place_cm = sculpt::PlaceFromTexture(unit);
+      atlas.texels[next++].place_cm = sculpt::PlaceFromTexture(unit);
     }
   }
   return atlas;

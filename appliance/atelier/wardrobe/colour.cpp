@@ -16,6 +16,12 @@ float ToLinear(int byte) {
   return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
 }
 
+std::array<float, 256> MakeLinearTable() {
+  std::array<float, 256> table{};
+  for (int byte = 0; byte < 256; ++byte) table[static_cast<std::size_t>(byte)] = ToLinear(byte);
+  return table;
+}
+
 std::uint8_t Encode(float linear) {
   const float c = linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
   return static_cast<std::uint8_t>(std::lround(c * 255));
@@ -37,7 +43,8 @@ std::optional<glm::vec3> ColourFromHex(std::string_view text) {
   unsigned value = 0;
   const auto [end, fault] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
   if (fault != std::errc{} || end != text.data() + 7) return std::nullopt;
-  const auto channel = [value](int shift) { return ToLinear(static_cast<int>((value >> shift) & 0xFFU)); };
+  static const auto kLinear = MakeLinearTable();  // Painters ask for every texel.
+  const auto channel = [value](int shift) { return kLinear[(value >> shift) & 0xFFU]; };
   return glm::vec3(channel(16), channel(8), channel(0));
 }
 

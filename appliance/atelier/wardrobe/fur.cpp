@@ -18,7 +18,9 @@ void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg,
   const Skull chest{{0, -40, -4}, {1, 1, 1}};
   for (int row = kRows - 1; row >= 0; --row) {
     const float shift = row % 2 == 0 ? 0 : kSpacing_deg / 2;
-    for (float around = from_deg + shift; around < to_deg; around += kSpacing_deg) {
+    const int tufts = static_cast<int>((to_deg - from_deg - shift) / kSpacing_deg) + 1;
+    for (int tuft_index = 0; tuft_index < tufts; ++tuft_index) {
+      const float around = from_deg + shift + kSpacing_deg * static_cast<float>(tuft_index);
       const float at = around + 3 * dice.Spread();
       const float top = 50 - 11.5F * static_cast<float>(row) + 3 * dice.Spread();
       const float length = dice.Between(19, 25);

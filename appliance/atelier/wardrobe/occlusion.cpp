@@ -68,7 +68,9 @@ class DepthPicture {
 
  private:
   int Clip(float v) const { return std::clamp(static_cast<int>(v), 0, size_ - 1); }
-  std::size_t At(int x, int y) const { return static_cast<std::size_t>(y * size_ + x); }
+  std::size_t At(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(x);
+  }
 
   int size_;
   glm::vec3 z_, x_, y_;

@@ -70,7 +70,8 @@ face::Prop CarveArch(const Arch& arch, face::Part part) {
   face::Prop teeth = std::move(mesh).Finish(upper ? "upper teeth" : "lower teeth", part, Hex("#f3ede4"));
   for (int row = 0; row < rows; ++row) {
     for (int c = 0; c < kColumns; ++c) {
-      teeth.vertices[static_cast<std::size_t>(row * kColumns + c)].shade = ToothShade(row, column_at(c));
+      teeth.vertices[static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(c)].shade =
+          ToothShade(row, column_at(c));
     }
   }
   return teeth;
