@@ -157,7 +157,7 @@ Result<void> LibusbSession::Handle() {
 }
 
 void LibusbSession::HandleFor(int ms) {
-  timeval wait{.tv_sec = 0, .tv_usec = ms * 1000};
+  timeval wait{.tv_sec = 0, .tv_usec = suseconds_t{ms} * 1000};
   libusb_handle_events_timeout_completed(context_.get(), &wait, nullptr);
 }
 
