@@ -23,8 +23,7 @@ Every fault of the authoring files is named with file, item and reason; a pack i
 )";
 
 int Complain(const kaori::Error& error) {
-  const std::string line = error.cause == std::errc::invalid_argument ? error.attempt : error.message();
-  fmt::print(stderr, "kaori-atelier: {}\n", line);
+  fmt::print(stderr, "kaori-atelier: {}\n", error.message());
   return 1;
 }
 

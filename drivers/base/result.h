@@ -15,8 +15,12 @@ struct [[nodiscard]] Error {
   std::errc cause{};
   std::string attempt;
 
-  // One line for people: "open /dev/hidraw0: No such device".
-  std::string message() const { return attempt + ": " + std::make_error_code(cause).message(); }
+  // For people: "open /dev/hidraw0: No such device". What was wrong with an argument, a file or a message is
+  // said by the attempt itself.
+  std::string message() const {
+    if (cause == std::errc::invalid_argument) return attempt;
+    return attempt + ": " + std::make_error_code(cause).message();
+  }
 };
 
 template <class T>

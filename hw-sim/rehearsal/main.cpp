@@ -49,7 +49,7 @@ struct Outputs {
 };
 
 int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.cause == std::errc::invalid_argument ? error.attempt : error.message());
+  kaori::Log("{}", error.message());
   return 1;
 }
 

@@ -33,11 +33,11 @@ struct Light {
 };
 
 struct Camera {
-  glm::vec3 target_m{0.0F, -0.015F, 0.0F};
+  glm::vec3 target_m{0.0F, -0.004F, 0.0F};
   float distance_m = 0.95F;
   float yaw_rad = 0;    // Round the target; positive looks from the character's left.
   float height_rad = 0;
-  float field_of_view_rad = 0.34F;  // Vertical.
+  float field_of_view_rad = 0.362F;  // Vertical.
 };
 
 // A vertical gradient, linear RGB.
