@@ -105,8 +105,8 @@ EyesPass::EyesPass(gl::Program program, const face::Topology& topology)
       directions_(gl::Buffer::Of(std::span<const glm::vec3>(CapDirections()))),
       cap_({{directions_, 12, {{0, 3, gl::Scalar::kFloat, 0}}}}, CapTriangles()) {}
 
-Result<EyesPass> EyesPass::Open(const face::Topology& topology) {
-  auto program = MakeProgram("eye.vert", "eye.frag");
+Result<EyesPass> EyesPass::Open(const face::Topology& topology, Onto onto) {
+  auto program = MakeProgram("eye.vert", "eye.frag", onto == Onto::kPicture ? "#define ONTO_PICTURE\n" : "");
   if (!program) return tl::unexpected(program.error());
   return EyesPass(std::move(*program), topology);
 }

@@ -11,8 +11,10 @@ namespace kaori::passes {
 
 class EyesPass {
  public:
-  // Borrows the topology. Errors: invalid_argument (a shader).
-  static Result<EyesPass> Open(const face::Topology& topology);
+  // Borrows the topology. `onto`: a layer, or the picture itself (see gl::Canvas). Errors: invalid_argument
+  // (a shader).
+  enum class Onto : std::uint8_t { kLayer, kPicture };
+  static Result<EyesPass> Open(const face::Topology& topology, Onto onto = Onto::kLayer);
 
   void Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const;
 

@@ -5,6 +5,7 @@
 
 #include "render/face/composer.h"
 #include "render/gl/draw_state.h"
+#include "render/passes/eyes.h"
 #include "render/passes/frame.h"
 #include "render/passes/sane_scene.h"
 #include "render/passes/skin_texture.h"
@@ -13,8 +14,13 @@
 namespace kaori::passes {
 
 struct Painter1993::Parts {
-  Parts(const face::Cast& the_cast, gl::Program the_program)
-      : cast(the_cast), program(std::move(the_program)), composer(cast), neck(NeckOf(cast)), surface(cast) {
+  Parts(const face::Cast& the_cast, gl::Program the_program, EyesPass the_eyes)
+      : cast(the_cast),
+        program(std::move(the_program)),
+        eyes(std::move(the_eyes)),
+        composer(cast),
+        neck(NeckOf(cast)),
+        surface(cast) {
     for (const face::Texture& t : cast.textures) textures.push_back(LoadSkin(t));
     program.BindSampler("texture0", 0);
   }
@@ -26,6 +32,7 @@ struct Painter1993::Parts {
 
   const face::Cast& cast;
   gl::Program program;
+  EyesPass eyes;
   face::Composer composer;
   Neck neck;
   Surface surface;
@@ -39,7 +46,9 @@ Painter1993::~Painter1993() = default;
 Result<std::unique_ptr<Painter1993>> Painter1993::Open(const gl::Context&, const face::Cast& cast) {
   auto program = MakeProgram("plain.vert", "plain.frag");
   if (!program) return tl::unexpected(program.error());
-  auto parts = std::make_unique<Parts>(cast, std::move(*program));
+  auto eyes = EyesPass::Open(cast.topology, EyesPass::Onto::kPicture);
+  if (!eyes) return tl::unexpected(eyes.error());
+  auto parts = std::make_unique<Parts>(cast, std::move(*program), std::move(*eyes));
   return std::unique_ptr<Painter1993>(new Painter1993(std::move(parts)));
 }
 
@@ -56,6 +65,7 @@ void Painter1993::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   p.TextureOf(shape.faces).Bind(0);
   p.program.Use();
   p.surface.cage().Draw();
+  p.eyes.Draw(shape, scene.gaze);
 }
 
 }  // namespace kaori::passes

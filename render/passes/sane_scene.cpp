@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -20,9 +21,10 @@ float Turn(float rad) {
   return Within(rad, 0, -kTurn_rad, kTurn_rad);
 }
 
+// One number that is none spoils the whole vector.
 glm::vec3 Within(glm::vec3 value, glm::vec3 fallback, float low, float high) {
-  return {Within(value.x, fallback.x, low, high), Within(value.y, fallback.y, low, high),
-          Within(value.z, fallback.z, low, high)};
+  const bool whole = std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+  return whole ? glm::clamp(value, low, high) : fallback;
 }
 
 scene::Head Sane(const scene::Head& h) {

@@ -1,3 +1,3 @@
-uniform vec3 paint;
+flat in vec3 lit;
 layout(location = 0) out vec4 colour;
-void main() { colour = vec4(sqrt(paint), 1.0); }
+void main() { colour = vec4(lit, 1.0); }

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/render/allocation_count.h"
+#include "tests/render/pass_studio.h"
+
+namespace kaori {
+namespace {
+
+using scene::Style;
+using testing::Difference;
+using testing::PassStudio;
+using testing::Picture;
+using testing::PlainScene;
+
+constexpr Style kStyles[] = {Style::kWire, Style::kFlat, Style::kBare, Style::kHair, Style::kSoft};
+
+scene::Scene Between(Style a, Style b, float share) {
+  scene::Scene scene = PlainScene(a);
+  scene.styles[static_cast<std::size_t>(a)] = 1 - share;
+  scene.styles[static_cast<std::size_t>(b)] += share;
+  return scene;
+}
+
+TEST(Painter, DrawsEachStyleInAWayOfItsOwn) {
+  PassStudio& studio = PassStudio::Shared();
+  for (const Style a : kStyles) {
+    for (const Style b : kStyles) {
+      if (a >= b) continue;
+      EXPECT_GT(Difference(studio.Draw(PlainScene(a)), studio.Draw(PlainScene(b))), 0.3)
+          << static_cast<int>(a) << " and " << static_cast<int>(b);
+    }
+  }
+}
+
+TEST(Painter, DrawsTheSamePictureOfTheSameScene) {
+  PassStudio& studio = PassStudio::Shared();
+  for (const Style style : kStyles) {
+    EXPECT_EQ(studio.Draw(PlainScene(style)).bytes, studio.Draw(PlainScene(style)).bytes);
+  }
+}
+
+// Each step of a fade goes farther from where it started and comes nearer to where it ends.
+void ExpectMonotone(Style from, Style to) {
+  PassStudio& studio = PassStudio::Shared();
+  const Picture start = studio.Draw(PlainScene(from));
+  const Picture end = studio.Draw(PlainScene(to));
+  double gone = -1e-9;
+  double left = 1e9;
+  for (int step = 0; step <= 8; ++step) {
+    const Picture now = studio.Draw(Between(from, to, static_cast<float>(step) / 8));
+    EXPECT_GT(Difference(start, now), gone) << step;
+    EXPECT_LT(Difference(end, now), left) << step;
+    gone = Difference(start, now);
+    left = Difference(end, now);
+  }
+  EXPECT_EQ(left, 0);
+}
+
+TEST(Painter, FadesFromWireToFlatWithoutTurningBack) {
+  ExpectMonotone(Style::kWire, Style::kFlat);
+}
+TEST(Painter, FadesFromFlatToBareWithoutTurningBack) {
+  ExpectMonotone(Style::kFlat, Style::kBare);
+}
+TEST(Painter, FadesFromHairToSoftWithoutTurningBack) {
+  ExpectMonotone(Style::kHair, Style::kSoft);
+}
+TEST(Painter, FadesFromSoftToWireWithoutTurningBack) {
+  ExpectMonotone(Style::kSoft, Style::kWire);
+}
+
+TEST(Painter, FadesByHalfInLinearLight) {
+  PassStudio& studio = PassStudio::Shared();
+  scene::Scene scene = Between(Style::kFlat, Style::kWire, 0.5F);
+  scene.backdrop = {{1, 1, 1}, {1, 1, 1}};
+  // White, and a tenth of it behind the wires: 0.55 of white, which sRGB codes as 196.
+  EXPECT_NEAR(studio.Draw(scene).at(1, 60)[0], 196, 1);
+}
+
+TEST(Painter, CodesHalfOfTheLightAs188) {
+  PassStudio& studio = PassStudio::Shared();
+  scene::Scene scene = PlainScene(Style::kSoft);
+  scene.backdrop = {{0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}};
+  const Picture picture = studio.Draw(scene);
+  EXPECT_NEAR(picture.at(1, 60)[0], 188, 1);  // Beside the figure,
+  scene.camera.target_m.y = 1;                // and where samples were laid.
+  EXPECT_NEAR(studio.Draw(scene).at(80, 60)[1], 188, 1);
+}
+
+TEST(Painter, KeepsPaintThroughTheSamples) {
+  PassStudio& studio = PassStudio::Shared();
+  scene::Scene scene = PlainScene(Style::kFlat);
+  scene.light.key = {0, 0, 1};
+  const Picture picture = studio.Draw(scene);
+  // Red is painted 0.6, green 0.5, blue 0.4; whatever the light, their order and ratio stay.
+  const std::uint8_t* cheek = picture.at(80, 45);
+  const auto linear = [](int code) { return std::pow((code / 255.0 + 0.055) / 1.055, 2.4); };
+  EXPECT_NEAR(linear(cheek[1]) / linear(cheek[0]), 0.5 / 0.6, 0.02);
+  EXPECT_NEAR(linear(cheek[2]) / linear(cheek[0]), 0.4 / 0.6, 0.02);
+}
+
+TEST(Painter, ShowsNothingInTheDark) {
+  scene::Scene scene = PlainScene(Style::kSoft);
+  scene.light.exposure = 0;
+  scene.backdrop = {{0, 0, 0}, {0, 0, 0}};
+  const Picture picture = PassStudio::Shared().Draw(scene);
+  for (std::size_t i = 0; i < picture.bytes.size(); ++i) {
+    const bool unused = i % 4 == 3;
+    ASSERT_TRUE(unused || picture.bytes[i] == 0) << i;
+  }
+}
+
+TEST(Painter, MixesTheSkinsOfFacesThatCrossFade) {
+  PassStudio& studio = PassStudio::Shared();
+  scene::Scene scene = PlainScene(Style::kBare);
+  const auto blue_over_red = [&](float share) {
+    scene.weights.faces.clear();
+    scene.weights.faces.Push(0, 1 - share);
+    scene.weights.faces.Push(1, share);
+    const std::uint8_t* cheek = studio.Draw(scene).at(80, 45);
+    return static_cast<double>(cheek[2]) / cheek[0];
+  };
+  EXPECT_LT(blue_over_red(0), blue_over_red(0.5F));
+  EXPECT_LT(blue_over_red(0.5F), blue_over_red(1));
+}
+
+TEST(Painter, TurnsTheHeadButNotTheShoulders) {
+  PassStudio& studio = PassStudio::Shared();
+  scene::Scene scene = PlainScene(Style::kHair);
+  const Picture ahead = studio.Draw(scene);
+  scene.head.yaw_rad = 0.6F;
+  const Picture turned = studio.Draw(scene);
+  EXPECT_NE(ahead.bytes, turned.bytes);
+  for (int x = 50; x < 110; ++x) {
+    EXPECT_EQ(ahead.at(x, 1)[2], turned.at(x, 1)[2]) << x;
+  }
+}
+
+TEST(Painter, SurvivesNumbersThatAreNone) {
+  PassStudio& studio = PassStudio::Shared();
+  const Picture good = studio.Draw(PlainScene(Style::kSoft));
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  scene::Scene scene;
+  scene.weights.faces.Push(0, nan);
+  scene.weights.expressions.Push(60000, 1e30F);
+  scene.gaze[0] = {nan, -nan};
+  scene.head = {nan, nan, nan, {nan, nan, nan}};
+  scene.styles = {nan, nan, nan, nan, nan};
+  scene.light = {{nan, 0, 0}, nan};
+  scene.camera = {{nan, nan, nan}, nan, nan, nan, nan};
+  scene.backdrop = {{nan, 0, 0}, {0, nan, 0}};
+  scene.hair_sway_rad = {nan, nan};
+  scene.breath = nan;
+  EXPECT_LT(Difference(studio.Draw(scene), good), 3);
+}
+
+TEST(Painter, DrawsOnCanvasesOfAnySize) {
+  PassStudio& studio = PassStudio::Shared();
+  for (const auto& [width, height] : {std::pair{1, 1}, {17, 9}, {301, 40}, {40, 301}}) {
+    const Picture picture = studio.Draw(PlainScene(Style::kSoft), width, height);
+    EXPECT_GT(picture.bytes[1], 0) << width << " x " << height;
+  }
+}
+
+TEST(Painter, TakesNothingFromTheHeapForAThousandFrames) {
+  PassStudio& studio = PassStudio::Shared();
+  auto canvas = gl::Canvas::Make({.width_px = 16, .height_px = 12});
+  ASSERT_TRUE(canvas) << canvas.error().message();
+  scene::Scene scene = PlainScene(Style::kSoft);
+  scene.weights.faces.Push(1, 0.5F);
+  const auto draw = [&](int frame) {
+    scene.styles = {};
+    scene.styles[static_cast<std::size_t>(frame % scene::kStyleCount)] = 1;
+    scene.head.yaw_rad = 0.001F * static_cast<float>(frame);
+    studio.painter().Draw(scene, *canvas);
+  };
+  for (int frame = 0; frame < 20; ++frame) draw(frame);
+  const std::size_t before = testing::AllocationCount();
+  for (int frame = 0; frame < 1000; ++frame) draw(frame);
+  EXPECT_EQ(testing::AllocationCount() - before, 0U);
+}
+
+}  // namespace
+}  // namespace kaori
