@@ -3,6 +3,7 @@
 
 #include "drivers/hid/report_items.h"
 #include "drivers/hid/report_layout.h"
+#include "drivers/hid/usage_list.h"
 
 namespace kaori::hid {
 namespace {
@@ -24,7 +25,6 @@ enum class GlobalTag : std::uint8_t {
   kPush = 10,
   kPop = 11
 };
-enum class LocalTag : std::uint8_t { kUsage = 0, kUsageMin = 1, kUsageMax = 2, kDelimiter = 10 };
 
 constexpr std::uint32_t kConstant = 1u << 0, kVariable = 1u << 1, kRelative = 1u << 2, kWrap = 1u << 3,
                         kNullState = 1u << 6;
@@ -37,21 +37,6 @@ struct Globals {
   std::uint32_t size_bits = 0;
   std::uint32_t count = 0;
   std::uint8_t report_id = 0;
-};
-
-// A usage of one or two bytes belongs to the page that holds at the main item, not at the usage.
-struct LocalUsages {
-  Usage first = 0;
-  Usage last = 0;
-  bool has_page = false;
-};
-
-struct Locals {
-  std::vector<LocalUsages> usages;
-  std::size_t usage_count = 0;
-  LocalUsages minimum;
-  int delimiter_depth = 0;
-  int alternatives = 0;  // Within delimiters only the first usage counts.
 };
 
 struct Collection {
@@ -67,26 +52,18 @@ class Parser {
   Result<void> Take(const Item& item);
   Result<void> TakeMain(const Item& item);
   Result<void> TakeGlobal(const Item& item);
-  Result<void> TakeLocal(const Item& item);
   Result<void> Begin(const Item& item);
   Result<void> End(const Item& item);
   Result<void> AddField(const Item& item, ReportKind kind);
-  LocalUsages RangeTo(const LocalUsages& maximum) const;
-  Result<void> AddUsages(const Item& item, LocalUsages usages);
-  Result<void> Delimit(const Item& item);
   Result<void> SetReportId(const Item& item);
   Result<void> Push(const Item& item);
   Result<void> Pop(const Item& item);
-  void KeepUsages(ReportField& field);
   ReportShape& ShapeOf(ReportKind kind);
-  Usage Complete(Usage usage, bool has_page) const {
-    return has_page ? usage : (globals_.page << 16) | usage;
-  }
   Usage Application() const;
 
   ReportLayout layout_;
   Globals globals_;
-  Locals locals_;
+  UsageList usages_;
   std::vector<Globals> stack_;
   std::vector<Collection> collections_;
 };
@@ -103,7 +80,7 @@ Result<ReportLayout> Parser::Run(std::span<const std::uint8_t> descriptor) {
     if (auto ok = Take(**item); !ok) return tl::unexpected(ok.error());
   }
   if (!collections_.empty()) return FailAt(descriptor.size(), "a collection is not ended");
-  if (locals_.delimiter_depth > 0) return FailAt(descriptor.size(), "a delimiter is not closed");
+  if (usages_.delimiter_open()) return FailAt(descriptor.size(), "a delimiter is not closed");
   return std::move(layout_);
 }
 
@@ -114,7 +91,7 @@ Result<void> Parser::Take(const Item& item) {
     case ItemType::kGlobal:
       return TakeGlobal(item);
     case ItemType::kLocal:
-      return TakeLocal(item);
+      return usages_.Take(item);
     case ItemType::kReserved:
       return {};
   }
@@ -142,7 +119,7 @@ Result<void> Parser::TakeMain(const Item& item) {
     default:
       break;  // Reserved: no meaning yet.
   }
-  locals_ = {};
+  usages_ = {};
   return done;
 }
 
@@ -177,52 +154,6 @@ Result<void> Parser::TakeGlobal(const Item& item) {
   }
 }
 
-Result<void> Parser::TakeLocal(const Item& item) {
-  const LocalUsages usage{item.unsigned_value, item.unsigned_value, item.data_bytes > 2};
-  switch (static_cast<LocalTag>(item.tag)) {
-    case LocalTag::kUsage:
-      return AddUsages(item, usage);
-    case LocalTag::kUsageMin:
-      locals_.minimum = usage;
-      return {};
-    case LocalTag::kUsageMax:
-      return AddUsages(item, RangeTo(usage));
-    case LocalTag::kDelimiter:
-      return Delimit(item);
-    default:
-      return {};  // Designators and strings.
-  }
-}
-
-LocalUsages Parser::RangeTo(const LocalUsages& maximum) const {
-  const LocalUsages& minimum = locals_.minimum;
-  const bool lends_page = maximum.has_page && !minimum.has_page;
-  const Usage first = lends_page ? (maximum.last & 0xFFFF0000u) | minimum.first : minimum.first;
-  return {first, maximum.last, maximum.has_page};
-}
-
-Result<void> Parser::AddUsages(const Item& item, LocalUsages usages) {
-  if (locals_.alternatives > 1) return {};
-  if (usages.last < usages.first) return FailAt(item.offset_bytes, "a usage range runs backwards");
-  if (locals_.usage_count >= kMaxUsages) return FailAt(item.offset_bytes, "too many usages");
-  // A range that is too long loses its end, as in Linux: vendors write 0..65535 for "any".
-  const std::size_t room = kMaxUsages - locals_.usage_count;
-  usages.last = usages.first + std::min(usages.last - usages.first, static_cast<Usage>(room - 1));
-  locals_.usage_count += std::size_t{usages.last - usages.first} + 1;
-  locals_.usages.push_back(usages);
-  return {};
-}
-
-Result<void> Parser::Delimit(const Item& item) {
-  const bool opens = item.unsigned_value != 0;
-  if (opens && locals_.delimiter_depth > 0) return FailAt(item.offset_bytes, "delimiters are nested");
-  if (!opens && locals_.delimiter_depth == 0)
-    return FailAt(item.offset_bytes, "a delimiter was never opened");
-  locals_.delimiter_depth += opens ? 1 : -1;
-  if (opens) ++locals_.alternatives;
-  return {};
-}
-
 Result<void> Parser::SetReportId(const Item& item) {
   if (item.unsigned_value == 0 || item.unsigned_value > 255)
     return FailAt(item.offset_bytes, "a report id must be 1 to 255");
@@ -246,8 +177,7 @@ Result<void> Parser::Pop(const Item& item) {
 Result<void> Parser::Begin(const Item& item) {
   if (collections_.size() >= kMaxCollectionDepth)
     return FailAt(item.offset_bytes, "collections nest too deep");
-  const LocalUsages usage = locals_.usages.empty() ? LocalUsages{} : locals_.usages.front();
-  collections_.push_back({item.unsigned_value & 0xFFu, Complete(usage.first, usage.has_page)});
+  collections_.push_back({item.unsigned_value & 0xFFu, usages_.first(globals_.page)});
   return {};
 }
 
@@ -278,7 +208,7 @@ Result<void> Parser::AddField(const Item& item, ReportKind kind) {
   const std::uint32_t offset_bits = shape.bits;
   shape.bits += globals_.size_bits * globals_.count;
   if (shape.bits > (kMaxReportBytes - 1) * 8) return FailAt(item.offset_bytes, "a report is too long");
-  const bool holds_nothing = (item.unsigned_value & kConstant) != 0 || locals_.usages.empty() ||
+  const bool holds_nothing = (item.unsigned_value & kConstant) != 0 || usages_.empty() ||
                              globals_.count == 0 || globals_.size_bits == 0;
   if (holds_nothing || globals_.size_bits > kMaxValueBits) return {};
   if (++shape.fields > kMaxFieldsPerReport) return FailAt(item.offset_bytes, "too many fields in a report");
@@ -294,22 +224,11 @@ Result<void> Parser::AddField(const Item& item, ReportKind kind) {
                     .logical_min = globals_.logical_min,
                     .logical_max = globals_.logical_max,
                     .application = Application()};
-  KeepUsages(field);
+  field.usages_begin = static_cast<std::uint32_t>(layout_.usages.size());
+  usages_.AppendTo(layout_.usages, globals_.page);
+  field.usages_end = static_cast<std::uint32_t>(layout_.usages.size());
   layout_.fields.push_back(field);
   return {};
-}
-
-void Parser::KeepUsages(ReportField& field) {
-  field.usages_begin = static_cast<std::uint32_t>(layout_.usages.size());
-  std::uint32_t start = 0;
-  for (const LocalUsages& usages : locals_.usages) {
-    const Usage first = Complete(usages.first, usages.has_page);
-    const std::uint32_t more = usages.last - usages.first;
-    // A range near the top of 32 bits must not run around to page 0.
-    layout_.usages.push_back({first, first + std::min(more, ~first), start});
-    start += more + 1;
-  }
-  field.usages_end = static_cast<std::uint32_t>(layout_.usages.size());
 }
 
 }  // namespace
