@@ -1,0 +1,50 @@
+#include "tests/bench/bare_draw.h"
+
+#include <cstdlib>
+
+#include "drivers/base/log.h"
+
+namespace kaori::bench {
+namespace {
+
+template <class T>
+T Must(Result<T> made) {
+  if (made) return std::move(*made);
+  Log("{}", made.error().message());
+  std::abort();
+}
+
+}  // namespace
+
+BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 canvas_px)
+    : composer_(cast),
+      shape_(composer_.Compose(scene.weights, face::Detail::kFine)),
+      scene_(scene),
+      wardrobe_(cast),
+      surface_(cast),
+      body_(Must(passes::BodyPass::Open(cast))),
+      eyes_(Must(passes::EyesPass::Open(cast.topology))),
+      hair_(Must(passes::HairPass::Open())),
+      clothes_(Must(passes::ClothesPass::Open())),
+      layer_(Must(passes::LayerPass::Open())),
+      frame_(gl::BufferUse::kStatic, sizeof(passes::FrameBlock)) {
+  surface_.WriteFine(shape_);
+  wardrobe_.Weigh(shape_.faces);
+  const passes::FrameBlock frame = passes::MakeFrame(scene, passes::NeckOf(cast), canvas_px, 1);
+  frame_.Write(std::as_bytes(std::span(&frame, 1)));
+  figure_ = passes::FindFigure(frame, shape_, wardrobe_);
+}
+
+void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
+  frame_.BindUniforms(passes::kFrameBinding);
+  layer_.LayBackdropAround(canvas, figure_, scene_.backdrop);
+  canvas.BeginLayer(figure_.bands, figure_.whole);
+  hair_.Draw(wardrobe_, 1);
+  clothes_.Draw(wardrobe_, shape_.faces);
+  body_.Draw(surface_, shape_, true);
+  eyes_.Draw(shape_, scene_.gaze);
+  layer_.Lay(canvas, figure_, scene_.backdrop, 1);
+  canvas.ReadPixels(bytes);
+}
+
+}  // namespace kaori::bench
