@@ -97,8 +97,8 @@ tl::unexpected<Error> FailUsb(int code, std::string attempt) {
   }
 }
 
-void UsbHidInterface::Unref::operator()(libusb_device* device) const {
-  libusb_unref_device(device);
+void UsbHidInterface::Unref::operator()(libusb_device* used) const {
+  libusb_unref_device(used);
 }
 void LibusbSession::Exit::operator()(libusb_context* context) const {
   libusb_exit(context);
