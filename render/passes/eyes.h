@@ -17,13 +17,16 @@ class EyesPass {
   static Result<EyesPass> Open(const face::Topology& topology, Onto onto = Onto::kLayer);
 
   void Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const;
+  // Dark balls that only hide what lies behind them, for the wireframe.
+  void DrawDark(const face::Shape& shape) const;
 
  private:
-  EyesPass(gl::Program program, const face::Topology& topology);
+  EyesPass(gl::Program program, gl::Program dark, const face::Topology& topology);
 
   const face::Topology* topology_;
   gl::Program program_;
-  int ball_, gaze_, lid_, iris_;
+  gl::Program dark_;
+  int ball_, gaze_, lid_, iris_, glint_, dark_ball_;
   gl::Buffer directions_;
   gl::Mesh cap_;
 };

@@ -143,6 +143,7 @@ void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shap
 
 void Painter::Parts::DrawWire(const scene::Scene& scene, const face::Shape& shape) {
   surface.WriteCage(shape);
+  eyes->DrawDark(shape);
   wire->Draw(surface, shape, scene.gaze);
 }
 

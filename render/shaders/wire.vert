@@ -11,7 +11,7 @@ vec4 Point(uint number) { return texelFetch(points, ivec2(int(number & 63u), int
 vec4 Project(vec3 p) {
   vec3 n = vec3(0.0, 0.0, 1.0);
   vec3 q = HeadToCamera(p, n);
-  return projection * vec4(q * 0.9985, 1.0);   // A little nearer than the surface that it lies on.
+  return projection * vec4(q * 0.998, 1.0);   // A little nearer than the surface that it lies on.
 }
 
 void main() {
@@ -22,7 +22,7 @@ void main() {
   vec2 half_size = 0.5 * sway.zw;
   vec2 way = to.xy / to.w * half_size - from.xy / from.w * half_size;
   vec2 side = normalize(vec2(-way.y, way.x) + vec2(1e-6, 0.0));
-  float half_width_px = 0.6 * max(1.0, sway.w / 720.0);   // Lines grow with the picture.
+  float half_width_px = 0.6 * max(0.75, sway.w / 900.0);   // Lines grow with the picture.
   float reach = half_width_px + 1.0;
   gl_Position = corner.x < 0.5 ? from : to;
   gl_Position.xy += side * corner.y * reach / half_size * gl_Position.w;

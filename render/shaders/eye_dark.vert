@@ -1,0 +1,7 @@
+#include "frame.glsl"
+layout(location = 0) in vec3 direction;
+uniform vec4 ball;   // xyz centre, w radius, metres.
+void main() {
+  vec3 n = direction;
+  gl_Position = projection * vec4(HeadToCamera(ball.xyz + ball.w * direction, n), 1.0);
+}
