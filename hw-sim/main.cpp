@@ -30,6 +30,7 @@ constexpr std::string_view kHelp =
   --play FILE          a scenario; with --loop again and again
   --record FILE        writes what hands do, as a scenario
   --console PORT       a page with dials, sticks, keys, lips and the picture; 0 takes any free port
+  --labels FILE        what is written on the page's dials, buttons, sticks and keys
   --address-file FILE  where the page's address is written
 )";
 
@@ -37,7 +38,7 @@ constexpr kaori::Duration kHandsPeriod = 4ms;  // Slow hands of a scenario move 
 constexpr double kMostHz = 1000;
 
 struct Settings {
-  std::string links, size = "960x540", hz = "60", play, record, console, address_file;
+  std::string links, size = "960x540", hz = "60", play, record, console, labels, address_file;
   bool loop = false;
 };
 
@@ -104,6 +105,11 @@ kaori::Result<void> OpenConsole(const Settings& settings, Bench& bench) {
   if (!port) return tl::unexpected(port.error());
   kaori::console::ConsoleOptions page;
   page.port = static_cast<std::uint16_t>(*port);
+  if (!settings.labels.empty()) {
+    auto labels = kaori::console::LoadLabels(settings.labels);
+    if (!labels) return tl::unexpected(labels.error());
+    page.labels = std::move(*labels);
+  }
   auto console = kaori::console::Console::Open(std::move(page), bench.rig, bench.loop);
   if (!console) return tl::unexpected(console.error());
   bench.console = std::move(*console);
@@ -147,7 +153,9 @@ int main(int argc, char** argv) {
   kaori::Options options(kHelp);
   options.Text("--links", settings.links, true).Text("--size", settings.size).Text("--hz", settings.hz);
   options.Text("--play", settings.play).Switch("--loop", settings.loop).Text("--record", settings.record);
-  options.Text("--console", settings.console).Text("--address-file", settings.address_file);
+  options.Text("--console", settings.console)
+      .Text("--labels", settings.labels)
+      .Text("--address-file", settings.address_file);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return Complain(loop.error());

@@ -1,11 +1,13 @@
 // kaori-atelier: makes shows.
 #include <cstdio>
+#include <fstream>
 #include <span>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "appliance/atelier/author.h"
+#include "appliance/atelier/script/labels.h"
 #include "appliance/atelier/sheet/sheet.h"
 #include "appliance/show/pack.h"
 #include "drivers/base/clock.h"
@@ -17,6 +19,7 @@ constexpr std::string_view kHelp = R"(kaori-atelier: makes shows
   kaori-atelier pack FOLDER FILE   build the show that FOLDER describes and write it as one pack
   kaori-atelier info FILE          what a pack holds
   kaori-atelier sheet FILE FOLDER  pictures of every face with every expression, and a page that shows them
+  kaori-atelier labels FILE JSON   what the show writes on the operators' controls, for kaori-sim's page
   kaori-atelier --help
 
 Every fault of the authoring files is named with file, item and reason; a pack is written whole or not at all.
@@ -62,6 +65,16 @@ int Info(const char* file) {
   return 0;
 }
 
+int Labels(const char* file, const char* json) {
+  const auto show = kaori::show::LoadPack(file);
+  if (!show) return Complain(show.error());
+  std::ofstream out(json);
+  out << kaori::atelier::LabelsJson(*show);
+  if (out.flush()) return 0;
+  const auto fault = kaori::FailErrno(fmt::format("write {}", json));
+  return Complain(fault.value());
+}
+
 int Sheet(const char* file, const char* folder) {
   auto show = kaori::show::LoadPack(file);
   if (!show) return Complain(show.error());
@@ -71,7 +84,8 @@ int Sheet(const char* file, const char* folder) {
     fmt::print("{}\n", name);
     std::fflush(stdout);
   };
-  if (const auto ok = kaori::atelier::DrawSheets(**studio, folder, {}, wrote); !ok) return Complain(ok.error());
+  if (const auto ok = kaori::atelier::DrawSheets(**studio, folder, {}, wrote); !ok)
+    return Complain(ok.error());
   return 0;
 }
 
@@ -82,6 +96,7 @@ int main(int argc, char** argv) {
   const std::string_view verb = argc > 1 ? args[1] : "--help";
   if (verb == "pack" && argc == 4) return Pack(args[2], args[3]);
   if (verb == "info" && argc == 3) return Info(args[2]);
+  if (verb == "labels" && argc == 4) return Labels(args[2], args[3]);
   if (verb == "sheet" && argc == 4) return Sheet(args[2], args[3]);
   fmt::print(verb == "--help" ? stdout : stderr, "{}", kHelp);
   return verb == "--help" ? 0 : 2;

@@ -6,6 +6,7 @@
 
 #include "drivers/base/log.h"
 #include "hw-sim/console/hands.h"
+#include "hw-sim/console/json.h"
 #include "hw-sim/console/page.h"
 
 namespace kaori::console {
@@ -36,6 +37,7 @@ Console::Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop)
     : options_(std::move(options)),
       rig_(rig),
       loop_(loop),
+      values_(options_.labels),
       pictures_("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary)),
       states_("text/event-stream", "retry: 500\n\n") {}
 
@@ -72,6 +74,7 @@ void Console::Tick() {
   std::uint64_t passed = 0;
   (void)!::read(ticks_.get(), &passed, sizeof(passed));
   const Time now = clock_.now();
+  values_.Follow(rig_);
   shown_.See(rig_.screen().frames_shown(), now);
   ShowPicture(now);
   TellState(now);
@@ -95,7 +98,7 @@ void Console::ShowPicture(Time now) {
 
 void Console::TellState(Time now) {
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
-  auto state = StateJson(rig_, shown_.per_s());
+  auto state = StateJson(rig_, values_, shown_.per_s());
   if (state == state_ && now - state_at_ < kSignOfLife) return;
   state_ = std::move(state);
   state_at_ = now;
@@ -111,7 +114,8 @@ HttpServer::Answer Console::Answer(const Request& request) {
   if (request.path == "/picture") return &pictures_;
   if (request.path == "/events") return &states_;
   if (request.path == "/frame.jpg") return OnePicture();
-  if (request.path == "/state") return Reply{200, "application/json", StateJson(rig_, shown_.per_s())};
+  if (request.path == "/state")
+    return Reply{200, "application/json", StateJson(rig_, values_, shown_.per_s())};
   if (request.path == "/labels") return Reply{200, "application/json", LabelsJson(options_.labels)};
   if (const auto* file = FindPageFile(request.path))
     return Reply{200, std::string(file->content_type), std::string(file->bytes)};

@@ -8,11 +8,12 @@
 
 #include "drivers/base/event_loop.h"
 #include "drivers/base/result.h"
+#include "hw-sim/console/dial_values.h"
 #include "hw-sim/console/feed.h"
 #include "hw-sim/console/held.h"
 #include "hw-sim/console/http_server.h"
 #include "hw-sim/console/jpeg.h"
-#include "hw-sim/console/json.h"
+#include "hw-sim/console/labels.h"
 #include "hw-sim/console/rate.h"
 #include "hw-sim/links/local/rig.h"
 
@@ -54,6 +55,7 @@ class Console {
   EventLoop& loop_;
   SteadyClock clock_;  // The page lives in real time, whatever the rig's clock does.
   JpegEncoder jpeg_;
+  DialValues values_;
   Rate shown_;                    // Frames the screen has shown.
   std::uint64_t sent_frame_ = 0;  // frames_shown() of the last picture that was sent.
   Time picture_at_{};

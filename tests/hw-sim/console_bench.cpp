@@ -17,12 +17,13 @@ constexpr Duration kStep = std::chrono::milliseconds(4);
 
 Labels BenchLabels() {
   Labels labels;
-  labels.dials = {"Amount", "Speed", "Idle life", "Light", "", "", "", ""};
+  for (std::size_t dial = 0; const char* text : {"Amount", "Speed", "Idle life", "Light"})
+    labels.dials[dial++].text = text;
   labels.buttons[0] = {"Kaori", "face"};
   labels.buttons[1] = {"Dog", "face"};
   labels.buttons[8] = {"Smile", "expression"};
   labels.buttons[24] = {"Wireframe", "style"};
-  labels.sticks = {"Head", "Gaze and brows"};
+  labels.sticks = {{{"Head", "Tilt", "Lean in"}, {"Gaze and brows"}}};
   labels.keys = {{0x2C, "Blink", "blink"}, {0x1E, "Nod", "take"}, {0x3A, "Poster", "scene"}};
   return labels;
 }

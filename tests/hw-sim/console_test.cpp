@@ -12,7 +12,7 @@
 #include "hw-sim/console/hands.h"
 #include "hw-sim/console/held.h"
 #include "hw-sim/console/jpeg.h"
-#include "hw-sim/console/json.h"
+#include "hw-sim/console/labels.h"
 #include "hw-sim/console/page.h"
 #include "hw-sim/console/rate.h"
 
@@ -151,7 +151,7 @@ TEST(ConsolePicture, IsRefusedWhenItsSizeLies) {
 TEST(ConsoleWords, KeepLabelsWithQuotesAndBrokenTextWhole) {
   Labels labels;
   labels.buttons[0] = {"\"Kaori\" \xE3\x82\xAB", "face"};
-  labels.dials[0] = "torn \xE3\x82";
+  labels.dials[0].text = "torn \xE3\x82";
   const auto json = LabelsJson(labels);
   EXPECT_THAT(json, HasSubstr("\\\"Kaori\\\" \xE3\x82\xAB"));
   EXPECT_THAT(json, HasSubstr("torn \xEF\xBF\xBD"));
@@ -170,9 +170,10 @@ class ConsoleLabels : public ::testing::Test {
 
 TEST_F(ConsoleLabels, ComeBackAsTheyWereWritten) {
   Labels labels;
-  labels.dials[7] = "Light";
+  labels.show = "Kaori";
+  labels.dials[7] = {"Light", "%", 0, 1.2, 1, 1, {"scene"}};
   labels.buttons[31] = {"Night", "scene"};
-  labels.sticks = {"Head", "Gaze"};
+  labels.sticks = {{{"Head", "Tilt", "Lean in"}, {"Gaze"}}};
   labels.keys = {{0x3A, "Poster", "scene"}};
   const auto loaded = Load(LabelsJson(labels));
   ASSERT_TRUE(loaded) << loaded.error().message();
@@ -182,7 +183,8 @@ TEST_F(ConsoleLabels, ComeBackAsTheyWereWritten) {
 TEST_F(ConsoleLabels, KeepTheirDefaultsWhereNothingIsSaid) {
   const auto loaded = Load("{\"dials\": [\"Face\"]}");
   ASSERT_TRUE(loaded);
-  EXPECT_EQ(loaded->dials[0], "Face");
+  EXPECT_EQ(loaded->dials[0].text, "Face");
+  EXPECT_FALSE(loaded->dials[0].has_value());
   ASSERT_EQ(loaded->keys.size(), 1u);
   EXPECT_EQ(loaded->keys[0].text, "Blink");
 }

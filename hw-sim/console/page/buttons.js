@@ -2,6 +2,17 @@
 import {make, onHold} from './drag.js';
 import {onState, tell} from './wire.js';
 
+const kColumns = 8;
+const kCaptions = new Map([
+  ['face', 'Faces'], ['expression', 'Expressions'], ['style', 'Drawing styles'], ['scene', 'Scenes'],
+  ['blink', 'Eyes'], ['take', 'Motions'],
+]);
+
+// What stands above the first button of each run of one group.
+export function caption(group, groupBefore) {
+  return group && group !== groupBefore ? kCaptions.get(group) ?? '' : '';
+}
+
 function makeButton({text, group}, number) {
   const name = text ? `Button ${number}: ${text}` : `Button ${number}`;
   const button = make('button', {type: 'button', 'aria-label': name, 'aria-pressed': 'false', 'data-group': group},
@@ -14,9 +25,21 @@ function makeButton({text, group}, number) {
   return button;
 }
 
+function makeRow(buttons, captions) {
+  const row = make('div', {class: 'row'}, ...buttons.map((button, n) => {
+    const place = make('div', {class: 'place'}, button);
+    if (captions[n]) place.prepend(make('span', {class: 'caption', 'data-group': button.dataset.group}, captions[n]));
+    return place;
+  }));
+  if (captions.some((text) => text)) row.classList.add('captioned');
+  return row;
+}
+
 export function makeButtons(parent, labels) {
   const buttons = labels.map((label, n) => makeButton(label, n + 1));
-  parent.append(...buttons);
+  const captions = labels.map(({group}, n) => caption(group, labels[n - 1]?.group));
+  for (let first = 0; first < buttons.length; first += kColumns)
+    parent.append(makeRow(buttons.slice(first, first + kColumns), captions.slice(first, first + kColumns)));
   onState(({lamps}) => buttons.forEach((button, n) => {
     const lit = ((lamps >>> n) & 1) === 1;
     button.classList.toggle('lit', lit);

@@ -1,4 +1,5 @@
 // The keyboard: caps on the page, and the real one, both as usages of HID page 7.
+import {caption} from './buttons.js';
 import {make, onHold} from './drag.js';
 import {lastWords, tell} from './wire.js';
 
@@ -76,6 +77,10 @@ function makeCap({usage, text, group}) {
 }
 
 export function makeKeys(parent, labels) {
-  parent.append(...labels.map(makeCap));
+  labels.forEach((label, n) => {
+    const text = caption(label.group, labels[n - 1]?.group);
+    if (text) parent.append(make('span', {class: 'caption', 'data-group': label.group}, text));
+    parent.append(makeCap(label));
+  });
   listenToKeyboard();
 }

@@ -51,7 +51,8 @@ export function makeLips(parent) {
   const element = make('div', {class: 'lips', role: 'application',
                                'aria-label': 'Lips: drag down to open, sideways to widen'});
   element.innerHTML = kDrawing;
-  parent.append(make('h2', {}, 'Lips'), element);
+  parent.append(make('h2', {}, 'Lips'), element,
+                make('span', {class: 'name'}, 'Drag down to open, sideways to widen'));
   let value = kRest;
   let touched_ms = -Infinity;
   let stop = () => {};

@@ -2,6 +2,7 @@
 import {makeButtons} from './buttons.js';
 import {makeCables} from './cables.js';
 import {makeDials} from './dials.js';
+import {makeFace} from './face.js';
 import {makeKeys} from './keys.js';
 import {makeLips} from './lips.js';
 import {makeStick} from './sticks.js';
@@ -15,7 +16,7 @@ function showHint() {
   const hint = $('hint');
   if (localStorage.getItem(kSeen)) hint.classList.add('gone');
   const played = (event) => {
-    if (event.type === 'pointerdown' && !event.target.closest('.panel')) return;
+    if (event.type === 'pointerdown' && !event.target.closest('.panel, #picture')) return;
     localStorage.setItem(kSeen, 'yes');
     hint.classList.add('gone');
   };
@@ -42,6 +43,7 @@ async function begin() {
   makeStick($('right'), 'right', labels.sticks[1]);
   makeLips($('mouth'));
   makeKeys($('keys'), labels.keys);
+  makeFace($('picture'));
   makeCables();
   showHint();
   onState(showState);

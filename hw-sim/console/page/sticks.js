@@ -112,11 +112,13 @@ function makeSlider(side, name) {
 }
 
 export function makeStick(parent, side, label) {
-  const name = label || (side === 'left' ? 'Left stick' : 'Right stick');
+  const name = label.text || (side === 'left' ? 'Left stick' : 'Right stick');
   const pad = makePad(side, name);
   const twist = makeTwist(side, name);
   const slider = makeSlider(side, name);
-  parent.append(make('h2', {}, name), pad.element, twist.element, slider.element);
+  parent.append(make('h2', {}, name), pad.element, slider.element, twist.element,
+                make('span', {class: 'name of-twist'}, label.twist || 'Twist'),
+                make('span', {class: 'name of-slide'}, label.slide || 'Slider'));
   onState(({sticks}) => {
     const stick = sticks[side === 'left' ? 0 : 1];
     pad.follow([stick.x, stick.y]);

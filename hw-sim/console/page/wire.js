@@ -2,6 +2,8 @@
 
 const kMostLines = 80;  // In one message; the simulator takes 4096 bytes.
 
+const kRetry_ms = 1000;
+
 const waiting = new Map();  // Slot -> line, or the turns of a dial.
 const listeners = [];
 let sending = false;
@@ -71,11 +73,21 @@ function open(picture) {
     setLink('live');
     picture.src = `/picture?${Date.now()}`;  // A new stream after each break.
   };
-  events.onerror = () => setLink('lost');
+  events.onerror = () => {
+    setLink('lost');
+    if (events?.readyState === EventSource.CLOSED) setTimeout(() => reopen(picture), kRetry_ms);
+  };
   events.onmessage = (event) => {
     const state = JSON.parse(event.data);
     for (const listener of listeners) listener(state);
   };
+}
+
+// A browser that has given up: begin anew, unless the page was hidden meanwhile.
+function reopen(picture) {
+  if (events?.readyState !== EventSource.CLOSED) return;
+  events.close();
+  open(picture);
 }
 
 function close(picture) {

@@ -1,0 +1,43 @@
+// Where the dials' values stand, as the show counts them: dials have no end, their values have.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hw-sim/console/labels.h"
+#include "hw-sim/links/local/rig.h"
+
+namespace kaori::console {
+
+inline constexpr int kDialCount = 8;
+
+// Watches the simulated hands from the outside, as somebody who stands by the box, and begins with the values
+// with which a show opens. No report tells them: a show that went on while the simulator was away knows
+// better.
+class DialValues {
+ public:
+  explicit DialValues(const Labels& labels);
+
+  // Takes in what hands did since the last call; some 100 times a second sees every push of a hand.
+  void Follow(sim::Rig& rig);
+
+  // Nothing where the label tells of no value.
+  std::optional<double> value(int dial) const;
+
+ private:
+  struct Dial {
+    DialLabel label;
+    double value = 0;
+    double turned = 0;  // All turns, at the last call.
+    std::uint32_t filling_buttons = 0;
+    std::vector<std::uint8_t> filling_keys{};
+  };
+
+  std::array<Dial, kDialCount> dials_;
+  std::uint32_t buttons_down_ = 0;
+  std::array<bool, 256> keys_down_{};
+};
+
+}  // namespace kaori::console

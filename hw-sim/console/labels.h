@@ -1,0 +1,64 @@
+// What is written on the simulated devices, so that the page can say what each control does.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "drivers/base/result.h"
+
+namespace kaori::console {
+
+// A dial has no end; what it plays may have one. Where `low` and `high` differ the page shows that value.
+struct DialLabel {
+  std::string text{};
+  std::string unit{};  // "%" (of 1), "s", or "".
+  double low = 0;
+  double high = 0;
+  double per_turn = 0;  // Added by one turn clockwise.
+  double start = 0;     // When the show opens.
+  // Buttons and keys of these groups put it to 1: what is called comes whole.
+  std::vector<std::string> filled_by{};
+
+  bool has_value() const { return high > low; }
+};
+
+struct ButtonLabel {
+  std::string text{};
+  std::string group{};  // Buttons of one group have one colour: "face", "expression", "style", "scene" or "".
+};
+
+struct StickLabel {
+  std::string text{};
+  std::string twist{};
+  std::string slide{};
+};
+
+struct KeyLabel {
+  std::uint8_t usage = 0;  // HID keyboard usage.
+  std::string text{};
+  std::string group{};  // "blink", "take", "scene" or "".
+};
+
+// An empty text leaves the number alone.
+struct Labels {
+  std::string show{};
+  std::array<DialLabel, 8> dials;
+  std::array<ButtonLabel, 32> buttons;
+  std::array<StickLabel, 2> sticks;  // Left, right.
+  // In the order in which the page shows them. What every show has, until it says more.
+  std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
+};
+
+// Reads the form that LabelsJson writes; what is left out keeps its default, and a text alone will do for a
+// dial or a stick. Errors: those of the file; invalid_argument (no such form, too many entries, a usage
+// beyond 231) with the file and the entry named.
+Result<Labels> LoadLabels(const std::string& path);
+
+// {"show":text, "dials":[{"text","unit","low","high","per_turn","start","filled_by":[..]}..],
+//  "buttons":[{"text","group"}..], "sticks":[{"text","twist","slide"}..],
+//  "keys":[{"usage","text","group"}..]}
+std::string LabelsJson(const Labels& labels);
+
+}  // namespace kaori::console
