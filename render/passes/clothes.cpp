@@ -46,7 +46,7 @@ void ClothesPass::Draw(const Wardrobe& wardrobe, const face::Terms& faces) const
     if (term.weight < kGone || !WearsClothes(wardrobe, term.index)) continue;
     laid += term.weight;
     const bool first = laid <= term.weight;
-    gl::Apply({.cull = gl::Cull::kNone, .blend = first ? gl::Blend::kReplace : gl::Blend::kOver});
+    gl::Apply({.blend = first ? gl::Blend::kReplace : gl::Blend::kOver});
     gl::Program::Set(opacity_, term.weight / laid);
     DrawWorn(wardrobe, term.index);
   }

@@ -191,4 +191,23 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   }
 }
 
+Result<void> Painter::Rehearse() {
+  constexpr int kSize_px = 16;
+  const auto canvas = gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px});
+  if (!canvas) return tl::unexpected(canvas.error());
+  scene::Scene scene;
+  scene.weights.faces.Push(0, 1);
+  for (std::size_t style = 0; style < scene::kStyleCount; ++style) {
+    scene.styles = {};
+    scene.styles[style] = 1;
+    Draw(scene, *canvas);
+  }
+  scene.styles = {0.2F, 0.2F, 0.2F, 0.2F, 0.2F};
+  for (std::uint16_t face = 1; face < 4; ++face) {
+    scene.weights.faces.Push(face, 1);
+    Draw(scene, *canvas);
+  }
+  return {};
+}
+
 }  // namespace kaori::passes

@@ -22,6 +22,11 @@ class Painter {
   // sane_scene.h). Allocates nothing.
   void Draw(const scene::Scene& scene, const gl::Canvas& canvas);
 
+  // Drivers finish a shader when it is first drawn with, which would stall a fade in the middle of the show:
+  // this draws each style and a cross-fade once, unseen. Blocks for some hundred milliseconds; call it after
+  // the first frame is out. Errors: those of gl::Canvas::Make.
+  Result<void> Rehearse();
+
  private:
   struct Parts;
   explicit Painter(std::unique_ptr<Parts> parts);

@@ -157,6 +157,13 @@ TEST(Painter, SurvivesNumbersThatAreNone) {
   EXPECT_LT(Difference(studio.Draw(scene), good), 3);
 }
 
+TEST(Painter, RehearsesWithoutTouchingThePicture) {
+  PassStudio& studio = PassStudio::Shared();
+  const Picture before = studio.Draw(PlainScene(Style::kSoft));
+  ASSERT_TRUE(studio.painter().Rehearse());
+  EXPECT_EQ(studio.Draw(PlainScene(Style::kSoft)).bytes, before.bytes);
+}
+
 TEST(Painter, DrawsOnCanvasesOfAnySize) {
   PassStudio& studio = PassStudio::Shared();
   for (const auto& [width, height] : {std::pair{1, 1}, {17, 9}, {301, 40}, {40, 301}}) {
