@@ -13,8 +13,8 @@ namespace kaori::passes {
 namespace {
 
 // The lids hide all but the front of the ball.
-constexpr int kRings = 14;
-constexpr int kSpokes = 36;
+constexpr int kRings = 8;
+constexpr int kSpokes = 24;
 constexpr float kOpening_rad = 1.40F;
 
 constexpr int kLidPlaces = 9;      // As eye.vert.

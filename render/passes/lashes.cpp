@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -72,10 +73,15 @@ glm::vec3 OnCurve(std::span<const glm::vec3> fine, std::span<const face::Index> 
                  (3.0F * b - a - 3.0F * c + d) * t * t * t);
 }
 
+// None grow in the inner corner.
+float Started(float t) {
+  return glm::smoothstep(0.06F, 0.26F, t);
+}
+
 // From root to tip, metres, at `t` 0 the inner corner .. 1 the outer; x counts outwards from the nose.
 glm::vec3 Lash(const face::EyeLook& look, float shut, float t) {
   const float bow = std::sin(0.62F * std::numbers::pi_v<float> * t);
-  const float length_m = look.lash_length_m * (0.30F + 1.1F * std::pow(bow, 1.5F));
+  const float length_m = look.lash_length_m * (0.30F * Started(t) + 1.1F * std::pow(bow, 1.5F));
   const float up = 0.75F - 1.05F * shut;  // On a shut lid lashes point down and forwards.
   const glm::vec3 way = glm::normalize(glm::vec3((t - 0.35F) * 1.1F, up, 0.75F + 0.2F * shut));
   const float wing = std::pow(std::clamp((t - 0.93F) / 0.07F, 0.0F, 1.0F), 1.3F);
@@ -106,10 +112,10 @@ void LashesPass::Grow(const face::Shape& shape, std::size_t side) {
   const glm::vec3 tuck =
       glm::vec3(0, -0.0005F, 0.0002F) * std::min(shape.eye_look.lash_length_m / 0.003F, 1.0F);
   for (std::size_t i = 0; i < count; ++i) {
+    const float t = static_cast<float>(i) / static_cast<float>(count - 1);
     const glm::vec3 root = OnCurve(shape.fine, margin, static_cast<float>(i) / kSteps);
-    const glm::vec3 lash =
-        Lash(shape.eye_look, shape.lids_shut[side], static_cast<float>(i) / static_cast<float>(count - 1));
-    points_[first + 2 * i] = root + tuck;
+    const glm::vec3 lash = Lash(shape.eye_look, shape.lids_shut[side], t);
+    points_[first + 2 * i] = root + tuck * Started(t);
     points_[first + 2 * i + 1] = root + lash * glm::vec3(outwards, 1, 1);
   }
 }
