@@ -83,7 +83,8 @@ glm::vec3 Lash(const face::EyeLook& look, float shut, float t) {
   const float bow = std::sin(0.62F * std::numbers::pi_v<float> * t);
   const float length_m = look.lash_length_m * (0.30F * Started(t) + 1.1F * std::pow(bow, 1.5F));
   const float up = 0.75F - 1.05F * shut;  // On a shut lid lashes point down and forwards.
-  const glm::vec3 way = glm::normalize(glm::vec3((t - 0.35F) * 1.1F, up, 0.75F + 0.2F * shut));
+  const float ahead = 0.75F + 0.2F * shut + 0.9F * std::max(0.0F, 0.6F - t);  // Clear of the lid's fold.
+  const glm::vec3 way = glm::normalize(glm::vec3((t - 0.35F) * 1.1F, up, ahead));
   const float wing = std::pow(std::clamp((t - 0.93F) / 0.07F, 0.0F, 1.0F), 1.3F);
   return way * length_m + wing * look.lash_wing_m * glm::vec3(0.60F, 0.24F - 0.2F * shut, -0.36F);
 }
@@ -109,8 +110,10 @@ void LashesPass::Grow(const face::Shape& shape, std::size_t side) {
   const std::size_t count = StripPoints(margin.size());
   const std::size_t first = side == 0 ? 0 : 2 * StripPoints(margins_[0].size());
   const float outwards = side == 0 ? 1.0F : -1.0F;
-  const glm::vec3 tuck =
-      glm::vec3(0, -0.0005F, 0.0002F) * std::min(shape.eye_look.lash_length_m / 0.003F, 1.0F);
+  // Roots start below the margin of an open lid, and above that of a shut one, so that no rim of skin shows.
+  const float shut = shape.lids_shut[side];
+  const glm::vec3 tuck = glm::vec3(0, -0.0005F + 0.0012F * shut, 0.0002F + 0.0004F * shut) *
+                         std::min(shape.eye_look.lash_length_m / 0.003F, 1.0F);
   for (std::size_t i = 0; i < count; ++i) {
     const float t = static_cast<float>(i) / static_cast<float>(count - 1);
     const glm::vec3 root = OnCurve(shape.fine, margin, static_cast<float>(i) / kSteps);
