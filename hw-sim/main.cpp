@@ -99,18 +99,23 @@ kaori::Result<void> Record(const Settings& settings, Bench& bench) {
   return {};
 }
 
-kaori::Result<void> OpenConsole(const Settings& settings, Bench& bench) {
-  if (settings.console.empty()) return {};
+kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings) {
   const auto port = Number("--console", settings.console, 0, 65535);
   if (!port) return tl::unexpected(port.error());
   kaori::console::ConsoleOptions page;
   page.port = static_cast<std::uint16_t>(*port);
-  if (!settings.labels.empty()) {
-    auto labels = kaori::console::LoadLabels(settings.labels);
-    if (!labels) return tl::unexpected(labels.error());
-    page.labels = std::move(*labels);
-  }
-  auto console = kaori::console::Console::Open(std::move(page), bench.rig, bench.loop);
+  if (settings.labels.empty()) return page;
+  auto labels = kaori::console::LoadLabels(settings.labels);
+  if (!labels) return tl::unexpected(labels.error());
+  page.labels = std::move(*labels);
+  return page;
+}
+
+kaori::Result<void> OpenConsole(const Settings& settings, Bench& bench) {
+  if (settings.console.empty()) return {};
+  auto page = PageOf(settings);
+  if (!page) return tl::unexpected(page.error());
+  auto console = kaori::console::Console::Open(std::move(*page), bench.rig, bench.loop);
   if (!console) return tl::unexpected(console.error());
   bench.console = std::move(*console);
   kaori::Log("console at {}", bench.console->address());
