@@ -11,6 +11,9 @@
 namespace kaori::gl {
 namespace {
 
+// As many as layer.frag reads.
+constexpr int kSamples = 4;
+
 void DeleteFramebuffer(unsigned id) {
   glDeleteFramebuffers(1, &id);
 }
@@ -82,7 +85,7 @@ Result<Canvas> Canvas::Make(const CanvasOptions& options) {
   const auto attempt = fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px);
   if (!Sane(options)) return Fail(std::errc::invalid_argument, attempt);
   Canvas canvas(options);
-  if (canvas.options_.samples == 1) canvas.options_.samples = 0;
+  canvas.options_.samples = options.samples < 2 ? 0 : kSamples;
   const bool made = canvas.MakePicture() && canvas.MakeLayer(Context::ReadsSamples());
   if (!made) return Fail(std::errc::not_enough_memory, attempt);
   return canvas;

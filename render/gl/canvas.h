@@ -15,7 +15,8 @@ namespace kaori::gl {
 struct CanvasOptions {
   int width_px = 0;
   int height_px = 0;
-  int samples = 4;  // For each pixel of the layer; 0 or 1: no smooth edges.
+  int samples =
+      4;  // For each pixel of the layer: 4, or 0 for no smooth edges. Other numbers count as the nearer.
 };
 
 // Pixels from the left bottom corner.
