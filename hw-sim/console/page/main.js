@@ -10,17 +10,21 @@ import {connect, onState} from './wire.js';
 
 const $ = (id) => document.getElementById(id);
 
-// The hint goes for good when somebody plays.
+// Each part of the hint goes when somebody has done it; who has done two needs no more, here or later.
 function showHint() {
   const kSeen = 'kaori-played';
+  const kEnough = 2;
   const hint = $('hint');
   if (localStorage.getItem(kSeen)) hint.classList.add('gone');
-  const played = (event) => {
-    if (event.type === 'pointerdown' && !event.target.closest('.panel, #picture')) return;
+  const done = (id) => {
+    hint.querySelector(`[data-for="${id}"]`)?.classList.add('done');
+    if (hint.querySelectorAll('.done').length < kEnough) return;
     localStorage.setItem(kSeen, 'yes');
     hint.classList.add('gone');
   };
-  for (const name of ['pointerdown', 'keydown']) window.addEventListener(name, played);
+  for (const {dataset} of hint.children)
+    $(dataset.for).addEventListener('pointerdown', () => done(dataset.for));
+  window.addEventListener('keydown', () => done('keyboard'));
 }
 
 function notice(state) {

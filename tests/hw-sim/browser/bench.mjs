@@ -7,7 +7,7 @@ import {join} from 'node:path';
 import {createInterface} from 'node:readline';
 
 const {chromium} = createRequire(`${process.env.KAORI_BROWSER_MODULES}/`)('playwright-core');
-const kPatience_ms = 15000;
+const kPatience_ms = 20000;
 
 // Asks until the answer is true; the failure says what was hoped for and what was last seen.
 export async function until(what, ask) {
@@ -25,7 +25,7 @@ export async function until(what, ask) {
 export class Bench {
   constructor() {
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-console-'));
-    this.process = spawn(process.env.KAORI_CONSOLE_BENCH, [join(this.folder, 'link')],
+    this.process = spawn(join(process.env.KAORI_PROGRAMS, 'console-bench'), [join(this.folder, 'link')],
                          {stdio: ['ignore', 'pipe', 'inherit']});
     this.lines = [];
     createInterface({input: this.process.stdout}).on('line', (line) => this.lines.push(line));
@@ -57,6 +57,14 @@ export class Bench {
 
 export async function openBrowser() {
   return chromium.launch({executablePath: process.env.CHROMIUM, args: ['--no-sandbox', '--headless=new']});
+}
+
+// Holds the mouse down in the middle of `locator`, moved by so many pixels, until it is let go.
+export async function pull(page, locator, dx, dy) {
+  const {x, y} = await middle(locator);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx, y + dy, {steps: 8});
 }
 
 // The page, shown and listening.

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {request} from 'node:http';
 import {after, before, test} from 'node:test';
 
-import {Bench, middle, openBrowser, openPage, pixels, until} from './bench.mjs';
+import {Bench, middle, openBrowser, openPage, pixels, pull, until} from './bench.mjs';
 
 const kUpright = [60, 225, 4, 30];    // Where the toy stage draws the hand of dial 1 at rest,
 const kQuarter = [65, 268, 30, 4];    // and after a quarter of a turn clockwise.
@@ -34,10 +34,7 @@ async function isYellow(rectangle) {
 }
 
 async function drag(locator, dx, dy) {
-  const {x, y} = await middle(locator);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + dx, y + dy, {steps: 8});
+  await pull(page, locator, dx, dy);
   await page.mouse.up();
 }
 

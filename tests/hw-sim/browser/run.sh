@@ -1,9 +1,10 @@
 #!/bin/sh
-# Runs the browser tests: run.sh CONSOLE_BENCH MODULES_FOLDER. Exits 77 with a reason when they cannot run.
+# Runs browser tests: run.sh PROGRAMS_FOLDER MODULES_FOLDER TEST.mjs... Exits 77 with a reason when they cannot run.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-bench=$1
+programs=$1
 modules=$2
+shift 2
 
 skip() {
   echo "SKIPPED: $1. The console's page was NOT tested in a browser."
@@ -21,4 +22,4 @@ if ! cmp -s "$here/package-lock.json" "$modules/installed.json" 2>/dev/null; the
   (cd "$modules" && npm ci --silent) || skip "npm ci could not fetch playwright-core"
   cp "$here/package-lock.json" "$modules/installed.json"
 fi
-KAORI_CONSOLE_BENCH=$bench KAORI_BROWSER_MODULES=$modules CHROMIUM=$chromium exec node --test "$here"/*.test.mjs
+KAORI_PROGRAMS=$programs KAORI_BROWSER_MODULES=$modules CHROMIUM=$chromium exec node --test "$@"

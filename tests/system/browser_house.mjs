@@ -1,0 +1,71 @@
+// A house of real programs for a browser: the simulator with its page, and the three programs of the box.
+import {spawn} from 'node:child_process';
+import {existsSync, mkdtempSync, openSync, closeSync, readFileSync, rmSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+
+import {until} from '../hw-sim/browser/bench.mjs';
+
+const kPrograms = process.env.KAORI_PROGRAMS;
+const kShows = join(kPrograms, '..', 'shows');
+const kBoxPrograms = ['kaori-input', 'kaori-lips', 'kaori-stage'];
+
+export class House {
+  constructor() {
+    this.folder = mkdtempSync(join(tmpdir(), 'kaori-browser-'));
+    this.running = new Map();
+    this.start('kaori-sim');
+    kBoxPrograms.forEach((program) => this.start(program));
+  }
+
+  file(name) {
+    return join(this.folder, name);
+  }
+
+  optionsOf(program) {
+    const links = ['--links', this.file('links')];
+    const board = ['--board', this.file('board')];
+    switch (program) {
+      case 'kaori-sim':
+        // Half the size of a demo: a machine without a GPU draws four times as often.
+        return [...links, '--size', '480x270', '--hz', '30', '--console', '0', '--address-file', this.file('address'),
+                '--labels', join(kShows, 'kaori.labels.json')];
+      case 'kaori-stage': return [...links, ...board, '--pack', join(kShows, 'kaori.kaori')];
+      default: return [...links, ...board];
+    }
+  }
+
+  start(program) {
+    const log = openSync(this.file(`${program}.log`), 'a');
+    this.running.set(program, spawn(join(kPrograms, program), this.optionsOf(program), {stdio: ['ignore', log, log]}));
+    closeSync(log);
+  }
+
+  async kill(program) {
+    const child = this.running.get(program);
+    this.running.delete(program);
+    if (child.exitCode !== null || child.signalCode !== null) return;
+    const gone = new Promise((done) => child.once('exit', done));
+    child.kill('SIGKILL');
+    await gone;
+  }
+
+  async address() {
+    const file = this.file('address');
+    return until('the address of the page', () => existsSync(file) && readFileSync(file, 'utf8').trim());
+  }
+
+  async state() {
+    return (await fetch(new URL('state', await this.address()))).json();
+  }
+
+  // What the programs said, for a failure's report.
+  logs() {
+    return ['kaori-sim', ...kBoxPrograms].map((program) => readFileSync(this.file(`${program}.log`), 'utf8')).join('');
+  }
+
+  async close() {
+    for (const program of [...this.running.keys()]) await this.kill(program);
+    rmSync(this.folder, {recursive: true, force: true});
+  }
+}

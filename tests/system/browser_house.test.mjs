@@ -1,0 +1,165 @@
+// The main job, from a hand on the page to the picture on the page: report bytes and camera frames on their way
+// in, four processes between, and her face.
+import assert from 'node:assert/strict';
+import {after, afterEach, before, test} from 'node:test';
+
+import {openBrowser, openPage, pull, until} from '../hw-sim/browser/bench.mjs';
+import {House} from './browser_house.mjs';
+
+// Parts of the picture: left, top, right, bottom.
+const kWhole = [0, 0, 1, 1];
+const kEyes = [0.36, 0.4, 0.64, 0.58];
+const kMouth = [0.42, 0.6, 0.58, 0.76];
+const kColumns = 160, kRows = 90;  // Pictures are compared this small.
+
+// Mean differences of 8-bit colours.
+const kStill = 0.4;   // Two pictures of one pose.
+const kMoved = 3;     // Another pose, in the part that moves.
+const kOther = 6;     // Another face, in the whole picture.
+
+let house;
+let browser;
+let page;
+
+before(async () => {
+  house = new House();
+  browser = await openBrowser();
+  page = await openPage(browser, await house.address());
+  await until('every device heard', async () => Object.values((await house.state()).ports).every((p) => p.connected));
+  await beStill();
+});
+
+after(async () => {
+  await browser?.close();
+  await house?.close();
+});
+
+afterEach((test) => {
+  if (test.passed === false) console.log(house.logs());
+});
+
+const dial = (name) => page.getByRole('slider', {name: new RegExp(`^Dial \\d: ${name}$`)});
+const button = (name) => page.getByRole('button', {name: new RegExp(`^Button \\d+: ${name}$`)});
+
+// The live picture, small; it stays in the page, for `difference`.
+const look = () => page.evaluateHandle(([width, height]) => {
+  const canvas = Object.assign(document.createElement('canvas'), {width, height});
+  const pen = canvas.getContext('2d', {willReadFrequently: true});
+  pen.drawImage(document.querySelector('#picture'), 0, 0, width, height);
+  return pen.getImageData(0, 0, width, height).data;
+}, [kColumns, kRows]);
+
+// How much a part of two pictures differs.
+const difference = (a, b, part = kWhole) => page.evaluate(([one, other, [left, top, right, bottom], width, height]) => {
+  let sum = 0, count = 0;
+  for (let y = Math.floor(top * height); y < bottom * height; ++y) {
+    for (let x = Math.floor(left * width); x < right * width; ++x) {
+      const at = (y * width + x) * 4;
+      for (let c = 0; c < 3; ++c, ++count) sum += Math.abs(one[at + c] - other[at + c]);
+    }
+  }
+  return sum / count;
+}, [a, b, part, kColumns, kRows]);
+
+// Her picture when she has come to rest: so many frames on end are the same.
+async function atRest() {
+  const kFrames = 5;
+  let last = await look();
+  let same = 0;
+  await until('a still picture', async () => {
+    await new Promise((done) => setTimeout(done, 60));
+    const now = await look();
+    same = await difference(last, now) < kStill ? same + 1 : 0;
+    last = now;
+    return same >= kFrames;
+  });
+  return last;
+}
+
+const untilMoved = (what, from, part, most = kMoved) =>
+    until(what, async () => await difference(from, await look(), part) > most);
+const untilBack = (what, from, part) => until(what, async () => await difference(from, await look(), part) < kStill * 2);
+
+// Without the life that the box gives her, every change is a hand's.
+async function beStill() {
+  await pull(page, dial('Life'), 0, 200);
+  await page.mouse.up();
+  await until('no life', async () => await dial('Life').getAttribute('aria-valuetext') === '0 %');
+}
+
+test('the page says what the show calls', async () => {
+  assert.equal(await button('In love').count(), 1);
+  assert.equal(await page.getByRole('button', {name: 'Look around: key 3'}).count(), 1);
+  assert.equal(await button('Kaori').getAttribute('aria-pressed'), 'true');
+});
+
+test('a dial that the mouse turns opens her mouth, and a double click shuts it', async () => {
+  const shut = await atRest();
+  await pull(page, dial('Mouth'), 0, -150);
+  await page.mouse.up();
+  await untilMoved('an open mouth', shut, kMouth);
+  await dial('Mouth').dblclick();
+  await until('the dial at its start', async () => await dial('Mouth').getAttribute('aria-valuetext') === '0 %');
+  await untilBack('a shut mouth', shut, kMouth);
+});
+
+test('a button calls another face and its lamp is lit', async () => {
+  const kaori = await atRest();
+  await button('Dog').click();
+  await until('the lamp', async () => await button('Dog').getAttribute('aria-pressed') === 'true');
+  assert.equal(await button('Kaori').getAttribute('aria-pressed'), 'false');
+  await untilMoved('another face', kaori, kWhole, kOther);
+  await button('Kaori').click();
+  await untilBack('Kaori', kaori);
+});
+
+test('the head stick turns her head while it is held', async () => {
+  const ahead = await atRest();
+  const pad = page.locator('#left .pad');
+  await pull(page, pad, 60, 0);
+  await untilMoved('a turned head', ahead, kEyes);
+  await page.mouse.up();
+  await untilBack('a head that looks ahead', ahead);
+});
+
+test('her face is a handle', async () => {
+  const ahead = await atRest();
+  await pull(page, page.locator('#picture'), -200, 40);
+  await until('both sticks to the left', async () => (await house.state()).sticks.every(({x}) => x < -0.3));
+  await untilMoved('a turned head', ahead, kEyes);
+  await page.mouse.up();
+  await untilBack('a head that looks ahead', ahead);
+});
+
+test('the space bar shuts her eyes', async () => {
+  const open = await atRest();
+  await page.keyboard.down('Space');
+  await untilMoved('shut eyes', open, kEyes);
+  await page.keyboard.up('Space');
+  await untilBack('open eyes', open, kEyes);
+});
+
+test('the lip pad opens her mouth through the camera', async () => {
+  const shut = await atRest();
+  await pull(page, page.locator('.lips'), 0, 150);
+  await untilMoved('an open mouth', shut, kMouth);
+  await page.mouse.up();
+  await untilBack('a shut mouth', shut, kMouth);
+});
+
+test('a stage that dies and comes back goes on with the same face', async () => {
+  await button('Kettle').click();
+  await until('the lamp', async () => await button('Kettle').getAttribute('aria-pressed') === 'true');
+  const kettle = await atRest();
+  await house.kill('kaori-stage');
+  await until('that nobody draws', async () => !(await house.state()).ports.screen.connected);
+  house.start('kaori-stage');
+  await until('a stage', async () => (await house.state()).ports.screen.connected);
+  await untilBack('the same face', kettle);
+  await button('Kaori').click();
+  await untilMoved('another face', kettle, kWhole, kOther);
+});
+
+test('no script of the page failed', () => {
+  assert.deepEqual(page.faults, []);
+});
