@@ -74,7 +74,7 @@ void Console::Tick() {
   std::uint64_t passed = 0;
   (void)!::read(ticks_.get(), &passed, sizeof(passed));
   const Time now = clock_.now();
-  values_.Follow(rig_);
+  values_.Follow(rig_.dial_box(), rig_.keyboard());
   shown_.See(rig_.screen().frames_shown(), now);
   ShowPicture(now);
   TellState(now);

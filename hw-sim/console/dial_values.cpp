@@ -24,20 +24,20 @@ DialValues::DialValues(const Labels& labels) {
   }
 }
 
-void DialValues::Follow(sim::Rig& rig) {
-  const std::uint32_t down = rig.dial_box().buttons_down();
+void DialValues::Follow(const sim::DialBox& box, const sim::Keyboard& keyboard) {
+  const std::uint32_t down = box.buttons_down();
   const std::uint32_t pushed = down & ~std::exchange(buttons_down_, down);
-  const auto struck = [&](std::uint8_t usage) { return rig.keyboard().held(usage) && !keys_down_[usage]; };
+  const auto struck = [&](std::uint8_t usage) { return keyboard.held(usage) && !keys_down_[usage]; };
   for (std::size_t n = 0; n < dials_.size(); ++n) {
     Dial& dial = dials_[n];
     if ((pushed & dial.filling_buttons) != 0 || std::ranges::any_of(dial.filling_keys, struck))
       dial.value = 1;
-    const double turned = rig.dial_box().turned(static_cast<int>(n));
+    const double turned = box.turned(static_cast<int>(n));
     const double by = (turned - std::exchange(dial.turned, turned)) * dial.label.per_turn;
     dial.value = std::clamp(dial.value + by, dial.label.low, std::max(dial.label.low, dial.label.high));
   }
   for (const Dial& dial : dials_)
-    for (const std::uint8_t usage : dial.filling_keys) keys_down_[usage] = rig.keyboard().held(usage);
+    for (const std::uint8_t usage : dial.filling_keys) keys_down_[usage] = keyboard.held(usage);
 }
 
 std::optional<double> DialValues::value(int dial) const {

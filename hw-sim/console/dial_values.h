@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "hw-sim/console/labels.h"
-#include "hw-sim/links/local/rig.h"
+#include "hw-sim/devices/dial_box.h"
+#include "hw-sim/devices/keyboard.h"
 
 namespace kaori::console {
 
@@ -21,7 +22,7 @@ class DialValues {
   explicit DialValues(const Labels& labels);
 
   // Takes in what hands did since the last call; some 100 times a second sees every push of a hand.
-  void Follow(sim::Rig& rig);
+  void Follow(const sim::DialBox& box, const sim::Keyboard& keyboard);
 
   // Nothing where the label tells of no value.
   std::optional<double> value(int dial) const;

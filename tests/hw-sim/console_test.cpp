@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "drivers/base/clock.h"
+#include "hw-sim/console/dial_values.h"
 #include "hw-sim/console/guard.h"
 #include "hw-sim/console/hands.h"
 #include "hw-sim/console/held.h"
@@ -202,6 +204,56 @@ TEST_F(ConsoleLabels, NameTheEntryThatIsWrong) {
   EXPECT_THAT(fault("{\"keys\": [{\"usage\": 300}]}"), HasSubstr("keys, entry 1"));
   EXPECT_THAT(fault("{\"keys\": 3}"), HasSubstr("keys are"));
   EXPECT_FALSE(LoadLabels("/nowhere/labels.json"));
+}
+
+// A dial box and a keyboard in somebody's hands, and one dial that shows a value.
+class ConsoleDialValues : public ::testing::Test {
+ protected:
+  static Labels OneDial() {
+    Labels labels;
+    labels.dials[0] = {"Face", "%", 0, 1.2, 2, 1, {"face"}};
+    labels.buttons[3] = {"Dog", "face"};
+    labels.keys = {{0x3A, "Poster", "face"}};
+    return labels;
+  }
+  double Value() {
+    values_.Follow(box_, keyboard_);
+    return values_.value(0).value();
+  }
+
+  ManualClock clock_;
+  sim::Workbench bench_{clock_, {}};
+  sim::DialBox box_{bench_};
+  sim::Keyboard keyboard_{bench_};
+  DialValues values_{OneDial()};
+};
+
+TEST_F(ConsoleDialValues, MoveWithTheDialAndStopAtTheirEnds) {
+  EXPECT_DOUBLE_EQ(Value(), 1);
+  box_.Turn(0, -0.25);
+  EXPECT_DOUBLE_EQ(Value(), 0.5);
+  box_.Turn(0, 3);
+  EXPECT_DOUBLE_EQ(Value(), 1.2) << "the dial went on, the value did not";
+  box_.Turn(0, -0.1);
+  EXPECT_DOUBLE_EQ(Value(), 1.0) << "and comes back at once";
+}
+
+TEST_F(ConsoleDialValues, AreFilledByAPushOnce) {
+  box_.Turn(0, -0.5);
+  EXPECT_DOUBLE_EQ(Value(), 0);
+  box_.Push(3);
+  EXPECT_DOUBLE_EQ(Value(), 1);
+  box_.Turn(0, -0.25);
+  EXPECT_DOUBLE_EQ(Value(), 0.5) << "a button that stays down fills no more";
+  keyboard_.Press(0x3A);
+  EXPECT_DOUBLE_EQ(Value(), 1);
+  box_.Turn(0, -0.25);
+  EXPECT_DOUBLE_EQ(Value(), 0.5);
+}
+
+TEST_F(ConsoleDialValues, AreUnknownWhereNoLabelTellsOfThem) {
+  values_.Follow(box_, keyboard_);
+  EXPECT_FALSE(values_.value(1));
 }
 
 TEST(ConsolePage, CarriesItsFilesAndNothingElse) {
