@@ -88,6 +88,9 @@ struct Expression {
   ExpressionKind kind = ExpressionKind::kExpression;
   std::vector<glm::vec3> displacement;  // One for each control point.
   std::array<float, 2> lids{};  // Lids shut by this much as part of the expression: left, right, 0..1.
+  // What the control points cannot say of a shape that came from a modelling tool: one offset for each moving
+  // vertex of the reference face, metres along the head's axes. Empty: nothing.
+  std::vector<glm::vec3> residual{};
 };
 
 enum class Part : std::uint8_t { kHair, kUpperTeeth, kLowerTeeth, kTongue, kClothes };
@@ -127,6 +130,8 @@ struct Cast {
   std::vector<Texture> textures;
   glm::vec3 neck_pivot{};    // The head turns about this point.
   glm::vec3 mouth_anchor{};  // See MouthFit.
+  // Expressions that shut the left and the right lids of a topology without rings (Topology::lids); -1: none.
+  std::array<int, 2> blink{-1, -1};
 };
 
 }  // namespace kaori::face

@@ -1,6 +1,7 @@
 #include "render/face/check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ranges>
 
@@ -11,7 +12,8 @@
 namespace kaori::face {
 namespace {
 
-constexpr float kFarthest_m = 10;  // A head beyond this was not made in metres.
+constexpr float kFarthest_m = 10;        // A head beyond this was not made in metres.
+constexpr int kWidestTexture_px = 8192;  // The least that graphics units of this time take.
 
 bool Is0To1(float value) {
   return value >= 0 && value <= 1;
@@ -39,6 +41,19 @@ void CheckEyes(const std::string& item, const Face& face, Faults& faults) {
   }
 }
 
+// What is blended with a face, and what its surface answers to light.
+void CheckLook(const std::string& item, const Face& face, Faults& faults) {
+  const EyeLook& eye = face.eye_look;
+  const MouthFit& mouth = face.mouth;
+  const SurfaceLook& surface = face.surface;
+  const std::array numbers{eye.iris.x,        eye.iris.y,       eye.iris.z,          eye.iris_radius_m,
+                           eye.lash_length_m, eye.lash_wing_m,  mouth.scale,         mouth.offset.x,
+                           mouth.offset.y,    mouth.offset.z,   mouth.upper_teeth,   mouth.lower_teeth,
+                           mouth.tongue,      surface.softness, surface.metal,       surface.flat.x,
+                           surface.flat.y,    surface.flat.z,   face.expression_gain};
+  faults.Finite(item + ", its look", numbers);
+}
+
 void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
   const std::string item = fmt::format("face \"{}\"", face.name);
   const std::size_t vertices = cast.topology.vertex_count;
@@ -54,8 +69,7 @@ void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
   if (!face.occlusion.empty()) faults.Size(item + ", occlusion", face.occlusion.size(), vertices);
   faults.Finite(item + ", occlusion", face.occlusion);
   CheckEyes(item, face, faults);
-  if (!std::isfinite(face.expression_gain))
-    faults.Add(item + ": the gain of its expressions is not a number");
+  CheckLook(item, face, faults);
   const auto within = [](int index, std::size_t count) {
     return index >= 0 && static_cast<std::size_t>(index) < count;
   };
@@ -69,19 +83,28 @@ void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
 
 void CheckExpression(const Cast& cast, const Expression& expression, Faults& faults) {
   const std::string item = fmt::format("expression \"{}\"", expression.name);
+  if (expression.kind > ExpressionKind::kChannel) faults.Add(item + ": is of a kind that does not exist");
   faults.Size(item, expression.displacement.size(), cast.net.points.size());
   faults.Finite(item, expression.displacement);
+  if (!expression.residual.empty())
+    faults.Size(item + ", residual", expression.residual.size(), cast.topology.moving_count);
+  faults.Finite(item + ", residual", expression.residual);
   if (!std::ranges::all_of(expression.lids, Is0To1)) faults.Add(item + ": its lids are not within 0 to 1");
 }
 
 void CheckProp(const Prop& prop, Faults& faults) {
   const std::string item = fmt::format("prop \"{}\"", prop.name);
+  if (prop.part > Part::kClothes) faults.Add(item + ": is a part that does not exist");
+  if (!IsFinite(prop.colour)) faults.Add(item + ": its colour is not a number");
   for (const Triangle& t : prop.triangles) {
     if (faults.Indices(item, t, prop.vertices.size())) continue;
     break;
   }
-  const auto wrong = [](const PropVertex& v) { return !IsFinite(v.position) || !IsFinite(v.normal); };
-  if (std::ranges::any_of(prop.vertices, wrong)) faults.Add(item + ": a position or normal is not a number");
+  const auto wrong = [](const PropVertex& v) {
+    return !IsFinite(v.position) || !IsFinite(v.normal) || !IsFinite(v.tangent) ||
+           !std::isfinite(v.along + v.across + v.shade);
+  };
+  if (std::ranges::any_of(prop.vertices, wrong)) faults.Add(item + ": a vertex holds what is not a number");
 }
 
 void CheckTexture(std::size_t index, const Texture& texture, Faults& faults) {
@@ -90,6 +113,8 @@ void CheckTexture(std::size_t index, const Texture& texture, Faults& faults) {
     faults.Add(item + ": has no size");
     return;
   }
+  if (std::max(texture.width_px, texture.height_px) > kWidestTexture_px)
+    faults.Add(fmt::format("{}: is larger than {} pixels a side", item, kWidestTexture_px));
   const std::size_t pixels =
       static_cast<std::size_t>(texture.width_px) * static_cast<std::size_t>(texture.height_px);
   faults.Size(item + ", bytes", texture.rgba.size(), 4 * pixels);
@@ -105,8 +130,14 @@ std::vector<std::string> FindFaults(const Cast& cast) {
   if (cast.expressions.empty()) faults.Add("cast: has no expression");
   for (const Face& face : cast.faces) CheckFace(cast, face, faults);
   for (const Expression& expression : cast.expressions) CheckExpression(cast, expression, faults);
+  for (const int blink : cast.blink) {
+    if (blink >= static_cast<int>(cast.expressions.size()) || blink < -1)
+      faults.Add(fmt::format("blink: there is no expression {}", blink));
+  }
   for (const Prop& prop : cast.props) CheckProp(prop, faults);
   for (std::size_t i = 0; i < cast.textures.size(); ++i) CheckTexture(i, cast.textures[i], faults);
+  if (!IsFinite(cast.neck_pivot) || !IsFinite(cast.mouth_anchor))
+    faults.Add("cast: the neck or the mouth has no place");
   return faults.Take();
 }
 

@@ -28,6 +28,15 @@ AlignedFloats OcclusionOfFaces(const Cast& cast, std::size_t stride) {
   return all;
 }
 
+// Where the lids have no rings to shut them by, expressions of their own do it.
+void BlinkByExpression(const Cast& cast, Weights& weights) {
+  const auto shut = MixLids(cast.expressions, weights);
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (cast.topology.lids[side].columns > 0 || cast.blink[side] < 0 || !(shut[side] > 0)) continue;
+    weights.channels.Push(static_cast<std::uint16_t>(cast.blink[side]), shut[side]);
+  }
+}
+
 // The mouth's share of each vertex, three times over: once for each float of a stream.
 AlignedFloats MouthShareOfFloats(const Topology& topology, std::size_t floats) {
   AlignedFloats share(floats);
@@ -155,7 +164,8 @@ Composer::Composer(const Cast& cast) : cast_(cast), work_(std::make_unique<Work>
 Composer::~Composer() = default;
 
 const Shape& Composer::Compose(const Weights& weights, Detail detail) {
-  const Weights playable = Playable(weights, cast_.faces.size(), cast_.expressions.size());
+  Weights playable = Playable(weights, cast_.faces.size(), cast_.expressions.size());
+  BlinkByExpression(cast_, playable);
   const Topology& topology = cast_.topology;
   work_->Gather(playable);
   work_->BlendCage(playable.mouth_given_away);

@@ -17,7 +17,9 @@ std::size_t VertexFloats(Index vertices) {
 }
 
 bool MovesSomething(const Expression& expression) {
-  return std::ranges::any_of(expression.displacement, [](const glm::vec3& d) { return d != glm::vec3{}; });
+  const auto moves = [](const glm::vec3& d) { return d != glm::vec3{}; };
+  return std::ranges::any_of(expression.displacement, moves) ||
+         std::ranges::any_of(expression.residual, moves);
 }
 
 float MeanAt(const SparseRows& rows, std::size_t row, std::span<const float> values) {
@@ -73,6 +75,8 @@ void Composites::FindJaw(const Cast& cast) {
 void Composites::ComposeFace(const Cast& cast, std::size_t face) {
   const Face& shape = cast.faces[face];
   const auto frames = FitFrames(cast.net, PointsOnFace(cast.net, shape.positions));
+  const auto reference = FitFrames(cast.net, PointsOnFace(cast.net, cast.faces.front().positions));
+  const auto turns = Turns(reference, frames);
   AlignedFloats moved(3 * frames.size());
   for (std::size_t j = 0; j < expressions_; ++j) {
     if (!slot_[j]) continue;
@@ -80,6 +84,8 @@ void Composites::ComposeFace(const Cast& cast, std::size_t face) {
     std::ranges::copy(vectors, moved.vertices(vectors.size()).begin());
     float* out = displacements_.data() + (face * slots_ + *slot_[j]) * moving_floats_;
     ApplyToVertices(cast.net.to_cage, moved.data(), out);
+    AddResidual(cast.net, cast.expressions[j], turns, shape.expression_gain,
+                {reinterpret_cast<glm::vec3*>(out), cast.topology.moving_count});
     out[3 * std::size_t{cast.topology.moving_count}] = 0;  // The slack: the first vertex that does not move.
     if (jaw_point_) jaw_drops_m_[face * expressions_ + j] = -vectors[*jaw_point_].y;
   }

@@ -99,4 +99,28 @@ std::vector<glm::vec3> Carry(const Expression& expression, std::span<const Frame
   return moved;
 }
 
+std::vector<glm::mat3> Turns(std::span<const Frame> reference, std::span<const Frame> face) {
+  std::vector<glm::mat3> turns;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const glm::mat3 from(reference[i].along_u, reference[i].along_v, reference[i].outwards);
+    const glm::mat3 to(face[i].along_u, face[i].along_v, face[i].outwards);
+    turns.push_back(to * glm::inverse(from));
+  }
+  return turns;
+}
+
+void AddResidual(const ControlNet& net, const Expression& expression, std::span<const glm::mat3> turns,
+                 float gain, std::span<glm::vec3> moved) {
+  for (std::size_t row = 0; row < expression.residual.size(); ++row) {
+    const glm::vec3 residual = gain * expression.residual[row];
+    glm::vec3 turned{};
+    float share = 0;
+    for (auto i = net.to_cage.row_start[row]; i < net.to_cage.row_start[row + 1]; ++i) {
+      turned += net.to_cage.weight[i] * (turns[net.to_cage.column[i]] * residual);
+      share += net.to_cage.weight[i];
+    }
+    moved[row] += share > 0 ? turned / share : residual;
+  }
+}
+
 }  // namespace kaori::face

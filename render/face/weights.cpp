@@ -45,6 +45,15 @@ void Terms::Push(std::uint16_t index, float weight) {
   if (std::abs(lightest->weight) < std::abs(weight)) *lightest = {index, weight};
 }
 
+void Terms::Add(std::uint16_t index, float weight) {
+  const auto end = terms_.begin() + size_;
+  const auto term = std::find_if(terms_.begin(), end, [index](const Term& t) { return t.index == index; });
+  if (term != end)
+    term->weight += weight;
+  else
+    Push(index, weight);
+}
+
 float Terms::sum() const {
   return std::accumulate(begin(), end(), 0.0F, [](float s, const Term& t) { return s + t.weight; });
 }

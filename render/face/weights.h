@@ -13,7 +13,7 @@ struct Term {
   friend bool operator==(const Term&, const Term&) = default;
 };
 
-// A short list without allocation. Push beyond the capacity drops the lightest term.
+// A short list without allocation. Beyond the capacity the lightest term is dropped.
 class Terms {
  public:
   static constexpr int kCapacity = 32;
@@ -25,6 +25,7 @@ class Terms {
   const Term& operator[](int i) const { return terms_[static_cast<std::size_t>(i)]; }
   void clear() { size_ = 0; }
   void Push(std::uint16_t index, float weight);
+  void Add(std::uint16_t index, float weight);  // To the term of this index, if there is one already.
   float sum() const;
   friend bool operator==(const Terms& a, const Terms& b);
 
