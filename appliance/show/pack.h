@@ -1,27 +1,37 @@
-// The show pack: one file, verified when it is opened, copied out of the mapping into a Show.
+// The show pack: one file, verified when it is opened, copied out of it into a Show.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "appliance/show/pack_key.h"
 #include "appliance/show/show.h"
 #include "drivers/base/result.h"
 
 namespace kaori::show {
 
-inline constexpr std::uint32_t kPackVersion = 1;
+struct LoadOptions {
+  std::optional<PublicKey> signed_by{};  // Refuse every pack that this key has not signed.
+};
 
-// Reads and checks a pack; blocks for the file. A damaged, truncated or foreign file, one of another version,
-// and a cast that CheckCast faults are refused with one line that names the file and the reason. Errors:
-//   as open(2)         the file cannot be read
-//   invalid_argument   it is no sound pack of this version
-Result<Show> LoadPack(const std::filesystem::path& file);
+// Reads and checks a pack; blocks for the file. The file is read once into memory of our own before anything
+// in it is believed, so that nobody can change or shorten it between the check and the use. A damaged,
+// truncated or foreign file, one of another version, one that is not signed as asked, and a show that
+// CheckShow faults are refused with one line that names the file and the reason. Errors:
+//   as open(2) and read(2)  the file cannot be read
+//   invalid_argument        it is no sound pack of this version, or not signed as asked
+Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options = {});
 
-// The bytes of a pack. The show must be sound: LoadPack of the bytes gives the same show.
-std::vector<std::uint8_t> EncodePack(const Show& show);
+// Who signed a pack, if anybody; reads its header alone. Errors: as LoadPack.
+Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file);
 
-// Writes the file whole or not at all (temporary file, fsync, rename). Errors: as open(2) and write(2).
-Result<void> SavePack(const Show& show, const std::filesystem::path& file);
+// The bytes of a pack, signed where a key is given. The show must be sound: LoadPack of the bytes gives the
+// same show.
+std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer = nullptr);
+
+// Writes the file whole or not at all; what stood there is kept until then. Errors: those of WriteWholeFile.
+Result<void> SavePack(const Show& show, const std::filesystem::path& file, const SecretKey* signer = nullptr);
 
 }  // namespace kaori::show

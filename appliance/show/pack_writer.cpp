@@ -1,12 +1,8 @@
-#include <fcntl.h>
-#include <unistd.h>
+#include <string>
+#include <vector>
 
-#include <cstdio>
-#include <span>
-
-#include "appliance/show/pack.h"
+#include "appliance/show/pack_content.h"
 #include "appliance/show/pack_layout.h"
-#include "drivers/base/unique_fd.h"
 
 namespace kaori::show {
 namespace {
@@ -21,7 +17,9 @@ auto Structs(FlatBufferBuilder& to, const std::vector<Held>& held) {
   return to.CreateVectorOfStructs(AsStored<Stored>(held), held.size());
 }
 
-pack::Vec3 Vec(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+pack::Vec3 Vec(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 Offset<pack::SparseRows> Write(FlatBufferBuilder& to, const face::SparseRows& rows) {
   const auto start = to.CreateVector(rows.row_start);
@@ -94,8 +92,9 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
 Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& expression) {
   const auto name = to.CreateString(expression.name);
   const auto displacement = Structs<pack::Vec3>(to, expression.displacement);
+  const auto residual = Structs<pack::Vec3>(to, expression.residual);
   return pack::CreateExpression(to, name, static_cast<std::uint32_t>(expression.kind), displacement,
-                                expression.lids[0], expression.lids[1]);
+                                expression.lids[0], expression.lids[1], residual);
 }
 
 Offset<pack::Prop> Write(FlatBufferBuilder& to, const face::Prop& prop) {
@@ -155,41 +154,20 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto scenes = WriteAll(to, show.scenes);
   const auto brow_up = to.CreateVector(show.channels.brow_up.data(), show.channels.brow_up.size());
   const auto mouth = to.CreateVector(show.channels.mouth.data(), show.channels.mouth.size());
+  const auto blink = to.CreateVector(show.cast.blink.data(), show.cast.blink.size());
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
-  return pack::CreatePack(to, kPackVersion, name, topology, net, faces, expressions, props, textures, &neck,
-                          &anchor, buttons, takes, scenes, brow_up, show.channels.brow_frown,
-                          show.channels.lids_up, show.channels.lids_down, mouth);
-}
-
-Result<void> WriteWhole(int fd, std::span<const std::uint8_t> bytes, const std::string& name) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0) return FailErrno("write " + name);
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  if (::fsync(fd) < 0) return FailErrno("write " + name);
-  return {};
+  return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
+                          buttons, takes, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
+                          show.channels.lids_down, mouth, blink);
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> EncodePack(const Show& show) {
+std::vector<std::uint8_t> EncodeContent(const Show& show) {
   FlatBufferBuilder to(kFirstGuessBytes);
   pack::FinishPackBuffer(to, Write(to, show));
   return {to.GetBufferPointer(), to.GetBufferPointer() + to.GetSize()};
-}
-
-Result<void> SavePack(const Show& show, const std::filesystem::path& file) {
-  const std::string temporary = file.string() + ".new";
-  const UniqueFd fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-  if (!fd.valid()) return FailErrno("open " + temporary);
-  if (auto ok = WriteWhole(fd.get(), EncodePack(show), temporary); !ok) {
-    ::unlink(temporary.c_str());
-    return ok;
-  }
-  if (std::rename(temporary.c_str(), file.c_str()) < 0) return FailErrno("rename " + temporary);
-  return {};
 }
 
 }  // namespace kaori::show

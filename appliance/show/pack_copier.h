@@ -1,0 +1,61 @@
+// Copies arrays out of a FlatBuffer, and never more bytes than it has: tables of a forged one may share
+// theirs.
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "appliance/show/pack_layout.h"
+
+namespace kaori::show {
+
+// Absent arrays read as empty, and so does everything once too much was asked for: CheckShow says what is
+// missing.
+class Copier {
+ public:
+  explicit Copier(std::size_t bytes_at_most) : left_(bytes_at_most) {}
+
+  bool overdrawn() const { return overdrawn_; }
+
+  template <class Held, class Stored>
+  std::vector<Held> Structs(const flatbuffers::Vector<const Stored*>* stored) {
+    SameBytes<Stored, Held>();
+    if (stored == nullptr || !Take(stored->size() * sizeof(Held))) return {};
+    std::vector<Held> held(stored->size());
+    if (!held.empty()) std::memcpy(held.data(), stored->Data(), held.size() * sizeof(Held));
+    return held;
+  }
+
+  template <class T>
+  std::vector<T> Numbers(const flatbuffers::Vector<T>* stored) {
+    if (stored == nullptr || !Take(stored->size() * sizeof(T))) return {};
+    return {stored->data(), stored->data() + stored->size()};
+  }
+
+  std::string Text(const flatbuffers::String* stored) {
+    return stored == nullptr || !Take(stored->size()) ? std::string() : stored->str();
+  }
+
+  // One value for each table of a list, as `read` makes it.
+  template <class To, class Stored, class Read>
+  std::vector<To> Tables(const flatbuffers::Vector<flatbuffers::Offset<Stored>>* stored, Read read) {
+    std::vector<To> all;
+    if (stored == nullptr || !Take(stored->size() * sizeof(flatbuffers::uoffset_t))) return all;
+    all.reserve(stored->size());
+    for (const Stored* one : *stored) all.push_back(read(*this, *one));
+    return all;
+  }
+
+ private:
+  bool Take(std::size_t bytes) {
+    overdrawn_ = overdrawn_ || bytes > left_;
+    if (!overdrawn_) left_ -= bytes;
+    return !overdrawn_;
+  }
+
+  std::size_t left_;
+  bool overdrawn_ = false;
+};
+
+}  // namespace kaori::show
