@@ -12,13 +12,13 @@
 namespace kaori::performance {
 namespace {
 
-constexpr float kLongestStep_s = 0.1F;
-constexpr float kLidFollow_rad = 0.38F;  // The lids have followed wholly when the gaze is this far up or down.
-
-float At(const std::array<float, kKnobCount>& knobs, Knob knob) { return knobs[static_cast<std::size_t>(knob)]; }
+constexpr Duration kLongestStep = std::chrono::milliseconds(100);
+constexpr Duration kClockBegan = std::chrono::seconds(1);  // A light this far back is of another clock.
+constexpr float kLidFollow_rad =
+    0.38F;  // The lids have followed wholly when the gaze is this far up or down.
 
 void PushChannel(face::Terms& channels, int index, float weight) {
-  if (index >= 0 && weight > 1e-4F) channels.Push(static_cast<std::uint16_t>(index), weight);
+  if (index >= 0 && weight > 1e-4F) channels.Add(static_cast<std::uint16_t>(index), weight);
 }
 
 // Strength scales every expression but the neutral one, which takes the rest.
@@ -54,11 +54,16 @@ scene::Gaze Sum(const scene::Gaze& a, const scene::Gaze& b, const scene::Gaze& c
 std::uint32_t Lamps(const State& state, const show::Show& show) {
   const auto lit = [&](const show::Call& call) {
     switch (call.kind) {
-      case show::CallKind::kFace: return call.index == state.faces.to;
-      case show::CallKind::kExpression: return call.index == state.expressions.to;
-      case show::CallKind::kStyle: return call.index == state.styles.to;
-      case show::CallKind::kScene: return call.index == state.scene;
-      case show::CallKind::kNothing: break;
+      case show::CallKind::kFace:
+        return call.index == state.faces.to;
+      case show::CallKind::kExpression:
+        return call.index == state.expressions.to;
+      case show::CallKind::kStyle:
+        return call.index == state.styles.to;
+      case show::CallKind::kScene:
+        return call.index == state.scene;
+      case show::CallKind::kNothing:
+        break;
     }
     return false;
   };
@@ -68,11 +73,30 @@ std::uint32_t Lamps(const State& state, const show::Show& show) {
   return lamps;
 }
 
+// Moves the state's time to `light` and gives the seconds in between. A light that comes a little before the
+// one before it (the screen was pulled) takes no time, and what it went back is not played twice.
+float StepTo(State& state, Time light) {
+  const Time before = state.last;
+  if (light > before || before - light > kClockBegan) state.last = light;
+  if (light <= before) return 0;
+  if (before <= light - kLongestStep) return static_cast<float>(Seconds(kLongestStep));
+  return static_cast<float>(Seconds(light - before));
+}
+
+// A section that nobody has written, or that cannot be read, says nothing: its counters are not those of a
+// hand.
+void PlayHands(State& state, const board::Snapshot& board, const show::Show& show) {
+  if (board.surface.source != board::SourceState::kAbsent) {
+    PushButtons(state, board.surface.value, show);
+    TurnKnobs(state, board.surface.value);
+  }
+  if (board.keys.source != board::SourceState::kAbsent) StrikeKeys(state, board.keys.value, show);
+}
+
 void MoveOn(State& state, const board::Snapshot& board, const show::Show& show, float dt_s) {
-  state.age_s += dt_s;
-  PushButtons(state, board.surface.value, show);
-  StrikeKeys(state, board.keys.value, show);
-  TurnKnobs(state, board.surface.value, dt_s);
+  state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
+  PlayHands(state, board, show);
+  FollowKnobs(state, dt_s);
   MoveSticks(state, board, dt_s);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles}) Advance(*mixture, dt_s);
   if (state.backstage.duration_s > 0)
@@ -110,8 +134,7 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time light) 
 Performed Animate(const State& previous, const board::Snapshot& board, const show::Show& show, Time light) {
   Performed performed{previous, {}, 0};
   State& state = performed.state;
-  const float dt_s = std::clamp(static_cast<float>(Seconds(light - previous.last)), 0.0F, kLongestStep_s);
-  state.last = light;
+  const float dt_s = StepTo(state, light);
   MoveOn(state, board, show, dt_s);
 
   scene::Scene& scene = performed.scene;

@@ -6,12 +6,22 @@
 
 namespace kaori::performance {
 
-// One blink of 0.26 s: shut in 80 ms, held for 40, open after another 140. 0 open .. 1 shut.
+// One blink of 0.26 s: shut in 80 ms, held for 40, open after another 140.
+inline constexpr float kBlinkShut_s = 0.08F, kBlinkHeld_s = 0.12F, kBlinkOpen_s = 0.26F;
+
+// 0 open .. 1 shut.
 inline float BlinkCurve(float since_s) {
-  constexpr float kShut_s = 0.08F, kHeld_s = 0.12F, kOpen_s = 0.26F;
-  if (since_s < kShut_s) return SmoothStep(since_s / kShut_s);
-  if (since_s < kHeld_s) return 1;
-  return 1 - SmoothStep((since_s - kHeld_s) / (kOpen_s - kHeld_s));
+  if (since_s < kBlinkShut_s) return SmoothStep(since_s / kBlinkShut_s);
+  if (since_s < kBlinkHeld_s) return 1;
+  return 1 - SmoothStep((since_s - kBlinkHeld_s) / (kBlinkOpen_s - kBlinkHeld_s));
+}
+
+// Where a blink that is called for now begins, when another began since_s ago: with the lid as far shut as it
+// is.
+inline float BlinkFrom(float since_s) {
+  if (since_s < kBlinkShut_s) return since_s;
+  const float opened = std::max(0.0F, (since_s - kBlinkHeld_s) / (kBlinkOpen_s - kBlinkHeld_s));
+  return kBlinkShut_s * std::max(0.0F, 1 - opened);
 }
 
 // A lid that a key holds: quick to shut, slower to open.

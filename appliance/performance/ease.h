@@ -23,6 +23,8 @@ inline float Travel(float now, float goal, float dt_s, float speed_per_s) {
   return now + std::clamp(goal - now, -step, step);
 }
 
-inline float Mix(float a, float b, float t) { return a + (b - a) * t; }
+inline float Mix(float a, float b, float t) {
+  return a + (b - a) * t;
+}
 
 }  // namespace kaori::performance

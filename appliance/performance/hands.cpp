@@ -9,19 +9,6 @@
 namespace kaori::performance {
 namespace {
 
-struct KnobRange {
-  float low, high, per_turn;
-};
-constexpr std::array<KnobRange, kKnobCount> kRanges{{
-    {0, 1, 1},       // Face: how much of the called face.
-    {0, 1, 1},       // Expression: how much of the called expression.
-    {0, 1.4F, 1},    // Strength: 1 as authored.
-    {0, 4, 2},       // Fade, seconds.
-    {0, 1, 1},       // Mouth, opened by hand.
-    {0, 1, 1},       // Mouth width by hand.
-    {0, 1, 1},       // Life: what the box plays by itself.
-    {0, 1.2F, 1},    // Light.
-}};
 constexpr float kKnobHalfLife_s = 0.03F;  // A detent is a step; the eye shall not see it.
 
 constexpr std::uint8_t kKeySpace = 0x2C, kKeyZ = 0x1D, kKeyX = 0x1B;  // HID usage page 7.
@@ -33,9 +20,9 @@ constexpr float kHoldLost_s = 0.25F;  // A stick that is pulled counts for this 
 constexpr float kEaseLost_s = 1.0F;   // then eases to neutral in this time.
 constexpr float kEaseFound_s = 0.3F;
 
-float& At(std::array<float, kKnobCount>& knobs, Knob knob) { return knobs[static_cast<std::size_t>(knob)]; }
-
-bool Down(const board::Keys& keys, std::uint8_t usage) { return (keys.down[usage / 32U] >> (usage % 32U)) & 1U; }
+bool Down(const board::Keys& keys, std::uint8_t usage) {
+  return (keys.down[usage / 32U] >> (usage % 32U)) & 1U;
+}
 
 // A fresh call takes over whole, whatever its dial said about the one before.
 void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, float fade_s) {
@@ -46,25 +33,33 @@ void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, f
 void Obey(State& state, const show::Call& call, const show::Show& show) {
   const float fade_s = At(state.knobs, Knob::kFade);
   switch (call.kind) {
-    case show::CallKind::kNothing: break;
-    case show::CallKind::kFace: CallWhole(state, state.faces, Knob::kFace, call.index, fade_s); break;
+    case show::CallKind::kNothing:
+      break;
+    case show::CallKind::kFace:
+      CallWhole(state, state.faces, Knob::kFace, call.index, fade_s);
+      break;
     case show::CallKind::kExpression:
       CallWhole(state, state.expressions, Knob::kExpression, call.index, fade_s);
       break;
-    case show::CallKind::kStyle: Call(state.styles, call.index, fade_s, 1); break;
-    case show::CallKind::kScene: EnterScene(state, show, call.index, show.scenes[call.index].fade_s); break;
+    case show::CallKind::kStyle:
+      Call(state.styles, call.index, fade_s, 1);
+      break;
+    case show::CallKind::kScene:
+      EnterScene(state, show, call.index, show.scenes[call.index].fade_s);
+      break;
   }
 }
 
+// No playing voice is cut off for it: that would be a jump. Eight keys within a quarter of a second are no
+// playing, the ninth is not heard.
 void PlayTake(State& state, int take) {
-  const auto voice = std::ranges::min_element(
-      state.voices, {}, [](const Playing& v) { return v.take < 0 ? -1.0F : v.gain; });
-  *voice = {take, 0, 1};
+  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.take < 0; });
+  if (free != state.voices.end()) *free = {take, 0, 1};
 }
 
 void Struck(State& state, std::uint16_t usage, const show::Show& show) {
-  if (usage == kKeySpace || usage == kKeyX) state.blink_s[0] = 0;
-  if (usage == kKeySpace || usage == kKeyZ) state.blink_s[1] = 0;
+  if (usage == kKeySpace || usage == kKeyX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
+  if (usage == kKeySpace || usage == kKeyZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
   for (std::size_t i = 0; i < show.takes.size(); ++i)
     if (show.takes[i].key_usage == usage) PlayTake(state, static_cast<int>(i));
   for (std::size_t i = 0; i < show.scenes.size(); ++i)
@@ -86,18 +81,22 @@ float HatBrow(std::int32_t hat) {
 
 }  // namespace
 
-void TurnKnobs(State& state, const board::Surface& surface, float dt_s) {
+void TurnKnobs(State& state, const board::Surface& surface) {
   const auto per_turn = static_cast<float>(std::max(1, surface.counts_per_turn));
-  for (std::size_t i = 0; i < kRanges.size(); ++i) {
+  for (std::size_t i = 0; i < kKnobRanges.size(); ++i) {
     // Unsigned: counts wrap after years of turning, and the difference is right all the same.
     const auto moved = static_cast<std::int32_t>(static_cast<std::uint32_t>(surface.counts[i]) -
                                                  static_cast<std::uint32_t>(state.seen.dials[i]));
     const float turns = static_cast<float>(moved) / per_turn;
-    state.knobs[i] =
-        std::clamp(state.knobs[i] + turns * kRanges[i].per_turn, kRanges[i].low, kRanges[i].high);
-    state.shown[i] = Approach(state.shown[i], state.knobs[i], dt_s, kKnobHalfLife_s);
+    const KnobRange& range = kKnobRanges[i];
+    state.knobs[i] = std::clamp(state.knobs[i] + turns * range.per_turn, range.low, range.high);
   }
   state.seen.dials = surface.counts;
+}
+
+void FollowKnobs(State& state, float dt_s) {
+  for (std::size_t i = 0; i < state.knobs.size(); ++i)
+    state.shown[i] = Approach(state.shown[i], state.knobs[i], dt_s, kKnobHalfLife_s);
 }
 
 void PushButtons(State& state, const board::Surface& surface, const show::Show& show) {

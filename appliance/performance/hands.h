@@ -8,7 +8,10 @@
 namespace kaori::performance {
 
 // Turns of the dials since the last frame move the knobs, each within its range.
-void TurnKnobs(State& state, const board::Surface& surface, float dt_s);
+void TurnKnobs(State& state, const board::Surface& surface);
+
+// What the knobs do follows them softly: a detent is not seen.
+void FollowKnobs(State& state, float dt_s);
 
 // Buttons that went down since the last frame call faces, expressions, styles and scenes.
 void PushButtons(State& state, const board::Surface& surface, const show::Show& show);

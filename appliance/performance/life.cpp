@@ -5,14 +5,15 @@
 
 #include <glm/geometric.hpp>
 
+#include "appliance/performance/blink.h"
 #include "appliance/performance/ease.h"
 
 namespace kaori::performance {
 namespace {
 
 constexpr float kTau = 6.2831853F;
-constexpr float kBreath_hz = 0.23F;
-constexpr float kQuiet = 0.02F;         // Below this the box plays nothing by itself.
+constexpr float kBreath_hz = 0.23F;  // Of this and all other waves, kLifePeriod_s holds a whole number.
+constexpr float kQuiet = 0.02F;      // Below this the box plays nothing by itself.
 constexpr float kGlance_rad = 0.035F;
 constexpr float kSpring_hz = 2.1F, kDamping = 0.32F, kSwingGain = 0.55F, kMaxSwing_rad = 0.35F;
 
@@ -25,21 +26,25 @@ float Random(Life& life) {
   return static_cast<float>((z ^ (z >> 31U)) >> 40U) / static_cast<float>(1U << 24U);
 }
 
-float Wave(float age_s, float hz, float phase) { return std::sin(kTau * (hz * age_s + phase)); }
+float Wave(float age_s, float hz, float phase) {
+  return std::sin(kTau * (hz * age_s + phase));
+}
 
 void Blink(State& state, float amount, float dt_s) {
   state.life.to_next_blink_s -= dt_s * (0.4F + amount);
   if (state.life.to_next_blink_s > 0) return;
   const float chance = Random(state.life);
   state.life.to_next_blink_s = chance < 0.12F ? 0.35F : 2.0F + 3.5F * chance;  // Now and then twice.
-  if (state.lids_held[0] + state.lids_held[1] == 0) state.blink_s = {0, 0};
+  if (state.lids_held[0] + state.lids_held[1] > 0) return;
+  for (float& since_s : state.blink_s) since_s = BlinkFrom(since_s);
 }
 
 void Glance(State& state, float dt_s) {
   state.life.to_next_glance_s -= dt_s;
   if (state.life.to_next_glance_s > 0) return;
   state.life.to_next_glance_s = 0.5F + 1.9F * Random(state.life);
-  state.life.glance_rad = glm::vec2(2 * Random(state.life) - 1, 1.2F * Random(state.life) - 0.6F) * kGlance_rad;
+  state.life.glance_rad =
+      glm::vec2(2 * Random(state.life) - 1, 1.2F * Random(state.life) - 0.6F) * kGlance_rad;
 }
 
 float HandOnGaze(const State& state) {
@@ -75,7 +80,8 @@ void Swing(Sway& sway, const scene::Head& head, float dt_s) {
   const float omega = kTau * kSpring_hz;
   for (int i = 0; i < kSteps; ++i) {
     const float h = dt_s / kSteps;
-    const glm::vec2 force = (pull * 0.12F - sway.angle_rad) * (omega * omega) - sway.speed_rad_s * (2 * kDamping * omega);
+    const glm::vec2 force =
+        (pull * 0.12F - sway.angle_rad) * (omega * omega) - sway.speed_rad_s * (2 * kDamping * omega);
     sway.speed_rad_s += force * h;
     sway.angle_rad += sway.speed_rad_s * h;
   }

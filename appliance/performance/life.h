@@ -1,4 +1,5 @@
-// What nobody plays, the box plays by itself: blinks, glances, breath and sway, as much as the Life dial says.
+// What nobody plays, the box plays by itself: blinks, glances, breath and sway, as much as the Life dial
+// says.
 #pragma once
 
 #include "appliance/performance/state.h"

@@ -9,7 +9,9 @@ namespace {
 
 constexpr float kNothing = 1e-5F;  // Lighter terms are dropped: nobody sees them and each one costs.
 
-float Share(const Mixture& mixture, float amount) { return SmoothStep(mixture.progress) * amount; }
+float Share(const Mixture& mixture, float amount) {
+  return SmoothStep(mixture.progress) * amount;
+}
 
 face::Terms Normalised(const face::Terms& terms) {
   const float sum = terms.sum();

@@ -9,13 +9,15 @@
 namespace kaori::performance {
 
 struct Mixture {
-  face::Terms from;         // The weights at the moment of the call.
-  std::uint16_t to = 0;     // The item that was called.
-  float progress = 1;       // 0 at the call .. 1 when the fade has run.
+  face::Terms from;      // The weights at the moment of the call.
+  std::uint16_t to = 0;  // The item that was called.
+  float progress = 1;    // 0 at the call .. 1 when the fade has run.
   float duration_s = 0;
 };
 
-// The weights now. `amount` is how far the called item may take over (a dial): 0 stays with what was before.
+// The weights now. At most Terms::kCapacity items share them: where more than that are on their way at once,
+// the lightest leaves, and that is a step of no more than its own weight (below 1/32). `amount` is how far
+// the called item may take over (a dial): 0 stays with what was before.
 face::Terms Current(const Mixture& mixture, float amount);
 
 // Calls `item`. The weights do not change at this moment, unless fade_s is 0: that is an instant change.

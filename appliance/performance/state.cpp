@@ -1,56 +1,89 @@
 #include "appliance/performance/state.h"
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 
 namespace kaori::performance {
 namespace {
 
-constexpr float kFar = 1e3F;  // No field of a sound state is larger.
+constexpr float kFarTurn_rad = 20;  // No head, gaze or tip of hair of a sound state is turned so far,
+constexpr float kFastTurn_rad_s = 1e4F;
+constexpr float kFarShift_m = 1;
 
-bool Within(std::initializer_list<float> values) {
-  return std::ranges::all_of(values, [](float v) { return std::abs(v) < kFar; });  // False for NaN too.
+// False for NaN too: every comparison with it is.
+bool Within(std::initializer_list<float> values, float low, float high) {
+  return std::ranges::all_of(values, [=](float v) { return v >= low && v <= high; });
+}
+
+bool Within(const glm::vec2& v, float far) {
+  return Within({v.x, v.y}, -far, far);
+}
+bool Within(const glm::vec3& v, float far) {
+  return Within({v.x, v.y, v.z}, -far, far);
+}
+
+bool SoundFade(float progress, float duration_s) {
+  return Within({progress}, 0, 1) && Within({duration_s}, 0, show::kLongestFade_s);
+}
+
+bool SoundTerms(const face::Terms& terms, std::size_t count) {
+  if (terms.size() < 0 || terms.size() > face::Terms::kCapacity) return false;
+  const auto sound = [count](const face::Term& t) {
+    return t.index < count && Within({t.weight}, 0, 1.001F);
+  };
+  return std::ranges::all_of(terms, sound) && (terms.empty() || Within({terms.sum()}, 0.99F, 1.01F));
 }
 
 bool SoundMixture(const Mixture& mixture, std::size_t count) {
-  const bool exists = mixture.to < count && mixture.from.size() >= 0 &&
-                      mixture.from.size() <= face::Terms::kCapacity &&
-                      std::ranges::all_of(mixture.from, [count](const face::Term& t) {
-                        return t.index < count && Within({t.weight});
-                      });
-  const bool whole = mixture.from.empty() || std::abs(mixture.from.sum() - 1) < 1e-2F;
-  return exists && whole && Within({mixture.progress, mixture.duration_s});
+  return mixture.to < count && SoundFade(mixture.progress, mixture.duration_s) &&
+         SoundTerms(mixture.from, count);
 }
 
-bool SoundVectors(const State& s) {
-  const auto& b = s.backstage;
-  const auto vec = [](const glm::vec3& v) { return Within({v.x, v.y, v.z}); };
-  return vec(b.backdrop_from.top) && vec(b.backdrop_from.bottom) && vec(b.backdrop_to.top) &&
-         vec(b.backdrop_to.bottom) && vec(s.head.shift_m) &&
-         Within({b.exposure_from, b.exposure_to, b.progress, b.duration_s}) &&
-         Within({s.sway.angle_rad.x, s.sway.angle_rad.y, s.sway.speed_rad_s.x, s.sway.speed_rad_s.y,
-                 s.sway.head_rad.x, s.sway.head_rad.y, s.life.glance_rad.x, s.life.glance_rad.y});
+bool SoundBackstage(const Backstage& b) {
+  const auto colours = [](const scene::Backdrop& drop) {
+    return Within({drop.top.x, drop.top.y, drop.top.z, drop.bottom.x, drop.bottom.y, drop.bottom.z}, 0, 1);
+  };
+  return colours(b.backdrop_from) && colours(b.backdrop_to) &&
+         Within({b.exposure_from, b.exposure_to}, 0, show::kMostExposure) &&
+         SoundFade(b.progress, b.duration_s);
 }
 
-bool SoundScalars(const State& s) {
-  const auto each = [](const auto& list) { return std::ranges::all_of(list, [](float v) { return Within({v}); }); };
-  return s.age_s >= 0 && std::isfinite(s.age_s) && each(s.knobs) && each(s.shown) && each(s.blink_s) &&
-         each(s.lids_held) && std::ranges::all_of(s.sticks, [](const StickNow& n) { return Within({n.presence}); }) &&
-         Within({s.head.yaw_rad, s.head.pitch_rad, s.head.roll_rad, s.gaze.yaw_rad, s.gaze.pitch_rad, s.brow,
-                 s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_quiet_s, s.life.to_next_blink_s,
-                 s.life.to_next_glance_s});
+bool SoundKnobs(const State& s) {
+  for (std::size_t i = 0; i < kKnobRanges.size(); ++i)
+    if (!Within({s.knobs[i], s.shown[i]}, kKnobRanges[i].low, kKnobRanges[i].high)) return false;
+  return true;
+}
+
+bool SoundPose(const State& s) {
+  return Within({s.head.yaw_rad, s.head.pitch_rad, s.head.roll_rad, s.gaze.yaw_rad, s.gaze.pitch_rad},
+                -kFarTurn_rad, kFarTurn_rad) &&
+         Within(s.head.shift_m, kFarShift_m) && Within({s.brow}, -1, 1) &&
+         Within(s.sway.angle_rad, kFarTurn_rad) && Within(s.sway.head_rad, kFarTurn_rad) &&
+         Within(s.sway.speed_rad_s, kFastTurn_rad_s) && Within(s.life.glance_rad, 1);
+}
+
+bool SoundClocks(const State& s) {
+  const auto stick = [](const StickNow& n) { return Within({n.presence}, 0, 1) && n.lost_s >= 0; };
+  return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
+         Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s}, 0, 10) &&
+         Within({s.life.to_next_blink_s, s.life.to_next_glance_s}, -1, 10) &&
+         Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive}, 0, 1);
+}
+
+bool SoundVoices(const State& s, const show::Show& show) {
+  return std::ranges::all_of(s.voices, [&show](const Playing& v) {
+    return v.take < static_cast<int>(show.takes.size()) && Within({v.at_s}, 0, show::kLongestTake_s + 1) &&
+           Within({v.gain}, 0, 1);
+  });
 }
 
 }  // namespace
 
 bool Sound(const State& state, const show::Show& show) {
-  const bool takes = std::ranges::all_of(state.voices, [&show](const Playing& v) {
-    return v.take < static_cast<int>(show.takes.size()) && Within({v.at_s, v.gain});
-  });
-  return takes && SoundMixture(state.faces, show.cast.faces.size()) &&
+  return SoundMixture(state.faces, show.cast.faces.size()) &&
          SoundMixture(state.expressions, show.cast.expressions.size()) &&
-         SoundMixture(state.styles, scene::kStyleCount) && SoundVectors(state) && SoundScalars(state) &&
+         SoundMixture(state.styles, scene::kStyleCount) && SoundBackstage(state.backstage) &&
+         SoundKnobs(state) && SoundPose(state) && SoundClocks(state) && SoundVoices(state, show) &&
          (show.scenes.empty() || state.scene < show.scenes.size());
 }
 

@@ -8,16 +8,13 @@
 
 #include <glm/vec2.hpp>
 
+#include "appliance/performance/knobs.h"
 #include "appliance/performance/mixture.h"
 #include "appliance/show/show.h"
 #include "drivers/base/clock.h"
 #include "render/scene/scene.h"
 
 namespace kaori::performance {
-
-// What each dial of the box does, in the order in which they stand.
-enum class Knob : std::uint8_t { kFace, kExpression, kStrength, kFade, kMouth, kMouthWidth, kLife, kLight };
-inline constexpr int kKnobCount = 8;
 
 // Counters of the board as they stood at the last frame: a difference is a push that happened since.
 struct Seen {
@@ -41,9 +38,13 @@ struct StickNow {
 struct Playing {
   std::int32_t take = -1;  // -1: nothing.
   float at_s = 0;
-  float gain = 1;          // Falls to 0 when another motion takes over.
+  float gain = 1;  // Falls to 0 from the moment at which another motion takes over.
 };
-inline constexpr int kVoices = 4;
+inline constexpr int kVoices = 8;  // Of which all but one are fading out.
+
+// All that the box plays by itself in waves begins anew after so long, on a whole number of each: a float
+// that counted on for days could not hold the step of a frame.
+inline constexpr float kLifePeriod_s = 1000;
 
 struct Life {
   std::uint64_t random = 0x9E3779B97F4A7C15U;
@@ -60,9 +61,9 @@ struct Sway {
 };
 
 struct State {
-  static constexpr std::uint32_t kLayout = 1;  // Raise it when a field changes: see board::Hold.
-  Time last{};           // For which light the last frame was made.
-  float age_s = 0;       // Of the performance.
+  static constexpr std::uint32_t kLayout = 2;  // Raise it when a field changes: see board::Hold.
+  Time last{};                                 // For which light the last frame was made.
+  float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   Seen seen;
   Mixture faces, expressions, styles;
   Backstage backstage;
@@ -76,7 +77,7 @@ struct State {
   Sway sway;
   scene::Head head;
   scene::Gaze gaze;
-  float brow = 0;        // -1 frown .. 1 raised.
+  float brow = 0;  // -1 frown .. 1 raised.
   float mouth_open = 0;
   float mouth_wide = 0.5F;
   float mouth_drive = 0;  // 0: the expression's mouth .. 1: the hand's or the lips'.
@@ -85,8 +86,8 @@ struct State {
 };
 static_assert(std::is_trivially_copyable_v<State>);
 
-// Whether a state found on the board may be gone on with: every number finite and in range, everything that it
-// calls exists in the show.
+// Whether a state found on the board may be gone on with: every number finite and in range, everything that
+// it calls exists in the show.
 bool Sound(const State& state, const show::Show& show);
 
 }  // namespace kaori::performance

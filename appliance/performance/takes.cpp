@@ -19,13 +19,27 @@ float At(const show::TakeCurve& curve, float at_s) {
 
 void Add(Motion& motion, const show::TakeCurve& curve, float value) {
   switch (curve.target) {
-    case show::TakeTarget::kHeadYaw: motion.head.yaw_rad += value; break;
-    case show::TakeTarget::kHeadPitch: motion.head.pitch_rad += value; break;
-    case show::TakeTarget::kHeadRoll: motion.head.roll_rad += value; break;
-    case show::TakeTarget::kGazeYaw: motion.gaze.yaw_rad += value; break;
-    case show::TakeTarget::kGazePitch: motion.gaze.pitch_rad += value; break;
-    case show::TakeTarget::kLids: motion.lids += value; break;
-    case show::TakeTarget::kChannel: motion.channels.Push(curve.channel, value); break;
+    case show::TakeTarget::kHeadYaw:
+      motion.head.yaw_rad += value;
+      break;
+    case show::TakeTarget::kHeadPitch:
+      motion.head.pitch_rad += value;
+      break;
+    case show::TakeTarget::kHeadRoll:
+      motion.head.roll_rad += value;
+      break;
+    case show::TakeTarget::kGazeYaw:
+      motion.gaze.yaw_rad += value;
+      break;
+    case show::TakeTarget::kGazePitch:
+      motion.gaze.pitch_rad += value;
+      break;
+    case show::TakeTarget::kLids:
+      motion.lids += value;
+      break;
+    case show::TakeTarget::kChannel:
+      motion.channels.Add(curve.channel, value);
+      break;
   }
 }
 
@@ -52,7 +66,7 @@ Motion PlayTakes(State& state, const show::Show& show, float dt_s) {
     if (voice.take < 0 || voice.take >= static_cast<int>(show.takes.size())) continue;
     const show::Take& take = show.takes[static_cast<std::size_t>(voice.take)];
     voice.at_s += dt_s;
-    if (&voice != youngest) voice.gain = Travel(voice.gain, 0, dt_s, 1 / kFadeOut_s);
+    if (&voice != youngest || voice.gain < 1) voice.gain = Travel(voice.gain, 0, dt_s, 1 / kFadeOut_s);
     for (const auto& curve : take.curves) Add(motion, curve, voice.gain * At(curve, voice.at_s));
     if (voice.gain <= 0 || voice.at_s >= End(take)) voice.take = -1;
   }

@@ -1,7 +1,6 @@
 #include "appliance/show/check.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,48 +9,100 @@
 namespace kaori::show {
 namespace {
 
+using Faults = std::vector<std::string>;
+
+// False for NaN too: every comparison with it is.
+bool Within(float value, float low, float high) {
+  return value >= low && value <= high;
+}
+
 std::size_t Count(const Show& show, CallKind kind) {
   switch (kind) {
-    case CallKind::kNothing: return 1;
-    case CallKind::kFace: return show.cast.faces.size();
-    case CallKind::kExpression: return show.cast.expressions.size();
-    case CallKind::kStyle: return scene::kStyleCount;
-    case CallKind::kScene: return show.scenes.size();
+    case CallKind::kNothing:
+      return 1;
+    case CallKind::kFace:
+      return show.cast.faces.size();
+    case CallKind::kExpression:
+      return show.cast.expressions.size();
+    case CallKind::kStyle:
+      return scene::kStyleCount;
+    case CallKind::kScene:
+      return show.scenes.size();
   }
   return 0;
 }
 
-void CheckButtons(const Show& show, std::vector<std::string>& faults) {
+void CheckCounts(const Show& show, Faults& faults) {
+  const auto check = [&](const char* items, std::size_t count) {
+    if (count > kMostItems)
+      faults.push_back(fmt::format("{}: {}, and {} at most can be played", items, count, kMostItems));
+  };
+  check("faces", show.cast.faces.size());
+  check("expressions", show.cast.expressions.size());
+  check("props", show.cast.props.size());
+  check("textures", show.cast.textures.size());
+  check("takes", show.takes.size());
+  check("scenes", show.scenes.size());
+  if (show.cast.textures.empty()) faults.emplace_back("textures: there is none, and every face wants one");
+}
+
+void CheckButtons(const Show& show, Faults& faults) {
   for (std::size_t i = 0; i < show.buttons.size(); ++i)
     if (const Call& call = show.buttons[i]; call.index >= Count(show, call.kind))
-      faults.push_back(fmt::format("button {}: calls number {} of {}", i + 1, call.index, Count(show, call.kind)));
+      faults.push_back(
+          fmt::format("button {}: calls number {} of {}", i + 1, call.index, Count(show, call.kind)));
 }
 
-void CheckTake(const Show& show, const Take& take, std::vector<std::string>& faults) {
-  for (const TakeCurve& curve : take.curves) {
-    if (curve.target > TakeTarget::kChannel || curve.channel >= show.cast.expressions.size())
-      faults.push_back(fmt::format("take \"{}\": a curve moves nothing that exists", take.name));
-    if (curve.keys.size() < 2 || curve.keys.front().value != 0 || curve.keys.back().value != 0)
-      faults.push_back(fmt::format("take \"{}\": a curve must start and end at 0", take.name));
-    if (!std::ranges::is_sorted(curve.keys, {}, &TakeKey::at_s))
-      faults.push_back(fmt::format("take \"{}\": the times of a curve must rise", take.name));
-    if (std::ranges::any_of(curve.keys, [](const TakeKey& k) { return !std::isfinite(k.at_s + k.value); }))
-      faults.push_back(fmt::format("take \"{}\": a curve holds a value that is no number", take.name));
-  }
+void CheckKey(const std::string& item, std::uint16_t usage, Faults& faults) {
+  if (usage >= kKeyUsages) faults.push_back(fmt::format("{}: there is no key {}", item, usage));
 }
 
-void CheckScene(const Show& show, const StageScene& scene, std::vector<std::string>& faults) {
+void CheckCurve(const Show& show, const std::string& item, const TakeCurve& curve, Faults& faults) {
+  if (curve.target > TakeTarget::kChannel || curve.channel >= show.cast.expressions.size())
+    faults.push_back(item + ": a curve moves nothing that exists");
+  if (curve.keys.size() < 2 || curve.keys.front().value != 0 || curve.keys.back().value != 0)
+    faults.push_back(item + ": a curve must start and end at 0");
+  const auto steady = [](const TakeKey& a, const TakeKey& b) { return !(b.at_s > a.at_s); };
+  if (std::ranges::adjacent_find(curve.keys, steady) != curve.keys.end())
+    faults.push_back(item + ": the times of a curve must rise");
+  const auto far = [](const TakeKey& k) {
+    return !Within(k.at_s, 0, kLongestTake_s) || !Within(k.value, -kWidestTake, kWidestTake);
+  };
+  if (std::ranges::any_of(curve.keys, far))
+    faults.push_back(fmt::format("{}: a curve leaves 0 to {} s, or -{} to {}", item, kLongestTake_s,
+                                 kWidestTake, kWidestTake));
+}
+
+void CheckTake(const Show& show, const Take& take, Faults& faults) {
+  const std::string item = fmt::format("take \"{}\"", take.name);
+  CheckKey(item, take.key_usage, faults);
+  for (const TakeCurve& curve : take.curves) CheckCurve(show, item, curve, faults);
+}
+
+bool IsColour(const glm::vec3& c) {
+  return Within(c.x, 0, 1) && Within(c.y, 0, 1) && Within(c.z, 0, 1);
+}
+
+void CheckScene(const Show& show, const StageScene& scene, Faults& faults) {
+  const std::string item = fmt::format("scene \"{}\"", scene.name);
+  CheckKey(item, scene.key_usage, faults);
   if (scene.face >= show.cast.faces.size())
-    faults.push_back(fmt::format("scene \"{}\": there is no face {}", scene.name, scene.face));
+    faults.push_back(fmt::format("{}: there is no face {}", item, scene.face));
   if (scene.expression >= show.cast.expressions.size())
-    faults.push_back(fmt::format("scene \"{}\": there is no expression {}", scene.name, scene.expression));
+    faults.push_back(fmt::format("{}: there is no expression {}", item, scene.expression));
   if (static_cast<int>(scene.style) >= scene::kStyleCount)
-    faults.push_back(fmt::format("scene \"{}\": there is no style {}", scene.name, static_cast<int>(scene.style)));
-  if (!std::isfinite(scene.exposure + scene.fade_s) || scene.fade_s < 0)
-    faults.push_back(fmt::format("scene \"{}\": its light or its fade is no sound number", scene.name));
+    faults.push_back(fmt::format("{}: there is no style {}", item, static_cast<int>(scene.style)));
+  if (!Within(scene.exposure, 0, kMostExposure))
+    faults.push_back(
+        fmt::format("{}: its light is {}, not within 0 to {}", item, scene.exposure, kMostExposure));
+  if (!Within(scene.fade_s, 0, kLongestFade_s))
+    faults.push_back(
+        fmt::format("{}: its fade is {} s, not within 0 to {}", item, scene.fade_s, kLongestFade_s));
+  if (!IsColour(scene.backdrop.top) || !IsColour(scene.backdrop.bottom))
+    faults.push_back(item + ": its backdrop holds a colour that is none");
 }
 
-void CheckChannels(const Show& show, std::vector<std::string>& faults) {
+void CheckChannels(const Show& show, Faults& faults) {
   const auto check = [&](const char* role, int index) {
     if (index >= static_cast<int>(show.cast.expressions.size()) || index < -1)
       faults.push_back(fmt::format("channel {}: there is no expression {}", role, index));
@@ -66,7 +117,8 @@ void CheckChannels(const Show& show, std::vector<std::string>& faults) {
 }  // namespace
 
 std::vector<std::string> CheckShow(const Show& show) {
-  std::vector<std::string> faults = face::FindFaults(show.cast);
+  Faults faults = face::FindFaults(show.cast);
+  CheckCounts(show, faults);
   CheckButtons(show, faults);
   for (const Take& take : show.takes) CheckTake(show, take, faults);
   for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);

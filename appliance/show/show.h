@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,15 @@ namespace kaori::show {
 
 inline constexpr int kButtonCount = 32;
 
+// What CheckShow allows. Fades and motions that are longer are written in the wrong unit.
+inline constexpr float kLongestFade_s = 60;
+inline constexpr float kLongestTake_s = 600;
+inline constexpr float kMostExposure = 4;
+inline constexpr float kWidestTake = 4;  // Radians, or a weight: face::kHeaviest.
+inline constexpr std::size_t kMostItems =
+    4096;  // Faces, expressions, props ...: each has an index of 16 bits.
+inline constexpr std::uint16_t kKeyUsages = 256;
+
 // What pushing a lit button of the box does. `index` is into faces, expressions, styles or scenes.
 enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene };
 struct Call {
@@ -21,7 +31,15 @@ struct Call {
 };
 
 // A registered motion: curves over time, added to head, gaze and channels.
-enum class TakeTarget : std::uint8_t { kHeadYaw, kHeadPitch, kHeadRoll, kGazeYaw, kGazePitch, kLids, kChannel };
+enum class TakeTarget : std::uint8_t {
+  kHeadYaw,
+  kHeadPitch,
+  kHeadRoll,
+  kGazeYaw,
+  kGazePitch,
+  kLids,
+  kChannel
+};
 struct TakeKey {
   float at_s = 0;
   float value = 0;  // Radians, or a weight.
@@ -29,7 +47,7 @@ struct TakeKey {
 struct TakeCurve {
   TakeTarget target = TakeTarget::kHeadYaw;
   std::uint16_t channel = 0;  // Index of Cast::expressions, where the target is a channel.
-  std::vector<TakeKey> keys;  // Ascending; starts and ends at 0 so that nothing jumps.
+  std::vector<TakeKey> keys;  // Times rise from 0 or later; the first and last value are 0: nothing jumps.
 };
 struct Take {
   std::string name;
@@ -53,8 +71,8 @@ struct StageScene {
 struct Channels {
   std::array<int, 2> brow_up{-1, -1};  // The character's left, right.
   int brow_frown = -1;
-  int lids_up = -1;        // Upper lids follow a gaze that rises,
-  int lids_down = -1;      // and one that falls.
+  int lids_up = -1;                          // Upper lids follow a gaze that rises,
+  int lids_down = -1;                        // and one that falls.
   std::array<int, 4> mouth{-1, -1, -1, -1};  // Shut narrow, shut wide, open narrow, open wide.
 };
 

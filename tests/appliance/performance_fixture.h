@@ -28,14 +28,18 @@ inline show::Show SmallShow() {
   show.takes = {{.name = "nod",
                  .key_usage = kKey1,
                  .curves = {{show::TakeTarget::kHeadPitch, 0, {{0, 0}, {0.2F, -0.2F}, {0.6F, 0}}}}}};
-  show.channels = {.brow_up = {16, 17}, .brow_frown = 18, .lids_up = 19, .lids_down = 15, .mouth = {11, 12, 13, 14}};
+  show.channels = {
+      .brow_up = {16, 17}, .brow_frown = 18, .lids_up = 19, .lids_down = 15, .mouth = {11, 12, 13, 14}};
   return show;
 }
 
 // A performance whose hands a test moves; life is quiet unless asked for.
 class PerformanceTest : public ::testing::Test {
  protected:
-  PerformanceTest() : state_(Opening(show_, board_, now_)) { SetKnob(Knob::kLife, 0); }
+  PerformanceTest() : state_(Opening(show_, board_, now_)) {
+    board_.surface.source = board_.keys.source = board::SourceState::kLive;
+    SetKnob(Knob::kLife, 0);
+  }
 
   void SetKnob(Knob knob, float value) {
     state_.knobs[static_cast<std::size_t>(knob)] = state_.shown[static_cast<std::size_t>(knob)] = value;

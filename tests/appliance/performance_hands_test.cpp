@@ -91,8 +91,8 @@ TEST_F(PerformanceTest, AHandOnTheMouthDialBeatsTheLips) {
   board_.surface.value.counts[4] += board_.surface.value.counts_per_turn;
   Run(500ms);
   EXPECT_NEAR(performed_.scene.weights.mouth_given_away, 1, 1e-3F);
-  EXPECT_NEAR(Weight(performed_.scene.weights.channels, 13) + Weight(performed_.scene.weights.channels, 14), 1,
-              0.02F);
+  EXPECT_NEAR(Weight(performed_.scene.weights.channels, 13) + Weight(performed_.scene.weights.channels, 14),
+              1, 0.02F);
 }
 
 TEST_F(PerformanceTest, LifeBlinksAndGlancesAndIsTheSameEveryTime) {

@@ -1,0 +1,35 @@
+// The dials of the box: what each does, and between which ends.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace kaori::performance {
+
+// In the order in which they stand.
+enum class Knob : std::uint8_t { kFace, kExpression, kStrength, kFade, kMouth, kMouthWidth, kLife, kLight };
+inline constexpr int kKnobCount = 8;
+
+struct KnobRange {
+  float low, high, per_turn;
+};
+inline constexpr std::array<KnobRange, kKnobCount> kKnobRanges{{
+    {0, 1, 1},     // Face: how much of the called face.
+    {0, 1, 1},     // Expression: how much of the called expression.
+    {0, 1.4F, 1},  // Strength: 1 as authored.
+    {0, 4, 2},     // Fade, seconds.
+    {0, 1, 1},     // Mouth, opened by hand.
+    {0, 1, 1},     // Mouth width by hand.
+    {0, 1, 1},     // Life: what the box plays by itself.
+    {0, 1.2F, 1},  // Light.
+}};
+
+inline float& At(std::array<float, kKnobCount>& knobs, Knob knob) {
+  return knobs[static_cast<std::size_t>(knob)];
+}
+inline float At(const std::array<float, kKnobCount>& knobs, Knob knob) {
+  return knobs[static_cast<std::size_t>(knob)];
+}
+
+}  // namespace kaori::performance
