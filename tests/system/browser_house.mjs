@@ -14,6 +14,7 @@ export class House {
   constructor() {
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-browser-'));
     this.running = new Map();
+    this.port = '0';
     this.start('kaori-sim');
     kBoxPrograms.forEach((program) => this.start(program));
   }
@@ -28,7 +29,7 @@ export class House {
     switch (program) {
       case 'kaori-sim':
         // Half the size of a demo: a machine without a GPU draws four times as often.
-        return [...links, '--size', '480x270', '--hz', '30', '--console', '0', '--address-file', this.file('address'),
+        return [...links, '--size', '480x270', '--hz', '30', '--console', this.port, '--address-file', this.file('address'),
                 '--labels', join(kShows, 'kaori.labels.json')];
       case 'kaori-stage': return [...links, ...board, '--pack', join(kShows, 'kaori.kaori')];
       default: return [...links, ...board];
@@ -52,7 +53,9 @@ export class House {
 
   async address() {
     const file = this.file('address');
-    return until('the address of the page', () => existsSync(file) && readFileSync(file, 'utf8').trim());
+    const address = await until('the address of the page', () => existsSync(file) && readFileSync(file, 'utf8').trim());
+    this.port = new URL(address).port;  // A simulator that is started again keeps it.
+    return address;
   }
 
   async state() {
