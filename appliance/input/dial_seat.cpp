@@ -1,6 +1,15 @@
 #include "appliance/input/dial_seat.h"
 
+#include "drivers/base/log.h"
+
 namespace kaori::input {
+namespace {
+
+// A kernel waits seconds for a box that does not answer, and all hands with it: a few tries are enough.
+constexpr int kMostLampFailures = 3;
+constexpr Duration kLampRetry = std::chrono::seconds(5);
+
+}  // namespace
 
 using board::SourceState;
 
@@ -19,6 +28,8 @@ Result<void> DialSeat::Plug(const ports::HidIdentity& identity, Time now) {
   decoder_ = std::move(*decoder);
   buttons_.Plug();
   lit_.reset();
+  lamps_after_ = now;
+  lamp_failures_ = 0;
   plugged_ = now;
   proven_ = false;
   surface_.at = now;
@@ -57,11 +68,20 @@ void DialSeat::Tick(Time now, ports::HidChannel* device) {
     proven_ = true;
     Write();
   }
+  ShowLamps(now, *device);
+}
+
+// A box that is busy gets them at the next tick; one that is gone says so when it is read.
+void DialSeat::ShowLamps(Time now, ports::HidChannel& device) {
   const std::uint32_t lit = board_.Read<board::Lamps>().value.lit;
-  if (lit_ == lit) return;
+  if (lit_ == lit || now < lamps_after_ || lamp_failures_ == kMostLampFailures) return;
   const auto report = decoder_->LampReport(lit);
-  // A box that is busy gets them at the next tick; one that is gone says so when it is read.
-  if (report.empty() || device->Write(report)) lit_ = lit;
+  const auto told = report.empty() ? Result<void>{} : device.Write(report);
+  if (told) lit_ = lit;
+  if (told || told.error().cause == std::errc::resource_unavailable_try_again) return;
+  lamps_after_ = now + kLampRetry;
+  if (++lamp_failures_ == kMostLampFailures)
+    Log("{}; its lamps stay as they are until it is plugged in anew", told.error().message());
 }
 
 void DialSeat::Write() {

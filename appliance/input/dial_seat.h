@@ -23,6 +23,7 @@ class DialSeat final : public Seat {
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
+  void ShowLamps(Time now, ports::HidChannel& device);
   void Write();
 
   const board::Board& board_;
@@ -31,6 +32,8 @@ class DialSeat final : public Seat {
   CarriedSwitches<1> buttons_;
   std::optional<hid::DialBoxDecoder> decoder_;
   std::optional<std::uint32_t> lit_;  // What the box was last told; nothing after a plug: it is dark then.
+  Time lamps_after_{};                // Not to be told before; and how often telling failed since the plug.
+  int lamp_failures_ = 0;
   Time plugged_{};
   bool proven_ = true;  // False while what is held stands there from before the plug.
   bool changed_ = false;

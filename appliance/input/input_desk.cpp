@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "appliance/input/dial_seat.h"
 #include "appliance/input/key_seat.h"
@@ -20,11 +21,20 @@ constexpr Duration kRetry = milliseconds(250);  // For a device that is there an
 constexpr Duration kFindTime =
     milliseconds(500);              // What a predecessor had open is found by then, or is gone.
 constexpr int kFaultsToLeave = 64;  // One failed transfer is nothing; this many are a dead device.
+constexpr Duration kSettled = milliseconds(10);   // Gone sooner: a loose plug, which must not keep us busy.
+constexpr Duration kOldest = milliseconds(1000);  // A stamp further off than this is the device's mistake.
 constexpr std::size_t kFirstStick = 1;
 
 bool Readable(int fd) {
   pollfd poll{fd, POLLIN, 0};
   return ::poll(&poll, 1, 0) > 0;
+}
+
+// A device's name goes into the log: it must not end the line or colour the terminal.
+std::string Printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return text;
 }
 
 std::array<std::uint32_t, kSticks> PortsBefore(const board::Board& board) {
@@ -51,11 +61,11 @@ Result<DeskWriters> DeskWriters::Take(const board::Board& board) {
 InputDesk::InputDesk(const board::Board& board, DeskWriters writers, DeskSources sources,
                      const InputSettings& settings, const Clock& clock)
     : clock_(clock),
-      buses_(std::move(sources.buses)),
-      lines_(board, std::move(writers.lines), sources.lines),
+      lines_(board, std::move(writers.lines), std::move(sources.lines)),
       roles_(settings.stick_ports, PortsBefore(board)),
       started_(clock.now()) {
   using hid::DeviceKind;
+  for (ports::HidBus* bus : sources.buses) buses_.push_back({.bus = bus});
   auto& [dials, left, right, keys] = places_;
   dials.seat = std::make_unique<DialSeat>(board, std::move(writers.surface), settings.counts_per_turn);
   dials.kind = DeviceKind::kDialBox;
@@ -80,9 +90,10 @@ void InputDesk::Step() {
 }
 
 bool InputDesk::ScanIsDue(Time now) const {
-  if (scan_now_ || std::ranges::any_of(buses_, [](const auto* bus) { return Readable(bus->pollable()); }))
-    return true;
-  return now >= next_scan_ && std::ranges::any_of(passed_, &Passed::try_again);
+  const auto speaks = [](const Bus& bus) { return !bus.troubled() && Readable(bus.bus->pollable()); };
+  if (scan_now_ || std::ranges::any_of(buses_, speaks)) return true;
+  return now >= next_scan_ &&
+         (std::ranges::any_of(passed_, &Passed::try_again) || std::ranges::any_of(buses_, &Bus::troubled));
 }
 
 void InputDesk::Scan(Time now) {
@@ -92,12 +103,9 @@ void InputDesk::Scan(Time now) {
 }
 
 void InputDesk::ScanBus(std::size_t bus, Time now) {
-  auto ports = buses_[bus]->Ports();
-  if (!ports) {
-    Log("{}; looking again", ports.error().message());
-    scan_now_ = true;
-    return;
-  }
+  auto ports = buses_[bus].bus->Ports();
+  if (!ports) return TakeTrouble(buses_[bus], ports.error());
+  if (std::exchange(buses_[bus].trouble, {}) != std::errc{}) ++generation_;
   std::ranges::sort(*ports, PortBefore);
   std::erase_if(passed_, [&](const Passed& passed) {
     return passed.socket.bus == bus && std::ranges::find(*ports, passed.socket.port) == ports->end();
@@ -105,12 +113,19 @@ void InputDesk::ScanBus(std::size_t bus, Time now) {
   for (const std::string& port : *ports) {
     const Socket socket{bus, port};
     const auto passed = std::ranges::find(passed_, socket, &Passed::socket);
-    if (!Seated(socket) && (passed == passed_.end() || passed->try_again)) Come(socket, now);
+    const bool may_come = passed == passed_.end() || (passed->try_again && now >= passed->not_before);
+    if (may_come && !Seated(socket)) Come(socket, now);
   }
 }
 
+void InputDesk::TakeTrouble(Bus& bus, const Error& error) {
+  if (std::exchange(bus.trouble, error.cause) == error.cause) return;
+  Log("{}; looking again", error.message());
+  ++generation_;
+}
+
 void InputDesk::Come(const Socket& socket, Time now) {
-  auto device = buses_[socket.bus]->Open(socket.port);
+  auto device = buses_[socket.bus].bus->Open(socket.port);
   if (!device) return TryLater(socket, device.error());
   std::erase_if(passed_, [&](const Passed& passed) { return passed.socket == socket; });
   const auto layout = hid::LayoutOf((*device)->identity());
@@ -125,9 +140,10 @@ void InputDesk::Come(const Socket& socket, Time now) {
 void InputDesk::Sit(Place& place, const Socket& socket, std::unique_ptr<ports::HidChannel> device, Time now) {
   if (auto plugged = place.seat->Plug(device->identity(), now); !plugged)
     return PassBy(socket, place.kind, plugged.error().message());
-  Log("{}: {} at port {}", place.seat->name(), device->identity().name, socket.port);
+  Log("{}: {} at port {}", place.seat->name(), Printable(device->identity().name), socket.port);
   place.device = std::move(device);
   place.socket = socket;
+  place.seated_at = now;
   place.complained = false;
   place.faults = 0;
   ++generation_;
@@ -171,8 +187,8 @@ void InputDesk::Listen(Place& place, Time now) {
       return TakeFault(place, input.error(), now);
     }
     place.faults = 0;
-    const auto taken =
-        place.seat->Take(std::span(bytes).first(std::min(input->bytes, bytes.size())), input->at);
+    const auto report = std::span(bytes).first(std::min(input->bytes, bytes.size()));
+    const auto taken = place.seat->Take(report, std::clamp(input->at, now - kOldest, now));
     if (taken || std::exchange(place.complained, true)) continue;
     Log("{}: {}; such reports are ignored from here on", place.seat->name(), taken.error().message());
   }
@@ -190,10 +206,13 @@ void InputDesk::Leave(Place& place, const Error& error, Time now) {
   place.device.reset();
   place.seat->Unplug(now);
   ++generation_;
-  scan_now_ = true;
   // A spare dial box or keyboard may take the seat. A stick may not: it would swap roles at a loose plug.
   if (place.kind != hid::DeviceKind::kJoystick)
     std::erase_if(passed_, [&](const Passed& passed) { return passed.kind == place.kind; });
+  scan_now_ = now - place.seated_at >= kSettled;
+  if (!scan_now_)
+    passed_.push_back(
+        {.socket = place.socket, .kind = place.kind, .try_again = true, .not_before = now + kRetry});
 }
 
 void InputDesk::LeaveAbsent(Time now) {
@@ -208,7 +227,8 @@ bool InputDesk::Seated(const Socket& socket) const {
 
 std::vector<int> InputDesk::pollables() const {
   std::vector<int> fds;
-  for (const ports::HidBus* bus : buses_) fds.push_back(bus->pollable());
+  for (const Bus& bus : buses_)
+    if (!bus.troubled()) fds.push_back(bus.bus->pollable());
   for (const Place& place : places_)
     if (place.device) fds.push_back(place.device->pollable());
   if (lines_.pollable() >= 0) fds.push_back(lines_.pollable());

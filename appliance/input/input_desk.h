@@ -30,16 +30,16 @@ struct DeskWriters {
   static Result<DeskWriters> Take(const board::Board& board);
 };
 
-// What the desk listens to; everything outlives the desk.
+// What the desk listens to.
 struct DeskSources {
-  std::vector<ports::HidBus*> buses;
-  ports::GpioLines* lines = nullptr;
+  std::vector<ports::HidBus*> buses;  // Outlive the desk.
+  ports::GpioOpener lines;            // Empty where the box has none.
 };
 
 // One thread. Goes on from what the board holds.
 class InputDesk {
  public:
-  // Borrows the board, the sources and the clock.
+  // Borrows the board, the buses and the clock.
   InputDesk(const board::Board& board, DeskWriters writers, DeskSources sources,
             const InputSettings& settings, const Clock& clock);
 
@@ -50,12 +50,17 @@ class InputDesk {
 
   // What to wait for. Numbers may be those of other descriptors when generation() changed: watch all anew.
   std::vector<int> pollables() const;
-  std::uint32_t generation() const { return generation_; }
+  std::uint32_t generation() const { return generation_ + lines_.generation(); }
 
   // How many devices sit at the desk.
   int seated() const;
 
  private:
+  struct Bus {
+    ports::HidBus* bus = nullptr;
+    std::errc trouble{};  // Why it cannot list its ports: asked again now and then, and not waited for.
+    bool troubled() const { return trouble != std::errc{}; }
+  };
   // Buses give ports; two buses may use the same name.
   struct Socket {
     std::size_t bus = 0;
@@ -68,6 +73,7 @@ class InputDesk {
     std::string port;  // The only one that may sit here; empty: any.
     Socket socket;     // Where the device that sits here is plugged in.
     std::unique_ptr<ports::HidChannel> device;
+    Time seated_at{};
     bool complained = false;  // Of a bad report, since the plug.
     int faults = 0;           // Failed transfers in a row.
   };
@@ -77,11 +83,13 @@ class InputDesk {
     hid::DeviceKind kind = hid::DeviceKind::kOther;
     bool try_again = false;
     std::errc cause{};
+    Time not_before{};
   };
 
   void Scan(Time now);
   void ScanBus(std::size_t bus, Time now);
   bool ScanIsDue(Time now) const;
+  void TakeTrouble(Bus& bus, const Error& error);
   void Come(const Socket& socket, Time now);
   void PassBy(const Socket& socket, hid::DeviceKind kind, const std::string& why);
   void TryLater(const Socket& socket, const Error& error);
@@ -95,7 +103,7 @@ class InputDesk {
   bool Seated(const Socket& socket) const;
 
   const Clock& clock_;
-  std::vector<ports::HidBus*> buses_;
+  std::vector<Bus> buses_;
   LineDesk lines_;
   std::array<Place, 4> places_;  // Dial box, left stick, right stick, keyboard.
   StickRoles roles_;

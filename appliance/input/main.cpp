@@ -79,6 +79,8 @@ kaori::Result<void> Add(kaori::Result<std::unique_ptr<Bus>> bus, Buses& buses) {
 kaori::Result<Buses> OpenBuses(const Settings& settings, const kaori::Clock& clock) {
   Buses buses;
   kaori::Result<void> ok;
+  // Each would take the devices away from the other, for ever.
+  if (settings.hidraw && settings.usb) return kaori::FailInput("only one of --hidraw and --usb is wanted");
   if (settings.hidraw) ok = Add(kaori::hid::HidrawBus::Open(clock), buses);
   if (ok && settings.usb) ok = Add(kaori::hid::LibusbBus::Open(clock), buses);
   if (ok && !settings.links.empty()) ok = Add(kaori::hid::LocalHidBus::Watch(settings.links), buses);
@@ -92,23 +94,24 @@ kaori::Result<kaori::gpio::Wiring> ParseLines(const std::string& text) {
   kaori::gpio::Wiring wiring;
   const char* at = text.data();
   const char* const end = at + text.size();
-  while (at < end) {
+  for (bool more = true; more;) {
     kaori::gpio::LineWiring line;
     const auto [after, error] = std::from_chars(at, end, line.offset);
     if (error != std::errc{} || (after < end && *after != ','))
       return kaori::FailInput("--lines " + text + ": numbers with commas between are wanted, as in 4,17");
     wiring.inputs.push_back(line);
-    at = after + 1;
+    more = after < end;
+    at = more ? after + 1 : end;
   }
   return wiring;
 }
 
-// Null where no chip is asked for.
-kaori::Result<std::unique_ptr<kaori::ports::GpioLines>> OpenLines(const Settings& settings) {
-  if (settings.chip.empty()) return nullptr;
+// Empty where no chip is asked for.
+kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings) {
+  if (settings.chip.empty()) return kaori::ports::GpioOpener{};
   const auto wiring = ParseLines(settings.lines);
   if (!wiring) return tl::unexpected(wiring.error());
-  return kaori::gpio::OpenLines(settings.chip, *wiring);
+  return [chip = settings.chip, wiring = *wiring] { return kaori::gpio::OpenLines(chip, wiring); };
 }
 
 kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path) {
@@ -126,10 +129,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   const auto buses = OpenBuses(settings, clock);
   if (!buses) return Complain(buses.error());
-  const auto lines = OpenLines(settings);
+  const auto lines = LinesOpener(settings);
   if (!lines) return Complain(lines.error());
   kaori::input::DeskSources sources;
-  sources.lines = lines->get();
+  sources.lines = *lines;
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   kaori::input::InputDesk desk(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   DeskWatch watch(desk, loop);

@@ -19,7 +19,7 @@ class Reading {
   void Number(std::string_view table, std::string_view key, float& into, float low, float high) {
     const auto value = Take<double>(table, key);
     if (!value) return;
-    if (*value < low || *value > high)
+    if (!(*value >= low && *value <= high))  // TOML knows nan.
       return Complain(table, key, fmt::format("is not between {} and {}", low, high));
     into = static_cast<float>(*value);
   }

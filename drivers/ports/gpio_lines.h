@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
@@ -31,5 +33,9 @@ class GpioLines {
   // Drives output line `line` (index into the output lines). Errors: no_such_device, invalid_argument.
   virtual Result<void> Drive(std::uint32_t line, bool active) = 0;
 };
+
+// Takes the lines anew after any fault. Errors: no_such_device, permission_denied, device_or_resource_busy,
+// invalid_argument (the chip has no such line).
+using GpioOpener = std::function<Result<std::unique_ptr<GpioLines>>()>;
 
 }  // namespace kaori::ports

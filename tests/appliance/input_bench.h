@@ -27,8 +27,8 @@ class InputBench : public ::testing::Test {
 
   void StartDesk() {
     bus_ = hid::LocalHidBus::Watch(links()).value();
-    desk_.emplace(board_, DeskWriters::Take(board_).value(), DeskSources{.buses = {bus_.get()}}, settings_,
-                  clock_);
+    desk_.emplace(board_, DeskWriters::Take(board_).value(), DeskSources{.buses = {bus_.get()}, .lines = {}},
+                  settings_, clock_);
   }
 
   // The program dies; the board stays.

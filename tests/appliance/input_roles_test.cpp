@@ -1,10 +1,9 @@
-// Roles of sticks, settings, and what is no HID device at the desk.
+// Roles of sticks, and settings.
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "appliance/input/line_desk.h"
 #include "appliance/input/roles.h"
 #include "appliance/input/settings.h"
 #include "tests/appliance/board_file.h"
@@ -70,51 +69,11 @@ TEST_F(Settings, NameLineAndColumnOfATypingError) {
   EXPECT_THAT(Read("[dials]\ncounts_per_tern = 94\n").error().message(),
               HasSubstr("line 2, column 19: dials.counts_per_tern does not exist"));
   EXPECT_THAT(Read("[dials]\ncounts_per_turn = 0\n").error().message(), HasSubstr("is not between 1 and"));
+  EXPECT_THAT(Read("[stick.left]\ndead_zone = nan\n").error().message(), HasSubstr("is not between 0 and"));
   EXPECT_THAT(Read("[stick.left]\ncurve = 'round'\n").error().message(), HasSubstr("of the wrong kind"));
   EXPECT_THAT(Read("[stick.left\n").error().message(), HasSubstr("line 1"));
   EXPECT_THAT(Read("dials = 3\n").error().message(), HasSubstr("dials"));
   EXPECT_EQ(ReadSettings("/no/such/file").error().cause, std::errc::no_such_file_or_directory);
-}
-
-// Lines whose levels and edges the test sets.
-class ToyLines final : public ports::GpioLines {
- public:
-  int pollable() const override { return -1; }
-  Result<std::uint32_t> Levels() override { return levels; }
-  Result<ports::GpioEdge> ReadEdge() override {
-    if (gone) return Fail(std::errc::no_such_device, "read lines");
-    if (edges.empty()) return Fail(std::errc::resource_unavailable_try_again, "read lines");
-    const ports::GpioEdge edge = edges.front();
-    edges.erase(edges.begin());
-    return edge;
-  }
-  Result<void> Drive(std::uint32_t, bool) override { return {}; }
-
-  std::uint32_t levels = 0;
-  std::vector<ports::GpioEdge> edges;
-  bool gone = false;
-};
-
-TEST(Lines, CountPushesOfFootSwitchesAndSurviveARestart) {
-  const board::BoardFile file;
-  const board::Board board = file.Open();
-  ToyLines lines;
-  const Time now = Time{} + std::chrono::seconds(1);
-  {
-    LineDesk desk(board, board.TakeWriter<board::Lines>().value(), &lines);
-    lines.edges = {{now, 2, true}, {now, 2, false}, {now, 2, true}, {now, 77, true}};
-    desk.Step(now);
-  }
-  EXPECT_EQ(board.Read<board::Lines>().value.pushes[2], 2U);
-  EXPECT_EQ(board.Read<board::Lines>().value.active, 4U);
-  lines.levels = 4;
-  LineDesk desk(board, board.TakeWriter<board::Lines>().value(), &lines);
-  desk.Step(now);
-  EXPECT_EQ(board.Read<board::Lines>().value.pushes[2], 2U) << "held, not pushed again";
-  lines.gone = true;
-  desk.Step(now);
-  EXPECT_EQ(board.Read<board::Lines>().value.active, 0U);
-  EXPECT_EQ(board.Read<board::Lines>().source, board::SourceState::kStale);
 }
 
 }  // namespace
