@@ -9,6 +9,7 @@ namespace {
 
 // More than any camera of ours sends: beyond it a hello is nonsense.
 constexpr std::uint32_t kMostSlots = 64;
+constexpr int kNotesAtOnce = 64;  // A camera that tells without end must not hold us.
 constexpr std::uint32_t kMostSlotBytes = 64u << 20;
 constexpr std::uint32_t kMostSide = 16384;
 
@@ -85,7 +86,7 @@ Result<void> LocalCamera::ReadHello() {
 Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
   std::optional<wire::CameraFrameNote> newest;
   bool any = false;
-  for (;;) {
+  for (int n = 0; n < kNotesAtOnce; ++n) {
     std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
     const auto packet = ReceivePacket(socket_.get(), buffer);
     const bool torn = !packet && packet.error().cause == std::errc::message_size;
@@ -97,6 +98,7 @@ Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
     if (newest) GiveBack(newest->slot);
     newest = torn ? std::nullopt : wire::DecodeCameraFrame(std::span(buffer).first(packet->bytes));
   }
+  return newest;
 }
 
 Result<ports::CameraFrame> LocalCamera::Look(const wire::CameraFrameNote& note) {

@@ -27,6 +27,10 @@ std::string PortOf(std::string_view file) {
   return std::string(file.substr(kPrefix.size()));
 }
 
+bool IsBusy(const Error& error) {
+  return error.cause == std::errc::resource_unavailable_try_again;
+}
+
 Result<void> Join(int epoll, int fd) {
   epoll_event event{};
   event.events = EPOLLIN;
@@ -51,6 +55,8 @@ std::string LocalHidBus::PathOf(const std::string& port) const {
 
 // Watches first and lists then: what is plugged in between is seen twice, never missed.
 Result<void> LocalHidBus::WatchFolder() {
+  watching_ = false;
+  lines_.clear();
   std::error_code error;
   fs::create_directories(folder_, error);
   UniqueFd watch(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
@@ -59,7 +65,7 @@ Result<void> LocalHidBus::WatchFolder() {
     return FailErrno("watch the link folder " + folder_);
   if (auto joined = Join(epoll_.get(), watch.get()); !joined) return joined;
   watch_ = std::move(watch);
-  lines_.clear();
+  watching_ = true;
   for (const auto& entry : fs::directory_iterator(folder_, error))
     LookAt(PortOf(entry.path().filename().string()));
   return {};
@@ -70,14 +76,14 @@ Result<std::vector<std::string>> LocalHidBus::Ports() {
   std::vector<std::string> ports;
   for (auto& [port, line] : lines_) {
     if (line.state == State::kCalling) Answer(port, line);
-    if (line.state == State::kGreeted || line.state == State::kOpened) ports.push_back(port);
+    if (line.state != State::kCalling && line.state != State::kRefused) ports.push_back(port);
   }
   return ports;
 }
 
 Result<void> LocalHidBus::TakeNotices() {
   alignas(inotify_event) std::array<char, 4096> buffer;
-  bool folder_gone = false;
+  bool folder_gone = !watching_;
   for (ssize_t bytes = 0; (bytes = ::read(watch_.get(), buffer.data(), buffer.size())) > 0;) {
     for (std::size_t at = 0; at < static_cast<std::size_t>(bytes);) {
       inotify_event event;
@@ -105,14 +111,14 @@ void LocalHidBus::Call(const std::string& port) {
   if (socket && Join(epoll_.get(), socket->get()))
     line.socket = std::move(*socket);
   else
-    line.state = State::kRefused;
+    line.state = !socket && IsBusy(socket.error()) ? State::kBusy : State::kRefused;
   lines_.insert_or_assign(port, std::move(line));
 }
 
 void LocalHidBus::Answer(const std::string& port, Line& line) {
   std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
   const auto packet = ReceivePacket(line.socket.get(), buffer);
-  if (!packet && packet.error().cause == std::errc::resource_unavailable_try_again) return;
+  if (!packet && IsBusy(packet.error())) return;
   auto identity = packet ? ReadHello(port, std::span(buffer).first(packet->bytes)) : std::nullopt;
   // Its reports are for the channel: from here on they do not wake the bus.
   ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, line.socket.get(), nullptr);
@@ -127,10 +133,10 @@ Result<std::unique_ptr<ports::HidChannel>> LocalHidBus::Open(const std::string& 
   const auto found = lines_.find(port);
   if (found == lines_.end()) return Fail(std::errc::no_such_device, "open port " + port);
   Line& line = found->second;
-  if (line.state == State::kOpened) Call(port);
+  if (line.state == State::kOpened || line.state == State::kBusy) Call(port);
   if (line.state == State::kCalling) Answer(port, line);
   if (line.state == State::kRefused) return Fail(std::errc::no_such_device, "open port " + port);
-  if (line.state == State::kCalling)
+  if (line.state == State::kCalling || line.state == State::kBusy)
     return Fail(std::errc::device_or_resource_busy, "open port " + port + ": it has not answered yet");
   line.state = State::kOpened;
   return std::make_unique<LocalHidChannel>(std::move(line.socket), line.identity);

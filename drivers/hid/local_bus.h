@@ -26,7 +26,8 @@ class LocalHidBus final : public ports::HidBus {
   Result<std::unique_ptr<ports::HidChannel>> Open(const std::string& port) override;
 
  private:
-  enum class State { kCalling, kGreeted, kOpened, kRefused };
+  // kBusy: too many call it; the next Open calls again.
+  enum class State { kCalling, kBusy, kGreeted, kOpened, kRefused };
   struct Line {
     State state = State::kCalling;
     UniqueFd socket;
@@ -43,7 +44,8 @@ class LocalHidBus final : public ports::HidBus {
 
   std::string folder_;
   UniqueFd epoll_;
-  UniqueFd watch_;  // inotify on the folder.
+  UniqueFd watch_;         // inotify on the folder.
+  bool watching_ = false;  // The folder was there when it was last looked for.
   std::map<std::string, Line> lines_;
 };
 

@@ -10,10 +10,17 @@ namespace {
 // Beyond these a hello is nonsense.
 constexpr std::uint32_t kMostSlots = 8;
 constexpr std::uint32_t kMostSide = 16384;
+constexpr std::int64_t kLongestPeriod_ns = 1'000'000'000;
+constexpr std::int64_t kLastTime_ns = std::int64_t{1} << 62;  // Room to reckon with it.
+
+bool IsTime(std::int64_t at_ns) {
+  return at_ns >= 0 && at_ns <= kLastTime_ns;
+}
 
 bool MakesSense(const wire::ScreenHello& hello) {
   return hello.slots >= 2 && hello.slots <= kMostSlots && hello.width_px > 0 && hello.width_px <= kMostSide &&
-         hello.height_px > 0 && hello.height_px <= kMostSide && hello.period_ns > 0;
+         hello.height_px > 0 && hello.height_px <= kMostSide && hello.period_ns > 0 &&
+         hello.period_ns <= kLongestPeriod_ns;
 }
 
 }  // namespace
@@ -88,7 +95,8 @@ Result<ports::Flip> LocalScreen::ReadFlip() {
   const auto bytes = Receive(buffer, &none);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto flip = wire::DecodeScreenFlip(std::span(buffer).first(*bytes));
-  if (!flip || !presented_ || flip->frame != *presented_ || flip->slot != next_slot_) {
+  if (!flip || !presented_ || flip->frame != *presented_ || flip->slot != next_slot_ ||
+      !IsTime(flip->at_ns)) {
     gone_ = true;
     return Fail(std::errc::no_such_device, "read a flip of the local screen");
   }

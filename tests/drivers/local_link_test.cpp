@@ -1,4 +1,5 @@
 // The drivers' end of the local link against a peer that does everything wrong.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -37,6 +38,7 @@ class Liar {
   void Say(std::span<const std::uint8_t> packet, int descriptor = -1) {
     ASSERT_TRUE(SendPacket(peer_.get(), packet, descriptor));
   }
+  bool TrySay(std::span<const std::uint8_t> packet) { return SendPacket(peer_.get(), packet).has_value(); }
   Result<Packet> Hear(std::span<std::uint8_t> into) { return ReceivePacket(peer_.get(), into); }
   void HangUp() { peer_.reset(); }
 
@@ -103,6 +105,41 @@ TEST(LocalHidBus, IgnoresWhatIsNoSocketAndWhatItsOwnerLeftBehind) {
   const auto bus = *hid::LocalHidBus::Watch(folder.path());
   EXPECT_TRUE(bus->Ports()->empty());
   EXPECT_EQ(bus->Open("dead").error().cause, std::errc::no_such_device);
+}
+
+TEST(LocalHidBus, CallsADeviceAgainThatWasTooBusyToAnswer) {
+  const sim::TempFolder folder;
+  Liar busy(folder.path() + "/hid.busy");
+  std::vector<UniqueFd> crowd;
+  for (auto one = ConnectToPeer(folder.path() + "/hid.busy"); one;
+       one = ConnectToPeer(folder.path() + "/hid.busy"))
+    crowd.push_back(std::move(*one));
+  const auto bus = *hid::LocalHidBus::Watch(folder.path());
+  EXPECT_EQ(*bus->Ports(), std::vector<std::string>{"busy"});
+  EXPECT_EQ(bus->Open("busy").error().cause, std::errc::device_or_resource_busy);
+  while (busy.Accept()) {
+  }
+  EXPECT_EQ(bus->Open("busy").error().cause, std::errc::device_or_resource_busy);
+  ASSERT_TRUE(busy.Accept());
+  busy.Say(HidHello());
+  EXPECT_EQ(bus->Ports()->size(), 1u);
+  EXPECT_TRUE(bus->Open("busy"));
+}
+
+TEST(LocalHidBus, LooksForItsFolderUntilItCanBeMadeAgain) {
+  const sim::TempFolder parent;
+  const std::string folder = parent.path() + "/deep/links";
+  const auto bus = *hid::LocalHidBus::Watch(folder);
+  std::filesystem::remove_all(parent.path() + "/deep");
+  UniqueFd obstacle(::open((parent.path() + "/deep").c_str(), O_CREAT | O_CLOEXEC, 0600));
+  for (int n = 0; n < 3; ++n) EXPECT_FALSE(bus->Ports());
+  std::filesystem::remove(parent.path() + "/deep");
+  ASSERT_TRUE(bus->Ports());
+  Liar liar(folder + "/hid.liar");
+  ASSERT_TRUE(bus->Ports());
+  ASSERT_TRUE(liar.Accept());
+  liar.Say(HidHello());
+  EXPECT_EQ(bus->Ports()->size(), 1u);
 }
 
 TEST(LocalHidChannel, CallsAPacketWithoutAStampAnError) {
@@ -196,6 +233,17 @@ TEST_F(LocalCameraTest, DropsEveryFrameWhoseNumbersDoNotFit) {
   EXPECT_TRUE(camera->Next());
 }
 
+TEST_F(LocalCameraTest, IsNotHeldByACameraThatTellsWithoutEnd) {
+  Greet({2, 64}, memory);
+  EXPECT_EQ(Cause(), std::errc::resource_unavailable_try_again);
+  int waiting = 0;
+  while (liar.TrySay(wire::Encode(good))) ++waiting;
+  int frames = 0;
+  while (camera->Next()) ++frames;
+  EXPECT_GE(frames, waiting / 64) << "it comes back now and then";
+  EXPECT_GE(frames, 2);
+}
+
 TEST_F(LocalCameraTest, StandsRandomPackets) {
   Greet({2, 64}, memory);
   std::mt19937 random(7);
@@ -233,6 +281,8 @@ TEST(LocalScreenTest, IsGoneAfterNonsense) {
                                        {2, 0, 4, 1000},
                                        {2, 4, 0xFFFFFFFF, 1000},
                                        {2, 4, 4, 0},
+                                       {2, 4, 4, 1'000'000'001},
+                                       {2, 4, 4, INT64_MAX},
                                        {2, 4, 4, -1}})
     EXPECT_EQ(open(bad)->Acquire().error().cause, std::errc::no_such_device);
 
@@ -244,6 +294,13 @@ TEST(LocalScreenTest, IsGoneAfterNonsense) {
   ASSERT_TRUE(screen->Present(1));
   liar.Say(wire::Encode(wire::ScreenFlip{5, 2, 0}));  // Another frame than was presented.
   EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::no_such_device);
+  for (const std::int64_t never : {std::int64_t{-1}, INT64_MIN, INT64_MAX}) {
+    screen = open(good);
+    ASSERT_TRUE(screen->Acquire());
+    ASSERT_TRUE(screen->Present(1));
+    liar.Say(wire::Encode(wire::ScreenFlip{never, 1, 0}));
+    EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::no_such_device) << never;
+  }
 }
 
 TEST(SharedMemoryTest, ThatMayShrinkIsRefused) {
