@@ -11,11 +11,12 @@ constexpr Duration kSilence =
     milliseconds(200);  // After that the lips are stale, and the stage looks elsewhere.
 constexpr Duration kRetry = milliseconds(250);
 constexpr Duration kGiveUp = milliseconds(2000);  // A stream this silent does not come back by itself.
-constexpr Duration kOldest = milliseconds(500);   // A stamp further off than this is the source's mistake.
+constexpr Duration kQuiet = std::chrono::seconds(10);
+constexpr Duration kOldest = milliseconds(500);  // A stamp further off than this is the source's mistake.
 
 // Some sources stamp with another clock, or leap: then the arrival is the better guess.
 Time Believable(Time stamp, Time now) {
-  return stamp > now || now - stamp > kOldest ? now : stamp;
+  return stamp > now || stamp < now - kOldest ? now : stamp;
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ void LipReader::TakeFrame(Time now) {
     case std::errc::resource_unavailable_try_again:
       return;
     case std::errc::bad_message:
-      return Drop(frame.error());
+      return Drop(frame.error(), now);
     default:
       return Close(now, frame.error().message());
   }
@@ -69,7 +70,7 @@ void LipReader::TakeFrame(Time now) {
 
 void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   const auto planes = planes_.Read(frame);
-  if (!planes) return Drop(planes.error());
+  if (!planes) return Drop(planes.error(), now);
   if (frame.format != format_)
     Log("lip camera: frames of {} x {}", frame.format.width_px, frame.format.height_px);
   format_ = frame.format;
@@ -83,9 +84,11 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   Write(at, board::SourceState::kLive);
 }
 
-void LipReader::Drop(const Error& error) {
-  if (logged_ != error.cause) Log("{}; frame dropped", error.message());
-  logged_ = error.cause;
+// A bad cable spoils every other frame: one line now and then tells it.
+void LipReader::Drop(const Error& error, Time now) {
+  if (now < quiet_until_) return;
+  quiet_until_ = now + kQuiet;
+  Log("{}; frame dropped", error.message());
 }
 
 void LipReader::Close(Time now, std::string_view why) {

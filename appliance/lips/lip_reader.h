@@ -37,7 +37,7 @@ class LipReader {
   void TryOpen(Time now);
   void TakeFrame(Time now);
   void Measure(const ports::CameraFrame& frame, Time now);
-  void Drop(const Error& error);
+  void Drop(const Error& error, Time now);
   void Close(Time now, std::string_view why);
   void CheckSilence(Time now);
   void Write(Time at, board::SourceState source);
@@ -55,6 +55,7 @@ class LipReader {
   Time last_frame_;  // When the newest good frame was measured.
   Time last_sign_;   // When the camera was opened, or last gave a good frame.
   Time retry_at_{};
+  Time quiet_until_{};  // Dropped frames are not logged before.
   std::errc logged_{};  // The last trouble that was logged: the same again is not.
   int opened_ = 0;
 };

@@ -15,15 +15,18 @@ namespace {
 using ports::CameraFormat;
 using ports::CameraFrame;
 
+// More than any camera for lips; a JPEG of a few bytes may call itself so large that it eats our memory.
+constexpr int kMostSide_px = 4096;
+constexpr std::size_t kMostJpegBytes = 16u << 20;
+
 tl::unexpected<Error> Torn(const CameraFrame& frame, std::string_view what) {
   return Fail(std::errc::bad_message, fmt::format("read a {}x{} frame of {} bytes: {}", frame.format.width_px,
                                                   frame.format.height_px, frame.bytes.size(), what));
 }
 
 bool is_plausible(const CameraFormat& format) {
-  constexpr int kMaxSide_px = 16384;
-  return format.width_px > 0 && format.height_px > 0 && format.width_px <= kMaxSide_px &&
-         format.height_px <= kMaxSide_px && format.width_px % 2 == 0;
+  return format.width_px > 0 && format.height_px > 0 && format.width_px <= kMostSide_px &&
+         format.height_px <= kMostSide_px && format.width_px % 2 == 0;
 }
 
 // Y0 Cb Y1 Cr: two pixels share their colour.
@@ -64,15 +67,20 @@ class PlaneReader::Jpeg {
   struct Destroy {
     void operator()(void* handle) const { tjDestroy(handle); }
   };
-  Result<int> ReadHeader(const CameraFrame& frame);
+  Result<int> ReadHeader(const CameraFrame& frame) const;
   Plane MakePlane(int component, const CameraFormat& format, int subsampling);
   bool is_harmless() const;
 
   std::unique_ptr<void, Destroy> decoder_{tjInitDecompress()};
+  std::vector<std::uint8_t> jpeg_;
   std::array<std::vector<std::uint8_t>, 3> memory_;
 };
 
+// Looks at a copy: the frame's memory may be shared with the camera, and the size that was checked must be
+// the size that is decoded.
 Result<Planes> PlaneReader::Jpeg::Decode(const CameraFrame& frame) {
+  if (frame.bytes.size() > kMostJpegBytes) return Torn(frame, "too many bytes");
+  jpeg_.assign(frame.bytes.begin(), frame.bytes.end());
   const auto subsampling = ReadHeader(frame);
   if (!subsampling) return tl::unexpected(subsampling.error());
   const Planes planes{.y = MakePlane(0, frame.format, *subsampling),
@@ -80,17 +88,16 @@ Result<Planes> PlaneReader::Jpeg::Decode(const CameraFrame& frame) {
                       .cr = MakePlane(2, frame.format, *subsampling),
                       .full_range = true};
   std::array<unsigned char*, 3> into = {memory_[0].data(), memory_[1].data(), memory_[2].data()};
-  const int result = tjDecompressToYUVPlanes(decoder_.get(), frame.bytes.data(), frame.bytes.size(),
-                                             into.data(), 0, nullptr, 0, TJFLAG_FASTDCT | TJFLAG_LIMITSCANS);
+  const int result = tjDecompressToYUVPlanes(decoder_.get(), jpeg_.data(), jpeg_.size(), into.data(), 0,
+                                             nullptr, 0, TJFLAG_FASTDCT | TJFLAG_LIMITSCANS);
   if (result != 0 && !is_harmless()) return Torn(frame, tjGetErrorStr2(decoder_.get()));
   return planes;
 }
 
 // The way colour is subsampled, where the picture is one that we read.
-Result<int> PlaneReader::Jpeg::ReadHeader(const CameraFrame& frame) {
+Result<int> PlaneReader::Jpeg::ReadHeader(const CameraFrame& frame) const {
   int w = 0, h = 0, subsampling = 0, colours = 0;
-  if (tjDecompressHeader3(decoder_.get(), frame.bytes.data(), frame.bytes.size(), &w, &h, &subsampling,
-                          &colours) != 0)
+  if (tjDecompressHeader3(decoder_.get(), jpeg_.data(), jpeg_.size(), &w, &h, &subsampling, &colours) != 0)
     return Torn(frame, tjGetErrorStr2(decoder_.get()));
   if (w != frame.format.width_px || h != frame.format.height_px)
     return Torn(frame, "the JPEG has another size");

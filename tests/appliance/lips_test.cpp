@@ -1,4 +1,6 @@
 // The lip camera's pictures, and what they become on the board.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -127,12 +129,15 @@ TEST_F(Lips, ComeBackWithTheCamera) {
 
 TEST_F(Lips, DropGarbageAndMeasureOn) {
   LearnRest();
+  testing::internal::CaptureStderr();
   const board::Lips before = Read().value;
   for (int round = 0; round < 20; ++round) {
     round % 2 == 0 ? camera().SendGarbage() : camera().Scramble();
     Play(milliseconds(100));
     ASSERT_TRUE(board::Valid(Read().value));
   }
+  const std::string log = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::ranges::count(log, '\n'), 1) << "and says so once: " << log;
   Play(milliseconds(300));
   EXPECT_EQ(Read().source, SourceState::kLive);
   EXPECT_THAT(Read().value.height, FloatNear(before.height, 0.02F));

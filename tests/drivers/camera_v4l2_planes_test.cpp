@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "drivers/camera/planes.h"
 
@@ -110,6 +113,45 @@ TEST(Planes, RefuseEveryTornJpegAndReadTheNextWholeOne) {
   }
   const auto next = reader.Read(Frame(PixelFormat::kMjpeg, 36, 18, 0, whole));
   EXPECT_TRUE(next) << next.error().attempt;
+}
+
+TEST(Planes, RefuseAPictureThatCallsItselfTooLarge) {
+  PlaneReader reader;
+  Bytes bomb = BlueJpeg(36, 18, TJSAMP_420);
+  const Bytes frame_start = {0xFF, 0xC0};  // Then 2 bytes of length, 1 of precision, height, width.
+  const auto at = std::ranges::search(bomb, frame_start).begin();
+  ASSERT_NE(at, bomb.end());
+  at[5] = at[7] = 0x40;
+  at[6] = at[8] = 0;
+  const auto refused = reader.Read(Frame(PixelFormat::kMjpeg, 16384, 16384, 0, bomb));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().attempt, HasSubstr("no size that we read"));
+  EXPECT_FALSE(reader.Read(Frame(PixelFormat::kMjpeg, 36, 18, 0, Bytes((16u << 20) + 1))));
+}
+
+// A camera that shares its memory with us may change the way colour is subsampled after we looked at it.
+TEST(Planes, StandACameraThatRewritesItsPictureMeanwhile) {
+  constexpr int kSide_px = 256;
+  Bytes jpeg = BlueJpeg(kSide_px, kSide_px, TJSAMP_420);
+  const Bytes frame_start = {0xFF, 0xC0};
+  const auto at = std::ranges::search(jpeg, frame_start).begin();
+  ASSERT_NE(at, jpeg.end());
+  std::uint8_t& sampling = at[11];  // Of Y.
+  ASSERT_EQ(sampling, 0x22);
+  std::atomic<bool> done = false;
+  std::thread liar([&] {
+    while (!done) {
+      for (const std::uint8_t value : {std::uint8_t{0x11}, std::uint8_t{0x22}})
+        std::atomic_ref(sampling).store(value, std::memory_order_relaxed);
+    }
+  });
+  for (int n = 0; n < 200; ++n) {
+    PlaneReader reader;
+    const auto planes = reader.Read(Frame(PixelFormat::kMjpeg, kSide_px, kSide_px, 0, jpeg));
+    if (planes) EXPECT_LE(planes->cb.width_px, kSide_px);
+  }
+  done = true;
+  liar.join();
 }
 
 TEST(Planes, TakeAJpegWithPaddingBehindIt) {
