@@ -53,6 +53,7 @@ Result<void> MakeFile(const std::string& path) {
   if (!file.valid()) return FailErrno("make board " + passing);
   const Head head = MakeHead();
   const bool written =
+      ::fchmod(file.get(), kMode) == 0 &&  // Whatever the umask: the group's other programs write to it.
       ::ftruncate(file.get(), static_cast<off_t>(kBoardBytes)) == 0 &&
       ::pwrite(file.get(), head.data(), sizeof(head), 0) == static_cast<ssize_t>(sizeof(head));
   if (!written) {

@@ -102,7 +102,7 @@ class Board {
 
   // Errors:
   //   no_such_file_or_directory  there is no board
-  //   invalid_argument           not a board, or one of another version, layout or size; the attempt says
+  //   invalid_argument           not a board, or one of another version, layout or size: the attempt says
   //   which permission_denied
   static Result<Board> Open(const std::string& path);
 
@@ -123,7 +123,7 @@ class Board {
     for (std::uint32_t age = 0; age < kSlots; ++age) {
       if (!Fetch(SectionOf<T>(which), age, words)) continue;
       const Stamped<T> read = internal::FromWords<T>(words);
-      if (Valid(read.source) && Valid(read.value)) return read;
+      if (Valid(read.at) && Valid(read.source) && Valid(read.value)) return read;
     }
     return {};
   }

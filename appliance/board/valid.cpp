@@ -48,6 +48,10 @@ bool Valid(const Performance& performance) {
   return performance.bytes <= Performance::kCapacityBytes;
 }
 
+bool Valid(Time at) {
+  return at >= Time{} && at.time_since_epoch() <= Duration::max() / 2;
+}
+
 bool Valid(SourceState source) {
   return source <= SourceState::kStale;
 }

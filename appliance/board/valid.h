@@ -15,5 +15,7 @@ bool Valid(const Lamps& lamps);
 bool Valid(const StageStatus& status);
 bool Valid(const Performance& performance);
 bool Valid(SourceState source);
+// From the machine's start on, and so that readers may reckon with it.
+bool Valid(Time at);
 
 }  // namespace kaori::board

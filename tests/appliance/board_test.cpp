@@ -1,6 +1,8 @@
 // The board as a reader and a writer meet it.
 #include "appliance/board/board.h"
 
+#include <sys/stat.h>
+
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -105,6 +107,28 @@ TEST(Board, PassesOverValuesThatCannotBeAndKeepsTheLastGoodOne) {
   const Stamped<Lips> read = board.Read<Lips>();
   EXPECT_EQ(read.source, SourceState::kAbsent) << "nothing good is left: neutral";
   EXPECT_EQ(read.value.height, 0.0F);
+}
+
+TEST(Board, PassesOverATimeThatNobodyCanReckonWith) {
+  const BoardFile file;
+  const Board board = file.Open();
+  auto lamps = board.TakeWriter<Lamps>().value();
+  lamps.Write({.lit = 1}, kNoon, SourceState::kLive);
+  lamps.Write({.lit = 2}, Time::min(), SourceState::kLive);
+  lamps.Write({.lit = 3}, Time::max(), SourceState::kLive);
+  EXPECT_EQ(board.Read<Lamps>().value.lit, 1U);
+  lamps.Write({.lit = 4}, Time{} - Duration(1), SourceState::kLive);
+  EXPECT_EQ(board.Read<Lamps>().value.lit, 1U);
+}
+
+TEST(Board, IsWritableForTheProgramsGroupWhateverTheUmask) {
+  const BoardFile file;
+  const mode_t before = ::umask(077);
+  const Board board = file.Open();
+  ::umask(before);
+  struct stat status {};
+  ASSERT_EQ(::stat(file.path().c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0660U);
 }
 
 TEST(Board, ChecksEveryFieldThatCanBeWrong) {
