@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
+
+#include "appliance/performance/knobs.h"
+#include "appliance/performance/state.h"
 
 namespace kaori::atelier {
 namespace {
@@ -12,38 +16,45 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint16_t kSpace = 0x2C, kZ = 0x1D, kX = 0x1B;  // HID usage page 7.
 
-// What the performance makes of each dial; a test holds the two together.
 struct Dial {
   const char* text;
   const char* unit;
-  double low, high, per_turn, start;
-  const char* called_by;  // A call of this group comes whole and puts the dial to 1; a scene does so too.
+  const char* called_by;  // A call of this group comes whole and fills the dial; a scene does so too.
 };
-const std::array<Dial, 8> kDials{{
-    {"Face", "%", 0, 1, 1, 1, "face"},
-    {"Expression", "%", 0, 1, 1, 1, "expression"},
-    {"Strength", "%", 0, 1.4, 1, 1, nullptr},
-    {"Fade time", "s", 0, 4, 2, 0.6, nullptr},
-    {"Mouth", "%", 0, 1, 1, 0, nullptr},
-    {"Mouth width", "%", 0, 1, 1, 0.5, nullptr},
-    {"Life", "%", 0, 1, 1, 0.6, nullptr},
-    {"Light", "%", 0, 1.2, 1, 1, nullptr},
+constexpr std::array<Dial, performance::kKnobCount> kDials{{
+    {"Face", "%", "face"},
+    {"Expression", "%", "expression"},
+    {"Strength", "%", nullptr},
+    {"Fade time", "s", nullptr},
+    {"Mouth", "%", nullptr},
+    {"Mouth width", "%", nullptr},
+    {"Life", "%", nullptr},
+    {"Light", "%", nullptr},
 }};
 
 constexpr std::array<const char*, scene::kStyleCount> kStyles{"Wireframe", "Flat", "No hair", "Hair",
                                                               "Soft light"};
 
+// As people write it: a float's 1.4 is not 1.39999998.
+double Short(float value) {
+  return std::round(static_cast<double>(value) * 1e4) / 1e4;
+}
+
 Json DialsJson() {
+  const performance::State opening;
   Json dials = Json::array();
-  for (const Dial& dial : kDials)
+  for (std::size_t n = 0; n < kDials.size(); ++n) {
+    const Dial& dial = kDials[n];
+    const performance::KnobRange& range = performance::kKnobRanges[n];
     dials.push_back(
         {{"text", dial.text},
          {"unit", dial.unit},
-         {"low", dial.low},
-         {"high", dial.high},
-         {"per_turn", dial.per_turn},
-         {"start", dial.start},
+         {"low", Short(range.low)},
+         {"high", Short(range.high)},
+         {"per_turn", Short(range.per_turn)},
+         {"start", Short(opening.knobs[n])},
          {"filled_by", dial.called_by == nullptr ? Json::array() : Json{dial.called_by, "scene"}}});
+  }
   return dials;
 }
 
