@@ -35,6 +35,7 @@ Result<EventLoop> EventLoop::Open() {
   ::sigaddset(&stops, SIGINT);
   ::sigaddset(&stops, SIGTERM);
   ::sigprocmask(SIG_BLOCK, &stops, nullptr);
+  ::signal(SIGPIPE, SIG_IGN);
   UniqueFd signals(::signalfd(-1, &stops, SFD_NONBLOCK | SFD_CLOEXEC));
   if (!signals.valid()) return FailErrno("create a signal descriptor");
   EventLoop loop(std::move(epoll));

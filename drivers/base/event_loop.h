@@ -16,7 +16,8 @@ class EventLoop {
  public:
   using Handler = std::function<void()>;
 
-  // Blocks SIGINT and SIGTERM for the process: from here on they end Run().
+  // Blocks SIGINT and SIGTERM for the process: from here on they end Run(). Ignores SIGPIPE: a reader of the
+  // log that is gone must not end the show.
   static Result<EventLoop> Open();
 
   // Calls `handler` whenever `fd` is readable or hung up. Borrows fd: Forget it before it closes.
