@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <libudev.h>
+#include <poll.h>
 
 #include <charconv>
 #include <optional>
@@ -87,10 +88,12 @@ Result<std::vector<std::string>> HidrawBus::Ports() {
   return ports;
 }
 
+// A storm of notices may overrun the socket: what is lost shows as something to read, and as no device.
 bool HidrawBus::TakeNotices() {
-  bool any = false;
-  while (const std::unique_ptr<udev_device, Unref> device{udev_monitor_receive_device(monitor_.get())})
-    any = true;
+  pollfd notices{.fd = pollable(), .events = POLLIN, .revents = 0};
+  const bool any = ::poll(&notices, 1, 0) > 0;
+  while (const std::unique_ptr<udev_device, Unref> device{udev_monitor_receive_device(monitor_.get())}) {
+  }
   return any;
 }
 

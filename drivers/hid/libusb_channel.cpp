@@ -19,6 +19,7 @@ constexpr std::uint8_t kSetReport = 0x09;              // HID 1.11, section 7.2.
 constexpr std::uint16_t kOutputReport = 0x02 << 8;     // High byte of wValue.
 constexpr std::uint8_t kClassToInterface = 0x21;       // USB 2.0, table 9-2: out, class, interface.
 constexpr std::uint8_t kStandardFromInterface = 0x81;  // In, standard, interface.
+constexpr std::uint16_t kEnglish = 0x0409;             // The language that every device with names has.
 constexpr int kEndingTurns = 10;
 constexpr int kEndingTurn_ms = 10;
 
@@ -96,11 +97,7 @@ Result<void> LibusbChannel::ReadIdentity() {
                .product = device.idProduct,
                .name = "",
                .descriptor = {}};
-  std::array<unsigned char, 256> name{};
-  const int letters = device.iProduct == 0 ? 0
-                                           : libusb_get_string_descriptor_ascii(
-                                                 handle_.get(), device.iProduct, name.data(), name.size());
-  if (letters > 0) identity_.name.assign(name.begin(), name.begin() + letters);
+  if (device.iProduct != 0) identity_.name = ReadName(device.iProduct);
   std::vector<std::uint8_t> descriptor(
       std::min<std::size_t>(interface_.descriptor_bytes, kMaxDescriptorBytes));
   const int bytes = libusb_control_transfer(handle_.get(), kStandardFromInterface,
@@ -111,6 +108,20 @@ Result<void> LibusbChannel::ReadIdentity() {
   descriptor.resize(static_cast<std::size_t>(bytes));
   identity_.descriptor = std::move(descriptor);
   return {};
+}
+
+// libusb's own question for a name waits up to two seconds for a device that does not answer.
+std::string LibusbChannel::ReadName(std::uint8_t index) {
+  std::array<std::uint8_t, 255> text{};
+  const int bytes =
+      libusb_control_transfer(handle_.get(), LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_DESCRIPTOR,
+                              static_cast<std::uint16_t>(LIBUSB_DT_STRING << 8 | index), kEnglish,
+                              text.data(), static_cast<std::uint16_t>(text.size()), kAskTimeout_ms);
+  std::string name;
+  const std::size_t end = std::min<std::size_t>(static_cast<std::size_t>(std::max(bytes, 0)), text[0]);
+  for (std::size_t n = 2; n + 1 < end; n += 2)  // UTF-16, of which we take what is ASCII.
+    name += text[n + 1] == 0 && text[n] < 0x80 ? static_cast<char>(text[n]) : '?';
+  return name;
 }
 
 Result<void> LibusbChannel::Prepare() {

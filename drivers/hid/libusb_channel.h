@@ -55,6 +55,7 @@ class LibusbChannel final : public ports::HidChannel {
   LibusbChannel(std::unique_ptr<LibusbSession> session, UsbHidInterface interface, const Clock& clock);
   Result<void> Claim();
   Result<void> ReadIdentity();
+  std::string ReadName(std::uint8_t index);
   Result<void> Prepare();
   Result<void> Submit(Flight& flight);
   Result<void> AwaitInput(Flight& flight);

@@ -26,7 +26,7 @@ class LibusbTest : public testing::Test {
   }
   std::unique_ptr<ports::HidChannel> Opened(bool has_out_endpoint = true) {
     box_ = std::make_unique<tests::MockUsb>(tests::MockUsb::Options{
-        {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()}, has_out_endpoint});
+        {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()}, has_out_endpoint, "Dial Box"});
     box_->Plug(*kernel_);
     auto channel = bus_->Open("1-4");
     EXPECT_TRUE(channel) << channel.error().message();
@@ -61,6 +61,7 @@ TEST_F(LibusbTest, ReadsReportsInTheirOrder) {
   ASSERT_NE(channel, nullptr);
   EXPECT_EQ(channel->identity().vendor, 0x1209);
   EXPECT_EQ(channel->identity().port, "1-4");
+  EXPECT_EQ(channel->identity().name, "Dial Box");
   auto decoder = DialBoxDecoder::For(channel->identity()).value();
   EXPECT_EQ(channel->Read(into_).error().cause, std::errc::resource_unavailable_try_again);
   for (int n = 1; n <= 100; ++n) {

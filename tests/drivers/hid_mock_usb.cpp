@@ -21,8 +21,11 @@ constexpr const char* kDeviceDir = "/devices/pci0000:00/usb1/1-4";
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes DeviceDescriptor() {
-  return {18, 1, 0, 2, 0, 0, 0, 64, 0x09, 0x12, 0x01, 0x00, 0, 1, 0, 1, 0, 1};
+constexpr std::uint8_t kNameIndex = 2;
+
+Bytes DeviceDescriptor(bool has_name) {
+  const std::uint8_t name = has_name ? kNameIndex : 0;
+  return {18, 1, 0, 2, 0, 0, 0, 64, 0x09, 0x12, 0x01, 0x00, 0, 1, 0, name, 0, 1};
 }
 
 Bytes ConfigDescriptor(std::size_t report_bytes, bool has_out) {
@@ -36,6 +39,15 @@ Bytes ConfigDescriptor(std::size_t report_bytes, bool has_out) {
   if (has_out) append({7, 5, 0x01, 3, 64, 0, 1});
   config[2] = static_cast<std::uint8_t>(config.size());
   return config;
+}
+
+Bytes NameDescriptor(const std::string& name) {
+  Bytes bytes = {static_cast<std::uint8_t>(2 + 2 * name.size()), 0x03};
+  for (const char letter : name) {
+    bytes.push_back(static_cast<std::uint8_t>(letter));
+    bytes.push_back(0);
+  }
+  return bytes;
 }
 
 std::string UsbDevice(const char* dir, int number, const Bytes& descriptors) {
@@ -67,7 +79,7 @@ MockUsb::~MockUsb() {
 }
 
 void MockUsb::Plug(MockKernel& kernel) {
-  Bytes descriptors = DeviceDescriptor();
+  Bytes descriptors = DeviceDescriptor(!options_.name.empty());
   for (const std::uint8_t byte : ConfigDescriptor(options_.descriptor.size(), options_.has_out_endpoint))
     descriptors.push_back(byte);
   Add(kernel.testbed(), UsbDevice(kDeviceDir, 2, descriptors));
@@ -167,6 +179,8 @@ void MockUsb::AnswerControl(const Urb& urb) {
   const std::uint8_t* setup = urb.buffer->data;
   if (setup[0] == 0x81 && setup[1] == 6 && setup[3] == 0x22)
     return Complete(urb, 0, options_.descriptor, kSetup);
+  if (setup[0] == 0x80 && setup[1] == 6 && setup[2] == kNameIndex && setup[3] == 0x03)
+    return Complete(urb, 0, NameDescriptor(options_.name), kSetup);
   if (setup[0] != 0x21) return Complete(urb, -EPIPE, {}, 0);  // A stall.
   received_.assign(setup, setup + Fields(urb.urb).buffer_length);
   Complete(urb, 0, {}, 0);

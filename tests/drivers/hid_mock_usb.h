@@ -20,6 +20,7 @@ class MockUsb {
   struct Options {
     std::vector<std::uint8_t> descriptor;  // The report descriptor.
     bool has_out_endpoint = true;
+    std::string name{};  // ASCII.
   };
   explicit MockUsb(Options options);
   ~MockUsb();
