@@ -13,6 +13,8 @@ namespace {
 
 // Hours of recording; beyond it the file is something else.
 constexpr std::size_t kMostBytes = 64u << 20;
+// A file that is no scenario is wrong in every line: nobody reads on.
+constexpr std::size_t kMostProblems = 100;
 
 bool ReadTimes(Words& words, Statement& statement) {
   for (;;) {
@@ -52,6 +54,8 @@ class Script {
     if (TimesFit(words, statement, column)) Add(statement);
   }
 
+  bool lost() const { return reading_.problems.size() >= kMostProblems; }
+
   Reading Finish() {
     OpenScenes(reading_.scenario.actions.empty() ? Duration{} : last_at_);
     PutInOrder(reading_.scenario);
@@ -90,7 +94,7 @@ class Script {
 Reading ReadScenario(std::string_view text) {
   Script script;
   int number = 1;
-  while (!text.empty()) {
+  while (!text.empty() && !script.lost()) {
     const auto end = text.find('\n');
     script.ReadLine(text.substr(0, end), number++);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);

@@ -1,13 +1,19 @@
 // Reads scenarios that people write.
 //
+// clang-format off
 //   # a comment
-//   scene poster                        names what follows
-//   at 0.2s push 7                      button 7 of the box, down and up again; hold 7, release 7 are its
-//   halves at 1s dial 1 turn 0.4               at once; and so that it takes a while: at 1s over 0.8s left
-//   move 0.25 0.05 (left or right: move X Y, twist A, slide A, hat up, push N, hold N, release N) at 2s key
-//   space tap                 or press, release at 2s lips 0.6 1.1                  height and width, in
-//   widths of the mouth at rest at 3s say "kon ni ti wa" over 1.4s at 4s lens cover                    or
-//   uncover at 4s camera stall                  or run at 5s unplug stick-left             or plug
+//   scene poster                            names what follows
+//   at 0.2s push 7                          button 7 of the box, down and up again; hold 7 and release 7 are its halves
+//   at 1s dial 1 turn 0.4                   at once
+//   at 1s over 0.8s left move 0.25 0.05     takes a while; left or right: move X Y, twist A, slide A, hat up, push N,
+//                                           hold N, release N
+//   at 2s key space tap                     or press, release
+//   at 2s lips 0.6 1.1                      height and width, in widths of the mouth at rest
+//   at 3s over 1.4s say "kon ni ti wa"
+//   at 4s lens cover                        or uncover
+//   at 4s camera stall                      or run
+//   at 5s unplug stick-left                 or plug
+// clang-format on
 #pragma once
 
 #include <string>
@@ -25,7 +31,7 @@ inline constexpr Duration kTap = std::chrono::milliseconds(100);
 
 struct Reading {
   Scenario scenario;
-  std::vector<Problem> problems;  // All of them; with any, the scenario is not to be played.
+  std::vector<Problem> problems;  // The first hundred; with any, the scenario is not to be played.
 };
 
 // Pure. A line without a time is right for a scene only: the scene begins with what follows it.

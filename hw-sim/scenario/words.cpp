@@ -9,6 +9,7 @@ namespace kaori::sim {
 namespace {
 
 constexpr double kLongestTime_s = 24 * 60 * 60;
+constexpr std::size_t kLongestLine_bytes = 1000;  // Nobody writes more, and looking at it takes long.
 
 // Columns count characters: a byte of the form 10xxxxxx goes on with the one before it.
 int ColumnAt(std::string_view line, std::size_t byte) {
@@ -37,6 +38,7 @@ Words::Words(std::string_view line, int number, std::vector<Problem>& problems)
 }
 
 void Words::Split(std::string_view line) {
+  if (line.size() > kLongestLine_bytes) return Complain(1, "a line of more than 1000 bytes");
   std::size_t at = 0;
   while (at < line.size()) {
     if (IsSpace(line[at])) {

@@ -136,6 +136,18 @@ TEST(ScenarioReader, TellsEveryWrongLineAndEachOnce) {
   EXPECT_EQ(problems[2].line, 5);
 }
 
+TEST(ScenarioReader, LeavesAFileThatIsNoScenarioSoon) {
+  std::string noise;
+  for (int n = 0; n < 100'000; ++n) noise += "? ? ?\n";
+  EXPECT_EQ(ReadScenario(noise).problems.size(), 100u);
+  const Reading endless = ReadScenario(std::string(8u << 20, '?') + "\nat 1s push 1\n");
+  ASSERT_EQ(endless.problems.size(), 1u);
+  EXPECT_EQ(endless.problems[0].line, 1);
+  std::string words;
+  for (int n = 0; n < 2'000'000; ++n) words += "a ";
+  EXPECT_EQ(ReadScenario(words).problems.size(), 1u);
+}
+
 TEST(ScenarioReader, RefusesNumbersThatAreNone) {
   for (const char* number : {"nan", "inf", "1e999", "0x1", "1,5", "--1", "1.0.0", "", "1001"})
     EXPECT_NE(Complaint(std::string("at 1s dial 1 turn ") + number), "") << number;
