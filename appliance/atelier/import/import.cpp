@@ -1,0 +1,257 @@
+#include "appliance/atelier/import/import.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "appliance/atelier/import/bridge.h"
+#include "appliance/atelier/import/heads.h"
+#include "appliance/atelier/import/imported_cast.h"
+#include "appliance/atelier/import/mesh_check.h"
+#include "appliance/show/check.h"
+
+namespace kaori::import {
+namespace {
+
+using face::ExpressionKind;
+
+constexpr float kEyesZ_m = 0.05F;  // Where no show says better.
+constexpr std::array<std::string_view, 2> kBlinks{"blink_left", "blink_right"};
+
+std::vector<Model> ReadAll(const std::vector<std::filesystem::path>& files, Findings& findings) {
+  std::vector<Model> models;
+  for (const auto& file : files)
+    if (auto model = ReadModel(file, findings)) models.push_back(std::move(*model));
+  for (std::size_t i = 1; i < models.size(); ++i) CheckSameTopology(models.front(), models[i], findings);
+  return models;
+}
+
+std::string MadeOf(const Heads& heads, const Role& role) {
+  std::vector<std::string> parts;
+  for (const RolePart& part : role.parts) parts.push_back(fmt::format("{} x {}", part.weight, heads.shapes[part.shape].name));
+  return fmt::format("{}: {}", NameOf(role.style), fmt::join(parts, " + "));
+}
+
+const Role* FindRole(const Heads& heads, std::string_view name) {
+  const auto role = std::ranges::find(heads.roles, name, &Role::name);
+  return role == heads.roles.end() ? nullptr : &*role;
+}
+
+ExpressionKind KindOfRole(std::string_view role) {
+  constexpr std::array<std::string_view, 4> kCalled{"smile", "angry", "sad", "surprised"};
+  constexpr std::array<std::string_view, 7> kMouths{"a", "i", "u", "e", "o", "m", "f"};
+  if (std::ranges::find(kCalled, role) != kCalled.end()) return ExpressionKind::kExpression;
+  const bool mouth = std::ranges::find(kMouths, role) != kMouths.end() || role.starts_with("mouth_");
+  return mouth ? ExpressionKind::kMouth : ExpressionKind::kChannel;
+}
+
+// One import, step by step.
+class Importing {
+ public:
+  Importing(const std::vector<Model>& models, Heads heads, const show::Show* show)
+      : models_(models), heads_(std::move(heads)), show_(show) {}
+
+  Imported Run(const ImportOptions& options) {
+    Describe();
+    if (show_ != nullptr) LayOverShow();
+    WantExpressionsOfShow();
+    WantOtherRoles();
+    WantShapes();
+    AddCarriedToShow();
+    Build(options);
+    return std::move(made_);
+  }
+
+ private:
+  void Remark(std::string remark) { made_.report.remarks.push_back(std::move(remark)); }
+
+  void Describe() {
+    const Model& first = models_.front();
+    Remark(fmt::format("{}: {} vertices, {} triangles, {} targets, {} presets", first.file, first.positions.size(),
+                       first.triangles.size(), first.targets.size(), first.presets.size()));
+    Remark(fmt::format("skin: {} vertices, {} triangles", heads_.skin.size(), heads_.triangles.size()));
+    for (const PartOf part : {PartOf::kLeftEye, PartOf::kRightEye, PartOf::kUpperTeeth, PartOf::kLowerTeeth, PartOf::kTongue})
+      Remark(fmt::format("{}: {} vertices", NameOf(part), std::ranges::count(heads_.parts, part)));
+  }
+
+  void LayOverShow() {
+    const HeadShape theirs = ShapeOfHeads(heads_);
+    const HeadShape ours = ShapeOfCast(show_->cast);
+    std::vector<std::string> missing;
+    from_show_ = Bridge::Between(ours, theirs, missing);
+    to_show_ = Bridge::Between(theirs, ours, missing);
+    if (!missing.empty()) Remark(fmt::format("landmarks that one head lacks: {}", fmt::join(missing, ", ")));
+    if (from_show_) Remark(fmt::format("laid over the show's head by {} landmarks", from_show_->landmarks()));
+    if (!from_show_) Remark("the heads cannot be laid over each other: too few landmarks in common; nothing is carried over");
+  }
+
+  void Want(std::string name, ExpressionKind kind, Offsets offsets, std::string made_of) {
+    made_.report.roles.push_back({name, std::move(made_of), {}});
+    wanted_.push_back({std::move(name), kind, std::move(offsets)});
+  }
+
+  // The show's expressions stay where they are in the list, so that its buttons and takes still fit.
+  void WantExpressionsOfShow() {
+    if (show_ == nullptr) return Want("neutral", ExpressionKind::kExpression, {}, "the face at rest");
+    for (const face::Expression& expression : show_->cast.expressions) {
+      const Role* role = FindRole(heads_, expression.name);
+      if (role != nullptr) {
+        Want(expression.name, expression.kind, OffsetsOfRole(heads_, expression.name), MadeOf(heads_, *role));
+      } else if (expression.name == "neutral") {
+        Want(expression.name, expression.kind, {}, "the face at rest");
+      } else {
+        WantCarried(expression, expression.name);
+      }
+    }
+    // Both heads wear the show's own, too, where the artist's took the role.
+    for (const face::Expression& expression : show_->cast.expressions)
+      if (FindRole(heads_, expression.name) != nullptr) WantCarried(expression, expression.name + " (show)");
+  }
+
+  // Lids are shut by the artist's own blink: it knows the eye below.
+  void WantCarried(const face::Expression& expression, std::string name) {
+    if (!from_show_) return Want(std::move(name), expression.kind, {}, "");
+    face::Expression open = expression;
+    open.lids = {};
+    Offsets offsets = from_show_->Carry(DisplacementsOnShow(open));
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Offsets blink = OffsetsOfRole(heads_, kBlinks[side]);
+      for (std::size_t v = 0; v < blink.size(); ++v) offsets[v] += expression.lids[side] * blink[v];
+    }
+    Want(std::move(name), expression.kind, std::move(offsets), "the show's own, carried over");
+  }
+
+  // What control points do to the show's first face, without its lids.
+  Offsets DisplacementsOnShow(const face::Expression& expression) const {
+    face::Cast alone = show_->cast;
+    alone.faces.resize(1);
+    alone.expressions = {expression};
+    alone.blink = {-1, -1};
+    return OffsetsOfCast(alone, alone.expressions.front());
+  }
+
+  void WantOtherRoles() {
+    for (const Role& role : heads_.roles)
+      if (std::ranges::find(wanted_, role.name, &WantedShape::name) == wanted_.end())
+        Want(role.name, KindOfRole(role.name), OffsetsOfRole(heads_, role.name), MadeOf(heads_, role));
+    for (const std::string& name : KnownRoles())
+      if (std::ranges::find(wanted_, name, &WantedShape::name) == wanted_.end()) made_.report.roles.push_back({name, "", {}});
+  }
+
+  void WantShapes() {
+    first_shape_ = wanted_.size();
+    for (const Shape& shape : heads_.shapes) {
+      const bool taken = std::ranges::find(wanted_, shape.name, &WantedShape::name) != wanted_.end();
+      wanted_.push_back({taken ? shape.name + " (shape)" : shape.name, ExpressionKind::kChannel, shape.offsets});
+      made_.report.shapes.push_back({shape.name, shape.meaning ? fmt::format("{} {}", NameOf(shape.meaning->style), shape.meaning->name) : "", {}});
+    }
+  }
+
+  void AddCarriedToShow() {
+    if (!to_show_) return;
+    made_.on_show = *show_;
+    face::Cast& cast = made_.on_show->cast;
+    const ShapeFit fit(cast.net, cast.faces.front().positions);
+    for (const Shape& shape : heads_.shapes) {
+      FitError error;
+      const bool taken = std::ranges::find(cast.expressions, shape.name, &face::Expression::name) != cast.expressions.end();
+      const std::string name = taken ? shape.name + " (shape)" : shape.name;
+      face::Expression expression = fit.Fit(name, ExpressionKind::kChannel, to_show_->Carry(shape.offsets), error);
+      for (std::size_t side = 0; side < 2; ++side) GiveToLids(shape, side, expression);
+      cast.expressions.push_back(std::move(expression));
+      made_.report.on_show.push_back({shape.name, "", error});
+    }
+  }
+
+  // The show's lids ride on its eyeballs: a blink is theirs.
+  void GiveToLids(const Shape& shape, std::size_t side, face::Expression& expression) const {
+    const Role* blink = FindRole(heads_, kBlinks[side]);
+    if (blink == nullptr || show_->cast.topology.lids[side].columns == 0) return;
+    if (heads_.shapes[blink->parts.front().shape].name != shape.name) return;
+    expression.displacement.assign(expression.displacement.size(), glm::vec3(0));
+    expression.residual.clear();
+    expression.lids[side] = 1;
+  }
+
+  void Build(const ImportOptions& options) {
+    const Index moving = OrderByMotion(heads_, wanted_);
+    if (show_ != nullptr) made_.heads = *show_;
+    face::Cast& cast = made_.heads.cast;
+    cast = MakeCast(heads_, wanted_, moving, options.points);
+    Remark(fmt::format("{} control points, {} of {} vertices move", cast.net.points.size(), moving, heads_.skin.size()));
+    const ShapeFit fit(cast.net, cast.faces.front().positions);
+    for (std::size_t i = 0; i < wanted_.size(); ++i) cast.expressions.push_back(Fitted(fit, i, cast));
+    AddMouths(models_, heads_, cast);
+    GiveLook(cast);
+    GiveScript();
+  }
+
+  face::Expression Fitted(const ShapeFit& fit, std::size_t index, face::Cast& cast) {
+    WantedShape& wanted = wanted_[index];
+    if (wanted.offsets.empty()) wanted.offsets.assign(heads_.skin.size(), glm::vec3(0));
+    FitError error;
+    face::Expression expression = fit.Fit(wanted.name, wanted.kind, wanted.offsets, error);
+    const auto role = std::ranges::find(made_.report.roles, wanted.name, &ReportedRole::name);
+    if (role != made_.report.roles.end()) role->error = error;
+    if (index >= first_shape_) made_.report.shapes[index - first_shape_].error = error;
+    for (std::size_t side = 0; side < 2; ++side)
+      if (wanted.name == kBlinks[side]) cast.blink[side] = static_cast<int>(index);
+    return expression;
+  }
+
+  void GiveLook(face::Cast& cast) const {
+    constexpr std::uint8_t kGloss = 40;
+    constexpr int kSide_px = 4;
+    face::Texture plain{kSide_px, kSide_px, {}};
+    for (int i = 0; i < kSide_px * kSide_px; ++i) plain.rgba.insert(plain.rgba.end(), {222, 184, 163, kGloss});
+    cast.textures.push_back(std::move(plain));
+  }
+
+  void GiveScript() {
+    show::Show& show = made_.heads;
+    show.name = heads_.heads.front().name;
+    if (show_ == nullptr) {
+      show.scenes.emplace_back().name = "studio";
+      for (std::uint16_t i = 0; i < heads_.heads.size() && i < 8; ++i) show.buttons[i] = {show::CallKind::kFace, i};
+    }
+    const std::size_t faces = show.cast.faces.size();
+    for (show::Call& call : show.buttons)
+      if (call.kind == show::CallKind::kFace && call.index >= faces) call = {};
+    for (show::StageScene& scene : show.scenes)
+      if (scene.face >= faces) scene.face = 0;
+  }
+
+  const std::vector<Model>& models_;
+  Heads heads_;
+  const show::Show* show_;
+  std::optional<Bridge> from_show_;
+  std::optional<Bridge> to_show_;
+  std::vector<WantedShape> wanted_;
+  std::size_t first_shape_ = 0;
+  Imported made_;
+};
+
+}  // namespace
+
+Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show, const ImportOptions& options) {
+  Findings findings;
+  const std::vector<Model> models = ReadAll(files, findings);
+  if (!findings.empty()) return findings.Refuse();
+  if (models.empty()) return FailInput("no file to import was named");
+  float eyes_z_m = kEyesZ_m;
+  if (show != nullptr) eyes_z_m = show->cast.faces.front().eyes[0].centre.z;
+  Heads heads = TakeApart(models, eyes_z_m, findings);
+  if (!findings.empty()) return findings.Refuse();
+  Imported made = Importing(models, std::move(heads), show).Run(options);
+  for (const show::Show* one : {&std::as_const(made.heads), made.on_show ? &std::as_const(*made.on_show) : nullptr}) {
+    if (one == nullptr) continue;
+    for (const std::string& fault : show::CheckShow(*one)) findings.Add(files.front().string(), "", fault);
+  }
+  if (!findings.empty()) return findings.Refuse();
+  return made;
+}
+
+}  // namespace kaori::import

@@ -1,0 +1,228 @@
+#include "appliance/atelier/import/imported_cast.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "appliance/atelier/import/surface_net.h"
+
+namespace kaori::import {
+namespace {
+
+constexpr float kMoved_m = 1e-5F;
+constexpr float kPlaceMargin = 0.01F;
+constexpr float kLipsReach_m = 0.015F;   // All of the motion this near to the mouth is the lips',
+constexpr float kMouthReach_m = 0.045F;  // none beyond this.
+constexpr float kIrisShare = 0.47F;      // Of the eyeball's radius.
+constexpr glm::vec3 kIrisColour{0.085F, 0.045F, 0.022F};
+constexpr glm::vec3 kNeckPivot_m{0, -0.07F, -0.015F};
+
+std::vector<float> Mobility(const std::vector<WantedShape>& shapes, std::size_t vertices) {
+  std::vector<float> mobility_m(vertices, 0.0F);
+  for (const WantedShape& shape : shapes)
+    for (std::size_t v = 0; v < shape.offsets.size(); ++v)
+      mobility_m[v] = std::max(mobility_m[v], glm::length(shape.offsets[v]));
+  return mobility_m;
+}
+
+// The texture's chart, larger or smaller as a whole so that it fills the parameter space with no stretch.
+std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
+  glm::vec2 least = uv.front();
+  glm::vec2 most = least;
+  for (const glm::vec2& p : uv) {
+    least = glm::min(least, p);
+    most = glm::max(most, p);
+  }
+  const glm::vec2 room = (1 - 2 * kPlaceMargin) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m);
+  const glm::vec2 size = glm::max(most - least, glm::vec2(1e-6F));
+  const float scale_m = std::min(room.x / size.x, room.y / size.y);
+  std::vector<glm::vec2> places;
+  for (const glm::vec2& p : uv) {
+    const glm::vec2 from_middle = scale_m * (p - 0.5F * (least + most));
+    places.push_back(glm::vec2(0.5F) + from_middle / glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m));
+  }
+  return places;
+}
+
+// Each edge once, without those within a quad: tools write a quad as two triangles in a row.
+std::vector<face::Line> WiresOf(const std::vector<Triangle>& triangles, const std::vector<Index>& weld) {
+  const auto edge = [&](Index a, Index b) { return std::minmax(weld[a], weld[b]); };
+  using Edge = std::pair<Index, Index>;
+  const auto edges = [&](const Triangle& t) {
+    return std::array<Edge, 3>{edge(t[0], t[1]), edge(t[1], t[2]), edge(t[2], t[0])};
+  };
+  std::set<Edge> all;
+  std::set<Edge> inside;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (const Edge& e : edges(triangles[i])) all.insert(e);
+    if (i % 2 == 0 || i == 0) continue;
+    for (const Edge& e : edges(triangles[i]))
+      if (const auto before = edges(triangles[i - 1]); std::ranges::find(before, e) != before.end()) inside.insert(e);
+  }
+  std::vector<face::Line> wires;
+  for (const Edge& e : all)
+    if (!inside.contains(e) && e.first != e.second) wires.push_back({e.first, e.second});
+  return wires;
+}
+
+std::vector<float> MouthShareOf(const HeadShape& head) {
+  std::vector<float> share(head.positions.size(), 0.0F);
+  const std::vector<Landmark> marks = FindLandmarks(head);
+  const auto left = std::ranges::find(marks, "left mouth corner", &Landmark::name);
+  const auto right = std::ranges::find(marks, "right mouth corner", &Landmark::name);
+  if (left == marks.end() || right == marks.end()) return share;
+  const std::vector<float> jaw = Shares(head.jaw, share.size());
+  const glm::vec3 along = left->at - right->at;
+  for (std::size_t v = 0; v < share.size(); ++v) {
+    const glm::vec3 from = head.positions[v] - right->at;
+    const float t = glm::clamp(glm::dot(from, along) / glm::dot(along, along), 0.0F, 1.0F);
+    const float near = 1 - glm::smoothstep(kLipsReach_m, kMouthReach_m, glm::distance(from, t * along));
+    share[v] = std::max(near, glm::smoothstep(0.2F, 0.6F, jaw[v]));
+  }
+  return share;
+}
+
+face::FineMesh SameMesh(const face::Topology& topology) {
+  face::FineMesh fine;
+  fine.from_cage.row_start.resize(topology.vertex_count + std::size_t{1});
+  std::iota(fine.from_cage.row_start.begin(), fine.from_cage.row_start.end(), 0U);
+  fine.from_cage.column.resize(topology.vertex_count);
+  std::iota(fine.from_cage.column.begin(), fine.from_cage.column.end(), 0U);
+  fine.from_cage.weight.assign(topology.vertex_count, 1.0F);
+  fine.attributes_from_cage = fine.from_cage;
+  fine.triangles = topology.triangles;
+  fine.texture = topology.texture;
+  fine.twin = topology.twin;
+  return fine;
+}
+
+face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index moving, const MeshGraph& graph) {
+  face::Topology topology;
+  topology.vertex_count = static_cast<Index>(heads.skin.size());
+  topology.moving_count = moving;
+  topology.place = PlacesOf(heads.uv);
+  topology.texture = heads.uv;
+  topology.triangles = heads.triangles;
+  topology.wires = WiresOf(heads.triangles, graph.welds());
+  topology.twin = Twins(graph.welds());
+  topology.mouth_share = MouthShareOf(head);
+  topology.fine = SameMesh(topology);
+  return topology;
+}
+
+face::SparseRows FirstRows(const face::SparseRows& rows, Index count) {
+  face::SparseRows first;
+  first.row_start.assign(rows.row_start.begin(), rows.row_start.begin() + static_cast<std::ptrdiff_t>(count) + 1);
+  first.column.assign(rows.column.begin(), rows.column.begin() + first.row_start.back());
+  first.weight.assign(rows.weight.begin(), rows.weight.begin() + first.row_start.back());
+  return first;
+}
+
+face::ControlNet MakeNet(const face::Topology& topology, const PointChoice& choice, const SurfaceNet& surface) {
+  face::ControlNet net;
+  net.surface.row_start.push_back(0);
+  for (const ChosenPoint& point : choice.points) {
+    if (!point.moves) continue;
+    net.points.push_back({point.name, topology.place[point.vertex]});
+    net.surface.column.push_back(point.vertex);
+    net.surface.weight.push_back(1);
+    net.surface.row_start.push_back(static_cast<std::uint32_t>(net.surface.column.size()));
+  }
+  net.to_cage_linear = FirstRows(surface.linear, topology.moving_count);
+  net.to_cage = FirstRows(surface.smoothed, topology.moving_count);
+  return net;
+}
+
+face::Face MakeFace(const Head& head) {
+  face::Face face;
+  face.name = head.name;
+  face.positions = head.positions;
+  face.eyes = head.eyes;
+  face.eye_look = {kIrisColour, kIrisShare * head.eyes[0].radius_m, 0, 0};
+  face.surface.flat = {0.72F, 0.50F, 0.40F};
+  return face;
+}
+
+face::Part AsPart(PartOf part) {
+  switch (part) {
+    case PartOf::kUpperTeeth: return face::Part::kUpperTeeth;
+    case PartOf::kLowerTeeth: return face::Part::kLowerTeeth;
+    default: return face::Part::kTongue;
+  }
+}
+
+face::Prop MakeProp(const Model& model, const Heads& heads, const Head& head, PartOf part) {
+  face::Prop prop;
+  prop.name = head.name + ", " + std::string(NameOf(part));
+  prop.part = AsPart(part);
+  prop.colour = part == PartOf::kTongue ? glm::vec3(0.55F, 0.16F, 0.16F) : glm::vec3(0.82F, 0.78F, 0.70F);
+  std::vector<Index> number(model.positions.size());
+  for (Index v = 0; v < number.size(); ++v) {
+    if (heads.parts[v] != part) continue;
+    number[v] = static_cast<Index>(prop.vertices.size());
+    prop.vertices.push_back({.position = model.positions[v] + head.shift});
+  }
+  for (const Triangle& t : model.triangles) {
+    if (heads.parts[t[0]] != part) continue;
+    const Triangle moved{number[t[0]], number[t[1]], number[t[2]]};
+    const auto at = [&](std::size_t k) { return prop.vertices[moved[k]].position; };
+    const glm::vec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
+    for (const Index corner : moved) prop.vertices[corner].normal += normal;
+    prop.triangles.push_back(moved);
+  }
+  for (face::PropVertex& vertex : prop.vertices) {
+    const float length = glm::length(vertex.normal);
+    vertex.normal = length > 0 ? vertex.normal / length : glm::vec3(0, 0, 1);
+  }
+  return prop;
+}
+
+}  // namespace
+
+Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes) {
+  const std::vector<float> mobility_m = Mobility(shapes, heads.skin.size());
+  std::vector<Index> order(heads.skin.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto moves = [&](Index v) { return mobility_m[v] > kMoved_m; };
+  const auto rest = std::ranges::stable_partition(order, moves);
+  const auto moving = static_cast<Index>(order.size() - rest.size());
+  Reorder(order, heads);
+  for (WantedShape& shape : shapes) {
+    if (shape.offsets.empty()) continue;
+    Offsets ordered;
+    for (const Index v : order) ordered.push_back(shape.offsets[v]);
+    shape.offsets = std::move(ordered);
+  }
+  return moving;
+}
+
+face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving, const PointOptions& options) {
+  const HeadShape head = ShapeOfHeads(heads);
+  const MeshGraph graph(head.positions, head.triangles);
+  const PointChoice choice = ChoosePoints(graph, head, Mobility(shapes, heads.skin.size()), options);
+  const SurfaceNet surface = MakeSurfaceNet(graph, head.positions, head.triangles, choice);
+  face::Cast cast;
+  cast.topology = MakeTopology(heads, head, moving, graph);
+  cast.net = MakeNet(cast.topology, choice, surface);
+  for (const Head& one : heads.heads) cast.faces.push_back(MakeFace(one));
+  cast.neck_pivot = kNeckPivot_m;
+  const std::vector<Landmark> marks = FindLandmarks(head);
+  const auto lip = std::ranges::find(marks, "upper lip", &Landmark::name);
+  if (lip != marks.end()) cast.mouth_anchor = lip->at;
+  return cast;
+}
+
+void AddMouths(const std::vector<Model>& models, const Heads& heads, face::Cast& cast) {
+  for (std::size_t i = 0; i < models.size(); ++i)
+    for (const PartOf part : {PartOf::kUpperTeeth, PartOf::kLowerTeeth, PartOf::kTongue}) {
+      if (std::ranges::find(heads.parts, part) == heads.parts.end()) continue;
+      cast.faces[i].props.push_back(static_cast<int>(cast.props.size()));
+      cast.props.push_back(MakeProp(models[i], heads, heads.heads[i], part));
+    }
+}
+
+}  // namespace kaori::import

@@ -1,0 +1,30 @@
+// A cast of imported heads: topology, control net, faces, what is in their mouths.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "appliance/atelier/import/heads.h"
+#include "appliance/atelier/import/point_choice.h"
+#include "render/face/cast.h"
+
+namespace kaori::import {
+
+// A shape that is to become an expression; offsets by skin vertex of the first head.
+struct WantedShape {
+  std::string name;
+  face::ExpressionKind kind = face::ExpressionKind::kChannel;
+  Offsets offsets;  // Empty: nothing moves.
+};
+
+// Puts the vertices that any wanted shape moves first, in heads and shapes alike. Returns their number.
+Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes);
+
+// Everything of the cast but its expressions, props and textures. Heads must be in the order of OrderByMotion;
+// `moving` is what it returned. Lids have no rings: expressions shut them.
+face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving, const PointOptions& options);
+
+// Teeth and tongue of each head, with the face that wears them.
+void AddMouths(const std::vector<Model>& models, const Heads& heads, face::Cast& cast);
+
+}  // namespace kaori::import
