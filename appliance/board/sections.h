@@ -35,6 +35,9 @@ struct Stick {
   std::array<std::uint32_t, 16> pushes{};
   std::uint32_t port =
       0;  // A hash of where it is plugged in: a restart gives it the same role. 0: nowhere yet.
+  // Where X, Y and twist rest on this stick, as it was calibrated; of the device's own way from the middle to
+  // the end. A restart goes on with it.
+  std::array<float, 3> centres{};
 };
 
 // Written by kaori-input. Usages of HID page 7.

@@ -1,5 +1,7 @@
 #include "appliance/board/valid.h"
 
+#include <algorithm>
+
 namespace kaori::board {
 namespace {
 
@@ -20,7 +22,8 @@ bool Valid(const Surface& surface) {
 
 bool Valid(const Stick& stick) {
   return Within(stick.x, -1, 1) && Within(stick.y, -1, 1) && Within(stick.twist, -1, 1) &&
-         Within(stick.slider, 0, 1) && stick.hat >= -1 && stick.hat <= 7;
+         Within(stick.slider, 0, 1) && stick.hat >= -1 && stick.hat <= 7 &&
+         std::ranges::all_of(stick.centres, [](float centre) { return Within(centre, -1, 1); });
 }
 
 bool Valid(const Keys& /*any bits are keys*/) {

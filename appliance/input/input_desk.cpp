@@ -70,8 +70,8 @@ InputDesk::InputDesk(const board::Board& board, DeskWriters writers, DeskSources
   dials.seat = std::make_unique<DialSeat>(board, std::move(writers.surface), settings.counts_per_turn);
   dials.kind = DeviceKind::kDialBox;
   dials.port = settings.dial_box_port;
-  left.seat = std::make_unique<StickSeat>(board, std::move(writers.sticks[0]), 0, settings.sticks[0]);
-  right.seat = std::make_unique<StickSeat>(board, std::move(writers.sticks[1]), 1, settings.sticks[1]);
+  left.seat = std::make_unique<StickSeat>(board, std::move(writers.sticks[0]), 0, settings);
+  right.seat = std::make_unique<StickSeat>(board, std::move(writers.sticks[1]), 1, settings);
   left.kind = right.kind = DeviceKind::kJoystick;  // Their ports are the roles' business.
   keys.seat = std::make_unique<KeySeat>(board, std::move(writers.keys));
   keys.kind = DeviceKind::kKeyboard;

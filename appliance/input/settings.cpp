@@ -11,6 +11,8 @@
 namespace kaori::input {
 namespace {
 
+constexpr int kMostStickButtons = 32;
+
 // Collects the first complaint; every reader after it does nothing.
 class Reading {
  public:
@@ -84,8 +86,11 @@ class Reading {
   std::string complaint_;
 };
 
-void ReadStick(Reading& reading, const std::string& table, std::string& port, hid::StickSettings& stick) {
-  reading.Text(table, "port", port);
+void ReadStick(Reading& reading, std::size_t which, InputSettings& settings) {
+  const std::string table = which == 0 ? "stick.left" : "stick.right";
+  hid::StickSettings& stick = settings.sticks[which];
+  reading.Text(table, "port", settings.stick_ports[which]);
+  reading.Whole(table, "centre_button", settings.centre_buttons[which], 0, kMostStickButtons);
   reading.Number(table, "dead_zone", stick.dead_zone, 0, 0.9F);
   reading.Number(table, "reach", stick.reach, 0.1F, 1);
   reading.Number(table, "curve", stick.curve, 0, 1);
@@ -109,8 +114,7 @@ Result<InputSettings> ReadSettings(const std::string& path) {
   reading.Whole("dials", "counts_per_turn", settings.counts_per_turn, 1, 1 << 20);
   reading.Text("dials", "port", settings.dial_box_port);
   reading.Text("keyboard", "port", settings.keyboard_port);
-  ReadStick(reading, "stick.left", settings.stick_ports[0], settings.sticks[0]);
-  ReadStick(reading, "stick.right", settings.stick_ports[1], settings.sticks[1]);
+  for (std::size_t which = 0; which < settings.sticks.size(); ++which) ReadStick(reading, which, settings);
   reading.RefuseTheRest();
   if (!reading.complaint().empty()) return FailInput(reading.complaint());
   return settings;

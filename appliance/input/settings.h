@@ -16,12 +16,15 @@ struct InputSettings {
   std::string keyboard_port;                     // Empty: the first keyboard.
   std::array<std::string, kSticks> stick_ports;  // Left, right; empty: see StickRoles.
   std::array<hid::StickSettings, kSticks> sticks;
+  std::array<int, kSticks>
+      centre_buttons{};  // Pushed with the hand off the stick: this is its centre. 0: none.
 };
 
 // Reads a TOML file that people write:
 //   [dials]        counts_per_turn = 200    port = "1-4.1"
 //   [keyboard]     port = "1-4.2"
 //   [stick.left]   port = "1-4.3"   dead_zone = 0.05   reach = 1.0   curve = 0.3   slider_reversed = false
+//                  centre_button = 12
 //   [stick.right]  the same
 // What it does not name stays as above. Errors: those of the file; invalid_argument  a typing error, a key
 // that does not exist or a value out of range: the attempt names file, line and column.

@@ -20,10 +20,11 @@ bool AtRest(const board::Stick& stick) {
 using board::SourceState;
 
 StickSeat::StickSeat(const board::Board& board, board::Writer<board::Stick> writer, int which,
-                     const hid::StickSettings& settings)
+                     const InputSettings& settings)
     : writer_(std::move(writer)),
       which_(which),
-      settings_(settings),
+      settings_(settings.sticks[static_cast<std::size_t>(which)]),
+      centre_button_(settings.centre_buttons[static_cast<std::size_t>(which)]),
       stick_(board.Read<board::Stick>(which)) {
   buttons_.down = {stick_.value.buttons_down};
   std::ranges::copy(stick_.value.pushes, buttons_.pushes.begin());
@@ -36,25 +37,38 @@ Result<void> StickSeat::Plug(const ports::HidIdentity& identity, Time now) {
   buttons_.Plug();
   plugged_ = now;
   fresh_ = false;
-  stick_.value.port = HashOfPort(identity.port);
+  centre_pushes_ = 0;
+  const std::uint32_t port = HashOfPort(identity.port);
+  if (stick_.value.port != port) stick_.value.centres = {};  // Another stick.
+  decoder_->SetCentres(stick_.value.centres);
+  stick_.value.port = port;
   // Never moved: neutral is right. Live: this program restarted and goes on. Stale: see the class.
   Write(now, stick_.source == SourceState::kAbsent ? SourceState::kLive : stick_.source);
   return {};
 }
 
 Result<void> StickSeat::Take(std::span<const std::uint8_t> report, Time at) {
-  const auto sample = decoder_->Decode(report, at);
-  if (!sample) return tl::unexpected(sample.error());
+  if (const auto taken = decoder_->Decode(report, at); !taken) return tl::unexpected(taken.error());
+  TakeCentre(decoder_->sample());
+  const hid::StickSample& sample = decoder_->sample();
   board::Stick& stick = stick_.value;
-  stick.x = sample->x;
-  stick.y = sample->y;
-  stick.twist = sample->twist;
-  stick.slider = sample->slider;
-  stick.hat = sample->hat;
-  buttons_.Take(sample->buttons);
+  stick.x = sample.x;
+  stick.y = sample.y;
+  stick.twist = sample.twist;
+  stick.slider = sample.slider;
+  stick.hat = sample.hat;
+  buttons_.Take(sample.buttons);
   stick_.at = at;
   fresh_ = changed_ = true;
   return {};
+}
+
+void StickSeat::TakeCentre(const hid::StickSample& sample) {
+  if (centre_button_ == 0) return;
+  const std::uint32_t pushes = sample.buttons.pushes[static_cast<std::size_t>(centre_button_ - 1)];
+  if (std::exchange(centre_pushes_, pushes) == pushes) return;
+  decoder_->CalibrateCentre();
+  stick_.value.centres = decoder_->centres();
 }
 
 void StickSeat::Publish() {
@@ -77,7 +91,10 @@ void StickSeat::Tick(Time now, ports::HidChannel* device) {
     Write(now, SourceState::kStale);
   }
   if (now - plugged_ < kEased) return;
-  stick_.value = {.slider = stick_.value.slider, .pushes = stick_.value.pushes, .port = stick_.value.port};
+  stick_.value = {.slider = stick_.value.slider,
+                  .pushes = stick_.value.pushes,
+                  .port = stick_.value.port,
+                  .centres = stick_.value.centres};
   fresh_ = true;
   Write(now, SourceState::kLive);
 }

@@ -7,6 +7,7 @@
 #include "appliance/board/board.h"
 #include "appliance/input/carried_switches.h"
 #include "appliance/input/seat.h"
+#include "appliance/input/settings.h"
 #include "drivers/hid/joystick.h"
 
 namespace kaori::input {
@@ -18,7 +19,7 @@ class StickSeat final : public Seat {
  public:
   // `which` as on the board: 0 left, 1 right.
   StickSeat(const board::Board& board, board::Writer<board::Stick> writer, int which,
-            const hid::StickSettings& settings);
+            const InputSettings& settings);
 
   std::string_view name() const override { return which_ == 0 ? "left stick" : "right stick"; }
   Result<void> Plug(const ports::HidIdentity& identity, Time now) override;
@@ -28,11 +29,14 @@ class StickSeat final : public Seat {
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
+  void TakeCentre(const hid::StickSample& sample);
   void Write(Time at, board::SourceState source);
 
   board::Writer<board::Stick> writer_;
   int which_;
   hid::StickSettings settings_;
+  int centre_button_;                // From 1; 0: none.
+  std::uint32_t centre_pushes_ = 0;  // Of that button, since the plug.
   board::Stamped<board::Stick> stick_;
   CarriedSwitches<1> buttons_;
   std::optional<hid::JoystickDecoder> decoder_;

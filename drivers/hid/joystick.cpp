@@ -12,6 +12,11 @@ namespace {
 
 constexpr std::uint32_t kFirstButton = 1;
 constexpr std::int64_t kHatEighths = 8;
+constexpr float kFarthestRest = 1.0f / 3;  // Of the way to the end: no stick is so worn.
+
+float WayFromMiddle(std::int64_t at, std::int64_t middle, std::int64_t max) {
+  return max == middle ? 0.0f : static_cast<float>(at - middle) / static_cast<float>(max - middle);
+}
 
 }  // namespace
 
@@ -48,7 +53,7 @@ std::optional<JoystickDecoder::Axis> JoystickDecoder::FindAxis(Usage usage) cons
     if (field.is_relative || field.logical_max == field.logical_min) continue;
     // 0..16383 rests at 8192 and -32768..32767 at 0: the upper of two middles.
     const std::int64_t middle = field.logical_min + (field.logical_max - field.logical_min + 1) / 2;
-    return Axis{ref, field.logical_min, middle, field.logical_max, {}};
+    return Axis{ref, field.logical_min, middle, middle, field.logical_max, {}};
   }
   return std::nullopt;
 }
@@ -121,8 +126,28 @@ void JoystickDecoder::Release() {
 }
 
 void JoystickDecoder::CalibrateCentre() {
-  for (auto* axis : {&x_, &y_, &twist_})
-    if (*axis && (*axis)->raw) (*axis)->centre = *(*axis)->raw;
+  for (auto* axis : centred()) {
+    if (!*axis || !(*axis)->raw) continue;
+    const float way = WayFromMiddle(*(*axis)->raw, (*axis)->middle, (*axis)->max);
+    if (std::abs(way) <= kFarthestRest) (*axis)->centre = *(*axis)->raw;
+  }
+  Place();
+}
+
+JoystickDecoder::Centres JoystickDecoder::centres() const {
+  Centres centres{};
+  for (std::size_t n = 0; n < centres.size(); ++n)
+    if (const auto& axis = *centred()[n]) centres[n] = WayFromMiddle(axis->centre, axis->middle, axis->max);
+  return centres;
+}
+
+void JoystickDecoder::SetCentres(const Centres& centres) {
+  for (std::size_t n = 0; n < centres.size(); ++n) {
+    auto& axis = *centred()[n];
+    if (!axis) continue;
+    const double way = std::abs(centres[n]) <= kFarthestRest ? centres[n] : 0.0;
+    axis->centre = axis->middle + std::llround(way * static_cast<double>(axis->max - axis->middle));
+  }
   Place();
 }
 

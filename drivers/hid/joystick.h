@@ -47,20 +47,29 @@ class JoystickDecoder {
   // the slider, which has no neutral, keeps its place.
   void Release();
 
-  // Takes where X, Y and twist are now as their centres: hands off the stick. The newest sample follows.
+  // Takes where X, Y and twist are now as their centres: hands off the stick. The newest sample follows. An
+  // axis more than a third of the way from its middle is not at rest, and keeps its centre.
   void CalibrateCentre();
+
+  // Centres of X, Y and twist as the device has them (Y grows towards the operator): 0 the middle, -1 and 1
+  // the ends. What lies outside a third counts as 0.
+  using Centres = std::array<float, 3>;
+  Centres centres() const;
+  void SetCentres(const Centres& centres);
 
   const StickSample& sample() const { return sample_; }
 
  private:
   struct Axis {
     ElementRef where;
-    std::int64_t min = 0, centre = 0, max = 0;
+    std::int64_t min = 0, middle = 0, centre = 0, max = 0;
     std::optional<std::int64_t> raw;  // Nothing until the first fresh report.
   };
   JoystickDecoder(ReportLayout layout, const StickSettings& settings);
   std::optional<Axis> FindAxis(Usage usage) const;
   std::optional<Axis> FindSlider() const;
+  std::array<const std::optional<Axis>*, 3> centred() const { return {&x_, &y_, &twist_}; }
+  std::array<std::optional<Axis>*, 3> centred() { return {&x_, &y_, &twist_}; }
   void TakeAxes(const InputReport& report);
   void TakeHat(const InputReport& report);
   float Placed(const std::optional<Axis>& axis) const;

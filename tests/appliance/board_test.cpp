@@ -135,7 +135,7 @@ TEST(Board, ChecksEveryFieldThatCanBeWrong) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_TRUE(Valid(Stick{.x = -1, .y = 1, .slider = 1, .hat = 7}));
   for (const Stick& bad : {Stick{.x = nan}, Stick{.y = 1.01F}, Stick{.twist = -2}, Stick{.slider = -0.1F},
-                           Stick{.hat = 8}, Stick{.hat = -2}}) {
+                           Stick{.hat = 8}, Stick{.hat = -2}, Stick{.centres = {0, nan, 0}}}) {
     EXPECT_FALSE(Valid(bad));
   }
   EXPECT_FALSE(Valid(Surface{.counts_per_turn = 0}));

@@ -148,6 +148,33 @@ TEST_F(Sticks, NeverSwapWhateverTheOrderOfThePlugs) {
   EXPECT_GT(Board().sticks[1].value.x, 0.9F);
 }
 
+TEST_F(Sticks, TakeTheirCentreAtAPushAndKeepItOverARestart) {
+  settings_.centre_buttons = {12, 0};
+  KillDesk();
+  StartDesk();
+  rig_->left_stick().Move(0.2F, -0.1F);  // A worn stick, with no hand on it.
+  rig_->right_stick().Move(0.2F, 0);
+  Play(milliseconds(20));
+  ASSERT_GT(Board().sticks[0].value.x, 0.1F);
+  for (sim::StickPod* stick : {&rig_->left_stick(), &rig_->right_stick()}) {
+    stick->Push(11);
+    Play(milliseconds(20));
+    stick->Release(11);
+  }
+  Play(milliseconds(20));
+  const auto check = [this] {
+    EXPECT_EQ(Board().sticks[0].value.x, 0);
+    EXPECT_EQ(Board().sticks[0].value.y, 0);
+    EXPECT_GT(Board().sticks[1].value.x, 0.1F) << "this one has no such button";
+  };
+  check();
+  KillDesk();
+  Play(milliseconds(50));
+  StartDesk();
+  Play(milliseconds(500));
+  check();
+}
+
 TEST_F(Sticks, HoldStillWhenTheProgramIsKilled) {
   rig_->left_stick().Move(0.5F, -0.25F);
   Play(milliseconds(5));

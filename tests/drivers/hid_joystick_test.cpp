@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "drivers/hid/joystick.h"
 #include "firmware/wire/stick_pod.h"
 #include "tests/drivers/hid_devices.h"
@@ -77,6 +79,29 @@ TEST(StickPod, CalibratesItsCentreAndStillReachesBothEnds) {
   EXPECT_FLOAT_EQ(stick.sample().x, 1);
   ASSERT_TRUE(stick.Decode(wire::Encode(wire::StickPodReport{.x = -32767}), At(2)));
   EXPECT_FLOAT_EQ(stick.sample().x, -1);
+}
+
+TEST(StickPod, DoesNotTakeAHandForTheCentre) {
+  auto stick = Stick(wire::kStickPodDescriptor);
+  ASSERT_TRUE(stick.Decode(wire::Encode(wire::StickPodReport{.x = 20000, .y = 3000}), At(1)));
+  stick.CalibrateCentre();
+  EXPECT_NEAR(stick.sample().x, 0.61, 0.01);
+  EXPECT_EQ(stick.sample().y, 0);
+}
+
+TEST(StickPod, GoesOnWithTheCentresOfItsPredecessor) {
+  auto stick = Stick(wire::kStickPodDescriptor);
+  const auto report = wire::Encode(wire::StickPodReport{.x = 3000, .y = -2001, .twist = -777});
+  ASSERT_TRUE(stick.Decode(report, At(1)));
+  stick.CalibrateCentre();
+  auto next = Stick(wire::kStickPodDescriptor);
+  next.SetCentres(stick.centres());
+  ASSERT_TRUE(next.Decode(report, At(2)));
+  EXPECT_EQ(next.sample().x, 0);
+  EXPECT_EQ(next.sample().y, 0);
+  EXPECT_EQ(next.sample().twist, 0);
+  next.SetCentres({0.9f, std::nanf(""), -2});
+  for (const float centre : next.centres()) EXPECT_EQ(centre, 0);
 }
 
 TEST(StickShape, IsStillInTheDeadZoneAndLeavesItWithoutAJump) {
