@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "appliance/show/pack_content.h"
@@ -10,6 +11,12 @@ namespace {
 
 constexpr flatbuffers::uoffset_t kMaxTables = 100'000;
 constexpr flatbuffers::uoffset_t kMaxDepth = 16;
+
+// What does not fit becomes the largest number that does, and CheckShow finds that to be too large.
+template <class To>
+To Narrow(std::uint32_t value) {
+  return static_cast<To>(std::min<std::uint32_t>(value, std::numeric_limits<To>::max()));
+}
 
 glm::vec3 Vec(const pack::Vec3* v) {
   return v == nullptr ? glm::vec3{} : glm::vec3(v->x(), v->y(), v->z());
@@ -86,7 +93,7 @@ face::Face ReadFace(Copier& from, const pack::Face& stored) {
 
 face::Expression ReadExpression(Copier& from, const pack::Expression& stored) {
   return {.name = from.Text(stored.name()),
-          .kind = static_cast<face::ExpressionKind>(stored.kind()),
+          .kind = static_cast<face::ExpressionKind>(Narrow<std::uint8_t>(stored.kind())),
           .displacement = from.Structs<glm::vec3>(stored.displacement()),
           .lids = {stored.lid_left(), stored.lid_right()},
           .residual = from.Structs<glm::vec3>(stored.residual())};
@@ -94,7 +101,7 @@ face::Expression ReadExpression(Copier& from, const pack::Expression& stored) {
 
 face::Prop ReadProp(Copier& from, const pack::Prop& stored) {
   return {.name = from.Text(stored.name()),
-          .part = static_cast<face::Part>(stored.part()),
+          .part = static_cast<face::Part>(Narrow<std::uint8_t>(stored.part())),
           .colour = Vec(stored.colour()),
           .vertices = from.Structs<face::PropVertex>(stored.vertices()),
           .triangles = from.Structs<face::Triangle>(stored.triangles())};
@@ -106,19 +113,19 @@ face::Texture ReadTexture(Copier& from, const pack::Texture& stored) {
 
 Take ReadTake(Copier& from, const pack::Take& stored) {
   const auto curve = [](Copier& copier, const pack::TakeCurve& c) {
-    return TakeCurve{static_cast<TakeTarget>(c.target()), static_cast<std::uint16_t>(c.channel()),
-                     copier.Structs<TakeKey>(c.keys())};
+    return TakeCurve{static_cast<TakeTarget>(Narrow<std::uint8_t>(c.target())),
+                     Narrow<std::uint16_t>(c.channel()), copier.Structs<TakeKey>(c.keys())};
   };
-  return {from.Text(stored.name()), static_cast<std::uint16_t>(stored.key_usage()),
+  return {from.Text(stored.name()), Narrow<std::uint16_t>(stored.key_usage()),
           from.Tables<TakeCurve>(stored.curves(), curve)};
 }
 
 StageScene ReadScene(Copier& from, const pack::StageScene& stored) {
   return {.name = from.Text(stored.name()),
-          .key_usage = static_cast<std::uint16_t>(stored.key_usage()),
-          .face = static_cast<std::uint16_t>(stored.face()),
-          .expression = static_cast<std::uint16_t>(stored.expression()),
-          .style = static_cast<scene::Style>(stored.style()),
+          .key_usage = Narrow<std::uint16_t>(stored.key_usage()),
+          .face = Narrow<std::uint16_t>(stored.face()),
+          .expression = Narrow<std::uint16_t>(stored.expression()),
+          .style = static_cast<scene::Style>(Narrow<std::uint8_t>(stored.style())),
           .backdrop = {Vec(stored.backdrop_top()), Vec(stored.backdrop_bottom())},
           .exposure = stored.exposure(),
           .fade_s = stored.fade_s()};
@@ -150,7 +157,8 @@ Show Read(Copier& from, const pack::Pack& stored) {
   if (stored.buttons() != nullptr)
     for (flatbuffers::uoffset_t i = 0; i < stored.buttons()->size() && i < show.buttons.size(); ++i) {
       const pack::Call* call = stored.buttons()->Get(i);
-      show.buttons[i] = {static_cast<CallKind>(call->kind()), static_cast<std::uint16_t>(call->index())};
+      show.buttons[i] = {static_cast<CallKind>(Narrow<std::uint8_t>(call->kind())),
+                         Narrow<std::uint16_t>(call->index())};
     }
   show.takes = from.Tables<Take>(stored.takes(), ReadTake);
   show.scenes = from.Tables<StageScene>(stored.scenes(), ReadScene);

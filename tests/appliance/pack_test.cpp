@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <ostream>
 
 #include "appliance/show/check.h"
 #include "tests/appliance/pack_fixture.h"
@@ -62,6 +63,84 @@ TEST(CheckShow, NamesEveryControlThatCallsNothing) {
               ::testing::UnorderedElementsAre(HasSubstr("button 1"), HasSubstr("scene \"opening\""),
                                               HasSubstr("take \"nod\"")));
 }
+
+struct ShowFault {
+  const char* name;
+  void (*spoil)(Show&);
+  const char* line;
+  friend void PrintTo(const ShowFault& fault, std::ostream* out) { *out << fault.name; }
+};
+
+void SetKeys(Show& show, std::vector<show::TakeKey> keys) {
+  show.takes[0].curves[0].keys = std::move(keys);
+}
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const ShowFault kShowFaults[] = {
+    {"ButtonOfNoKnownKind",
+     [](Show& s) {
+       s.buttons[7] = {show::CallKind{5}, 0};
+     },
+     "button 8: calls number 0 of 0"},
+    {"ButtonForAStyleThatIsNone",
+     [](Show& s) {
+       s.buttons[0] = {show::CallKind::kStyle, 5};
+     },
+     "button 1"},
+    {"ButtonForASceneThatIsNone",
+     [](Show& s) {
+       s.buttons[0] = {show::CallKind::kScene, 1};
+     },
+     "button 1"},
+    {"SceneInAStyleThatIsNone", [](Show& s) { s.scenes[0].style = scene::Style{9}; }, "there is no style 9"},
+    {"SceneThatNeverArrives", [](Show& s) { s.scenes[0].fade_s = 1e30F; }, "scene \"opening\": its fade is"},
+    {"SceneThatGoesBack", [](Show& s) { s.scenes[0].fade_s = -1; }, "scene \"opening\": its fade is -1 s"},
+    {"SceneThatBlinds", [](Show& s) { s.scenes[0].exposure = 1e9F; }, "scene \"opening\": its light is"},
+    {"SceneBeforeNothing", [](Show& s) { s.scenes[0].backdrop.top.y = kNan; }, "its backdrop holds a colour"},
+    {"SceneOnAKeyThatIsNone", [](Show& s) { s.scenes[0].key_usage = 999; },
+     "scene \"opening\": there is no key 999"},
+    {"TakeThatStartsInTheMiddle",
+     [](Show& s) {
+       SetKeys(s, {{-1, 0}, {1, 0.3F}, {2, 0}});
+     },
+     "a curve leaves 0 to"},
+    {"TakeThatJumps",
+     [](Show& s) {
+       SetKeys(s, {{0, 0}, {1, 0}, {1, 0.3F}, {2, 0}});
+     },
+     "the times of a curve must rise"},
+    {"TakeThatTurnsTheHeadOff",
+     [](Show& s) {
+       SetKeys(s, {{0, 0}, {1, 400}, {2, 0}});
+     },
+     "or -4 to 4"},
+    {"TakeOfNoNumber",
+     [](Show& s) {
+       SetKeys(s, {{0, 0}, {kNan, 0.3F}, {2, 0}});
+     },
+     "take \"nod\""},
+    {"TakeOfAChannelThatIsNone",
+     [](Show& s) {
+       s.takes[0].curves[0] = {show::TakeTarget::kChannel, 99, {{0, 0}, {1, 0}}};
+     },
+     "a curve moves nothing that exists"},
+    {"RoleOfAnExpressionThatIsNone", [](Show& s) { s.channels.mouth[2] = 99; },
+     "channel mouth: there is no expression"},
+    {"NoTexture", [](Show& s) { s.cast.textures.clear(); }, "textures: there is none"},
+    {"MoreItemsThanIndices", [](Show& s) { s.scenes.resize(5000, s.scenes[0]); },
+     "scenes: 5000, and 4096 at most"},
+};
+
+class AFaultOfAShow : public ::testing::TestWithParam<ShowFault> {};
+
+TEST_P(AFaultOfAShow, IsFoundAndNamed) {
+  Show show = SmallShow();
+  GetParam().spoil(show);
+  EXPECT_THAT(show::CheckShow(show), ::testing::Contains(HasSubstr(GetParam().line)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, AFaultOfAShow, ::testing::ValuesIn(kShowFaults),
+                         [](const auto& fault) { return std::string(fault.param.name); });
 
 }  // namespace
 }  // namespace kaori::testing

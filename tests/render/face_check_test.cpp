@@ -79,7 +79,8 @@ const Fault kFaults[] = {
      "expression \"surprised\": 1"},
     {"LidsBeyondShut", [](face::Cast& c) { c.expressions[1].lids[0] = 1.5F; },
      "its lids are not within 0 to 1"},
-    {"GainIsNoNumber", [](face::Cast& c) { c.faces[2].expression_gain = kNan; }, "face \"turned\": the gain"},
+    {"GainIsNoNumber", [](face::Cast& c) { c.faces[2].expression_gain = kNan; },
+     "face \"turned\", its look: 1 values"},
     {"EyeWithoutPlace", [](face::Cast& c) { c.faces[0].eyes[1].centre.x = kNan; },
      "an eye has no place or size"},
     {"OcclusionTooShort", [](face::Cast& c) { c.faces[0].occlusion.pop_back(); },
@@ -101,6 +102,37 @@ const Fault kFaults[] = {
        c.props.push_back({.name = "bob", .part = {}, .colour = {}, .vertices = {}, .triangles = {{0, 1, 2}}});
      },
      "prop \"bob\": 3 indices out of range"},
+    {"TextureBeyondAllSize",
+     [](face::Cast& c) {
+       c.textures.push_back({1 << 20, 1, {}});
+     },
+     "texture 0: is larger than 8192 pixels a side"},
+    {"PropOfNoKnownPart",
+     [](face::Cast& c) {
+       c.props.push_back(
+           {.name = "bob", .part = face::Part{5}, .colour = {}, .vertices = {}, .triangles = {}});
+     },
+     "prop \"bob\": is a part that does not exist"},
+    {"PropColourIsNoNumber",
+     [](face::Cast& c) {
+       c.props.push_back(
+           {.name = "bob", .part = {}, .colour = {0, kNan, 0}, .vertices = {}, .triangles = {}});
+     },
+     "prop \"bob\": its colour is not a number"},
+    {"LockIsNoNumber",
+     [](face::Cast& c) {
+       c.props.push_back({.name = "bob", .part = {}, .colour = {}, .vertices = {{}}, .triangles = {}});
+       c.props[0].vertices[0].across = kNan;
+     },
+     "prop \"bob\": a vertex holds what is not a number"},
+    {"ExpressionOfNoKnownKind", [](face::Cast& c) { c.expressions[2].kind = face::ExpressionKind{3}; },
+     "expression \"surprised\": is of a kind that does not exist"},
+    {"TeethAreNoNumber", [](face::Cast& c) { c.faces[1].mouth.lower_teeth = kNan; },
+     "face \"round\", its look: 1 values"},
+    {"IrisIsNoNumber", [](face::Cast& c) { c.faces[3].eye_look.iris.y = kNan; },
+     "face \"long\", its look: 1 values"},
+    {"NeckIsNowhere", [](face::Cast& c) { c.neck_pivot.z = kNan; },
+     "cast: the neck or the mouth has no place"},
     {"NoFace", [](face::Cast& c) { c.faces.clear(); }, "cast: has no face"},
     {"NoExpression", [](face::Cast& c) { c.expressions.clear(); }, "cast: has no expression"},
 };

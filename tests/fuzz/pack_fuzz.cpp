@@ -1,0 +1,76 @@
+// Any bytes as a show pack: refused, or everything that the show calls is there, and it can be played. The
+// kept inputs began with the content and the header of a tiny show (SmallShow in
+// tests/appliance/pack_fixture.h).
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "appliance/performance/animate.h"
+#include "appliance/show/check.h"
+#include "appliance/show/pack_container.h"
+#include "appliance/show/pack_content.h"
+#include "render/face/composer.h"
+#include "tests/fuzz/check.h"
+
+namespace kaori::fuzz {
+namespace {
+
+void CheckCalls(const show::Show& show) {
+  const std::size_t expressions = show.cast.expressions.size();
+  for (const show::Call& call : show.buttons) {
+    const std::size_t counts[]{1, show.cast.faces.size(), expressions, scene::kStyleCount,
+                               show.scenes.size()};
+    Promise(call.kind <= show::CallKind::kScene, "a button calls what exists");
+    Promise(call.index < counts[static_cast<std::size_t>(call.kind)], "a button calls one that exists");
+  }
+  for (const show::StageScene& scene : show.scenes)
+    Promise(scene.face < show.cast.faces.size() && scene.expression < expressions &&
+                static_cast<int>(scene.style) < scene::kStyleCount,
+            "a scene shows what exists");
+  for (const face::Face& face : show.cast.faces) {
+    Promise(face.surface.texture >= 0 && face.surface.texture < static_cast<int>(show.cast.textures.size()),
+            "a face has a texture");
+    for (const int prop : face.props)
+      Promise(prop >= 0 && prop < static_cast<int>(show.cast.props.size()), "a face wears what exists");
+  }
+  for (const face::Prop& prop : show.cast.props) {
+    Promise(prop.part <= face::Part::kClothes, "a prop is a known part");
+    for (const face::Triangle& t : prop.triangles)
+      Promise(std::ranges::max(t) < prop.vertices.size(), "a prop's corners exist");
+  }
+}
+
+// Every button and every key at once, and what comes of it for a few frames.
+void Play(const show::Show& show) {
+  face::Composer composer(show.cast);
+  board::Snapshot board;
+  Time now = Time{} + std::chrono::seconds(1);
+  performance::State state = performance::Opening(show, board, now);
+  board.surface.source = board.keys.source = board::SourceState::kLive;
+  board.surface.value.pushes.fill(1);
+  board.keys.value.pushes.fill(1);
+  for (int frame = 0; frame < 4; ++frame) {
+    const auto performed = performance::Animate(state, board, show, now += std::chrono::milliseconds(90));
+    state = performed.state;
+    Promise(performance::Sound(state, show), "a sound show is performed soundly");
+    Promise(std::isfinite(performed.scene.head.yaw_rad + performed.scene.light.exposure), "and in numbers");
+    composer.Compose(performed.scene.weights, face::Detail::kFine);
+  }
+}
+
+}  // namespace
+}  // namespace kaori::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace kaori;
+  if (const auto seal = show::ReadHeader({data, size}, size))
+    fuzz::Promise(seal->content_bytes + show::kPackHeader_bytes == size, "a header knows its file's length");
+  const std::vector<std::uint8_t> aligned(data, data + size);
+  const auto show = show::DecodeContent(aligned);
+  if (!show || !show::CheckShow(*show).empty()) return 0;
+  fuzz::CheckCalls(*show);
+  fuzz::Play(*show);
+  return 0;
+}
