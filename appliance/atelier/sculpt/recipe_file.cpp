@@ -261,6 +261,16 @@ Result<FaceRecipe> ReadFace(const std::filesystem::path& path, const std::string
   return face;
 }
 
+// What is wrong with several files, one a line.
+struct Complaints {
+  std::string text;
+
+  template <class T>
+  void Hear(const Result<T>& result) {
+    if (!result) text += (text.empty() ? "" : "\n") + result.error().message();
+  }
+};
+
 }  // namespace
 
 Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder) {
@@ -273,12 +283,14 @@ Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder) {
   CastRecipe cast{.aim = ReadAim(file.Part("aim")), .faces = {}};
   const std::vector<std::string> names = file.Words("faces");
   if (names.empty()) file.Fault("faces", "there must be one at least");
-  if (const Result<void> verdict = faults.Verdict(); !verdict) return tl::unexpected(verdict.error());
+  Complaints complaints;
+  complaints.Hear(faults.Verdict());
   for (const std::string& name : names) {
     Result<FaceRecipe> face = ReadFace(folder / (name + ".toml"), name);
-    if (!face) return tl::unexpected(face.error());
-    cast.faces.push_back(std::move(*face));
+    complaints.Hear(face);
+    if (face) cast.faces.push_back(std::move(*face));
   }
+  if (!complaints.text.empty()) return FailInput(complaints.text);
   if (!std::holds_alternative<Carved>(cast.faces.front().shape)) {
     return FailInput(cast.faces.front().file + ": shape: the first face must be \"carved\"");
   }

@@ -31,11 +31,20 @@ bool IsOnRings(const Key& key, int rim, int rings) {
 }  // namespace
 
 void Faults::Add(int line, std::string_view item, std::string_view reason) {
-  if (!first_) first_ = fmt::format("{}:{}: {}: {}", file_, line, item, reason);
+  if (IsFaulty(item)) return;
+  items_.emplace_back(item);
+  lines_ += fmt::format("{}{}:{}: {}: {}", lines_.empty() ? "" : "\n", file_, line, item, reason);
+}
+
+bool Faults::IsFaulty(std::string_view item) const {
+  return std::any_of(items_.begin(), items_.end(), [item](const std::string& faulty) {
+    const bool within = item.starts_with(faulty) && !faulty.empty();
+    return item == faulty || (within && (item[faulty.size()] == '.' || item[faulty.size()] == '['));
+  });
 }
 
 Result<void> Faults::Verdict() const {
-  if (first_) return FailInput(*first_);
+  if (any()) return FailInput(lines_);
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Reads values out of a file that people write, and remembers the first thing that is wrong with it.
+// Reads values out of a file that people write, and remembers everything that is wrong with it.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,22 @@
 
 namespace kaori::sculpt {
 
-// The first fault of a file: "faces/dog.toml:12: eye.radius: is missing".
+// The faults of a file: "faces/dog.toml:12: eye.radius: is missing".
 class Faults {
  public:
   explicit Faults(std::string file) : file_(std::move(file)) {}
 
+  // An item has one fault, and so has all that lies within it: what follows from the first is not said.
   void Add(int line, std::string_view item, std::string_view reason);
-  bool any() const { return first_.has_value(); }
-  Result<void> Verdict() const;
+  bool any() const { return !items_.empty(); }
+  Result<void> Verdict() const;  // All of them, one a line.
 
  private:
+  bool IsFaulty(std::string_view item) const;
+
   std::string file_;
-  std::optional<std::string> first_;
+  std::vector<std::string> items_;
+  std::string lines_;
 };
 
 // One table of a file. Borrows the value and the faults. What is missing or of the wrong kind becomes a fault

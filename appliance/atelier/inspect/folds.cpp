@@ -1,0 +1,46 @@
+#include "appliance/atelier/inspect/folds.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace kaori::inspect {
+namespace {
+
+constexpr float kTurnedOver = -0.3F;  // Cosine of the angle to its surroundings: 107 degrees.
+constexpr float kNoArea_m2 = 1e-10F;  // A square of a hundredth of a millimetre: nobody sees where it looks.
+
+// The unit normal of each triangle; zero where it has no area.
+std::vector<glm::vec3> Normals(std::span<const glm::vec3> fine, std::span<const face::Triangle> triangles) {
+  std::vector<glm::vec3> normals;
+  normals.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    const glm::vec3 normal = glm::cross(fine[b] - fine[a], fine[c] - fine[a]);
+    const float length = glm::length(normal);
+    normals.push_back(length > 2 * kNoArea_m2 ? normal / length : glm::vec3(0));
+  }
+  return normals;
+}
+
+}  // namespace
+
+Folds FindFolds(std::span<const glm::vec3> fine, const face::FineMesh& mesh, const std::vector<bool>& skin) {
+  const auto normals = Normals(fine, mesh.triangles);
+  const auto weld = [&](face::Index v) { return std::min(v, mesh.twin[v]); };
+  std::vector<glm::vec3> around(fine.size(), glm::vec3(0));
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    for (const face::Index v : mesh.triangles[i]) around[weld(v)] += normals[i];
+  Folds folds;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!skin[i]) continue;
+    glm::vec3 sum = -3.0F * normals[i];
+    for (const face::Index v : mesh.triangles[i]) sum += around[weld(v)];
+    if (glm::dot(sum, normals[i]) >= kTurnedOver * glm::length(sum)) continue;
+    const auto& [a, b, c] = mesh.triangles[i];
+    if (folds.triangles.empty()) folds.at = (fine[a] + fine[b] + fine[c]) / 3.0F;
+    folds.triangles.push_back(i);
+  }
+  return folds;
+}
+
+}  // namespace kaori::inspect

@@ -1,0 +1,41 @@
+// Looks at every face with every expression as it is played, and lists what an audience must not see.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/face/cast.h"
+
+namespace kaori::inspect {
+
+enum class Flaw : std::uint8_t {
+  kFold,             // Triangles of the skin that are turned over; how many.
+  kLidGap,           // Shut lids that show the ball; square millimetres, the worse eye.
+  kTeethThroughLips  // Teeth before the lips; millimetres that they stand out.
+};
+
+struct Finding {
+  Flaw flaw = Flaw::kFold;
+  std::string face;
+  std::string expression;
+  int count = 0;      // Triangles, eyes, vertices of teeth.
+  float measure = 0;  // In the unit that the flaw says.
+};
+
+struct Inspection {
+  int folds = 0;               // Triangles, over all faces and expressions.
+  int lid_gaps = 0;            // Eyes.
+  int teeth_through_lips = 0;  // Faces in expressions.
+  std::vector<Finding> findings;
+};
+
+// Composes the fine mesh of each face with each expression alone, and with its lids shut; some milliseconds
+// each. Calls `face_begun` with each face's name. The cast must have passed CheckCast.
+Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun);
+
+// "dog, laugh: 3 folded triangles".
+std::string Say(const Finding& finding);
+
+}  // namespace kaori::inspect
