@@ -11,6 +11,7 @@ namespace kaori::stage {
 namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
+constexpr Duration kFarthestLight = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
 
 Duration CpuOfProcess() {
   rusage usage{};
@@ -82,7 +83,8 @@ Result<void> Stage::Draw() {
   const Duration cpu_before = CpuOfProcess();
   const Time now = clock_.now();
   // The flip after the one just seen; before the first flip the screen's beat is not known.
-  const Time light = last_flip_ ? std::max(now, last_flip_->at + last_flip_->period) : now;
+  const Time light =
+      last_flip_ ? std::clamp(last_flip_->at + last_flip_->period, now, now + kFarthestLight) : now;
   const board::Snapshot snapshot = board::ReadAll(board_);
   const scene::Scene scene = Perform(snapshot, light);
   if (auto drawn = studio_.Draw(scene, *picture); !drawn) return drawn;
@@ -102,6 +104,7 @@ scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
 
 void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   const Time now = clock_.now();
+  if (second_.frames == 0 && second_.began == Time{}) second_.began = state_.last;
   ++status_.frames;
   ++second_.frames;
   second_.cpu += cpu;

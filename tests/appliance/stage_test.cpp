@@ -1,0 +1,187 @@
+// The stage: screens that come, go and change, a second stage, a stage that takes over, and no heap on the
+// way.
+#include "appliance/stage/stage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "appliance/board/performance_state.h"
+#include "tests/appliance/pack_fixture.h"
+#include "tests/appliance/stage_screen.h"
+#include "tests/render/allocation_count.h"
+
+namespace kaori::testing {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+using ::testing::HasSubstr;
+
+constexpr Duration kFrame = 16'666'667ns;
+
+class StageTest : public PackTest {
+ protected:
+  static void SetUpTestSuite() {
+    show::Show show = SmallShow();
+    for (std::uint16_t i = 0; i < 4; ++i) show.buttons[i] = {show::CallKind::kFace, i};
+    for (std::uint16_t i = 0; i < 3; ++i) show.buttons[4U + i] = {show::CallKind::kExpression, i};
+    for (std::uint16_t i = 0; i < 5; ++i) show.buttons[7U + i] = {show::CallKind::kStyle, i};
+    show.buttons[12] = {show::CallKind::kScene, 0};
+    auto studio = stage::Studio::Open(std::move(show));
+    ASSERT_TRUE(studio) << studio.error().message();
+    studio_ = std::move(*studio);
+  }
+  static void TearDownTestSuite() { studio_.reset(); }
+
+  StageTest()
+      : board_(board::Board::Create((folder_ / "board").string()).value()),
+        surface_(board_.TakeWriter<board::Surface>().value()) {
+    clock_.Advance(100s);
+    Touch();
+  }
+
+  std::unique_ptr<stage::Stage> Open() {
+    return std::make_unique<stage::Stage>(board_, stage::StageWriters::Take(board_).value(), *studio_,
+                                          clock_);
+  }
+  void Touch() { surface_.Write(hands_, clock_.now(), board::SourceState::kLive); }
+
+  // A vertical blank, and what the stage makes of it.
+  void Frame(stage::Stage& stage) {
+    clock_.Advance(kFrame);
+    screen_.flip = ports::Flip{clock_.now(), screen_.presented, kFrame};
+    stage.Step();
+  }
+
+  static std::unique_ptr<stage::Studio> studio_;
+  ManualClock clock_;
+  board::Board board_;
+  board::Writer<board::Surface> surface_;
+  board::Surface hands_;
+  ScreenHand screen_;
+};
+std::unique_ptr<stage::Studio> StageTest::studio_;
+
+TEST_F(StageTest, TakesNothingFromTheHeapOnItsFramePath) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  const auto play = [&](int frames) {
+    for (int frame = 0; frame < frames; ++frame) {
+      if (frame % 7 == 0) ++hands_.pushes[static_cast<std::size_t>(frame / 7 % 13)];
+      hands_.counts[static_cast<std::size_t>(frame % 8)] += frame % 5 - 2;
+      Touch();
+      Frame(*stage);
+    }
+  };
+  play(200);  // Every call was seen once: shaders are compiled, buffers have their size.
+  const std::size_t before = AllocationCount();
+  play(600);
+  EXPECT_EQ(AllocationCount() - before, 0U);
+  EXPECT_EQ(screen_.presented, 800U);
+  const std::size_t counted = AllocationCount();
+  const auto proof = std::make_unique<int>(1);
+  EXPECT_EQ(AllocationCount(), counted + 1) << "the heap is not counted";
+}
+
+TEST_F(StageTest, FollowsAScreenThatChangesItsSize) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  for (const auto& [width_px, height_px] : {std::pair{64, 36}, {200, 120}, {1, 1}, {33, 77}}) {
+    screen_.width_px = width_px;
+    screen_.height_px = height_px;
+    std::ranges::fill(screen_.picture, std::uint8_t{0});
+    Frame(*stage);
+    ASSERT_TRUE(stage->has_screen()) << width_px << " x " << height_px;
+    EXPECT_TRUE(screen_.Shows()) << width_px << " x " << height_px;
+  }
+}
+
+TEST_F(StageTest, PlaysOnWithoutItsScreenAndShowsAgainWhenItReturns) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  Frame(*stage);
+  screen_.plugged = false;
+  Frame(*stage);
+  EXPECT_FALSE(stage->has_screen());
+  stage->Step();  // Without a screen: nothing.
+  ++hands_.pushes[2];
+  Touch();
+  for (int i = 0; i < 30; ++i) {
+    clock_.Advance(33ms);
+    stage->StepUnseen();
+  }
+  EXPECT_EQ(stage->state().faces.to, 2);
+  EXPECT_TRUE(board_.Read<board::Lamps>().value.lit & 4U) << "lamps answer without a screen";
+  screen_.plugged = true;
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  const auto shown = screen_.presented;
+  Frame(*stage);
+  EXPECT_GT(screen_.presented, shown);
+}
+
+TEST_F(StageTest, IsNotCarriedAwayByAScreenWhoseClockIsWrong) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  ++hands_.pushes[2];
+  Touch();
+  for (int i = 0; i < 120; ++i) {
+    clock_.Advance(kFrame);
+    screen_.flip = ports::Flip{clock_.now() + 1h, screen_.presented, kFrame};
+    stage->Step();
+    ASSERT_LE(stage->state().last, clock_.now() + 100ms);
+  }
+  EXPECT_FLOAT_EQ(stage->state().faces.progress, 1) << "time goes on all the same";
+}
+
+TEST_F(StageTest, RefusesASecondStageOnOneBoard) {
+  const auto stage = Open();
+  const auto second = stage::StageWriters::Take(board_);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().cause, std::errc::device_or_resource_busy);
+  EXPECT_THAT(second.error().attempt, HasSubstr("held by process " + std::to_string(::getpid())));
+}
+
+TEST_F(StageTest, GoesOnWhereAStageThatDiedLeftOff) {
+  auto stage = Open();
+  EXPECT_FALSE(stage->resumed());
+  ++hands_.pushes[3];
+  Touch();
+  for (int i = 0; i < 12; ++i) {
+    clock_.Advance(33ms);
+    stage->StepUnseen();
+  }
+  const performance::State left = stage->state();
+  ASSERT_LT(left.faces.progress, 1) << "it dies in the middle of a fade";
+  stage.reset();
+  clock_.Advance(2s);
+  stage = Open();
+  EXPECT_TRUE(stage->resumed());
+  stage->StepUnseen();
+  EXPECT_EQ(stage->state().faces.to, 3);
+  EXPECT_GE(stage->state().faces.progress, left.faces.progress);
+  EXPECT_LT(stage->state().faces.progress, left.faces.progress + 0.2F);
+}
+
+TEST_F(StageTest, OpensAnewOverWhatIsNoSoundState) {
+  performance::State state;
+  state.faces.to = 77;
+  {
+    auto writer = board_.TakeWriter<board::Performance>().value();
+    writer.Write(board::Hold(state), clock_.now(), board::SourceState::kLive);
+  }
+  auto stage = Open();
+  EXPECT_FALSE(stage->resumed());
+  stage->StepUnseen();
+  EXPECT_TRUE(performance::Sound(stage->state(), studio_->show()));
+}
+
+TEST_F(StageTest, TellsItsFramesPerSecondFromTheFirstSecondOn) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  for (int i = 0; i < 62; ++i) Frame(*stage);
+  EXPECT_NEAR(board_.Read<board::StageStatus>().value.frames_per_s, 60, 2);
+}
+
+}  // namespace
+}  // namespace kaori::testing
