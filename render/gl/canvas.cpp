@@ -134,18 +134,23 @@ void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
   glClearColor(0, 0, 0, 0);
   for (const Box& part : parts) {
     if (part.empty()) continue;
-    glScissor(part.left_px, part.bottom_px, part.width_px, part.height_px);
+    Within(part);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
-  glScissor(whole.left_px, whole.bottom_px, whole.width_px, whole.height_px);
+  Within(whole);
 }
 
-void Canvas::BeginPicture(const Box& box) const {
-  Aim(picture_frame_.id(), options_, box);
+void Canvas::BeginPicture() const {
+  Aim(picture_frame_.id(), options_, {});
+}
+
+void Canvas::Within(const Box& box) const {
+  glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
 }
 
 void Canvas::BeginPlain(const glm::vec3& background) const {
   assert(options_.samples == 0);
+  Sign({});
   Aim(picture_frame_.id(), options_, whole());
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);

@@ -41,8 +41,9 @@ class Canvas {
   // Drawing goes to the layer within `whole` from here on; `parts` are cleared to nothing, and their depth to
   // far.
   void BeginLayer(std::span<const Box> parts, const Box& whole) const;
-  // Drawing goes to the picture within `box` from here on, without depth.
-  void BeginPicture(const Box& box) const;
+  // Drawing goes to the picture from here on, without depth: nowhere, until Within says where.
+  void BeginPicture() const;
+  void Within(const Box& box) const;
   // Drawing goes straight to the picture, which becomes `background` (linear light), with depth: for canvases
   // without samples.
   void BeginPlain(const glm::vec3& background) const;
@@ -52,6 +53,15 @@ class Canvas {
   // Waits until the picture is finished and copies it out: R, G, B, X; the bottom row first.
   // `bytes` holds width * height * 4.
   void ReadPixels(std::span<std::uint8_t> bytes) const;
+
+  // Whoever finds here what they signed with last may count on the picture as they left it.
+  struct Signature {
+    const void* painter = nullptr;
+    std::uint64_t frame = 0;
+    bool operator==(const Signature&) const = default;
+  };
+  void Sign(const Signature& signature) const { signature_ = signature; }
+  const Signature& signature() const { return signature_; }
 
   int width_px() const { return options_.width_px; }
   int height_px() const { return options_.height_px; }
@@ -74,6 +84,7 @@ class Canvas {
   Handle picture_frame_;
   Handle layer_frame_;  // With the samples and the depth.
   Handle resolved_frame_;
+  mutable Signature signature_;  // Belongs to the picture, which drawing changes as well.
 };
 
 }  // namespace kaori::gl

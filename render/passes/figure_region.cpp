@@ -2,17 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace kaori::passes {
 namespace {
 
-// Neighbouring points of the cage lie no farther apart, and lashes, swinging hair and lines stay within it.
-constexpr float kMargin_m = 0.02F;
+// Lashes and lines stay within this distance of the face. From one end or the other, half of an edge is
+// reached; expressions stretch edges by a quarter at most.
+constexpr float kLashes_m = 0.006F;
+constexpr float kEdgeShare = 0.5F * 1.25F;
+
+constexpr float kSwing_m = 0.11F;  // Tips swing by this much for each radian, as hair.vert.
+constexpr float kSoftEdge_m = 0.002F;
 
 struct Span {
   int from_px = 0;
   int to_px = 0;
 };
+
+std::vector<float> LongestEdgesOf(const face::Topology& topology, const face::Face& face) {
+  std::vector<float> longest_m(topology.vertex_count);
+  for (const face::Triangle& t : topology.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const face::Index a = t[i];
+      const face::Index b = t[(i + 1) % 3];
+      const float length_m = glm::distance(face.positions[a], face.positions[b]);
+      longest_m[a] = std::max(longest_m[a], length_m);
+      longest_m[b] = std::max(longest_m[b], length_m);
+    }
+  }
+  return longest_m;
+}
+
+// What a metre at the face measures in the picture, x and y.
+glm::vec2 SeenPerMetre(const FrameBlock& frame) {
+  const float distance_m = -(frame.view * glm::vec4(0, 0, 0, 1)).z;
+  return glm::vec2(frame.projection[0][0], frame.projection[1][1]) / std::max(distance_m - 0.1F, 0.1F);
+}
 
 // Collects rectangles into bands of equal height.
 class Bands {
@@ -60,40 +86,52 @@ class Bands {
   std::array<Span, FigureRegion::kBands> spans_{};
 };
 
-// A box about the head or the shoulders, seen in the picture.
-void AddBox(const FrameBlock& frame, const Box3& box, bool turns, Bands& bands) {
+void AddSlice(const FrameBlock& frame, const Slice& slice, bool turns, float margin_m, Bands& bands) {
+  const float low_m = slice.low_m - margin_m;
+  const float high_m = slice.high_m + margin_m;
   glm::vec2 low{1e9F};
   glm::vec2 high{-1e9F};
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 p{(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                      (corner & 4) != 0 ? box.high.z : box.low.z};
-    const glm::vec2 seen = Project(frame, p, turns);
-    low = glm::min(low, seen);
-    high = glm::max(high, seen);
+  for (const glm::vec2& corner : slice.outline) {
+    for (const float y_m : {low_m, high_m}) {
+      const glm::vec2 seen = Project(frame, {corner.x, y_m, corner.y}, turns);
+      low = glm::min(low, seen);
+      high = glm::max(high, seen);
+    }
   }
-  bands.Add(low, high);
+  const glm::vec2 margin = margin_m * SeenPerMetre(frame);
+  bands.Add(low - margin, high + margin);
 }
 
 void AddProp(const FrameBlock& frame, const PropMesh& prop, Bands& bands) {
   const bool turns = prop.part != face::Part::kClothes;
-  for (Box3 slice : prop.slices) {
-    if (slice.low.x > slice.high.x) continue;
-    if (turns) slice = {slice.low - kMargin_m, slice.high + kMargin_m};
-    AddBox(frame, slice, turns, bands);
+  const float swing_rad = std::max(std::abs(frame.sway.x), std::abs(frame.sway.y));
+  const float margin_m =
+      kSoftEdge_m + (prop.part == face::Part::kHair ? kSwing_m * swing_rad : 0.0F) + std::abs(frame.up.w);
+  for (const Slice& slice : prop.slices) {
+    if (!slice.empty()) AddSlice(frame, slice, turns, margin_m, bands);
   }
 }
 
 }  // namespace
 
-FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Wardrobe& wardrobe) {
+LongestEdges MeasureEdges(const face::Cast& cast) {
+  LongestEdges edges;
+  for (const face::Face& f : cast.faces) edges.push_back(LongestEdgesOf(cast.topology, f));
+  return edges;
+}
+
+FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Wardrobe& wardrobe,
+                        const LongestEdges& edges) {
   Bands bands({frame.sway.z, frame.sway.w});
-  const float distance_m = -(frame.view * glm::vec4(0, 0, 0, 1)).z;
-  const glm::vec2 margin =
-      kMargin_m / std::max(distance_m, 0.1F) * glm::vec2(frame.projection[0][0], frame.projection[1][1]);
-  for (const glm::vec3& p : shape.cage) {
+  const glm::vec2 per_metre = SeenPerMetre(frame);
+  for (std::size_t i = 0; i < shape.cage.size(); ++i) {
+    float margin_m = kLashes_m + std::abs(frame.up.w);
+    for (const face::Term& f : shape.faces) margin_m += f.weight * kEdgeShare * edges[f.index][i];
+    const glm::vec3 p = shape.cage[i];
     const glm::vec2 turned = Project(frame, p, true);
     const bool neck = p.y < frame.shift.w;  // It turns by less.
     const glm::vec2 still = neck ? Project(frame, p, false) : turned;
+    const glm::vec2 margin = per_metre * margin_m;
     bands.Add(glm::min(turned, still) - margin, glm::max(turned, still) + margin);
   }
   for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {

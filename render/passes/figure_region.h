@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "render/face/composer.h"
 #include "render/gl/canvas.h"
@@ -12,13 +13,17 @@ namespace kaori::passes {
 
 // Bands across the picture, from below; in each the figure lies within its box, which may be empty.
 struct FigureRegion {
-  static constexpr int kBands = 16;
+  static constexpr int kBands = 20;
   std::array<gl::Box, kBands> bands{};
   gl::Box whole;  // Encloses them all.
 };
 
-// Encloses the face and all that is worn in this frame, with a margin for swinging hair, lashes and thick
-// lines.
-FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Wardrobe& wardrobe);
+// For each face, the longest edge at each vertex of the cage, metres.
+using LongestEdges = std::vector<std::vector<float>>;
+LongestEdges MeasureEdges(const face::Cast& cast);
+
+// Encloses the face and all that is worn in this frame, hair as it swings.
+FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Wardrobe& wardrobe,
+                        const LongestEdges& edges);
 
 }  // namespace kaori::passes

@@ -1,5 +1,7 @@
 #include "render/passes/layer.h"
 
+#include <algorithm>
+
 #include "render/gl/context.h"
 #include "render/gl/draw_state.h"
 #include "render/passes/shader_library.h"
@@ -15,6 +17,20 @@ Result<gl::Program> Make(std::string_view fragment, bool reads_samples) {
                                     .reads_samples = reads_samples});
   if (program) program->BindSampler("layer", 0);
   return program;
+}
+
+struct Sides {
+  gl::Box left, right;
+};
+
+// What of `wide` lies left and right of `band`, at the same height; all of it left of an empty one.
+Sides Beside(const gl::Box& band, const gl::Box& wide) {
+  const int end_px = wide.left_px + wide.width_px;
+  if (band.empty()) return {wide, {}};
+  const int from_px = std::max(band.left_px + band.width_px, wide.left_px);
+  const int to_px = std::min(band.left_px, end_px);
+  return {{wide.left_px, band.bottom_px, to_px - wide.left_px, band.height_px},
+          {from_px, band.bottom_px, end_px - from_px, band.height_px}};
 }
 
 }  // namespace
@@ -53,7 +69,7 @@ void LayerPass::Variant::Use(const scene::Backdrop& backdrop, float opaque) cons
 
 void LayerPass::Fill(const gl::Canvas& canvas, const gl::Box& box) const {
   if (box.empty()) return;
-  canvas.BeginPicture(box);
+  canvas.Within(box);
   everywhere_.Draw();
 }
 
@@ -64,19 +80,30 @@ void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const 
   const bool replaces = opacity >= 1;
   gl::Apply({.depth = gl::Depth::kOff, .blend = replaces ? gl::Blend::kReplace : gl::Blend::kOver});
   (canvas.layer_has_samples() ? samples_ : resolved_).Use(backdrop, opacity);
+  canvas.BeginPicture();
   for (const gl::Box& band : figure.bands) Fill(canvas, band);
 }
 
+bool LayerPass::Stands(const gl::Canvas& canvas, const scene::Backdrop& backdrop) const {
+  return canvas.signature() == gl::Canvas::Signature{this, frame_} && backdrop.top == last_backdrop_.top &&
+         backdrop.bottom == last_backdrop_.bottom;
+}
+
 void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
-                                  const scene::Backdrop& backdrop) const {
+                                  const scene::Backdrop& backdrop) {
+  const bool stands = Stands(canvas, backdrop);
   gl::Apply({.depth = gl::Depth::kOff});
   backdrop_.Use(backdrop, 1);
-  for (const gl::Box& band : figure.bands) {
-    const int left_px = band.empty() ? canvas.width_px() : band.left_px;
-    const int right_px = band.empty() ? canvas.width_px() : band.left_px + band.width_px;
-    Fill(canvas, {0, band.bottom_px, left_px, band.height_px});
-    Fill(canvas, {right_px, band.bottom_px, canvas.width_px() - right_px, band.height_px});
+  canvas.BeginPicture();
+  for (std::size_t b = 0; b < figure.bands.size(); ++b) {
+    const gl::Box whole{0, figure.bands[b].bottom_px, canvas.width_px(), figure.bands[b].height_px};
+    const Sides sides = Beside(figure.bands[b], stands ? last_figure_.bands[b] : whole);
+    Fill(canvas, sides.left);
+    Fill(canvas, sides.right);
   }
+  last_backdrop_ = backdrop;
+  last_figure_ = figure;
+  canvas.Sign({this, ++frame_});
 }
 
 }  // namespace kaori::passes

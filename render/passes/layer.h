@@ -1,6 +1,8 @@
 // Lays what was drawn on the picture: over its backdrop, and over the layers before it, by its opacity.
 #pragma once
 
+#include <cstdint>
+
 #include "render/gl/canvas.h"
 #include "render/gl/mesh.h"
 #include "render/gl/program.h"
@@ -17,12 +19,15 @@ class LayerPass {
   // The canvas's layer, where the figure is. Opacity 1 replaces what is there.
   void Lay(const gl::Canvas& canvas, const FigureRegion& figure, const scene::Backdrop& backdrop,
            float opacity) const;
-  // The backdrop alone, everywhere but there.
+  // The backdrop alone, everywhere but there. Called once a frame, before all layers: where it stands
+  // already, from the last frame on this canvas, it is left alone.
   void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
-                         const scene::Backdrop& backdrop) const;
+                         const scene::Backdrop& backdrop);
 
  private:
   void Fill(const gl::Canvas& canvas, const gl::Box& box) const;
+  // The backdrop stands on all of the canvas but `last_figure_`.
+  bool Stands(const gl::Canvas& canvas, const scene::Backdrop& backdrop) const;
 
   struct Variant {
     gl::Program program;
@@ -37,6 +42,10 @@ class LayerPass {
   Variant resolved_;
   Variant backdrop_;
   gl::Mesh everywhere_;
+
+  std::uint64_t frame_ = 0;
+  scene::Backdrop last_backdrop_;
+  FigureRegion last_figure_;
 };
 
 }  // namespace kaori::passes

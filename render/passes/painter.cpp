@@ -85,16 +85,24 @@ void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
 
 struct Painter::Parts {
   explicit Parts(const face::Cast& cast)
-      : composer(cast), neck(NeckOf(cast)), wardrobe(cast), surface(cast) {}
+      : composer(cast), neck(NeckOf(cast)), edges(MeasureEdges(cast)), wardrobe(cast), surface(cast) {}
 
   Result<void> Open(const face::Cast& cast);
+  FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
   void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
+  // What a fade or a style needs beyond the default look, by shader.
+  enum class Turn : std::uint8_t { kMouth, kHair, kClothes, kBody2, kFlat, kDarkEyes, kWire, kLayer, kBody4 };
+  static constexpr std::array kRehearsal{Turn::kMouth,    Turn::kHair,  Turn::kClothes,
+                                         Turn::kLayer,    Turn::kBody2, Turn::kFlat,
+                                         Turn::kDarkEyes, Turn::kWire,  Turn::kBody4};
+  void Rehearse(Turn turn);
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
   void DrawWire(const scene::Scene& scene, const face::Shape& shape);
 
   face::Composer composer;
   Neck neck;
+  LongestEdges edges;
   Wardrobe wardrobe;
   Surface surface;
   gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
@@ -107,6 +115,8 @@ struct Painter::Parts {
   std::optional<FlatPass> flat;
   std::optional<WirePass> wire;
   std::optional<LayerPass> layer;
+  std::optional<gl::Canvas> backstage;
+  std::size_t rehearsed = 0;
 };
 
 Result<void> Painter::Parts::Open(const face::Cast& cast) {
@@ -158,6 +168,55 @@ void Painter::Parts::DrawGroup(Group group, const scene::Scene& scene, const fac
   }
 }
 
+FrameBlock Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas& canvas) {
+  const FrameBlock block = MakeFrame(scene, neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
+  frame.Write(std::as_bytes(std::span(&block, 1)));
+  frame.BindUniforms(kFrameBinding);
+  return block;
+}
+
+// Two faces, and with them two textures, or four.
+face::Weights CrossFade(std::uint16_t faces) {
+  face::Weights weights;
+  for (std::uint16_t face = 0; face < faces; ++face) weights.faces.Push(face, 1);
+  return weights;
+}
+
+void Painter::Parts::Rehearse(Turn turn) {
+  scene::Scene scene;
+  scene.weights = CrossFade(turn == Turn::kBody4 ? 4 : 2);
+  face::Shape shape = composer.Compose(scene.weights, face::Detail::kFine);
+  shape.jaw_drop_m = 0.01F;
+  wardrobe.Weigh(shape.faces);
+  surface.WriteFine(shape);
+  surface.WriteCage(shape);
+  BindFrame(scene, *backstage);
+  const gl::Box whole = backstage->whole();
+  backstage->BeginLayer({&whole, 1}, whole);
+  switch (turn) {
+    case Turn::kMouth:
+      return mouth->Draw(wardrobe, shape);
+    case Turn::kHair:
+      return hair->Draw(wardrobe, 0.5F);
+    case Turn::kClothes:
+      return clothes->Draw(wardrobe, shape.faces);
+    case Turn::kBody2:
+    case Turn::kBody4:
+      return body->Draw(surface, shape, false);
+    case Turn::kFlat:
+      return flat->Draw(shape);
+    case Turn::kDarkEyes:
+      return eyes->DrawDark(shape);
+    case Turn::kWire:
+      return wire->Draw(surface, shape, scene.gaze);
+    case Turn::kLayer: {
+      FigureRegion figure{.whole = whole};
+      figure.bands[0] = whole;
+      return layer->Lay(*backstage, figure, scene.backdrop, 0.5F);
+    }
+  }
+}
+
 Painter::Painter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Painter::~Painter() = default;
 
@@ -174,11 +233,8 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const face::Shape& shape =
       p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
   p.wardrobe.Weigh(shape.faces);
-  const FrameBlock frame =
-      MakeFrame(scene, p.neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
-  p.frame.Write(std::as_bytes(std::span(&frame, 1)));
-  p.frame.BindUniforms(kFrameBinding);
-  const FigureRegion figure = FindFigure(frame, shape, p.wardrobe);
+  const FrameBlock frame = p.BindFrame(scene, canvas);
+  const FigureRegion figure = FindFigure(frame, shape, p.wardrobe, p.edges);
   p.layer->LayBackdropAround(canvas, figure, MixedBackdrop(scene));
   float laid = 0;
   for (const Group group : kGroups) {
@@ -191,23 +247,19 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   }
 }
 
-Result<void> Painter::Rehearse() {
-  constexpr int kSize_px = 16;
-  const auto canvas = gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px});
-  if (!canvas) return tl::unexpected(canvas.error());
-  scene::Scene scene;
-  scene.weights.faces.Push(0, 1);
-  for (std::size_t style = 0; style < scene::kStyleCount; ++style) {
-    scene.styles = {};
-    scene.styles[style] = 1;
-    Draw(scene, *canvas);
+bool Painter::RehearseStep() {
+  Parts& p = *parts_;
+  if (p.rehearsed >= Parts::kRehearsal.size()) return false;
+  if (!p.backstage) {
+    constexpr int kSize_px = 16;
+    auto canvas = gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px});
+    if (!canvas) return false;
+    p.backstage = std::move(*canvas);
   }
-  scene.styles = {0.2F, 0.2F, 0.2F, 0.2F, 0.2F};
-  for (std::uint16_t face = 1; face < 4; ++face) {
-    scene.weights.faces.Push(face, 1);
-    Draw(scene, *canvas);
-  }
-  return {};
+  p.Rehearse(Parts::kRehearsal[p.rehearsed++]);
+  if (p.rehearsed < Parts::kRehearsal.size()) return true;
+  p.backstage.reset();
+  return false;
 }
 
 }  // namespace kaori::passes

@@ -22,10 +22,11 @@ class Painter {
   // sane_scene.h). Allocates nothing.
   void Draw(const scene::Scene& scene, const gl::Canvas& canvas);
 
-  // Drivers finish a shader when it is first drawn with, which would stall a fade in the middle of the show:
-  // this draws each style and a cross-fade once, unseen. Blocks for some hundred milliseconds; call it after
-  // the first frame is out. Errors: those of gl::Canvas::Make.
-  Result<void> Rehearse();
+  // Drivers finish a shader when it is first drawn with, which would stall a fade in the middle of the show.
+  // One step draws, unseen, with one that the default look has not used; call it between frames, once the
+  // first is out, while it returns true: more remain. Blocks for 10 to 40 ms. A canvas that cannot be made is
+  // no fault: shaders are then finished when they are needed.
+  bool RehearseStep();
 
  private:
   struct Parts;

@@ -1,8 +1,11 @@
 #include "render/passes/prop_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
 
 #include "render/passes/lock_order.h"
 
@@ -29,25 +32,60 @@ gl::Mesh MeshOf(const face::Prop& prop, const gl::Buffer& vertices, const gl::Bu
                   indices);
 }
 
-void Widen(Box3& box, const glm::vec3& p) {
-  box = {glm::min(box.low, p), glm::max(box.high, p)};
+constexpr auto kSides = Slice::kSides;
+
+glm::vec2 SideDirection(std::size_t side) {
+  const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / kSides;
+  return {std::cos(round), std::sin(round)};
 }
 
-std::array<Box3, PropMesh::kSlices> Slice(const face::Prop& prop) {
-  Box3 all;
-  for (const face::PropVertex& v : prop.vertices) Widen(all, v.position);
-  const float per_metre = PropMesh::kSlices / std::max(all.high.y - all.low.y, 1e-6F);
+// Grows a prism about points.
+struct Prism {
+  Slice slice;
+  std::array<float, kSides> reach_m;
+
+  Prism() { reach_m.fill(-1e9F); }
+
+  void Add(const glm::vec3& p) {
+    slice.low_m = std::min(slice.low_m, p.y);
+    slice.high_m = std::max(slice.high_m, p.y);
+    for (std::size_t side = 0; side < kSides; ++side) {
+      reach_m[side] = std::max(reach_m[side], glm::dot(SideDirection(side), glm::vec2(p.x, p.z)));
+    }
+  }
+
+  // Corners where neighbouring sides meet: nothing lies outside.
+  Slice Finish() const {
+    constexpr float kTurn = 2 * std::numbers::pi_v<float> / kSides;
+    Slice s = slice;
+    for (std::size_t side = 0; side < kSides; ++side) {
+      const glm::vec2 out = SideDirection(side);
+      const float along = (reach_m[(side + 1) % kSides] - reach_m[side] * std::cos(kTurn)) / std::sin(kTurn);
+      s.outline[side] = out * reach_m[side] + glm::vec2(-out.y, out.x) * along;
+    }
+    return s;
+  }
+};
+
+std::array<Slice, PropMesh::kSlices> SlicesOf(const face::Prop& prop) {
+  const auto [low, high] =
+      std::ranges::minmax_element(prop.vertices, {}, [](const face::PropVertex& v) { return v.position.y; });
+  if (low == prop.vertices.end()) return {};
+  const float low_m = low->position.y;
+  const float per_metre = PropMesh::kSlices / std::max(high->position.y - low_m, 1e-6F);
   const auto slice_of = [&](face::Index v) {
-    const float slice = (prop.vertices[v].position.y - all.low.y) * per_metre;
+    const float slice = (prop.vertices[v].position.y - low_m) * per_metre;
     return std::clamp(static_cast<int>(slice), 0, PropMesh::kSlices - 1);
   };
-  std::array<Box3, PropMesh::kSlices> slices;
+  std::array<Prism, PropMesh::kSlices> prisms;
   for (const face::Triangle& t : prop.triangles) {
     const auto [first, last] = std::minmax({slice_of(t[0]), slice_of(t[1]), slice_of(t[2])});
     for (int s = first; s <= last; ++s) {
-      for (const face::Index v : t) Widen(slices[static_cast<std::size_t>(s)], prop.vertices[v].position);
+      for (const face::Index v : t) prisms[static_cast<std::size_t>(s)].Add(prop.vertices[v].position);
     }
   }
+  std::array<Slice, PropMesh::kSlices> slices;
+  std::ranges::transform(prisms, slices.begin(), &Prism::Finish);
   return slices;
 }
 
@@ -56,7 +94,7 @@ std::array<Box3, PropMesh::kSlices> Slice(const face::Prop& prop) {
 PropMesh::PropMesh(const face::Prop& prop)
     : part(prop.part),
       paint(prop.colour),
-      slices(Slice(prop)),
+      slices(SlicesOf(prop)),
       vertices(gl::Buffer::Of(std::span<const face::PropVertex>(prop.vertices))),
       numbers(gl::BufferUse::kStatic, prop.vertices.size() * sizeof(float)) {
   if (part != face::Part::kHair) {

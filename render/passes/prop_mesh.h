@@ -11,23 +11,26 @@
 
 namespace kaori::passes {
 
-// Empty while low lies beyond high.
-struct Box3 {
-  glm::vec3 low{1e9F};
-  glm::vec3 high{-1e9F};
+// A part of a prop, as an upright prism about it. Metres; empty while low lies beyond high.
+struct Slice {
+  static constexpr std::size_t kSides = 12;
+  float low_m = 1e9F;
+  float high_m = -1e9F;
+  std::array<glm::vec2, kSides> outline{};  // x, z.
+  bool empty() const { return low_m > high_m; }
 };
 
 // Attribute locations: 0 position, 1 normal, 2 shade; hair: 2 tangent, 3 along, across, shade, 4 number of
 // the lock.
 struct PropMesh {
-  static constexpr int kSlices = 12;
+  static constexpr int kSlices = 20;
 
   explicit PropMesh(const face::Prop& prop);
   PropMesh(PropMesh&&) = default;
 
   face::Part part;
   glm::vec3 paint;
-  std::array<Box3, kSlices> slices;  // From below: what lies at these heights is in these boxes, metres.
+  std::array<Slice, kSlices> slices;  // From below; together they enclose the prop closely.
   gl::Buffer vertices;
   gl::Buffer numbers;  // Hair: for each vertex a number 0..1 that a lock's vertices share.
   gl::Mesh mesh;

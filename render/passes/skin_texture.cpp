@@ -1,21 +1,38 @@
 #include "render/passes/skin_texture.h"
 
-#include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
 namespace kaori::passes {
 namespace {
 
+// For each code of sRGB: the square root of its light, 8 bit.
+std::array<std::uint8_t, 256> RootsOfLight() {
+  std::array<std::uint8_t, 256> roots{};
+  for (std::size_t code = 0; code < roots.size(); ++code) {
+    const float c = static_cast<float>(code) / 255;
+    const float light = c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+    roots[code] = static_cast<std::uint8_t>(std::lround(255 * std::sqrt(light)));
+  }
+  return roots;
+}
+
 // Textures are stored top row first; texture places count from below.
-std::vector<std::uint8_t> BottomRowFirst(const face::Texture& t) {
+std::vector<std::uint8_t> RootsBottomRowFirst(const face::Texture& t) {
+  const auto roots = RootsOfLight();
   const std::size_t row = static_cast<std::size_t>(t.width_px) * 4;
   std::vector<std::uint8_t> turned(t.rgba.size());
-  for (int y = 0; y < t.height_px; ++y) {
-    const auto from = t.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
-    const auto to =
-        turned.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(t.height_px - 1 - y));
-    std::copy_n(from, row, to);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(t.height_px); ++y) {
+    const std::uint8_t* from = t.rgba.data() + row * y;
+    std::uint8_t* to = turned.data() + row * (static_cast<std::size_t>(t.height_px) - 1 - y);
+    for (std::size_t i = 0; i < row; i += 4) {
+      to[i] = roots[from[i]];
+      to[i + 1] = roots[from[i + 1]];
+      to[i + 2] = roots[from[i + 2]];
+      to[i + 3] = from[i + 3];
+    }
   }
   return turned;
 }
@@ -23,9 +40,9 @@ std::vector<std::uint8_t> BottomRowFirst(const face::Texture& t) {
 }  // namespace
 
 gl::Texture LoadSkin(const face::Texture& t) {
-  const auto pixels = BottomRowFirst(t);
+  const auto pixels = RootsBottomRowFirst(t);
   return gl::Texture(
-      {.width_px = t.width_px, .height_px = t.height_px, .texels = gl::Texels::kSrgb8, .mipmaps = true},
+      {.width_px = t.width_px, .height_px = t.height_px, .texels = gl::Texels::kRgba8, .mipmaps = true},
       std::as_bytes(std::span(pixels)));
 }
 

@@ -6,6 +6,8 @@
 
 namespace kaori::passes {
 
+// Holds square roots of linear light, to be squared by the shader: a software renderer filters plain bytes
+// far faster than sRGB.
 gl::Texture LoadSkin(const face::Texture& texture);
 
 }  // namespace kaori::passes

@@ -1,3 +1,4 @@
+#include "dither.glsl"
 in vec3 backdrop;
 layout(location = 0) out vec4 colour;
-void main() { colour = vec4(backdrop, 1.0); }
+void main() { colour = vec4(Dithered(backdrop), 1.0); }

@@ -1,4 +1,5 @@
 // Up to TEXTURES faces share the skin, each by its weight.
+#include "skin_texture.glsl"
 in vec4 lit;
 in vec3 rest;
 uniform sampler2D texture0;
@@ -14,12 +15,12 @@ layout(location = 0) out vec4 colour;
 
 void main() {
 #if TEXTURES == 1
-  vec4 skin = texture(texture0, rest.xy);
+  vec4 skin = SkinAt(texture0, rest.xy);
 #else
-  vec4 skin = weights.x * texture(texture0, rest.xy) + weights.y * texture(texture1, rest.xy);
+  vec4 skin = weights.x * SkinAt(texture0, rest.xy) + weights.y * SkinAt(texture1, rest.xy);
 #endif
 #if TEXTURES > 2
-  skin += weights.z * texture(texture2, rest.xy) + weights.w * texture(texture3, rest.xy);
+  skin += weights.z * SkinAt(texture2, rest.xy) + weights.w * SkinAt(texture3, rest.xy);
 #endif
   colour = vec4(sqrt(skin.rgb * lit.rgb + (lit.a + skin.a * rest.z)), 1.0);
 }

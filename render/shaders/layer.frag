@@ -1,4 +1,5 @@
 // A layer over the backdrop. It holds square roots of linear light, so samples are squared, then averaged.
+#include "dither.glsl"
 in vec3 backdrop;
 #ifdef SAMPLES
 uniform sampler2DMS layer;
@@ -22,5 +23,5 @@ void main() {
   vec3 light = a.rgb * a.rgb;
   float covered = ceil(a.a);
 #endif
-  colour = vec4(light + backdrop * (1.0 - covered), opacity);
+  colour = vec4(light + Dithered(backdrop) * (1.0 - covered), opacity);
 }

@@ -32,7 +32,7 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
   wardrobe_.Weigh(shape_.faces);
   const passes::FrameBlock frame = passes::MakeFrame(scene, passes::NeckOf(cast), canvas_px, 1);
   frame_.Write(std::as_bytes(std::span(&frame, 1)));
-  figure_ = passes::FindFigure(frame, shape_, wardrobe_);
+  figure_ = passes::FindFigure(frame, shape_, wardrobe_, passes::MeasureEdges(cast));
 }
 
 void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
