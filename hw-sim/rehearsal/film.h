@@ -20,23 +20,29 @@ struct FilmOptions {
 
 class Film {
  public:
-  // Errors: those of starting a process; a missing ffmpeg shows at the first Add.
+  // Errors: those of starting a process: no_such_file_or_directory (there is no ffmpeg); invalid_argument (a
+  // side is odd: H.264 stores colours for pairs of pixels).
   static Result<Film> Start(const FilmOptions& options);
   Film(Film&& other) noexcept;
   Film& operator=(Film&&) = delete;
   ~Film();
 
-  // One picture: R, G, B, X, bottom row first. Blocks while ffmpeg is busy. Errors: broken_pipe (ffmpeg gave up).
+  // One picture: R, G, B, X, bottom row first. Blocks while ffmpeg is busy. Errors: io_error (ffmpeg gave up;
+  // with its first words: the disk is full, the folder is not there), and then the film cannot be gone on
+  // with.
   Result<void> Add(std::span<const std::uint8_t> rgbx);
 
-  // Closes the film and waits for ffmpeg. Errors: io_error (ffmpeg failed; it has said why).
+  // Closes the film and waits for ffmpeg. Half a film is removed. Errors: io_error, as of Add.
   Result<void> Finish();
 
  private:
-  Film(std::string file, UniqueFd pipe, pid_t ffmpeg) : file_(std::move(file)), pipe_(std::move(pipe)), ffmpeg_(ffmpeg) {}
+  Film(std::string file, UniqueFd pipe, UniqueFd words, pid_t ffmpeg)
+      : file_(std::move(file)), pipe_(std::move(pipe)), words_(std::move(words)), ffmpeg_(ffmpeg) {}
+  Result<void> GaveUp();
 
   std::string file_;
   UniqueFd pipe_;
+  UniqueFd words_;  // What ffmpeg said.
   pid_t ffmpeg_;
 };
 
