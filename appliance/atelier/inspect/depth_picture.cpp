@@ -12,12 +12,21 @@ constexpr float kOnTheEdge = -1e-5F;  // Neighbours leave no pixel between them.
 }  // namespace
 
 glm::vec3 Turned(const glm::vec3& p, const Sight& sight) {
+  glm::vec3 turned;
+  TurnAll({&p, 1}, sight, {&turned, 1});
+  return turned;
+}
+
+void TurnAll(std::span<const glm::vec3> points, const Sight& sight, std::span<glm::vec3> turned) {
   const float cy = std::cos(sight.yaw_rad);
   const float sy = std::sin(sight.yaw_rad);
   const float cp = std::cos(sight.pitch_rad);
   const float sp = std::sin(sight.pitch_rad);
-  const glm::vec3 q{cy * p.x - sy * p.z, p.y, cy * p.z + sy * p.x};
-  return {q.x, cp * q.y - sp * q.z, sp * q.y + cp * q.z};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::vec3& p = points[i];
+    const glm::vec3 q{cy * p.x - sy * p.z, p.y, cy * p.z + sy * p.x};
+    turned[i] = {q.x, cp * q.y - sp * q.z, sp * q.y + cp * q.z};
+  }
 }
 
 Window WindowOver(std::span<const glm::vec3> points) {
@@ -53,10 +62,10 @@ DepthPicture::Range DepthPicture::Span(float low, float high, float origin) cons
 }
 
 void DepthPicture::Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  if (area == 0) return;
   const Range columns = Span(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), window_.low_m.x);
   const Range rows = Span(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), window_.low_m.y);
+  const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  if (area == 0 || columns.first > columns.last) return;
   for (int y = rows.first; y <= rows.last; ++y) {
     for (int x = columns.first; x <= columns.last; ++x) {
       const glm::vec2 p = Middle(x, y);

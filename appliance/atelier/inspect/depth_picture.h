@@ -19,6 +19,7 @@ struct Sight {
 
 // Into the frame of the sight: +z towards the onlooker.
 glm::vec3 Turned(const glm::vec3& p, const Sight& sight);
+void TurnAll(std::span<const glm::vec3> points, const Sight& sight, std::span<glm::vec3> turned);
 
 // The square part of the picture's plane that is looked at.
 struct Window {

@@ -69,8 +69,7 @@ class Inspector {
   void SeekLidGaps(const face::Shape& shape, std::uint16_t face, const std::string& expression) {
     int eyes = 0;
     float worst_m2 = 0;
-    for (const face::EyeBall& eye : shape.eyes) {
-      const float seen_m2 = BallSeen_m2(eye, shape.fine, mesh().triangles);
+    for (const float seen_m2 : BallsSeen_m2(shape, mesh().triangles)) {
       eyes += seen_m2 > 0 ? 1 : 0;
       worst_m2 = std::max(worst_m2, seen_m2);
     }

@@ -17,9 +17,8 @@ constexpr std::array<Sight, 7> kSights{
 
 void AddSeen(const face::Shape& shape, std::span<const face::Triangle> triangles, const Sight& sight,
              std::vector<bool>& seen) {
-  std::vector<glm::vec3> turned;
-  turned.reserve(shape.fine.size());
-  for (const glm::vec3& p : shape.fine) turned.push_back(Turned(p, sight));
+  std::vector<glm::vec3> turned(shape.fine.size());
+  TurnAll(shape.fine, sight, turned);
   DepthPicture picture(WindowOver(turned), kPixels);
   for (const face::Triangle& t : triangles) picture.Draw(turned[t[0]], turned[t[1]], turned[t[2]]);
   for (const face::EyeBall& eye : shape.eyes) picture.DrawBall(Turned(eye.centre, sight), eye.radius_m);

@@ -1,5 +1,8 @@
 #include "appliance/atelier/pack/facts.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -45,6 +48,19 @@ void CountCast(const face::Cast& cast, Facts& facts) {
   facts.textures = cast.textures.size();
 }
 
+// A busy neighbour is no property of a pack: the quickest of a few counts.
+Result<show::Show> LoadTimed(const std::filesystem::path& file, double& quickest_ms) {
+  constexpr int kLoads = 3;
+  const SteadyClock clock;
+  quickest_ms = std::numeric_limits<double>::max();
+  for (int i = 1;; ++i) {
+    const Time begun = clock.now();
+    auto show = show::LoadPack(file);
+    quickest_ms = std::min(quickest_ms, Seconds(clock.now() - begun) * 1e3);
+    if (!show || i == kLoads) return show;
+  }
+}
+
 std::string Row(std::string_view item, const std::string& says) {
   return fmt::format("{:<18} {}\n", item, says);
 }
@@ -61,10 +77,7 @@ Result<Facts> GatherFacts(const std::filesystem::path& file,
   const auto signer = show::ReadSigner(file);
   if (!signer) return tl::unexpected(signer.error());
   if (*signer) facts.signed_by = Hex(**signer);
-  const SteadyClock clock;
-  const Time begun = clock.now();
-  const auto show = show::LoadPack(file);
-  facts.load_ms = Seconds(clock.now() - begun) * 1e3;
+  const auto show = LoadTimed(file, facts.load_ms);
   if (!show) return tl::unexpected(show.error());
   std::error_code error;
   facts.file_bytes = std::filesystem::file_size(file, error);

@@ -79,7 +79,8 @@ Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args) 
   }
   if (arguments.words.size() < verb.words.size())
     return FailInput(fmt::format("{} is missing", verb.words[arguments.words.size()]));
-  if (arguments.words.size() > verb.words.size())
+  const bool takes_more = !verb.words.empty() && verb.words.back().ends_with("...");
+  if (arguments.words.size() > verb.words.size() && !takes_more)
     return FailInput(fmt::format("\"{}\" is one word too many", arguments.words[verb.words.size()]));
   return arguments;
 }
