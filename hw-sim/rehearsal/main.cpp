@@ -43,7 +43,8 @@ struct Outputs {
     if (film)
       if (auto ok = film->Add(shown.rgbx); !ok) return ok;
     if (pictures.empty() || number % hz != 0) return {};
-    const kaori::image::Picture picture{shown.width_px, shown.height_px, {shown.rgbx.begin(), shown.rgbx.end()}};
+    const kaori::image::Picture picture{
+        shown.width_px, shown.height_px, {shown.rgbx.begin(), shown.rgbx.end()}};
     return kaori::image::WritePng(fmt::format("{}/{:04}.png", pictures, number / hz), picture);
   }
 };
@@ -67,8 +68,11 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& house, kaori::sim::Scenario scen
   int number = 0;
   for (; !player.finished(); ++number) {
     const auto shown = house.NextPicture([&](kaori::Time now) { player.Perform(now); });
-    if (!shown) return tl::unexpected(shown.error());
-    if (auto ok = outputs.Take(*shown, number); !ok) return ok;
+    const auto taken = shown ? outputs.Take(*shown, number) : tl::unexpected(shown.error());
+    if (!taken) {
+      fmt::print(stderr, "\n");  // The progress stays on a line of its own.
+      return taken;
+    }
     if (number % 10 == 0) ShowProgress(player, number / std::max(1e-3, kaori::Seconds(wall.now() - begun)));
   }
   ShowProgress(player, number / std::max(1e-3, kaori::Seconds(wall.now() - begun)));
@@ -78,10 +82,15 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& house, kaori::sim::Scenario scen
 
 Result<Outputs> OpenOutputs(const Settings& settings, kaori::Size size, int hz) {
   Outputs outputs{nullptr, settings.pictures, hz};
-  if (!settings.pictures.empty()) std::filesystem::create_directories(settings.pictures);
+  std::error_code error;
+  if (!settings.pictures.empty()) std::filesystem::create_directories(settings.pictures, error);
+  if (error)
+    return kaori::Fail(static_cast<std::errc>(error.value()), "make the folder " + settings.pictures);
   if (settings.film.empty()) return outputs;
-  auto film = kaori::sim::Film::Start(
-      {.file = settings.film, .width_px = size.width_px, .height_px = size.height_px, .hz = static_cast<double>(hz)});
+  auto film = kaori::sim::Film::Start({.file = settings.film,
+                                       .width_px = size.width_px,
+                                       .height_px = size.height_px,
+                                       .hz = static_cast<double>(hz)});
   if (!film) return tl::unexpected(film.error());
   outputs.film = std::make_unique<kaori::sim::Film>(std::move(*film));
   return outputs;
@@ -94,8 +103,11 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   if (!show) return Complain(show.error());
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return Complain(studio.error());
-  const auto house = kaori::sim::Rehearsal::Open(
-      {.folder = folder, .width_px = size.width_px, .height_px = size.height_px, .hz = static_cast<double>(hz)}, **studio);
+  const auto house = kaori::sim::Rehearsal::Open({.folder = folder,
+                                                  .width_px = size.width_px,
+                                                  .height_px = size.height_px,
+                                                  .hz = static_cast<double>(hz)},
+                                                 **studio);
   if (!house) return Complain(house.error());
   auto outputs = OpenOutputs(settings, size, hz);
   if (!outputs) return Complain(outputs.error());
@@ -112,7 +124,9 @@ int main(int argc, char** argv) {
   kaori::SetLogName("kaori-rehearsal");
   Settings settings;
   kaori::Options options(kHelp);
-  options.Text("--pack", settings.pack, true).Text("--play", settings.play, true).Text("--film", settings.film);
+  options.Text("--pack", settings.pack, true)
+      .Text("--play", settings.play, true)
+      .Text("--film", settings.film);
   options.Text("--pictures", settings.pictures).Text("--size", settings.size).Text("--hz", settings.hz);
   if (const auto status = options.Parse(argc, argv)) return *status;
   const auto size = kaori::ParseSize(settings.size);
@@ -121,8 +135,14 @@ int main(int argc, char** argv) {
     kaori::Log("--size is two even numbers such as 960x540, --hz 1 to 240");
     return 2;
   }
-  const std::string folder = std::filesystem::temp_directory_path() / fmt::format("kaori-rehearsal-{}", ::getpid());
+  std::error_code none;
+  const auto passing = std::filesystem::temp_directory_path(none);
+  if (none)
+    return Complain(
+        kaori::Fail(static_cast<std::errc>(none.value()), "find a folder for passing files").value());
+  const std::string folder = passing / fmt::format("kaori-rehearsal-{}", ::getpid());
   const int status = Rehearse(settings, *size, hz, folder);
-  std::filesystem::remove_all(folder);
+  std::error_code ignored;  // What is left behind in the folder for passing files harms nobody.
+  std::filesystem::remove_all(folder, ignored);
   return status;
 }

@@ -28,7 +28,8 @@ Rehearsal::~Rehearsal() = default;
 Result<std::unique_ptr<Rehearsal>> Rehearsal::Open(const RehearsalOptions& options, stage::Studio& studio) {
   if (auto ok = MakeFolder(options.folder); !ok) return tl::unexpected(ok.error());
   const std::string board_file = options.folder + "/board";
-  std::filesystem::remove(board_file);  // A rehearsal begins from nothing.
+  std::error_code ignored;
+  std::filesystem::remove(board_file, ignored);  // A rehearsal begins from nothing.
   auto board = board::Board::Create(board_file);
   if (!board) return tl::unexpected(board.error());
   auto bus = hid::LocalHidBus::Watch(options.folder + "/links");
@@ -50,12 +51,13 @@ Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& 
   rig_ = std::move(*rig);
   auto desk_writers = input::DeskWriters::Take(board_);
   if (!desk_writers) return tl::unexpected(desk_writers.error());
-  desk_ = std::make_unique<input::InputDesk>(board_, std::move(*desk_writers), input::DeskSources{{bus_.get()}, nullptr},
+  desk_ = std::make_unique<input::InputDesk>(board_, std::move(*desk_writers),
+                                             input::DeskSources{{bus_.get()}, nullptr},
                                              input::InputSettings{}, clock_);
   auto lip_writer = board_.TakeWriter<board::Lips>();
   if (!lip_writer) return tl::unexpected(lip_writer.error());
-  lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); }, board_,
-                                            std::move(*lip_writer), lips::LipSettings{}, clock_);
+  lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); },
+                                            board_, std::move(*lip_writer), lips::LipSettings{}, clock_);
   auto stage_writers = stage::StageWriters::Take(board_);
   if (!stage_writers) return tl::unexpected(stage_writers.error());
   stage_ = std::make_unique<stage::Stage>(board_, std::move(*stage_writers), studio, clock_);

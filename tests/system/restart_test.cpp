@@ -218,6 +218,17 @@ TEST_F(Programs, RefuseToPlayTwiceOnOneBoard) {
   }
 }
 
+TEST_F(Programs, RefuseASecondStageOnOneBoardAndTheFirstPlaysOn) {
+  Start("kaori-stage");
+  ASSERT_TRUE(Await([&] { return !board_.TakeWriter<board::Lamps>(); }, std::chrono::seconds(30)));
+  House second;
+  EXPECT_EQ(second.RunToEnd("kaori-stage",
+                            {"--board", house_.board(), "--pack", Pack(), "--links", second.links()}),
+            1);
+  EXPECT_THAT(second.LogOf("kaori-stage"), HasSubstr("held by process"));
+  EXPECT_TRUE(house_.Runs("kaori-stage"));
+}
+
 TEST_F(Programs, SayWhatIsWrongWithTheirOptionsInOneLine) {
   EXPECT_EQ(house_.RunToEnd("kaori-lips", {"--links", house_.links(), "--paint", "blue"}), 1);
   EXPECT_THAT(house_.LogOf("kaori-lips"), HasSubstr("--paint blue: three numbers"));
