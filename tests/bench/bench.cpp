@@ -15,6 +15,7 @@
 #include "tests/bench/hid_bench.h"
 #include "tests/bench/house_bench.h"
 #include "tests/bench/lips_bench.h"
+#include "tests/bench/pack_bench.h"
 
 namespace kaori::bench {
 namespace {
@@ -23,7 +24,7 @@ constexpr std::string_view kHelp = R"(kaori-bench: measures the box
 
   --pack FILE   the show to play (needed)
   --quick       a tenth of the time
-  --only TEXT   the rooms whose names hold TEXT: blend, lips, hid, frame, house
+  --only TEXT   the rooms whose names hold TEXT: blend, lips, hid, frame, pack, house
   --json FILE   {"metrics": [{"name", "unit", "median", "p99"}]}
 )";
 
@@ -43,6 +44,7 @@ const std::vector<Room>& Rooms() {
       {"lips", [](const Settings& o) { return MeasureLips(o.quick); }},
       {"hid", [](const Settings& o) { return MeasureHid(o.quick); }},
       {"frame", [](const Settings& o) { return MeasureFrames(o.pack, o.quick); }},
+      {"pack", [](const Settings& o) { return MeasurePacks(o.pack, o.quick); }},
       {"house", [](const Settings& o) { return MeasureHouse(o.pack, o.quick); }}};
   return rooms;
 }
