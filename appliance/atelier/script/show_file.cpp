@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
+#include <string_view>
+#include <type_traits>
 
 #include <fmt/format.h>
 #define TOML_EXCEPTIONS 0
@@ -39,7 +43,8 @@ class Reader {
   Reader(std::string file, show::Show& show) : file_(std::move(file)), show_(show) {}
 
   std::vector<std::string> Read(const toml::table& table) {
-    show_.name = table["name"].value_or(std::string("unnamed"));
+    CheckWords("the show", table, {"name", "scene", "take", "buttons", "channels"});
+    show_.name = Value("the show", table, "name", std::string("unnamed"));
     if (const auto* scenes = table["scene"].as_array()) ForEachTable(*scenes, [&](auto& t) { ReadScene(t); });
     if (show_.scenes.empty()) Fault("scenes", "there is none; the first one opens the show");
     if (const auto* takes = table["take"].as_array()) ForEachTable(*takes, [&](auto& t) { ReadTake(t); });
@@ -53,6 +58,26 @@ class Reader {
     faults_.push_back(fmt::format("{}: {}: {}", file_, item, reason));
   }
 
+  // What is written wrongly would else be left out in silence.
+  void CheckWords(const std::string& item, const toml::table& table,
+                  std::initializer_list<std::string_view> words) {
+    for (const auto& [key, node] : table)
+      if (std::ranges::find(words, key.str()) == words.end())
+        Fault(item,
+              fmt::format("line {}: nothing is called \"{}\" here", key.source().begin.line, key.str()));
+  }
+
+  // A number or a text; `fallback` where it is not given.
+  template <class T>
+  T Value(const std::string& item, const toml::table& table, std::string_view word, T fallback) {
+    const toml::node* node = table.get(word);
+    if (node == nullptr) return fallback;
+    if (const auto value = node->value<T>()) return *value;
+    Fault(item, fmt::format("line {}: {} wants {}", node->source().begin.line, word,
+                            std::is_floating_point_v<T> ? "a number" : "a text in quotes"));
+    return fallback;
+  }
+
   template <class Read>
   void ForEachTable(const toml::array& array, Read read) {
     for (const toml::node& node : array)
@@ -63,7 +88,8 @@ class Reader {
   }
 
   template <class Items>
-  std::uint16_t Named(const std::string& item, const char* kind, const Items& items, const std::string& name) {
+  std::uint16_t Named(const std::string& item, const char* kind, const Items& items,
+                      const std::string& name) {
     const auto it = std::ranges::find_if(items, [&](const auto& one) { return one.name == name; });
     if (it != items.end()) return static_cast<std::uint16_t>(it - items.begin());
     Fault(item, fmt::format("there is no {} \"{}\"", kind, name));
@@ -78,17 +104,18 @@ class Reader {
   }
 
   std::uint16_t Key(const std::string& item, const toml::table& table) {
-    const auto name = table["key"].value<std::string>();
-    if (!name) return 0;
-    if (const auto usage = KeyUsage(*name)) return *usage;
-    Fault(item, fmt::format("there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12", *name));
+    if (!table.contains("key")) return 0;
+    const std::string name = Value(item, table, "key", std::string());
+    if (const auto usage = KeyUsage(name)) return *usage;
+    Fault(item, fmt::format("there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12", name));
     return 0;
   }
 
   glm::vec3 Colour(const std::string& item, const toml::node_view<const toml::node>& node) {
     const auto text = node.value_or(std::string());
     unsigned value = 0;
-    if (text.size() != 7 || text[0] != '#' || std::sscanf(text.c_str() + 1, "%6x", &value) != 1) {
+    const char* const end = text.data() + text.size();
+    if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, value, 16).ptr != end) {
       Fault(item, fmt::format("\"{}\" is no colour; write one as \"#41506a\"", text));
       return {};
     }
@@ -97,14 +124,16 @@ class Reader {
 
   void ReadScene(const toml::table& table) {
     show::StageScene scene;
-    scene.name = table["name"].value_or(std::string("unnamed"));
+    scene.name = Value("a scene", table, "name", std::string("unnamed"));
     const std::string item = fmt::format("scene \"{}\"", scene.name);
+    CheckWords(item, table, {"name", "key", "face", "expression", "style", "light", "fade_s", "backdrop"});
     scene.key_usage = Key(item, table);
-    scene.face = Named(item, "face", show_.cast.faces, table["face"].value_or(std::string()));
-    scene.expression = Named(item, "expression", show_.cast.expressions, table["expression"].value_or(std::string("neutral")));
-    scene.style = static_cast<scene::Style>(Style(item, table["style"].value_or(std::string("soft"))));
-    scene.exposure = table["light"].value_or(1.0F);
-    scene.fade_s = table["fade_s"].value_or(0.8F);
+    scene.face = Named(item, "face", show_.cast.faces, Value(item, table, "face", std::string()));
+    scene.expression = Named(item, "expression", show_.cast.expressions,
+                             Value(item, table, "expression", std::string("neutral")));
+    scene.style = static_cast<scene::Style>(Style(item, Value(item, table, "style", std::string("soft"))));
+    scene.exposure = Value(item, table, "light", 1.0F);
+    scene.fade_s = Value(item, table, "fade_s", 0.8F);
     scene.backdrop = {Colour(item, table["backdrop"]["top"]), Colour(item, table["backdrop"]["bottom"])};
     show_.scenes.push_back(std::move(scene));
   }
@@ -125,11 +154,16 @@ class Reader {
 
   void ReadTake(const toml::table& table) {
     show::Take take;
-    take.name = table["name"].value_or(std::string("unnamed"));
+    take.name = Value("a take", table, "name", std::string("unnamed"));
     const std::string item = fmt::format("take \"{}\"", take.name);
     take.key_usage = Key(item, table);
-    for (const auto& [key, node] : table)
-      if (const auto* pairs = node.as_array()) take.curves.push_back(TargetCurve(item, std::string(key.str()), *pairs));
+    for (const auto& [key, node] : table) {
+      if (const auto* pairs = node.as_array())
+        take.curves.push_back(TargetCurve(item, std::string(key.str()), *pairs));
+      else if (key.str() != "name" && key.str() != "key")
+        Fault(item, fmt::format("line {}: {} wants a list of pairs [second, value]", key.source().begin.line,
+                                key.str()));
+    }
     if (take.curves.empty()) Fault(item, "it moves nothing");
     show_.takes.push_back(std::move(take));
   }
@@ -147,7 +181,8 @@ class Reader {
     for (const toml::node& row : rows)
       if (const auto* buttons = row.as_array())
         for (const toml::node& button : *buttons) {
-          if (number < show_.buttons.size()) show_.buttons[number] = ReadCall(number, button.value_or(std::string()));
+          if (number < show_.buttons.size())
+            show_.buttons[number] = ReadCall(number, button.value_or(std::string()));
           ++number;
         }
     if (number != show_.buttons.size())
@@ -175,8 +210,11 @@ class Reader {
   }
 
   void ReadChannels(const toml::table& table) {
+    CheckWords("channels", table,
+               {"brow_up_left", "brow_up_right", "brow_frown", "lids_up", "lids_down", "mouth"});
     show::Channels& channels = show_.channels;
-    channels.brow_up = {Channel(table["brow_up_left"], "brow_up_left"), Channel(table["brow_up_right"], "brow_up_right")};
+    channels.brow_up = {Channel(table["brow_up_left"], "brow_up_left"),
+                        Channel(table["brow_up_right"], "brow_up_right")};
     channels.brow_frown = Channel(table["brow_frown"], "brow_frown");
     channels.lids_up = Channel(table["lids_up"], "lids_up");
     channels.lids_down = Channel(table["lids_down"], "lids_down");

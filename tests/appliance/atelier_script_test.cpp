@@ -1,0 +1,112 @@
+// The script of a show: what is written wrongly is named with its file, item and line, and nothing is
+// guessed.
+#include "appliance/atelier/script/show_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <ostream>
+
+namespace kaori::atelier {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr const char* kScene = R"(
+[[scene]]
+name = "studio"
+key = "f1"
+face = "kaori"
+fade_s = 1
+backdrop = { top = "#ffffff", bottom = "#000000" }
+)";
+
+class ScriptTest : public ::testing::Test {
+ protected:
+  ~ScriptTest() override { std::remove(file_.c_str()); }
+
+  std::vector<std::string> Read(const std::string& text) {
+    std::ofstream(file_) << text;
+    show_ = {};
+    show_.cast.faces.resize(2);
+    show_.cast.faces[1].name = "kaori";
+    show_.cast.expressions.resize(2);
+    show_.cast.expressions[0].name = "neutral";
+    show_.cast.expressions[1].name = "jaw_open";
+    return ReadShowFile(file_, show_);
+  }
+
+  std::string file_ = ::testing::TempDir() + "kaori-script-" + std::to_string(::getpid()) + ".toml";
+  show::Show show_;
+};
+
+TEST_F(ScriptTest, IsReadIntoScenesAndTakes) {
+  const auto faults = Read(std::string(kScene) +
+                           "[[take]]\nname = \"nod\"\nkey = \"2\"\nhead_pitch = [[0, 0], [1, 90], [2, 0]]\n"
+                           "jaw_open = [[0, 0], [1, 0.5], [2, 0]]\n");
+  EXPECT_THAT(faults, IsEmpty());
+  ASSERT_EQ(show_.scenes.size(), 1U);
+  EXPECT_EQ(show_.scenes[0].face, 1);
+  EXPECT_EQ(show_.scenes[0].key_usage, 0x3A);
+  EXPECT_FLOAT_EQ(show_.scenes[0].fade_s, 1);
+  EXPECT_FLOAT_EQ(show_.scenes[0].backdrop.top.x, 1);
+  ASSERT_EQ(show_.takes.size(), 1U);
+  EXPECT_EQ(show_.takes[0].key_usage, 0x1F);
+  ASSERT_EQ(show_.takes[0].curves.size(), 2U);
+  EXPECT_NEAR(show_.takes[0].curves[0].keys[1].value, 1.5708F, 1e-3F) << "degrees become radians";
+  EXPECT_EQ(show_.takes[0].curves[1].channel, 1);
+}
+
+struct Wrong {
+  const char* name;
+  const char* text;  // After the scene.
+  const char* line;
+  friend void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+};
+const Wrong kWrongs[] = {
+    {"AWordThatIsNone", "expresion = \"neutral\"",
+     "scene \"studio\": line 8: nothing is called \"expresion\" here"},
+    {"ATableThatIsNone", "[[scenes]]", "the show: line 8: nothing is called \"scenes\" here"},
+    {"AnExpressionThatIsNone", "expression = \"smlie\"",
+     "scene \"studio\": there is no expression \"smlie\""},
+    {"ANumberInQuotes", "light = \"1\"", "scene \"studio\": line 8: light wants a number"},
+    {"ATextWithoutQuotes", "style = 3", "scene \"studio\": line 8: style wants a text in quotes"},
+    {"AStyleThatIsNone", "style = \"Wire\"", "there is no style \"Wire\"; styles are wire"},
+    {"AColourThatIsNone",
+     "[[scene]]\nface = \"kaori\"\nbackdrop = { top = \"#12345g\", bottom = \"#000000\" }",
+     "\"#12345g\" is no colour"},
+    {"AKeyThatIsNone", "[[take]]\nkey = \"f13\"\nlids = [[0, 0], [1, 0]]", "there is no key \"f13\""},
+    {"APairOfThree", "[[take]]\nlids = [[0, 0, 0], [1, 0]]", "line 9: a pair [second, value] is expected"},
+    {"ACurveThatIsANumber", "[[take]]\nlids = 3", "line 9: lids wants a list of pairs"},
+    {"ACurveOfNothing", "[[take]]\nears = [[0, 0], [1, 0]]", "there is no target or channel \"ears\""},
+    {"ATakeOfNothing", "[[take]]\nname = \"nod\"", "take \"nod\": it moves nothing"},
+    {"ChannelsOfNoRole", "[channels]\nbrow = \"jaw_open\"",
+     "channels: line 9: nothing is called \"brow\" here"},
+    {"ATypingError", "light = = 1", ":8:"},
+};
+
+class AWrongScript : public ScriptTest, public ::testing::WithParamInterface<Wrong> {};
+
+TEST_P(AWrongScript, IsNamed) {
+  EXPECT_THAT(Read(std::string(kScene) + GetParam().text + "\n"),
+              Contains(::testing::AllOf(HasSubstr(file_), HasSubstr(GetParam().line))));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, AWrongScript, ::testing::ValuesIn(kWrongs),
+                         [](const auto& wrong) { return std::string(wrong.param.name); });
+
+TEST_F(ScriptTest, WithoutAnySceneIsNamed) {
+  EXPECT_THAT(Read("name = \"empty\"\n"), Contains(HasSubstr("scenes: there is none")));
+}
+
+TEST_F(ScriptTest, WithAnotherNumberOfButtonsThanTheBoxIsNamed) {
+  EXPECT_THAT(Read(std::string("buttons = [[\"face kaori\", \"\"]]\n") + kScene),
+              Contains(HasSubstr("buttons: 2 are given; the box has 32")));
+}
+
+}  // namespace
+}  // namespace kaori::atelier
