@@ -3,12 +3,13 @@
 #include <csignal>
 #include <span>
 
+#include "appliance/atelier/import/verb_import.h"
 #include "appliance/atelier/pack/verbs.h"
 
 int main(int argc, char** argv) {
   using namespace kaori::atelier;
   std::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is an error like a full disk, not our end.
   const std::array verbs{PackVerb(),  CheckVerb(),  InfoVerb(),  DiffVerb(),
-                         SheetVerb(), LabelsVerb(), KeygenVerb()};
+                         SheetVerb(), LabelsVerb(), KeygenVerb(), ImportVerb()};
   return Dispatch(verbs, std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1));
 }

@@ -15,11 +15,14 @@ constexpr std::size_t kMostRows = 3 * kMostTriangles;
 std::size_t SizeOf_bytes(Component component) {
   switch (component) {
     case Component::kInt8:
-    case Component::kUint8: return 1;
+    case Component::kUint8:
+      return 1;
     case Component::kInt16:
-    case Component::kUint16: return 2;
+    case Component::kUint16:
+      return 2;
     case Component::kUint32:
-    case Component::kFloat: return 4;
+    case Component::kFloat:
+      return 4;
   }
   return 0;
 }
@@ -59,12 +62,18 @@ float Value(const std::uint8_t* at, Component component, bool normalised) {
     return normalised ? std::max(number / largest, -1.0F) : number;
   };
   switch (component) {
-    case Component::kInt8: return scaled(Load<std::int8_t>(at), 127);
-    case Component::kUint8: return scaled(*at, 255);
-    case Component::kInt16: return scaled(Load<std::int16_t>(at), 32767);
-    case Component::kUint16: return scaled(Load<std::uint16_t>(at), 65535);
-    case Component::kUint32: return static_cast<float>(Load<std::uint32_t>(at));
-    case Component::kFloat: return Load<float>(at);
+    case Component::kInt8:
+      return scaled(Load<std::int8_t>(at), 127);
+    case Component::kUint8:
+      return scaled(*at, 255);
+    case Component::kInt16:
+      return scaled(Load<std::int16_t>(at), 32767);
+    case Component::kUint16:
+      return scaled(Load<std::uint16_t>(at), 65535);
+    case Component::kUint32:
+      return static_cast<float>(Load<std::uint32_t>(at));
+    case Component::kFloat:
+      return Load<float>(at);
   }
   return 0;
 }
@@ -117,10 +126,18 @@ Indices ReadIndices(const Rows& rows) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     const std::uint8_t* at = rows.bytes.data() + row * Stride_bytes(rows);
     switch (rows.component) {
-      case Component::kUint8: indices.values.push_back(*at); break;
-      case Component::kUint16: indices.values.push_back(Load<std::uint16_t>(at)); break;
-      case Component::kUint32: indices.values.push_back(Load<std::uint32_t>(at)); break;
-      default: indices.fault = "indices are unsigned integers"; return indices;
+      case Component::kUint8:
+        indices.values.push_back(*at);
+        break;
+      case Component::kUint16:
+        indices.values.push_back(Load<std::uint16_t>(at));
+        break;
+      case Component::kUint32:
+        indices.values.push_back(Load<std::uint32_t>(at));
+        break;
+      default:
+        indices.fault = "indices are unsigned integers";
+        return indices;
     }
   }
   return indices;

@@ -13,7 +13,12 @@ using Bytes = std::span<const std::uint8_t>;
 
 // The component types of glTF 2.0, section 3.6.2.2.
 enum class Component : int {
-  kInt8 = 5120, kUint8 = 5121, kInt16 = 5122, kUint16 = 5123, kUint32 = 5125, kFloat = 5126,
+  kInt8 = 5120,
+  kUint8 = 5121,
+  kInt16 = 5122,
+  kUint16 = 5123,
+  kUint32 = 5125,
+  kFloat = 5126,
 };
 
 // Rows of numbers in a buffer. `stride_bytes` 0: tightly packed.

@@ -58,7 +58,8 @@ glm::vec3 NearestShares(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
 
 class Locator {
  public:
-  explicit Locator(const HeadShape& head) : head_(head), features_(FeaturesOf(head)), around_(head.positions.size()) {
+  explicit Locator(const HeadShape& head)
+      : head_(head), features_(FeaturesOf(head)), around_(head.positions.size()) {
     for (std::size_t t = 0; t < head.triangles.size(); ++t)
       for (const Index corner : head.triangles[t]) around_[corner].push_back(t);
   }
@@ -97,7 +98,8 @@ struct Matched {
   std::vector<sculpt::Pull> back;
 };
 
-Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to, std::vector<std::string>& missing) {
+Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to,
+              std::vector<std::string>& missing) {
   Matched matched;
   for (const Landmark& mark : from) {
     const auto same = std::ranges::find(to, mark.name, &Landmark::name);
@@ -119,7 +121,8 @@ T Mix(const std::vector<T>& values, const Spot& spot) {
 
 }  // namespace
 
-std::optional<Bridge> Bridge::Between(const HeadShape& from, const HeadShape& to, std::vector<std::string>& missing) {
+std::optional<Bridge> Bridge::Between(const HeadShape& from, const HeadShape& to,
+                                      std::vector<std::string>& missing) {
   Matched matched = Match(FindLandmarks(from), FindLandmarks(to), missing);
   if (matched.forth.size() < kFewestLandmarks) return std::nullopt;
   const std::size_t landmarks = matched.forth.size();

@@ -1,4 +1,5 @@
-// Carries shapes from one head to another of any topology: the heads are laid over each other by their landmarks.
+// Carries shapes from one head to another of any topology: the heads are laid over each other by their
+// landmarks.
 #pragma once
 
 #include <array>
@@ -23,10 +24,11 @@ class Bridge {
   // None where the heads have fewer than eight landmarks in common, or all in one plane. `missing` then tells
   // which. Spots are found by place and, so that nothing crosses a slit, by how jaw and lids move there: the
   // lower lip is laid on the lower lip, though the upper one touches it.
-  static std::optional<Bridge> Between(const HeadShape& from, const HeadShape& to, std::vector<std::string>& missing);
+  static std::optional<Bridge> Between(const HeadShape& from, const HeadShape& to,
+                                       std::vector<std::string>& missing);
 
-  // A shape of `from`, as it looks on `to`: each spot's motion is led through the warp, which turns and scales
-  // it, then smoothed along the surface. Far from any spot it fades.
+  // A shape of `from`, as it looks on `to`: each spot's motion is led through the warp, which turns and
+  // scales it, then smoothed along the surface. Far from any spot it fades.
   Offsets Carry(const Offsets& from) const;
 
   // One number of each vertex.

@@ -25,7 +25,8 @@ class DepthView {
     }
     columns_ = std::clamp(static_cast<int>((most.x - least_.x) / kCell_m) + 1, 1, kMostCells);
     rows_ = std::clamp(static_cast<int>((most.y - least_.y) / kCell_m) + 1, 1, kMostCells);
-    depth_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), std::numeric_limits<float>::lowest());
+    depth_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
+                  std::numeric_limits<float>::lowest());
   }
 
   void Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -57,13 +58,17 @@ class DepthView {
 
  private:
   static float Cross(const glm::vec3& a, const glm::vec3& b) { return a.x * b.y - a.y * b.x; }
-  int Column(float x) const { return std::clamp(static_cast<int>((x - least_.x) / kCell_m), 0, columns_ - 1); }
+  int Column(float x) const {
+    return std::clamp(static_cast<int>((x - least_.x) / kCell_m), 0, columns_ - 1);
+  }
   int Row(float y) const { return std::clamp(static_cast<int>((y - least_.y) / kCell_m), 0, rows_ - 1); }
   std::size_t Cell(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
   }
   glm::vec3 CellMiddle(int column, int row) const {
-    return {least_.x + (static_cast<float>(column) + 0.5F) * kCell_m, least_.y + (static_cast<float>(row) + 0.5F) * kCell_m, 0};
+    return {least_.x + (static_cast<float>(column) + 0.5F) * kCell_m,
+            least_.y + (static_cast<float>(row) + 0.5F) * kCell_m, 0};
   }
   void Put(int column, int row, float z) {
     float& depth = depth_[Cell(column, row)];
@@ -80,7 +85,8 @@ class DepthView {
 
 std::vector<bool> SeenFromFront(const HeadShape& head) {
   DepthView view(head.positions);
-  for (const Triangle& t : head.triangles) view.Draw(head.positions[t[0]], head.positions[t[1]], head.positions[t[2]]);
+  for (const Triangle& t : head.triangles)
+    view.Draw(head.positions[t[0]], head.positions[t[1]], head.positions[t[2]]);
   for (const face::EyeBall& eye : head.eyes)
     if (eye.radius_m > 0) view.Draw(eye);
   std::vector<bool> seen;

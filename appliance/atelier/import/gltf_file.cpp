@@ -17,7 +17,8 @@ template <class Vec>
 std::vector<Vec> AsVectors(const std::vector<float>& numbers) {
   std::vector<Vec> vectors(numbers.size() / static_cast<std::size_t>(Vec::length()));
   for (std::size_t i = 0; i < vectors.size(); ++i)
-    for (int k = 0; k < Vec::length(); ++k) vectors[i][k] = numbers[i * static_cast<std::size_t>(Vec::length()) + static_cast<std::size_t>(k)];
+    for (int k = 0; k < Vec::length(); ++k)
+      vectors[i][k] = numbers[i * static_cast<std::size_t>(Vec::length()) + static_cast<std::size_t>(k)];
   return vectors;
 }
 
@@ -31,7 +32,8 @@ class Builder {
   std::optional<Model> Build() {
     const std::size_t before = findings_.size();
     for (const PlacedMesh& placed : PlacedMeshes(from_)) AddMesh(placed);
-    if (findings_.size() == before && model_.triangles.empty()) findings_.Add(model_.file, "", "holds no triangle");
+    if (findings_.size() == before && model_.triangles.empty())
+      findings_.Add(model_.file, "", "holds no triangle");
     if (findings_.size() > before) return std::nullopt;
     for (Target& target : model_.targets) target.offsets.resize(model_.positions.size());
     model_.presets = VrmPresets(from_);
@@ -44,7 +46,8 @@ class Builder {
 
   void AddMesh(const PlacedMesh& placed) {
     const tinygltf::Mesh& mesh = from_.meshes[static_cast<std::size_t>(placed.mesh)];
-    const std::string& name = mesh.name.empty() ? from_.nodes[static_cast<std::size_t>(placed.node)].name : mesh.name;
+    const std::string& name =
+        mesh.name.empty() ? from_.nodes[static_cast<std::size_t>(placed.node)].name : mesh.name;
     item_ = fmt::format("mesh \"{}\"", name);
     const auto first = static_cast<Index>(model_.positions.size());
     std::map<int, Index> shared;  // Primitives of a mesh may share their vertices.
@@ -74,7 +77,8 @@ class Builder {
     return std::nullopt;
   }
 
-  bool AddVertices(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, const glm::mat4& to_world) {
+  bool AddVertices(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive,
+                   const glm::mat4& to_world) {
     const std::size_t first = model_.positions.size();
     const auto positions = Read<glm::vec3>(primitive.attributes.at("POSITION"), "positions");
     if (!positions) return false;
@@ -94,13 +98,15 @@ class Builder {
     if (at == primitive.attributes.end()) {
       Fault("has no texture coordinates, which are its parameter space");
     } else if (const auto uv = Read<glm::vec2>(at->second, "texture coordinates")) {
-      if (uv->size() != count) Fault(fmt::format("{} texture coordinates for {} vertices", uv->size(), count));
+      if (uv->size() != count)
+        Fault(fmt::format("{} texture coordinates for {} vertices", uv->size(), count));
       for (const glm::vec2& p : *uv) model_.uv.emplace_back(p.x, 1 - p.y);
     }
     model_.uv.resize(model_.positions.size());
   }
 
-  void AddTargets(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, std::size_t first, const glm::mat3& turn) {
+  void AddTargets(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, std::size_t first,
+                  const glm::mat3& turn) {
     const std::size_t count = model_.positions.size() - first;
     const std::vector<std::string> names = TargetNames(mesh, primitive.targets.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -133,14 +139,16 @@ class Builder {
   }
 
   void AddTriangles(const tinygltf::Primitive& primitive, Index first, bool mirrored) {
-    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) return Fault("is not made of triangles");
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1)
+      return Fault("is not made of triangles");
     const auto count = static_cast<Index>(model_.positions.size()) - first;
     std::vector<std::uint32_t> corners;
     if (primitive.indices < 0) {
       for (Index i = 0; i < count; ++i) corners.push_back(i);
     } else {
       const auto found = FindAccessor(from_, primitive.indices);
-      Indices indices = found ? ReadIndices(found->base) : Indices{{}, "no such numbers in the file, or its buffer ends before them"};
+      Indices indices = found ? ReadIndices(found->base)
+                              : Indices{{}, "no such numbers in the file, or its buffer ends before them"};
       if (!indices.fault.empty()) return Fault("triangles: " + indices.fault);
       corners = std::move(indices.values);
     }

@@ -23,20 +23,23 @@ tinygltf::FsCallbacks FilesBeside(const ReadBeside& beside) {
     return (*static_cast<const ReadBeside*>(user))(name).has_value();
   };
   files.ExpandFilePath = [](const std::string& name, void*) { return name; };
-  files.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& name, void* user) {
+  files.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& name,
+                           void* user) {
     auto bytes = (*static_cast<const ReadBeside*>(user))(name);
     if (bytes) *out = std::move(*bytes);
     if (!bytes && error != nullptr) *error += "cannot read " + name + "\n";
     return bytes.has_value();
   };
-  files.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
+  files.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+  };
   files.user_data = const_cast<ReadBeside*>(&beside);
   return files;
 }
 
 // Pictures stay as they are in the file.
-bool KeepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
-                 int size, void*) {
+bool KeepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int,
+                 const unsigned char* bytes, int size, void*) {
   image->image.assign(bytes, bytes + size);
   image->as_is = true;
   return true;
@@ -71,7 +74,8 @@ class Walk {
 
   std::vector<PlacedMesh> All() {
     std::vector<int> roots;
-    for (const tinygltf::Scene& scene : model_.scenes) roots.insert(roots.end(), scene.nodes.begin(), scene.nodes.end());
+    for (const tinygltf::Scene& scene : model_.scenes)
+      roots.insert(roots.end(), scene.nodes.begin(), scene.nodes.end());
     if (roots.empty()) roots = Parentless();
     for (const int root : roots) pending_.push_back({root, glm::mat4(1)});
     while (!pending_.empty()) Step();
@@ -88,7 +92,8 @@ class Walk {
     std::vector<bool> is_child(model_.nodes.size());
     for (const tinygltf::Node& node : model_.nodes)
       for (const int child : node.children)
-        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size()) is_child[static_cast<std::size_t>(child)] = true;
+        if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+          is_child[static_cast<std::size_t>(child)] = true;
     std::vector<int> roots;
     for (std::size_t i = 0; i < is_child.size(); ++i)
       if (!is_child[i]) roots.push_back(static_cast<int>(i));
@@ -118,7 +123,8 @@ class Walk {
 
 template <class T>
 const T* At(const std::vector<T>& all, int index) {
-  return index >= 0 && static_cast<std::size_t>(index) < all.size() ? &all[static_cast<std::size_t>(index)] : nullptr;
+  return index >= 0 && static_cast<std::size_t>(index) < all.size() ? &all[static_cast<std::size_t>(index)]
+                                                                    : nullptr;
 }
 
 std::optional<Bytes> View(const tinygltf::Model& model, int view, std::size_t offset_bytes) {
@@ -141,7 +147,8 @@ std::optional<Sparse> FindSparse(const tinygltf::Model& model, const tinygltf::A
   const auto& sparse = from.sparse;
   if (sparse.count < 1 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) return std::nullopt;
   const auto at = View(model, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset));
-  const auto values = View(model, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset));
+  const auto values =
+      View(model, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset));
   if (!at || !values) return std::nullopt;
   const auto count = static_cast<std::size_t>(sparse.count);
   return Sparse{{*at, 0, static_cast<Component>(sparse.indices.componentType), 1, count},
@@ -201,7 +208,8 @@ std::vector<std::string> TargetNames(const tinygltf::Mesh& mesh, std::size_t cou
   std::vector<std::string> names;
   const tinygltf::Value* given = mesh.extras.Has("targetNames") ? &mesh.extras.Get("targetNames") : nullptr;
   for (std::size_t i = 0; i < count; ++i) {
-    const bool named = given != nullptr && i < given->ArrayLen() && given->Get(static_cast<int>(i)).IsString();
+    const bool named =
+        given != nullptr && i < given->ArrayLen() && given->Get(static_cast<int>(i)).IsString();
     names.push_back(named ? given->Get(static_cast<int>(i)).Get<std::string>() : fmt::format("target {}", i));
   }
   return names;

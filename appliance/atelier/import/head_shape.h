@@ -39,8 +39,8 @@ struct Landmark {
   glm::vec3 at{};
 };
 
-// Corners and middles of mouth and eyes, nose, chin, brows, ears, crown, back: as many as the motions that the
-// head knows allow. Only what can be seen from the front, or lies on the outline, counts.
+// Corners and middles of mouth and eyes, nose, chin, brows, ears, crown, back: as many as the motions that
+// the head knows allow. Only what can be seen from the front, or lies on the outline, counts.
 std::vector<Landmark> FindLandmarks(const HeadShape& head);
 
 }  // namespace kaori::import

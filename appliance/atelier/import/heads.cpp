@@ -15,21 +15,27 @@ namespace {
 
 constexpr Index kNoSkin = std::numeric_limits<Index>::max();
 
+bool IsEye(PartOf part) {
+  return part == PartOf::kLeftEye || part == PartOf::kRightEye;
+}
+
 void SeparateSkin(const Model& model, Heads& heads) {
   std::vector<Index> number(model.positions.size(), kNoSkin);
   for (Index v = 0; v < number.size(); ++v) {
-    if (heads.parts[v] != PartOf::kSkin) continue;
+    if (IsEye(heads.parts[v])) continue;
     number[v] = static_cast<Index>(heads.skin.size());
     heads.skin.push_back(v);
+    heads.part.push_back(heads.parts[v]);
     heads.uv.push_back(model.uv[v]);
   }
   for (const Triangle& t : model.triangles)
-    if (heads.parts[t[0]] == PartOf::kSkin) heads.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    if (!IsEye(heads.parts[t[0]])) heads.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
 }
 
 // Without eyeballs: where the blinks are, else at three fifths of the head's height.
 glm::vec3 MiddleOfEyes(const Model& model, const Heads& heads, const Head& head) {
-  if (head.eyes[0].radius_m > 0 && head.eyes[1].radius_m > 0) return 0.5F * (head.eyes[0].centre + head.eyes[1].centre);
+  if (head.eyes[0].radius_m > 0 && head.eyes[1].radius_m > 0)
+    return 0.5F * (head.eyes[0].centre + head.eyes[1].centre);
   glm::vec3 sum{};
   float weight = 0;
   for (const char* role : {"blink_left", "blink_right"})
@@ -75,14 +81,16 @@ void Accumulate(const Offsets& from, float weight, Offsets& sum) {
 
 void AddShapes(const Model& model, Heads& heads) {
   for (const Target& target : model.targets)
-    heads.shapes.push_back({target.name, OnSkin(heads, target.offsets), MeaningOf(target.name, NameOrigin::kTarget)});
+    heads.shapes.push_back(
+        {target.name, OnSkin(heads, target.offsets), MeaningOf(target.name, NameOrigin::kTarget)});
   const std::size_t targets = heads.shapes.size();
   for (const Preset& preset : model.presets) {
     Offsets sum;
     for (const PresetPart& part : preset.parts)
       for (std::size_t i = 0; i < targets; ++i)
         if (heads.shapes[i].name == part.target) Accumulate(heads.shapes[i].offsets, part.weight, sum);
-    if (!sum.empty()) heads.shapes.push_back({preset.name, std::move(sum), MeaningOf(preset.name, NameOrigin::kPreset)});
+    if (!sum.empty())
+      heads.shapes.push_back({preset.name, std::move(sum), MeaningOf(preset.name, NameOrigin::kPreset)});
   }
 }
 
@@ -103,7 +111,7 @@ Heads TakeApart(const std::vector<Model>& models, float eyes_z_m, Findings& find
   SeparateSkin(first, heads);
   std::vector<Triangle> skin;
   for (const Triangle& t : first.triangles)
-    if (heads.parts[t[0]] == PartOf::kSkin) skin.push_back(t);
+    if (!IsEye(heads.parts[t[0]])) skin.push_back(t);
   CheckUnfolding(first, skin, findings);
   for (const Model& model : models) heads.heads.push_back(MakeHead(model, heads, eyes_z_m));
   AddShapes(first, heads);
@@ -123,7 +131,9 @@ Offsets OffsetsOfRole(const Heads& heads, std::string_view name) {
 
 HeadShape ShapeOfHeads(const Heads& heads) {
   const Head& first = heads.heads.front();
-  HeadShape shape{first.positions, heads.triangles, first.eyes, {}, {}, {}};
+  HeadShape shape{first.positions, {}, first.eyes, {}, {}, {}};
+  for (const Triangle& t : heads.triangles)
+    if (heads.part[t[0]] == PartOf::kSkin) shape.triangles.push_back(t);
   shape.jaw = OffsetsOfRole(heads, "jaw_open");
   shape.blink = {OffsetsOfRole(heads, "blink_left"), OffsetsOfRole(heads, "blink_right")};
   shape.brow_up = {OffsetsOfRole(heads, "brow_up_left"), OffsetsOfRole(heads, "brow_up_right")};
@@ -135,6 +145,7 @@ void Reorder(const std::vector<Index>& order, Heads& heads) {
   for (Index i = 0; i < order.size(); ++i) number[order[i]] = i;
   for (Head& head : heads.heads) Reorder(order, head.positions);
   Reorder(order, heads.skin);
+  Reorder(order, heads.part);
   Reorder(order, heads.uv);
   for (Shape& shape : heads.shapes) Reorder(order, shape.offsets);
   for (Triangle& t : heads.triangles)

@@ -1,4 +1,5 @@
-// Heads of one topology, taken apart into what is skin and what is not, each with its eyes on the origin's level.
+// Heads of one topology, taken apart into what is skin and what is not, each with its eyes on the origin's
+// level.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@
 
 namespace kaori::import {
 
-// One file's head: positions of skin vertices, moved so that the middle between the eyes lies on x = 0, y = 0.
+// One file's head: positions of skin vertices, moved so that the middle between the eyes lies on x = 0, y =
+// 0.
 struct Head {
   std::string name;
   std::vector<glm::vec3> positions;
@@ -27,10 +29,13 @@ struct Shape {
   std::optional<Meaning> meaning;
 };
 
+// Eyeballs are left out: the show draws its own. Teeth and tongue are kept as vertices like the skin's, since
+// the artist's shapes move them.
 struct Heads {
   std::vector<Head> heads;
   std::vector<PartOf> parts;        // By vertex of a model.
   std::vector<Index> skin;          // The model's vertex of each skin vertex.
+  std::vector<PartOf> part;         // By skin vertex: skin, teeth or tongue.
   std::vector<Triangle> triangles;  // Of skin vertices.
   std::vector<glm::vec2> uv;        // By skin vertex.
   std::vector<Shape> shapes;        // Targets, then presets.
@@ -43,7 +48,8 @@ Heads TakeApart(const std::vector<Model>& models, float eyes_z_m, Findings& find
 // The sum of shapes that a role is; null where the heads have no such role.
 Offsets OffsetsOfRole(const Heads& heads, std::string_view role);
 
-// The first head with the motions by which its features are known.
+// The first head with the motions by which its features are known; teeth and tongue belong to no triangle of
+// it.
 HeadShape ShapeOfHeads(const Heads& heads);
 
 // Puts skin vertices into another order: order[i] is the vertex that becomes number i.

@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/geometric.hpp>
 
 #include "appliance/atelier/import/bridge.h"
 #include "appliance/atelier/import/heads.h"
 #include "appliance/atelier/import/imported_cast.h"
+#include "appliance/atelier/import/look.h"
 #include "appliance/atelier/import/mesh_check.h"
 #include "appliance/show/check.h"
 
@@ -31,7 +33,8 @@ std::vector<Model> ReadAll(const std::vector<std::filesystem::path>& files, Find
 
 std::string MadeOf(const Heads& heads, const Role& role) {
   std::vector<std::string> parts;
-  for (const RolePart& part : role.parts) parts.push_back(fmt::format("{} x {}", part.weight, heads.shapes[part.shape].name));
+  for (const RolePart& part : role.parts)
+    parts.push_back(fmt::format("{} x {}", part.weight, heads.shapes[part.shape].name));
   return fmt::format("{}: {}", NameOf(role.style), fmt::join(parts, " + "));
 }
 
@@ -70,22 +73,27 @@ class Importing {
 
   void Describe() {
     const Model& first = models_.front();
-    Remark(fmt::format("{}: {} vertices, {} triangles, {} targets, {} presets", first.file, first.positions.size(),
-                       first.triangles.size(), first.targets.size(), first.presets.size()));
+    Remark(fmt::format("{}: {} vertices, {} triangles, {} targets, {} presets", first.file,
+                       first.positions.size(), first.triangles.size(), first.targets.size(),
+                       first.presets.size()));
     Remark(fmt::format("skin: {} vertices, {} triangles", heads_.skin.size(), heads_.triangles.size()));
-    for (const PartOf part : {PartOf::kLeftEye, PartOf::kRightEye, PartOf::kUpperTeeth, PartOf::kLowerTeeth, PartOf::kTongue})
+    for (const PartOf part :
+         {PartOf::kLeftEye, PartOf::kRightEye, PartOf::kUpperTeeth, PartOf::kLowerTeeth, PartOf::kTongue})
       Remark(fmt::format("{}: {} vertices", NameOf(part), std::ranges::count(heads_.parts, part)));
   }
 
   void LayOverShow() {
     const HeadShape theirs = ShapeOfHeads(heads_);
     const HeadShape ours = ShapeOfCast(show_->cast);
+    landmarks_ = FindLandmarks(theirs);
     std::vector<std::string> missing;
     from_show_ = Bridge::Between(ours, theirs, missing);
     to_show_ = Bridge::Between(theirs, ours, missing);
     if (!missing.empty()) Remark(fmt::format("landmarks that one head lacks: {}", fmt::join(missing, ", ")));
     if (from_show_) Remark(fmt::format("laid over the show's head by {} landmarks", from_show_->landmarks()));
-    if (!from_show_) Remark("the heads cannot be laid over each other: too few landmarks in common; nothing is carried over");
+    if (!from_show_)
+      Remark(
+          "the heads cannot be laid over each other: too few landmarks in common; nothing is carried over");
   }
 
   void Want(std::string name, ExpressionKind kind, Offsets offsets, std::string made_of) {
@@ -117,11 +125,27 @@ class Importing {
     face::Expression open = expression;
     open.lids = {};
     Offsets offsets = from_show_->Carry(DisplacementsOnShow(open));
+    MoveMouthWithJaw(offsets);
     for (std::size_t side = 0; side < 2; ++side) {
       const Offsets blink = OffsetsOfRole(heads_, kBlinks[side]);
       for (std::size_t v = 0; v < blink.size(); ++v) offsets[v] += expression.lids[side] * blink[v];
     }
     Want(std::move(name), expression.kind, std::move(offsets), "the show's own, carried over");
+  }
+
+  // Teeth and tongue go as far with the artist's jaw as the lower lip does.
+  void MoveMouthWithJaw(Offsets& offsets) const {
+    const HeadShape head = ShapeOfHeads(heads_);
+    const auto lip = std::ranges::find(landmarks_, "lower lip", &Landmark::name);
+    if (head.jaw.empty() || lip == landmarks_.end()) return;
+    const auto nearest = std::ranges::min_element(
+        head.positions, {}, [&](const glm::vec3& p) { return glm::distance(p, lip->at); });
+    const auto v = static_cast<std::size_t>(nearest - head.positions.begin());
+    const glm::vec3 jaw = head.jaw[v];
+    const float part =
+        glm::dot(jaw, jaw) > 0 ? std::clamp(glm::dot(offsets[v], jaw) / glm::dot(jaw, jaw), 0.0F, 1.0F) : 0;
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+      if (heads_.part[i] != PartOf::kSkin) offsets[i] = part * head.jaw[i];
   }
 
   // What control points do to the show's first face, without its lids.
@@ -138,15 +162,20 @@ class Importing {
       if (std::ranges::find(wanted_, role.name, &WantedShape::name) == wanted_.end())
         Want(role.name, KindOfRole(role.name), OffsetsOfRole(heads_, role.name), MadeOf(heads_, role));
     for (const std::string& name : KnownRoles())
-      if (std::ranges::find(wanted_, name, &WantedShape::name) == wanted_.end()) made_.report.roles.push_back({name, "", {}});
+      if (std::ranges::find(wanted_, name, &WantedShape::name) == wanted_.end())
+        made_.report.roles.push_back({name, "", {}});
   }
 
   void WantShapes() {
     first_shape_ = wanted_.size();
     for (const Shape& shape : heads_.shapes) {
       const bool taken = std::ranges::find(wanted_, shape.name, &WantedShape::name) != wanted_.end();
-      wanted_.push_back({taken ? shape.name + " (shape)" : shape.name, ExpressionKind::kChannel, shape.offsets});
-      made_.report.shapes.push_back({shape.name, shape.meaning ? fmt::format("{} {}", NameOf(shape.meaning->style), shape.meaning->name) : "", {}});
+      wanted_.push_back(
+          {taken ? shape.name + " (shape)" : shape.name, ExpressionKind::kChannel, shape.offsets});
+      made_.report.shapes.push_back(
+          {shape.name,
+           shape.meaning ? fmt::format("{} {}", NameOf(shape.meaning->style), shape.meaning->name) : "",
+           {}});
     }
   }
 
@@ -157,9 +186,11 @@ class Importing {
     const ShapeFit fit(cast.net, cast.faces.front().positions);
     for (const Shape& shape : heads_.shapes) {
       FitError error;
-      const bool taken = std::ranges::find(cast.expressions, shape.name, &face::Expression::name) != cast.expressions.end();
+      const bool taken =
+          std::ranges::find(cast.expressions, shape.name, &face::Expression::name) != cast.expressions.end();
       const std::string name = taken ? shape.name + " (shape)" : shape.name;
-      face::Expression expression = fit.Fit(name, ExpressionKind::kChannel, to_show_->Carry(shape.offsets), error);
+      face::Expression expression =
+          fit.Fit(name, ExpressionKind::kChannel, to_show_->Carry(shape.offsets), error);
       for (std::size_t side = 0; side < 2; ++side) GiveToLids(shape, side, expression);
       cast.expressions.push_back(std::move(expression));
       made_.report.on_show.push_back({shape.name, "", error});
@@ -177,16 +208,29 @@ class Importing {
   }
 
   void Build(const ImportOptions& options) {
+    const std::vector<Index> before = heads_.skin;
     const Index moving = OrderByMotion(heads_, wanted_);
     if (show_ != nullptr) made_.heads = *show_;
     face::Cast& cast = made_.heads.cast;
     cast = MakeCast(heads_, wanted_, moving, options.points);
-    Remark(fmt::format("{} control points, {} of {} vertices move", cast.net.points.size(), moving, heads_.skin.size()));
+    Remark(fmt::format("{} control points, {} of {} vertices move", cast.net.points.size(), moving,
+                       heads_.skin.size()));
     const ShapeFit fit(cast.net, cast.faces.front().positions);
     for (std::size_t i = 0; i < wanted_.size(); ++i) cast.expressions.push_back(Fitted(fit, i, cast));
-    AddMouths(models_, heads_, cast);
-    GiveLook(cast);
+    ShadeFaces(cast);
+    Remark(GiveSkin(models_.front(), heads_, SpotsInOrder(before), show_ == nullptr ? nullptr : &show_->cast,
+                    cast));
     GiveScript();
+  }
+
+  // Spots are by skin vertex in the order that was `before`; vertices of a file keep their numbers.
+  std::vector<Spot> SpotsInOrder(const std::vector<Index>& before) const {
+    std::vector<Spot> spots;
+    if (!from_show_) return spots;
+    std::vector<std::size_t> at(heads_.parts.size());
+    for (std::size_t i = 0; i < before.size(); ++i) at[before[i]] = i;
+    for (const Index v : heads_.skin) spots.push_back(from_show_->spots()[at[v]]);
+    return spots;
   }
 
   face::Expression Fitted(const ShapeFit& fit, std::size_t index, face::Cast& cast) {
@@ -202,20 +246,13 @@ class Importing {
     return expression;
   }
 
-  void GiveLook(face::Cast& cast) const {
-    constexpr std::uint8_t kGloss = 40;
-    constexpr int kSide_px = 4;
-    face::Texture plain{kSide_px, kSide_px, {}};
-    for (int i = 0; i < kSide_px * kSide_px; ++i) plain.rgba.insert(plain.rgba.end(), {222, 184, 163, kGloss});
-    cast.textures.push_back(std::move(plain));
-  }
-
   void GiveScript() {
     show::Show& show = made_.heads;
     show.name = heads_.heads.front().name;
     if (show_ == nullptr) {
       show.scenes.emplace_back().name = "studio";
-      for (std::uint16_t i = 0; i < heads_.heads.size() && i < 8; ++i) show.buttons[i] = {show::CallKind::kFace, i};
+      for (std::uint16_t i = 0; i < heads_.heads.size() && i < 8; ++i)
+        show.buttons[i] = {show::CallKind::kFace, i};
     }
     const std::size_t faces = show.cast.faces.size();
     for (show::Call& call : show.buttons)
@@ -229,6 +266,7 @@ class Importing {
   const show::Show* show_;
   std::optional<Bridge> from_show_;
   std::optional<Bridge> to_show_;
+  std::vector<Landmark> landmarks_;  // Of the first head.
   std::vector<WantedShape> wanted_;
   std::size_t first_shape_ = 0;
   Imported made_;
@@ -236,7 +274,8 @@ class Importing {
 
 }  // namespace
 
-Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show, const ImportOptions& options) {
+Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show,
+                        const ImportOptions& options) {
   Findings findings;
   const std::vector<Model> models = ReadAll(files, findings);
   if (!findings.empty()) return findings.Refuse();
@@ -246,7 +285,8 @@ Result<Imported> Import(const std::vector<std::filesystem::path>& files, const s
   Heads heads = TakeApart(models, eyes_z_m, findings);
   if (!findings.empty()) return findings.Refuse();
   Imported made = Importing(models, std::move(heads), show).Run(options);
-  for (const show::Show* one : {&std::as_const(made.heads), made.on_show ? &std::as_const(*made.on_show) : nullptr}) {
+  for (const show::Show* one :
+       {&std::as_const(made.heads), made.on_show ? &std::as_const(*made.on_show) : nullptr}) {
     if (one == nullptr) continue;
     for (const std::string& fault : show::CheckShow(*one)) findings.Add(files.front().string(), "", fault);
   }

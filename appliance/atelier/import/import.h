@@ -1,4 +1,5 @@
-// Faces made in modelling tools become a show: read, checked, taken apart, fitted, and traded with a show's own.
+// Faces made in modelling tools become a show: read, checked, taken apart, fitted, and traded with a show's
+// own.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +15,8 @@
 
 namespace kaori::import {
 
-// Reads and checks one file by its ending: .glb, .gltf, .obj. Every fault goes to `findings`; none where there
-// was one.
+// Reads and checks one file by its ending: .glb, .gltf, .obj. Every fault goes to `findings`; none where
+// there was one.
 std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& findings);
 
 struct ImportOptions {
@@ -23,15 +24,17 @@ struct ImportOptions {
 };
 
 struct Imported {
-  show::Show heads;                    // The imported heads with their own expressions, and the show's.
-  std::optional<show::Show> on_show;   // The show given, with the artist's shapes added.
+  show::Show heads;                   // The imported heads with their own expressions, and the show's.
+  std::optional<show::Show> on_show;  // The show given, with the artist's shapes added.
   Report report;
 };
 
-// The first file has the shapes; all have one topology and become the faces, named as their files. With a `show`,
-// its expressions are carried to the heads, where an artist's shape does not fill the role already; its buttons,
-// takes and scenes are kept as far as the heads go; and the artist's shapes are carried to the show's own faces.
-// Takes seconds. Errors: invalid_argument; the attempt lists every fault, one a line: file, item, reason.
-Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show, const ImportOptions& options);
+// The first file has the shapes; all have one topology and become the faces, named as their files. With a
+// `show`, its expressions are carried to the heads, where an artist's shape does not fill the role already;
+// its buttons, takes and scenes are kept as far as the heads go; and the artist's shapes are carried to the
+// show's own faces. Takes seconds. Errors: invalid_argument; the attempt lists every fault, one a line: file,
+// item, reason.
+Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show,
+                        const ImportOptions& options);
 
 }  // namespace kaori::import

@@ -37,13 +37,15 @@ std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
     least = glm::min(least, p);
     most = glm::max(most, p);
   }
-  const glm::vec2 room = (1 - 2 * kPlaceMargin) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m);
+  const glm::vec2 room =
+      (1 - 2 * kPlaceMargin) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m);
   const glm::vec2 size = glm::max(most - least, glm::vec2(1e-6F));
   const float scale_m = std::min(room.x / size.x, room.y / size.y);
   std::vector<glm::vec2> places;
   for (const glm::vec2& p : uv) {
     const glm::vec2 from_middle = scale_m * (p - 0.5F * (least + most));
-    places.push_back(glm::vec2(0.5F) + from_middle / glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m));
+    places.push_back(glm::vec2(0.5F) +
+                     from_middle / glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m));
   }
   return places;
 }
@@ -61,7 +63,8 @@ std::vector<face::Line> WiresOf(const std::vector<Triangle>& triangles, const st
     for (const Edge& e : edges(triangles[i])) all.insert(e);
     if (i % 2 == 0 || i == 0) continue;
     for (const Edge& e : edges(triangles[i]))
-      if (const auto before = edges(triangles[i - 1]); std::ranges::find(before, e) != before.end()) inside.insert(e);
+      if (const auto before = edges(triangles[i - 1]); std::ranges::find(before, e) != before.end())
+        inside.insert(e);
   }
   std::vector<face::Line> wires;
   for (const Edge& e : all)
@@ -116,13 +119,15 @@ face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index mov
 
 face::SparseRows FirstRows(const face::SparseRows& rows, Index count) {
   face::SparseRows first;
-  first.row_start.assign(rows.row_start.begin(), rows.row_start.begin() + static_cast<std::ptrdiff_t>(count) + 1);
+  first.row_start.assign(rows.row_start.begin(),
+                         rows.row_start.begin() + static_cast<std::ptrdiff_t>(count) + 1);
   first.column.assign(rows.column.begin(), rows.column.begin() + first.row_start.back());
   first.weight.assign(rows.weight.begin(), rows.weight.begin() + first.row_start.back());
   return first;
 }
 
-face::ControlNet MakeNet(const face::Topology& topology, const PointChoice& choice, const SurfaceNet& surface) {
+face::ControlNet MakeNet(const face::Topology& topology, const PointChoice& choice,
+                         const SurfaceNet& surface) {
   face::ControlNet net;
   net.surface.row_start.push_back(0);
   for (const ChosenPoint& point : choice.points) {
@@ -147,40 +152,6 @@ face::Face MakeFace(const Head& head) {
   return face;
 }
 
-face::Part AsPart(PartOf part) {
-  switch (part) {
-    case PartOf::kUpperTeeth: return face::Part::kUpperTeeth;
-    case PartOf::kLowerTeeth: return face::Part::kLowerTeeth;
-    default: return face::Part::kTongue;
-  }
-}
-
-face::Prop MakeProp(const Model& model, const Heads& heads, const Head& head, PartOf part) {
-  face::Prop prop;
-  prop.name = head.name + ", " + std::string(NameOf(part));
-  prop.part = AsPart(part);
-  prop.colour = part == PartOf::kTongue ? glm::vec3(0.55F, 0.16F, 0.16F) : glm::vec3(0.82F, 0.78F, 0.70F);
-  std::vector<Index> number(model.positions.size());
-  for (Index v = 0; v < number.size(); ++v) {
-    if (heads.parts[v] != part) continue;
-    number[v] = static_cast<Index>(prop.vertices.size());
-    prop.vertices.push_back({.position = model.positions[v] + head.shift});
-  }
-  for (const Triangle& t : model.triangles) {
-    if (heads.parts[t[0]] != part) continue;
-    const Triangle moved{number[t[0]], number[t[1]], number[t[2]]};
-    const auto at = [&](std::size_t k) { return prop.vertices[moved[k]].position; };
-    const glm::vec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
-    for (const Index corner : moved) prop.vertices[corner].normal += normal;
-    prop.triangles.push_back(moved);
-  }
-  for (face::PropVertex& vertex : prop.vertices) {
-    const float length = glm::length(vertex.normal);
-    vertex.normal = length > 0 ? vertex.normal / length : glm::vec3(0, 0, 1);
-  }
-  return prop;
-}
-
 }  // namespace
 
 Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes) {
@@ -200,11 +171,12 @@ Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes) {
   return moving;
 }
 
-face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving, const PointOptions& options) {
+face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving,
+                    const PointOptions& options) {
   const HeadShape head = ShapeOfHeads(heads);
-  const MeshGraph graph(head.positions, head.triangles);
+  const MeshGraph graph(head.positions, heads.triangles);
   const PointChoice choice = ChoosePoints(graph, head, Mobility(shapes, heads.skin.size()), options);
-  const SurfaceNet surface = MakeSurfaceNet(graph, head.positions, head.triangles, choice);
+  const SurfaceNet surface = MakeSurfaceNet(graph, head.positions, heads.triangles, choice);
   face::Cast cast;
   cast.topology = MakeTopology(heads, head, moving, graph);
   cast.net = MakeNet(cast.topology, choice, surface);
@@ -214,15 +186,6 @@ face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, 
   const auto lip = std::ranges::find(marks, "upper lip", &Landmark::name);
   if (lip != marks.end()) cast.mouth_anchor = lip->at;
   return cast;
-}
-
-void AddMouths(const std::vector<Model>& models, const Heads& heads, face::Cast& cast) {
-  for (std::size_t i = 0; i < models.size(); ++i)
-    for (const PartOf part : {PartOf::kUpperTeeth, PartOf::kLowerTeeth, PartOf::kTongue}) {
-      if (std::ranges::find(heads.parts, part) == heads.parts.end()) continue;
-      cast.faces[i].props.push_back(static_cast<int>(cast.props.size()));
-      cast.props.push_back(MakeProp(models[i], heads, heads.heads[i], part));
-    }
 }
 
 }  // namespace kaori::import

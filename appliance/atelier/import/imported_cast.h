@@ -1,4 +1,4 @@
-// A cast of imported heads: topology, control net, faces, what is in their mouths.
+// A cast of imported heads: topology, control net, faces.
 #pragma once
 
 #include <string>
@@ -20,11 +20,9 @@ struct WantedShape {
 // Puts the vertices that any wanted shape moves first, in heads and shapes alike. Returns their number.
 Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes);
 
-// Everything of the cast but its expressions, props and textures. Heads must be in the order of OrderByMotion;
+// Everything of the cast but its expressions and its look. Heads must be in the order of OrderByMotion;
 // `moving` is what it returned. Lids have no rings: expressions shut them.
-face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving, const PointOptions& options);
-
-// Teeth and tongue of each head, with the face that wears them.
-void AddMouths(const std::vector<Model>& models, const Heads& heads, face::Cast& cast);
+face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving,
+                    const PointOptions& options);
 
 }  // namespace kaori::import

@@ -12,13 +12,13 @@
 namespace kaori::import {
 namespace {
 
-constexpr float kMiddle_m = 0.006F;    // This near to the plane of symmetry counts as on it.
+constexpr float kMiddle_m = 0.006F;  // This near to the plane of symmetry counts as on it.
 constexpr float kLipsTouch_m = 0.004F;
 constexpr float kLidsMeet_m = 0.003F;
-constexpr float kStill = 0.25F;        // Less of the largest motion than this is no motion,
-constexpr float kMoves = 0.55F;        // and more than this is one.
-constexpr float kBelowLip_m = 0.010F;  // The chin begins this far below the lower lip,
-constexpr float kChinReach_m = 0.060F; // and ends here.
+constexpr float kStill = 0.25F;         // Less of the largest motion than this is no motion,
+constexpr float kMoves = 0.55F;         // and more than this is one.
+constexpr float kBelowLip_m = 0.010F;   // The chin begins this far below the lower lip,
+constexpr float kChinReach_m = 0.060F;  // and ends here.
 
 // Two vertices on either side of a slit.
 struct Pair {
@@ -66,7 +66,9 @@ class Finder {
     }
     std::vector<Pair> pairs;
     for (const Index m : moving) {
-      const auto gap = [&](Index s) { return glm::distance(at(m) + share * offsets[m], at(s) + share * offsets[s]); };
+      const auto gap = [&](Index s) {
+        return glm::distance(at(m) + share * offsets[m], at(s) + share * offsets[s]);
+      };
       const auto nearest = std::ranges::min_element(still, {}, gap);
       if (nearest != still.end() && gap(*nearest) < near_m) pairs.push_back({m, *nearest});
     }
@@ -84,13 +86,16 @@ class Finder {
       AddMiddle(name + "inner corner", *inner);
       AddMiddle(name + "outer corner", *outer);
       const float middle = 0.5F * (out(*inner) + out(*outer));
-      const auto centre = std::ranges::min_element(slit, {}, [&](const Pair& p) { return std::abs(out(p) - middle); });
+      const auto centre =
+          std::ranges::min_element(slit, {}, [&](const Pair& p) { return std::abs(out(p) - middle); });
       Add(name + "upper lid", at(centre->moving));
       Add(name + "lower lid", at(centre->still));
     }
   }
 
-  void AddMiddle(std::string name, const Pair& pair) { Add(std::move(name), 0.5F * (at(pair.moving) + at(pair.still))); }
+  void AddMiddle(std::string name, const Pair& pair) {
+    Add(std::move(name), 0.5F * (at(pair.moving) + at(pair.still)));
+  }
 
   // Lips touch at rest; the lower one goes down with the jaw.
   void FindMouth() {
@@ -100,7 +105,8 @@ class Finder {
     const auto [right, left] = std::ranges::minmax_element(slit, {}, across);
     AddMiddle("left mouth corner", *left);
     AddMiddle("right mouth corner", *right);
-    const auto middle = std::ranges::min_element(slit, {}, [&](const Pair& pair) { return std::abs(across(pair)); });
+    const auto middle =
+        std::ranges::min_element(slit, {}, [&](const Pair& pair) { return std::abs(across(pair)); });
     Add("lower lip", at(middle->moving));
     Add("upper lip", at(middle->still));
     lip_y_ = at(middle->moving).y;
@@ -112,14 +118,19 @@ class Finder {
     const auto forwards = [&](Index v) { return at(v).z; };
     if (!lip_y_) return;
     const float lip_y = *lip_y_;
-    const auto nose = Most([&](Index v) { return front(v) && at(v).y < eyes_y && at(v).y > lip_y; }, forwards);
-    const auto chin = Most([&](Index v) { return front(v) && at(v).y < lip_y - kBelowLip_m && at(v).y > lip_y - kChinReach_m; }, forwards);
+    const auto nose =
+        Most([&](Index v) { return front(v) && at(v).y < eyes_y && at(v).y > lip_y; }, forwards);
+    const auto chin = Most(
+        [&](Index v) { return front(v) && at(v).y < lip_y - kBelowLip_m && at(v).y > lip_y - kChinReach_m; },
+        forwards);
     const std::vector<float> jaw = Shares(head_.jaw, head_.positions.size());
-    const auto jaw_end = Most([&](Index v) { return front(v) && jaw[v] > 0.5F; }, [&](Index v) { return -at(v).y; });
+    const auto jaw_end =
+        Most([&](Index v) { return front(v) && jaw[v] > 0.5F; }, [&](Index v) { return -at(v).y; });
     if (nose) Add("nose tip", *nose);
     if (chin) Add("chin", *chin);
     if (jaw_end) Add("chin, below", *jaw_end);
-    const auto root = Most([&](Index v) { return front(v) && at(v).y > lip_y; }, [&](Index v) { return -std::abs(at(v).y - eyes_y); });
+    const auto root = Most([&](Index v) { return front(v) && at(v).y > lip_y; },
+                           [&](Index v) { return -std::abs(at(v).y - eyes_y); });
     if (root) Add("nose root", *root);
   }
 
@@ -136,7 +147,8 @@ class Finder {
       }
       if (!(weight > 0)) continue;
       const glm::vec3 mean = sum / weight;
-      const auto brow = Most([&](Index v) { return seen_[v]; }, [&](Index v) { return -glm::distance(at(v), mean); });
+      const auto brow =
+          Most([&](Index v) { return seen_[v]; }, [&](Index v) { return -glm::distance(at(v), mean); });
       Add(side == 0 ? "left brow" : "right brow", *brow);
     }
   }

@@ -14,9 +14,7 @@ namespace kaori::import {
 std::vector<Index> Weld(std::span<const glm::vec3> positions) {
   std::vector<Index> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
-  const auto key = [&](Index v) {
-    return std::tuple(positions[v].x, positions[v].y, positions[v].z);
-  };
+  const auto key = [&](Index v) { return std::tuple(positions[v].x, positions[v].y, positions[v].z); };
   std::ranges::stable_sort(order, {}, key);
   std::vector<Index> weld(positions.size());
   for (std::size_t i = 0; i < order.size(); ++i) {

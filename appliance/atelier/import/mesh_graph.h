@@ -1,5 +1,5 @@
-// The surface as a graph: which vertices are one in space, which are neighbours, and how far it is between them
-// along the surface. Upper and lower lip touch in space and are far apart here.
+// The surface as a graph: which vertices are one in space, which are neighbours, and how far it is between
+// them along the surface. Upper and lower lip touch in space and are far apart here.
 #pragma once
 
 #include <cstddef>

@@ -47,7 +47,7 @@ struct Model {
   std::vector<MeshRange> meshes;
   std::vector<Target> targets;
   std::vector<Preset> presets;
-  std::vector<std::uint8_t> picture;  // The first texture, encoded as PNG or JPEG; empty: none.
+  std::vector<std::uint8_t> picture;      // The first texture, encoded as PNG or JPEG; empty: none.
   glm::vec3 colour{0.72F, 0.50F, 0.40F};  // Linear; of the first material without a picture.
 };
 

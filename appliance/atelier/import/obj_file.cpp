@@ -25,15 +25,15 @@ std::optional<Loaded> Load(const std::string& file, std::span<const std::uint8_t
   std::vector<tinyobj::material_t> materials;
   std::string warning;
   std::string error;
-  if (tinyobj::LoadObj(&loaded.attributes, &loaded.shapes, &materials, &warning, &error, &text)) return loaded;
+  if (tinyobj::LoadObj(&loaded.attributes, &loaded.shapes, &materials, &warning, &error, &text))
+    return loaded;
   findings.Add(file, "", error.empty() ? "is no OBJ file" : error.substr(0, error.find('\n')));
   return std::nullopt;
 }
 
 class Builder {
  public:
-  Builder(std::string file, const Loaded& loaded, Findings& findings)
-      : loaded_(loaded), findings_(findings) {
+  Builder(std::string file, const Loaded& loaded, Findings& findings) : loaded_(loaded), findings_(findings) {
     model_.file = std::move(file);
   }
 
@@ -56,12 +56,16 @@ class Builder {
     std::size_t wrong = 0;
     for (const tinyobj::index_t& index : shape.mesh.indices) {
       if (index.texcoord_index < 0) ++missing;
-      if (index.vertex_index < 0 || index.vertex_index >= positions || index.texcoord_index >= places) ++wrong;
-      if (corners_.size() <= kMostVertices) corners_.emplace(Corner{index.vertex_index, index.texcoord_index}, 0);
+      if (index.vertex_index < 0 || index.vertex_index >= positions || index.texcoord_index >= places)
+        ++wrong;
+      if (corners_.size() <= kMostVertices)
+        corners_.emplace(Corner{index.vertex_index, index.texcoord_index}, 0);
     }
     const std::string item = fmt::format("object \"{}\"", shape.name);
-    if (missing > 0) findings_.Add(model_.file, item, fmt::format("{} corners have no texture coordinate", missing));
-    if (wrong > 0) findings_.Add(model_.file, item, fmt::format("{} corners name what does not exist", wrong));
+    if (missing > 0)
+      findings_.Add(model_.file, item, fmt::format("{} corners have no texture coordinate", missing));
+    if (wrong > 0)
+      findings_.Add(model_.file, item, fmt::format("{} corners name what does not exist", wrong));
     if (corners_.size() > kMostVertices) findings_.Add(model_.file, item, "has too many vertices");
   }
 
@@ -94,7 +98,8 @@ class Builder {
 
 }  // namespace
 
-std::optional<Model> ReadObj(const std::string& file, std::span<const std::uint8_t> bytes, Findings& findings) {
+std::optional<Model> ReadObj(const std::string& file, std::span<const std::uint8_t> bytes,
+                             Findings& findings) {
   const auto loaded = Load(file, bytes, findings);
   if (!loaded) return std::nullopt;
   return Builder(file, *loaded, findings).Build();

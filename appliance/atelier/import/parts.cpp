@@ -16,9 +16,9 @@ namespace {
 
 constexpr float kSmallestEye_m = 0.006F;
 constexpr float kLargestEye_m = 0.035F;
-constexpr float kRoughBall = 0.08F;     // Of the radius: eyes have corneas.
-constexpr float kMiddle_m = 0.01F;      // A mouth's piece lies this near to the plane of symmetry.
-constexpr float kStaysUp = 0.15F;       // Of the jaw's largest motion.
+constexpr float kRoughBall = 0.08F;  // Of the radius: eyes have corneas.
+constexpr float kMiddle_m = 0.01F;   // A mouth's piece lies this near to the plane of symmetry.
+constexpr float kStaysUp = 0.15F;    // Of the jaw's largest motion.
 
 struct Piece {
   std::vector<Index> vertices;
@@ -75,7 +75,8 @@ std::string MeshName(const Model& model, Index vertex) {
   for (const MeshRange& mesh : model.meshes) {
     if (vertex < mesh.first || vertex >= mesh.first + mesh.count) continue;
     std::string name = mesh.name;
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return name;
   }
   return {};
@@ -95,7 +96,9 @@ float Moved(const Target* target, const Piece& piece) {
 class Sorter {
  public:
   Sorter(const Model& model, const MeshGraph& graph)
-      : model_(model), pieces_(PiecesOf(model, graph)), jaw_(FindTarget(model, "jaw_open")),
+      : model_(model),
+        pieces_(PiecesOf(model, graph)),
+        jaw_(FindTarget(model, "jaw_open")),
         tongue_(FindTarget(model, "tongue_out")) {}
 
   std::vector<PartOf> Sort() {
@@ -114,7 +117,8 @@ class Sorter {
   PartOf PartOfPiece(const Piece& piece, const Piece& head) const {
     const std::string name = MeshName(model_, piece.vertices.front());
     const float side = piece.middle().x - head.middle().x;
-    if (IsBall(model_, piece) && std::abs(side) > kMiddle_m) return side > 0 ? PartOf::kLeftEye : PartOf::kRightEye;
+    if (IsBall(model_, piece) && std::abs(side) > kMiddle_m)
+      return side > 0 ? PartOf::kLeftEye : PartOf::kRightEye;
     if (std::abs(side) > kMiddle_m || !IsInside(piece, head)) return PartOf::kSkin;
     const float jaw = Moved(jaw_, piece);
     if (name.find("tongue") != std::string::npos) return PartOf::kTongue;
@@ -127,8 +131,8 @@ class Sorter {
   static bool IsInside(const Piece& piece, const Piece& head) {
     const glm::vec3 room = head.most - head.least;
     const glm::vec3 size = piece.most - piece.least;
-    return glm::all(glm::greaterThan(piece.least, head.least)) && glm::all(glm::lessThan(piece.most, head.most)) &&
-           size.x < 0.6F * room.x && size.y < 0.3F * room.y;
+    return glm::all(glm::greaterThan(piece.least, head.least)) &&
+           glm::all(glm::lessThan(piece.most, head.most)) && size.x < 0.6F * room.x && size.y < 0.3F * room.y;
   }
 
   const Model& model_;
@@ -141,12 +145,18 @@ class Sorter {
 
 std::string_view NameOf(PartOf part) {
   switch (part) {
-    case PartOf::kSkin: return "skin";
-    case PartOf::kLeftEye: return "left eye";
-    case PartOf::kRightEye: return "right eye";
-    case PartOf::kUpperTeeth: return "upper teeth";
-    case PartOf::kLowerTeeth: return "lower teeth";
-    case PartOf::kTongue: return "tongue";
+    case PartOf::kSkin:
+      return "skin";
+    case PartOf::kLeftEye:
+      return "left eye";
+    case PartOf::kRightEye:
+      return "right eye";
+    case PartOf::kUpperTeeth:
+      return "upper teeth";
+    case PartOf::kLowerTeeth:
+      return "lower teeth";
+    case PartOf::kTongue:
+      return "tongue";
   }
   return "";
 }

@@ -26,13 +26,19 @@ std::string PointName(const std::string& landmark) {
 class Chooser {
  public:
   Chooser(const MeshGraph& graph, const HeadShape& head, const std::vector<float>& mobility_m)
-      : graph_(graph), head_(head), mobility_m_(mobility_m), nearest_(graph.vertices()), taken_(graph.vertices()) {
+      : graph_(graph),
+        head_(head),
+        mobility_m_(mobility_m),
+        nearest_(graph.vertices()),
+        taken_(graph.vertices()) {
     most_m_ = std::max(kStill_m, *std::ranges::max_element(mobility_m));
   }
 
   PointChoice Choose(const PointOptions& options) {
-    for (const Landmark& landmark : FindLandmarks(head_)) Take(NearestVertex(landmark.at), PointName(landmark.name));
-    while (moving_ < options.moving && TakeFarthest(true)) {}
+    for (const Landmark& landmark : FindLandmarks(head_))
+      Take(NearestVertex(landmark.at), PointName(landmark.name));
+    while (moving_ < options.moving && TakeFarthest(true)) {
+    }
     std::size_t still = 0;
     while (still < options.still && TakeFarthest(false)) ++still;
     return {std::move(points_), std::move(nearest_.owner)};
@@ -46,7 +52,8 @@ class Chooser {
   }
 
   Index NearestVertex(const glm::vec3& at) const {
-    const auto nearest = std::ranges::min_element(head_.positions, {}, [&](const glm::vec3& p) { return glm::distance(p, at); });
+    const auto nearest = std::ranges::min_element(head_.positions, {},
+                                                  [&](const glm::vec3& p) { return glm::distance(p, at); });
     return graph_.weld(static_cast<Index>(nearest - head_.positions.begin()));
   }
 

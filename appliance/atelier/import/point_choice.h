@@ -25,8 +25,8 @@ struct PointOptions {
   std::size_t still = 60;
 };
 
-// First the landmarks, then always the vertex that is farthest, along the surface, from all points so far, where
-// distances count for more the more the surface moves (`mobility_m`, by vertex).
+// First the landmarks, then always the vertex that is farthest, along the surface, from all points so far,
+// where distances count for more the more the surface moves (`mobility_m`, by vertex).
 PointChoice ChoosePoints(const MeshGraph& graph, const HeadShape& head, const std::vector<float>& mobility_m,
                          const PointOptions& options);
 

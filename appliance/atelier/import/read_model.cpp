@@ -25,7 +25,8 @@ std::optional<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& 
 
 std::string Ending(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
 }
 
@@ -34,7 +35,8 @@ bool StaysBeside(const std::filesystem::path& name) {
   return name.is_relative() && std::ranges::find(name, std::filesystem::path("..")) == name.end();
 }
 
-std::optional<Model> Decode(const std::filesystem::path& file, const std::vector<std::uint8_t>& bytes, Findings& findings) {
+std::optional<Model> Decode(const std::filesystem::path& file, const std::vector<std::uint8_t>& bytes,
+                            Findings& findings) {
   const std::string name = file.filename().string();
   const std::string ending = Ending(file);
   if (ending == ".obj") return ReadObj(name, bytes, findings);
@@ -52,7 +54,8 @@ std::optional<Model> Decode(const std::filesystem::path& file, const std::vector
 std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& findings) {
   const auto bytes = ReadBytes(file);
   if (!bytes) {
-    findings.Add(file.string(), "", fmt::format("cannot be read, or is larger than {} MiB", kMostFile_bytes >> 20U));
+    findings.Add(file.string(), "",
+                 fmt::format("cannot be read, or is larger than {} MiB", kMostFile_bytes >> 20U));
     return std::nullopt;
   }
   const std::size_t before = findings.size();

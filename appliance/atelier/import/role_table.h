@@ -15,8 +15,8 @@ struct RoleEntry {
   float weight;
 };
 
-// The entries of one role and style stand together; the first of them is the one without which the role cannot
-// be made.
+// The entries of one role and style stand together; the first of them is the one without which the role
+// cannot be made.
 std::span<const RoleEntry> RoleTable();
 
 // All names of a style, also those that no role needs.

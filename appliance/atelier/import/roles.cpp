@@ -20,13 +20,15 @@ std::string Letters(std::string_view name) {
   return letters;
 }
 
-// "eyeBlink_L", "eyeBlink.R", "EyeBlinkL": the side as a letter at the end, after a separator or a small letter.
+// "eyeBlink_L", "eyeBlink.R", "EyeBlinkL": the side as a letter at the end, after a separator or a small
+// letter.
 std::string WithSideSpelled(std::string_view name) {
   if (name.size() < 3) return Letters(name);
   const char side = name.back();
   const char before = name[name.size() - 2];
   const bool apart = before == '_' || before == '.' || before == '-' || before == ' ';
-  const bool stands_out = apart || (std::islower(static_cast<unsigned char>(before)) != 0 && (side == 'L' || side == 'R'));
+  const bool stands_out =
+      apart || (std::islower(static_cast<unsigned char>(before)) != 0 && (side == 'L' || side == 'R'));
   if (!stands_out) return Letters(name);
   const std::string stem = Letters(name.substr(0, name.size() - 1));
   if (side == 'L' || side == 'l') return stem + "left";
@@ -45,10 +47,21 @@ std::string_view LastPart(std::string_view name) {
 // Other words for the plain style.
 std::string PlainWord(std::string word) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kWords{
-      {{"eyeclosedleft", "blinkleft"}, {"eyeclosedright", "blinkright"}, {"eyecloseleft", "blinkleft"},
-       {"eyecloseright", "blinkright"}, {"eyesclosed", "blink"}, {"winkleft", "blinkleft"}, {"winkright", "blinkright"},
-       {"browraiseleft", "browupleft"}, {"browraiseright", "browupright"}, {"browsup", "browup"}, {"browsdown", "browdown"},
-       {"jawdrop", "jawopen"}, {"openmouth", "mouthopen"}, {"mouthsmile", "smile"}, {"mouthsmileleft", "smileleft"},
+      {{"eyeclosedleft", "blinkleft"},
+       {"eyeclosedright", "blinkright"},
+       {"eyecloseleft", "blinkleft"},
+       {"eyecloseright", "blinkright"},
+       {"eyesclosed", "blink"},
+       {"winkleft", "blinkleft"},
+       {"winkright", "blinkright"},
+       {"browraiseleft", "browupleft"},
+       {"browraiseright", "browupright"},
+       {"browsup", "browup"},
+       {"browsdown", "browdown"},
+       {"jawdrop", "jawopen"},
+       {"openmouth", "mouthopen"},
+       {"mouthsmile", "smile"},
+       {"mouthsmileleft", "smileleft"},
        {"surprise", "surprised"}}};
   const auto same = std::ranges::find(kWords, word, &std::pair<std::string_view, std::string_view>::first);
   return same == kWords.end() ? word : std::string(same->second);
@@ -105,11 +118,16 @@ class Maker {
 
 std::string_view NameOf(NameStyle style) {
   switch (style) {
-    case kArkit: return "ARKit";
-    case kVrm1: return "VRM 1.0";
-    case kVrm0: return "VRM 0.x";
-    case kViseme: return "viseme";
-    case kPlain: return "plain";
+    case kArkit:
+      return "ARKit";
+    case kVrm1:
+      return "VRM 1.0";
+    case kVrm0:
+      return "VRM 0.x";
+    case kViseme:
+      return "viseme";
+    case kPlain:
+      return "plain";
   }
   return "";
 }
@@ -144,7 +162,8 @@ const Target* FindTarget(const Model& model, std::string_view role) {
     const auto meaning = MeaningOf(target.name, NameOrigin::kTarget);
     if (!meaning) continue;
     for (const RoleEntry& entry : RoleTable())
-      if (entry.role == role && entry.style == meaning->style && entry.shape == meaning->name && entry.weight == 1)
+      if (entry.role == role && entry.style == meaning->style && entry.shape == meaning->name &&
+          entry.weight == 1)
         return &target;
   }
   return nullptr;

@@ -13,7 +13,7 @@
 namespace kaori::import {
 namespace {
 
-constexpr double kStiffness = 1e-3;       // Keeps points near which nothing moves from running away.
+constexpr double kStiffness = 1e-3;  // Keeps points near which nothing moves from running away.
 constexpr float kSmallestResidual_m = 1e-6F;
 constexpr float kMoved_m = 1e-5F;
 constexpr float kMillimetres = 1000;
@@ -25,7 +25,8 @@ sculpt::SquareMatrix NormalMatrix(const face::ControlNet& net) {
   for (std::size_t r = 0; r < rows.rows(); ++r)
     for (auto i = rows.row_start[r]; i < rows.row_start[r + 1]; ++i)
       for (auto j = rows.row_start[r]; j < rows.row_start[r + 1]; ++j)
-        normal(rows.column[i], rows.column[j]) += static_cast<double>(rows.weight[i]) * static_cast<double>(rows.weight[j]);
+        normal(rows.column[i], rows.column[j]) +=
+            static_cast<double>(rows.weight[i]) * static_cast<double>(rows.weight[j]);
   for (std::size_t i = 0; i < n; ++i) normal(i, i) += kStiffness;
   return normal;
 }
@@ -57,7 +58,8 @@ FitError Judge(const Offsets& offsets, const Offsets& residual) {
     sum += static_cast<double>(miss) * static_cast<double>(miss);
     ++moved;
   }
-  if (moved > 0) error.rms_mm = kMillimetres * static_cast<float>(std::sqrt(sum / static_cast<double>(moved)));
+  if (moved > 0)
+    error.rms_mm = kMillimetres * static_cast<float>(std::sqrt(sum / static_cast<double>(moved)));
   return error;
 }
 
@@ -81,12 +83,15 @@ std::vector<glm::dvec3> ShapeFit::Solve(const Offsets& offsets) const {
   return solved;
 }
 
-face::Expression ShapeFit::Fit(std::string name, face::ExpressionKind kind, const Offsets& offsets, FitError& error) const {
-  face::Expression expression{.name = std::move(name), .kind = kind, .displacement = {}, .lids = {}, .residual = {}};
+face::Expression ShapeFit::Fit(std::string name, face::ExpressionKind kind, const Offsets& offsets,
+                               FitError& error) const {
+  face::Expression expression{
+      .name = std::move(name), .kind = kind, .displacement = {}, .lids = {}, .residual = {}};
   const std::vector<glm::dvec3> solved = Solve(offsets);
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const face::Frame& frame = frames_[i];
-    expression.displacement.push_back(glm::inverse(glm::mat3(frame.along_u, frame.along_v, frame.outwards)) * glm::vec3(solved[i]));
+    expression.displacement.push_back(glm::inverse(glm::mat3(frame.along_u, frame.along_v, frame.outwards)) *
+                                      glm::vec3(solved[i]));
   }
   const face::SparseRows& rows = net_.to_cage;
   Offsets residual(offsets.begin(), offsets.begin() + static_cast<std::ptrdiff_t>(rows.rows()));
@@ -94,7 +99,8 @@ face::Expression ShapeFit::Fit(std::string name, face::ExpressionKind kind, cons
     for (auto i = rows.row_start[r]; i < rows.row_start[r + 1]; ++i)
       residual[r] -= rows.weight[i] * glm::vec3(solved[rows.column[i]]);
   error = Judge(offsets, residual);
-  const bool exact = std::ranges::all_of(residual, [](const glm::vec3& r) { return glm::length(r) < kSmallestResidual_m; });
+  const bool exact =
+      std::ranges::all_of(residual, [](const glm::vec3& r) { return glm::length(r) < kSmallestResidual_m; });
   if (!exact) expression.residual = std::move(residual);
   return expression;
 }

@@ -18,15 +18,16 @@ struct FitError {
   float shape_mm = 0;  // The farthest that the shape itself moves a vertex.
 };
 
-// Borrows the net; its reference face lies still. Rows of offsets are vertices of the cage, at least the moving
-// ones.
+// Borrows the net; its reference face lies still. Rows of offsets are vertices of the cage, at least the
+// moving ones.
 class ShapeFit {
  public:
   ShapeFit(const face::ControlNet& net, std::span<const glm::vec3> reference);
 
   // Least squares over all moving vertices; what is left becomes the expression's residual, so that on the
   // reference face the shape is exact.
-  face::Expression Fit(std::string name, face::ExpressionKind kind, const Offsets& offsets, FitError& error) const;
+  face::Expression Fit(std::string name, face::ExpressionKind kind, const Offsets& offsets,
+                       FitError& error) const;
 
  private:
   std::vector<glm::dvec3> Solve(const Offsets& offsets) const;

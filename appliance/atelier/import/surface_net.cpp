@@ -21,7 +21,11 @@ using Row = std::map<Index, float>;
 class Builder {
  public:
   Builder(const MeshGraph& graph, const std::vector<glm::vec3>& positions, const PointChoice& choice)
-      : graph_(graph), positions_(positions), choice_(choice), columns_(ColumnsOf(choice)), rows_(positions.size()) {}
+      : graph_(graph),
+        positions_(positions),
+        choice_(choice),
+        columns_(ColumnsOf(choice)),
+        rows_(positions.size()) {}
 
   SurfaceNet Build(const std::vector<Triangle>& triangles) {
     JoinPoints(triangles);
@@ -41,7 +45,8 @@ class Builder {
       Joint joint{};
       for (std::size_t k = 0; k < 3; ++k) joint[k] = choice_.owner[graph_.weld(t[k])];
       std::ranges::sort(joint);
-      const bool three = joint[0] != joint[1] && joint[1] != joint[2] && joint[2] != MeshGraph::Nearest::kNobody;
+      const bool three =
+          joint[0] != joint[1] && joint[1] != joint[2] && joint[2] != MeshGraph::Nearest::kNobody;
       if (three) joints.insert(joint);
     }
     joined_.resize(choice_.points.size());

@@ -27,7 +27,8 @@ int Whole(const tinygltf::Value* value) {
 
 template <class Use>
 void ForEach(const tinygltf::Value* array, Use use) {
-  for (std::size_t i = 0; array != nullptr && i < array->ArrayLen(); ++i) use(array->Get(static_cast<int>(i)));
+  for (std::size_t i = 0; array != nullptr && i < array->ArrayLen(); ++i)
+    use(array->Get(static_cast<int>(i)));
 }
 
 std::string TargetName(const tinygltf::Model& model, int mesh, int target) {
@@ -63,7 +64,8 @@ Preset Expression(const tinygltf::Model& model, std::string name, const tinygltf
     const int node = Whole(Member(&bind, "node"));
     const bool exists = node >= 0 && static_cast<std::size_t>(node) < model.nodes.size();
     const int mesh = exists ? model.nodes[static_cast<std::size_t>(node)].mesh : -1;
-    AddPart(TargetName(model, mesh, Whole(Member(&bind, "index"))), Number(Member(&bind, "weight"), 1), preset);
+    AddPart(TargetName(model, mesh, Whole(Member(&bind, "index"))), Number(Member(&bind, "weight"), 1),
+            preset);
   });
   return preset;
 }
@@ -81,7 +83,8 @@ std::vector<Preset> VrmPresets(const tinygltf::Model& model) {
     for (const char* kind : {"preset", "custom"}) {
       const tinygltf::Value* named = Member(expressions, kind);
       if (named == nullptr) continue;
-      for (const std::string& name : named->Keys()) presets.push_back(Expression(model, name, named->Get(name)));
+      for (const std::string& name : named->Keys())
+        presets.push_back(Expression(model, name, named->Get(name)));
     }
   }
   std::erase_if(presets, [](const Preset& preset) { return preset.name.empty() || preset.parts.empty(); });
