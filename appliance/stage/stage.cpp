@@ -26,7 +26,9 @@ Time NewestInput(const board::Snapshot& s) {
   return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at});
 }
 
-bool Waits(const Error& error) { return error.cause == std::errc::resource_unavailable_try_again; }
+bool Waits(const Error& error) {
+  return error.cause == std::errc::resource_unavailable_try_again;
+}
 
 }  // namespace
 

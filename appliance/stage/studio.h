@@ -1,4 +1,5 @@
-// Draws a scene of a show into memory: the GL context, the painter and a canvas of the size that is asked for.
+// Draws a scene of a show into memory: the GL context, the painter and a canvas of the size that is asked
+// for.
 #pragma once
 
 #include <memory>

@@ -39,7 +39,8 @@ Result<Picture> ReadPng(const std::filesystem::path& file) {
     return FailInput("read " + file.string() + ": " + image.message);
   image.format = PNG_FORMAT_RGBA;
   Picture picture = Picture::Blank(static_cast<int>(image.width), static_cast<int>(image.height));
-  const bool read = png_image_finish_read(&image, nullptr, picture.rgbx.data(), -picture.width_px * 4, nullptr) != 0;
+  const bool read =
+      png_image_finish_read(&image, nullptr, picture.rgbx.data(), -picture.width_px * 4, nullptr) != 0;
   if (!read) return FailInput("read " + file.string() + ": " + image.message);
   return picture;
 }
@@ -48,7 +49,8 @@ void Paste(const Picture& from, Picture& into, int x_px, int y_px) {
   for (int row = 0; row < from.height_px; ++row) {
     const auto source = static_cast<std::size_t>(row * from.width_px) * 4;
     const auto target = static_cast<std::size_t>((y_px + row) * into.width_px + x_px) * 4;
-    std::memcpy(into.rgbx.data() + target, from.rgbx.data() + source, static_cast<std::size_t>(from.width_px) * 4);
+    std::memcpy(into.rgbx.data() + target, from.rgbx.data() + source,
+                static_cast<std::size_t>(from.width_px) * 4);
   }
 }
 

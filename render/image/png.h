@@ -17,7 +17,8 @@ struct Picture {
   std::vector<std::uint8_t> rgbx;
 
   static Picture Blank(int width_px, int height_px) {
-    return {width_px, height_px, std::vector<std::uint8_t>(static_cast<std::size_t>(width_px * height_px) * 4)};
+    return {width_px, height_px,
+            std::vector<std::uint8_t>(static_cast<std::size_t>(width_px * height_px) * 4)};
   }
 };
 

@@ -49,7 +49,9 @@ const std::vector<Room>& Rooms() {
   return rooms;
 }
 
-void Print(const Metric& m) { fmt::print("{:<44} {:>12.4g} {:>12.4g}  {}\n", m.name, m.median, m.p99, m.unit); }
+void Print(const Metric& m) {
+  fmt::print("{:<44} {:>12.4g} {:>12.4g}  {}\n", m.name, m.median, m.p99, m.unit);
+}
 
 bool WriteJson(const std::string& file, const std::vector<Metric>& metrics) {
   nlohmann::json list = nlohmann::json::array();
@@ -88,4 +90,6 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace kaori::bench
 
-int main(int argc, char** argv) { return kaori::bench::Main(argc, argv); }
+int main(int argc, char** argv) {
+  return kaori::bench::Main(argc, argv);
+}

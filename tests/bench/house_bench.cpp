@@ -22,13 +22,16 @@ using namespace std::chrono_literals;
 constexpr Duration kPeriod = 16'666'667ns;
 constexpr int kDial = 3;  // The fade time: it changes nothing in the picture.
 
-double Milliseconds(Duration d) { return Seconds(d) * 1e3; }
+double Milliseconds(Duration d) {
+  return Seconds(d) * 1e3;
+}
 
 // The house under measurement: devices in this process, programs in their own.
 class Bench {
  public:
   explicit Bench(std::string pack) : pack_(std::move(pack)) {
-    auto rig = sim::Rig::Open({.folder = house_.links(), .screen_period = kPeriod, .wakes_by_timer = true}, clock_);
+    auto rig =
+        sim::Rig::Open({.folder = house_.links(), .screen_period = kPeriod, .wakes_by_timer = true}, clock_);
     if (!rig) throw std::runtime_error(rig.error().message());
     rig_ = std::move(*rig);
     house_.Start("kaori-input", {"--board", house_.board(), "--links", house_.links()});
@@ -48,7 +51,8 @@ class Bench {
   void Until(Done done) {
     const Time late = now() + 30s;
     while (!done()) {
-      if (now() > late) throw std::runtime_error("the house did not answer within 30 s:\n" + house_.LogOf("kaori-stage"));
+      if (now() > late)
+        throw std::runtime_error("the house did not answer within 30 s:\n" + house_.LogOf("kaori-stage"));
       rig_->Pump();
       pollfd waiting{rig_->pollable(), POLLIN, 0};
       const timespec nap{0, 100'000};
@@ -102,7 +106,8 @@ std::vector<Metric> ReportToFrame(Bench& bench, bool quick) {
   }
   std::vector<double> frames(ms);
   for (double& f : frames) f /= Milliseconds(kPeriod);
-  return {Figure("report_to_frame.frames", "refreshes at 60 Hz", frames), Figure("report_to_frame.ms", "ms", ms)};
+  return {Figure("report_to_frame.frames", "refreshes at 60 Hz", frames),
+          Figure("report_to_frame.ms", "ms", ms)};
 }
 
 double ResidentMb(int pid) {
@@ -132,7 +137,8 @@ std::vector<Metric> MeasureHouse(const std::string& pack, bool quick) {
     bench.Wait(300ms);
     if (i + 1 < rounds) bench.KillStage();
   }
-  std::vector<Metric> metrics{Figure("stage.start_ms", "ms", start_ms), Figure("stage.restart_ms", "ms", restart_ms)};
+  std::vector<Metric> metrics{Figure("stage.start_ms", "ms", start_ms),
+                              Figure("stage.restart_ms", "ms", restart_ms)};
   for (const Metric& metric : ReportToFrame(bench, quick)) metrics.push_back(metric);
   metrics.push_back(Figure("memory.rss_mb", "MB", {ResidentMb(bench.stage_pid())}));
   return metrics;

@@ -31,7 +31,8 @@ Difference Measure(const image::Picture& a, const image::Picture& b) {
     }
     if (most > kFar) ++far;
   }
-  return {sum / static_cast<double>(3 * pixels), 100.0 * static_cast<double>(far) / static_cast<double>(pixels)};
+  return {sum / static_cast<double>(3 * pixels),
+          100.0 * static_cast<double>(far) / static_cast<double>(pixels)};
 }
 
 std::string Differing(const image::Picture& picture, const std::string& name, const std::string& why) {
@@ -55,8 +56,9 @@ std::string Compare(const image::Picture& picture, const std::string& name, cons
     return Differing(picture, name, "another size than the accepted picture");
   const Difference d = Measure(*accepted, picture);
   if (d.mean <= tolerance.mean && d.far_percent <= tolerance.far_percent) return "";
-  return Differing(picture, name, fmt::format("mean difference {:.2f} of {:.2f}, {:.2f} % of pixels far off of {:.2f} %",
-                                              d.mean, tolerance.mean, d.far_percent, tolerance.far_percent));
+  return Differing(picture, name,
+                   fmt::format("mean difference {:.2f} of {:.2f}, {:.2f} % of pixels far off of {:.2f} %",
+                               d.mean, tolerance.mean, d.far_percent, tolerance.far_percent));
 }
 
 }  // namespace kaori::golden

@@ -10,8 +10,8 @@ namespace kaori::golden {
 
 // Pictures differ a little between processors (vector widths, rounding), never by more than this.
 struct Tolerance {
-  double mean = 1.0;          // Mean absolute difference of a channel, of 255.
-  double far_percent = 0.5;   // Pixels that differ by more than kFar in a channel.
+  double mean = 1.0;         // Mean absolute difference of a channel, of 255.
+  double far_percent = 0.5;  // Pixels that differ by more than kFar in a channel.
 };
 inline constexpr int kFar = 24;
 

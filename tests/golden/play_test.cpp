@@ -19,8 +19,8 @@ namespace {
 
 constexpr const char* kPlay = KAORI_PLAYS "/kaori.play";
 constexpr double kHz = 12;
-// Seconds into the play: the poster, its turn into the narrator, his prologue, the four styles and their fades,
-// her feelings, the kettle, the dog between two faces, the farewell.
+// Seconds into the play: the poster, its turn into the narrator, his prologue, the four styles and their
+// fades, her feelings, the kettle, the dog between two faces, the farewell.
 constexpr std::array<double, 18> kMoments_s{1.9,  4.2,  6.9,  9.5,  12.5, 16.5, 18.4, 21.3, 23.0,
                                             26.0, 28.4, 33.0, 36.6, 39.8, 42.9, 44.1, 52.5, 57.0};
 
@@ -104,8 +104,8 @@ TEST_F(PlayTest, TheSameScenarioGivesTheSameBoardAndTheSamePictures) {
     while (player_->position() < std::chrono::seconds(20)) {
       trace.pictures.push_back(Hash(Next().rgbx));
       const auto board = board::ReadAll(house_->board());
-      trace.boards.push_back(HashOf(board.surface.value) ^ HashOf(board.sticks[0].value) ^ HashOf(board.keys.value) ^
-                             HashOf(board.lips.value) ^ HashOf(board.lamps.value));
+      trace.boards.push_back(HashOf(board.surface.value) ^ HashOf(board.sticks[0].value) ^
+                             HashOf(board.keys.value) ^ HashOf(board.lips.value) ^ HashOf(board.lamps.value));
     }
     house_.reset();
   }

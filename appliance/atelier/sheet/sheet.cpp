@@ -109,7 +109,8 @@ std::vector<Sheet> AllSheets(const face::Cast& cast) {
 
 Result<image::Picture> Draw(stage::Studio& studio, const Sheet& sheet, const SheetOptions& options) {
   const int rows = (static_cast<int>(sheet.cells.size()) + sheet.columns - 1) / sheet.columns;
-  image::Picture whole = image::Picture::Blank(sheet.columns * options.cell_width_px, rows * options.cell_height_px);
+  image::Picture whole =
+      image::Picture::Blank(sheet.columns * options.cell_width_px, rows * options.cell_height_px);
   image::Picture cell = image::Picture::Blank(options.cell_width_px, options.cell_height_px);
   for (std::size_t i = 0; i < sheet.cells.size(); ++i) {
     const ports::PixelBuffer buffer{cell.width_px, cell.height_px, cell.rgbx};
@@ -124,18 +125,23 @@ Result<image::Picture> Draw(stage::Studio& studio, const Sheet& sheet, const She
 // Captions lie over each cell of the picture.
 std::string Page(const std::vector<Sheet>& sheets, const std::string& show) {
   std::string page = fmt::format(
-      "<!doctype html><meta charset=utf-8><title>{0}</title><style>body{{background:#15181f;color:#dde;font:14px "
-      "sans-serif}}div{{position:relative;width:100%}}img{{width:100%}}span{{position:absolute;padding:2px 6px}}"
+      "<!doctype html><meta "
+      "charset=utf-8><title>{0}</title><style>body{{background:#15181f;color:#dde;font:14px "
+      "sans-serif}}div{{position:relative;width:100%}}img{{width:100%}}span{{position:absolute;padding:2px "
+      "6px}}"
       "</style><h1>{0}</h1>",
       show);
   for (const Sheet& sheet : sheets) {
-    const auto rows = (sheet.cells.size() + static_cast<std::size_t>(sheet.columns) - 1) / static_cast<std::size_t>(sheet.columns);
+    const auto rows = (sheet.cells.size() + static_cast<std::size_t>(sheet.columns) - 1) /
+                      static_cast<std::size_t>(sheet.columns);
     page += fmt::format("<h2>{}</h2><div><img src=\"{}\">", sheet.title, sheet.file);
     for (std::size_t i = 0; i < sheet.cells.size(); ++i)
-      page += fmt::format("<span style=\"left:{:.2f}%;top:{:.2f}%\">{}</span>",
-                          100.0 * static_cast<double>(i % static_cast<std::size_t>(sheet.columns)) / sheet.columns,
-                          100.0 * static_cast<double>(i / static_cast<std::size_t>(sheet.columns)) / static_cast<double>(rows),
-                          sheet.cells[i].caption);
+      page += fmt::format(
+          "<span style=\"left:{:.2f}%;top:{:.2f}%\">{}</span>",
+          100.0 * static_cast<double>(i % static_cast<std::size_t>(sheet.columns)) / sheet.columns,
+          100.0 * static_cast<double>(i / static_cast<std::size_t>(sheet.columns)) /
+              static_cast<double>(rows),
+          sheet.cells[i].caption);
     page += "</div>";
   }
   return page;
@@ -143,8 +149,8 @@ std::string Page(const std::vector<Sheet>& sheets, const std::string& show) {
 
 }  // namespace
 
-Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& folder, const SheetOptions& options,
-                        const std::function<void(std::string_view)>& wrote) {
+Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& folder,
+                        const SheetOptions& options, const std::function<void(std::string_view)>& wrote) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());

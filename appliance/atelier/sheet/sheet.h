@@ -22,7 +22,7 @@ struct SheetOptions {
 //   morphs.png       from the first face to each other one in five steps
 //   index.html       the same with names, for a browser
 // Errors: those of the file system and of drawing.
-Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& folder, const SheetOptions& options,
-                        const std::function<void(std::string_view)>& wrote);
+Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& folder,
+                        const SheetOptions& options, const std::function<void(std::string_view)>& wrote);
 
 }  // namespace kaori::atelier
