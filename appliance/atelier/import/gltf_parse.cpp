@@ -77,7 +77,7 @@ class Walk {
     for (const tinygltf::Scene& scene : model_.scenes)
       roots.insert(roots.end(), scene.nodes.begin(), scene.nodes.end());
     if (roots.empty()) roots = Parentless();
-    for (const int root : roots) pending_.push_back({root, glm::mat4(1)});
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending_.push_back({*root, glm::mat4(1)});
     while (!pending_.empty()) Step();
     return std::move(placed_);
   }

@@ -15,10 +15,14 @@ namespace {
 constexpr float kMiddle_m = 0.006F;  // This near to the plane of symmetry counts as on it.
 constexpr float kLipsTouch_m = 0.004F;
 constexpr float kLidsMeet_m = 0.003F;
-constexpr float kStill = 0.25F;         // Less of the largest motion than this is no motion,
-constexpr float kMoves = 0.55F;         // and more than this is one.
+constexpr float kMoves = 0.08F;         // Less of the largest motion than this is no motion.
+constexpr float kLess = 0.6F;           // The other side of a slit moves less than this much of it.
+constexpr float kWider = 2.5F;          // An open slit is this much wider than a shut one,
+constexpr float kWider_m = 0.0006F;     // and this.
 constexpr float kBelowLip_m = 0.010F;   // The chin begins this far below the lower lip,
 constexpr float kChinReach_m = 0.060F;  // and ends here.
+
+enum class Motion : std::uint8_t { kShuts, kOpens };
 
 // Two vertices on either side of a slit.
 struct Pair {
@@ -53,24 +57,27 @@ class Finder {
     return best ? std::optional(at(*best)) : std::nullopt;
   }
 
-  // Seen vertices that move, each with the nearest seen one that stays, where both end up `near_m` apart or
-  // nearer after `share` of the motion.
-  std::vector<Pair> Slit(const Offsets& offsets, float share, float near_m) const {
+  // Where a motion shuts (or opens) a slit: seen vertices that move, each with the seen one that moves
+  // clearly less and is nearest when the slit is shut, where they are clearly farther apart when it is open.
+  // Skin stretches, but not as much.
+  std::vector<Pair> Slit(const Offsets& offsets, Motion motion, float near_m) const {
     const std::vector<float> shares = Shares(offsets, head_.positions.size());
-    std::vector<Index> still;
-    std::vector<Index> moving;
-    for (Index v = 0; v < shares.size(); ++v) {
-      if (!seen_[v]) continue;
-      if (shares[v] < kStill) still.push_back(v);
-      if (shares[v] > kMoves) moving.push_back(v);
-    }
+    const float when_shut = motion == Motion::kShuts ? 1.0F : 0.0F;
+    const auto apart = [&](Index a, Index b, float share) {
+      return glm::distance(at(a) + share * offsets[a], at(b) + share * offsets[b]);
+    };
     std::vector<Pair> pairs;
-    for (const Index m : moving) {
-      const auto gap = [&](Index s) {
-        return glm::distance(at(m) + share * offsets[m], at(s) + share * offsets[s]);
-      };
-      const auto nearest = std::ranges::min_element(still, {}, gap);
-      if (nearest != still.end() && gap(*nearest) < near_m) pairs.push_back({m, *nearest});
+    for (Index m = 0; m < shares.size(); ++m) {
+      if (!seen_[m] || shares[m] < kMoves) continue;
+      std::optional<Index> nearest;
+      for (Index s = 0; s < shares.size(); ++s) {
+        if (!seen_[s] || shares[s] > kLess * shares[m]) continue;
+        if (!nearest || apart(m, s, when_shut) < apart(m, *nearest, when_shut)) nearest = s;
+      }
+      if (!nearest) continue;
+      const float shut_m = apart(m, *nearest, when_shut);
+      const bool opens = apart(m, *nearest, 1 - when_shut) > kWider * shut_m + kWider_m;
+      if (shut_m < near_m && opens) pairs.push_back({m, *nearest});
     }
     return pairs;
   }
@@ -78,7 +85,7 @@ class Finder {
   // Lids meet when they are shut: the corners are where the slit is at its ends.
   void FindEyes() {
     for (std::size_t side = 0; side < 2; ++side) {
-      const std::vector<Pair> slit = Slit(head_.blink[side], 1, kLidsMeet_m);
+      const std::vector<Pair> slit = Slit(head_.blink[side], Motion::kShuts, kLidsMeet_m);
       if (slit.size() < 4) continue;
       const std::string name = side == 0 ? "left eye, " : "right eye, ";
       const auto out = [&](const Pair& pair) { return std::abs(at(pair.moving).x); };
@@ -99,7 +106,7 @@ class Finder {
 
   // Lips touch at rest; the lower one goes down with the jaw.
   void FindMouth() {
-    std::vector<Pair> slit = Slit(head_.jaw, 0, kLipsTouch_m);
+    std::vector<Pair> slit = Slit(head_.jaw, Motion::kOpens, kLipsTouch_m);
     if (slit.size() < 4) return;
     const auto across = [&](const Pair& pair) { return at(pair.moving).x; };
     const auto [right, left] = std::ranges::minmax_element(slit, {}, across);

@@ -136,8 +136,8 @@ std::optional<Meaning> MeaningOf(std::string_view name, NameOrigin origin) {
   const std::string letters = WithSideSpelled(LastPart(name));
   for (const NameStyle style : kInOrder) {
     if (!Allowed(style, origin)) continue;
-    // VRM 0.x spells its sides with one letter.
-    if (auto found = Find(style, style == kVrm0 ? Letters(name) : letters)) return found;
+    // Presets are spelled in one way: "blink_l" is VRM 0.x, "blinkLeft" is VRM 1.0.
+    if (auto found = Find(style, origin == NameOrigin::kPreset ? Letters(name) : letters)) return found;
   }
   return origin == NameOrigin::kTarget ? Find(kPlain, PlainWord(letters)) : std::nullopt;
 }
