@@ -41,7 +41,6 @@ class Mapping {
 class SectionWriter {
  public:
   SectionWriter(Section section, UniqueFd lock, Mapping mapping);
-  Section section() const { return section_; }
   void Publish(std::span<const std::uint32_t> value);
 
  private:

@@ -43,7 +43,9 @@ std::optional<std::string> UsbPort(udev_device* device) {
 std::string PortOf(udev_device* device, udev_device* hid) {
   if (const auto usb = UsbPort(device)) return *usb;
   const auto place = Text(udev_device_get_property_value(hid, "HID_PHYS"));
-  return std::string(place.empty() ? Text(udev_device_get_sysname(hid)) : place);
+  const auto own = Text(udev_device_get_property_value(hid, "HID_UNIQ"));
+  if (place.empty()) return std::string(own.empty() ? Text(udev_device_get_sysname(hid)) : own);
+  return std::string(place) + (own.empty() ? "" : "/") + std::string(own);
 }
 
 std::errc CauseOfOpen(int error) {

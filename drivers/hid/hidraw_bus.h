@@ -16,7 +16,8 @@ struct udev_monitor;
 namespace kaori::hid {
 
 // As ports::HidBus. A port is the USB port path, "1-4.2"; an interface after the first of one device adds its
-// name, "1-4.2:1.1". A device without USB goes by its physical place, or else by its kernel name.
+// name, "1-4.2:1.1". A device without USB goes by its physical place (of Bluetooth the receiver: all of its
+// devices share it) and by its own address where it has one, or else by its kernel name.
 class HidrawBus final : public ports::HidBus {
  public:
   // Borrows `clock` for its life. Errors: those of libudev.

@@ -195,13 +195,13 @@ Result<HidInput> LibusbChannel::Read(std::span<std::uint8_t> into) {
     const HidInput input{.at = flight->at, .bytes = bytes};
     flight->state = Flight::State::kIdle;
     if (!gone_)
-      static_cast<void>(AwaitInput(*flight));  // A refusal shows in gone_, or below at the next call.
+      static_cast<void>(AwaitInput(*flight));  // A refusal shows below, when nothing is left to read.
     return input;
   }
   if (gone_) return Gone();
   session_->ShowWaiting(false);
   for (Flight& flight : reads_)
-    if (flight.state == Flight::State::kIdle) static_cast<void>(AwaitInput(flight));
+    if (flight.state == Flight::State::kIdle && !AwaitInput(flight)) broken_ = true;
   if (gone_) return Gone();
   if (std::exchange(broken_, false)) return Fail(std::errc::io_error, "read " + interface_.port);
   return Fail(std::errc::resource_unavailable_try_again, "read " + interface_.port);

@@ -6,9 +6,7 @@
 namespace kaori::hid {
 
 inline constexpr std::uint32_t kKeyboardPage = 0x07;
-inline constexpr std::uint32_t kLedPage = 0x08;
 inline constexpr std::uint32_t kButtonPage = 0x09;
-inline constexpr std::uint32_t kFirstVendorPage = 0xFF00;
 
 inline constexpr Usage kUsageJoystick = 0x00010004;
 inline constexpr Usage kUsageGamePad = 0x00010005;

@@ -34,7 +34,6 @@ class Screen {
   std::optional<Shown> latest() const { return latest_; }
   std::uint64_t frames_shown() const { return frames_shown_; }
   ScreenMode mode() const { return mode_; }
-  void SetPeriod(Duration period) { SetMode({mode_.width_px, mode_.height_px, period}); }
   void SetMode(ScreenMode mode);
 
   // Appliance's side. Number of the last vertical blank at or before `now`, and its time.

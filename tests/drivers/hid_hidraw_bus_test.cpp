@@ -51,6 +51,13 @@ TEST_F(HidrawBusTest, KeepsTheInterfacesOfOneDeviceApart) {
   EXPECT_THAT(*bus_->Ports(), ElementsAre("1-4.2", "1-4.2:1.1"));
 }
 
+TEST_F(HidrawBusTest, KeepsTheDevicesOfOneReceiverApart) {
+  kernel_->Pair("dc:0c:2d:00:00:01", "hidraw0");
+  kernel_->Pair("dc:0c:2d:00:00:02", "hidraw1");
+  EXPECT_THAT(*bus_->Ports(),
+              ElementsAre("00:1a:7d:da:71:13/dc:0c:2d:00:00:01", "00:1a:7d:da:71:13/dc:0c:2d:00:00:02"));
+}
+
 TEST_F(HidrawBusTest, SeesAPullAndAReplug) {
   kernel_->Plug("1-4.2", 0, "hidraw0", box_);
   ASSERT_TRUE(has_notice());

@@ -146,6 +146,15 @@ void MockKernel::Plug(const std::string& usb_port, int interface, const std::str
   umockdev_testbed_uevent(testbed_.get(), ("/sys" + hid + "/hidraw/" + node).c_str(), "add");
 }
 
+void MockKernel::Pair(const std::string& address, const std::string& node) {
+  const std::string hid = "/devices/virtual/misc/uhid/0005:1209:0001." + node;
+  Add(testbed_.get(), fmt::format("P: {}\nE: SUBSYSTEM=hid\nE: HID_ID=0005:00001209:00000001\n"
+                                  "E: HID_PHYS=00:1a:7d:da:71:13\nE: HID_UNIQ={}\n\n",
+                                  hid, address));
+  Add(testbed_.get(), fmt::format("P: {}/hidraw/{}\nN: {}\nE: SUBSYSTEM=hidraw\nE: DEVNAME=/dev/{}\n\n", hid,
+                                  node, node, node));
+}
+
 void MockKernel::Unplug(const std::string& usb_port, int interface, const std::string& node) {
   const std::string path = "/sys" + HidDir(usb_port, interface, node) + "/hidraw/" + node;
   umockdev_testbed_uevent(testbed_.get(), path.c_str(), "remove");

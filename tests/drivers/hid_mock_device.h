@@ -51,6 +51,8 @@ class MockKernel {
   MockKernel();
 
   void Plug(const std::string& usb_port, int interface, const std::string& node, const MockHidraw& device);
+  // A device of Bluetooth: `address` is its own, the receiver is always the same.
+  void Pair(const std::string& address, const std::string& node);
   // Pulls the whole USB device; the node goes last.
   void Unplug(const std::string& usb_port, int interface, const std::string& node);
   UMockdevTestbed* testbed() const { return testbed_.get(); }

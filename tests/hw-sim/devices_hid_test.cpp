@@ -135,6 +135,17 @@ TEST_F(SimulatedDevices, LampsAreWhatTheLastOutputReportSaid) {
   EXPECT_EQ(box.lamps(), 0u);
 }
 
+TEST_F(SimulatedDevices, AKeyboardsLightsAreWhatTheLastOutputReportSaid) {
+  Keyboard keyboard(bench);
+  keyboard.TakeOutput(std::array<std::uint8_t, 2>{0, 0xE2});
+  EXPECT_EQ(keyboard.lights(), 0x02u) << "caps lock, and no padding";
+  keyboard.TakeOutput(std::array<std::uint8_t, 1>{0});
+  keyboard.TakeOutput(std::array<std::uint8_t, 2>{7, 0x01});
+  EXPECT_EQ(keyboard.lights(), 0x02u);
+  keyboard.PowerCycle();
+  EXPECT_EQ(keyboard.lights(), 0u);
+}
+
 TEST_F(SimulatedDevices, AStickPushedForwardsIsNegativeYOnTheWire) {
   StickPod stick(Place::kStickRight, bench);
   stick.HostCame();

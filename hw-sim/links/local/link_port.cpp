@@ -13,6 +13,7 @@ namespace {
 
 // A driver that talks without end must not hold up the others.
 constexpr int kPacketsAtOnce = 256;
+constexpr int kCallsAtOnce = 16;
 
 }  // namespace
 
@@ -42,7 +43,9 @@ void LinkPort::Pump(Time now) {
 }
 
 void LinkPort::Accept() {
-  while (auto newcomer = AcceptPeer(listener_.get())) {
+  for (int n = 0; n < kCallsAtOnce; ++n) {
+    auto newcomer = AcceptPeer(listener_.get());
+    if (!newcomer) return;
     HangUp();
     peer_ = std::move(*newcomer);
     Join(peer_.get());
