@@ -27,7 +27,7 @@ bool SoundFade(float progress, float duration_s) {
 }
 
 bool SoundTerms(const face::Terms& terms, std::size_t count) {
-  if (terms.size() < 0 || terms.size() > face::Terms::kCapacity) return false;
+  if (static_cast<unsigned>(terms.size()) > face::Terms::kCapacity) return false;  // Nor below 0.
   const auto sound = [count](const face::Term& t) {
     return t.index < count && Within({t.weight}, 0, 1.001F);
   };

@@ -59,6 +59,7 @@ std::vector<std::string> Arguments(const FilmOptions& o) {
 // The child reads its standard input from `from` and writes what it says to `words`.
 Result<pid_t> Spawn(std::vector<std::string> arguments, int from, int words) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -68,7 +68,7 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& house, kaori::sim::Scenario scen
   int number = 0;
   for (; !player.finished(); ++number) {
     const auto shown = house.NextPicture([&](kaori::Time now) { player.Perform(now); });
-    const auto taken = shown ? outputs.Take(*shown, number) : tl::unexpected(shown.error());
+    auto taken = shown ? outputs.Take(*shown, number) : tl::unexpected(shown.error());
     if (!taken) {
       fmt::print(stderr, "\n");  // The progress stays on a line of its own.
       return taken;
