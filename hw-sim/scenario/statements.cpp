@@ -18,6 +18,7 @@ constexpr int kDials = static_cast<int>(wire::kDials);
 constexpr int kBoxButtons = static_cast<int>(wire::kDialBoxButtons);
 constexpr int kStickButtons = static_cast<int>(wire::kStickPodButtons);
 constexpr double kMostTurns = 1000;
+constexpr std::size_t kLongestName_bytes = 100;
 
 void AddTap(Place place, int index, Statement& into) {
   into.steps.push_back({{}, {place, Verb::kPush, index, 0, 0}});
@@ -142,7 +143,10 @@ void ReadCable(Words& words, std::string_view verb, Statement& into) {
 
 void ReadScene(Words& words, std::string_view, Statement& into) {
   const auto name = words.Next("the name of a scene");
-  if (name) into.scene = std::string(name->text);
+  if (!name) return;
+  if (name->text.size() > kLongestName_bytes)
+    return words.Complain(name->column, "a scene's name of more than 100 bytes");
+  into.scene = std::string(name->text);
 }
 
 struct Form {

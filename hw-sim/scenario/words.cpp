@@ -51,6 +51,9 @@ void Words::Split(std::string_view line) {
     std::size_t end = at + 1;
     while (end < line.size() && (quoted ? line[end] != '"' : !IsSpace(line[end]) && line[end] != '#')) ++end;
     if (quoted && end == line.size()) return Complain(column, "a quote that nothing closes");
+    const std::size_t quote = line.substr(0, end).find('"', at + 1);
+    if (!quoted && quote != line.npos)
+      return Complain(ColumnAt(line, quote), "a quote within a word; put the whole word into quotes");
     words_.push_back({quoted ? line.substr(at + 1, end - at - 1) : line.substr(at, end - at), column});
     at = quoted ? end + 1 : end;
     end_column_ = ColumnAt(line, at);

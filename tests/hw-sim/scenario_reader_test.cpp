@@ -136,6 +136,14 @@ TEST(ScenarioReader, TellsEveryWrongLineAndEachOnce) {
   EXPECT_EQ(problems[2].line, 5);
 }
 
+TEST(ScenarioReader, RefusesNamesThatCouldNotBeWrittenAgain) {
+  EXPECT_EQ(Complaint("at 1s scene po\"ster"),
+            "play.txt:1:15: a quote within a word; put the whole word into quotes");
+  EXPECT_EQ(Complaint("at 1s scene " + std::string(101, 'x')),
+            "play.txt:1:13: a scene's name of more than 100 bytes");
+  EXPECT_TRUE(ReadScenario("scene \"the poster\"\nat 1s push 1").problems.empty());
+}
+
 TEST(ScenarioReader, LeavesAFileThatIsNoScenarioSoon) {
   std::string noise;
   for (int n = 0; n < 100'000; ++n) noise += "? ? ?\n";
