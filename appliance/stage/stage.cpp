@@ -92,6 +92,7 @@ Result<void> Stage::Draw() {
   if (auto drawn = studio_.Draw(scene, *picture); !drawn) return drawn;
   if (auto shown = screen_->Present(++frame_); !shown) return shown;
   Report(snapshot, CpuOfProcess() - cpu_before);
+  studio_.Prepare();
   return {};
 }
 

@@ -24,6 +24,10 @@ class Studio {
   // Draws `scene` into `picture`, whole. Makes a new canvas only when the size changes.
   Result<void> Draw(const scene::Scene& scene, const ports::PixelBuffer& picture);
 
+  // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for it
+  // later. Takes 10 to 40 ms while there is any left, then nothing.
+  void Prepare() { unprepared_ = unprepared_ && painter_->RehearseStep(); }
+
   const show::Show& show() const { return show_; }
   const std::string& renderer() const { return context_->renderer(); }
 
@@ -35,6 +39,7 @@ class Studio {
   show::Show show_;
   std::unique_ptr<passes::Painter> painter_;
   gl::Canvas canvas_;
+  bool unprepared_ = true;
 };
 
 }  // namespace kaori::stage
