@@ -8,7 +8,7 @@
 
 namespace kaori::bench {
 
-// Starts kaori-input and kaori-stage beside this program, with simulated devices at 960x540 and 60 Hz. Gives:
+// Starts kaori-input and kaori-stage beside this program, with simulated devices at 960x540 and 30 Hz. Gives:
 //   stage.start_ms          start of the process to its first frame at the screen
 //   stage.restart_ms        SIGKILL to the next frame of its successor
 //   report_to_frame.frames  arrival of a HID report to the finished frame that shows it, in refreshes
