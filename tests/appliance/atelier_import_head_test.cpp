@@ -9,6 +9,7 @@
 #include "appliance/atelier/import/bridge.h"
 #include "appliance/atelier/import/head_shape.h"
 #include "appliance/show/check.h"
+#include "appliance/show/pack.h"
 #include "render/face/frame.h"
 #include "tests/appliance/atelier_import_head.h"
 
@@ -108,6 +109,18 @@ TEST(ImportedHead, WearsTheShowsExpressionsWhereItHasNoneOfItsOwn) {
 TEST(ImportedHead, KeepsButtonsThatStillFit) {
   EXPECT_EQ(TheImport().heads.buttons[0].kind, show::CallKind::kNothing);  // There is no fifth face.
   EXPECT_EQ(TheImport().heads.buttons[1].kind, show::CallKind::kFace);
+}
+
+TEST(ImportedHead, SurvivesItsPack) {
+  const TemporaryFolder folder;
+  const auto saved = show::SavePack(TheImport().heads, folder.path() / "heads.kaori");
+  ASSERT_TRUE(saved) << saved.error().message();
+  const auto loaded = show::LoadPack(folder.path() / "heads.kaori");
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_EQ(loaded->cast.blink, TheImport().heads.cast.blink);
+  ASSERT_NE(Find(loaded->cast, "wibble"), nullptr);
+  EXPECT_FALSE(Find(loaded->cast, "wibble")->residual.empty());
+  EXPECT_EQ(Find(loaded->cast, "wibble")->residual, Find(TheImport().heads.cast, "wibble")->residual);
 }
 
 TEST(ImportedHead, LendsItsShapesToTheShow) {

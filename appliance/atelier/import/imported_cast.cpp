@@ -14,6 +14,7 @@ namespace kaori::import {
 namespace {
 
 constexpr float kMoved_m = 1e-5F;
+constexpr float kRigidShare = 0.02F;  // Teeth move as wholes: few points are enough for them.
 constexpr float kPlaceMargin = 0.01F;
 constexpr float kLipsReach_m = 0.015F;   // All of the motion this near to the mouth is the lips',
 constexpr float kMouthReach_m = 0.045F;  // none beyond this.
@@ -159,8 +160,8 @@ Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes) {
   std::vector<Index> order(heads.skin.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto moves = [&](Index v) { return mobility_m[v] > kMoved_m; };
-  const auto rest = std::ranges::stable_partition(order, moves);
-  const auto moving = static_cast<Index>(order.size() - rest.size());
+  const auto rest = std::stable_partition(order.begin(), order.end(), moves);
+  const auto moving = static_cast<Index>(rest - order.begin());
   Reorder(order, heads);
   for (WantedShape& shape : shapes) {
     if (shape.offsets.empty()) continue;
@@ -175,7 +176,10 @@ face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, 
                     const PointOptions& options) {
   const HeadShape head = ShapeOfHeads(heads);
   const MeshGraph graph(head.positions, heads.triangles);
-  const PointChoice choice = ChoosePoints(graph, head, Mobility(shapes, heads.skin.size()), options);
+  std::vector<float> mobility_m = Mobility(shapes, heads.skin.size());
+  for (std::size_t v = 0; v < mobility_m.size(); ++v)
+    if (heads.part[v] != PartOf::kSkin) mobility_m[v] *= kRigidShare;
+  const PointChoice choice = ChoosePoints(graph, head, mobility_m, options);
   const SurfaceNet surface = MakeSurfaceNet(graph, head.positions, heads.triangles, choice);
   face::Cast cast;
   cast.topology = MakeTopology(heads, head, moving, graph);

@@ -48,8 +48,7 @@ MeshGraph::MeshGraph(std::span<const glm::vec3> positions, std::span<const Trian
       edges.emplace_back(b, a);
     }
   std::ranges::sort(edges);
-  const auto repeated = std::ranges::unique(edges);
-  edges.erase(repeated.begin(), repeated.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   start_.assign(weld_.size() + 1, 0);
   for (const auto& [from, to] : edges) {
     ++start_[from + 1];

@@ -1,8 +1,10 @@
 #include "appliance/atelier/import/obj_file.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,8 +21,24 @@ struct Loaded {
   std::vector<tinyobj::shape_t> shapes;
 };
 
+// The lines that are needed. What else an OBJ may hold (materials, weights, curves, tags) the library reads
+// with less care.
+std::string NeededLines(std::span<const std::uint8_t> bytes) {
+  constexpr std::array<std::string_view, 5> kNeeded{"v", "vt", "f", "o", "g"};
+  std::string text(bytes.begin(), bytes.end());
+  std::ranges::replace(text, '\r', '\n');  // To the library, both end a line.
+  std::istringstream all(text);
+  std::string needed;
+  for (std::string line; std::getline(all, line);) {
+    line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
+    const std::string_view word = std::string_view(line).substr(0, line.find_first_of(" \t"));
+    if (std::ranges::find(kNeeded, word) != kNeeded.end()) needed += line + '\n';
+  }
+  return needed;
+}
+
 std::optional<Loaded> Load(const std::string& file, std::span<const std::uint8_t> bytes, Findings& findings) {
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  std::istringstream text(NeededLines(bytes));
   Loaded loaded;
   std::vector<tinyobj::material_t> materials;
   std::string warning;

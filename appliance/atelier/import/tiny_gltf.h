@@ -1,4 +1,4 @@
-// tinygltf, without pictures: those are decoded by the libraries that the project trusts with foreign bytes.
+// The library tinygltf, without pictures: those are decoded by what the project trusts with foreign bytes.
 #pragma once
 
 #define TINYGLTF_NO_STB_IMAGE

@@ -1,4 +1,4 @@
-// kaori-atelier import.
+// The verb that makes a show of heads from modelling tools.
 #pragma once
 
 #include "appliance/atelier/pack/verb.h"
