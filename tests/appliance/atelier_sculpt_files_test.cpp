@@ -78,14 +78,14 @@ TEST(ShowFiles, RowsOfTheAimTableMustRise) {
 
 TEST(ShowFiles, AnExpressionMayOnlyMovePointsThatExist) {
   ShowCopy show;
-  show.Replace("expressions.toml", "MC = [0.62,", "MX = [0.62,");
+  show.Replace("expressions.toml", "MC = [0.7,", "MX = [0.7,");
   EXPECT_THAT(show.Complaint(),
               ContainsRegex("expressions.toml:[0-9]+: expression.[0-9]+..both.MX: is no control point"));
 }
 
 TEST(ShowFiles, AnExpressionMayOnlyBuildOnEarlierOnes) {
   ShowCopy show;
-  show.Replace("expressions.toml", "from = { smile = 1.15", "from = { wink = 1.15");
+  show.Replace("expressions.toml", "from = { smile = 1.1,", "from = { wink = 1.1,");
   EXPECT_THAT(show.Complaint(), HasSubstr("from.wink: is no expression written before this one"));
 }
 

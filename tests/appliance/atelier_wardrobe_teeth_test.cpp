@@ -132,5 +132,14 @@ TEST(WardrobeTeeth, ShowOnlyBetweenTheLipsInEveryExpressionOfEveryFace) {
   }
 }
 
+TEST(WardrobeTeeth, WouldBeSeenIfTheyStoodBeforeTheLips) {
+  const sculpt::Cage cage = sculpt::BuildCage();
+  const face::Cast& cast = DressedCast();
+  face::Composer composer(cast);
+  face::Shape shape = composer.Compose({}, face::Detail::kCage);
+  shape.mouth.offset = {0, -0.01F, 0.02F};
+  EXPECT_GT(CountShowing(View(cage, cast.topology, shape, 0), shape), 20);
+}
+
 }  // namespace
 }  // namespace kaori::wardrobe

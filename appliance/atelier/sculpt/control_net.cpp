@@ -16,7 +16,8 @@ namespace kaori::sculpt {
 namespace {
 
 constexpr int kSmoothSteps = 3;
-constexpr double kOutside = -0.1;      // A share below this: the place lies too far outside the triangle.
+constexpr int kLipSmoothSteps = 6;  // More around the lips, whose corners are drawn far on short triangles.
+constexpr double kOutside = -0.1;   // A share below this: the place lies too far outside the triangle.
 constexpr double kLeastWeight = 1e-4;  // Smaller ones cost and cannot be seen.
 constexpr std::array<double, kMouthRings - kLipContactRing> kIntoBag{1.0, 0.9, 0.6, 0.35};
 
@@ -161,15 +162,22 @@ Result<WeightTable> LinearWeights(const Cage& cage, const HalfShape& reference, 
   return table;
 }
 
-bool KeepsItsWeights(const Key& key) {
-  return (key.region == Region::kEye && key.b >= kLidRing) ||
-         (key.region == Region::kMouth && key.b >= kLipContactRing);
+bool IsSmoothed(const Key& key) {
+  return !(key.region == Region::kEye && key.b >= kLidRing) &&
+         !(key.region == Region::kMouth && key.b >= kLipContactRing);
 }
 
-void SmoothOnce(const Cage& cage, const std::vector<std::vector<Index>>& neighbours, WeightTable& table) {
+bool IsAroundLips(const Key& key) {
+  return key.region == Region::kMouth && key.b < kLipContactRing;
+}
+
+using Choice = bool (*)(const Key& key);
+
+void SmoothOnce(const Cage& cage, const std::vector<std::vector<Index>>& neighbours, Choice chosen,
+                WeightTable& table) {
   const WeightTable before = table;
   for (Index v = 0; v < cage.moving_count; ++v) {
-    if (KeepsItsWeights(cage.key(v))) continue;
+    if (!chosen(cage.key(v))) continue;
     const double each = 0.5 / static_cast<double>(neighbours[v].size());
     double* row = table.row(v);
     for (std::size_t c = 0; c < table.columns(); ++c) {
@@ -191,7 +199,8 @@ Result<face::ControlNet> MakeControlNet(const Cage& cage, const HalfShape& refer
   if (!table) return tl::unexpected(table.error());
   net.to_cage_linear = table->Sparse(cage.moving_count);
   const std::vector<std::vector<Index>> neighbours = Neighbours(cage);
-  for (int step = 0; step < kSmoothSteps; ++step) SmoothOnce(cage, neighbours, *table);
+  for (int step = 0; step < kSmoothSteps; ++step) SmoothOnce(cage, neighbours, IsSmoothed, *table);
+  for (int step = 0; step < kLipSmoothSteps; ++step) SmoothOnce(cage, neighbours, IsAroundLips, *table);
   net.to_cage = table->Sparse(cage.moving_count);
   net.surface = PointsOnSurface(cage, reference, file.points);
   return net;

@@ -105,7 +105,7 @@ void RaiseLips(const HalfTopology& half, double relief, HalfShape& shape) {
 
 // Grows the mouth about its middle and keeps it on the wall, a circle of radius `wall`.
 void EnlargeMouth(const HalfTopology& half, double scale, double wall, HalfShape& shape) {
-  constexpr std::array<double, kMouthRings + 1> kShare{0, 0.24, 0.6, 0.9, 1, 1, 1, 1, 1, 1, 1};
+  constexpr std::array<double, kMouthRings + 1> kShare{0, 0.45, 0.84, 1, 1, 1, 1, 1, 1, 1, 1};
   const auto depth = [wall](double x) { return std::sqrt(std::max(1.0, wall * wall - x * x)); };
   const glm::dvec3 middle = 0.5 * (shape.position[half.At(Region::kMouth, 0, kLipContactRing)] +
                                    shape.position[half.At(Region::kMouth, kMouthRim - 1, kLipContactRing)]);

@@ -114,7 +114,7 @@ void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
 void PaintBag(const Texel& texel, Paint& paint) {
   const float inside = SmoothStep(0.1F, 0.9F, texel.bag);
   paint.Mix(inside, Hex("#4a1214"));
-  paint.MixGloss(inside, 0.3F);
+  paint.MixGloss(inside, 0.04F);
 }
 
 }  // namespace kaori::wardrobe
