@@ -16,6 +16,7 @@ constexpr float kBreath_hz = 0.23F;  // Of this and all other waves, kLifePeriod
 constexpr float kQuiet = 0.02F;      // Below this the box plays nothing by itself.
 constexpr float kGlance_rad = 0.035F;
 constexpr float kSpring_hz = 2.1F, kDamping = 0.32F, kSwingGain = 0.55F, kMaxSwing_rad = 0.35F;
+constexpr float kStill_rad = 1e-4F;  // Swings that nobody sees end: a still show is a still picture.
 
 // splitmix64, to 0..1: the same state gives the same life.
 float Random(Life& life) {
@@ -85,6 +86,9 @@ void Swing(Sway& sway, const scene::Head& head, float dt_s) {
     sway.speed_rad_s += force * h;
     sway.angle_rad += sway.speed_rad_s * h;
   }
+  if (pull == glm::vec2(0) && glm::length(sway.angle_rad) < kStill_rad &&
+      glm::length(sway.speed_rad_s) < kStill_rad * omega)
+    sway.angle_rad = sway.speed_rad_s = glm::vec2(0);
   sway.angle_rad = glm::clamp(sway.angle_rad, glm::vec2(-kMaxSwing_rad), glm::vec2(kMaxSwing_rad));
 }
 

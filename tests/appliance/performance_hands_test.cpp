@@ -126,6 +126,14 @@ TEST_F(PerformanceTest, AStillShowIsStillWhenLifeIsOff) {
   EXPECT_EQ(performed_.scene.breath, 0);
 }
 
+TEST_F(PerformanceTest, HairSwingsAfterAMotionAndThenHangsStill) {
+  Strike(kKey1);
+  Run(300ms);
+  EXPECT_GT(std::abs(performed_.scene.hair_sway_rad.y), 0.001F);
+  Run(4s);
+  EXPECT_EQ(performed_.scene.hair_sway_rad, glm::vec2(0));
+}
+
 TEST_F(PerformanceTest, APauseOfTheProgramMakesNoLeap) {
   Push(3);
   Step();
