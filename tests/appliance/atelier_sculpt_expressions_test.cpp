@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -210,6 +211,27 @@ TEST_F(OnEveryFace, SurpriseBarkAndVowelOpenTheMouth) {
     for (const char* name : {"surprised", "barking", "laugh"}) {
       const glm::vec3 gap_mm = 1000.0F * (At(f, name, "UC") - At(f, name, "LC"));
       EXPECT_GT(glm::length(gap_mm), 6) << name << " " << SculptedCast().faces[f].name;
+    }
+  }
+}
+
+TEST_F(OnEveryFace, NoTwoMouthShapesLookAlike) {
+  constexpr float kApart_mm = 2;
+  constexpr std::array kShapes{"neutral",          "a", "i", "u", "e", "o", "m", "f", "mouth_shut_wide",
+                               "mouth_open_narrow"};
+  const auto apart_mm = [this](std::uint16_t f, const char* a, const char* b) {
+    float most = 0;
+    for (const char* point : {"MC.l", "UC", "LC", "UB", "LB"}) {
+      most = std::max(most, glm::distance(1000.0F * At(f, a, point), 1000.0F * At(f, b, point)));
+    }
+    return most;
+  };
+  for (std::uint16_t f = 0; f < faces(); ++f) {
+    for (std::size_t a = 0; a < kShapes.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        EXPECT_GT(apart_mm(f, kShapes[a], kShapes[b]), kApart_mm)
+            << kShapes[a] << " and " << kShapes[b] << " on " << SculptedCast().faces[f].name;
+      }
     }
   }
 }

@@ -118,7 +118,7 @@ Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& 
   AddJacketCollar(jacket, torso);
   for (const float side : {1.0F, -1.0F}) AddLapel(jacket, torso, side);
   ClothMesh tie;
-  AddTie(tie, torso, neck.At(0, kLine.front_y_cm + 0.2F, 1));
+  AddTie(tie, torso, neck.At(0, kLine.front_y_cm + 0.6F, 1));
   Garment garment;
   garment.push_back(std::move(shirt).Finish(face + ".shirt", face::Part::kClothes, look.collar));
   garment.push_back(std::move(jacket).Finish(face + ".jacket", face::Part::kClothes, look.main));
