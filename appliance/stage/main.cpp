@@ -16,6 +16,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
 
   --board FILE    the board, shared with the other programs
   --pack FILE     the show
+  --trust FILE    a public key: play no show that it has not signed
   --links FOLDER  the simulator's link folder, in which the screen is plugged
 )";
 
@@ -23,7 +24,7 @@ constexpr kaori::Duration kUnseenPeriod = 33ms;   // Without a screen: often eno
 constexpr kaori::Duration kScreenPeriod = 250ms;  // How often a screen that is gone is looked for.
 
 struct Settings {
-  std::string board, pack, links;
+  std::string board, pack, links, trust;
 };
 
 int Complain(const kaori::Error& error) {
@@ -61,8 +62,15 @@ class ScreenSeat {
   int watched_ = -1;
 };
 
+kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
+  if (settings.trust.empty()) return kaori::show::LoadPack(settings.pack);
+  const auto key = kaori::show::ReadPublicKey(settings.trust);
+  if (!key) return tl::unexpected(key.error());
+  return kaori::show::LoadPack(settings.pack, {.signed_by = *key});
+}
+
 int Play(const Settings& settings, kaori::EventLoop& loop) {
-  auto show = kaori::show::LoadPack(settings.pack);
+  auto show = LoadShow(settings);
   if (!show) return Complain(show.error());
   const auto board = kaori::board::Board::Create(settings.board);
   if (!board) return Complain(board.error());
@@ -92,6 +100,7 @@ int main(int argc, char** argv) {
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--board", settings.board, true).Text("--pack", settings.pack, true).Text("--links", settings.links, true);
+  options.Text("--trust", settings.trust);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return Complain(loop.error());

@@ -47,7 +47,8 @@ class Rehearsal {
   Time began() const { return began_; }  // When the house stood ready.
 
  private:
-  Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus) : board_(std::move(board)), bus_(std::move(bus)) {}
+  Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus)
+      : board_(std::move(board)), bus_(std::move(bus)) {}
   Result<void> Furnish(const RehearsalOptions& options, stage::Studio& studio);
   Result<void> Settle();
   void Tick(const Hands& hands);
