@@ -1,6 +1,6 @@
 #include "appliance/atelier/inspect/inspect.h"
 
-#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -49,32 +49,42 @@ class Inspector {
  private:
   const face::FineMesh& mesh() const { return cast_.topology.fine; }
 
-  void Add(Flaw flaw, std::uint16_t face, const std::string& expression, int count, float measure) {
-    found_.findings.push_back({flaw, cast_.faces[face].name, expression, count, measure});
+  void Add(std::uint16_t face, const std::string& expression, Finding finding) {
+    finding.face = cast_.faces[face].name;
+    finding.expression = expression;
+    found_.findings.push_back(std::move(finding));
   }
 
   void SeekFolds(const face::Shape& shape, std::uint16_t face, const std::string& expression) {
-    const auto count = static_cast<int>(FindFolds(shape.fine, mesh(), skin_).triangles.size());
+    const Folds folds = FindFolds(shape.fine, mesh(), skin_);
+    const auto count = static_cast<int>(folds.triangles.size());
+    if (count == 0) return;
     found_.folds += count;
-    if (count > 0) Add(Flaw::kFold, face, expression, count, static_cast<float>(count));
+    Add(face, expression,
+        {.flaw = Flaw::kFold, .count = count, .measure = static_cast<float>(count), .at = folds.at});
   }
 
   void SeekTeeth(const face::Shape& shape, std::uint16_t face, const std::string& expression) {
     const auto through = FindTeethThroughLips(cast_, cast_.faces[face], shape, skin_);
     if (through.vertices == 0) return;
     ++found_.teeth_through_lips;
-    Add(Flaw::kTeethThroughLips, face, expression, through.vertices, through.farthest_m / kMillimetre_m);
+    Add(face, expression,
+        {.flaw = Flaw::kTeethThroughLips,
+         .count = through.vertices,
+         .measure = through.farthest_m / kMillimetre_m});
   }
 
   void SeekLidGaps(const face::Shape& shape, std::uint16_t face, const std::string& expression) {
-    int eyes = 0;
-    float worst_m2 = 0;
-    for (const float seen_m2 : BallsSeen_m2(shape, mesh().triangles)) {
-      eyes += seen_m2 > 0 ? 1 : 0;
-      worst_m2 = std::max(worst_m2, seen_m2);
-    }
+    const auto seen_m2 = BallsSeen_m2(shape, mesh().triangles);
+    const int eyes = (seen_m2[0] > 0 ? 1 : 0) + (seen_m2[1] > 0 ? 1 : 0);
+    if (eyes == 0) return;
     found_.lid_gaps += eyes;
-    if (eyes > 0) Add(Flaw::kLidGap, face, expression, eyes, worst_m2 / kSquareMillimetre_m2);
+    const std::size_t worse = seen_m2[1] > seen_m2[0] ? 1 : 0;
+    Add(face, expression,
+        {.flaw = Flaw::kLidGap,
+         .count = eyes,
+         .measure = seen_m2[worse] / kSquareMillimetre_m2,
+         .at = shape.eyes[worse].centre});
   }
 
   const face::Cast& cast_;
@@ -99,7 +109,8 @@ std::string Say(const Finding& f) {
   const std::string who = f.face + ", " + f.expression;
   switch (f.flaw) {
     case Flaw::kFold:
-      return fmt::format("{}: {} folded triangles", who, f.count);
+      return fmt::format("{}: {} folded triangles, the first at {:.0f} {:.0f} {:.0f} mm", who, f.count,
+                         f.at.x / kMillimetre_m, f.at.y / kMillimetre_m, f.at.z / kMillimetre_m);
     case Flaw::kLidGap:
       return fmt::format("{}: {} of the shut eyes {} {:.2f} mm2 of the ball", who, f.count,
                          f.count == 1 ? "shows" : "show", f.measure);
