@@ -47,7 +47,8 @@ Result<void> CheckHead(int fd, const std::string& path) {
 
 // A whole board under a passing name, then linked to its place: nobody ever opens half a board.
 Result<void> MakeFile(const std::string& path) {
-  const std::string passing = fmt::format("{}.{}", path, ::getpid());
+  // A thread's id: no other maker has it, in this process or any.
+  const std::string passing = fmt::format("{}.{}", path, ::gettid());
   ::unlink(passing.c_str());
   UniqueFd file(::open(passing.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kMode));
   if (!file.valid()) return FailErrno("make board " + passing);
