@@ -34,7 +34,8 @@ class Inspector {
   void InspectFace(std::uint16_t face) {
     const auto& at_rest = composer_.Compose(Wearing(cast_, face, 0, 0), face::Detail::kFine);
     skin_ = FindSkin(at_rest, mesh().triangles);
-    for (std::uint16_t e = 0; e < cast_.expressions.size(); ++e) {
+    const auto expressions = static_cast<std::uint16_t>(cast_.expressions.size());
+    for (std::uint16_t e = 0; e < expressions; ++e) {
       const auto& open = composer_.Compose(Wearing(cast_, face, e, 0), face::Detail::kFine);
       SeekFolds(open, face, cast_.expressions[e].name);
       SeekTeeth(open, face, cast_.expressions[e].name);
@@ -98,7 +99,8 @@ class Inspector {
 Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun) {
   if (cast.topology.fine.triangles.empty()) return {};
   Inspector inspector(cast);
-  for (std::uint16_t face = 0; face < cast.faces.size(); ++face) {
+  const auto faces = static_cast<std::uint16_t>(cast.faces.size());
+  for (std::uint16_t face = 0; face < faces; ++face) {
     face_begun(cast.faces[face].name);
     inspector.InspectFace(face);
   }
@@ -106,7 +108,7 @@ Inspection Inspect(const face::Cast& cast, const std::function<void(const std::s
 }
 
 std::string Say(const Finding& f) {
-  const std::string who = f.face + ", " + f.expression;
+  std::string who = f.face + ", " + f.expression;
   switch (f.flaw) {
     case Flaw::kFold:
       return fmt::format("{}: {} folded triangles, the first at {:.0f} {:.0f} {:.0f} mm", who, f.count,
