@@ -92,8 +92,8 @@ Result<Canvas> Canvas::Make(const CanvasOptions& options) {
 }
 
 bool Canvas::MakePicture() {
-  picture_ =
-      Texture({.width_px = options_.width_px, .height_px = options_.height_px, .texels = Texels::kSrgb8}, {});
+  const Texels texels = options_.takes_codes ? Texels::kRgba8 : Texels::kSrgb8;
+  picture_ = Texture({.width_px = options_.width_px, .height_px = options_.height_px, .texels = texels}, {});
   picture_frame_ = NewFramebuffer();
   AttachTexture(GL_TEXTURE_2D, picture_.id());
   return Complete();

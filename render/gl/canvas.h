@@ -15,8 +15,10 @@ namespace kaori::gl {
 struct CanvasOptions {
   int width_px = 0;
   int height_px = 0;
-  int samples =
-      4;  // For each pixel of the layer: 4, or 0 for no smooth edges. Other numbers count as the nearer.
+  // For each pixel of the layer: 4, or 0 for no smooth edges. Other numbers count as the nearer.
+  int samples = 4;
+  // The picture takes sRGB's codes as they are, as in 1993, and not light: less work, and no right blending.
+  bool takes_codes = false;
 };
 
 // Pixels from the left bottom corner.
@@ -44,8 +46,8 @@ class Canvas {
   // Drawing goes to the picture from here on, without depth: nowhere, until Within says where.
   void BeginPicture() const;
   void Within(const Box& box) const;
-  // Drawing goes straight to the picture, which becomes `background` (linear light), with depth: for canvases
-  // without samples.
+  // Drawing goes straight to the picture, which becomes `background` (linear light, or a code), with depth:
+  // for canvases without samples.
   void BeginPlain(const glm::vec3& background) const;
   // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
   void BindLayer(unsigned unit, const Box& box) const;

@@ -11,8 +11,8 @@ namespace kaori::passes {
 
 class EyesPass {
  public:
-  // Borrows the topology. `onto`: a layer, or the picture itself (see gl::Canvas). Errors: invalid_argument
-  // (a shader).
+  // Borrows the topology. `onto`: a layer, or the picture of a canvas that takes codes. Errors:
+  // invalid_argument (a shader).
   enum class Onto : std::uint8_t { kLayer, kPicture };
   static Result<EyesPass> Open(const face::Topology& topology, Onto onto = Onto::kLayer);
 

@@ -1,6 +1,7 @@
 #include "render/passes/painter_1993.h"
 
 #include <algorithm>
+#include <glm/exponential.hpp>
 #include <vector>
 
 #include "render/face/composer.h"
@@ -12,6 +13,14 @@
 #include "render/passes/surface.h"
 
 namespace kaori::passes {
+namespace {
+
+// sRGB's code, nearly; as light.glsl.
+glm::vec3 Code(const glm::vec3& light) {
+  return glm::pow(light, glm::vec3(1 / 2.2F));
+}
+
+}  // namespace
 
 struct Painter1993::Parts {
   Parts(const face::Cast& the_cast, gl::Program the_program, EyesPass the_eyes)
@@ -21,7 +30,7 @@ struct Painter1993::Parts {
         composer(cast),
         neck(NeckOf(cast)),
         surface(cast) {
-    for (const face::Texture& t : cast.textures) textures.push_back(LoadSkin(t));
+    for (const face::Texture& t : cast.textures) textures.push_back(LoadSkin(t, SkinTexels::kCodes));
     program.BindSampler("texture0", 0);
   }
 
@@ -60,7 +69,7 @@ void Painter1993::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   p.frame.Write(std::as_bytes(std::span(&frame, 1)));
   p.frame.BindUniforms(kFrameBinding);
   p.surface.WriteCage(shape);
-  canvas.BeginPlain(0.5F * (scene.backdrop.top + scene.backdrop.bottom));
+  canvas.BeginPlain(Code(0.5F * (scene.backdrop.top + scene.backdrop.bottom)));
   gl::Apply({});
   p.TextureOf(shape.faces).Bind(0);
   p.program.Use();

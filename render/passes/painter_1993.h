@@ -16,8 +16,8 @@ class Painter1993 {
   static Result<std::unique_ptr<Painter1993>> Open(const gl::Context& context, const face::Cast& cast);
   ~Painter1993();
 
-  // As Painter::Draw, on a canvas without samples. Styles, hair and gaze are not looked at; the heaviest face
-  // lends its texture.
+  // As Painter::Draw, on a canvas without samples that takes codes. Styles, hair and gaze are not looked at;
+  // the heaviest face lends its texture.
   void Draw(const scene::Scene& scene, const gl::Canvas& canvas);
 
  private:

@@ -2,15 +2,24 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
 namespace kaori::passes {
 namespace {
 
+using Table = std::array<std::uint8_t, 256>;
+
+Table Unchanged() {
+  Table table{};
+  std::iota(table.begin(), table.end(), std::uint8_t{0});
+  return table;
+}
+
 // For each code of sRGB: the square root of its light, 8 bit.
-std::array<std::uint8_t, 256> RootsOfLight() {
-  std::array<std::uint8_t, 256> roots{};
+Table RootsOfLight() {
+  Table roots{};
   for (std::size_t code = 0; code < roots.size(); ++code) {
     const float c = static_cast<float>(code) / 255;
     const float light = c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
@@ -20,17 +29,16 @@ std::array<std::uint8_t, 256> RootsOfLight() {
 }
 
 // Textures are stored top row first; texture places count from below.
-std::vector<std::uint8_t> RootsBottomRowFirst(const face::Texture& t) {
-  const auto roots = RootsOfLight();
+std::vector<std::uint8_t> BottomRowFirst(const face::Texture& t, const Table& table) {
   const std::size_t row = static_cast<std::size_t>(t.width_px) * 4;
   std::vector<std::uint8_t> turned(t.rgba.size());
   for (std::size_t y = 0; y < static_cast<std::size_t>(t.height_px); ++y) {
     const std::uint8_t* from = t.rgba.data() + row * y;
     std::uint8_t* to = turned.data() + row * (static_cast<std::size_t>(t.height_px) - 1 - y);
     for (std::size_t i = 0; i < row; i += 4) {
-      to[i] = roots[from[i]];
-      to[i + 1] = roots[from[i + 1]];
-      to[i + 2] = roots[from[i + 2]];
+      to[i] = table[from[i]];
+      to[i + 1] = table[from[i + 1]];
+      to[i + 2] = table[from[i + 2]];
       to[i + 3] = from[i + 3];
     }
   }
@@ -39,8 +47,8 @@ std::vector<std::uint8_t> RootsBottomRowFirst(const face::Texture& t) {
 
 }  // namespace
 
-gl::Texture LoadSkin(const face::Texture& t) {
-  const auto pixels = RootsBottomRowFirst(t);
+gl::Texture LoadSkin(const face::Texture& t, SkinTexels texels) {
+  const auto pixels = BottomRowFirst(t, texels == SkinTexels::kRoots ? RootsOfLight() : Unchanged());
   return gl::Texture(
       {.width_px = t.width_px, .height_px = t.height_px, .texels = gl::Texels::kRgba8, .mipmaps = true},
       std::as_bytes(std::span(pixels)));

@@ -83,9 +83,11 @@ scene::Scene SceneAt(int frame, scene::Style style) {
 
 // A canvas and the memory that its picture is read into.
 struct Screen {
-  Screen(Size size, int samples)
-      : canvas(
-            *gl::Canvas::Make({.width_px = size.width_px, .height_px = size.height_px, .samples = samples})),
+  explicit Screen(Size size, bool of_1993 = false)
+      : canvas(*gl::Canvas::Make({.width_px = size.width_px,
+                                  .height_px = size.height_px,
+                                  .samples = of_1993 ? 0 : 4,
+                                  .takes_codes = of_1993})),
         bytes(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) * 4) {}
   gl::Canvas canvas;
   std::vector<std::uint8_t> bytes;
@@ -96,7 +98,7 @@ std::string NameOf(const char* what, Size size) {
 }
 
 void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<Metric>& metrics) {
-  Screen screen(size, 4);
+  Screen screen(size);
   for (int style = 0; style < scene::kStyleCount; ++style) {
     const auto draw = [&](int frame) {
       painter.Draw(SceneAt(frame, static_cast<scene::Style>(style)), screen.canvas);
@@ -107,7 +109,7 @@ void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<
 }
 
 void MeasurePaper(passes::Painter1993& painter, Size size, int frames, std::vector<Metric>& metrics) {
-  Screen screen(size, 0);
+  Screen screen(size, true);
   const auto draw = [&](int frame) {
     painter.Draw(SceneAt(frame, scene::Style::kBare), screen.canvas);
     screen.canvas.ReadPixels(screen.bytes);
@@ -129,7 +131,7 @@ Metric Ratio(const char* name, const DrawOne& ours, const DrawOne& theirs, int r
 
 Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds) {
   const Size size = kSizes[0];
-  Screen screen(size, 4);
+  Screen screen(size);
   BareDraw bare(cast, SceneAt(20, scene::Style::kSoft), {size.width_px, size.height_px});
   const DrawOne ours = [&](int frame) {
     painter.Draw(SceneAt(20 + (frame & 1), scene::Style::kSoft), screen.canvas);
@@ -150,7 +152,7 @@ struct SyntheticStage {
 };
 
 Metric Growth(const gl::Context& context, int rounds) {
-  Screen screen(kSizes[0], 4);
+  Screen screen(kSizes[0]);
   const SyntheticStage small(context, 10, 20);
   const SyntheticStage large(context, 100, 100);
   const auto with = [&](const SyntheticStage& stage) {

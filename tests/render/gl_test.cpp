@@ -70,5 +70,15 @@ TEST_F(Gl, CodesTheBackgroundAsSrgb) {
   EXPECT_EQ(bytes[2], 255);
 }
 
+TEST_F(Gl, TakesCodesAsTheyAreWhereAsked) {
+  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2, .samples = 0, .takes_codes = true});
+  ASSERT_TRUE(canvas) << canvas.error().message();
+  canvas->BeginPlain({0.5F, 0, 1});
+  std::vector<std::uint8_t> bytes(16);
+  canvas->ReadPixels(bytes);
+  EXPECT_NEAR(bytes[0], 128, 1);
+  EXPECT_EQ(bytes[2], 255);
+}
+
 }  // namespace
 }  // namespace kaori::gl

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -165,6 +166,61 @@ TEST(Painter, RehearsesWithoutTouchingThePicture) {
   EXPECT_GT(steps, 1);
   EXPECT_FALSE(studio.painter().RehearseStep()) << "once is enough";
   EXPECT_EQ(studio.Draw(PlainScene(Style::kSoft)).bytes, before.bytes);
+}
+
+// The head turns, sinks out of the picture and comes back, in all styles and before other backdrops.
+scene::Scene RestlessScene(int frame) {
+  scene::Scene scene = PlainScene(kStyles[frame / 7 % scene::kStyleCount]);
+  scene.head.yaw_rad = 0.7F * std::sin(static_cast<float>(frame));
+  scene.head.shift_m.x = 0.1F * std::sin(2.3F * static_cast<float>(frame));
+  scene.camera.target_m.y = frame % 9 == 8 ? 0.9F : 0.0F;
+  scene.hair_sway_rad = {0.4F * std::sin(1.7F * static_cast<float>(frame)), 0};
+  if (frame % 11 > 7) scene.backdrop.top = {0.5F, 0.1F, 0.1F};
+  return scene;
+}
+
+TEST(Painter, LeavesNoTraceOfEarlierFramesOnACanvas) {
+  PassStudio& studio = PassStudio::Shared();
+  const auto canvas = gl::Canvas::Make({.width_px = 160, .height_px = 120});
+  ASSERT_TRUE(canvas) << canvas.error().message();
+  for (int frame = 0; frame < 40; ++frame) {
+    const scene::Scene scene = RestlessScene(frame);
+    ASSERT_EQ(studio.DrawOn(*canvas, scene).bytes, studio.Draw(scene).bytes) << frame;
+  }
+}
+
+TEST(Painter, CountsOnNothingWhereAnotherPainterHasDrawn) {
+  PassStudio& studio = PassStudio::Shared();
+  const auto other = passes::Painter::Open(studio.context(), studio.cast());
+  ASSERT_TRUE(other) << other.error().message();
+  const auto canvas = gl::Canvas::Make({.width_px = 160, .height_px = 120});
+  ASSERT_TRUE(canvas) << canvas.error().message();
+  scene::Scene aside = PlainScene(Style::kSoft);
+  aside.head.shift_m.x = 0.12F;
+  const scene::Scene scene = PlainScene(Style::kSoft);
+  const Picture wanted = studio.DrawOn(*canvas, scene);
+  (*other)->Draw(aside, *canvas);
+  EXPECT_EQ(studio.DrawOn(*canvas, scene).bytes, wanted.bytes);
+}
+
+TEST(Painter, SpreadsTheBackdropsStepsOverPixels) {
+  scene::Scene scene = PlainScene(Style::kSoft);
+  scene.camera.target_m.y = 1;  // Nobody there.
+  const Picture picture = PassStudio::Shared().Draw(scene, 160, 400);
+  int mixed = 0;
+  for (int y = 0; y < picture.height_px; ++y) {
+    const auto [low, high] = [&] {
+      std::pair<int, int> range{255, 0};
+      for (int x = 0; x < picture.width_px; ++x) {
+        const int code = picture.at(x, y)[2];
+        range = {std::min(range.first, code), std::max(range.second, code)};
+      }
+      return range;
+    }();
+    EXPECT_LE(high - low, 2) << y;
+    mixed += high > low ? 1 : 0;
+  }
+  EXPECT_GT(mixed, picture.height_px / 2);
 }
 
 TEST(Painter, DrawsOnCanvasesOfAnySize) {

@@ -64,10 +64,13 @@ PassStudio& PassStudio::Shared() {
 }
 
 Picture PassStudio::Draw(const scene::Scene& scene, int width_px, int height_px) {
-  const gl::Canvas canvas = Must(gl::Canvas::Make({.width_px = width_px, .height_px = height_px}));
+  return DrawOn(Must(gl::Canvas::Make({.width_px = width_px, .height_px = height_px})), scene);
+}
+
+Picture PassStudio::DrawOn(const gl::Canvas& canvas, const scene::Scene& scene) {
   painter_->Draw(scene, canvas);
-  Picture picture{width_px, height_px,
-                  std::vector<std::uint8_t>(static_cast<std::size_t>(width_px * height_px * 4))};
+  Picture picture{canvas.width_px(), canvas.height_px(), {}};
+  picture.bytes.resize(static_cast<std::size_t>(picture.width_px * picture.height_px * 4));
   canvas.ReadPixels(picture.bytes);
   return picture;
 }

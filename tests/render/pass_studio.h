@@ -27,7 +27,9 @@ class PassStudio {
  public:
   static PassStudio& Shared();
 
+  // On a canvas of its own; or on one that has been drawn on before.
   Picture Draw(const scene::Scene& scene, int width_px = 160, int height_px = 120);
+  Picture DrawOn(const gl::Canvas& canvas, const scene::Scene& scene);
   const face::Cast& cast() const { return cast_; }
   const gl::Context& context() const { return *context_; }
   passes::Painter& painter() { return *painter_; }
