@@ -18,12 +18,13 @@ enum class Section : std::uint32_t {
   kStickRight,
   kKeys,
   kLines,
+  kPointer,
   kLips,
   kLamps,
   kStageStatus,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 9;
+inline constexpr std::size_t kSectionCount = 10;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes; the rest is zero.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
@@ -53,6 +54,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"stick right", ValueWords<Stick>()},
                                                   {"keys", ValueWords<Keys>()},
                                                   {"lines", ValueWords<Lines>()},
+                                                  {"pointer", ValueWords<Pointer>()},
                                                   {"lips", ValueWords<Lips>()},
                                                   {"lamps", ValueWords<Lamps>()},
                                                   {"stage_status", ValueWords<StageStatus>()},
@@ -94,6 +96,7 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Stick>) return which == 0 ? Section::kStickLeft : Section::kStickRight;
   if constexpr (std::is_same_v<T, Keys>) return Section::kKeys;
   if constexpr (std::is_same_v<T, Lines>) return Section::kLines;
+  if constexpr (std::is_same_v<T, Pointer>) return Section::kPointer;
   if constexpr (std::is_same_v<T, Lips>) return Section::kLips;
   if constexpr (std::is_same_v<T, Lamps>) return Section::kLamps;
   if constexpr (std::is_same_v<T, StageStatus>) return Section::kStageStatus;

@@ -47,6 +47,16 @@ struct Keys {
   std::array<std::uint32_t, 256> pushes{};  // How often each went down since the board began.
 };
 
+// Written by kaori-input. A mouse or a tablet: the place on the stage's picture, 0..1 from the left top.
+struct Pointer {
+  static constexpr const char* kName = "pointer";
+  float x = 0.5F;
+  float y = 0.5F;
+  std::int32_t wheel = 0;                 // Notches since the board began; away from the hand is positive.
+  std::uint32_t buttons_down = 0;         // Bit 0: the left one, 1: the right, 2: the middle.
+  std::array<std::uint32_t, 3> pushes{};  // How often each button went down since the board began.
+};
+
 // Written by kaori-input. GPIO lines.
 struct Lines {
   static constexpr const char* kName = "lines";

@@ -7,6 +7,7 @@ Snapshot ReadAll(const Board& board) {
           .sticks = {board.Read<Stick>(0), board.Read<Stick>(1)},
           .keys = board.Read<Keys>(),
           .lines = board.Read<Lines>(),
+          .pointer = board.Read<Pointer>(),
           .lips = board.Read<Lips>(),
           .lamps = board.Read<Lamps>(),
           .stage_status = board.Read<StageStatus>()};

@@ -12,6 +12,7 @@ struct Snapshot {
   std::array<Stamped<Stick>, 2> sticks;  // [0] left (head), [1] right (gaze and brows).
   Stamped<Keys> keys;
   Stamped<Lines> lines;
+  Stamped<Pointer> pointer;
   Stamped<Lips> lips;
   Stamped<Lamps> lamps;
   Stamped<StageStatus> stage_status;

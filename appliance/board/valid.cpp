@@ -34,6 +34,10 @@ bool Valid(const Lines& /*any bits are lines*/) {
   return true;
 }
 
+bool Valid(const Pointer& pointer) {
+  return Within(pointer.x, 0, 1) && Within(pointer.y, 0, 1);
+}
+
 bool Valid(const Lips& lips) {
   return Within(lips.height, 0, kMaxLip) && Within(lips.width, 0, kMaxLip) && Within(lips.quality, 0, 1) &&
          Within(lips.rest_width, 0, 1);

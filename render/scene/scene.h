@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -35,7 +37,7 @@ struct Light {
 struct Camera {
   glm::vec3 target_m{0.0F, -0.004F, 0.0F};
   float distance_m = 0.95F;
-  float yaw_rad = 0;    // Round the target; positive looks from the character's left.
+  float yaw_rad = 0;  // Round the target; positive looks from the character's left.
   float height_rad = 0;
   float field_of_view_rad = 0.362F;  // Vertical.
 };
@@ -46,16 +48,32 @@ struct Backdrop {
   glm::vec3 bottom{0.011F, 0.014F, 0.030F};
 };
 
+// The control points as needles that stick in the face in work (the paper's figure 3).
+struct Needles {
+  float shown = 0;             // 0 none .. 1.
+  int chosen = -1;             // The control point whose needle is pulled; -1: none.
+  int partner = -1;            // The one that moves with it on the other side.
+  std::vector<float> pulls_m;  // For each control point: how far it is pulled; drawn longer and warmer.
+};
+
+// Lines of text at the left below, for whoever works at the box: never in a show.
+struct Caption {
+  float shown = 0;                 // 0 none .. 1.
+  std::vector<std::string> lines;  // UTF-8; the last one lowest.
+};
+
 struct Scene {
   face::Weights weights;
-  std::array<Gaze, 2> gaze{};                          // The character's left, right.
+  std::array<Gaze, 2> gaze{};  // The character's left, right.
   Head head;
   std::array<float, kStyleCount> styles{0, 0, 0, 0, 1};  // Cross-fade; sum 1.
   Light light;
   Camera camera;
   Backdrop backdrop;
-  glm::vec2 hair_sway_rad{};                           // Tips swing: sideways, forwards.
-  float breath = 0;                                    // -1 out .. 1 in.
+  glm::vec2 hair_sway_rad{};  // Tips swing: sideways, forwards.
+  float breath = 0;           // -1 out .. 1 in.
+  Needles needles;
+  Caption caption;
 };
 
 }  // namespace kaori::scene
