@@ -28,7 +28,7 @@ inline constexpr std::size_t kSectionCount = 10;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes; the rest is zero.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 inline constexpr std::size_t kHeadWords = 16;
 
 struct SectionPlace {

@@ -14,32 +14,35 @@ W* SlotOf(W* section, std::uint32_t generation, std::size_t value_words) {
   return section + kSectionHeadWords + (generation % kSlots) * SlotWords(value_words);
 }
 
-// An even sequence marks a whole value, an odd one a value being written, 0 a slot never used.
-bool FetchSlot(const Word* slot, std::span<std::uint32_t> value) {
-  const std::uint32_t before = slot[0].load(std::memory_order_acquire);
-  if (before == 0 || before % 2 != 0) return false;
+// In front of a slot's value: its generation, or that nothing whole lies there.
+constexpr std::uint32_t kNothing = 0;
+
+// After the last generation comes a new first one, which lies in the same slot as 0 would.
+std::uint32_t After(std::uint32_t generation) {
+  return generation + 1 == kNothing ? kSlots : generation + 1;
+}
+
+bool FetchSlot(const Word* slot, std::uint32_t generation, std::span<std::uint32_t> value) {
+  if (generation == kNothing || slot[0].load(std::memory_order_acquire) != generation) return false;
   for (std::size_t i = 0; i < value.size(); ++i) value[i] = slot[1 + i].load(std::memory_order_acquire);
-  return slot[0].load(std::memory_order_relaxed) == before;
+  return slot[0].load(std::memory_order_relaxed) == generation;
 }
 
 }  // namespace
 
 void Publish(Word* section, std::span<const std::uint32_t> value) {
-  const std::uint32_t generation = section[kNewest].load(std::memory_order_relaxed) + 1;
+  const std::uint32_t generation = After(section[kNewest].load(std::memory_order_relaxed));
   Word* slot = SlotOf(section, generation, value.size());
-  // An odd sequence found here is a dead writer's: the next odd one takes the slot over.
-  const std::uint32_t writing = (slot[0].load(std::memory_order_relaxed) + 1) | 1U;
-  slot[0].store(writing, std::memory_order_relaxed);
+  slot[0].store(kNothing, std::memory_order_relaxed);
   for (std::size_t i = 0; i < value.size(); ++i) slot[1 + i].store(value[i], std::memory_order_release);
-  const std::uint32_t whole = writing + 1 == 0 ? 2 : writing + 1;
-  slot[0].store(whole, std::memory_order_release);
+  slot[0].store(generation, std::memory_order_release);
   section[kNewest].store(generation, std::memory_order_release);
 }
 
 bool Fetch(const Word* section, std::uint32_t age, std::span<std::uint32_t> value) {
   for (int i = 0; i < kTries; ++i) {
     const std::uint32_t newest = section[kNewest].load(std::memory_order_acquire);
-    if (FetchSlot(SlotOf(section, newest - age, value.size()), value)) return true;
+    if (FetchSlot(SlotOf(section, newest - age, value.size()), newest - age, value)) return true;
   }
   return false;
 }

@@ -1,11 +1,12 @@
 // A section's sequence lock: one writer, any number of readers, none of whom ever waits for another.
 //
 // A section is an array of 32-bit atomic words: the newest generation, the writer's process id, then kSlots
-// slots of a sequence word and a value each. Generation g lies in slot g % kSlots, so the writer never
-// touches the newest value, and dying in the middle of a write spoils nothing that readers look at.
+// slots of a generation word and a value each. Generation g lies in slot g % kSlots, so the writer never
+// touches the newest value, and dying in the middle of a write spoils nothing that readers look at. A reader
+// takes the very generation that it looked for and no later one, so that what it sees never goes back.
 //
 // Words are stored with release and loaded with acquire order instead of fences: whoever saw one new word
-// sees the odd sequence that was stored before it. On x86 both are plain moves, and ThreadSanitizer can
+// sees that the slot was emptied before it. On x86 both are plain moves, and ThreadSanitizer can
 // follow them.
 #pragma once
 
