@@ -24,7 +24,7 @@ MAY_INCLUDE = (
     ("render/scene/", ("drivers/base/", "render/face/")),
     ("render/image/", ("drivers/base/",)),
     ("render/gl/", _DRAWING),
-    ("render/passes/", _DRAWING + ("render/gl/", "render/shaders/")),
+    ("render/passes/", _DRAWING + ("render/gl/", "render/image/", "render/shaders/")),
     ("render/wall/", _DRAWING + ("render/gl/", "render/shaders/")),
     ("appliance/board/", _DRIVER),
     ("appliance/show/", _DRAWING),

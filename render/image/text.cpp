@@ -1,0 +1,142 @@
+#include "render/image/text.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+#include <algorithm>
+#include <string>
+
+#include "render/image/font.h"
+#include "render/image/utf8.h"
+
+namespace kaori::image {
+namespace {
+
+constexpr int kUnit = 64;  // FreeType's lengths are in 64ths of a pixel.
+
+constexpr const char* kEllipsis = "\u2026";
+
+bool IsControl(char32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0);
+}
+
+FT_UInt GlyphOf(FT_Face face, char32_t code) {
+  return FT_Get_Char_Index(face, IsControl(code) ? U' ' : code);
+}
+
+// Calls `each(glyph, x)` with x in 64ths of a pixel from the line's left end; returns where the line ends.
+template <class Each>
+FT_Pos Walk(FT_Face face, std::string_view text, const Each& each) {
+  FT_Pos x = 0;
+  FT_UInt before = 0;
+  while (!text.empty()) {
+    const Letter letter = FirstLetter(text);
+    text.remove_prefix(letter.bytes);
+    const FT_UInt glyph = GlyphOf(face, letter.code);
+    FT_Vector kern{};
+    if (before != 0) FT_Get_Kerning(face, before, glyph, FT_KERNING_DEFAULT, &kern);
+    before = glyph;
+    x += kern.x;
+    if (FT_Load_Glyph(face, glyph, FT_LOAD_TARGET_LIGHT) != 0) continue;
+    each(x);
+    x += face->glyph->advance.x;
+  }
+  return x;
+}
+
+std::uint8_t Mix(std::uint8_t from, std::uint8_t to, unsigned coverage) {
+  return static_cast<std::uint8_t>((from * (255U - coverage) + to * coverage + 127U) / 255U);
+}
+
+void Cover(std::uint8_t* pixel, const TextStyle& style, std::uint8_t coverage) {
+  for (std::size_t i = 0; i < 3; ++i) pixel[i] = Mix(pixel[i], style.rgb[i], coverage);
+  pixel[3] = std::max(pixel[3], coverage);
+}
+
+// (left, top): the bitmap's upper left pixel; row 0 of the picture is its lowest.
+void Stamp(const FT_Bitmap& bitmap, const TextStyle& style, int left, int top, Picture& into) {
+  for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
+    const int y = top - row;
+    if (y < 0 || y >= into.height_px) continue;
+    const int first = std::max(0, -left);
+    const int last = std::min(static_cast<int>(bitmap.width), into.width_px - left);
+    for (int column = first; column < last; ++column) {
+      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(into.width_px) +
+                         static_cast<std::size_t>(left + column);
+      Cover(into.rgbx.data() + pixel * 4, style, bitmap.buffer[row * bitmap.pitch + column]);
+    }
+  }
+}
+
+int Ceil(FT_Pos length) {
+  return static_cast<int>((length + kUnit - 1) / kUnit);
+}
+
+int Descent_px(FT_Face face) {
+  return Ceil(-face->size->metrics.descender);
+}
+
+}  // namespace
+
+void Lettering::EndLibrary::operator()(FT_LibraryRec_* library) const {
+  FT_Done_FreeType(library);
+}
+void Lettering::EndFace::operator()(FT_FaceRec_* face) const {
+  FT_Done_Face(face);
+}
+
+Result<Lettering> Lettering::Open() {
+  Lettering made;
+  FT_Library library = nullptr;
+  if (FT_Init_FreeType(&library) != 0) return Fail(std::errc::not_enough_memory, "begin FreeType");
+  made.library_.reset(library);
+  const auto font = FontBytes();
+  const auto* bytes = reinterpret_cast<const FT_Byte*>(font.data());
+  FT_Face face = nullptr;
+  if (FT_New_Memory_Face(library, bytes, static_cast<FT_Long>(font.size()), 0, &face) != 0)
+    return Fail(std::errc::not_enough_memory, "open the font");
+  made.face_.reset(face);
+  return made;
+}
+
+void Lettering::SetSize(int size_px) {
+  size_px = std::clamp(size_px, 1, kMostTextSize_px);
+  if (size_px == size_px_) return;
+  FT_Set_Pixel_Sizes(face_.get(), 0, static_cast<FT_UInt>(size_px));
+  size_px_ = size_px;
+}
+
+int Lettering::width_px(std::string_view text, int size_px) {
+  SetSize(size_px);
+  return Ceil(Walk(face_.get(), text, [](FT_Pos) {}));
+}
+
+int Lettering::height_px(int size_px) {
+  SetSize(size_px);
+  return Ceil(face_->size->metrics.ascender) + Descent_px(face_.get());
+}
+
+void Lettering::Draw(std::string_view text, const TextStyle& style, int x_px, int y_px, Picture& into) {
+  SetSize(style.size_px);
+  const int baseline = y_px + Descent_px(face_.get());
+  const FT_GlyphSlot slot = face_->glyph;
+  Walk(face_.get(), text, [&](FT_Pos x) {
+    if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0) return;
+    const int left = x_px + static_cast<int>(x / kUnit) + slot->bitmap_left;
+    Stamp(slot->bitmap, style, left, baseline + slot->bitmap_top - 1, into);
+  });
+}
+
+std::string Shorten(Lettering& lettering, std::string_view text, int size_px, int width_px) {
+  if (lettering.width_px(text, size_px) <= width_px) return std::string(text);
+  std::string best;
+  std::size_t end = 0;
+  while (true) {
+    const std::string candidate = std::string(text.substr(0, end)) + kEllipsis;
+    if (lettering.width_px(candidate, size_px) > width_px) return best;
+    best = candidate;
+    end += FirstLetter(text.substr(end)).bytes;
+  }
+}
+
+}  // namespace kaori::image

@@ -1,0 +1,69 @@
+// Lines of text in pictures, with a font that the program carries: nothing is looked up at run time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "drivers/base/result.h"
+#include "render/image/png.h"
+
+struct FT_FaceRec_;
+struct FT_LibraryRec_;
+
+namespace kaori::image {
+
+struct TextStyle {
+  int size_px = 16;                                // Of the em square; 1 to kMostTextSize_px, clamped.
+  std::array<std::uint8_t, 3> rgb{255, 255, 255};  // As stored in the picture.
+};
+
+inline constexpr int kMostTextSize_px = 400;
+
+// DejaVu Sans. One thread at a time; every function may allocate, so captions are drawn when they change, not
+// in each frame. Text is UTF-8; what is no UTF-8 is drawn as U+FFFD, a letter that the font lacks as its box,
+// and control characters as spaces.
+class Lettering {
+ public:
+  // Errors: not_enough_memory.
+  static Result<Lettering> Open();
+
+  Lettering(Lettering&&) noexcept = default;
+  Lettering& operator=(Lettering&&) noexcept = default;
+  Lettering(const Lettering&) = delete;
+  Lettering& operator=(const Lettering&) = delete;
+  ~Lettering() = default;
+
+  // The box of a line: what Draw moves on to the right, and how high letters with all their strokes are.
+  int width_px(std::string_view text, int size_px);
+  int height_px(int size_px);
+
+  // Draws one line; its box's lower left corner comes to (x_px, y_px), row 0 at the bottom. What lies outside
+  // the picture is cut. X becomes the letters' coverage where that is more than what stood there: in a
+  // picture that was blank it is their mask.
+  void Draw(std::string_view text, const TextStyle& style, int x_px, int y_px, Picture& into);
+
+ private:
+  struct EndLibrary {
+    void operator()(FT_LibraryRec_* library) const;
+  };
+  struct EndFace {
+    void operator()(FT_FaceRec_* face) const;
+  };
+
+  Lettering() = default;
+
+  void SetSize(int size_px);
+
+  std::unique_ptr<FT_LibraryRec_, EndLibrary> library_;  // Outlives the face.
+  std::unique_ptr<FT_FaceRec_, EndFace> face_;
+  int size_px_ = 0;
+};
+
+// The beginning of `text` that fits into `width_px`, with "…" where something was cut; empty where not even
+// that fits.
+std::string Shorten(Lettering& lettering, std::string_view text, int size_px, int width_px);
+
+}  // namespace kaori::image

@@ -1,0 +1,18 @@
+// UTF-8 taken apart into code points.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace kaori::image {
+
+struct Letter {
+  char32_t code = 0;
+  std::size_t bytes = 0;  // How many of the text it took; 1 at least.
+};
+
+// The first letter of `text`, which must not be empty. A byte that begins no sound sequence (too short, too
+// long for its code, a surrogate, above U+10FFFF) is U+FFFD, and one byte long.
+Letter FirstLetter(std::string_view text);
+
+}  // namespace kaori::image
