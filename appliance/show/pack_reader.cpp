@@ -85,7 +85,7 @@ face::Face ReadFace(Copier& from, const pack::Face& stored) {
   std::copy_n(eyes.begin(), std::min(eyes.size(), face.eyes.size()), face.eyes.begin());
   if (stored.eye_look() != nullptr) face.eye_look = AsHeld<pack::EyeLook, face::EyeLook>(*stored.eye_look());
   if (stored.mouth() != nullptr) face.mouth = AsHeld<pack::MouthFit, face::MouthFit>(*stored.mouth());
-  face.surface = {stored.softness(), stored.metal(), stored.texture(), Vec(stored.flat())};
+  face.surface = {stored.softness(), stored.metal(), stored.texture(), Vec(stored.flat()), stored.print()};
   face.props = from.Numbers(stored.props());
   face.expression_gain = stored.expression_gain();
   return face;

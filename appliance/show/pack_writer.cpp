@@ -86,7 +86,8 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
                              face.mouth.lower_teeth, face.mouth.tongue);
   const pack::Vec3 flat = Vec(face.surface.flat);
   return pack::CreateFace(to, name, positions, occlusion, eyes, &eye_look, &mouth, face.surface.softness,
-                          face.surface.metal, face.surface.texture, &flat, props, face.expression_gain);
+                          face.surface.metal, face.surface.texture, &flat, props, face.expression_gain,
+                          face.surface.print);
 }
 
 Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& expression) {

@@ -45,6 +45,7 @@ struct SurfaceLook {
   float metal = 0;     // 1: a polished kettle.
   int texture = 0;     // Index into Cast::textures.
   glm::vec3 flat{};    // The one colour of the flat-shaded style.
+  float print = 0;     // 1: a poster, printed with dots and few inks.
 };
 
 // The global shape: one position for each vertex of the cage.

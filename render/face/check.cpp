@@ -52,6 +52,7 @@ void CheckLook(const std::string& item, const Face& face, Faults& faults) {
                            mouth.tongue,      surface.softness, surface.metal,       surface.flat.x,
                            surface.flat.y,    surface.flat.z,   face.expression_gain};
   faults.Finite(item + ", its look", numbers);
+  if (!Is0To1(surface.print)) faults.Add(item + ": its print is not within 0 to 1");
 }
 
 void CheckFace(const Cast& cast, const Face& face, Faults& faults) {

@@ -1,6 +1,8 @@
 #include "render/passes/layer.h"
 
 #include <algorithm>
+#include <numbers>
+#include <string>
 
 #include "render/gl/context.h"
 #include "render/gl/draw_state.h"
@@ -9,11 +11,23 @@
 namespace kaori::passes {
 namespace {
 
-Result<gl::Program> Make(std::string_view fragment, bool reads_samples) {
+// A poster's dots stand so many to the height of the picture: they are seen from the last row. Below the
+// pitch they would not be dots.
+constexpr float kDotsHigh = 120;
+constexpr float kLeastPitch_px = 3.5F;
+
+float DotWave_rad_px(const gl::Canvas& canvas) {
+  const float pitch_px = std::max(static_cast<float>(canvas.height_px()) / kDotsHigh, kLeastPitch_px);
+  return 2 * std::numbers::pi_v<float> / pitch_px;
+}
+
+Result<gl::Program> Make(std::string_view fragment, std::string defines) {
+  const bool reads_samples = gl::Context::ReadsSamples();
+  if (reads_samples) defines += "#define SAMPLES\n";
   auto program = gl::Program::Make({.library = ShaderLibrary(),
                                     .vertex = "canvas.vert",
                                     .fragment = fragment,
-                                    .defines = reads_samples ? "#define SAMPLES\n" : "",
+                                    .defines = std::move(defines),
                                     .reads_samples = reads_samples});
   if (program) program->BindSampler("layer", 0);
   return program;
@@ -40,23 +54,23 @@ LayerPass::Variant LayerPass::Named(gl::Program program) {
   v.top = program.Find("top");
   v.bottom = program.Find("bottom");
   v.opacity = program.Find("opacity");
+  v.print = program.Find("print");
   v.program = std::move(program);
   return v;
 }
 
 Result<LayerPass> LayerPass::Open() {
-  auto backdrop = Make("backdrop.frag", false);
+  auto backdrop = Make("backdrop.frag", "");
   if (!backdrop) return tl::unexpected(backdrop.error());
-  auto resolved = Make("layer.frag", false);
-  if (!resolved) return tl::unexpected(resolved.error());
+  auto plain = Make("layer.frag", "");
+  if (!plain) return tl::unexpected(plain.error());
+  auto printed = Make("layer.frag", "#define PRINT\n");
+  if (!printed) return tl::unexpected(printed.error());
   LayerPass pass;
   pass.backdrop_ = Named(std::move(*backdrop));
-  pass.resolved_ = Named(std::move(*resolved));
+  pass.plain_ = Named(std::move(*plain));
+  pass.printed_ = Named(std::move(*printed));
   pass.everywhere_ = gl::Mesh({}, 3);
-  if (!gl::Context::ReadsSamples()) return pass;
-  auto samples = Make("layer.frag", true);
-  if (!samples) return tl::unexpected(samples.error());
-  pass.samples_ = Named(std::move(*samples));
   return pass;
 }
 
@@ -74,12 +88,14 @@ void LayerPass::Fill(const gl::Canvas& canvas, const gl::Box& box) const {
 }
 
 void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const scene::Backdrop& backdrop,
-                    float opacity) const {
+                    const Laying& laying) const {
   if (figure.whole.empty()) return;
   canvas.BindLayer(0, figure.whole);
-  const bool replaces = opacity >= 1;
+  const bool replaces = laying.opacity >= 1;
   gl::Apply({.depth = gl::Depth::kOff, .blend = replaces ? gl::Blend::kReplace : gl::Blend::kOver});
-  (canvas.layer_has_samples() ? samples_ : resolved_).Use(backdrop, opacity);
+  const Variant& variant = laying.print > 0 ? printed_ : plain_;
+  variant.Use(backdrop, laying.opacity);
+  gl::Program::Set(variant.print, glm::vec3(laying.print, laying.exposure, DotWave_rad_px(canvas)));
   canvas.BeginPicture();
   for (const gl::Box& band : figure.bands) Fill(canvas, band);
 }

@@ -16,9 +16,14 @@ class LayerPass {
   // Errors: invalid_argument (a shader).
   static Result<LayerPass> Open();
 
-  // The canvas's layer, where the figure is. Opacity 1 replaces what is there.
+  struct Laying {
+    float opacity = 1;   // 1 replaces what is there.
+    float print = 0;     // 0..1: how much of the figure is a poster's print.
+    float exposure = 1;  // Of the light on the figure.
+  };
+  // The canvas's layer, where the figure is.
   void Lay(const gl::Canvas& canvas, const FigureRegion& figure, const scene::Backdrop& backdrop,
-           float opacity) const;
+           const Laying& laying) const;
   // The backdrop alone, everywhere but there. Called once a frame, before all layers: where it stands
   // already, from the last frame on this canvas, it is left alone.
   void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
@@ -34,12 +39,13 @@ class LayerPass {
     int top = -1;
     int bottom = -1;
     int opacity = -1;
+    int print = -1;
     void Use(const scene::Backdrop& backdrop, float opaque) const;
   };
   static Variant Named(gl::Program program);
 
-  Variant samples_;  // Reads the layer's samples; there where the context can.
-  Variant resolved_;
+  Variant plain_;  // Both read the layer's samples where the context can.
+  Variant printed_;
   Variant backdrop_;
   gl::Mesh everywhere_;
 

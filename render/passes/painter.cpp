@@ -71,6 +71,13 @@ float HairShare(const scene::Scene& s) {
   return 1 - WeightOf(s, Style::kBare) / std::max(WeightOf(s, Group::kTextured), kUnseen);
 }
 
+// Of the faces that are shown, the part that is a poster's print.
+float PrintShare(const face::Cast& cast, const face::Terms& faces) {
+  float share = 0;
+  for (const face::Term& term : faces) share += term.weight * cast.faces[term.index].surface.print;
+  return share < kUnseen ? 0.0F : std::min(share, 1.0F);
+}
+
 // Takes the value of a step that succeeded; else keeps the first error.
 template <class T>
 void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
@@ -85,21 +92,38 @@ void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
 
 struct Painter::Parts {
   explicit Parts(const face::Cast& cast)
-      : composer(cast), neck(NeckOf(cast)), edges(MeasureEdges(cast)), wardrobe(cast), surface(cast) {}
+      : cast(&cast),
+        composer(cast),
+        neck(NeckOf(cast)),
+        edges(MeasureEdges(cast)),
+        wardrobe(cast),
+        surface(cast) {}
 
   Result<void> Open(const face::Cast& cast);
   FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
   void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
   // What a fade or a style needs beyond the default look, by shader.
-  enum class Turn : std::uint8_t { kMouth, kHair, kClothes, kBody2, kFlat, kDarkEyes, kWire, kLayer, kBody4 };
-  static constexpr std::array kRehearsal{Turn::kMouth,    Turn::kHair,  Turn::kClothes,
-                                         Turn::kLayer,    Turn::kBody2, Turn::kFlat,
-                                         Turn::kDarkEyes, Turn::kWire,  Turn::kBody4};
+  enum class Turn : std::uint8_t {
+    kMouth,
+    kHair,
+    kClothes,
+    kBody2,
+    kFlat,
+    kDarkEyes,
+    kWire,
+    kLayer,
+    kPrint,
+    kBody4
+  };
+  static constexpr std::array kRehearsal{Turn::kMouth, Turn::kHair, Turn::kClothes,  Turn::kLayer,
+                                         Turn::kBody2, Turn::kFlat, Turn::kDarkEyes, Turn::kWire,
+                                         Turn::kPrint, Turn::kBody4};
   void Rehearse(Turn turn);
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
   void DrawWire(const scene::Scene& scene, const face::Shape& shape);
 
+  const face::Cast* cast;
   face::Composer composer;
   Neck neck;
   LongestEdges edges;
@@ -182,6 +206,12 @@ face::Weights CrossFade(std::uint16_t faces) {
   return weights;
 }
 
+FigureRegion Everywhere(const gl::Box& whole) {
+  FigureRegion figure{.whole = whole};
+  figure.bands[0] = whole;
+  return figure;
+}
+
 void Painter::Parts::Rehearse(Turn turn) {
   scene::Scene scene;
   scene.weights = CrossFade(turn == Turn::kBody4 ? 4 : 2);
@@ -209,11 +239,10 @@ void Painter::Parts::Rehearse(Turn turn) {
       return eyes->DrawDark(shape);
     case Turn::kWire:
       return wire->Draw(surface, shape, scene.gaze);
-    case Turn::kLayer: {
-      FigureRegion figure{.whole = whole};
-      figure.bands[0] = whole;
-      return layer->Lay(*backstage, figure, scene.backdrop, 0.5F);
-    }
+    case Turn::kLayer:
+      return layer->Lay(*backstage, Everywhere(whole), scene.backdrop, {.opacity = 0.5F});
+    case Turn::kPrint:
+      return layer->Lay(*backstage, Everywhere(whole), scene.backdrop, {.print = 1});
   }
 }
 
@@ -236,6 +265,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const FrameBlock frame = p.BindFrame(scene, canvas);
   const FigureRegion figure = FindFigure(frame, shape, p.wardrobe, p.edges);
   p.layer->LayBackdropAround(canvas, figure, MixedBackdrop(scene));
+  const float print = PrintShare(*p.cast, shape.faces);
   float laid = 0;
   for (const Group group : kGroups) {
     const float weight = WeightOf(scene, group);
@@ -243,7 +273,10 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
     laid += weight;
     canvas.BeginLayer(figure.bands, figure.whole);
     p.DrawGroup(group, scene, shape);
-    p.layer->Lay(canvas, figure, BackdropOf(scene, group), weight / laid);
+    p.layer->Lay(canvas, figure, BackdropOf(scene, group),
+                 {.opacity = weight / laid,
+                  .print = group == Group::kTextured ? print : 0,
+                  .exposure = scene.light.exposure});
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -42,11 +43,38 @@ struct Camera {
   float field_of_view_rad = 0.362F;  // Vertical.
 };
 
-// A vertical gradient, linear RGB.
+// What stands behind her, softly, out of focus.
+enum class BackdropKind : std::uint8_t {
+  kGradient,  // From top to bottom, nothing else.
+  kStudio,    // A sweep of paper with a pool of light.
+  kCurtain,   // The folds of a theatre's curtain.
+  kNight,     // A moon and lights far away.
+  kKitchen,   // Tiles and a window's light.
+  kPine,      // The painted pine of a Noh stage.
+  kLights,    // Many lamps, as in a laboratory.
+  kRays,      // A printed poster's rays.
+  kNursery,   // Hills, stars and a warm lamp.
+  kPicture,   // One of the show's own pictures.
+};
+inline constexpr int kBackdropKindCount = 10;
+
+// Colours are linear RGB.
 struct Backdrop {
   glm::vec3 top{0.053F, 0.080F, 0.144F};
   glm::vec3 bottom{0.011F, 0.014F, 0.030F};
+  BackdropKind kind = BackdropKind::kGradient;
+  glm::vec3 glow{1.0F, 0.80F, 0.55F};  // Of lamps, moon and rays; gradients and pictures have none.
+  int picture = -1;                    // kPicture: which one.
+
+  bool operator==(const Backdrop&) const = default;
 };
+
+// A backdrop that is on its way out; what has no weight is not there.
+struct FadingBackdrop {
+  Backdrop backdrop;
+  float weight = 0;  // 0..1.
+};
+inline constexpr std::size_t kMostFading = 3;
 
 // The control points as needles that stick in the face in work (the paper's figure 3).
 struct Needles {
@@ -69,9 +97,10 @@ struct Scene {
   std::array<float, kStyleCount> styles{0, 0, 0, 0, 1};  // Cross-fade; sum 1.
   Light light;
   Camera camera;
-  Backdrop backdrop;
-  glm::vec2 hair_sway_rad{};  // Tips swing: sideways, forwards.
-  float breath = 0;           // -1 out .. 1 in.
+  Backdrop backdrop;                               // Has the weight that is left by those that fade.
+  std::array<FadingBackdrop, kMostFading> fading;  // Weights sum to 1 at most.
+  glm::vec2 hair_sway_rad{};                       // Tips swing: sideways, forwards.
+  float breath = 0;                                // -1 out .. 1 in.
   Needles needles;
   Caption caption;
 };

@@ -1,5 +1,8 @@
 // A layer over the backdrop. It holds square roots of linear light, so samples are squared, then averaged.
 #include "dither.glsl"
+#ifdef PRINT
+#include "print.glsl"
+#endif
 in vec3 backdrop;
 #ifdef SAMPLES
 uniform sampler2DMS layer;
@@ -22,6 +25,9 @@ void main() {
   vec4 a = texelFetch(layer, at, 0);
   vec3 light = a.rgb * a.rgb;
   float covered = ceil(a.a);
+#endif
+#ifdef PRINT
+  if (covered > 0.0) light = Printed(light / covered) * covered;
 #endif
   colour = vec4(light + Dithered(backdrop) * (1.0 - covered), opacity);
 }

@@ -43,7 +43,7 @@ void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
   clothes_.Draw(wardrobe_, shape_.faces);
   body_.Draw(surface_, shape_, true);
   eyes_.Draw(shape_, scene_.gaze);
-  layer_.Lay(canvas, figure_, scene_.backdrop, 1);
+  layer_.Lay(canvas, figure_, scene_.backdrop, {});
   canvas.ReadPixels(bytes);
 }
 

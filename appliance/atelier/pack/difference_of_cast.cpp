@@ -59,7 +59,8 @@ bool SameLook(const face::Face& a, const face::Face& b) {
   return a.eye_look.iris == b.eye_look.iris && a.eye_look.iris_radius_m == b.eye_look.iris_radius_m &&
          a.eye_look.lash_length_m == b.eye_look.lash_length_m &&
          a.eye_look.lash_wing_m == b.eye_look.lash_wing_m && a.surface.softness == b.surface.softness &&
-         a.surface.metal == b.surface.metal && a.surface.flat == b.surface.flat;
+         a.surface.metal == b.surface.metal && a.surface.flat == b.surface.flat &&
+         a.surface.print == b.surface.print;
 }
 
 std::map<std::string, glm::vec3> MovesByPoint(const WornExpression& worn) {
