@@ -53,6 +53,7 @@ AlignedFloats MouthShareOfFloats(const Topology& topology, std::size_t floats) {
 struct Composer::Work {
   explicit Work(const Cast& cast);
 
+  void Refresh(const Cast& cast, const Weights& weights);
   void Gather(const Weights& weights);
   void GatherFace(const Term& face, const Weights& weights);
   void BlendCage(float mouth_given_away);
@@ -94,6 +95,13 @@ Composer::Work::Work(const Cast& cast)
   bases.reserve(kTerms);
   unyielding.reserve(kTerms + kTerms * kTerms);
   yielding.reserve(kTerms * kTerms);
+}
+
+void Composer::Work::Refresh(const Cast& cast, const Weights& weights) {
+  for (const Term& face : weights.faces) {
+    for (const Term& term : weights.expressions) composites.Refresh(cast, face.index, term.index);
+    for (const Term& term : weights.channels) composites.Refresh(cast, face.index, term.index);
+  }
 }
 
 void Composer::Work::Gather(const Weights& weights) {
@@ -163,10 +171,15 @@ Shape Composer::Work::View(const Topology& topology, Detail detail) const {
 Composer::Composer(const Cast& cast) : cast_(cast), work_(std::make_unique<Work>(cast)) {}
 Composer::~Composer() = default;
 
+void Composer::Renew(std::size_t expression) {
+  work_->composites.Outdate(cast_, expression);
+}
+
 const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   Weights playable = Playable(weights, cast_.faces.size(), cast_.expressions.size());
   BlinkByExpression(cast_, playable);
   const Topology& topology = cast_.topology;
+  work_->Refresh(cast_, playable);
   work_->Gather(playable);
   work_->BlendCage(playable.mouth_given_away);
   work_->BlendOcclusion(playable.faces);

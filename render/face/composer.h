@@ -33,8 +33,8 @@ struct Shape {
   Terms faces;           // The faces as blended: cleaned, sum 1. For cross-fading their textures.
 };
 
-// Borrows the cast, which must outlive it and not change. All composites are built in the constructor
-// (about 20 kB and 50 us each). The cast must have passed CheckCast.
+// Borrows the cast, which must outlive it and not change but as Renew says. All composites are built in the
+// constructor (about 20 kB and 50 us each). The cast must have passed CheckCast.
 class Composer {
  public:
   explicit Composer(const Cast& cast);
@@ -44,6 +44,14 @@ class Composer {
   // expression that does not exist, count as zero; face weights are brought to the sum 1; with no face left,
   // the reference face is shown.
   const Shape& Compose(const Weights& weights, Detail detail);
+
+  // The displacement, the lids or the residual of the cast's expression of this index are not what they were.
+  // It must pass CheckCast as before. What it does to a face is worked out when it is next composed with
+  // weight, some 30 us for each face. Allocates when the expression moves something for the first time.
+  void Renew(std::size_t expression);
+
+  // What Compose gave last.
+  const Shape& shape() const { return shape_; }
 
  private:
   struct Work;

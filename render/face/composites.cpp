@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
-#include "render/face/frame.h"
 #include "render/face/sparse.h"
 
 namespace kaori::face {
@@ -37,29 +37,42 @@ Composites::Composites(const Cast& cast)
       face_floats_(VertexFloats(cast.topology.vertex_count)),
       moving_floats_(VertexFloats(cast.topology.moving_count)),
       bases_(faces_ * face_floats_),
+      displacements_(expressions_),
+      outdated_(faces_ * expressions_, 0),
+      moved_(3 * cast.net.points.size()),
       jaw_drops_m_(faces_ * expressions_, 0.0F) {
   CopyBases(cast);
-  NumberMoving(cast);
   FindJaw(cast);
-  displacements_ = AlignedFloats(faces_ * slots_ * moving_floats_);
-  for (std::size_t face = 0; face < faces_; ++face) ComposeFace(cast, face);
+  FitFaces(cast);
+  for (std::size_t j = 0; j < expressions_; ++j) Outdate(cast, j);
+  for (std::size_t face = 0; face < faces_; ++face)
+    for (std::size_t j = 0; j < expressions_; ++j) Refresh(cast, face, j);
 }
 
-const float* Composites::displacement(std::size_t face, std::size_t expression) const {
-  if (!slot_[expression]) return nullptr;
-  return displacements_.data() + (face * slots_ + *slot_[expression]) * moving_floats_;
+void Composites::Outdate(const Cast& cast, std::size_t expression) {
+  AlignedFloats& faces = displacements_[expression];
+  if (faces.size() == 0 && !MovesSomething(cast.expressions[expression])) return;
+  if (faces.size() == 0) faces = AlignedFloats(faces_ * moving_floats_);
+  for (std::size_t face = 0; face < faces_; ++face) outdated_[face * expressions_ + expression] = 1;
+}
+
+void Composites::Refresh(const Cast& cast, std::size_t face, std::size_t expression) {
+  std::uint8_t& outdated = outdated_[face * expressions_ + expression];
+  if (outdated == 0) return;
+  ComposeFace(cast, face, expression);
+  outdated = 0;
+}
+
+std::size_t Composites::bytes() const {
+  std::size_t floats = bases_.size();
+  for (const AlignedFloats& faces : displacements_) floats += faces.size();
+  return floats * sizeof(float);
 }
 
 void Composites::CopyBases(const Cast& cast) {
   for (std::size_t i = 0; i < faces_; ++i) {
     const auto& positions = cast.faces[i].positions;
     std::memcpy(bases_.data() + i * face_floats_, positions.data(), positions.size() * sizeof positions[0]);
-  }
-}
-
-void Composites::NumberMoving(const Cast& cast) {
-  for (const Expression& expression : cast.expressions) {
-    slot_.push_back(MovesSomething(expression) ? std::optional(slots_++) : std::nullopt);
   }
 }
 
@@ -72,23 +85,25 @@ void Composites::FindJaw(const Cast& cast) {
   jaw_mouth_share_ = MeanAt(cast.net.surface, *jaw_point_, cast.topology.mouth_share);
 }
 
-void Composites::ComposeFace(const Cast& cast, std::size_t face) {
-  const Face& shape = cast.faces[face];
-  const auto frames = FitFrames(cast.net, PointsOnFace(cast.net, shape.positions));
+void Composites::FitFaces(const Cast& cast) {
   const auto reference = FitFrames(cast.net, PointsOnFace(cast.net, cast.faces.front().positions));
-  const auto turns = Turns(reference, frames);
-  AlignedFloats moved(3 * frames.size());
-  for (std::size_t j = 0; j < expressions_; ++j) {
-    if (!slot_[j]) continue;
-    const auto vectors = Carry(cast.expressions[j], frames, shape.expression_gain);
-    std::ranges::copy(vectors, moved.vertices(vectors.size()).begin());
-    float* out = displacements_.data() + (face * slots_ + *slot_[j]) * moving_floats_;
-    ApplyToVertices(cast.net.to_cage, moved.data(), out);
-    AddResidual(cast.net, cast.expressions[j], turns, shape.expression_gain,
-                {reinterpret_cast<glm::vec3*>(out), cast.topology.moving_count});
-    out[3 * std::size_t{cast.topology.moving_count}] = 0;  // The slack: the first vertex that does not move.
-    if (jaw_point_) jaw_drops_m_[face * expressions_ + j] = -vectors[*jaw_point_].y;
+  for (const Face& face : cast.faces) {
+    auto frames = FitFrames(cast.net, PointsOnFace(cast.net, face.positions));
+    auto turns = Turns(reference, frames);
+    carriers_.push_back({std::move(frames), std::move(turns)});
   }
+}
+
+void Composites::ComposeFace(const Cast& cast, std::size_t face, std::size_t j) {
+  const float gain = cast.faces[face].expression_gain;
+  const std::span<glm::vec3> moved = moved_.vertices(cast.net.points.size());
+  Carry(cast.expressions[j], carriers_[face].frames, gain, moved);
+  float* out = displacements_[j].data() + face * moving_floats_;
+  ApplyToVertices(cast.net.to_cage, moved_.data(), out);
+  AddResidual(cast.net, cast.expressions[j], carriers_[face].turns, gain,
+              {reinterpret_cast<glm::vec3*>(out), cast.topology.moving_count});
+  out[3 * std::size_t{cast.topology.moving_count}] = 0;  // The slack: the first vertex that does not move.
+  if (jaw_point_) jaw_drops_m_[face * expressions_ + j] = -moved[*jaw_point_].y;
 }
 
 }  // namespace kaori::face

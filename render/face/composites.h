@@ -8,6 +8,7 @@
 
 #include "render/face/aligned.h"
 #include "render/face/cast.h"
+#include "render/face/frame.h"
 
 namespace kaori::face {
 
@@ -28,7 +29,16 @@ class Composites {
   // B_i: face_floats() long.
   const float* base(std::size_t face) const { return bases_.data() + face * face_floats_; }
   // E_ij, metres: moving_floats() long; null where the expression moves nothing.
-  const float* displacement(std::size_t face, std::size_t expression) const;
+  const float* displacement(std::size_t face, std::size_t expression) const {
+    const AlignedFloats& faces = displacements_[expression];
+    return faces.size() > 0 ? faces.data() + face * moving_floats_ : nullptr;
+  }
+
+  // The cast's expression has changed: what it does to each face is out of date until Refresh.
+  // Allocates when it moves something for the first time.
+  void Outdate(const Cast& cast, std::size_t expression);
+  // Brings what the expression does to the face up to date; at once done where it is. Allocates nothing.
+  void Refresh(const Cast& cast, std::size_t face, std::size_t expression);
   // How far expression j takes the lower lip's middle down on face i.
   float jaw_drop_m(std::size_t face, std::size_t expression) const {
     return jaw_drops_m_[face * expressions_ + expression];
@@ -36,22 +46,29 @@ class Composites {
 
   // The part of the jaw drop that gives way with the mouth, 0..1.
   float jaw_mouth_share() const { return jaw_mouth_share_; }
-  std::size_t bytes() const { return (bases_.size() + displacements_.size()) * sizeof(float); }
+  std::size_t bytes() const;
 
  private:
   void CopyBases(const Cast& cast);
-  void NumberMoving(const Cast& cast);
   void FindJaw(const Cast& cast);
-  void ComposeFace(const Cast& cast, std::size_t face);
+  void FitFaces(const Cast& cast);
+  void ComposeFace(const Cast& cast, std::size_t face, std::size_t expression);
+
+  // How expressions are carried to a face: see frame.h.
+  struct Carrier {
+    std::vector<Frame> frames;
+    std::vector<glm::mat3> turns;
+  };
 
   std::size_t faces_ = 0;
   std::size_t expressions_ = 0;
   std::size_t face_floats_ = 0;
   std::size_t moving_floats_ = 0;
-  std::vector<std::optional<std::size_t>> slot_;  // Per expression; none where it moves nothing.
-  std::size_t slots_ = 0;
   AlignedFloats bases_;
-  AlignedFloats displacements_;
+  std::vector<AlignedFloats> displacements_;  // Per expression, of all faces; empty where it moves nothing.
+  std::vector<Carrier> carriers_;             // Per face.
+  std::vector<std::uint8_t> outdated_;        // Per face and expression.
+  AlignedFloats moved_;                       // The control points of one face with one expression.
   std::vector<float> jaw_drops_m_;
   std::optional<std::size_t> jaw_point_;  // Of "LC" in the net.
   float jaw_mouth_share_ = 0;

@@ -92,11 +92,16 @@ std::vector<Frame> FitFrames(const ControlNet& net, std::span<const glm::vec3> o
 
 std::vector<glm::vec3> Carry(const Expression& expression, std::span<const Frame> frames, float gain) {
   std::vector<glm::vec3> moved(frames.size());
+  Carry(expression, frames, gain, moved);
+  return moved;
+}
+
+void Carry(const Expression& expression, std::span<const Frame> frames, float gain,
+           std::span<glm::vec3> moved) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const glm::vec3 d = gain * expression.displacement[i];
     moved[i] = d.x * frames[i].along_u + d.y * frames[i].along_v + d.z * frames[i].outwards;
   }
-  return moved;
 }
 
 std::vector<glm::mat3> Turns(std::span<const Frame> reference, std::span<const Frame> face) {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "render/face/cast.h"
@@ -31,13 +31,16 @@ std::vector<Frame> FitFrames(const ControlNet& net, std::span<const glm::vec3> o
 
 // What an expression does to the control points of the face that has these frames, metres.
 std::vector<glm::vec3> Carry(const Expression& expression, std::span<const Frame> frames, float gain);
+// The same, into `moved`: one for each frame. Allocates nothing.
+void Carry(const Expression& expression, std::span<const Frame> frames, float gain,
+           std::span<glm::vec3> moved);
 
-// For each control point, what takes a vector of the reference face to the same vector of a face: its rotation
-// and its size between the two frames.
+// For each control point, what takes a vector of the reference face to the same vector of a face: its
+// rotation and its size between the two frames.
 std::vector<glm::mat3> Turns(std::span<const Frame> reference, std::span<const Frame> face);
 
-// Adds the expression's residual to `moved` (a vertex for each row of net.to_cage), turned as the control points
-// of each vertex are. On the reference face nothing turns, so there the shape is the artist's own.
+// Adds the expression's residual to `moved` (a vertex for each row of net.to_cage), turned as the control
+// points of each vertex are. On the reference face nothing turns, so there the shape is the artist's own.
 void AddResidual(const ControlNet& net, const Expression& expression, std::span<const glm::mat3> turns,
                  float gain, std::span<glm::vec3> moved);
 

@@ -8,6 +8,7 @@
 
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
+#include "render/scene/view.h"
 
 namespace kaori::passes {
 namespace {
@@ -97,7 +98,7 @@ glm::vec3 GlintAt(const std::array<float, kLidPlaces>& lid) {
 }
 
 glm::mat3 HeadToIris(const scene::Gaze& gaze) {
-  const glm::quat turn = TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
+  const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
   return glm::transpose(glm::mat3_cast(turn));
 }
 

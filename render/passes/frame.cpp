@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "render/passes/shader_library.h"
+#include "render/scene/view.h"
 
 namespace kaori::passes {
 namespace {
@@ -18,15 +18,6 @@ constexpr float kBreath_m = 0.0025F;
 
 constexpr glm::vec3 kFillLight{0.80F, 0.10F, 0.50F};
 
-// How far before and behind the camera's target anything is drawn.
-constexpr float kReach_m = 0.45F;
-
-glm::mat4 ProjectionOf(const scene::Camera& camera, glm::vec2 canvas_px) {
-  const float near_m = std::max(camera.distance_m - kReach_m, 0.02F);
-  return glm::perspective(camera.field_of_view_rad, canvas_px.x / canvas_px.y, near_m,
-                          camera.distance_m + kReach_m);
-}
-
 }  // namespace
 
 Neck NeckOf(const face::Cast& cast) {
@@ -36,24 +27,11 @@ Neck NeckOf(const face::Cast& cast) {
   return {cast.neck_pivot, edge_m + kStill_m, edge_m + kTurns_m};
 }
 
-glm::quat TurnOf(const scene::Head& head) {
-  return glm::angleAxis(head.yaw_rad, glm::vec3(0, 1, 0)) *
-         glm::angleAxis(-head.pitch_rad, glm::vec3(1, 0, 0)) *
-         glm::angleAxis(-head.roll_rad, glm::vec3(0, 0, 1));
-}
-
-glm::mat4 ViewOf(const scene::Camera& camera) {
-  const float level = std::cos(camera.height_rad);
-  const glm::vec3 away{std::sin(camera.yaw_rad) * level, std::sin(camera.height_rad),
-                       std::cos(camera.yaw_rad) * level};
-  return glm::lookAt(camera.target_m + away * camera.distance_m, camera.target_m, glm::vec3(0, 1, 0));
-}
-
 FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share) {
   FrameBlock f{};
-  f.view = ViewOf(scene.camera);
-  f.projection = ProjectionOf(scene.camera, canvas_px);
-  const glm::quat turn = TurnOf(scene.head);
+  f.view = scene::ViewOf(scene.camera);
+  f.projection = scene::ProjectionOf(scene.camera, canvas_px.x / canvas_px.y);
+  const glm::quat turn = scene::TurnOf(scene.head);
   f.turn = {turn.x, turn.y, turn.z, turn.w};
   f.pivot = {neck.pivot, neck.still_below_m};
   f.shift = {scene.head.shift_m, neck.turns_above_m};

@@ -34,9 +34,6 @@ struct Neck {
 };
 Neck NeckOf(const face::Cast& cast);
 
-glm::quat TurnOf(const scene::Head& head);
-glm::mat4 ViewOf(const scene::Camera& camera);
-
 // `soft_share` as FrameBlock::fill.w.
 FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share);
 

@@ -280,6 +280,14 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   }
 }
 
+void Painter::Renew(std::size_t expression) {
+  parts_->composer.Renew(expression);
+}
+
+const face::Shape& Painter::shape() const {
+  return parts_->composer.shape();
+}
+
 bool Painter::RehearseStep() {
   Parts& p = *parts_;
   if (p.rehearsed >= Parts::kRehearsal.size()) return false;

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "render/face/cast.h"
+#include "render/face/composer.h"
 #include "render/gl/canvas.h"
 #include "render/gl/context.h"
 #include "render/scene/scene.h"
@@ -21,6 +21,12 @@ class Painter {
   // Makes the picture of `scene` on `canvas`, of any size. Values that are none are replaced (see
   // sane_scene.h). Allocates nothing.
   void Draw(const scene::Scene& scene, const gl::Canvas& canvas);
+
+  // The cast's expression of this index is not what it was: see face::Composer::Renew.
+  void Renew(std::size_t expression);
+
+  // The face as it was drawn last; holds until the next Draw or RehearseStep.
+  const face::Shape& shape() const;
 
   // Drivers finish a shader when it is first drawn with, which would stall a fade in the middle of the show.
   // One step draws, unseen, with one that the default look has not used; call it between frames, once the

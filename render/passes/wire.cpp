@@ -7,6 +7,7 @@
 
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
+#include "render/scene/view.h"
 
 namespace kaori::passes {
 namespace {
@@ -87,7 +88,7 @@ Result<WirePass> WirePass::Open(const face::Cast& cast) {
 
 void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m,
                         glm::vec4* points) const {
-  const glm::quat turn = TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
+  const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
   for (const float part : {0.92F, 0.40F}) {
     const float away = part * iris_m / std::max(ball.radius_m, 1e-4F);
     for (std::size_t i = 0; i < kCircle; ++i) {

@@ -52,6 +52,37 @@ TEST(Composer, TakesNothingFromTheHeap) {
   EXPECT_GT(before, 0U);
 }
 
+TEST(Composer, WearsAnExpressionAsItWasMadeAnewOnEveryFace) {
+  Cast cast = MakeSyntheticCast();
+  const std::size_t point = PointNamed(cast, "MC.l");
+  cast.expressions.push_back(
+      {.name = "blank", .displacement = std::vector<glm::vec3>(cast.net.points.size())});
+  const auto blank = static_cast<std::uint16_t>(cast.expressions.size() - 1);
+  Composer composer(cast);
+  const auto smile = Cage(composer, Wearing(2, 1));
+  for (const float pull_m : {0.004F, -0.007F, 0.0F}) {
+    cast.expressions[blank].displacement[point] = {0, pull_m, pull_m};
+    cast.expressions[blank].lids = {pull_m > 0 ? 0.5F : 0.0F, 0};
+    composer.Renew(blank);
+    Composer fresh(cast);
+    for (std::uint16_t face = 0; face < cast.faces.size(); ++face)
+      EXPECT_EQ(Cage(composer, Wearing(face, blank)), Cage(fresh, Wearing(face, blank))) << pull_m << face;
+  }
+  EXPECT_EQ(Cage(composer, Wearing(2, 1)), smile) << "the others are as they were";
+}
+
+TEST(Composer, TakesNothingFromTheHeapForAnExpressionThatIsPulledOnFrameByFrame) {
+  Cast cast = MakeSyntheticCast();
+  Composer composer(cast);
+  const std::size_t before = AllocationCount();
+  for (int frame = 0; frame < 10; ++frame) {
+    cast.expressions[1].displacement[0].y += 0.001F;
+    composer.Renew(1);
+    composer.Compose(Wearing(frame % 4U, 1), Detail::kFine);
+  }
+  EXPECT_EQ(AllocationCount(), before);
+}
+
 TEST(Composer, ShowsTheReferenceFaceWhenNoFaceHasWeight) {
   const Cast cast = MakeSyntheticCast();
   Composer composer(cast);

@@ -1,0 +1,47 @@
+// Where things of a scene stand in its picture: the camera, and the turn of the head.
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/scene/scene.h"
+
+namespace kaori::scene {
+
+// Turns the head about the neck; the way from its rest to its pose.
+glm::quat TurnOf(const Head& head);
+
+glm::mat4 ViewOf(const Camera& camera);
+
+// `aspect` is the picture's width over its height. Nothing nearer to the camera's target than 0.45 m is cut
+// off.
+glm::mat4 ProjectionOf(const Camera& camera, float aspect);
+
+// One frame's way from the head at rest to the picture and back.
+class View {
+ public:
+  // `pivot_m` is the point about which the head turns (face::Cast::neck_pivot).
+  View(const Scene& scene, glm::vec3 pivot_m, float aspect);
+
+  // From -1 to 1, right and up, of a point of the head at rest.
+  glm::vec2 InPicture(glm::vec3 point_m) const;
+
+  // The way at the depth of `point_m`, along the head's axes at rest, that moves it in the picture by `step`.
+  glm::vec3 AtDepthOf(glm::vec3 point_m, glm::vec2 step) const;
+
+  // Whether a surface at this point of the head at rest, with this normal, looks at the camera.
+  bool Faces(glm::vec3 point_m, glm::vec3 normal) const;
+
+ private:
+  glm::vec3 Turned(glm::vec3 point_m) const;
+
+  glm::quat turn_;
+  glm::vec3 pivot_m_;
+  glm::vec3 shift_m_;
+  glm::mat4 view_;
+  glm::mat4 projection_;
+};
+
+}  // namespace kaori::scene
