@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "render/face/composer.h"
 #include "render/gl/buffer.h"
@@ -71,10 +72,16 @@ float HairShare(const scene::Scene& s) {
   return 1 - WeightOf(s, Style::kBare) / std::max(WeightOf(s, Group::kTextured), kUnseen);
 }
 
+std::vector<float> PrintsOf(const face::Cast& cast) {
+  std::vector<float> prints;
+  for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
+  return prints;
+}
+
 // Of the faces that are shown, the part that is a poster's print.
-float PrintShare(const face::Cast& cast, const face::Terms& faces) {
+float PrintShare(const std::vector<float>& prints, const face::Terms& faces) {
   float share = 0;
-  for (const face::Term& term : faces) share += term.weight * cast.faces[term.index].surface.print;
+  for (const face::Term& term : faces) share += term.weight * prints[term.index];
   return share < kUnseen ? 0.0F : std::min(share, 1.0F);
 }
 
@@ -92,8 +99,8 @@ void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
 
 struct Painter::Parts {
   explicit Parts(const face::Cast& cast)
-      : cast(&cast),
-        composer(cast),
+      : composer(cast),
+        prints(PrintsOf(cast)),
         neck(NeckOf(cast)),
         edges(MeasureEdges(cast)),
         wardrobe(cast),
@@ -123,8 +130,8 @@ struct Painter::Parts {
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
   void DrawWire(const scene::Scene& scene, const face::Shape& shape);
 
-  const face::Cast* cast;
   face::Composer composer;
+  std::vector<float> prints;  // Of each face, how much of a poster it is.
   Neck neck;
   LongestEdges edges;
   Wardrobe wardrobe;
@@ -265,7 +272,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const FrameBlock frame = p.BindFrame(scene, canvas);
   const FigureRegion figure = FindFigure(frame, shape, p.wardrobe, p.edges);
   p.layer->LayBackdropAround(canvas, figure, MixedBackdrop(scene));
-  const float print = PrintShare(*p.cast, shape.faces);
+  const float print = PrintShare(p.prints, shape.faces);
   float laid = 0;
   for (const Group group : kGroups) {
     const float weight = WeightOf(scene, group);
