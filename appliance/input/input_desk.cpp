@@ -7,6 +7,7 @@
 
 #include "appliance/input/dial_seat.h"
 #include "appliance/input/key_seat.h"
+#include "appliance/input/pointer_seat.h"
 #include "appliance/input/stick_seat.h"
 #include "drivers/base/log.h"
 
@@ -52,10 +53,15 @@ Result<DeskWriters> DeskWriters::Take(const board::Board& board) {
   if (!right) return tl::unexpected(right.error());
   auto keys = board.TakeWriter<board::Keys>();
   if (!keys) return tl::unexpected(keys.error());
+  auto pointer = board.TakeWriter<board::Pointer>();
+  if (!pointer) return tl::unexpected(pointer.error());
   auto lines = board.TakeWriter<board::Lines>();
   if (!lines) return tl::unexpected(lines.error());
-  return DeskWriters{
-      std::move(*surface), {std::move(*left), std::move(*right)}, std::move(*keys), std::move(*lines)};
+  return DeskWriters{std::move(*surface),
+                     {std::move(*left), std::move(*right)},
+                     std::move(*keys),
+                     std::move(*pointer),
+                     std::move(*lines)};
 }
 
 InputDesk::InputDesk(const board::Board& board, DeskWriters writers, DeskSources sources,
@@ -66,7 +72,7 @@ InputDesk::InputDesk(const board::Board& board, DeskWriters writers, DeskSources
       started_(clock.now()) {
   using hid::DeviceKind;
   for (ports::HidBus* bus : sources.buses) buses_.push_back({.bus = bus});
-  auto& [dials, left, right, keys] = places_;
+  auto& [dials, left, right, keys, pointer] = places_;
   dials.seat = std::make_unique<DialSeat>(board, std::move(writers.surface), settings.counts_per_turn);
   dials.kind = DeviceKind::kDialBox;
   dials.port = settings.dial_box_port;
@@ -76,6 +82,9 @@ InputDesk::InputDesk(const board::Board& board, DeskWriters writers, DeskSources
   keys.seat = std::make_unique<KeySeat>(board, std::move(writers.keys));
   keys.kind = DeviceKind::kKeyboard;
   keys.port = settings.keyboard_port;
+  pointer.seat = std::make_unique<PointerSeat>(board, std::move(writers.pointer), settings.pointer);
+  pointer.kind = DeviceKind::kPointer;
+  pointer.port = settings.pointer_port;
 }
 
 void InputDesk::Step() {
@@ -206,7 +215,8 @@ void InputDesk::Leave(Place& place, const Error& error, Time now) {
   place.device.reset();
   place.seat->Unplug(now);
   ++generation_;
-  // A spare dial box or keyboard may take the seat. A stick may not: it would swap roles at a loose plug.
+  // A spare dial box, keyboard or mouse may take the seat. A stick may not: it would swap roles at a loose
+  // plug.
   if (place.kind != hid::DeviceKind::kJoystick)
     std::erase_if(passed_, [&](const Passed& passed) { return passed.kind == place.kind; });
   scan_now_ = now - place.seated_at >= kSettled;

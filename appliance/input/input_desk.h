@@ -24,6 +24,7 @@ struct DeskWriters {
   board::Writer<board::Surface> surface;
   std::array<board::Writer<board::Stick>, kSticks> sticks;
   board::Writer<board::Keys> keys;
+  board::Writer<board::Pointer> pointer;
   board::Writer<board::Lines> lines;
 
   // Errors: as Board::TakeWriter, of the first section that cannot be had.
@@ -105,7 +106,7 @@ class InputDesk {
   const Clock& clock_;
   std::vector<Bus> buses_;
   LineDesk lines_;
-  std::array<Place, 4> places_;  // Dial box, left stick, right stick, keyboard.
+  std::array<Place, 5> places_;  // Dial box, left stick, right stick, keyboard, pointer.
   StickRoles roles_;
   std::vector<Passed> passed_;
   Time started_;

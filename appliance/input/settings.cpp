@@ -12,6 +12,7 @@ namespace kaori::input {
 namespace {
 
 constexpr int kMostStickButtons = 32;
+constexpr float kMostCounts = 1e6F;  // Of a mouse, from edge to edge.
 
 // Collects the first complaint; every reader after it does nothing.
 class Reading {
@@ -114,6 +115,9 @@ Result<InputSettings> ReadSettings(const std::string& path) {
   reading.Whole("dials", "counts_per_turn", settings.counts_per_turn, 1, 1 << 20);
   reading.Text("dials", "port", settings.dial_box_port);
   reading.Text("keyboard", "port", settings.keyboard_port);
+  reading.Text("pointer", "port", settings.pointer_port);
+  reading.Number("pointer", "counts_across", settings.pointer.counts_across, 1, kMostCounts);
+  reading.Number("pointer", "counts_down", settings.pointer.counts_down, 1, kMostCounts);
   for (std::size_t which = 0; which < settings.sticks.size(); ++which) ReadStick(reading, which, settings);
   reading.RefuseTheRest();
   if (!reading.complaint().empty()) return FailInput(reading.complaint());

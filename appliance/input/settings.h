@@ -7,13 +7,16 @@
 #include "appliance/input/roles.h"
 #include "drivers/base/result.h"
 #include "drivers/hid/joystick.h"
+#include "drivers/hid/pointer.h"
 
 namespace kaori::input {
 
 struct InputSettings {
-  int counts_per_turn = 256;                     // Of the dials.
-  std::string dial_box_port;                     // Empty: the first dial box that is found.
-  std::string keyboard_port;                     // Empty: the first keyboard.
+  int counts_per_turn = 256;  // Of the dials.
+  std::string dial_box_port;  // Empty: the first dial box that is found.
+  std::string keyboard_port;  // Empty: the first keyboard.
+  std::string pointer_port;   // Empty: the first mouse or tablet.
+  hid::PointerSettings pointer;
   std::array<std::string, kSticks> stick_ports;  // Left, right; empty: see StickRoles.
   std::array<hid::StickSettings, kSticks> sticks;
   std::array<int, kSticks>
@@ -23,6 +26,7 @@ struct InputSettings {
 // Reads a TOML file that people write:
 //   [dials]        counts_per_turn = 200    port = "1-4.1"
 //   [keyboard]     port = "1-4.2"
+//   [pointer]      port = "1-4.5"   counts_across = 1600   counts_down = 900
 //   [stick.left]   port = "1-4.3"   dead_zone = 0.05   reach = 1.0   curve = 0.3   slider_reversed = false
 //                  centre_button = 12
 //   [stick.right]  the same

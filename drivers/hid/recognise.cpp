@@ -25,6 +25,14 @@ bool HasAxis(const ReportLayout& layout, Usage usage) {
   });
 }
 
+// Relative or absolute.
+bool Points(const ReportLayout& layout, Usage usage) {
+  return std::ranges::any_of(FindInputs(layout, usage, kMaxFieldsPerReport), [&](ElementRef ref) {
+    const Usage a = layout.fields[ref.field].application;
+    return a == kUsageMouse || a == kUsagePointer;
+  });
+}
+
 bool HasKeys(const ReportLayout& layout) {
   return std::ranges::any_of(layout.fields, [&](const ReportField& field) {
     const bool is_keyboard = field.application == kUsageKeyboard || field.application == kUsageKeypad;
@@ -38,6 +46,7 @@ DeviceKind Recognise(const ReportLayout& layout) {
   if (HasEndlessDial(layout)) return DeviceKind::kDialBox;
   if (HasAxis(layout, kUsageX) && HasAxis(layout, kUsageY)) return DeviceKind::kJoystick;
   if (HasKeys(layout)) return DeviceKind::kKeyboard;
+  if (Points(layout, kUsageX) && Points(layout, kUsageY)) return DeviceKind::kPointer;
   return DeviceKind::kOther;
 }
 

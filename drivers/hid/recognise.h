@@ -6,10 +6,11 @@
 
 namespace kaori::hid {
 
-enum class DeviceKind : std::uint8_t { kOther, kDialBox, kJoystick, kKeyboard };
+enum class DeviceKind : std::uint8_t { kOther, kDialBox, kJoystick, kKeyboard, kPointer };
 
 // A dial box has a dial that turns without end; a joystick has X and Y and calls itself joystick, game pad or
-// multi-axis controller; a keyboard calls itself so and has keys.
+// multi-axis controller; a keyboard calls itself so and has keys; a pointer has X and
+// Y and calls itself mouse or pointer. What is several of these is the first.
 DeviceKind Recognise(const ReportLayout& layout);
 
 // Reads the identity's descriptor, or our own for a device whose descriptor is known to say too little.

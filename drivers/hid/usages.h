@@ -8,6 +8,8 @@ namespace kaori::hid {
 inline constexpr std::uint32_t kKeyboardPage = 0x07;
 inline constexpr std::uint32_t kButtonPage = 0x09;
 
+inline constexpr Usage kUsagePointer = 0x00010001;
+inline constexpr Usage kUsageMouse = 0x00010002;
 inline constexpr Usage kUsageJoystick = 0x00010004;
 inline constexpr Usage kUsageGamePad = 0x00010005;
 inline constexpr Usage kUsageKeyboard = 0x00010006;
@@ -19,6 +21,7 @@ inline constexpr Usage kUsageZ = 0x00010032;
 inline constexpr Usage kUsageRz = 0x00010035;
 inline constexpr Usage kUsageSlider = 0x00010036;
 inline constexpr Usage kUsageDial = 0x00010037;
+inline constexpr Usage kUsageWheel = 0x00010038;
 inline constexpr Usage kUsageHat = 0x00010039;
 inline constexpr Usage kUsageThrottle = 0x000200BB;
 

@@ -13,13 +13,16 @@ using sim::Verb;
 constexpr double kShutHeight = 0.25;
 constexpr double kRestWidth = 1;
 
-// The hand that undoes `hand`; nothing for what stays as it is put: dials, sliders, lens, cables.
+// The hand that undoes `hand`; nothing for what stays as it is put: dials, sliders, the pointer, lens,
+// cables.
 std::optional<Hand> Undoing(const Hand& hand) {
   switch (hand.verb) {
     case Verb::kPush:
     case Verb::kRelease:
       return Hand{hand.place, Verb::kRelease, hand.index};
     case Verb::kMove:
+      if (hand.place == sim::Place::kPointer) return std::nullopt;
+      [[fallthrough]];
     case Verb::kTwist:
       return Hand{hand.place, hand.verb};
     case Verb::kHat:

@@ -5,8 +5,8 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::array<std::string_view, kPlaceCount> kPortNames{"dial-box", "stick-left", "stick-right",
-                                                               "keyboard", "camera",     "screen"};
+constexpr std::array<std::string_view, kPlaceCount> kPortNames{
+    "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer"};
 
 }  // namespace
 

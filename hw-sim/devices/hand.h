@@ -11,10 +11,10 @@
 namespace kaori::sim {
 
 // Where a simulated device is plugged in; the names are the ports of the link.
-enum class Place : std::uint8_t { kDialBox, kStickLeft, kStickRight, kKeyboard, kCamera, kScreen };
-inline constexpr int kPlaceCount = 6;
+enum class Place : std::uint8_t { kDialBox, kStickLeft, kStickRight, kKeyboard, kCamera, kScreen, kPointer };
+inline constexpr int kPlaceCount = 7;
 
-// "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen".
+// "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer".
 std::string_view PortName(Place place);
 std::optional<Place> PlaceNamed(std::string_view port);
 
@@ -22,10 +22,11 @@ enum class Verb : std::uint8_t {
   kTurn,       // Dial `index` by `a` turns, clockwise is positive.
   kPush,       // Button or key `index` goes down,
   kRelease,    // and up.
-  kMove,       // Stick to x = `a`, y = `b`.
+  kMove,       // Stick or pointer to x = `a`, y = `b`.
   kTwist,      // Stick's twist to `a`.
   kSlide,      // Stick's slider to `a`.
   kHat,        // Stick's hat to `index`, -1 is centred.
+  kRoll,       // Pointer's wheel by `a` notches, away from the hand is positive.
   kLips,       // Mouth to height `a`, width `b`.
   kCoverLens,  // `index` 1 covers, 0 uncovers.
   kStall,      // Camera stops (`index` 1) or goes on (0).

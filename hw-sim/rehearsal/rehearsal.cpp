@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kTick = 1ms;
 constexpr int kPatience = 1000;  // Ticks.
-constexpr int kHidDevices = 4;
+constexpr int kHidDevices = 5;
 
 Result<void> MakeFolder(const std::string& folder) {
   std::error_code error;

@@ -25,6 +25,7 @@ struct Values {
 // Where the hand's control stands now; a dial has no place, only a way that it goes.
 Values Standing(Rig& rig, const Hand& hand) {
   if (hand.place == Place::kCamera) return {rig.camera().mouth().height, rig.camera().mouth().width};
+  if (hand.place == Place::kPointer) return {rig.pointer().x(), rig.pointer().y()};
   if (hand.place != Place::kStickLeft && hand.place != Place::kStickRight) return {};
   const StickPod& stick = rig.stick(hand.place);
   if (hand.verb == Verb::kMove) return {stick.x(), stick.y()};

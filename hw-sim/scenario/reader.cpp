@@ -35,7 +35,8 @@ bool TimesFit(Words& words, const Statement& statement, int column) {
   if (!statement.at && !statement.scene)
     words.Complain(column, "when? A line begins with its time, such as at 2.5s");
   if (statement.over && !takes_time)
-    words.Complain(column, "this happens at once: over is for dial, move, twist, slide, lips and say");
+    words.Complain(column,
+                   "this happens at once: over is for dial, move, twist, slide, pointer, lips and say");
   if (statement.say && (!statement.over || *statement.over == Duration::zero()))
     words.Complain(column, "say wants a time to speak in, such as over 2s");
   return !words.bad();

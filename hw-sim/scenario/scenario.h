@@ -33,7 +33,7 @@ struct Scenario {
 // Sorts, and works out the length.
 void PutInOrder(Scenario& scenario);
 
-// The verbs that may take time: dial turns, stick moves, twists and slides, lips.
+// The verbs that may take time: dial turns, stick moves, twists and slides, the pointer's moves, lips.
 bool MayTakeTime(Verb verb);
 
 }  // namespace kaori::sim

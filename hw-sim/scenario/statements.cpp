@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "firmware/wire/dial_box.h"
+#include "firmware/wire/pointer.h"
 #include "firmware/wire/stick_pod.h"
 #include "hw-sim/scenario/key_names.h"
 #include "hw-sim/scenario/reader.h"
@@ -17,7 +18,9 @@ namespace {
 constexpr int kDials = static_cast<int>(wire::kDials);
 constexpr int kBoxButtons = static_cast<int>(wire::kDialBoxButtons);
 constexpr int kStickButtons = static_cast<int>(wire::kStickPodButtons);
+constexpr int kPointerButtons = static_cast<int>(wire::kPointerButtons);
 constexpr double kMostTurns = 1000;
+constexpr double kMostNotches = 1000;
 constexpr std::size_t kLongestName_bytes = 100;
 
 void AddTap(Place place, int index, Statement& into) {
@@ -43,7 +46,30 @@ void ReadDial(Words& words, std::string_view, Statement& into) {
   if (turns) AddOne({Place::kDialBox, Verb::kTurn, *dial - 1, *turns, 0}, into);
 }
 
+void ReadPointer(Words& words, std::string_view, Statement& into) {
+  const auto x = words.Number("x, left to right", 0, 1);
+  const auto y = words.Number("y, from above", 0, 1);
+  if (x && y) AddOne({Place::kPointer, Verb::kMove, 0, *x, *y}, into);
+}
+
+// press, click or release pointer; of the button that follows, or else of the first.
+void ReadPointerButton(Words& words, std::string_view verb, Statement& into) {
+  const auto button = words.NumberFollows() ? words.Numbered("pointer button", kPointerButtons) : 1;
+  if (!button) return;
+  if (verb == "click") return AddTap(Place::kPointer, *button - 1, into);
+  AddOne({Place::kPointer, verb == "press" ? Verb::kPush : Verb::kRelease, *button - 1, 0, 0}, into);
+}
+
+// What is done with the pointer alone.
+void ReadAtPointer(Words& words, std::string_view verb, Statement& into) {
+  if (!words.Take("pointer")) return words.Complain(words.next_column(), "expected pointer");
+  if (verb != "roll") return ReadPointerButton(words, verb, into);
+  const auto notches = words.Number("a number of notches", -kMostNotches, kMostNotches);
+  if (notches) AddOne({Place::kPointer, Verb::kRoll, 0, *notches, 0}, into);
+}
+
 void ReadBoxButton(Words& words, std::string_view verb, Statement& into) {
+  if (verb == "release" && words.Take("pointer")) return ReadPointerButton(words, verb, into);
   const auto button = words.Numbered("button", kBoxButtons);
   if (button) AddButton(verb, Place::kDialBox, *button - 1, into);
 }
@@ -137,7 +163,7 @@ void ReadCable(Words& words, std::string_view verb, Statement& into) {
   if (place) return AddOne({*place, verb == "plug" ? Verb::kPlug : Verb::kUnplug, 0, 0, 0}, into);
   words.Complain(port->column,
                  fmt::format("no device \"{}\"; devices are dial-box, stick-left, stick-right, keyboard, "
-                             "camera, screen",
+                             "camera, screen, pointer",
                              port->text));
 }
 
@@ -161,6 +187,10 @@ constexpr auto kForms = std::to_array<Form>({
     {"left", ReadStick},
     {"right", ReadStick},
     {"key", ReadKey},
+    {"pointer", ReadPointer},
+    {"press", ReadAtPointer},
+    {"click", ReadAtPointer},
+    {"roll", ReadAtPointer},
     {"lips", ReadLips},
     {"say", ReadSay},
     {"lens", ReadCamera},
@@ -170,7 +200,9 @@ constexpr auto kForms = std::to_array<Form>({
     {"scene", ReadScene},
 });
 constexpr std::string_view kFormWords =
-    "dial, push, hold, release, left, right, key, lips, say, lens, camera, plug, unplug or scene";
+    "dial, push, hold, release, left, right, key, pointer, press, click, roll, lips, say, lens, camera, "
+    "plug, "
+    "unplug or scene";
 
 }  // namespace
 

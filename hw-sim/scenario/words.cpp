@@ -70,6 +70,12 @@ bool Words::Take(std::string_view word) {
   return true;
 }
 
+bool Words::NumberFollows() const {
+  if (AtEnd()) return false;
+  const char first = words_[next_].text.empty() ? ' ' : words_[next_].text.front();
+  return (first >= '0' && first <= '9') || first == '-' || first == '+';
+}
+
 std::optional<Word> Words::Next(std::string_view expected) {
   if (bad_) return std::nullopt;
   if (AtEnd()) {

@@ -33,6 +33,9 @@ class Words {
   // Whether the next word is `word`; takes it if so.
   bool Take(std::string_view word);
 
+  // Whether the next word begins as a number does.
+  bool NumberFollows() const;
+
   // The next word. `expected` says what should be there: "a number of turns".
   std::optional<Word> Next(std::string_view expected);
   std::optional<double> Number(std::string_view expected, double low, double high);

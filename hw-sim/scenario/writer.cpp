@@ -57,11 +57,18 @@ std::string OnCamera(const Hand& hand) {
   return fmt::format("lips {} {}", hand.a, hand.b);
 }
 
+std::string OnPointer(const Hand& hand) {
+  if (hand.verb == Verb::kMove) return fmt::format("pointer {} {}", hand.a, hand.b);
+  if (hand.verb == Verb::kRoll) return fmt::format("roll pointer {}", hand.a);
+  return fmt::format("{} pointer {}", hand.verb == Verb::kPush ? "press" : "release", hand.index + 1);
+}
+
 std::string Words(const Hand& hand) {
   if (hand.verb == Verb::kPlug) return fmt::format("plug {}", PortName(hand.place));
   if (hand.verb == Verb::kUnplug) return fmt::format("unplug {}", PortName(hand.place));
   if (hand.place == Place::kDialBox) return OnBox(hand);
   if (hand.place == Place::kKeyboard) return OnKeyboard(hand);
+  if (hand.place == Place::kPointer) return OnPointer(hand);
   return hand.place == Place::kCamera ? OnCamera(hand) : OnStick(hand);
 }
 

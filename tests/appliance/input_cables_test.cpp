@@ -35,7 +35,7 @@ TEST_F(Cables, AreFoundAgainTwoHundredTimesWithNoSwapAndNoLeak) {
   const auto open_files = [] {
     return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
   };
-  const std::array<const char*, 4> ports{"dial-box", "stick-left", "stick-right", "keyboard"};
+  const std::array<const char*, 5> ports{"dial-box", "stick-left", "stick-right", "keyboard", "pointer"};
   const auto files_before = open_files();
   std::mt19937 random(200);
   for (int round = 0; round < 200; ++round) {
@@ -46,7 +46,7 @@ TEST_F(Cables, AreFoundAgainTwoHundredTimesWithNoSwapAndNoLeak) {
     rig_->left_stick().Move(-1, 0);
     rig_->right_stick().Move(1, 0);
     Play(milliseconds(20));
-    ASSERT_EQ(desk_->seated(), 4) << "round " << round << ", " << port;
+    ASSERT_EQ(desk_->seated(), 5) << "round " << round << ", " << port;
     rig_->left_stick().Move(-1, 0.01F * static_cast<float>(round % 50));
     rig_->right_stick().Move(1, 0.01F * static_cast<float>(round % 50));
     Play(milliseconds(3));
@@ -68,7 +68,7 @@ TEST_F(Cables, MayBePulledWithTheWholeSimulator) {
   EXPECT_EQ(Board().surface.value.counts[0], 256);
   rig_ = sim::Rig::Open({.folder = links()}, clock_).value();
   Play(milliseconds(500));
-  EXPECT_EQ(desk_->seated(), 4);
+  EXPECT_EQ(desk_->seated(), 5);
   EXPECT_EQ(Board().surface.value.counts[0], 256);
 }
 
@@ -90,7 +90,7 @@ TEST_F(BadReports, TornShortLongAndUnknownOnesChangeNothing) {
   EXPECT_EQ(after.surface.value.pushes, before.surface.value.pushes);
   EXPECT_EQ(after.sticks[0].value.x, before.sticks[0].value.x);
   EXPECT_EQ(after.keys.value.pushes, before.keys.value.pushes);
-  EXPECT_EQ(desk_->seated(), 4) << "nobody is sent away for it";
+  EXPECT_EQ(desk_->seated(), 5) << "nobody is sent away for it";
   rig_->dial_box().Turn(0, 1);
   Play(milliseconds(5));
   EXPECT_EQ(Board().surface.value.counts[0], 512) << "and good ones count again";

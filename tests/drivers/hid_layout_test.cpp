@@ -56,7 +56,7 @@ TEST(ReportLayout, TellsDevicesByTheirUsages) {
 TEST(ReportLayout, DoesNotTakeAMouseForAJoystick) {
   const Bytes mouse = {0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15,
                        0x81, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x06, 0xC0};
-  EXPECT_EQ(Recognise(*ReadReportLayout(mouse)), DeviceKind::kOther);
+  EXPECT_EQ(Recognise(*ReadReportLayout(mouse)), DeviceKind::kPointer);
 }
 
 TEST(ReportLayout, ReadsSignedUnalignedFieldsAcrossBytes) {

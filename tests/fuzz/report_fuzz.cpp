@@ -9,6 +9,7 @@
 #include "drivers/hid/dial_box.h"
 #include "drivers/hid/joystick.h"
 #include "drivers/hid/keyboard.h"
+#include "drivers/hid/pointer.h"
 #include "tests/fuzz/check.h"
 
 namespace kaori::fuzz {
@@ -32,6 +33,11 @@ void Check(const hid::StickSample& stick) {
 
 void Check(const hid::KeySample& keyboard) {
   Promise((keyboard.keys.down[0] & 0x0Fu) == 0, "error codes are no keys");
+}
+
+void Check(const hid::PointerSample& pointer) {
+  for (const float place : {pointer.x, pointer.y})
+    Promise(place >= 0 && place <= 1, "a pointer stays on the picture");
 }
 
 void Check(const hid::DialSample&) {}
@@ -69,5 +75,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (auto stick = hid::JoystickDecoder::For(identity)) fuzz::Play(std::move(*stick), input);
   if (auto keyboard = hid::KeyboardDecoder::For(identity)) fuzz::Play(std::move(*keyboard), input);
+  if (auto pointer = hid::PointerDecoder::For(identity)) fuzz::Play(std::move(*pointer), input);
   return 0;
 }

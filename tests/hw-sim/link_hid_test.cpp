@@ -14,7 +14,8 @@ using LinkHid = LinkBench;
 TEST_F(LinkHid, ListsWhatIsPluggedInOnceItHasSaidHello) {
   EXPECT_EQ(bus->Ports()->size(), 0u);  // Called, and not yet answered.
   rig->Pump();
-  EXPECT_EQ(*bus->Ports(), (std::vector<std::string>{"dial-box", "keyboard", "stick-left", "stick-right"}));
+  EXPECT_EQ(*bus->Ports(),
+            (std::vector<std::string>{"dial-box", "keyboard", "pointer", "stick-left", "stick-right"}));
 }
 
 TEST_F(LinkHid, SaysWhoItIs) {

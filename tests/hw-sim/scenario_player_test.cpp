@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kStep = 4ms;
-constexpr std::array<const char*, 4> kPorts{"dial-box", "stick-left", "stick-right", "keyboard"};
+constexpr std::array<const char*, 5> kPorts{"dial-box", "stick-left", "stick-right", "keyboard", "pointer"};
 
 struct Performance {
   std::array<std::vector<StampedReport>, kPorts.size()> reports;  // Of each HID device,
@@ -86,7 +86,7 @@ TEST(Scenario, RandomHandsRecordedAndReplayedGiveTheSameBytes) {
   Scenario hands;
   for (Duration at{}; at < 4s; at += Duration(random() % 7'000'000)) {
     const auto stick = random() % 2 == 0 ? Place::kStickLeft : Place::kStickRight;
-    const int kind = static_cast<int>(random() % 7);
+    const int kind = static_cast<int>(random() % 10);
     const Verb down = random() % 2 == 0 ? Verb::kPush : Verb::kRelease;
     if (kind == 0)
       hands.actions.push_back(
@@ -101,6 +101,11 @@ TEST(Scenario, RandomHandsRecordedAndReplayedGiveTheSameBytes) {
       hands.actions.push_back({at, {}, {Place::kKeyboard, down, static_cast<int>(4 + random() % 100), 0, 0}});
     if (kind == 6)
       hands.actions.push_back({at, {}, {Place::kCamera, Verb::kLips, 0, real(0, 1), real(0.5, 1.5)}});
+    if (kind == 7)
+      hands.actions.push_back({at, {}, {Place::kPointer, Verb::kMove, 0, real(0, 1), real(0, 1)}});
+    if (kind == 8) hands.actions.push_back({at, {}, {Place::kPointer, Verb::kRoll, 0, real(-9, 9), 0}});
+    if (kind == 9)
+      hands.actions.push_back({at, {}, {Place::kPointer, down, static_cast<int>(random() % 3), 0, 0}});
   }
   PutInOrder(hands);
   const Performance first = Hall().Play(hands);
@@ -142,6 +147,17 @@ TEST_F(PlayerTest, EasesInAndOut) {
   PerformAt(2s);
   EXPECT_EQ(rig->left_stick().x(), 0.8F);
   EXPECT_TRUE(player->finished());
+}
+
+TEST_F(PlayerTest, DragsThePointerFromWhereItStands) {
+  Play("at 0s pointer 0.2 0.9\nat 0.5s press pointer\nat 1s over 1s pointer 0.6 0.5\nat 2s release pointer");
+  PerformAt(1500ms);
+  EXPECT_NEAR(rig->pointer().x(), 0.4, 1e-9);
+  EXPECT_NEAR(rig->pointer().y(), 0.7, 1e-9);
+  EXPECT_EQ(rig->pointer().buttons_down(), 1);
+  PerformAt(2s);
+  EXPECT_EQ(rig->pointer().x(), 0.6);
+  EXPECT_EQ(rig->pointer().buttons_down(), 0);
 }
 
 TEST_F(PlayerTest, ADialTurnedSlowlyTurnsAllTheWay) {

@@ -42,6 +42,11 @@ TEST(ScenarioReader, KnowsEveryHand) {
   EXPECT_EQ(one("at 1s left hold 12"), (Hand{Place::kStickLeft, Verb::kPush, 11, 0, 0}));
   EXPECT_EQ(one("at 1s key F1 press"), (Hand{Place::kKeyboard, Verb::kPush, 0x3A, 0, 0}));
   EXPECT_EQ(one("at 1s key a release"), (Hand{Place::kKeyboard, Verb::kRelease, 0x04, 0, 0}));
+  EXPECT_EQ(one("at 1s pointer 0.4 0.5"), (Hand{Place::kPointer, Verb::kMove, 0, 0.4, 0.5}));
+  EXPECT_EQ(one("at 1s press pointer"), (Hand{Place::kPointer, Verb::kPush, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s release pointer 3"), (Hand{Place::kPointer, Verb::kRelease, 2, 0, 0}));
+  EXPECT_EQ(one("at 1s roll pointer -2"), (Hand{Place::kPointer, Verb::kRoll, 0, -2, 0}));
+  EXPECT_EQ(one("at 1s unplug pointer"), (Hand{Place::kPointer, Verb::kUnplug, 0, 0, 0}));
   EXPECT_EQ(one("at 1s lips 0.6 1.1"), (Hand{Place::kCamera, Verb::kLips, 0, 0.6, 1.1}));
   EXPECT_EQ(one("at 1s lens cover"), (Hand{Place::kCamera, Verb::kCoverLens, 1, 0, 0}));
   EXPECT_EQ(one("at 1s camera run"), (Hand{Place::kCamera, Verb::kStall, 0, 0, 0}));
@@ -117,6 +122,10 @@ TEST(ScenarioReader, NamesLineColumnAndWhatWasExpected) {
   EXPECT_THAT(Complaint("at 1s key hyper tap"), HasSubstr("1:11: no key \"hyper\""));
   EXPECT_THAT(Complaint("at 1s plug toaster"), HasSubstr("1:12: no device \"toaster\""));
   EXPECT_THAT(Complaint("at 1s left hat north"), HasSubstr("1:16: the hat knows no \"north\""));
+  EXPECT_THAT(Complaint("at 1s press"), HasSubstr("1:12: expected pointer"));
+  EXPECT_EQ(Complaint("at 1s press pointer 4"),
+            "play.txt:1:21: no pointer button 4; pointer buttons are 1 to 3");
+  EXPECT_EQ(Complaint("at 1s pointer 0.5 -0.1"), "play.txt:1:19: \"-0.1\" is not y, from above (0 to 1)");
   EXPECT_THAT(Complaint("at 1s lens remove"), HasSubstr("1:12: expected cover or uncover"));
   EXPECT_THAT(Complaint("at 1s dial 1 spin 2"), HasSubstr("1:14: expected turn"));
   EXPECT_THAT(Complaint("at 1s"), HasSubstr("1:6: the line ends where"));
@@ -197,7 +206,8 @@ TEST(ScenarioWriter, WritesWhatTheReaderReadsBack) {
       ReadScenario(
           "scene a\nat 0.000000001s push 1\nat 1s over 2s dial 8 turn -0.123456789012345\n"
           "at 1s left move 0.1 -0.3\nat 1s right hat down\nat 1s key up tap\nat 2s lens cover\n"
-          "at 3s say \"ka o ri\" over 1s\nat 4s unplug camera\nat 4s plug camera\nat 9s scene \"b c\"")
+          "at 3s say \"ka o ri\" over 1s\nat 4s unplug camera\nat 4s plug camera\nat 5s over 1s pointer 0.1 "
+          "0.7\nat 5s roll pointer -0.5\nat 6s click pointer 2\nat 9s scene \"b c\"")
           .scenario;
   const Reading again = ReadScenario(WriteScenario(scenario));
   EXPECT_EQ(Describe(again.problems, "t"), "");

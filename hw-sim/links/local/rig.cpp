@@ -57,6 +57,7 @@ Rig::Rig(RigOptions options, const Clock& clock)
       left_stick_(Place::kStickLeft, bench_),
       right_stick_(Place::kStickRight, bench_),
       keyboard_(bench_),
+      pointer_(bench_),
       camera_({options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}, bench_),
       screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()) {}
 
@@ -97,6 +98,7 @@ Result<void> Rig::PlugAll() {
   add_hid(Place::kStickLeft, left_stick_);
   add_hid(Place::kStickRight, right_stick_);
   add_hid(Place::kKeyboard, keyboard_);
+  add_hid(Place::kPointer, pointer_);
   add(Place::kCamera, std::make_unique<CameraPort>(path(Place::kCamera), epoll_.get(), camera_,
                                                    CameraTiming{bench_.clock.now(), options_.camera_period}));
   add(Place::kScreen, std::make_unique<ScreenPort>(path(Place::kScreen), epoll_.get(), screen_));

@@ -17,6 +17,7 @@
 #include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/keyboard.h"
 #include "hw-sim/devices/lip_camera.h"
+#include "hw-sim/devices/pointer.h"
 #include "hw-sim/devices/screen.h"
 #include "hw-sim/devices/stick_pod.h"
 
@@ -60,13 +61,14 @@ class Rig {
   StickPod& right_stick() { return right_stick_; }
   StickPod& stick(Place place) { return place == Place::kStickRight ? right_stick_ : left_stick_; }
   Keyboard& keyboard() { return keyboard_; }
+  Pointer& pointer() { return pointer_; }
   LipCamera& camera() { return camera_; }
   Screen& screen() { return screen_; }
   const Clock& clock() const { return bench_.clock; }
 
-  // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen. Plugging what is
-  // plugged, or unplugging what is not, does nothing. Errors: invalid_argument (no such port), those of
-  // sockets.
+  // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen, pointer. Plugging
+  // what is plugged, or unplugging what is not, does nothing. Errors: invalid_argument (no such port), those
+  // of sockets.
   Result<void> Plug(std::string_view name);
   Result<void> Unplug(std::string_view name);
   bool plugged(std::string_view name) const;
@@ -97,6 +99,7 @@ class Rig {
   StickPod left_stick_;
   StickPod right_stick_;
   Keyboard keyboard_;
+  Pointer pointer_;
   LipCamera camera_;
   Screen screen_;
   UniqueFd lock_;  // On the folder.

@@ -26,6 +26,13 @@ void DoOnKeyboard(Keyboard& keyboard, const Hand& hand) {
   if (hand.verb == Verb::kRelease) keyboard.Release(usage);
 }
 
+void DoOnPointer(Pointer& pointer, const Hand& hand) {
+  if (hand.verb == Verb::kMove) pointer.Move(hand.a, hand.b);
+  if (hand.verb == Verb::kPush) pointer.Push(hand.index);
+  if (hand.verb == Verb::kRelease) pointer.Release(hand.index);
+  if (hand.verb == Verb::kRoll) pointer.Roll(hand.a);
+}
+
 void DoOnCamera(LipCamera& camera, const Hand& hand) {
   if (hand.verb == Verb::kLips) camera.SetMouth(hand.a, hand.b);
   if (hand.verb == Verb::kCoverLens) camera.CoverLens(hand.index != 0);
@@ -41,6 +48,7 @@ Result<void> Rig::Do(const Hand& hand) {
   if (hand.place == Place::kStickLeft) DoOnStick(left_stick_, hand);
   if (hand.place == Place::kStickRight) DoOnStick(right_stick_, hand);
   if (hand.place == Place::kKeyboard) DoOnKeyboard(keyboard_, hand);
+  if (hand.place == Place::kPointer) DoOnPointer(pointer_, hand);
   if (hand.place == Place::kCamera) DoOnCamera(camera_, hand);
   return {};
 }

@@ -1,0 +1,74 @@
+// Our simulated tablet on the wire: a place on the picture, three buttons and a wheel.
+//
+// X runs to the right and Y down, as HID has them: 0 is the left, upper edge and 65535 the other one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "firmware/wire/bytes.h"
+
+namespace kaori::wire {
+
+// A pid.codes test id: for development only.
+inline constexpr std::uint16_t kPointerVendor = 0x1209;
+inline constexpr std::uint16_t kPointerProduct = 0x0004;
+
+inline constexpr std::size_t kPointerButtons = 3;
+inline constexpr std::size_t kPointerReportBytes = 6;  // u8 buttons, u16 x, u16 y, i8 wheel.
+inline constexpr std::uint16_t kPointerEnd = 0xFFFF;
+inline constexpr std::uint16_t kPointerMiddle = 0x8000;
+inline constexpr std::int8_t kPointerMostNotches = 127;  // In one report, either way.
+
+inline constexpr auto kPointerDescriptor = std::to_array<std::uint8_t>({
+    0x05, 0x01,                                // Usage page: Generic Desktop
+    0x09, 0x02,                                // Usage: Mouse
+    0xA1, 0x01,                                // Collection: Application
+    0x09, 0x01,                                //   Usage: Pointer
+    0xA1, 0x00,                                //   Collection: Physical
+    0x05, 0x09,                                //     Usage page: Button
+    0x19, 0x01, 0x29, 0x03,                    //     Usages 1..3
+    0x15, 0x00, 0x25, 0x01,                    //     Logical 0..1
+    0x75, 0x01, 0x95, 0x03,                    //     3 x 1 bit
+    0x81, 0x02,                                //     Input: data, variable, absolute
+    0x75, 0x05, 0x95, 0x01,                    //     1 x 5 bits
+    0x81, 0x01,                                //     Input: constant
+    0x05, 0x01,                                //     Usage page: Generic Desktop
+    0x09, 0x30, 0x09, 0x31,                    //     Usages: X, Y
+    0x15, 0x00, 0x27, 0xFF, 0xFF, 0x00, 0x00,  //     Logical 0..65535
+    0x75, 0x10, 0x95, 0x02,                    //     2 x 16 bits
+    0x81, 0x02,                                //     Input: data, variable, absolute
+    0x09, 0x38,                                //     Usage: Wheel
+    0x15, 0x81, 0x25, 0x7F,                    //     Logical -127..127
+    0x75, 0x08, 0x95, 0x01,                    //     1 x 8 bits
+    0x81, 0x06,                                //     Input: data, variable, relative
+    0xC0,                                      //   End collection
+    0xC0,                                      // End collection
+});
+
+struct PointerReport {
+  std::uint8_t buttons_down = 0;  // Bit 0: the left one, 1: the right, 2: the middle.
+  std::uint16_t x = kPointerMiddle;
+  std::uint16_t y = kPointerMiddle;
+  std::int8_t wheel = 0;  // Notches since the last report; away from the hand is positive.
+  friend bool operator==(const PointerReport&, const PointerReport&) = default;
+};
+
+constexpr std::array<std::uint8_t, kPointerReportBytes> Encode(const PointerReport& report) {
+  std::array<std::uint8_t, kPointerReportBytes> bytes{};
+  bytes[0] = report.buttons_down;
+  PutU16(bytes, 1, report.x);
+  PutU16(bytes, 3, report.y);
+  bytes[5] = static_cast<std::uint8_t>(report.wheel);
+  return bytes;
+}
+
+constexpr PointerReport DecodePointer(std::span<const std::uint8_t, kPointerReportBytes> bytes) {
+  return {.buttons_down = bytes[0],
+          .x = GetU16(bytes, 1),
+          .y = GetU16(bytes, 3),
+          .wheel = static_cast<std::int8_t>(bytes[5])};
+}
+
+}  // namespace kaori::wire

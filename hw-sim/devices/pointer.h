@@ -1,0 +1,47 @@
+// A simulated tablet: an absolute place on the picture, three buttons and a wheel.
+#pragma once
+
+#include "firmware/wire/pointer.h"
+#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/report_queue.h"
+
+namespace kaori::sim {
+
+class Pointer final : public HidDevice {
+ public:
+  // Borrows the bench.
+  explicit Pointer(const Workbench& bench) : bench_(bench) {}
+
+  // Test's side. The pen begins in the middle. Values beyond the edges are held at the edges.
+  void Move(double x, double y);  // 0 left .. 1 right; 0 above .. 1 below.
+  void Push(int button);          // 0 the left one, 1 the right, 2 the middle; others are ignored.
+  void Release(int button);
+  void Roll(double notches);  // Away from the hand is positive; parts of a notch are kept for the next turn.
+  double x() const { return x_; }
+  double y() const { return y_; }
+  std::uint8_t buttons_down() const { return waiting_.newest().buttons_down; }
+
+  // Appliance's side.
+  HidNameplate nameplate() const override;
+  std::optional<Time> next_due() const override { return waiting_.next_due(); }
+  std::optional<Report> TakeReport(Time now) override;
+  Report Standing() const override;
+  void TakeOutput(std::span<const std::uint8_t>) override {}
+  void HostCame() override;
+  void HostLeft() override { waiting_.set_hosted(false); }
+  void PowerCycle() override { waiting_.Forget(); }
+
+ private:
+  static wire::PointerReport Next(const wire::PointerReport& last);
+  void SetButton(int button, bool down);
+  void AddNotches(int notches);
+
+  const Workbench& bench_;
+  ReportQueue<wire::PointerReport> waiting_{&Next};
+  double x_ = 0.5;
+  double y_ = 0.5;
+  double unrolled_ = 0;  // Part of a notch.
+};
+
+}  // namespace kaori::sim
