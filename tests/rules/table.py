@@ -42,7 +42,7 @@ MAIN_FILE = "main.cpp"
 # The pure middle of a driver, bytes to values: a program may use it anywhere, since no device hangs on it.
 # The rules test looks into their sources for system calls.
 PURE_DECODERS = tuple(f"drivers/hid/{name}.h" for name in (
-    "dial_box", "joystick", "keyboard", "recognise", "report_layout", "report_values", "switches", "usages",
+    "dial_box", "joystick", "keyboard", "pointer", "recognise", "report_layout", "report_values", "switches", "usages",
 )) + ("drivers/camera/planes.h",)
 SYSTEM_HEADERS = ("unistd.h", "fcntl.h", "sys/", "linux/", "libusb", "libudev.h", "poll.h")
 
