@@ -49,7 +49,7 @@ class ChangedLook {
 };
 
 TEST(WardrobeLooks, OfTheDefaultShowAreAllSound) {
-  for (const char* name : {"kaori", "round", "narrator", "dog", "kettle"}) {
+  for (const char* name : {"kaori", "poster", "round", "old_woman", "child", "narrator", "mask", "robot", "dog", "kettle"}) {
     const Result<FaceLook> look = ReadLook(ShowFolder() / "looks" / (std::string(name) + ".toml"));
     EXPECT_TRUE(look) << look.error().message();
   }

@@ -86,8 +86,8 @@ TEST(WardrobeProps, CarryShadeBetweenNothingAndOne) {
 
 TEST(WardrobeFaces, WearWhatBecomesThem) {
   for (const face::Face& face : DressedCast().faces) {
-    const bool human = face.name != "dog" && face.name != "kettle";
-    EXPECT_EQ(HasPart(face, Part::kHair), human) << face.name;
+    const bool covered = face.name != "dog" && face.name != "kettle";
+    EXPECT_EQ(HasPart(face, Part::kHair), covered) << face.name;
     EXPECT_EQ(HasPart(face, Part::kClothes), face.name != "kettle") << face.name;
     EXPECT_TRUE(HasPart(face, Part::kUpperTeeth)) << face.name;
   }

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "appliance/atelier/sculpt/body_file.h"
 #include "appliance/atelier/sculpt/section.h"
 
 namespace kaori::sculpt {
@@ -45,34 +46,6 @@ AimTable ReadAim(Section aim) {
   }
   NeedRising(aim, "rows", table.rows);
   return table;
-}
-
-Body ReadEllipsoid(Section& section) {
-  section.AllowOnly({"ellipsoid", "centre", "radii", "mirrored", "blend"});
-  Body body{.shape = Body::Shape::kEllipsoid, .a = section.Point("centre"), .b = section.Point("radii")};
-  if (!(body.b.x > 0 && body.b.y > 0 && body.b.z > 0)) section.Fault("radii", "must be greater than 0");
-  return body;
-}
-
-Body ReadCapsule(Section& section) {
-  section.AllowOnly({"capsule", "from", "to", "radii", "mirrored", "blend"});
-  Body body{.shape = Body::Shape::kCapsule, .a = section.Point("from"), .b = section.Point("to")};
-  const std::vector<double> radii = section.Numbers("radii");
-  NeedCount(section, "radii", radii.size(), 2);
-  if (radii.size() == 2) body.radius_a_cm = radii[0], body.radius_b_cm = radii[1];
-  if (body.a == body.b) section.Fault("to", "must differ from 'from'");
-  return body;
-}
-
-Body ReadBody(Section section) {
-  const std::string_view shape = section.Has("capsule") ? "capsule" : "ellipsoid";
-  const std::string join = section.Word(shape);
-  Body body = shape == "capsule" ? ReadCapsule(section) : ReadEllipsoid(section);
-  if (join != "add" && join != "cut") section.Fault(shape, "must be \"add\" or \"cut\"");
-  body.join = join == "cut" ? Body::Join::kCut : Body::Join::kAdd;
-  body.mirrored = section.NumberOr("mirrored", 0) != 0;
-  body.blend_cm = section.NumberOr("blend", 0);
-  return body;
 }
 
 EyeRecipe ReadEye(Section section) {
@@ -138,15 +111,17 @@ Landmark ReadTouch(const Section& section) {
   return touch;
 }
 
-Carved ReadCarved(Section& file) {
-  file.AllowOnly({"shape", "mouth_fit", "expression_gain", "scale", "body", "touch", "eye", "mouth", "ear"});
-  Carved carved;
+// What a face that is "like" another one does not say, it takes from there; bodies and touches come on top.
+Carved ReadCarved(Section& file, Carved carved) {
+  file.AllowOnly(
+      {"shape", "like", "mouth_fit", "expression_gain", "scale", "body", "touch", "eye", "mouth", "ear"});
+  const bool alone = !file.Has("like");
   if (file.Has("scale")) carved.scale = ReadScale(file.Part("scale"));
   for (const Section& body : file.Parts("body")) carved.bodies.push_back(ReadBody(body));
-  if (carved.bodies.empty()) file.Fault("body", "there must be one at least");
+  if (alone && carved.bodies.empty()) file.Fault("body", "there must be one at least");
   for (const Section& touch : file.Parts("touch")) carved.touches.push_back(ReadTouch(touch));
-  carved.eye = ReadEye(file.Part("eye"));
-  carved.mouth = ReadMouth(file.Part("mouth"));
+  if (alone || file.Has("eye")) carved.eye = ReadEye(file.Part("eye"));
+  if (alone || file.Has("mouth")) carved.mouth = ReadMouth(file.Part("mouth"));
   if (file.Has("ear")) carved.ear = ReadEar(file.Part("ear"));
   return carved;
 }
@@ -231,22 +206,17 @@ Turned ReadTurned(Section& file) {
 
 void ReadMouthFit(Section section, FaceRecipe& face) {
   section.AllowOnly({"teeth_scale", "teeth_offset", "upper_teeth", "lower_teeth", "tongue"});
-  face.teeth_scale = section.NumberOr("teeth_scale", 1);
-  face.teeth_offset = section.PointOr("teeth_offset", glm::dvec3(0));
-  face.upper_teeth = section.NumberOr("upper_teeth", 1);
-  face.lower_teeth = section.NumberOr("lower_teeth", 1);
-  face.tongue = section.NumberOr("tongue", 1);
+  face.teeth_scale = section.NumberOr("teeth_scale", face.teeth_scale);
+  face.teeth_offset = section.PointOr("teeth_offset", face.teeth_offset);
+  face.upper_teeth = section.NumberOr("upper_teeth", face.upper_teeth);
+  face.lower_teeth = section.NumberOr("lower_teeth", face.lower_teeth);
+  face.tongue = section.NumberOr("tongue", face.tongue);
 }
 
-Result<FaceRecipe> ReadFace(const std::filesystem::path& path, const std::string& name) {
-  const Result<Value> value = ReadToml(path);
-  if (!value) return tl::unexpected(value.error());
-  Faults faults(path.string());
-  Section file(*value, "", faults);
-  FaceRecipe face{.name = name, .file = path.string(), .shape = Carved{}};
+void ReadShape(Section& file, FaceRecipe& face) {
   const std::string shape = file.Word("shape");
   if (shape == "carved") {
-    face.shape = ReadCarved(file);
+    face.shape = ReadCarved(file, std::get<Carved>(face.shape));
   } else if (shape == "warped") {
     face.shape = ReadWarped(file);
   } else if (shape == "turned") {
@@ -254,8 +224,28 @@ Result<FaceRecipe> ReadFace(const std::filesystem::path& path, const std::string
   } else {
     file.Fault("shape", "must be \"carved\", \"warped\" or \"turned\"");
   }
+}
+
+enum class Borrowing { kAllowed, kRefused };  // A face is like another one, and that one like none.
+
+Result<FaceRecipe> ReadFace(const std::filesystem::path& path, Borrowing borrowing) {
+  const Result<Value> value = ReadToml(path);
+  if (!value) return tl::unexpected(value.error());
+  Faults faults(path.string());
+  Section file(*value, "", faults);
+  FaceRecipe face{.name = "", .file = path.string(), .shape = Carved{}};
+  if (file.Has("like")) {
+    const std::filesystem::path model = path.parent_path() / (file.Word("like") + ".toml");
+    Result<FaceRecipe> other = tl::unexpected(Error{});
+    if (borrowing == Borrowing::kAllowed) other = ReadFace(model, Borrowing::kRefused);
+    const bool sound = other && std::holds_alternative<Carved>(other->shape);
+    if (sound) face = std::move(*other);
+    if (!sound) file.Fault("like", "must name a sound, carved face that is like no other");
+  }
+  face.file = path.string();
+  ReadShape(file, face);
   if (file.Has("mouth_fit")) ReadMouthFit(file.Part("mouth_fit"), face);
-  face.expression_gain = file.NumberOr("expression_gain", 1);
+  face.expression_gain = file.NumberOr("expression_gain", face.expression_gain);
   const Result<void> verdict = faults.Verdict();
   if (!verdict) return tl::unexpected(verdict.error());
   return face;
@@ -286,9 +276,11 @@ Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder) {
   Complaints complaints;
   complaints.Hear(faults.Verdict());
   for (const std::string& name : names) {
-    Result<FaceRecipe> face = ReadFace(folder / (name + ".toml"), name);
+    Result<FaceRecipe> face = ReadFace(folder / (name + ".toml"), Borrowing::kAllowed);
     complaints.Hear(face);
-    if (face) cast.faces.push_back(std::move(*face));
+    if (!face) continue;
+    face->name = name;
+    cast.faces.push_back(std::move(*face));
   }
   if (!complaints.text.empty()) return FailInput(complaints.text);
   if (!std::holds_alternative<Carved>(cast.faces.front().shape)) {

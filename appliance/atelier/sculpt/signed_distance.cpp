@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace kaori::sculpt {
@@ -35,9 +36,23 @@ double ToCapsule(const Body& body, glm::dvec3 p) {
   return glm::length(q - h * axis) - (body.radius_a_cm + (body.radius_b_cm - body.radius_a_cm) * h);
 }
 
+double ToBox(const Body& body, glm::dvec3 p) {
+  const glm::dvec3 q = glm::abs(p - body.a) - (body.b - body.radius_a_cm);
+  const double inside = std::min(std::max({q.x, q.y, q.z}), 0.0);
+  return glm::length(glm::max(q, glm::dvec3(0))) + inside - body.radius_a_cm;
+}
+
 double ToBody(const Body& body, glm::dvec3 p, glm::dvec3 folded) {
   const glm::dvec3 q = body.mirrored ? folded : p;
-  return body.shape == Body::Shape::kEllipsoid ? ToEllipsoid(body, q) : ToCapsule(body, q);
+  switch (body.shape) {
+    case Body::Shape::kEllipsoid:
+      return ToEllipsoid(body, q);
+    case Body::Shape::kCapsule:
+      return ToCapsule(body, q);
+    case Body::Shape::kBox:
+      break;
+  }
+  return ToBox(body, q);
 }
 
 }  // namespace

@@ -9,15 +9,15 @@ namespace kaori::sculpt {
 
 // All lengths in centimetres.
 struct Body {
-  enum class Shape { kEllipsoid, kCapsule };
+  enum class Shape { kEllipsoid, kCapsule, kBox };
   enum class Join { kAdd, kCut };
   Shape shape = Shape::kEllipsoid;
   Join join = Join::kAdd;
   bool mirrored = false;   // Stands on both sides of x = 0.
   double blend_cm = 0;     // Width of the fillet between it and all bodies before it.
-  glm::dvec3 a{};          // Ellipsoid: centre. Capsule: one end.
-  glm::dvec3 b{};          // Ellipsoid: the three radii. Capsule: the other end.
-  double radius_a_cm = 0;  // Capsule only.
+  glm::dvec3 a{};          // Ellipsoid, box: centre. Capsule: one end.
+  glm::dvec3 b{};          // Ellipsoid: the three radii. Box: half its sizes. Capsule: the other end.
+  double radius_a_cm = 0;  // Capsule: its ends. Box: of its rounded edges.
   double radius_b_cm = 0;
 };
 

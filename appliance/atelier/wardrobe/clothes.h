@@ -15,6 +15,8 @@ using Garment = std::vector<face::Prop>;
 Garment SewBlouse(const std::string& face, const ClothesLook& look, const Neck& neck);
 Garment SewKnit(const std::string& face, const ClothesLook& look, const Neck& neck);
 Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& neck);
+Garment SewKimono(const std::string& face, const ClothesLook& look, const Neck& neck);
+Garment SewHull(const std::string& face, const ClothesLook& look, const Neck& neck);
 Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& neck);
 
 // --- What garments share

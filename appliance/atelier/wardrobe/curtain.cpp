@@ -34,12 +34,21 @@ float Ripple(float around_deg, float t, std::uint32_t seed) {
   return (0.34F * coarse + 0.16F * fine) * SmoothStep(0.05F, 0.5F, t);
 }
 
+// From the front end of the parting, for the locks beside the face, over the top to the whorl behind it.
+float PartingAt(const HairLook& look, float around_deg) {
+  if (look.parting_deg <= 0) return 0;
+  constexpr float kWhorl_deg = 112;
+  const float back = SmoothStep(look.opens_at_deg, 125, FromFront(around_deg));
+  return look.parting_deg + (kWhorl_deg - look.parting_deg) * back;
+}
+
 Fall FallOf(const HairLook& look, float around_deg) {
   Fall fall;
   fall.end_y_cm = Table(look.ends_cm, FromFront(around_deg));
   fall.offset_cm = look.volume_cm;
   fall.flare = look.flare;
   fall.curl = look.curl;
+  fall.parting_deg = PartingAt(look, around_deg);
   return fall;
 }
 
@@ -86,7 +95,8 @@ void AddCurtainLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dic
 
 void AddCap(ClothMesh& mesh, const HairLook& look) {
   Patch cap{kCapRows, kCapColumns, true, {}, {}, {}};
-  const Knots rim_deg{{0, 20}, {45, 17}, {58, -8}, {85, -14}, {180, -35}};
+  const float front_deg = std::max(20.0F, look.parting_deg + 2);
+  const Knots rim_deg{{0, front_deg}, {45, front_deg - 3}, {58, -8}, {85, -14}, {180, -35}};
   for (int row = 0; row < kCapRows; ++row) {
     const float t = Share(row, kCapRows);
     cap.along.push_back(t * 0.6F);

@@ -103,6 +103,39 @@ constexpr std::array<Crease, 7> kCreases{{
     {{{{0.0F, 5.1F}, {1.8F, 5.3F}, {3.6F, 5.0F}}}, 0.05F, 0.13F},
 }};
 
+constexpr std::array<Crease, 15> kWrinkles{{
+    {{{{0.0F, 3.5F}, {1.9F, 3.65F}, {3.9F, 3.35F}}}, 0.05F, 0.22F},  // More on the forehead.
+    {{{{0.0F, 4.7F}, {2.1F, 4.85F}, {4.4F, 4.4F}}}, 0.06F, 0.26F},
+    {{{{0.0F, 5.7F}, {1.8F, 5.9F}, {3.8F, 5.5F}}}, 0.05F, 0.20F},
+    {{{{5.5F, 0.5F}, {6.1F, 0.8F}, {6.7F, 1.3F}}}, 0.05F, 0.32F},  // Crow's feet.
+    {{{{5.5F, 0.05F}, {6.2F, 0.1F}, {7.0F, 0.3F}}}, 0.05F, 0.32F},
+    {{{{5.4F, -0.4F}, {6.0F, -0.7F}, {6.7F, -1.1F}}}, 0.05F, 0.32F},
+    {{{{1.9F, -1.7F}, {3.2F, -2.5F}, {4.9F, -1.9F}}}, 0.09F, 0.30F},  // Bags under the eyes.
+    {{{{2.2F, -2.1F}, {3.3F, -2.95F}, {4.6F, -2.6F}}}, 0.06F, 0.18F},
+    {{{{1.6F, -3.7F}, {2.9F, -4.6F}, {3.2F, -6.4F}}}, 0.11F, 0.34F},    // From the nose, deep,
+    {{{{2.5F, -6.3F}, {2.75F, -7.2F}, {2.5F, -8.4F}}}, 0.10F, 0.32F},   // and from the mouth to the chin.
+    {{{{3.9F, -4.4F}, {4.5F, -6.0F}, {4.3F, -7.6F}}}, 0.08F, 0.16F},    // The cheek's fold.
+    {{{{0.45F, -4.75F}, {0.5F, -5.0F}, {0.5F, -5.2F}}}, 0.03F, 0.24F},  // Over the lip.
+    {{{{1.0F, -4.8F}, {1.1F, -5.05F}, {1.1F, -5.3F}}}, 0.03F, 0.24F},
+    {{{{0.0F, -12.2F}, {2.0F, -12.0F}, {4.2F, -11.0F}}}, 0.09F, 0.26F},  // The neck's.
+    {{{{0.0F, -13.6F}, {2.0F, -13.4F}, {4.2F, -12.4F}}}, 0.09F, 0.26F},
+}};
+
+void DrawCrease(Canvas& canvas, const Crease& crease, float amount, glm::vec3 base) {
+  if (amount <= 0) return;
+  constexpr int kLayers = 5;  // From broad and faint to narrow: a soft crease.
+  const glm::vec3 shade = base * glm::vec3(0.45F, 0.32F, 0.28F);
+  for (const float side : {1.0F, -1.0F}) {
+    for (int layer = 0; layer < kLayers; ++layer) {
+      const float width = 2.2F - 1.9F * static_cast<float>(layer) / (kLayers - 1);
+      DrawOnSide(canvas,
+                 {crease.points[0], crease.points[1], crease.points[2], crease.half_width_cm * width,
+                  amount * crease.strength / kLayers, shade},
+                 side);
+    }
+  }
+}
+
 }  // namespace
 
 void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint) {
@@ -114,7 +147,7 @@ void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint) {
   const float off_cm = std::abs(p.y - Table(look.path_cm, p.x));
   const float ends = SmoothStep(-0.05F, 0.15F, t) * SmoothStep(1.02F, 0.97F, t);
   const float solid = look.hairs > 0 ? 0.42F : 1.0F;  // Under hairs, a shadow.
-  const float edge = look.hairs > 0 ? 0.25F : 0.75F;
+  const float edge = look.hairs > 0 ? 0.25F : 0.75F * (1 - look.smudge);
   const float amount = look.amount * solid * ends * SmoothStep(half_cm * 1.15F, half_cm * edge, off_cm);
   paint.Mix(amount, look.colour);
   paint.MixGloss(amount, 0.1F);
@@ -147,22 +180,8 @@ void DrawHairline(Canvas& canvas, const ScalpLook& look) {
 }
 
 void DrawLines(Canvas& canvas, const SkinLook& look) {
-  if (look.lines <= 0) return;
-  constexpr int kLayers = 5;  // From broad and faint to narrow: a soft crease.
-  for (const float side : {1.0F, -1.0F}) {
-    for (const Crease& crease : kCreases) {
-      for (int layer = 0; layer < kLayers; ++layer) {
-        const float width = 2.2F - 1.9F * static_cast<float>(layer) / (kLayers - 1);
-        const Stroke stroke{crease.points[0],
-                            crease.points[1],
-                            crease.points[2],
-                            crease.half_width_cm * width,
-                            look.lines * crease.strength / kLayers,
-                            look.base * glm::vec3(0.45F, 0.32F, 0.28F)};
-        DrawOnSide(canvas, stroke, side);
-      }
-    }
-  }
+  for (const Crease& crease : kCreases) DrawCrease(canvas, crease, look.lines, look.base);
+  for (const Crease& crease : kWrinkles) DrawCrease(canvas, crease, look.wrinkles, look.base);
 }
 
 void DrawFreckles(Canvas& canvas, const SkinLook& look) {

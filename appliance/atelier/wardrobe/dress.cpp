@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "appliance/atelier/sculpt/cage.h"
 #include "appliance/atelier/wardrobe/clothes.h"
+#include "appliance/atelier/wardrobe/gear.h"
 #include "appliance/atelier/wardrobe/hair.h"
 #include "appliance/atelier/wardrobe/looks.h"
 #include "appliance/atelier/wardrobe/painter.h"
@@ -31,17 +33,41 @@ void AddHair(face::Cast& cast, const HairLook& look, face::Face& face) {
   if (look.cut == "none") return;
   ClothMesh mesh;
   look.cut == "bob" ? CutBob(mesh, look) : CutSwept(mesh, look);
+  AddBundles(mesh, look.bundles);
   face.props.push_back(
       AddProp(cast, std::move(mesh).Finish(face.name + ".hair", face::Part::kHair, look.colour)));
 }
 
-Garment Sew(const face::Face& face, const ClothesLook& look) {
-  const Neck neck = MeasureNeck(face);
+// Drawn with the hair: it turns with the head, and a face without hair is without it.
+void AddGear(face::Cast& cast, const std::vector<GearLook>& gear, face::Face& face) {
+  for (std::size_t i = 0; i < gear.size(); ++i) {
+    ClothMesh mesh;
+    AddGear(mesh, gear[i]);
+    const std::string name = face.name + ".gear" + std::to_string(i + 1);
+    face.props.push_back(AddProp(cast, std::move(mesh).Finish(name, face::Part::kHair, gear[i].colour)));
+  }
+}
+
+Garment SewOn(const face::Face& face, const ClothesLook& look, const Neck& neck) {
   if (look.cut == "blouse") return SewBlouse(face.name, look, neck);
   if (look.cut == "knit") return SewKnit(face.name, look, neck);
   if (look.cut == "jacket") return SewJacket(face.name, look, neck);
+  if (look.cut == "kimono") return SewKimono(face.name, look, neck);
+  if (look.cut == "hull") return SewHull(face.name, look, neck);
   if (look.cut == "fur") return SewFur(face.name, look, neck);
   return {};
+}
+
+// Sewn on a neck that is lowered, then raised with it.
+Garment Sew(const face::Face& face, const ClothesLook& look) {
+  Neck neck = MeasureNeck(face);
+  neck.top_cm.y -= look.rise_cm;
+  neck.bottom_cm.y -= look.rise_cm;
+  Garment garment = SewOn(face, look, neck);
+  for (face::Prop& prop : garment) {
+    for (face::PropVertex& v : prop.vertices) v.position.y += look.rise_cm * kMetresPerCm;
+  }
+  return garment;
 }
 
 void AddClothes(face::Cast& cast, const ClothesLook& look, face::Face& face) {
@@ -64,9 +90,10 @@ void DressFace(const Studio& studio, const FaceLook& look, face::Cast& cast, fac
   face.props.assign(studio.mouth.begin(), studio.mouth.end());
   face.eye_look = EyesOf(look.eyes);
   face.surface = {look.surface.softness, look.surface.metal, static_cast<int>(cast.textures.size()),
-                  look.surface.flat};
+                  look.surface.flat, look.surface.print};
   cast.textures.push_back(PaintFace(studio.atlas, look));
   AddHair(cast, look.hair, face);
+  AddGear(cast, look.gear, face);
   AddClothes(cast, look.clothes, face);
   ShadeFace(studio.attributes, studio.options.shade_directions, cast, face);
 }

@@ -3,7 +3,9 @@
 
 #include "appliance/atelier/sculpt/section.h"
 #include "appliance/atelier/wardrobe/colour.h"
+#include "appliance/atelier/wardrobe/look_values.h"
 #include "appliance/atelier/wardrobe/looks.h"
+#include "appliance/atelier/wardrobe/worn_file.h"
 
 namespace kaori::wardrobe {
 namespace {
@@ -11,79 +13,13 @@ namespace {
 using sculpt::Section;
 using sculpt::Value;
 
-float Real(Section& s, std::string_view key) {
-  return static_cast<float>(s.Number(key));
-}
-
-float RealOr(Section& s, std::string_view key, float otherwise) {
-  return static_cast<float>(s.NumberOr(key, otherwise));
-}
-
-// A share: 0 to 1.
-float Share(Section& s, std::string_view key, float otherwise) {
-  const float value = RealOr(s, key, otherwise);
-  if (!(value >= 0 && value <= 1)) s.Fault(key, "must lie between 0 and 1");
-  return value;
-}
-
-float NotNegative(Section& s, std::string_view key, float otherwise) {
-  const float value = RealOr(s, key, otherwise);
-  if (value < 0) s.Fault(key, "must not be negative");
-  return value;
-}
-
-glm::vec3 Colour(Section& s, std::string_view key) {
-  const auto colour = ColourFromHex(s.Word(key));
-  if (!colour) s.Fault(key, "must be a colour such as \"#f2cbb3\"");
-  return colour.value_or(glm::vec3(0));
-}
-
-bool IsPair(const Value& v) {
-  return v.kind == Value::Kind::kList && v.list.size() == 2 && v.list[0].kind == Value::Kind::kNumber &&
-         v.list[1].kind == Value::Kind::kNumber;
-}
-
-// Pairs [x, y] with x rising.
-Knots Pairs(Section& s, std::string_view key) {
-  Knots knots;
-  const Value* value = s.Find(key);
-  if (value == nullptr) {
-    s.Fault(key, "is missing");
-    return knots;
-  }
-  for (const Value& pair : value->list) {
-    if (!IsPair(pair)) {
-      s.Fault(key, "must be a list of pairs of numbers");
-      return {};
-    }
-    knots.emplace_back(static_cast<float>(pair.list[0].number), static_cast<float>(pair.list[1].number));
-    const bool rises = knots.size() < 2 || knots.back().x > knots[knots.size() - 2].x;
-    if (!rises) s.Fault(key, "the first number of each pair must rise");
-  }
-  if (knots.size() < 2) s.Fault(key, "must have two pairs or more");
-  return knots;
-}
-
-Knots PairsOrNone(Section& s, std::string_view key) {
-  return s.Has(key) ? Pairs(s, key) : Knots{};
-}
-
-template <std::size_t N>
-std::size_t OneOf(Section& s, std::string_view key, const std::array<std::string_view, N>& words) {
-  const std::string word = s.Word(key);
-  std::string list;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (word == words[i]) return i;
-    list += (i == 0 ? "\"" : ", \"") + std::string(words[i]) + "\"";
-  }
-  s.Fault(key, "must be one of " + list);
-  return 0;
-}
+const glm::vec3 kInsideOfAMouth = Hex("#4a1214");
 
 SkinLook ReadSkin(Section s) {
-  s.AllowOnly({"hide", "base", "blush", "blush_amount", "freckles", "stubble", "lines", "gloss", "nostrils"});
+  s.AllowOnly({"hide", "base", "blush", "blush_amount", "freckles", "stubble", "lines", "wrinkles", "gloss",
+               "nostrils"});
   SkinLook skin;
-  constexpr std::array<std::string_view, 3> kHides{"skin", "coat", "metal"};
+  constexpr std::array<std::string_view, 5> kHides{"skin", "coat", "metal", "paint", "shell"};
   skin.hide = static_cast<Hide>(OneOf(s, "hide", kHides));
   skin.base = Colour(s, "base");
   skin.blush = Colour(s, "blush");
@@ -91,32 +27,35 @@ SkinLook ReadSkin(Section s) {
   skin.freckles = Share(s, "freckles", 0);
   skin.stubble = Share(s, "stubble", 0);
   skin.lines = Share(s, "lines", 0);
+  skin.wrinkles = Share(s, "wrinkles", 0);
   skin.gloss = Share(s, "gloss", 0.1F);
   skin.nostrils = Share(s, "nostrils", 1);
   return skin;
 }
 
 BrowLook ReadBrows(Section s) {
-  s.AllowOnly({"colour", "amount", "path", "half_width", "hairs"});
+  s.AllowOnly({"colour", "amount", "path", "half_width", "hairs", "smudge"});
   BrowLook brows;
   brows.colour = Colour(s, "colour");
   brows.amount = Share(s, "amount", 1);
   brows.path_cm = Pairs(s, "path");
   brows.half_width_cm = Pairs(s, "half_width");
   brows.hairs = static_cast<int>(NotNegative(s, "hairs", 0));
+  brows.smudge = Share(s, "smudge", 0);
   if (brows.hairs > 5000) s.Fault("hairs", "must not exceed 5000");
   return brows;
 }
 
 LidLook ReadLids(Section s) {
-  s.AllowOnly({"shadow", "shadow_amount", "liner", "liner_amount"});
+  s.AllowOnly({"shadow", "shadow_amount", "liner", "liner_amount", "flesh"});
   return {Colour(s, "shadow"), Share(s, "shadow_amount", 0.4F), Colour(s, "liner"),
-          Share(s, "liner_amount", 0.95F)};
+          Share(s, "liner_amount", 0.95F), Share(s, "flesh", 1)};
 }
 
 LipLook ReadLips(Section s) {
-  s.AllowOnly({"colour", "amount", "gloss"});
-  return {Colour(s, "colour"), Share(s, "amount", 0.8F), Share(s, "gloss", 0.5F)};
+  s.AllowOnly({"colour", "amount", "gloss", "inside"});
+  return {Colour(s, "colour"), Share(s, "amount", 0.8F), Share(s, "gloss", 0.5F),
+          s.Has("inside") ? Colour(s, "inside") : kInsideOfAMouth};
 }
 
 EyePaint ReadEyes(Section s) {
@@ -127,53 +66,9 @@ EyePaint ReadEyes(Section s) {
   return eyes;
 }
 
-Skull ReadSkull(Section& s) {
-  const Skull skull{s.Point("skull_centre"), s.Point("skull_radii")};
-  const glm::vec3 r = skull.radii_cm;
-  if (!(r.x > 0 && r.y > 0 && r.z > 0)) s.Fault("skull_radii", "must be greater than 0");
-  return skull;
-}
-
-HairLook ReadHair(Section s) {
-  s.AllowOnly({"cut", "colour", "skull_centre", "skull_radii", "seed", "volume", "flare", "curl", "opens_at",
-               "ends", "fringe", "fringe_sweep", "framing", "hairline"});
-  HairLook hair;
-  constexpr std::array<std::string_view, 2> kCuts{"bob", "swept"};
-  hair.cut = kCuts[OneOf(s, "cut", kCuts)];
-  hair.colour = Colour(s, "colour");
-  hair.skull = ReadSkull(s);
-  hair.seed = static_cast<std::uint32_t>(NotNegative(s, "seed", 1));
-  hair.volume_cm = RealOr(s, "volume", hair.volume_cm);
-  hair.flare = RealOr(s, "flare", hair.flare);
-  hair.curl = RealOr(s, "curl", hair.curl);
-  hair.opens_at_deg = Real(s, "opens_at");
-  if (!(hair.opens_at_deg > 10 && hair.opens_at_deg < 170))
-    s.Fault("opens_at", "must lie between 10 and 170");
-  hair.ends_cm = Pairs(s, "ends");
-  hair.fringe_cm = PairsOrNone(s, "fringe");
-  hair.fringe_sweep_deg = RealOr(s, "fringe_sweep", 0);
-  hair.framing = s.NumberOr("framing", 0) != 0;
-  if (hair.cut == "swept") hair.hairline_deg = Pairs(s, "hairline");
-  return hair;
-}
-
-ClothesLook ReadClothes(Section s) {
-  s.AllowOnly({"cut", "main", "collar", "accent", "shoulders"});
-  constexpr std::array<std::string_view, 4> kCuts{"blouse", "knit", "jacket", "fur"};
-  ClothesLook clothes;
-  clothes.cut = kCuts[OneOf(s, "cut", kCuts)];
-  clothes.main = Colour(s, "main");
-  clothes.collar = Colour(s, "collar");
-  clothes.accent = Colour(s, "accent");
-  clothes.shoulders_cm = Real(s, "shoulders");
-  if (!(clothes.shoulders_cm > 5 && clothes.shoulders_cm < 25))
-    s.Fault("shoulders", "must lie between 5 and 25");
-  return clothes;
-}
-
 SurfacePaint ReadSurface(Section s) {
-  s.AllowOnly({"softness", "metal", "flat"});
-  return {Share(s, "softness", 1), Share(s, "metal", 0), Colour(s, "flat")};
+  s.AllowOnly({"softness", "metal", "flat", "print"});
+  return {Share(s, "softness", 1), Share(s, "metal", 0), Colour(s, "flat"), Share(s, "print", 0)};
 }
 
 MoustacheLook ReadMoustache(Section s) {
@@ -193,7 +88,8 @@ Result<FaceLook> ReadLook(const std::filesystem::path& file) {
   if (!value) return tl::unexpected(value.error());
   sculpt::Faults faults(file.string());
   Section s(*value, "", faults);
-  s.AllowOnly({"skin", "brows", "lids", "lips", "eyes", "surface", "moustache", "scalp", "hair", "clothes"});
+  s.AllowOnly(
+      {"skin", "brows", "lids", "lips", "eyes", "surface", "moustache", "scalp", "hair", "gear", "clothes"});
   FaceLook look;
   look.skin = ReadSkin(s.Part("skin"));
   look.lids = ReadLids(s.Part("lids"));
@@ -204,6 +100,7 @@ Result<FaceLook> ReadLook(const std::filesystem::path& file) {
   if (s.Has("moustache")) look.moustache = ReadMoustache(s.Part("moustache"));
   if (s.Has("scalp")) look.scalp = ReadScalp(s.Part("scalp"));
   if (s.Has("hair")) look.hair = ReadHair(s.Part("hair"));
+  for (const Section& gear : s.Parts("gear")) look.gear.push_back(ReadGear(gear));
   if (s.Has("clothes")) look.clothes = ReadClothes(s.Part("clothes"));
   if (const Result<void> verdict = faults.Verdict(); !verdict) return tl::unexpected(verdict.error());
   return look;

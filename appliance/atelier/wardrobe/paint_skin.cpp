@@ -83,14 +83,14 @@ void PaintLids(const Texel& texel, const LidLook& look, Paint& paint) {
   paint.Mix(upper * SmoothStep(1.4F, 4.6F, k) * look.shadow_amount, look.shadow);
   paint.Mix(upper * Bell(k - 3.1F, 0.24F) * 0.45F * SmoothStep(1.7F, 2.4F, p.x), look.shadow * 0.45F);
   paint.Mix(lower * Bell(k - 2.2F, 0.9F) * 0.10F, look.shadow);
-  paint.Mix(lower * SmoothStep(4.45F, 4.95F, k) * 0.5F, Hex("#7a4438"));
+  paint.Mix(look.flesh * lower * SmoothStep(4.45F, 4.95F, k) * 0.5F, Hex("#7a4438"));
   paint.Mix(lower * SmoothStep(4.6F, 4.95F, k) * 0.45F * SmoothStep(3.3F, 4.9F, p.x) * look.liner_amount,
             look.liner);
   paint.Mix(upper * SmoothStep(4.3F, 4.75F, k) * look.liner_amount * SmoothStep(1.75F, 2.3F, p.x),
             look.liner);
   if (k > 5) {
-    paint.Mix(0.75F * SmoothStep(2.7F, 2.0F, p.x), Hex("#e3a090"));
-    paint.Mix(0.5F * SmoothStep(1.9F, 2.4F, p.x) * SmoothStep(5, 5.3F, k), Hex("#7a4438"));
+    paint.Mix(look.flesh * 0.75F * SmoothStep(2.7F, 2.0F, p.x), Hex("#e3a090"));
+    paint.Mix(look.flesh * 0.5F * SmoothStep(1.9F, 2.4F, p.x) * SmoothStep(5, 5.3F, k), Hex("#7a4438"));
     paint.MixGloss(0.8F * SmoothStep(2.7F, 2.0F, p.x), 0.6F);
   }
 }
@@ -111,9 +111,9 @@ void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
   paint.MixGloss(lip, look.gloss * (0.55F + 0.45F * Bell(k - 4.4F, 0.9F)) * (1.1F - 0.3F * lines));
 }
 
-void PaintBag(const Texel& texel, Paint& paint) {
+void PaintBag(const Texel& texel, const LipLook& look, Paint& paint) {
   const float inside = SmoothStep(0.1F, 0.9F, texel.bag);
-  paint.Mix(inside, Hex("#4a1214"));
+  paint.Mix(inside, look.inside);
   paint.MixGloss(inside, 0.04F);
 }
 

@@ -11,6 +11,10 @@ void PaintHide(const Texel& texel, const SkinLook& look, Paint& paint) {
       return PaintCoat(texel, look, paint);
     case Hide::kMetal:
       return PaintMetal(texel, look, paint);
+    case Hide::kPaint:
+      return PaintFlat(texel, look, paint);
+    case Hide::kShell:
+      return PaintShell(texel, look, paint);
   }
 }
 
@@ -24,7 +28,7 @@ void PaintTexel(const Texel& texel, const FaceLook& look, Paint& paint) {
     PaintLips(texel, look.lips, paint);
   }
   PaintBrowBase(texel, look.brows, paint);
-  PaintBag(texel, paint);
+  PaintBag(texel, look.lips, paint);
 }
 
 }  // namespace

@@ -13,10 +13,12 @@ face::Texture PaintFace(const Atlas& atlas, const FaceLook& look);
 void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint);
 void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint);
 void PaintMetal(const Texel& texel, const SkinLook& look, Paint& paint);
+void PaintFlat(const Texel& texel, const SkinLook& look, Paint& paint);
+void PaintShell(const Texel& texel, const SkinLook& look, Paint& paint);
 void PaintLids(const Texel& texel, const LidLook& look, Paint& paint);
 void PaintLips(const Texel& texel, const LipLook& look, Paint& paint);
 void PaintMuzzleLips(const Texel& texel, Paint& paint);  // A dog's: dark at the edge only.
-void PaintBag(const Texel& texel, Paint& paint);         // The inside of the mouth.
+void PaintBag(const Texel& texel, const LipLook& look, Paint& paint);
 void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint);
 void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint);
 

@@ -19,6 +19,13 @@ glm::vec3 CrownDirection(float around_deg) {
   return glm::normalize(glm::vec3(0.10F * std::sin(a), 1, 0.10F * std::cos(a) - 0.12F));
 }
 
+// A finger's breadth beside the middle.
+glm::vec3 RootOf(const Fall& fall, float around_deg) {
+  if (fall.parting_deg <= 0) return CrownDirection(around_deg);
+  const float beside = 0.035F * std::sin(around_deg * kRadPerDeg);
+  return glm::normalize(Direction(0, fall.parting_deg) + glm::vec3(beside, 0, 0));
+}
+
 glm::vec3 Hanging(const Skull& skull, const Fall& fall, glm::vec3 equator_cm, float s) {
   const bool behind = equator_cm.z < kAxisZ_cm;
   const float tuck = behind ? 0.10F * s * Clamp01((kAxisZ_cm - equator_cm.z) / 6) : 0;
@@ -53,7 +60,7 @@ glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t
   }
   const float s = t / kHangsFrom;
   const float offset_cm = fall.offset_cm * (0.25F + 0.75F * SmoothStep(0, 0.5F, s));
-  return skull.Above(GreatCircle(CrownDirection(around_deg), equator, s), offset_cm);
+  return skull.Above(GreatCircle(RootOf(fall, around_deg), equator, s), offset_cm);
 }
 
 glm::vec3 OnFringe(const Skull& skull, const Fringe& fringe, float around_deg, float t) {

@@ -25,6 +25,8 @@ struct Fall {
   float offset_cm = 0.4F;  // Above the skull, once clear of the crown.
   float flare = 0.035F;    // Out, halfway down what hangs; a part of the radius.
   float curl = 0.2F;       // In, at the ends.
+  // Elevation, seen from straight ahead, where it leaves a parting in the middle; 0: it falls from the crown.
+  float parting_deg = 0;
 };
 glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t);
 
