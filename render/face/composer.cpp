@@ -57,6 +57,7 @@ struct Composer::Work {
   void Gather(const Weights& weights);
   void GatherFace(const Term& face, const Weights& weights);
   void BlendCage(float mouth_given_away);
+  void Refine(const std::array<EyeBall, 2>& eyes);
   void ComputeNormals(Detail detail);
   void BlendOcclusion(const Terms& faces);
   void RefineOcclusion();
@@ -66,6 +67,7 @@ struct Composer::Work {
   const FineMesh& mesh;
   SurfaceNormals cage_surface;
   SurfaceNormals fine_surface;
+  std::array<std::vector<FineLidVertex>, 2> fine_lids;
   AlignedFloats mouth_share;
   std::size_t occlusion_floats;
   AlignedFloats face_occlusion;
@@ -83,6 +85,7 @@ Composer::Work::Work(const Cast& cast)
       mesh(cast.topology.fine),
       cage_surface(cast.topology.triangles, cast.topology.twin, cast.topology.wires),
       fine_surface(mesh.triangles, mesh.twin, {}),
+      fine_lids{FineLidOf(cast.topology.lids[0], mesh), FineLidOf(cast.topology.lids[1], mesh)},
       mouth_share(MouthShareOfFloats(cast.topology, composites.moving_floats())),
       occlusion_floats(Padded(cast.topology.vertex_count)),
       face_occlusion(OcclusionOfFaces(cast, occlusion_floats)),
@@ -132,10 +135,16 @@ void Composer::Work::BlendCage(float mouth_given_away) {
   Blend(bases, composites.face_floats() - moving, cage.data() + moving);
 }
 
+void Composer::Work::Refine(const std::array<EyeBall, 2>& eyes) {
+  ApplyToVertices(mesh.from_cage, cage.data(), fine.data());
+  for (std::size_t side = 0; side < 2; ++side) {
+    SeatFineLid(fine_lids[side], eyes[side], fine.vertices(mesh.from_cage.rows()));
+  }
+}
+
 void Composer::Work::ComputeNormals(Detail detail) {
   cage_surface.Compute(cage.data(), cage_normals.data());
   if (detail == Detail::kCage) return;
-  ApplyToVertices(mesh.from_cage, cage.data(), fine.data());
   fine_surface.Compute(fine.data(), fine_normals.data());
 }
 
@@ -198,6 +207,7 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
     ShutLids(topology.lids[side], shape_.lids_shut[side], cage);
     SeatLids(topology.lids[side], shape_.eyes[side], cage);
   }
+  if (detail == Detail::kFine) work_->Refine(shape_.eyes);
   work_->ComputeNormals(detail);
   return shape_;
 }

@@ -92,13 +92,27 @@ Ball FitBall(const HalfTopology& half, const HalfShape& reference, const EyeReci
 
 // Lips stand out from the wall, most in the middle.
 void RaiseLips(const HalfTopology& half, double relief, HalfShape& shape) {
-  constexpr std::array<double, 4> kShare{0.1, 1, 1, 0.2};
+  constexpr std::array<double, 4> kShare{0.3, 0.8, 1, 0.3};
   for (int k = kLipBorderRing; k <= kLipContactRing; ++k) {
     for (int j = 0; j < kMouthRim; ++j) {
-      const double from_corner = std::min(1.0, std::abs(j - kMouthCorner) / 8.0 * 0.9 + 0.1);
+      const double from_corner = std::abs(j - kMouthCorner) / 8.0;
       shape.position[half.At(Region::kMouth, j, k)].z +=
           relief * kShare[static_cast<std::size_t>(k - kLipBorderRing)] *
-          std::sin(std::numbers::pi * from_corner);
+          std::sin(std::numbers::pi / 2 * from_corner);
+    }
+  }
+}
+
+// The wall has flattened the corners of the mouth: their rings go inwards again, one behind the other, so
+// that an expression cannot push one before the next.
+void TuckCorners(const HalfTopology& half, HalfShape& shape) {
+  constexpr std::array<double, 8> kTuck_cm{0, 0.1, 0.2, 0.32, 0.4, 0.4, 0.4, 0.4};  // Rings 3 .. 10.
+  constexpr double kReach = 3;                                                      // Columns.
+  for (int j = 0; j < kMouthRim; ++j) {
+    const double near = std::max(0.0, 1 - std::abs(j - kMouthCorner) / kReach);
+    for (int k = kLipBorderRing; k <= kMouthRings; ++k) {
+      shape.position[half.At(Region::kMouth, j, k)].z -=
+          near * kTuck_cm[static_cast<std::size_t>(k - kLipBorderRing)];
     }
   }
 }
@@ -157,6 +171,7 @@ Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const 
   kettle.eye = FitBall(half, reference, eye, recipe, shape);
   SeatLids(half, kettle.eye, shape);
   RaiseLips(half, recipe.lip_relief, shape);
+  TuckCorners(half, shape);
   EnlargeMouth(half, recipe.mouth_scale, recipe.wall_radius, shape);
   DrawOutSpout(half, recipe.spout, shape);
   DrawOutEar(half, recipe.handle, shape);

@@ -14,9 +14,10 @@
 namespace kaori::sculpt {
 namespace {
 
-// How far each ring of the eye, 1 .. 7, follows the lid's edge when it shuts; below the eye the skin follows
-// less.
-constexpr std::array<float, kEyeRings> kFollow{0.08F, 0.28F, 0.56F, 0.86F, 1, 1, 1};
+// How far each ring of the eye, 0 .. 7, follows the lid's edge when it shuts; below the eye the skin follows
+// less. The rim, ring 0, stays where it is and is only kept out of the ball.
+constexpr int kRingsOfLid = kEyeRings + 1;
+constexpr std::array<float, kRingsOfLid> kFollow{0, 0.08F, 0.28F, 0.56F, 0.86F, 1, 1, 1};
 constexpr float kLowerSkin = 0.6F;
 
 void SplitQuads(const Cage& cage, const HalfShape& reference, std::vector<face::Triangle>& triangles) {
@@ -67,14 +68,14 @@ float MouthShare(const Key& key, glm::dvec2 place_cm) {
 face::LidRig MakeLidRig(const Cage& cage, const std::vector<Index>& side) {
   face::LidRig rig;
   rig.columns = kEyeRim / 2 + 1;
-  rig.rings = kEyeRings;
-  rig.margin_ring = kLidRing - 1;
-  for (int k = 1; k <= kEyeRings; ++k) {
+  rig.rings = kRingsOfLid;
+  rig.margin_ring = kLidRing;
+  for (int k = 0; k < kRingsOfLid; ++k) {
     for (int j = 0; j < rig.columns; ++j) {
       rig.upper.push_back(side[cage.half.At(Region::kEye, j, k)]);
       rig.lower.push_back(side[cage.half.At(Region::kEye, -j, k)]);
     }
-    const float follow = kFollow[static_cast<std::size_t>(k - 1)];
+    const float follow = kFollow[static_cast<std::size_t>(k)];
     rig.follow_upper.push_back(follow);
     rig.follow_lower.push_back(k <= 3 ? follow * kLowerSkin : follow);
   }
