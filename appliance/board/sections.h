@@ -73,6 +73,13 @@ struct Lips {
   float quality = 0;  // 0 no paint found .. 1 a clean mouth.
   std::uint32_t frames = 0;
   float rest_width = 0;  // In widths of the picture; 0: not yet known. A restart measures on with it.
+  float opening = 0;     // Between the lips, inside the paint.
+  // How far the operator's left, right corner lies above the mouth's middle. Without a marker a head that
+  // leans is told from a crooked mouth by time alone.
+  std::array<float, 2> corners{};
+  float rest_marker = 0;  // From the marker to the upper lip, in widths of the picture; 0: none was seen.
+  // How far this operator's mouth goes: what the four mouth shapes are spread over.
+  float shut = 0.28F, open = 0.85F, narrow = 0.65F, wide = 1.35F;
 };
 
 // Written by kaori-stage; kaori-input lights the lamps from it.

@@ -40,7 +40,10 @@ bool Valid(const Pointer& pointer) {
 
 bool Valid(const Lips& lips) {
   return Within(lips.height, 0, kMaxLip) && Within(lips.width, 0, kMaxLip) && Within(lips.quality, 0, 1) &&
-         Within(lips.rest_width, 0, 1);
+         Within(lips.rest_width, 0, 1) && Within(lips.opening, 0, kMaxLip) &&
+         Within(lips.corners[0], -kMaxLip, kMaxLip) && Within(lips.corners[1], -kMaxLip, kMaxLip) &&
+         Within(lips.rest_marker, 0, kMaxLip) && Within(lips.shut, 0, lips.open) &&
+         Within(lips.open, 0.01F, kMaxLip) && Within(lips.narrow, 0, 1) && Within(lips.wide, 1, kMaxLip);
 }
 
 bool Valid(const Lamps& /*any bits are lamps*/) {

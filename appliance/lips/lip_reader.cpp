@@ -26,13 +26,10 @@ LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board:
     : open_(std::move(open)),
       writer_(std::move(writer)),
       clock_(clock),
-      key_(settings.paint),
-      gauge_(board.Read<board::Lips>().value),
+      meter_(settings, board.Read<board::Lips>().value),
       source_(board.Read<board::Lips>().source),
       last_frame_(clock.now()),
-      last_sign_(clock.now()) {
-  if (settings.rest_width > 0) gauge_.SetRest(settings.rest_width);
-}
+      last_sign_(clock.now()) {}
 
 void LipReader::Step() {
   const Time now = clock_.now();
@@ -75,10 +72,10 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
     Log("lip camera: frames of {} x {}", frame.format.width_px, frame.format.height_px);
   format_ = frame.format;
   const Time at = Believable(frame.at, now);
-  const bool knew_rest = gauge_.lips().rest_width > 0;
-  gauge_.Measure(finder_.Find(*planes, key_), *planes, at);
-  if (!knew_rest && gauge_.lips().rest_width > 0)
-    Log("lip camera: the mouth at rest is {:.3f} of the picture wide", gauge_.lips().rest_width);
+  const bool knew_rest = meter_.lips().rest_width > 0;
+  meter_.Measure(*planes, at);
+  if (!knew_rest && meter_.lips().rest_width > 0)
+    Log("lip camera: the mouth at rest is {:.3f} of the picture wide", meter_.lips().rest_width);
   last_frame_ = last_sign_ = now;
   logged_ = {};
   Write(at, board::SourceState::kLive);
@@ -115,7 +112,7 @@ void LipReader::CheckSilence(Time now) {
 void LipReader::Write(Time at, board::SourceState source) {
   if (source == board::SourceState::kLive && source_ != source) Log("lip camera: live");
   source_ = source;
-  writer_.Write(gauge_.lips(), at, source);
+  writer_.Write(meter_.lips(), at, source);
 }
 
 }  // namespace kaori::lips

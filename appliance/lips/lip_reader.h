@@ -4,19 +4,12 @@
 #include <optional>
 
 #include "appliance/board/board.h"
-#include "appliance/lips/mouth_gauge.h"
-#include "appliance/lips/paint_key.h"
-#include "appliance/lips/region.h"
+#include "appliance/lips/lip_meter.h"
 #include "drivers/base/clock.h"
 #include "drivers/camera/planes.h"
 #include "drivers/ports/camera.h"
 
 namespace kaori::lips {
-
-struct LipSettings {
-  Paint paint;
-  float rest_width = 0;  // Of the mouth, in widths of the picture; 0: as the board has it, else measured.
-};
 
 // One thread. Silence of 200 ms, or a camera that is gone, makes the section stale; its sizes hold. A camera
 // that is gone is opened anew every 250 ms, and one that has been silent for 2 s as well.
@@ -45,9 +38,7 @@ class LipReader {
   ports::CameraOpener open_;
   board::Writer<board::Lips> writer_;
   const Clock& clock_;
-  PaintKey key_;
-  RegionFinder finder_;
-  MouthGauge gauge_;
+  LipMeter meter_;
   camera::PlaneReader planes_;
   std::unique_ptr<ports::Camera> camera_;
   board::SourceState source_;

@@ -106,8 +106,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto writer = board->TakeWriter<kaori::board::Lips>();
   if (!writer) return Complain(writer.error());
   const kaori::SteadyClock clock;
-  kaori::lips::LipReader reader(OpenerFor(settings, clock), *board, std::move(*writer), {*paint, *rest},
-                                clock);
+  kaori::lips::LipSettings lips;
+  lips.paint = *paint;
+  lips.gauge.rest_width = *rest;
+  kaori::lips::LipReader reader(OpenerFor(settings, clock), *board, std::move(*writer), lips, clock);
   LipWatch watch(reader, loop);
   watch.Step();
   for (const auto& ok : {loop.Every(kTick, [&watch] { watch.Step(); }), loop.Run()})

@@ -1,6 +1,7 @@
 #include "appliance/lips/mouth_gauge.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kaori::lips {
 namespace {
@@ -14,74 +15,161 @@ constexpr float kLargest = 0.95F;    // larger is a blue wall.
 constexpr float kThinnest = 0.02F;   // Height over width.
 constexpr float kThickest = 4.0F;
 constexpr float kLeastFilled =
-    0.12F;                         // Paint in its box: even a wide open mouth is a ring of a sixth or more.
-constexpr float kMostSize = 4.0F;  // What the board may show.
+    0.12F;  // Paint in its box: even a wide open mouth is a ring of a sixth or more.
+constexpr float kLeastContrast = 10;  // Levels between paint and skin.
+constexpr float kMostSize = 4.0F;     // What the board may show.
+constexpr float kMostTilt_rad = 0.7F;
+constexpr float kFollowTilt_s = 0.2F;  // Heads lean slower than mouths move.
+constexpr float kFollowDistance_s = 2.5F;
+constexpr float kSameShape = 0.1F;    // A height over width this near to that at rest is a mouth at rest.
+constexpr float kMostNearer = 0.35F;  // More than this is no head that moved: pursed or stretched lips.
+constexpr float kLeap = 0.14F;        // Widths that one corner alone comes in by when a hand covers it.
+constexpr float kStays = 0.05F;       // Widths that the other moves at most meanwhile.
+constexpr Duration kHidden = std::chrono::milliseconds(400);  // After that it is believed all the same.
+constexpr float kHalfHidden = 0.2F;  // The quality then: sizes hold, nobody acts on them.
 
 // 0 at `low`, 1 at `high`.
 float Ramp(float value, float low, float high) {
   return std::clamp((value - low) / (high - low), 0.0F, 1.0F);
 }
 
-struct Size {
-  float width;   // In widths of the picture.
-  float height;  // The same unit.
-};
-
-Size SizeOf(const Region& mouth, const camera::Planes& planes) {
-  const auto picture_width = static_cast<float>(planes.y.width_px);
-  const float across = picture_width / static_cast<float>(planes.cb.width_px);
-  const float down = static_cast<float>(planes.y.height_px) / static_cast<float>(planes.cb.height_px);
-  return {static_cast<float>(mouth.width()) * across / picture_width,
-          static_cast<float>(mouth.height()) * down / picture_width};
+float Share(Duration time, float follow_s) {
+  return 1 - std::exp(-static_cast<float>(Seconds(time)) / follow_s);
 }
 
-float QualityOf(const Found& found, const camera::Planes& planes) {
-  const Region& mouth = found.mouth;
-  const Size size = SizeOf(mouth, planes);
-  const float box = static_cast<float>(mouth.width()) * static_cast<float>(mouth.height());
-  const float filled = static_cast<float>(mouth.area) / box;
-  const float alone = static_cast<float>(mouth.area) / static_cast<float>(found.painted);
-  const float shape = size.height / size.width;
-  if (size.width > kLargest || shape < kThinnest || shape > kThickest) return 0;
-  const bool cut = mouth.left == 0 || mouth.top == 0 || mouth.right == planes.cb.width_px ||
-                   mouth.bottom == planes.cb.height_px;
-  return Ramp(size.width, kSmallest, 2 * kSmallest) * Ramp(filled, kLeastFilled, 2 * kLeastFilled) *
-         Ramp(alone, 0.3F, 0.8F) * (cut ? 0.5F : 1.0F);
+float MedianOf(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+float QualityOf(const Sight& sight) {
+  const Shape& shape = sight.shape;
+  const float width = shape.width_px / sight.picture_width_px;
+  const float thick = shape.height_px / std::max(shape.width_px, 1.0F);
+  if (width > kLargest || thick < kThinnest || thick > kThickest) return 0;
+  return Ramp(width, kSmallest, 2 * kSmallest) * Ramp(sight.filled, kLeastFilled, 2 * kLeastFilled) *
+         Ramp(shape.contrast, kLeastContrast, 2 * kLeastContrast) * (sight.cut ? 0.5F : 1.0F);
 }
 
 }  // namespace
 
-void MouthGauge::SetRest(float width) {
-  lips_.rest_width = width;
-  widths_.clear();
-  learning_since_.reset();
+MouthGauge::MouthGauge(const board::Lips& before, const GaugeSettings& settings)
+    : lips_(before), height_(settings.smoothing), width_(settings.smoothing), opening_(settings.smoothing) {
+  if (settings.rest_width > 0) SetRest(settings.rest_width);
 }
 
-const board::Lips& MouthGauge::Measure(const std::optional<Found>& found, const camera::Planes& planes,
-                                       Time at) {
+void MouthGauge::SetRest(float width) {
+  lips_.rest_width = width;
+  lips_.rest_marker = 0;
+  learning_.reset();
+}
+
+const board::Lips& MouthGauge::Measure(const std::optional<Sight>& sight, Time at) {
   ++lips_.frames;
-  lips_.quality = found ? QualityOf(*found, planes) : 0;
+  lips_.quality = sight ? QualityOf(*sight) : 0;
   if (lips_.quality <= 0) {
-    height_.Reset();
-    width_.Reset();
+    for (OneEuro* filter : {&height_, &width_, &opening_}) filter->Reset();
     return lips_;
   }
-  const Size size = SizeOf(found->mouth, planes);
-  if (lips_.rest_width <= 0 && lips_.quality >= kGoodEnough) LearnRest(size.width, at);
-  // Until the rest width is known the mouth counts as at rest.
-  const float rest = lips_.rest_width > 0 ? lips_.rest_width : size.width;
-  lips_.height = std::clamp(height_.Filter(size.height / rest, at), 0.0F, kMostSize);
-  lips_.width = std::clamp(width_.Filter(size.width / rest, at), 0.0F, kMostSize);
+  FollowTilt(*sight, at);
+  const Sizes sizes = SizesOf(*sight);
+  if (IsHalfHidden(*sight, at)) {
+    lips_.quality = std::min(lips_.quality, kHalfHidden);
+    return lips_;
+  }
+  if (lips_.quality >= kGoodEnough) LearnRest(sizes, at);
+  FollowDistance(sizes, at);
+  Show(*sight, sizes, at);
+  seen_ = at;
   return lips_;
 }
 
-void MouthGauge::LearnRest(float width, Time at) {
-  if (!learning_since_) learning_since_ = at;
-  if (widths_.size() < kMostToLearn) widths_.push_back(width);
-  if (at - *learning_since_ < kLearn || widths_.size() < kFewestToLearn) return;
-  const auto middle = widths_.begin() + static_cast<std::ptrdiff_t>(widths_.size() / 2);
-  std::ranges::nth_element(widths_, middle);
-  SetRest(*middle);
+MouthGauge::Sizes MouthGauge::SizesOf(const Sight& sight) const {
+  const float picture = sight.picture_width_px;
+  Sizes sizes{sight.shape.width_px / picture, sight.shape.height_px / picture, 0};
+  if (sight.marker)
+    sizes.marker =
+        std::hypot(sight.shape.top.x - sight.marker->x, sight.shape.top.y - sight.marker->y) / picture;
+  return sizes;
+}
+
+void MouthGauge::FollowTilt(const Sight& sight, Time at) {
+  const Shape& shape = sight.shape;
+  if (sight.marker) {
+    const float down = shape.middle.y - sight.marker->y;
+    tilt_rad_ = std::clamp(std::atan2(sight.marker->x - shape.middle.x, down), -kMostTilt_rad, kMostTilt_rad);
+    return;
+  }
+  if (std::abs(shape.lean_rad) > kMostTilt_rad)
+    return;  // A mouth higher than wide has its long axis upright.
+  const float trust = Ramp(shape.slender, 0.3F, 0.7F);
+  const float share = seen_ ? Share(at - *seen_, kFollowTilt_s) : 1;
+  tilt_rad_ += trust * share * (shape.lean_rad - tilt_rad_);
+}
+
+// A hand that comes over one half of the mouth moves that corner alone, and by a leap.
+bool MouthGauge::IsHalfHidden(const Sight& sight, Time at) {
+  const Corners now{sight.shape.left.x, sight.shape.right.x, at};
+  const float width = whole_ ? whole_->right_px - whole_->left_px : 0;
+  const bool fresh = whole_ && at - whole_->at < kHidden;
+  if (fresh) {
+    const float left_in = (now.left_px - whole_->left_px) / width;
+    const float right_in = (whole_->right_px - now.right_px) / width;
+    const bool one_alone = std::max(left_in, right_in) > kLeap && std::min(left_in, right_in) < kStays;
+    const bool narrower = now.right_px - now.left_px < (1 - kLeap / 2) * width;
+    if (one_alone && narrower) return true;
+  }
+  whole_ = now;
+  return false;
+}
+
+// A marker says how near the head is, at once; without one a mouth of the resting shape says it slowly.
+void MouthGauge::FollowDistance(const Sizes& sizes, Time at) {
+  if (lips_.rest_width <= 0 || sizes.marker > 0 || !seen_) return;
+  const float thick = sizes.height / sizes.width;
+  const float nearer = sizes.width / lips_.rest_width;
+  if (std::abs(thick / rest_height_ - 1) > kSameShape || std::abs(nearer - 1) > kMostNearer) return;
+  lips_.rest_width =
+      std::clamp(lips_.rest_width + Share(at - *seen_, kFollowDistance_s) * (sizes.width - lips_.rest_width),
+                 0.0F, 1.0F);
+}
+
+void MouthGauge::Show(const Sight& sight, const Sizes& sizes, Time at) {
+  // Until the rest width is known the mouth counts as at rest.
+  float rest = lips_.rest_width > 0 ? lips_.rest_width : sizes.width;
+  if (sizes.marker > 0 && lips_.rest_marker > 0) rest *= sizes.marker / lips_.rest_marker;
+  const auto show = [&](OneEuro& filter, float size) {
+    return std::clamp(filter.Filter(size / rest, at), 0.0F, kMostSize);
+  };
+  lips_.height = show(height_, sizes.height);
+  lips_.width = show(width_, sizes.width);
+  lips_.opening = show(opening_, sight.shape.opening_px / sight.picture_width_px);
+  const Shape& shape = sight.shape;
+  const auto lift = [&](const Point& corner) {
+    const float across =
+        (corner.y - shape.middle.y) * std::cos(tilt_rad_) - (corner.x - shape.middle.x) * std::sin(tilt_rad_);
+    return std::clamp(-across / sight.picture_width_px / rest, -1.0F, 1.0F);
+  };
+  lips_.corners = {lift(shape.right), lift(shape.left)};  // The operator's left is at the picture's right.
+}
+
+void MouthGauge::LearnRest(const Sizes& sizes, Time at) {
+  if (lips_.rest_width > 0 && (lips_.rest_marker > 0 || sizes.marker <= 0)) return;
+  if (!learning_) learning_ = Learning{at, {}, {}, {}};
+  if (learning_->widths.size() < kMostToLearn) {
+    learning_->widths.push_back(sizes.width);
+    learning_->heights.push_back(sizes.height);
+    if (sizes.marker > 0) learning_->markers.push_back(sizes.marker);
+  }
+  if (at - learning_->since < kLearn || learning_->widths.size() < kFewestToLearn) return;
+  const float width = MedianOf(learning_->widths);
+  if (lips_.rest_width <= 0) {
+    lips_.rest_width = width;
+    rest_height_ = MedianOf(learning_->heights) / width;
+  }
+  if (!learning_->markers.empty()) lips_.rest_marker = MedianOf(learning_->markers);
+  learning_.reset();
 }
 
 }  // namespace kaori::lips

@@ -1,4 +1,4 @@
-// From a region of paint to the mouth's height and width, in widths of the mouth at rest.
+// From a mouth's outline in the picture to its sizes, in widths of the mouth at rest, whatever the head does.
 #pragma once
 
 #include <optional>
@@ -6,34 +6,75 @@
 
 #include "appliance/board/sections.h"
 #include "appliance/lips/one_euro.h"
-#include "appliance/lips/region.h"
-#include "drivers/camera/planes.h"
+#include "appliance/lips/outline.h"
 
 namespace kaori::lips {
 
-// The mouth at rest is the median of the first second in which a clean mouth is seen.
+// One frame's mouth, and how far it is to be believed.
+struct Sight {
+  Shape shape;
+  float picture_width_px = 0;
+  float filled = 1;             // Part of its box that is paint.
+  bool cut = false;             // By the picture's edge.
+  std::optional<Point> marker;  // In pixels of the picture.
+};
+
+struct GaugeSettings {
+  float rest_width = 0;  // In widths of the picture; 0: as the board has it, else the first second's median.
+  OneEuroSettings smoothing;
+};
+
+// The mouth at rest is the median of the first second in which a clean mouth is seen. A head that comes
+// nearer or leans does not change the sizes: the marker's distance and direction tell it at once; without a
+// marker the lean is taken from the mouth's own long axis, and the distance from each mouth that has the
+// shape of the mouth at rest but another size.
 class MouthGauge {
  public:
   // Goes on from `before`: its rest width where it has one, its frame count, and its sizes while no paint is
   // seen.
-  explicit MouthGauge(const board::Lips& before) : lips_(before) {}
+  explicit MouthGauge(const board::Lips& before, const GaugeSettings& settings = {});
 
-  // Takes a frame's region, or the news that there is none: then sizes hold and the quality is 0.
-  const board::Lips& Measure(const std::optional<Found>& found, const camera::Planes& planes, Time at);
+  // Takes a frame's mouth, or the news that there is none: then sizes hold and the quality is 0.
+  const board::Lips& Measure(const std::optional<Sight>& sight, Time at);
 
   // The width of the mouth at rest, in widths of the picture; 0 measures it anew.
   void SetRest(float width);
 
   const board::Lips& lips() const { return lips_; }
 
+  // How far the head leans now, as it is known before the next frame; positive: clockwise in the picture.
+  float tilt_rad() const { return tilt_rad_; }
+
  private:
-  void LearnRest(float width, Time at);
+  struct Sizes {  // In widths of the picture.
+    float width;
+    float height;
+    float marker;  // From it to the upper lip; 0: no marker.
+  };
+  Sizes SizesOf(const Sight& sight) const;
+  void FollowTilt(const Sight& sight, Time at);
+  void FollowDistance(const Sizes& sizes, Time at);
+  bool IsHalfHidden(const Sight& sight, Time at);
+  void Show(const Sight& sight, const Sizes& sizes, Time at);
+  void LearnRest(const Sizes& sizes, Time at);
 
   board::Lips lips_;
   OneEuro height_;
   OneEuro width_;
-  std::vector<float> widths_;  // Of the first second.
-  std::optional<Time> learning_since_;
+  OneEuro opening_;
+  struct Learning {
+    Time since;
+    std::vector<float> widths, heights, markers;
+  };
+  std::optional<Learning> learning_;
+  float rest_height_ = 0.25F;  // In widths of the mouth at rest.
+  float tilt_rad_ = 0;
+  std::optional<Time> seen_;
+  struct Corners {
+    float left_px, right_px;
+    Time at;
+  };
+  std::optional<Corners> whole_;  // Where they were when the mouth was last seen whole.
 };
 
 }  // namespace kaori::lips

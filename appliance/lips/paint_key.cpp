@@ -6,16 +6,32 @@
 namespace kaori::lips {
 namespace {
 
-constexpr float kLeastOfPaint = 0.35F;  // Part of the paint's saturation that is left in deep shade.
-constexpr float kLeastLevels = 14;      // Below it lies the noise of a grey picture.
-constexpr float kHueTangent = 0.50F;    // 27 degrees to each side.
+constexpr float kLevelsPerThousandth = 0.255F;
+constexpr float kNormal = 64;     // Length of a half plane's normal: sums stay within 16 bits.
+constexpr float kLeastTint = 6;   // Levels. Neutral is never paint, whatever is set.
+constexpr float kGreyPaint = 20;  // Levels. A paint of less saturation is no paint.
+constexpr float kNoise = 3;       // Levels that the wedge's point is blunt by.
+constexpr float kLeastTangent = 0.1F;
+constexpr float kMostTangent = 4;
 
-struct Chroma {
-  float cb;
-  float cr;
-};
+HalfPlane Half(float cb, float cr, float offset) {
+  const float scale = kNormal / std::hypot(cb, cr);
+  const auto whole = [](float value) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, -16000.0F, 16000.0F)));
+  };
+  return {whole(cb * scale), whole(cr * scale), whole(offset * kNormal)};
+}
 
-// ITU-R BT.601, full range, without the offset of 128.
+int Side(const HalfPlane& half, std::uint8_t cb, std::uint8_t cr) {
+  return half.cb * (cb - 128) + half.cr * (cr - 128) + half.offset;
+}
+
+int LeastSide(const std::array<HalfPlane, 3>& halves, std::uint8_t cb, std::uint8_t cr) {
+  return std::min({Side(halves[0], cb, cr), Side(halves[1], cb, cr), Side(halves[2], cb, cr)});
+}
+
+}  // namespace
+
 Chroma ChromaOf(Paint paint) {
   const auto r = static_cast<float>(paint.red);
   const auto g = static_cast<float>(paint.green);
@@ -23,19 +39,31 @@ Chroma ChromaOf(Paint paint) {
   return {-0.168736F * r - 0.331264F * g + 0.5F * b, 0.5F * r - 0.418688F * g - 0.081312F * b};
 }
 
-}  // namespace
-
-PaintKey::PaintKey(Paint paint) {
+PaintKey::PaintKey(Paint paint, const KeySettings& settings)
+    : smooth_levels_(std::max(settings.smoothness * kLevelsPerThousandth, 1.0F)) {
   const Chroma want = ChromaOf(paint);
-  const float saturation = std::max(std::hypot(want.cb, want.cr), 1.0F);
-  const float least = std::max(kLeastOfPaint * saturation, kLeastLevels);
-  for (std::size_t i = 0; i < table_.size(); ++i) {
-    const float cb = static_cast<float>(i >> 6) * 4 + 1.5F - 128;
-    const float cr = static_cast<float>(i & 63) * 4 + 1.5F - 128;
-    const float along = (cb * want.cb + cr * want.cr) / saturation;
-    const float across = std::abs(cb * want.cr - cr * want.cb) / saturation;
-    table_[i] = along >= least && across <= kHueTangent * along ? 1 : 0;
-  }
+  const float saturation = std::hypot(want.cb, want.cr);
+  const bool grey = saturation < kGreyPaint;
+  const Chroma along = grey ? Chroma{1, 0} : Chroma{want.cb / saturation, want.cr / saturation};
+  const float tangent = std::clamp(settings.similarity * kLevelsPerThousandth / std::max(saturation, 1.0F),
+                                   kLeastTangent, kMostTangent);
+  const float soft = smooth_levels_ / 2;
+  const float least = std::max(settings.spill * kLevelsPerThousandth - soft, kLeastTint);
+  weak_[0] = Half(along.cb, along.cr, grey ? -200 : -least);
+  weak_[1] = Half(tangent * along.cb - along.cr, tangent * along.cr + along.cb, kNoise + soft / 4);
+  weak_[2] = Half(tangent * along.cb + along.cr, tangent * along.cr - along.cb, kNoise + soft / 4);
+}
+
+float PaintKey::Depth(std::uint8_t cb, std::uint8_t cr) const {
+  return static_cast<float>(LeastSide(weak_, cb, cr)) / kNormal - smooth_levels_ / 2;
+}
+
+float PaintKey::Soft(std::uint8_t cb, std::uint8_t cr) const {
+  return std::clamp(0.5F + Depth(cb, cr) / smooth_levels_, 0.0F, 1.0F);
+}
+
+bool PaintKey::at(std::uint8_t cb, std::uint8_t cr) const {
+  return LeastSide(weak_, cb, cr) >= 0;
 }
 
 }  // namespace kaori::lips

@@ -1,62 +1,61 @@
-// The painted mouth in a picture: runs of paint, joined into regions, of which the mouth is the largest.
+// Runs of paint, joined into regions.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
-#include "appliance/lips/paint_key.h"
-#include "drivers/camera/planes.h"
+#include "appliance/lips/paint_mask.h"
 
 namespace kaori::lips {
 
-// Chroma samples; `right` and `bottom` are exclusive.
+// In samples of the grid; `right` and `bottom` are exclusive.
 struct Region {
   int left = 0;
   int top = 0;
   int right = 0;
   int bottom = 0;
   int area = 0;
+  std::uint32_t name = 0;  // What its runs answer to: see Regions::NameOf.
 
   int width() const { return right - left; }
   int height() const { return bottom - top; }
 };
 
-struct Found {
-  Region mouth;
-  int painted = 0;  // Samples of paint in the whole picture, single ones left out.
+Region Hull(const Region& a, const Region& b);
+
+struct Run {
+  int begin = 0;
+  int end = 0;  // Exclusive.
+  int row = 0;
+  std::uint32_t label = 0;
 };
 
 // Keeps its memory from frame to frame: once it has seen a busy picture it allocates nothing.
-class RegionFinder {
+class Regions {
  public:
-  // The largest region of paint with what belongs to it: the other lip, where an open mouth splits the paint.
-  // Nothing where no paint is, or where the picture is all noise.
-  std::optional<Found> Find(const camera::Planes& planes, const PaintKey& key);
+  // False, and no regions, where the picture is so full of runs that it is nothing but noise.
+  bool Find(const PaintMask& mask);
+
+  // Regions of at least `least_area`, the largest first, `most` at the most. Valid until the next call.
+  std::span<const Region> Largest(int least_area, std::size_t most);
+
+  // All runs, row by row, from left to right.
+  std::span<const Run> runs() const { return runs_; }
+  std::uint32_t NameOf(const Run& run) { return RootOf(run.label); }
 
  private:
-  struct Run {
-    int begin = 0;
-    int end = 0;  // Exclusive.
-    std::size_t region = 0;
-  };
-  struct Joined {
-    Region region;
-    std::size_t into = 0;  // Its own index, or the region that took it in.
-  };
+  void CutRuns(std::span<const std::uint64_t> words, int row);
+  void Join(std::size_t above, std::size_t here);
+  void Add(Run& run, std::uint32_t label);
+  std::uint32_t RootOf(std::uint32_t label);
+  void Unite(std::uint32_t a, std::uint32_t b);
 
-  void KeyRow(const camera::Planes& planes, int row, const PaintKey& key);
-  bool CutRuns(int row);
-  void JoinAbove();
-  std::size_t RootOf(std::size_t region);
-  void Unite(std::size_t a, std::size_t b);
-  std::optional<Found> Choose();
-
-  std::vector<std::uint8_t> mask_;  // One row.
-  std::vector<Run> above_;
   std::vector<Run> runs_;
-  std::vector<Joined> regions_;
+  std::vector<Region> regions_;  // By label; only roots count.
+  std::vector<std::uint32_t> into_;
+  std::vector<Region> largest_;
 };
 
 }  // namespace kaori::lips

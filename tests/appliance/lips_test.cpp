@@ -123,7 +123,7 @@ TEST_F(Lips, ComeBackWithTheCamera) {
     ASSERT_TRUE(rig_->Plug("camera"));
     Play(milliseconds(500));
     EXPECT_EQ(Read().source, SourceState::kLive);
-    EXPECT_EQ(Read().value.rest_width, rest);
+    EXPECT_THAT(Read().value.rest_width, FloatNear(rest, 0.001F));
   }
 }
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "appliance/lips/mouth_gauge.h"
-#include "appliance/lips/paint_key.h"
-#include "appliance/lips/region.h"
+#include "appliance/lips/lip_meter.h"
 #include "drivers/base/clock.h"
 #include "drivers/camera/planes.h"
 #include "hw-sim/devices/lip_camera.h"
@@ -36,9 +34,7 @@ std::vector<Metric> MeasureLips(bool quick) {
   const sim::Workbench bench{clock, {}};
   sim::LipCamera camera({640, 480, ports::PixelFormat::kYuyv}, bench);
   const auto pictures = Shoot(camera);
-  const lips::PaintKey key({});
-  lips::RegionFinder finder;
-  lips::MouthGauge gauge({});
+  lips::LipMeter meter({}, {});
   camera::PlaneReader reader;
   std::vector<double> took_ms;
   for (int i = 0; i < kFrames / (quick ? 10 : 1); ++i) {
@@ -48,7 +44,7 @@ std::vector<Metric> MeasureLips(bool quick) {
                                    .bytes = pictures[static_cast<std::size_t>(i) % pictures.size()]};
     const Time begin = clock.now();
     const auto planes = reader.Read(frame);
-    gauge.Measure(finder.Find(*planes, key), *planes, frame.at);
+    meter.Measure(*planes, frame.at);
     took_ms.push_back(1e3 * Seconds(clock.now() - begin));
   }
   std::ranges::sort(took_ms);

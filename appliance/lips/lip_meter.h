@@ -1,0 +1,51 @@
+// A camera's picture in, the mouth's sizes out: key, regions, search, outline and gauge, one after the other.
+#pragma once
+
+#include "appliance/board/sections.h"
+#include "appliance/lips/mouth_gauge.h"
+#include "appliance/lips/mouth_search.h"
+#include "appliance/lips/outline.h"
+#include "appliance/lips/paint_key.h"
+#include "appliance/lips/paint_mask.h"
+#include "appliance/lips/region.h"
+#include "drivers/camera/planes.h"
+
+namespace kaori::lips {
+
+struct LipSettings {
+  Paint paint;
+  KeySettings key;
+  bool marker = false;  // A dot of the same paint is worn on nose or forehead, straight above the mouth.
+  GaugeSettings gauge;
+};
+
+// One thread. Allocates nothing once it has seen a few pictures.
+class LipMeter {
+ public:
+  // Goes on from `before`.
+  LipMeter(const LipSettings& settings, const board::Lips& before)
+      : key_(settings.paint, settings.key), search_(settings.marker), gauge_(before, settings.gauge) {}
+
+  // The mouth in a picture that was true at `at`; looked for where the one before was.
+  const board::Lips& Measure(const camera::Planes& planes, Time at);
+
+  const board::Lips& lips() const { return gauge_.lips(); }
+
+  // Of the picture that was measured last.
+  const PaintMask& mask() const { return mask_; }
+  const std::optional<Sight>& sight() const { return sight_; }
+
+ private:
+  std::optional<Sight> Look(const camera::Planes& planes, Time at);
+  bool IsPaint(const camera::Planes& planes, const Region& mouth);
+
+  PaintKey key_;
+  PaintMask mask_;
+  Regions regions_;
+  MouthSearch search_;
+  OutlineReader outline_;
+  MouthGauge gauge_;
+  std::optional<Sight> sight_;
+};
+
+}  // namespace kaori::lips
