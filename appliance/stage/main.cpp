@@ -1,5 +1,6 @@
 // kaori-stage: draws the face that the board describes.
 #include "appliance/board/board.h"
+#include "appliance/needles/needles.h"
 #include "appliance/show/pack.h"
 #include "appliance/stage/stage.h"
 #include "appliance/stage/studio.h"
@@ -17,6 +18,8 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --board FILE    the board, shared with the other programs
   --pack FILE     the show
   --trust FILE    a public key: play no show that it has not signed
+  --own FOLDER    where expressions made with the needles are kept (/var/lib/kaori/own where it is there, else
+                  $XDG_STATE_HOME/kaori/own)
   --links FOLDER  the simulator's link folder, in which the screen is plugged
 )";
 
@@ -24,7 +27,7 @@ constexpr kaori::Duration kUnseenPeriod = 33ms;   // Without a screen: often eno
 constexpr kaori::Duration kScreenPeriod = 250ms;  // How often a screen that is gone is looked for.
 
 struct Settings {
-  std::string board, pack, links, trust;
+  std::string board, pack, links, trust, own;
 };
 
 int Complain(const kaori::Error& error) {
@@ -76,10 +79,13 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!board) return Complain(board.error());
   auto writers = kaori::stage::StageWriters::Take(*board);
   if (!writers) return Complain(writers.error());
+  auto needles = kaori::needles::Needles::Open(
+      settings.own.empty() ? kaori::needles::UsualFolder() : std::filesystem::path(settings.own), *show);
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return Complain(studio.error());
   const kaori::SteadyClock clock;
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
+  stage.Bring(std::move(needles));
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer());
   ScreenSeat seat(stage, loop, settings.links);
@@ -87,8 +93,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto unseen = [&stage] {
     if (!stage.has_screen()) stage.StepUnseen();
   };
-  for (const auto& ok : {loop.Every(kUnseenPeriod, unseen), loop.Every(kScreenPeriod, [&seat] { seat.Look(); }),
-                         loop.Run()})
+  for (const auto& ok :
+       {loop.Every(kUnseenPeriod, unseen), loop.Every(kScreenPeriod, [&seat] { seat.Look(); }), loop.Run()})
     if (!ok) return Complain(ok.error());
   return 0;
 }
@@ -99,8 +105,10 @@ int main(int argc, char** argv) {
   kaori::SetLogName("kaori-stage");
   Settings settings;
   kaori::Options options(kHelp);
-  options.Text("--board", settings.board, true).Text("--pack", settings.pack, true).Text("--links", settings.links, true);
-  options.Text("--trust", settings.trust);
+  options.Text("--board", settings.board, true)
+      .Text("--pack", settings.pack, true)
+      .Text("--links", settings.links, true);
+  options.Text("--trust", settings.trust).Text("--own", settings.own);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return Complain(loop.error());

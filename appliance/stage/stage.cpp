@@ -23,7 +23,7 @@ Duration CpuOfProcess() {
 }
 
 Time NewestInput(const board::Snapshot& s) {
-  return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at});
+  return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
 }
 
 bool Waits(const Error& error) {
@@ -51,6 +51,7 @@ Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, co
 }
 
 void Stage::SetScreen(std::unique_ptr<ports::Scanout> screen) {
+  studio_.CloseWindow();
   screen_ = std::move(screen);
   last_flip_.reset();
 }
@@ -90,19 +91,32 @@ Result<void> Stage::Draw() {
   const board::Snapshot snapshot = board::ReadAll(board_);
   const scene::Scene scene = Perform(snapshot, light);
   if (auto drawn = studio_.Draw(scene, *picture); !drawn) return drawn;
+  if (needles_)
+    needles_->Look(studio_.show().cast, studio_.shape(), scene,
+                   static_cast<float>(picture->width_px) / static_cast<float>(picture->height_px));
   if (auto shown = screen_->Present(++frame_); !shown) return shown;
   Report(snapshot, CpuOfProcess() - cpu_before);
   studio_.Prepare();
   return {};
 }
 
+// The needles take their hands first; what is left plays.
+performance::Performed Stage::Animate(const board::Snapshot& snapshot, Time light) {
+  if (!needles_) return performance::Animate(state_, snapshot, studio_.show(), light);
+  const board::Snapshot& rest = needles_->Play(snapshot, studio_.show(), state_, light);
+  for (const auto& [index, work] : needles_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
+  auto performed = performance::Animate(state_, rest, studio_.show(), light);
+  needles_->Describe(performed.scene);
+  return performed;
+}
+
 scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
-  const auto performed = performance::Animate(state_, snapshot, studio_.show(), light);
+  auto performed = Animate(snapshot, light);
   state_ = performed.state;
   writers_.performance.Write(board::Hold(state_), light, board::SourceState::kLive);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
     writers_.lamps.Write({performed.lamps}, light, board::SourceState::kLive);
-  return performed.scene;
+  return std::move(performed.scene);
 }
 
 void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "appliance/board/board.h"
+#include "appliance/needles/needles.h"
 #include "appliance/performance/animate.h"
 #include "appliance/stage/studio.h"
 #include "drivers/base/clock.h"
@@ -30,6 +32,10 @@ class Stage {
   // Goes on from the state that an earlier stage left on the board, if that is sound.
   Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock);
 
+  // Lets an author make expressions in the show. They were opened on the studio's show.
+  void Bring(std::unique_ptr<needles::Needles> needles) { needles_ = std::move(needles); }
+  const needles::Needles* needles() const { return needles_.get(); }
+
   // The screen that shows the frames from now on; none when it was unplugged.
   void SetScreen(std::unique_ptr<ports::Scanout> screen);
   bool has_screen() const { return screen_ != nullptr; }
@@ -47,6 +53,7 @@ class Stage {
  private:
   Result<void> TakeFlips();
   Result<void> Draw();
+  performance::Performed Animate(const board::Snapshot& snapshot, Time light);
   scene::Scene Perform(const board::Snapshot& snapshot, Time light);
   void Report(const board::Snapshot& snapshot, Duration cpu);
 
@@ -55,6 +62,7 @@ class Stage {
   Studio& studio_;
   const Clock& clock_;
   std::unique_ptr<ports::Scanout> screen_;
+  std::unique_ptr<needles::Needles> needles_;
   performance::State state_;
   bool resumed_ = false;
   std::optional<ports::Flip> last_flip_;

@@ -2,8 +2,8 @@
 
 namespace kaori::stage {
 
-Result<std::unique_ptr<Studio>> Studio::Open(show::Show show) {
-  auto context = gl::Context::Open();
+Result<std::unique_ptr<Studio>> Studio::Open(show::Show show, void* gbm) {
+  auto context = gl::Context::Open(gbm);
   if (!context) return tl::unexpected(context.error());
   std::unique_ptr<Studio> studio(new Studio(std::move(*context), std::move(show)));
   auto painter = passes::Painter::Open(*studio->context_, studio->show_.cast);
@@ -19,8 +19,27 @@ Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& p
     canvas_ = std::move(*canvas);
   }
   painter_->Draw(scene, canvas_);
+  if (picture.window != nullptr) return ShowIn(picture.window);
   canvas_.ReadPixels(picture.bytes);
   return {};
+}
+
+Result<void> Studio::ShowIn(void* window) {
+  if (window_.native() != window) {
+    CloseWindow();
+    auto made = gl::Window::Make(*context_, window);
+    if (!made) return tl::unexpected(made.error());
+    window_ = std::move(*made);
+  }
+  return window_.Show(canvas_);
+}
+
+void Studio::Renew(std::uint16_t index, std::span<const glm::vec3> displacement,
+                   const std::array<float, 2>& lids) {
+  face::Expression& expression = show_.cast.expressions[index];
+  expression.displacement.assign(displacement.begin(), displacement.end());
+  expression.lids = lids;
+  painter_->Renew(index);
 }
 
 }  // namespace kaori::stage

@@ -2,7 +2,10 @@
 // for.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "appliance/show/show.h"
@@ -10,6 +13,7 @@
 #include "drivers/ports/scanout.h"
 #include "render/gl/canvas.h"
 #include "render/gl/context.h"
+#include "render/gl/window.h"
 #include "render/passes/painter.h"
 #include "render/scene/scene.h"
 
@@ -18,20 +22,35 @@ namespace kaori::stage {
 // One thread: the one that opened it.
 class Studio {
  public:
-  // Blocks while shaders compile and textures load. Errors: those of gl::Context and Painter.
-  static Result<std::unique_ptr<Studio>> Open(show::Show show);
+  // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context
+  // and Painter.
+  static Result<std::unique_ptr<Studio>> Open(show::Show show, void* gbm = nullptr);
 
-  // Draws `scene` into `picture`, whole. Makes a new canvas only when the size changes.
+  // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size
+  // changes.
   Result<void> Draw(const scene::Scene& scene, const ports::PixelBuffer& picture);
 
-  // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for it
-  // later. Takes 10 to 40 ms while there is any left, then nothing.
+  // The cast's expression of this index is from now on what these say; the next frame shows it.
+  // `displacement` has one for each control point, and `lids` are within 0..1. Takes 30 us for each face that
+  // has weight.
+  void Renew(std::uint16_t expression, std::span<const glm::vec3> displacement,
+             const std::array<float, 2>& lids);
+
+  // The face as it was drawn last; holds until the next Draw or Prepare.
+  const face::Shape& shape() const { return painter_->shape(); }
+
+  // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for
+  // it later. Takes 10 to 40 ms while there is any left, then nothing.
   void Prepare() { unprepared_ = unprepared_ && painter_->RehearseStep(); }
+
+  // To be called before a window's screen goes.
+  void CloseWindow() { window_ = gl::Window(); }
 
   const show::Show& show() const { return show_; }
   const std::string& renderer() const { return context_->renderer(); }
 
  private:
+  Result<void> ShowIn(void* window);
   Studio(std::unique_ptr<gl::Context> context, show::Show show)
       : context_(std::move(context)), show_(std::move(show)) {}
 
@@ -39,6 +58,7 @@ class Studio {
   show::Show show_;
   std::unique_ptr<passes::Painter> painter_;
   gl::Canvas canvas_;
+  gl::Window window_;
   bool unprepared_ = true;
 };
 

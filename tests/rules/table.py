@@ -29,6 +29,7 @@ MAY_INCLUDE = (
     ("appliance/board/", _DRIVER),
     ("appliance/show/", _DRAWING),
     ("appliance/performance/", _DRAWING + ("appliance/board/", "appliance/show/")),
+    ("appliance/stage/", _PLAY + ("appliance/needles/",)),
     ("appliance/atelier/", _PLAY + ("appliance/stage/",)),  # Its contact sheets are drawn by the stage's studio.
     ("appliance/", _PLAY),
     ("hw-sim/rehearsal/", EVERYTHING),
@@ -54,8 +55,9 @@ LIBRARIES = (
     (("libusb", "libudev.h", "linux/hidraw.h", "hidapi"), ("drivers/hid/",)),
     (("linux/videodev2.h",), ("drivers/camera/",)),
     (("alsa/",), ("drivers/audio/", "appliance/desk/")),
-    # Settings are TOML that people write by hand; shows are read by the atelier only.
-    (("toml++/",), ("appliance/atelier/", "tools/", "appliance/input/settings.cpp")),
+    # Settings and the box's own expressions are TOML for people; shows are read by the atelier only.
+    (("toml++/",), ("appliance/atelier/", "tools/", "appliance/input/settings.cpp",
+                   "appliance/needles/own_reader.cpp")),
     (("libqhull", "meshoptimizer.h", "tiny_gltf.h", "tiny_obj_loader.h"),
      ("appliance/atelier/", "tools/")),
     (("microhttpd.h",), ("hw-sim/console/", "appliance/desk/")),

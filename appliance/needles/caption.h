@@ -1,0 +1,25 @@
+// What the needles say in the picture's lower left corner.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "appliance/needles/hands.h"
+#include "appliance/needles/session.h"
+
+namespace kaori::needles {
+
+struct CaptionFacts {
+  const Session& session;
+  int chosen = -1;
+  const std::optional<Typing>& typing;
+  bool comparing = false;
+  std::string own;      // What stands on the shelf.
+  std::string message;  // Of the last seconds; empty: none.
+  std::string trouble;  // With the disk; empty: none.
+};
+
+std::vector<std::string> CaptionLines(const CaptionFacts& facts);
+
+}  // namespace kaori::needles

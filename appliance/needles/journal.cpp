@@ -1,0 +1,113 @@
+#include "appliance/needles/journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+
+namespace kaori::needles {
+namespace {
+
+// The file begins with this and the fingerprint of the control points.
+constexpr std::array<char, 8> kMagic{'K', 'A', 'O', 'R', 'I', 'N', 'J', '1'};
+constexpr std::size_t kHeadBytes = kMagic.size() + sizeof(std::uint64_t);
+constexpr std::uint64_t kMostBytes = 256U << 20U;
+
+std::array<std::uint8_t, kHeadBytes> HeadOf(std::uint64_t fingerprint) {
+  std::array<std::uint8_t, kHeadBytes> head{};
+  std::memcpy(head.data(), kMagic.data(), kMagic.size());
+  std::memcpy(head.data() + kMagic.size(), &fingerprint, sizeof fingerprint);
+  return head;
+}
+
+Result<UniqueFd> OpenLocked(const std::filesystem::path& file) {
+  UniqueFd fd(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!fd.valid()) return FailErrno("open " + file.string());
+  if (::flock(fd.get(), LOCK_EX | LOCK_NB) == 0) return fd;
+  return Fail(std::errc::device_or_resource_busy, "open " + file.string());
+}
+
+Result<std::vector<std::uint8_t>> ReadAll(int fd, const std::string& name) {
+  struct stat status {};
+  if (::fstat(fd, &status) < 0) return FailErrno("read " + name);
+  std::vector<std::uint8_t> bytes(std::min(static_cast<std::uint64_t>(status.st_size), kMostBytes));
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    const ssize_t got = ::pread(fd, bytes.data() + have, bytes.size() - have, static_cast<off_t>(have));
+    if (got < 0) return FailErrno("read " + name);
+    if (got == 0) break;
+    have += static_cast<std::size_t>(got);
+  }
+  bytes.resize(have);
+  return bytes;
+}
+
+Result<void> WriteAt(int fd, std::uint64_t at, std::span<const std::uint8_t> bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(fd, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return FailErrno("write " + name);
+    at += static_cast<std::uint64_t>(written);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  if (::fdatasync(fd) < 0) return FailErrno("write " + name);
+  return {};
+}
+
+}  // namespace
+
+Result<Journal::Opened> Journal::Open(const std::filesystem::path& file, std::uint64_t fingerprint) {
+  auto fd = OpenLocked(file);
+  if (!fd) return tl::unexpected(fd.error());
+  auto bytes = ReadAll(fd->get(), file.string());
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto head = HeadOf(fingerprint);
+  const bool ours = bytes->size() >= kHeadBytes && std::equal(head.begin(), head.end(), bytes->begin());
+  const bool aside = !ours && bytes->size() > kHeadBytes;  // A file without a record holds nobody's work.
+  if (aside) {
+    if (std::rename(file.c_str(), (file.string() + ".aside").c_str()) < 0)
+      return FailErrno("keep aside " + file.string());
+    fd = OpenLocked(file);
+    if (!fd) return tl::unexpected(fd.error());
+  }
+  Opened opened{Journal(std::move(*fd), file, fingerprint), {}, 0, aside};
+  if (!ours) return opened;  // The head is written with the first record: a full disk can wait for it.
+  Decoded decoded = Decode(std::span(*bytes).subspan(kHeadBytes));
+  opened.records = std::move(decoded.records);
+  opened.journal.end_ = kHeadBytes + decoded.sound_bytes;
+  opened.torn_bytes = bytes->size() - opened.journal.end_;
+  return opened;
+}
+
+Result<void> Journal::Append(std::span<const std::uint8_t> bytes) {
+  std::vector<std::uint8_t> all;
+  if (end_ == 0) {
+    const auto head = HeadOf(fingerprint_);
+    all.assign(head.begin(), head.end());
+  }
+  all.insert(all.end(), bytes.begin(), bytes.end());
+  auto written = CutOff();  // What an earlier attempt or a crash left behind the end.
+  if (written) written = WriteAt(fd_.get(), end_, all, file_.string());
+  if (written)
+    end_ += all.size();
+  else
+    static_cast<void>(CutOff());  // Else before the next record.
+  return written;
+}
+
+Result<void> Journal::Clear() {
+  end_ = std::min<std::uint64_t>(end_, kHeadBytes);
+  return CutOff();
+}
+
+Result<void> Journal::CutOff() {
+  if (::ftruncate(fd_.get(), static_cast<off_t>(end_)) < 0) return FailErrno("write " + file_.string());
+  return {};
+}
+
+}  // namespace kaori::needles
