@@ -73,4 +73,14 @@ void Mesh::Draw() const {
   }
 }
 
+void Mesh::DrawInstances(int instances) const {
+  if (element_count_ == 0 || instances <= 0) return;
+  glBindVertexArray(array_.id());
+  if (indices_.id() != 0) {
+    glDrawElementsInstanced(GL_TRIANGLES, element_count_, GL_UNSIGNED_INT, nullptr, instances);
+  } else {
+    glDrawArraysInstanced(GL_TRIANGLES, 0, element_count_, instances);
+  }
+}
+
 }  // namespace kaori::gl

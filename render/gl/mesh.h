@@ -35,6 +35,8 @@ class Mesh {
   Mesh(std::initializer_list<VertexStream> streams, int vertex_count);
 
   void Draw() const;
+  // So many times over; shaders know which by gl_InstanceID.
+  void DrawInstances(int instances) const;
   int triangle_count() const { return element_count_ / 3; }
 
  private:

@@ -121,11 +121,11 @@ LongestEdges MeasureEdges(const face::Cast& cast) {
 }
 
 FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Wardrobe& wardrobe,
-                        const LongestEdges& edges) {
+                        const LongestEdges& edges, float reach_m) {
   Bands bands({frame.sway.z, frame.sway.w});
   const glm::vec2 per_metre = SeenPerMetre(frame);
   for (std::size_t i = 0; i < shape.cage.size(); ++i) {
-    float margin_m = kLashes_m + std::abs(frame.up.w);
+    float margin_m = std::max(kLashes_m, reach_m) + std::abs(frame.up.w);
     for (const face::Term& f : shape.faces) margin_m += f.weight * kEdgeShare * edges[f.index][i];
     const glm::vec3 p = shape.cage[i];
     const glm::vec2 turned = Project(frame, p, true);

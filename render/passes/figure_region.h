@@ -22,8 +22,9 @@ struct FigureRegion {
 using LongestEdges = std::vector<std::vector<float>>;
 LongestEdges MeasureEdges(const face::Cast& cast);
 
-// Encloses the face and all that is worn in this frame, hair as it swings.
+// Encloses the face, with what sticks out of it by `reach_m`, and all that is worn in this frame, hair as it
+// swings.
 FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Wardrobe& wardrobe,
-                        const LongestEdges& edges);
+                        const LongestEdges& edges, float reach_m = 0);
 
 }  // namespace kaori::passes

@@ -45,6 +45,16 @@ scene::Camera Sane(const scene::Camera& c) {
           Within(c.field_of_view_rad, fresh.field_of_view_rad, 0.05F, 2)};
 }
 
+scene::Backdrop Sane(const scene::Backdrop& backdrop) {
+  const scene::Backdrop fresh;
+  scene::Backdrop b = backdrop;
+  b.top = Within(b.top, fresh.top, 0, 1);
+  b.bottom = Within(b.bottom, fresh.bottom, 0, 1);
+  b.glow = Within(b.glow, fresh.glow, 0, 1);
+  if (static_cast<int>(b.kind) >= scene::kBackdropKindCount) b.kind = fresh.kind;
+  return b;
+}
+
 std::array<float, scene::kStyleCount> Sane(std::array<float, scene::kStyleCount> styles) {
   for (float& s : styles) s = Within(s, 0, 0, 1);
   const float sum = std::accumulate(styles.begin(), styles.end(), 0.0F);
@@ -56,19 +66,28 @@ std::array<float, scene::kStyleCount> Sane(std::array<float, scene::kStyleCount>
 }  // namespace
 
 scene::Scene Sane(const scene::Scene& scene) {
+  scene::Scene sane;
+  Sane(scene, sane);
+  return sane;
+}
+
+void Sane(const scene::Scene& scene, scene::Scene& s) {
   const scene::Scene fresh;
-  scene::Scene s = scene;
+  s = scene;
   for (scene::Gaze& g : s.gaze) g = {Turn(g.yaw_rad), Turn(g.pitch_rad)};
   s.head = Sane(scene.head);
   s.light = Sane(scene.light);
   s.camera = Sane(scene.camera);
   s.styles = Sane(scene.styles);
-  s.backdrop.top = Within(scene.backdrop.top, fresh.backdrop.top, 0, 1);
-  s.backdrop.bottom = Within(scene.backdrop.bottom, fresh.backdrop.bottom, 0, 1);
+  s.backdrop = Sane(scene.backdrop);
+  float rest = 1;
+  for (scene::FadingBackdrop& f : s.fading) {
+    f = {Sane(f.backdrop), Within(f.weight, 0, 0, rest)};
+    rest -= f.weight;
+  }
   s.hair_sway_rad.x = Within(scene.hair_sway_rad.x, 0, -kSway_rad, kSway_rad);
   s.hair_sway_rad.y = Within(scene.hair_sway_rad.y, 0, -kSway_rad, kSway_rad);
   s.breath = Within(scene.breath, 0, -1, 1);
-  return s;
 }
 
 }  // namespace kaori::passes
