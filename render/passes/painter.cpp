@@ -17,6 +17,7 @@
 #include "render/passes/lashes.h"
 #include "render/passes/layer.h"
 #include "render/passes/mouth.h"
+#include "render/passes/needles.h"
 #include "render/passes/sane_scene.h"
 #include "render/passes/surface.h"
 #include "render/passes/wire.h"
@@ -120,11 +121,12 @@ struct Painter::Parts {
     kWire,
     kLayer,
     kPrint,
+    kNeedles,
     kBody4
   };
-  static constexpr std::array kRehearsal{Turn::kMouth, Turn::kHair, Turn::kClothes,  Turn::kLayer,
-                                         Turn::kBody2, Turn::kFlat, Turn::kDarkEyes, Turn::kWire,
-                                         Turn::kPrint, Turn::kBody4};
+  static constexpr std::array kRehearsal{Turn::kMouth, Turn::kHair,    Turn::kClothes,  Turn::kLayer,
+                                         Turn::kBody2, Turn::kFlat,    Turn::kDarkEyes, Turn::kWire,
+                                         Turn::kPrint, Turn::kNeedles, Turn::kBody4};
   void Rehearse(Turn turn);
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
@@ -145,9 +147,11 @@ struct Painter::Parts {
   std::optional<ClothesPass> clothes;
   std::optional<FlatPass> flat;
   std::optional<WirePass> wire;
+  std::optional<NeedlesPass> needles;
   std::optional<LayerPass> layer;
   std::optional<gl::Canvas> backstage;
   std::size_t rehearsed = 0;
+  scene::Scene sane;  // What is drawn.
 };
 
 Result<void> Painter::Parts::Open(const face::Cast& cast) {
@@ -160,6 +164,7 @@ Result<void> Painter::Parts::Open(const face::Cast& cast) {
   Take(ClothesPass::Open(), clothes, outcome);
   Take(FlatPass::Open(cast), flat, outcome);
   Take(WirePass::Open(cast), wire, outcome);
+  Take(NeedlesPass::Open(cast), needles, outcome);
   Take(LayerPass::Open(), layer, outcome);
   return outcome;
 }
@@ -246,6 +251,8 @@ void Painter::Parts::Rehearse(Turn turn) {
       return eyes->DrawDark(shape);
     case Turn::kWire:
       return wire->Draw(surface, shape, scene.gaze);
+    case Turn::kNeedles:
+      return needles->Draw({.shown = 1}, shape);
     case Turn::kLayer:
       return layer->Lay(*backstage, Everywhere(whole), scene.backdrop, {.opacity = 0.5F});
     case Turn::kPrint:
@@ -264,13 +271,15 @@ Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context&, const face::C
 
 void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   Parts& p = *parts_;
-  const scene::Scene scene = Sane(wanted);
+  Sane(wanted, p.sane);
+  const scene::Scene& scene = p.sane;
   const bool fine = WeightOf(scene, Group::kTextured) > kUnseen;
   const face::Shape& shape =
       p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
   p.wardrobe.Weigh(shape.faces);
   const FrameBlock frame = p.BindFrame(scene, canvas);
-  const FigureRegion figure = FindFigure(frame, shape, p.wardrobe, p.edges);
+  const FigureRegion figure =
+      FindFigure(frame, shape, p.wardrobe, p.edges, NeedlesPass::ReachOf(scene.needles));
   p.layer->LayBackdropAround(canvas, figure, MixedBackdrop(scene));
   const float print = PrintShare(p.prints, shape.faces);
   float laid = 0;
@@ -280,6 +289,8 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
     laid += weight;
     canvas.BeginLayer(figure.bands, figure.whole);
     p.DrawGroup(group, scene, shape);
+    p.needles->Draw(scene.needles, shape,
+                    group == Group::kWire ? NeedlesPass::Among::kWires : NeedlesPass::Among::kSkin);
     p.layer->Lay(canvas, figure, BackdropOf(scene, group),
                  {.opacity = weight / laid,
                   .print = group == Group::kTextured ? print : 0,
