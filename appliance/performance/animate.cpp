@@ -98,7 +98,8 @@ void MoveOn(State& state, const board::Snapshot& board, const show::Show& show, 
   PlayHands(state, board, show);
   FollowKnobs(state, dt_s);
   MoveSticks(state, board, dt_s);
-  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles}) Advance(*mixture, dt_s);
+  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
+    Advance(*mixture, dt_s);
   if (state.backstage.duration_s > 0)
     state.backstage.progress = std::min(1.0F, state.backstage.progress + dt_s / state.backstage.duration_s);
 }
@@ -119,6 +120,17 @@ void Weigh(State& state, const board::Snapshot& board, const show::Show& show, c
   for (const face::Term& t : Current(state.styles, 1)) scene.styles[t.index] = t.weight;
 }
 
+// The one that was called, and those that were before it; of many, the heaviest.
+void HangBackdrops(const Mixture& backdrops, const show::Show& show, scene::Scene& scene) {
+  if (backdrops.to >= show.scenes.size()) return;
+  scene.backdrop = show.scenes[backdrops.to].backdrop;
+  for (const face::Term& t : Current(backdrops, 1)) {
+    auto lightest = std::ranges::min_element(scene.fading, {}, &scene::FadingBackdrop::weight);
+    if (t.index != backdrops.to && t.weight > lightest->weight)
+      *lightest = {show.scenes[t.index].backdrop, t.weight};
+  }
+}
+
 }  // namespace
 
 State Opening(const show::Show& show, const board::Snapshot& board, Time light) {
@@ -127,7 +139,8 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time light) 
   state.seen = {board.surface.value.counts, board.surface.value.pushes, board.keys.value.pushes};
   state.styles.to = static_cast<std::uint16_t>(scene::Style::kSoft);
   if (!show.scenes.empty()) EnterScene(state, show, 0, 0);
-  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles}) mixture->from.clear();
+  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
+    mixture->from.clear();
   return state;
 }
 
@@ -146,7 +159,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const sho
   Weigh(state, board, show, motion, scene, dt_s);
   Swing(state.sway, scene.head, dt_s);
   scene.hair_sway_rad = state.sway.angle_rad;
-  scene.backdrop = BackdropNow(state.backstage);
+  HangBackdrops(state.backdrops, show, scene);
   scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight);
   performed.lamps = Lamps(state, show);
   return performed;

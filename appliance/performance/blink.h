@@ -29,12 +29,6 @@ inline float HoldLid(float now, bool held, float dt_s) {
   return Travel(now, held ? 1.0F : 0.0F, dt_s, held ? 12.0F : 7.0F);
 }
 
-inline scene::Backdrop BackdropNow(const Backstage& b) {
-  const float t = SmoothStep(b.progress);
-  return {b.backdrop_from.top * (1 - t) + b.backdrop_to.top * t,
-          b.backdrop_from.bottom * (1 - t) + b.backdrop_to.bottom * t};
-}
-
 inline float ExposureNow(const Backstage& b) {
   return Mix(b.exposure_from, b.exposure_to, SmoothStep(b.progress));
 }

@@ -60,6 +60,8 @@ void PlayTake(State& state, int take) {
 void Struck(State& state, std::uint16_t usage, const show::Show& show) {
   if (usage == kKeySpace || usage == kKeyX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
   if (usage == kKeySpace || usage == kKeyZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
+  for (const show::KeyCall& key : show.keys)
+    if (key.key_usage == usage) Obey(state, key.call, show);
   for (std::size_t i = 0; i < show.takes.size(); ++i)
     if (show.takes[i].key_usage == usage) PlayTake(state, static_cast<int>(i));
   for (std::size_t i = 0; i < show.scenes.size(); ++i)
@@ -116,9 +118,9 @@ void EnterScene(State& state, const show::Show& show, std::uint16_t index, float
   CallWhole(state, state.faces, Knob::kFace, scene.face, fade_s);
   CallWhole(state, state.expressions, Knob::kExpression, scene.expression, fade_s);
   Call(state.styles, static_cast<std::uint16_t>(scene.style), fade_s, 1);
-  const scene::Backdrop now = BackdropNow(state.backstage);
+  Call(state.backdrops, index, fade_s, 1);
   const float exposure = ExposureNow(state.backstage);
-  state.backstage = {now, scene.backdrop, exposure, scene.exposure, fade_s > 0 ? 0.0F : 1.0F, fade_s};
+  state.backstage = {exposure, scene.exposure, fade_s > 0 ? 0.0F : 1.0F, fade_s};
   state.scene = index;
 }
 

@@ -40,11 +40,7 @@ bool SoundMixture(const Mixture& mixture, std::size_t count) {
 }
 
 bool SoundBackstage(const Backstage& b) {
-  const auto colours = [](const scene::Backdrop& drop) {
-    return Within({drop.top.x, drop.top.y, drop.top.z, drop.bottom.x, drop.bottom.y, drop.bottom.z}, 0, 1);
-  };
-  return colours(b.backdrop_from) && colours(b.backdrop_to) &&
-         Within({b.exposure_from, b.exposure_to}, 0, show::kMostExposure) &&
+  return Within({b.exposure_from, b.exposure_to}, 0, show::kMostExposure) &&
          SoundFade(b.progress, b.duration_s);
 }
 
@@ -82,9 +78,10 @@ bool SoundVoices(const State& s, const show::Show& show) {
 bool Sound(const State& state, const show::Show& show) {
   return SoundMixture(state.faces, show.cast.faces.size()) &&
          SoundMixture(state.expressions, show.cast.expressions.size()) &&
-         SoundMixture(state.styles, scene::kStyleCount) && SoundBackstage(state.backstage) &&
-         SoundKnobs(state) && SoundPose(state) && SoundClocks(state) && SoundVoices(state, show) &&
-         (show.scenes.empty() || state.scene < show.scenes.size());
+         SoundMixture(state.styles, scene::kStyleCount) &&
+         (show.scenes.empty() || SoundMixture(state.backdrops, show.scenes.size())) &&
+         SoundBackstage(state.backstage) && SoundKnobs(state) && SoundPose(state) && SoundClocks(state) &&
+         SoundVoices(state, show) && (show.scenes.empty() || state.scene < show.scenes.size());
 }
 
 }  // namespace kaori::performance

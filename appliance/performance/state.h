@@ -23,8 +23,7 @@ struct Seen {
   std::array<std::uint32_t, 256> keys{};
 };
 
-struct Backstage {  // The scene's light and backdrop on their way.
-  scene::Backdrop backdrop_from, backdrop_to;
+struct Backstage {  // The scene's light on its way.
   float exposure_from = 1, exposure_to = 1;
   float progress = 1, duration_s = 0;
 };
@@ -61,11 +60,12 @@ struct Sway {
 };
 
 struct State {
-  static constexpr std::uint32_t kLayout = 2;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 3;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // For which light the last frame was made.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   Seen seen;
   Mixture faces, expressions, styles;
+  Mixture backdrops;  // Of scenes, by their numbers.
   Backstage backstage;
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
   std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.

@@ -41,6 +41,7 @@ void CheckCounts(const Show& show, Faults& faults) {
   check("expressions", show.cast.expressions.size());
   check("props", show.cast.props.size());
   check("textures", show.cast.textures.size());
+  check("keys", show.keys.size());
   check("takes", show.takes.size());
   check("scenes", show.scenes.size());
   if (show.cast.textures.empty()) faults.emplace_back("textures: there is none, and every face wants one");
@@ -55,6 +56,13 @@ void CheckButtons(const Show& show, Faults& faults) {
 
 void CheckKey(const std::string& item, std::uint16_t usage, Faults& faults) {
   if (usage >= kKeyUsages) faults.push_back(fmt::format("{}: there is no key {}", item, usage));
+}
+
+void CheckKeyCall(const Show& show, const KeyCall& key, Faults& faults) {
+  const std::string item = fmt::format("key {}", key.key_usage);
+  CheckKey(item, key.key_usage, faults);
+  if (const Call& call = key.call; call.index >= Count(show, call.kind))
+    faults.push_back(fmt::format("{}: calls number {} of {}", item, call.index, Count(show, call.kind)));
 }
 
 void CheckCurve(const Show& show, const std::string& item, const TakeCurve& curve, Faults& faults) {
@@ -83,6 +91,18 @@ bool IsColour(const glm::vec3& c) {
   return Within(c.x, 0, 1) && Within(c.y, 0, 1) && Within(c.z, 0, 1);
 }
 
+void CheckBackdrop(const Show& show, const std::string& item, const scene::Backdrop& backdrop,
+                   Faults& faults) {
+  if (!IsColour(backdrop.top) || !IsColour(backdrop.bottom) || !IsColour(backdrop.glow))
+    faults.push_back(item + ": its backdrop holds a colour that is none");
+  const int kind = static_cast<int>(backdrop.kind);
+  if (kind >= scene::kBackdropKindCount)
+    faults.push_back(fmt::format("{}: there is no kind of backdrop {}", item, kind));
+  const bool picture = backdrop.kind == scene::BackdropKind::kPicture;
+  if (picture && (backdrop.picture < 0 || backdrop.picture >= static_cast<int>(show.cast.textures.size())))
+    faults.push_back(fmt::format("{}: there is no picture {}", item, backdrop.picture));
+}
+
 void CheckScene(const Show& show, const StageScene& scene, Faults& faults) {
   const std::string item = fmt::format("scene \"{}\"", scene.name);
   CheckKey(item, scene.key_usage, faults);
@@ -98,8 +118,7 @@ void CheckScene(const Show& show, const StageScene& scene, Faults& faults) {
   if (!Within(scene.fade_s, 0, kLongestFade_s))
     faults.push_back(
         fmt::format("{}: its fade is {} s, not within 0 to {}", item, scene.fade_s, kLongestFade_s));
-  if (!IsColour(scene.backdrop.top) || !IsColour(scene.backdrop.bottom))
-    faults.push_back(item + ": its backdrop holds a colour that is none");
+  CheckBackdrop(show, item, scene.backdrop, faults);
 }
 
 void CheckChannels(const Show& show, Faults& faults) {
@@ -120,6 +139,7 @@ std::vector<std::string> CheckShow(const Show& show) {
   Faults faults = face::FindFaults(show.cast);
   CheckCounts(show, faults);
   CheckButtons(show, faults);
+  for (const KeyCall& key : show.keys) CheckKeyCall(show, key, faults);
   for (const Take& take : show.takes) CheckTake(show, take, faults);
   for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);
   CheckChannels(show, faults);

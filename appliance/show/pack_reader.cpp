@@ -126,7 +126,9 @@ StageScene ReadScene(Copier& from, const pack::StageScene& stored) {
           .face = Narrow<std::uint16_t>(stored.face()),
           .expression = Narrow<std::uint16_t>(stored.expression()),
           .style = static_cast<scene::Style>(Narrow<std::uint8_t>(stored.style())),
-          .backdrop = {Vec(stored.backdrop_top()), Vec(stored.backdrop_bottom())},
+          .backdrop = {Vec(stored.backdrop_top()), Vec(stored.backdrop_bottom()),
+                       static_cast<scene::BackdropKind>(Narrow<std::uint8_t>(stored.backdrop_kind())),
+                       Vec(stored.backdrop_glow()), stored.backdrop_picture()},
           .exposure = stored.exposure(),
           .fade_s = stored.fade_s()};
 }
@@ -143,6 +145,10 @@ Channels ReadChannels(Copier& from, const pack::Pack& stored) {
   return channels;
 }
 
+Call ReadCall(const pack::Call& stored) {
+  return {static_cast<CallKind>(Narrow<std::uint8_t>(stored.kind())), Narrow<std::uint16_t>(stored.index())};
+}
+
 Show Read(Copier& from, const pack::Pack& stored) {
   Show show;
   show.name = from.Text(stored.name());
@@ -155,10 +161,12 @@ Show Read(Copier& from, const pack::Pack& stored) {
                .neck_pivot = Vec(stored.neck_pivot()),
                .mouth_anchor = Vec(stored.mouth_anchor())};
   if (stored.buttons() != nullptr)
-    for (flatbuffers::uoffset_t i = 0; i < stored.buttons()->size() && i < show.buttons.size(); ++i) {
-      const pack::Call* call = stored.buttons()->Get(i);
-      show.buttons[i] = {static_cast<CallKind>(Narrow<std::uint8_t>(call->kind())),
-                         Narrow<std::uint16_t>(call->index())};
+    for (flatbuffers::uoffset_t i = 0; i < stored.buttons()->size() && i < show.buttons.size(); ++i)
+      show.buttons[i] = ReadCall(*stored.buttons()->Get(i));
+  if (stored.keys() != nullptr)
+    for (flatbuffers::uoffset_t i = 0; i < stored.keys()->size() && i < kKeyUsages; ++i) {
+      const pack::KeyCall* key = stored.keys()->Get(i);
+      show.keys.push_back({Narrow<std::uint16_t>(key->key_usage()), ReadCall(key->call())});
     }
   show.takes = from.Tables<Take>(stored.takes(), ReadTake);
   show.scenes = from.Tables<StageScene>(stored.scenes(), ReadScene);

@@ -135,9 +135,11 @@ Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene) {
   const auto name = to.CreateString(scene.name);
   const pack::Vec3 top = Vec(scene.backdrop.top);
   const pack::Vec3 bottom = Vec(scene.backdrop.bottom);
+  const pack::Vec3 glow = Vec(scene.backdrop.glow);
   return pack::CreateStageScene(to, name, scene.key_usage, scene.face, scene.expression,
                                 static_cast<std::uint32_t>(scene.style), &top, &bottom, scene.exposure,
-                                scene.fade_s);
+                                scene.fade_s, static_cast<std::uint32_t>(scene.backdrop.kind), &glow,
+                                scene.backdrop.picture);
 }
 
 Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
@@ -151,6 +153,11 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   std::vector<pack::Call> calls;
   for (const Call& call : show.buttons) calls.emplace_back(static_cast<std::uint32_t>(call.kind), call.index);
   const auto buttons = to.CreateVectorOfStructs(calls);
+  std::vector<pack::KeyCall> key_calls;
+  for (const KeyCall& key : show.keys)
+    key_calls.emplace_back(key.key_usage,
+                           pack::Call(static_cast<std::uint32_t>(key.call.kind), key.call.index));
+  const auto keys = to.CreateVectorOfStructs(key_calls);
   const auto takes = WriteAll(to, show.takes);
   const auto scenes = WriteAll(to, show.scenes);
   const auto brow_up = to.CreateVector(show.channels.brow_up.data(), show.channels.brow_up.size());
@@ -160,7 +167,7 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, takes, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
-                          show.channels.lids_down, mouth, blink);
+                          show.channels.lids_down, mouth, blink, keys);
 }
 
 }  // namespace

@@ -30,6 +30,12 @@ struct Call {
   std::uint16_t index = 0;
 };
 
+// A key of the keyboard that calls what a button may call.
+struct KeyCall {
+  std::uint16_t key_usage = 0;
+  Call call;
+};
+
 // A registered motion: curves over time, added to head, gaze and channels.
 enum class TakeTarget : std::uint8_t {
   kHeadYaw,
@@ -80,6 +86,7 @@ struct Show {
   std::string name;
   face::Cast cast;
   std::array<Call, kButtonCount> buttons{};
+  std::vector<KeyCall> keys;
   std::vector<Take> takes;
   std::vector<StageScene> scenes;
   Channels channels;

@@ -18,6 +18,8 @@ Format FormatOf(Texels texels) {
       return {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case Texels::kRgba8:
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    case Texels::kRgb10:
+      return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
     case Texels::kGrey8:
       return {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
     case Texels::kFloat4:

@@ -12,6 +12,7 @@ namespace kaori::gl {
 enum class Texels : std::uint8_t {
   kSrgb8,   // 4 bytes, R G B sRGB-coded and A linear; read as linear light.
   kRgba8,   // 4 bytes, read as they are.
+  kRgb10,   // 10 bits each, for what is drawn on and enlarged later.
   kGrey8,   // 1 byte.
   kFloat4,  // 4 floats; read by texelFetch alone.
 };

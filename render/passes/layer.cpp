@@ -16,6 +16,8 @@ namespace {
 constexpr float kDotsHigh = 120;
 constexpr float kLeastPitch_px = 3.5F;
 
+constexpr int kBehindUnit = 1;
+
 float DotWave_rad_px(const gl::Canvas& canvas) {
   const float pitch_px = std::max(static_cast<float>(canvas.height_px()) / kDotsHigh, kLeastPitch_px);
   return 2 * std::numbers::pi_v<float> / pitch_px;
@@ -29,7 +31,9 @@ Result<gl::Program> Make(std::string_view fragment, std::string defines) {
                                     .fragment = fragment,
                                     .defines = std::move(defines),
                                     .reads_samples = reads_samples});
-  if (program) program->BindSampler("layer", 0);
+  if (!program) return program;
+  program->BindSampler("layer", 0);
+  program->BindSampler("behind", kBehindUnit);
   return program;
 }
 
@@ -51,8 +55,7 @@ Sides Beside(const gl::Box& band, const gl::Box& wide) {
 
 LayerPass::Variant LayerPass::Named(gl::Program program) {
   Variant v;
-  v.top = program.Find("top");
-  v.bottom = program.Find("bottom");
+  v.dim = program.Find("dim");
   v.opacity = program.Find("opacity");
   v.print = program.Find("print");
   v.program = std::move(program);
@@ -74,42 +77,40 @@ Result<LayerPass> LayerPass::Open() {
   return pass;
 }
 
-void LayerPass::Variant::Use(const scene::Backdrop& backdrop, float opaque) const {
-  program.Use();
-  gl::Program::Set(top, backdrop.top);
-  gl::Program::Set(bottom, backdrop.bottom);
-  gl::Program::Set(opacity, opaque);
-}
-
 void LayerPass::Fill(const gl::Canvas& canvas, const gl::Box& box) const {
   if (box.empty()) return;
   canvas.Within(box);
   everywhere_.Draw();
 }
 
-void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const scene::Backdrop& backdrop,
+void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind,
                     const Laying& laying) const {
   if (figure.whole.empty()) return;
   canvas.BindLayer(0, figure.whole);
   const bool replaces = laying.opacity >= 1;
   gl::Apply({.depth = gl::Depth::kOff, .blend = replaces ? gl::Blend::kReplace : gl::Blend::kOver});
   const Variant& variant = laying.print > 0 ? printed_ : plain_;
-  variant.Use(backdrop, laying.opacity);
+  variant.program.Use();
+  behind.picture.Bind(kBehindUnit);
+  gl::Program::Set(variant.dim, behind.dim);
+  gl::Program::Set(variant.opacity, laying.opacity);
   gl::Program::Set(variant.print, glm::vec3(laying.print, laying.exposure, DotWave_rad_px(canvas)));
   canvas.BeginPicture();
   for (const gl::Box& band : figure.bands) Fill(canvas, band);
 }
 
-bool LayerPass::Stands(const gl::Canvas& canvas, const scene::Backdrop& backdrop) const {
-  return canvas.signature() == gl::Canvas::Signature{this, frame_} && backdrop.top == last_backdrop_.top &&
-         backdrop.bottom == last_backdrop_.bottom;
+bool LayerPass::Stands(const gl::Canvas& canvas, const Behind& behind) const {
+  return canvas.signature() == gl::Canvas::Signature{this, frame_} && behind.version == last_version_ &&
+         behind.dim == last_dim_;
 }
 
 void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
-                                  const scene::Backdrop& backdrop) {
-  const bool stands = Stands(canvas, backdrop);
+                                  const Behind& behind) {
+  const bool stands = Stands(canvas, behind);
   gl::Apply({.depth = gl::Depth::kOff});
-  backdrop_.Use(backdrop, 1);
+  backdrop_.program.Use();
+  behind.picture.Bind(kBehindUnit);
+  gl::Program::Set(backdrop_.dim, behind.dim);
   canvas.BeginPicture();
   for (std::size_t b = 0; b < figure.bands.size(); ++b) {
     const gl::Box whole{0, figure.bands[b].bottom_px, canvas.width_px(), figure.bands[b].height_px};
@@ -117,7 +118,8 @@ void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& 
     Fill(canvas, sides.left);
     Fill(canvas, sides.right);
   }
-  last_backdrop_ = backdrop;
+  last_version_ = behind.version;
+  last_dim_ = behind.dim;
   last_figure_ = figure;
   canvas.Sign({this, ++frame_});
 }

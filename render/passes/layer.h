@@ -7,7 +7,6 @@
 #include "render/gl/mesh.h"
 #include "render/gl/program.h"
 #include "render/passes/figure_region.h"
-#include "render/scene/scene.h"
 
 namespace kaori::passes {
 
@@ -16,31 +15,34 @@ class LayerPass {
   // Errors: invalid_argument (a shader).
   static Result<LayerPass> Open();
 
+  // The backdrop: square roots of light, as large as the canvas. Borrowed for the call.
+  struct Behind {
+    const gl::Texture& picture;
+    std::uint64_t version = 0;  // Differs when the picture does.
+    float dim = 1;              // 0: dark.
+  };
   struct Laying {
     float opacity = 1;   // 1 replaces what is there.
     float print = 0;     // 0..1: how much of the figure is a poster's print.
     float exposure = 1;  // Of the light on the figure.
   };
   // The canvas's layer, where the figure is.
-  void Lay(const gl::Canvas& canvas, const FigureRegion& figure, const scene::Backdrop& backdrop,
+  void Lay(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind,
            const Laying& laying) const;
   // The backdrop alone, everywhere but there. Called once a frame, before all layers: where it stands
   // already, from the last frame on this canvas, it is left alone.
-  void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
-                         const scene::Backdrop& backdrop);
+  void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind);
 
  private:
   void Fill(const gl::Canvas& canvas, const gl::Box& box) const;
   // The backdrop stands on all of the canvas but `last_figure_`.
-  bool Stands(const gl::Canvas& canvas, const scene::Backdrop& backdrop) const;
+  bool Stands(const gl::Canvas& canvas, const Behind& behind) const;
 
   struct Variant {
     gl::Program program;
-    int top = -1;
-    int bottom = -1;
+    int dim = -1;
     int opacity = -1;
     int print = -1;
-    void Use(const scene::Backdrop& backdrop, float opaque) const;
   };
   static Variant Named(gl::Program program);
 
@@ -50,7 +52,8 @@ class LayerPass {
   gl::Mesh everywhere_;
 
   std::uint64_t frame_ = 0;
-  scene::Backdrop last_backdrop_;
+  std::uint64_t last_version_ = 0;
+  float last_dim_ = 0;
   FigureRegion last_figure_;
 };
 

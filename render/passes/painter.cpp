@@ -7,6 +7,7 @@
 
 #include "render/face/composer.h"
 #include "render/gl/buffer.h"
+#include "render/passes/backdrop.h"
 #include "render/passes/body.h"
 #include "render/passes/clothes.h"
 #include "render/passes/eyes.h"
@@ -54,15 +55,18 @@ float WeightOf(const scene::Scene& s, Group group) {
   return 0;
 }
 
-scene::Backdrop BackdropOf(const scene::Scene& s, Group group) {
-  if (group != Group::kWire) return s.backdrop;
-  return {s.backdrop.top * kWireBackdrop, s.backdrop.bottom * kWireBackdrop};
+// The lamps light the backdrop too; no light, no backdrop.
+float LightBehind(const scene::Scene& s) {
+  return std::min(s.light.exposure, 1.0F);
+}
+
+float LightBehind(const scene::Scene& s, Group group) {
+  return LightBehind(s) * (group == Group::kWire ? kWireBackdrop : 1.0F);
 }
 
 // What all groups show together where there is no figure.
-scene::Backdrop MixedBackdrop(const scene::Scene& s) {
-  const float share = 1 - (1 - kWireBackdrop) * WeightOf(s, Group::kWire);
-  return {s.backdrop.top * share, s.backdrop.bottom * share};
+float MixedLightBehind(const scene::Scene& s) {
+  return LightBehind(s) * (1 - (1 - kWireBackdrop) * WeightOf(s, Group::kWire));
 }
 
 // Of the textured styles alone.
@@ -148,6 +152,7 @@ struct Painter::Parts {
   std::optional<FlatPass> flat;
   std::optional<WirePass> wire;
   std::optional<NeedlesPass> needles;
+  std::optional<BackdropPass> backdrop;
   std::optional<LayerPass> layer;
   std::optional<gl::Canvas> backstage;
   std::size_t rehearsed = 0;
@@ -165,6 +170,7 @@ Result<void> Painter::Parts::Open(const face::Cast& cast) {
   Take(FlatPass::Open(cast), flat, outcome);
   Take(WirePass::Open(cast), wire, outcome);
   Take(NeedlesPass::Open(cast), needles, outcome);
+  Take(BackdropPass::Open(cast), backdrop, outcome);
   Take(LayerPass::Open(), layer, outcome);
   return outcome;
 }
@@ -254,9 +260,9 @@ void Painter::Parts::Rehearse(Turn turn) {
     case Turn::kNeedles:
       return needles->Draw({.shown = 1}, shape);
     case Turn::kLayer:
-      return layer->Lay(*backstage, Everywhere(whole), scene.backdrop, {.opacity = 0.5F});
+      return layer->Lay(*backstage, Everywhere(whole), {backdrop->picture()}, {.opacity = 0.5F});
     case Turn::kPrint:
-      return layer->Lay(*backstage, Everywhere(whole), scene.backdrop, {.print = 1});
+      return layer->Lay(*backstage, Everywhere(whole), {backdrop->picture()}, {.print = 1});
   }
 }
 
@@ -280,7 +286,10 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const FrameBlock frame = p.BindFrame(scene, canvas);
   const FigureRegion figure =
       FindFigure(frame, shape, p.wardrobe, p.edges, NeedlesPass::ReachOf(scene.needles));
-  p.layer->LayBackdropAround(canvas, figure, MixedBackdrop(scene));
+  p.backdrop->Prepare(scene, canvas.width_px(), canvas.height_px());
+  const gl::Texture& behind = p.backdrop->picture();
+  const std::uint64_t version = p.backdrop->version();
+  p.layer->LayBackdropAround(canvas, figure, {behind, version, MixedLightBehind(scene)});
   const float print = PrintShare(p.prints, shape.faces);
   float laid = 0;
   for (const Group group : kGroups) {
@@ -291,7 +300,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
     p.DrawGroup(group, scene, shape);
     p.needles->Draw(scene.needles, shape,
                     group == Group::kWire ? NeedlesPass::Among::kWires : NeedlesPass::Among::kSkin);
-    p.layer->Lay(canvas, figure, BackdropOf(scene, group),
+    p.layer->Lay(canvas, figure, {behind, version, LightBehind(scene, group)},
                  {.opacity = weight / laid,
                   .print = group == Group::kTextured ? print : 0,
                   .exposure = scene.light.exposure});
@@ -308,15 +317,20 @@ const face::Shape& Painter::shape() const {
 
 bool Painter::RehearseStep() {
   Parts& p = *parts_;
-  if (p.rehearsed >= Parts::kRehearsal.size()) return false;
+  constexpr std::size_t kSteps = Parts::kRehearsal.size() + BackdropPass::kRehearsals;
+  if (p.rehearsed >= kSteps) return false;
   if (!p.backstage) {
     constexpr int kSize_px = 16;
     auto canvas = gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px});
     if (!canvas) return false;
     p.backstage = std::move(*canvas);
   }
-  p.Rehearse(Parts::kRehearsal[p.rehearsed++]);
-  if (p.rehearsed < Parts::kRehearsal.size()) return true;
+  const std::size_t step = p.rehearsed++;
+  if (step < Parts::kRehearsal.size())
+    p.Rehearse(Parts::kRehearsal[step]);
+  else
+    p.backdrop->Rehearse(step - Parts::kRehearsal.size());
+  if (p.rehearsed < kSteps) return true;
   p.backstage.reset();
   return false;
 }

@@ -1,15 +1,15 @@
 // A layer over the backdrop. It holds square roots of linear light, so samples are squared, then averaged.
-#include "dither.glsl"
 #ifdef PRINT
 #include "print.glsl"
 #endif
-in vec3 backdrop;
 #ifdef SAMPLES
 uniform sampler2DMS layer;
 #else
 uniform sampler2D layer;
 #endif
+uniform sampler2D behind;   // The backdrop, as large as the picture.
 uniform float opacity;
+uniform float dim;          // Of the backdrop.
 layout(location = 0) out vec4 colour;
 
 void main() {
@@ -29,5 +29,6 @@ void main() {
 #ifdef PRINT
   if (covered > 0.0) light = Printed(light / covered) * covered;
 #endif
-  colour = vec4(light + Dithered(backdrop) * (1.0 - covered), opacity);
+  vec3 root = texelFetch(behind, at, 0).rgb;
+  colour = vec4(light + root * root * (dim * (1.0 - covered)), opacity);
 }

@@ -26,6 +26,7 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
       eyes_(Must(passes::EyesPass::Open(cast.topology))),
       hair_(Must(passes::HairPass::Open())),
       clothes_(Must(passes::ClothesPass::Open())),
+      backdrop_(Must(passes::BackdropPass::Open(cast))),
       layer_(Must(passes::LayerPass::Open())),
       frame_(gl::BufferUse::kStatic, sizeof(passes::FrameBlock)) {
   surface_.WriteFine(shape_);
@@ -37,13 +38,15 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
 
 void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
   frame_.BindUniforms(passes::kFrameBinding);
-  layer_.LayBackdropAround(canvas, figure_, scene_.backdrop);
+  backdrop_.Prepare(scene_, canvas.width_px(), canvas.height_px());
+  const passes::LayerPass::Behind behind{backdrop_.picture(), backdrop_.version()};
+  layer_.LayBackdropAround(canvas, figure_, behind);
   canvas.BeginLayer(figure_.bands, figure_.whole);
   hair_.Draw(wardrobe_, 1);
   clothes_.Draw(wardrobe_, shape_.faces);
   body_.Draw(surface_, shape_, true);
   eyes_.Draw(shape_, scene_.gaze);
-  layer_.Lay(canvas, figure_, scene_.backdrop, {});
+  layer_.Lay(canvas, figure_, behind, {});
   canvas.ReadPixels(bytes);
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "render/face/composer.h"
+#include "render/passes/backdrop.h"
 #include "render/passes/body.h"
 #include "render/passes/clothes.h"
 #include "render/passes/eyes.h"
@@ -33,6 +34,7 @@ class BareDraw {
   passes::EyesPass eyes_;
   passes::HairPass hair_;
   passes::ClothesPass clothes_;
+  passes::BackdropPass backdrop_;
   passes::LayerPass layer_;
   gl::Buffer frame_;
   passes::FigureRegion figure_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "appliance/atelier/pack/difference_parts.h"
+#include "appliance/atelier/script/backdrop_file.h"
 
 namespace kaori::atelier {
 namespace {
@@ -37,6 +38,11 @@ std::string Says(const show::Show& show, const show::Call& call) {
   return "nothing";
 }
 
+std::string OnKey(const show::Show& show, std::uint16_t usage) {
+  const auto key = std::ranges::find(show.keys, usage, &show::KeyCall::key_usage);
+  return key == show.keys.end() ? "nothing" : Says(show, key->call);
+}
+
 bool SameCurve(const show::TakeCurve& a, const show::TakeCurve& b) {
   const auto same = [](const show::TakeKey& x, const show::TakeKey& y) {
     return x.at_s == y.at_s && x.value == y.value;
@@ -60,6 +66,23 @@ std::vector<std::pair<std::string, std::string>> ChannelsOf(const show::Show& sh
   return all;
 }
 
+const face::Texture* PictureOf(const ScriptedScene& s) {
+  const auto index = static_cast<std::size_t>(s.scene.backdrop.picture);
+  return index < s.show.cast.textures.size() ? &s.show.cast.textures[index] : nullptr;
+}
+
+// Pictures are the same when they look the same, wherever they stand in the pack.
+bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
+  scene::Backdrop as_a = b.scene.backdrop;
+  as_a.picture = a.scene.backdrop.picture;
+  if (!(as_a == a.scene.backdrop)) return false;
+  if (as_a.kind != scene::BackdropKind::kPicture) return true;
+  const face::Texture* before = PictureOf(a);
+  const face::Texture* after = PictureOf(b);
+  return before != nullptr && after != nullptr && before->width_px == after->width_px &&
+         before->rgba == after->rgba;
+}
+
 }  // namespace
 
 void CompareTake(const std::string& item, const show::Take& a, const show::Take& b, Lines& lines) {
@@ -78,7 +101,8 @@ void CompareScene(const std::string& item, const ScriptedScene& a, const Scripte
           StyleName(static_cast<std::size_t>(b.scene.style)));
   compare("light", fmt::format("{:.2f}", a.scene.exposure), fmt::format("{:.2f}", b.scene.exposure));
   compare("fade", fmt::format("{:.2f} s", a.scene.fade_s), fmt::format("{:.2f} s", b.scene.fade_s));
-  if (a.scene.backdrop.top != b.scene.backdrop.top || a.scene.backdrop.bottom != b.scene.backdrop.bottom)
+  compare("backdrop", NameOf(a.scene.backdrop.kind), NameOf(b.scene.backdrop.kind));
+  if (a.scene.backdrop.kind == b.scene.backdrop.kind && !SameBackdrop(a, b))
     lines.push_back(item + ": backdrop changed");
   if (a.scene.key_usage != b.scene.key_usage) lines.push_back(item + ": is called by another key");
 }
@@ -87,6 +111,12 @@ void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
   for (std::size_t i = 0; i < a.buttons.size(); ++i)
     if (const auto before = Says(a, a.buttons[i]), after = Says(b, b.buttons[i]); before != after)
       lines.push_back(fmt::format("button {}: {} is now {}", i + 1, before, after));
+  for (const show::KeyCall& key : b.keys)
+    if (const auto before = OnKey(a, key.key_usage), after = Says(b, key.call); before != after)
+      lines.push_back(fmt::format("key {}: {} is now {}", key.key_usage, before, after));
+  for (const show::KeyCall& key : a.keys)
+    if (OnKey(b, key.key_usage) == "nothing")
+      lines.push_back(fmt::format("key {}: {} is now nothing", key.key_usage, Says(a, key.call)));
   const auto before = ChannelsOf(a);
   const auto after = ChannelsOf(b);
   for (std::size_t i = 0; i < before.size(); ++i)

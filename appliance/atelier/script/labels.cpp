@@ -58,10 +58,13 @@ Json DialsJson() {
   return dials;
 }
 
-Json ButtonJson(const show::Call& call, const show::Show& show) {
-  const auto labelled = [](const std::string& text, const char* group) {
-    return Json{{"text", text}, {"group", group}};
-  };
+struct Label {
+  std::string text;
+  const char* group = "";
+};
+
+Label LabelOf(const show::Call& call, const show::Show& show) {
+  const auto labelled = [](const std::string& text, const char* group) { return Label{text, group}; };
   switch (call.kind) {
     case show::CallKind::kFace:
       return labelled(Readable(show.cast.faces[call.index].name), "face");
@@ -74,7 +77,12 @@ Json ButtonJson(const show::Call& call, const show::Show& show) {
     case show::CallKind::kNothing:
       break;
   }
-  return labelled("", "");
+  return {};
+}
+
+Json ButtonJson(const show::Call& call, const show::Show& show) {
+  const Label label = LabelOf(call, show);
+  return Json{{"text", label.text}, {"group", label.group}};
 }
 
 Json SticksJson() {
@@ -82,7 +90,7 @@ Json SticksJson() {
                       {{"text", "Gaze and brows"}, {"twist", "Brows"}, {"slide", "Brows up"}}});
 }
 
-// In the order in which hands find them: blinks, registered motions, scenes.
+// In the order in which hands find them: blinks, registered motions, scenes, and what else keys call.
 Json KeysJson(const show::Show& show) {
   Json keys = Json::array();
   const auto add = [&keys](std::uint16_t usage, const std::string& text, const char* group) {
@@ -93,6 +101,10 @@ Json KeysJson(const show::Show& show) {
   add(kX, "Wink right", "blink");
   for (const show::Take& take : show.takes) add(take.key_usage, Readable(take.name), "take");
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
+  for (const show::KeyCall& key : show.keys) {
+    const Label label = LabelOf(key.call, show);
+    add(key.key_usage, label.text, label.group);
+  }
   return keys;
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <initializer_list>
 #include <numbers>
 #include <optional>
@@ -11,9 +9,8 @@
 #include <type_traits>
 
 #include <fmt/format.h>
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
 
+#include "appliance/atelier/script/backdrop_file.h"
 #include "appliance/atelier/script/key_names.h"
 
 namespace kaori::atelier {
@@ -32,30 +29,26 @@ constexpr std::array<Target, 6> kTargets{{{"head_yaw", show::TakeTarget::kHeadYa
                                           {"gaze_pitch", show::TakeTarget::kGazePitch, true},
                                           {"lids", show::TakeTarget::kLids, false}}};
 
-float ToLinear(unsigned byte) {
-  const double s = byte / 255.0;
-  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-}
-
 // One pass over the file; faults gather while it goes on.
 class Reader {
  public:
-  Reader(std::string file, show::Show& show) : file_(std::move(file)), show_(show) {}
+  Reader(std::filesystem::path file, show::Show& show) : file_(std::move(file)), show_(show) {}
 
   std::vector<std::string> Read(const toml::table& table) {
-    CheckWords("the show", table, {"name", "scene", "take", "buttons", "channels"});
+    CheckWords("the show", table, {"name", "scene", "take", "buttons", "keys", "channels"});
     show_.name = Value("the show", table, "name", std::string("unnamed"));
     if (const auto* scenes = table["scene"].as_array()) ForEachTable(*scenes, [&](auto& t) { ReadScene(t); });
     if (show_.scenes.empty()) Fault("scenes", "there is none; the first one opens the show");
     if (const auto* takes = table["take"].as_array()) ForEachTable(*takes, [&](auto& t) { ReadTake(t); });
     if (const auto* rows = table["buttons"].as_array()) ReadButtons(*rows);
+    if (const auto* keys = table["keys"].as_table()) ReadKeys(*keys);
     if (const auto* channels = table["channels"].as_table()) ReadChannels(*channels);
     return std::move(faults_);
   }
 
  private:
   void Fault(const std::string& item, const std::string& reason) {
-    faults_.push_back(fmt::format("{}: {}: {}", file_, item, reason));
+    faults_.push_back(fmt::format("{}: {}: {}", file_.string(), item, reason));
   }
 
   // What is written wrongly would else be left out in silence.
@@ -105,21 +98,13 @@ class Reader {
 
   std::uint16_t Key(const std::string& item, const toml::table& table) {
     if (!table.contains("key")) return 0;
-    const std::string name = Value(item, table, "key", std::string());
+    return KeyNamed(item, Value(item, table, "key", std::string()));
+  }
+
+  std::uint16_t KeyNamed(const std::string& item, const std::string& name) {
     if (const auto usage = KeyUsage(name)) return *usage;
     Fault(item, fmt::format("there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12", name));
     return 0;
-  }
-
-  glm::vec3 Colour(const std::string& item, const toml::node_view<const toml::node>& node) {
-    const auto text = node.value_or(std::string());
-    unsigned value = 0;
-    const char* const end = text.data() + text.size();
-    if (text.size() != 7 || text[0] != '#' || std::from_chars(text.data() + 1, end, value, 16).ptr != end) {
-      Fault(item, fmt::format("\"{}\" is no colour; write one as \"#41506a\"", text));
-      return {};
-    }
-    return {ToLinear(value >> 16U), ToLinear((value >> 8U) & 255U), ToLinear(value & 255U)};
   }
 
   void ReadScene(const toml::table& table) {
@@ -134,7 +119,9 @@ class Reader {
     scene.style = static_cast<scene::Style>(Style(item, Value(item, table, "style", std::string("soft"))));
     scene.exposure = Value(item, table, "light", 1.0F);
     scene.fade_s = Value(item, table, "fade_s", 0.8F);
-    scene.backdrop = {Colour(item, table["backdrop"]["top"]), Colour(item, table["backdrop"]["bottom"])};
+    auto reading = ReadBackdrop(table.get("backdrop"), file_.parent_path(), show_.cast.textures);
+    for (const std::string& reason : reading.faults) Fault(item, reason);
+    scene.backdrop = reading.backdrop;
     show_.scenes.push_back(std::move(scene));
   }
 
@@ -182,16 +169,24 @@ class Reader {
       if (const auto* buttons = row.as_array())
         for (const toml::node& button : *buttons) {
           if (number < show_.buttons.size())
-            show_.buttons[number] = ReadCall(number, button.value_or(std::string()));
+            show_.buttons[number] =
+                ReadCall(fmt::format("button {}", number + 1), button.value_or(std::string()));
           ++number;
         }
     if (number != show_.buttons.size())
       Fault("buttons", fmt::format("{} are given; the box has {}", number, show_.buttons.size()));
   }
 
-  show::Call ReadCall(std::size_t number, const std::string& text) {
+  void ReadKeys(const toml::table& keys) {
+    for (const auto& [key, node] : keys) {
+      const std::string name(key.str());
+      const std::string item = "key " + name;
+      show_.keys.push_back({KeyNamed(item, name), ReadCall(item, node.value_or(std::string()))});
+    }
+  }
+
+  show::Call ReadCall(const std::string& item, const std::string& text) {
     if (text.empty()) return {};
-    const std::string item = fmt::format("button {}", number + 1);
     const auto space = text.find(' ');
     const std::string kind = text.substr(0, space);
     const std::string name = space == std::string::npos ? "" : text.substr(space + 1);
@@ -222,7 +217,7 @@ class Reader {
       channels.mouth[i] = Channel(table["mouth"][i], "mouth");
   }
 
-  std::string file_;
+  std::filesystem::path file_;
   show::Show& show_;
   std::vector<std::string> faults_;
 };
@@ -235,7 +230,7 @@ std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::S
     const auto& at = parsed.error().source().begin;
     return {fmt::format("{}:{}:{}: {}", file.string(), at.line, at.column, parsed.error().description())};
   }
-  return Reader(file.string(), show).Read(parsed.table());
+  return Reader(file, show).Read(parsed.table());
 }
 
 }  // namespace kaori::atelier

@@ -1,0 +1,74 @@
+// What stands behind the figure. Each backdrop is drawn once, small, when it is called; a picture as large as
+// the canvas is made of them when they change, and then only looked up.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/gl/mesh.h"
+#include "render/gl/program.h"
+#include "render/gl/target.h"
+#include "render/scene/scene.h"
+
+namespace kaori::passes {
+
+class BackdropPass {
+ public:
+  // Borrows the cast, whose textures are the pictures. Errors: invalid_argument (a shader).
+  static Result<BackdropPass> Open(const face::Cast& cast);
+
+  // Makes the picture of what stands behind `scene`, on a canvas of this size, unless it is there.
+  void Prepare(const scene::Scene& scene, int width_px, int height_px);
+
+  // That picture: square roots of linear light. Black where there is no memory for it.
+  const gl::Texture& picture() const { return whole_.texture(); }
+  // Changes whenever the picture does.
+  std::uint64_t version() const { return version_; }
+
+  // Draws with one of kRehearsals shaders, unseen, so that it is ready.
+  static constexpr std::size_t kRehearsals = scene::kBackdropKindCount + 2;
+  void Rehearse(std::size_t number);
+
+ private:
+  static constexpr std::size_t kDrops = scene::kMostFading + 1;
+  using Mixture = std::array<scene::FadingBackdrop, kDrops>;
+
+  struct Kind {
+    gl::Program program = {};
+    int top = -1, bottom = -1, glow = -1, cover = -1;
+  };
+  struct Mix {
+    gl::Program program = {};
+    int weights = -1, cover = -1;
+  };
+  // A backdrop that is drawn.
+  struct Drop {
+    gl::Target target;
+    std::optional<scene::Backdrop> shows;
+  };
+
+  Result<void> AddKinds();
+  Result<void> AddMixes();
+  static Mixture MixtureOf(const scene::Scene& scene);
+  bool FitWhole(int width_px, int height_px);
+  void Draw(const scene::Backdrop& backdrop, Drop& drop);
+  bool Has(int picture) const;
+  void SetPicture(const Kind& kind, int picture);
+  std::size_t DropOf(const scene::Backdrop& backdrop, const Mixture& mixture);
+  void MixDrops(const Mixture& mixture);
+
+  const face::Cast* cast_ = nullptr;
+  std::array<Kind, scene::kBackdropKindCount> kinds_;
+  std::array<Mix, 3> mixes_;  // Of 1, 2 and 4 drops.
+  gl::Mesh everywhere_;
+  std::array<Drop, kDrops> drops_;
+  std::vector<gl::Texture> pictures_;  // Those of the cast that were asked for.
+  gl::Target whole_;
+  Mixture mixed_{};
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace kaori::passes
