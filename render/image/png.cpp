@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <cstring>
+#include <string>
 
 namespace kaori::image {
 namespace {
@@ -15,22 +16,48 @@ png_image Blank() {
   return image;
 }
 
-}  // namespace
-
-Result<void> WritePng(const std::filesystem::path& file, const Picture& picture) {
+png_image Described(const Picture& picture) {
   png_image image = Blank();
   image.width = static_cast<png_uint_32>(picture.width_px);
   image.height = static_cast<png_uint_32>(picture.height_px);
   image.format = PNG_FORMAT_RGB;
+  return image;
+}
+
+std::vector<std::uint8_t> WithoutX(const Picture& picture) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(picture.rgbx.size() / 4 * 3);
   for (std::size_t i = 0; i + 3 < picture.rgbx.size(); i += 4)
     rgb.insert(rgb.end(), picture.rgbx.begin() + static_cast<std::ptrdiff_t>(i),
                picture.rgbx.begin() + static_cast<std::ptrdiff_t>(i) + 3);
-  // A negative stride: the last row in memory is the top one.
-  if (png_image_write_to_file(&image, file.c_str(), 0, rgb.data(), -picture.width_px * 3, nullptr) == 0)
+  return rgb;
+}
+
+// Negative: the last row in memory is the top one.
+png_int_32 Stride(const Picture& picture) {
+  return -picture.width_px * 3;
+}
+
+}  // namespace
+
+Result<void> WritePng(const std::filesystem::path& file, const Picture& picture) {
+  png_image image = Described(picture);
+  const std::vector<std::uint8_t> rgb = WithoutX(picture);
+  if (png_image_write_to_file(&image, file.c_str(), 0, rgb.data(), Stride(picture), nullptr) == 0)
     return Fail(std::errc::io_error, "write " + file.string() + " (" + image.message + ")");
   return {};
+}
+
+Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture) {
+  png_image image = Described(picture);
+  image.flags = PNG_IMAGE_FLAG_FAST;
+  const std::vector<std::uint8_t> rgb = WithoutX(picture);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<std::uint8_t> bytes(size);
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), Stride(picture), nullptr) == 0)
+    return Fail(std::errc::io_error, std::string("encode a picture (") + image.message + ")");
+  bytes.resize(size);
+  return bytes;
 }
 
 Result<Picture> ReadPng(const std::filesystem::path& file) {

@@ -25,6 +25,9 @@ struct Picture {
 // Writes R, G, B; X is dropped. Errors: as open(2); io_error.
 Result<void> WritePng(const std::filesystem::path& file, const Picture& picture);
 
+// The same as bytes of a file. Errors: io_error.
+Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture);
+
 // Any PNG, as 8-bit RGB. Errors: as open(2); invalid_argument (not a sound PNG).
 Result<Picture> ReadPng(const std::filesystem::path& file);
 

@@ -1,7 +1,6 @@
-#include <cstdio>
-
 #include <fmt/format.h>
 
+#include "appliance/atelier/pack/progress.h"
 #include "appliance/atelier/pack/verbs.h"
 #include "appliance/atelier/sheet/sheet.h"
 #include "appliance/show/pack.h"
@@ -9,17 +8,20 @@
 namespace kaori::atelier {
 namespace {
 
-int Run(const Arguments& arguments) {
+Result<void> RunSheet(const Arguments& arguments) {
   auto show = show::LoadPack(arguments.words[0]);
-  if (!show) return Complain(show.error());
+  if (!show) return tl::unexpected(show.error());
   const auto studio = stage::Studio::Open(std::move(*show));
-  if (!studio) return Complain(studio.error());
-  const auto wrote = [](std::string_view name) {
-    fmt::print("{}\n", name);
-    std::fflush(stdout);
-  };
-  if (const auto ok = DrawSheets(**studio, arguments.words[1], {}, wrote); !ok) return Complain(ok.error());
-  return 0;
+  if (!studio) return tl::unexpected(studio.error());
+  ProgressLine progress;
+  const auto wrote = [](std::string_view name) { fmt::print("{}\n", name); };
+  return DrawSheets(**studio, arguments.words[1], {}, wrote,
+                    [&](std::string_view what) { progress.Step(what); });
+}
+
+int Run(const Arguments& arguments) {
+  const auto ok = RunSheet(arguments);
+  return ok ? 0 : Complain(ok.error());
 }
 
 }  // namespace
@@ -29,7 +31,17 @@ Verb SheetVerb() {
           .words = {"FILE", "FOLDER"},
           .options = {},
           .summary = "pictures of every face with every expression, and a page that shows them",
-          .page = "\nWrites PNG files and index.html into FOLDER, which is made if need be.\n",
+          .page = R"(
+Writes into FOLDER, which is made if need be:
+  cast.png         a row for each face, a column for each expression
+  faces.png        each face from five sides
+  styles.png       each face in the five ways of drawing
+  morphs.png       from the first face to each other one
+  face-NAME.png    one face with every expression, mouth shape, lid and channel
+  index.html       all of it for a browser, to be searched and enlarged
+What an audience must not see (folded skin, gaps of shut lids, teeth through lips) is framed in red. Names of what was
+written go to standard output, progress to standard error.
+)",
           .run = Run};
 }
 

@@ -1,170 +1,159 @@
 #include "appliance/atelier/sheet/sheet.h"
 
-#include <fstream>
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "render/image/png.h"
+#include "appliance/atelier/inspect/inspect.h"
+#include "appliance/atelier/sheet/page.h"
+#include "appliance/show/pack_whole_file.h"
+#include "render/image/text.h"
 
 namespace kaori::atelier {
 namespace {
 
-constexpr int kColumns = 8;
-constexpr std::array<const char*, scene::kStyleCount> kStyles{"wire", "flat", "bare", "hair", "soft"};
-constexpr std::array<float, 5> kSides_rad{-1.3F, -0.6F, 0.0F, 0.6F, 1.3F};
+using Bytes = std::vector<std::uint8_t>;
+using Step = std::function<void(std::string_view)>;
 
-struct Cell {
-  std::string caption;
-  scene::Scene scene;
+constexpr std::array<std::uint8_t, 3> kPaper{21, 24, 31};
+constexpr std::array<std::uint8_t, 3> kFlaw{255, 92, 84};
+constexpr int kFrame_px = 3;
+constexpr int kSmallestCell_px = 64;
+
+struct File {
+  std::string name;
+  Bytes bytes;
 };
 
-struct Sheet {
-  std::string file;
-  std::string title;
-  int columns = kColumns;
-  std::vector<Cell> cells;
+image::Picture Paper(int width_px, int height_px) {
+  image::Picture paper = image::Picture::Blank(width_px, height_px);
+  for (std::size_t i = 0; i < paper.rgbx.size(); ++i) paper.rgbx[i] = i % 4 < 3 ? kPaper[i % 4] : 0;
+  return paper;
+}
+
+// Draws a frame along the inside of a picture's edge.
+void Frame(image::Picture& picture) {
+  for (int y = 0; y < picture.height_px; ++y)
+    for (int x = 0; x < picture.width_px; ++x) {
+      const int from_edge = std::min({x, y, picture.width_px - 1 - x, picture.height_px - 1 - y});
+      if (from_edge >= kFrame_px) continue;
+      const auto at = static_cast<std::ptrdiff_t>(y * picture.width_px + x) * 4;
+      std::ranges::copy(kFlaw, picture.rgbx.begin() + at);
+    }
+}
+
+class Drawing {
+ public:
+  Drawing(stage::Studio& studio, image::Lettering& lettering) : studio_(studio), lettering_(lettering) {}
+
+  Result<image::Picture> Draw(const LaidOut& laid_out) {
+    const auto& [sheet, layout] = laid_out;
+    image::Picture whole = Paper(layout.width_px, layout.height_px);
+    std::size_t i = 0;
+    for (const Section& section : sheet.sections)
+      for (const Cell& cell : section.cells)
+        if (auto ok = Put(cell, layout.cells[i++], whole); !ok) return tl::unexpected(ok.error());
+    for (const Label& label : layout.labels) {
+      const int y_px = whole.height_px - label.box.y_px - label.box.height_px;
+      lettering_.Draw(label.text, label.style, label.box.x_px, y_px, whole);
+    }
+    return whole;
+  }
+
+ private:
+  Result<void> Put(const Cell& cell, const Box& box, image::Picture& into) {
+    cell_ = image::Picture::Blank(box.width_px, box.height_px);
+    if (auto ok = studio_.Draw(cell.scene, {cell_.width_px, cell_.height_px, cell_.rgbx}); !ok) return ok;
+    if (!cell.flaws.empty()) Frame(cell_);
+    image::Paste(cell_, into, box.x_px, into.height_px - box.y_px - box.height_px);
+    return {};
+  }
+
+  stage::Studio& studio_;
+  image::Lettering& lettering_;
+  image::Picture cell_;
 };
 
-scene::Scene Portrait(std::uint16_t face) {
-  scene::Scene scene;
-  scene.weights.faces.Push(face, 1);
-  scene.weights.expressions.Push(0, 1);
-  return scene;
+Box CellBox(const SheetOptions& options, float size) {
+  const auto sized = [&](int length_px) {
+    return std::max(kSmallestCell_px, static_cast<int>(std::lround(size * static_cast<float>(length_px))));
+  };
+  return {0, 0, sized(options.cell_width_px), sized(options.cell_height_px)};
 }
 
-scene::Scene Wearing(const face::Cast& cast, std::uint16_t face, std::uint16_t expression) {
-  scene::Scene scene = Portrait(face);
-  if (cast.expressions[expression].kind == face::ExpressionKind::kExpression) {
-    scene.weights.expressions.clear();
-    scene.weights.expressions.Push(expression, 1);
-  } else {
-    scene.weights.channels.Push(expression, 1);
+std::vector<LaidOut> LayOutAll(const show::Show& show, const SheetOptions& options, const Flaws& flaws,
+                               image::Lettering& lettering) {
+  std::vector<LaidOut> all;
+  for (Sheet& sheet : PlanSheets(show, flaws)) {
+    Layout layout = LayOut(sheet, CellBox(options, sheet.size), lettering);
+    all.push_back({std::move(sheet), std::move(layout)});
   }
-  return scene;
+  return all;
 }
 
-Sheet FacesSheet(const face::Cast& cast) {
-  Sheet sheet{"faces.png", "The cast from five sides", static_cast<int>(kSides_rad.size()), {}};
-  for (std::uint16_t face = 0; face < cast.faces.size(); ++face)
-    for (const float side : kSides_rad) {
-      Cell cell{cast.faces[face].name, Portrait(face)};
-      cell.scene.camera.yaw_rad = side;
-      sheet.cells.push_back(cell);
-    }
-  return sheet;
-}
-
-Sheet StylesSheet(const face::Cast& cast) {
-  Sheet sheet{"styles.png", "The ways of drawing", scene::kStyleCount, {}};
-  for (std::uint16_t face = 0; face < cast.faces.size(); ++face)
-    for (std::size_t style = 0; style < kStyles.size(); ++style) {
-      Cell cell{fmt::format("{}, {}", cast.faces[face].name, kStyles[style]), Portrait(face)};
-      cell.scene.styles = {};
-      cell.scene.styles[style] = 1;
-      cell.scene.head.yaw_rad = 0.35F;
-      sheet.cells.push_back(cell);
-    }
-  return sheet;
-}
-
-Sheet MorphsSheet(const face::Cast& cast) {
-  constexpr int kSteps = 5;
-  Sheet sheet{"morphs.png", "From the first face to the others", kSteps, {}};
-  for (std::uint16_t face = 1; face < cast.faces.size(); ++face)
-    for (int step = 0; step < kSteps; ++step) {
-      const float share = static_cast<float>(step) / (kSteps - 1);
-      Cell cell{fmt::format("{} {:.2f}", cast.faces[face].name, share), Portrait(0)};
-      cell.scene.weights.faces.clear();
-      cell.scene.weights.faces.Push(0, 1 - share);
-      cell.scene.weights.faces.Push(face, share);
-      cell.scene.head.yaw_rad = 0.3F;
-      sheet.cells.push_back(cell);
-    }
-  return sheet;
-}
-
-Sheet FaceSheet(const face::Cast& cast, std::uint16_t face) {
-  const std::string& name = cast.faces[face].name;
-  Sheet sheet{fmt::format("face-{}.png", name), fmt::format("{}: every expression", name), kColumns, {}};
-  for (std::uint16_t e = 0; e < cast.expressions.size(); ++e) {
-    Cell cell{cast.expressions[e].name, Wearing(cast, face, e)};
-    cell.scene.head.yaw_rad = 0.2F;
-    sheet.cells.push_back(cell);
+Result<std::vector<File>> DrawAll(stage::Studio& studio, const SheetOptions& options, const Step& step) {
+  auto lettering = image::Lettering::Open();
+  if (!lettering) return tl::unexpected(lettering.error());
+  const show::Show& show = studio.show();
+  const Flaws flaws(
+      inspect::Inspect(show.cast, [&](const std::string& face) { step("inspecting " + face); }));
+  const std::vector<LaidOut> sheets = LayOutAll(show, options, flaws, *lettering);
+  Drawing drawing(studio, *lettering);
+  std::vector<File> files;
+  for (const LaidOut& laid_out : sheets) {
+    step(fmt::format("drawing {} ({} of {})", laid_out.sheet.file, files.size() + 1, sheets.size()));
+    const auto picture = drawing.Draw(laid_out);
+    if (!picture) return tl::unexpected(picture.error());
+    auto bytes = image::EncodePng(*picture);
+    if (!bytes) return tl::unexpected(bytes.error());
+    files.push_back({laid_out.sheet.file, std::move(*bytes)});
   }
-  for (const float shut : {0.5F, 1.0F}) {
-    Cell cell{fmt::format("lids {:.1f}", shut), Portrait(face)};
-    cell.scene.weights.lids_shut = {shut, shut};
-    sheet.cells.push_back(cell);
-  }
-  return sheet;
+  const std::string page =
+      Page(sheets, show.name, fmt::format("{}; {}", CountsOf(show.cast), flaws.summary()));
+  files.push_back({"index.html", Bytes(page.begin(), page.end())});
+  return files;
 }
 
-std::vector<Sheet> AllSheets(const face::Cast& cast) {
-  std::vector<Sheet> sheets{FacesSheet(cast), StylesSheet(cast), MorphsSheet(cast)};
-  for (std::uint16_t face = 0; face < cast.faces.size(); ++face) sheets.push_back(FaceSheet(cast, face));
-  return sheets;
-}
-
-Result<image::Picture> Draw(stage::Studio& studio, const Sheet& sheet, const SheetOptions& options) {
-  const int rows = (static_cast<int>(sheet.cells.size()) + sheet.columns - 1) / sheet.columns;
-  image::Picture whole =
-      image::Picture::Blank(sheet.columns * options.cell_width_px, rows * options.cell_height_px);
-  image::Picture cell = image::Picture::Blank(options.cell_width_px, options.cell_height_px);
-  for (std::size_t i = 0; i < sheet.cells.size(); ++i) {
-    const ports::PixelBuffer buffer{cell.width_px, cell.height_px, cell.rgbx};
-    if (auto ok = studio.Draw(sheet.cells[i].scene, buffer); !ok) return tl::unexpected(ok.error());
-    const int column = static_cast<int>(i) % sheet.columns;
-    const int row = rows - 1 - static_cast<int>(i) / sheet.columns;
-    image::Paste(cell, whole, column * cell.width_px, row * cell.height_px);
+// Removes a folder that was made for nothing.
+class NewFolder {
+ public:
+  static Result<NewFolder> Make(const std::filesystem::path& folder) {
+    std::error_code error;
+    NewFolder made;
+    if (std::filesystem::create_directories(folder, error)) made.folder_ = folder;
+    if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
+    return made;
   }
-  return whole;
-}
-
-// Captions lie over each cell of the picture.
-std::string Page(const std::vector<Sheet>& sheets, const std::string& show) {
-  std::string page = fmt::format(
-      "<!doctype html><meta "
-      "charset=utf-8><title>{0}</title><style>body{{background:#15181f;color:#dde;font:14px "
-      "sans-serif}}div{{position:relative;width:100%}}img{{width:100%}}span{{position:absolute;padding:2px "
-      "6px}}"
-      "</style><h1>{0}</h1>",
-      show);
-  for (const Sheet& sheet : sheets) {
-    const auto rows = (sheet.cells.size() + static_cast<std::size_t>(sheet.columns) - 1) /
-                      static_cast<std::size_t>(sheet.columns);
-    page += fmt::format("<h2>{}</h2><div><img src=\"{}\">", sheet.title, sheet.file);
-    for (std::size_t i = 0; i < sheet.cells.size(); ++i)
-      page += fmt::format(
-          "<span style=\"left:{:.2f}%;top:{:.2f}%\">{}</span>",
-          100.0 * static_cast<double>(i % static_cast<std::size_t>(sheet.columns)) / sheet.columns,
-          100.0 * static_cast<double>(i / static_cast<std::size_t>(sheet.columns)) /
-              static_cast<double>(rows),
-          sheet.cells[i].caption);
-    page += "</div>";
+  NewFolder(NewFolder&& other) noexcept : folder_(std::exchange(other.folder_, {})) {}
+  NewFolder& operator=(NewFolder&&) = delete;
+  ~NewFolder() {
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
   }
-  return page;
-}
+  void Keep() { folder_.clear(); }
+
+ private:
+  NewFolder() = default;
+  std::filesystem::path folder_;
+};
 
 }  // namespace
 
 Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& folder,
-                        const SheetOptions& options, const std::function<void(std::string_view)>& wrote) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
-  const std::vector<Sheet> sheets = AllSheets(studio.show().cast);
-  for (const Sheet& sheet : sheets) {
-    const auto picture = Draw(studio, sheet, options);
-    if (!picture) return tl::unexpected(picture.error());
-    if (auto ok = image::WritePng(folder / sheet.file, *picture); !ok) return ok;
-    wrote((folder / sheet.file).string());
-  }
-  std::ofstream page(folder / "index.html");
-  page << Page(sheets, studio.show().name);
-  if (!page.flush()) return Fail(std::errc::io_error, "write " + (folder / "index.html").string());
-  wrote((folder / "index.html").string());
+                        const SheetOptions& options, const std::function<void(std::string_view)>& wrote,
+                        const std::function<void(std::string_view)>& step) {
+  const auto files = DrawAll(
+      studio, options, step ? step : [](std::string_view) {});
+  if (!files) return tl::unexpected(files.error());
+  auto made = NewFolder::Make(folder);
+  if (!made) return tl::unexpected(made.error());
+  for (const File& file : *files)
+    if (auto ok = show::WriteWholeFile(folder / file.name, {file.bytes}); !ok) return ok;
+  made->Keep();
+  for (const File& file : *files) wrote((folder / file.name).string());
   return {};
 }
 
