@@ -25,6 +25,9 @@ constexpr float kSameShape = 0.1F;    // A height over width this near to that a
 constexpr float kMostNearer = 0.35F;  // More than this is no head that moved: pursed or stretched lips.
 constexpr float kLeap = 0.14F;        // Widths that one corner alone comes in by when a hand covers it.
 constexpr float kStays = 0.05F;       // Widths that the other moves at most meanwhile.
+constexpr float kMostUpperPart = 0.6F;
+constexpr float kMostStep = 0.1F;  // Widths of the picture between two frames: more is another place.
+constexpr float kForget = 0.99F;   // Of what was learnt of the upper lip, each frame.
 constexpr Duration kHidden = std::chrono::milliseconds(400);  // After that it is believed all the same.
 constexpr float kHalfHidden = 0.2F;  // The quality then: sizes hold, nobody acts on them.
 
@@ -85,13 +88,28 @@ const board::Lips& MouthGauge::Measure(const std::optional<Sight>& sight, Time a
   return lips_;
 }
 
-MouthGauge::Sizes MouthGauge::SizesOf(const Sight& sight) const {
+MouthGauge::Sizes MouthGauge::SizesOf(const Sight& sight) {
   const float picture = sight.picture_width_px;
   Sizes sizes{sight.shape.width_px / picture, sight.shape.height_px / picture, 0};
-  if (sight.marker)
-    sizes.marker =
-        std::hypot(sight.shape.top.x - sight.marker->x, sight.shape.top.y - sight.marker->y) / picture;
+  if (!sight.marker) return sizes;
+  const float marker =
+      std::hypot(sight.shape.top.x - sight.marker->x, sight.shape.top.y - sight.marker->y) / picture;
+  LearnUpperPart(marker, sizes.height);
+  sizes.marker = marker + std::clamp(upper_.value(), 0.0F, kMostUpperPart) * sizes.height;
   return sizes;
+}
+
+// What comes nearer to the marker from one frame to the next is the lip, not the head.
+void MouthGauge::LearnUpperPart(float marker, float height) {
+  const float nearer = upper_.marker - marker;
+  const float higher = height - upper_.height;
+  const bool know = upper_.marker > 0 && std::abs(higher) < kMostStep && std::abs(nearer) < kMostStep;
+  upper_.marker = marker;
+  upper_.height = height;
+  if (!know) return;
+  upper_.products = kForget * upper_.products + nearer * higher;
+  upper_.squares = kForget * upper_.squares + higher * higher;
+  upper_.squares = std::max(upper_.squares, 1e-6F);
 }
 
 void MouthGauge::FollowTilt(const Sight& sight, Time at) {

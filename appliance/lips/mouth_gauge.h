@@ -49,9 +49,10 @@ class MouthGauge {
   struct Sizes {  // In widths of the picture.
     float width;
     float height;
-    float marker;  // From it to the upper lip; 0: no marker.
+    float marker;  // From it to where the upper lip is when the mouth is shut; 0: no marker.
   };
-  Sizes SizesOf(const Sight& sight) const;
+  Sizes SizesOf(const Sight& sight);
+  void LearnUpperPart(float marker, float height);
   void FollowTilt(const Sight& sight, Time at);
   void FollowDistance(const Sizes& sizes, Time at);
   bool IsHalfHidden(const Sight& sight, Time at);
@@ -69,6 +70,14 @@ class MouthGauge {
   std::optional<Learning> learning_;
   float rest_height_ = 0.25F;  // In widths of the mouth at rest.
   float tilt_rad_ = 0;
+  // How much of an opening mouth is its upper lip that rises: learnt from frame to frame, while the head is
+  // slow.
+  struct UpperPart {
+    float marker = 0, height = 0;  // Of the frame before.
+    float products = 0.2F * 1e-3F, squares = 1e-3F;
+    float value() const { return products / squares; }
+  };
+  UpperPart upper_;
   std::optional<Time> seen_;
   struct Corners {
     float left_px, right_px;

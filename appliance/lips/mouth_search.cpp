@@ -27,6 +27,10 @@ float MiddleY(const Region& region) {
   return static_cast<float>(region.top + region.bottom) / 2;
 }
 
+bool IsCut(const Region& region, const Grid& grid) {
+  return region.left == 0 || region.top == 0 || region.right == grid.width || region.bottom == grid.height;
+}
+
 float Shape(const Region& region, const Grid& grid) {
   const float width = static_cast<float>(region.width()) * grid.across_px;
   const float height = static_cast<float>(region.height()) * grid.down_px;
@@ -35,13 +39,12 @@ float Shape(const Region& region, const Grid& grid) {
   const float picture = static_cast<float>(grid.width) * grid.across_px;
   const bool odd = height < kThinnest * width || height > kThickest * width || width > kWidest * picture ||
                    filled < kLeastFilled;
-  const bool cut =
-      region.left == 0 || region.top == 0 || region.right == grid.width || region.bottom == grid.height;
-  return (odd ? kUnlikely : 1.0F) * (cut ? kCut : 1.0F);
+  return (odd ? kUnlikely : 1.0F) * (IsCut(region, grid) ? kCut : 1.0F);
 }
 
 // The other lip lies above or below, its middle within the larger one's sides, no farther than a mouth opens.
-bool BelongsTo(const Region& part, const Region& mouth) {
+bool BelongsTo(const Region& part, const Region& mouth, const Grid& grid) {
+  if (IsCut(part, grid) || part.width() * 2 > mouth.width() * 3) return false;  // A shirt.
   const float middle = MiddleX(part);
   const int gap = std::max(part.top - mouth.bottom, mouth.top - part.bottom);
   const bool lip = part.width() * 3 > mouth.width();
@@ -73,7 +76,7 @@ const Found* MouthSearch::Find(Regions& regions, const Grid& grid, Time at) {
     most = likely;
   }
   if (best == nullptr) return nullptr;
-  TakeParts(all, *best);
+  TakeParts(all, *best, grid);
   TakeMarker(all);
   Remember(grid, at);
   return &found_;
@@ -92,11 +95,11 @@ float MouthSearch::Likelihood(const Region& region, const Grid& grid, Time at) c
   return likely * std::max(std::exp(-times * times), kUnlikely);
 }
 
-void MouthSearch::TakeParts(std::span<const Region> all, const Region& largest) {
+void MouthSearch::TakeParts(std::span<const Region> all, const Region& largest, const Grid& grid) {
   found_.mouth = largest;
   found_.parts.assign(1, largest.name);
   for (const Region& part : all) {
-    if (part.name == largest.name || !BelongsTo(part, largest)) continue;
+    if (part.name == largest.name || !BelongsTo(part, largest, grid)) continue;
     if (wants_marker_ && IsMarker(part, largest)) continue;
     found_.mouth = Hull(found_.mouth, part);
     found_.parts.push_back(part.name);

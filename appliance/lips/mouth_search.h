@@ -32,7 +32,7 @@ class MouthSearch {
     Time at;
   };
   float Likelihood(const Region& region, const Grid& grid, Time at) const;
-  void TakeParts(std::span<const Region> all, const Region& largest);
+  void TakeParts(std::span<const Region> all, const Region& largest, const Grid& grid);
   void TakeMarker(std::span<const Region> all);
   void Remember(const Grid& grid, Time at);
 

@@ -6,7 +6,7 @@
 namespace kaori::lips {
 namespace {
 
-constexpr std::size_t kMostRuns = 1 << 15;  // More is no face.
+constexpr std::size_t kSamplesForARun = 12;  // More runs than one for so many samples are noise, and no face.
 constexpr std::uint32_t kNone = ~0U;
 
 }  // namespace
@@ -20,13 +20,15 @@ bool Regions::Find(const PaintMask& mask) {
   runs_.clear();
   regions_.clear();
   into_.clear();
+  const std::size_t most = static_cast<std::size_t>(mask.grid().width) *
+                           static_cast<std::size_t>(mask.grid().height) / kSamplesForARun;
   std::size_t above = 0;
   for (int row = 0; row < mask.grid().height; ++row) {
     const std::size_t here = runs_.size();
     CutRuns(mask.row(row), row);
     Join(above, here);
     above = here;
-    if (runs_.size() <= kMostRuns) continue;
+    if (runs_.size() <= most) continue;
     runs_.clear();
     regions_.clear();
     into_.clear();

@@ -10,8 +10,6 @@
 namespace kaori::sim {
 namespace {
 
-constexpr int kJpegQuality = 85;
-
 struct CloseCompressor {
   void operator()(void* compressor) const { ::tjDestroy(compressor); }
 };
@@ -62,7 +60,7 @@ std::size_t YuyvToNv12(std::span<const std::uint8_t> yuyv, int width_px, int hei
 }
 
 std::size_t YuyvToJpeg(std::span<const std::uint8_t> yuyv, int width_px, int height_px,
-                       std::span<std::uint8_t> into) {
+                       std::span<std::uint8_t> into, int quality) {
   Planes planes = Separate(yuyv);
   Widen(planes.y, 16, 219);
   Widen(planes.cb, 128, 224);
@@ -74,7 +72,7 @@ std::size_t YuyvToJpeg(std::span<const std::uint8_t> yuyv, int width_px, int hei
   unsigned char* out = room.data();
   unsigned long used = room.size();
   const int failed = ::tjCompressFromYUVPlanes(compressor.get(), parts.data(), width_px, nullptr, height_px,
-                                               TJSAMP_422, &out, &used, kJpegQuality, TJFLAG_NOREALLOC);
+                                               TJSAMP_422, &out, &used, quality, TJFLAG_NOREALLOC);
   if (failed != 0 || used > into.size()) return 0;
   std::copy_n(room.begin(), used, into.begin());
   return used;

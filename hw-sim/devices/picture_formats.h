@@ -11,8 +11,8 @@ namespace kaori::sim {
 std::size_t YuyvToNv12(std::span<const std::uint8_t> yuyv, int width_px, int height_px,
                        std::span<std::uint8_t> into);
 
-// Returns the bytes used, 0 where `into` is too small for the picture.
+// `quality` is libjpeg's, 1 .. 100. Returns the bytes used, 0 where `into` is too small for the picture.
 std::size_t YuyvToJpeg(std::span<const std::uint8_t> yuyv, int width_px, int height_px,
-                       std::span<std::uint8_t> into);
+                       std::span<std::uint8_t> into, int quality = 85);
 
 }  // namespace kaori::sim
