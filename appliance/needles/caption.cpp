@@ -49,7 +49,7 @@ std::vector<std::string> CaptionLines(const CaptionFacts& facts) {
   if (!facts.trouble.empty()) lines.push_back("not on the disk: " + facts.trouble);
   if (!facts.message.empty()) lines.push_back(facts.message);
   if (facts.typing) {
-    lines.push_back(fmt::format("name: {}_", facts.typing->text));
+    lines.push_back(fmt::format("name: {}|", facts.typing->text));
     lines.emplace_back("letters, digits and _   Enter takes it   Esc leaves it");
     return lines;
   }

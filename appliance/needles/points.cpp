@@ -56,6 +56,18 @@ void FindWays(std::size_t count, std::vector<float>& apart_m) {
     }
 }
 
+// Left and right alike to the bit, whatever order the ways were added up in.
+void Even(Points& points) {
+  const auto mirrored = [&points](std::size_t i) {
+    return points.partners[i] < 0 ? i : static_cast<std::size_t>(points.partners[i]);
+  };
+  const std::vector<float> ways_m = points.apart_m;
+  for (std::size_t a = 0; a < points.size(); ++a)
+    for (std::size_t b = 0; b < points.size(); ++b)
+      points.apart_m[a * points.size() + b] =
+          std::min(ways_m[a * points.size() + b], ways_m[mirrored(a) * points.size() + mirrored(b)]);
+}
+
 }  // namespace
 
 Points PointsOf(const face::ControlNet& net) {
@@ -67,6 +79,7 @@ Points PointsOf(const face::ControlNet& net) {
   for (std::size_t i = 0; i < count; ++i) points.apart_m[i * count + i] = 0;
   JoinNeighbours(net, points.apart_m);
   FindWays(count, points.apart_m);
+  Even(points);
   return points;
 }
 

@@ -20,15 +20,15 @@ float ShareAt(float apart_m, bool smooth) {
   return share < kLeastShare ? 0.0F : share;
 }
 
-// What a pull of `point` does to one needle of the face.
+// What a pull of `point` does to one needle of the face. A mirrored pull moves the middle nowhere sideways.
 glm::vec3 PullOn(const Points& points, std::size_t needle, std::size_t point, glm::vec3 by_m, Spread spread) {
   const float apart_m = points.Apart_m(needle, point);
   if (!spread.mirror) return by_m * ShareAt(apart_m, spread.smooth);
-  if (points.partners[point] < 0) return by_m * glm::vec3(0, 1, 1) * ShareAt(apart_m, spread.smooth);
-  const float mirrored_m = points.Apart_m(needle, static_cast<std::size_t>(points.partners[point]));
-  if (apart_m < mirrored_m) return by_m * ShareAt(apart_m, spread.smooth);
-  if (mirrored_m < apart_m) return by_m * kMirrored * ShareAt(mirrored_m, spread.smooth);
-  return by_m * glm::vec3(0, 1, 1) * ShareAt(apart_m, spread.smooth);  // Between the two: nowhere sideways.
+  const int partner = points.partners[point];
+  const float mirrored_m = partner < 0 ? apart_m : points.Apart_m(needle, static_cast<std::size_t>(partner));
+  const bool middle = partner < 0 || points.partners[needle] < 0 || mirrored_m == apart_m;
+  const glm::vec3 way = middle ? glm::vec3(0, 1, 1) : mirrored_m < apart_m ? kMirrored : glm::vec3(1);
+  return by_m * way * ShareAt(std::min(apart_m, mirrored_m), spread.smooth);
 }
 
 glm::vec3 Bounded(glm::vec3 pull_m) {

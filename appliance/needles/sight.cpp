@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -13,6 +14,7 @@ constexpr float kMeant =
     0.1F;                    // A hand that points further away than this part of the half height means none.
 constexpr float kAside = 2;  // A needle this much aside of a direction is as far as one straight ahead.
 constexpr float kWidest = 1.2F;      // Tangent of the angle within which a needle lies "in that direction".
+constexpr float kHead_m = 0.008F;    // As far as a needle stands out of the skin (render/passes/needles).
 constexpr float kLeastFlat = 1e-9F;  // A carrier with less volume than this turns no way into a pull.
 
 glm::vec3 MeanAt(const face::SparseRows& rows, std::size_t row, std::span<const glm::vec3> values) {
@@ -20,6 +22,14 @@ glm::vec3 MeanAt(const face::SparseRows& rows, std::size_t row, std::span<const 
   for (auto i = rows.row_start[row]; i < rows.row_start[row + 1]; ++i)
     sum += rows.weight[i] * values[rows.column[i]];
   return sum;
+}
+
+// From a place to the line between two.
+float Away(glm::vec2 place, glm::vec2 root, glm::vec2 head) {
+  const glm::vec2 line = head - root;
+  const float square = glm::dot(line, line);
+  const float along = square > 0 ? glm::clamp(glm::dot(place - root, line) / square, 0.0F, 1.0F) : 0.0F;
+  return glm::length(place - (root + along * line));
 }
 
 }  // namespace
@@ -39,7 +49,9 @@ void Sight::Look(const face::Cast& cast, const face::Shape& shape, const scene::
     Pin& pin = pins_[i];
     pin.root_m = MeanAt(cast.net.surface, i, shape.cage);
     pin.at = view_->InPicture(pin.root_m) * glm::vec2(aspect, 1);
-    pin.seen = view_->Faces(pin.root_m, MeanAt(cast.net.surface, i, shape.cage_normals));
+    const glm::vec3 normal = MeanAt(cast.net.surface, i, shape.cage_normals);
+    pin.head = view_->InPicture(pin.root_m + normal * kHead_m) * glm::vec2(aspect, 1);
+    pin.seen = view_->Faces(pin.root_m, normal);
   }
 }
 
@@ -48,7 +60,7 @@ std::optional<std::size_t> Sight::Nearest(glm::vec2 place) const {
   std::optional<std::size_t> nearest;
   float least = kMeant;
   for (std::size_t i = 0; i < pins_.size(); ++i) {
-    const float away = glm::length(pins_[i].at - at);
+    const float away = Away(at, pins_[i].at, pins_[i].head);
     if (!pins_[i].seen || !(away < least)) continue;
     least = away;
     nearest = i;

@@ -39,7 +39,8 @@ class Sight {
  private:
   struct Pin {
     glm::vec3 root_m{};
-    glm::vec2 at{};  // From the picture's middle, in halves of its height; right and up.
+    glm::vec2 at{};    // Its root, from the picture's middle in halves of its height; right and up.
+    glm::vec2 head{};  // The same of its head.
     bool seen = false;
   };
   glm::mat3 CarrierOf(std::size_t needle) const;
