@@ -87,7 +87,7 @@ BackdropPass::Mixture BackdropPass::MixtureOf(const scene::Scene& scene) {
     rest -= scene.fading[i].weight;
   }
   mixture[0] = {scene.backdrop, std::max(rest, 0.0F)};
-  std::ranges::stable_sort(mixture, std::ranges::greater{}, &scene::FadingBackdrop::weight);
+  std::ranges::sort(mixture, std::ranges::greater{}, &scene::FadingBackdrop::weight);
   return mixture;
 }
 

@@ -89,14 +89,6 @@ std::array<float, kLidPlaces> LidHeights(const face::Shape& shape, const face::L
   return heights;
 }
 
-// A lamp high on the viewer's left; where the lid hangs low, lower, so that the eye stays wet.
-glm::vec3 GlintAt(const std::array<float, kLidPlaces>& lid) {
-  constexpr float kLeft = -0.295F;
-  constexpr float kClearOfLid = 0.20F;
-  const float height = std::clamp(lid[3] - kClearOfLid, 0.05F, 0.354F);  // lid[3] stands at x = -0.3 radii.
-  return {kLeft, height, std::sqrt(1 - kLeft * kLeft - height * height)};
-}
-
 glm::mat3 HeadToIris(const scene::Gaze& gaze) {
   const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
   return glm::transpose(glm::mat3_cast(turn));
@@ -112,7 +104,6 @@ EyesPass::EyesPass(gl::Program program, gl::Program dark, const face::Topology& 
       gaze_(program_.Find("gaze")),
       lid_(program_.Find("lid")),
       iris_(program_.Find("iris")),
-      glint_(program_.Find("glint_at")),
       dark_ball_(dark_.Find("ball")),
       directions_(gl::Buffer::Of(std::span<const glm::vec3>(CapDirections()))),
       cap_({{directions_, 12, {{0, 3, gl::Scalar::kFloat, 0}}}}, CapTriangles()) {}
@@ -134,9 +125,7 @@ void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& 
     const float reach = std::sin(std::min(shape.eye_look.iris_radius_m / ball.radius_m, 1.4F));
     gl::Program::Set(ball_, glm::vec4(ball.centre, ball.radius_m));
     gl::Program::Set(gaze_, HeadToIris(gaze[side]));
-    const auto lid = LidHeights(shape, topology_->lids[side], ball);
-    gl::Program::Set(lid_, lid);
-    gl::Program::Set(glint_, GlintAt(lid));
+    gl::Program::Set(lid_, LidHeights(shape, topology_->lids[side], ball));
     gl::Program::Set(iris_, glm::vec4(shape.eye_look.iris, std::max(reach, 0.05F)));
     cap_.Draw();
   }

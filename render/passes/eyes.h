@@ -26,7 +26,7 @@ class EyesPass {
   const face::Topology* topology_;
   gl::Program program_;
   gl::Program dark_;
-  int ball_, gaze_, lid_, iris_, glint_, dark_ball_;
+  int ball_, gaze_, lid_, iris_, dark_ball_;
   gl::Buffer directions_;
   gl::Mesh cap_;
 };

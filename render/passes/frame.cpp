@@ -14,7 +14,7 @@ constexpr float kStill_m = 0.016F;
 constexpr float kTurns_m = 0.062F;
 
 // Full breath lifts the shoulders by this much.
-constexpr float kBreath_m = 0.0025F;
+constexpr float kBreath_m = 0.004F;
 
 constexpr glm::vec3 kFillLight{0.80F, 0.10F, 0.50F};
 

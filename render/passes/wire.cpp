@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/exponential.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
@@ -12,7 +13,6 @@
 namespace kaori::passes {
 namespace {
 
-constexpr glm::vec3 kPaint{0.205F, 0.871F, 1.0F};
 constexpr int kTexture_px = 64;  // Width of the texture of points, as wire.vert.
 constexpr std::size_t kCircle = 40;
 constexpr std::size_t kCircles = 4;     // Iris and pupil of two eyes.
@@ -20,6 +20,17 @@ constexpr float kEyeBrightness = 2.6F;  // Beyond white: cyan pales.
 
 // From the lower edge of the neck upwards lines fade in over this height.
 constexpr float kFade_m = 0.045F;
+
+// Lines glow in the colour of the flat-shaded face, deeper and as bright as can be.
+std::vector<glm::vec3> GlowsOf(const face::Cast& cast) {
+  std::vector<glm::vec3> glows;
+  for (const face::Face& f : cast.faces) {
+    const glm::vec3 flat = f.surface.flat;
+    const float most = std::max({flat.r, flat.g, flat.b});
+    glows.push_back(most > 0 ? glm::pow(flat / most, glm::vec3(1.6F)) : glm::vec3(1));
+  }
+  return glows;
+}
 
 struct RibbonCorner {
   std::uint32_t ends[2];
@@ -66,6 +77,7 @@ WirePass::WirePass(gl::Program body, gl::Program lines, const face::Cast& cast)
       lines_(std::move(lines)),
       body_paint_(body_.Find("paint")),
       lines_paint_(lines_.Find("paint")),
+      glows_(GlowsOf(cast)),
       cage_points_(cast.topology.vertex_count),
       points_(static_cast<std::size_t>(TextureRows(cage_points_ + kCircles * kCircle) * kTexture_px)),
       texture_(
@@ -113,17 +125,24 @@ void WirePass::WritePoints(const face::Shape& shape, const std::array<scene::Gaz
   texture_.Write(TextureRows(points_.size()), std::as_bytes(std::span(points_)));
 }
 
+glm::vec3 WirePass::Paint(const face::Terms& faces) const {
+  glm::vec3 paint{};
+  for (const face::Term& term : faces) paint += term.weight * glows_[term.index];
+  return paint;
+}
+
 void WirePass::Draw(const Surface& surface, const face::Shape& shape,
                     const std::array<scene::Gaze, 2>& gaze) {
   WritePoints(shape, gaze);
+  const glm::vec3 paint = Paint(shape.faces);
   gl::Apply({.cull = gl::Cull::kNone, .push_back = true});
   body_.Use();
-  gl::Program::Set(body_paint_, kPaint);
+  gl::Program::Set(body_paint_, paint);
   surface.cage().Draw();
   gl::Apply({.cull = gl::Cull::kNone, .depth = gl::Depth::kTestOnly, .blend = gl::Blend::kBrightest});
   texture_.Bind(0);
   lines_.Use();
-  gl::Program::Set(lines_paint_, kPaint);
+  gl::Program::Set(lines_paint_, paint);
   ribbons_.Draw();
 }
 

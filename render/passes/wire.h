@@ -24,11 +24,13 @@ class WirePass {
  private:
   WirePass(gl::Program body, gl::Program lines, const face::Cast& cast);
   void WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze);
+  glm::vec3 Paint(const face::Terms& faces) const;
   void WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m, glm::vec4* points) const;
 
   gl::Program body_;
   gl::Program lines_;
   int body_paint_, lines_paint_;
+  std::vector<glm::vec3> glows_;  // Of each face: what its lines glow in.
   std::size_t cage_points_;
   std::vector<glm::vec4> points_;  // The cage's, then two circles for each eye; w: brightness.
   gl::Texture texture_;

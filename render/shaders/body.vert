@@ -13,7 +13,7 @@ out vec3 rest;   // xy: texture place; z: gloss.
 void main() {
   vec3 n = normal;
   vec3 p = HeadToCamera(position, n);
-  Lit l = Skin(p, n, open, surface);
+  Lit l = Skin(p, n, open, surface, UnderChin(TurnShare(position)));
   lit = vec4(l.diffuse, l.added);
   rest = vec3(place, l.gloss);
   gl_Position = projection * vec4(p, 1.0);

@@ -4,7 +4,7 @@ in vec3 ahead;
 in vec3 in_head;
 in vec3 shade;
 uniform vec4 iris;   // rgb; a: its radius, in radii of the ball.
-uniform vec3 glint_at;  // Unit, head's frame: where the lamp is mirrored; it does not turn with the gaze.
+flat in vec3 glint_at;  // See eye.vert.
 layout(location = 0) out vec4 colour;
 const vec3 kWhite = vec3(0.896, 0.863, 0.855);
 const vec3 kVein = vec3(0.80, 0.50, 0.45);
@@ -32,8 +32,8 @@ void main() {
   c *= mix(1.0, (0.42 + 0.58 * shade.x) * (1.0 - 0.62 * shade.y), 0.35 + 0.65 * soft);
   vec3 d = normalize(in_head);
   float glint = smoothstep(0.984, 0.9915, dot(d, glint_at));
-  glint += 0.38 * smoothstep(0.992, 0.998, dot(d, vec3(0.257, -0.296, 0.920)));
-  float veil = 0.010 * smoothstep(0.2, 0.9, dot(d, vec3(-0.45, 0.55, 0.70)));
+  glint += 0.38 * smoothstep(0.992, 0.998, dot(d, normalize(vec3(-0.87 * glint_at.x, -0.84 * glint_at.y - 0.02, 0.92))));
+  float veil = 0.010 * smoothstep(0.2, 0.9, dot(d, vec3(1.5 * glint_at.xy, 0.70)));
   c += (0.95 * glint + veil) * soft;
   colour = Coded(c * key.w);
 }

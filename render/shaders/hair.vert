@@ -28,13 +28,14 @@ void main() {
   float open = lock.z;
   float diffuse = Ramp(dot(n, key.xyz), 0.4);
   float along_h = dot(t, normalize(key.xyz + toward_eye)) + 0.10 * (lock.w - 0.5);
-  float band = pow(clamp(1.0 - along_h * along_h, 0.0, 1.0), 38.0);
+  float across_h = clamp(1.0 - along_h * along_h, 0.0, 1.0);
+  float band = 0.45 * pow(across_h, 14.0) + 0.85 * pow(across_h, 75.0);
   float edge = pow(1.0 - facing, 2.5);
   float sky = SkyShare(n);
   vec3 soft = paint * (diffuse * 1.25 + 0.28 + 0.22 * sky) * open;
   soft += edge * vec3(0.205, 0.162, 0.246) * 0.22 * open * (0.3 + 0.7 * sky);
-  float highlight = band * 0.62 * open * (0.25 + 0.75 * diffuse) * fill.w * key.w;
-  lit = vec4(mix(paint * 1.25 * PlainLight(n), soft, fill.w) * key.w, highlight);
+  float highlight = band * 0.80 * open * (0.25 + 0.75 * diffuse) * fill.w * key.w;
+  lit = vec4(mix(paint * 1.25 * PlainLight(n) * key.w, Shoulder(soft * key.w), fill.w), highlight);
   place = vec2(lock.y + 5.0 * lock.w, lock.x);
   gl_Position = projection * vec4(p, 1.0);
 }

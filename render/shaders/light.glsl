@@ -15,6 +15,12 @@ vec3 SkinRamp(float cosine, float softness) {
   return vec3(Ramp(cosine, wrap.r), Ramp(cosine, wrap.g), Ramp(cosine, wrap.b));
 }
 
+// Bright light is taken back softly, as film does: nothing burns out, and colours keep their hue.
+vec3 Shoulder(vec3 light) {
+  vec3 over = max(light - 0.70, 0.0);
+  return min(light, 0.70) + over / (1.0 + over * 1.1);
+}
+
 // 1 where a surface looks up, 0 where it looks down.
 float SkyShare(vec3 n) { return 0.5 + 0.5 * dot(n, up.xyz); }
 

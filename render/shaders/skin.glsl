@@ -15,28 +15,35 @@ float Mirror(vec3 n, vec3 toward_eye) {
   return 0.25 + 0.55 * horizon + 0.9 * window;
 }
 
+// The chin throws its shadow on the neck, deepest where they meet; 1 on the head. `share` is TurnShare there.
+float UnderChin(float share) {
+  float below = 1.0 - share;
+  float shade = smoothstep(0.0, 0.30, below) * (1.0 - 0.55 * smoothstep(0.30, 0.95, below));
+  return 1.0 - 0.46 * shade * clamp(dot(key.xyz, up.xyz) * 1.8, 0.0, 1.0);
+}
+
 Lit SoftSkin(vec3 p, vec3 n, float open, vec2 surface) {
   vec3 toward_eye = normalize(-p);
   float edge = 1.0 - clamp(dot(n, toward_eye), 0.0, 1.0);
   float sky = SkyShare(n);
-  vec3 ao = pow(vec3(open), vec3(0.75, 1.05, 1.1));
-  vec3 light = SkinRamp(dot(n, key.xyz), surface.x) * kKeyColour * (0.35 + 0.65 * ao);
+  vec3 ao = pow(vec3(open), vec3(1.00, 1.40, 1.45));
+  vec3 light = SkinRamp(dot(n, key.xyz), surface.x) * kKeyColour * (0.25 + 0.80 * ao);
   light += (kSky * (0.55 + 0.45 * sky) + kBounce * (1.0 - sky)) * ao;
   light += Ramp(dot(n, fill.xyz), 0.3) * kFillColour * ao;
   float h = clamp(dot(n, normalize(key.xyz + toward_eye)), 0.0, 1.0);
   Lit lit;
-  lit.added = edge * edge * edge * 0.10 * (0.3 + 0.7 * sky) * open + 0.035 * pow(h, 22.0) * open;
+  lit.added = edge * edge * edge * 0.13 * (0.3 + 0.7 * sky) * open + 0.035 * pow(h, 22.0) * open;
   lit.gloss = 0.35 * pow(h, 60.0) * open;
   float shine = Mirror(n, toward_eye) * (0.18 + 0.5 * edge * edge * edge * edge) * open;
   lit.diffuse = light * mix(1.0, 0.78, surface.y) + surface.y * 0.88 * shine;
-  lit.added += surface.y * (0.22 * shine + 0.5 * pow(h, 90.0));
+  lit.added += surface.y * (0.22 * shine + 0.5 * pow(h, 90.0) * open);
   return lit;
 }
 
-Lit Skin(vec3 p, vec3 n, float open, vec2 surface) {
+Lit Skin(vec3 p, vec3 n, float open, vec2 surface, float under_chin) {
   Lit lit = SoftSkin(p, n, open, surface);
   float soft = fill.w;
-  lit.diffuse = mix(vec3(PlainLight(n)), lit.diffuse, soft) * key.w;
+  lit.diffuse = mix(vec3(PlainLight(n)) * key.w, Shoulder(lit.diffuse * under_chin * key.w), soft);
   lit.added *= soft * key.w;
   lit.gloss *= soft * key.w;
   return lit;
