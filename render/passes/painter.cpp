@@ -2,35 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <vector>
 
-#include "render/face/composer.h"
-#include "render/gl/buffer.h"
-#include "render/passes/backdrop.h"
-#include "render/passes/body.h"
-#include "render/passes/clothes.h"
-#include "render/passes/eyes.h"
-#include "render/passes/figure_region.h"
-#include "render/passes/flat.h"
-#include "render/passes/frame.h"
-#include "render/passes/hair.h"
-#include "render/passes/lashes.h"
-#include "render/passes/layer.h"
-#include "render/passes/mouth.h"
-#include "render/passes/needles.h"
+#include "render/passes/painter_parts.h"
 #include "render/passes/sane_scene.h"
-#include "render/passes/surface.h"
-#include "render/passes/wire.h"
 
 namespace kaori::passes {
 namespace {
 
 using scene::Style;
 
-// Styles that share a mesh are mixed in its shaders; the groups are drawn apart, and dissolve as whole
-// pictures.
-enum class Group : std::uint8_t { kTextured, kFlat, kWire };
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
 constexpr float kUnseen = 1.0F / 1024;
@@ -77,12 +57,6 @@ float HairShare(const scene::Scene& s) {
   return 1 - WeightOf(s, Style::kBare) / std::max(WeightOf(s, Group::kTextured), kUnseen);
 }
 
-std::vector<float> PrintsOf(const face::Cast& cast) {
-  std::vector<float> prints;
-  for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
-  return prints;
-}
-
 // Of the faces that are shown, the part that is a poster's print.
 float PrintShare(const std::vector<float>& prints, const face::Terms& faces) {
   float share = 0;
@@ -102,62 +76,10 @@ void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
 
 }  // namespace
 
-struct Painter::Parts {
-  explicit Parts(const face::Cast& cast)
-      : composer(cast),
-        prints(PrintsOf(cast)),
-        neck(NeckOf(cast)),
-        edges(MeasureEdges(cast)),
-        wardrobe(cast),
-        surface(cast) {}
-
-  Result<void> Open(const face::Cast& cast);
-  FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
-  void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
-  // What a fade or a style needs beyond the default look, by shader.
-  enum class Turn : std::uint8_t {
-    kMouth,
-    kHair,
-    kClothes,
-    kBody2,
-    kFlat,
-    kDarkEyes,
-    kWire,
-    kLayer,
-    kPrint,
-    kNeedles,
-    kBody4
-  };
-  static constexpr std::array kRehearsal{Turn::kMouth, Turn::kHair,    Turn::kClothes,  Turn::kLayer,
-                                         Turn::kBody2, Turn::kFlat,    Turn::kDarkEyes, Turn::kWire,
-                                         Turn::kPrint, Turn::kNeedles, Turn::kBody4};
-  void Rehearse(Turn turn);
-  void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
-  void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
-  void DrawWire(const scene::Scene& scene, const face::Shape& shape);
-
-  face::Composer composer;
-  std::vector<float> prints;  // Of each face, how much of a poster it is.
-  Neck neck;
-  LongestEdges edges;
-  Wardrobe wardrobe;
-  Surface surface;
-  gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
-  std::optional<BodyPass> body;
-  std::optional<EyesPass> eyes;
-  std::optional<LashesPass> lashes;
-  std::optional<MouthPass> mouth;
-  std::optional<HairPass> hair;
-  std::optional<ClothesPass> clothes;
-  std::optional<FlatPass> flat;
-  std::optional<WirePass> wire;
-  std::optional<NeedlesPass> needles;
-  std::optional<BackdropPass> backdrop;
-  std::optional<LayerPass> layer;
-  std::optional<gl::Canvas> backstage;
-  std::size_t rehearsed = 0;
-  scene::Scene sane;  // What is drawn.
-};
+Painter::Parts::Parts(const face::Cast& cast)
+    : composer(cast), neck(NeckOf(cast)), edges(MeasureEdges(cast)), wardrobe(cast), surface(cast) {
+  for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
+}
 
 Result<void> Painter::Parts::Open(const face::Cast& cast) {
   Result<void> outcome;
@@ -171,6 +93,7 @@ Result<void> Painter::Parts::Open(const face::Cast& cast) {
   Take(WirePass::Open(cast), wire, outcome);
   Take(NeedlesPass::Open(cast), needles, outcome);
   Take(BackdropPass::Open(cast), backdrop, outcome);
+  Take(CaptionPass::Open(), caption, outcome);
   Take(LayerPass::Open(), layer, outcome);
   return outcome;
 }
@@ -217,55 +140,6 @@ FrameBlock Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas
   return block;
 }
 
-// Two faces, and with them two textures, or four.
-face::Weights CrossFade(std::uint16_t faces) {
-  face::Weights weights;
-  for (std::uint16_t face = 0; face < faces; ++face) weights.faces.Push(face, 1);
-  return weights;
-}
-
-FigureRegion Everywhere(const gl::Box& whole) {
-  FigureRegion figure{.whole = whole};
-  figure.bands[0] = whole;
-  return figure;
-}
-
-void Painter::Parts::Rehearse(Turn turn) {
-  scene::Scene scene;
-  scene.weights = CrossFade(turn == Turn::kBody4 ? 4 : 2);
-  face::Shape shape = composer.Compose(scene.weights, face::Detail::kFine);
-  shape.jaw_drop_m = 0.01F;
-  wardrobe.Weigh(shape.faces);
-  surface.WriteFine(shape);
-  surface.WriteCage(shape);
-  BindFrame(scene, *backstage);
-  const gl::Box whole = backstage->whole();
-  backstage->BeginLayer({&whole, 1}, whole);
-  switch (turn) {
-    case Turn::kMouth:
-      return mouth->Draw(wardrobe, shape);
-    case Turn::kHair:
-      return hair->Draw(wardrobe, 0.5F);
-    case Turn::kClothes:
-      return clothes->Draw(wardrobe, shape.faces);
-    case Turn::kBody2:
-    case Turn::kBody4:
-      return body->Draw(surface, shape, false);
-    case Turn::kFlat:
-      return flat->Draw(shape);
-    case Turn::kDarkEyes:
-      return eyes->DrawDark(shape);
-    case Turn::kWire:
-      return wire->Draw(surface, shape, scene.gaze);
-    case Turn::kNeedles:
-      return needles->Draw({.shown = 1}, shape);
-    case Turn::kLayer:
-      return layer->Lay(*backstage, Everywhere(whole), {backdrop->picture()}, {.opacity = 0.5F});
-    case Turn::kPrint:
-      return layer->Lay(*backstage, Everywhere(whole), {backdrop->picture()}, {.print = 1});
-  }
-}
-
 Painter::Painter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Painter::~Painter() = default;
 
@@ -305,6 +179,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
                   .print = group == Group::kTextured ? print : 0,
                   .exposure = scene.light.exposure});
   }
+  p.caption->Draw(scene.caption, canvas);
 }
 
 void Painter::Renew(std::size_t expression) {
@@ -313,26 +188,6 @@ void Painter::Renew(std::size_t expression) {
 
 const face::Shape& Painter::shape() const {
   return parts_->composer.shape();
-}
-
-bool Painter::RehearseStep() {
-  Parts& p = *parts_;
-  constexpr std::size_t kSteps = Parts::kRehearsal.size() + BackdropPass::kRehearsals;
-  if (p.rehearsed >= kSteps) return false;
-  if (!p.backstage) {
-    constexpr int kSize_px = 16;
-    auto canvas = gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px});
-    if (!canvas) return false;
-    p.backstage = std::move(*canvas);
-  }
-  const std::size_t step = p.rehearsed++;
-  if (step < Parts::kRehearsal.size())
-    p.Rehearse(Parts::kRehearsal[step]);
-  else
-    p.backdrop->Rehearse(step - Parts::kRehearsal.size());
-  if (p.rehearsed < kSteps) return true;
-  p.backstage.reset();
-  return false;
 }
 
 }  // namespace kaori::passes

@@ -1,0 +1,53 @@
+// A few lines of text at the left below, on a soft dark plate.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/gl/canvas.h"
+#include "render/gl/mesh.h"
+#include "render/gl/program.h"
+#include "render/gl/texture.h"
+#include "render/image/text.h"
+#include "render/scene/scene.h"
+
+namespace kaori::passes {
+
+class CaptionPass {
+ public:
+  // Errors: invalid_argument (a shader), not_enough_memory.
+  static Result<CaptionPass> Open();
+
+  // Onto the picture, over all that stands there, which is then no more what the painters left: the canvas's
+  // signature goes. Letters are as high as the canvas asks for; the plate keeps to her left; lines that are
+  // too long are broken, and of too many the first are left out. Letters are drawn, and memory is taken, only
+  // when the lines or the size of the canvas change. Nothing where nothing is shown.
+  void Draw(const scene::Caption& caption, const gl::Canvas& canvas);
+
+ private:
+  // All in pixels.
+  struct Measures {
+    int letters = 0;  // Size of the font.
+    int step = 0;     // From line to line.
+    int border = 0;   // Of the plate about the letters,
+    int margin = 0;   // and from the edges of the picture.
+    int room = 0;     // For a line.
+  };
+  static Measures MeasuresFor(const gl::Canvas& canvas);
+  std::vector<std::string> Fitting(const Measures& m, int most_px);
+  CaptionPass(gl::Program program, image::Lettering lettering);
+  void WriteLetters(const std::vector<std::string>& lines, const gl::Canvas& canvas);
+
+  gl::Program program_;
+  image::Lettering lettering_;
+  int plate_, border_, opacity_;
+  gl::Mesh everywhere_;
+  gl::Texture letters_;
+  std::vector<std::string> lines_;  // As they stand in the texture.
+  int canvas_width_px_ = 0;
+  int canvas_height_px_ = 0;
+  int border_px_ = 0;
+  gl::Box plate_box_;
+};
+
+}  // namespace kaori::passes

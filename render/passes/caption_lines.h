@@ -1,0 +1,19 @@
+// Lines of a caption, broken where they would be too long.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kaori::passes {
+
+// Whether a piece of text fits into one line.
+using Fits = std::function<bool(std::string_view)>;
+
+// Appends the pieces of `line` to `into`: each as long as fits, broken at gaps of two spaces or more, and
+// where a piece between such gaps is too long alone, at single ones. A word that is too long stays whole.
+// An empty line stays an empty line. Pure.
+void BreakLine(std::string_view line, const Fits& fits, std::vector<std::string>& into);
+
+}  // namespace kaori::passes

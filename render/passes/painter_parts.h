@@ -1,0 +1,85 @@
+// What a painter is made of. For painter.cpp and painter_rehearsal.cpp alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/face/composer.h"
+#include "render/gl/buffer.h"
+#include "render/passes/backdrop.h"
+#include "render/passes/body.h"
+#include "render/passes/caption.h"
+#include "render/passes/clothes.h"
+#include "render/passes/eyes.h"
+#include "render/passes/figure_region.h"
+#include "render/passes/flat.h"
+#include "render/passes/frame.h"
+#include "render/passes/hair.h"
+#include "render/passes/lashes.h"
+#include "render/passes/layer.h"
+#include "render/passes/mouth.h"
+#include "render/passes/needles.h"
+#include "render/passes/painter.h"
+#include "render/passes/surface.h"
+#include "render/passes/wire.h"
+
+namespace kaori::passes {
+
+// Styles that share a mesh are mixed in its shaders; the groups are drawn apart, and dissolve as whole
+// pictures.
+enum class Group : std::uint8_t { kTextured, kFlat, kWire };
+struct Painter::Parts {
+  explicit Parts(const face::Cast& cast);
+  Result<void> Open(const face::Cast& cast);
+  FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
+  void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
+  // What a fade or a style needs beyond the default look, by shader.
+  enum class Turn : std::uint8_t {
+    kMouth,
+    kHair,
+    kClothes,
+    kBody2,
+    kFlat,
+    kDarkEyes,
+    kWire,
+    kLayer,
+    kPrint,
+    kNeedles,
+    kCaption,
+    kBody4
+  };
+  static constexpr std::array kRehearsal{Turn::kMouth, Turn::kHair,    Turn::kClothes,  Turn::kLayer,
+                                         Turn::kBody2, Turn::kFlat,    Turn::kDarkEyes, Turn::kWire,
+                                         Turn::kPrint, Turn::kNeedles, Turn::kCaption,  Turn::kBody4};
+  void Rehearse(Turn turn);
+  void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
+  void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
+  void DrawWire(const scene::Scene& scene, const face::Shape& shape);
+
+  face::Composer composer;
+  std::vector<float> prints;  // Of each face, how much of a poster it is.
+  Neck neck;
+  LongestEdges edges;
+  Wardrobe wardrobe;
+  Surface surface;
+  gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
+  std::optional<BodyPass> body;
+  std::optional<EyesPass> eyes;
+  std::optional<LashesPass> lashes;
+  std::optional<MouthPass> mouth;
+  std::optional<HairPass> hair;
+  std::optional<ClothesPass> clothes;
+  std::optional<FlatPass> flat;
+  std::optional<WirePass> wire;
+  std::optional<NeedlesPass> needles;
+  std::optional<BackdropPass> backdrop;
+  std::optional<CaptionPass> caption;
+  std::optional<LayerPass> layer;
+  std::optional<gl::Canvas> backstage;
+  std::size_t rehearsed = 0;
+  scene::Scene sane;  // What is drawn.
+};
+
+}  // namespace kaori::passes
