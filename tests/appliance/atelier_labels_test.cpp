@@ -16,6 +16,8 @@ namespace {
 
 using performance::State;
 
+constexpr std::uint16_t kKeyQ = 0x14;  // HID usage page 7.
+
 show::Show NamedShow() {
   show::Show show = performance::SmallShow();
   for (std::size_t i = 0; i < show.cast.faces.size(); ++i)
@@ -24,6 +26,7 @@ show::Show NamedShow() {
     show.cast.expressions[i].name = "in_mood_" + std::to_string(i);
   show.scenes[0].name = "studio";
   show.scenes[1].name = "kitchen";
+  show.keys = {{kKeyQ, {show::CallKind::kStyle, static_cast<std::uint16_t>(scene::Style::kWire)}}};
   return show;
 }
 
@@ -90,7 +93,8 @@ TEST_F(AtelierLabels, NameTheKeysThatDoSomething) {
   EXPECT_EQ(text(performance::kSpace), "Blink blink");
   EXPECT_EQ(text(performance::kKey1), "Nod take");
   EXPECT_EQ(text(performance::kF1), "Kitchen scene");
-  EXPECT_EQ(labels_.keys.size(), 5U) << "a scene without a key has none";
+  EXPECT_EQ(text(kKeyQ), "Wireframe style");
+  EXPECT_EQ(labels_.keys.size(), 6U) << "a scene without a key has none";
 }
 
 TEST(Readable, IsWhatPeopleWouldWrite) {

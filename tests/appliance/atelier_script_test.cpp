@@ -61,6 +61,19 @@ TEST_F(ScriptTest, IsReadIntoScenesAndTakes) {
   EXPECT_EQ(show_.takes[0].curves[1].channel, 1);
 }
 
+TEST_F(ScriptTest, GivesKeysWhatButtonsMayCall) {
+  EXPECT_THAT(Read(std::string("[keys]\nq = \"style wire\"\nf9 = \"face kaori\"\n") + kScene), IsEmpty());
+  ASSERT_EQ(show_.keys.size(), 2U);
+  const bool face_first = show_.keys[0].call.kind == show::CallKind::kFace;
+  const show::KeyCall& face = show_.keys[face_first ? 0 : 1];
+  const show::KeyCall& style = show_.keys[face_first ? 1 : 0];
+  EXPECT_EQ(style.key_usage, 0x14);
+  EXPECT_EQ(style.call.kind, show::CallKind::kStyle);
+  EXPECT_EQ(style.call.index, static_cast<int>(scene::Style::kWire));
+  EXPECT_EQ(face.key_usage, 0x42);
+  EXPECT_EQ(face.call.index, 1);
+}
+
 struct Wrong {
   const char* name;
   const char* text;  // After the scene.
@@ -86,6 +99,9 @@ const Wrong kWrongs[] = {
     {"ATakeOfNothing", "[[take]]\nname = \"nod\"", "take \"nod\": it moves nothing"},
     {"ChannelsOfNoRole", "[channels]\nbrow = \"jaw_open\"",
      "channels: line 9: nothing is called \"brow\" here"},
+    {"ACallOnAKeyThatIsNone", "[keys]\nf13 = \"style wire\"", "key f13: there is no key \"f13\""},
+    {"AKeyThatCallsNothingThatIs", "[keys]\nq = \"light on\"",
+     "key q: \"light\" is none of face, expression, style, scene"},
     {"ATypingError", "light = = 1", ":8:"},
 };
 

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "appliance/atelier/sculpt/sculpt.h"
 #include "tests/appliance/atelier_sculpt_bench.h"
 
@@ -11,6 +14,13 @@ namespace {
 
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+
+const face::Face& FaceNamed(std::string_view name) {
+  const auto& faces = SculptedCast().faces;
+  const auto face = std::ranges::find(faces, name, &face::Face::name);
+  EXPECT_NE(face, faces.end()) << name;
+  return face == faces.end() ? faces.front() : *face;
+}
 
 TEST(ShowFiles, OfTheDefaultShowHaveNoFault) {
   EXPECT_EQ(ShowCopy().Complaint(), "");
@@ -62,6 +72,29 @@ TEST(ShowFiles, TwoLandmarksMayNotPullTheSameVertex) {
   ShowCopy show;
   show.Replace("faces/dog.toml", "at = \"grid 0 11\"", "at = \"grid 0 8\"");
   EXPECT_THAT(show.Complaint(), HasSubstr("dog.toml: landmarks: two of them pull the same point"));
+}
+
+TEST(ShowFiles, AFaceThatIsLikeAnotherTakesFromThereWhatItDoesNotSay) {
+  const face::Face& kaori = FaceNamed("kaori");
+  const face::Face& poster = FaceNamed("poster");  // Says nothing of its own.
+  EXPECT_EQ(poster.positions, kaori.positions);
+  const face::Face& mask = FaceNamed("mask");  // Other lids, the same ball.
+  EXPECT_EQ(mask.eyes[0].centre, kaori.eyes[0].centre);
+  EXPECT_NE(mask.positions, kaori.positions);
+}
+
+TEST(ShowFiles, AFaceMayBeLikeOneThatStandsOnItsOwnAlone) {
+  for (const char* other : {"mask", "dog", "nobody"}) {
+    ShowCopy show;
+    show.Replace("faces/poster.toml", "like = \"kaori\"", std::string("like = \"") + other + "\"");
+    EXPECT_THAT(show.Complaint(), HasSubstr("poster.toml:3: like: must name a sound, carved face")) << other;
+  }
+}
+
+TEST(ShowFiles, EdgesOfABoxAreRoundedWithinIt) {
+  ShowCopy show;
+  show.Replace("faces/robot.toml", "rounding = 4", "rounding = 8");
+  EXPECT_THAT(show.Complaint(), HasSubstr("rounding: must lie between 0 and the least of 'half'"));
 }
 
 TEST(ShowFiles, ATubeNeedsItsSixStations) {

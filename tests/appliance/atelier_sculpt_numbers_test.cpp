@@ -109,5 +109,12 @@ TEST(Disc, TakesTheBorderOfTheSquareToTheCircle) {
   }
 }
 
+TEST(SignedDistance, OfABoxWithRoundedEdgesIsThatToItsNearestPoint) {
+  const Body box{.shape = Body::Shape::kBox, .a = {1, 0, 0}, .b = {2, 1, 3}, .radius_a_cm = 0.5};
+  EXPECT_NEAR(SignedDistance({box}, {5, 0, 0}), 2, 1e-12) << "from its side";
+  EXPECT_NEAR(SignedDistance({box}, {1, 0, 0}), -1, 1e-12) << "in its middle";
+  EXPECT_NEAR(SignedDistance({box}, {2.5 + 3, 0.5 + 4, 0}), 4.5, 1e-12) << "from its round edge";
+}
+
 }  // namespace
 }  // namespace kaori::sculpt

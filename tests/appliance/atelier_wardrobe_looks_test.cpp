@@ -49,7 +49,8 @@ class ChangedLook {
 };
 
 TEST(WardrobeLooks, OfTheDefaultShowAreAllSound) {
-  for (const char* name : {"kaori", "poster", "round", "old_woman", "child", "narrator", "mask", "robot", "dog", "kettle"}) {
+  for (const char* name :
+       {"kaori", "poster", "round", "old_woman", "child", "narrator", "mask", "robot", "dog", "kettle"}) {
     const Result<FaceLook> look = ReadLook(ShowFolder() / "looks" / (std::string(name) + ".toml"));
     EXPECT_TRUE(look) << look.error().message();
   }
@@ -79,6 +80,18 @@ TEST(WardrobeLooks, NameATableThatDoesNotRise) {
 TEST(WardrobeLooks, NameAnUnknownCutAndThoseThatThereAre) {
   const ChangedLook look("cut = \"blouse\"", "cut = \"toga\"");
   EXPECT_THAT(look.Fault(), HasSubstr("clothes.cut: must be one of \"blouse\", \"knit\""));
+}
+
+TEST(WardrobeLooks, NameAnUnknownShapeOfGear) {
+  const ChangedLook look("[clothes]", "[[gear]]\nshape = \"hat\"\ncolour = \"#000000\"\n[clothes]");
+  EXPECT_THAT(look.Fault(), HasSubstr("must be one of \"rod\", \"ring\", \"ball\", \"disc\""));
+}
+
+TEST(WardrobeLooks, NameABundleOfTooManyLocks) {
+  const ChangedLook look("[clothes]",
+                         "[[hair.bundle]]\npath = [[0, 9, 0], [0, 12, 0]]\nradius = [[0, 1], [1, 2]]\n"
+                         "locks = 200\n[clothes]");
+  EXPECT_THAT(look.Fault(), HasSubstr("locks: must lie between 2 and 24"));
 }
 
 TEST(WardrobeLooks, NameALookThatIsMissing) {

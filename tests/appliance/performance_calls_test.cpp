@@ -28,6 +28,14 @@ TEST_F(PerformanceTest, AButtonFadesItsFaceInWithinTheFadeTime) {
   EXPECT_FALSE(performed_.lamps & 1U);
 }
 
+TEST_F(PerformanceTest, AKeyCallsWhatAButtonMayCall) {
+  constexpr std::uint8_t kKeyQ = 0x14;
+  show_.keys = {{kKeyQ, {show::CallKind::kStyle, static_cast<std::uint16_t>(scene::Style::kWire)}}};
+  Strike(kKeyQ);
+  Run(1s);
+  EXPECT_FLOAT_EQ(performed_.scene.styles[static_cast<int>(scene::Style::kWire)], 1);
+}
+
 TEST_F(PerformanceTest, TheFaceDialTakesTheCalledFaceBack) {
   Push(3);
   Run(1s);

@@ -59,7 +59,8 @@ glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t
     return Hanging(skull, fall, skull.Above(equator, fall.offset_cm), s);
   }
   const float s = t / kHangsFrom;
-  const float offset_cm = fall.offset_cm * (0.25F + 0.75F * SmoothStep(0, 0.5F, s));
+  const float at_root = fall.parting_deg > 0 ? 0.7F : 0.25F;  // From a parting it lies over the cap.
+  const float offset_cm = fall.offset_cm * (at_root + (1 - at_root) * SmoothStep(0, 0.5F, s));
   return skull.Above(GreatCircle(RootOf(fall, around_deg), equator, s), offset_cm);
 }
 
