@@ -1,20 +1,33 @@
 #include "tests/bench/lips_bench.h"
 
 #include <algorithm>
+#include <random>
+
+#include <fmt/format.h>
 
 #include "appliance/lips/lip_meter.h"
 #include "drivers/base/clock.h"
 #include "drivers/camera/planes.h"
 #include "hw-sim/devices/lip_camera.h"
+#include "tests/appliance/lips_truth.h"
+#include "tests/bench/figures.h"
+#include "tests/bench/opencv_arm.h"
+#include "tests/bench/rounds.h"
 
 namespace kaori::bench {
 namespace {
 
-constexpr int kFrames = 1000;
-constexpr int kPictures = 8;  // Different mouths and noise, drawn before the clock runs.
+constexpr int kRounds = 300;
+constexpr std::size_t kPictures = 8;  // Different mouths and noise, drawn before the clock runs.
+constexpr int kTruthFrames = 60;
 
-std::vector<std::vector<std::uint8_t>> Shoot(sim::LipCamera& camera) {
-  std::vector<std::vector<std::uint8_t>> pictures(kPictures);
+using Picture = std::vector<std::uint8_t>;
+
+std::vector<Picture> Shoot(ports::CameraFormat format) {
+  const SteadyClock clock;
+  const sim::Workbench bench{clock, {}};
+  sim::LipCamera camera(format, bench);
+  std::vector<Picture> pictures(kPictures);
   for (std::uint32_t n = 0; n < kPictures; ++n) {
     camera.SetMouth(0.25 + 0.1 * n, 1.2 - 0.1 * n);
     pictures[n].resize(camera.frame_bytes());
@@ -23,32 +36,95 @@ std::vector<std::vector<std::uint8_t>> Shoot(sim::LipCamera& camera) {
   return pictures;
 }
 
-double At(std::vector<double>& sorted, double part) {
-  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+// The worst for runs and regions: by the toss of a coin each sample is paint or grey.
+void TossCoins(std::vector<Picture>& pictures) {
+  std::mt19937 random(1);
+  for (Picture& picture : pictures) {
+    for (std::size_t n = 0; n < picture.size(); n += 4) {
+      const bool paint = random() % 2 == 0;
+      picture[n + 1] = paint ? 200 : 128;
+      picture[n + 3] = paint ? 104 : 128;
+    }
+  }
+}
+
+// From a frame's bytes to height and width, picture after picture.
+class MeterArm {
+ public:
+  MeterArm(ports::CameraFormat format, std::vector<Picture> pictures)
+      : format_(format), pictures_(std::move(pictures)) {}
+
+  Arm arm() {
+    return {[this] { MeasureNext(); }, {}};
+  }
+
+ private:
+  void MeasureNext() {
+    at_ += std::chrono::milliseconds(33);
+    const ports::CameraFrame frame{.at = at_,
+                                   .format = format_,
+                                   .stride_bytes = static_cast<std::uint32_t>(format_.width_px) * 2,
+                                   .bytes = pictures_[next_++ % kPictures]};
+    if (const auto planes = reader_.Read(frame)) meter_.Measure(*planes, at_);
+  }
+
+  ports::CameraFormat format_;
+  std::vector<Picture> pictures_;
+  lips::LipMeter meter_{{}, {}};
+  camera::PlaneReader reader_;
+  Time at_ = Time{} + std::chrono::seconds(1);
+  std::size_t next_ = 0;
+};
+
+std::vector<double> InMilliseconds(const std::vector<double>& us) {
+  std::vector<double> ms;
+  for (const double value : us) ms.push_back(value / 1e3);
+  return ms;
+}
+
+std::vector<Metric> MeasureSpeed(bool quick) {
+  const ports::CameraFormat small{640, 480, ports::PixelFormat::kYuyv};
+  const ports::CameraFormat large{1280, 720, ports::PixelFormat::kYuyv};
+  const auto clean = Shoot(small);
+  auto noisy = clean;
+  TossCoins(noisy);
+  MeterArm ours(small, clean), ours_large(large, Shoot(large)), ours_noisy(small, noisy);
+  Arm arm = ours.arm(), arm_large = ours_large.arm(), arm_noisy = ours_noisy.arm();
+  Arm opencv{OpenCvArm(clean[3], small.width_px, small.height_px), {}};
+  std::vector<Arm*> arms{&arm, &arm_large, &arm_noisy};
+  if (opencv.once) arms.push_back(&opencv);
+  RunInTurns(arms, kRounds / (quick ? 10 : 1), static_cast<int>(kPictures));
+  std::vector<Metric> metrics{Figure("lips.640x480_ms", "ms", InMilliseconds(arm.us)),
+                              Figure("lips.1280x720_ms", "ms", InMilliseconds(arm_large.us)),
+                              Figure("lips.noise_over_clean", "x", Ratios(arm_noisy.us, arm.us))};
+  if (opencv.once)
+    metrics.push_back(Figure("lips.opencv_over_ours", "x", Ratios(opencv.us, arm.us)));
+  else
+    fmt::print(stderr, "lips.opencv_over_ours: NOT MEASURED: built without OpenCV (libopencv-imgproc-dev)\n");
+  return metrics;
+}
+
+// Over the normal set: the mean of height and width, and the longest loss in any of it.
+std::vector<Metric> MeasureError(bool quick) {
+  std::vector<double> errors;
+  double longest_ms = 0;
+  for (const lips::Condition& condition : lips::NormalSet()) {
+    const lips::Truth truth = lips::MeasureTruth(condition, kTruthFrames / (quick ? 4 : 1));
+    errors.push_back(50 * (truth.height_error + truth.width_error));
+    longest_ms = std::max(longest_ms, truth.longest_loss_ms);
+  }
+  double sum = 0;
+  for (const double error : errors) sum += error;
+  return {{"lips.error_percent", "%", sum / static_cast<double>(errors.size()), Quantile(errors, 0.99)},
+          {"lips.longest_loss_ms", "ms", longest_ms, longest_ms}};
 }
 
 }  // namespace
 
 std::vector<Metric> MeasureLips(bool quick) {
-  const SteadyClock clock;
-  const sim::Workbench bench{clock, {}};
-  sim::LipCamera camera({640, 480, ports::PixelFormat::kYuyv}, bench);
-  const auto pictures = Shoot(camera);
-  lips::LipMeter meter({}, {});
-  camera::PlaneReader reader;
-  std::vector<double> took_ms;
-  for (int i = 0; i < kFrames / (quick ? 10 : 1); ++i) {
-    const ports::CameraFrame frame{.at = clock.now(),
-                                   .format = camera.format(),
-                                   .stride_bytes = camera.stride_bytes(),
-                                   .bytes = pictures[static_cast<std::size_t>(i) % pictures.size()]};
-    const Time begin = clock.now();
-    const auto planes = reader.Read(frame);
-    meter.Measure(*planes, frame.at);
-    took_ms.push_back(1e3 * Seconds(clock.now() - begin));
-  }
-  std::ranges::sort(took_ms);
-  return {{"lips.640x480_ms", "ms", At(took_ms, 0.5), At(took_ms, 0.99)}};
+  auto metrics = MeasureSpeed(quick);
+  for (const Metric& metric : MeasureError(quick)) metrics.push_back(metric);
+  return metrics;
 }
 
 }  // namespace kaori::bench
