@@ -38,7 +38,10 @@ export class House {
 
   start(program) {
     const log = openSync(this.file(`${program}.log`), 'a');
-    this.running.set(program, spawn(join(kPrograms, program), this.optionsOf(program), {stdio: ['ignore', log, log]}));
+    this.running.set(program, spawn(join(kPrograms, program), this.optionsOf(program), {
+      stdio: ['ignore', log, log],
+      env: {...process.env, XDG_STATE_HOME: this.folder},  // Nobody's own expressions.
+    }));
     closeSync(log);
   }
 

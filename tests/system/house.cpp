@@ -22,6 +22,8 @@ constexpr int kLookEvery_ms = 1;
   const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(out, STDERR_FILENO);
+  ::setenv("XDG_STATE_HOME", std::filesystem::path(log).parent_path().c_str(),
+           1);  // Nobody's own expressions.
   std::vector<char*> arguments{const_cast<char*>(program.c_str())};
   for (const std::string& option : options) arguments.push_back(const_cast<char*>(option.c_str()));
   arguments.push_back(nullptr);

@@ -1,0 +1,128 @@
+// An author at work with the needles when the stage dies: nothing older than a second is lost.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+
+#include "appliance/board/performance_state.h"
+#include "appliance/board/snapshot.h"
+#include "appliance/needles/journal.h"
+#include "appliance/needles/keys.h"
+#include "appliance/performance/state.h"
+#include "appliance/show/pack.h"
+#include "hw-sim/links/local/rig.h"
+#include "tests/system/house.h"
+
+namespace kaori::test {
+namespace {
+
+using std::chrono::milliseconds;
+using ::testing::HasSubstr;
+namespace key = needles::key;
+
+constexpr int kOutwards = 3;                     // The dial.
+constexpr float kPullPerCount_m = 0.010F / 256;  // As docs/playing.md says.
+constexpr Duration kNothingOlder = std::chrono::seconds(1);
+
+class NeedlesInAHouse : public ::testing::Test {
+ protected:
+  NeedlesInAHouse() : board_(board::Board::Create(house_.board()).value()) {
+    rig_ = sim::Rig::Open({.folder = house_.links(),
+                           .screen_width_px = 160,
+                           .screen_height_px = 90,
+                           .screen_period = milliseconds(33)},
+                          clock_)
+               .value();
+  }
+
+  static std::string Pack() { return (House::Programs().parent_path() / "shows" / "kaori.kaori").string(); }
+  std::string Own() const { return house_.File("own"); }
+
+  void StartStage() {
+    house_.Start("kaori-stage",
+                 {"--links", house_.links(), "--board", house_.board(), "--pack", Pack(), "--own", Own()});
+  }
+
+  bool Between() {
+    rig_->Pump();
+    return true;
+  }
+  bool Until(const std::function<bool()>& condition) {
+    return Await([&] { return Between() && condition(); }, std::chrono::seconds(30));
+  }
+  void Hold(Duration time) {
+    const Time end = clock_.now() + time;
+    Until([&] { return clock_.now() >= end; });
+  }
+
+  void Strike(std::uint8_t usage) {
+    const auto pushes = [&] { return board_.Read<board::Keys>().value.pushes[usage]; };
+    const std::uint32_t before = pushes();
+    rig_->keyboard().Press(usage);
+    ASSERT_TRUE(Until([&] { return pushes() != before && Seen().keys[usage] == pushes(); }));
+    rig_->keyboard().Release(usage);
+    ASSERT_TRUE(Until([&] { return !needles::IsDown(board_.Read<board::Keys>().value, usage); }));
+  }
+
+  // What the stage has taken in.
+  performance::Seen Seen() const {
+    const auto state = board::Take<performance::State>(board_.Read<board::Performance>().value);
+    return state ? state->seen : performance::Seen{};
+  }
+
+  // How far the journal has the pulled needle, in counts of the dial.
+  float PulledInJournal() const {
+    const show::Show show = show::LoadPack(Pack()).value();
+    needles::Session session(needles::PointsOf(show.cast.net));
+    const auto opened =
+        needles::Journal::Open(Own() + "/needles.journal", needles::Fingerprint(session.points()));
+    EXPECT_TRUE(opened);
+    for (const auto& record : opened->records) session.Replay(record.change, record.work);
+    float most_m = 0;
+    for (std::size_t i = 0; i < session.points().size(); ++i)
+      most_m = std::max(most_m, session.work().pulls_m[i].z - session.before().pulls_m[i].z);
+    return most_m / kPullPerCount_m;
+  }
+
+  SteadyClock clock_;
+  House house_;
+  board::Board board_;
+  std::unique_ptr<sim::Rig> rig_;
+};
+
+TEST_F(NeedlesInAHouse, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
+  house_.Start("kaori-input", {"--links", house_.links(), "--board", house_.board()});
+  StartStage();
+  const auto frames = [&] { return board_.Read<board::StageStatus>().value.frames; };
+  ASSERT_TRUE(Until([&] {
+    return board_.Read<board::Keys>().source == board::SourceState::kLive &&
+           board_.Read<board::Surface>().source == board::SourceState::kLive && frames() > 2;
+  })) << house_.LogOf("kaori-stage");
+  Strike(key::kTab);
+  const std::int32_t at_first = Seen().dials[kOutwards];
+  for (int round = 0; round < 3; ++round) {
+    std::deque<std::pair<Time, std::int32_t>> seen;  // When the stage had which count.
+    const Time end = clock_.now() + milliseconds(1900 + 170 * round);
+    for (int turn = 0; clock_.now() < end; ++turn) {
+      rig_->dial_box().Turn(kOutwards, 2.0 / 256);
+      Hold(milliseconds(25));
+      seen.emplace_back(clock_.now(), Seen().dials[kOutwards]);
+    }
+    house_.Kill("kaori-stage");
+    const Time killed = clock_.now();
+    std::int32_t sure = 0;
+    for (const auto& [at, count] : seen)
+      if (killed - at > kNothingOlder) sure = count;
+    ASSERT_GT(sure, seen.front().second) << "it turned before that second, too";
+    EXPECT_GE(PulledInJournal() + 0.01F, static_cast<float>(sure - at_first)) << "round " << round;
+    StartStage();
+    const std::uint32_t frames_then = frames();
+    ASSERT_TRUE(Until([&] { return frames() > frames_then; })) << house_.LogOf("kaori-stage");
+    EXPECT_THAT(house_.LogOf("kaori-stage"), HasSubstr("unsaved needle work is taken up again"));
+    Strike(key::kTab);
+  }
+}
+
+}  // namespace
+}  // namespace kaori::test
