@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "appliance/atelier/import/head_shape.h"
@@ -43,6 +44,22 @@ void AddTarget(const char* name, Offsets offsets, Model& model) {
 
 const face::Expression& Named(const face::Cast& cast, std::string_view name) {
   return *std::ranges::find(cast.expressions, name, &face::Expression::name);
+}
+
+// A ring of triangles about the head, a centimetre off, where hair would be.
+face::Prop Cap(const face::Face& face) {
+  face::Prop cap;
+  cap.name = "cap";
+  for (Index v = 0; v + 2 < face.positions.size(); v += 3) {
+    const glm::vec3 p = face.positions[v];
+    if (p.y < 0.05F) continue;
+    const auto first = static_cast<Index>(cap.vertices.size());
+    const glm::vec3 out = glm::normalize(glm::vec3(p.x, p.y - 0.03F, p.z));
+    for (const glm::vec3& corner : {glm::vec3(0), glm::vec3(0.002F, 0, 0), glm::vec3(0, 0.002F, 0)})
+      cap.vertices.push_back({.position = p + 0.01F * out + corner, .normal = out, .tangent = {0, -1, 0}});
+    cap.triangles.push_back({first, first + 1, first + 2});
+  }
+  return cap;
 }
 
 }  // namespace
@@ -93,6 +110,8 @@ const show::Show& DefaultShow() {
     show::Show made;
     made.name = "default";
     made.cast = testing::DefaultCast();
+    made.cast.props = {Cap(made.cast.faces.front())};
+    for (face::Face& face : made.cast.faces) face.props = {0};
     made.cast.textures.push_back({1, 1, {200, 150, 120, 40}});
     made.scenes.emplace_back().name = "studio";
     made.buttons[0] = {show::CallKind::kFace, 4};

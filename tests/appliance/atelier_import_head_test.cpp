@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "appliance/atelier/import/bridge.h"
 #include "appliance/atelier/import/head_shape.h"
@@ -111,6 +112,37 @@ TEST(ImportedHead, KeepsButtonsThatStillFit) {
   EXPECT_EQ(TheImport().heads.buttons[1].kind, show::CallKind::kFace);
 }
 
+TEST(ImportedHead, IsDrawnFinerThanItIsKept) {
+  const face::Topology& topology = TheImport().heads.cast.topology;
+  EXPECT_GE(topology.fine.triangles.size(), 3 * topology.triangles.size());
+  EXPECT_EQ(topology.fine.texture.size(), topology.fine.from_cage.rows());
+}
+
+TEST(ImportedHead, WearsWhatTheShowsFaceWearsFittedToItsSize) {
+  const face::Cast& cast = TheImport().heads.cast;
+  ASSERT_EQ(cast.props.size(), 2U);  // The cap of the show's first face, on either head.
+  EXPECT_EQ(cast.faces[0].props, std::vector<int>{0});
+  EXPECT_EQ(cast.faces[1].props, std::vector<int>{1});
+  const auto widest = [](const face::Prop& prop) {
+    float x_m = 0;
+    for (const face::PropVertex& vertex : prop.vertices) x_m = std::max(x_m, vertex.position.x);
+    return x_m;
+  };
+  const float own = widest(DefaultShow().cast.props[0]);
+  EXPECT_NEAR(widest(cast.props[0]), kHeadScale * own, 0.06F * own);
+  EXPECT_NEAR(widest(cast.props[1]), 1.1F * kHeadScale * own, 0.06F * own);
+  for (const face::PropVertex& vertex : cast.props[1].vertices)
+    EXPECT_NEAR(glm::length(vertex.normal), 1, 1e-3);
+}
+
+TEST(ImportedHead, SaysTheSameToPrograms) {
+  const auto json = nlohmann::json::parse(JsonText(TheImport().report));
+  EXPECT_EQ(json["shapes"].size(), TheImport().report.shapes.size());
+  EXPECT_EQ(json["shapes_not_mapped"], nlohmann::json::array({"wibble"}));
+  EXPECT_TRUE(json["shapes"].back()["means"].is_null());
+  EXPECT_GT(json["shapes"][0]["rms_mm"].get<double>(), 0);
+}
+
 TEST(ImportedHead, SurvivesItsPack) {
   const TemporaryFolder folder;
   const auto saved = show::SavePack(TheImport().heads, folder.path() / "heads.kaori");
@@ -142,7 +174,7 @@ TEST(ImportedHead, LendsItsShapesToTheShow) {
 TEST(ImportedHead, TellsWhatWasMappedAndWhatNot) {
   const std::string text = Text(TheImport().report);
   EXPECT_THAT(text, HasSubstr("ARKit eyeBlinkLeft"));
-  EXPECT_THAT(text, HasSubstr("shapes: wibble"));
+  EXPECT_THAT(text, HasSubstr("shapes (1 of 6): wibble"));
   EXPECT_THAT(text, HasSubstr("left eye: 84 vertices"));
 }
 
@@ -187,6 +219,17 @@ TEST(Import, NamesEveryFaultOfEveryFile) {
   EXPECT_THAT(made.error().attempt, HasSubstr("less.glb: "));
   EXPECT_THAT(made.error().attempt, HasSubstr("none.obj: cannot be read"));
   EXPECT_THAT(made.error().attempt, HasSubstr("him.fbx: "));
+}
+
+TEST(Import, NamesFacesOfTheLookThatTheShowLacks) {
+  const TemporaryFolder folder;
+  WriteGlb(folder.path() / "her.glb", ExportedHead());
+  ImportOptions options;
+  options.like = {"kaori", "nobody", "no one"};
+  const auto made = Import({folder.path() / "her.glb"}, &DefaultShow(), options);
+  ASSERT_FALSE(made);
+  EXPECT_THAT(made.error().attempt, HasSubstr("--like: nobody: the show has no such face"));
+  EXPECT_THAT(made.error().attempt, HasSubstr("no one"));
 }
 
 // Heads that the project does not hold: a folder that the environment names.

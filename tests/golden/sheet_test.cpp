@@ -30,7 +30,7 @@ TEST(Sheets, EveryFaceWithEveryExpressionLooksAsItDidWhenItWasAccepted) {
     EXPECT_EQ(Compare(*picture, "sheet-" + entry.path().stem().string()), "");
     ++sheets;
   }
-  EXPECT_EQ(sheets, 3 + static_cast<int>((*studio)->show().cast.faces.size()));
+  EXPECT_EQ(sheets, 4 + static_cast<int>((*studio)->show().cast.faces.size()));
   std::filesystem::remove_all(folder);
 }
 

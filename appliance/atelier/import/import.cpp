@@ -12,7 +12,6 @@
 #include "appliance/atelier/import/heads.h"
 #include "appliance/atelier/import/imported_cast.h"
 #include "appliance/atelier/import/look.h"
-#include "appliance/atelier/import/mesh_check.h"
 #include "appliance/show/check.h"
 
 namespace kaori::import {
@@ -23,19 +22,16 @@ using face::ExpressionKind;
 constexpr float kEyesZ_m = 0.05F;  // Where no show says better.
 constexpr std::array<std::string_view, 2> kBlinks{"blink_left", "blink_right"};
 
-std::vector<Model> ReadAll(const std::vector<std::filesystem::path>& files, Findings& findings) {
-  std::vector<Model> models;
-  for (const auto& file : files)
-    if (auto model = ReadModel(file, findings)) models.push_back(std::move(*model));
-  for (std::size_t i = 1; i < models.size(); ++i) CheckSameTopology(models.front(), models[i], findings);
-  return models;
-}
-
 std::string MadeOf(const Heads& heads, const Role& role) {
   std::vector<std::string> parts;
   for (const RolePart& part : role.parts)
     parts.push_back(fmt::format("{} x {}", part.weight, heads.shapes[part.shape].name));
   return fmt::format("{}: {}", NameOf(role.style), fmt::join(parts, " + "));
+}
+
+// "ARKit jawOpen"; empty: none.
+std::string MeaningIn(const Shape& shape) {
+  return shape.meaning ? fmt::format("{} {}", NameOf(shape.meaning->style), shape.meaning->name) : "";
 }
 
 const Role* FindRole(const Heads& heads, std::string_view name) {
@@ -54,8 +50,10 @@ ExpressionKind KindOfRole(std::string_view role) {
 // One import, step by step.
 class Importing {
  public:
-  Importing(const std::vector<Model>& models, Heads heads, const show::Show* show)
-      : models_(models), heads_(std::move(heads)), show_(show) {}
+  // `like`: for each head a face of the show.
+  Importing(const std::vector<Model>& models, Heads heads, const show::Show* show,
+            std::vector<std::size_t> like)
+      : models_(models), heads_(std::move(heads)), show_(show), like_(std::move(like)) {}
 
   Imported Run(const ImportOptions& options) {
     Describe();
@@ -172,10 +170,7 @@ class Importing {
       const bool taken = std::ranges::find(wanted_, shape.name, &WantedShape::name) != wanted_.end();
       wanted_.push_back(
           {taken ? shape.name + " (shape)" : shape.name, ExpressionKind::kChannel, shape.offsets});
-      made_.report.shapes.push_back(
-          {shape.name,
-           shape.meaning ? fmt::format("{} {}", NameOf(shape.meaning->style), shape.meaning->name) : "",
-           {}});
+      made_.report.shapes.push_back({shape.name, MeaningIn(shape), {}});
     }
   }
 
@@ -193,7 +188,7 @@ class Importing {
           fit.Fit(name, ExpressionKind::kChannel, to_show_->Carry(shape.offsets), error);
       for (std::size_t side = 0; side < 2; ++side) GiveToLids(shape, side, expression);
       cast.expressions.push_back(std::move(expression));
-      made_.report.on_show.push_back({shape.name, "", error});
+      made_.report.on_show.push_back({shape.name, MeaningIn(shape), error});
     }
   }
 
@@ -217,9 +212,10 @@ class Importing {
                        heads_.skin.size()));
     const ShapeFit fit(cast.net, cast.faces.front().positions);
     for (std::size_t i = 0; i < wanted_.size(); ++i) cast.expressions.push_back(Fitted(fit, i, cast));
-    ShadeFaces(cast);
-    Remark(GiveSkin(models_.front(), heads_, SpotsInOrder(before), show_ == nullptr ? nullptr : &show_->cast,
-                    cast));
+    ShadeFaces(heads_.part, cast);
+    const Lender lender{show_ == nullptr ? nullptr : &show_->cast, like_, SpotsInOrder(before)};
+    Remark(GiveSkin(models_.front(), heads_, lender, cast));
+    Remark(DressLike(heads_, lender, cast));
     GiveScript();
   }
 
@@ -264,6 +260,7 @@ class Importing {
   const std::vector<Model>& models_;
   Heads heads_;
   const show::Show* show_;
+  std::vector<std::size_t> like_;
   std::optional<Bridge> from_show_;
   std::optional<Bridge> to_show_;
   std::vector<Landmark> landmarks_;  // Of the first head.
@@ -277,14 +274,17 @@ class Importing {
 Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show,
                         const ImportOptions& options) {
   Findings findings;
-  const std::vector<Model> models = ReadAll(files, findings);
+  const std::vector<Model> models = ReadModels(files, findings);
   if (!findings.empty()) return findings.Refuse();
   if (models.empty()) return FailInput("no file to import was named");
+  std::vector<std::size_t> like =
+      FacesToBeLike(options.like, files.size(), show == nullptr ? nullptr : &show->cast, findings);
+  if (!findings.empty()) return findings.Refuse();
   float eyes_z_m = kEyesZ_m;
   if (show != nullptr) eyes_z_m = show->cast.faces.front().eyes[0].centre.z;
   Heads heads = TakeApart(models, eyes_z_m, findings);
   if (!findings.empty()) return findings.Refuse();
-  Imported made = Importing(models, std::move(heads), show).Run(options);
+  Imported made = Importing(models, std::move(heads), show, std::move(like)).Run(options);
   for (const show::Show* one :
        {&std::as_const(made.heads), made.on_show ? &std::as_const(*made.on_show) : nullptr}) {
     if (one == nullptr) continue;

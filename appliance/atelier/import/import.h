@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "appliance/atelier/import/findings.h"
@@ -19,8 +20,13 @@ namespace kaori::import {
 // there was one.
 std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& findings);
 
+// The same of several files that must have one topology; those that could be read.
+std::vector<Model> ReadModels(const std::vector<std::filesystem::path>& files, Findings& findings);
+
 struct ImportOptions {
   PointOptions points;
+  std::vector<std::string>
+      like;  // Faces of the show whose look the heads take, one by one; the last for the rest.
 };
 
 struct Imported {
@@ -32,8 +38,9 @@ struct Imported {
 // The first file has the shapes; all have one topology and become the faces, named as their files. With a
 // `show`, its expressions are carried to the heads, where an artist's shape does not fill the role already;
 // its buttons, takes and scenes are kept as far as the heads go; and the artist's shapes are carried to the
-// show's own faces. Takes seconds. Errors: invalid_argument; the attempt lists every fault, one a line: file,
-// item, reason.
+// show's own faces; the heads are painted, combed and dressed as the faces that `options.like` names, or as
+// the first. Takes seconds. Errors: invalid_argument; the attempt lists every fault, one a line: file, item,
+// reason.
 Result<Imported> Import(const std::vector<std::filesystem::path>& files, const show::Show* show,
                         const ImportOptions& options);
 

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "appliance/atelier/import/fine_mesh.h"
 #include "appliance/atelier/import/surface_net.h"
 
 namespace kaori::import {
@@ -51,25 +52,17 @@ std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
   return places;
 }
 
-// Each edge once, without those within a quad: tools write a quad as two triangles in a row.
+// Each edge of the artist's polygons once.
 std::vector<face::Line> WiresOf(const std::vector<Triangle>& triangles, const std::vector<Index>& weld) {
-  const auto edge = [&](Index a, Index b) { return std::minmax(weld[a], weld[b]); };
-  using Edge = std::pair<Index, Index>;
-  const auto edges = [&](const Triangle& t) {
-    return std::array<Edge, 3>{edge(t[0], t[1]), edge(t[1], t[2]), edge(t[2], t[0])};
-  };
-  std::set<Edge> all;
-  std::set<Edge> inside;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (const Edge& e : edges(triangles[i])) all.insert(e);
-    if (i % 2 == 0 || i == 0) continue;
-    for (const Edge& e : edges(triangles[i]))
-      if (const auto before = edges(triangles[i - 1]); std::ranges::find(before, e) != before.end())
-        inside.insert(e);
+  std::set<std::pair<Index, Index>> edges;
+  for (const Polygon& polygon : PolygonsOf(triangles)) {
+    const std::size_t corners = polygon[3] == kNoCorner ? 3 : 4;
+    for (std::size_t i = 0; i < corners; ++i)
+      edges.insert(std::minmax(weld[polygon[i]], weld[polygon[(i + 1) % corners]]));
   }
   std::vector<face::Line> wires;
-  for (const Edge& e : all)
-    if (!inside.contains(e) && e.first != e.second) wires.push_back({e.first, e.second});
+  for (const auto& [a, b] : edges)
+    if (a != b) wires.push_back({a, b});
   return wires;
 }
 
@@ -90,20 +83,6 @@ std::vector<float> MouthShareOf(const HeadShape& head) {
   return share;
 }
 
-face::FineMesh SameMesh(const face::Topology& topology) {
-  face::FineMesh fine;
-  fine.from_cage.row_start.resize(topology.vertex_count + std::size_t{1});
-  std::iota(fine.from_cage.row_start.begin(), fine.from_cage.row_start.end(), 0U);
-  fine.from_cage.column.resize(topology.vertex_count);
-  std::iota(fine.from_cage.column.begin(), fine.from_cage.column.end(), 0U);
-  fine.from_cage.weight.assign(topology.vertex_count, 1.0F);
-  fine.attributes_from_cage = fine.from_cage;
-  fine.triangles = topology.triangles;
-  fine.texture = topology.texture;
-  fine.twin = topology.twin;
-  return fine;
-}
-
 face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index moving, const MeshGraph& graph) {
   face::Topology topology;
   topology.vertex_count = static_cast<Index>(heads.skin.size());
@@ -114,7 +93,7 @@ face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index mov
   topology.wires = WiresOf(heads.triangles, graph.welds());
   topology.twin = Twins(graph.welds());
   topology.mouth_share = MouthShareOf(head);
-  topology.fine = SameMesh(topology);
+  topology.fine = MakeFineMesh(heads.triangles, graph.welds(), heads.uv);
   return topology;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <glm/trigonometric.hpp>
 
@@ -13,6 +15,7 @@ namespace kaori::import {
 namespace {
 
 constexpr int kSmoothSteps = 3;
+constexpr float kTeethOpen = 0.75F;  // They are seen when the mouth is open, and measured while it is shut.
 
 // The eyes throw shade into their sockets: an octahedron, halved twice, is ball enough.
 void AddBall(const face::EyeBall& eye, wardrobe::Shell& shell) {
@@ -38,7 +41,7 @@ void AddBall(const face::EyeBall& eye, wardrobe::Shell& shell) {
 
 }  // namespace
 
-void ShadeFaces(face::Cast& cast) {
+void ShadeFaces(const std::vector<PartOf>& part, face::Cast& cast) {
   for (face::Face& face : cast.faces) {
     wardrobe::Shell shell{face.positions, cast.topology.triangles};
     const std::vector<glm::vec3> normals = wardrobe::VertexNormals(shell.positions, shell.triangles);
@@ -48,13 +51,14 @@ void ShadeFaces(face::Cast& cast) {
     for (const face::EyeBall& eye : face.eyes) AddBall(eye, shell);
     face.occlusion = wardrobe::MeasureOpenness(shell, probes, {});
     wardrobe::SmoothOver(cast.topology.triangles, kSmoothSteps, face.occlusion);
-    for (float& open : face.occlusion) open = std::clamp(open, 0.0F, 1.0F);
+    for (std::size_t v = 0; v < part.size(); ++v)
+      face.occlusion[v] = std::clamp(face.occlusion[v], part[v] == PartOf::kSkin ? 0.0F : kTeethOpen, 1.0F);
   }
 }
 
-std::string GiveSkin(const Model& model, const Heads& heads, const std::vector<Spot>& spots,
-                     const face::Cast* show, face::Cast& cast) {
-  std::string remark = spots.empty() ? "skin: plain" : "skin: painted as the show's first face";
+std::string GiveSkin(const Model& model, const Heads& heads, const Lender& lender, face::Cast& cast) {
+  const bool painted = lender.show != nullptr && !lender.spots.empty() && !lender.show->textures.empty();
+  std::string remark = painted ? "skin: painted as the show's faces are" : "skin: plain";
   if (!model.picture.empty()) {
     auto texture = DecodePicture(model.picture);
     if (texture) {
@@ -63,7 +67,19 @@ std::string GiveSkin(const Model& model, const Heads& heads, const std::vector<S
     }
     remark += "; the artist's is " + texture.error().message();
   }
-  cast.textures = {PaintSkin(heads, spots, show)};
+  if (!painted) {
+    cast.textures = {PlainSkin(heads)};
+    return remark;
+  }
+  std::map<std::size_t, int> known;  // The texture of each of the show's faces.
+  for (std::size_t i = 0; i < cast.faces.size(); ++i) {
+    const std::size_t like = lender.like[i];
+    const auto [texture, is_new] = known.try_emplace(like, static_cast<int>(cast.textures.size()));
+    if (is_new) cast.textures.push_back(PaintSkin(heads, lender.spots, *lender.show, like));
+    const face::SurfaceLook& look = lender.show->faces[like].surface;
+    cast.faces[i].surface = look;
+    cast.faces[i].surface.texture = texture->second;
+  }
   return remark;
 }
 

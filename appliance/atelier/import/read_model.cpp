@@ -64,4 +64,12 @@ std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& find
   return findings.size() == before ? std::move(model) : std::nullopt;
 }
 
+std::vector<Model> ReadModels(const std::vector<std::filesystem::path>& files, Findings& findings) {
+  std::vector<Model> models;
+  for (const auto& file : files)
+    if (auto model = ReadModel(file, findings)) models.push_back(std::move(*model));
+  for (std::size_t i = 1; i < models.size(); ++i) CheckSameTopology(models.front(), models[i], findings);
+  return models;
+}
+
 }  // namespace kaori::import

@@ -9,13 +9,13 @@ namespace kaori::import {
 namespace {
 
 std::string Row(const std::string& name, const std::string& what, const FitError& error) {
-  return fmt::format("  {:<26} {:<50} {:7.2f} {:7.2f} {:7.2f}\n", name, what, error.rms_mm, error.most_mm,
-                     error.shape_mm);
+  return fmt::format("  {:<26} {:7.2f} {:7.2f} {:7.2f}  {}\n", name, error.rms_mm, error.most_mm,
+                     error.shape_mm, what);
 }
 
-std::string Head(const char* title, const char* first, const char* second) {
-  return fmt::format("\n{}\n  {:<26} {:<50} {:>7} {:>7} {:>7}\n", title, first, second, "rms mm", "max mm",
-                     "moves");
+std::string Head(const char* title, const char* first, const char* last) {
+  return fmt::format("\n{}\n  {:<26} {:>7} {:>7} {:>7}  {}\n", title, first, "rms mm", "max mm", "moves",
+                     last);
 }
 
 FitError Mean(const std::vector<ReportedShape>& shapes) {
@@ -37,19 +37,25 @@ std::string Shapes(const char* title, const std::vector<ReportedShape>& shapes) 
   return text + Row("mean rms, largest max", "", Mean(shapes));
 }
 
-std::string Unmapped(const Report& report) {
-  std::vector<std::string> shapes;
-  std::vector<std::string> roles;
-  for (const ReportedShape& shape : report.shapes)
-    if (shape.meaning.empty()) shapes.push_back(shape.name);
-  for (const ReportedRole& role : report.roles)
-    if (role.made_of.empty()) roles.push_back(role.name);
-  return fmt::format("\nnot mapped\n  shapes: {}\n  roles:  {}\n",
-                     shapes.empty() ? "none" : fmt::format("{}", fmt::join(shapes, ", ")),
-                     roles.empty() ? "none" : fmt::format("{}", fmt::join(roles, ", ")));
+std::string Listed(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
+
+std::vector<std::string> UnmappedShapes(const Report& report) {
+  std::vector<std::string> names;
+  for (const ReportedShape& shape : report.shapes)
+    if (shape.meaning.empty()) names.push_back(shape.name);
+  return names;
+}
+
+std::vector<std::string> UnmappedRoles(const Report& report) {
+  std::vector<std::string> names;
+  for (const ReportedRole& role : report.roles)
+    if (role.made_of.empty()) names.push_back(role.name);
+  return names;
+}
 
 std::string Text(const Report& report) {
   std::string text;
@@ -60,7 +66,11 @@ std::string Text(const Report& report) {
   for (const ReportedRole& role : report.roles)
     text += Row(role.name, role.made_of.empty() ? "(nothing)" : role.made_of, role.error);
   text += Shapes("the artist's shapes on the show's first face", report.on_show);
-  return text + Unmapped(report);
+  const auto shapes = UnmappedShapes(report);
+  const auto roles = UnmappedRoles(report);
+  return text + fmt::format("\nnot mapped\n  shapes ({} of {}): {}\n  roles ({} of {}): {}\n", shapes.size(),
+                            report.shapes.size(), Listed(shapes), roles.size(), report.roles.size(),
+                            Listed(roles));
 }
 
 }  // namespace kaori::import

@@ -26,8 +26,16 @@ struct Report {
   std::vector<ReportedShape> on_show;  // The artist's shapes on the show's own reference face.
 };
 
-// Tables of plain text: shapes with what they mean and how well control points say them, roles with what they
-// are made of, and what was not mapped.
+// Names of what has no meaning, and of what nothing was there for.
+std::vector<std::string> UnmappedShapes(const Report& report);
+std::vector<std::string> UnmappedRoles(const Report& report);
+
+// For people: tables of shapes with what they mean and how well control points say them, of roles with what
+// they are made of, and what was not mapped.
 std::string Text(const Report& report);
+
+// The same for programs: an object with remarks, shapes, roles, shapes_on_show, shapes_not_mapped,
+// roles_not_mapped.
+std::string JsonText(const Report& report);
 
 }  // namespace kaori::import

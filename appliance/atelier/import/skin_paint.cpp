@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace kaori::import {
 namespace {
@@ -52,9 +53,17 @@ Colour At(const face::Texture& texture, const glm::vec2& place) {
   return {texture.rgba[at], texture.rgba[at + 1], texture.rgba[at + 2], texture.rgba[at + 3]};
 }
 
+Colour Mix(const Colour& from, const Colour& to, float share) {
+  Colour mixed{};
+  for (std::size_t i = 0; i < mixed.size(); ++i)
+    mixed[i] = static_cast<std::uint8_t>(
+        std::lround(glm::mix(static_cast<float>(from[i]), static_cast<float>(to[i]), share)));
+  return mixed;
+}
+
 class Painting {
  public:
-  explicit Painting(const Colour& ground) : texture_{kSide_px, kSide_px, {}} {
+  explicit Painting(const Colour& ground) : ground_(ground), texture_{kSide_px, kSide_px, {}} {
     for (int i = 0; i < kSide_px * kSide_px; ++i)
       texture_.rgba.insert(texture_.rgba.end(), ground.begin(), ground.end());
   }
@@ -63,10 +72,12 @@ class Painting {
     ForPixels(uv, [&](int x, int y, const glm::vec3&) { Put(x, y, colour); });
   }
 
-  void Copy(const std::array<glm::vec2, 3>& uv, const std::array<glm::vec2, 3>& from,
+  // Mixes `source` in, as much as `shown` says at the corners.
+  void Copy(const std::array<glm::vec2, 3>& uv, const std::array<glm::vec2, 3>& from, const glm::vec3& shown,
             const face::Texture& source) {
     ForPixels(uv, [&](int x, int y, const glm::vec3& s) {
-      Put(x, y, At(source, s.x * from[0] + s.y * from[1] + s.z * from[2]));
+      const Colour paint = At(source, s.x * from[0] + s.y * from[1] + s.z * from[2]);
+      Put(x, y, Mix(ground_, paint, std::clamp(glm::dot(s, shown), 0.0F, 1.0F)));
     });
   }
 
@@ -76,6 +87,7 @@ class Painting {
   void Put(int x, int y, const Colour& colour) {
     std::ranges::copy(colour, texture_.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * kSide_px + x));
   }
+  Colour ground_;
   face::Texture texture_;
 };
 
@@ -91,22 +103,29 @@ std::array<glm::vec2, 3> Corners(const Triangle& t, Value value) {
   return {value(t[0]), value(t[1]), value(t[2])};
 }
 
-const face::Texture& TextureOf(const face::Cast& show) {
-  return show.textures[static_cast<std::size_t>(show.faces.front().surface.texture)];
+template <class T>
+T OnSpot(const std::vector<T>& values, const Spot& spot) {
+  return spot.shares.x * values[spot.corners[0]] + spot.shares.y * values[spot.corners[1]] +
+         spot.shares.z * values[spot.corners[2]];
 }
 
-glm::vec2 PlaceOf(const Spot& spot, const face::Cast& show) {
-  const auto& from = show.topology.texture;
-  return spot.shares.x * from[spot.corners[0]] + spot.shares.y * from[spot.corners[1]] +
-         spot.shares.z * from[spot.corners[2]];
+// How much of the show's paint is taken over at a point of its first face: all of it between temples,
+// hairline and chin, none where hair is painted, on ears and neck.
+float ShownAt(const glm::vec3& p) {
+  const float aside = glm::smoothstep(0.050F, 0.066F, std::abs(p.x));
+  const float above = glm::smoothstep(0.040F, 0.056F, p.y);
+  const float below = glm::smoothstep(0.088F, 0.106F, -p.y);
+  const float behind = glm::smoothstep(0.0F, 0.02F, -p.z);
+  return 1 - std::max({aside, above, below, behind});
 }
 
-// What most of the show's skin looks like: the middle value of each channel.
-Colour GroundOf(const std::vector<Spot>& spots, const face::Cast& show) {
-  Colour ground{};
+// What the show's paint looks like where it fades: the middle value of each channel.
+Colour GroundOf(const std::vector<Colour>& paints) {
+  Colour ground = kSkin;
+  if (paints.empty()) return ground;
   for (std::size_t channel = 0; channel < ground.size(); ++channel) {
     std::vector<std::uint8_t> values;
-    for (const Spot& spot : spots) values.push_back(At(TextureOf(show), PlaceOf(spot, show))[channel]);
+    for (const Colour& paint : paints) values.push_back(paint[channel]);
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, middle);
     ground[channel] = *middle;
@@ -114,22 +133,43 @@ Colour GroundOf(const std::vector<Spot>& spots, const face::Cast& show) {
   return ground;
 }
 
+void FillMouth(const Heads& heads, Painting& painting) {
+  for (const Triangle& t : heads.triangles) {
+    const PartOf part = heads.part[t[0]];
+    if (part == PartOf::kSkin) continue;
+    painting.Fill(Corners(t, [&](Index v) { return heads.uv[v]; }),
+                  part == PartOf::kTongue ? kTongue : kTeeth);
+  }
+}
+
 }  // namespace
 
-face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, const face::Cast* show) {
-  const bool copies = show != nullptr && !spots.empty() && !show->textures.empty();
-  const auto place = [&](Index v) { return PlaceOf(spots[v], *show); };
-  Painting painting(copies ? GroundOf(spots, *show) : kSkin);
-  for (const Triangle& t : heads.triangles) {
-    const auto uv = Corners(t, [&](Index v) { return heads.uv[v]; });
-    const PartOf part = heads.part[t[0]];
-    if (part != PartOf::kSkin) {
-      painting.Fill(uv, part == PartOf::kTongue ? kTongue : kTeeth);
-    } else if (copies) {
-      const auto from = Corners(t, place);
-      if (!AreApart(from)) painting.Copy(uv, from, TextureOf(*show));
-    }
+face::Texture PlainSkin(const Heads& heads) {
+  Painting painting(kSkin);
+  FillMouth(heads, painting);
+  return painting.Take();
+}
+
+face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
+                        std::size_t like) {
+  const face::Texture& source = show.textures[static_cast<std::size_t>(show.faces[like].surface.texture)];
+  std::vector<glm::vec2> place;
+  std::vector<float> shown;
+  std::vector<Colour> at_edge;
+  for (const Spot& spot : spots) {
+    place.push_back(OnSpot(show.topology.texture, spot));
+    shown.push_back(ShownAt(OnSpot(show.faces.front().positions, spot)));
+    if (shown.back() > 0.02F && shown.back() < 0.4F) at_edge.push_back(At(source, place.back()));
   }
+  Painting painting(GroundOf(at_edge));
+  for (const Triangle& t : heads.triangles) {
+    if (heads.part[t[0]] != PartOf::kSkin) continue;
+    const auto from = Corners(t, [&](Index v) { return place[v]; });
+    if (AreApart(from)) continue;
+    painting.Copy(Corners(t, [&](Index v) { return heads.uv[v]; }), from,
+                  {shown[t[0]], shown[t[1]], shown[t[2]]}, source);
+  }
+  FillMouth(heads, painting);
   return painting.Take();
 }
 

@@ -9,9 +9,13 @@
 
 namespace kaori::import {
 
-// One colour for skin, one for teeth, one for the tongue, laid out by the heads' texture coordinates. With
-// `spots` (one for each skin vertex, on the first face of `show`) the skin's paint is copied from the show's
-// texture: brows, lips and lids of its face on these heads.
-face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, const face::Cast* show);
+// One colour for skin, one for teeth, one for the tongue, laid out by the heads' texture coordinates.
+face::Texture PlainSkin(const Heads& heads);
+
+// The same, with the paint of a face of `show` where a face has its features: brows, lips and lids of that
+// face on these heads. Elsewhere the colour that the face has at its edge. `spots`: one for each skin vertex,
+// on the show's faces.
+face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
+                        std::size_t like);
 
 }  // namespace kaori::import

@@ -15,7 +15,7 @@ Result<void> RunSheet(const Arguments& arguments) {
   if (!studio) return tl::unexpected(studio.error());
   ProgressLine progress;
   const auto wrote = [](std::string_view name) { fmt::print("{}\n", name); };
-  return DrawSheets(**studio, arguments.words[1], {}, wrote,
+  return DrawSheets(**studio, arguments.words[1], {.inspects = !arguments.Has("--quick")}, wrote,
                     [&](std::string_view what) { progress.Step(what); });
 }
 
@@ -29,7 +29,7 @@ int Run(const Arguments& arguments) {
 Verb SheetVerb() {
   return {.name = "sheet",
           .words = {"FILE", "FOLDER"},
-          .options = {},
+          .options = {{"--quick", ""}},
           .summary = "pictures of every face with every expression, and a page that shows them",
           .page = R"(
 Writes into FOLDER, which is made if need be:
@@ -39,8 +39,8 @@ Writes into FOLDER, which is made if need be:
   morphs.png       from the first face to each other one
   face-NAME.png    one face with every expression, mouth shape, lid and channel
   index.html       all of it for a browser, to be searched and enlarged
-What an audience must not see (folded skin, gaps of shut lids, teeth through lips) is framed in red. Names of what was
-written go to standard output, progress to standard error.
+What an audience must not see (folded skin, gaps of shut lids, teeth through lips) is framed in red; --quick does not
+look for it. Names of what was written go to standard output, progress to standard error.
 )",
           .run = Run};
 }

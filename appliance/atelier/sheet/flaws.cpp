@@ -1,5 +1,8 @@
 #include "appliance/atelier/sheet/flaws.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <fmt/format.h>
 
 namespace kaori::atelier {
@@ -17,20 +20,36 @@ std::string Words(const inspect::Finding& finding) {
   return "?";
 }
 
+// "laugh with a, lids shut" is "laugh", and " with a, lids shut" besides.
+struct PoseName {
+  std::string expression;
+  std::string besides;
+};
+
+PoseName Split(const std::string& pose) {
+  const std::string shut = std::string(", ") + Flaws::kLidsShut;
+  if (pose == "neutral" + shut) return {Flaws::kLidsShut, ""};
+  const std::size_t end = std::min({pose.find(" with "), pose.find(shut), pose.size()});
+  return {pose.substr(0, end), pose.substr(end)};
+}
+
 }  // namespace
 
 Flaws::Flaws(const inspect::Inspection& inspection) {
   summary_ = fmt::format("{} folds, {} lid gaps, {} teeth through lips", inspection.folds,
                          inspection.lid_gaps, inspection.teeth_through_lips);
   for (const inspect::Finding& finding : inspection.findings) {
-    std::string& words = words_[{finding.face, finding.expression}];
-    words += (words.empty() ? "" : ", ") + Words(finding);
+    const PoseName pose = Split(finding.pose);
+    Found& found = found_[{finding.face, pose.expression}];
+    if (++found.count == 1) found.first = Words(finding) + pose.besides;
   }
 }
 
 std::string Flaws::On(const std::string& face, const std::string& expression) const {
-  const auto found = words_.find({face, expression});
-  return found == words_.end() ? "" : found->second;
+  const auto at = found_.find({face, expression});
+  if (at == found_.end()) return "";
+  const Found& found = at->second;
+  return found.count == 1 ? found.first : fmt::format("{} flaws, {}", found.count, found.first);
 }
 
 }  // namespace kaori::atelier

@@ -11,20 +11,25 @@ namespace kaori::atelier {
 
 class Flaws {
  public:
-  Flaws() = default;
+  Flaws() : summary_("not inspected") {}
   explicit Flaws(const inspect::Inspection& inspection);
 
-  // "3 folds, lids 0.2 mm²"; empty: none. Lids that are shut at rest are named kLidsShut.
+  // "3 folds", "lids 0.2 mm² with brow_up", "5 flaws, 3 folds with a"; empty: none. A pose belongs to the
+  // expression that its name begins with; shut lids on the face at rest to kLidsShut.
   std::string On(const std::string& face, const std::string& expression) const;
 
   // "0 folds, 2 lid gaps, 0 teeth through lips".
   const std::string& summary() const { return summary_; }
-  bool any() const { return !words_.empty(); }
+  bool any() const { return !found_.empty(); }
 
   static constexpr const char* kLidsShut = "lids shut";
 
  private:
-  std::map<std::pair<std::string, std::string>, std::string> words_;
+  struct Found {
+    int count = 0;
+    std::string first;
+  };
+  std::map<std::pair<std::string, std::string>, Found> found_;  // By face and expression.
   std::string summary_;
 };
 

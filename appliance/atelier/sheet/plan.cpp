@@ -186,8 +186,9 @@ class Planner {
       flawed += static_cast<std::size_t>(
           std::ranges::count_if(section.cells, [](const Cell& cell) { return !cell.flaws.empty(); }));
     sheet.is_flawed = flawed > 0;
-    sheet.about = fmt::format("{}: {}; {}", show_.name, CountsOf(cast_),
-                              flawed == 0 ? "no flaws" : fmt::format("{} pictures with flaws", flawed));
+    std::string found = flaws_.any() ? "no flaws" : flaws_.summary();
+    if (flawed > 0) found = fmt::format("{} pictures with flaws", flawed);
+    sheet.about = fmt::format("{}: {}; {}", show_.name, CountsOf(cast_), found);
   }
 
   const show::Show& show_;

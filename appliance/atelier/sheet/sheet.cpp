@@ -98,8 +98,8 @@ Result<std::vector<File>> DrawAll(stage::Studio& studio, const SheetOptions& opt
   auto lettering = image::Lettering::Open();
   if (!lettering) return tl::unexpected(lettering.error());
   const show::Show& show = studio.show();
-  const Flaws flaws(
-      inspect::Inspect(show.cast, [&](const std::string& face) { step("inspecting " + face); }));
+  const auto inspecting = [&](const std::string& face) { step("inspecting " + face); };
+  const Flaws flaws = options.inspects ? Flaws(inspect::Inspect(show.cast, inspecting)) : Flaws();
   const std::vector<LaidOut> sheets = LayOutAll(show, options, flaws, *lettering);
   Drawing drawing(studio, *lettering);
   std::vector<File> files;

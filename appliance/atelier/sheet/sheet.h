@@ -13,6 +13,7 @@ namespace kaori::atelier {
 struct SheetOptions {
   int cell_width_px = 320;  // At least 64; of the grid of the whole cast half as much.
   int cell_height_px = 360;
+  bool inspects = true;  // Looks for flaws: seconds, and minutes for a cast with a hundred channels.
 };
 
 // Draws PNG files, looks for flaws, and writes into `folder` (made if need be):
