@@ -9,6 +9,8 @@
 #include <fstream>
 #include <ostream>
 
+#include "render/image/png.h"
+
 namespace kaori::atelier {
 namespace {
 
@@ -74,6 +76,33 @@ TEST_F(ScriptTest, GivesKeysWhatButtonsMayCall) {
   EXPECT_EQ(face.call.index, 1);
 }
 
+TEST_F(ScriptTest, NamesWhatStandsBehindAScene) {
+  const auto faults = Read(
+      "[[scene]]\nface = \"kaori\"\n"
+      "backdrop = { kind = \"curtain\", top = \"#ff0000\", bottom = \"#000000\", glow = \"#ffffff\" }\n");
+  EXPECT_THAT(faults, IsEmpty());
+  const scene::Backdrop& backdrop = show_.scenes.at(0).backdrop;
+  EXPECT_EQ(backdrop.kind, scene::BackdropKind::kCurtain);
+  EXPECT_FLOAT_EQ(backdrop.top.x, 1);
+  EXPECT_FLOAT_EQ(backdrop.glow.z, 1);
+}
+
+TEST_F(ScriptTest, PutsAPictureFromBesideItIntoTheShow) {
+  const std::string name = "kaori-backdrop-" + std::to_string(::getpid()) + ".png";
+  image::Picture picture = image::Picture::Blank(2, 3);
+  picture.rgbx[0] = 200;  // The bottom row's first pixel.
+  ASSERT_TRUE(image::WritePng(::testing::TempDir() + name, picture));
+  const auto faults = Read("[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"" + name + "\" }\n");
+  std::remove((::testing::TempDir() + name).c_str());
+  EXPECT_THAT(faults, IsEmpty());
+  const scene::Backdrop& backdrop = show_.scenes.at(0).backdrop;
+  EXPECT_EQ(backdrop.kind, scene::BackdropKind::kPicture);
+  ASSERT_EQ(backdrop.picture, 0);
+  const face::Texture& texture = show_.cast.textures.at(0);
+  EXPECT_EQ(texture.height_px, 3);
+  EXPECT_EQ(texture.rgba.at(2 * 2 * 4), 200) << "the top row comes first";
+}
+
 struct Wrong {
   const char* name;
   const char* text;  // After the scene.
@@ -92,6 +121,18 @@ const Wrong kWrongs[] = {
     {"AColourThatIsNone",
      "[[scene]]\nface = \"kaori\"\nbackdrop = { top = \"#12345g\", bottom = \"#000000\" }",
      "\"#12345g\" is no colour"},
+    {"ABackdropOfNoKind",
+     "[[scene]]\nname = \"b\"\nface = \"kaori\"\nbackdrop = { kind = \"curtian\", top = \"#000000\", bottom "
+     "= "
+     "\"#000000\" }",
+     "scene \"b\": its backdrop: there is no kind \"curtian\"; kinds are gradient, studio, curtain"},
+    {"ABackdropWithAWordThatIsNone",
+     "[[scene]]\nface = \"kaori\"\nbackdrop = { topp = \"#000000\", top = \"#000000\", bottom = \"#000000\" "
+     "}",
+     "its backdrop: line 10: nothing is called \"topp\" here"},
+    {"ABackdropThatIsNoTable", "[[scene]]\nface = \"kaori\"\nbackdrop = 3", "it wants a backdrop, such as"},
+    {"APictureThatIsNotThere", "[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"none.png\" }",
+     "none.png: No such file"},
     {"AKeyThatIsNone", "[[take]]\nkey = \"f13\"\nlids = [[0, 0], [1, 0]]", "there is no key \"f13\""},
     {"APairOfThree", "[[take]]\nlids = [[0, 0, 0], [1, 0]]", "line 9: a pair [second, value] is expected"},
     {"ACurveThatIsANumber", "[[take]]\nlids = 3", "line 9: lids wants a list of pairs"},

@@ -22,7 +22,8 @@ inline show::Show SmallShow() {
   show.buttons[3] = {show::CallKind::kFace, 2};
   show.scenes.resize(1);
   show.scenes[0].name = "opening";
-  show.scenes[0].backdrop.top = {0.1F, 0.2F, 0.3F};
+  show.scenes[0].backdrop = {{0.1F, 0.2F, 0.3F}, {}, scene::BackdropKind::kPicture, {0.5F, 0.4F, 0.3F}, 0};
+  show.cast.faces[2].surface.print = 0.75F;
   show.takes = {{"nod", 0x1E, {{show::TakeTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
   show.channels.brow_frown = 4;
   return show;

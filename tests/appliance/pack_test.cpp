@@ -33,6 +33,8 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->buttons[3].index, 2);
   EXPECT_EQ(loaded->takes[0].curves[0].keys[1].value, 0.3F);
   EXPECT_EQ(loaded->scenes[0].backdrop.top, show.scenes[0].backdrop.top);
+  EXPECT_EQ(loaded->scenes[0].backdrop, show.scenes[0].backdrop);
+  EXPECT_EQ(loaded->cast.faces[2].surface.print, 0.75F);
   EXPECT_EQ(loaded->channels.brow_frown, 4);
   EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
 }
@@ -96,6 +98,17 @@ const ShowFault kShowFaults[] = {
     {"SceneThatNeverArrives", [](Show& s) { s.scenes[0].fade_s = 1e30F; }, "scene \"opening\": its fade is"},
     {"SceneThatGoesBack", [](Show& s) { s.scenes[0].fade_s = -1; }, "scene \"opening\": its fade is -1 s"},
     {"SceneThatBlinds", [](Show& s) { s.scenes[0].exposure = 1e9F; }, "scene \"opening\": its light is"},
+    {"SceneBeforeNoKindOfBackdrop",
+     [](Show& s) { s.scenes[0].backdrop.kind = static_cast<scene::BackdropKind>(77); },
+     "there is no kind of backdrop 77"},
+    {"SceneBeforeNoPicture",
+     [](Show& s) {
+       s.scenes[0].backdrop.kind = scene::BackdropKind::kPicture;
+       s.scenes[0].backdrop.picture = 9;
+     },
+     "there is no picture 9"},
+    {"FacePrintedTwice", [](Show& s) { s.cast.faces[1].surface.print = 2; },
+     "its print is not within 0 to 1"},
     {"SceneBeforeNothing", [](Show& s) { s.scenes[0].backdrop.top.y = kNan; }, "its backdrop holds a colour"},
     {"SceneOnAKeyThatIsNone", [](Show& s) { s.scenes[0].key_usage = 999; },
      "scene \"opening\": there is no key 999"},

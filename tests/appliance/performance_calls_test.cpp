@@ -95,5 +95,22 @@ TEST_F(PerformanceTest, ASceneChangesFaceExpressionStyleAndLightTogether) {
   EXPECT_FLOAT_EQ(performed_.scene.styles[static_cast<int>(scene::Style::kFlat)], 1);
 }
 
+TEST_F(PerformanceTest, ASceneFadesItsBackdropInBeforeTheOldOne) {
+  Strike(kF1);
+  Run(400ms);
+  const scene::Scene& amid = performed_.scene;
+  EXPECT_EQ(amid.backdrop, show_.scenes[1].backdrop);
+  float fading = 0;
+  for (const scene::FadingBackdrop& f : amid.fading) {
+    fading += f.weight;
+    if (f.weight > 0) {
+      EXPECT_EQ(f.backdrop, show_.scenes[0].backdrop);
+    }
+  }
+  EXPECT_NEAR(fading, 0.5F, 0.1F);
+  Run(1s);
+  for (const scene::FadingBackdrop& f : performed_.scene.fading) EXPECT_EQ(f.weight, 0);
+}
+
 }  // namespace
 }  // namespace kaori::performance

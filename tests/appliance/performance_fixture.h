@@ -25,6 +25,7 @@ inline show::Show SmallShow() {
   show.scenes[1].face = 4;
   show.scenes[1].expression = 3;
   show.scenes[1].style = scene::Style::kFlat;
+  show.scenes[1].backdrop = {{0.8F, 0.1F, 0.1F}, {0.2F, 0, 0}, scene::BackdropKind::kCurtain};
   show.takes = {{.name = "nod",
                  .key_usage = kKey1,
                  .curves = {{show::TakeTarget::kHeadPitch, 0, {{0, 0}, {0.2F, -0.2F}, {0.6F, 0}}}}}};
