@@ -7,6 +7,7 @@
 #include "render/face/blend.h"
 #include "render/face/composites.h"
 #include "render/face/eyelids.h"
+#include "render/face/fine_lid.h"
 #include "render/face/mix.h"
 #include "render/face/normals.h"
 #include "render/face/sparse.h"
@@ -57,7 +58,7 @@ struct Composer::Work {
   void Gather(const Weights& weights);
   void GatherFace(const Term& face, const Weights& weights);
   void BlendCage(float mouth_given_away);
-  void Refine(const std::array<EyeBall, 2>& eyes);
+  void Refine(const Shape& of);
   void ComputeNormals(Detail detail);
   void BlendOcclusion(const Terms& faces);
   void RefineOcclusion();
@@ -67,7 +68,7 @@ struct Composer::Work {
   const FineMesh& mesh;
   SurfaceNormals cage_surface;
   SurfaceNormals fine_surface;
-  std::array<std::vector<FineLidVertex>, 2> fine_lids;
+  std::array<FineLid, 2> fine_lids;
   AlignedFloats mouth_share;
   std::size_t occlusion_floats;
   AlignedFloats face_occlusion;
@@ -85,7 +86,7 @@ Composer::Work::Work(const Cast& cast)
       mesh(cast.topology.fine),
       cage_surface(cast.topology.triangles, cast.topology.twin, cast.topology.wires),
       fine_surface(mesh.triangles, mesh.twin, {}),
-      fine_lids{FineLidOf(cast.topology.lids[0], mesh), FineLidOf(cast.topology.lids[1], mesh)},
+      fine_lids{FineLid(cast.topology.lids[0], mesh), FineLid(cast.topology.lids[1], mesh)},
       mouth_share(MouthShareOfFloats(cast.topology, composites.moving_floats())),
       occlusion_floats(Padded(cast.topology.vertex_count)),
       face_occlusion(OcclusionOfFaces(cast, occlusion_floats)),
@@ -135,10 +136,10 @@ void Composer::Work::BlendCage(float mouth_given_away) {
   Blend(bases, composites.face_floats() - moving, cage.data() + moving);
 }
 
-void Composer::Work::Refine(const std::array<EyeBall, 2>& eyes) {
+void Composer::Work::Refine(const Shape& of) {
   ApplyToVertices(mesh.from_cage, cage.data(), fine.data());
   for (std::size_t side = 0; side < 2; ++side) {
-    SeatFineLid(fine_lids[side], eyes[side], fine.vertices(mesh.from_cage.rows()));
+    fine_lids[side].Seat(of.eyes[side], of.lids_shut[side], fine.vertices(mesh.from_cage.rows()));
   }
 }
 
@@ -207,7 +208,7 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
     ShutLids(topology.lids[side], shape_.lids_shut[side], cage);
     SeatLids(topology.lids[side], shape_.eyes[side], cage);
   }
-  if (detail == Detail::kFine) work_->Refine(shape_.eyes);
+  if (detail == Detail::kFine) work_->Refine(shape_);
   work_->ComputeNormals(detail);
   return shape_;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -19,19 +18,8 @@ void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage);
 // away.
 void SeatLids(const LidRig& rig, const EyeBall& ball, std::span<glm::vec3> cage);
 
-// A vertex of the fine mesh that belongs to a lid's skin or to its edge.
-struct FineLidVertex {
-  Index vertex = 0;
-  float share = 1;  // Of the lid's thickness, that it keeps from the ball.
-};
-
-// What smoothing has made of the rings from the outermost to the edge. Empty where a topology has no rings or
-// no fine mesh.
-std::vector<FineLidVertex> FineLidOf(const LidRig& rig, const FineMesh& mesh);
-
-// Smoothing draws a stretched lid into the ball that it lay on: this pushes the fine lid out again. Moves
-// nothing that is far enough away.
-void SeatFineLid(std::span<const FineLidVertex> lid, const EyeBall& ball, std::span<glm::vec3> fine);
+// Moves a vertex that is nearer to `centre` than `radius_m` straight out to there.
+void PushOut(glm::vec3& vertex, const glm::vec3& centre, float radius_m);
 
 // The lids that are shut by either of two: nothing opens them, and both at once do not shut them twice.
 inline float EitherShut(float a, float b) {

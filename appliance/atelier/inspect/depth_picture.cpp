@@ -66,14 +66,19 @@ void DepthPicture::Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   const Range rows = Span(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), window_.low_m.y);
   const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (area == 0 || columns.first > columns.last) return;
+  // Shares of the corners a and b, and their change from one pixel to the next.
+  const float per_area = 1 / area;
+  const float u_step = (b.y - c.y) * pixel_m_ * per_area;
+  const float v_step = (c.y - a.y) * pixel_m_ * per_area;
   for (int y = rows.first; y <= rows.last; ++y) {
-    for (int x = columns.first; x <= columns.last; ++x) {
-      const glm::vec2 p = Middle(x, y);
-      const float u = ((b.x - p.x) * (c.y - p.y) - (b.y - p.y) * (c.x - p.x)) / area;
-      const float v = ((c.x - p.x) * (a.y - p.y) - (c.y - p.y) * (a.x - p.x)) / area;
+    const glm::vec2 p = Middle(columns.first, y);
+    float u = ((b.x - p.x) * (c.y - p.y) - (b.y - p.y) * (c.x - p.x)) * per_area;
+    float v = ((c.x - p.x) * (a.y - p.y) - (c.y - p.y) * (a.x - p.x)) * per_area;
+    float* pixel = &Pixel(0, y);
+    for (int x = columns.first; x <= columns.last; ++x, u += u_step, v += v_step) {
       const float w = 1 - u - v;
-      if (std::min({u, v, w}) < kOnTheEdge) continue;
-      Pixel(x, y) = std::max(Pixel(x, y), u * a.z + v * b.z + w * c.z);
+      if (u < kOnTheEdge || v < kOnTheEdge || w < kOnTheEdge) continue;
+      pixel[x] = std::max(pixel[x], u * a.z + v * b.z + w * c.z);
     }
   }
 }

@@ -10,26 +10,30 @@ namespace {
 constexpr float kTurnedOver = -0.3F;  // Cosine of the angle to its surroundings: 107 degrees.
 constexpr float kNoArea_m2 = 1e-10F;  // A square of a hundredth of a millimetre: nobody sees where it looks.
 
-// The unit normal of each triangle; zero where it has no area.
-std::vector<glm::vec3> Normals(std::span<const glm::vec3> fine, std::span<const face::Triangle> triangles) {
-  std::vector<glm::vec3> normals;
-  normals.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) {
-    const glm::vec3 normal = glm::cross(fine[b] - fine[a], fine[c] - fine[a]);
-    const float length = glm::length(normal);
-    normals.push_back(length > 2 * kNoArea_m2 ? normal / length : glm::vec3(0));
-  }
-  return normals;
+// Zero where the triangle has no area.
+glm::vec3 UnitNormal(std::span<const glm::vec3> fine, const face::Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  const glm::vec3 normal = glm::cross(fine[b] - fine[a], fine[c] - fine[a]);
+  const float length = glm::length(normal);
+  return length > 2 * kNoArea_m2 ? normal / length : glm::vec3(0);
 }
 
 }  // namespace
 
 Folds FindFolds(std::span<const glm::vec3> fine, const face::FineMesh& mesh, const std::vector<bool>& skin) {
-  const auto normals = Normals(fine, mesh.triangles);
   const auto weld = [&](face::Index v) { return std::min(v, mesh.twin[v]); };
+  std::vector<bool> sought(fine.size(), false);  // By vertex; what no skin meets costs nothing.
+  for (std::size_t i = 0; i < skin.size(); ++i)
+    if (skin[i])
+      for (const face::Index v : mesh.triangles[i]) sought[weld(v)] = true;
+  std::vector<glm::vec3> normals(mesh.triangles.size(), glm::vec3(0));
   std::vector<glm::vec3> around(fine.size(), glm::vec3(0));
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    for (const face::Index v : mesh.triangles[i]) around[weld(v)] += normals[i];
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const face::Triangle& triangle = mesh.triangles[i];
+    if (std::ranges::none_of(triangle, [&](face::Index v) { return sought[weld(v)]; })) continue;
+    normals[i] = UnitNormal(fine, triangle);
+    for (const face::Index v : triangle) around[weld(v)] += normals[i];
+  }
   Folds folds;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     if (!skin[i]) continue;

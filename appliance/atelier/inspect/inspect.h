@@ -1,4 +1,4 @@
-// Looks at every face with every expression as it is played, and lists what an audience must not see.
+// Looks at every face in the poses that a show plays, and lists what an audience must not see.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +21,21 @@ enum class Flaw : std::uint8_t {
 struct Finding {
   Flaw flaw = Flaw::kFold;
   std::string face{};
-  std::string expression{};
-  int count = 0;      // Triangles, eyes, vertices of teeth.
-  float measure = 0;  // In the unit that the flaw says.
-  glm::vec3 at{};     // Metres: the first fold's middle, or the worse eye's; the origin for teeth.
+  std::string pose{};  // "laugh", "laugh with a".
+  int count = 0;       // Triangles, eyes, vertices of teeth.
+  float measure = 0;   // In the unit that the flaw says.
+  glm::vec3 at{};      // Metres: the first fold's middle, or the worse eye's; the origin for teeth.
 };
 
 struct Inspection {
-  int folds = 0;               // Triangles, over all faces and expressions.
+  int folds = 0;               // Triangles, over all faces and poses.
   int lid_gaps = 0;            // Eyes.
-  int teeth_through_lips = 0;  // Faces in expressions.
+  int teeth_through_lips = 0;  // Faces in poses.
   std::vector<Finding> findings;
 };
 
-// Composes the fine mesh of each face with each expression alone, and with its lids shut; some milliseconds
-// each. Calls `face_begun` with each face's name. The cast must have passed CheckCast.
+// Composes the fine mesh of each face in each pose (poses.h), a millisecond or two each, on all processors.
+// Calls `face_begun` with each face's name, from one thread at a time. The cast must have passed CheckCast.
 Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun);
 
 // "dog, laugh: 3 folded triangles, the first at 12 -30 95 mm".

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "appliance/atelier/inspect/depth_picture.h"
 
 namespace kaori::inspect {
 namespace {
 
-constexpr int kPixels = 96;  // Across the ball: half a millimetre.
-constexpr int kGrazing = 2;  // So few pixels are a rim that the two rasters see differently.
+constexpr int kPixels = 96;    // Across the ball: half a millimetre.
+constexpr int kGrazing = 2;    // So few pixels are a rim that the two rasters see differently.
+constexpr float kClose = 1.4F;  // Radii.
 constexpr std::array<float, 3> kYaws_rad{-0.5F, 0, 0.5F};
 constexpr std::array<float, 3> kPitches_rad{-0.3F, 0, 0.3F};
 
@@ -27,33 +30,73 @@ float PixelsOfBall(const DepthPicture& picture, const glm::vec3& centre, float r
   return seen <= kGrazing ? 0 : static_cast<float>(seen);
 }
 
-// `turned` are all vertices, and `centre` the ball's, in the frame of the sight.
-float BallSeen_m2(const glm::vec3& centre, float radius_m, std::span<const glm::vec3> turned,
-                  std::span<const face::Triangle> triangles) {
-  if (!(radius_m > 0)) return 0;
-  DepthPicture picture({glm::vec2(centre) - radius_m, 2 * radius_m}, kPixels);
-  for (const auto& [a, b, c] : triangles) picture.Draw(turned[a], turned[b], turned[c]);
+using Triangles = std::vector<glm::vec3>;  // Three corners each.
+
+// The triangles that cover a ball closely, or all others.
+Triangles Around(const face::Shape& shape, std::span<const face::Triangle> triangles,
+                 const face::EyeBall& eye, bool close) {
+  const float reach_m = kClose * eye.radius_m;
+  const auto covers = [&](face::Index v) {
+    const glm::vec3 from = shape.fine[v] - eye.centre;
+    const float square = glm::dot(from, from);
+    return square > eye.radius_m * eye.radius_m && square < reach_m * reach_m;
+  };
+  Triangles corners;
+  for (const face::Triangle& t : triangles)
+    if (std::ranges::all_of(t, covers) == close)
+      for (const face::Index v : t) corners.push_back(shape.fine[v]);
+  return corners;
+}
+
+struct Look {
+  Sight sight;
+  DepthPicture picture;
+  glm::vec3 centre;  // The ball's, in the frame of the sight.
+};
+
+std::vector<Look> LooksAt(const face::EyeBall& eye) {
+  std::vector<Look> looks;
+  for (const float yaw_rad : kYaws_rad) {
+    for (const float pitch_rad : kPitches_rad) {
+      const Sight sight{yaw_rad, pitch_rad};
+      const glm::vec3 centre = Turned(eye.centre, sight);
+      const Window window{glm::vec2(centre) - eye.radius_m, 2 * eye.radius_m};
+      looks.push_back({sight, DepthPicture(window, kPixels), centre});
+    }
+  }
+  return looks;
+}
+
+// Draws `corners` over what has been drawn before, and tells the most that is still seen.
+float BallSeen_m2(std::vector<Look>& looks, float radius_m, const Triangles& corners) {
   const float pixel_m = 2 * radius_m / kPixels;
-  return PixelsOfBall(picture, centre, radius_m) * pixel_m * pixel_m;
+  float most_m2 = 0;
+  Triangles turned(corners.size());
+  for (Look& look : looks) {
+    TurnAll(corners, look.sight, turned);
+    for (std::size_t i = 0; i < turned.size(); i += 3) {
+      const float nearest_m = std::max({turned[i].z, turned[i + 1].z, turned[i + 2].z});
+      if (nearest_m > look.centre.z) look.picture.Draw(turned[i], turned[i + 1], turned[i + 2]);
+    }
+    most_m2 = std::max(most_m2, PixelsOfBall(look.picture, look.centre, radius_m) * pixel_m * pixel_m);
+  }
+  return most_m2;
 }
 
 }  // namespace
 
 std::array<float, 2> BallsSeen_m2(const face::Shape& shape, std::span<const face::Triangle> triangles) {
-  std::array<float, 2> most_m2{};
-  std::vector<glm::vec3> turned(shape.fine.size());
-  for (const float yaw_rad : kYaws_rad) {
-    for (const float pitch_rad : kPitches_rad) {
-      const Sight sight{yaw_rad, pitch_rad};
-      TurnAll(shape.fine, sight, turned);
-      for (std::size_t side = 0; side < 2; ++side) {
-        const face::EyeBall& eye = shape.eyes[side];
-        const float seen_m2 = BallSeen_m2(Turned(eye.centre, sight), eye.radius_m, turned, triangles);
-        most_m2[side] = std::max(most_m2[side], seen_m2);
-      }
-    }
+  std::array<float, 2> seen_m2{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const face::EyeBall& eye = shape.eyes[side];
+    if (!(eye.radius_m > 0)) continue;
+    std::vector<Look> looks = LooksAt(eye);
+    // Mostly the lids hide all; what lies elsewhere is drawn only if they do not.
+    seen_m2[side] = BallSeen_m2(looks, eye.radius_m, Around(shape, triangles, eye, true));
+    if (seen_m2[side] > 0)
+      seen_m2[side] = BallSeen_m2(looks, eye.radius_m, Around(shape, triangles, eye, false));
   }
-  return most_m2;
+  return seen_m2;
 }
 
 }  // namespace kaori::inspect

@@ -1,0 +1,25 @@
+// The poses that a face is looked at in: what a show plays of it, bounded.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/face/weights.h"
+
+namespace kaori::inspect {
+
+struct Pose {
+  std::string name{};  // "laugh", "laugh with mouth_open_wide, lids shut".
+  face::Weights weights{};
+  bool shut = false;  // The lids are.
+};
+
+// Of each kind alone, then each expression
+//   with each mouth shape, to which its own mouth gives way,
+//   with each channel, the two sides of one together;
+// the ones that leave the mouth alone come again with lids shut. Weights name no face: that is the caller's.
+std::vector<Pose> PosesToSee(const std::vector<face::Expression>& expressions);
+
+}  // namespace kaori::inspect

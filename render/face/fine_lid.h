@@ -1,0 +1,40 @@
+// One eye's lids in the fine mesh: smoothing must not draw them into the ball, nor shutting fold them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "render/face/cast.h"
+
+namespace kaori::face {
+
+class FineLid {
+ public:
+  // What smoothing has made of the rig's rings from the outermost to the edge. Nothing where a topology has
+  // no rings or no fine mesh.
+  FineLid(const LidRig& rig, const FineMesh& mesh);
+
+  // Evens the skin out by as much as the lids are shut, 0..1, then pushes what is too near the ball out of
+  // it: a stretched lid cuts off the curve that its rings lay on. `fine` are all vertices of the mesh.
+  // Allocates nothing.
+  void Seat(const EyeBall& ball, float shut, std::span<glm::vec3> fine);
+
+ private:
+  struct Vertex {
+    Index index = 0;
+    float share = 1;  // Of the lid's thickness, that it keeps from the ball.
+  };
+
+  void FindNeighbours(const std::vector<float>& ring_of, const LidRig& rig, const FineMesh& mesh);
+  void Relax(float shut, std::span<glm::vec3> fine);
+
+  std::vector<Vertex> vertices_;
+  std::vector<Index> skin_;           // Of them, those that relaxing moves: neither rim nor edge.
+  std::vector<std::uint32_t> first_;  // Where in neighbours_ each of skin_ begins; and the end.
+  std::vector<Index> neighbours_;
+  std::vector<glm::vec3> relaxed_;
+};
+
+}  // namespace kaori::face
