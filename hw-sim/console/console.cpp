@@ -75,6 +75,10 @@ void Console::Tick() {
   (void)!::read(ticks_.get(), &passed, sizeof(passed));
   const Time now = clock_.now();
   values_.Follow(rig_.dial_box(), rig_.keyboard());
+  needles_.Follow({.tab_held = rig_.keyboard().held(NeedlesWatch::kTab),
+                   .keyboard_heard = rig_.connected("keyboard"),
+                   .screen_drawn = rig_.connected("screen"),
+                   .screen_plugged = rig_.plugged("screen")});
   shown_.See(rig_.screen().frames_shown(), now);
   ShowPicture(now);
   TellState(now);
@@ -98,7 +102,7 @@ void Console::ShowPicture(Time now) {
 
 void Console::TellState(Time now) {
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
-  auto state = StateJson(rig_, values_, shown_.per_s());
+  auto state = StateJson(rig_, values_, needles_, shown_.per_s());
   if (state == state_ && now - state_at_ < kSignOfLife) return;
   state_ = std::move(state);
   state_at_ = now;
@@ -115,7 +119,7 @@ HttpServer::Answer Console::Answer(const Request& request) {
   if (request.path == "/events") return &states_;
   if (request.path == "/frame.jpg") return OnePicture();
   if (request.path == "/state")
-    return Reply{200, "application/json", StateJson(rig_, values_, shown_.per_s())};
+    return Reply{200, "application/json", StateJson(rig_, values_, needles_, shown_.per_s())};
   if (request.path == "/labels") return Reply{200, "application/json", LabelsJson(options_.labels)};
   if (const auto* file = FindPageFile(request.path))
     return Reply{200, std::string(file->content_type), std::string(file->bytes)};

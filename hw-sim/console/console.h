@@ -14,6 +14,7 @@
 #include "hw-sim/console/http_server.h"
 #include "hw-sim/console/jpeg.h"
 #include "hw-sim/console/labels.h"
+#include "hw-sim/console/needles_watch.h"
 #include "hw-sim/console/rate.h"
 #include "hw-sim/links/local/rig.h"
 
@@ -56,6 +57,7 @@ class Console {
   SteadyClock clock_;  // The page lives in real time, whatever the rig's clock does.
   JpegEncoder jpeg_;
   DialValues values_;
+  NeedlesWatch needles_;
   Rate shown_;                    // Frames the screen has shown.
   std::uint64_t sent_frame_ = 0;  // frames_shown() of the last picture that was sent.
   Time picture_at_{};

@@ -19,6 +19,10 @@ Json StickJson(const sim::StickPod& stick) {
           {"slider", Rounded(stick.slider())}, {"hat", stick.hat()},      {"buttons", stick.buttons_down()}};
 }
 
+Json PointerJson(const sim::Pointer& pointer) {
+  return {{"x", Rounded(pointer.x())}, {"y", Rounded(pointer.y())}, {"buttons", pointer.buttons_down()}};
+}
+
 Json PortsJson(const sim::Rig& rig) {
   Json ports = Json::object();
   for (int place = 0; place < sim::kPlaceCount; ++place) {
@@ -39,7 +43,8 @@ Json ValuesJson(const DialValues& values) {
 
 }  // namespace
 
-std::string StateJson(sim::Rig& rig, const DialValues& values, double frames_per_s) {
+std::string StateJson(sim::Rig& rig, const DialValues& values, const NeedlesWatch& needles,
+                      double frames_per_s) {
   Json dials = Json::array();
   for (int dial = 0; dial < kDialCount; ++dial) dials.push_back(Rounded(rig.dial_box().turned(dial)));
   const auto mouth = rig.camera().mouth();
@@ -50,6 +55,8 @@ std::string StateJson(sim::Rig& rig, const DialValues& values, double frames_per
                {"sticks", {StickJson(rig.left_stick()), StickJson(rig.right_stick())}},
                {"lips", {{"height", Rounded(mouth.height)}, {"width", Rounded(mouth.width)}}},
                {"covered", rig.camera().covered()},
+               {"pointer", PointerJson(rig.pointer())},
+               {"needles", needles.open()},
                {"ports", PortsJson(rig)},
                {"fps", std::round(frames_per_s)}})
       .dump();

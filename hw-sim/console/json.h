@@ -4,13 +4,16 @@
 #include <string>
 
 #include "hw-sim/console/dial_values.h"
+#include "hw-sim/console/needles_watch.h"
 #include "hw-sim/links/local/rig.h"
 
 namespace kaori::console {
 
 // {"dials":[turns..], "values":[number or null..], "buttons":bits, "lamps":bits,
 //  "sticks":[{"x","y","twist","slider"}..], "lips":{"height","width"}, "covered":bool,
-//  "ports":{"dial-box":{"plugged","connected"}..}, "fps":number}
-std::string StateJson(sim::Rig& rig, const DialValues& values, double frames_per_s);
+//  "pointer":{"x","y","buttons"}, "needles":bool, "ports":{"dial-box":{"plugged","connected"}..},
+//  "fps":number}
+std::string StateJson(sim::Rig& rig, const DialValues& values, const NeedlesWatch& needles,
+                      double frames_per_s);
 
 }  // namespace kaori::console

@@ -16,8 +16,8 @@ namespace {
 // Parts of the picture's height. Letters are read at 960 x 540 and from across a table at 1920 x 1080.
 constexpr float kLetters = 0.0285F;
 constexpr float kMargin = 0.030F;
-constexpr float kMostHeight = 0.6F;  // Of all lines.
-constexpr int kSmallest_px = 11;
+constexpr float kMostHeight = 0.7F;  // Of all lines.
+constexpr int kSmallest_px = 10;
 
 // The plate stands beside her face: so much of the picture's width, or room for this many letters.
 constexpr float kWidest = 0.37F;
@@ -71,7 +71,7 @@ std::vector<std::string> CaptionPass::Fitting(const Measures& m, int most_px) {
   const auto fits = [&](std::string_view text) { return lettering_.width_px(text, m.letters) <= m.room; };
   for (const std::string& line : lines_) BreakLine(line, fits, lines);
   const auto most = static_cast<std::size_t>(std::max(most_px / m.step, 1));
-  if (lines.size() > most) lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(most));
+  if (lines.size() > most) lines.resize(most);
   for (std::string& line : lines) line = image::Shorten(lettering_, line, m.letters, m.room);
   return lines;
 }

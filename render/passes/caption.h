@@ -20,7 +20,7 @@ class CaptionPass {
 
   // Onto the picture, over all that stands there, which is then no more what the painters left: the canvas's
   // signature goes. Letters are as high as the canvas asks for; the plate keeps to her left; lines that are
-  // too long are broken, and of too many the first are left out. Letters are drawn, and memory is taken, only
+  // too long are broken, and of too many the last are left out. Letters are drawn, and memory is taken, only
   // when the lines or the size of the canvas change. Nothing where nothing is shown.
   void Draw(const scene::Caption& caption, const gl::Canvas& canvas);
 

@@ -15,6 +15,7 @@
 #include "hw-sim/console/held.h"
 #include "hw-sim/console/jpeg.h"
 #include "hw-sim/console/labels.h"
+#include "hw-sim/console/needles_watch.h"
 #include "hw-sim/console/page.h"
 #include "hw-sim/console/rate.h"
 
@@ -36,7 +37,8 @@ std::string Refused(std::string_view lines) {
 TEST(ConsoleHands, AreReadFromLines) {
   const auto hands = ReadHands(
       "dial 1 turn 0.25\nhold 32\n\nleft move -1 0.5\nright twist 1\nleft slide 0.75\nright hat right\n"
-      "key usage-44 press\nkey usage-44 release\nlips 0.9 1.2\nlens cover\nunplug camera\n");
+      "key usage-44 press\nkey usage-44 release\npointer 0.25 1\npress pointer\nroll pointer -0.5\nlips 0.9 "
+      "1.2\nlens cover\nunplug camera\n");
   ASSERT_TRUE(hands) << hands.error().message();
   EXPECT_THAT(
       *hands,
@@ -45,8 +47,9 @@ TEST(ConsoleHands, AreReadFromLines) {
                   Hand{Place::kStickRight, Verb::kTwist, 0, 1},
                   Hand{Place::kStickLeft, Verb::kSlide, 0, 0.75}, Hand{Place::kStickRight, Verb::kHat, 2},
                   Hand{Place::kKeyboard, Verb::kPush, 44}, Hand{Place::kKeyboard, Verb::kRelease, 44},
-                  Hand{Place::kCamera, Verb::kLips, 0, 0.9, 1.2}, Hand{Place::kCamera, Verb::kCoverLens, 1},
-                  Hand{Place::kCamera, Verb::kUnplug}));
+                  Hand{Place::kPointer, Verb::kMove, 0, 0.25, 1}, Hand{Place::kPointer, Verb::kPush},
+                  Hand{Place::kPointer, Verb::kRoll, 0, -0.5}, Hand{Place::kCamera, Verb::kLips, 0, 0.9, 1.2},
+                  Hand{Place::kCamera, Verb::kCoverLens, 1}, Hand{Place::kCamera, Verb::kUnplug}));
 }
 
 TEST(ConsoleHands, AreNoneInAnEmptyMessage) {
@@ -64,7 +67,8 @@ TEST(ConsoleHands, NameLineAndColumnOfABadOne) {
 }
 
 TEST(ConsoleHands, TakeNoTime) {
-  for (const char* line : {"push 3", "left push 1", "key space tap", "say \"ka\"", "scene poster"})
+  for (const char* line :
+       {"push 3", "left push 1", "key space tap", "click pointer", "say \"ka\"", "scene poster"})
     EXPECT_THAT(Refused(line), HasSubstr("this takes time")) << line;
   for (const char* line : {"at 1s dial 1 turn 1", "over 1s dial 1 turn 1", "dial 1 turn 1 over 1s"})
     EXPECT_NE(Refused(line), "taken") << line;
@@ -83,13 +87,14 @@ TEST(ConsoleHeld, LetsGoOfWhatIsHeldAndOfNothingElse) {
   Held held;
   const auto lines = ReadHands(
       "hold 3\nhold 4\nrelease 3\nleft move 1 0\nleft move 0.5 0\nright twist 1\nright twist 0\n"
-      "left slide 1\nkey usage-44 press\nlips 1 1\ndial 1 turn 1\nunplug screen");
+      "left slide 1\nkey usage-44 press\npointer 0.3 0.4\npress pointer\nroll pointer 2\nlips 1 1\ndial 1 "
+      "turn 1\nunplug screen");
   ASSERT_TRUE(lines) << lines.error().message();
   for (const Hand& hand : *lines) held.Note(hand);
-  EXPECT_THAT(
-      held.LetGo(),
-      ElementsAre(Hand{Place::kDialBox, Verb::kRelease, 3}, Hand{Place::kStickLeft, Verb::kMove},
-                  Hand{Place::kKeyboard, Verb::kRelease, 44}, Hand{Place::kCamera, Verb::kLips, 0, 0.25, 1}));
+  EXPECT_THAT(held.LetGo(),
+              ElementsAre(Hand{Place::kDialBox, Verb::kRelease, 3}, Hand{Place::kStickLeft, Verb::kMove},
+                          Hand{Place::kKeyboard, Verb::kRelease, 44}, Hand{Place::kPointer, Verb::kRelease},
+                          Hand{Place::kCamera, Verb::kLips, 0, 0.25, 1}));
   EXPECT_THAT(held.LetGo(), IsEmpty());
 }
 
@@ -265,10 +270,72 @@ TEST(ConsolePage, CarriesItsFilesAndNothingElse) {
 }
 
 TEST(ConsolePage, AsksNobodyElseForAnything) {
-  for (const char* path : {"/", "/style.css", "/main.js", "/wire.js"}) {
+  for (const char* path : {"/", "/style.css", "/main.js", "/wire.js", "/needles.js"}) {
     const std::string text(FindPageFile(path)->bytes);
     EXPECT_EQ(text.find("://"), std::string::npos) << path << " has an address of another machine";
   }
+}
+
+TEST(ConsolePage, IsSmall) {
+  std::size_t bytes = 0;
+  for (const char* path :
+       {"/", "/style.css", "/icon.svg", "/main.js", "/wire.js", "/drag.js", "/face.js", "/dials.js",
+        "/buttons.js", "/sticks.js", "/keys.js", "/lips.js", "/cables.js", "/needles.js"}) {
+    ASSERT_NE(FindPageFile(path), nullptr) << path;
+    bytes += FindPageFile(path)->bytes.size();
+  }
+  EXPECT_LT(bytes, 200'000U);
+}
+
+// Somebody at the keyboard, and a stage at the screen.
+class ConsoleNeedles : public ::testing::Test {
+ protected:
+  void PressTab() {
+    Look({.tab_held = true});
+    Look({.tab_held = true});
+    Look({});
+  }
+  void Look(NeedlesWatch::Seen seen) {
+    seen.keyboard_heard = heard_;
+    seen.screen_drawn = drawn_;
+    seen.screen_plugged = plugged_;
+    watch_.Follow(seen);
+  }
+
+  NeedlesWatch watch_;
+  bool heard_ = true, drawn_ = true, plugged_ = true;
+};
+
+TEST_F(ConsoleNeedles, AreOpenedAndShutByTab) {
+  EXPECT_FALSE(watch_.open());
+  PressTab();
+  EXPECT_TRUE(watch_.open());
+  PressTab();
+  EXPECT_FALSE(watch_.open());
+}
+
+TEST_F(ConsoleNeedles, StayShutWhenNobodyHearsTheKeyboard) {
+  heard_ = false;
+  PressTab();
+  EXPECT_FALSE(watch_.open());
+}
+
+TEST_F(ConsoleNeedles, AreShutWithANewStage) {
+  PressTab();
+  drawn_ = false;
+  Look({});
+  EXPECT_FALSE(watch_.open());
+}
+
+TEST_F(ConsoleNeedles, StayOpenWhenOnlyTheScreensCableIsPulled) {
+  PressTab();
+  drawn_ = plugged_ = false;
+  Look({});
+  plugged_ = true;
+  Look({});
+  drawn_ = true;
+  Look({});
+  EXPECT_TRUE(watch_.open());
 }
 
 TEST(ConsoleRate, IsCountedOverASecond) {

@@ -76,6 +76,7 @@ void ToyStage::Step() {
     if (port == "dial-box") ReadDialBox(*channel);
     if (port.starts_with("stick-")) ReadStick(*channel);
     if (port == "keyboard") ReadKeyboard(*channel);
+    if (port == "pointer") ReadPointer(*channel);
   }
   Draw();
 }
@@ -140,6 +141,18 @@ void ToyStage::ReadKeyboard(ports::HidChannel& channel) {
       const auto key = static_cast<std::uint8_t>(usage);
       if (held(*now, key) != held(before, key)) Say(fmt::format("key {} {}", usage, held(*now, key) ? 1 : 0));
     }
+  });
+}
+
+void ToyStage::ReadPointer(ports::HidChannel& channel) {
+  if (!pointer_) {
+    auto decoder = hid::PointerDecoder::For(channel.identity());
+    if (!decoder) return Say(decoder.error().message());
+    pointer_.emplace(std::move(*decoder));
+  }
+  ReadAll(channel, [&](auto report, Time at) {
+    if (const auto now = pointer_->Decode(report, at))
+      Say(fmt::format("pointer {:.3f} {:.3f} {} {}", now->x, now->y, now->buttons.down[0], now->wheel));
   });
 }
 

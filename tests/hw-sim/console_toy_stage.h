@@ -13,6 +13,7 @@
 #include "drivers/hid/dial_box.h"
 #include "drivers/hid/joystick.h"
 #include "drivers/hid/keyboard.h"
+#include "drivers/hid/pointer.h"
 #include "drivers/ports/hid_channel.h"
 #include "drivers/ports/scanout.h"
 
@@ -20,7 +21,7 @@ namespace kaori::console {
 
 // Pushing a button switches its lamp. What the drivers decode goes to standard output, one line for each
 // change: "dial 1 64" (counts), "button 3 1", "key 44 1", "stick-left 0.50 0.00 0.00 0.00" (x, y, twist,
-// slider).
+// slider), "pointer 0.25 0.75 1 0" (x, y, buttons, wheel).
 class ToyStage {
  public:
   static Result<std::unique_ptr<ToyStage>> Open(const std::string& folder);
@@ -34,6 +35,7 @@ class ToyStage {
   void ReadDialBox(ports::HidChannel& channel);
   void ReadStick(ports::HidChannel& channel);
   void ReadKeyboard(ports::HidChannel& channel);
+  void ReadPointer(ports::HidChannel& channel);
   void TellDialBox(const hid::DialSample& before, const hid::DialSample& now, ports::HidChannel& channel);
   void Draw();
   void DrawHand(const ports::PixelBuffer& into, std::size_t dial) const;
@@ -44,6 +46,7 @@ class ToyStage {
   std::optional<hid::DialBoxDecoder> dial_box_;
   std::map<std::string, hid::JoystickDecoder> sticks_;
   std::optional<hid::KeyboardDecoder> keyboard_;
+  std::optional<hid::PointerDecoder> pointer_;
   std::uint32_t lamps_ = 0;
   std::unique_ptr<ports::Scanout> screen_;
   std::uint64_t frame_ = 0;

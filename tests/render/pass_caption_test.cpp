@@ -122,6 +122,16 @@ TEST(Caption, LeavesNoTraceOnACanvas) {
   for (int frame = 0; frame < 2; ++frame) ASSERT_EQ(studio.DrawOn(*canvas, none).bytes, Draw(none).bytes);
 }
 
+TEST(Caption, OfTooManyLinesTheFirstAreKept) {
+  std::vector<std::string> lines(30, "help");
+  lines[0] = "needle MC.l";
+  const Picture picture = Draw(Captioned(lines));
+  lines[29] = "another end";
+  EXPECT_EQ(Draw(Captioned(lines)).bytes, picture.bytes);
+  lines[0] = "needle UC";
+  EXPECT_NE(Draw(Captioned(lines)).bytes, picture.bytes);
+}
+
 TEST(Caption, FitsOnCanvasesOfAnySize) {
   const std::vector<std::string> lines(40, "Zum Lächeln gehören zwei Mundwinkel und 笑顔");
   for (const auto& [width, height] : {std::pair{1, 1}, {17, 9}, {301, 40}, {40, 301}, {1920, 1080}}) {

@@ -5,26 +5,18 @@ import {after, afterEach, before, test} from 'node:test';
 
 import {openBrowser, openPage, pull, until} from '../hw-sim/browser/bench.mjs';
 import {House} from './browser_house.mjs';
-
-// Parts of the picture: left, top, right, bottom.
-const kWhole = [0, 0, 1, 1];
-const kEyes = [0.36, 0.4, 0.64, 0.58];
-const kMouth = [0.42, 0.6, 0.58, 0.76];
-const kColumns = 160, kRows = 90;  // Pictures are compared this small.
-
-// Mean differences of 8-bit colours.
-const kStill = 0.4;   // Two pictures of one pose.
-const kMoved = 3;     // Another pose, in the part that moves.
-const kOther = 6;     // Another face, in the whole picture.
+import {kEyes, kMouth, kOther, kWhole, Sight} from './browser_sight.mjs';
 
 let house;
 let browser;
 let page;
+let sight;
 
 before(async () => {
   house = new House();
   browser = await openBrowser();
   page = await openPage(browser, await house.address());
+  sight = new Sight(page);
   await until('every device heard', async () => Object.values((await house.state()).ports).every((p) => p.connected));
   await beStill();
 });
@@ -41,44 +33,9 @@ afterEach((test) => {
 const dial = (name) => page.getByRole('slider', {name: new RegExp(`^Dial \\d: ${name}$`)});
 const button = (name) => page.getByRole('button', {name: new RegExp(`^Button \\d+: ${name}$`)});
 
-// The live picture, small; it stays in the page, for `difference`.
-const look = () => page.evaluateHandle(([width, height]) => {
-  const canvas = Object.assign(document.createElement('canvas'), {width, height});
-  const pen = canvas.getContext('2d', {willReadFrequently: true});
-  pen.drawImage(document.querySelector('#picture'), 0, 0, width, height);
-  return pen.getImageData(0, 0, width, height).data;
-}, [kColumns, kRows]);
-
-// How much a part of two pictures differs.
-const difference = (a, b, part = kWhole) => page.evaluate(([one, other, [left, top, right, bottom], width, height]) => {
-  let sum = 0, count = 0;
-  for (let y = Math.floor(top * height); y < bottom * height; ++y) {
-    for (let x = Math.floor(left * width); x < right * width; ++x) {
-      const at = (y * width + x) * 4;
-      for (let c = 0; c < 3; ++c, ++count) sum += Math.abs(one[at + c] - other[at + c]);
-    }
-  }
-  return sum / count;
-}, [a, b, part, kColumns, kRows]);
-
-// Her picture when she has come to rest: so many frames on end are the same.
-async function atRest() {
-  const kFrames = 5;
-  let last = await look();
-  let same = 0;
-  await until('a still picture', async () => {
-    await new Promise((done) => setTimeout(done, 60));
-    const now = await look();
-    same = await difference(last, now) < kStill ? same + 1 : 0;
-    last = now;
-    return same >= kFrames;
-  });
-  return last;
-}
-
-const untilMoved = (what, from, part, most = kMoved) =>
-    until(what, async () => await difference(from, await look(), part) > most);
-const untilBack = (what, from, part) => until(what, async () => await difference(from, await look(), part) < kStill * 2);
+const atRest = () => sight.atRest();
+const untilMoved = (...question) => sight.untilMoved(...question);
+const untilBack = (...question) => sight.untilBack(...question);
 
 // Without the life that the box gives her, every change is a hand's.
 async function beStill() {

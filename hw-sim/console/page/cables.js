@@ -9,7 +9,7 @@ const kDrawing = `
 
 const kNames = new Map([
   ['dial-box', 'the dial box'], ['stick-left', 'the left stick'], ['stick-right', 'the right stick'],
-  ['keyboard', 'the keyboard'], ['camera', 'the lip camera'], ['screen', 'the screen'],
+  ['keyboard', 'the keyboard'], ['camera', 'the lip camera'], ['screen', 'the screen'], ['pointer', 'the mouse'],
 ]);
 
 function say(cable, name, {plugged, connected}) {

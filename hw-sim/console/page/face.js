@@ -1,6 +1,6 @@
 // The picture as a handle: she turns and looks to where it is dragged. Both sticks move, as one operator with
 // two hands would move them.
-import {clamp, onDrag, placeIn, springBack} from './drag.js';
+import {clamp, placeIn, springBack} from './drag.js';
 import {set} from './wire.js';
 
 const kHead = 0.85;  // Of a stick's way, at the edge of the picture;
@@ -9,7 +9,8 @@ const kRest = [0, 0];
 
 const line = (side, [x, y], part) => `${side} move ${(x * part).toFixed(4)} ${(y * part).toFixed(4)}`;
 
-export function makeFace(picture) {
+// For onDrag.
+export function steering(picture) {
   let value = kRest;
   let stop = () => {};
   const put = (next) => {
@@ -22,5 +23,5 @@ export function makeFace(picture) {
     stop();
     put([clamp(x * 1.6, -1, 1), clamp(y * 1.3, -1, 1)]);
   };
-  onDrag(picture, {begin: take, move: take, end: () => { stop = springBack(value, kRest, put); }});
+  return {begin: take, move: take, end: () => { stop = springBack(value, kRest, put); }};
 }

@@ -36,7 +36,7 @@ const kBrowsers = new Set(['F5', 'F11', 'F12']);
 const isBrowsers = (event) => event.ctrlKey || event.altKey || event.metaKey ||
     (kBrowsers.has(event.code) && !caps.has(kUsages.get(event.code)));
 
-function hold(usage, down) {
+export function holdKey(usage, down) {
   if (down === held.has(usage)) return;
   if (down) held.add(usage);
   else held.delete(usage);
@@ -44,9 +44,24 @@ function hold(usage, down) {
   tell(`key usage-${usage} ${down ? 'press' : 'release'}`);
 }
 
+const kDown_ms = 70, kUp_ms = 60;  // The show looks at its keys once a frame.
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+let taps = Promise.resolve();
+
+// Down and up again, one after another: what is tapped quicker than the show looks stays in its order.
+export function tapKey(...usages) {
+  taps = taps.then(async () => {
+    usages.forEach((usage) => holdKey(usage, true));
+    await pause(kDown_ms);
+    [...usages].reverse().forEach((usage) => holdKey(usage, false));
+    await pause(kUp_ms);
+  });
+  return taps;
+}
+
 // A key that was let go elsewhere would stay down for ever.
 function releaseAll() {
-  for (const usage of [...held]) hold(usage, false);
+  for (const usage of [...held]) holdKey(usage, false);
 }
 
 function listenToKeyboard() {
@@ -56,11 +71,11 @@ function listenToKeyboard() {
     const taken = event.defaultPrevented || (event.target !== document.body && event.target.matches('button, input'));
     if (usage === undefined || isBrowsers(event) || taken) return;
     event.preventDefault();
-    if (!event.repeat) hold(usage, true);
+    if (!event.repeat) holdKey(usage, true);
   });
   window.addEventListener('keyup', (event) => {
     const usage = kUsages.get(event.code);
-    if (usage !== undefined) hold(usage, false);
+    if (usage !== undefined) holdKey(usage, false);
   });
   window.addEventListener('blur', releaseAll);
   window.addEventListener('pagehide', () => lastWords([...held].map((usage) => `key usage-${usage} release`)));
@@ -71,9 +86,43 @@ function makeCap({usage, text, group}) {
   const cap = make('button', {type: 'button', class: 'cap', 'data-group': group, 'aria-label': `${text || key}: key ${key}`},
                    make('kbd', {}, key), make('span', {class: 'text'}, text));
   if (key === 'Space') cap.classList.add('wide');
-  onHold(cap, {push: () => hold(usage, true), release: () => hold(usage, false)});
+  onHold(cap, {push: () => holdKey(usage, true), release: () => holdKey(usage, false)});
   caps.set(usage, cap);
   return cap;
+}
+
+const kShift = 0xe1, kBackspace = 0x2a, kEnter = 0x28, kMinus = 0x2d;
+
+function tapLetter(letter) {
+  const usage = kUsages.get(`Key${letter.toUpperCase()}`) ?? kUsages.get(`Digit${letter}`) ?? ('-_ '.includes(letter) ? kMinus : null);
+  if (usage === null) return;
+  tapKey(...(/[A-Z]/.test(letter) ? [kShift, usage] : [usage]));
+}
+
+// Fingers have no keys: what they write here is typed on the show's keyboard, letter by letter.
+export function makeTypingField() {
+  const field = make('input', {type: 'text', class: 'typing', placeholder: 'type', 'aria-label': 'Type on the keyboard',
+                               autocomplete: 'off', autocapitalize: 'none', autocorrect: 'off', spellcheck: 'false'});
+  let before = '';
+  field.addEventListener('input', () => {
+    const now = field.value;
+    let same = 0;
+    while (same < now.length && now[same] === before[same]) ++same;
+    for (let n = same; n < before.length; ++n) tapKey(kBackspace);
+    [...now.slice(same)].forEach(tapLetter);
+    before = now;
+  });
+  field.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter') return;
+    tapKey(kEnter);
+    field.value = before = '';
+    field.blur();
+  });
+  const offer = () => {
+    field.value = before = '';
+    if (window.matchMedia('(hover: none)').matches) field.focus();
+  };
+  return {element: field, offer};
 }
 
 export function makeKeys(parent, labels) {

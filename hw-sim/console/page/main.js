@@ -2,9 +2,11 @@
 import {makeButtons} from './buttons.js';
 import {makeCables} from './cables.js';
 import {makeDials} from './dials.js';
-import {makeFace} from './face.js';
+import {onDrag} from './drag.js';
+import {steering} from './face.js';
 import {makeKeys} from './keys.js';
 import {makeLips} from './lips.js';
+import {makeNeedles, needlesAreOpen, pointing} from './needles.js';
 import {makeStick} from './sticks.js';
 import {connect, onState} from './wire.js';
 
@@ -39,6 +41,21 @@ function showState(state) {
   $('mouth').classList.toggle('covered', state.covered);
 }
 
+// A hand on the picture drags her face, or is the pointer of the needles.
+function makePicture(picture) {
+  const steer = steering(picture);
+  const point = pointing(picture);
+  let hand = steer;
+  onDrag(picture, {
+    begin: (event) => {
+      hand = needlesAreOpen() ? point : steer;
+      hand.begin(event);
+    },
+    move: (event) => hand.move(event),
+    end: () => hand.end(),
+  });
+}
+
 async function begin() {
   const labels = await (await fetch('/labels')).json();
   makeDials($('dials'), labels.dials);
@@ -47,7 +64,8 @@ async function begin() {
   makeStick($('right'), 'right', labels.sticks[1]);
   makeLips($('mouth'));
   makeKeys($('keys'), labels.keys);
-  makeFace($('picture'));
+  makeNeedles($('stage'), $('picture'));
+  makePicture($('picture'));
   makeCables();
   showHint();
   onState(showState);

@@ -4,14 +4,14 @@ const kMostLines = 80;  // In one message; the simulator takes 4096 bytes.
 
 const kRetry_ms = 1000;
 
-const waiting = new Map();  // Slot -> line, or the turns of a dial.
+const waiting = new Map();  // Slot -> line, or what adds up under the slot's own words.
 const listeners = [];
 let sending = false;
 let edges = 0;
 let events = null;
 
 function text(slot, value) {
-  return typeof value === 'number' ? `${slot} turn ${value.toFixed(5)}` : value;
+  return typeof value === 'number' ? `${slot} ${value.toFixed(5)}` : value;
 }
 
 function take() {
@@ -47,11 +47,15 @@ export function set(slot, line) {
   flush();
 }
 
-// A dial turned on; turns add up. Dials count from 1.
-export function turn(dial, turns) {
-  const slot = `dial ${dial}`;
-  waiting.set(slot, (waiting.get(slot) ?? 0) + turns);
+// Something went on by so much: "roll pointer". It adds up.
+export function add(words, amount) {
+  waiting.set(words, (waiting.get(words) ?? 0) + amount);
   flush();
+}
+
+// Dials count from 1.
+export function turn(dial, turns) {
+  add(`dial ${dial} turn`, turns);
 }
 
 // The page is going: sent even though nobody waits for it any more.

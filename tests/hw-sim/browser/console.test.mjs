@@ -154,6 +154,85 @@ test('a slider stays where it is put', async () => {
   await until('half way', () => bench.heard('stick-left')?.[3] === 0.5);
 });
 
+const needles = () => page.getByRole('button', {name: 'Needles', exact: true});
+
+async function openNeedles() {
+  await needles().click();
+  await until('Tab down and up', () => bench.lines.includes('key 43 1') && bench.heard('key 43')?.[0] === 0);
+  await until('open needles', async () => (await bench.state()).needles);
+  await until('a switch that is lit', async () => await needles().getAttribute('aria-pressed') === 'true');
+}
+
+test('with the needles open the mouse over the picture is the pointer, and not a hand on her face', async () => {
+  await openNeedles();
+  const sticks = bench.lines.filter((line) => line.startsWith('stick-')).length;
+  const {x, y, width, height} = await middle(page.locator('#picture'));
+  await page.mouse.move(x - width / 4, y - height / 4);
+  await until('the pointer at a quarter', () => bench.heard('pointer')?.every((v, n) => Math.abs(v - [0.25, 0.25, 0, 0][n]) < 0.01));
+  await page.mouse.down();
+  await page.mouse.move(x, y, {steps: 5});
+  await page.mouse.up();
+  await until('the middle', () => bench.heard('pointer')?.every((v, n) => Math.abs(v - [0.5, 0.5, 0, 0][n]) < 0.01));
+  const pushed = bench.lines.filter((line) => /^pointer \S+ \S+ 1/.test(line));
+  assert.match(pushed[0], /^pointer 0.25\d 0.25/, 'it went down where the hand was');
+  await page.mouse.wheel(0, -200);
+  await until('two notches', () => bench.heard('pointer')?.[3] === 2);
+  await page.mouse.down({button: 'right'});
+  await until('the second button', () => bench.heard('pointer')?.[2] === 2);
+  await page.mouse.up({button: 'right'});
+  await until('no button', () => bench.heard('pointer')?.[2] === 0);
+  assert.equal(bench.lines.filter((line) => line.startsWith('stick-')).length, sticks, 'the sticks stood still');
+});
+
+test('the tools of the needles press the keys of the show while they are held', async () => {
+  const down = (usage) => bench.lines.filter((line) => line === `key ${usage} 1`).length;
+  for (const [name, usage] of [['Mirror', 16], ['Smooth', 22], ['Undo', 29], ['Redo', 28], ['Zero', 42], ['Name', 17], ['Save', 40], ['Delete', 76]]) {
+    const before = down(usage);
+    await page.getByRole('button', {name: new RegExp(`^${name}\\b`)}).click();
+    await until(`${name}: key ${usage}`, () => down(usage) === before + 1 && bench.heard(`key ${usage}`)[0] === 0);
+  }
+  const {x, y} = await middle(page.getByRole('button', {name: /^Compare/}));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await until('C held', () => bench.heard('key 6')?.[0] === 1);
+  await page.mouse.up();
+  await until('C let go', () => bench.heard('key 6')?.[0] === 0);
+});
+
+test('a chord lasts long enough for a show that looks once a frame', async () => {
+  await page.getByRole('button', {name: /^As new/}).click();
+  await until('shift let go', () => bench.heard('key 225')?.[0] === 0);
+  const keys = bench.lines.filter((line) => /^key (225|40) /.test(line)).slice(-4);
+  assert.deepEqual(keys, ['key 225 1', 'key 40 1', 'key 40 0', 'key 225 0']);
+});
+
+test('a finger points, too, and writes a name without a keyboard', async () => {
+  const phone = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true};
+  const touched = await openPage(browser, await bench.address(), phone);
+  await until('tools', () => touched.getByRole('button', {name: /^Mirror/}).isVisible());
+  const picture = await middle(touched.locator('#picture'));
+  await touched.touchscreen.tap(picture.x + picture.width / 4, picture.y);
+  await until('a tap at three quarters', () => bench.lines.some((line) => /^pointer 0.75\d 0.50\d 1/.test(line)));
+  await touched.getByRole('textbox', {name: 'Type on the keyboard'}).pressSequentially('aB_');
+  const typed = () => bench.lines.filter((line) => /^key \d+ 1$/.test(line)).slice(-4).join();
+  await until('a, shift and B, minus', () => typed() === 'key 4 1,key 5 1,key 225 1,key 45 1' || typed() === 'key 4 1,key 225 1,key 5 1,key 45 1');
+  await touched.getByRole('button', {name: 'The needle outwards'}).tap();
+  await until('a notch', () => bench.heard('pointer')?.[3] === 3);
+  await touched.context().close();
+});
+
+test('the needles are shut by the same switch, and her face is a handle again', async () => {
+  await needles().click();
+  await until('shut needles', async () => !(await bench.state()).needles);
+  const {x, y, width} = await middle(page.locator('#picture'));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 4, y, {steps: 4});
+  await until('sticks to the right', () => bench.heard('stick-left')?.[0] > 0.3 && bench.heard('stick-right')?.[0] > 0.2);
+  await page.mouse.up();
+  await until('sticks at rest', () => bench.heard('stick-left')[0] === 0);
+});
+
 test('a page that is closed in the middle of a drag lets go', async () => {
   await page.goto('about:blank');  // The only page that listens shall be the one that is closed.
   const leaving = await openPage(browser, await bench.address());

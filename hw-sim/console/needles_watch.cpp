@@ -1,0 +1,18 @@
+#include "hw-sim/console/needles_watch.h"
+
+#include <utility>
+
+namespace kaori::console {
+
+void NeedlesWatch::Follow(const Seen& now) {
+  const Seen before = std::exchange(before_, now);
+  const bool died = before.screen_drawn && !now.screen_drawn && now.screen_plugged;
+  const bool pushed = now.tab_held && !before.tab_held && now.keyboard_heard;
+  if (died) {
+    open_ = false;
+  } else if (pushed) {
+    open_ = !open_;
+  }
+}
+
+}  // namespace kaori::console
