@@ -15,6 +15,7 @@ struct CaptionFacts {
   int chosen = -1;
   const std::optional<Typing>& typing;
   bool comparing = false;
+  bool help = true;     // All keys, or how to see them.
   std::string own;      // What stands on the shelf.
   std::string message;  // Of the last seconds; empty: none.
   std::string trouble;  // With the disk; empty: none.

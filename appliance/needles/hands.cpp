@@ -95,6 +95,8 @@ void Hands::ReadKey(Reading& reading, std::uint8_t usage) {
       return reading.Do(Verb::kMirror);
     case key::kS:
       return reading.Do(Verb::kSmooth);
+    case key::kH:
+      return reading.Do(Verb::kHelp);
     case key::kZ:
       return reading.Do(shift ? Verb::kRedo : Verb::kUndo);
     case key::kY:
@@ -113,8 +115,14 @@ void Hands::ReadKey(Reading& reading, std::uint8_t usage) {
     case key::kDelete:
       return reading.Do(Verb::kDelete);
     default:
-      return;
+      return ReadKeyCall(reading, usage);
   }
+}
+
+void Hands::ReadKeyCall(Reading& reading, std::uint8_t usage) {
+  for (const show::KeyCall& key : reading.show.keys)
+    if (key.key_usage == usage && key.call.kind == show::CallKind::kExpression)
+      reading.Do(Verb::kTake, key.call.index);
 }
 
 void Hands::Type(Reading& reading, std::uint8_t usage) {

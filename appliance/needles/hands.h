@@ -27,6 +27,7 @@ enum class Verb : std::uint8_t {
   kShutLids,  // By `amount`.
   kMirror,    // On or off.
   kSmooth,    // On or off.
+  kHelp,      // All keys in the caption, or few.
   kZero,      // The chosen one.
   kUndo,
   kRedo,
@@ -77,6 +78,7 @@ class Hands {
   struct Reading;
   void ReadKeys(Reading& reading);
   void ReadKey(Reading& reading, std::uint8_t usage);
+  static void ReadKeyCall(Reading& reading, std::uint8_t usage);
   void Type(Reading& reading, std::uint8_t usage);
   void ReadDials(Reading& reading);
   void ReadButtons(Reading& reading);

@@ -29,8 +29,7 @@ void Needles::NameAndSave(const std::string& name, bool as_new) {
     return hands_.AskForName(purpose, name);
   }
   const int place = own >= 0 ? own : shelf_.free_place();
-  if (place < 0)
-    return Say("not saved: all ten places are taken; delete one (Shift and its digit, then Delete)");
+  if (place < 0) return Say("not saved: all ten places are taken; delete one");
   Did(session_.Rename(name, place));
   shelf_.Put(session_.work());
   renewed_.push_back({this->own(place), &*shelf_.at(place)});
@@ -49,10 +48,10 @@ void Needles::Name(const std::string& name) {
 // What was deleted stays in work, unsaved: it can be saved again.
 void Needles::Delete(Time now) {
   const Work work = session_.work();
-  if (work.place < 0) return Say("this one is not saved on the box: there is nothing to delete");
+  if (work.place < 0) return Say("it is not on the box: nothing to delete");
   if (now > delete_until_) {
     delete_until_ = now + kSure;
-    return Say(fmt::format("press Delete again to delete {} from the box", work.name));
+    return Say(fmt::format("press Delete again to delete {}", work.name));
   }
   delete_until_ = {};
   shelf_.Empty(work.place);

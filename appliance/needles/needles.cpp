@@ -41,12 +41,17 @@ const board::Snapshot& Needles::Play(const board::Snapshot& board, const show::S
   shown_ = performance::Travel(shown_, open_ ? 1.0F : 0.0F, std::min(dt_s, kLongestStep_s), kShow_per_s);
   renewed_.clear();
   const bool was_open = open_;
+  const bool was_typing = hands_.typing().has_value();
   Situation situation{show, state, light};
   for (const Command& command : hands_.Read(board, state.seen, show, open_, light)) Obey(command, situation);
   if (scribe_.has_news()) HearNews();
   ShowDraft();
-  if (board.keys.source != board::SourceState::kAbsent) TakeKeys(board.keys.value, state, was_open || open_);
-  if (!was_open && !open_) return board;
+  const bool keys = board.keys.source != board::SourceState::kAbsent;
+  if (!was_open && !open_) {
+    if (keys) TakeFewKeys(board.keys.value, state);
+    return board;
+  }
+  if (keys) TakeKeys(board.keys.value, show, was_typing || hands_.typing(), state);
   TakeHands(board, show, state);
   return rest_;
 }
@@ -100,6 +105,9 @@ bool Needles::ObeyChoice(const Command& command) {
     case Verb::kMirror:
       session_.spread.mirror = !session_.spread.mirror;
       return true;
+    case Verb::kHelp:
+      help_ = !help_;
+      return true;
     case Verb::kSmooth:
       session_.spread.smooth = !session_.spread.smooth;
       return true;
@@ -142,7 +150,7 @@ void Needles::Start(Situation& now) {
     if (const auto work = called == draft() ? std::nullopt : WorkOf(called, now.show))
       Did(session_.Begin(*work));
   } else if (called != draft()) {
-    Say("unsaved work is taken up again; P begins from the expression in play");
+    Say("unsaved work; P begins from what was in play");
   }
   open_ = true;
   CallWhole(now.state, draft(), kChange_s);
@@ -197,15 +205,23 @@ void Needles::ShowDraft() {
   renewed_.push_back({draft(), compared_ ? &session_.before() : &session_.work()});
 }
 
-// Keys that are the needles' are as if they had not been struck.
-void Needles::TakeKeys(const board::Keys& keys, performance::State& state, bool all) const {
-  if (all) {
-    state.seen.keys = keys.pushes;
-    return;
-  }
+// Keys that are the needles' are as if they had not been struck. With the needles shut these are few.
+void Needles::TakeFewKeys(const board::Keys& keys, performance::State& state) {
   state.seen.keys[key::kTab] = keys.pushes[key::kTab];
   if (!ShiftIsDown(keys)) return;
   for (std::size_t digit = key::k1; digit <= key::k0; ++digit) state.seen.keys[digit] = keys.pushes[digit];
+}
+
+// With the needles open it is all of them, but for those that call faces and styles while nothing is typed.
+void Needles::TakeKeys(const board::Keys& keys, const show::Show& show, bool typing,
+                       performance::State& state) {
+  const auto before = std::exchange(state.seen.keys, keys.pushes);
+  if (typing) return;
+  for (const show::KeyCall& call : show.keys) {
+    const bool plays_on = call.call.kind == show::CallKind::kFace || call.call.kind == show::CallKind::kStyle;
+    if (plays_on && !IsForNeedles(static_cast<std::uint8_t>(call.key_usage)))
+      state.seen.keys[call.key_usage] = before[call.key_usage];
+  }
 }
 
 void Needles::TakeHands(const board::Snapshot& board, const show::Show& show, performance::State& state) {
@@ -238,6 +254,7 @@ void Needles::Describe(scene::Scene& scene) const {
                                       .chosen = chosen_,
                                       .typing = hands_.typing(),
                                       .comparing = compared_,
+                                      .help = help_,
                                       .own = shelf_.Contents(),
                                       .message = now_ < message_until_ ? message_ : "",
                                       .trouble = trouble_});

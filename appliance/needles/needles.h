@@ -84,7 +84,9 @@ class Needles {
   void Say(std::string message);
   void HearNews();
   void ShowDraft();
-  void TakeKeys(const board::Keys& keys, performance::State& state, bool all) const;
+  static void TakeFewKeys(const board::Keys& keys, performance::State& state);
+  static void TakeKeys(const board::Keys& keys, const show::Show& show, bool typing,
+                       performance::State& state);
   void TakeHands(const board::Snapshot& board, const show::Show& show, performance::State& state);
 
   std::size_t first_;  // Index of the first own expression in the cast.
@@ -97,6 +99,7 @@ class Needles {
   int chosen_ = -1;
   std::uint16_t in_play_ = 0;  // Before the needles were opened.
   bool compared_ = false;
+  bool help_ = true;
   bool draft_outdated_ = false;
   Time now_{};
   std::string message_;

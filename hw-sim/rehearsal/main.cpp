@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "appliance/needles/needles.h"
 #include "appliance/show/pack.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
@@ -101,6 +102,8 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   if (!scenario) return Complain(scenario.error());
   auto show = kaori::show::LoadPack(settings.pack);
   if (!show) return Complain(show.error());
+  auto needles =
+      kaori::needles::Needles::Open(folder + "/own", *show);  // What is saved goes with the rehearsal.
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return Complain(studio.error());
   const auto house = kaori::sim::Rehearsal::Open({.folder = folder,
@@ -109,6 +112,7 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
                                                   .hz = static_cast<double>(hz)},
                                                  **studio);
   if (!house) return Complain(house.error());
+  (*house)->Bring(std::move(needles));
   auto outputs = OpenOutputs(settings, size, hz);
   if (!outputs) return Complain(outputs.error());
   if (auto ok = PlayThrough(**house, std::move(*scenario), *outputs); !ok) return Complain(ok.error());

@@ -40,6 +40,9 @@ class Rehearsal {
   // Errors: timed_out when no picture came within a simulated second.
   Result<Shown> NextPicture(const Hands& hands = {});
 
+  // Lets hands make expressions. They were opened on the studio's show.
+  void Bring(std::unique_ptr<needles::Needles> needles) { stage_->Bring(std::move(needles)); }
+
   Rig& rig() { return *rig_; }
   const board::Board& board() const { return board_; }
   const stage::Stage& stage() const { return *stage_; }

@@ -23,7 +23,7 @@ using needles::Work;
 namespace key = needles::key;
 
 inline constexpr Duration kNeedleFrame = 16'666'667ns;
-inline constexpr std::uint8_t kF1 = 0x3A, kKey2 = 0x1F, kB = 0x05, kE = 0x08, kX = 0x1B;
+inline constexpr std::uint8_t kF1 = 0x3A, kKey2 = 0x1F, kB = 0x05, kQ = 0x14, kW = 0x1A, kX = 0x1B;
 
 inline show::Show PlayedShow() {
   show::Show show;
@@ -31,6 +31,7 @@ inline show::Show PlayedShow() {
   for (std::uint16_t i = 0; i < 4; ++i) show.buttons[i] = {show::CallKind::kFace, i};
   for (std::uint16_t i = 0; i < 3; ++i) show.buttons[4U + i] = {show::CallKind::kExpression, i};
   show.buttons[7] = {show::CallKind::kScene, 1};
+  show.keys = {{kQ, {show::CallKind::kStyle, 0}}, {kW, {show::CallKind::kExpression, 2}}};
   show.scenes.resize(2);
   show.scenes[1].key_usage = kF1;
   show.scenes[1].face = 2;

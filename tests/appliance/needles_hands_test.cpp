@@ -97,6 +97,22 @@ TEST_F(NeedlePlay, KeysThatWereStruckWithTheNeedlesOpenArePlayedNoLater) {
   EXPECT_TRUE(PlaysATake()) << "and now they play again";
 }
 
+TEST_F(NeedlePlay, KeysThatCallStylesGoOnUnlessANameIsTyped) {
+  Strike(key::kTab);
+  Strike(kQ);
+  EXPECT_EQ(state_.styles.to, 0);
+  Strike(kW);
+  EXPECT_EQ(work().pulls_m, show_.cast.expressions[2].displacement)
+      << "one that calls an expression takes it";
+  EXPECT_EQ(state_.expressions.to, needles_->draft());
+  state_.styles.to = 3;
+  Strike(key::kN);
+  Strike(kQ);
+  Strike(kW);
+  EXPECT_EQ(state_.styles.to, 3);
+  EXPECT_THAT(Caption(), HasSubstr("name: qw|"));
+}
+
 TEST_F(NeedlePlay, FacesAreCalledWhileTheNeedlesAreOpen) {
   Strike(key::kTab);
   Push(3);
