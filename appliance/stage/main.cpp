@@ -1,4 +1,6 @@
 // kaori-stage: draws the face that the board describes.
+#include <functional>
+
 #include "appliance/board/board.h"
 #include "appliance/needles/needles.h"
 #include "appliance/show/pack.h"
@@ -7,6 +9,8 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/service.h"
+#include "drivers/scanout/kms_screen.h"
 #include "drivers/scanout/local_screen.h"
 
 namespace {
@@ -21,13 +25,14 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --own FOLDER    where expressions made with the needles are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
   --links FOLDER  the simulator's link folder, in which the screen is plugged
+  --card FILE     instead: the graphics card, as in /dev/dri/card0
 )";
 
 constexpr kaori::Duration kUnseenPeriod = 33ms;   // Without a screen: often enough for lamps.
 constexpr kaori::Duration kScreenPeriod = 250ms;  // How often a screen that is gone is looked for.
 
 struct Settings {
-  std::string board, pack, links, trust, own;
+  std::string board, pack, links, card, trust, own;
 };
 
 int Complain(const kaori::Error& error) {
@@ -35,15 +40,46 @@ int Complain(const kaori::Error& error) {
   return 1;
 }
 
+// A graphics card: the file through which it shows, which outlives this program where a service manager
+// keeps it, and the one through which it draws.
+struct Card {
+  kaori::UniqueFd shows;
+  kaori::scanout::GbmDevice draws;
+};
+
+kaori::Result<Card> OpenCard(const std::string& path) {
+  constexpr std::string_view kName = "card";
+  auto kept = kaori::service::TakeKept(kName);
+  auto shows =
+      kept ? kaori::Result<kaori::UniqueFd>(std::move(*kept)) : kaori::scanout::KmsCard::Open(path.c_str());
+  if (!shows) return tl::unexpected(shows.error());
+  if (auto ready = kaori::scanout::KmsCard::Prepare(shows->get()); !ready)
+    return tl::unexpected(ready.error());
+  if (!kept) {
+    if (auto safe = kaori::service::Keep(shows->get(), kName); !safe)
+      kaori::Log("{}", safe.error().message());
+  }
+  auto draws = kaori::scanout::GbmDevice::Open(path.c_str(), shows->get());
+  if (!draws) return tl::unexpected(draws.error());
+  return Card{std::move(*shows), std::move(*draws)};
+}
+
+// Without one on a desk, where the simulator's screen is looked for.
+kaori::Result<Card> CardOf(const Settings& settings) {
+  return settings.card.empty() ? Card() : OpenCard(settings.card);
+}
+
+using OpenScreen = std::function<kaori::Result<std::unique_ptr<kaori::ports::Scanout>>()>;
+
 // Looks for the screen, and watches it while it is there.
 class ScreenSeat {
  public:
-  ScreenSeat(kaori::stage::Stage& stage, kaori::EventLoop& loop, std::string links)
-      : stage_(stage), loop_(loop), links_(std::move(links)) {}
+  ScreenSeat(kaori::stage::Stage& stage, kaori::EventLoop& loop, OpenScreen open)
+      : stage_(stage), loop_(loop), open_(std::move(open)) {}
 
   void Look() {
     if (stage_.has_screen()) return;
-    auto screen = kaori::scanout::LocalScreen::Open(links_);
+    auto screen = open_();
     if (!screen) return;  // Expected while nobody has plugged one in.
     kaori::Log("a screen is plugged in");
     watched_ = (*screen)->pollable();
@@ -61,7 +97,7 @@ class ScreenSeat {
 
   kaori::stage::Stage& stage_;
   kaori::EventLoop& loop_;
-  std::string links_;
+  OpenScreen open_;
   int watched_ = -1;
 };
 
@@ -73,6 +109,8 @@ kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
 }
 
 int Play(const Settings& settings, kaori::EventLoop& loop) {
+  const auto card = CardOf(settings);
+  if (!card) return Complain(card.error());
   auto show = LoadShow(settings);
   if (!show) return Complain(show.error());
   const auto board = kaori::board::Board::Create(settings.board);
@@ -81,15 +119,19 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!writers) return Complain(writers.error());
   auto needles = kaori::needles::Needles::Open(
       settings.own.empty() ? kaori::needles::UsualFolder() : std::filesystem::path(settings.own), *show);
-  const auto studio = kaori::stage::Studio::Open(std::move(*show));
+  const auto studio = kaori::stage::Studio::Open(std::move(*show), card->draws.device.get());
   if (!studio) return Complain(studio.error());
   const kaori::SteadyClock clock;
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.Bring(std::move(needles));
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer());
-  ScreenSeat seat(stage, loop, settings.links);
+  ScreenSeat seat(stage, loop, [&] {
+    if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
+    return kaori::scanout::KmsScreen::Open(card->shows.get(), card->draws.device.get());
+  });
   seat.Look();
+  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::Log("{}", told.error().message());
   const auto unseen = [&stage] {
     if (!stage.has_screen()) stage.StepUnseen();
   };
@@ -107,9 +149,14 @@ int main(int argc, char** argv) {
   kaori::Options options(kHelp);
   options.Text("--board", settings.board, true)
       .Text("--pack", settings.pack, true)
-      .Text("--links", settings.links, true);
+      .Text("--links", settings.links)
+      .Text("--card", settings.card);
   options.Text("--trust", settings.trust).Text("--own", settings.own);
   if (const auto status = options.Parse(argc, argv)) return *status;
+  if (settings.card.empty() == settings.links.empty()) {
+    kaori::Log("where is the screen? Give one of --links and --card");
+    return 2;
+  }
   auto loop = kaori::EventLoop::Open();
   if (!loop) return Complain(loop.error());
   return Play(settings, *loop);

@@ -9,11 +9,13 @@
 
 namespace kaori::ports {
 
-// 8-bit R, G, B, X in memory order, sRGB; row 0 is the bottom row (as GLES reads pixels).
+// Memory of 8-bit R, G, B, X in memory order, sRGB; row 0 is the bottom row (as GLES reads pixels). Or a
+// window, which EGL draws into by itself; then there is no memory.
 struct PixelBuffer {
   int width_px = 0;
   int height_px = 0;
-  std::span<std::uint8_t> bytes;  // width * height * 4, tightly packed.
+  std::span<std::uint8_t> bytes;  // width * height * 4, tightly packed; or none.
+  void* window = nullptr;  // EGL's native window, of the display on which the screen was opened; or none.
 };
 
 struct Flip {

@@ -56,6 +56,9 @@ class Canvas {
   // `bytes` holds width * height * 4.
   void ReadPixels(std::span<std::uint8_t> bytes) const;
 
+  // Copies the picture onto a framebuffer of the same size: 0 is the current window.
+  void CopyTo(unsigned framebuffer) const;
+
   // Whoever finds here what they signed with last may count on the picture as they left it.
   struct Signature {
     const void* painter = nullptr;

@@ -5,6 +5,7 @@
 #include <GLES3/gl32.h>
 
 #include <array>
+#include <span>
 
 #include "drivers/base/log.h"
 
@@ -12,6 +13,7 @@ namespace kaori::gl {
 
 struct Context::Egl {
   EGLDisplay display = EGL_NO_DISPLAY;
+  EGLConfig config = nullptr;
   EGLContext context = EGL_NO_CONTEXT;
 
   ~Egl() {
@@ -24,25 +26,41 @@ struct Context::Egl {
 
 namespace {
 
-EGLDisplay SurfacelessDisplay() {
+// Of the pixels that every display controller scans out; the number is GBM's and DRM's "XR24".
+constexpr EGLint kScreenPixels = 0x34325258;
+
+EGLDisplay DisplayOf(void* gbm) {
   const auto get =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
   if (get == nullptr) return EGL_NO_DISPLAY;
+  if (gbm != nullptr) return get(EGL_PLATFORM_GBM_KHR, gbm, nullptr);
   return get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
-EGLContext NewContext(EGLDisplay display, bool debug) {
-  constexpr std::array config_wish{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT,
-                                   EGL_NONE};
-  EGLConfig config = nullptr;
+// The first of those with GLES 3; for a card, one whose windows hold what a screen shows. Null where there is
+// none.
+EGLConfig ChooseConfig(EGLDisplay display, bool for_card) {
+  const std::array wish{EGL_SURFACE_TYPE, for_card ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                        EGL_OPENGL_ES3_BIT, EGL_NONE};
+  std::array<EGLConfig, 64> configs{};
   EGLint count = 0;
-  if (!eglChooseConfig(display, config_wish.data(), &config, 1, &count) || count == 0) return EGL_NO_CONTEXT;
-  const std::array context_wish{EGL_CONTEXT_MAJOR_VERSION,
+  if (!eglChooseConfig(display, wish.data(), configs.data(), EGLint{configs.size()}, &count)) return nullptr;
+  for (const EGLConfig config : std::span(configs).first(std::size_t(count))) {
+    EGLint pixels = 0;
+    eglGetConfigAttrib(display, config, EGL_NATIVE_VISUAL_ID, &pixels);
+    if (!for_card || pixels == kScreenPixels) return config;
+  }
+  return nullptr;
+}
+
+EGLContext NewContext(EGLDisplay display, EGLConfig config, bool debug) {
+  // The flag as the extension writes it: EGL 1.4, as on a card without a GPU, does not know EGL 1.5's.
+  const std::array context_wish{EGL_CONTEXT_MAJOR_VERSION_KHR,
                                 3,
-                                EGL_CONTEXT_MINOR_VERSION,
+                                EGL_CONTEXT_MINOR_VERSION_KHR,
                                 0,
-                                EGL_CONTEXT_OPENGL_DEBUG,
-                                int{debug},
+                                EGL_CONTEXT_FLAGS_KHR,
+                                debug ? EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : 0,
                                 EGL_NONE};
   return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish.data());
 }
@@ -74,6 +92,16 @@ Context::Context(std::unique_ptr<Egl> egl)
 
 Context::~Context() = default;
 
+void* Context::display() const {
+  return egl_->display;
+}
+void* Context::config() const {
+  return egl_->config;
+}
+void* Context::handle() const {
+  return egl_->context;
+}
+
 bool Context::ReadsSamples() {
   GLint major = 0;
   GLint minor = 0;
@@ -82,14 +110,17 @@ bool Context::ReadsSamples() {
   return major > 3 || (major == 3 && minor >= 1);
 }
 
-Result<std::unique_ptr<Context>> Context::Open() {
+Result<std::unique_ptr<Context>> Context::Open(void* gbm) {
   auto egl = std::make_unique<Egl>();
-  egl->display = SurfacelessDisplay();
+  egl->display = DisplayOf(gbm);
   if (egl->display == EGL_NO_DISPLAY || !eglInitialize(egl->display, nullptr, nullptr)) {
-    return Fail(std::errc::no_such_device, "open EGL's surfaceless platform");
+    return Fail(std::errc::no_such_device,
+                gbm != nullptr ? "open EGL on the graphics card" : "open EGL's surfaceless platform");
   }
   eglBindAPI(EGL_OPENGL_ES_API);
-  egl->context = NewContext(egl->display, kDebug);
+  egl->config = ChooseConfig(egl->display, gbm != nullptr);
+  if (egl->config == nullptr) return Fail(std::errc::no_such_device, "find a way to draw GLES 3");
+  egl->context = NewContext(egl->display, egl->config, kDebug);
   if (egl->context == EGL_NO_CONTEXT) return Fail(std::errc::no_such_device, "make a GLES 3 context");
   if (!eglMakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl->context)) {
     return Fail(std::errc::protocol_error, "make the GLES context current");

@@ -1,4 +1,4 @@
-// A GLES 3 context that needs no screen: EGL on Mesa's surfaceless platform.
+// A GLES 3 context: EGL on Mesa's surfaceless platform, which needs no screen, or on a graphics card.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,21 @@ namespace kaori::gl {
 // before the context goes.
 class Context {
  public:
-  // Errors: no_such_device  EGL has no surfaceless platform or no GLES 3
-  //         protocol_error  EGL refused to make or use the context
-  static Result<std::unique_ptr<Context>> Open();
+  // On the card of `gbm`, a gbm_device that outlives the context; without one, on no screen at all. Errors:
+  //   no_such_device  EGL has no such platform or no GLES 3
+  //   protocol_error  EGL refused to make or use the context
+  static Result<std::unique_ptr<Context>> Open(void* gbm = nullptr);
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
   // The driver's own words: "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& renderer() const { return renderer_; }
+
+  // EGL's own handles, for windows.
+  void* display() const;
+  void* config() const;
+  void* handle() const;
 
   // Shaders may read single samples (GLES 3.1); else these are resolved first. Of the current context.
   static bool ReadsSamples();

@@ -1,0 +1,122 @@
+#include "drivers/base/service.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+
+namespace kaori::service {
+namespace {
+
+constexpr int kFirstPassed = 3;  // Descriptors that the manager passes begin here.
+constexpr int kLongestWait_ms = 5000;
+
+std::string_view Variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+std::optional<std::int64_t> Number(std::string_view text) {
+  std::int64_t value = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// What is addressed to another process, as by a parent that forked, is not ours.
+bool IsForUs(const char* name) {
+  const auto process = Number(Variable(name));
+  return !process || *process == ::getpid();
+}
+
+// Where the manager listens; a leading '@' stands for the abstract namespace.
+std::optional<sockaddr_un> ManagerAddress(std::string_view name) {
+  sockaddr_un address{};
+  if (name.size() < 2 || name.size() >= sizeof(address.sun_path)) return std::nullopt;
+  address.sun_family = AF_UNIX;
+  std::memcpy(address.sun_path, name.data(), name.size());
+  if (name.front() == '@') address.sun_path[0] = 0;
+  return address;
+}
+
+// Sends `words`, with a descriptor where `fd` is one.
+Result<void> Send(std::string_view words, int fd) {
+  const auto name = Variable("NOTIFY_SOCKET");
+  auto address = ManagerAddress(name);
+  if (!address) return {};
+  const UniqueFd socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  iovec text{const_cast<char*>(words.data()), words.size()};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+  msghdr message{};
+  message.msg_name = &*address;
+  message.msg_namelen = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
+  message.msg_iov = &text;
+  message.msg_iovlen = 1;
+  if (fd >= 0) {
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    cmsghdr* const header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = SOL_SOCKET;
+    header->cmsg_type = SCM_RIGHTS;
+    header->cmsg_len = CMSG_LEN(sizeof(int));
+    std::memcpy(CMSG_DATA(header), &fd, sizeof(fd));
+  }
+  if (::sendmsg(socket.get(), &message, MSG_NOSIGNAL) < 0) return FailErrno("tell the service manager");
+  return {};
+}
+
+// The manager closes the other end of the pipe when it has read everything before it.
+Result<void> AwaitManager() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return FailErrno("make a pipe");
+  const UniqueFd ours(ends[0]);
+  UniqueFd theirs(ends[1]);
+  if (auto sent = Send("BARRIER=1", theirs.get()); !sent) return sent;
+  theirs.reset();
+  pollfd look{ours.get(), POLLIN, 0};
+  if (::poll(&look, 1, kLongestWait_ms) != 1) return Fail(std::errc::timed_out, "await the service manager");
+  return {};
+}
+
+}  // namespace
+
+Result<void> Tell(std::string_view words) {
+  return Send(words, -1);
+}
+
+Result<void> Keep(int fd, std::string_view name) {
+  if (Variable("NOTIFY_SOCKET").empty()) return {};
+  // FDPOLL=0: it is kept even while the device behind it reports a fault.
+  if (auto sent = Send(fmt::format("FDSTORE=1\nFDNAME={}\nFDPOLL=0", name), fd); !sent) return sent;
+  return AwaitManager();
+}
+
+std::optional<UniqueFd> TakeKept(std::string_view name) {
+  const auto count = Number(Variable("LISTEN_FDS"));
+  if (!count || !IsForUs("LISTEN_PID")) return std::nullopt;
+  std::string_view names = Variable("LISTEN_FDNAMES");
+  for (int i = 0; i < *count; ++i) {
+    const auto end = names.find(':');
+    if (names.substr(0, end) == name) {
+      ::fcntl(kFirstPassed + i, F_SETFD, FD_CLOEXEC);
+      return UniqueFd(kFirstPassed + i);
+    }
+    names = end == std::string_view::npos ? std::string_view() : names.substr(end + 1);
+  }
+  return std::nullopt;
+}
+
+std::optional<Duration> WatchdogPeriod() {
+  const auto limit_us = Number(Variable("WATCHDOG_USEC"));
+  if (!limit_us || *limit_us <= 0 || !IsForUs("WATCHDOG_PID")) return std::nullopt;
+  return std::chrono::microseconds(*limit_us) / 2;
+}
+
+}  // namespace kaori::service

@@ -1,0 +1,46 @@
+// Structures of libdrm with one owner each, and properties by their names.
+#pragma once
+
+#include <xf86drm.h>
+#include <xf86drmMode.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "drivers/base/result.h"
+
+namespace kaori::scanout {
+
+template <auto kFree>
+struct DrmFree {
+  template <class T>
+  void operator()(T* object) const {
+    kFree(object);
+  }
+};
+
+using DrmResources = std::unique_ptr<drmModeRes, DrmFree<drmModeFreeResources>>;
+using DrmConnector = std::unique_ptr<drmModeConnector, DrmFree<drmModeFreeConnector>>;
+using DrmEncoder = std::unique_ptr<drmModeEncoder, DrmFree<drmModeFreeEncoder>>;
+using DrmCrtc = std::unique_ptr<drmModeCrtc, DrmFree<drmModeFreeCrtc>>;
+using DrmPlanes = std::unique_ptr<drmModePlaneRes, DrmFree<drmModeFreePlaneResources>>;
+using DrmPlane = std::unique_ptr<drmModePlane, DrmFree<drmModeFreePlane>>;
+using DrmProperties = std::unique_ptr<drmModeObjectProperties, DrmFree<drmModeFreeObjectProperties>>;
+using DrmProperty = std::unique_ptr<drmModePropertyRes, DrmFree<drmModeFreeProperty>>;
+using DrmAtomic = std::unique_ptr<drmModeAtomicReq, DrmFree<drmModeAtomicFree>>;
+
+// A connector, a CRTC or a plane: its id and its kind (DRM_MODE_OBJECT_...).
+struct DrmObject {
+  std::uint32_t id = 0;
+  std::uint32_t kind = 0;
+};
+
+struct DrmValue {
+  std::uint32_t property = 0;  // The property's id.
+  std::uint64_t value = 0;     // Its value now.
+};
+
+// Errors: not_supported  the object has no property of this name.
+Result<DrmValue> FindProperty(int card, DrmObject object, const char* name);
+
+}  // namespace kaori::scanout

@@ -1,0 +1,34 @@
+// A window that a screen shows: EGL's surface on a native one, onto which finished pictures are copied.
+#pragma once
+
+#include "drivers/base/result.h"
+#include "render/gl/canvas.h"
+#include "render/gl/context.h"
+
+namespace kaori::gl {
+
+// On the thread of its context, which outlives it, as does the native window.
+class Window {
+ public:
+  Window() = default;
+  // `native` is a gbm_surface of the context's card. Errors: protocol_error (EGL takes no such window).
+  static Result<Window> Make(const Context& context, void* native);
+  ~Window();
+  Window(Window&& other) noexcept;
+  Window& operator=(Window&& other) noexcept;
+
+  // The native window it was made of; none yet.
+  void* native() const { return native_; }
+
+  // Copies the canvas's picture, which has the window's size, and hands it to the screen. Waits until a
+  // renderer of which the kernel does not know has finished. Errors: protocol_error.
+  Result<void> Show(const Canvas& canvas);
+
+ private:
+  void* display_ = nullptr;
+  void* context_ = nullptr;
+  void* surface_ = nullptr;
+  void* native_ = nullptr;
+};
+
+}  // namespace kaori::gl

@@ -1,0 +1,140 @@
+#include "drivers/base/service.h"
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+namespace kaori::service {
+namespace {
+
+// The manager's end of the notification socket, in the abstract namespace so that no file is left.
+class Manager {
+ public:
+  Manager() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    ::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address.sun_family));
+    socklen_t length = sizeof(address);
+    ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &length);
+    name_ = "@" + std::string(address.sun_path + 1, length - offsetof(sockaddr_un, sun_path) - 1);
+    ::setenv("NOTIFY_SOCKET", name_.c_str(), 1);
+  }
+  ~Manager() { ::unsetenv("NOTIFY_SOCKET"); }
+
+  struct Message {
+    std::string words;
+    UniqueFd descriptor;
+  };
+  Message Read() {
+    std::array<char, 256> text{};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+    iovec into{text.data(), text.size()};
+    msghdr message{};
+    message.msg_iov = &into;
+    message.msg_iovlen = 1;
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    const ssize_t bytes = ::recvmsg(socket_.get(), &message, MSG_CMSG_CLOEXEC);
+    Message read{std::string(text.data(), bytes > 0 ? std::size_t(bytes) : 0), {}};
+    if (const cmsghdr* header = CMSG_FIRSTHDR(&message)) {
+      int fd = -1;
+      std::memcpy(&fd, CMSG_DATA(header), sizeof(fd));
+      read.descriptor = UniqueFd(fd);
+    }
+    return read;
+  }
+
+ private:
+  UniqueFd socket_;
+  std::string name_;
+};
+
+ino_t InodeOf(int fd) {
+  struct stat state {};
+  return ::fstat(fd, &state) == 0 ? state.st_ino : 0;
+}
+
+class Service : public ::testing::Test {
+ protected:
+  ~Service() override {
+    for (const char* name : {"LISTEN_FDS", "LISTEN_PID", "LISTEN_FDNAMES", "WATCHDOG_USEC", "WATCHDOG_PID"})
+      ::unsetenv(name);
+  }
+};
+
+TEST_F(Service, SaysNothingWhereNobodyListens) {
+  ::unsetenv("NOTIFY_SOCKET");
+  EXPECT_TRUE(Tell("READY=1"));
+  EXPECT_TRUE(Keep(0, "card"));
+}
+
+TEST_F(Service, TellsTheManagerInItsOwnWords) {
+  Manager manager;
+  ASSERT_TRUE(Tell("READY=1"));
+  EXPECT_EQ(manager.Read().words, "READY=1");
+}
+
+TEST_F(Service, AManagerThatIsGoneIsAFaultAndNoCrash) {
+  { Manager manager; }
+  ::setenv("NOTIFY_SOCKET", "@nobody-listens-here", 1);
+  EXPECT_FALSE(Tell("READY=1"));
+  ::unsetenv("NOTIFY_SOCKET");
+}
+
+TEST_F(Service, ADescriptorIsKeptOnceTheManagerHasReadIt) {
+  Manager manager;
+  Manager::Message kept;
+  std::thread reads([&] {
+    kept = manager.Read();
+    manager.Read();  // The barrier: its pipe closes here.
+  });
+  const UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM, 0));
+  const auto done = Keep(socket.get(), "card");
+  reads.join();
+  EXPECT_TRUE(done);
+  EXPECT_EQ(kept.words, "FDSTORE=1\nFDNAME=card\nFDPOLL=0");
+  EXPECT_EQ(InodeOf(kept.descriptor.get()), InodeOf(socket.get()));
+}
+
+TEST_F(Service, NothingIsKeptOnTheFirstStart) {
+  EXPECT_FALSE(TakeKept("card"));
+}
+
+TEST_F(Service, TheKeptDescriptorIsFoundByItsName) {
+  ::setenv("LISTEN_FDS", "2", 1);
+  ::setenv("LISTEN_PID", std::to_string(::getpid()).c_str(), 1);
+  ::setenv("LISTEN_FDNAMES", "other:card", 1);
+  auto kept = TakeKept("card");
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->release(), 4);  // Not ours to close here.
+  EXPECT_FALSE(TakeKept("lamp"));
+}
+
+TEST_F(Service, WhatIsKeptForAnotherProcessIsLeftAlone) {
+  ::setenv("LISTEN_FDS", "1", 1);
+  ::setenv("LISTEN_PID", "1", 1);
+  ::setenv("LISTEN_FDNAMES", "card", 1);
+  EXPECT_FALSE(TakeKept("card"));
+}
+
+TEST_F(Service, TheWatchdogHearsTwiceWithinItsTime) {
+  ::setenv("WATCHDOG_USEC", "250000", 1);
+  ASSERT_TRUE(WatchdogPeriod());
+  EXPECT_EQ(*WatchdogPeriod(), std::chrono::milliseconds(125));
+}
+
+TEST_F(Service, AWatchdogThatMakesNoSenseIsNone) {
+  for (const char* words : {"", "0", "-5", "soon", "12x"}) {
+    ::setenv("WATCHDOG_USEC", words, 1);
+    EXPECT_FALSE(WatchdogPeriod()) << words;
+  }
+}
+
+}  // namespace
+}  // namespace kaori::service
