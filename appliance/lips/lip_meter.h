@@ -2,6 +2,7 @@
 #pragma once
 
 #include "appliance/board/sections.h"
+#include "appliance/lips/lip_settings.h"
 #include "appliance/lips/mouth_gauge.h"
 #include "appliance/lips/mouth_search.h"
 #include "appliance/lips/outline.h"
@@ -11,13 +12,6 @@
 #include "drivers/camera/planes.h"
 
 namespace kaori::lips {
-
-struct LipSettings {
-  Paint paint;
-  KeySettings key;
-  bool marker = false;  // A dot of the same paint is worn on nose or forehead, straight above the mouth.
-  GaugeSettings gauge;
-};
 
 // One thread. Allocates nothing once it has seen a few pictures.
 class LipMeter {

@@ -22,6 +22,12 @@ class LipReader {
   // Does everything that waits; never blocks. Call it when pollable() is readable, and every 50 ms or sooner.
   void Step();
 
+  // From the next frame on; the mouth is looked for anew.
+  void Use(const LipSettings& settings) { meter_ = LipMeter(settings, meter_.lips()); }
+
+  // What was seen last, for a calibration.
+  const LipMeter& meter() const { return meter_; }
+
   // Of the camera that is open; -1 while none is. Another camera may have the same number: see opened().
   int pollable() const { return camera_ ? camera_->pollable() : -1; }
   int opened() const { return opened_; }  // How often a camera was opened.

@@ -20,16 +20,17 @@ constexpr std::string_view kHelp = R"(kaori-lips: the operator's painted lips, f
   --board FILE    the board, shared with the other programs
   --device FILE   the camera, say /dev/video0
   --links FOLDER  the simulator's camera, plugged in there
-  --paint R,G,B   the paint's colour, 0 to 255 each; blue (20,60,200) if not given
-  --rest WIDTH    the mouth at rest, in widths of the picture (0.05 to 0.95); measured in the first second if
-                  not given
+  --settings FILE what was calibrated: paint, key, smoothing, how far the mouth goes
+  --paint R,G,B   the paint's colour, 0 to 255 each; as the settings have it, or blue (20,60,200), if not given
+  --rest WIDTH    the mouth at rest, in widths of the picture (0.05 to 0.95); as the settings have it, or measured
+                  in the first second, if not given
 )";
 
 constexpr kaori::Duration kTick = 25ms;  // Silence and re-opening; frames wake by themselves.
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, device, paint, rest;
+  std::string links, device, settings, paint, rest;
 };
 
 int Complain(const kaori::Error& error) {
@@ -50,7 +51,6 @@ std::optional<std::uint8_t> TakeLevel(std::string_view& text, bool comma) {
 }
 
 kaori::Result<kaori::lips::Paint> ParsePaint(std::string_view text) {
-  if (text.empty()) return kaori::lips::Paint{};
   const std::string whole(text);
   const auto red = TakeLevel(text, true);
   const auto green = red ? TakeLevel(text, true) : std::nullopt;
@@ -61,7 +61,6 @@ kaori::Result<kaori::lips::Paint> ParsePaint(std::string_view text) {
 }
 
 kaori::Result<float> ParseRest(const std::string& text) {
-  if (text.empty()) return 0.0F;
   float rest = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rest);
   if (error != std::errc{} || end != text.data() + text.size() || !(rest >= 0.05F && rest <= 0.95F))
@@ -96,20 +95,36 @@ kaori::ports::CameraOpener OpenerFor(const Settings& settings, const kaori::Cloc
   return [links = settings.links] { return kaori::camera::LocalCamera::Open(links); };
 }
 
+// What the file says, and above it what the command line says.
+kaori::Result<kaori::lips::LipSettings> LipsOf(const Settings& settings) {
+  kaori::lips::LipSettings lips;
+  if (!settings.settings.empty()) {
+    const auto read = kaori::lips::ReadLipSettings(settings.settings);
+    if (!read) return tl::unexpected(read.error());
+    lips = *read;
+  }
+  if (!settings.paint.empty()) {
+    const auto paint = ParsePaint(settings.paint);
+    if (!paint) return tl::unexpected(paint.error());
+    lips.paint = *paint;
+  }
+  if (!settings.rest.empty()) {
+    const auto rest = ParseRest(settings.rest);
+    if (!rest) return tl::unexpected(rest.error());
+    lips.gauge.rest_width = *rest;
+  }
+  return lips;
+}
+
 int Play(const Settings& settings, kaori::EventLoop& loop) {
-  const auto paint = ParsePaint(settings.paint);
-  if (!paint) return Complain(paint.error());
-  const auto rest = ParseRest(settings.rest);
-  if (!rest) return Complain(rest.error());
+  const auto lips = LipsOf(settings);
+  if (!lips) return Complain(lips.error());
   const auto board = kaori::board::Board::Create(settings.board);
   if (!board) return Complain(board.error());
   auto writer = board->TakeWriter<kaori::board::Lips>();
   if (!writer) return Complain(writer.error());
   const kaori::SteadyClock clock;
-  kaori::lips::LipSettings lips;
-  lips.paint = *paint;
-  lips.gauge.rest_width = *rest;
-  kaori::lips::LipReader reader(OpenerFor(settings, clock), *board, std::move(*writer), lips, clock);
+  kaori::lips::LipReader reader(OpenerFor(settings, clock), *board, std::move(*writer), *lips, clock);
   LipWatch watch(reader, loop);
   watch.Step();
   for (const auto& ok : {loop.Every(kTick, [&watch] { watch.Step(); }), loop.Run()})
@@ -126,6 +141,7 @@ int main(int argc, char** argv) {
   options.Text("--board", settings.board)
       .Text("--device", settings.device)
       .Text("--links", settings.links)
+      .Text("--settings", settings.settings)
       .Text("--paint", settings.paint)
       .Text("--rest", settings.rest);
   if (const auto status = options.Parse(argc, argv)) return *status;

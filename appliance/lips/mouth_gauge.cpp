@@ -59,6 +59,10 @@ float QualityOf(const Sight& sight) {
 
 MouthGauge::MouthGauge(const board::Lips& before, const GaugeSettings& settings)
     : lips_(before), height_(settings.smoothing), width_(settings.smoothing), opening_(settings.smoothing) {
+  lips_.shut = settings.extents.shut;
+  lips_.open = settings.extents.open;
+  lips_.narrow = settings.extents.narrow;
+  lips_.wide = settings.extents.wide;
   if (settings.rest_width > 0) SetRest(settings.rest_width);
 }
 

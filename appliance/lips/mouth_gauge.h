@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "appliance/board/sections.h"
+#include "appliance/lips/lip_settings.h"
 #include "appliance/lips/one_euro.h"
 #include "appliance/lips/outline.h"
 
@@ -17,11 +18,6 @@ struct Sight {
   float filled = 1;             // Part of its box that is paint.
   bool cut = false;             // By the picture's edge.
   std::optional<Point> marker;  // In pixels of the picture.
-};
-
-struct GaugeSettings {
-  float rest_width = 0;  // In widths of the picture; 0: as the board has it, else the first second's median.
-  OneEuroSettings smoothing;
 };
 
 // The mouth at rest is the median of the first second in which a clean mouth is seen. A head that comes

@@ -10,6 +10,7 @@ namespace kaori::lips {
 struct OneEuroSettings {
   float least_cutoff_hz = 6;    // Of a value at rest: lower is stiller.
   float cutoff_per_speed = 20;  // Hz more for each unit per second: higher follows sooner.
+  friend bool operator==(const OneEuroSettings&, const OneEuroSettings&) = default;
 };
 
 class OneEuro {

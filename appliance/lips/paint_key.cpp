@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kLevelsPerThousandth = 0.255F;
 constexpr float kNormal = 64;     // Length of a half plane's normal: sums stay within 16 bits.
+constexpr float kWeak = 0.25F;    // Of the soft edge: so far outside a colour is nearly paint.
 constexpr float kLeastTint = 6;   // Levels. Neutral is never paint, whatever is set.
 constexpr float kGreyPaint = 20;  // Levels. A paint of less saturation is no paint.
 constexpr float kNoise = 3;       // Levels that the wedge's point is blunt by.
@@ -47,15 +48,15 @@ PaintKey::PaintKey(Paint paint, const KeySettings& settings)
   const Chroma along = grey ? Chroma{1, 0} : Chroma{want.cb / saturation, want.cr / saturation};
   const float tangent = std::clamp(settings.similarity * kLevelsPerThousandth / std::max(saturation, 1.0F),
                                    kLeastTangent, kMostTangent);
-  const float soft = smooth_levels_ / 2;
+  const float soft = smooth_levels_ * kWeak;
   const float least = std::max(settings.spill * kLevelsPerThousandth - soft, kLeastTint);
   weak_[0] = Half(along.cb, along.cr, grey ? -200 : -least);
-  weak_[1] = Half(tangent * along.cb - along.cr, tangent * along.cr + along.cb, kNoise + soft / 4);
-  weak_[2] = Half(tangent * along.cb + along.cr, tangent * along.cr - along.cb, kNoise + soft / 4);
+  weak_[1] = Half(tangent * along.cb - along.cr, tangent * along.cr + along.cb, kNoise + soft / 2);
+  weak_[2] = Half(tangent * along.cb + along.cr, tangent * along.cr - along.cb, kNoise + soft / 2);
 }
 
 float PaintKey::Depth(std::uint8_t cb, std::uint8_t cr) const {
-  return static_cast<float>(LeastSide(weak_, cb, cr)) / kNormal - smooth_levels_ / 2;
+  return static_cast<float>(LeastSide(weak_, cb, cr)) / kNormal - smooth_levels_ * kWeak;
 }
 
 float PaintKey::Soft(std::uint8_t cb, std::uint8_t cr) const {

@@ -18,7 +18,7 @@ struct Paint {
 struct KeySettings {
   float similarity = 140;  // How far a colour may lie from the paint's: more takes more for paint.
   float smoothness = 80;   // The width of the soft edge round that.
-  float spill = 100;       // What is tinted less than this is paint's light on skin and teeth, not paint.
+  float spill = 80;        // What is tinted less than this is paint's light on skin and teeth, not paint.
   friend bool operator==(const KeySettings&, const KeySettings&) = default;
 };
 

@@ -6,7 +6,7 @@
 namespace kaori::lips {
 namespace {
 
-constexpr std::size_t kSamplesForARun = 12;  // More runs than one for so many samples are noise, and no face.
+constexpr std::size_t kSamplesForARun = 10;  // More runs than one for so many samples are noise, and no face.
 constexpr std::uint32_t kNone = ~0U;
 
 }  // namespace

@@ -10,8 +10,6 @@ namespace {
 
 constexpr float kHandFrom = 0.01F;  // A dial turned this far takes the mouth.
 constexpr float kGoodLips = 0.3F;
-// Lip sizes, in widths of the mouth at rest: shut and wide open, pursed and stretched.
-constexpr float kShut = 0.28F, kOpen = 0.85F, kNarrow = 0.65F, kWide = 1.35F;
 constexpr float kFollowLips_s = 0.012F;  // Lips are in time with a voice: hardly any smoothing.
 constexpr float kFollowHand_s = 0.04F;
 constexpr float kFastest_per_s =
@@ -27,15 +25,21 @@ struct Goal {
 };
 
 float Fraction(float value, float low, float high) {
-  return std::clamp((value - low) / (high - low), 0.0F, 1.0F);
+  return std::clamp((value - low) / std::max(high - low, 0.01F), 0.0F, 1.0F);
+}
+
+// The mouth at rest is 1 wide and stands in the middle, however much farther one way than the other it goes.
+float Stretch(const board::Lips& lips) {
+  return lips.width < 1 ? 0.5F * Fraction(lips.width, lips.narrow, 1)
+                        : 0.5F + 0.5F * Fraction(lips.width, 1, lips.wide);
 }
 
 // Lips that are lost leave the mouth as it is, to be given back to the expression.
 Goal FromLips(State& state, const board::Stamped<board::Lips>& lips, float dt_s) {
   if (lips.source != board::SourceState::kLive || lips.value.quality < kGoodLips)
     return {state.mouth_open, state.mouth_wide, kFollowLips_s, false};
-  Goal goal{Fraction(lips.value.height, kShut, kOpen), Fraction(lips.value.width, kNarrow, kWide),
-            kFollowLips_s, false};
+  Goal goal{Fraction(lips.value.height, lips.value.shut, lips.value.open), Stretch(lips.value), kFollowLips_s,
+            false};
   const bool speaks = goal.open > kSpeaking || std::abs(goal.wide - 0.5F) > 2 * kSpeaking;
   state.mouth_quiet_s = speaks ? 0 : std::min(10.0F, state.mouth_quiet_s + dt_s);
   goal.drives = state.mouth_quiet_s < kPause_s;
