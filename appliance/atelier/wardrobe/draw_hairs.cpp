@@ -172,10 +172,10 @@ void DrawMoustache(Canvas& canvas, const MoustacheLook& look) {
 
 void DrawHairline(Canvas& canvas, const ScalpLook& look) {
   if (look.above_cm.empty()) return;
-  constexpr int kHairs = 900;
+  const int hairs = static_cast<int>(900 * look.ragged);
   for (const float side : {1.0F, -1.0F}) {
     Dice dice(side > 0 ? 31 : 32);
-    for (int i = 0; i < kHairs; ++i) DrawOnSide(canvas, HairlineHair(look, dice), side);
+    for (int i = 0; i < hairs; ++i) DrawOnSide(canvas, HairlineHair(look, dice), side);
   }
 }
 

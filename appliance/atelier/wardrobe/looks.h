@@ -66,7 +66,8 @@ struct MoustacheLook {
 // Painted skin under the hair, above a line: height over distance from the middle.
 struct ScalpLook {
   glm::vec3 colour{};
-  Knots above_cm;  // Empty: none.
+  Knots above_cm;    // Empty: none.
+  float ragged = 1;  // Of its edge: 0 is painted with a brush, 1 grows.
 };
 
 struct EyePaint {

@@ -77,8 +77,8 @@ MoustacheLook ReadMoustache(Section s) {
 }
 
 ScalpLook ReadScalp(Section s) {
-  s.AllowOnly({"colour", "above"});
-  return {Colour(s, "colour"), Pairs(s, "above")};
+  s.AllowOnly({"colour", "above", "ragged"});
+  return {Colour(s, "colour"), Pairs(s, "above"), Share(s, "ragged", 1)};
 }
 
 }  // namespace
