@@ -19,6 +19,7 @@ constexpr float kShow_per_s = 4;    // Needles come and go in a quarter of a sec
 constexpr float kChange_s = 0.25F;  // An expression that opening or closing calls.
 constexpr Duration kMessage = 4s;   // How long a message stands.
 constexpr float kLongestStep_s = 0.1F;
+constexpr float kLeastYield = 0.25F;  // Skin that gives way further is not forced to follow a pointer.
 constexpr glm::vec2 kPictureMiddle{0.5F, 0.5F};
 
 void CallWhole(performance::State& state, std::uint16_t expression, float fade_s) {
@@ -70,7 +71,7 @@ bool Needles::ObeyHand(const Command& command) {
       Did(session_.Pull(needle, command.by_m, command.gesture));
       return true;
     case Verb::kDrag:
-      if (chosen_ >= 0) Did(session_.Pull(needle, sight_.PullAlong(needle, command.a), command.gesture));
+      Drag(command);
       return true;
     case Verb::kScale:
       Did(session_.Scale(command.amount, command.gesture));
@@ -90,6 +91,14 @@ bool Needles::ObeyHand(const Command& command) {
     default:
       return false;
   }
+}
+
+// The skin goes where the pointer goes, though it gives way to its neighbours.
+void Needles::Drag(const Command& command) {
+  if (chosen_ < 0) return;
+  const auto needle = static_cast<std::size_t>(chosen_);
+  const float yield = std::max(session_.Yield(needle), kLeastYield);
+  Did(session_.Pull(needle, sight_.PullAlong(needle, command.a) / yield, command.gesture));
 }
 
 // What is pulled, and how it spreads.

@@ -67,6 +67,7 @@ class Needles {
   struct Situation;
   void Obey(const Command& command, Situation& now);
   bool ObeyHand(const Command& command);
+  void Drag(const Command& command);
   bool ObeyChoice(const Command& command);
   void ObeyKeeping(const Command& command, Situation& now);
   void Toggle(Situation& now);

@@ -56,6 +56,20 @@ void FindWays(std::size_t count, std::vector<float>& apart_m) {
     }
 }
 
+// The interpolant, where the points themselves lie. Edges of lips and lids follow wholly, a cheek by half.
+std::vector<float> FollowsOf(const face::ControlNet& net) {
+  const std::size_t count = net.points.size();
+  std::vector<float> follows(count * count);
+  for (std::size_t skin = 0; skin < count; ++skin)
+    for (auto i = net.surface.row_start[skin]; i < net.surface.row_start[skin + 1]; ++i) {
+      const std::size_t vertex = net.surface.column[i];
+      if (vertex >= net.to_cage.rows()) continue;
+      for (auto k = net.to_cage.row_start[vertex]; k < net.to_cage.row_start[vertex + 1]; ++k)
+        follows[skin * count + net.to_cage.column[k]] += net.surface.weight[i] * net.to_cage.weight[k];
+    }
+  return follows;
+}
+
 // Left and right alike to the bit, whatever order the ways were added up in.
 void Even(Points& points) {
   const auto mirrored = [&points](std::size_t i) {
@@ -80,6 +94,7 @@ Points PointsOf(const face::ControlNet& net) {
   JoinNeighbours(net, points.apart_m);
   FindWays(count, points.apart_m);
   Even(points);
+  points.follows = FollowsOf(net);
   return points;
 }
 

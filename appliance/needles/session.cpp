@@ -141,6 +141,13 @@ void Session::Replay(Change change, const Work& work) {
   if (change == Change::kKept) Keep(work);
 }
 
+float Session::Yield(std::size_t point) const {
+  float yield = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    yield += points_.Follows(point, i) * ShareAt(points_.Apart_m(i, point), spread.smooth);
+  return yield;
+}
+
 bool Session::Fits(const Work& work) const {
   const auto within = [](float lid) { return lid >= 0 && lid <= 1; };
   return work.pulls_m.size() == points_.size() && std::ranges::all_of(work.pulls_m, Finite) &&

@@ -53,6 +53,9 @@ class Session {
   // A change of an earlier session. Where `work` does not fit the control points, nothing happens.
   void Replay(Change change, const Work& work);
 
+  // How far the skin at the point goes with a pull of its needle, as pulls spread now: 1 is as far.
+  float Yield(std::size_t point) const;
+
   const Work& work() const { return history_.now(); }
   const Work& before() const { return history_.before(); }
   bool unsaved() const { return !(work() == saved_); }

@@ -163,8 +163,8 @@ TEST_F(NeedlePlay, ADragTakesTheNeedleWhereThePointerGoesAndIsOneStep) {
     for (int i = 0; i < 10; ++i) Drag({0, 0.003F});
     Release();
     const glm::vec2 moved = PlaceOf("CH") - before;
-    EXPECT_NEAR(moved.y, 0.03F, 0.012F) << "face " << face;
-    EXPECT_NEAR(moved.x, 0, 0.004F);
+    EXPECT_NEAR(moved.y, 0.03F, 0.002F) << "face " << face;
+    EXPECT_NEAR(moved.x, 0, 0.002F);
     EXPECT_EQ(needles_->session().undoable(), steps + 1);
   }
 }

@@ -8,6 +8,7 @@
 #include "appliance/atelier/sculpt/sculpt.h"
 #include "appliance/needles/own.h"
 #include "appliance/needles/session.h"
+#include "appliance/needles/sight.h"
 #include "render/face/composer.h"
 #include "tests/appliance/board_file.h"
 #include "tests/render/default_cast.h"
@@ -45,6 +46,33 @@ TEST(OwnExpression, IsTakenIntoAShowAsItStands) {
     for (int part = 0; part < 3; ++part)
       EXPECT_NEAR(own.displacement[i][part], session.work().pulls_m[i][part], 1e-6F)
           << cast.net.points[i].name << " " << part;
+}
+
+// On a real face a needle's neighbours hold the skin back; a drag makes up for it.
+TEST(Needle, GoesWithThePointerWhereverItSticks) {
+  face::Cast cast = DefaultCast();
+  face::Composer composer(cast);
+  needles::Session session(needles::PointsOf(cast.net));
+  needles::Sight sight(cast);
+  scene::Scene scene;
+  scene.weights.faces.Push(0, 1);
+  scene.weights.expressions.Push(1, 1);
+  const auto look = [&] {
+    cast.expressions[1].displacement = session.work().pulls_m;
+    composer.Renew(1);
+    sight.Look(cast, composer.Compose(scene.weights, face::Detail::kCage), scene, 16.0F / 9);
+  };
+  for (const bool smooth : {false, true})
+    for (const char* name : {"B2.l", "K3.r", "MC.l", "NT", "MO.r", "CH"}) {
+      session.Begin({.pulls_m = std::vector<glm::vec3>(cast.net.points.size())});
+      session.spread = {.mirror = true, .smooth = smooth};
+      const std::size_t point = PointNamed(cast, name);
+      look();
+      const glm::vec2 before = sight.place(point);
+      session.Pull(point, sight.PullAlong(point, {0, -0.01F}) / session.Yield(point));
+      look();
+      EXPECT_NEAR(sight.place(point).y - before.y, -0.01F, 0.002F) << name << (smooth ? ", smooth" : "");
+    }
 }
 
 // The budget of a frame has no more for it.
