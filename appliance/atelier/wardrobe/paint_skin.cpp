@@ -71,7 +71,8 @@ void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   const float ragged = 0.5F * Noise(p.x * 4, p.y * 0.7F) + 0.25F * Noise(p.x * 11, p.y) - 0.35F;
   const float above_cm = p.y - Table(look.above_cm, p.x) - ragged * look.ragged;
-  const float covered = 0.93F * SmoothStep(-0.25F, 0.1F + 0.7F * look.ragged, above_cm);
+  const float opaque = 1 - 0.07F * look.ragged;
+  const float covered = opaque * SmoothStep(-0.25F, 0.1F + 0.7F * look.ragged, above_cm);
   paint.Mix(covered, look.colour);
   paint.MixGloss(covered * (1 - look.ragged), 0.02F);
 }
