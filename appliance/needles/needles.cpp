@@ -129,9 +129,9 @@ bool Needles::ObeyChoice(const Command& command) {
 void Needles::ObeyKeeping(const Command& command, Situation& now) {
   switch (command.verb) {
     case Verb::kTake:
-      return Take(WorkOf(static_cast<std::uint16_t>(command.index), now.show));
+      return TakeFrom(static_cast<std::uint16_t>(command.index), now.show);
     case Verb::kTakeInPlay:
-      return Take(WorkOf(in_play_, now.show));
+      return TakeFrom(in_play_, now.show);
     case Verb::kPlace:
       return Take(shelf_.at(command.index));
     case Verb::kSave:
@@ -188,6 +188,15 @@ void Needles::Did(Change change) {
 void Needles::Take(const std::optional<Work>& work) {
   if (!work) return Say("there is no such expression");
   Did(session_.Take(*work));
+}
+
+void Needles::TakeFrom(std::uint16_t expression, const show::Show& show) {
+  Take(WorkOf(expression, show));
+  WarnOfResidual(expression, show);
+}
+
+void Needles::WarnOfResidual(std::uint16_t expression, const show::Show& show) {
+  if (!show.cast.expressions[expression].residual.empty()) Say("what no needle can say of it is left out");
 }
 
 // Nothing for one that is no expression, or that no key calls any more.

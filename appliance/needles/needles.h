@@ -76,6 +76,8 @@ class Needles {
   void CallPlace(int place, Situation& now);
   void Did(Change change);
   void Take(const std::optional<Work>& work);
+  void TakeFrom(std::uint16_t expression, const show::Show& show);
+  void WarnOfResidual(std::uint16_t expression, const show::Show& show);
   std::optional<Work> WorkOf(std::uint16_t expression, const show::Show& show) const;
   void Save(bool as_new);
   void NameAndSave(const std::string& name, bool as_new);

@@ -1,88 +1,8 @@
 // What the needles keep: the journal and the folder of own expressions, and disks that are full or torn.
-#include <gmock/gmock.h>
-#include <sys/resource.h>
-
-#include <csignal>
-#include <fstream>
-#include <random>
-#include <sstream>
-
-#include "appliance/needles/scribe.h"
-#include "tests/appliance/board_file.h"
-#include "tests/render/synthetic_cast.h"
+#include "tests/appliance/needles_keeping_fixture.h"
 
 namespace kaori::testing {
 namespace {
-
-using needles::Change;
-using needles::Journal;
-using needles::News;
-using needles::Work;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-
-constexpr std::uint64_t kCast = 77;  // Some fingerprint.
-
-// While it lives, no file of this process grows beyond `bytes`: what a full disk is to a writer.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
- private:
-  void (*signal_)(int);
-  rlimit before_{};
-};
-
-class NeedleKeeping : public ::testing::Test {
- protected:
-  Work Some(const std::string& name, int place, unsigned seed = 1) const {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> part(-0.02F, 0.02F);
-    Work work{.lids = {0.25F, 0.5F}, .name = name, .place = place};
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      work.pulls_m.push_back({part(random), part(random), part(random)});
-    return work;
-  }
-
-  std::filesystem::path journal() const { return folder_.folder() / "needles.journal"; }
-  std::filesystem::path own() const { return folder_.folder() / "own"; }
-  Journal::Opened Open(std::uint64_t cast = kCast) const {
-    return std::move(Journal::Open(journal(), cast).value());
-  }
-  void Append(const std::vector<needles::Record>& records) const {
-    auto opened = Open();
-    std::vector<std::uint8_t> bytes;
-    for (const auto& record : records) needles::Encode(record, bytes);
-    ASSERT_TRUE(opened.journal.Append(bytes));
-  }
-  void Put(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories(own());
-    std::ofstream(own() / name) << text;
-  }
-  std::vector<std::string> FilesOf(const std::filesystem::path& folder) const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      names.push_back(entry.path().filename());
-    std::ranges::sort(names);
-    return names;
-  }
-  needles::Stored Read() const { return needles::ReadStore(own(), points_, cast_); }
-
-  board::BoardFile folder_;
-  face::Cast cast_ = MakeSyntheticCast({.columns = 16, .rows = 12});
-  needles::Points points_ = needles::PointsOf(cast_.net);
-};
 
 TEST_F(NeedleKeeping, AJournalGivesBackWhatWasWrittenIntoIt) {
   Append({{Change::kBegun, Some("", -1)}, {Change::kPushed, Some("a", 3, 2)}});
@@ -124,6 +44,27 @@ TEST_F(NeedleKeeping, AJournalWithAFlippedBitEndsBeforeIt) {
   file.put('\x5A');
   file.close();
   EXPECT_EQ(Open().records.size(), 1U);
+}
+
+TEST_F(NeedleKeeping, NoDamageToAJournalOrAFileIsMoreThanALoss) {
+  std::vector<std::uint8_t> journal;
+  for (unsigned i = 0; i < 4; ++i) needles::Encode({Change::kPushed, Some("a", 1, i)}, journal);
+  const std::string text = needles::WriteOwn(Some("a", 1), points_);
+  std::mt19937 random(9);
+  for (int i = 0; i < 2000; ++i) {
+    auto bytes = journal;
+    for (unsigned k = 0; k <= random() % 4; ++k)
+      bytes[random() % bytes.size()] = static_cast<std::uint8_t>(random());
+    bytes.resize(random() % (bytes.size() + 1));
+    const auto decoded = needles::Decode(bytes);
+    ASSERT_LE(decoded.sound_bytes, bytes.size());
+    for (const auto& record : decoded.records) ASSERT_EQ(record.work.pulls_m.size(), points_.size());
+    std::string damaged = text;
+    for (unsigned k = 0; k <= random() % 3; ++k)
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    const auto read = needles::ReadOwn(damaged, "file", points_, cast_);
+    ASSERT_TRUE(!read || needles::Session(points_).Take(*read) == Change::kTaken) << damaged;
+  }
 }
 
 TEST_F(NeedleKeeping, AJournalOfAnotherCastIsKeptAside) {
@@ -214,76 +155,6 @@ TEST_F(NeedleKeeping, AFaultyFileIsNamedAndKeptAsideAndTheRestIsRead) {
                                           "03-far.toml.faulty", "04-nameless.toml.faulty", "05-good.toml",
                                           "06-twice.toml.faulty", "07-lids.toml.faulty", "notes.txt"));
   EXPECT_THAT(Read().complaints, IsEmpty()) << "they are named once";
-}
-
-class NeedleScribe : public NeedleKeeping {
- protected:
-  std::unique_ptr<needles::Scribe> Begin() {
-    return std::make_unique<needles::Scribe>(std::move(Open().journal), own(), points_);
-  }
-  std::vector<News::Kind> KindsOf(const std::vector<News>& news) const {
-    std::vector<News::Kind> kinds;
-    for (const News& item : news) kinds.push_back(item.kind);
-    return kinds;
-  }
-};
-
-TEST_F(NeedleScribe, WritesTheJournalAndTheFiles) {
-  auto scribe = Begin();
-  scribe->Note(Change::kBegun, Some("", -1));
-  scribe->Note(Change::kPushed, Some("a", 0, 2));
-  scribe->Save(Some("a", 0, 2));
-  scribe->Finish();
-  ASSERT_TRUE(scribe->has_news());
-  EXPECT_THAT(KindsOf(scribe->TakeNews()), ElementsAre(News::Kind::kSaved));
-  EXPECT_FALSE(scribe->has_news());
-  scribe.reset();
-  EXPECT_EQ(Open().records.size(), 2U);
-  EXPECT_TRUE(Read().places[0]);
-}
-
-TEST_F(NeedleScribe, KeepsOneRecordOfAGestureThatGoesOn) {
-  auto scribe = Begin();
-  scribe->Note(Change::kBegun, Some("", -1));
-  scribe->Finish();
-  scribe->Note(Change::kPushed, Some("", -1, 2));
-  for (unsigned i = 0; i < 100; ++i) scribe->Note(Change::kReplaced, Some("", -1, 3 + i));
-  scribe.reset();
-  const auto records = Open().records;
-  EXPECT_LE(records.size(), 3U);
-  EXPECT_EQ(records.back().work, Some("", -1, 102));
-}
-
-TEST_F(NeedleScribe, ForgetsWhatWasBeforeANewBeginning) {
-  auto scribe = Begin();
-  for (unsigned i = 0; i < 50; ++i) scribe->Note(Change::kPushed, Some("", -1, i));
-  scribe->Note(Change::kBegun, Some("", -1, 99));
-  scribe.reset();
-  const auto records = Open().records;
-  ASSERT_EQ(records.size(), 1U);
-  EXPECT_EQ(records[0].work, Some("", -1, 99));
-}
-
-TEST_F(NeedleScribe, WorksInMemoryOnAFullDiskAndWritesAllWhenThereIsRoom) {
-  auto scribe = Begin();
-  scribe->Note(Change::kBegun, Some("", -1));
-  scribe->Finish();
-  {
-    const SmallDisk full(std::filesystem::file_size(journal()));
-    for (unsigned i = 0; i < 5; ++i) scribe->Note(Change::kPushed, Some("a", 0, i));
-    scribe->Save(Some("a", 0, 4));
-    scribe->Finish();
-    scribe->Finish();
-    const auto news = scribe->TakeNews();
-    EXPECT_THAT(KindsOf(news), ElementsAre(News::Kind::kFailing)) << "said once";
-    EXPECT_THAT(news[0].text, HasSubstr("too large"));
-    EXPECT_FALSE(Read().places[0]);
-  }
-  scribe->Finish();
-  EXPECT_THAT(KindsOf(scribe->TakeNews()), ElementsAre(News::Kind::kSaved, News::Kind::kWorking));
-  scribe.reset();
-  EXPECT_EQ(Open().records.size(), 6U);
-  EXPECT_TRUE(Read().places[0]);
 }
 
 }  // namespace
