@@ -8,6 +8,7 @@
 #include "appliance/performance/life.h"
 #include "appliance/performance/mouth.h"
 #include "appliance/performance/takes.h"
+#include "render/face/jaw.h"
 
 namespace kaori::performance {
 namespace {
@@ -113,6 +114,7 @@ void Weigh(State& state, const board::Snapshot& board, const show::Show& show, c
   weights.channels = motion.channels;
   AddBrowsAndLids(state, show.channels, scene.gaze[0], weights.channels);
   MoveMouth(state, board.lips, show.channels, weights, dt_s);
+  face::LimitJaw(show.cast, weights);
   const auto shut = Lids(state, board.keys.value, dt_s);
   for (std::size_t eye = 0; eye < shut.size(); ++eye)
     weights.lids_shut[eye] = std::clamp(std::max(shut[eye], motion.lids), 0.0F, 1.0F);

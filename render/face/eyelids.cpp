@@ -39,9 +39,20 @@ float FromCorner(const LidRig& rig, int column) {
   return std::min(static_cast<float>(columns) / (kNearCorner * static_cast<float>(rig.columns - 1)), 1.0F);
 }
 
-void ShutColumn(const LidRig& rig, int column, float shut, std::span<glm::vec3> cage) {
+// From the upper margin to the lower one.
+glm::vec3 Gap(const LidRig& rig, int column, std::span<const glm::vec3> cage) {
   const std::size_t margin = At(rig, rig.margin_ring, column);
-  const glm::vec3 gap = cage[rig.lower[margin]] - cage[rig.upper[margin]];
+  return cage[rig.lower[margin]] - cage[rig.upper[margin]];
+}
+
+// From the skin above the eye to the skin below it.
+glm::vec3 Down(const LidRig& rig, std::span<const glm::vec3> cage) {
+  const std::size_t middle = At(rig, 0, rig.columns / 2);
+  return cage[rig.lower[middle]] - cage[rig.upper[middle]];
+}
+
+void ShutColumn(const LidRig& rig, int column, float shut, std::span<glm::vec3> cage) {
+  const glm::vec3 gap = Gap(rig, column, cage);
   const float t = FromCorner(rig, column);
   const float way = std::lerp(kUpperWayAtCorner, kUpperWay, t);
   const glm::vec3 down = gap * (shut * way);
@@ -66,9 +77,13 @@ void PushOut(glm::vec3& vertex, const glm::vec3& centre, float radius_m) {
 }
 
 void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage) {
-  if (!(shut > 0)) return;
+  if (rig.rings == 0) return;
+  const glm::vec3 down = Down(rig, cage);
   // The corners of the eye, the first and the last column, stay.
-  for (int column = 1; column + 1 < rig.columns; ++column) ShutColumn(rig, column, shut, cage);
+  for (int column = 1; column + 1 < rig.columns; ++column) {
+    const bool crossed = glm::dot(Gap(rig, column, cage), down) < 0;
+    if (shut > 0 || crossed) ShutColumn(rig, column, crossed ? 1 : shut, cage);
+  }
 }
 
 void SeatLids(const LidRig& rig, const EyeBall& ball, std::span<glm::vec3> cage) {

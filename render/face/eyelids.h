@@ -10,7 +10,8 @@
 namespace kaori::face {
 
 // Moves the two margins of an eye towards each other, `shut` 0 (as the face has them) .. 1 (they meet), and
-// the rings around them along. The upper lid goes most of the way, as lids do. Seat them afterwards.
+// the rings around them along. The upper lid goes most of the way, as lids do. Where an expression has taken
+// one past the other, they meet. Seat them afterwards.
 void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage);
 
 // Pushes every lid vertex that is too near the ball out of it: the margin to the lid's thickness, the rings

@@ -30,6 +30,7 @@ std::vector<bool> RigidVertices(const face::Topology& topology) {
 
 std::vector<float> FineOcclusion(const face::Topology& topology, const face::Face& face) {
   const face::SparseRows& rows = topology.fine.attributes_from_cage;
+  if (face.occlusion.empty()) return std::vector<float>(rows.rows(), 1.0F);  // Open everywhere.
   std::vector<float> open(rows.rows());
   for (std::size_t v = 0; v < rows.rows(); ++v) {
     for (std::uint32_t k = rows.row_start[v]; k < rows.row_start[v + 1]; ++k) {
