@@ -68,11 +68,13 @@ Result<BackdropPass> BackdropPass::Open(const face::Cast& cast) {
   pass.pictures_.resize(cast.textures.size());
   if (auto ok = pass.AddKinds(); !ok) return tl::unexpected(ok.error());
   if (auto ok = pass.AddMixes(); !ok) return tl::unexpected(ok.error());
-  for (Drop& drop : pass.drops_) {
-    auto target = gl::Target::Make(
-        {.width_px = kDropWidth_px, .height_px = kDropHeight_px, .texels = gl::Texels::kRgb10});
-    if (!target) return tl::unexpected(target.error());
-    drop.target = std::move(*target);
+  constexpr gl::TextureOptions kSmall{
+      .width_px = kDropWidth_px, .height_px = kDropHeight_px, .texels = gl::Texels::kRgb10};
+  for (gl::Target* target : {&pass.small_, &pass.drops_[0].target, &pass.drops_[1].target,
+                             &pass.drops_[2].target, &pass.drops_[3].target}) {
+    auto made = gl::Target::Make(kSmall);
+    if (!made) return tl::unexpected(made.error());
+    *target = std::move(*made);
   }
   return pass;
 }
@@ -141,7 +143,7 @@ std::size_t BackdropPass::DropOf(const scene::Backdrop& backdrop, const Mixture&
   return static_cast<std::size_t>(drop - drops_.begin());
 }
 
-void BackdropPass::MixDrops(const Mixture& mixture) {
+const gl::Texture& BackdropPass::MixDrops(const Mixture& mixture) {
   glm::vec4 weights{};
   std::array<std::size_t, kDrops> drops{};
   int count = 0;
@@ -150,14 +152,24 @@ void BackdropPass::MixDrops(const Mixture& mixture) {
     drops[static_cast<std::size_t>(count)] = DropOf(m.backdrop, mixture);
     weights[count++] = m.weight;
   }
+  if (count == 1) return drops_[drops[0]].target.texture();
   for (unsigned unit = 0; unit < kDrops; ++unit) drops_[drops[unit]].target.texture().Bind(unit);
-  const Mix& mix = mixes_[count <= 2 ? static_cast<std::size_t>(count - 1) : 2];
-  whole_.Begin();
-  gl::Apply({.depth = gl::Depth::kOff});
+  const Mix& mix = mixes_[count == 2 ? 1 : 2];
+  small_.Begin();
   mix.program.Use();
-  const float aspect = static_cast<float>(whole_.width_px()) / static_cast<float>(whole_.height_px());
-  gl::Program::Set(mix.cover, Cover(aspect, kDropAspect));
+  gl::Program::Set(mix.cover, glm::vec2(1));
   gl::Program::Set(mix.weights, weights);
+  everywhere_.Draw();
+  return small_.texture();
+}
+
+void BackdropPass::Enlarge(const gl::Texture& drop) {
+  const Mix& enlarge = mixes_.front();
+  whole_.Begin();
+  drop.Bind(0);
+  enlarge.program.Use();
+  const float aspect = static_cast<float>(whole_.width_px()) / static_cast<float>(whole_.height_px());
+  gl::Program::Set(enlarge.cover, Cover(aspect, kDropAspect));
   everywhere_.Draw();
 }
 
@@ -167,7 +179,8 @@ void BackdropPass::Prepare(const scene::Scene& scene, int width_px, int height_p
   if (!new_size && version_ > 0 && std::ranges::equal(mixture, mixed_, Same)) return;
   mixed_ = mixture;
   ++version_;
-  if (whole_.width_px() > 0) MixDrops(mixture);
+  gl::Apply({.depth = gl::Depth::kOff});
+  if (whole_.width_px() > 0) Enlarge(MixDrops(mixture));
 }
 
 void BackdropPass::Rehearse(std::size_t number) {

@@ -58,14 +58,16 @@ class BackdropPass {
   bool Has(int picture) const;
   void SetPicture(const Kind& kind, int picture);
   std::size_t DropOf(const scene::Backdrop& backdrop, const Mixture& mixture);
-  void MixDrops(const Mixture& mixture);
+  const gl::Texture& MixDrops(const Mixture& mixture);
+  void Enlarge(const gl::Texture& drop);
 
   const face::Cast* cast_ = nullptr;
   std::array<Kind, scene::kBackdropKindCount> kinds_;
-  std::array<Mix, 3> mixes_;  // Of 1, 2 and 4 drops.
+  std::array<Mix, 3> mixes_;  // Of 1, 2 and 4 drops; the first enlarges.
   gl::Mesh everywhere_;
   std::array<Drop, kDrops> drops_;
   std::vector<gl::Texture> pictures_;  // Those of the cast that were asked for.
+  gl::Target small_;                   // Several drops, mixed.
   gl::Target whole_;
   Mixture mixed_{};
   std::uint64_t version_ = 0;
