@@ -8,6 +8,7 @@ const kTab = 0x2b, kEscape = 0x29, kShift = 0xe1;
 
 // What is written on a tool, its key, what it does, and the usages that it holds.
 const kTools = [
+  ['Keys', 'H', 'all of them in the picture, or few', [0x0b]],
   ['Mirror', 'M', 'both sides together', [0x10]],
   ['Smooth', 'S', 'the skin about a needle follows', [0x16]],
   ['Zero', '⌫', 'this needle back to its rest', [0x2a]],
