@@ -11,7 +11,7 @@ Json Findings(const inspect::Inspection& looks) {
   Json list = Json::array();
   for (const inspect::Finding& finding : looks.findings)
     list.push_back({{"face", finding.face},
-                    {"expression", finding.expression},
+                    {"pose", finding.pose},
                     {"count", finding.count},
                     {"measure", finding.measure},
                     {"says", Say(finding)}});

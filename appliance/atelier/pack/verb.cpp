@@ -12,18 +12,25 @@ constexpr int kMisused = 2;
 
 constexpr std::string_view kHead = "kaori-atelier: makes shows\n\n";
 constexpr std::string_view kFoot = R"(
-  kaori-atelier VERB --help    more about one verb
+  kaori-atelier VERB --help    more about one verb, and its options
 
 Every fault of the authoring files is named with file, item and reason, all at once. A file is written whole or not
 at all. Exit status: 0 done, 1 not done, 2 the command line makes no sense.
 )";
 
+// Without its options: they stand on the verb's own page.
+std::string CallOf(const Verb& verb) {
+  std::string call(verb.name);
+  for (const std::string_view word : verb.words) call += fmt::format(" {}", word);
+  return call;
+}
+
 std::string HelpPage(std::span<const Verb> verbs) {
   std::size_t width = 0;
-  for (const Verb& verb : verbs) width = std::max(width, UsageOf(verb).size());
+  for (const Verb& verb : verbs) width = std::max(width, CallOf(verb).size());
   std::string page(kHead);
   for (const Verb& verb : verbs)
-    page += fmt::format("  kaori-atelier {:<{}}  {}\n", UsageOf(verb), width, verb.summary);
+    page += fmt::format("  kaori-atelier {:<{}}  {}\n", CallOf(verb), width, verb.summary);
   return page.append(kFoot);
 }
 
@@ -54,8 +61,7 @@ int RunVerb(const Verb& verb, std::span<char* const> args) {
 }  // namespace
 
 std::string UsageOf(const Verb& verb) {
-  std::string usage(verb.name);
-  for (const std::string_view word : verb.words) usage += fmt::format(" {}", word);
+  std::string usage = CallOf(verb);
   for (const Option& option : verb.options)
     usage += option.value.empty() ? fmt::format(" [{}]", option.name)
                                   : fmt::format(" [{} {}]", option.name, option.value);
