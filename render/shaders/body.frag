@@ -22,5 +22,6 @@ void main() {
 #if TEXTURES > 2
   skin += weights.z * SkinAt(texture2, rest.xy) + weights.w * SkinAt(texture3, rest.xy);
 #endif
-  colour = vec4(sqrt(skin.rgb * lit.rgb + (lit.a + skin.a * rest.z)), 1.0);
+  vec3 light = skin.rgb * lit.rgb + (lit.a + skin.a * rest.z);
+  colour = vec4(sqrt(max(light, 0.0)), 1.0);  // Beyond a triangle's edge light may fall below 0.
 }

@@ -18,5 +18,5 @@ void main() {
   if (left <= 0.0) discard;
   present = clamp(left * 12.0, 0.0, 1.0);
 #endif
-  colour = vec4(sqrt(c), present);
+  colour = vec4(sqrt(max(c, 0.0)), present);  // Beyond a triangle's edge light may fall below 0.
 }

@@ -1,3 +1,3 @@
 in vec3 lit;
 layout(location = 0) out vec4 colour;
-void main() { colour = vec4(sqrt(lit), 1.0); }
+void main() { colour = vec4(sqrt(max(lit, 0.0)), 1.0); }
