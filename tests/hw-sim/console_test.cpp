@@ -15,8 +15,6 @@
 #include "hw-sim/console/held.h"
 #include "hw-sim/console/jpeg.h"
 #include "hw-sim/console/labels.h"
-#include "hw-sim/console/needles_watch.h"
-#include "hw-sim/console/page.h"
 #include "hw-sim/console/rate.h"
 
 namespace kaori::console {
@@ -259,83 +257,6 @@ TEST_F(ConsoleDialValues, AreFilledByAPushOnce) {
 TEST_F(ConsoleDialValues, AreUnknownWhereNoLabelTellsOfThem) {
   values_.Follow(box_, keyboard_);
   EXPECT_FALSE(values_.value(1));
-}
-
-TEST(ConsolePage, CarriesItsFilesAndNothingElse) {
-  ASSERT_NE(FindPageFile("/"), nullptr);
-  EXPECT_THAT(std::string(FindPageFile("/")->bytes), HasSubstr("<title>"));
-  ASSERT_NE(FindPageFile("/main.js"), nullptr);
-  EXPECT_EQ(FindPageFile("/main.js")->content_type, "text/javascript; charset=utf-8");
-  EXPECT_EQ(FindPageFile("/../console.cpp"), nullptr);
-}
-
-TEST(ConsolePage, AsksNobodyElseForAnything) {
-  for (const char* path : {"/", "/style.css", "/main.js", "/wire.js", "/needles.js"}) {
-    const std::string text(FindPageFile(path)->bytes);
-    EXPECT_EQ(text.find("://"), std::string::npos) << path << " has an address of another machine";
-  }
-}
-
-TEST(ConsolePage, IsSmall) {
-  std::size_t bytes = 0;
-  for (const char* path :
-       {"/", "/style.css", "/icon.svg", "/main.js", "/wire.js", "/drag.js", "/face.js", "/dials.js",
-        "/buttons.js", "/sticks.js", "/keys.js", "/lips.js", "/cables.js", "/needles.js"}) {
-    ASSERT_NE(FindPageFile(path), nullptr) << path;
-    bytes += FindPageFile(path)->bytes.size();
-  }
-  EXPECT_LT(bytes, 200'000U);
-}
-
-// Somebody at the keyboard, and a stage at the screen.
-class ConsoleNeedles : public ::testing::Test {
- protected:
-  void PressTab() {
-    Look({.tab_held = true});
-    Look({.tab_held = true});
-    Look({});
-  }
-  void Look(NeedlesWatch::Seen seen) {
-    seen.keyboard_heard = heard_;
-    seen.screen_drawn = drawn_;
-    seen.screen_plugged = plugged_;
-    watch_.Follow(seen);
-  }
-
-  NeedlesWatch watch_;
-  bool heard_ = true, drawn_ = true, plugged_ = true;
-};
-
-TEST_F(ConsoleNeedles, AreOpenedAndShutByTab) {
-  EXPECT_FALSE(watch_.open());
-  PressTab();
-  EXPECT_TRUE(watch_.open());
-  PressTab();
-  EXPECT_FALSE(watch_.open());
-}
-
-TEST_F(ConsoleNeedles, StayShutWhenNobodyHearsTheKeyboard) {
-  heard_ = false;
-  PressTab();
-  EXPECT_FALSE(watch_.open());
-}
-
-TEST_F(ConsoleNeedles, AreShutWithANewStage) {
-  PressTab();
-  drawn_ = false;
-  Look({});
-  EXPECT_FALSE(watch_.open());
-}
-
-TEST_F(ConsoleNeedles, StayOpenWhenOnlyTheScreensCableIsPulled) {
-  PressTab();
-  drawn_ = plugged_ = false;
-  Look({});
-  plugged_ = true;
-  Look({});
-  drawn_ = true;
-  Look({});
-  EXPECT_TRUE(watch_.open());
 }
 
 TEST(ConsoleRate, IsCountedOverASecond) {
