@@ -63,7 +63,7 @@ Idle Live(State& state, float amount, float dt_s) {
   Idle idle;
   idle.breath = amount * breath;
   idle.head.yaw_rad = amount * (0.022F * Wave(t, 0.11F, 0.2F) + 0.010F * Wave(t, 0.31F, 0.7F));
-  idle.head.pitch_rad = amount * (0.012F * Wave(t, 0.13F, 0.5F) + 0.006F * breath);
+  idle.head.pitch_rad = amount * (0.012F * Wave(t, 0.13F, 0.5F) + 0.010F * breath);
   idle.head.roll_rad = amount * 0.014F * Wave(t, 0.083F, 0.9F);
   const float free = amount * (1 - HandOnGaze(state));
   // The eyes stay on the house while the head sways.
