@@ -221,6 +221,17 @@ TEST(Import, NamesEveryFaultOfEveryFile) {
   EXPECT_THAT(made.error().attempt, HasSubstr("him.fbx: "));
 }
 
+TEST(Import, TellsThatAHeadWithoutShapesHoldsStillAndNamesHeadsApart) {
+  const TemporaryFolder folder;
+  Model head = ExportedHead();
+  head.targets.clear();
+  WriteGlb(folder.path() / "her.glb", head);
+  const auto made = Import({folder.path() / "her.glb", folder.path() / "her.glb"}, nullptr, {});
+  ASSERT_TRUE(made) << made.error().message();
+  EXPECT_THAT(Text(made->report), HasSubstr("it has no shapes"));
+  EXPECT_EQ(made->heads.cast.faces[1].name, "her-2");
+}
+
 TEST(Import, NamesFacesOfTheLookThatTheShowLacks) {
   const TemporaryFolder folder;
   WriteGlb(folder.path() / "her.glb", ExportedHead());

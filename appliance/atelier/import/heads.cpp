@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -68,6 +69,14 @@ Head MakeHead(const Model& model, const Heads& heads, float eyes_z_m) {
   return head;
 }
 
+// Two files may have one name: woman.glb, woman.obj.
+std::string FreeName(const Heads& heads, const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; std::ranges::find(heads.heads, name, &Head::name) != heads.heads.end(); ++number)
+    name = fmt::format("{}-{}", wanted, number);
+  return name;
+}
+
 Offsets OnSkin(const Heads& heads, const Offsets& offsets) {
   Offsets on_skin;
   for (const Index v : heads.skin) on_skin.push_back(offsets[v]);
@@ -113,7 +122,11 @@ Heads TakeApart(const std::vector<Model>& models, float eyes_z_m, Findings& find
   for (const Triangle& t : first.triangles)
     if (!IsEye(heads.parts[t[0]])) skin.push_back(t);
   CheckUnfolding(first, skin, findings);
-  for (const Model& model : models) heads.heads.push_back(MakeHead(model, heads, eyes_z_m));
+  for (const Model& model : models) {
+    Head head = MakeHead(model, heads, eyes_z_m);
+    head.name = FreeName(heads, head.name);
+    heads.heads.push_back(std::move(head));
+  }
   AddShapes(first, heads);
   std::vector<std::optional<Meaning>> meanings;
   for (const Shape& shape : heads.shapes) meanings.push_back(shape.meaning);

@@ -74,6 +74,8 @@ class Importing {
     Remark(fmt::format("{}: {} vertices, {} triangles, {} targets, {} presets", first.file,
                        first.positions.size(), first.triangles.size(), first.targets.size(),
                        first.presets.size()));
+    if (first.targets.empty())
+      Remark("it has no shapes: the face holds still; name first a file of the same mesh that has some");
     Remark(fmt::format("skin: {} vertices, {} triangles", heads_.skin.size(), heads_.triangles.size()));
     for (const PartOf part :
          {PartOf::kLeftEye, PartOf::kRightEye, PartOf::kUpperTeeth, PartOf::kLowerTeeth, PartOf::kTongue})

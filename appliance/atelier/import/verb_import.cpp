@@ -18,7 +18,8 @@ namespace {
 
 constexpr const char* kPage = R"(
 Reads glTF 2.0 (.glb, .gltf) and OBJ with texture coordinates. The first FILE has the shapes (morph targets); all files
-have its vertices in its order, and become the faces of one cast, named as the files.
+have its vertices in its order, and become the faces of one cast, named as the files. A file without shapes that comes
+alone holds still.
 
   --out      a pack (NAME.kaori) with the heads, or a folder: heads.kaori, report.txt, report.json and, with --show,
              show.kaori
