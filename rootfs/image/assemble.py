@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Makes the box's root: what keep.txt names of Debian's packages, our programs, our own files, and every library
+that any of these links to.
+
+    assemble.py PACKAGES KEEP OVERLAY ROOT PROGRAM...
+"""
+
+import fnmatch
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+MERGED = ("bin", "sbin", "lib", "lib64")  # Folders of the root that are names of folders in usr.
+LIBRARIES = "usr/lib/x86_64-linux-gnu"
+MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var", "data")
+
+
+def merged(path):
+    """The path of a package's file in a root whose programs all lie in usr."""
+    return f"usr/{path}" if path.split("/", 1)[0] in MERGED else path
+
+
+def index(packages):
+    """Every file and link of the packages: its path in the box -> its path here."""
+    found = {}
+    for folder, folders, files in os.walk(packages):
+        for name in files + [f for f in folders if os.path.islink(os.path.join(folder, f))]:
+            path = os.path.join(folder, name)
+            found[merged(os.path.relpath(path, packages))] = path
+    return found
+
+
+def chosen(keep, files):
+    for line in Path(keep).read_text().splitlines():
+        pattern = line.strip().lstrip("/")
+        if not pattern or line.startswith("#"):
+            continue
+        names = fnmatch.filter(files, pattern)
+        if not names:
+            sys.exit(f"{keep}: no package has {line}")
+        yield from names
+
+
+def needed(path):
+    """The libraries that an ELF file links to, by name, and the loader of a program, by path."""
+    with open(path, "rb") as file:
+        if file.read(4) != b"\x7fELF":
+            return []
+    shown = subprocess.run(["readelf", "-dl", path], capture_output=True, text=True, check=True).stdout
+    names = [line.split("[", 1)[1].rstrip("]") for line in shown.splitlines() if "(NEEDED)" in line]
+    return names + [line.split(": ", 1)[1].rstrip("]")
+                    for line in shown.splitlines() if "program interpreter" in line]
+
+
+def find_library(name, files):
+    if name.startswith("/"):
+        return merged(name.lstrip("/"))
+    for folder in (LIBRARIES, "usr/lib/x86_64-linux-gnu/systemd", "usr/lib64", "usr/lib"):
+        if f"{folder}/{name}" in files:
+            return f"{folder}/{name}"
+    return sys.exit(f"no package has the library {name}")
+
+
+def with_libraries(names, programs, files):
+    """The names, and everything they link to; a link brings what it points to."""
+    kept = set()
+    waiting = list(names)
+    for program in programs:
+        waiting += [find_library(name, files) for name in needed(program)]
+    while waiting:
+        name = waiting.pop()
+        if name in kept:
+            continue
+        kept.add(name)
+        path = files[name]
+        if os.path.islink(path):
+            target = os.readlink(path)
+            target = merged(target.lstrip("/")) if target.startswith("/") else \
+                os.path.normpath(os.path.join(os.path.dirname(name), target))
+            waiting.append(target)
+        else:
+            waiting += [find_library(library, files) for library in needed(path)]
+    return sorted(kept)
+
+
+def copy(names, files, root):
+    """Names of one file stay names of one file."""
+    copies = {}
+    for name in names:
+        path, target = files[name], root / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        state = os.lstat(path)
+        if os.path.islink(path):
+            os.symlink(os.readlink(path), target)
+        elif state.st_ino in copies:
+            os.link(copies[state.st_ino], target)
+        else:
+            shutil.copy2(path, target)
+            copies[state.st_ino] = target
+
+
+def install(programs, root):
+    for program in programs:
+        target = root / "usr/bin" / Path(program).name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["strip", "-o", target, program], check=True)
+        target.chmod(0o755)
+
+
+def main():
+    packages, keep, overlay, root, *programs = sys.argv[1:]
+    root = Path(root)
+    files = index(packages)
+    shutil.rmtree(root, ignore_errors=True)
+    for name in MOUNT_POINTS:
+        (root / name).mkdir(parents=True)
+    for name in MERGED:
+        (root / name).symlink_to(f"usr/{name}")
+        (root / "usr" / name).mkdir(parents=True, exist_ok=True)
+    copy(with_libraries(chosen(keep, files), programs, files), files, root)
+    install(programs, root)
+    shutil.copytree(overlay, root, symlinks=True, dirs_exist_ok=True)
+
+
+main()

@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Starts the box's image in QEMU, with a simulated screen and no acceleration: boot.py IMAGE_FOLDER [options]
+
+    --shot FILE.png   wait until the first face is on the screen, write a picture of the screen, and end
+    --trace           say on the way where the time goes, from the start of QEMU to the first face; then end
+    --size 960x540    of the screen
+    --memory MIB      of the machine (512)
+"""
+
+import argparse
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+# The guest draws by itself; with newer processors' instructions emulation is many times slower.
+MACHINE = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-no-reboot", "-vga", "none")
+TOLD = "console=ttyS0 loglevel=6 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=1"
+# What the serial line says -> what it means. In this order.
+MARKS = (
+    ("the kernel speaks", r"Linux version"),
+    ("the first program runs", r"systemd 252|systemd\[1\]: "),
+    ("the stage starts", r"Starting .*kaori-stage"),
+    ("its shaders and show are ready", r"is (opened|resumed) on"),
+    ("the first face is on the screen", r"Started .*kaori-stage"),
+)
+LONGEST_S = 240
+
+
+def qemu(args, folder):
+    width, height = args.size.split("x")
+    images = args.images
+    told = (images / "cmdline").read_text().strip()
+    # Whatever the box is asked to say, its own words come last: the last one counts.
+    told = told.replace(" quiet loglevel=3", "") + " " + TOLD if args.trace or args.shot else told
+    initramfs = ["-initrd", images / "initramfs"] if (images / "initramfs").exists() else []
+    return ["qemu-system-x86_64", *MACHINE, *initramfs, "-m", str(args.memory),
+            "-display", "gtk" if "DISPLAY" in os.environ and not args.shot else "none",
+            "-kernel", images / "bzImage", "-append", told,
+            "-drive", f"file={images / 'kaori.disk'},if=virtio,format=raw,snapshot=on",
+            "-device", f"virtio-gpu-pci,xres={width},yres={height}", "-device", "qemu-xhci",
+            "-serial", "stdio", "-qmp", f"unix:{folder}/qmp,server=on,wait=off"]
+
+
+def screendump(folder, picture):
+    with socket.socket(socket.AF_UNIX) as link:
+        link.connect(f"{folder}/qmp")
+        lines = link.makefile("rw")
+        lines.readline()
+        for command in ({"execute": "qmp_capabilities"},
+                        {"execute": "screendump", "arguments": {"filename": str(picture), "format": "png"}}):
+            lines.write(json.dumps(command) + "\n")
+            lines.flush()
+            answer = json.loads(lines.readline())
+            if "error" in answer:
+                sys.exit(f"boot: {answer['error']['desc']}")
+
+
+def follow(machine, began, trace, log):
+    """Reads the serial line until the last mark, or the end; the seconds of the marks that came by."""
+    seen = {}
+    for line in machine.stdout:
+        log.write(line)
+        now = time.monotonic() - began
+        for name, words in MARKS:
+            if name in seen or not re.search(words, line):
+                continue
+            seen[name] = now
+            if trace:
+                print(f"{now:7.2f} s  {name}", flush=True)
+        if MARKS[-1][0] in seen or now > LONGEST_S:
+            break
+    return seen
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("images", type=Path)
+    parser.add_argument("--shot", type=Path)
+    parser.add_argument("--trace", action="store_true")
+    parser.add_argument("--size", default="960x540")
+    parser.add_argument("--memory", type=int, default=512)
+    args = parser.parse_args()
+    if not re.fullmatch(r"[1-9]\d{1,4}x[1-9]\d{1,4}", args.size):
+        sys.exit(f"boot: --size {args.size}: expected a width and a height, as in 960x540")
+    with tempfile.TemporaryDirectory() as folder, open(args.images / "serial.log", "w", encoding="utf-8") as log:
+        began = time.monotonic()
+        with subprocess.Popen([str(c) for c in qemu(args, folder)], stdout=subprocess.PIPE, stderr=log,
+                              text=True, errors="replace") as machine:
+            try:
+                if not args.trace and not args.shot:
+                    print("the box runs; Ctrl-C ends it", flush=True)
+                    machine.wait()
+                elif MARKS[-1][0] not in follow(machine, began, args.trace, log):
+                    sys.exit(f"boot: the face did not come; see {args.images}/serial.log")
+                elif args.shot:
+                    screendump(folder, args.shot.resolve())
+            except KeyboardInterrupt:
+                pass
+            finally:
+                machine.terminate()
+
+
+main()

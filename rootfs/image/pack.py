@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, and a report of sizes.
+
+    pack.py OUT REPORT.json
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+MIB = 1 << 20
+SECTOR = 512
+BLOCK = 4096
+# Fixed, so that the same root gives the same hash. The salt guards nothing: the root is public.
+ROOT_UUID = "6b616f72-6900-4000-8000-000000000001"
+VERITY_UUID = "6b616f72-6900-4000-8000-000000000002"
+DISK_UUID = "6b616f72-6900-4000-8000-000000000003"
+SALT = "6b616f72692d626f78" + "00" * 23
+
+# name, size in MiB, GPT type, the partition's own id. Slot B stays empty until the first update.
+EFI, ROOT, VERITY, DATA = "EF00", "8304", "8385", "8300"
+LAYOUT = (
+    ("boot", 64, EFI, "6b616f72-6900-4000-8000-000000000010"),
+    ("root-a", 384, ROOT, "6b616f72-6900-4000-8000-000000000011"),
+    ("verity-a", 8, VERITY, "6b616f72-6900-4000-8000-000000000012"),
+    ("root-b", 384, ROOT, "6b616f72-6900-4000-8000-000000000013"),
+    ("verity-b", 8, VERITY, "6b616f72-6900-4000-8000-000000000014"),
+    ("data", 128, DATA, "6b616f72-6900-4000-8000-000000000015"),
+)
+ALIGNED_MIB = 1  # Partitions begin on whole MiB; one more at each end holds the table.
+
+
+def run(*command):
+    return subprocess.run([str(c) for c in command], check=True, capture_output=True, text=True).stdout
+
+
+def pack_root(out):
+    """EROFS, every file owned by root. Not compressed: it starts faster so, and a download shrinks more as a whole."""
+    image = out / "root.erofs"
+    image.unlink(missing_ok=True)
+    run("mkfs.erofs", "-T", os.environ["SOURCE_DATE_EPOCH"], "-U", ROOT_UUID, "--all-root",
+        image, out / "root")
+    with open(image, "ab") as file:
+        file.truncate(-(-image.stat().st_size // BLOCK) * BLOCK)
+    return image
+
+
+def hash_root(out, image):
+    """The tree of hashes, and the hash at its root."""
+    tree = out / "root.verity"
+    tree.unlink(missing_ok=True)
+    shown = run("veritysetup", "format", f"--salt={SALT}", f"--uuid={VERITY_UUID}", image, tree)
+    return tree, next(line.split()[-1] for line in shown.splitlines() if line.startswith("Root hash"))
+
+
+def command_line(image, root_hash):
+    """The kernel itself sets up the verified root: there is no initramfs. The tree's first block is its header."""
+    blocks = image.stat().st_size // BLOCK
+    ids = {name: uuid for name, _, _, uuid in LAYOUT}
+    root, tree = f"PARTUUID={ids['root-a']}", f"PARTUUID={ids['verity-a']}"
+    table = f"0 {blocks * BLOCK // SECTOR} verity 1 {root} {tree} {BLOCK} {BLOCK} {blocks} 1 sha256 {root_hash} {SALT}"
+    return f'dm-mod.waitfor={root},{tree} dm-mod.create="root,,,ro,{table}" root=/dev/dm-0 rootfstype=erofs ro ' \
+           "init=/usr/lib/systemd/systemd quiet loglevel=3 panic=5 fbcon=map:9 vt.global_cursor_default=0"
+
+
+def write_disk(out, parts):
+    """A sparse file; `parts` are written into the partitions of their names."""
+    disk = out / "kaori.disk"
+    disk.unlink(missing_ok=True)
+    with open(disk, "wb") as file:
+        file.truncate((sum(size for _, size, _, _ in LAYOUT) + 2 * ALIGNED_MIB) * MIB)
+    options, start = [], ALIGNED_MIB
+    for number, (name, size, kind, uuid) in enumerate(LAYOUT, 1):
+        options += ["-n", f"{number}:{start}M:+{size}M", "-t", f"{number}:{kind}", "-c", f"{number}:{name}",
+                    "-u", f"{number}:{uuid}"]
+        if name in parts:
+            if parts[name].stat().st_size > size * MIB:
+                sys.exit(f"image: {parts[name].name} does not fit into {name} ({size} MiB)")
+            run("dd", f"if={parts[name]}", f"of={disk}", "bs=1M", f"seek={start}", "conv=notrunc,sparse")
+        start += size
+    run("sgdisk", "-o", "-U", DISK_UUID, *options, disk)
+    return disk
+
+
+def compressed_bytes(*files):
+    """What a download weighs: everything that the box starts from, packed by zstd."""
+    joined = b"".join(f.read_bytes() for f in files)
+    return len(subprocess.run(["zstd", "-q", "-12", "-T2", "-c"], input=joined, capture_output=True, check=True).stdout)
+
+
+def folder_bytes(folder):
+    """Of files; each counts once, whatever its names."""
+    sizes = {}
+    for path in folder.rglob("*"):
+        if path.is_file() and not path.is_symlink():
+            state = path.stat()
+            sizes[state.st_ino] = state.st_size
+    return sum(sizes.values())
+
+
+def main():
+    out, written = Path(sys.argv[1]), Path(sys.argv[2])
+    image = pack_root(out)
+    tree, root_hash = hash_root(out, image)
+    (out / "cmdline").write_text(command_line(image, root_hash) + "\n")
+    write_disk(out, {"root-a": image, "verity-a": tree})
+    kernel = [part for part in (out / "bzImage", out / "initramfs") if part.exists()]
+    in_mb = {"kernel": sum(part.stat().st_size for part in kernel), "root": image.stat().st_size, "verity": tree.stat().st_size,
+             "unpacked": folder_bytes(out / "root"),
+             "graphics": sum(f.stat().st_size for f in (out / "root").rglob("libLLVM*") if not f.is_symlink())
+             + next((out / "root").rglob("swrast_dri.so")).stat().st_size,
+             "show": (out / "root/usr/share/kaori/kaori.kaori").stat().st_size}
+    report = {"root_hash": root_hash, "compressed_mb": round(compressed_bytes(*kernel, image, tree) / 1e6, 1),
+              "parts_mb": {name: round(size / 1e6, 1) for name, size in in_mb.items()}}
+    written.write_text(json.dumps(report, indent=2) + "\n")
+
+
+main()
