@@ -61,6 +61,14 @@ TEST(PackDiff, ComparesControlsByTheNamesOfWhatTheyCall) {
               ElementsAre("face \"twin\": is new", "button 4: face turned is now face twin"));
 }
 
+TEST(PackDiff, SaysWhatAKeyCallsOtherwise) {
+  Show after = SmallShow();
+  after.keys[0].call.index = 0;
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("key 20: style flat is now style wire"));
+  after.keys.clear();
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("key 20: style flat is now nothing"));
+}
+
 TEST(PackDiff, SaysWhatASceneDoesOtherwise) {
   Show after = SmallShow();
   after.scenes[0].fade_s = 2;

@@ -20,6 +20,7 @@ inline show::Show SmallShow() {
   show.cast = MakeSyntheticCast({.columns = 16, .rows = 12});
   show.cast.textures = {{2, 2, std::vector<std::uint8_t>(16, 200)}};
   show.buttons[3] = {show::CallKind::kFace, 2};
+  show.keys = {{0x14, {show::CallKind::kStyle, 1}}};
   show.scenes.resize(1);
   show.scenes[0].name = "opening";
   show.scenes[0].backdrop = {{0.1F, 0.2F, 0.3F}, {}, scene::BackdropKind::kPicture, {0.5F, 0.4F, 0.3F}, 0};

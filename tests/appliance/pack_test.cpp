@@ -31,6 +31,9 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->cast.expressions[1].displacement, show.cast.expressions[1].displacement);
   EXPECT_EQ(loaded->cast.topology.lids[1].upper, show.cast.topology.lids[1].upper);
   EXPECT_EQ(loaded->buttons[3].index, 2);
+  ASSERT_EQ(loaded->keys.size(), 1U);
+  EXPECT_EQ(loaded->keys[0].key_usage, 0x14);
+  EXPECT_EQ(loaded->keys[0].call.kind, show::CallKind::kStyle);
   EXPECT_EQ(loaded->takes[0].curves[0].keys[1].value, 0.3F);
   EXPECT_EQ(loaded->scenes[0].backdrop.top, show.scenes[0].backdrop.top);
   EXPECT_EQ(loaded->scenes[0].backdrop, show.scenes[0].backdrop);
@@ -59,11 +62,12 @@ TEST_F(PackTest, AFaceThatIsNoFaceIsRefusedByName) {
 TEST(CheckShow, NamesEveryControlThatCallsNothing) {
   Show show = SmallShow();
   show.buttons[0] = {show::CallKind::kExpression, 99};
+  show.keys[0].call.index = 77;
   show.scenes[0].face = 42;
   show.takes[0].curves[0].keys.back().value = 1;
   EXPECT_THAT(show::CheckShow(show),
-              ::testing::UnorderedElementsAre(HasSubstr("button 1"), HasSubstr("scene \"opening\""),
-                                              HasSubstr("take \"nod\"")));
+              ::testing::UnorderedElementsAre(HasSubstr("button 1"), HasSubstr("key 20"),
+                                              HasSubstr("scene \"opening\""), HasSubstr("take \"nod\"")));
 }
 
 struct ShowFault {

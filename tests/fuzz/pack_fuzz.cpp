@@ -19,11 +19,13 @@ namespace {
 
 void CheckCalls(const show::Show& show) {
   const std::size_t expressions = show.cast.expressions.size();
-  for (const show::Call& call : show.buttons) {
+  std::vector<show::Call> calls(show.buttons.begin(), show.buttons.end());
+  for (const show::KeyCall& key : show.keys) calls.push_back(key.call);
+  for (const show::Call& call : calls) {
     const std::size_t counts[]{1, show.cast.faces.size(), expressions, scene::kStyleCount,
                                show.scenes.size()};
-    Promise(call.kind <= show::CallKind::kScene, "a button calls what exists");
-    Promise(call.index < counts[static_cast<std::size_t>(call.kind)], "a button calls one that exists");
+    Promise(call.kind <= show::CallKind::kScene, "a control calls what exists");
+    Promise(call.index < counts[static_cast<std::size_t>(call.kind)], "a control calls one that exists");
   }
   for (const show::StageScene& scene : show.scenes)
     Promise(scene.face < show.cast.faces.size() && scene.expression < expressions &&
