@@ -9,6 +9,7 @@
 #include "appliance/atelier/inspect/folds.h"
 #include "appliance/atelier/inspect/inspect.h"
 #include "appliance/atelier/inspect/lid_gaps.h"
+#include "appliance/atelier/inspect/poses.h"
 #include "appliance/atelier/inspect/skin.h"
 #include "appliance/atelier/inspect/teeth.h"
 #include "render/face/composer.h"
@@ -187,6 +188,35 @@ TEST(Inspect, CountsOverAllFacesAndNamesThem) {
       std::ranges::find(found.findings, inspect::Flaw::kTeethThroughLips, &inspect::Finding::flaw);
   ASSERT_NE(tooth, found.findings.end());
   EXPECT_THAT(Say(*tooth), ::testing::MatchesRegex("reference, .*: teeth through lips by [0-9.]+ mm"));
+}
+
+TEST(Inspect, LooksAtExpressionsWithMouthsAndBrowsAndShutLids) {
+  const auto poses = inspect::PosesToSee(MakeSyntheticCast().expressions);
+  const auto named = [&](const std::string& name) {
+    const auto pose = std::ranges::find(poses, name, &inspect::Pose::name);
+    return pose == poses.end() ? nullptr : &*pose;
+  };
+  const auto* with_mouth = named("smile with a");
+  ASSERT_NE(with_mouth, nullptr);
+  EXPECT_EQ(with_mouth->weights.mouth_given_away, 1);
+  EXPECT_EQ(with_mouth->weights.channels.size(), 1);
+  const auto* shut = named("smile, lids shut");
+  ASSERT_NE(shut, nullptr);
+  EXPECT_EQ(shut->weights.lids_shut[0], 1);
+  EXPECT_TRUE(shut->shut && shut->alone);
+}
+
+TEST(Inspect, PlaysTheTwoSidesOfAChannelTogether) {
+  std::vector<face::Expression> expressions(4);
+  expressions[0].name = "neutral";
+  expressions[1].name = "smile";
+  expressions[2] = {.name = "brow_up_left", .kind = face::ExpressionKind::kChannel, .displacement = {}};
+  expressions[3] = {.name = "brow_up_right", .kind = face::ExpressionKind::kChannel, .displacement = {}};
+  const auto poses = inspect::PosesToSee(expressions);
+  const auto pose = std::ranges::find(poses, "smile with brow_up", &inspect::Pose::name);
+  ASSERT_NE(pose, poses.end());
+  EXPECT_EQ(pose->weights.channels.size(), 2);
+  EXPECT_NE(std::ranges::find(poses, "smile with brow_up, lids shut", &inspect::Pose::name), poses.end());
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "appliance/atelier/inspect/skin.h"
 #include "appliance/atelier/inspect/teeth.h"
 #include "render/face/composer.h"
+#include "render/face/jaw.h"
 
 namespace kaori::inspect {
 namespace {
@@ -42,7 +43,9 @@ class Inspector {
       : cast_(cast),
         composer_(cast),
         moving_(FindMoving(cast.topology)),
-        poses_(PosesToSee(cast.expressions)) {}
+        poses_(PosesToSee(cast.expressions)) {
+    for (Pose& pose : poses_) face::LimitJaw(cast, pose.weights);
+  }
 
   Inspection InspectFace(std::uint16_t face) {
     found_ = {};
@@ -54,7 +57,7 @@ class Inspector {
       if (i == 0) LookForSkin(shape);
       SeekFolds(shape, i == 0 ? skin_ : moving_skin_, face, pose.name);
       if (pose.shut) {
-        SeekLidGaps(shape, face, pose.name);
+        SeekLidGaps(shape, pose.alone ? Sides::kNine : Sides::kThree, face, pose.name);
       } else {
         SeekTeeth(shape, face, pose.name);
       }
@@ -98,8 +101,8 @@ class Inspector {
          .measure = through.farthest_m / kMillimetre_m});
   }
 
-  void SeekLidGaps(const face::Shape& shape, std::uint16_t face, const std::string& pose) {
-    const auto seen_m2 = BallsSeen_m2(shape, mesh().triangles);
+  void SeekLidGaps(const face::Shape& shape, Sides sides, std::uint16_t face, const std::string& pose) {
+    const auto seen_m2 = BallsSeen_m2(shape, mesh().triangles, sides);
     const int eyes = (seen_m2[0] > 0 ? 1 : 0) + (seen_m2[1] > 0 ? 1 : 0);
     if (eyes == 0) return;
     found_.lid_gaps += eyes;

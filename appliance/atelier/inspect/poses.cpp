@@ -41,7 +41,7 @@ std::vector<Extra> Extras(const std::vector<face::Expression>& expressions) {
 }
 
 Pose Alone(const std::vector<face::Expression>& expressions, std::uint16_t i) {
-  Pose pose{.name = expressions[i].name};
+  Pose pose{.name = expressions[i].name, .weights = {}, .alone = true};
   const bool called = expressions[i].kind == ExpressionKind::kExpression;
   pose.weights.expressions.Push(called ? i : 0, 1);
   if (!called) pose.weights.channels.Push(i, 1);
@@ -50,6 +50,7 @@ Pose Alone(const std::vector<face::Expression>& expressions, std::uint16_t i) {
 
 Pose With(Pose pose, const Extra& extra) {
   pose.name += " with " + extra.name;
+  pose.alone = false;
   for (const std::uint16_t term : extra.terms) pose.weights.channels.Push(term, 1);
   if (extra.kind == ExpressionKind::kMouth) pose.weights.mouth_given_away = 1;
   return pose;

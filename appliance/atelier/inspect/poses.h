@@ -13,13 +13,14 @@ namespace kaori::inspect {
 struct Pose {
   std::string name{};  // "laugh", "laugh with mouth_open_wide, lids shut".
   face::Weights weights{};
-  bool shut = false;  // The lids are.
+  bool shut = false;   // The lids are.
+  bool alone = false;  // One expression, mouth shape or channel and nothing on top of it.
 };
 
 // Of each kind alone, then each expression
 //   with each mouth shape, to which its own mouth gives way,
 //   with each channel, the two sides of one together;
-// the ones that leave the mouth alone come again with lids shut. Weights name no face: that is the caller's.
+// those alone and those with a channel come again with lids shut. Weights name no face: that is the caller's.
 std::vector<Pose> PosesToSee(const std::vector<face::Expression>& expressions);
 
 }  // namespace kaori::inspect
