@@ -32,6 +32,15 @@ Offsets Blink(const face::Cast& cast, std::size_t side, face::Composer& composer
   return Difference(cast, weights, composer);
 }
 
+// The margin of the lids, at its ends and in its middle.
+std::optional<LidMarks> MarksOf(const face::LidRig& rig, const std::vector<glm::vec3>& positions) {
+  if (rig.columns < 2) return std::nullopt;
+  const auto columns = static_cast<std::size_t>(rig.columns);
+  const auto margin = static_cast<std::size_t>(rig.margin_ring) * columns;
+  return LidMarks{positions[rig.upper[margin]], positions[rig.upper[margin + columns - 1]],
+                  positions[rig.upper[margin + columns / 2]], positions[rig.lower[margin + columns / 2]]};
+}
+
 }  // namespace
 
 Offsets OffsetsOfCast(const face::Cast& cast, const face::Expression& expression) {
@@ -49,6 +58,8 @@ HeadShape ShapeOfCast(const face::Cast& cast) {
   head.jaw = Named(cast, "jaw_open");
   head.blink = {Blink(cast, 0, composer), Blink(cast, 1, composer)};
   head.brow_up = {Named(cast, "brow_up_left"), Named(cast, "brow_up_right")};
+  for (std::size_t side = 0; side < 2; ++side)
+    head.lids[side] = MarksOf(cast.topology.lids[side], head.positions);
   return head;
 }
 

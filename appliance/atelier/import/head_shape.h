@@ -17,6 +17,14 @@ namespace kaori::import {
 // Dense motions: one offset for each vertex, metres. An empty one is not known.
 using Offsets = std::vector<glm::vec3>;
 
+// Where the lids of one eye are, where a cast says it (face::LidRig).
+struct LidMarks {
+  glm::vec3 inner{};
+  glm::vec3 outer{};
+  glm::vec3 upper{};
+  glm::vec3 lower{};
+};
+
 struct HeadShape {
   std::vector<glm::vec3> positions;
   std::vector<Triangle> triangles;
@@ -24,6 +32,7 @@ struct HeadShape {
   Offsets jaw;                          // jaw_open.
   std::array<Offsets, 2> blink;         // Lids wholly shut.
   std::array<Offsets, 2> brow_up;
+  std::array<std::optional<LidMarks>, 2> lids{};
 };
 
 // The reference face of a cast, and its expressions as they look on it: `name` by name, lids included.

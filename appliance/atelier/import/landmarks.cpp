@@ -82,9 +82,13 @@ class Finder {
     return pairs;
   }
 
-  // Lids meet when they are shut: the corners are where the slit is at its ends.
+  // Lids meet when they are shut: the corners are where the slit is at its ends. A cast knows its own.
   void FindEyes() {
     for (std::size_t side = 0; side < 2; ++side) {
+      if (const auto& lids = head_.lids[side]) {
+        AddLids(side == 0 ? "left eye, " : "right eye, ", *lids);
+        continue;
+      }
       const std::vector<Pair> slit = Slit(head_.blink[side], Motion::kShuts, kLidsMeet_m);
       if (slit.size() < 4) continue;
       const std::string name = side == 0 ? "left eye, " : "right eye, ";
@@ -98,6 +102,13 @@ class Finder {
       Add(name + "upper lid", at(centre->moving));
       Add(name + "lower lid", at(centre->still));
     }
+  }
+
+  void AddLids(const std::string& name, const LidMarks& lids) {
+    Add(name + "inner corner", lids.inner);
+    Add(name + "outer corner", lids.outer);
+    Add(name + "upper lid", lids.upper);
+    Add(name + "lower lid", lids.lower);
   }
 
   void AddMiddle(std::string name, const Pair& pair) {

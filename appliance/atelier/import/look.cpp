@@ -15,7 +15,7 @@ namespace kaori::import {
 namespace {
 
 constexpr int kSmoothSteps = 3;
-constexpr float kTeethOpen = 0.75F;  // They are seen when the mouth is open, and measured while it is shut.
+constexpr float kTeethOpen = 0.5F;  // They are seen when the mouth is open, and measured while it is shut.
 
 // The eyes throw shade into their sockets: an octahedron, halved twice, is ball enough.
 void AddBall(const face::EyeBall& eye, wardrobe::Shell& shell) {
