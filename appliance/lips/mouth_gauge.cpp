@@ -23,12 +23,12 @@ constexpr float kFollowTilt_s = 0.2F;  // Heads lean slower than mouths move.
 constexpr float kFollowDistance_s = 2.5F;
 constexpr float kSameShape = 0.1F;    // A height over width this near to that at rest is a mouth at rest.
 constexpr float kMostNearer = 0.35F;  // More than this is no head that moved: pursed or stretched lips.
-constexpr float kLeap = 0.14F;        // Widths that one corner alone comes in by when a hand covers it.
-constexpr float kStays = 0.05F;       // Widths that the other moves at most meanwhile.
+constexpr float kBlunt = 0.55F;       // Of the mouth's height close to one corner: a wall,
+constexpr float kUnlike = 0.25F;      // where the other is so much more pointed.
 constexpr float kMostUpperPart = 0.6F;
 constexpr float kMostStep = 0.1F;  // Widths of the picture between two frames: more is another place.
 constexpr float kForget = 0.99F;   // Of what was learnt of the upper lip, each frame.
-constexpr Duration kHidden = std::chrono::milliseconds(400);  // After that it is believed all the same.
+constexpr Duration kHidden = std::chrono::milliseconds(1500);  // After that it is believed all the same.
 constexpr float kHalfHidden = 0.2F;  // The quality then: sizes hold, nobody acts on them.
 
 // 0 at `low`, 1 at `high`.
@@ -130,20 +130,15 @@ void MouthGauge::FollowTilt(const Sight& sight, Time at) {
   tilt_rad_ += trust * share * (shape.lean_rad - tilt_rad_);
 }
 
-// A hand that comes over one half of the mouth moves that corner alone, and by a leap.
+// A mouth ends in corners at both sides; where a hand covers one of them it ends in a wall.
 bool MouthGauge::IsHalfHidden(const Sight& sight, Time at) {
-  const Corners now{sight.shape.left.x, sight.shape.right.x, at};
-  const float width = whole_ ? whole_->right_px - whole_->left_px : 0;
-  const bool fresh = whole_ && at - whole_->at < kHidden;
-  if (fresh) {
-    const float left_in = (now.left_px - whole_->left_px) / width;
-    const float right_in = (whole_->right_px - now.right_px) / width;
-    const bool one_alone = std::max(left_in, right_in) > kLeap && std::min(left_in, right_in) < kStays;
-    const bool narrower = now.right_px - now.left_px < (1 - kLeap / 2) * width;
-    if (one_alone && narrower) return true;
+  const auto [left, right] = sight.shape.blunt;
+  const bool wall = std::max(left, right) > kBlunt && std::abs(left - right) > kUnlike;
+  if (!wall || !whole_) {
+    whole_ = at;
+    return false;
   }
-  whole_ = now;
-  return false;
+  return at - *whole_ < kHidden;
 }
 
 // A marker says how near the head is, at once; without one a mouth of the resting shape says it slowly.

@@ -75,11 +75,7 @@ class MouthGauge {
   };
   UpperPart upper_;
   std::optional<Time> seen_;
-  struct Corners {
-    float left_px, right_px;
-    Time at;
-  };
-  std::optional<Corners> whole_;  // Where they were when the mouth was last seen whole.
+  std::optional<Time> whole_;  // When the mouth was last seen whole.
 };
 
 }  // namespace kaori::lips

@@ -12,6 +12,7 @@ constexpr int kMargin = 4;            // Samples round the paint that are looked
 constexpr float kLeastContrast = 8;   // Levels of chroma: below lies the noise.
 constexpr float kLeastStep = 0.3F;    // Of that contrast: less is no edge of the paint.
 constexpr float kPainted = 0.5F;      // More of the paint's colour than this is a lip.
+constexpr int kCloseToEnd = 20;       // A part of the width so small.
 constexpr int kOpeningColumns = 7;    // The opening is measured in so many columns,
 constexpr float kOpeningPart = 0.1F;  // over this part of the width to each side of the middle.
 
@@ -66,6 +67,7 @@ std::optional<Shape> OutlineReader::Read(const camera::Planes& planes, const Gri
   Shape shape = Measure(tilt_rad);
   Lean(shape);
   shape.opening_px = Opening(grid, shape, tilt_rad);
+  shape.blunt = Blunt();
   shape.contrast = contrast_;
   return shape;
 }
@@ -222,6 +224,25 @@ void OutlineReader::Lean(Shape& shape) const {
   }
   shape.lean_rad = static_cast<float>(0.5 * std::atan2(2 * xy, xx - yy));
   shape.slender = static_cast<float>(std::hypot(2 * xy, xx - yy) / std::max(xx + yy, 1e-6));
+}
+
+std::array<float, 2> OutlineReader::Blunt() const {
+  int first = box_.width();
+  int last = -1;
+  int highest = 1;
+  for (int x = 0; x < box_.width(); ++x) {
+    const Span column = columns_[static_cast<std::size_t>(x)];
+    if (column.end <= column.begin) continue;
+    first = std::min(first, x);
+    last = x;
+    highest = std::max(highest, column.end - column.begin);
+  }
+  const int in = (last - first) / kCloseToEnd;
+  const auto height = [&](int x) {
+    const Span column = columns_[static_cast<std::size_t>(std::clamp(x, 0, box_.width() - 1))];
+    return static_cast<float>(std::max(0, column.end - column.begin)) / static_cast<float>(highest);
+  };
+  return {height(first + in), height(last - in)};
 }
 
 float OutlineReader::Opening(const Grid& grid, const Shape& shape, float tilt_rad) const {

@@ -1,6 +1,7 @@
 // The edge of the paint, finer than its samples: how large the mouth is in the picture.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -25,11 +26,12 @@ struct Shape {
   float opening_px = 0;  // Between the lips, in the middle of the mouth.
   Point left;            // The corners, as they lie in the picture.
   Point right;
-  Point top;           // The middle of the upper lip's upper edge.
-  Point middle;        // Half-way between the corners' sides and between top and bottom.
-  float lean_rad = 0;  // Of the outline's long axis; positive: its right end is the lower one.
-  float slender = 0;   // How much the lean is worth: 0 a round mouth .. 1 a line.
-  float contrast = 0;  // Between paint and what lies round it, in levels of chroma.
+  Point top;                     // The middle of the upper lip's upper edge.
+  Point middle;                  // Half-way between the corners' sides and between top and bottom.
+  float lean_rad = 0;            // Of the outline's long axis; positive: its right end is the lower one.
+  float slender = 0;             // How much the lean is worth: 0 a round mouth .. 1 a line.
+  std::array<float, 2> blunt{};  // How high it is close to its left, right end, of its height.
+  float contrast = 0;            // Between paint and what lies round it, in levels of chroma.
 };
 
 // Keeps its memory from frame to frame.
@@ -66,6 +68,7 @@ class OutlineReader {
   Line ColumnOf(int x) const;
   Shape Measure(float tilt_rad) const;
   void Lean(Shape& shape) const;
+  std::array<float, 2> Blunt() const;
   float Opening(const Grid& grid, const Shape& shape, float tilt_rad) const;
   float GapIn(int column) const;
 

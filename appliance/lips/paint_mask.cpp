@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kBlock = 64;  // Samples that become one word of bits.
 
+constexpr std::size_t kCacheLine_bytes = 64;
+constexpr std::size_t kRowsAhead = 2;  // Of the grid, that are fetched while one is looked at.
+
 enum class Packing { kYuyv, kNv12, kPlanar, kOther };
 
 struct ChromaRow {
@@ -154,6 +157,13 @@ std::uint64_t KeyBlock(const RowWork& work, int x, const BlockKey& key) {
   return key.Nv12(pairs.data());
 }
 
+// A frame comes fresh from the camera, in no cache, and rows that are left out make it hard to foresee.
+void Prefetch(const camera::Plane& plane, std::size_t at) {
+  const std::size_t row = static_cast<std::size_t>(plane.width_px) * plane.step_bytes;
+  if (at + row > plane.bytes.size()) return;
+  for (std::size_t n = 0; n < row; n += kCacheLine_bytes) __builtin_prefetch(&plane.bytes[at + n]);
+}
+
 Packing PackingOf(const camera::Planes& planes) {
   const auto apart = planes.cr.bytes.data() - planes.cb.bytes.data();
   if (planes.cb.step_bytes == 4 && apart == 2) return Packing::kYuyv;
@@ -202,9 +212,14 @@ void PaintMask::Read(const camera::Planes& planes, const PaintKey& key) {
                        grid_.width,
                        end,
                        packing};
+    Prefetch(planes.cb, at + kRowsAhead * static_cast<std::size_t>(grid_.row_step) * planes.cb.stride_bytes);
     for (std::size_t n = 0; n < words_; ++n)
       raw_[(y + 1) * words_ + n] = KeyBlock(work, static_cast<int>(n) * kBlock, block_key);
   }
+  VoteOn(rows);
+}
+
+void PaintMask::VoteOn(std::size_t rows) {
   for (std::size_t y = 0; y < rows; ++y) {
     const std::uint64_t* here = &raw_[(y + 1) * words_];
     for (std::size_t n = 0; n < words_; ++n) {

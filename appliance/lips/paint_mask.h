@@ -36,6 +36,8 @@ class PaintMask {
   }
 
  private:
+  void VoteOn(std::size_t rows);
+
   Grid grid_;
   std::size_t words_ = 0;  // For each row.
   std::vector<std::uint64_t> raw_;

@@ -52,5 +52,39 @@ TEST_P(HardStage, IsReportedAndNeverTakesAnotherThingForAMouth) {
 
 INSTANTIATE_TEST_SUITE_P(Lips, HardStage, testing::ValuesIn(HardSet()), TestName);
 
+// What a hand leaves of a mouth is not taken for a narrow one, and no shirt for the mouth behind it.
+TEST(PassingHand, IsNoMouthAndTheMouthIsBackWithinATenthOfASecond) {
+  constexpr double kFrame_s = 1.0 / 30;
+  LipMeter meter({}, {});
+  camera::PlaneReader reader;
+  std::vector<std::uint8_t> yuyv(std::size_t{320} * 240 * 2);
+  sim::LipScene scene;
+  scene.person.shirt = sim::Rgb{0.13F, 0.25F, 0.7F};
+  const auto look = [&](double time_s) {
+    scene.camera.sequence++;
+    sim::PaintScene(scene, {320, 240, yuyv});
+    const auto planes = reader.Read(
+        {.at = {}, .format = {320, 240, ports::PixelFormat::kYuyv}, .stride_bytes = 640, .bytes = yuyv});
+    return meter.Measure(*planes, Time{} + FromSeconds(1 + time_s));
+  };
+  double time_s = 0;
+  for (; time_s < 1.3; time_s += kFrame_s) look(time_s);
+  int unseen = 0;
+  double free_s = 0;  // Since the hand left the mouth.
+  for (double hand = 1.5; hand > -1.5; hand -= 2.5 * kFrame_s, time_s += kFrame_s) {
+    scene.person.hand = hand;  // 0.45 to each side of it, the mouth 0.5: they touch within 0.95.
+    const board::Lips lips = look(time_s);
+    unseen += lips.quality < 0.3F ? 1 : 0;
+    if (lips.quality >= 0.3F) {
+      EXPECT_NEAR(lips.width, 1, 0.17) << "hand at " << hand;
+    }
+    free_s = hand < -0.95 ? free_s + kFrame_s : 0;
+    if (free_s > 0.1) {
+      EXPECT_GT(lips.quality, 0.3F) << "hand at " << hand;
+    }
+  }
+  EXPECT_GT(unseen, 5) << "the mouth was covered";
+}
+
 }  // namespace
 }  // namespace kaori::lips
