@@ -17,8 +17,9 @@
 namespace kaori::bench {
 namespace {
 
-constexpr int kRounds = 400;
-constexpr int kCalls = 4;  // Short turns: a busy neighbour spoils some of them, and not the median.
+constexpr int kRounds = 60;
+constexpr int kCalls =
+    64;  // A turn is long enough to have its own code and pictures at hand, not the neighbour's.
 constexpr std::size_t kPictures = 8;  // Different mouths and noise, drawn before the clock runs.
 constexpr int kTruthFrames = 60;
 
@@ -98,7 +99,7 @@ std::vector<Metric> MeasureSpeed(bool quick) {
   Arm opencv{[&] { same[next++ % same.size()](); }, {}};
   std::vector<Arm*> arms{&arm, &arm_large, &arm_noisy};
   if (!same.empty()) arms.push_back(&opencv);
-  RunInTurns(arms, kRounds / (quick ? 10 : 1), kCalls);
+  RunInTurns(arms, kRounds / (quick ? 4 : 1), kCalls);
   std::vector<Metric> metrics{Figure("lips.640x480_ms", "ms", InMilliseconds(arm.us)),
                               Figure("lips.1280x720_ms", "ms", InMilliseconds(arm_large.us)),
                               Figure("lips.noise_over_clean", "x", Ratios(arm_noisy.us, arm.us))};
