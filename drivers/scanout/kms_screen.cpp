@@ -77,6 +77,11 @@ Result<std::unique_ptr<ports::Scanout>> KmsScreen::Open(int card, gbm_device* de
   return std::make_unique<KmsScreen>(card, *output, framebuffer->property, std::move(*window));
 }
 
+// The card keeps the mode for as long as it shows it.
+KmsScreen::~KmsScreen() {
+  if (mode_ != 0) drmModeDestroyPropertyBlob(card_, mode_);
+}
+
 Result<ports::PixelBuffer> KmsScreen::Acquire() {
   if (IsUnplugged(card_, output_.connector)) return Fail(std::errc::no_such_device, "draw for the screen");
   if (presented_) return Fail(std::errc::resource_unavailable_try_again, "draw for the screen");
@@ -123,14 +128,13 @@ Result<void> KmsScreen::Commit(std::uint32_t framebuffer, std::uint64_t frame) {
 }
 
 // Where the screen shows the same mode already, as after a restart, the kernel changes the picture alone.
-Result<void> KmsScreen::AddModeset(drmModeAtomicReq* request, std::uint32_t framebuffer) const {
-  std::uint32_t mode = 0;
-  if (drmModeCreatePropertyBlob(card_, &output_.mode, sizeof(output_.mode), &mode) != 0)
+Result<void> KmsScreen::AddModeset(drmModeAtomicReq* request, std::uint32_t framebuffer) {
+  if (mode_ == 0 && drmModeCreatePropertyBlob(card_, &output_.mode, sizeof(output_.mode), &mode_) != 0)
     return FailErrno("tell the graphics card the screen's mode");
   const std::uint64_t width_px = output_.mode.hdisplay;
   const std::uint64_t height_px = output_.mode.vdisplay;
   const std::array connector{NamedValue{"CRTC_ID", output_.crtc}};
-  const std::array crtc{NamedValue{"MODE_ID", mode}, NamedValue{"ACTIVE", 1}};
+  const std::array crtc{NamedValue{"MODE_ID", mode_}, NamedValue{"ACTIVE", 1}};
   // The source rectangle is in 1/65536 of a pixel.
   const std::array plane{NamedValue{"FB_ID", framebuffer},
                          NamedValue{"CRTC_ID", output_.crtc},

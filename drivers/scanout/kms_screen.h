@@ -34,6 +34,8 @@ class KmsScreen final : public ports::Scanout {
         framebuffer_property_(framebuffer_property),
         window_(std::move(window)) {}
 
+  ~KmsScreen() override;
+
   int pollable() const override { return card_; }
   // The buffer names EGL's window, and has no bytes.
   Result<ports::PixelBuffer> Acquire() override;
@@ -43,13 +45,14 @@ class KmsScreen final : public ports::Scanout {
 
  private:
   Result<void> Commit(std::uint32_t framebuffer, std::uint64_t frame);
-  Result<void> AddModeset(drmModeAtomicReq* request, std::uint32_t framebuffer) const;
+  Result<void> AddModeset(drmModeAtomicReq* request, std::uint32_t framebuffer);
   void RemoveOldFramebuffers();
 
   int card_;
   KmsOutput output_;
   std::uint32_t framebuffer_property_;
   GbmWindow window_;
+  std::uint32_t mode_ = 0;  // The mode, as the card knows it; none before the first picture.
   bool acquired_ = false;
   std::optional<std::uint64_t> presented_;  // Waits for its flip.
   bool lit_ = false;                        // The mode is set, and a picture of ours was shown.
