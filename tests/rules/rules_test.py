@@ -43,7 +43,7 @@ AGAINST = (
     ("appliance/atelier/a.h", '"appliance/input/input.h"', "appliance/atelier/ may include only"),
     ("appliance/input/a.h", '"drivers/hid/local_bus.h"', "only a program's main.cpp names a driver"),
     ("render/passes/a.h", '"drivers/hid/dial_box.h"', "render/passes/ may include only"),
-    ("appliance/stage/a.cpp", '"appliance/input/input.h"', "appliance/ may include only"),
+    ("appliance/stage/a.cpp", '"appliance/input/input.h"', "appliance/stage/ may include only"),
     ("appliance/stage/a.cpp", '"drivers/scanout/kms.h"', "only a program's main.cpp names a driver"),
     ("appliance/stage/main.cpp", '"hw-sim/devices/screen.h"', "nothing of the product includes hw-sim"),
     ("hw-sim/devices/a.cpp", '"drivers/hid/dial_box.h"', "hw-sim/ may include only"),
