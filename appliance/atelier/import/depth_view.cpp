@@ -54,9 +54,35 @@ class DepthView {
       }
   }
 
+  // The longest stretch of each column in which the ball lies before all that was drawn.
+  std::vector<BallColumn> Seen(const face::EyeBall& ball) const {
+    const float r = ball.radius_m;
+    std::vector<BallColumn> seen;
+    for (int column = Column(ball.centre.x - r); column <= Column(ball.centre.x + r); ++column) {
+      int longest = 0;
+      int run = 0;
+      int end = 0;
+      for (int row = Row(ball.centre.y - r); row <= Row(ball.centre.y + r); ++row) {
+        run = IsBefore(ball, column, row) ? run + 1 : 0;
+        if (run > longest) end = row + 1;
+        longest = std::max(longest, run);
+      }
+      const glm::vec3 corner = CellMiddle(column, end) - 0.5F * kCell_m;
+      if (longest > 0)
+        seen.push_back(
+            {corner.x + 0.5F * kCell_m, corner.y - static_cast<float>(longest) * kCell_m, corner.y});
+    }
+    return seen;
+  }
+
   float At(const glm::vec3& p) const { return depth_[Cell(Column(p.x), Row(p.y))]; }
 
  private:
+  bool IsBefore(const face::EyeBall& ball, int column, int row) const {
+    const glm::vec3 from = CellMiddle(column, row) - ball.centre;
+    const float square = ball.radius_m * ball.radius_m - from.x * from.x - from.y * from.y;
+    return square > 0 && ball.centre.z + std::sqrt(square) > depth_[Cell(column, row)];
+  }
   static float Cross(const glm::vec3& a, const glm::vec3& b) { return a.x * b.y - a.y * b.x; }
   int Column(float x) const {
     return std::clamp(static_cast<int>((x - least_.x) / kCell_m), 0, columns_ - 1);
@@ -92,6 +118,13 @@ std::vector<bool> SeenFromFront(const HeadShape& head) {
   std::vector<bool> seen;
   for (const glm::vec3& p : head.positions) seen.push_back(p.z > view.At(p) - kBehind_m);
   return seen;
+}
+
+std::vector<BallColumn> SeenOfBall(const HeadShape& head, const face::EyeBall& ball) {
+  DepthView view(head.positions);
+  for (const Triangle& t : head.triangles)
+    view.Draw(head.positions[t[0]], head.positions[t[1]], head.positions[t[2]]);
+  return view.Seen(ball);
 }
 
 }  // namespace kaori::import

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "appliance/atelier/import/form.h"
 #include "appliance/atelier/import/mesh_check.h"
 
 namespace kaori::import {
@@ -103,6 +104,20 @@ void AddShapes(const Model& model, Heads& heads) {
   }
 }
 
+// Only the motions that no role has.
+void KeepByForm(HeadShape completed, Heads& heads) {
+  const auto keep = [&](std::string_view role, Offsets& from, Offsets& to) {
+    if (std::ranges::find(heads.roles, role, &Role::name) == heads.roles.end()) to = std::move(from);
+  };
+  HeadShape& form = heads.by_form;
+  keep("jaw_open", completed.jaw, form.jaw);
+  keep("blink_left", completed.blink[0], form.blink[0]);
+  keep("blink_right", completed.blink[1], form.blink[1]);
+  keep("brow_up_left", completed.brow_up[0], form.brow_up[0]);
+  keep("brow_up_right", completed.brow_up[1], form.brow_up[1]);
+  form.lids = completed.lids;
+}
+
 template <class T>
 void Reorder(const std::vector<Index>& order, std::vector<T>& values) {
   std::vector<T> ordered;
@@ -131,6 +146,9 @@ Heads TakeApart(const std::vector<Model>& models, float eyes_z_m, Findings& find
   std::vector<std::optional<Meaning>> meanings;
   for (const Shape& shape : heads.shapes) meanings.push_back(shape.meaning);
   heads.roles = FindRoles(meanings);
+  HeadShape completed = ShapeOfHeads(heads);
+  heads.found_by_form = CompleteByForm(heads.part, completed);
+  KeepByForm(std::move(completed), heads);
   return heads;
 }
 
@@ -150,6 +168,13 @@ HeadShape ShapeOfHeads(const Heads& heads) {
   shape.jaw = OffsetsOfRole(heads, "jaw_open");
   shape.blink = {OffsetsOfRole(heads, "blink_left"), OffsetsOfRole(heads, "blink_right")};
   shape.brow_up = {OffsetsOfRole(heads, "brow_up_left"), OffsetsOfRole(heads, "brow_up_right")};
+  const HeadShape& form = heads.by_form;
+  if (shape.jaw.empty()) shape.jaw = form.jaw;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (shape.blink[side].empty()) shape.blink[side] = form.blink[side];
+    if (shape.brow_up[side].empty()) shape.brow_up[side] = form.brow_up[side];
+    shape.lids[side] = form.lids[side];
+  }
   return shape;
 }
 
@@ -160,6 +185,9 @@ void Reorder(const std::vector<Index>& order, Heads& heads) {
   Reorder(order, heads.skin);
   Reorder(order, heads.part);
   Reorder(order, heads.uv);
+  HeadShape& form = heads.by_form;
+  for (Offsets* motion : {&form.jaw, &form.blink[0], &form.blink[1], &form.brow_up[0], &form.brow_up[1]})
+    if (!motion->empty()) Reorder(order, *motion);
   for (Shape& shape : heads.shapes) Reorder(order, shape.offsets);
   for (Triangle& t : heads.triangles)
     for (Index& corner : t) corner = number[corner];

@@ -40,6 +40,8 @@ struct Heads {
   std::vector<glm::vec2> uv;        // By skin vertex.
   std::vector<Shape> shapes;        // Targets, then presets.
   std::vector<Role> roles;          // Of `shapes`.
+  HeadShape by_form;  // Of the first head: what no shape says of lids, jaw and brows. Its motions alone.
+  std::vector<std::string> found_by_form;  // One line for each feature.
 };
 
 // `eyes_z_m`: where the middle between the eyes is laid. Models must have passed their checks.
@@ -48,8 +50,8 @@ Heads TakeApart(const std::vector<Model>& models, float eyes_z_m, Findings& find
 // The sum of shapes that a role is; null where the heads have no such role.
 Offsets OffsetsOfRole(const Heads& heads, std::string_view role);
 
-// The first head with the motions by which its features are known; teeth and tongue belong to no triangle of
-// it.
+// The first head with the motions by which its features are known, the artist's or else those by form; teeth
+// and tongue belong to no triangle of it.
 HeadShape ShapeOfHeads(const Heads& heads);
 
 // Puts skin vertices into another order: order[i] is the vertex that becomes number i.

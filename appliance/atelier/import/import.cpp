@@ -53,12 +53,17 @@ class Importing {
   // `like`: for each head a face of the show.
   Importing(const std::vector<Model>& models, Heads heads, const show::Show* show,
             std::vector<std::size_t> like)
-      : models_(models), heads_(std::move(heads)), show_(show), like_(std::move(like)) {}
+      : models_(models),
+        heads_(std::move(heads)),
+        head_(ShapeOfHeads(heads_)),
+        show_(show),
+        like_(std::move(like)) {}
 
   Imported Run(const ImportOptions& options) {
     Describe();
     if (show_ != nullptr) LayOverShow();
     WantExpressionsOfShow();
+    WantByForm();
     WantOtherRoles();
     WantShapes();
     AddCarriedToShow();
@@ -75,15 +80,16 @@ class Importing {
                        first.positions.size(), first.triangles.size(), first.targets.size(),
                        first.presets.size()));
     if (first.targets.empty())
-      Remark("it has no shapes: the face holds still; name first a file of the same mesh that has some");
+      Remark("it has no shapes: what can be found by form moves by the show's expressions and ours");
     Remark(fmt::format("skin: {} vertices, {} triangles", heads_.skin.size(), heads_.triangles.size()));
     for (const PartOf part :
          {PartOf::kLeftEye, PartOf::kRightEye, PartOf::kUpperTeeth, PartOf::kLowerTeeth, PartOf::kTongue})
       Remark(fmt::format("{}: {} vertices", NameOf(part), std::ranges::count(heads_.parts, part)));
+    for (const std::string& found : heads_.found_by_form) Remark(found);
   }
 
   void LayOverShow() {
-    const HeadShape theirs = ShapeOfHeads(heads_);
+    const HeadShape& theirs = head_;
     const HeadShape ours = ShapeOfCast(show_->cast);
     landmarks_ = FindLandmarks(theirs);
     std::vector<std::string> missing;
@@ -127,7 +133,7 @@ class Importing {
     Offsets offsets = from_show_->Carry(DisplacementsOnShow(open));
     MoveMouthWithJaw(offsets);
     for (std::size_t side = 0; side < 2; ++side) {
-      const Offsets blink = OffsetsOfRole(heads_, kBlinks[side]);
+      const Offsets& blink = head_.blink[side];
       for (std::size_t v = 0; v < blink.size(); ++v) offsets[v] += expression.lids[side] * blink[v];
     }
     Want(std::move(name), expression.kind, std::move(offsets), "the show's own, carried over");
@@ -135,7 +141,7 @@ class Importing {
 
   // Teeth and tongue go as far with the artist's jaw as the lower lip does.
   void MoveMouthWithJaw(Offsets& offsets) const {
-    const HeadShape head = ShapeOfHeads(heads_);
+    const HeadShape& head = head_;
     const auto lip = std::ranges::find(landmarks_, "lower lip", &Landmark::name);
     if (head.jaw.empty() || lip == landmarks_.end()) return;
     const auto nearest = std::ranges::min_element(
@@ -155,6 +161,16 @@ class Importing {
     alone.expressions = {expression};
     alone.blink = {-1, -1};
     return OffsetsOfCast(alone, alone.expressions.front());
+  }
+
+  // Ours, where neither artist nor show says how: the show shuts lids by rings that a head has not.
+  void WantByForm() {
+    const HeadShape& form = heads_.by_form;
+    for (std::size_t side = 0; side < 2; ++side)
+      if (!form.blink[side].empty())
+        Want(std::string(kBlinks[side]), ExpressionKind::kChannel, form.blink[side], "by form");
+    const bool known = std::ranges::find(wanted_, "jaw_open", &WantedShape::name) != wanted_.end();
+    if (!known && !form.jaw.empty()) Want("jaw_open", ExpressionKind::kChannel, form.jaw, "by form");
   }
 
   void WantOtherRoles() {
@@ -261,6 +277,7 @@ class Importing {
 
   const std::vector<Model>& models_;
   Heads heads_;
+  HeadShape head_;  // The first, in the order before Build.
   const show::Show* show_;
   std::vector<std::size_t> like_;
   std::optional<Bridge> from_show_;

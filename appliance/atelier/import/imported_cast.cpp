@@ -55,8 +55,8 @@ std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
 // Each edge of the artist's polygons once.
 std::vector<face::Line> WiresOf(const std::vector<Triangle>& triangles, const std::vector<Index>& weld) {
   std::set<std::pair<Index, Index>> edges;
-  for (const Polygon& polygon : PolygonsOf(triangles)) {
-    const std::size_t corners = polygon[3] == kNoCorner ? 3 : 4;
+  for (const mesh::Polygon& polygon : PolygonsOf(triangles)) {
+    const std::size_t corners = polygon.size();
     for (std::size_t i = 0; i < corners; ++i)
       edges.insert(std::minmax(weld[polygon[i]], weld[polygon[(i + 1) % corners]]));
   }
@@ -91,7 +91,7 @@ face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index mov
   topology.texture = heads.uv;
   topology.triangles = heads.triangles;
   topology.wires = WiresOf(heads.triangles, graph.welds());
-  topology.twin = Twins(graph.welds());
+  topology.twin = mesh::Twins(graph.welds());
   topology.mouth_share = MouthShareOf(head);
   topology.fine = MakeFineMesh(heads.triangles, graph.welds(), heads.uv);
   return topology;

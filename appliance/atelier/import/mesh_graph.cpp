@@ -24,18 +24,6 @@ std::vector<Index> Weld(std::span<const glm::vec3> positions) {
   return weld;
 }
 
-std::vector<Index> Twins(const std::vector<Index>& weld) {
-  std::vector<Index> twin(weld.size());
-  std::iota(twin.begin(), twin.end(), 0U);
-  for (Index v = 0; v < weld.size(); ++v) {
-    const Index first = weld[v];
-    if (first == v || twin[first] != first) continue;
-    twin[first] = v;
-    twin[v] = first;
-  }
-  return twin;
-}
-
 MeshGraph::MeshGraph(std::span<const glm::vec3> positions, std::span<const Triangle> triangles)
     : positions_(positions.begin(), positions.end()), weld_(Weld(positions)) {
   std::vector<std::pair<Index, Index>> edges;

@@ -16,10 +16,6 @@ namespace kaori::import {
 // For each vertex the first one at the very same position.
 std::vector<Index> Weld(std::span<const glm::vec3> positions);
 
-// For each vertex the other copy at its position, where there are just two; itself elsewhere. Of three copies
-// the first two are a pair.
-std::vector<Index> Twins(const std::vector<Index>& weld);
-
 class MeshGraph {
  public:
   MeshGraph(std::span<const glm::vec3> positions, std::span<const Triangle> triangles);

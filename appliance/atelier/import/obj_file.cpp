@@ -21,24 +21,38 @@ struct Loaded {
   std::vector<tinyobj::shape_t> shapes;
 };
 
+// The library cuts a polygon into triangles in a time that grows with the square of its corners, and reads a
+// line of many numbers in full.
+constexpr std::size_t kLongestLine_bytes = 8192;
+
 // The lines that are needed. What else an OBJ may hold (materials, weights, curves, tags) the library reads
 // with less care.
-std::string NeededLines(std::span<const std::uint8_t> bytes) {
+std::optional<std::string> NeededLines(const std::string& file, std::span<const std::uint8_t> bytes,
+                                       Findings& findings) {
   constexpr std::array<std::string_view, 5> kNeeded{"v", "vt", "f", "o", "g"};
   std::string text(bytes.begin(), bytes.end());
   std::ranges::replace(text, '\r', '\n');  // To the library, both end a line.
   std::istringstream all(text);
   std::string needed;
+  std::size_t number = 0;
   for (std::string line; std::getline(all, line);) {
+    ++number;
     line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
     const std::string_view word = std::string_view(line).substr(0, line.find_first_of(" \t"));
-    if (std::ranges::find(kNeeded, word) != kNeeded.end()) needed += line + '\n';
+    if (std::ranges::find(kNeeded, word) == kNeeded.end()) continue;
+    if (line.size() > kLongestLine_bytes) {
+      findings.Add(file, fmt::format("line {}", number), fmt::format("has more than {} letters", kLongestLine_bytes));
+      return std::nullopt;
+    }
+    needed += line + '\n';
   }
   return needed;
 }
 
 std::optional<Loaded> Load(const std::string& file, std::span<const std::uint8_t> bytes, Findings& findings) {
-  std::istringstream text(NeededLines(bytes));
+  const auto needed = NeededLines(file, bytes, findings);
+  if (!needed) return std::nullopt;
+  std::istringstream text(*needed);
   Loaded loaded;
   std::vector<tinyobj::material_t> materials;
   std::string warning;

@@ -19,6 +19,8 @@ constexpr float kLargestEye_m = 0.035F;
 constexpr float kRoughBall = 0.08F;  // Of the radius: eyes have corneas.
 constexpr float kMiddle_m = 0.01F;   // A mouth's piece lies this near to the plane of symmetry.
 constexpr float kStaysUp = 0.15F;    // Of the jaw's largest motion.
+constexpr float kTongueWide = 0.8F;  // Of the teeth's width.
+constexpr float kLevel_m = 0.002F;   // Teeth so little below the others are of the same row.
 
 struct Piece {
   std::vector<Index> vertices;
@@ -110,6 +112,7 @@ class Sorter {
       const PartOf part = PartOfPiece(*piece, *head);
       for (const Index v : piece->vertices) parts[v] = part;
     }
+    if (jaw_ == nullptr) SortMouth(parts);
     return parts;
   }
 
@@ -122,10 +125,46 @@ class Sorter {
     if (std::abs(side) > kMiddle_m || !IsInside(piece, head)) return PartOf::kSkin;
     const float jaw = Moved(jaw_, piece);
     if (name.find("tongue") != std::string::npos) return PartOf::kTongue;
-    const bool teeth = name.find("teeth") != std::string::npos || name.find("tooth") != std::string::npos;
-    if (jaw_ == nullptr) return teeth ? PartOf::kUpperTeeth : PartOf::kSkin;
+    const bool teeth = IsNamedTeeth(piece);
+    if (jaw_ == nullptr) return teeth || IsInMouth(piece, head) ? PartOf::kUpperTeeth : PartOf::kSkin;
     if (!teeth && Moved(tongue_, piece) > 0.5F) return PartOf::kTongue;
     return jaw < kStaysUp ? PartOf::kUpperTeeth : PartOf::kLowerTeeth;
+  }
+
+  bool IsNamedTeeth(const Piece& piece) const {
+    const std::string name = MeshName(model_, piece.vertices.front());
+    return name.find("teeth") != std::string::npos || name.find("tooth") != std::string::npos;
+  }
+
+  static void Name(const Piece& piece, PartOf part, std::vector<PartOf>& parts) {
+    for (const Index v : piece.vertices) parts[v] = part;
+  }
+
+  static bool IsInMouth(const Piece& piece, const Piece& head) {
+    return piece.middle().z > head.middle().z && piece.most.y < head.middle().y;
+  }
+
+  // No motion tells: the tongue is narrower than the teeth, the lower teeth lie below the upper ones.
+  void SortMouth(std::vector<PartOf>& parts) const {
+    float widest_m = 0;
+    float sum = 0;
+    std::vector<const Piece*> teeth;
+    for (const Piece& piece : pieces_)
+      if (parts[piece.vertices.front()] == PartOf::kUpperTeeth)
+        widest_m = std::max(widest_m, piece.most.x - piece.least.x);
+    for (const Piece& piece : pieces_) {
+      if (parts[piece.vertices.front()] != PartOf::kUpperTeeth) continue;
+      const bool narrow = piece.most.x - piece.least.x < kTongueWide * widest_m;
+      if (narrow && !IsNamedTeeth(piece)) {
+        Name(piece, PartOf::kTongue, parts);
+      } else {
+        teeth.push_back(&piece);
+        sum += piece.middle().y;
+      }
+    }
+    for (const Piece* piece : teeth)
+      if (piece->middle().y < sum / static_cast<float>(teeth.size()) - kLevel_m)
+        Name(*piece, PartOf::kLowerTeeth, parts);
   }
 
   static bool IsInside(const Piece& piece, const Piece& head) {
