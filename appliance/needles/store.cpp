@@ -15,10 +15,26 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = 1U << 20U;
+constexpr std::string_view kAside = ".faulty";
 
 // "03-": the keys count from one.
 std::string PrefixOf(int place) {
   return fmt::format("{:02}-", place + 1);
+}
+
+// One that was kept aside before is not written over.
+fs::path AsideOf(const fs::path& file) {
+  const std::string first = file.string() + std::string(kAside);
+  fs::path aside = first;
+  for (int number = 2; fs::exists(aside); ++number) aside = first + std::to_string(number);
+  return aside;
+}
+
+// The name that a file had before it was kept aside; empty where it was not.
+fs::path BeforeAside(const fs::path& file) {
+  const std::string path = file.string();
+  const auto at = path.rfind(kAside);
+  return at == std::string::npos ? fs::path() : fs::path(path.substr(0, at));
 }
 
 // -1: it names no place.
@@ -39,6 +55,15 @@ std::vector<fs::path> FilesOf(const fs::path& folder) {
   return files;
 }
 
+std::vector<fs::path> AsidesOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (PlaceOf(BeforeAside(entry.path())) >= 0) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
 Result<Work> ReadFile(const fs::path& file, const Points& points, const face::Cast& cast) {
   std::error_code error;
   if (fs::file_size(file, error) > kMostBytes || error)
@@ -54,10 +79,12 @@ bool HasName(const Places& places, const std::string& name) {
   return std::ranges::any_of(places, [&](const auto& own) { return own && own->name == name; });
 }
 
-Result<void> ReadInto(const fs::path& file, Places& places, const Points& points, const face::Cast& cast) {
+// `named` is what it is called, or was before it was kept aside.
+Result<void> ReadInto(const fs::path& file, const fs::path& named, Places& places, const Points& points,
+                      const face::Cast& cast) {
   auto work = ReadFile(file, points, cast);
   if (!work) return tl::unexpected(work.error());
-  work->place = PlaceOf(file);
+  work->place = PlaceOf(named);
   auto& place = places[static_cast<std::size_t>(work->place)];
   if (place) return FailInput(fmt::format("{}: its place is taken by \"{}\"", file.string(), place->name));
   if (HasName(places, work->name))
@@ -86,13 +113,17 @@ Result<void> RemoveAllBut(const fs::path& folder, int place, const fs::path& kep
 
 Stored ReadStore(const fs::path& folder, const Points& points, const face::Cast& cast) {
   Stored stored;
+  std::error_code ignored;  // A file that cannot be renamed was named; it stays where it is.
+  const auto before = AsidesOf(folder);
   for (const fs::path& file : FilesOf(folder)) {
-    const auto read = ReadInto(file, stored.places, points, cast);
+    const auto read = ReadInto(file, file, stored.places, points, cast);
     if (read) continue;
     stored.complaints.push_back(read.error().message() + "; it is kept aside");
-    std::error_code ignored;  // It was named; it stays where it is.
-    fs::rename(file, file.string() + ".faulty", ignored);
+    fs::rename(file, AsideOf(file), ignored);
   }
+  for (const fs::path& aside : before)
+    if (ReadInto(aside, BeforeAside(aside), stored.places, points, cast))
+      fs::rename(aside, BeforeAside(aside), ignored);
   return stored;
 }
 

@@ -21,7 +21,8 @@ struct Stored {
 };
 
 // Reads all files NN-NAME.toml; blocks for the disk. One with a fault, or without a free place, is kept aside
-// as FILE.faulty, and the others are read.
+// as FILE.faulty, and the others are read. One that was kept aside comes back when it has no fault any more:
+// it was mended, or made for the show that plays again.
 Stored ReadStore(const std::filesystem::path& folder, const Points& points, const face::Cast& cast);
 
 // Writes the file of work.place whole or not at all, and removes others of the same place; blocks for the

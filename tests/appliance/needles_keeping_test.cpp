@@ -157,5 +157,31 @@ TEST_F(NeedleKeeping, AFaultyFileIsNamedAndKeptAsideAndTheRestIsRead) {
   EXPECT_THAT(Read().complaints, IsEmpty()) << "they are named once";
 }
 
+TEST_F(NeedleKeeping, AFileOfAnotherShowComesBackWithIts) {
+  ASSERT_TRUE(needles::WriteToStore(own(), Some("mine", 2), points_));
+  needles::Points others = points_;
+  for (std::string& name : others.names) name = "X" + name;
+  EXPECT_FALSE(needles::ReadStore(own(), others, cast_).places[2]);
+  Work theirs = Some("mine", 2, 5);
+  ASSERT_TRUE(needles::WriteToStore(own(), theirs, others));
+  const auto mine = Read().places[2];
+  ASSERT_TRUE(mine) << "though the other show has one of the same name and place";
+  EXPECT_NEAR(mine->pulls_m[0].x, Some("mine", 2).pulls_m[0].x, 0.6e-6F);
+  const auto again = needles::ReadStore(own(), others, cast_).places[2];
+  ASSERT_TRUE(again);
+  EXPECT_NEAR(again->pulls_m[0].x, theirs.pulls_m[0].x, 0.6e-6F);
+}
+
+TEST_F(NeedleKeeping, AFaultyFileThatIsMendedComesBackToItsFreePlaceOnly) {
+  Put("01-a.toml", "[[expression]]\nname = \"a\"\nlids = [0, 9]\n");
+  EXPECT_FALSE(Read().places[0]);
+  Put("01-a.toml.faulty", "[[expression]]\nname = \"a\"\nlids = [0, 0.5]\n");
+  EXPECT_TRUE(Read().places[0]);
+  EXPECT_THAT(FilesOf(own()), ElementsAre("01-a.toml"));
+  Put("01-b.toml.faulty", "[[expression]]\nname = \"b\"\n");
+  EXPECT_EQ(Read().places[0]->name, "a");
+  EXPECT_THAT(FilesOf(own()), ElementsAre("01-a.toml", "01-b.toml.faulty"));
+}
+
 }  // namespace
 }  // namespace kaori::testing
