@@ -32,6 +32,17 @@ TEST(ShowFiles, AMissingFileIsNamed) {
   EXPECT_THAT(show.Complaint(), ContainsRegex("dog.toml: No such file"));
 }
 
+TEST(ShowFiles, AFolderOrADeviceInPlaceOfAFileIsNamed) {
+  const ShowCopy show;
+  const auto dog = show.folder() / "faces" / "dog.toml";
+  std::filesystem::remove(dog);
+  std::filesystem::create_directory(dog);
+  EXPECT_THAT(show.Complaint(), ContainsRegex("dog.toml: Is a directory"));
+  std::filesystem::remove(dog);
+  std::filesystem::create_symlink("/dev/zero", dog);
+  EXPECT_THAT(show.Complaint(), ContainsRegex("dog.toml: is no file"));
+}
+
 TEST(ShowFiles, BrokenTomlIsNamedWithItsLine) {
   ShowCopy show;
   show.Replace("faces/kaori.toml", "radius = 2.2", "radius = = 2.2");

@@ -82,6 +82,13 @@ TEST_F(CheckedFolder, GoesOnWhereAFileIsMissingOrNoToml) {
   EXPECT_THAT(faults, Not(Contains(HasSubstr("there is no face")))) << "nobody knows which faces there are";
 }
 
+TEST_F(CheckedFolder, SaysNothingOfTheScriptThatFollowsFromAFileThatCannotBeRead) {
+  Append("expressions.toml", "= =\n");
+  Replace("show.toml", "style = \"wire\"", "style = \"oil\"");
+  EXPECT_THAT(CheckFolder(show_), ::testing::ElementsAre(ContainsRegex("expressions.toml:[0-9]+: "),
+                                                         HasSubstr("there is no style \"oil\"")));
+}
+
 TEST_F(CheckedFolder, NamesAMissingLookBesideAMissingFace) {
   std::filesystem::remove(show_ / "looks/dog.toml");
   std::filesystem::remove(show_ / "faces/round.toml");

@@ -12,6 +12,7 @@
 
 #include "appliance/atelier/script/backdrop_file.h"
 #include "appliance/atelier/script/key_names.h"
+#include "appliance/atelier/sculpt/value.h"
 
 namespace kaori::atelier {
 namespace {
@@ -225,7 +226,9 @@ class Reader {
 }  // namespace
 
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show) {
-  const toml::parse_result parsed = toml::parse_file(file.string());
+  const auto text = sculpt::ReadText(file);
+  if (!text) return {text.error().message()};
+  const toml::parse_result parsed = toml::parse(*text, file.string());
   if (!parsed) {
     const auto& at = parsed.error().source().begin;
     return {fmt::format("{}:{}:{}: {}", file.string(), at.line, at.column, parsed.error().description())};

@@ -20,8 +20,11 @@ struct Value {
   std::vector<std::pair<std::string, Value>> table{};  // In the order of their names.
 };
 
-// Reads a TOML file into a table. Errors:
-//   no_such_file_or_directory  it cannot be read
+// Reads a file of text. Errors: as open(2); is_a_directory; invalid_argument where it is no file (a device
+// would never end) or too large for one that people write.
+Result<std::string> ReadText(const std::filesystem::path& file);
+
+// Reads a TOML file into a table. Errors: as ReadText, and
 //   invalid_argument           it is no TOML, or holds a number that is not finite, or a date: file and line
 //   are named
 Result<Value> ReadToml(const std::filesystem::path& file);
