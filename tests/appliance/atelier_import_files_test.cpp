@@ -199,6 +199,14 @@ TEST(Obj, RefusesFacesWithoutTexture) {
   EXPECT_THAT(findings.lines(), ElementsAre(HasSubstr("3 corners have no texture coordinate")));
 }
 
+TEST(Obj, RefusesALineThatWouldTakeHoursToCut) {
+  std::string text = "v 0 0 0\nv 0.1 0 0\nv 0.1 0.1 0\nvt 0 0\nf";
+  for (int i = 0; i < 100'000; ++i) text += fmt::format(" {}/1", i % 3 + 1);
+  Findings findings;
+  EXPECT_FALSE(ReadText(text, findings));
+  EXPECT_THAT(findings.lines(), ElementsAre(HasSubstr("line 5: has more than")));
+}
+
 TEST(MeshCheck, FindsNumbersThatAreNone) {
   Model plate = PlateWithTarget();
   plate.positions[3].x = std::numeric_limits<float>::quiet_NaN();

@@ -23,7 +23,7 @@ struct Loaded {
 
 // The library cuts a polygon into triangles in a time that grows with the square of its corners, and reads a
 // line of many numbers in full.
-constexpr std::size_t kLongestLine_bytes = 8192;
+constexpr std::size_t kLongestLine_bytes = 4096;
 
 // The lines that are needed. What else an OBJ may hold (materials, weights, curves, tags) the library reads
 // with less care.
@@ -41,7 +41,8 @@ std::optional<std::string> NeededLines(const std::string& file, std::span<const 
     const std::string_view word = std::string_view(line).substr(0, line.find_first_of(" \t"));
     if (std::ranges::find(kNeeded, word) == kNeeded.end()) continue;
     if (line.size() > kLongestLine_bytes) {
-      findings.Add(file, fmt::format("line {}", number), fmt::format("has more than {} letters", kLongestLine_bytes));
+      findings.Add(file, fmt::format("line {}", number),
+                   fmt::format("has more than {} letters", kLongestLine_bytes));
       return std::nullopt;
     }
     needed += line + '\n';
