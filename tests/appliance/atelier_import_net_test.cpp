@@ -8,6 +8,7 @@
 #include "appliance/atelier/import/point_choice.h"
 #include "appliance/atelier/import/shape_fit.h"
 #include "appliance/atelier/import/surface_net.h"
+#include "appliance/atelier/mesh/subdivide.h"
 #include "tests/appliance/atelier_import_glb.h"
 
 namespace kaori::import {
@@ -49,7 +50,7 @@ float SumOf(const face::SparseRows& rows, std::size_t row) {
 TEST(MeshGraph, MakesOneOfVerticesAtOnePlace) {
   const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   EXPECT_THAT(Weld(positions), testing::ElementsAre(0, 1, 0, 0));
-  EXPECT_THAT(Twins(Weld(positions)), testing::ElementsAre(2, 1, 0, 3));
+  EXPECT_THAT(mesh::Twins(Weld(positions)), testing::ElementsAre(2, 1, 0, 3));
 }
 
 TEST(MeshGraph, GoesRoundASlit) {

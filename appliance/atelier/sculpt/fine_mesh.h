@@ -1,4 +1,4 @@
-// One step of Catmull-Clark subdivision as a fixed matrix from the cage (Catmull and Clark 1978).
+// The fine mesh of the heads that are modelled here.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,7 @@
 
 namespace kaori::sculpt {
 
-// Fine vertices: the cage's, then one for each quad, then one for each edge. Seams are closed: the copies on
-// either side get the same rows. `places` are the cage's, in centimetres.
-face::FineMesh Subdivide(const Cage& cage, const std::vector<glm::dvec2>& places);
+// As mesh::Subdivide, with texture places. `places` are the cage's, in centimetres.
+face::FineMesh MakeFineMesh(const Cage& cage, const std::vector<glm::dvec2>& places);
 
 }  // namespace kaori::sculpt

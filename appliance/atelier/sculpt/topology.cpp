@@ -98,7 +98,7 @@ face::Topology MakeTopology(const Cage& cage, const HalfShape& reference) {
   SplitQuads(cage, reference, topology.triangles);
   topology.wires = Wires(cage);
   topology.lids = {MakeLidRig(cage, cage.left), MakeLidRig(cage, cage.right)};
-  topology.fine = Subdivide(cage, places);
+  topology.fine = MakeFineMesh(cage, places);
   return topology;
 }
 
