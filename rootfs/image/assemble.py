@@ -1,8 +1,8 @@
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -B
 """Makes the box's root: what keep.txt names of Debian's packages, our programs, our own files, and every library
-that any of these links to.
+that any of these links to, but for those of stand_ins.txt, which are replaced by empty ones.
 
-    assemble.py PACKAGES KEEP OVERLAY ROOT PROGRAM...
+    assemble.py PACKAGES KEEP STAND_INS OVERLAY ROOT PROGRAM...
 """
 
 import fnmatch
@@ -12,9 +12,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import stand_in
+
 MERGED = ("bin", "sbin", "lib", "lib64")  # Folders of the root that are names of folders in usr.
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
-MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var", "data")
+MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var/lib/kaori")
 
 
 def merged(path):
@@ -32,11 +34,14 @@ def index(packages):
     return found
 
 
+def lines_of(path):
+    """Without comments and empty lines."""
+    return [line.strip() for line in Path(path).read_text().splitlines() if line.strip() and line[0] != "#"]
+
+
 def chosen(keep, files):
-    for line in Path(keep).read_text().splitlines():
-        pattern = line.strip().lstrip("/")
-        if not pattern or line.startswith("#"):
-            continue
+    for line in lines_of(keep):
+        pattern = line.lstrip("/")
         names = fnmatch.filter(files, pattern)
         if not names:
             sys.exit(f"{keep}: no package has {line}")
@@ -63,8 +68,8 @@ def find_library(name, files):
     return sys.exit(f"no package has the library {name}")
 
 
-def with_libraries(names, programs, files):
-    """The names, and everything they link to; a link brings what it points to."""
+def with_libraries(names, programs, files, replaced):
+    """The names, and everything they link to but what is replaced; a link brings what it points to."""
     kept = set()
     waiting = list(names)
     for program in programs:
@@ -81,7 +86,7 @@ def with_libraries(names, programs, files):
                 os.path.normpath(os.path.join(os.path.dirname(name), target))
             waiting.append(target)
         else:
-            waiting += [find_library(library, files) for library in needed(path)]
+            waiting += [find_library(library, files) for library in needed(path) if library not in replaced]
     return sorted(kept)
 
 
@@ -101,6 +106,12 @@ def copy(names, files, root):
             copies[state.st_ino] = target
 
 
+def replace(replaced, kept, files, root):
+    for name in replaced:
+        users = [files[user] for user in kept if not os.path.islink(files[user]) and name in needed(files[user])]
+        stand_in.make(files[find_library(name, files)], users, root / LIBRARIES / name)
+
+
 def install(programs, root):
     for program in programs:
         target = root / "usr/bin" / Path(program).name
@@ -110,7 +121,7 @@ def install(programs, root):
 
 
 def main():
-    packages, keep, overlay, root, *programs = sys.argv[1:]
+    packages, keep, stand_ins, overlay, root, *programs = sys.argv[1:]
     root = Path(root)
     files = index(packages)
     shutil.rmtree(root, ignore_errors=True)
@@ -119,7 +130,10 @@ def main():
     for name in MERGED:
         (root / name).symlink_to(f"usr/{name}")
         (root / "usr" / name).mkdir(parents=True, exist_ok=True)
-    copy(with_libraries(chosen(keep, files), programs, files), files, root)
+    replaced = lines_of(stand_ins)
+    kept = with_libraries(chosen(keep, files), programs, files, replaced)
+    copy(kept, files, root)
+    replace(replaced, kept, files, root)
     install(programs, root)
     shutil.copytree(overlay, root, symlinks=True, dirs_exist_ok=True)
 

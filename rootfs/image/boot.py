@@ -38,8 +38,7 @@ def qemu(args, folder):
     told = (images / "cmdline").read_text().strip()
     # Whatever the box is asked to say, its own words come last: the last one counts.
     told = told.replace(" quiet loglevel=3", "") + " " + TOLD if args.trace or args.shot else told
-    initramfs = ["-initrd", images / "initramfs"] if (images / "initramfs").exists() else []
-    return ["qemu-system-x86_64", *MACHINE, *initramfs, "-m", str(args.memory),
+    return ["qemu-system-x86_64", *MACHINE, "-m", str(args.memory),
             "-display", "gtk" if "DISPLAY" in os.environ and not args.shot else "none",
             "-kernel", images / "bzImage", "-append", told,
             "-drive", f"file={images / 'kaori.disk'},if=virtio,format=raw,snapshot=on",

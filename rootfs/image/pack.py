@@ -17,6 +17,7 @@ BLOCK = 4096
 ROOT_UUID = "6b616f72-6900-4000-8000-000000000001"
 VERITY_UUID = "6b616f72-6900-4000-8000-000000000002"
 DISK_UUID = "6b616f72-6900-4000-8000-000000000003"
+DATA_UUID = "6b616f72-6900-4000-8000-000000000004"
 SALT = "6b616f72692d626f78" + "00" * 23
 
 # name, size in MiB, GPT type, the partition's own id. Slot B stays empty until the first update.
@@ -62,7 +63,22 @@ def command_line(image, root_hash):
     root, tree = f"PARTUUID={ids['root-a']}", f"PARTUUID={ids['verity-a']}"
     table = f"0 {blocks * BLOCK // SECTOR} verity 1 {root} {tree} {BLOCK} {BLOCK} {blocks} 1 sha256 {root_hash} {SALT}"
     return f'dm-mod.waitfor={root},{tree} dm-mod.create="root,,,ro,{table}" root=/dev/dm-0 rootfstype=erofs ro ' \
-           "init=/usr/lib/systemd/systemd quiet loglevel=3 panic=5 fbcon=map:9 vt.global_cursor_default=0"
+           "init=/usr/lib/systemd/systemd quiet loglevel=3 panic=5"
+
+
+def make_data(out):
+    """An ext4 with the stage's own folder in it, empty, and with no time but the image's."""
+    data = out / "data.ext4"
+    data.unlink(missing_ok=True)
+    size_mib = next(size for name, size, _, _ in LAYOUT if name == "data")
+    run("mke2fs", "-q", "-t", "ext4", "-U", DATA_UUID, "-E", f"hash_seed={DATA_UUID},lazy_itable_init=0", "-m", "0",
+        "-L", "kaori-data", data, f"{size_mib}M")
+    user = next(line.split(":") for line in (out / "root/etc/passwd").read_text().splitlines()
+                if line.startswith("kaori-stage:"))
+    for change in ("mkdir own", f"set_inode_field own uid {user[2]}", f"set_inode_field own gid {user[3]}",
+                   "set_inode_field own mode 040700"):
+        run("debugfs", "-w", "-R", change, data)
+    return data
 
 
 def write_disk(out, parts):
@@ -105,14 +121,14 @@ def main():
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
     (out / "cmdline").write_text(command_line(image, root_hash) + "\n")
-    write_disk(out, {"root-a": image, "verity-a": tree})
-    kernel = [part for part in (out / "bzImage", out / "initramfs") if part.exists()]
-    in_mb = {"kernel": sum(part.stat().st_size for part in kernel), "root": image.stat().st_size, "verity": tree.stat().st_size,
+    write_disk(out, {"root-a": image, "verity-a": tree, "data": make_data(out)})
+    kernel = out / "bzImage"
+    in_mb = {"kernel": kernel.stat().st_size, "root": image.stat().st_size, "verity": tree.stat().st_size,
              "unpacked": folder_bytes(out / "root"),
              "graphics": sum(f.stat().st_size for f in (out / "root").rglob("libLLVM*") if not f.is_symlink())
              + next((out / "root").rglob("swrast_dri.so")).stat().st_size,
              "show": (out / "root/usr/share/kaori/kaori.kaori").stat().st_size}
-    report = {"root_hash": root_hash, "compressed_mb": round(compressed_bytes(*kernel, image, tree) / 1e6, 1),
+    report = {"root_hash": root_hash, "compressed_mb": round(compressed_bytes(kernel, image, tree) / 1e6, 1),
               "parts_mb": {name: round(size / 1e6, 1) for name, size in in_mb.items()}}
     written.write_text(json.dumps(report, indent=2) + "\n")
 
