@@ -2,9 +2,7 @@
 #pragma once
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <fstream>
 #include <random>
 #include <string>
@@ -12,6 +10,7 @@
 
 #include "appliance/needles/scribe.h"
 #include "tests/appliance/board_file.h"
+#include "tests/appliance/small_disk.h"
 #include "tests/render/synthetic_cast.h"
 
 namespace kaori::testing {
@@ -25,26 +24,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 inline constexpr std::uint64_t kCast = 77;  // Some fingerprint.
-
-// While it lives, no file of this process grows beyond `bytes`: what a full disk is to a writer.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
- private:
-  void (*signal_)(int);
-  rlimit before_{};
-};
 
 class NeedleKeeping : public ::testing::Test {
  protected:

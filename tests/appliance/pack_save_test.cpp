@@ -9,32 +9,13 @@
 #include "appliance/show/pack.h"
 #include "appliance/show/pack_whole_file.h"
 #include "tests/appliance/pack_fixture.h"
+#include "tests/appliance/small_disk.h"
 
 namespace kaori::testing {
 namespace {
 
 using show::SavePack;
 using ::testing::HasSubstr;
-
-// While it lives, no file of this process grows beyond `bytes`: what a full disk is to a writer.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
- private:
-  void (*signal_)(int);
-  rlimit before_{};
-};
 
 class SavedPack : public PackTest {
  protected:
