@@ -143,6 +143,12 @@ const Wrong kWrongs[] = {
     {"ACallOnAKeyThatIsNone", "[keys]\nf13 = \"style wire\"", "key f13: there is no key \"f13\""},
     {"AKeyThatCallsNothingThatIs", "[keys]\nq = \"light on\"",
      "key q: \"light\" is none of face, expression, style, scene"},
+    {"ACallWithoutQuotes", "[keys]\nq = 7", "key q: line 9: a text in quotes is expected"},
+    {"KeysThatAreNoTable", "[[keys]]\nq = \"style wire\"", "keys: line 8: a table is expected"},
+    {"AKeyThatIsGivenTwice", "[keys]\nf1 = \"style wire\"", "key f1: the key \"f1\" is given twice"},
+    {"ASceneOfANameThatIsTaken",
+     "[[scene]]\nname = \"studio\"\nface = \"kaori\"\nbackdrop = { top = \"#000000\", bottom = \"#000000\" }",
+     "scene \"studio\": the name \"studio\" is given twice"},
     {"ATypingError", "light = = 1", ":8:"},
 };
 
@@ -158,6 +164,15 @@ INSTANTIATE_TEST_SUITE_P(Each, AWrongScript, ::testing::ValuesIn(kWrongs),
 
 TEST_F(ScriptTest, WithoutAnySceneIsNamed) {
   EXPECT_THAT(Read("name = \"empty\"\n"), Contains(HasSubstr("scenes: there is none")));
+}
+
+TEST_F(ScriptTest, WithButtonsThatAreNoRowsOfTextsIsNamed) {
+  EXPECT_THAT(Read(std::string("buttons = 3\n") + kScene),
+              Contains(HasSubstr("buttons: line 1: a list is expected")));
+  EXPECT_THAT(Read(std::string("buttons = [\"face kaori\"]\n") + kScene),
+              Contains(HasSubstr("buttons: line 1: a row [...] is expected")));
+  EXPECT_THAT(Read(std::string("buttons = [[\"\", 7]]\n") + kScene),
+              Contains(HasSubstr("button 2: line 1: a text in quotes is expected")));
 }
 
 TEST_F(ScriptTest, WithAnotherNumberOfButtonsThanTheBoxIsNamed) {

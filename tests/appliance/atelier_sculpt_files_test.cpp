@@ -49,6 +49,12 @@ TEST(ShowFiles, BrokenTomlIsNamedWithItsLine) {
   EXPECT_THAT(show.Complaint(), ContainsRegex("kaori.toml:[0-9]+: "));
 }
 
+TEST(ShowFiles, AFaceMayBeNamedOnce) {
+  ShowCopy show;
+  show.Replace("faces/cast.toml", "\"round\", ", "\"kaori\", \"round\", ");
+  EXPECT_THAT(show.Complaint(), ContainsRegex("cast.toml:[0-9]+: faces: \"kaori\" is given twice"));
+}
+
 TEST(ShowFiles, AMisspeltKeyIsNotPassedOver) {
   ShowCopy show;
   show.Replace("faces/kaori.toml", "upturn", "upturm");

@@ -38,12 +38,14 @@ class Reader {
   std::vector<std::string> Read(const toml::table& table) {
     CheckWords("the show", table, {"name", "scene", "take", "buttons", "keys", "channels"});
     show_.name = Value("the show", table, "name", std::string("unnamed"));
-    if (const auto* scenes = table["scene"].as_array()) ForEachTable(*scenes, [&](auto& t) { ReadScene(t); });
+    if (const auto* scenes = Part<toml::array>(table, "scene"))
+      ForEachTable(*scenes, [&](auto& t) { ReadScene(t); });
     if (show_.scenes.empty()) Fault("scenes", "there is none; the first one opens the show");
-    if (const auto* takes = table["take"].as_array()) ForEachTable(*takes, [&](auto& t) { ReadTake(t); });
-    if (const auto* rows = table["buttons"].as_array()) ReadButtons(*rows);
-    if (const auto* keys = table["keys"].as_table()) ReadKeys(*keys);
-    if (const auto* channels = table["channels"].as_table()) ReadChannels(*channels);
+    if (const auto* takes = Part<toml::array>(table, "take"))
+      ForEachTable(*takes, [&](auto& t) { ReadTake(t); });
+    if (const auto* rows = Part<toml::array>(table, "buttons")) ReadButtons(*rows);
+    if (const auto* keys = Part<toml::table>(table, "keys")) ReadKeys(*keys);
+    if (const auto* channels = Part<toml::table>(table, "channels")) ReadChannels(*channels);
     return std::move(faults_);
   }
 
@@ -59,6 +61,18 @@ class Reader {
       if (std::ranges::find(words, key.str()) == words.end())
         Fault(item,
               fmt::format("line {}: nothing is called \"{}\" here", key.source().begin.line, key.str()));
+  }
+
+  // A table or an array; null where there is none.
+  template <class T>
+  const T* Part(const toml::table& table, std::string_view word) {
+    const toml::node* node = table.get(word);
+    if (node == nullptr || node->as<T>() != nullptr) return node == nullptr ? nullptr : node->as<T>();
+    Fault(std::string(word),
+          fmt::format(
+              "line {}: {}", node->source().begin.line,
+              std::is_same_v<T, toml::table> ? "a table is expected, such as [keys]" : "a list is expected"));
+    return nullptr;
   }
 
   // A number or a text; `fallback` where it is not given.
@@ -97,12 +111,21 @@ class Reader {
     return 0;
   }
 
+  // Of two things on one key, or of one name, an operator would never see the second.
+  void CheckOnce(const std::string& item, const char* what, const std::string& name,
+                 std::vector<std::string>& before) {
+    if (std::ranges::find(before, name) != before.end())
+      Fault(item, fmt::format("{} \"{}\" is given twice", what, name));
+    before.push_back(name);
+  }
+
   std::uint16_t Key(const std::string& item, const toml::table& table) {
     if (!table.contains("key")) return 0;
     return KeyNamed(item, Value(item, table, "key", std::string()));
   }
 
   std::uint16_t KeyNamed(const std::string& item, const std::string& name) {
+    CheckOnce(item, "the key", name, keys_);
     if (const auto usage = KeyUsage(name)) return *usage;
     Fault(item, fmt::format("there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12", name));
     return 0;
@@ -113,6 +136,7 @@ class Reader {
     scene.name = Value("a scene", table, "name", std::string("unnamed"));
     const std::string item = fmt::format("scene \"{}\"", scene.name);
     CheckWords(item, table, {"name", "key", "face", "expression", "style", "light", "fade_s", "backdrop"});
+    if (table.contains("name")) CheckOnce(item, "the name", scene.name, scenes_);
     scene.key_usage = Key(item, table);
     scene.face = Named(item, "face", show_.cast.faces, Value(item, table, "face", std::string()));
     scene.expression = Named(item, "expression", show_.cast.expressions,
@@ -166,14 +190,18 @@ class Reader {
 
   void ReadButtons(const toml::array& rows) {
     std::size_t number = 0;
-    for (const toml::node& row : rows)
-      if (const auto* buttons = row.as_array())
-        for (const toml::node& button : *buttons) {
-          if (number < show_.buttons.size())
-            show_.buttons[number] =
-                ReadCall(fmt::format("button {}", number + 1), button.value_or(std::string()));
-          ++number;
-        }
+    for (const toml::node& row : rows) {
+      const auto* buttons = row.as_array();
+      if (buttons == nullptr) {
+        Fault("buttons", fmt::format("line {}: a row [...] is expected", row.source().begin.line));
+        continue;
+      }
+      for (const toml::node& button : *buttons) {
+        const show::Call call = ReadCall(fmt::format("button {}", number + 1), button);
+        if (number < show_.buttons.size()) show_.buttons[number] = call;
+        ++number;
+      }
+    }
     if (number != show_.buttons.size())
       Fault("buttons", fmt::format("{} are given; the box has {}", number, show_.buttons.size()));
   }
@@ -182,11 +210,14 @@ class Reader {
     for (const auto& [key, node] : keys) {
       const std::string name(key.str());
       const std::string item = "key " + name;
-      show_.keys.push_back({KeyNamed(item, name), ReadCall(item, node.value_or(std::string()))});
+      show_.keys.push_back({KeyNamed(item, name), ReadCall(item, node)});
     }
   }
 
-  show::Call ReadCall(const std::string& item, const std::string& text) {
+  show::Call ReadCall(const std::string& item, const toml::node& node) {
+    if (!node.is_string())
+      Fault(item, fmt::format("line {}: a text in quotes is expected", node.source().begin.line));
+    const std::string text = node.value_or(std::string());
     if (text.empty()) return {};
     const auto space = text.find(' ');
     const std::string kind = text.substr(0, space);
@@ -221,6 +252,8 @@ class Reader {
   std::filesystem::path file_;
   show::Show& show_;
   std::vector<std::string> faults_;
+  std::vector<std::string> keys_;    // That call something.
+  std::vector<std::string> scenes_;  // Their names.
 };
 
 }  // namespace

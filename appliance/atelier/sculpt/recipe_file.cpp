@@ -1,5 +1,6 @@
 #include "appliance/atelier/sculpt/recipe_file.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -273,6 +274,9 @@ Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder) {
   CastRecipe cast{.aim = ReadAim(file.Part("aim")), .faces = {}};
   const std::vector<std::string> names = file.Words("faces");
   if (names.empty()) file.Fault("faces", "there must be one at least");
+  for (auto name = names.begin(); name != names.end(); ++name)
+    if (std::find(names.begin(), name, *name) != name)
+      file.Fault("faces", "\"" + *name + "\" is given twice");
   Complaints complaints;
   complaints.Hear(faults.Verdict());
   for (const std::string& name : names) {
