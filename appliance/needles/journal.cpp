@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include <fmt/format.h>
+
 namespace kaori::needles {
 namespace {
 
@@ -59,6 +61,31 @@ Result<void> WriteAt(int fd, std::uint64_t at, std::span<const std::uint8_t> byt
   return {};
 }
 
+bool BeginsWith(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> head) {
+  return bytes.size() >= head.size() && std::equal(head.begin(), head.end(), bytes.begin());
+}
+
+// Where the journal of a cast waits while another cast is played: named by what its own head says.
+std::string AsideOf(const std::filesystem::path& file, std::span<const std::uint8_t> head) {
+  std::string name = file.string() + '.';
+  for (const std::uint8_t byte : head.subspan(kMagic.size(), sizeof(std::uint64_t)))
+    name += fmt::format("{:02x}", byte);
+  return name;
+}
+
+// Keeps the file that is there aside, where it holds work, and brings back the one of `head`, where it waits.
+// Returns whether another file is there now.
+Result<bool> Exchange(const std::filesystem::path& file, std::span<const std::uint8_t> bytes,
+                      std::span<const std::uint8_t> head) {
+  const std::string waiting = AsideOf(file, head);
+  const bool waits = ::access(waiting.c_str(), F_OK) == 0;
+  const bool holds_work = bytes.size() > kHeadBytes;
+  if (holds_work && std::rename(file.c_str(), AsideOf(file, bytes).c_str()) < 0)
+    return FailErrno("keep aside " + file.string());
+  if (waits && std::rename(waiting.c_str(), file.c_str()) < 0) return FailErrno("take up " + waiting);
+  return waits || holds_work;
+}
+
 }  // namespace
 
 Result<Journal::Opened> Journal::Open(const std::filesystem::path& file, std::uint64_t fingerprint) {
@@ -67,16 +94,16 @@ Result<Journal::Opened> Journal::Open(const std::filesystem::path& file, std::ui
   auto bytes = ReadAll(fd->get(), file.string());
   if (!bytes) return tl::unexpected(bytes.error());
   const auto head = HeadOf(fingerprint);
-  const bool ours = bytes->size() >= kHeadBytes && std::equal(head.begin(), head.end(), bytes->begin());
-  const bool aside = !ours && bytes->size() > kHeadBytes;  // A file without a record holds nobody's work.
-  if (aside) {
-    if (std::rename(file.c_str(), (file.string() + ".aside").c_str()) < 0)
-      return FailErrno("keep aside " + file.string());
+  const bool aside = !BeginsWith(*bytes, head) && bytes->size() > kHeadBytes;  // Less is nobody's work.
+  auto changed = BeginsWith(*bytes, head) ? Result<bool>(false) : Exchange(file, *bytes, head);
+  if (!changed) return tl::unexpected(changed.error());
+  if (*changed) {
     fd = OpenLocked(file);
-    if (!fd) return tl::unexpected(fd.error());
+    bytes = fd ? ReadAll(fd->get(), file.string()) : tl::unexpected(fd.error());
+    if (!bytes) return tl::unexpected(bytes.error());
   }
   Opened opened{Journal(std::move(*fd), file, fingerprint), {}, 0, aside};
-  if (!ours) return opened;  // The head is written with the first record: a full disk can wait for it.
+  if (!BeginsWith(*bytes, head)) return opened;  // The first record brings the head: a full disk can wait.
   Decoded decoded = Decode(std::span(*bytes).subspan(kHeadBytes));
   opened.records = std::move(decoded.records);
   opened.journal.end_ = kHeadBytes + decoded.sound_bytes;

@@ -20,7 +20,7 @@ class Journal {
 
   // Opens the file, or makes it, and reads what an earlier session wrote; blocks for the disk. A record that
   // was torn is cut off. A journal of other control points (`fingerprint`), or a file that is none, is kept
-  // aside as FILE.aside. Errors:
+  // aside as FILE.NUMBER, and is taken up when it fits again. Errors:
   //   device_or_resource_busy  another program has it open
   //   as open(2), read(2) and write(2)
   static Result<Opened> Open(const std::filesystem::path& file, std::uint64_t fingerprint);

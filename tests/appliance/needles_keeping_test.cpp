@@ -67,12 +67,20 @@ TEST_F(NeedleKeeping, NoDamageToAJournalOrAFileIsMoreThanALoss) {
   }
 }
 
-TEST_F(NeedleKeeping, AJournalOfAnotherCastIsKeptAside) {
-  Append({{Change::kBegun, Some("", -1)}});
-  const auto opened = Open(kCast + 1);
-  EXPECT_TRUE(opened.put_aside);
-  EXPECT_THAT(opened.records, IsEmpty());
-  EXPECT_TRUE(std::filesystem::exists(journal().string() + ".aside"));
+TEST_F(NeedleKeeping, AJournalOfAnotherCastIsKeptAsideUntilThatCastPlaysAgain) {
+  Append({{Change::kBegun, Some("", -1, 3)}});
+  for (int turn = 0; turn < 2; ++turn) {
+    auto other = Open(kCast + 1);
+    EXPECT_TRUE(other.put_aside);
+    EXPECT_EQ(other.records.size(), static_cast<std::size_t>(turn));
+    std::vector<std::uint8_t> bytes;
+    if (turn == 0) needles::Encode({Change::kBegun, Some("", -1, 4)}, bytes);
+    ASSERT_TRUE(other.journal.Append(bytes));
+    { const auto closed = std::move(other); }
+    const auto again = Open();
+    ASSERT_EQ(again.records.size(), 1U);
+    EXPECT_EQ(again.records[0].work, Some("", -1, 3));
+  }
 }
 
 TEST_F(NeedleKeeping, AJournalIsHeldByOneProgram) {
