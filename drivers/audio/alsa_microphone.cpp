@@ -1,0 +1,78 @@
+#include "drivers/audio/alsa_microphone.h"
+
+#include <cerrno>
+#include <utility>
+
+namespace kaori::audio {
+namespace {
+
+constexpr std::size_t kMostFrames = 480;  // 10 ms: the caller reads until there are none.
+
+}  // namespace
+
+Result<std::unique_ptr<AlsaMicrophone>> AlsaMicrophone::Open(const std::string& name, const AlsaWish& wish,
+                                                             const Clock& clock, const PcmOpener& open) {
+  auto pcm = open(name, Direction::kCapture, wish);
+  if (!pcm) return tl::unexpected(pcm.error());
+  if (const int started = (*pcm)->Start(); started < 0)
+    return Fail(CauseOf(started), "start sound device " + name);
+  return std::unique_ptr<AlsaMicrophone>(new AlsaMicrophone(name, wish, clock, std::move(*pcm)));
+}
+
+AlsaMicrophone::AlsaMicrophone(std::string name, const AlsaWish& wish, const Clock& clock,
+                               std::unique_ptr<AlsaPcm> pcm)
+    : name_(std::move(name)), stall_(wish.stall), clock_(clock), pcm_(std::move(pcm)), newest_(clock.now()) {
+  samples_.resize(kMostFrames * static_cast<std::size_t>(pcm_->format().channels));
+}
+
+Result<ports::SoundBlock> AlsaMicrophone::Read() {
+  if (broken_) return tl::unexpected(*broken_);
+  const Time at = StampOfOldest();
+  const long frames = pcm_->Read(samples_);
+  if (frames == 0 || frames == -EAGAIN) return NothingYet();
+  if (frames < 0) {
+    if (auto ok = GoOn(frames); !ok) return tl::unexpected(ok.error());
+    return NothingYet();
+  }
+  newest_ = clock_.now();
+  const auto count = static_cast<std::size_t>(frames * pcm_->format().channels);
+  return ports::SoundBlock{at, std::exchange(xrun_, false), std::span(samples_).first(count)};
+}
+
+// The oldest frame that waits was heard this much before the kernel last looked.
+Time AlsaMicrophone::StampOfOldest() {
+  PcmStatus status;
+  if (pcm_->Status(status) < 0) return clock_.now();  // Read tells what is wrong.
+  return status.at.value_or(clock_.now()) - Span(pcm_->format(), status.delay_frames);
+}
+
+Result<void> AlsaMicrophone::GoOn(long answer) {
+  xrun_ = true;
+  const auto recovered = Recover(*pcm_, answer, name_);
+  if (!recovered) {
+    if (recovered.error().cause == std::errc::resource_unavailable_try_again) return recovered;
+    return Broken(recovered.error());
+  }
+  const int started = pcm_->Start();
+  if (started < 0 && started != -EBADFD)  // One that resumed runs already.
+    return Broken({CauseOf(started), "start sound device " + name_});
+  return {};
+}
+
+tl::unexpected<Error> AlsaMicrophone::NothingYet() {
+  if (clock_.now() - newest_ > stall_) return Broken({std::errc::io_error, "wait any longer for " + name_});
+  return Fail(std::errc::resource_unavailable_try_again, "read " + name_);
+}
+
+tl::unexpected<Error> AlsaMicrophone::Broken(const Error& error) {
+  broken_ = error;
+  return tl::unexpected(error);
+}
+
+ports::MicrophoneOpener AlsaMicrophoneOpener(std::string name, const AlsaWish& wish, const Clock& clock) {
+  return [name = std::move(name), wish, &clock]() -> Result<std::unique_ptr<ports::Microphone>> {
+    return AlsaMicrophone::Open(name, wish, clock);
+  };
+}
+
+}  // namespace kaori::audio

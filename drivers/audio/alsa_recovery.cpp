@@ -1,0 +1,41 @@
+#include <cerrno>
+
+#include "drivers/audio/alsa_pcm.h"
+
+namespace kaori::audio {
+
+std::errc CauseOf(long answer) {
+  switch (-answer) {
+    case ENODEV:
+    case ENXIO:
+    case ENOENT:
+      return std::errc::no_such_device;
+    case EBUSY:
+      return std::errc::device_or_resource_busy;
+    case EACCES:
+    case EPERM:
+      return std::errc::permission_denied;
+    case EINVAL:
+      return std::errc::not_supported;
+    default:
+      return std::errc::io_error;
+  }
+}
+
+Result<void> Recover(AlsaPcm& pcm, long answer, const std::string& name) {
+  if (answer != -EPIPE && answer != -ESTRPIPE) {
+    const bool gone = CauseOf(answer) == std::errc::no_such_device;
+    return Fail(gone ? std::errc::no_such_device : std::errc::io_error, "stream " + name);
+  }
+  if (answer == -ESTRPIPE) {
+    const int woken = pcm.Resume();
+    if (woken == 0) return {};
+    if (woken == -EAGAIN) return Fail(std::errc::resource_unavailable_try_again, "wake " + name);
+  }
+  const int prepared = pcm.Prepare();  // Also where a device cannot resume.
+  if (prepared == 0) return {};
+  const bool gone = CauseOf(prepared) == std::errc::no_such_device;
+  return Fail(gone ? std::errc::no_such_device : std::errc::io_error, "recover " + name);
+}
+
+}  // namespace kaori::audio

@@ -1,0 +1,149 @@
+// What sound devices do to us, on one made of memory.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drivers/audio/alsa_loudspeaker.h"
+#include "drivers/audio/alsa_microphone.h"
+#include "tests/drivers/audio_fake_pcm.h"
+
+namespace kaori::audio {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::ElementsAre;
+
+class AlsaTest : public testing::Test {
+ protected:
+  std::unique_ptr<AlsaMicrophone> Microphone() {
+    return std::move(AlsaMicrophone::Open("hw:1", {}, clock_, tests::Opener(sound_)).value());
+  }
+  std::unique_ptr<AlsaLoudspeaker> Loudspeaker() {
+    return std::move(AlsaLoudspeaker::Open("hw:1", {}, clock_, tests::Opener(sound_)).value());
+  }
+  static std::errc Cause(const auto& result) { return result ? std::errc{} : result.error().cause; }
+
+  ManualClock clock_;
+  tests::FakeSound sound_;
+};
+
+TEST_F(AlsaTest, AMicrophoneStampsItsFirstFrameAsLongAgoAsFramesWait) {
+  const auto microphone = Microphone();
+  EXPECT_EQ(sound_.started, 1);
+  sound_.stamp = clock_.now() - milliseconds(2);
+  sound_.delay_frames = 240;
+  sound_.heard = {1, 2, 3};
+  const auto block = microphone->Read();
+  ASSERT_TRUE(block);
+  EXPECT_EQ(block->at, clock_.now() - milliseconds(7));
+  EXPECT_THAT(block->samples, ElementsAre(1, 2, 3));
+  EXPECT_FALSE(block->xrun);
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::resource_unavailable_try_again);
+}
+
+TEST_F(AlsaTest, AMicrophoneWithoutStampsUsesTheClock) {
+  const auto microphone = Microphone();
+  sound_.delay_frames = 48;
+  sound_.heard = {1};
+  EXPECT_EQ(microphone->Read()->at, clock_.now() - milliseconds(1));
+}
+
+TEST_F(AlsaTest, AMicrophoneThatOverranGoesOnAndSaysSoOnce) {
+  const auto microphone = Microphone();
+  sound_.failing = -EPIPE;
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::resource_unavailable_try_again);
+  EXPECT_EQ(sound_.prepared, 1);
+  EXPECT_EQ(sound_.started, 2);
+  sound_.heard = {5};
+  EXPECT_TRUE(microphone->Read()->xrun);
+  sound_.heard = {6};
+  EXPECT_FALSE(microphone->Read()->xrun);
+}
+
+TEST_F(AlsaTest, AMicrophoneThatSleptIsWokenWhenItsBusIs) {
+  const auto microphone = Microphone();
+  sound_.failing = -ESTRPIPE;
+  sound_.resume_answer = -EAGAIN;
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::resource_unavailable_try_again);
+  EXPECT_EQ(sound_.prepared, 0);
+  sound_.resume_answer = -ENOSYS;  // It cannot resume: it begins anew.
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::resource_unavailable_try_again);
+  EXPECT_EQ(sound_.prepared, 1);
+  sound_.heard = {5};
+  EXPECT_TRUE(microphone->Read()->xrun);
+}
+
+TEST_F(AlsaTest, AMicrophoneThatIsPulledStaysGoneUntilItIsOpenedAnew) {
+  auto microphone = Microphone();
+  sound_.failing = -ENODEV;
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::no_such_device);
+  sound_.failing = 0;
+  sound_.heard = {5};
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::no_such_device);
+  microphone.reset();
+  EXPECT_EQ(sound_.closed, 1);
+  EXPECT_TRUE(Microphone()->Read());
+}
+
+TEST_F(AlsaTest, AMicrophoneThatIsPulledWhileItRecoversIsGone) {
+  const auto microphone = Microphone();
+  sound_.failing = -EPIPE;
+  sound_.prepare_answer = -ENODEV;
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::no_such_device);
+}
+
+TEST_F(AlsaTest, AMicrophoneThatStandsStillHasBroken) {
+  const auto microphone = Microphone();
+  clock_.Advance(milliseconds(900));
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::resource_unavailable_try_again);
+  sound_.heard = {1};
+  EXPECT_TRUE(microphone->Read());
+  clock_.Advance(milliseconds(1001));
+  EXPECT_EQ(microphone->Read().error().attempt, "wait any longer for hw:1");
+  sound_.heard = {1};
+  EXPECT_EQ(Cause(microphone->Read()), std::errc::io_error);
+}
+
+TEST_F(AlsaTest, ALoudspeakerTakesWhatHasRoomAndTellsWhenItIsHeard) {
+  sound_.format.channels = 2;
+  const auto loudspeaker = Loudspeaker();
+  sound_.stamp = clock_.now() - milliseconds(1);
+  sound_.delay_frames = 480;
+  sound_.room_frames = 2;
+  const std::vector<std::int16_t> frames{1, -1, 2, -2, 3, -3};
+  const auto playout = loudspeaker->Write(frames);
+  ASSERT_TRUE(playout);
+  EXPECT_EQ(playout->frames, 2u);
+  EXPECT_EQ(playout->at, clock_.now() + milliseconds(9));
+  EXPECT_THAT(sound_.played, ElementsAre(1, -1, 2, -2));
+  EXPECT_EQ(Cause(loudspeaker->Write(frames)), std::errc::resource_unavailable_try_again);
+}
+
+TEST_F(AlsaTest, ALoudspeakerTakesWholeFramesOnly) {
+  sound_.format.channels = 2;
+  const auto loudspeaker = Loudspeaker();
+  EXPECT_EQ(Cause(loudspeaker->Write(std::vector<std::int16_t>{1, 2, 3})), std::errc::invalid_argument);
+  EXPECT_EQ(Cause(loudspeaker->Write({})), std::errc::invalid_argument);
+}
+
+TEST_F(AlsaTest, ALoudspeakerThatRanDryPlaysOnAtOnceAndSaysSo) {
+  const auto loudspeaker = Loudspeaker();
+  sound_.failing = -EPIPE;
+  const auto playout = loudspeaker->Write(std::vector<std::int16_t>{7, 8});
+  ASSERT_TRUE(playout);
+  EXPECT_TRUE(playout->xrun);
+  EXPECT_THAT(sound_.played, ElementsAre(7, 8));
+  EXPECT_FALSE(loudspeaker->Write(std::vector<std::int16_t>{9})->xrun);
+}
+
+TEST_F(AlsaTest, ALoudspeakerThatIsPulledStaysGone) {
+  const auto loudspeaker = Loudspeaker();
+  const std::vector<std::int16_t> frame{7};
+  sound_.failing = -ENODEV;
+  EXPECT_EQ(Cause(loudspeaker->Write(frame)), std::errc::no_such_device);
+  sound_.failing = 0;
+  EXPECT_EQ(Cause(loudspeaker->Write(frame)), std::errc::no_such_device);
+  EXPECT_TRUE(Loudspeaker()->Write(frame));
+}
+
+}  // namespace
+}  // namespace kaori::audio
