@@ -85,8 +85,10 @@ TEST_F(CheckedFolder, GoesOnWhereAFileIsMissingOrNoToml) {
 TEST_F(CheckedFolder, SaysNothingOfTheScriptThatFollowsFromAFileThatCannotBeRead) {
   Append("expressions.toml", "= =\n");
   Replace("show.toml", "style = \"wire\"", "style = \"oil\"");
+  Replace("show.toml", "\"face kaori\"", "\"face karoi\"");
   EXPECT_THAT(CheckFolder(show_), ::testing::ElementsAre(ContainsRegex("expressions.toml:[0-9]+: "),
-                                                         HasSubstr("there is no style \"oil\"")));
+                                                         HasSubstr("there is no style \"oil\""),
+                                                         HasSubstr("button 1: there is no face \"karoi\"")));
 }
 
 TEST_F(CheckedFolder, NamesAMissingLookBesideAMissingFace) {

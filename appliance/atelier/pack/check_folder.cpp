@@ -1,7 +1,7 @@
 #include "appliance/atelier/pack/check_folder.h"
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -144,14 +144,15 @@ class Checker {
 
   // Where nobody knows which faces or expressions there are, none can be said to be missing.
   void AddOfScript(const std::string& fault) {
-    const bool lacks_names = !faces_ || !expressions_;
-    if (!lacks_names || !SpeaksOfNames(fault)) faults_.push_back(fault);
+    const bool unknown_face = !faces_ && Holds(fault, {"there is no face "});
+    const bool unknown_expression =
+        !expressions_ && Holds(fault, {"there is no expression ", "there is no target or channel ",
+                                       "a curve moves nothing that exists"});
+    const bool unknown_number = (!faces_ || !expressions_) && Holds(fault, {": calls number "});
+    if (!unknown_face && !unknown_expression && !unknown_number) faults_.push_back(fault);
   }
-  static bool SpeaksOfNames(std::string_view fault) {
-    constexpr std::array<std::string_view, 5> kWords{"there is no face ", "there is no expression ",
-                                                     "there is no target or channel ", ": calls number ",
-                                                     "a curve moves nothing that exists"};
-    return std::ranges::any_of(kWords,
+  static bool Holds(std::string_view fault, std::initializer_list<std::string_view> any_of) {
+    return std::ranges::any_of(any_of,
                                [fault](auto words) { return fault.find(words) != std::string_view::npos; });
   }
 
