@@ -1,0 +1,77 @@
+"""The box's image in QEMU, as a test holds it: its serial line, and its screen."""
+
+import json
+import re
+import socket
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+# The guest draws by itself; with newer processors' instructions emulation is many times slower.
+BOARD = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512", "-no-reboot",
+         "-vga", "none", "-display", "none", "-device", "virtio-gpu-pci,xres=960,yres=540", "-device", "qemu-xhci")
+TOLD = "console=ttyS0 loglevel=6 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=1"
+FACE = r"Started .*kaori-stage"
+
+
+class Machine:
+    """Runs from construction to the end of a `with`. `disk` may be another than the image's; nothing is written to it."""
+
+    def __init__(self, image, disk=None):
+        image = Path(image)
+        self.folder = tempfile.TemporaryDirectory()
+        self.serial = Path(self.folder.name) / "serial"
+        told = (image / "cmdline").read_text().strip().replace(" quiet loglevel=3", "") + " " + TOLD
+        self.process = subprocess.Popen(
+            ["qemu-system-x86_64", *BOARD, "-kernel", str(image / "bzImage"), "-append", told,
+             "-drive", f"file={disk or image / 'kaori.disk'},if=virtio,format=raw,snapshot=on",
+             "-serial", f"file:{self.serial}", "-qmp", f"unix:{self.folder.name}/qmp,server=on,wait=off"])
+        self.link = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        self.process.wait()
+        self.folder.cleanup()
+
+    def said(self):
+        return self.serial.read_text(errors="replace") if self.serial.exists() else ""
+
+    def wait_for(self, words, longest_s):
+        """Whether the serial line said it in time, and before the machine ended."""
+        until = time.monotonic() + longest_s
+        while time.monotonic() < until:
+            if re.search(words, self.said()):
+                return True
+            if self.process.poll() is not None:
+                return bool(re.search(words, self.said()))
+            time.sleep(0.1)
+        return False
+
+    def _command(self, name, **arguments):
+        self.link.write(json.dumps({"execute": name, "arguments": arguments}) + "\n")
+        self.link.flush()
+        while True:
+            answer = json.loads(self.link.readline())
+            if "error" in answer:
+                raise RuntimeError(f"{name}: {answer['error']['desc']}")
+            if "return" in answer:
+                return answer["return"]
+
+    def screen(self):
+        """The picture on its screen: width, height, and the bytes of its pixels (RGB)."""
+        if self.link is None:
+            plug = socket.socket(socket.AF_UNIX)
+            plug.connect(f"{self.folder.name}/qmp")
+            self.link = plug.makefile("rw")
+            self.link.readline()
+            self._command("qmp_capabilities")
+        picture = Path(self.folder.name) / "screen.ppm"
+        self._command("screendump", filename=str(picture))
+        kind, size, _, pixels = picture.read_bytes().split(b"\n", 3)
+        assert kind == b"P6", kind
+        width, height = map(int, size.split())
+        return width, height, pixels
