@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kPage = R"(
 Reads glTF 2.0 (.glb, .gltf) and OBJ with texture coordinates. The first FILE has the shapes (morph targets); all files
 have its vertices in its order, and become the faces of one cast, named as the files. A file without shapes that comes
-alone holds still.
+alone wears the show's expressions: its features are found by its form.
 
   --out      a pack (NAME.kaori) with the heads, or a folder: heads.kaori, report.txt, report.json and, with --show,
              show.kaori
