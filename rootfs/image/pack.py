@@ -133,4 +133,5 @@ def main():
     written.write_text(json.dumps(report, indent=2) + "\n")
 
 
-main()
+if __name__ == "__main__":
+    main()
