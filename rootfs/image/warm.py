@@ -1,5 +1,6 @@
 #!/usr/bin/env -S python3 -B
-"""Lets the stage compile its shaders once, in QEMU, and keeps them: warm.py OUT. Results: OUT/shaders/*.foz
+"""Lets the stage compile its shaders once, in QEMU, and keeps them: warm.py OUT PACKAGES_STAMP. Results:
+OUT/shaders/*.foz
 
 Starts a copy of the image that writes shaders to its data partition. They are for a box that draws without a graphics
 card, on any processor since 2008. Does nothing where stage, show and packages are those of the shaders that lie there.
@@ -22,8 +23,8 @@ WRITTEN_S = 12  # From the first face on: the kernel writes what it holds after 
 STAGE, DATA = "usr/lib/systemd/system/kaori-stage.service", "usr/lib/systemd/system/var-lib-kaori.mount"
 
 
-def stamp(out):
-    hashed = hashlib.sha256((out / "packages.stamp").read_bytes())
+def stamp(out, packages):
+    hashed = hashlib.sha256(packages.read_bytes())
     for part in ("root/usr/bin/kaori-stage", "root/usr/share/kaori/kaori.kaori"):
         hashed.update((out / part).read_bytes())
     return hashed.hexdigest()
@@ -77,7 +78,7 @@ def take_shaders(folder, shaders):
 
 def main():
     out = Path(sys.argv[1])
-    shaders, wanted = out / "shaders", stamp(out)
+    shaders, wanted = out / "shaders", stamp(out, Path(sys.argv[2]))
     if (shaders / "stamp").exists() and (shaders / "stamp").read_text() == wanted:
         return
     shutil.rmtree(shaders, ignore_errors=True)
