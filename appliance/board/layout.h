@@ -20,11 +20,14 @@ enum class Section : std::uint32_t {
   kLines,
   kPointer,
   kLips,
+  kVoice,
+  kSound,
+  kTakeNow,
   kLamps,
   kStageStatus,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 10;
+inline constexpr std::size_t kSectionCount = 13;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes; the rest is zero.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
@@ -56,6 +59,9 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"lines", ValueWords<Lines>()},
                                                   {"pointer", ValueWords<Pointer>()},
                                                   {"lips", ValueWords<Lips>()},
+                                                  {"voice", ValueWords<Voice>()},
+                                                  {"sound", ValueWords<Sound>()},
+                                                  {"take_now", ValueWords<TakeNow>()},
                                                   {"lamps", ValueWords<Lamps>()},
                                                   {"stage_status", ValueWords<StageStatus>()},
                                                   {"performance", ValueWords<Performance>()}}};
@@ -99,6 +105,9 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Pointer>) return Section::kPointer;
   if constexpr (std::is_same_v<T, Lips>) return Section::kLips;
   if constexpr (std::is_same_v<T, Lamps>) return Section::kLamps;
+  if constexpr (std::is_same_v<T, Voice>) return Section::kVoice;
+  if constexpr (std::is_same_v<T, Sound>) return Section::kSound;
+  if constexpr (std::is_same_v<T, TakeNow>) return Section::kTakeNow;
   if constexpr (std::is_same_v<T, StageStatus>) return Section::kStageStatus;
   if constexpr (std::is_same_v<T, Performance>) return Section::kPerformance;
 }

@@ -82,6 +82,37 @@ struct Lips {
   float shut = 0.28F, open = 0.85F, narrow = 0.65F, wide = 1.35F;
 };
 
+// Written by kaori-lips: the voice in the microphone, and the mouth that it would make.
+struct Voice {
+  static constexpr const char* kName = "voice";
+  float level_db = -100;       // Of full scale, smoothed; -100 is silence.
+  std::uint32_t speaking = 0;  // 1: the gate is open.
+  float height = 0;            // 0 shut .. 1 open,
+  float width = 0.5F;          // 0 narrow .. 1 wide, of what the four mouth shapes are spread over.
+  float quality = 0;           // 0 no vowel is told .. 1 one alone is likely.
+  std::uint32_t blocks = 0;    // Heard since the program began.
+};
+
+// Written by kaori-lips: the voice on its way to the loudspeaker, whose state is the section's source.
+struct Sound {
+  static constexpr const char* kName = "sound";
+  float delay_ms = 0;           // From the microphone to the loudspeaker, as it is in use.
+  float asked_ms = 0;           // What a hand or the measurement asks for.
+  std::uint32_t automatic = 0;  // 1: it is the measurement that asks.
+  std::uint32_t xruns = 0;      // How often the loudspeaker ran dry,
+  std::uint32_t leaps = 0;      // and how often the voice's place was found anew, with a cross-fade.
+  float drift_ppm = 0;          // How much faster the voice is read than it is heard, now.
+};
+
+// Written by kaori-stage: the motion that was struck last, for its sound. At the stamp, which is a time of
+// light, it stands at `at_s`.
+struct TakeNow {
+  static constexpr const char* kName = "take_now";
+  std::int32_t take = -1;    // Of the show's takes; -1: none plays.
+  float at_s = 0;            // From its beginning.
+  std::uint32_t starts = 0;  // Counts the motions that began.
+};
+
 // Written by kaori-stage; kaori-input lights the lamps from it.
 struct Lamps {
   static constexpr const char* kName = "lamps";
@@ -100,6 +131,12 @@ struct StageStatus {
   std::uint32_t style = 0;
   std::uint32_t scene = 0;
   std::uint32_t input_age_us = 0;  // Age of the newest input at the last frame's light.
+  // Measured at the flips of the last second, means; 0: there was nothing to measure.
+  std::uint32_t lips_age_us = 0;   // Age of the lips at the moment of light.
+  std::uint32_t voice_age_us = 0;  // Age of the voice at the moment of light.
+  // From what the camera sees to the light of a mouth that does the same: the age, half the time that a frame
+  // stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
+  std::uint32_t mouth_lag_us = 0;
 };
 
 // Written by kaori-stage for itself: what it needs to go on after a restart without a jump. Opaque to the

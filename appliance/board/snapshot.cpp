@@ -9,6 +9,7 @@ Snapshot ReadAll(const Board& board) {
           .lines = board.Read<Lines>(),
           .pointer = board.Read<Pointer>(),
           .lips = board.Read<Lips>(),
+          .voice = board.Read<Voice>(),
           .lamps = board.Read<Lamps>(),
           .stage_status = board.Read<StageStatus>()};
 }

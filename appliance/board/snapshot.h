@@ -14,6 +14,7 @@ struct Snapshot {
   Stamped<Lines> lines;
   Stamped<Pointer> pointer;
   Stamped<Lips> lips;
+  Stamped<Voice> voice;
   Stamped<Lamps> lamps;
   Stamped<StageStatus> stage_status;
 };

@@ -8,6 +8,10 @@ namespace {
 constexpr std::int32_t kMaxCountsPerTurn = 1 << 20;  // The finest optical dials have a tenth of it.
 constexpr float kMaxLip = 8.0F;                      // Mouth widths; no mouth opens so far.
 constexpr float kMaxFigure = 1e9F;
+constexpr float kMostLevel_db = 100;
+constexpr float kMostDelay_ms = 2000;  // The box delays by 500 ms; a sound card adds its own.
+constexpr float kMostDrift_ppm = 1e5F;
+constexpr float kLongestTake_s = 1e5F;
 
 // False for NaN too: every comparison with it is.
 bool Within(float value, float low, float high) {
@@ -44,6 +48,20 @@ bool Valid(const Lips& lips) {
          Within(lips.corners[0], -kMaxLip, kMaxLip) && Within(lips.corners[1], -kMaxLip, kMaxLip) &&
          Within(lips.rest_marker, 0, kMaxLip) && Within(lips.shut, 0, lips.open) &&
          Within(lips.open, 0.01F, kMaxLip) && Within(lips.narrow, 0, 1) && Within(lips.wide, 1, kMaxLip);
+}
+
+bool Valid(const Voice& voice) {
+  return Within(voice.level_db, -kMostLevel_db, kMostLevel_db) && voice.speaking <= 1 &&
+         Within(voice.height, 0, 1) && Within(voice.width, 0, 1) && Within(voice.quality, 0, 1);
+}
+
+bool Valid(const Sound& sound) {
+  return Within(sound.delay_ms, 0, kMostDelay_ms) && Within(sound.asked_ms, 0, kMostDelay_ms) &&
+         sound.automatic <= 1 && Within(sound.drift_ppm, -kMostDrift_ppm, kMostDrift_ppm);
+}
+
+bool Valid(const TakeNow& take) {
+  return take.take >= -1 && Within(take.at_s, 0, kLongestTake_s);
 }
 
 bool Valid(const Lamps& /*any bits are lamps*/) {

@@ -144,6 +144,15 @@ TEST(Board, ChecksEveryFieldThatCanBeWrong) {
   EXPECT_FALSE(Valid(StageStatus{.frame_cpu_ms = nan}));
   EXPECT_FALSE(Valid(StageStatus{.frames_per_s = -1}));
   EXPECT_FALSE(Valid(Performance{.bytes = 9000}));
+  for (const Voice& bad : {Voice{.level_db = nan}, Voice{.speaking = 2}, Voice{.height = 1.1F},
+                           Voice{.width = -0.1F}, Voice{.quality = nan}}) {
+    EXPECT_FALSE(Valid(bad));
+  }
+  EXPECT_FALSE(Valid(Sound{.delay_ms = -1}));
+  EXPECT_FALSE(Valid(Sound{.asked_ms = nan}));
+  EXPECT_FALSE(Valid(Sound{.drift_ppm = nan}));
+  EXPECT_FALSE(Valid(TakeNow{.take = -2}));
+  EXPECT_FALSE(Valid(TakeNow{.at_s = nan}));
 }
 
 TEST(Board, ShowsOnlyValidValuesWhateverBytesLieInItsSections) {
@@ -157,7 +166,8 @@ TEST(Board, ShowsOnlyValidValuesWhateverBytesLieInItsSections) {
     const Snapshot all = ReadAll(board);
     EXPECT_TRUE(Valid(all.surface.value) && Valid(all.surface.source));
     EXPECT_TRUE(Valid(all.sticks[0].value) && Valid(all.sticks[1].value));
-    EXPECT_TRUE(Valid(all.lips.value) && Valid(all.stage_status.value));
+    EXPECT_TRUE(Valid(all.lips.value) && Valid(all.voice.value) && Valid(all.stage_status.value));
+    EXPECT_TRUE(Valid(board.Read<Sound>().value) && Valid(board.Read<TakeNow>().value));
     EXPECT_TRUE(Valid(board.Read<Performance>().value));
   }
 }
