@@ -23,11 +23,13 @@ enum class Section : std::uint32_t {
   kVoice,
   kSound,
   kTakeNow,
+  kLipsGuide,
+  kDesk,
   kLamps,
   kStageStatus,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 13;
+inline constexpr std::size_t kSectionCount = 15;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes; the rest is zero.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
@@ -62,6 +64,8 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"voice", ValueWords<Voice>()},
                                                   {"sound", ValueWords<Sound>()},
                                                   {"take_now", ValueWords<TakeNow>()},
+                                                  {"lips_guide", ValueWords<LipsGuide>()},
+                                                  {"desk", ValueWords<Desk>()},
                                                   {"lamps", ValueWords<Lamps>()},
                                                   {"stage_status", ValueWords<StageStatus>()},
                                                   {"performance", ValueWords<Performance>()}}};
@@ -108,6 +112,8 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Voice>) return Section::kVoice;
   if constexpr (std::is_same_v<T, Sound>) return Section::kSound;
   if constexpr (std::is_same_v<T, TakeNow>) return Section::kTakeNow;
+  if constexpr (std::is_same_v<T, LipsGuide>) return Section::kLipsGuide;
+  if constexpr (std::is_same_v<T, Desk>) return Section::kDesk;
   if constexpr (std::is_same_v<T, StageStatus>) return Section::kStageStatus;
   if constexpr (std::is_same_v<T, Performance>) return Section::kPerformance;
 }

@@ -113,6 +113,29 @@ struct TakeNow {
   std::uint32_t starts = 0;  // Counts the motions that began.
 };
 
+// Written by kaori-lips: the calibration that is taken at the box, for the stage's lamps and captions. Live
+// while it is under way.
+struct LipsGuide {
+  static constexpr const char* kName = "lips_guide";
+  std::uint32_t step = 0;      // 0 to 3: shut, open, wide, narrow; 4: all are taken, keep them?
+  std::uint32_t taking = 0;    // 1: the operator holds the pose and is measured.
+  float progress = 0;          // Of the measurement.
+  std::uint32_t seen = 0;      // 1: a good mouth is seen now.
+  std::uint32_t captions = 0;  // 1: the screen is for whoever works at the box, and may say it in words.
+};
+
+// Written by kaori-desk: where its page is, and the code that lets a visitor in. Live while the code is to be
+// shown.
+struct Desk {
+  static constexpr const char* kName = "desk";
+  std::uint32_t code = 0;         // Six digits.
+  float valid_s = 0;              // From the stamp on.
+  std::uint32_t address = 0;      // IPv4, 0xC0A80001 for 192.168.0.1; 0: none.
+  std::uint32_t port = 0;         // 0 .. 65535.
+  std::uint32_t secure = 0;       // 1: HTTPS.
+  std::uint32_t certificate = 0;  // The first four bytes of its SHA-256, big-endian; 0 without HTTPS.
+};
+
 // Written by kaori-stage; kaori-input lights the lamps from it.
 struct Lamps {
   static constexpr const char* kName = "lamps";

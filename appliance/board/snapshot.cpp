@@ -10,6 +10,8 @@ Snapshot ReadAll(const Board& board) {
           .pointer = board.Read<Pointer>(),
           .lips = board.Read<Lips>(),
           .voice = board.Read<Voice>(),
+          .lips_guide = board.Read<LipsGuide>(),
+          .desk = board.Read<Desk>(),
           .lamps = board.Read<Lamps>(),
           .stage_status = board.Read<StageStatus>()};
 }

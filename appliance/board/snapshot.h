@@ -15,6 +15,8 @@ struct Snapshot {
   Stamped<Pointer> pointer;
   Stamped<Lips> lips;
   Stamped<Voice> voice;
+  Stamped<LipsGuide> lips_guide;
+  Stamped<Desk> desk;
   Stamped<Lamps> lamps;
   Stamped<StageStatus> stage_status;
 };

@@ -12,6 +12,8 @@ constexpr float kMostLevel_db = 100;
 constexpr float kMostDelay_ms = 2000;  // The box delays by 500 ms; a sound card adds its own.
 constexpr float kMostDrift_ppm = 1e5F;
 constexpr float kLongestTake_s = 1e5F;
+constexpr std::uint32_t kMostCode = 999'999;
+constexpr float kLongestCode_s = 86'400;
 
 // False for NaN too: every comparison with it is.
 bool Within(float value, float low, float high) {
@@ -62,6 +64,16 @@ bool Valid(const Sound& sound) {
 
 bool Valid(const TakeNow& take) {
   return take.take >= -1 && Within(take.at_s, 0, kLongestTake_s);
+}
+
+bool Valid(const LipsGuide& guide) {
+  return guide.step <= 4 && guide.taking <= 1 && Within(guide.progress, 0, 1) && guide.seen <= 1 &&
+         guide.captions <= 1;
+}
+
+bool Valid(const Desk& desk) {
+  return desk.code <= kMostCode && Within(desk.valid_s, 0, kLongestCode_s) && desk.port <= 65535 &&
+         desk.secure <= 1;
 }
 
 bool Valid(const Lamps& /*any bits are lamps*/) {

@@ -15,6 +15,8 @@ bool Valid(const Lips& lips);
 bool Valid(const Voice& voice);
 bool Valid(const Sound& sound);
 bool Valid(const TakeNow& take);
+bool Valid(const LipsGuide& guide);
+bool Valid(const Desk& desk);
 bool Valid(const Lamps& lamps);
 bool Valid(const StageStatus& status);
 bool Valid(const Performance& performance);

@@ -153,6 +153,11 @@ TEST(Board, ChecksEveryFieldThatCanBeWrong) {
   EXPECT_FALSE(Valid(Sound{.drift_ppm = nan}));
   EXPECT_FALSE(Valid(TakeNow{.take = -2}));
   EXPECT_FALSE(Valid(TakeNow{.at_s = nan}));
+  for (const LipsGuide& bad :
+       {LipsGuide{.step = 5}, LipsGuide{.taking = 2}, LipsGuide{.progress = nan}, LipsGuide{.seen = 2}})
+    EXPECT_FALSE(Valid(bad));
+  for (const Desk& bad : {Desk{.code = 1'000'000}, Desk{.valid_s = nan}, Desk{.port = 65536}})
+    EXPECT_FALSE(Valid(bad));
 }
 
 TEST(Board, ShowsOnlyValidValuesWhateverBytesLieInItsSections) {
@@ -167,6 +172,7 @@ TEST(Board, ShowsOnlyValidValuesWhateverBytesLieInItsSections) {
     EXPECT_TRUE(Valid(all.surface.value) && Valid(all.surface.source));
     EXPECT_TRUE(Valid(all.sticks[0].value) && Valid(all.sticks[1].value));
     EXPECT_TRUE(Valid(all.lips.value) && Valid(all.voice.value) && Valid(all.stage_status.value));
+    EXPECT_TRUE(Valid(all.lips_guide.value) && Valid(all.desk.value));
     EXPECT_TRUE(Valid(board.Read<Sound>().value) && Valid(board.Read<TakeNow>().value));
     EXPECT_TRUE(Valid(board.Read<Performance>().value));
   }
