@@ -113,7 +113,7 @@ void Weigh(State& state, const board::Snapshot& board, const show::Show& show, c
                                      At(state.shown, Knob::kStrength));
   weights.channels = motion.channels;
   AddBrowsAndLids(state, show.channels, scene.gaze[0], weights.channels);
-  MoveMouth(state, board.lips, show.channels, weights, dt_s);
+  MoveMouth(state, board, show.channels, weights, dt_s);
   face::LimitJaw(show.cast, weights);
   const auto shut = Lids(state, board.keys.value, dt_s);
   for (std::size_t eye = 0; eye < shut.size(); ++eye)

@@ -1,4 +1,5 @@
-// Who moves the mouth: a hand on its dial, else the lips before the camera, else the expression itself.
+// Who moves the mouth: a hand on its dial, else the lips before the camera, else the voice, else the
+// expression itself.
 #pragma once
 
 #include "appliance/board/snapshot.h"
@@ -8,7 +9,10 @@
 namespace kaori::performance {
 
 // Moves state.mouth_* and adds the four mouth shapes, bilinear in height and width, to the channels.
-void MoveMouth(State& state, const board::Stamped<board::Lips>& lips, const show::Channels& channels,
+void MoveMouth(State& state, const board::Snapshot& board, const show::Channels& channels,
                face::Weights& weights, float dt_s);
+
+// How far the mouth is behind the lips or the voice that it follows.
+Duration MouthLag(const State& state);
 
 }  // namespace kaori::performance

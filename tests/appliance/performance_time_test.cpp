@@ -116,6 +116,8 @@ const Spoiled kSpoiled[] = {
     {"ASceneThatDoesNotExist", [](State& s) { s.scene = 2; }},
     {"AnAgeThatIsNone", [](State& s) { s.age_s = -1; }},
     {"HairThatIsNowhere", [](State& s) { s.sway.speed_rad_s.x = kNan; }},
+    {"AMouthThatIsMoreThanTheVoices", [](State& s) { s.mouth_voice = 2; }},
+    {"LipsThatWereLostNever", [](State& s) { s.lips_lost_s = kNan; }},
     {"LifeThatNeverBlinks", [](State& s) { s.life.to_next_blink_s = 900; }},
 };
 
