@@ -5,11 +5,16 @@
 #include <fmt/format.h>
 
 #include "drivers/base/log.h"
+#include "hw-sim/console/guard.h"
 #include "hw-sim/console/hands.h"
 #include "hw-sim/console/json.h"
 #include "hw-sim/console/page.h"
 
 namespace kaori::console {
+
+using web::Reply;
+using web::Request;
+
 namespace {
 
 // Twice as often as pictures leave, so that a picture waits for half of its period at most.
@@ -44,8 +49,8 @@ Console::Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop)
 Result<std::unique_ptr<Console>> Console::Open(ConsoleOptions options, sim::Rig& rig, EventLoop& loop) {
   std::unique_ptr<Console> console(new Console(std::move(options), rig, loop));
   auto server =
-      HttpServer::Open(console->options_.port, loop,
-                       [self = console.get()](const Request& request) { return self->Answer(request); });
+      web::HttpServer::Open({.port = console->options_.port, .guard = Refusal}, loop, console->clock_,
+                            [self = console.get()](const Request& request) { return self->Answer(request); });
   if (!server) return tl::unexpected(server.error());
   console->server_ = std::move(*server);
   if (auto ticking = console->StartTicking(); !ticking) return tl::unexpected(ticking.error());
@@ -109,7 +114,7 @@ void Console::TellState(Time now) {
   states_.Publish(fmt::format("data: {}\n\n", state_));
 }
 
-HttpServer::Answer Console::Answer(const Request& request) {
+web::HttpServer::Answer Console::Answer(const Request& request) {
   if (request.method == "POST") {
     if (request.path == "/hands") return MoveHands(request.body);
     return NotFound(request.path);

@@ -8,11 +8,11 @@
 
 #include "drivers/base/event_loop.h"
 #include "drivers/base/result.h"
+#include "drivers/web/feed.h"
+#include "drivers/web/http_server.h"
+#include "drivers/web/jpeg.h"
 #include "hw-sim/console/dial_values.h"
-#include "hw-sim/console/feed.h"
 #include "hw-sim/console/held.h"
-#include "hw-sim/console/http_server.h"
-#include "hw-sim/console/jpeg.h"
 #include "hw-sim/console/labels.h"
 #include "hw-sim/console/needles_watch.h"
 #include "hw-sim/console/rate.h"
@@ -44,18 +44,18 @@ class Console {
   void Tick();
   void ShowPicture(Time now);
   void TellState(Time now);
-  HttpServer::Answer Answer(const Request& request);
-  Reply MoveHands(const std::string& lines);
+  web::HttpServer::Answer Answer(const web::Request& request);
+  web::Reply MoveHands(const std::string& lines);
   Result<void> Do(const std::vector<sim::Hand>& hands);
   void LetGoAlone();
-  Reply OnePicture();
+  web::Reply OnePicture();
   Result<std::string> EncodeLatest();
 
   ConsoleOptions options_;
   sim::Rig& rig_;
   EventLoop& loop_;
   SteadyClock clock_;  // The page lives in real time, whatever the rig's clock does.
-  JpegEncoder jpeg_;
+  web::JpegEncoder jpeg_;
   DialValues values_;
   NeedlesWatch needles_;
   Rate shown_;                    // Frames the screen has shown.
@@ -63,12 +63,12 @@ class Console {
   Time picture_at_{};
   std::string state_;
   Time state_at_{};
-  Feed pictures_;
-  Feed states_;
+  web::Feed pictures_;
+  web::Feed states_;
   Held held_;
   bool played_ = false;  // A page listened at the last tick.
   UniqueFd ticks_;
-  std::unique_ptr<HttpServer> server_;
+  std::unique_ptr<web::HttpServer> server_;
 };
 
 }  // namespace kaori::console

@@ -1,5 +1,7 @@
 #include "hw-sim/console/guard.h"
 
+#include <string_view>
+
 namespace kaori::console {
 namespace {
 
@@ -19,7 +21,7 @@ bool IsSameOrigin(std::string_view origin, std::string_view host) {
 
 }  // namespace
 
-std::optional<std::string> Refusal(const Visitor& visitor) {
+std::optional<std::string> Refusal(const web::Visitor& visitor) {
   if (!IsLoopback(visitor.host)) return "the console answers only to 127.0.0.1 and localhost";
   if (!visitor.origin.empty() && !IsSameOrigin(visitor.origin, visitor.host))
     return "the console takes no hands from pages of other sites";

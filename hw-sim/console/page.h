@@ -3,15 +3,11 @@
 
 #include <string_view>
 
+#include "drivers/web/page_file.h"
+
 namespace kaori::console {
 
-struct PageFile {
-  std::string_view path;  // "/" is the page itself.
-  std::string_view content_type;
-  std::string_view bytes;
-};
-
 // nullptr where nothing of that path is carried.
-const PageFile* FindPageFile(std::string_view path);
+const web::PageFile* FindPageFile(std::string_view path);
 
 }  // namespace kaori::console

@@ -9,11 +9,11 @@
 #include <fstream>
 
 #include "drivers/base/clock.h"
+#include "drivers/web/jpeg.h"
 #include "hw-sim/console/dial_values.h"
 #include "hw-sim/console/guard.h"
 #include "hw-sim/console/hands.h"
 #include "hw-sim/console/held.h"
-#include "hw-sim/console/jpeg.h"
 #include "hw-sim/console/labels.h"
 #include "hw-sim/console/rate.h"
 
@@ -132,7 +132,7 @@ std::vector<std::uint8_t> RedBelowBlue() {
 }
 
 TEST(ConsolePicture, HasItsTopAtTheTop) {
-  JpegEncoder encoder;
+  web::JpegEncoder encoder;
   const auto jpeg = encoder.Encode({32, 32, RedBelowBlue()}, 95);
   ASSERT_TRUE(jpeg) << jpeg.error().message();
   std::vector<std::uint8_t> rgb(32 * 32 * 3);
@@ -146,7 +146,7 @@ TEST(ConsolePicture, HasItsTopAtTheTop) {
 }
 
 TEST(ConsolePicture, IsRefusedWhenItsSizeLies) {
-  JpegEncoder encoder;
+  web::JpegEncoder encoder;
   const auto rgbx = RedBelowBlue();
   EXPECT_FALSE(encoder.Encode({32, 33, rgbx}, 85));
   EXPECT_FALSE(encoder.Encode({0, 0, {}}, 85));

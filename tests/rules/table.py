@@ -8,7 +8,7 @@ _DRIVER = _BASE + ("drivers/ports/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
 _PLAY = _DRIVER + ("render/", "appliance/board/", "appliance/show/", "appliance/performance/")
 _SIMULATOR = _DRIVER + ("firmware/surface/", "hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/",
-                        "hw-sim/console/")
+                        "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
 CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "gpio", "camera", "audio", "scanout"))
 
@@ -20,6 +20,7 @@ MAY_INCLUDE = (
     ("drivers/base/", ()),
     ("drivers/ports/", _BASE),
     *((driver, _DRIVER) for driver in CONCRETE_DRIVERS),
+    ("drivers/web/", ("drivers/base/",)),  # No device: what pages need, of the product and of the simulator.
     ("render/face/", ("drivers/base/",)),
     ("render/scene/", ("drivers/base/", "render/face/")),
     ("render/image/", ("drivers/base/",)),
@@ -31,6 +32,7 @@ MAY_INCLUDE = (
     ("appliance/performance/", _DRAWING + ("appliance/board/", "appliance/show/")),
     ("appliance/stage/", _PLAY + ("appliance/needles/",)),
     ("appliance/atelier/", _PLAY + ("appliance/stage/",)),  # Its contact sheets are drawn by the stage's studio.
+    ("appliance/desk/", _PLAY + ("appliance/lips/service/", "drivers/web/")),
     ("appliance/", _PLAY),
     ("hw-sim/rehearsal/", EVERYTHING),
     ("hw-sim/", _SIMULATOR),
@@ -60,7 +62,8 @@ LIBRARIES = (
                    "appliance/needles/own_reader.cpp")),
     (("libqhull", "meshoptimizer.h", "tiny_gltf.h", "tiny_obj_loader.h"),
      ("appliance/atelier/", "tools/")),
-    (("microhttpd.h",), ("hw-sim/console/", "appliance/desk/")),
+    (("microhttpd.h",), ("drivers/web/",)),
+    (("gnutls/",), ("appliance/desk/",)),
     (("nlohmann/",), ("appliance/atelier/", "appliance/desk/", "hw-sim/", "tools/")),
     (("usbredir",), ("hw-sim/links/",)),
     (("pico/", "hardware/", "tusb.h"), ("firmware/rp2040/",)),

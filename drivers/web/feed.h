@@ -10,7 +10,7 @@
 struct MHD_Connection;
 struct MHD_Response;
 
-namespace kaori::console {
+namespace kaori::web {
 
 // One thread, the event loop's. Must outlive the HttpServer that serves it.
 class Feed {
@@ -26,6 +26,9 @@ class Feed {
   std::size_t listeners() const { return listeners_.size(); }
   // Somebody has read everything: a new message would leave at once.
   bool awaited() const;
+
+  // Ends the replies of all who listen now; they may come again. Not from within an HttpServer's handler.
+  void Dismiss();
 
   // For HttpServer: a reply that feeds `connection`; nullptr when memory is short.
   MHD_Response* Listen(MHD_Connection* connection);
@@ -46,4 +49,4 @@ class Feed {
   std::vector<std::unique_ptr<Listener>> listeners_;
 };
 
-}  // namespace kaori::console
+}  // namespace kaori::web

@@ -1,10 +1,10 @@
-#include "hw-sim/console/jpeg.h"
+#include "drivers/web/jpeg.h"
 
 #include <turbojpeg.h>
 
 #include <fmt/format.h>
 
-namespace kaori::console {
+namespace kaori::web {
 namespace {
 
 constexpr int kMostSide_px = 8192;
@@ -40,4 +40,4 @@ Result<std::string> JpegEncoder::Encode(const Picture& picture, int quality) {
   return std::string(reinterpret_cast<const char*>(buffer_), bytes);
 }
 
-}  // namespace kaori::console
+}  // namespace kaori::web

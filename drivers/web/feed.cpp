@@ -1,4 +1,4 @@
-#include "hw-sim/console/feed.h"
+#include "drivers/web/feed.h"
 
 #include <microhttpd.h>
 #include <sys/socket.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace kaori::console {
+namespace kaori::web {
 namespace {
 
 constexpr std::size_t kBlockBytes = 32768;
@@ -28,6 +28,7 @@ struct Feed::Listener {
   std::size_t sent_bytes = 0;
   std::uint64_t number = 0;  // Of the message in `sending`.
   bool asleep = false;       // Suspended until the next message.
+  bool dismissed = false;
 };
 
 Feed::Feed(std::string content_type, std::string opening)
@@ -63,6 +64,13 @@ void Feed::End() {
   for (auto& listener : listeners_) Wake(*listener);
 }
 
+void Feed::Dismiss() {
+  for (auto& listener : listeners_) {
+    listener->dismissed = true;
+    Wake(*listener);
+  }
+}
+
 void Feed::Wake(Listener& listener) {
   if (!listener.asleep) return;
   listener.asleep = false;
@@ -73,7 +81,7 @@ void Feed::Wake(Listener& listener) {
 std::ptrdiff_t Feed::Read(void* context, std::uint64_t, char* into, std::size_t most) {
   auto& listener = *static_cast<Listener*>(context);
   Feed& feed = *listener.feed;
-  if (feed.ended_) return MHD_CONTENT_READER_END_OF_STREAM;
+  if (feed.ended_ || listener.dismissed) return MHD_CONTENT_READER_END_OF_STREAM;
   if (listener.sent_bytes == listener.sending.size()) {
     if (listener.number == feed.number_) {
       listener.asleep = true;
@@ -95,4 +103,4 @@ void Feed::Leave(void* context) {
   std::erase_if(leaving->feed->listeners_, [&](const auto& l) { return l.get() == leaving; });
 }
 
-}  // namespace kaori::console
+}  // namespace kaori::web

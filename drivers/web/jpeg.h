@@ -8,7 +8,7 @@
 
 #include "drivers/base/result.h"
 
-namespace kaori::console {
+namespace kaori::web {
 
 // 8-bit R, G, B, X; bottom row first, tightly packed: as the screen has them.
 struct Picture {
@@ -35,4 +35,4 @@ class JpegEncoder {
   unsigned long buffer_bytes_ = 0;
 };
 
-}  // namespace kaori::console
+}  // namespace kaori::web

@@ -1,4 +1,5 @@
-# Writes OUTPUT, a C++ file that carries the files FILES (paths below FOLDER, ;-separated) as bytes.
+# Writes OUTPUT, a C++ file that carries the files FILES (paths below FOLDER, ;-separated) as bytes: it defines the
+# function FindPageFile that HEADER declares in the namespace kaori::NAMESPACE.
 set(types html text/html css text/css js text/javascript svg image/svg+xml)
 set(arrays "")
 set(rows "")
@@ -15,22 +16,22 @@ foreach(file ${FILES})
   string(APPEND rows "    {\"/${path}\", \"${type}; charset=utf-8\", {kFile${number}, sizeof(kFile${number})}},\n")
   math(EXPR number "${number} + 1")
 endforeach()
-file(WRITE ${OUTPUT} "#include \"hw-sim/console/page.h\"
+file(WRITE ${OUTPUT} "#include \"${HEADER}\"
 
-namespace kaori::console {
+namespace kaori::${NAMESPACE} {
 namespace {
 
 ${arrays}
-constexpr PageFile kFiles[] = {
+constexpr web::PageFile kFiles[] = {
 ${rows}};
 
 }  // namespace
 
-const PageFile* FindPageFile(std::string_view path) {
-  for (const PageFile& file : kFiles)
+const web::PageFile* FindPageFile(std::string_view path) {
+  for (const web::PageFile& file : kFiles)
     if (file.path == path) return &file;
   return nullptr;
 }
 
-}  // namespace kaori::console
+}  // namespace kaori::${NAMESPACE}
 ")

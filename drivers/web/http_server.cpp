@@ -1,0 +1,224 @@
+#include "drivers/web/http_server.h"
+
+#include <microhttpd.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace kaori::web {
+namespace {
+
+constexpr unsigned kIdleTimeout_s = 30;
+constexpr Duration kMostToAsk = std::chrono::seconds(10);   // Handshake, headers and body.
+constexpr Duration kMostToTake = std::chrono::seconds(30);  // A reply of one piece.
+constexpr int kRunsAtOnce = 64;  // A visitor who never stops sending must not stop the loop.
+
+// The page may do nothing but talk to us, and no other page may hold it in a frame.
+constexpr std::pair<const char*, const char*> kEveryReply[] = {
+    {"Cache-Control", "no-store"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"Referrer-Policy", "no-referrer"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Content-Security-Policy",
+     "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+};
+
+std::string_view Header(MHD_Connection* connection, const char* name) {
+  const char* value = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name);
+  return value == nullptr ? std::string_view() : value;
+}
+
+MHD_Response* Text(std::string_view text) {
+  auto* bytes = const_cast<char*>(text.data());  // Copied: MHD's signature is older than const.
+  MHD_Response* response = MHD_create_response_from_buffer(text.size(), bytes, MHD_RESPMEM_MUST_COPY);
+  return response;
+}
+
+// Takes `response`; MHD_NO closes the connection.
+MHD_Result Send(MHD_Connection* connection, unsigned status, MHD_Response* response) {
+  if (response == nullptr) return MHD_NO;
+  for (const auto& [name, value] : kEveryReply) MHD_add_response_header(response, name, value);
+  const MHD_Result queued = MHD_queue_response(connection, status, response);
+  MHD_destroy_response(response);
+  return queued;
+}
+
+MHD_Result SendText(MHD_Connection* connection, unsigned status, std::string_view text) {
+  return Send(connection, status, Text(fmt::format("{}\n", text)));
+}
+
+}  // namespace
+
+// One request while it arrives.
+struct HttpServer::Exchange {
+  Request request;
+  bool too_long = false;
+};
+
+struct HttpServer::Calls {
+  static Line& LineOf(MHD_Connection* connection) {
+    return *static_cast<Line*>(
+        MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT)->socket_context);
+  }
+
+  static void Wait(HttpServer& server, MHD_Connection* connection, Duration most) {
+    Line& line = LineOf(connection);
+    line.most = most;
+    line.since = server.clock_.now();
+  }
+
+  // MHD's news of connections.
+  static void Connect(void* context, MHD_Connection* connection, void** line,
+                      MHD_ConnectionNotificationCode news) {
+    auto& server = *static_cast<HttpServer*>(context);
+    if (news == MHD_CONNECTION_NOTIFY_CLOSED) {
+      std::erase_if(server.lines_, [&](const Line& one) { return &one == *line; });
+      return;
+    }
+    const int fd = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
+    *line = &server.lines_.emplace_back(Line{fd, kMostToAsk, server.clock_.now()});
+  }
+
+  static std::optional<std::string> Refuse(const HttpServer& server, MHD_Connection* connection,
+                                           const char* method) {
+    if (!server.options_.guard) return std::nullopt;
+    return server.options_.guard({.method = method,
+                                  .host = Header(connection, "Host"),
+                                  .origin = Header(connection, "Origin"),
+                                  .fetch_site = Header(connection, "Sec-Fetch-Site")});
+  }
+
+  static MHD_Result Begin(HttpServer& server, MHD_Connection* connection, const char* path,
+                          const char* method, void** exchange) {
+    if (const auto refusal = Refuse(server, connection, method)) {
+      Wait(server, connection, kMostToTake);
+      return SendText(connection, MHD_HTTP_FORBIDDEN, *refusal);
+    }
+    // Ended by Complete, whatever happens.
+    *exchange = new Exchange{{.method = method,
+                              .path = path,
+                              .body = {},
+                              .cookie = std::string(Header(connection, "Cookie")),
+                              .languages = std::string(Header(connection, "Accept-Language"))}};
+    return MHD_YES;
+  }
+
+  static void Take(Exchange& exchange, std::string_view part) {
+    exchange.too_long |= exchange.request.body.size() + part.size() > kMostBodyBytes;
+    if (!exchange.too_long) exchange.request.body += part;
+  }
+
+  // MHD's access handler: once for the headers, once for each part of the body, once at the end.
+  static MHD_Result Access(void* context, MHD_Connection* connection, const char* path, const char* method,
+                           const char*, const char* part, std::size_t* part_bytes, void** slot) {
+    auto& server = *static_cast<HttpServer*>(context);
+    if (*slot == nullptr) return Begin(server, connection, path, method, slot);
+    auto& exchange = *static_cast<Exchange*>(*slot);
+    if (*part_bytes > 0) {
+      Take(exchange, {part, *part_bytes});
+      *part_bytes = 0;
+      return MHD_YES;
+    }
+    Wait(server, connection, kMostToTake);
+    if (exchange.too_long) return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE, "4096 bytes at most");
+    unsigned status = MHD_HTTP_OK;
+    MHD_Response* response = server.Respond(exchange.request, connection, &status);
+    return Send(connection, status, response);
+  }
+
+  static void Complete(void* context, MHD_Connection* connection, void** slot, MHD_RequestTerminationCode) {
+    delete static_cast<Exchange*>(*slot);
+    *slot = nullptr;
+    Wait(*static_cast<HttpServer*>(context), connection, kMostToAsk);
+  }
+};
+
+Result<std::unique_ptr<HttpServer>> HttpServer::Open(ServerOptions options, EventLoop& loop,
+                                                     const Clock& clock, Handler handler) {
+  std::unique_ptr<HttpServer> server(new HttpServer(std::move(options), loop, clock, std::move(handler)));
+  if (auto started = server->Start(); !started) return tl::unexpected(started.error());
+  auto watched = loop.Watch(server->pollable(), [self = server.get()] { self->Run(); });
+  if (!watched) return tl::unexpected(watched.error());
+  return server;
+}
+
+Result<void> HttpServer::Start() {
+  auto listener = ListenForVisitors(options_.port, options_.reach);
+  if (!listener) return tl::unexpected(listener.error());
+  constexpr MHD_OptionItem kEnd{MHD_OPTION_END, 0, nullptr};
+  std::array<MHD_OptionItem, 3> secure{kEnd, kEnd, kEnd};
+  unsigned flags = MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME;
+  if (options_.certificate) {
+    flags |= MHD_USE_TLS;
+    secure[0] = {MHD_OPTION_HTTPS_MEM_KEY, 0, options_.certificate->key.data()};
+    secure[1] = {MHD_OPTION_HTTPS_MEM_CERT, 0, options_.certificate->chain.data()};
+  }
+  daemon_ = MHD_start_daemon(flags, 0, nullptr, nullptr, &Calls::Access, this, MHD_OPTION_LISTEN_SOCKET,
+                             listener->get(), MHD_OPTION_CONNECTION_LIMIT, options_.most_connections,
+                             MHD_OPTION_PER_IP_CONNECTION_LIMIT, options_.most_of_one_address,
+                             MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s, MHD_OPTION_NOTIFY_COMPLETED,
+                             &Calls::Complete, this, MHD_OPTION_NOTIFY_CONNECTION, &Calls::Connect, this,
+                             MHD_OPTION_ARRAY, secure.data(), MHD_OPTION_END);
+  if (daemon_ == nullptr && options_.certificate)
+    return FailInput("start the web server: its certificate is none");
+  if (daemon_ == nullptr) return Fail(std::errc::io_error, "start the web server");
+  (void)listener->release();  // MHD closes it.
+  return {};
+}
+
+HttpServer::~HttpServer() {
+  if (daemon_ == nullptr) return;
+  loop_.Forget(pollable());
+  for (Feed* feed : feeds_) feed->End();  // MHD refuses to stop while a reply sleeps.
+  MHD_run(daemon_);
+  MHD_stop_daemon(daemon_);
+}
+
+std::uint16_t HttpServer::port() const {
+  return MHD_get_daemon_info(daemon_, MHD_DAEMON_INFO_BIND_PORT)->port;
+}
+
+int HttpServer::pollable() const {
+  return MHD_get_daemon_info(daemon_, MHD_DAEMON_INFO_EPOLL_FD)->epoll_fd;
+}
+
+void HttpServer::Run() {
+  CutSlowOnes();
+  for (int run = 0; run < kRunsAtOnce; ++run) {
+    MHD_run(daemon_);
+    MHD_UNSIGNED_LONG_LONG wait_ms = 0;
+    if (MHD_get_timeout(daemon_, &wait_ms) == MHD_NO || wait_ms > 0) return;
+  }
+}
+
+// MHD's own timeout starts anew with each byte. The end of a socket wakes it; it closes and tells.
+void HttpServer::CutSlowOnes() {
+  const Time now = clock_.now();
+  for (Line& line : lines_) {
+    if (line.most == Duration{} || now - line.since < line.most) continue;
+    ::shutdown(line.fd, SHUT_RDWR);
+    line.most = {};
+  }
+}
+
+MHD_Response* HttpServer::Respond(const Request& request, MHD_Connection* connection, unsigned* status) {
+  const Answer answer = handler_(request);
+  if (Feed* const* feed = std::get_if<Feed*>(&answer)) {
+    if (std::ranges::find(feeds_, *feed) == feeds_.end()) feeds_.push_back(*feed);
+    Calls::LineOf(connection).most = {};
+    return (*feed)->Listen(connection);
+  }
+  const auto& reply = std::get<Reply>(answer);
+  *status = reply.status;
+  MHD_Response* response = Text(reply.body);
+  if (response == nullptr) return nullptr;
+  MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, reply.content_type.c_str());
+  if (!reply.cookie.empty())
+    MHD_add_response_header(response, MHD_HTTP_HEADER_SET_COOKIE, reply.cookie.c_str());
+  return response;
+}
+
+}  // namespace kaori::web

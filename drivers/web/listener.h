@@ -1,0 +1,20 @@
+// A socket that waits for visitors.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::web {
+
+enum class Reach : std::uint8_t {
+  kThisMachine,  // 127.0.0.1.
+  kNetwork,      // Every address of the machine.
+};
+
+// IPv4, TCP; `port` 0 is any free one. Errors: address_in_use, permission_denied (a port below 1024).
+Result<UniqueFd> ListenForVisitors(std::uint16_t port, Reach reach);
+
+}  // namespace kaori::web
