@@ -22,11 +22,12 @@ Time Believable(Time stamp, Time now) {
 }  // namespace
 
 LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board::Writer<board::Lips> writer,
-                     const LipSettings& settings, const Clock& clock)
+                     const LipSettings& settings, const Clock& clock, ports::CameraTuning* tuning)
     : open_(std::move(open)),
       writer_(std::move(writer)),
       clock_(clock),
       meter_(settings, board.Read<board::Lips>().value),
+      care_(tuning),
       source_(board.Read<board::Lips>().source),
       last_frame_(clock.now()),
       last_sign_(clock.now()) {}
@@ -50,6 +51,7 @@ void LipReader::TryOpen(Time now) {
   last_sign_ = now;
   ++opened_;
   if (logged_ != std::errc::timed_out) Log("lip camera: open");
+  care_.Opened();
 }
 
 void LipReader::TakeFrame(Time now) {
@@ -79,6 +81,9 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   last_frame_ = last_sign_ = now;
   logged_ = {};
   Write(at, board::SourceState::kLive);
+  if (!care_.See(*planes, now)) return;
+  camera_.reset();
+  retry_at_ = now;
 }
 
 // A bad cable spoils every other frame: one line now and then tells it.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "appliance/board/board.h"
+#include "appliance/lips/camera_care.h"
 #include "appliance/lips/lip_meter.h"
 #include "drivers/base/clock.h"
 #include "drivers/camera/planes.h"
@@ -15,15 +16,19 @@ namespace kaori::lips {
 // that is gone is opened anew every 250 ms, and one that has been silent for 2 s as well.
 class LipReader {
  public:
-  // Goes on from what `board` holds. Borrows the clock.
+  // Goes on from what `board` holds. Borrows the clock, and the tuning of the camera that `open` opens, where
+  // it has one.
   LipReader(ports::CameraOpener open, const board::Board& board, board::Writer<board::Lips> writer,
-            const LipSettings& settings, const Clock& clock);
+            const LipSettings& settings, const Clock& clock, ports::CameraTuning* tuning = nullptr);
 
   // Does everything that waits; never blocks. Call it when pollable() is readable, and every 50 ms or sooner.
   void Step();
 
   // From the next frame on; the mouth is looked for anew.
   void Use(const LipSettings& settings) { meter_ = LipMeter(settings, meter_.lips()); }
+
+  // The camera's exposure and colours: free for a calibration, held after it.
+  CameraCare& care() { return care_; }
 
   // What was seen last, for a calibration.
   const LipMeter& meter() const { return meter_; }
@@ -45,6 +50,7 @@ class LipReader {
   board::Writer<board::Lips> writer_;
   const Clock& clock_;
   LipMeter meter_;
+  CameraCare care_;
   camera::PlaneReader planes_;
   std::unique_ptr<ports::Camera> camera_;
   board::SourceState source_;

@@ -96,7 +96,7 @@ Result<CameraFrame> V4l2Camera::Next() {
   if (!held_) return Fail(std::errc::resource_unavailable_try_again, "read " + path_);
   return CameraFrame{.at = held_->at,
                      .sequence = held_->sequence,
-                     .format = format_.format,
+                     .format = format_.format(),
                      .stride_bytes = format_.stride_bytes,
                      .bytes = {buffers_[held_->index].memory, held_->bytes}};
 }
@@ -161,19 +161,15 @@ bool V4l2Camera::HasSourceChanged() {
 
 tl::unexpected<Error> V4l2Camera::Broken(int error, const char* verb) {
   const bool gone = error == ENODEV || error == ENXIO;
-  const bool busy = error == EBUSY;  // Another program streams already.
-  const auto cause = gone   ? std::errc::no_such_device
-                     : busy ? std::errc::device_or_resource_busy
-                            : std::errc::io_error;
+  const bool busy = error == EBUSY;     // Another program streams already.
+  const bool narrow = error == ENOSPC;  // The cable has not room for so many frames.
+  const auto cause = gone     ? std::errc::no_such_device
+                     : busy   ? std::errc::device_or_resource_busy
+                     : narrow ? std::errc::no_space_on_device
+                              : std::errc::io_error;
   held_.reset();
   broken_ = Error{cause, verb + path_};
   return tl::unexpected(*broken_);
-}
-
-ports::CameraOpener V4l2Opener(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls) {
-  return [path = std::move(path), wish, &clock, &calls]() -> Result<std::unique_ptr<ports::Camera>> {
-    return V4l2Camera::Open(path, wish, clock, calls);
-  };
 }
 
 }  // namespace kaori::camera

@@ -21,7 +21,8 @@ namespace kaori::camera {
 class V4l2Camera final : public ports::Camera {
  public:
   // Opens, sets the format, maps the buffers and starts the stream. Borrows `clock` and `calls` for its life.
-  // Errors: no_such_device, permission_denied, device_or_resource_busy, not_supported, io_error.
+  // Errors: no_such_device, permission_denied, device_or_resource_busy, not_supported, io_error,
+  // no_space_on_device (the USB bus has not room for so many frames).
   static Result<std::unique_ptr<V4l2Camera>> Open(const std::string& path, const V4l2Wish& wish,
                                                   const Clock& clock, V4l2Calls& calls = KernelCalls());
   V4l2Camera(const V4l2Camera&) = delete;
@@ -72,9 +73,5 @@ class V4l2Camera final : public ports::Camera {
   Time newest_{};  // When the last frame came, or the stream started.
   bool watches_source_ = false;
 };
-
-// Opens the camera at `path` anew each time. Borrows `clock` and `calls` for its life.
-ports::CameraOpener V4l2Opener(std::string path, const V4l2Wish& wish, const Clock& clock,
-                               V4l2Calls& calls = KernelCalls());
 
 }  // namespace kaori::camera

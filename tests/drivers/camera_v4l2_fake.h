@@ -4,11 +4,15 @@
 #include <linux/videodev2.h>
 #include <sys/eventfd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <deque>
+#include <map>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "drivers/camera/v4l2_calls.h"
@@ -18,6 +22,8 @@ namespace kaori::tests {
 struct OfferedFormat {
   std::uint32_t fourcc = V4L2_PIX_FMT_YUYV;
   std::uint32_t rate_hz = 30;
+  std::uint32_t width_px = 640;
+  std::uint32_t height_px = 480;
 };
 
 class FakeV4l2 final : public camera::V4l2Calls {
@@ -26,7 +32,10 @@ class FakeV4l2 final : public camera::V4l2Calls {
 
   // The camera's side: what it is.
   std::vector<OfferedFormat> offers = {{V4L2_PIX_FMT_YUYV, 30}};
-  std::uint32_t width_px = 640, height_px = 480;  // What it gives, whatever is asked.
+  std::optional<OfferedFormat> gives;              // Whatever is asked.
+  std::map<std::uint32_t, std::int32_t> controls;  // Those that it has.
+  std::set<std::uint32_t> stubborn;                // Those that it refuses to set.
+  std::uint32_t narrow_above_hz = 0;  // The cable has not room for more frames a second; 0: it has.
   std::uint32_t capabilities = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
   int open_error = 0;
   int failing_error = 0;              // Every call fails with it, when not 0.
@@ -51,7 +60,8 @@ class FakeV4l2 final : public camera::V4l2Calls {
   }
 
   // What a test may look at.
-  std::uint32_t chosen() const { return chosen_; }
+  const OfferedFormat& chosen() const { return chosen_; }
+  std::uint32_t rate_hz() const { return rate_hz_; }
   std::size_t free_buffers() const { return queued_.size(); }
   std::size_t mapped() const { return mapped_.size(); }
   int opened() const { return opened_; }
@@ -87,8 +97,16 @@ class FakeV4l2 final : public camera::V4l2Calls {
         return 0;
       case VIDIOC_ENUM_FMT:
         return TellFormat(*static_cast<v4l2_fmtdesc*>(argument));
+      case VIDIOC_ENUM_FRAMESIZES:
+        return TellSize(*static_cast<v4l2_frmsizeenum*>(argument));
       case VIDIOC_ENUM_FRAMEINTERVALS:
         return TellRate(*static_cast<v4l2_frmivalenum*>(argument));
+      case VIDIOC_QUERYCTRL:
+        return controls.contains(static_cast<v4l2_queryctrl*>(argument)->id) ? 0 : Refuse(EINVAL);
+      case VIDIOC_G_CTRL:
+        return ReadControl(*static_cast<v4l2_control*>(argument));
+      case VIDIOC_S_CTRL:
+        return WriteControl(*static_cast<const v4l2_control*>(argument));
       case VIDIOC_S_FMT:
         return SetFormat(static_cast<v4l2_format*>(argument)->fmt.pix);
       case VIDIOC_REQBUFS:
@@ -107,30 +125,81 @@ class FakeV4l2 final : public camera::V4l2Calls {
         queued_.clear();
         return 0;
       case VIDIOC_STREAMON:
+        return narrow_above_hz > 0 && rate_hz_ > narrow_above_hz ? Refuse(ENOSPC) : 0;
       case VIDIOC_S_PARM:
+        return SetRate(static_cast<v4l2_streamparm*>(argument)->parm.capture.timeperframe);
       case VIDIOC_SUBSCRIBE_EVENT:
         return 0;
       default:
         return Refuse(ENOTTY);
     }
   }
+  // The n-th of the offers that `is_one` picks; each value of `of` once.
+  template <class Test, class Of>
+  const OfferedFormat* Nth(std::uint32_t n, const Test& is_one, const Of& of) const {
+    std::vector<const OfferedFormat*> found;
+    for (const OfferedFormat& offer : offers) {
+      const bool known = std::ranges::any_of(found, [&](const auto* one) { return of(*one) == of(offer); });
+      if (is_one(offer) && !known) found.push_back(&offer);
+    }
+    return n < found.size() ? found[n] : nullptr;
+  }
   int TellFormat(v4l2_fmtdesc& entry) const {
-    if (entry.index >= offers.size()) return Refuse(EINVAL);
-    entry.pixelformat = offers[entry.index].fourcc;
+    const auto* offer = Nth(
+        entry.index, [](const auto&) { return true; }, [](const auto& o) { return o.fourcc; });
+    if (offer == nullptr) return Refuse(EINVAL);
+    entry.pixelformat = offer->fourcc;
+    return 0;
+  }
+  int TellSize(v4l2_frmsizeenum& entry) const {
+    const auto* offer = Nth(
+        entry.index, [&](const auto& o) { return o.fourcc == entry.pixel_format; },
+        [](const auto& o) { return std::pair(o.width_px, o.height_px); });
+    if (offer == nullptr) return Refuse(EINVAL);
+    entry.type = V4L2_FRMSIZE_TYPE_DISCRETE;
+    entry.discrete = {offer->width_px, offer->height_px};
     return 0;
   }
   int TellRate(v4l2_frmivalenum& entry) const {
-    if (entry.index > 0) return Refuse(EINVAL);
+    const auto* offer = Nth(
+        entry.index,
+        [&](const auto& o) {
+          return o.fourcc == entry.pixel_format && o.width_px == entry.width && o.height_px == entry.height;
+        },
+        [](const auto& o) { return o.rate_hz; });
+    if (offer == nullptr) return Refuse(EINVAL);
     entry.type = V4L2_FRMIVAL_TYPE_DISCRETE;
-    for (const OfferedFormat& offer : offers)
-      if (offer.fourcc == entry.pixel_format) entry.discrete = {1, offer.rate_hz};
+    entry.discrete = {1, offer->rate_hz};
     return 0;
   }
   int SetFormat(v4l2_pix_format& format) {
-    chosen_ = format.pixelformat;
-    format.width = width_px;
-    format.height = height_px;
-    format.bytesperline = chosen_ == V4L2_PIX_FMT_YUYV ? width_px * 2 : width_px;
+    chosen_ = gives.value_or(OfferedFormat{format.pixelformat, 0, format.width, format.height});
+    format.pixelformat = chosen_.fourcc;
+    format.width = chosen_.width_px;
+    format.height = chosen_.height_px;
+    format.bytesperline = chosen_.fourcc == V4L2_PIX_FMT_YUYV ? format.width * 2 : format.width;
+    return 0;
+  }
+  int SetRate(v4l2_fract& interval) {
+    if (gives) interval = {1, gives->rate_hz};
+    rate_hz_ = interval.denominator / interval.numerator;
+    return 0;
+  }
+  int ReadControl(v4l2_control& control) const {
+    const auto it = controls.find(control.id);
+    if (it == controls.end()) return Refuse(EINVAL);
+    control.value = it->second;
+    return 0;
+  }
+  // An automatic that is on keeps hands off its values, as in a webcam.
+  int WriteControl(const v4l2_control& control) {
+    const auto it = controls.find(control.id);
+    if (it == controls.end()) return Refuse(EINVAL);
+    if (stubborn.contains(control.id)) return Refuse(EIO);
+    const bool busy = control.id == V4L2_CID_EXPOSURE_ABSOLUTE && controls.contains(V4L2_CID_EXPOSURE_AUTO) &&
+                      controls.at(V4L2_CID_EXPOSURE_AUTO) != V4L2_EXPOSURE_MANUAL;
+    if (busy) return Refuse(EACCES);
+    it->second = control.value;
     return 0;
   }
   int Describe(v4l2_buffer& buffer) const {
@@ -150,7 +219,8 @@ class FakeV4l2 final : public camera::V4l2Calls {
     return 0;
   }
 
-  std::uint32_t chosen_ = 0;
+  OfferedFormat chosen_{0, 0, 0, 0};
+  std::uint32_t rate_hz_ = 0;
   std::uint32_t sequence_ = 0;
   int opened_ = 0;
   std::deque<std::uint32_t> queued_;

@@ -65,18 +65,17 @@ TEST_F(V4l2CameraTest, NeverRunsOutOfBuffers) {
 
 TEST_F(V4l2CameraTest, TakesTheFastestFormatAndAtEqualRatesTheCheapest) {
   kernel_.offers = {{V4L2_PIX_FMT_MJPEG, 60}, {V4L2_PIX_FMT_YUYV, 30}};
-  EXPECT_EQ(Opened()->format().format.pixels, PixelFormat::kMjpeg);
+  EXPECT_EQ(Opened()->format().format().pixels, PixelFormat::kMjpeg);
   kernel_.offers = {{V4L2_PIX_FMT_MJPEG, 30}, {V4L2_PIX_FMT_YUYV, 30}};
-  EXPECT_EQ(Opened()->format().format.pixels, PixelFormat::kYuyv);
+  EXPECT_EQ(Opened()->format().format().pixels, PixelFormat::kYuyv);
   kernel_.offers = {{V4L2_PIX_FMT_MJPEG, 30}, {V4L2_PIX_FMT_YUYV, 30}, {V4L2_PIX_FMT_NV12, 30}};
-  EXPECT_EQ(Opened()->format().format.pixels, PixelFormat::kNv12);
-  EXPECT_EQ(kernel_.chosen(), V4L2_PIX_FMT_NV12);
+  EXPECT_EQ(Opened()->format().format().pixels, PixelFormat::kNv12);
+  EXPECT_EQ(kernel_.chosen().fourcc, V4L2_PIX_FMT_NV12);
 }
 
 TEST_F(V4l2CameraTest, TakesTheSizeThatTheCameraGives) {
-  kernel_.width_px = 320;
-  kernel_.height_px = 240;
-  EXPECT_EQ(Opened()->format().format, (ports::CameraFormat{320, 240, PixelFormat::kYuyv}));
+  kernel_.gives = {V4L2_PIX_FMT_YUYV, 30, 320, 240};
+  EXPECT_EQ(Opened()->format().format(), (ports::CameraFormat{320, 240, PixelFormat::kYuyv}));
 }
 
 TEST_F(V4l2CameraTest, RefusesWhatIsNoCamera) {
@@ -137,7 +136,7 @@ TEST_F(V4l2CameraTest, IsGoneForEverOnceItWasPulled) {
 }
 
 TEST_F(V4l2CameraTest, BreaksOnAnIoErrorAndLivesWhenOpenedAnew) {
-  const auto open = V4l2Opener("/dev/video0", {}, clock_, kernel_);
+  const auto open = [this] { return V4l2Camera::Open("/dev/video0", {}, clock_, kernel_); };
   auto camera = open().value();
   kernel_.failing_error = EIO;
   kernel_.failing_request = VIDIOC_DQBUF;
@@ -171,9 +170,8 @@ TEST_F(V4l2CameraTest, BreaksWhenItsSourceChangesSize) {
   kernel_.source_changed = true;
   kernel_.Expose(5, clock_.now());
   EXPECT_EQ(camera->Next().error().cause, std::errc::io_error);
-  kernel_.width_px = 320;
-  kernel_.height_px = 240;
-  EXPECT_EQ(Opened()->format().format.width_px, 320);
+  kernel_.gives = {V4L2_PIX_FMT_YUYV, 30, 320, 240};
+  EXPECT_EQ(Opened()->format().format().width_px, 320);
 }
 
 }  // namespace

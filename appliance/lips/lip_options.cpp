@@ -1,0 +1,87 @@
+#include "appliance/lips/lip_options.h"
+
+#include <charconv>
+#include <string_view>
+
+#include "drivers/base/options.h"
+
+namespace kaori::lips {
+namespace {
+
+constexpr std::string_view kHelp = R"(kaori-lips: the operator's painted lips, from the camera to the board
+
+  --board FILE    the board, shared with the other programs
+  --device FILE   the camera, say /dev/video0
+  --modes         say what the camera can and which rates would be taken, and end
+  --links FOLDER  the simulator's camera, plugged in there
+  --settings FILE what was calibrated: paint, key, smoothing, how far the mouth goes
+  --paint R,G,B   the paint's colour, 0 to 255 each; as the settings have it, or blue (20,60,200), if not given
+  --rest WIDTH    the mouth at rest, in widths of the picture (0.05 to 0.95); as the settings have it, or measured
+                  in the first second, if not given
+)";
+
+// Takes a whole number of 0 to 255, and the comma after it if one is wanted, off the front.
+std::optional<std::uint8_t> TakeLevel(std::string_view& text, bool comma) {
+  std::uint8_t level = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
+  if (error != std::errc{}) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  if (!comma) return level;
+  if (text.empty() || text[0] != ',') return std::nullopt;
+  text.remove_prefix(1);
+  return level;
+}
+
+Result<Paint> ParsePaint(std::string_view text) {
+  const std::string whole(text);
+  const auto red = TakeLevel(text, true);
+  const auto green = red ? TakeLevel(text, true) : std::nullopt;
+  const auto blue = green ? TakeLevel(text, false) : std::nullopt;
+  if (!blue || !text.empty())
+    return FailInput("--paint " + whole + ": three numbers of 0 to 255 are wanted, as in 20,60,200");
+  return Paint{*red, *green, *blue};
+}
+
+Result<float> ParseRest(const std::string& text) {
+  float rest = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rest);
+  if (error != std::errc{} || end != text.data() + text.size() || !(rest >= 0.05F && rest <= 0.95F))
+    return FailInput("--rest " + text + ": a number of 0.05 to 0.95 is wanted");
+  return rest;
+}
+
+}  // namespace
+
+std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into) {
+  Options options(kHelp);
+  options.Text("--board", into.board)
+      .Text("--device", into.device)
+      .Text("--links", into.links)
+      .Text("--settings", into.settings)
+      .Text("--paint", into.paint)
+      .Text("--rest", into.rest)
+      .Switch("--modes", into.modes);
+  return options.Parse(argc, argv);
+}
+
+Result<LipSettings> SettingsOf(const LipOptions& options) {
+  LipSettings lips;
+  if (!options.settings.empty()) {
+    const auto read = ReadLipSettings(options.settings);
+    if (!read) return tl::unexpected(read.error());
+    lips = *read;
+  }
+  if (!options.paint.empty()) {
+    const auto paint = ParsePaint(options.paint);
+    if (!paint) return tl::unexpected(paint.error());
+    lips.paint = *paint;
+  }
+  if (!options.rest.empty()) {
+    const auto rest = ParseRest(options.rest);
+    if (!rest) return tl::unexpected(rest.error());
+    lips.gauge.rest_width = *rest;
+  }
+  return lips;
+}
+
+}  // namespace kaori::lips

@@ -1,0 +1,60 @@
+#include "drivers/camera/v4l2_source.h"
+
+namespace kaori::camera {
+
+V4l2Source::V4l2Source(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls)
+    : path_(std::move(path)), wish_(wish), clock_(clock), calls_(calls) {}
+
+Result<std::unique_ptr<ports::Camera>> V4l2Source::Open() {
+  auto camera = OpenFastest();
+  if (!camera) return tl::unexpected(camera.error());
+  mode_ = (*camera)->format().mode;
+  Apply();  // After the stream has started: some cameras forget their controls then.
+  return camera;
+}
+
+// Every rung tries less of the cable: a camera that shares its USB bus gets what is left.
+Result<std::unique_ptr<V4l2Camera>> V4l2Source::OpenFastest() {
+  for (;;) {
+    auto camera = V4l2Camera::Open(path_, wish_, clock_, calls_);
+    const bool narrow = !camera && camera.error().cause == std::errc::no_space_on_device;
+    if (!narrow || !Slower()) return camera;
+  }
+}
+
+std::vector<std::string> V4l2Source::Apply() {
+  const UniqueFd fd = calls_.Open(path_);
+  if (!fd.valid()) return {};
+  if (mode_) FitMains(calls_, fd.get(), mode_->rate_hz());
+  return held_ ? HoldControls(calls_, fd.get(), *held_) : FreeControls(calls_, fd.get());
+}
+
+std::string V4l2Source::mode() const {
+  return mode_ ? NameOf(*mode_) : std::string();
+}
+
+std::optional<float> V4l2Source::exposure() const {
+  const UniqueFd fd = calls_.Open(path_);
+  const auto exposure_s = fd.valid() ? ExposureSeconds(calls_, fd.get()) : std::nullopt;
+  if (!exposure_s || !mode_ || mode_->rate_hz() == 0) return std::nullopt;
+  return static_cast<float>(*exposure_s * mode_->rate_hz());
+}
+
+std::vector<std::string> V4l2Source::Set(ports::CameraHold hold) {
+  if (hold == ports::CameraHold::kFree) {
+    held_.reset();
+  } else if (const UniqueFd fd = calls_.Open(path_); fd.valid()) {
+    held_ = ReadControls(calls_, fd.get());
+  }
+  return Apply();
+}
+
+bool V4l2Source::Slower() {
+  const UniqueFd fd = calls_.Open(path_);
+  const auto modes = fd.valid() ? ListModes(calls_, fd.get()) : Result<std::vector<V4l2Mode>>();
+  if (!modes || wish_.rung + 1 >= LadderOf(*modes, wish_).size()) return false;
+  ++wish_.rung;
+  return true;
+}
+
+}  // namespace kaori::camera
