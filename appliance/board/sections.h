@@ -160,6 +160,12 @@ struct StageStatus {
   // From what the camera sees to the light of a mouth that does the same: the age, half the time that a frame
   // stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
   std::uint32_t mouth_lag_us = 0;
+  // Of the last frame that came to light: the flip, and the moment at which the hands were read for it; on
+  // CLOCK_MONOTONIC in ns, low word and high word.
+  std::array<std::uint32_t, 2> flip_ns{};
+  std::array<std::uint32_t, 2> read_ns{};
+  std::uint32_t draw_us = 0;    // The usual time of a frame, from its beginning until the screen has it.
+  std::uint32_t margin_us = 0;  // How much earlier than that a frame begins.
 };
 
 // Written by kaori-stage for itself: what it needs to go on after a restart without a jump. Opaque to the

@@ -1,11 +1,11 @@
 // kaori-stage: draws the face that the board describes.
-#include <functional>
-
 #include "appliance/board/board.h"
 #include "appliance/needles/needles.h"
 #include "appliance/show/pack.h"
+#include "appliance/stage/seat.h"
 #include "appliance/stage/stage.h"
 #include "appliance/stage/studio.h"
+#include "drivers/base/alarm.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
@@ -14,8 +14,6 @@
 #include "drivers/scanout/local_screen.h"
 
 namespace {
-
-using namespace std::chrono_literals;
 
 constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board describes
 
@@ -26,13 +24,12 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
                   $XDG_STATE_HOME/kaori/own)
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
+  --early         read the hands right after each flip, not as late as drawing allows: to compare
 )";
-
-constexpr kaori::Duration kUnseenPeriod = 33ms;   // Without a screen: often enough for lamps.
-constexpr kaori::Duration kScreenPeriod = 250ms;  // How often a screen that is gone is looked for.
 
 struct Settings {
   std::string board, pack, links, card, trust, own;
+  bool early = false;
 };
 
 int Complain(const kaori::Error& error) {
@@ -69,38 +66,6 @@ kaori::Result<Card> CardOf(const Settings& settings) {
   return settings.card.empty() ? Card() : OpenCard(settings.card);
 }
 
-using OpenScreen = std::function<kaori::Result<std::unique_ptr<kaori::ports::Scanout>>()>;
-
-// Looks for the screen, and watches it while it is there.
-class ScreenSeat {
- public:
-  ScreenSeat(kaori::stage::Stage& stage, kaori::EventLoop& loop, OpenScreen open)
-      : stage_(stage), loop_(loop), open_(std::move(open)) {}
-
-  void Look() {
-    if (stage_.has_screen()) return;
-    auto screen = open_();
-    if (!screen) return;  // Expected while nobody has plugged one in.
-    kaori::Log("a screen is plugged in");
-    watched_ = (*screen)->pollable();
-    stage_.SetScreen(std::move(*screen));
-    if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) kaori::Log("{}", ok.error().message());
-    Step();
-  }
-
- private:
-  void Step() {
-    const int fd = watched_;
-    stage_.Step();
-    if (!stage_.has_screen()) loop_.Forget(fd);
-  }
-
-  kaori::stage::Stage& stage_;
-  kaori::EventLoop& loop_;
-  OpenScreen open_;
-  int watched_ = -1;
-};
-
 kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
   if (settings.trust.empty()) return kaori::show::LoadPack(settings.pack);
   const auto key = kaori::show::ReadPublicKey(settings.trust);
@@ -113,6 +78,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!card) return Complain(card.error());
   auto show = LoadShow(settings);
   if (!show) return Complain(show.error());
+  kaori::Log("{} is read", show->name);
   const auto board = kaori::board::Board::Create(settings.board);
   if (!board) return Complain(board.error());
   auto writers = kaori::stage::StageWriters::Take(*board);
@@ -126,18 +92,17 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   stage.Bring(std::move(needles));
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer());
-  ScreenSeat seat(stage, loop, [&] {
+  auto alarm = kaori::Alarm::Make();
+  if (!alarm) return Complain(alarm.error());
+  if (!settings.early) stage.DrawLate();
+  kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&] {
     if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
     return kaori::scanout::KmsScreen::Open(card->shows.get(), card->draws.device.get());
   });
-  seat.Look();
+  if (auto seated = seat.Take(); !seated) return Complain(seated.error());
+  kaori::Log("the first picture is drawn");
   if (auto told = kaori::service::Tell("READY=1"); !told) kaori::Log("{}", told.error().message());
-  const auto unseen = [&stage] {
-    if (!stage.has_screen()) stage.StepUnseen();
-  };
-  for (const auto& ok :
-       {loop.Every(kUnseenPeriod, unseen), loop.Every(kScreenPeriod, [&seat] { seat.Look(); }), loop.Run()})
-    if (!ok) return Complain(ok.error());
+  if (auto played = loop.Run(); !played) return Complain(played.error());
   return 0;
 }
 
@@ -151,7 +116,7 @@ int main(int argc, char** argv) {
       .Text("--pack", settings.pack, true)
       .Text("--links", settings.links)
       .Text("--card", settings.card);
-  options.Text("--trust", settings.trust).Text("--own", settings.own);
+  options.Text("--trust", settings.trust).Text("--own", settings.own).Switch("--early", settings.early);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.card.empty() == settings.links.empty()) {
     kaori::Log("where is the screen? Give one of --links and --card");

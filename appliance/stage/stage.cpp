@@ -26,6 +26,17 @@ Time NewestInput(const board::Snapshot& s) {
   return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
 }
 
+// For the board: low word, high word.
+std::array<std::uint32_t, 2> Words(Time at) {
+  const auto ns = std::uint64_t(at.time_since_epoch().count());
+  return {std::uint32_t(ns), std::uint32_t(ns >> 32)};
+}
+
+std::uint32_t Microseconds(Duration length) {
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(length).count();
+  return std::uint32_t(std::clamp<std::int64_t>(us, 0, UINT32_MAX));
+}
+
 bool Waits(const Error& error) {
   return error.cause == std::errc::resource_unavailable_try_again;
 }
@@ -48,18 +59,20 @@ Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, co
   resumed_ = kept && performance::Sound(*kept, studio.show());
   state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
   status_.frames = board.Read<board::StageStatus>().value.frames;
+  latch_.Set(false);
 }
 
 void Stage::SetScreen(std::unique_ptr<ports::Scanout> screen) {
   studio_.CloseWindow();
   screen_ = std::move(screen);
-  last_flip_.reset();
+  latch_.Forget();
+  plan_.reset();
 }
 
 void Stage::Step() {
   if (!screen_) return;
   auto done = TakeFlips();
-  if (done) done = Draw();
+  if (done) done = DrawWhenDue();
   if (done || Waits(done.error())) return;
   Log("the screen is gone ({}); playing on without it", done.error().message());
   SetScreen(nullptr);
@@ -75,26 +88,45 @@ Result<void> Stage::TakeFlips() {
     const auto flip = screen_->ReadFlip();
     if (!flip && Waits(flip.error())) return {};
     if (!flip) return tl::unexpected(flip.error());
-    if (last_flip_ && flip->at - last_flip_->at > flip->period * 3 / 2) ++status_.missed_flips;
-    last_flip_ = *flip;
+    NoteFlip(*flip);
   }
 }
 
-Result<void> Stage::Draw() {
+void Stage::NoteFlip(const ports::Flip& flip) {
+  latch_.Flipped(flip);
+  status_.missed_flips = latch_.missed();
+  if (flip.frame != frame_) return;
+  status_.flip_ns = Words(flip.at);
+  status_.read_ns = Words(read_);
+}
+
+std::optional<Time> Stage::wakes_at() const {
+  return screen_ && plan_ ? std::optional(plan_->begin) : std::nullopt;
+}
+
+// The plan stands until its frame is drawn: a late waking is late, and not a plan for another blank.
+Result<void> Stage::DrawWhenDue() {
   const auto picture = screen_->Acquire();
   if (!picture) return tl::unexpected(picture.error());
+  if (!plan_) plan_ = latch_.Next(clock_.now());
+  if (clock_.now() < plan_->begin) return {};
+  return Draw(*picture);
+}
+
+Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
+  const Latch::Plan plan = *std::exchange(plan_, std::nullopt);
   const Duration cpu_before = CpuOfProcess();
   const Time now = clock_.now();
-  // The flip after the one just seen; before the first flip the screen's beat is not known.
-  const Time light =
-      last_flip_ ? std::clamp(last_flip_->at + last_flip_->period, now, now + kFarthestLight) : now;
+  const Time light = std::clamp(plan.light, now, now + kFarthestLight);
+  read_ = now;
   const board::Snapshot snapshot = board::ReadAll(board_);
   const scene::Scene scene = Perform(snapshot, light);
-  if (auto drawn = studio_.Draw(scene, *picture); !drawn) return drawn;
+  if (auto drawn = studio_.Draw(scene, picture); !drawn) return drawn;
   if (needles_)
     needles_->Look(studio_.show().cast, studio_.shape(), scene,
-                   static_cast<float>(picture->width_px) / static_cast<float>(picture->height_px));
+                   static_cast<float>(picture.width_px) / static_cast<float>(picture.height_px));
   if (auto shown = screen_->Present(++frame_); !shown) return shown;
+  latch_.Drawn(plan, clock_.now());
   Report(snapshot, CpuOfProcess() - cpu_before);
   studio_.Prepare();
   return {};
@@ -134,8 +166,9 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   status_.expression = state_.expressions.to;
   status_.style = state_.styles.to;
   status_.scene = state_.scene;
-  const auto age = std::chrono::duration_cast<std::chrono::microseconds>(state_.last - NewestInput(snapshot));
-  status_.input_age_us = static_cast<std::uint32_t>(std::clamp<std::int64_t>(age.count(), 0, UINT32_MAX));
+  status_.input_age_us = Microseconds(state_.last - NewestInput(snapshot));
+  status_.draw_us = Microseconds(latch_.usual());
+  status_.margin_us = Microseconds(latch_.margin());
   writers_.status.Write(status_, now, board::SourceState::kLive);
 }
 

@@ -10,6 +10,7 @@
 #include "appliance/board/board.h"
 #include "appliance/needles/needles.h"
 #include "appliance/performance/animate.h"
+#include "appliance/stage/latch.h"
 #include "appliance/stage/studio.h"
 #include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
@@ -40,9 +41,16 @@ class Stage {
   void SetScreen(std::unique_ptr<ports::Scanout> screen);
   bool has_screen() const { return screen_ != nullptr; }
 
-  // Takes the flips that happened, and draws the next frame when the screen has room for it. Never waits for
-  // the screen. A screen that is gone is let go.
+  // Reads the hands as late as each frame allows, from now on; before, right after the flip. Step is then to
+  // be called at wakes_at() too.
+  void DrawLate() { latch_.Set(true); }
+
+  // Takes the flips that happened, and draws the next frame when the screen has room for it and it is time.
+  // Never waits for the screen. A screen that is gone is let go.
   void Step();
+
+  // When the next frame begins, if the screen waits for one; it may have passed.
+  std::optional<Time> wakes_at() const;
 
   // Without a screen the performance still moves, so that lamps answer and no jump is seen later.
   void StepUnseen();
@@ -52,7 +60,9 @@ class Stage {
 
  private:
   Result<void> TakeFlips();
-  Result<void> Draw();
+  void NoteFlip(const ports::Flip& flip);
+  Result<void> DrawWhenDue();
+  Result<void> Draw(const ports::PixelBuffer& picture);
   performance::Performed Animate(const board::Snapshot& snapshot, Time light);
   scene::Scene Perform(const board::Snapshot& snapshot, Time light);
   void Report(const board::Snapshot& snapshot, Duration cpu);
@@ -65,9 +75,11 @@ class Stage {
   std::unique_ptr<needles::Needles> needles_;
   performance::State state_;
   bool resumed_ = false;
-  std::optional<ports::Flip> last_flip_;
-  board::StageStatus status_;
+  Latch latch_;
+  std::optional<Latch::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
   std::uint64_t frame_ = 0;
+  Time read_{};  // When the hands were read for that frame.
+  board::StageStatus status_;
   struct Second {  // What is averaged over a second.
     Time began{};
     std::uint32_t frames = 0;
