@@ -207,6 +207,12 @@ TEST(Obj, RefusesALineThatWouldTakeHoursToCut) {
   EXPECT_THAT(findings.lines(), ElementsAre(HasSubstr("line 5: has more than")));
 }
 
+TEST(Obj, RefusesAWordThatIsNoNumber) {
+  Findings findings;
+  EXPECT_FALSE(ReadText("v 0 0 0\nv 0.1 nan 0\nv 0.1 0.1 0\nvt 0 0\nf 1/1 2/1 3/1\n", findings));
+  EXPECT_THAT(findings.lines(), ElementsAre(HasSubstr("line 2: holds a word that is no number")));
+}
+
 TEST(MeshCheck, FindsNumbersThatAreNone) {
   Model plate = PlateWithTarget();
   plate.positions[3].x = std::numeric_limits<float>::quiet_NaN();

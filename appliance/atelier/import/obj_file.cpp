@@ -25,6 +25,11 @@ struct Loaded {
 // line of many numbers in full.
 constexpr std::size_t kLongestLine_bytes = 4096;
 
+// The library takes a word that is no number for 0.
+bool HoldsOnlyNumbers(std::string_view line) {
+  return line.find_first_not_of("0123456789+-.eE \t", line.find_first_of(" \t")) == std::string_view::npos;
+}
+
 // The lines that are needed. What else an OBJ may hold (materials, weights, curves, tags) the library reads
 // with less care.
 std::optional<std::string> NeededLines(const std::string& file, std::span<const std::uint8_t> bytes,
@@ -43,6 +48,10 @@ std::optional<std::string> NeededLines(const std::string& file, std::span<const 
     if (line.size() > kLongestLine_bytes) {
       findings.Add(file, fmt::format("line {}", number),
                    fmt::format("has more than {} letters", kLongestLine_bytes));
+      return std::nullopt;
+    }
+    if (word.starts_with('v') && !HoldsOnlyNumbers(line)) {
+      findings.Add(file, fmt::format("line {}", number), "holds a word that is no number");
       return std::nullopt;
     }
     needed += line + '\n';
