@@ -23,19 +23,19 @@ struct Values {
 };
 
 // Where the hand's control stands now; a dial has no place, only a way that it goes.
-Values Standing(Rig& rig, const Hand& hand) {
-  if (hand.place == Place::kCamera) return {rig.camera().mouth().height, rig.camera().mouth().width};
-  if (hand.place == Place::kPointer) return {rig.pointer().x(), rig.pointer().y()};
+Values Standing(Instruments& on, const Hand& hand) {
+  if (hand.place == Place::kCamera) return {on.camera.mouth().height, on.camera.mouth().width};
+  if (hand.place == Place::kPointer) return {on.pointer.x(), on.pointer.y()};
   if (hand.place != Place::kStickLeft && hand.place != Place::kStickRight) return {};
-  const StickPod& stick = rig.stick(hand.place);
+  const StickPod& stick = on.stick(hand.place);
   if (hand.verb == Verb::kMove) return {stick.x(), stick.y()};
   return {hand.verb == Verb::kTwist ? stick.twist() : stick.slider(), 0};
 }
 
 }  // namespace
 
-Player::Player(Scenario scenario, Rig& rig, Time start)
-    : scenario_(std::move(scenario)), rig_(rig), start_(start) {}
+Player::Player(Scenario scenario, Playground& playground, Time start)
+    : scenario_(std::move(scenario)), playground_(playground), start_(start) {}
 
 void Player::Restart(Time start) {
   start_ = start;
@@ -64,10 +64,10 @@ void Player::Begin(const Action& action) {
     std::erase_if(motions_, [&](const Motion& motion) { return SameLimb(motion.action->hand, action.hand); });
   if (action.over == Duration::zero()) {
     static_cast<void>(
-        rig_.Do(action.hand));  // A socket that cannot be made is seen as a device that is not there.
+        playground_.Do(action.hand));  // A socket that cannot be made is seen as a device that is not there.
     return;
   }
-  const Values from = Standing(rig_, action.hand);
+  const Values from = Standing(playground_.instruments(), action.hand);
   motions_.push_back({&action, from.a, from.b});
 }
 
@@ -89,7 +89,7 @@ void Player::Move(Motion& motion, Duration to) {
     hand.a = motion.from_a + (hand.a - motion.from_a) * way;
     hand.b = motion.from_b + (hand.b - motion.from_b) * way;
   }
-  static_cast<void>(rig_.Do(hand));
+  static_cast<void>(playground_.Do(hand));
 }
 
 std::string_view Player::beat() const {

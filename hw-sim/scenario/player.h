@@ -1,23 +1,23 @@
-// Plays a scenario on a rig: hands move when their time has come.
+// Plays a scenario on devices: hands move when their time has come.
 #pragma once
 
 #include <cstddef>
 #include <string_view>
 #include <vector>
 
-#include "hw-sim/links/local/rig.h"
+#include "hw-sim/devices/instruments.h"
 #include "hw-sim/scenario/scenario.h"
 
 namespace kaori::sim {
 
-// One thread. Borrows the rig. The same calls at the same times do the same.
+// One thread. Borrows the playground. The same calls at the same times do the same.
 class Player {
  public:
   // The scenario begins at `start`.
-  Player(Scenario scenario, Rig& rig, Time start);
+  Player(Scenario scenario, Playground& playground, Time start);
 
   // Does everything up to and including `now`, in order; slow hands move as far as they are by then. Does not
-  // pump the rig.
+  // pump a link.
   void Perform(Time now);
 
   // Begins again; hands stay where they are.
@@ -41,7 +41,7 @@ class Player {
   void Move(Motion& motion, Duration to);
 
   Scenario scenario_;
-  Rig& rig_;
+  Playground& playground_;
   Time start_;
   Duration position_{};
   bool began_ = false;

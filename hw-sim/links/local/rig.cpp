@@ -53,12 +53,7 @@ Result<UniqueFd> MakeTimer(int epoll) {
 Rig::Rig(RigOptions options, const Clock& clock)
     : options_(std::move(options)),
       bench_{clock, {}},
-      dial_box_(bench_),
-      left_stick_(Place::kStickLeft, bench_),
-      right_stick_(Place::kStickRight, bench_),
-      keyboard_(bench_),
-      pointer_(bench_),
-      camera_({options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}, bench_),
+      instruments_(bench_, {options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}),
       screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()) {}
 
 Rig::~Rig() {
@@ -94,12 +89,12 @@ Result<void> Rig::PlugAll() {
   const auto add_hid = [&](Place place, HidDevice& device) {
     add(place, std::make_unique<HidPort>(path(place), epoll_.get(), device, bench_.clock));
   };
-  add_hid(Place::kDialBox, dial_box_);
-  add_hid(Place::kStickLeft, left_stick_);
-  add_hid(Place::kStickRight, right_stick_);
-  add_hid(Place::kKeyboard, keyboard_);
-  add_hid(Place::kPointer, pointer_);
-  add(Place::kCamera, std::make_unique<CameraPort>(path(Place::kCamera), epoll_.get(), camera_,
+  add_hid(Place::kDialBox, instruments_.dial_box);
+  add_hid(Place::kStickLeft, instruments_.left_stick);
+  add_hid(Place::kStickRight, instruments_.right_stick);
+  add_hid(Place::kKeyboard, instruments_.keyboard);
+  add_hid(Place::kPointer, instruments_.pointer);
+  add(Place::kCamera, std::make_unique<CameraPort>(path(Place::kCamera), epoll_.get(), instruments_.camera,
                                                    CameraTiming{bench_.clock.now(), options_.camera_period}));
   add(Place::kScreen, std::make_unique<ScreenPort>(path(Place::kScreen), epoll_.get(), screen_));
   for (auto& port : ports_) {
@@ -156,6 +151,13 @@ Result<void> Rig::Unplug(std::string_view name) {
   if (!found->plugged()) return {};
   found->Unplug();
   bench_.Saw({*PlaceNamed(name), Verb::kUnplug, 0, 0, 0});
+  return {};
+}
+
+Result<void> Rig::Do(const Hand& hand) {
+  if (hand.verb == Verb::kPlug) return Plug(PortName(hand.place));
+  if (hand.verb == Verb::kUnplug) return Unplug(PortName(hand.place));
+  instruments_.Do(hand);
   return {};
 }
 

@@ -13,13 +13,9 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/base/unique_fd.h"
-#include "hw-sim/devices/dial_box.h"
 #include "hw-sim/devices/hand.h"
-#include "hw-sim/devices/keyboard.h"
-#include "hw-sim/devices/lip_camera.h"
-#include "hw-sim/devices/pointer.h"
+#include "hw-sim/devices/instruments.h"
 #include "hw-sim/devices/screen.h"
-#include "hw-sim/devices/stick_pod.h"
 
 namespace kaori::sim {
 
@@ -38,12 +34,12 @@ class LinkPort;
 class HidPort;
 
 // One thread. Time comes from the clock alone: the same hands at the same times give the same bytes.
-class Rig {
+class Rig final : public Playground {
  public:
   // Everything is plugged in at once. The clock outlives the rig. Errors: those of the folder and its
   // sockets.
   static Result<std::unique_ptr<Rig>> Open(RigOptions options, const Clock& clock);
-  ~Rig();
+  ~Rig() override;
 
   // Accepts, receives and sends whatever is due at clock.now(): reports that wait, a camera frame, a flip.
   // Never blocks. Call it when pollable() is readable, and after hands or time have moved. A frame that was
@@ -56,13 +52,14 @@ class Rig {
   // When Pump is next needed though no socket speaks; Time::max() while nothing waits.
   Time next_due() const;
 
-  DialBox& dial_box() { return dial_box_; }
-  StickPod& left_stick() { return left_stick_; }
-  StickPod& right_stick() { return right_stick_; }
-  StickPod& stick(Place place) { return place == Place::kStickRight ? right_stick_ : left_stick_; }
-  Keyboard& keyboard() { return keyboard_; }
-  Pointer& pointer() { return pointer_; }
-  LipCamera& camera() { return camera_; }
+  DialBox& dial_box() { return instruments_.dial_box; }
+  StickPod& left_stick() { return instruments_.left_stick; }
+  StickPod& right_stick() { return instruments_.right_stick; }
+  StickPod& stick(Place place) { return instruments_.stick(place); }
+  Instruments& instruments() override { return instruments_; }
+  Keyboard& keyboard() { return instruments_.keyboard; }
+  Pointer& pointer() { return instruments_.pointer; }
+  LipCamera& camera() { return instruments_.camera; }
   Screen& screen() { return screen_; }
   const Clock& clock() const { return bench_.clock; }
 
@@ -75,7 +72,7 @@ class Rig {
   bool connected(std::string_view name) const;  // A program has the device open.
 
   // Does one hand: any verb, any place. Verbs that the place does not have are ignored. Errors: as Plug.
-  Result<void> Do(const Hand& hand);
+  Result<void> Do(const Hand& hand) override;
 
   // Who watches the hands that change something, Plug and Unplug included; replaces the last watcher.
   void Watch(std::function<void(const Hand&)> watcher) { bench_.watcher = std::move(watcher); }
@@ -95,12 +92,7 @@ class Rig {
 
   RigOptions options_;
   Workbench bench_;
-  DialBox dial_box_;
-  StickPod left_stick_;
-  StickPod right_stick_;
-  Keyboard keyboard_;
-  Pointer pointer_;
-  LipCamera camera_;
+  Instruments instruments_;
   Screen screen_;
   UniqueFd lock_;  // On the folder.
   UniqueFd epoll_;

@@ -1,4 +1,4 @@
-#include "hw-sim/links/local/rig.h"
+#include "hw-sim/devices/instruments.h"
 
 namespace kaori::sim {
 namespace {
@@ -41,16 +41,21 @@ void DoOnCamera(LipCamera& camera, const Hand& hand) {
 
 }  // namespace
 
-Result<void> Rig::Do(const Hand& hand) {
-  if (hand.verb == Verb::kPlug) return Plug(PortName(hand.place));
-  if (hand.verb == Verb::kUnplug) return Unplug(PortName(hand.place));
-  if (hand.place == Place::kDialBox) DoOnBox(dial_box_, hand);
-  if (hand.place == Place::kStickLeft) DoOnStick(left_stick_, hand);
-  if (hand.place == Place::kStickRight) DoOnStick(right_stick_, hand);
-  if (hand.place == Place::kKeyboard) DoOnKeyboard(keyboard_, hand);
-  if (hand.place == Place::kPointer) DoOnPointer(pointer_, hand);
-  if (hand.place == Place::kCamera) DoOnCamera(camera_, hand);
-  return {};
+Instruments::Instruments(const Workbench& bench, ports::CameraFormat camera_format)
+    : dial_box(bench),
+      left_stick(Place::kStickLeft, bench),
+      right_stick(Place::kStickRight, bench),
+      keyboard(bench),
+      pointer(bench),
+      camera(camera_format, bench) {}
+
+void Instruments::Do(const Hand& hand) {
+  if (hand.place == Place::kDialBox) DoOnBox(dial_box, hand);
+  if (hand.place == Place::kStickLeft) DoOnStick(left_stick, hand);
+  if (hand.place == Place::kStickRight) DoOnStick(right_stick, hand);
+  if (hand.place == Place::kKeyboard) DoOnKeyboard(keyboard, hand);
+  if (hand.place == Place::kPointer) DoOnPointer(pointer, hand);
+  if (hand.place == Place::kCamera) DoOnCamera(camera, hand);
 }
 
 }  // namespace kaori::sim

@@ -1,0 +1,47 @@
+// A simulated CP2112: a USB bridge with eight GPIO lines, which Linux drives by itself (hid-cp2112).
+#pragma once
+
+#include <array>
+
+#include "hw-sim/devices/usb_device.h"
+
+namespace kaori::sim {
+
+// By its data sheet (AN495 of its maker): everything goes by HID feature reports. Its I2C side answers
+// nothing. A host looks at the lines every 40 ms: what is shorter, nobody sees.
+class GpioBridge final : public UsbDevice {
+ public:
+  static constexpr int kLines = 8;
+
+  GpioBridge();
+
+  // Test's side. Lines are pulled up; a switch pulls its line to ground. Numbers outside 0..7 are ignored.
+  void Close(int line) { Pull(line, true); }  // The switch is pressed,
+  void Open(int line) { Pull(line, false); }  // and let go.
+  bool drives(int line) const;                // The host has made it an output,
+  bool high(int line) const;                  // and what is on the line now.
+
+  // Appliance's side.
+  const UsbPlate& plate() const override { return plate_; }
+  std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
+  void TakeOut(std::uint8_t, std::span<const std::uint8_t>) override {}
+  std::optional<UsbBytes> TakeIn(std::uint8_t, std::size_t, Time) override { return std::nullopt; }
+  std::optional<Time> next_due(Time) const override { return std::nullopt; }
+  void HostCame(std::uint8_t) override {}
+  void HostLeft(std::uint8_t) override {}
+  void PowerCycle() override;
+
+ private:
+  void Pull(int line, bool down);
+  std::uint8_t levels() const;
+  std::optional<UsbBytes> Feature(std::uint8_t report) const;
+  bool SetFeature(std::span<const std::uint8_t> report);
+
+  UsbPlate plate_;
+  std::uint8_t outputs_ = 0;      // Bit n: line n is driven by the host,
+  std::uint8_t push_pull_ = 0;    // both ways,
+  std::uint8_t driven_ = 0xFF;    // to this.
+  std::uint8_t pulled_down_ = 0;  // Bit n: the switch at line n is closed.
+};
+
+}  // namespace kaori::sim

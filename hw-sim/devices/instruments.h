@@ -1,0 +1,41 @@
+// Every simulated device that hands play, and the one way in which a hand reaches it.
+#pragma once
+
+#include "drivers/base/result.h"
+#include "hw-sim/devices/dial_box.h"
+#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/keyboard.h"
+#include "hw-sim/devices/lip_camera.h"
+#include "hw-sim/devices/pointer.h"
+#include "hw-sim/devices/stick_pod.h"
+
+namespace kaori::sim {
+
+struct Instruments {
+  // Borrows the bench.
+  Instruments(const Workbench& bench, ports::CameraFormat camera_format);
+
+  StickPod& stick(Place place) { return place == Place::kStickRight ? right_stick : left_stick; }
+
+  // Verbs that the place does not have, and cables, are ignored.
+  void Do(const Hand& hand);
+
+  DialBox dial_box;
+  StickPod left_stick;
+  StickPod right_stick;
+  Keyboard keyboard;
+  Pointer pointer;
+  LipCamera camera;
+};
+
+// Devices with their cables, wherever these lead: what a scenario is played on.
+class Playground {
+ public:
+  virtual ~Playground() = default;
+  virtual Instruments& instruments() = 0;
+
+  // Does one hand, cables included. Errors: those of the cables.
+  virtual Result<void> Do(const Hand& hand) = 0;
+};
+
+}  // namespace kaori::sim

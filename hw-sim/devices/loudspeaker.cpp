@@ -1,0 +1,72 @@
+#include "hw-sim/devices/loudspeaker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace kaori::sim {
+namespace {
+
+constexpr std::size_t kMostHeard = 4000;  // Blocks; a block is what was heard between two looks.
+
+}  // namespace
+
+std::vector<Loudspeaker::Heard> Loudspeaker::TakeHeard() {
+  std::vector<Heard> taken(std::make_move_iterator(heard_.begin()), std::make_move_iterator(heard_.end()));
+  heard_.clear();
+  return taken;
+}
+
+void Loudspeaker::Stall(bool stalled) {
+  if (std::exchange(stalled_, stalled) == stalled) return;
+  if (stalled) PlayUntil(bench_.clock.now());
+  playing_ = false;
+  bench_.Saw({Place::kLoudspeaker, Verb::kStall, stalled ? 1 : 0, 0, 0});
+}
+
+void Loudspeaker::Take(std::span<const std::int16_t> samples, Time now) {
+  PlayUntil(now);
+  const std::size_t room = kRoomFrames * kChannels - std::min(waiting_.size(), kRoomFrames * kChannels);
+  const std::size_t taken = std::min(samples.size() / kChannels * kChannels, room);
+  waiting_.insert(waiting_.end(), samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(taken));
+  if (playing_ || stalled_ || waiting_.empty()) return;
+  playing_ = true;
+  start_ = played_at_ = now;
+  start_frame_ = played_;
+}
+
+void Loudspeaker::PlayUntil(Time now) {
+  if (!playing_ || stalled_ || now <= start_) return;
+  const auto due = start_frame_ + static_cast<std::uint64_t>(Seconds(now - start_) * rate_hz()) - played_;
+  const std::size_t there = waiting_.size() / kChannels;
+  Remember(std::min<std::size_t>(due, there));
+  if (due <= there) return;
+  ++dry_;
+  playing_ = false;
+  level_db_ = -100;
+}
+
+void Loudspeaker::Remember(std::size_t frames) {
+  if (frames == 0) return;
+  const auto end = waiting_.begin() + static_cast<std::ptrdiff_t>(frames * kChannels);
+  Heard heard{played_at_, 1 / rate_hz(), {waiting_.begin(), end}};
+  waiting_.erase(waiting_.begin(), end);
+  double power = 0;
+  for (const std::int16_t sample : heard.samples) power += double{1} * sample * sample;
+  power /= static_cast<double>(heard.samples.size()) * 32768 * 32768;
+  level_db_ = std::max(-100.0, 10 * std::log10(std::max(power, 1e-10)));
+  heard_.push_back(std::move(heard));
+  if (heard_.size() > kMostHeard) heard_.pop_front();
+  played_ += frames;
+  played_at_ = start_ + FromSeconds(static_cast<double>(played_ - start_frame_) / rate_hz());
+}
+
+void Loudspeaker::Silence() {
+  waiting_.clear();
+  playing_ = false;
+  played_ = start_frame_ = 0;
+  level_db_ = -100;
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,63 @@
+// The simulated loudspeaker: plays what it is given on a crystal of its own, and remembers what was heard when.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "drivers/ports/loudspeaker.h"
+#include "hw-sim/devices/hand.h"
+
+namespace kaori::sim {
+
+class Loudspeaker {
+ public:
+  static constexpr int kChannels = 2;
+  static constexpr std::size_t kRoomFrames = 2880;  // 60 ms.
+
+  // Borrows the bench.
+  explicit Loudspeaker(const Workbench& bench) : bench_(bench) {}
+
+  // Sound that was heard without a break.
+  struct Heard {
+    Time at{};                          // When its first frame was heard.
+    double frame_s = 1.0 / 48000;       // From frame to frame.
+    std::vector<std::int16_t> samples;  // Left, right.
+  };
+
+  // Test's side. What was heard since the last call, the last ten seconds at most.
+  std::vector<Heard> TakeHeard();
+  double level_db() const { return level_db_; }  // Of what was heard last; -100 is silence.
+  void SetDrift(double ppm) { ppm_ = ppm; }      // Its crystal runs so much faster, from the next start on.
+  void Stall(bool stalled);                      // It plays nothing and stands still.
+  bool stalled() const { return stalled_; }
+
+  // Appliance's side. Frames that find no room are lost: the driver knows how much there is.
+  ports::SoundFormat format() const { return {48000, kChannels}; }
+  void Take(std::span<const std::int16_t> samples, Time now);
+  void PlayUntil(Time now);
+  void Silence();  // Nobody plays any more: what waits is dropped.
+  std::uint64_t played_frames() const { return played_; }  // Since the last Silence.
+  Time played_at() const { return played_at_; }            // When the last of these was over.
+  std::uint32_t dry() const { return dry_; }               // How often nothing was there to play.
+
+ private:
+  double rate_hz() const { return 48000 * (1 + ppm_ * 1e-6); }
+  void Remember(std::size_t frames);
+
+  const Workbench& bench_;
+  std::deque<std::int16_t> waiting_;
+  std::deque<Heard> heard_;
+  bool playing_ = false;
+  Time start_{};                   // When frame `start_frame_` was heard.
+  std::uint64_t start_frame_ = 0;
+  std::uint64_t played_ = 0;
+  Time played_at_{};
+  std::uint32_t dry_ = 0;
+  double level_db_ = -100;
+  double ppm_ = 0;
+  bool stalled_ = false;
+};
+
+}  // namespace kaori::sim

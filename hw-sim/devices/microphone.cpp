@@ -1,0 +1,79 @@
+#include "hw-sim/devices/microphone.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kaori::sim {
+namespace {
+
+constexpr std::int64_t kMostAtOnce = kSynthRate_hz;  // Of a longer sleep only the end is heard.
+
+}  // namespace
+
+// What was heard before is heard with the voice that it had.
+void Microphone::Say(int vowel, double loudness) {
+  HearUntil(bench_.clock.now());
+  const int vowel_before = synth_.vowel();
+  const double loudness_before = synth_.loudness();
+  synth_.Say(vowel, loudness);
+  if (synth_.vowel() != vowel_before || synth_.loudness() != loudness_before)
+    bench_.Saw({Place::kMicrophone, Verb::kVoice, synth_.vowel(), synth_.loudness(), 0});
+}
+
+void Microphone::Stall(bool stalled) {
+  if (std::exchange(stalled_, stalled) == stalled) return;
+  if (!stalled) Drop(bench_.clock.now());
+  bench_.Saw({Place::kMicrophone, Verb::kStall, stalled ? 1 : 0, 0, 0});
+}
+
+void Microphone::SetDrift(double ppm) {
+  HearUntil(bench_.clock.now());
+  start_ = TimeOf(heard_);
+  first_ = heard_;
+  ppm_ = ppm;
+}
+
+void Microphone::LoseBlocks(int count) {
+  to_lose_ += count;
+}
+
+Time Microphone::TimeOf(std::int64_t frame) const {
+  return start_ + FromSeconds(static_cast<double>(frame - first_) / (kSynthRate_hz * (1 + ppm_ * 1e-6)));
+}
+
+void Microphone::HearUntil(Time now) {
+  const auto until =
+      first_ + static_cast<std::int64_t>(Seconds(now - start_) * kSynthRate_hz * (1 + ppm_ * 1e-6));
+  if (until - heard_ > kMostAtOnce) {
+    heard_ = until - kMostAtOnce;
+    lost_ = true;
+    waiting_.clear();
+  }
+  for (; heard_ < until; ++heard_) waiting_.push_back(synth_.Next());
+}
+
+std::optional<Microphone::Block> Microphone::TakeBlock(Time now) {
+  HearUntil(now);
+  while (waiting_.size() >= kBlockFrames) {
+    Block block{TimeOf(heard_ - static_cast<std::int64_t>(waiting_.size())), lost_,
+                {waiting_.begin(), waiting_.begin() + kBlockFrames}};
+    waiting_.erase(waiting_.begin(), waiting_.begin() + kBlockFrames);
+    const bool loses = stalled_ || to_lose_ > 0;
+    if (to_lose_ > 0 && !stalled_) --to_lose_;
+    lost_ = loses;
+    if (!loses) return block;
+  }
+  return std::nullopt;
+}
+
+Time Microphone::next_due() const {
+  const auto missing = kBlockFrames - static_cast<std::int64_t>(waiting_.size());
+  return TimeOf(heard_ + std::max<std::int64_t>(missing, 1));
+}
+
+void Microphone::Drop(Time now) {
+  HearUntil(now);
+  waiting_.clear();
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,59 @@
+// The simulated microphone: hears a voice made by rule, in blocks of five milliseconds.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "drivers/ports/microphone.h"
+#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/voice_synth.h"
+
+namespace kaori::sim {
+
+class Microphone {
+ public:
+  static constexpr int kBlockFrames = 240;
+
+  // Begins to hear at the bench's present time. Borrows the bench.
+  explicit Microphone(const Workbench& bench) : bench_(bench), start_(bench.clock.now()) {}
+
+  // Test's side. The voice from now on; vowels are a, i, u, e, o.
+  void Say(int vowel, double loudness);
+  void Stall(bool stalled);          // No blocks while stalled; their frames are lost.
+  void SetDrift(double ppm);         // Its crystal runs so much faster, from now on.
+  void LoseBlocks(int count);        // The next ones never come, and the one after them says so.
+  int vowel() const { return synth_.vowel(); }
+  double loudness() const { return synth_.loudness(); }
+  bool stalled() const { return stalled_; }
+
+  // Appliance's side.
+  ports::SoundFormat format() const { return {kSynthRate_hz, 1}; }
+  struct Block {
+    Time at{};
+    bool lost = false;  // Frames were lost before it.
+    std::vector<std::int16_t> samples;
+  };
+  // The next block that has been heard wholly by `now`.
+  std::optional<Block> TakeBlock(Time now);
+  Time next_due() const;
+  // Nobody listens: what was heard until `now` is gone.
+  void Drop(Time now);
+
+ private:
+  Time TimeOf(std::int64_t frame) const;
+  void HearUntil(Time now);
+
+  const Workbench& bench_;
+  VoiceSynth synth_;
+  Time start_;                 // When frame `first_` was heard,
+  std::int64_t first_ = 0;     // since which the crystal is what it is.
+  double ppm_ = 0;
+  std::int64_t heard_ = 0;     // Frames since the beginning.
+  std::vector<std::int16_t> waiting_;
+  int to_lose_ = 0;
+  bool lost_ = false;
+  bool stalled_ = false;
+};
+
+}  // namespace kaori::sim

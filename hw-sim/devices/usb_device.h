@@ -1,0 +1,72 @@
+// The appliance's side of a simulated USB device: who it is, and what it answers on its endpoints.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drivers/base/clock.h"
+
+namespace kaori::sim {
+
+using UsbBytes = std::vector<std::uint8_t>;
+
+// The numbers are those that usbredir uses.
+enum class UsbSpeed : std::uint8_t { kLow, kFull, kHigh };
+
+// The eight bytes that begin a control transfer (USB 2.0, 9.3).
+struct UsbSetup {
+  std::uint8_t type = 0;  // Bit 7: the device answers with data.
+  std::uint8_t request = 0;
+  std::uint16_t value = 0;
+  std::uint16_t index = 0;
+  std::uint16_t length = 0;
+};
+
+// What a host reads first. One configuration, as every device of ours has.
+struct UsbPlate {
+  UsbSpeed speed = UsbSpeed::kHigh;
+  std::uint8_t device_class = 0;  // 0: said by each interface.
+  std::uint8_t device_subclass = 0;
+  std::uint8_t device_protocol = 0;
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  std::uint16_t release_bcd = 0x0100;
+  std::string maker;
+  std::string name;
+  UsbBytes configuration;  // The whole of it: interfaces, endpoints, class descriptors.
+};
+
+// One thread; no call blocks. A link asks for transfers, and answers by itself what every device answers
+// alike (see usb_plate.h).
+class UsbDevice {
+ public:
+  virtual ~UsbDevice() = default;
+
+  // Does not change.
+  virtual const UsbPlate& plate() const = 0;
+
+  // A control request that is not of every device. Gives the data that goes back, empty for one without; or
+  // nothing: the request stalls.
+  virtual std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) = 0;
+
+  // Data for an OUT endpoint.
+  virtual void TakeOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) = 0;
+
+  // The next transfer of an IN endpoint that is due at `now`, at most `room_bytes` long; nothing: none yet.
+  virtual std::optional<UsbBytes> TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) = 0;
+
+  // When TakeIn next has something; nothing while it has none. Asked only while a host waits for it.
+  virtual std::optional<Time> next_due(Time now) const = 0;
+
+  // A host began to poll an interrupt endpoint, or ended.
+  virtual void HostCame(std::uint8_t endpoint) = 0;
+  virtual void HostLeft(std::uint8_t endpoint) = 0;
+
+  // Power went or came: what was not sent is lost.
+  virtual void PowerCycle() = 0;
+};
+
+}  // namespace kaori::sim

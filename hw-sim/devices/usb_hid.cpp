@@ -1,0 +1,110 @@
+#include "hw-sim/devices/usb_hid.h"
+
+#include <algorithm>
+
+#include "hw-sim/devices/usb_plate.h"
+
+namespace kaori::sim {
+namespace {
+
+constexpr std::uint8_t kHidClass = 3;
+constexpr std::uint8_t kHidKind = 0x21, kReportKind = 0x22;
+constexpr std::uint16_t kPacketBytes = 64;
+constexpr std::uint8_t kEveryMicroframe = 1;
+
+// Requests (7.2 of the class definition), and the standard one that asks for HID's own descriptors.
+constexpr std::uint8_t kToInterface = 0x21, kFromInterface = 0xA1, kStandardFromInterface = 0x81;
+constexpr std::uint8_t kGetDescriptor = 0x06;
+constexpr std::uint8_t kGetReport = 0x01, kGetIdle = 0x02, kGetProtocol = 0x03;
+constexpr std::uint8_t kSetReport = 0x09, kSetIdle = 0x0A, kSetProtocol = 0x0B;
+constexpr std::uint8_t kInputReport = 1, kOutputReport = 2;
+
+// Items of a report descriptor: what stands before the length of their data.
+constexpr std::uint8_t kOutputItem = 0x90, kReportIdItem = 0x84, kItemMask = 0xFC;
+
+void Add(const UsbBytes& part, UsbBytes& whole) {
+  whole.insert(whole.end(), part.begin(), part.end());
+}
+
+UsbBytes HidDescriptor(std::size_t report_descriptor_bytes) {
+  return {9,
+          kHidKind,
+          0x11,
+          0x01,
+          0,
+          1,
+          kReportKind,
+          static_cast<std::uint8_t>(report_descriptor_bytes & 0xFF),
+          static_cast<std::uint8_t>(report_descriptor_bytes >> 8)};
+}
+
+UsbBytes Configuration(std::size_t report_descriptor_bytes, bool takes_output) {
+  UsbBytes bytes = InterfaceDescriptor({.kind = kHidClass}, takes_output ? 2 : 1);
+  Add(HidDescriptor(report_descriptor_bytes), bytes);
+  Add(EndpointDescriptor({UsbHid::kIn, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
+  if (takes_output)
+    Add(EndpointDescriptor({UsbHid::kOut, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
+  return ConfigurationOf(1, bytes);
+}
+
+}  // namespace
+
+HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor) {
+  HidShape shape;
+  for (std::size_t at = 0; at < report_descriptor.size();) {
+    const std::uint8_t item = report_descriptor[at];
+    shape.takes_output |= (item & kItemMask) == kOutputItem;
+    shape.numbers_reports |= (item & kItemMask) == kReportIdItem;
+    const std::size_t size = item & 3U;
+    at += 1 + (size == 3 ? 4 : size);
+  }
+  return shape;
+}
+
+UsbHid::UsbHid(HidDevice& device) : device_(device) {
+  const HidNameplate nameplate = device.nameplate();
+  shape_ = ShapeOf(nameplate.descriptor);
+  plate_.vendor = nameplate.vendor;
+  plate_.product = nameplate.product;
+  plate_.maker = "Kaori";
+  plate_.name = nameplate.name;
+  plate_.configuration = Configuration(nameplate.descriptor.size(), shape_.takes_output);
+}
+
+std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {
+  const auto report = device_.nameplate().descriptor;
+  if (kind == kReportKind) return UsbBytes(report.begin(), report.end());
+  if (kind == kHidKind) return HidDescriptor(report.size());
+  return std::nullopt;
+}
+
+std::optional<UsbBytes> UsbHid::Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) {
+  const auto kind = static_cast<std::uint8_t>(setup.value >> 8);
+  if (setup.type == kStandardFromInterface && setup.request == kGetDescriptor) return Descriptor(kind);
+  if (setup.type == kFromInterface) {
+    if (setup.request == kGetReport && kind == kInputReport) return device_.Standing();
+    if (setup.request == kGetIdle) return UsbBytes{0};
+    if (setup.request == kGetProtocol) return UsbBytes{1};
+  }
+  if (setup.type == kToInterface) {
+    if (setup.request == kSetIdle || setup.request == kSetProtocol) return UsbBytes{};
+    if (setup.request == kSetReport && kind == kOutputReport) return TakeOut(kOut, data), UsbBytes{};
+  }
+  return std::nullopt;
+}
+
+// On the cable a report that has no number is its bytes alone; above it begins with a 0.
+void UsbHid::TakeOut(std::uint8_t, std::span<const std::uint8_t> data) {
+  UsbBytes report(shape_.numbers_reports ? 0 : 1);
+  report.insert(report.end(), data.begin(), data.end());
+  device_.TakeOutput(report);
+}
+
+std::optional<UsbBytes> UsbHid::TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) {
+  if (endpoint != kIn) return std::nullopt;
+  auto report = device_.TakeReport(now);
+  if (report) report->resize(std::min(report->size(), room_bytes));
+  return report;
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,44 @@
+// A simulated HID device as a USB device: one interface, with an interrupt endpoint each way where it has
+// both.
+#pragma once
+
+#include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/usb_device.h"
+
+namespace kaori::sim {
+
+// What of a report descriptor matters to the cable.
+struct HidShape {
+  bool takes_output = false;     // It has output reports.
+  bool numbers_reports = false;  // Its reports begin with their number.
+};
+HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor);
+
+// High speed and polled in every microframe: at full speed a host falls behind a device that sends each
+// millisecond (device class definition for HID 1.11).
+class UsbHid final : public UsbDevice {
+ public:
+  static constexpr std::uint8_t kIn = 0x81;
+  static constexpr std::uint8_t kOut = 0x01;
+
+  // Borrows the device.
+  explicit UsbHid(HidDevice& device);
+
+  const UsbPlate& plate() const override { return plate_; }
+  std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
+  void TakeOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) override;
+  std::optional<UsbBytes> TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
+  std::optional<Time> next_due(Time) const override { return device_.next_due(); }
+  void HostCame(std::uint8_t) override { device_.HostCame(); }
+  void HostLeft(std::uint8_t) override { device_.HostLeft(); }
+  void PowerCycle() override { device_.PowerCycle(); }
+
+ private:
+  std::optional<UsbBytes> Descriptor(std::uint8_t kind) const;
+
+  HidDevice& device_;
+  HidShape shape_;
+  UsbPlate plate_;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,131 @@
+#include "hw-sim/devices/usb_plate.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "firmware/wire/bytes.h"
+
+namespace kaori::sim {
+namespace {
+
+constexpr std::uint8_t kDeviceKind = 1, kConfigurationKind = 2, kStringKind = 3, kInterfaceKind = 4,
+                       kEndpointKind = 5;
+constexpr std::size_t kConfigurationHeaderBytes = 9;
+constexpr std::uint8_t kMakerString = 1, kNameString = 2;  // No serial number: two equal devices are equal.
+
+// Standard requests.
+constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kGetDescriptor = 6;
+constexpr std::uint8_t kFromDevice = 0x80, kTypeMask = 0x60;
+
+std::uint8_t Low(std::uint16_t value) {
+  return static_cast<std::uint8_t>(value & 0xFF);
+}
+std::uint8_t High(std::uint16_t value) {
+  return static_cast<std::uint8_t>(value >> 8);
+}
+
+UsbBytes DeviceDescriptor(const UsbPlate& plate) {
+  return {18,
+          kDeviceKind,
+          0x00,
+          0x02,  // USB 2.0
+          plate.device_class,
+          plate.device_subclass,
+          plate.device_protocol,
+          64,
+          Low(plate.vendor),
+          High(plate.vendor),
+          Low(plate.product),
+          High(plate.product),
+          Low(plate.release_bcd),
+          High(plate.release_bcd),
+          kMakerString,
+          kNameString,
+          0,
+          1};
+}
+
+// ASCII as UTF-16LE.
+UsbBytes StringDescriptor(std::string_view text) {
+  UsbBytes bytes{static_cast<std::uint8_t>(2 + 2 * text.size()), kStringKind};
+  for (const char letter : text) {
+    bytes.push_back(static_cast<std::uint8_t>(letter));
+    bytes.push_back(0);
+  }
+  return bytes;
+}
+
+std::optional<UsbBytes> StringNumber(const UsbPlate& plate, std::uint8_t index) {
+  if (index == 0) return UsbBytes{4, kStringKind, 0x09, 0x04};  // English (United States) is all we speak.
+  if (index == kMakerString) return StringDescriptor(plate.maker);
+  if (index == kNameString) return StringDescriptor(plate.name);
+  return std::nullopt;
+}
+
+std::optional<UsbBytes> Descriptor(const UsbPlate& plate, const UsbSetup& setup) {
+  switch (High(setup.value)) {
+    case kDeviceKind:
+      return DeviceDescriptor(plate);
+    case kConfigurationKind:
+      return plate.configuration;
+    case kStringKind:
+      return StringNumber(plate, Low(setup.value));
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+UsbContents ContentsOf(std::span<const std::uint8_t> configuration) {
+  UsbContents contents;
+  while (configuration.size() >= 2 && configuration[0] >= 2 && configuration[0] <= configuration.size()) {
+    const auto one = configuration.first(configuration[0]);
+    if (one[1] == kInterfaceKind && one.size() >= 9)
+      contents.interfaces.push_back(
+          {.number = one[2], .kind = one[5], .subclass = one[6], .protocol = one[7]});
+    if (one[1] == kEndpointKind && one.size() >= 7 && !contents.interfaces.empty())
+      contents.endpoints.push_back({.address = one[2],
+                                    .transfer = static_cast<UsbTransfer>(one[3] & 3),
+                                    .max_packet_bytes = wire::GetU16(one, 4),
+                                    .interval = one[6],
+                                    .interface = contents.interfaces.back().number});
+    configuration = configuration.subspan(one.size());
+  }
+  return contents;
+}
+
+UsbBytes ConfigurationOf(std::uint8_t interfaces, std::span<const std::uint8_t> contents) {
+  const auto total = static_cast<std::uint16_t>(kConfigurationHeaderBytes + contents.size());
+  UsbBytes bytes{9, kConfigurationKind, Low(total), High(total), interfaces, 1, 0, 0x80, 50};
+  bytes.resize(total);
+  std::ranges::copy(contents, bytes.begin() + kConfigurationHeaderBytes);
+  return bytes;
+}
+
+UsbBytes InterfaceDescriptor(const UsbInterface& interface, std::uint8_t endpoints) {
+  return {9,         kInterfaceKind, interface.number,   0,
+          endpoints, interface.kind, interface.subclass, interface.protocol,
+          0};
+}
+
+UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint) {
+  return {7,
+          kEndpointKind,
+          endpoint.address,
+          static_cast<std::uint8_t>(endpoint.transfer),
+          Low(endpoint.max_packet_bytes),
+          High(endpoint.max_packet_bytes),
+          endpoint.interval};
+}
+
+std::optional<UsbBytes> AnswerStandard(const UsbPlate& plate, const UsbSetup& setup) {
+  if ((setup.type & kTypeMask) != 0) return std::nullopt;
+  const bool asks = (setup.type & kFromDevice) != 0;
+  if (asks && setup.request == kGetDescriptor) return Descriptor(plate, setup);
+  if (asks && setup.request == kGetStatus) return UsbBytes{0, 0};
+  if (!asks && (setup.request == kClearFeature || setup.request == kSetFeature)) return UsbBytes{};
+  return std::nullopt;
+}
+
+}  // namespace kaori::sim

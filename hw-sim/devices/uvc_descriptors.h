@@ -1,0 +1,27 @@
+// The bytes by which a USB video camera says what it has (USB Video Class 1.1, and its uncompressed payload).
+#pragma once
+
+#include <cstdint>
+
+#include "hw-sim/devices/usb_device.h"
+
+namespace kaori::sim {
+
+// One camera: a size, a rate, YUYV.
+struct UvcMode {
+  std::uint16_t width_px = 640;
+  std::uint16_t height_px = 480;
+  std::uint32_t period_100ns = 333333;
+  std::uint32_t payload_bytes = 65536;  // Of the longest payload.
+  std::uint8_t endpoint = 0x81;
+
+  std::uint32_t frame_bytes() const { return std::uint32_t{width_px} * height_px * 2; }
+};
+
+// The whole configuration. The streaming interface has no alternate setting, so that a host streams in bulk.
+UsbBytes UvcConfiguration(const UvcMode& mode);
+
+// What the probe and commit controls hold: there is one way to stream, so every request gets the same.
+UsbBytes UvcProbe(const UvcMode& mode);
+
+}  // namespace kaori::sim

@@ -1,0 +1,83 @@
+#include "hw-sim/devices/voice_synth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kaori::sim {
+namespace {
+
+constexpr double kPitch_hz = 125;
+constexpr double kGlottis_hz = 100;  // Above it a pulse falls by 12 dB an octave.
+constexpr double kGlide_s = 0.012;   // Of the resonances from vowel to vowel,
+constexpr double kAttack_s = 0.002;  // and of the loudness.
+constexpr double kLevel_s = 0.03;
+constexpr double kLoud = 0.1;       // RMS of full scale at loudness 1.
+constexpr double kRoom = 0.0003;    // A quiet room: -70 dB.
+constexpr double kLeast = 1e-9;
+
+// Where Japanese vowels resonate, for a man's throat: means of published measurements, rounded.
+constexpr std::array<std::array<double, 4>, kSynthVowels> kVowels_hz{{{750, 1200, 2550, 3500},
+                                                                     {300, 2250, 2950, 3600},
+                                                                     {350, 1300, 2350, 3400},
+                                                                     {480, 1900, 2550, 3500},
+                                                                     {480, 850, 2500, 3400}}};
+
+double Share(double time_s) {
+  return 1 - std::exp(-1 / (time_s * kSynthRate_hz));
+}
+
+}  // namespace
+
+void VoiceSynth::Say(int vowel, double loudness) {
+  vowel_ = std::clamp(vowel, 0, kSynthVowels - 1);
+  loudness_ = std::isnan(loudness) ? 0 : std::clamp(loudness, 0.0, 4.0);
+}
+
+// A throat that has been silent begins with its own vowel.
+std::int16_t VoiceSynth::Next() {
+  static const double glide = Share(kGlide_s), attack = Share(kAttack_s), level = Share(kLevel_s);
+  const auto& goal_hz = kVowels_hz[static_cast<std::size_t>(vowel_)];
+  for (std::size_t n = 0; n < kFormants; ++n)
+    formants_hz_[n] += (gain_ < 0.01 ? 1 : glide) * (goal_hz[n] - formants_hz_[n]);
+  gain_ += attack * (loudness_ - gain_);
+  const double voiced = Throat(Glottis());
+  level_ += level * (voiced * voiced - level_);
+  const double voice = kLoud * gain_ * voiced / std::sqrt(std::max(level_, kLeast));
+  return static_cast<std::int16_t>(std::lround(32767 * std::clamp(voice + kRoom * Noise(), -1.0, 1.0)));
+}
+
+double VoiceSynth::Glottis() {
+  phase_ += kPitch_hz / kSynthRate_hz;
+  double pulse = 0;
+  if (phase_ >= 1) {
+    phase_ -= 1;
+    pulse = 1;
+  }
+  for (double& past : pulse_) pulse = past += (pulse - past) * (2 * std::numbers::pi * kGlottis_hz / kSynthRate_hz);
+  return pulse;
+}
+
+// Resonances of two poles each, and what the lips radiate: the change.
+double VoiceSynth::Throat(double pulse) {
+  double now = pulse;
+  for (std::size_t n = 0; n < kFormants; ++n) {
+    const double width_hz = 50 + formants_hz_[n] * 0.04;
+    const double radius = std::exp(-std::numbers::pi * width_hz / kSynthRate_hz);
+    const double b = 2 * radius * std::cos(2 * std::numbers::pi * formants_hz_[n] / kSynthRate_hz);
+    const double c = -radius * radius;
+    auto& past = resonance_[n];
+    now = (1 - b - c) * now + b * past[0] + c * past[1];
+    past = {now, past[0]};
+  }
+  const double change = now - radiated_;
+  radiated_ = now;
+  return change;
+}
+
+double VoiceSynth::Noise() {
+  random_ = random_ * 1664525U + 1013904223U;
+  return static_cast<double>(random_ >> 8U) / (1U << 23U) - 1;
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,41 @@
+// A voice by rule: a glottis that pulses, a throat whose resonances make the vowel, lips that radiate.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace kaori::sim {
+
+inline constexpr int kSynthRate_hz = 48000;
+inline constexpr int kSynthVowels = 5;  // a, i, u, e, o.
+
+// Sample by sample; the same orders give the same samples. Loudness and vowel change within a few milliseconds,
+// without a click.
+class VoiceSynth {
+ public:
+  // `loudness` 0 is silence, 1 a voice of 0.1 of full scale (RMS); held within 0 .. 4.
+  void Say(int vowel, double loudness);
+  int vowel() const { return vowel_; }
+  double loudness() const { return loudness_; }
+
+  std::int16_t Next();
+
+ private:
+  static constexpr std::size_t kFormants = 4;
+  double Glottis();
+  double Throat(double pulse);
+  double Noise();
+
+  int vowel_ = 0;
+  double loudness_ = 0;
+  double gain_ = 0;   // On its way to the loudness.
+  double phase_ = 0;  // Of the pitch, in turns.
+  std::array<double, 2> pulse_{};
+  std::array<double, kFormants> formants_hz_{750, 1200, 2550, 3500};
+  std::array<std::array<double, 2>, kFormants> resonance_{};
+  double radiated_ = 0;
+  double level_ = 1e-4;  // Mean square of the voice before its gain: every vowel is as loud.
+  std::uint32_t random_ = 1993;
+};
+
+}  // namespace kaori::sim

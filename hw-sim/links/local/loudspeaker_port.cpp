@@ -1,0 +1,44 @@
+#include "hw-sim/links/local/loudspeaker_port.h"
+
+#include <vector>
+
+namespace kaori::sim {
+namespace {
+
+constexpr Duration kTellPeriod = std::chrono::milliseconds(5);
+
+}  // namespace
+
+std::optional<Time> LoudspeakerPort::next_due() const {
+  if (!connected() || loudspeaker_.stalled()) return std::nullopt;
+  return told_at_ + kTellPeriod;
+}
+
+bool LoudspeakerPort::Greet() {
+  const ports::SoundFormat format = loudspeaker_.format();
+  told_at_ = clock_.now();
+  told_frames_ = 0;
+  return Send(wire::Encode(wire::LoudspeakerHello{static_cast<std::uint32_t>(format.rate_hz),
+                                                  static_cast<std::uint32_t>(format.channels),
+                                                  static_cast<std::uint32_t>(Loudspeaker::kRoomFrames)}));
+}
+
+void LoudspeakerPort::Take(std::span<const std::uint8_t> packet) {
+  if (packet.size() % (2 * Loudspeaker::kChannels) != 0) return HangUp();
+  std::vector<std::int16_t> samples(packet.size() / 2);
+  for (std::size_t n = 0; n < samples.size(); ++n)
+    samples[n] = static_cast<std::int16_t>(wire::GetU16(packet, 2 * n));
+  loudspeaker_.Take(samples, clock_.now());
+}
+
+void LoudspeakerPort::SendDue(Time now) {
+  loudspeaker_.PlayUntil(now);
+  if (now - told_at_ < kTellPeriod) return;
+  told_at_ = now;
+  if (loudspeaker_.played_frames() == told_frames_) return;
+  told_frames_ = loudspeaker_.played_frames();
+  Send(wire::Encode(wire::PlayedNote{loudspeaker_.played_at().time_since_epoch().count(), told_frames_,
+                                     loudspeaker_.dry()}));
+}
+
+}  // namespace kaori::sim

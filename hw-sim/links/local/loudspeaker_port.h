@@ -1,0 +1,31 @@
+// The loudspeaker on the local link: takes sound, and tells what it has played.
+#pragma once
+
+#include "firmware/wire/link_sound.h"
+#include "hw-sim/devices/loudspeaker.h"
+#include "hw-sim/links/local/link_port.h"
+
+namespace kaori::sim {
+
+class LoudspeakerPort final : public LinkPort {
+ public:
+  // Borrows the loudspeaker and the clock.
+  LoudspeakerPort(std::string path, int epoll, Loudspeaker& loudspeaker, const Clock& clock)
+      : LinkPort(std::move(path), epoll), loudspeaker_(loudspeaker), clock_(clock) {}
+
+  std::optional<Time> next_due() const override;
+
+ protected:
+  bool Greet() override;
+  void Take(std::span<const std::uint8_t> packet) override;
+  void SendDue(Time now) override;
+  void PeerLeft() override { loudspeaker_.Silence(); }
+
+ private:
+  Loudspeaker& loudspeaker_;
+  const Clock& clock_;
+  Time told_at_{};
+  std::uint64_t told_frames_ = 0;
+};
+
+}  // namespace kaori::sim

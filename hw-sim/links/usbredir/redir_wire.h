@@ -1,0 +1,90 @@
+// One connection that speaks usbredir, at the end where the device is: libusbredirparser on a socket.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "drivers/base/unique_fd.h"
+#include "hw-sim/devices/usb_device.h"
+
+struct usbredirparser;
+
+namespace kaori::sim {
+
+// How a transfer ended; the numbers are those of the protocol.
+enum class RedirStatus : std::uint8_t { kDone, kCancelled, kInvalid, kIoError, kStalled };
+
+struct RedirBulk {
+  std::uint64_t id = 0;
+  std::uint8_t endpoint = 0;
+  std::uint32_t stream = 0;
+  std::uint32_t length_bytes = 0;
+};
+
+// What a machine asks of the device. Called inside RedirWire::Read; data is borrowed for the call. Each id is
+// answered once, by the wire's verb of the same name.
+class RedirRequests {
+ public:
+  virtual ~RedirRequests() = default;
+  virtual void Greeted() = 0;  // The machine said hello: a device may be announced.
+  virtual void SetConfiguration(std::uint64_t id, std::uint8_t number) = 0;
+  virtual void GetConfiguration(std::uint64_t id) = 0;
+  virtual void SetAlternate(std::uint64_t id, std::uint8_t interface, std::uint8_t number) = 0;
+  virtual void GetAlternate(std::uint64_t id, std::uint8_t interface) = 0;
+  virtual void Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) = 0;
+  virtual void Listen(std::uint64_t id, std::uint8_t endpoint, bool begins) = 0;  // To an interrupt endpoint.
+  virtual void InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::span<const std::uint8_t> data) = 0;
+  virtual void Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) = 0;
+  virtual void Isochronous(std::uint64_t id, std::uint8_t endpoint) = 0;  // Asked to begin; we have none.
+  virtual void Cancel(std::uint64_t id) = 0;
+};
+
+// One thread; nothing blocks.
+class RedirWire {
+ public:
+  // Takes a connected stream socket that does not block; borrows the requests. Says hello.
+  RedirWire(UniqueFd socket, RedirRequests& requests);
+  ~RedirWire();
+  RedirWire(const RedirWire&) = delete;
+  RedirWire& operator=(const RedirWire&) = delete;
+
+  int pollable() const { return socket_.get(); }
+
+  // Takes everything that waits; sends what the socket has room for. False: the machine is gone, or talks
+  // nonsense.
+  bool Read();
+  bool Write();
+  bool has_to_write() const;
+
+  // What lies behind the cable; said before it is connected, and anew before each answer to a configuration.
+  void Describe(const UsbPlate& plate);
+  void Connect(const UsbPlate& plate);
+  void Disconnect();
+
+  void ConfigurationStatus(std::uint64_t id, RedirStatus status, std::uint8_t number);
+  void AlternateStatus(std::uint64_t id, RedirStatus status, std::uint8_t interface);
+  void ListenStatus(std::uint64_t id, std::uint8_t endpoint);
+  void IsochronousStatus(std::uint64_t id, std::uint8_t endpoint);
+  void Control(std::uint64_t id, const UsbSetup& setup, RedirStatus status,
+               std::span<const std::uint8_t> data);
+  void InterruptIn(std::uint8_t endpoint, std::span<const std::uint8_t> data);
+  void InterruptOutDone(std::uint64_t id, std::uint8_t endpoint, std::size_t bytes);
+  // Of an OUT transfer `bytes` are told and none go back.
+  void Bulk(const RedirBulk& request, RedirStatus status, std::span<const std::uint8_t> data,
+            std::size_t bytes);
+
+  // For the parser's call-backs.
+  RedirRequests& requests() { return requests_; }
+  usbredirparser* parser() { return parser_.get(); }
+
+ private:
+  struct Destroy {
+    void operator()(usbredirparser* parser) const;
+  };
+  UniqueFd socket_;
+  RedirRequests& requests_;
+  std::unique_ptr<usbredirparser, Destroy> parser_;
+};
+
+}  // namespace kaori::sim

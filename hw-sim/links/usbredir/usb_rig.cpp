@@ -1,0 +1,96 @@
+#include "hw-sim/links/usbredir/usb_rig.h"
+
+#include <sys/epoll.h>
+
+#include <algorithm>
+
+namespace kaori::sim {
+namespace {
+
+constexpr Duration kCameraPeriod = std::chrono::nanoseconds(33'333'300);
+constexpr ports::CameraFormat kCameraFormat{640, 480, ports::PixelFormat::kYuyv};
+
+tl::unexpected<Error> NoSuch(std::string_view name) {
+  return FailInput("no USB socket is called " + std::string(name));
+}
+
+std::optional<std::size_t> NumberOf(std::string_view name) {
+  const auto it = std::ranges::find(kUsbSockets, name);
+  if (it == kUsbSockets.end()) return std::nullopt;
+  return static_cast<std::size_t>(it - kUsbSockets.begin());
+}
+
+}  // namespace
+
+std::string UsbSocketPath(const std::string& folder, std::string_view name) {
+  return folder + "/" + std::string(name) + ".usb";
+}
+
+UsbRig::UsbRig(const std::string& folder, const Clock& clock, UniqueFd epoll)
+    : bench_{clock, {}},
+      instruments_(bench_, kCameraFormat),
+      dial_box_(instruments_.dial_box),
+      left_stick_(instruments_.left_stick),
+      right_stick_(instruments_.right_stick),
+      keyboard_(instruments_.keyboard),
+      pointer_(instruments_.pointer),
+      camera_(instruments_.camera, kCameraPeriod),
+      epoll_(std::move(epoll)) {
+  const std::array<UsbDevice*, kUsbSockets.size()> devices{
+      &dial_box_, &left_stick_, &right_stick_, &keyboard_, &pointer_, &camera_, &gpio_};
+  for (std::size_t n = 0; n < ports_.size(); ++n)
+    ports_[n] =
+        std::make_unique<UsbredirPort>(UsbSocketPath(folder, kUsbSockets[n]), epoll_.get(), *devices[n]);
+}
+
+Result<std::unique_ptr<UsbRig>> UsbRig::Open(const std::string& folder, const Clock& clock) {
+  UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
+  if (!epoll.valid()) return FailErrno("create the simulator's epoll set");
+  return std::unique_ptr<UsbRig>(new UsbRig(folder, clock, std::move(epoll)));
+}
+
+void UsbRig::Pump() {
+  const Time now = bench_.clock.now();
+  for (auto& port : ports_) port->Pump(now);
+}
+
+Time UsbRig::next_due() const {
+  const Time now = bench_.clock.now();
+  Time soonest = Time::max();
+  for (const auto& port : ports_)
+    if (const auto due = port->next_due(now)) soonest = std::min(soonest, *due);
+  return soonest;
+}
+
+const UsbredirPort* UsbRig::port(std::string_view name) const {
+  const auto number = NumberOf(name);
+  return number ? ports_[*number].get() : nullptr;
+}
+
+Result<void> UsbRig::Plug(std::string_view name) {
+  const auto number = NumberOf(name);
+  if (!number) return NoSuch(name);
+  ports_[*number]->Plug();
+  return {};
+}
+
+Result<void> UsbRig::Unplug(std::string_view name) {
+  const auto number = NumberOf(name);
+  if (!number) return NoSuch(name);
+  ports_[*number]->Unplug();
+  return {};
+}
+
+void UsbRig::CrossSticks(bool crossed) {
+  ports_[1]->Hold(crossed ? right_stick_ : left_stick_);
+  ports_[2]->Hold(crossed ? left_stick_ : right_stick_);
+}
+
+Result<void> UsbRig::Do(const Hand& hand) {
+  if (hand.verb == Verb::kPlug) return Plug(PortName(hand.place));
+  if (hand.verb == Verb::kUnplug) return Unplug(PortName(hand.place));
+  instruments_.Do(hand);
+  return {};
+}
+
+}  // namespace kaori::sim

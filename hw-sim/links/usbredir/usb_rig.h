@@ -1,0 +1,67 @@
+// All simulated devices on USB sockets of a virtual machine: the bench on which the box's own kernel plays.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
+#include "hw-sim/devices/gpio_bridge.h"
+#include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/usb_hid.h"
+#include "hw-sim/devices/uvc_camera.h"
+#include "hw-sim/links/usbredir/usbredir_port.h"
+
+namespace kaori::sim {
+
+// The sockets, in the order of the machine's USB ports: the first is port 1.
+inline constexpr std::array<std::string_view, 7> kUsbSockets{
+    "dial-box", "stick-left", "stick-right", "keyboard", "pointer", "camera", "gpio"};
+
+// "FOLDER/dial-box.usb": where the machine listens.
+std::string UsbSocketPath(const std::string& folder, std::string_view name);
+
+// One thread; nothing blocks. Everything is unplugged at first.
+class UsbRig final : public Playground {
+ public:
+  // The clock outlives the rig. Errors: those of epoll.
+  static Result<std::unique_ptr<UsbRig>> Open(const std::string& folder, const Clock& clock);
+
+  // Reads, answers and sends what is due at clock.now(). Call it when pollable() is readable, and at
+  // next_due().
+  void Pump();
+  int pollable() const { return epoll_.get(); }
+  Time next_due() const;  // Time::max() while nothing waits.
+
+  Instruments& instruments() override { return instruments_; }
+  GpioBridge& gpio() { return gpio_; }
+  UvcCamera& camera() { return camera_; }
+
+  // Cables, by the names above. Errors: invalid_argument (no such socket).
+  Result<void> Plug(std::string_view name);
+  Result<void> Unplug(std::string_view name);
+  const UsbredirPort* port(std::string_view name) const;  // Null: no such socket.
+
+  // Swaps what hangs on the cables of the two sticks, which must be out.
+  void CrossSticks(bool crossed);
+
+  // Verbs of places without a USB socket are ignored. Errors: as Plug.
+  Result<void> Do(const Hand& hand) override;
+
+ private:
+  UsbRig(const std::string& folder, const Clock& clock, UniqueFd epoll);
+
+  Workbench bench_;
+  Instruments instruments_;
+  UsbHid dial_box_, left_stick_, right_stick_, keyboard_, pointer_;
+  UvcCamera camera_;
+  GpioBridge gpio_;
+  UniqueFd epoll_;
+  std::array<std::unique_ptr<UsbredirPort>, kUsbSockets.size()> ports_;
+};
+
+}  // namespace kaori::sim

@@ -1,0 +1,186 @@
+#include "hw-sim/links/usbredir/usbredir_port.h"
+
+#include <sys/epoll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "hw-sim/devices/usb_plate.h"
+
+namespace kaori::sim {
+namespace {
+
+constexpr Duration kCallAgain = std::chrono::milliseconds(100);
+constexpr std::size_t kInterruptBytes = 64;
+constexpr int kTransfersAtOnce = 256;  // Of one endpoint: the others have their turn.
+constexpr std::uint8_t kFromDevice = 0x80;
+
+// Errors: not valid where nobody listens.
+UniqueFd CallMachine(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.size() >= sizeof address.sun_path) return UniqueFd();
+  std::memcpy(address.sun_path, path.c_str(), path.size());
+  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) < 0)
+    socket.reset();
+  return socket;
+}
+
+}  // namespace
+
+void UsbredirPort::Plug() {
+  if (std::exchange(plugged_, true)) return;
+  device_->PowerCycle();
+  call_at_ = {};
+  if (greeted_) Announce();
+}
+
+void UsbredirPort::Unplug() {
+  if (!std::exchange(plugged_, false)) return;
+  if (std::exchange(announced_, false)) {
+    wire_->Disconnect();
+    if (!wire_->Write()) HangUp();
+  }
+  Forget();
+  device_->PowerCycle();
+}
+
+void UsbredirPort::Pump(Time now) {
+  if (!connected() && plugged_ && now >= call_at_) Call(now);
+  if (!connected()) return;
+  if (!wire_->Read()) return HangUp();
+  if (announced_) SendDue(now);
+  if (!wire_->Write()) return HangUp();
+  WatchForRoom();
+}
+
+std::optional<Time> UsbredirPort::next_due(Time now) const {
+  if (!connected()) return plugged_ ? std::optional(call_at_) : std::nullopt;
+  if (!announced_ || (listened_to_.empty() && bulk_in_.empty())) return std::nullopt;
+  return device_->next_due(now);
+}
+
+void UsbredirPort::Call(Time now) {
+  call_at_ = now + kCallAgain;
+  UniqueFd socket = CallMachine(path_);
+  if (!socket.valid()) return;
+  epoll_event event{};
+  event.events = EPOLLIN;
+  event.data.fd = socket.get();
+  ::epoll_ctl(epoll_, EPOLL_CTL_ADD, socket.get(), &event);
+  RedirRequests& requests = *this;
+  wire_ = std::make_unique<RedirWire>(std::move(socket), requests);
+  waits_for_room_ = false;
+}
+
+void UsbredirPort::HangUp() {
+  wire_.reset();  // The socket leaves the epoll set by itself.
+  greeted_ = false;
+  announced_ = false;
+  Forget();
+}
+
+// What the machine was doing with the device is over.
+void UsbredirPort::Forget() {
+  for (const std::uint8_t endpoint : std::exchange(listened_to_, {})) device_->HostLeft(endpoint);
+  bulk_in_.clear();
+  configured_ = false;
+}
+
+void UsbredirPort::WatchForRoom() {
+  if (wire_->has_to_write() == waits_for_room_) return;
+  waits_for_room_ = !waits_for_room_;
+  epoll_event event{};
+  event.events = waits_for_room_ ? EPOLLIN | EPOLLOUT : EPOLLIN;
+  event.data.fd = wire_->pollable();
+  ::epoll_ctl(epoll_, EPOLL_CTL_MOD, wire_->pollable(), &event);
+}
+
+void UsbredirPort::SendDue(Time now) {
+  for (const std::uint8_t endpoint : listened_to_) {
+    for (int n = 0; n < kTransfersAtOnce; ++n) {
+      const auto data = device_->TakeIn(endpoint, kInterruptBytes, now);
+      if (!data) break;
+      wire_->InterruptIn(endpoint, *data);
+    }
+  }
+  while (!bulk_in_.empty() && FillFirst(now)) {
+  }
+}
+
+// Devices of ours have one bulk endpoint at most: requests are filled in their order.
+bool UsbredirPort::FillFirst(Time now) {
+  const RedirBulk request = bulk_in_.front();
+  const auto data = device_->TakeIn(request.endpoint, request.length_bytes, now);
+  if (!data) return false;
+  bulk_in_.pop_front();
+  wire_->Bulk(request, RedirStatus::kDone, *data, data->size());
+  return true;
+}
+
+void UsbredirPort::Announce() {
+  announced_ = true;
+  wire_->Describe(device_->plate());
+  wire_->Connect(device_->plate());
+}
+
+void UsbredirPort::Greeted() {
+  greeted_ = true;
+  if (plugged_) Announce();
+}
+
+void UsbredirPort::SetConfiguration(std::uint64_t id, std::uint8_t number) {
+  configured_ = number == 1;
+  wire_->Describe(device_->plate());
+  wire_->ConfigurationStatus(id, number <= 1 ? RedirStatus::kDone : RedirStatus::kStalled, number);
+}
+
+void UsbredirPort::GetConfiguration(std::uint64_t id) {
+  wire_->ConfigurationStatus(id, RedirStatus::kDone, configured_ ? 1 : 0);
+}
+
+void UsbredirPort::SetAlternate(std::uint64_t id, std::uint8_t interface, std::uint8_t number) {
+  wire_->Describe(device_->plate());
+  wire_->AlternateStatus(id, number == 0 ? RedirStatus::kDone : RedirStatus::kStalled, interface);
+}
+
+void UsbredirPort::GetAlternate(std::uint64_t id, std::uint8_t interface) {
+  wire_->AlternateStatus(id, RedirStatus::kDone, interface);
+}
+
+void UsbredirPort::Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) {
+  auto answer = announced_ ? device_->Answer(setup, data) : std::nullopt;
+  if (!answer && announced_) answer = AnswerStandard(device_->plate(), setup);
+  wire_->Control(id, setup, answer ? RedirStatus::kDone : RedirStatus::kStalled, answer.value_or(UsbBytes{}));
+}
+
+void UsbredirPort::Listen(std::uint64_t id, std::uint8_t endpoint, bool begins) {
+  const bool did = std::erase(listened_to_, endpoint) > 0;
+  if (begins && announced_) listened_to_.push_back(endpoint);
+  if (begins && announced_ && !did) device_->HostCame(endpoint);
+  if (!begins && did) device_->HostLeft(endpoint);
+  wire_->ListenStatus(id, endpoint);
+}
+
+void UsbredirPort::InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::span<const std::uint8_t> data) {
+  if (announced_) device_->TakeOut(endpoint, data);
+  wire_->InterruptOutDone(id, endpoint, data.size());
+}
+
+void UsbredirPort::Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) {
+  if ((request.endpoint & kFromDevice) != 0 && announced_) return bulk_in_.push_back(request);
+  if (announced_) device_->TakeOut(request.endpoint, data);
+  wire_->Bulk(request, announced_ ? RedirStatus::kDone : RedirStatus::kIoError, {}, data.size());
+}
+
+void UsbredirPort::Cancel(std::uint64_t id) {
+  const auto it = std::ranges::find(bulk_in_, id, &RedirBulk::id);
+  if (it == bulk_in_.end()) return;
+  wire_->Bulk(*it, RedirStatus::kCancelled, {}, 0);
+  bulk_in_.erase(it);
+}
+
+}  // namespace kaori::sim

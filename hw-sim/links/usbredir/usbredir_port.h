@@ -1,0 +1,77 @@
+// A USB socket of a virtual machine, with one simulated device before it and a cable that can be pulled.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw-sim/devices/usb_device.h"
+#include "hw-sim/links/usbredir/redir_wire.h"
+
+namespace kaori::sim {
+
+// One thread; nothing blocks. A machine that goes away is called again until it is back.
+class UsbredirPort final : private RedirRequests {
+ public:
+  // `path` is the socket at which the machine listens; `epoll` gets the connection, and outlives the port.
+  // Borrows the device.
+  UsbredirPort(std::string path, int epoll, UsbDevice& device)
+      : path_(std::move(path)), epoll_(epoll), device_(&device) {}
+
+  // The cable. Doing it twice is doing it once.
+  void Plug();
+  void Unplug();
+  bool plugged() const { return plugged_; }
+
+  bool connected() const { return wire_ != nullptr; }      // A machine is there,
+  bool configured() const { return configured_; }          // has enumerated the device,
+  bool listened() const { return !listened_to_.empty(); }  // and a program in it listens.
+
+  // Another device at the end of the cable, which must be out.
+  void Hold(UsbDevice& device) { device_ = &device; }
+
+  // Calls, reads, answers, and sends what is due.
+  void Pump(Time now);
+  std::optional<Time> next_due(Time now) const;
+
+ private:
+  void Call(Time now);
+  void HangUp();
+  void Announce();
+  void Forget();
+  void SendDue(Time now);
+  bool FillFirst(Time now);
+  void WatchForRoom();
+
+  void Greeted() override;
+  void SetConfiguration(std::uint64_t id, std::uint8_t number) override;
+  void GetConfiguration(std::uint64_t id) override;
+  void SetAlternate(std::uint64_t id, std::uint8_t interface, std::uint8_t number) override;
+  void GetAlternate(std::uint64_t id, std::uint8_t interface) override;
+  void Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) override;
+  void Listen(std::uint64_t id, std::uint8_t endpoint, bool begins) override;
+  void InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::span<const std::uint8_t> data) override;
+  void Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) override;
+  void Isochronous(std::uint64_t id, std::uint8_t endpoint) override {
+    wire_->IsochronousStatus(id, endpoint);
+  }
+  void Cancel(std::uint64_t id) override;
+
+  std::string path_;
+  int epoll_;
+  UsbDevice* device_;
+  std::unique_ptr<RedirWire> wire_;
+  Time call_at_{};
+  bool plugged_ = false;
+  bool greeted_ = false;
+  bool announced_ = false;
+  bool configured_ = false;
+  bool waits_for_room_ = false;
+  std::vector<std::uint8_t> listened_to_;  // Interrupt endpoints.
+  std::deque<RedirBulk> bulk_in_;          // Requests that wait for data, in their order.
+};
+
+}  // namespace kaori::sim
