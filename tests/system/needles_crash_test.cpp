@@ -109,8 +109,8 @@ TEST_F(NeedlesInAHouse, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
       Hold(milliseconds(25));
       seen.emplace_back(clock_.now(), Seen().dials[kOutwards]);
     }
-    house_.Kill("kaori-stage");
     const Time killed = clock_.now();
+    house_.Kill("kaori-stage");
     std::int32_t sure = 0;
     for (const auto& [at, count] : seen)
       if (killed - at > kNothingOlder) sure = count;
