@@ -49,15 +49,14 @@ float End(const show::Take& take) {
   return end_s;
 }
 
-// The one struck last is the youngest; it keeps its full gain.
+}  // namespace
+
 const Playing* Youngest(const State& state) {
   const Playing* youngest = nullptr;
   for (const Playing& voice : state.voices)
     if (voice.take >= 0 && (youngest == nullptr || voice.at_s < youngest->at_s)) youngest = &voice;
   return youngest;
 }
-
-}  // namespace
 
 Motion PlayTakes(State& state, const show::Show& show, float dt_s) {
   Motion motion;

@@ -17,4 +17,7 @@ struct Motion {
 // out in 0.25 s.
 Motion PlayTakes(State& state, const show::Show& show, float dt_s);
 
+// The take that was struck last, which keeps its full gain; none: nothing plays.
+const Playing* Youngest(const State& state);
+
 }  // namespace kaori::performance

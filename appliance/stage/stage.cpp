@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "appliance/board/performance_state.h"
+#include "appliance/performance/takes.h"
 #include "drivers/base/log.h"
 
 namespace kaori::stage {
@@ -50,7 +51,9 @@ Result<StageWriters> StageWriters::Take(const board::Board& board) {
   if (!lamps) return tl::unexpected(lamps.error());
   auto status = board.TakeWriter<board::StageStatus>();
   if (!status) return tl::unexpected(status.error());
-  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status)};
+  auto take = board.TakeWriter<board::TakeNow>();
+  if (!take) return tl::unexpected(take.error());
+  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*take)};
 }
 
 Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
@@ -59,6 +62,7 @@ Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, co
   resumed_ = kept && performance::Sound(*kept, studio.show());
   state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
   status_.frames = board.Read<board::StageStatus>().value.frames;
+  take_now_ = board.Read<board::TakeNow>().value;
   latch_.Set(false);
 }
 
@@ -94,6 +98,7 @@ Result<void> Stage::TakeFlips() {
 
 void Stage::NoteFlip(const ports::Flip& flip) {
   latch_.Flipped(flip);
+  mouth_clock_.Flip(flip);
   status_.missed_flips = latch_.missed();
   if (flip.frame != frame_) return;
   status_.flip_ns = Words(flip.at);
@@ -126,6 +131,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
     needles_->Look(studio_.show().cast, studio_.shape(), scene,
                    static_cast<float>(picture.width_px) / static_cast<float>(picture.height_px));
   if (auto shown = screen_->Present(++frame_); !shown) return shown;
+  mouth_clock_.Present(frame_, snapshot, state_);
   latch_.Drawn(plan, clock_.now());
   Report(snapshot, CpuOfProcess() - cpu_before);
   studio_.Prepare();
@@ -146,9 +152,21 @@ scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
   auto performed = Animate(snapshot, light);
   state_ = performed.state;
   writers_.performance.Write(board::Hold(state_), light, board::SourceState::kLive);
+  TellTake(light);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
     writers_.lamps.Write({performed.lamps}, light, board::SourceState::kLive);
   return std::move(performed.scene);
+}
+
+// While a motion plays, and once when none does any more: its sound follows.
+void Stage::TellTake(Time light) {
+  const performance::Playing* take = performance::Youngest(state_);
+  if (take != nullptr && take->gain < 1) take = nullptr;  // Cut off by one that has ended since.
+  if (take == nullptr && take_now_.take < 0) return;
+  const bool begins = take != nullptr && (take->take != take_now_.take || take->at_s < take_now_.at_s);
+  take_now_ = {take != nullptr ? take->take : -1, take != nullptr ? take->at_s : 0,
+               take_now_.starts + (begins ? 1 : 0)};
+  writers_.take.Write(take_now_, light, board::SourceState::kLive);
 }
 
 void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
@@ -160,6 +178,7 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   if (const Duration passed = now - second_.began; passed >= kSecond) {
     status_.frames_per_s = static_cast<float>(second_.frames / Seconds(passed));
     status_.frame_cpu_ms = static_cast<float>(Seconds(second_.cpu) * 1e3 / second_.frames);
+    mouth_clock_.Report(status_);
     second_ = {now, 0, {}};
   }
   status_.face = state_.faces.to;

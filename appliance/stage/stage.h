@@ -11,6 +11,7 @@
 #include "appliance/needles/needles.h"
 #include "appliance/performance/animate.h"
 #include "appliance/stage/latch.h"
+#include "appliance/stage/mouth_clock.h"
 #include "appliance/stage/studio.h"
 #include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
@@ -22,6 +23,7 @@ struct StageWriters {
   board::Writer<board::Performance> performance;
   board::Writer<board::Lamps> lamps;
   board::Writer<board::StageStatus> status;
+  board::Writer<board::TakeNow> take;
 
   // Errors: as Board::TakeWriter; a second stage is refused.
   static Result<StageWriters> Take(const board::Board& board);
@@ -65,6 +67,7 @@ class Stage {
   Result<void> Draw(const ports::PixelBuffer& picture);
   performance::Performed Animate(const board::Snapshot& snapshot, Time light);
   scene::Scene Perform(const board::Snapshot& snapshot, Time light);
+  void TellTake(Time light);
   void Report(const board::Snapshot& snapshot, Duration cpu);
 
   const board::Board& board_;
@@ -79,6 +82,8 @@ class Stage {
   std::optional<Latch::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
   std::uint64_t frame_ = 0;
   Time read_{};  // When the hands were read for that frame.
+  MouthClock mouth_clock_;
+  board::TakeNow take_now_;
   board::StageStatus status_;
   struct Second {  // What is averaged over a second.
     Time began{};

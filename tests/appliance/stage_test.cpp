@@ -183,5 +183,49 @@ TEST_F(StageTest, TellsItsFramesPerSecondFromTheFirstSecondOn) {
   EXPECT_NEAR(board_.Read<board::StageStatus>().value.frames_per_s, 60, 2);
 }
 
+TEST_F(StageTest, MeasuresHowOldTheLipsAreWhenTheyComeToLight) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  auto lips = board_.TakeWriter<board::Lips>().value();
+  for (int i = 0; i < 130; ++i) {
+    // Of a camera that sees as often as the screen shows, and is read 7 ms before the flip.
+    lips.Write({.quality = 1}, clock_.now() - 7ms, board::SourceState::kLive);
+    Frame(*stage);
+  }
+  const board::StageStatus status = board_.Read<board::StageStatus>().value;
+  // Written before the flip, drawn at it, and in the light at the next one.
+  EXPECT_NEAR(status.lips_age_us, 7000 + 2 * 16'667, 200);
+  EXPECT_EQ(status.voice_age_us, 0U) << "there is none";
+  EXPECT_GT(status.mouth_lag_us, status.lips_age_us + 16'667 / 2);
+  EXPECT_LT(status.mouth_lag_us, status.lips_age_us + 50'000);
+}
+
+TEST_F(StageTest, TellsWhichMotionPlaysAndWhenItBegan) {
+  const auto stage = Open();
+  auto keys = board_.TakeWriter<board::Keys>().value();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  board::Keys struck;
+  keys.Write(struck, clock_.now(), board::SourceState::kLive);
+  for (int i = 0; i < 3; ++i) Frame(*stage);
+  EXPECT_EQ(board_.Read<board::TakeNow>().source, board::SourceState::kAbsent);
+  const show::Take& take = studio_->show().takes.at(0);
+  ++struck.pushes[take.key_usage];
+  keys.Write(struck, clock_.now(), board::SourceState::kLive);
+  std::optional<Time> began;
+  for (int i = 0; i < 10; ++i) {
+    Frame(*stage);
+    const auto now = board_.Read<board::TakeNow>();
+    ASSERT_EQ(now.value.take, 0);
+    EXPECT_EQ(now.value.starts, 1U);
+    const Time begins = now.at - FromSeconds(now.value.at_s);
+    if (began) {
+      EXPECT_NEAR(Seconds(begins - *began), 0, 1e-4);
+    }
+    began = begins;
+  }
+  for (int i = 0; i < 1000 && board_.Read<board::TakeNow>().value.take >= 0; ++i) Frame(*stage);
+  EXPECT_EQ(board_.Read<board::TakeNow>().value.take, -1);
+}
+
 }  // namespace
 }  // namespace kaori::testing
