@@ -12,6 +12,7 @@ constexpr Duration kSpeech = std::chrono::seconds(10);
 constexpr Duration kLongestFrame = std::chrono::milliseconds(200);  // A gap counts as no more than this.
 constexpr std::size_t kMostFrames = 4096;
 constexpr float kGoodMouth = 0.5F;
+constexpr std::size_t kMostChanges = 1000;  // The oldest are forgotten.
 
 constexpr int kPatchHalf = 4;     // Samples of chroma to each side of a click.
 constexpr float kLeastTint = 20;  // Levels: less is grey.
@@ -166,15 +167,30 @@ float Calibration::progress() const {
 }
 
 void Calibration::Change(const LipSettings& to) {
+  if (before_.size() >= kMostChanges) before_.erase(before_.begin());
   before_.push_back(settings_);
   settings_ = to;
+  gesture_ = 0;
+}
+
+void Calibration::Set(const LipSettings& to, std::uint32_t gesture) {
+  if (gesture != 0 && gesture == gesture_)
+    settings_ = to;
+  else if (to != settings_)
+    Change(to);
+  gesture_ = gesture;
 }
 
 bool Calibration::Revert() {
   if (before_.empty()) return false;
   settings_ = before_.back();
   before_.pop_back();
+  gesture_ = 0;
   return true;
+}
+
+void Calibration::RevertTo(std::size_t changes) {
+  while (before_.size() > changes) Revert();
 }
 
 }  // namespace kaori::lips

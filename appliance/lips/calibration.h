@@ -38,8 +38,15 @@ class Calibration {
   std::optional<CalibrationStep> step() const;
   float progress() const;  // Of the step that is under way, 0 .. 1.
 
+  // A hand that sets values itself. All of one gesture, say a slider that is drawn, is one change; 0 is no
+  // gesture.
+  void Set(const LipSettings& to, std::uint32_t gesture = 0);
+
   // Takes back the newest change; false where there is none.
   bool Revert();
+  // Takes back all but the first `changes`.
+  void RevertTo(std::size_t changes);
+  std::size_t changes() const { return before_.size(); }
 
   const LipSettings& settings() const { return settings_; }
 
@@ -55,6 +62,7 @@ class Calibration {
 
   LipSettings settings_;
   std::vector<LipSettings> before_;  // The oldest first.
+  std::uint32_t gesture_ = 0;        // Of the newest change.
   std::optional<Taking> taking_;
 };
 

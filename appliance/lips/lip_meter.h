@@ -27,9 +27,11 @@ class LipMeter {
 
   // Of the picture that was measured last.
   const PaintMask& mask() const { return mask_; }
+  const PaintKey& key() const { return key_; }
   const std::optional<Sight>& sight() const { return sight_; }
 
  private:
+  void NoteSize(const camera::Plane& picture);
   std::optional<Sight> Look(const camera::Planes& planes, Time at);
   bool IsPaint(const camera::Planes& planes, const Region& mouth);
 
@@ -40,6 +42,8 @@ class LipMeter {
   OutlineReader outline_;
   MouthGauge gauge_;
   std::optional<Sight> sight_;
+  int width_px_ = 0;  // Of the last picture.
+  int height_px_ = 0;
 };
 
 }  // namespace kaori::lips

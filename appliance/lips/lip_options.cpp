@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "appliance/lips/generations.h"
 #include "drivers/base/options.h"
 
 namespace kaori::lips {
@@ -14,7 +15,8 @@ constexpr std::string_view kHelp = R"(kaori-lips: the operator's painted lips, f
   --device FILE   the camera, say /dev/video0
   --modes         say what the camera can and which rates would be taken, and end
   --links FOLDER  the simulator's camera, plugged in there
-  --settings FILE what was calibrated: paint, key, smoothing, how far the mouth goes
+  --settings FILE what was calibrated: paint, key, smoothing, how far the mouth goes; it need not be there yet
+  --service       people may calibrate: kaori-desk is let in, and the screen says what to do
   --paint R,G,B   the paint's colour, 0 to 255 each; as the settings have it, or blue (20,60,200), if not given
   --rest WIDTH    the mouth at rest, in widths of the picture (0.05 to 0.95); as the settings have it, or measured
                   in the first second, if not given
@@ -60,17 +62,14 @@ std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into) {
       .Text("--settings", into.settings)
       .Text("--paint", into.paint)
       .Text("--rest", into.rest)
-      .Switch("--modes", into.modes);
+      .Switch("--modes", into.modes)
+      .Switch("--service", into.service);
   return options.Parse(argc, argv);
 }
 
 Result<LipSettings> SettingsOf(const LipOptions& options) {
   LipSettings lips;
-  if (!options.settings.empty()) {
-    const auto read = ReadLipSettings(options.settings);
-    if (!read) return tl::unexpected(read.error());
-    lips = *read;
-  }
+  if (!options.settings.empty()) lips = SettingsFrom(options.settings);
   if (!options.paint.empty()) {
     const auto paint = ParsePaint(options.paint);
     if (!paint) return tl::unexpected(paint.error());

@@ -13,6 +13,7 @@ struct LipOptions {
   std::string board = "/dev/shm/kaori-board";
   std::string links, device, settings, paint, rest;
   bool modes = false;
+  bool service = false;
 };
 
 // The program's exit status where it is to end at once: after --help, or a word that is not known.

@@ -1,6 +1,7 @@
 // From the lip camera to the board: opens it, measures each frame, and outlives everything a camera does.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "appliance/board/board.h"
@@ -12,8 +13,8 @@
 
 namespace kaori::lips {
 
-// One thread. Silence of 200 ms, or a camera that is gone, makes the section stale; its sizes hold. A camera
-// that is gone is opened anew every 250 ms, and one that has been silent for 2 s as well.
+// One thread. Silence of 150 ms, or a camera that is gone, makes the section stale; its sizes hold. A camera
+// that is gone is opened anew at once and then every 250 ms, and one that has been silent for 2 s as well.
 class LipReader {
  public:
   // Goes on from what `board` holds. Borrows the clock, and the tuning of the camera that `open` opens, where
@@ -21,11 +22,15 @@ class LipReader {
   LipReader(ports::CameraOpener open, const board::Board& board, board::Writer<board::Lips> writer,
             const LipSettings& settings, const Clock& clock, ports::CameraTuning* tuning = nullptr);
 
-  // Does everything that waits; never blocks. Call it when pollable() is readable, and every 50 ms or sooner.
+  // Does everything that waits; never blocks. Call it when pollable() is readable, and every 25 ms or sooner.
   void Step();
 
   // From the next frame on; the mouth is looked for anew.
   void Use(const LipSettings& settings) { meter_ = LipMeter(settings, meter_.lips()); }
+
+  // Called for each picture once its mouth is on the board; the planes hold only so long. May call Use.
+  using Watcher = std::function<void(const camera::Planes& planes, const LipMeter& meter, Time at)>;
+  void Watch(Watcher watcher) { watcher_ = std::move(watcher); }
 
   // The camera's exposure and colours: free for a calibration, held after it.
   CameraCare& care() { return care_; }
@@ -57,10 +62,12 @@ class LipReader {
   ports::CameraFormat format_;
   Time last_frame_;  // When the newest good frame was measured.
   Time last_sign_;   // When the camera was opened, or last gave a good frame.
+  Time opened_at_{};
   Time retry_at_{};
   Time quiet_until_{};  // Dropped frames are not logged before.
   std::errc logged_{};  // The last trouble that was logged: the same again is not.
   int opened_ = 0;
+  Watcher watcher_;
 };
 
 }  // namespace kaori::lips

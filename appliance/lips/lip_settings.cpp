@@ -54,11 +54,29 @@ constexpr std::array kValues{
 #undef KAORI_NUMBER
 #undef KAORI_LEVEL
 
+static_assert(kValues.size() == kSettingCount);
+
 std::string_view Trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
   return text;
+}
+
+// The complaint about a value, or nothing.
+std::string TakeValue(std::string_view name, float number, LipSettings& into) {
+  for (const Value& value : kValues) {
+    if (value.name != name) continue;
+    if (!(number >= value.low && number <= value.high))
+      return fmt::format("{} is not between {} and {}", name, value.low, value.high);
+    value.set(into, number);
+    return {};
+  }
+  return fmt::format("{} is not known", name);
+}
+
+bool AreBackwards(const Extents& extents) {
+  return extents.shut >= extents.open;
 }
 
 // The complaint about a line, or nothing.
@@ -69,20 +87,30 @@ std::string TakeLine(std::string_view line, LipSettings& into) {
   if (equals == std::string_view::npos) return "a name, = and a number are wanted";
   const std::string_view name = Trimmed(line.substr(0, equals));
   const std::string_view text = Trimmed(line.substr(equals + 1));
-  for (const Value& value : kValues) {
-    if (value.name != name) continue;
-    float number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) return fmt::format("{} is no number", text);
-    if (!(number >= value.low && number <= value.high))
-      return fmt::format("{} is not between {} and {}", name, value.low, value.high);
-    value.set(into, number);
-    return {};
-  }
-  return fmt::format("{} is not known", name);
+  float number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return fmt::format("{} is no number", text);
+  return TakeValue(name, number, into);
 }
 
 }  // namespace
+
+SettingRange RangeOf(std::size_t setting) {
+  const Value& value = kValues[setting];
+  return {value.name, value.low, value.high};
+}
+
+float ValueOf(const LipSettings& settings, std::size_t setting) {
+  return kValues[setting].get(settings);
+}
+
+Result<LipSettings> WithValue(const LipSettings& settings, std::string_view name, float value) {
+  LipSettings changed = settings;
+  const std::string complaint = TakeValue(name, value, changed);
+  if (!complaint.empty()) return FailInput(complaint);
+  if (AreBackwards(changed.gauge.extents)) return FailInput("mouth.shut is not below mouth.open");
+  return changed;
+}
 
 std::string LipSettingsText(const LipSettings& settings) {
   std::string text = "# How the lips are seen. Lengths are in widths of the mouth at rest.\n";
@@ -98,8 +126,7 @@ Result<LipSettings> ParseLipSettings(std::string_view text, const std::string& n
     if (!complaint.empty()) return FailInput(fmt::format("{}:{}: {}", name, number, complaint));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  const Extents& extents = settings.gauge.extents;
-  if (extents.shut >= extents.open)
+  if (AreBackwards(settings.gauge.extents))
     return FailInput(fmt::format("{}: mouth.shut is not below mouth.open", name));
   return settings;
 }

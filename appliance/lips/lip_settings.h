@@ -1,6 +1,7 @@
 // What is set about the lips on site, and the file that keeps it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -35,6 +36,20 @@ struct LipSettings {
   GaugeSettings gauge;
   friend bool operator==(const LipSettings&, const LipSettings&) = default;
 };
+
+// The values one by one, in the order in which the text names them.
+inline constexpr std::size_t kSettingCount = 14;
+struct SettingRange {
+  std::string_view name;
+  float low;
+  float high;
+};
+SettingRange RangeOf(std::size_t setting);
+float ValueOf(const LipSettings& settings, std::size_t setting);
+
+// `settings` with one value changed. Errors:
+//   invalid_argument  a name that does not exist, a value out of its range, or extents that go backwards
+Result<LipSettings> WithValue(const LipSettings& settings, std::string_view name, float value);
 
 // As text that people can read and change, one line for each value:
 //   paint.red = 20

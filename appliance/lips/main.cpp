@@ -5,6 +5,7 @@
 #include "appliance/lips/lip_options.h"
 #include "appliance/lips/lip_reader.h"
 #include "appliance/lips/lip_watch.h"
+#include "appliance/lips/service/lip_service.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/camera/local_camera.h"
@@ -42,9 +43,16 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
   const kaori::ports::CameraOpener link = [&] { return kaori::camera::LocalCamera::Open(options.links); };
   kaori::lips::LipReader reader(simulated ? link : device.opener(), *board, std::move(*writer), *lips, clock,
                                 simulated ? nullptr : &device);
+  const auto service = kaori::lips::LipService::Open(
+      {.service = options.service, .file = options.settings, .now = *lips}, reader, *board, clock);
+  if (!service) return Complain(service.error());
   kaori::lips::LipWatch watch(reader, loop);
   watch.Step();
-  for (const auto& ok : {loop.Every(kTick, [&watch] { watch.Step(); }), loop.Run()})
+  const auto tick = [&] {
+    watch.Step();
+    (*service)->Step();
+  };
+  for (const auto& ok : {loop.Every(kTick, tick), loop.Run()})
     if (!ok) return Complain(ok.error());
   return 0;
 }
