@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, and a report of sizes.
 
-    pack.py OUT REPORT.json
+    pack.py OUT PACKAGES REPORT.json
 """
 
 import json
@@ -9,6 +9,8 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+
+import esp
 
 MIB = 1 << 20
 SECTOR = 512
@@ -117,11 +119,12 @@ def folder_bytes(folder):
 
 
 def main():
-    out, written = Path(sys.argv[1]), Path(sys.argv[2])
+    out, packages, written = (Path(argument) for argument in sys.argv[1:])
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
     (out / "cmdline").write_text(command_line(image, root_hash) + "\n")
-    write_disk(out, {"root-a": image, "verity-a": tree, "data": make_data(out)})
+    boot = esp.make(out, packages, next(size for name, size, _, _ in LAYOUT if name == "boot"))
+    write_disk(out, {"boot": boot, "root-a": image, "verity-a": tree, "data": make_data(out)})
     kernel = out / "bzImage"
     in_mb = {"kernel": kernel.stat().st_size, "root": image.stat().st_size, "verity": tree.stat().st_size,
              "unpacked": folder_bytes(out / "root"),

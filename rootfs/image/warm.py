@@ -1,6 +1,5 @@
 #!/usr/bin/env -S python3 -B
-"""Lets the stage compile its shaders once, in QEMU, and keeps them: warm.py OUT PACKAGES_STAMP. Results:
-OUT/shaders/*.foz
+"""Lets the stage compile its shaders once, in QEMU, and keeps them: warm.py OUT PACKAGES. Results: OUT/shaders/*.foz
 
 Starts a copy of the image that writes shaders to its data partition. They are for a box that draws without a graphics
 card, on any processor since 2008. Does nothing where stage, show and packages are those of the shaders that lie there.
@@ -24,7 +23,7 @@ STAGE, DATA = "usr/lib/systemd/system/kaori-stage.service", "usr/lib/systemd/sys
 
 
 def stamp(out, packages):
-    hashed = hashlib.sha256(packages.read_bytes())
+    hashed = hashlib.sha256(packages.with_suffix(".stamp").read_bytes())
     for part in ("root/usr/bin/kaori-stage", "root/usr/share/kaori/kaori.kaori"):
         hashed.update((out / part).read_bytes())
     return hashed.hexdigest()
@@ -35,13 +34,13 @@ def change(path, begins, line):
     path.write_text("\n".join(lines) + "\n")
 
 
-def writing_copy(out, folder):
+def writing_copy(out, packages, folder):
     """The image, but for two lines."""
     subprocess.run(["cp", "-a", out / "root", out / "bzImage", folder], check=True)
     change(folder / "root" / STAGE, "Environment=",
            "Environment=MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/var/lib/kaori/own")
     change(folder / "root" / DATA, "Options=", "Options=nodev,nosuid,noexec,nodelalloc,commit=1")
-    subprocess.run([Path(__file__).with_name("pack.py"), folder, folder / "image.json"], check=True)
+    subprocess.run([Path(__file__).with_name("pack.py"), folder, packages, folder / "image.json"], check=True)
 
 
 def play(folder):
@@ -78,13 +77,14 @@ def take_shaders(folder, shaders):
 
 def main():
     out = Path(sys.argv[1])
-    shaders, wanted = out / "shaders", stamp(out, Path(sys.argv[2]))
+    packages = Path(sys.argv[2])
+    shaders, wanted = out / "shaders", stamp(out, packages)
     if (shaders / "stamp").exists() and (shaders / "stamp").read_text() == wanted:
         return
     shutil.rmtree(shaders, ignore_errors=True)
     shaders.mkdir()
     with tempfile.TemporaryDirectory(dir=out) as folder:
-        writing_copy(out, Path(folder))
+        writing_copy(out, packages, Path(folder))
         play(Path(folder))
         take_shaders(Path(folder), shaders)
     (shaders / "stamp").write_text(wanted)
