@@ -34,9 +34,17 @@ gl::Mesh MeshOf(const face::Prop& prop, const gl::Buffer& vertices, const gl::Bu
 
 constexpr auto kSides = Slice::kSides;
 
-glm::vec2 SideDirection(std::size_t side) {
-  const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / kSides;
-  return {std::cos(round), std::sin(round)};
+// Where each side looks. Asked of for every corner of every lock, so worked out once.
+const std::array<glm::vec2, kSides>& SideDirections() {
+  static const auto directions = [] {
+    std::array<glm::vec2, kSides> made;
+    for (std::size_t side = 0; side < kSides; ++side) {
+      const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / kSides;
+      made[side] = {std::cos(round), std::sin(round)};
+    }
+    return made;
+  }();
+  return directions;
 }
 
 // Grows a prism about points.
@@ -49,8 +57,9 @@ struct Prism {
   void Add(const glm::vec3& p) {
     slice.low_m = std::min(slice.low_m, p.y);
     slice.high_m = std::max(slice.high_m, p.y);
+    const auto& directions = SideDirections();
     for (std::size_t side = 0; side < kSides; ++side) {
-      reach_m[side] = std::max(reach_m[side], glm::dot(SideDirection(side), glm::vec2(p.x, p.z)));
+      reach_m[side] = std::max(reach_m[side], glm::dot(directions[side], glm::vec2(p.x, p.z)));
     }
   }
 
@@ -59,7 +68,7 @@ struct Prism {
     constexpr float kTurn = 2 * std::numbers::pi_v<float> / kSides;
     Slice s = slice;
     for (std::size_t side = 0; side < kSides; ++side) {
-      const glm::vec2 out = SideDirection(side);
+      const glm::vec2 out = SideDirections()[side];
       const float along = (reach_m[(side + 1) % kSides] - reach_m[side] * std::cos(kTurn)) / std::sin(kTurn);
       s.outline[side] = out * reach_m[side] + glm::vec2(-out.y, out.x) * along;
     }
