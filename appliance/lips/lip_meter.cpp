@@ -9,8 +9,15 @@ constexpr float kFirm = 0.75F;      // The soft key of what is beyond doubt.
 }  // namespace
 
 const board::Lips& LipMeter::Measure(const camera::Planes& planes, Time at) {
+  NoteSize(planes.y);
   sight_ = Look(planes, at);
   return gauge_.Measure(sight_, at);
+}
+
+void LipMeter::NoteSize(const camera::Plane& picture) {
+  if (picture.width_px != width_px_ || picture.height_px != height_px_) search_.Forget();
+  width_px_ = picture.width_px;
+  height_px_ = picture.height_px;
 }
 
 std::optional<Sight> LipMeter::Look(const camera::Planes& planes, Time at) {

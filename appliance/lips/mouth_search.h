@@ -21,6 +21,9 @@ class MouthSearch {
   // `marker`: whether a dot of the same paint is worn on nose or forehead.
   explicit MouthSearch(bool marker = false) : wants_marker_(marker) {}
 
+  // Where it was tells nothing: pictures of another size.
+  void Forget() { last_.reset(); }
+
   // Null where nothing in the picture can be a mouth. The result is valid until the next call.
   const Found* Find(Regions& regions, const Grid& grid, Time at);
 

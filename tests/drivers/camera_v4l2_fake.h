@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <deque>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -44,6 +44,11 @@ class FakeV4l2 final : public camera::V4l2Calls {
 
   // The camera's side: what happens. False when it has no free buffer and drops the frame.
   bool Expose(std::uint8_t grey, Time at, std::uint32_t bytes = kBufferBytes, std::uint32_t flags = 0) {
+    const std::vector<std::uint8_t> picture(kBufferBytes, grey);
+    return ExposePicture(picture, at, bytes, flags);
+  }
+  bool ExposePicture(std::span<const std::uint8_t> picture, Time at, std::uint32_t bytes,
+                     std::uint32_t flags = 0) {
     ++sequence_;
     if (queued_.empty()) return false;
     v4l2_buffer filled{};
@@ -54,7 +59,8 @@ class FakeV4l2 final : public camera::V4l2Calls {
     filled.sequence = sequence_ - 1;
     const auto us = std::chrono::duration_cast<std::chrono::microseconds>(at.time_since_epoch()).count();
     filled.timestamp = {us / 1000000, us % 1000000};
-    std::memset(memory_[filled.index].data(), grey, memory_[filled.index].size());
+    std::ranges::copy(picture.first(std::min(picture.size(), memory_[filled.index].size())),
+                      memory_[filled.index].begin());
     filled_.push_back(filled);
     return true;
   }
@@ -123,6 +129,7 @@ class FakeV4l2 final : public camera::V4l2Calls {
         return TellEvent(*static_cast<v4l2_event*>(argument));
       case VIDIOC_STREAMOFF:
         queued_.clear();
+        filled_.clear();
         return 0;
       case VIDIOC_STREAMON:
         return narrow_above_hz > 0 && rate_hz_ > narrow_above_hz ? Refuse(ENOSPC) : 0;
