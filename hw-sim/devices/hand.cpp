@@ -5,8 +5,9 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::array<std::string_view, kPlaceCount> kPortNames{
-    "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer"};
+constexpr std::array<std::string_view, kPlaceCount> kPortNames{"dial-box", "stick-left", "stick-right",
+                                                               "keyboard", "camera",     "screen",
+                                                               "pointer",  "microphone", "loudspeaker"};
 
 }  // namespace
 

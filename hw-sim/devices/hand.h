@@ -11,10 +11,21 @@
 namespace kaori::sim {
 
 // Where a simulated device is plugged in; the names are the ports of the link.
-enum class Place : std::uint8_t { kDialBox, kStickLeft, kStickRight, kKeyboard, kCamera, kScreen, kPointer };
-inline constexpr int kPlaceCount = 7;
+enum class Place : std::uint8_t {
+  kDialBox,
+  kStickLeft,
+  kStickRight,
+  kKeyboard,
+  kCamera,
+  kScreen,
+  kPointer,
+  kMicrophone,
+  kLoudspeaker
+};
+inline constexpr int kPlaceCount = 9;
 
-// "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer".
+// "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer", "microphone",
+// "loudspeaker".
 std::string_view PortName(Place place);
 std::optional<Place> PlaceNamed(std::string_view port);
 
@@ -29,7 +40,8 @@ enum class Verb : std::uint8_t {
   kRoll,       // Pointer's wheel by `a` notches, away from the hand is positive.
   kLips,       // Mouth to height `a`, width `b`.
   kCoverLens,  // `index` 1 covers, 0 uncovers.
-  kStall,      // Camera stops (`index` 1) or goes on (0).
+  kStall,      // Camera, microphone or loudspeaker stops (`index` 1) or goes on (0).
+  kVoice,      // The voice says vowel `index` (0 to 4: a, i, u, e, o), `a` loud: 0 silent, 1 as one speaks.
   kPlug,
   kUnplug,
 };

@@ -39,6 +39,11 @@ void DoOnCamera(LipCamera& camera, const Hand& hand) {
   if (hand.verb == Verb::kStall) camera.Stall(hand.index != 0);
 }
 
+void DoOnMicrophone(Microphone& microphone, const Hand& hand) {
+  if (hand.verb == Verb::kVoice) microphone.Say(hand.index, hand.a);
+  if (hand.verb == Verb::kStall) microphone.Stall(hand.index != 0);
+}
+
 }  // namespace
 
 Instruments::Instruments(const Workbench& bench, ports::CameraFormat camera_format)
@@ -47,7 +52,8 @@ Instruments::Instruments(const Workbench& bench, ports::CameraFormat camera_form
       right_stick(Place::kStickRight, bench),
       keyboard(bench),
       pointer(bench),
-      camera(camera_format, bench) {}
+      camera(camera_format, bench),
+      microphone(bench) {}
 
 void Instruments::Do(const Hand& hand) {
   if (hand.place == Place::kDialBox) DoOnBox(dial_box, hand);
@@ -56,6 +62,7 @@ void Instruments::Do(const Hand& hand) {
   if (hand.place == Place::kKeyboard) DoOnKeyboard(keyboard, hand);
   if (hand.place == Place::kPointer) DoOnPointer(pointer, hand);
   if (hand.place == Place::kCamera) DoOnCamera(camera, hand);
+  if (hand.place == Place::kMicrophone) DoOnMicrophone(microphone, hand);
 }
 
 }  // namespace kaori::sim

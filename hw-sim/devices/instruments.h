@@ -6,6 +6,7 @@
 #include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/keyboard.h"
 #include "hw-sim/devices/lip_camera.h"
+#include "hw-sim/devices/microphone.h"
 #include "hw-sim/devices/pointer.h"
 #include "hw-sim/devices/stick_pod.h"
 
@@ -26,6 +27,7 @@ struct Instruments {
   Keyboard keyboard;
   Pointer pointer;
   LipCamera camera;
+  Microphone microphone;
 };
 
 // Devices with their cables, wherever these lead: what a scenario is played on.

@@ -1,4 +1,5 @@
-// The simulated loudspeaker: plays what it is given on a crystal of its own, and remembers what was heard when.
+// The simulated loudspeaker: plays what it is given on a crystal of its own, and remembers what was heard
+// when.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +38,7 @@ class Loudspeaker {
   ports::SoundFormat format() const { return {48000, kChannels}; }
   void Take(std::span<const std::int16_t> samples, Time now);
   void PlayUntil(Time now);
-  void Silence();  // Nobody plays any more: what waits is dropped.
+  void Silence();                                          // Nobody plays any more: what waits is dropped.
   std::uint64_t played_frames() const { return played_; }  // Since the last Silence.
   Time played_at() const { return played_at_; }            // When the last of these was over.
   std::uint32_t dry() const { return dry_; }               // How often nothing was there to play.
@@ -50,7 +51,7 @@ class Loudspeaker {
   std::deque<std::int16_t> waiting_;
   std::deque<Heard> heard_;
   bool playing_ = false;
-  Time start_{};                   // When frame `start_frame_` was heard.
+  Time start_{};  // When frame `start_frame_` was heard.
   std::uint64_t start_frame_ = 0;
   std::uint64_t played_ = 0;
   Time played_at_{};

@@ -55,7 +55,8 @@ void Microphone::HearUntil(Time now) {
 std::optional<Microphone::Block> Microphone::TakeBlock(Time now) {
   HearUntil(now);
   while (waiting_.size() >= kBlockFrames) {
-    Block block{TimeOf(heard_ - static_cast<std::int64_t>(waiting_.size())), lost_,
+    Block block{TimeOf(heard_ - static_cast<std::int64_t>(waiting_.size())),
+                lost_,
                 {waiting_.begin(), waiting_.begin() + kBlockFrames}};
     waiting_.erase(waiting_.begin(), waiting_.begin() + kBlockFrames);
     const bool loses = stalled_ || to_lose_ > 0;

@@ -20,9 +20,9 @@ class Microphone {
 
   // Test's side. The voice from now on; vowels are a, i, u, e, o.
   void Say(int vowel, double loudness);
-  void Stall(bool stalled);          // No blocks while stalled; their frames are lost.
-  void SetDrift(double ppm);         // Its crystal runs so much faster, from now on.
-  void LoseBlocks(int count);        // The next ones never come, and the one after them says so.
+  void Stall(bool stalled);    // No blocks while stalled; their frames are lost.
+  void SetDrift(double ppm);   // Its crystal runs so much faster, from now on.
+  void LoseBlocks(int count);  // The next ones never come, and the one after them says so.
   int vowel() const { return synth_.vowel(); }
   double loudness() const { return synth_.loudness(); }
   bool stalled() const { return stalled_; }
@@ -46,10 +46,10 @@ class Microphone {
 
   const Workbench& bench_;
   VoiceSynth synth_;
-  Time start_;                 // When frame `first_` was heard,
-  std::int64_t first_ = 0;     // since which the crystal is what it is.
+  Time start_;              // When frame `first_` was heard,
+  std::int64_t first_ = 0;  // since which the crystal is what it is.
   double ppm_ = 0;
-  std::int64_t heard_ = 0;     // Frames since the beginning.
+  std::int64_t heard_ = 0;  // Frames since the beginning.
   std::vector<std::int16_t> waiting_;
   int to_lose_ = 0;
   bool lost_ = false;

@@ -9,19 +9,20 @@ namespace {
 
 constexpr double kPitch_hz = 125;
 constexpr double kGlottis_hz = 100;  // Above it a pulse falls by 12 dB an octave.
+constexpr int kShape = 32;           // Samples from one move of the throat to the next.
 constexpr double kGlide_s = 0.012;   // Of the resonances from vowel to vowel,
 constexpr double kAttack_s = 0.002;  // and of the loudness.
 constexpr double kLevel_s = 0.03;
-constexpr double kLoud = 0.1;       // RMS of full scale at loudness 1.
-constexpr double kRoom = 0.0003;    // A quiet room: -70 dB.
+constexpr double kLoud = 0.1;     // RMS of full scale at loudness 1.
+constexpr double kRoom = 0.0003;  // A quiet room: -70 dB.
 constexpr double kLeast = 1e-9;
 
 // Where Japanese vowels resonate, for a man's throat: means of published measurements, rounded.
 constexpr std::array<std::array<double, 4>, kSynthVowels> kVowels_hz{{{750, 1200, 2550, 3500},
-                                                                     {300, 2250, 2950, 3600},
-                                                                     {350, 1300, 2350, 3400},
-                                                                     {480, 1900, 2550, 3500},
-                                                                     {480, 850, 2500, 3400}}};
+                                                                      {300, 2250, 2950, 3600},
+                                                                      {350, 1300, 2350, 3400},
+                                                                      {480, 1900, 2550, 3500},
+                                                                      {480, 850, 2500, 3400}}};
 
 double Share(double time_s) {
   return 1 - std::exp(-1 / (time_s * kSynthRate_hz));
@@ -34,17 +35,33 @@ void VoiceSynth::Say(int vowel, double loudness) {
   loudness_ = std::isnan(loudness) ? 0 : std::clamp(loudness, 0.0, 4.0);
 }
 
-// A throat that has been silent begins with its own vowel.
+// The pitch runs on in silence, and so does the measure of how loud it is.
+VoiceSynth::VoiceSynth() {
+  for (int n = 0; n < kSynthRate_hz / 4; ++n) Next();
+}
+
 std::int16_t VoiceSynth::Next() {
-  static const double glide = Share(kGlide_s), attack = Share(kAttack_s), level = Share(kLevel_s);
-  const auto& goal_hz = kVowels_hz[static_cast<std::size_t>(vowel_)];
-  for (std::size_t n = 0; n < kFormants; ++n)
-    formants_hz_[n] += (gain_ < 0.01 ? 1 : glide) * (goal_hz[n] - formants_hz_[n]);
+  static const double attack = Share(kAttack_s), level = Share(kLevel_s);
+  if (to_shape_-- <= 0) Shape();
   gain_ += attack * (loudness_ - gain_);
   const double voiced = Throat(Glottis());
   level_ += level * (voiced * voiced - level_);
   const double voice = kLoud * gain_ * voiced / std::sqrt(std::max(level_, kLeast));
   return static_cast<std::int16_t>(std::lround(32767 * std::clamp(voice + kRoom * Noise(), -1.0, 1.0)));
+}
+
+// A throat that has been silent begins with its own vowel; a speaking one glides.
+void VoiceSynth::Shape() {
+  static const double glide = Share(kGlide_s / kShape);
+  to_shape_ = kShape - 1;
+  for (std::size_t n = 0; n < kFormants; ++n) {
+    const double goal_hz = kVowels_hz[static_cast<std::size_t>(vowel_)][n];
+    formants_hz_[n] += (gain_ < 0.01 ? 1 : glide) * (goal_hz - formants_hz_[n]);
+    const double width_hz = 50 + formants_hz_[n] * 0.04;
+    const double radius = std::exp(-std::numbers::pi * width_hz / kSynthRate_hz);
+    resonances_[n].b = 2 * radius * std::cos(2 * std::numbers::pi * formants_hz_[n] / kSynthRate_hz);
+    resonances_[n].c = -radius * radius;
+  }
 }
 
 double VoiceSynth::Glottis() {
@@ -54,21 +71,17 @@ double VoiceSynth::Glottis() {
     phase_ -= 1;
     pulse = 1;
   }
-  for (double& past : pulse_) pulse = past += (pulse - past) * (2 * std::numbers::pi * kGlottis_hz / kSynthRate_hz);
+  for (double& past : pulse_)
+    pulse = past += (pulse - past) * (2 * std::numbers::pi * kGlottis_hz / kSynthRate_hz);
   return pulse;
 }
 
 // Resonances of two poles each, and what the lips radiate: the change.
 double VoiceSynth::Throat(double pulse) {
   double now = pulse;
-  for (std::size_t n = 0; n < kFormants; ++n) {
-    const double width_hz = 50 + formants_hz_[n] * 0.04;
-    const double radius = std::exp(-std::numbers::pi * width_hz / kSynthRate_hz);
-    const double b = 2 * radius * std::cos(2 * std::numbers::pi * formants_hz_[n] / kSynthRate_hz);
-    const double c = -radius * radius;
-    auto& past = resonance_[n];
-    now = (1 - b - c) * now + b * past[0] + c * past[1];
-    past = {now, past[0]};
+  for (Resonance& r : resonances_) {
+    now = (1 - r.b - r.c) * now + r.b * r.past[0] + r.c * r.past[1];
+    r.past = {now, r.past[0]};
   }
   const double change = now - radiated_;
   radiated_ = now;

@@ -9,10 +9,12 @@ namespace kaori::sim {
 inline constexpr int kSynthRate_hz = 48000;
 inline constexpr int kSynthVowels = 5;  // a, i, u, e, o.
 
-// Sample by sample; the same orders give the same samples. Loudness and vowel change within a few milliseconds,
-// without a click.
+// Sample by sample; the same orders give the same samples. Loudness and vowel change within a few
+// milliseconds, without a click.
 class VoiceSynth {
  public:
+  VoiceSynth();
+
   // `loudness` 0 is silence, 1 a voice of 0.1 of full scale (RMS); held within 0 .. 4.
   void Say(int vowel, double loudness);
   int vowel() const { return vowel_; }
@@ -22,6 +24,7 @@ class VoiceSynth {
 
  private:
   static constexpr std::size_t kFormants = 4;
+  void Shape();
   double Glottis();
   double Throat(double pulse);
   double Noise();
@@ -32,7 +35,12 @@ class VoiceSynth {
   double phase_ = 0;  // Of the pitch, in turns.
   std::array<double, 2> pulse_{};
   std::array<double, kFormants> formants_hz_{750, 1200, 2550, 3500};
-  std::array<std::array<double, 2>, kFormants> resonance_{};
+  struct Resonance {
+    double b = 0, c = 0;  // Two poles, as the formant has them now,
+    std::array<double, 2> past{};
+  };
+  std::array<Resonance, kFormants> resonances_;
+  int to_shape_ = 0;  // Samples until the throat moves on.
   double radiated_ = 0;
   double level_ = 1e-4;  // Mean square of the voice before its gain: every vowel is as loud.
   std::uint32_t random_ = 1993;

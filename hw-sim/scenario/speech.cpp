@@ -13,6 +13,8 @@ constexpr Mouth kAtRest{};
 struct Syllable {
   bool shuts_first = false;  // m, b, p: the lips meet before it.
   Mouth mouth;
+  int vowel = 0;  // As Verb::kVoice numbers them.
+  double loudness = 1;
 };
 
 // Height and width in widths of the mouth at rest: a wide open, i spread, u and o rounded.
@@ -32,7 +34,8 @@ Mouth VowelMouth(char vowel) {
 }
 
 constexpr Mouth kShut{0.22, 0.96};
-constexpr std::string_view kVowels = "aiueo";
+constexpr int kHummed = 2;  // An n that ends a word is a faint u.
+constexpr double kHum = 0.3;
 constexpr std::string_view kLabials = "mbp";
 
 // Of a syllable's time: until the lips have met, and until the mouth stands.
@@ -46,11 +49,11 @@ std::vector<Syllable> Syllables(std::string_view text) {
   for (std::size_t n = 0; n <= text.size(); ++n) {
     const char c =
         n < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[n]))) : ' ';
-    if (kVowels.find(c) != std::string_view::npos) {
-      syllables.push_back({shuts, VowelMouth(c)});
+    if (kVowelLetters.find(c) != std::string_view::npos) {
+      syllables.push_back({shuts, VowelMouth(c), static_cast<int>(kVowelLetters.find(c)), 1});
       shuts = false;
     } else if (c == ' ') {
-      if (before == 'n') syllables.push_back({false, kShut});
+      if (before == 'n') syllables.push_back({false, kShut, kHummed, kHum});
       shuts = false;
     } else {
       shuts |= kLabials.find(c) != std::string_view::npos;
@@ -62,6 +65,10 @@ std::vector<Syllable> Syllables(std::string_view text) {
 
 Action Shape(Duration at, Duration over, const Mouth& mouth) {
   return {at, over, {Place::kCamera, Verb::kLips, 0, mouth.height, mouth.width}};
+}
+
+Action Sound(Duration at, int vowel, double loudness) {
+  return {at, {}, {Place::kMicrophone, Verb::kVoice, vowel, loudness, 0}};
 }
 
 }  // namespace
@@ -82,11 +89,14 @@ std::vector<Action> Speak(std::string_view text, Duration at, Duration over) {
     double open = start;
     if (syllables[n].shuts_first) {
       open += kShutPart;
+      actions.push_back(Sound(after(start), syllables[n].vowel, 0));
       actions.push_back(Shape(after(start), after(open) - after(start), kShut));
     }
+    actions.push_back(Sound(after(open), syllables[n].vowel, syllables[n].loudness));
     actions.push_back(Shape(after(open), after(start + kOpenPart) - after(open), syllables[n].mouth));
   }
   const Duration end = after(static_cast<double>(syllables.size()));
+  actions.push_back(Sound(end, syllables.back().vowel, 0));
   actions.push_back(Shape(end, at + over - end, kAtRest));
   return actions;
 }

@@ -8,12 +8,15 @@
 
 namespace kaori::sim {
 
+// Of Verb::kVoice, by its number.
+inline constexpr std::string_view kVowelLetters = "aiueo";
+
 // Whether Speak can say it: letters and spaces, with a vowel or an n at least.
 bool CanSay(std::string_view text);
 
-// Lip movements from `at` on; the last of them brings the lips back to rest, `over` after the beginning.
-// Every syllable (a vowel with what comes before it, or an n that ends a word) gets an equal part of the
-// time.
+// Movements of the lips and of the voice from `at` on; the last of them brings the lips back to rest, `over`
+// after the beginning. The voice sounds from the moment at which the lips begin to open. Every syllable (a
+// vowel with what comes before it, or an n that ends a word) gets an equal part of the time.
 std::vector<Action> Speak(std::string_view text, Duration at, Duration over);
 
 }  // namespace kaori::sim

@@ -139,12 +139,33 @@ void ReadLips(Words& words, std::string_view, Statement& into) {
   if (height && width) AddOne({Place::kCamera, Verb::kLips, 0, *height, *width}, into);
 }
 
+// voice a 0.8, voice off.
+void ReadVoice(Words& words, std::string_view, Statement& into) {
+  const auto vowel = words.Next("a vowel (a, i, u, e, o) or off");
+  if (!vowel) return;
+  if (vowel->text == "off") return AddOne({Place::kMicrophone, Verb::kVoice, 0, 0, 0}, into);
+  const auto number = kVowelLetters.find(vowel->text);
+  if (vowel->text.size() != 1 || number == std::string_view::npos)
+    return words.Complain(vowel->column,
+                          fmt::format("no vowel \"{}\"; vowels are a, i, u, e, o, or off", vowel->text));
+  const auto loudness = words.Number("a loudness", 0, 4);
+  if (loudness) AddOne({Place::kMicrophone, Verb::kVoice, static_cast<int>(number), *loudness, 0}, into);
+}
+
 void ReadSay(Words& words, std::string_view, Statement& into) {
   const auto text = words.Next("syllables in quotes");
   if (!text) return;
   if (!CanSay(text->text))
     return words.Complain(text->column, "this cannot be said; syllables are such as \"ka o ri\"");
   into.say = std::string(text->text);
+}
+
+// microphone stall, microphone run; the same of the loudspeaker.
+void ReadSound(Words& words, std::string_view thing, Statement& into) {
+  const Place place = thing == "microphone" ? Place::kMicrophone : Place::kLoudspeaker;
+  if (words.Take("stall")) return AddOne({place, Verb::kStall, 1, 0, 0}, into);
+  if (words.Take("run")) return AddOne({place, Verb::kStall, 0, 0, 0}, into);
+  words.Complain(words.next_column(), "expected stall or run");
 }
 
 // lens cover, lens uncover, camera stall, camera run.
@@ -163,7 +184,7 @@ void ReadCable(Words& words, std::string_view verb, Statement& into) {
   if (place) return AddOne({*place, verb == "plug" ? Verb::kPlug : Verb::kUnplug, 0, 0, 0}, into);
   words.Complain(port->column,
                  fmt::format("no device \"{}\"; devices are dial-box, stick-left, stick-right, keyboard, "
-                             "camera, screen, pointer",
+                             "camera, screen, pointer, microphone, loudspeaker",
                              port->text));
 }
 
@@ -180,29 +201,17 @@ struct Form {
   void (*read)(Words&, std::string_view word, Statement&);
 };
 constexpr auto kForms = std::to_array<Form>({
-    {"dial", ReadDial},
-    {"push", ReadBoxButton},
-    {"hold", ReadBoxButton},
-    {"release", ReadBoxButton},
-    {"left", ReadStick},
-    {"right", ReadStick},
-    {"key", ReadKey},
-    {"pointer", ReadPointer},
-    {"press", ReadAtPointer},
-    {"click", ReadAtPointer},
-    {"roll", ReadAtPointer},
-    {"lips", ReadLips},
-    {"say", ReadSay},
-    {"lens", ReadCamera},
-    {"camera", ReadCamera},
-    {"plug", ReadCable},
-    {"unplug", ReadCable},
-    {"scene", ReadScene},
+    {"dial", ReadDial},         {"push", ReadBoxButton},   {"hold", ReadBoxButton},
+    {"release", ReadBoxButton}, {"left", ReadStick},       {"right", ReadStick},
+    {"key", ReadKey},           {"pointer", ReadPointer},  {"press", ReadAtPointer},
+    {"click", ReadAtPointer},   {"roll", ReadAtPointer},   {"lips", ReadLips},
+    {"voice", ReadVoice},       {"say", ReadSay},          {"lens", ReadCamera},
+    {"camera", ReadCamera},     {"microphone", ReadSound}, {"loudspeaker", ReadSound},
+    {"plug", ReadCable},        {"unplug", ReadCable},     {"scene", ReadScene},
 });
 constexpr std::string_view kFormWords =
-    "dial, push, hold, release, left, right, key, pointer, press, click, roll, lips, say, lens, camera, "
-    "plug, "
-    "unplug or scene";
+    "dial, push, hold, release, left, right, key, pointer, press, click, roll, lips, voice, say, "
+    "lens, camera, microphone, loudspeaker, plug, unplug or scene";
 
 }  // namespace
 

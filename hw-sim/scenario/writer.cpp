@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/scenario/key_names.h"
+#include "hw-sim/scenario/speech.h"
 
 namespace kaori::sim {
 namespace {
@@ -57,6 +58,13 @@ std::string OnCamera(const Hand& hand) {
   return fmt::format("lips {} {}", hand.a, hand.b);
 }
 
+std::string OnSound(const Hand& hand) {
+  if (hand.verb == Verb::kStall)
+    return fmt::format("{} {}", PortName(hand.place), hand.index != 0 ? "stall" : "run");
+  const auto vowel = static_cast<std::size_t>(hand.index) % kVowelLetters.size();
+  return hand.a > 0 ? fmt::format("voice {} {}", kVowelLetters[vowel], hand.a) : "voice off";
+}
+
 std::string OnPointer(const Hand& hand) {
   if (hand.verb == Verb::kMove) return fmt::format("pointer {} {}", hand.a, hand.b);
   if (hand.verb == Verb::kRoll) return fmt::format("roll pointer {}", hand.a);
@@ -69,6 +77,7 @@ std::string Words(const Hand& hand) {
   if (hand.place == Place::kDialBox) return OnBox(hand);
   if (hand.place == Place::kKeyboard) return OnKeyboard(hand);
   if (hand.place == Place::kPointer) return OnPointer(hand);
+  if (hand.place == Place::kMicrophone || hand.place == Place::kLoudspeaker) return OnSound(hand);
   return hand.place == Place::kCamera ? OnCamera(hand) : OnStick(hand);
 }
 

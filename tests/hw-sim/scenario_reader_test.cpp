@@ -85,8 +85,14 @@ TEST(ScenarioReader, ASceneBeginsWithWhatFollowsIt) {
   EXPECT_EQ(scenario.length, 9s);
 }
 
+// Of the lips, or of the voice alone.
+std::vector<Action> Of(Place place, std::vector<Action> actions) {
+  std::erase_if(actions, [place](const Action& action) { return action.hand.place != place; });
+  return actions;
+}
+
 TEST(ScenarioReader, SpeechEndsAtRestWithinItsTime) {
-  const auto actions = Actions("at 1s say \"a i u e o\" over 2s");
+  const auto actions = Of(Place::kCamera, Actions("at 1s say \"a i u e o\" over 2s"));
   ASSERT_EQ(actions.size(), 6u);
   EXPECT_EQ(actions.front().at, 1s);
   EXPECT_EQ(actions.back().at + actions.back().over, 3s);
@@ -96,10 +102,36 @@ TEST(ScenarioReader, SpeechEndsAtRestWithinItsTime) {
 }
 
 TEST(ScenarioReader, LipsMeetBeforeM) {
-  const auto actions = Actions("at 0s say \"ma\" over 1s");
+  const auto actions = Of(Place::kCamera, Actions("at 0s say \"ma\" over 1s"));
   ASSERT_EQ(actions.size(), 3u);
   EXPECT_LT(actions[0].hand.a, Mouth{}.height);
   EXPECT_GT(actions[1].hand.a, 0.5);
+}
+
+TEST(ScenarioReader, TheVoiceSoundsWhenTheLipsBeginToOpen) {
+  const auto all = Actions("at 1s say \"ka mo n\" over 3s");
+  const auto lips = Of(Place::kCamera, all), voice = Of(Place::kMicrophone, all);
+  ASSERT_EQ(lips.size(), 5u);
+  ASSERT_EQ(voice.size(), 5u);  // a, silence while the lips meet, o, a hum, silence.
+  EXPECT_EQ(voice[0].at, lips[0].at);
+  EXPECT_EQ(voice[0].hand.index, 0);
+  EXPECT_EQ(voice[1].at, lips[1].at);
+  EXPECT_EQ(voice[1].hand.a, 0);
+  EXPECT_EQ(voice[2].at, lips[2].at);
+  EXPECT_EQ(voice[2].hand.index, 4);
+  EXPECT_LT(voice[3].hand.a, voice[2].hand.a);
+  EXPECT_EQ(voice[4].hand.a, 0);
+  EXPECT_EQ(voice[4].at, lips[4].at);
+}
+
+TEST(ScenarioReader, AVoiceMaySoundWithoutLips) {
+  const auto actions = Actions("at 1s voice e 0.5\nat 2s voice off\nat 3s loudspeaker stall");
+  ASSERT_EQ(actions.size(), 3u);
+  EXPECT_EQ(actions[0].hand, (Hand{Place::kMicrophone, Verb::kVoice, 3, 0.5, 0}));
+  EXPECT_EQ(actions[1].hand.a, 0);
+  EXPECT_EQ(actions[2].hand, (Hand{Place::kLoudspeaker, Verb::kStall, 1, 0, 0}));
+  EXPECT_EQ(Complaint("at 1s voice y 1"), "play.txt:1:13: no vowel \"y\"; vowels are a, i, u, e, o, or off");
+  EXPECT_THAT(Complaint("at 1s microphone break"), HasSubstr("expected stall or run"));
 }
 
 TEST(ScenarioReader, NamesLineColumnAndWhatWasExpected) {
@@ -207,7 +239,8 @@ TEST(ScenarioWriter, WritesWhatTheReaderReadsBack) {
           "scene a\nat 0.000000001s push 1\nat 1s over 2s dial 8 turn -0.123456789012345\n"
           "at 1s left move 0.1 -0.3\nat 1s right hat down\nat 1s key up tap\nat 2s lens cover\n"
           "at 3s say \"ka o ri\" over 1s\nat 4s unplug camera\nat 4s plug camera\nat 5s over 1s pointer 0.1 "
-          "0.7\nat 5s roll pointer -0.5\nat 6s click pointer 2\nat 9s scene \"b c\"")
+          "0.7\nat 5s roll pointer -0.5\nat 6s voice u 0.25\nat 6s microphone stall\nat 6s unplug "
+          "loudspeaker\nat 6s click pointer 2\nat 9s scene \"b c\"")
           .scenario;
   const Reading again = ReadScenario(WriteScenario(scenario));
   EXPECT_EQ(Describe(again.problems, "t"), "");

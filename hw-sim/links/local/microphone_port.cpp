@@ -1,5 +1,6 @@
 #include "hw-sim/links/local/microphone_port.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace kaori::sim {
@@ -20,8 +21,8 @@ void MicrophonePort::SendDue(Time now) {
   while (const auto block = microphone_.TakeBlock(now)) {
     const auto head =
         wire::Encode(wire::SoundBlockNote{block->at.time_since_epoch().count(), block->lost ? 1U : 0U});
-    std::vector<std::uint8_t> packet(head.begin(), head.end());
-    packet.resize(head.size() + 2 * block->samples.size());
+    std::vector<std::uint8_t> packet(head.size() + 2 * block->samples.size());
+    std::ranges::copy(head, packet.begin());
     for (std::size_t n = 0; n < block->samples.size(); ++n)
       wire::PutU16(packet, head.size() + 2 * n, static_cast<std::uint16_t>(block->samples[n]));
     Send(packet);  // A driver that reads too slowly loses it: the stamps tell.

@@ -10,14 +10,18 @@
 
 #include "hw-sim/links/local/camera_port.h"
 #include "hw-sim/links/local/hid_port.h"
+#include "hw-sim/links/local/loudspeaker_port.h"
+#include "hw-sim/links/local/microphone_port.h"
 #include "hw-sim/links/local/screen_port.h"
 
 namespace kaori::sim {
 namespace {
 
 std::string PathOf(const std::string& folder, Place place) {
-  const char* kind = place == Place::kCamera ? "/camera." : place == Place::kScreen ? "/screen." : "/hid.";
-  return folder + kind + std::string(PortName(place));
+  const std::string name(PortName(place));
+  const bool of_its_own_kind = place == Place::kCamera || place == Place::kScreen ||
+                               place == Place::kMicrophone || place == Place::kLoudspeaker;
+  return folder + "/" + (of_its_own_kind ? name : "hid") + "." + name;
 }
 
 Result<void> MakeFolder(const std::string& folder) {
@@ -54,7 +58,8 @@ Rig::Rig(RigOptions options, const Clock& clock)
     : options_(std::move(options)),
       bench_{clock, {}},
       instruments_(bench_, {options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}),
-      screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()) {}
+      screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()),
+      loudspeaker_(bench_) {}
 
 Rig::~Rig() {
   for (auto& port : ports_) {
@@ -97,6 +102,10 @@ Result<void> Rig::PlugAll() {
   add(Place::kCamera, std::make_unique<CameraPort>(path(Place::kCamera), epoll_.get(), instruments_.camera,
                                                    CameraTiming{bench_.clock.now(), options_.camera_period}));
   add(Place::kScreen, std::make_unique<ScreenPort>(path(Place::kScreen), epoll_.get(), screen_));
+  add(Place::kMicrophone, std::make_unique<MicrophonePort>(path(Place::kMicrophone), epoll_.get(),
+                                                           instruments_.microphone, bench_.clock));
+  add(Place::kLoudspeaker,
+      std::make_unique<LoudspeakerPort>(path(Place::kLoudspeaker), epoll_.get(), loudspeaker_, bench_.clock));
   for (auto& port : ports_) {
     if (auto plugged = port->Plug(); !plugged) return plugged;
   }
@@ -157,6 +166,7 @@ Result<void> Rig::Unplug(std::string_view name) {
 Result<void> Rig::Do(const Hand& hand) {
   if (hand.verb == Verb::kPlug) return Plug(PortName(hand.place));
   if (hand.verb == Verb::kUnplug) return Unplug(PortName(hand.place));
+  if (hand.place == Place::kLoudspeaker && hand.verb == Verb::kStall) loudspeaker_.Stall(hand.index != 0);
   instruments_.Do(hand);
   return {};
 }

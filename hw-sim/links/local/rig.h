@@ -15,6 +15,7 @@
 #include "drivers/base/unique_fd.h"
 #include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/loudspeaker.h"
 #include "hw-sim/devices/screen.h"
 
 namespace kaori::sim {
@@ -61,11 +62,13 @@ class Rig final : public Playground {
   Pointer& pointer() { return instruments_.pointer; }
   LipCamera& camera() { return instruments_.camera; }
   Screen& screen() { return screen_; }
+  Microphone& microphone() { return instruments_.microphone; }
+  Loudspeaker& loudspeaker() { return loudspeaker_; }
   const Clock& clock() const { return bench_.clock; }
 
-  // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen, pointer. Plugging
-  // what is plugged, or unplugging what is not, does nothing. Errors: invalid_argument (no such port), those
-  // of sockets.
+  // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen, pointer,
+  // microphone, loudspeaker. Plugging what is plugged, or unplugging what is not, does nothing. Errors:
+  // invalid_argument (no such port), those of sockets.
   Result<void> Plug(std::string_view name);
   Result<void> Unplug(std::string_view name);
   bool plugged(std::string_view name) const;
@@ -94,6 +97,7 @@ class Rig final : public Playground {
   Workbench bench_;
   Instruments instruments_;
   Screen screen_;
+  Loudspeaker loudspeaker_;
   UniqueFd lock_;  // On the folder.
   UniqueFd epoll_;
   UniqueFd timer_;

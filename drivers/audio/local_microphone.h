@@ -1,0 +1,44 @@
+// The simulator's microphone: blocks of sound over packets.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/base/unique_fd.h"
+#include "drivers/ports/microphone.h"
+#include "firmware/wire/link_sound.h"
+
+namespace kaori::audio {
+
+class LocalMicrophone final : public ports::Microphone {
+ public:
+  // Connects to "<folder>/microphone.<port>"; until the microphone has answered, Read has no block. Errors:
+  // no_such_device (nobody is there), permission_denied.
+  static Result<std::unique_ptr<ports::Microphone>> Open(const std::string& folder,
+                                                         const std::string& port = "microphone");
+
+  // `name` is for errors.
+  LocalMicrophone(UniqueFd socket, std::string name) : socket_(std::move(socket)), name_(std::move(name)) {}
+
+  int pollable() const override { return socket_.get(); }
+  ports::SoundFormat format() const override { return format_; }
+  // Beside the port's: packets that make no sense end the stream as io_error.
+  Result<ports::SoundBlock> Read() override;
+
+ private:
+  Result<std::span<const std::uint8_t>> Receive();
+  Result<void> ReadHello();
+  tl::unexpected<Error> Broken();
+
+  UniqueFd socket_;
+  std::string name_;
+  ports::SoundFormat format_;
+  std::array<std::uint8_t, wire::kMaxLinkPacket> packet_;
+  std::vector<std::int16_t> samples_;  // What the caller looks at.
+  bool greeted_ = false;
+  bool broken_ = false;
+};
+
+}  // namespace kaori::audio
