@@ -32,9 +32,9 @@ Result<std::string> JpegEncoder::Encode(const Picture& picture, int quality) {
   const auto attempt = fmt::format("encode a picture of {}x{}", picture.width_px, picture.height_px);
   if (!Agrees(picture)) return Fail(std::errc::invalid_argument, attempt);
   unsigned long bytes = buffer_bytes_;
-  if (handle_ == nullptr ||
-      tjCompress2(handle_.get(), picture.rgbx.data(), picture.width_px, 0, picture.height_px, TJPF_RGBX,
-                  &buffer_, &bytes, TJSAMP_420, quality, TJFLAG_BOTTOMUP | TJFLAG_FASTDCT) != 0)
+  if (handle_ == nullptr || tjCompress2(handle_.get(), picture.rgbx.data(), picture.width_px, 0,
+                                        picture.height_px, TJPF_RGBX, &buffer_, &bytes, TJSAMP_420, quality,
+                                        (picture.bottom_up ? TJFLAG_BOTTOMUP : 0) | TJFLAG_FASTDCT) != 0)
     return Fail(std::errc::not_enough_memory, attempt);
   buffer_bytes_ = std::max(buffer_bytes_, bytes);
   return std::string(reinterpret_cast<const char*>(buffer_), bytes);

@@ -1,4 +1,4 @@
-// Pictures of the screen as JPEG.
+// Pictures as JPEG, as browsers take them.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,12 @@
 
 namespace kaori::web {
 
-// 8-bit R, G, B, X; bottom row first, tightly packed: as the screen has them.
+// 8-bit R, G, B, X; tightly packed.
 struct Picture {
   int width_px = 0;
   int height_px = 0;
   std::span<const std::uint8_t> rgbx;
+  bool bottom_up = true;  // The bottom row comes first, as the screen has it.
 };
 
 // Keeps its tables from picture to picture. One thread.

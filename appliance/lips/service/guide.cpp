@@ -1,6 +1,7 @@
 #include "appliance/lips/service/guide.h"
 
 #include <numeric>
+#include <utility>
 
 #include "drivers/base/log.h"
 

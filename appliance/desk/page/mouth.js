@@ -1,0 +1,67 @@
+// The mouth as it is measured now: drawn, and in numbers.
+import {onLanguage, word} from './words.js';
+import {onState} from './wire.js';
+
+const kUnit = 62;         // Half a mouth at rest, in the drawing.
+const kGood = 0.5;        // The quality from which a calibration counts.
+const kMost = 2.2;        // What is larger is drawn no larger.
+
+const kDrawing = `
+  <svg viewBox="-150 -105 300 210" role="img">
+    <g class="far"><ellipse class="rest"/><ellipse class="wides"/></g>
+    <ellipse class="lips"/><ellipse class="inside"/>
+  </svg>
+  <dl></dl>`;
+const kNumbers = ['opened', 'wide', 'height', 'width', 'quality', 'age', 'light'];
+
+function ellipse(element, width, height) {
+  element.setAttribute('rx', Math.min(width, kMost) * kUnit);
+  element.setAttribute('ry', Math.min(height, kMost) * kUnit);
+}
+
+const percent = (part) => `${Math.round(part * 100)} %`;
+
+function numbersOf(state) {
+  const {mouth} = state;
+  const fresh = state.camera === 'live';
+  return {
+    opened: percent(mouth.open),
+    wide: percent(mouth.wide),
+    height: mouth.height.toFixed(2),
+    width: mouth.width.toFixed(2),
+    quality: percent(fresh ? mouth.quality : 0),
+    age: mouth.age_ms < 10000 ? `${mouth.age_ms} ms` : '–',
+    light: state.light_age_ms === null ? '–' : `${state.light_age_ms} ms`,
+  };
+}
+
+export function makeMouth() {
+  const live = document.getElementById('live');
+  live.innerHTML = kDrawing;
+  const svg = live.querySelector('svg');
+  const list = live.querySelector('dl');
+  const values = {};
+  for (const name of kNumbers) {
+    const term = Object.assign(document.createElement('dt'), {className: name});
+    const value = Object.assign(document.createElement('dd'), {className: name, textContent: '–'});
+    term.dataset.word = name;
+    values[name] = value;
+    list.append(term, value);
+  }
+  onState((state) => {
+    if (!state?.report) return live.classList.add('lost');
+    const {mouth, report: {settings}} = state;
+    const quality = state.camera === 'live' ? mouth.quality : 0;
+    live.classList.toggle('lost', quality < kGood);
+    ellipse(svg.querySelector('.rest'), 1, settings['mouth.shut'].value);
+    ellipse(svg.querySelector('.wides'), settings['mouth.wide'].value, settings['mouth.open'].value);
+    ellipse(svg.querySelector('.lips'), mouth.width, mouth.height);
+    ellipse(svg.querySelector('.inside'), mouth.width * 0.72, mouth.opening);
+    const [red, green, blue] = ['red', 'green', 'blue'].map((name) => settings[`paint.${name}`].value);
+    svg.querySelector('.lips').setAttribute('fill', `rgb(${red} ${green} ${blue})`);
+    const numbers = numbersOf(state);
+    for (const name of kNumbers) values[name].textContent = numbers[name];
+    values.quality.classList.toggle('bad', quality < kGood);
+  });
+  onLanguage(() => svg.setAttribute('aria-label', word('mouthLabel')));
+}

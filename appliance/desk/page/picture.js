@@ -1,0 +1,98 @@
+// The live picture: shown in three ways, and tapped to sample the paint.
+import {onLanguage, word} from './words.js';
+import {ask, onState} from './wire.js';
+
+const $ = (id) => document.getElementById(id);
+const kViews = [['viewPlain', '/picture'], ['viewBoth', '/picture/both'], ['viewMask', '/picture/mask']];
+let view = 1;
+let streams = false;
+
+function stream(on) {
+  streams = on;
+  if (on) $('picture').src = `${kViews[view][1]}?${Date.now()}`;  // A new stream each time.
+  else $('picture').removeAttribute('src');
+}
+
+function choose(next, buttons) {
+  view = next;
+  buttons.forEach((button, n) => {
+    button.setAttribute('aria-checked', String(n === view));
+    button.tabIndex = n === view ? 0 : -1;
+  });
+  if (streams) stream(true);
+}
+
+function makeViews() {
+  const buttons = kViews.map(([name], n) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.dataset.word = name;
+    button.setAttribute('role', 'radio');
+    button.addEventListener('click', () => choose(n, buttons));
+    button.addEventListener('keydown', ({key}) => {
+      const by = {ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1}[key];
+      if (!by) return;
+      choose((view + by + kViews.length) % kViews.length, buttons);
+      buttons[view].focus();
+    });
+    return button;
+  });
+  $('views').append(...buttons);
+  choose(view, buttons);
+}
+
+function sample(event) {
+  const {left, top, width, height} = $('picture').getBoundingClientRect();
+  const x = (event.clientX - left) / width;
+  const y = (event.clientY - top) / height;
+  if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return;
+  const cross = $('cross');
+  cross.style.left = `${x * 100}%`;
+  cross.style.top = `${y * 100}%`;
+  cross.classList.remove('seen');
+  void cross.offsetWidth;  // The same sign once more.
+  cross.classList.add('seen');
+  ask(`sample ${x.toFixed(4)} ${y.toFixed(4)}`, word('taken'));
+}
+
+function noticeOf(state) {
+  if (!state) return word('lost');
+  if (!state.lips) return word('noLips');
+  if (state.camera === 'absent') return word('noCamera');
+  return state.camera === 'stale' ? word('stale') : '';
+}
+
+function showBox(box) {
+  const rect = $('box');
+  rect.classList.toggle('seen', Boolean(box));
+  if (!box) return;
+  const [left, top, right, bottom] = box;
+  for (const [name, value] of Object.entries({x: left, y: top, width: right - left, height: bottom - top}))
+    rect.setAttribute(name, value);
+}
+
+function showState(state) {
+  const live = document.body.dataset.link === 'live';
+  if (live !== streams) stream(live);
+  if (!state && live) return;
+  $('notice').textContent = noticeOf(state);
+  const settings = state?.report?.settings;
+  showBox(state?.report?.box);
+  if (!settings) return;
+  const [red, green, blue] = ['red', 'green', 'blue'].map((name) => settings[`paint.${name}`].value);
+  $('paint').style.backgroundColor = `rgb(${red} ${green} ${blue})`;
+}
+
+export function makePicture() {
+  makeViews();
+  $('picture').addEventListener('click', sample);
+  $('picture').addEventListener('load', () => $('picture').classList.add('seen'));
+  $('picture').addEventListener('dragstart', (event) => event.preventDefault());
+  $('find').addEventListener('click', () => ask('find', word('found')));
+  onState(showState);
+  onLanguage(() => {
+    $('picture').alt = word('pictureLabel');
+    $('views').setAttribute('aria-label', word('views'));
+    $('paint').setAttribute('aria-label', word('paintLabel'));
+  });
+}
