@@ -1,4 +1,4 @@
-// kaori-bench: every figure of the box, as a table for people and as JSON for programs.
+// kaori-figures: every figure of the box, as a table for people and as JSON for programs.
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -20,7 +20,7 @@
 namespace kaori::bench {
 namespace {
 
-constexpr std::string_view kHelp = R"(kaori-bench: measures the box
+constexpr std::string_view kHelp = R"(kaori-figures: measures the box
 
   --pack FILE   the show to play (needed)
   --quick       a tenth of the time
@@ -74,7 +74,7 @@ int Run(const Settings& settings) {
     std::fflush(stdout);
   }
   if (settings.json.empty() || WriteJson(settings.json, all)) return 0;
-  fmt::print(stderr, "kaori-bench: cannot write {}\n", settings.json);
+  fmt::print(stderr, "kaori-figures: cannot write {}\n", settings.json);
   return 1;
 }
 

@@ -39,7 +39,7 @@ double ReportsPerSecond(input::DialSeat& seat, const Clock& clock) {
 }  // namespace
 
 std::vector<Metric> MeasureHid(bool quick) {
-  const auto path = std::filesystem::temp_directory_path() / fmt::format("kaori-bench-board-{}", ::getpid());
+  const auto path = std::filesystem::temp_directory_path() / fmt::format("kaori-figures-board-{}", ::getpid());
   const auto board = board::Board::Create(path.string());
   if (!board) return {};
   auto writer = board->TakeWriter<board::Surface>();

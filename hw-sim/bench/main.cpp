@@ -1,0 +1,178 @@
+// kaori-bench: starts the box's image in a virtual machine, plugs in simulated devices, and tries what it
+// must do.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "hw-sim/bench/check.h"
+#include "hw-sim/bench/report.h"
+#include "hw-sim/bench/strategy.h"
+
+namespace {
+
+constexpr std::string_view kHelp =
+    R"(kaori-bench: the box's image in a virtual machine, with simulated devices, tried and reported
+
+  --image FOLDER        bzImage, cmdline and kaori.disk (out/image)
+  --bench-disk FILE     the disk with the witness and tools
+  --report FOLDER       where report.html, report.xml and pictures go
+  --figures FILE        a JSON object that gets the figures
+  --play FILE           the scenario that is played
+  --only NAMES          these checks, with commas between
+  --chosen              those that run each time
+  --list                names the checks, and ends
+  --replugs 200         how often cables are pulled and plugged
+  --seed 1              of their order
+  --size 480x270        of the screen
+)";
+
+struct Settings {
+  std::string image = "out/image", bench_disk, report = "out/bench", figures, play, only;
+  std::string replugs = "200", seed = "1", size = "480x270";
+  bool chosen = false, list = false;
+};
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.message());
+  return 2;
+}
+
+bool Wanted(const kaori::bench::Check& check, const Settings& settings) {
+  if (!settings.only.empty())
+    return ("," + settings.only + ",").find("," + check.name + ",") != std::string::npos;
+  return !settings.chosen || check.chosen;
+}
+
+std::vector<kaori::bench::Check> WantedChecks(const Settings& settings) {
+  auto checks = kaori::bench::AllChecks();
+  std::erase_if(checks, [&](const auto& check) { return !Wanted(check, settings); });
+  return checks;
+}
+
+std::string_view Sign(kaori::bench::Verdict verdict) {
+  if (verdict == kaori::bench::Verdict::kPassed) return "ok  ";
+  return verdict == kaori::bench::Verdict::kFailed ? "FAIL" : "skip";
+}
+
+// Each check finds a box that plays: one that the check before has felled is started anew.
+class Bench {
+ public:
+  Bench(const Settings& settings, kaori::bench::Place& place, const kaori::Clock& clock)
+      : settings_(settings),
+        place_(place),
+        clock_(clock),
+        strategy_(place),
+        chance_(static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10))) {}
+
+  kaori::bench::ReportedCheck Try(const kaori::bench::Check& check) {
+    kaori::bench::ReportedCheck reported{check.name, check.sentence, {}};
+    auto& finding = reported.finding;
+    kaori::bench::Scene scene{place_,  finding,       settings_.report, std::atoi(settings_.replugs.c_str()),
+                              chance_, settings_.play};
+    auto ok = strategy_.Transition(kaori::bench::BoxState::kPlaying);
+    if (!ok) place_.machine().Off();
+    const kaori::Time began = clock_.now();
+    if (ok) ok = check.run(scene);
+    finding.took_s = kaori::Seconds(clock_.now() - began);
+    if (!ok) {
+      finding.verdict = kaori::bench::Verdict::kFailed;
+      finding.said = ok.error().message();
+      static_cast<void>(scene.Shoot(check.name + "-failed", "When it failed"));
+    }
+    fmt::print("{}  {:6.1f} s  {}: {}\n", Sign(finding.verdict), finding.took_s, check.name, finding.said);
+    std::fflush(stdout);
+    return reported;
+  }
+
+  double boot_s() const { return strategy_.boot_s(); }
+  void End() { static_cast<void>(strategy_.Transition(kaori::bench::BoxState::kOff)); }
+
+ private:
+  const Settings& settings_;
+  kaori::bench::Place& place_;
+  const kaori::Clock& clock_;
+  kaori::bench::PlayStrategy strategy_;
+  std::mt19937 chance_;
+};
+
+// The hash of the root, which stands on the command line before its salt.
+std::string RootHash(const std::string& image) {
+  std::ifstream file(image + "/cmdline");
+  for (std::string word, hash; file >> word; hash = word)
+    if (hash == "sha256") return word;
+  return {};
+}
+
+kaori::Result<std::string> MakeFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "kaori-bench-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) return kaori::FailErrno("make a folder for sockets");
+  return pattern;
+}
+
+int TryAll(const Settings& settings, const std::string& sockets, const kaori::Size& size) {
+  const kaori::SteadyClock clock;
+  auto place = kaori::bench::Place::Open({.image = settings.image,
+                                          .bench_disk = settings.bench_disk,
+                                          .folder = sockets,
+                                          .width_px = size.width_px,
+                                          .height_px = size.height_px},
+                                         clock);
+  if (!place) return Complain(place.error());
+  Bench bench(settings, **place, clock);
+  kaori::bench::Report report{.image = settings.image, .root_hash = RootHash(settings.image), .checks = {}};
+  for (const auto& check : WantedChecks(settings)) {
+    report.checks.push_back(bench.Try(check));
+    report.boot_s = bench.boot_s();
+    if (auto ok = kaori::bench::WriteReport(report, settings.report); !ok) return Complain(ok.error());
+  }
+  bench.End();
+  if (!settings.figures.empty())
+    if (auto ok = kaori::bench::MergeFigures(report, settings.figures); !ok) return Complain(ok.error());
+  fmt::print("{} passed, {} failed, {} skipped; see {}/report.html\n",
+             report.count(kaori::bench::Verdict::kPassed), report.count(kaori::bench::Verdict::kFailed),
+             report.count(kaori::bench::Verdict::kSkipped), settings.report);
+  return report.count(kaori::bench::Verdict::kFailed) == 0 ? 0 : 1;
+}
+
+int List() {
+  for (const auto& check : kaori::bench::AllChecks())
+    fmt::print("{:14} {}{}\n", check.name, check.sentence, check.chosen ? "" : " (long mode)");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-bench");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--image", settings.image)
+      .Text("--bench-disk", settings.bench_disk)
+      .Text("--report", settings.report);
+  options.Text("--figures", settings.figures).Text("--play", settings.play).Text("--only", settings.only);
+  options.Switch("--chosen", settings.chosen)
+      .Switch("--list", settings.list)
+      .Text("--replugs", settings.replugs);
+  options.Text("--seed", settings.seed).Text("--size", settings.size);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  if (settings.list) return List();
+  const auto size = kaori::ParseSize(settings.size);
+  if (!size)
+    return Complain({std::errc::invalid_argument, "--size " + settings.size + ": expected such as 960x540"});
+  if (WantedChecks(settings).empty())
+    return Complain({std::errc::invalid_argument, "no check is called " + settings.only});
+  std::filesystem::create_directories(settings.report);
+  settings.report = std::filesystem::absolute(settings.report);  // QEMU writes pictures there.
+  const auto sockets = MakeFolder();
+  if (!sockets) return Complain(sockets.error());
+  const int status = TryAll(settings, *sockets, *size);
+  std::filesystem::remove_all(*sockets);
+  return status;
+}
