@@ -10,7 +10,8 @@
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/service.h"
-#include "drivers/scanout/kms_screen.h"
+#include "drivers/scanout/kms_card.h"
+#include "drivers/scanout/kms_mode.h"
 #include "drivers/scanout/local_screen.h"
 
 namespace {
@@ -24,11 +25,13 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
                   $XDG_STATE_HOME/kaori/own)
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
+  --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
+  --holder SOCKET where the card is held while no stage runs
   --early         read the hands right after each flip, not as late as drawing allows: to compare
 )";
 
 struct Settings {
-  std::string board, pack, links, card, trust, own;
+  std::string board, pack, links, card, trust, own, mode, holder;
   bool early = false;
 };
 
@@ -37,33 +40,20 @@ int Complain(const kaori::Error& error) {
   return 1;
 }
 
-// A graphics card: the file through which it shows, which outlives this program where a service manager
-// keeps it, and the one through which it draws.
-struct Card {
-  kaori::UniqueFd shows;
-  kaori::scanout::GbmDevice draws;
-};
-
-kaori::Result<Card> OpenCard(const std::string& path) {
-  constexpr std::string_view kName = "card";
-  auto kept = kaori::service::TakeKept(kName);
-  auto shows =
-      kept ? kaori::Result<kaori::UniqueFd>(std::move(*kept)) : kaori::scanout::KmsCard::Open(path.c_str());
-  if (!shows) return tl::unexpected(shows.error());
-  if (auto ready = kaori::scanout::KmsCard::Prepare(shows->get()); !ready)
-    return tl::unexpected(ready.error());
-  if (!kept) {
-    if (auto safe = kaori::service::Keep(shows->get(), kName); !safe)
-      kaori::Log("{}", safe.error().message());
-  }
-  auto draws = kaori::scanout::GbmDevice::Open(path.c_str(), shows->get());
-  if (!draws) return tl::unexpected(draws.error());
-  return Card{std::move(*shows), std::move(*draws)};
+// Without one on a desk, where the simulator's screen is looked for.
+kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
+  if (settings.card.empty()) return nullptr;
+  return kaori::scanout::KmsCard::Open(settings.card, settings.holder);
 }
 
-// Without one on a desk, where the simulator's screen is looked for.
-kaori::Result<Card> CardOf(const Settings& settings) {
-  return settings.card.empty() ? Card() : OpenCard(settings.card);
+using Screen = std::unique_ptr<kaori::ports::Scanout>;
+
+kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clock& clock,
+                                 const std::string& mode) {
+  auto screen = card.OpenScreen(clock, kaori::scanout::ParseMode(mode));
+  if (!screen) return tl::unexpected(screen.error());
+  kaori::Log("{}", kaori::scanout::Describe((*screen)->wall()));
+  return std::move(*screen);
 }
 
 kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
@@ -85,7 +75,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!writers) return Complain(writers.error());
   auto needles = kaori::needles::Needles::Open(
       settings.own.empty() ? kaori::needles::UsualFolder() : std::filesystem::path(settings.own), *show);
-  const auto studio = kaori::stage::Studio::Open(std::move(*show), card->draws.device.get());
+  const auto studio = kaori::stage::Studio::Open(std::move(*show), *card ? (*card)->device() : nullptr);
   if (!studio) return Complain(studio.error());
   const kaori::SteadyClock clock;
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
@@ -95,13 +85,22 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto alarm = kaori::Alarm::Make();
   if (!alarm) return Complain(alarm.error());
   if (!settings.early) stage.DrawLate();
-  kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&] {
+  kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
     if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
-    return kaori::scanout::KmsScreen::Open(card->shows.get(), card->draws.device.get());
+    return OpenScreen(**card, clock, settings.mode);
   });
   if (auto seated = seat.Take(); !seated) return Complain(seated.error());
   kaori::Log("the first picture is drawn");
+  if (*card)
+    if (auto held = (*card)->Hold(); !held)
+      kaori::Log("the last picture will not stay when the stage ends ({})", held.error().message());
   if (auto told = kaori::service::Tell("READY=1"); !told) kaori::Log("{}", told.error().message());
+  auto watchdog = kaori::service::Watchdog::Wanted();
+  const auto beat = [&] {
+    if (!watchdog) return;
+    if (auto told = watchdog->Beat(stage.usual_turn()); !told) kaori::Log("{}", told.error().message());
+  };
+  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok) return Complain(ok.error());
   if (auto played = loop.Run(); !played) return Complain(played.error());
   return 0;
 }
@@ -116,10 +115,18 @@ int main(int argc, char** argv) {
       .Text("--pack", settings.pack, true)
       .Text("--links", settings.links)
       .Text("--card", settings.card);
-  options.Text("--trust", settings.trust).Text("--own", settings.own).Switch("--early", settings.early);
+  options.Text("--trust", settings.trust)
+      .Text("--own", settings.own)
+      .Text("--mode", settings.mode)
+      .Text("--holder", settings.holder)
+      .Switch("--early", settings.early);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.card.empty() == settings.links.empty()) {
     kaori::Log("where is the screen? Give one of --links and --card");
+    return 2;
+  }
+  if (!settings.mode.empty() && !kaori::scanout::ParseMode(settings.mode)) {
+    kaori::Log("--mode {}: expected width, height and rate, as in 1280x720@50", settings.mode);
     return 2;
   }
   auto loop = kaori::EventLoop::Open();

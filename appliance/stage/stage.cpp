@@ -109,6 +109,12 @@ std::optional<Time> Stage::wakes_at() const {
   return screen_ && plan_ ? std::optional(plan_->begin) : std::nullopt;
 }
 
+// The first frames compile shaders, and say little of those that follow.
+Duration Stage::usual_turn() const {
+  constexpr std::uint64_t kFirstFrames = 100;
+  return frame_ < kFirstFrames ? Duration() : latch_.usual();
+}
+
 // The plan stands until its frame is drawn: a late waking is late, and not a plan for another blank.
 Result<void> Stage::DrawWhenDue() {
   const auto picture = screen_->Acquire();

@@ -57,6 +57,9 @@ class Stage {
   // Without a screen the performance still moves, so that lamps answer and no jump is seen later.
   void StepUnseen();
 
+  // How long a frame usually takes; 0 until many were drawn on this screen.
+  Duration usual_turn() const;
+
   bool resumed() const { return resumed_; }
   const performance::State& state() const { return state_; }
 

@@ -7,6 +7,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
@@ -17,6 +18,9 @@ namespace {
 
 constexpr int kFirstPassed = 3;  // Descriptors that the manager passes begin here.
 constexpr int kLongestWait_ms = 5000;
+// How long a program that is watched may be silent: so many of its usual turns, and never less than this.
+constexpr int kPatientTurns = 10;
+constexpr Duration kShortestSilence = std::chrono::milliseconds(250);
 
 std::string_view Variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -113,10 +117,21 @@ std::optional<UniqueFd> TakeKept(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<Duration> WatchdogPeriod() {
-  const auto limit_us = Number(Variable("WATCHDOG_USEC"));
-  if (!limit_us || *limit_us <= 0 || !IsForUs("WATCHDOG_PID")) return std::nullopt;
-  return std::chrono::microseconds(*limit_us) / 2;
+std::optional<Watchdog> Watchdog::Wanted() {
+  const auto longest_us = Number(Variable("WATCHDOG_USEC"));
+  if (!longest_us || *longest_us <= 0 || !IsForUs("WATCHDOG_PID")) return std::nullopt;
+  return Watchdog(std::chrono::microseconds(*longest_us));
+}
+
+Result<void> Watchdog::Beat(Duration turn) {
+  const Duration wanted =
+      turn <= Duration() ? longest_
+                         : std::clamp(turn * kPatientTurns, std::min(kShortestSilence, longest_), longest_);
+  // Small changes are not worth a word.
+  if (wanted <= limit_ && wanted * 4 > limit_ * 3) return Tell("WATCHDOG=1");
+  limit_ = wanted;
+  return Tell(fmt::format("WATCHDOG_USEC={}\nWATCHDOG=1",
+                          std::chrono::duration_cast<std::chrono::microseconds>(limit_).count()));
 }
 
 }  // namespace kaori::service

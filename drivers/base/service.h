@@ -25,8 +25,27 @@ Result<void> Keep(int fd, std::string_view name);
 // The descriptor that was kept under this name, once; none on the first start.
 std::optional<UniqueFd> TakeKept(std::string_view name);
 
-// How often the manager wants to hear "WATCHDOG=1": half the time after which it kills. None where it does
-// not watch.
-std::optional<Duration> WatchdogPeriod();
+// Tells a manager that watches this program that it lives, and how soon its silence means that it hangs: a
+// machine that draws fast is given up on fast, a slow one is not killed for being slow.
+class Watchdog {
+ public:
+  // None where no manager watches. What the manager says itself is how long it ever waits.
+  static std::optional<Watchdog> Wanted();
+
+  // To be called from the loop, every kPeriod or as often as it gets round. `turn` is how long a turn of the
+  // loop usually takes; 0: not yet known. Errors: those of Tell.
+  Result<void> Beat(Duration turn);
+
+  static constexpr Duration kPeriod = std::chrono::milliseconds(50);
+
+  // After so much silence the manager kills.
+  Duration limit() const { return limit_; }
+
+ private:
+  explicit Watchdog(Duration longest) : longest_(longest), limit_(longest) {}
+
+  Duration longest_;
+  Duration limit_;
+};
 
 }  // namespace kaori::service

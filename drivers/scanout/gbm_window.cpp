@@ -46,14 +46,15 @@ Result<GbmDevice> GbmDevice::Open(const char* path, int shows) {
   return opened;
 }
 
-Result<GbmWindow> GbmWindow::Make(gbm_device* device, int card, int width_px, int height_px) {
+Result<std::unique_ptr<KmsPictures>> GbmWindow::Make(gbm_device* device, int card, int width_px,
+                                                     int height_px) {
   std::unique_ptr<gbm_surface, GbmFree> surface(
       gbm_surface_create(device, std::uint32_t(width_px), std::uint32_t(height_px), kFormat,
                          GBM_BO_USE_SCANOUT | GBM_BO_USE_RENDERING));
   if (!surface)
     return Fail(std::errc::not_enough_memory,
                 fmt::format("make a window of {} x {} pixels", width_px, height_px));
-  return GbmWindow(std::move(surface), card);
+  return std::make_unique<GbmWindow>(std::move(surface), card);
 }
 
 Result<std::uint32_t> GbmWindow::FramebufferOf(gbm_bo* buffer) {

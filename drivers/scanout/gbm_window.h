@@ -10,6 +10,7 @@
 
 #include "drivers/base/result.h"
 #include "drivers/base/unique_fd.h"
+#include "drivers/scanout/kms_device.h"
 
 namespace kaori::scanout {
 
@@ -30,30 +31,24 @@ struct GbmDevice {
 };
 
 // One thread. `device` and the card's file must outlive it; the framebuffers it made outlive it.
-class GbmWindow {
+class GbmWindow final : public KmsPictures {
  public:
   // Errors: not_enough_memory.
-  static Result<GbmWindow> Make(gbm_device* device, int card, int width_px, int height_px);
+  static Result<std::unique_ptr<KmsPictures>> Make(gbm_device* device, int card, int width_px, int height_px);
 
-  gbm_surface* surface() const { return surface_.get(); }
+  GbmWindow(std::unique_ptr<gbm_surface, GbmFree> surface, int card)
+      : surface_(std::move(surface)), card_(card) {}
 
-  // Takes the picture that EGL swapped last, as a framebuffer of the card. To be called once after each swap.
-  // Errors: io_error (nothing was swapped), and what the card says when it takes no more buffers.
-  Result<std::uint32_t> LockFront();
-
-  // Whether the framebuffer is one of this window's.
-  bool Made(std::uint32_t framebuffer) const;
-
-  // Gives back the picture taken before the last one: the screen has let it go.
-  void ReleasePrevious();
+  void* window() const override { return surface_.get(); }
+  Result<std::uint32_t> LockFront() override;
+  void ReleasePrevious() override;
+  bool Made(std::uint32_t framebuffer) const override;
 
  private:
   struct Picture {
     gbm_bo* buffer;
     std::uint32_t framebuffer;
   };
-  GbmWindow(std::unique_ptr<gbm_surface, GbmFree> surface, int card)
-      : surface_(std::move(surface)), card_(card) {}
   Result<std::uint32_t> FramebufferOf(gbm_bo* buffer);
 
   std::unique_ptr<gbm_surface, GbmFree> surface_;

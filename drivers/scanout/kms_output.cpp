@@ -2,91 +2,111 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace kaori::scanout {
 namespace {
 
-// What any screen and cable of the last fifteen years takes, when the screen itself is silent.
-constexpr int kSafeWidth_px = 1920;
-constexpr int kSafeHeight_px = 1080;
+// Who drives whom: for each CRTC the connector that it drives, by its place in the list. Kuhn's algorithm: a
+// connector may push another one on to a CRTC that is free.
+class Wiring {
+ public:
+  Wiring(const std::vector<KmsConnector>& connectors, std::uint32_t usable)
+      : connectors_(connectors), usable_(usable) {}
 
-int Area(const drmModeModeInfo& mode) {
-  return mode.hdisplay * mode.vdisplay;
-}
-
-bool IsSafe(const drmModeModeInfo& mode) {
-  return mode.hdisplay <= kSafeWidth_px && mode.vdisplay <= kSafeHeight_px &&
-         (mode.flags & DRM_MODE_FLAG_INTERLACE) == 0;
-}
-
-// The CRTCs as bits, in the card's order, that the connector can be driven by.
-std::uint32_t PossibleCrtcs(int card, const drmModeConnector& connector) {
-  std::uint32_t bits = 0;
-  for (int i = 0; i < connector.count_encoders; ++i) {
-    const DrmEncoder encoder(drmModeGetEncoder(card, connector.encoders[i]));
-    if (encoder) bits |= encoder->possible_crtcs;
+  void Wire(std::size_t connector) {
+    tried_ = 0;
+    Find(connector);
   }
-  return bits;
-}
 
-// The primary plane of the CRTC that stands at `index` in the card's order.
-std::optional<std::uint32_t> PrimaryPlane(int card, int index) {
-  const DrmPlanes planes(drmModeGetPlaneResources(card));
-  for (std::uint32_t i = 0; planes && i < planes->count_planes; ++i) {
-    const DrmPlane plane(drmModeGetPlane(card, planes->planes[i]));
-    if (!plane || (plane->possible_crtcs >> index & 1) == 0) continue;
-    const auto type = FindProperty(card, {plane->plane_id, DRM_MODE_OBJECT_PLANE}, "type");
-    if (type && type->value == DRM_PLANE_TYPE_PRIMARY) return plane->plane_id;
+  // The CRTC of the connector, by its place in the card's order.
+  std::optional<std::size_t> CrtcOf(std::size_t connector) const {
+    const auto found = std::ranges::find(driven_, std::optional(connector));
+    if (found == driven_.end()) return std::nullopt;
+    return std::size_t(found - driven_.begin());
   }
-  return std::nullopt;
-}
 
-Result<KmsOutput> Wire(int card, const drmModeRes& resources, const drmModeConnector& connector) {
-  const auto mode = ChooseMode({connector.modes, std::size_t(connector.count_modes)});
-  if (!mode) return Fail(std::errc::not_supported, "find a mode of the screen");
-  const std::uint32_t crtcs = PossibleCrtcs(card, connector);
-  for (int i = 0; i < resources.count_crtcs; ++i) {
-    if ((crtcs >> i & 1) == 0) continue;
-    if (const auto plane = PrimaryPlane(card, i))
-      return KmsOutput{connector.connector_id, resources.crtcs[i], *plane, *mode};
+ private:
+  // One that is free is taken first: the others keep theirs.
+  bool Find(std::size_t connector) {
+    for (const bool push : {false, true}) {
+      for (std::size_t crtc = 0; crtc < driven_.size(); ++crtc) {
+        if ((connectors_[connector].crtcs & usable_ & ~tried_) >> crtc == 0) break;
+        if (Take(connector, crtc, push)) return true;
+      }
+    }
+    return false;
   }
-  return Fail(std::errc::not_supported, "find a plane for the screen");
+
+  bool Take(std::size_t connector, std::size_t crtc, bool push) {
+    const bool possible = ((connectors_[connector].crtcs & usable_ & ~tried_) >> crtc & 1) != 0;
+    if (!possible || (driven_[crtc] && !push)) return false;
+    tried_ |= 1U << crtc;
+    if (driven_[crtc] && !Find(*driven_[crtc])) return false;
+    driven_[crtc] = connector;
+    return true;
+  }
+
+  const std::vector<KmsConnector>& connectors_;
+  std::uint32_t usable_;
+  std::array<std::optional<std::size_t>, 32> driven_;
+  std::uint32_t tried_ = 0;
+};
+
+std::vector<KmsConnector> PluggedIn(KmsDevice& card) {
+  std::vector<KmsConnector> found;
+  for (const std::uint32_t id : card.Connectors()) {
+    if (card.PlugOf(id) == Plug::kEmpty) continue;
+    auto connector = card.Probe(id);
+    if (connector && connector->plugged) found.push_back(std::move(*connector));
+  }
+  return found;
 }
 
 }  // namespace
 
-std::optional<drmModeModeInfo> ChooseMode(std::span<const drmModeModeInfo> modes) {
-  const drmModeModeInfo* best = nullptr;
-  for (const auto& mode : modes) {
-    if ((mode.type & DRM_MODE_TYPE_PREFERRED) != 0) return mode;
-    if (IsSafe(mode) && (best == nullptr || Area(mode) > Area(*best))) best = &mode;
+std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs) {
+  std::vector<std::uint32_t> planes(crtcs, 0);
+  for (const KmsPlane& plane : card.PrimaryPlanes()) {
+    for (std::size_t crtc = 0; crtc < crtcs; ++crtc) {
+      if (planes[crtc] != 0 || (plane.crtcs >> crtc & 1) == 0) continue;
+      planes[crtc] = plane.id;
+      break;
+    }
   }
-  if (best == nullptr && !modes.empty()) best = modes.data();
-  return best == nullptr ? std::nullopt : std::optional(*best);
+  return planes;
 }
 
-Duration PeriodOf(const drmModeModeInfo& mode) {
-  if (mode.clock == 0 || mode.htotal == 0 || mode.vtotal == 0) return FromSeconds(1.0 / 60);
-  return FromSeconds(mode.htotal * 1e-3 * mode.vtotal / mode.clock);  // The clock is in kHz.
+Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, const std::optional<drmModeModeInfo>& mode) {
+  const auto connectors = PluggedIn(card);
+  if (connectors.empty()) return Fail(std::errc::no_such_device, "find a screen on the graphics card");
+  const auto crtcs = card.Crtcs();
+  const auto planes = PlanesOf(card, crtcs.size());
+  std::uint32_t usable = 0;
+  for (std::size_t crtc = 0; crtc < crtcs.size(); ++crtc)
+    if (planes[crtc] != 0) usable |= 1U << crtc;
+  Wiring wiring(connectors, usable);
+  for (std::size_t i = 0; i < connectors.size(); ++i) wiring.Wire(i);
+  std::vector<KmsOutput> outputs;
+  for (std::size_t i = 0; i < connectors.size(); ++i)
+    if (const auto crtc = wiring.CrtcOf(i))
+      outputs.push_back(
+          {connectors[i].id, connectors[i].name, crtcs[*crtc], planes[*crtc], ModeFor(connectors[i], mode)});
+  if (outputs.empty()) return Fail(std::errc::not_supported, "find a plane for the screen");
+  return outputs;
 }
 
-bool IsUnplugged(int card, std::uint32_t connector) {
-  const DrmConnector now(drmModeGetConnectorCurrent(card, connector));
-  return !now || now->connection == DRM_MODE_DISCONNECTED;
+ChosenMode ModeFor(const KmsConnector& connector, const std::optional<drmModeModeInfo>& mode) {
+  return mode ? ChosenMode{*mode, true} : ChooseMode(connector.modes);
 }
 
-Result<KmsOutput> FindOutput(int card) {
-  const DrmResources resources(drmModeGetResources(card));
-  if (!resources) return FailErrno("ask the graphics card for its outputs");
-  for (int i = 0; i < resources->count_connectors; ++i) {
-    const std::uint32_t id = resources->connectors[i];
-    if (IsUnplugged(card, id)) continue;
-    const DrmConnector connector(drmModeGetConnector(card, id));
-    if (connector && connector->connection == DRM_MODE_CONNECTED && connector->count_modes > 0)
-      return Wire(card, *resources, *connector);
-  }
-  return Fail(std::errc::no_such_device, "find a screen on the graphics card");
+std::string Describe(const KmsOutput& output) {
+  const auto& mode = output.chosen.mode;
+  return fmt::format("{} {} x {} at {:.4g} Hz{}", output.name, mode.hdisplay, mode.vdisplay,
+                     1 / Seconds(PeriodOf(mode)),
+                     output.chosen.wished ? "" : ", which is safe: the screen itself asks for no mode");
 }
 
 }  // namespace kaori::scanout

@@ -1,35 +1,37 @@
-// Which connector of a graphics card shows the picture, through which CRTC and plane, in which mode.
+// Which connectors of a graphics card show a picture, each through which CRTC and plane, in which mode.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <string>
+#include <vector>
 
-#include "drivers/base/clock.h"
-#include "drivers/scanout/drm_objects.h"
+#include "drivers/scanout/kms_device.h"
+#include "drivers/scanout/kms_mode.h"
 
 namespace kaori::scanout {
 
 struct KmsOutput {
   std::uint32_t connector = 0;
+  std::string name;
   std::uint32_t crtc = 0;
   std::uint32_t plane = 0;
-  drmModeModeInfo mode{};
+  ChosenMode chosen;
 };
 
-// The mode that the screen asks for by its EDID; of a screen that asks for none (a broken EDID, or none at
-// all) the largest one that every cable carries, up to 1920 x 1080. Nothing where there are no modes.
-std::optional<drmModeModeInfo> ChooseMode(std::span<const drmModeModeInfo> modes);
+// Every screen that is plugged in and can be driven beside the others, in the card's order. Where the card
+// cannot drive them all, as many as it can. `mode` is what people wish for all of them, if they do. Probes no
+// connector that the kernel knows to be empty. Errors: no_such_device (no screen is plugged in),
+// not_supported (the card can show on none of them).
+Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, const std::optional<drmModeModeInfo>& mode = {});
 
-// From one vertical blank to the next; 60 Hz where the mode does not say.
-Duration PeriodOf(const drmModeModeInfo& mode);
+// For each CRTC, in the card's order, a primary plane of its own; 0 where there is none.
+std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs);
 
-// The first connected output of the card. Probes no connector that the kernel knows to be empty: reading an
-// EDID takes tens of milliseconds. Errors: no_such_device (no screen is plugged in), not_supported (no plane
-// can show it).
-Result<KmsOutput> FindOutput(int card);
+// The mode in which the screen is to be shown.
+ChosenMode ModeFor(const KmsConnector& connector, const std::optional<drmModeModeInfo>& mode);
 
-// Whether the kernel has seen the screen leave the connector; asks nothing of the cable.
-bool IsUnplugged(int card, std::uint32_t connector);
+// For people: "HDMI-A-1 1920 x 1080 at 60 Hz".
+std::string Describe(const KmsOutput& output);
 
 }  // namespace kaori::scanout

@@ -1,48 +1,17 @@
 #include "drivers/scanout/kms_screen.h"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstddef>
-#include <cstring>
-#include <span>
+#include <algorithm>
 #include <utility>
 
 namespace kaori::scanout {
 namespace {
 
-struct NamedValue {
-  const char* name;
-  std::uint64_t value;
-};
+using namespace std::chrono_literals;
 
-Result<void> Add(int card, drmModeAtomicReq* request, DrmObject object, std::span<const NamedValue> values) {
-  for (const auto& [name, value] : values) {
-    const auto found = FindProperty(card, object, name);
-    if (!found) return tl::unexpected(found.error());
-    if (drmModeAtomicAddProperty(request, object.id, found->property, value) < 0)
-      return Fail(std::errc::not_enough_memory, "ask the graphics card for a picture");
-  }
-  return {};
-}
-
-// The last flip among the events that the card has for us; those of other kinds are passed over.
-std::optional<drm_event_vblank> ReadEvents(int card) {
-  std::array<std::byte, 1024> bytes;
-  std::optional<drm_event_vblank> flip;
-  const ssize_t length = ::read(card, bytes.data(), bytes.size());
-  for (std::size_t at = 0; length > 0 && at + sizeof(drm_event) <= std::size_t(length);) {
-    drm_event head;
-    std::memcpy(&head, &bytes[at], sizeof(head));
-    if (head.length < sizeof(head) || at + head.length > std::size_t(length)) break;
-    if (head.type == DRM_EVENT_FLIP_COMPLETE && head.length >= sizeof(drm_event_vblank))
-      std::memcpy(&flip.emplace(), &bytes[at], sizeof(drm_event_vblank));
-    at += head.length;
-  }
-  return flip;
-}
+constexpr Duration kLookPeriod = 250ms;  // How often connectors are looked at.
+constexpr Duration kLongestFlip = 2s;    // A card that takes longer has lost the frame.
 
 // Whose flip an event is: a dead program's comes by through the same file, and is not ours.
 std::uint64_t TokenOf(std::uint64_t frame) {
@@ -51,112 +20,199 @@ std::uint64_t TokenOf(std::uint64_t frame) {
 
 }  // namespace
 
-Result<UniqueFd> KmsCard::Open(const char* path) {
-  UniqueFd card(::open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK));
-  if (!card.valid()) return FailErrno(fmt::format("open {}", path));
-  return card;
+Result<std::unique_ptr<KmsScreen>> KmsScreen::Open(KmsDevice& card, const MakePictures& make,
+                                                   const Clock& clock,
+                                                   const std::optional<drmModeModeInfo>& mode) {
+  auto outputs = FindOutputs(card, mode);
+  if (!outputs) return tl::unexpected(outputs.error());
+  KmsWall wall = Arrange(std::move(*outputs));
+  auto pictures = make(wall.width_px, wall.height_px);
+  if (!pictures) return tl::unexpected(pictures.error());
+  return std::unique_ptr<KmsScreen>(new KmsScreen(card, std::move(wall), std::move(*pictures), clock, mode));
 }
 
-Result<void> KmsCard::Prepare(int card) {
-  for (const auto capability : {DRM_CLIENT_CAP_UNIVERSAL_PLANES, DRM_CLIENT_CAP_ATOMIC})
-    if (drmSetClientCap(card, std::uint64_t(capability), 1) != 0)
-      return FailErrno("ask the graphics card for atomic pictures");
-  // A flip that a program asked for before it died is of no use now.
-  while (ReadEvents(card)) {
-  }
-  return {};
+KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures> pictures, const Clock& clock,
+                     const std::optional<drmModeModeInfo>& mode)
+    : card_(card),
+      wall_(std::move(wall)),
+      pictures_(std::move(pictures)),
+      clock_(clock),
+      mode_(mode),
+      looked_(clock.now()) {
+  for (const KmsPanel& panel : wall_.panels) panels_.push_back({panel});
+  for (const std::uint32_t connector : card_.Connectors())
+    if (IsNewcomer(connector) && card_.PlugOf(connector) == Plug::kPlugged) seen_.push_back(connector);
+  constexpr std::size_t kMostSettings = 13;  // Of one screen.
+  settings_.reserve(panels_.size() * kMostSettings);
 }
 
-Result<std::unique_ptr<ports::Scanout>> KmsScreen::Open(int card, gbm_device* device) {
-  const auto output = FindOutput(card);
-  if (!output) return tl::unexpected(output.error());
-  auto window = GbmWindow::Make(device, card, output->mode.hdisplay, output->mode.vdisplay);
-  if (!window) return tl::unexpected(window.error());
-  const auto framebuffer = FindProperty(card, {output->plane, DRM_MODE_OBJECT_PLANE}, "FB_ID");
-  if (!framebuffer) return tl::unexpected(framebuffer.error());
-  return std::make_unique<KmsScreen>(card, *output, framebuffer->property, std::move(*window));
-}
-
-// The card keeps the mode for as long as it shows it.
+// The card keeps a mode for as long as it shows it.
 KmsScreen::~KmsScreen() {
-  if (mode_ != 0) drmModeDestroyPropertyBlob(card_, mode_);
+  for (const Panel& panel : panels_)
+    if (panel.mode != 0) card_.ForgetMode(panel.mode);
 }
 
 Result<ports::PixelBuffer> KmsScreen::Acquire() {
-  if (IsUnplugged(card_, output_.connector)) return Fail(std::errc::no_such_device, "draw for the screen");
-  if (presented_) return Fail(std::errc::resource_unavailable_try_again, "draw for the screen");
+  const Time now = clock_.now();
+  if (now - looked_ >= kLookPeriod) {
+    looked_ = now;
+    if (auto looked = Look(); !looked) return tl::unexpected(looked.error());
+  }
+  if (Owes() || shown_) {
+    if (now - presented_at_ > kLongestFlip)
+      return Fail(std::errc::no_such_device, "await a flip of the screen");
+    return Fail(std::errc::resource_unavailable_try_again, "draw for the screen");
+  }
   acquired_ = true;
-  return ports::PixelBuffer{output_.mode.hdisplay, output_.mode.vdisplay, {}, window_.surface()};
+  return ports::PixelBuffer{wall_.width_px, wall_.height_px, {}, pictures_->window()};
+}
+
+Result<void> KmsScreen::Look() {
+  for (const std::uint32_t connector : card_.Connectors()) {
+    const bool plugged = card_.PlugOf(connector) == Plug::kPlugged;
+    if (!plugged) std::erase(seen_, connector);
+    if (plugged && IsNewcomer(connector))
+      return Fail(std::errc::no_such_device, "leave the screens as they were: another one was plugged in");
+  }
+  for (Panel& panel : panels_)
+    if (auto looked = LookAt(panel); !looked) return looked;
+  if (First() == nullptr) return Fail(std::errc::no_such_device, "draw for the screen");
+  return {};
+}
+
+bool KmsScreen::IsNewcomer(std::uint32_t connector) const {
+  return std::ranges::find(seen_, connector) == seen_.end() &&
+         std::ranges::none_of(panels_, [&](const Panel& p) { return p.at.output.connector == connector; });
+}
+
+Result<void> KmsScreen::LookAt(Panel& panel) {
+  const std::uint32_t connector = panel.at.output.connector;
+  const bool plugged = card_.PlugOf(connector) == Plug::kPlugged;
+  if (!plugged) {
+    panel.light = Light::kDark;
+    panel.flips = false;
+    return {};
+  }
+  if (panel.light != Light::kDark) return {};
+  const auto back = card_.Probe(connector);
+  if (!back || !back->plugged) return {};
+  const auto& mode = ModeFor(*back, mode_).mode;
+  const auto& before = panel.at.output.chosen.mode;
+  if (mode.hdisplay != before.hdisplay || mode.vdisplay != before.vdisplay)
+    return Fail(std::errc::no_such_device, "leave the screens as they were: one came back with another mode");
+  panel.light = Light::kNew;
+  return {};
 }
 
 Result<void> KmsScreen::Present(std::uint64_t frame) {
-  if (!acquired_) return Fail(std::errc::invalid_argument, "present without a buffer");
-  acquired_ = false;
-  const auto framebuffer = window_.LockFront();
+  if (!std::exchange(acquired_, false)) return Fail(std::errc::invalid_argument, "present without a buffer");
+  const auto framebuffer = pictures_->LockFront();
   if (!framebuffer) return tl::unexpected(framebuffer.error());
-  if (auto shown = Commit(*framebuffer, frame); !shown) return shown;
-  presented_ = frame;
+  frame_ = frame;
+  if (auto shown = Commit(*framebuffer); !shown) return shown;
+  presented_at_ = clock_.now();
+  for (Panel& panel : panels_) panel.flips = panel.light != Light::kDark;
   return {};
+}
+
+// Where a screen shows the same mode already, as after a restart, the kernel changes the picture alone.
+Result<void> KmsScreen::Commit(std::uint32_t framebuffer) {
+  settings_.clear();
+  bool sets_modes = false;
+  if (!alone_) AddOthersOff();
+  for (Panel& panel : panels_) {
+    if (panel.light == Light::kDark) continue;
+    if (panel.light == Light::kLit) {
+      settings_.push_back({panel.at.output.plane, DRM_MODE_OBJECT_PLANE, "FB_ID", framebuffer});
+      continue;
+    }
+    if (auto added = AddAll(panel, framebuffer); !added) return added;
+    sets_modes = true;
+  }
+  return card_.Commit(settings_, TokenOf(frame_), sets_modes);
+}
+
+Result<void> KmsScreen::AddAll(Panel& panel, std::uint32_t framebuffer) {
+  const KmsOutput& output = panel.at.output;
+  const auto& mode = output.chosen.mode;
+  if (panel.mode == 0) {
+    const auto told = card_.TellMode(mode);
+    if (!told) return tl::unexpected(told.error());
+    panel.mode = *told;
+  }
+  settings_.push_back({output.connector, DRM_MODE_OBJECT_CONNECTOR, "CRTC_ID", output.crtc});
+  settings_.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "MODE_ID", panel.mode});
+  settings_.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "ACTIVE", 1});
+  const auto plane = [&](const char* name, std::uint64_t value) {
+    settings_.push_back({output.plane, DRM_MODE_OBJECT_PLANE, name, value});
+  };
+  plane("FB_ID", framebuffer);
+  plane("CRTC_ID", output.crtc);
+  // The part of the picture, in 1/65536 of a pixel.
+  plane("SRC_X", std::uint64_t(panel.at.x_px) << 16);
+  plane("SRC_Y", std::uint64_t(panel.at.y_px) << 16);
+  plane("SRC_W", std::uint64_t{mode.hdisplay} << 16);
+  plane("SRC_H", std::uint64_t{mode.vdisplay} << 16);
+  plane("CRTC_X", 0);
+  plane("CRTC_Y", 0);
+  plane("CRTC_W", mode.hdisplay);
+  plane("CRTC_H", mode.vdisplay);
+  return {};
+}
+
+// What an earlier program showed elsewhere, on a screen that has gone since, ends: its CRTC may be needed.
+void KmsScreen::AddOthersOff() {
+  const auto is_ours = [this](std::uint32_t KmsOutput::*part, std::uint32_t id) {
+    return std::ranges::any_of(panels_, [&](const Panel& p) { return p.at.output.*part == id; });
+  };
+  for (const std::uint32_t connector : card_.Connectors())
+    if (!is_ours(&KmsOutput::connector, connector))
+      settings_.push_back({connector, DRM_MODE_OBJECT_CONNECTOR, "CRTC_ID", 0});
+  const auto crtcs = card_.Crtcs();
+  const auto planes = PlanesOf(card_, crtcs.size());
+  for (std::size_t i = 0; i < crtcs.size(); ++i) {
+    if (is_ours(&KmsOutput::crtc, crtcs[i]) || !card_.IsLit(crtcs[i])) continue;
+    settings_.push_back({crtcs[i], DRM_MODE_OBJECT_CRTC, "MODE_ID", 0});
+    settings_.push_back({crtcs[i], DRM_MODE_OBJECT_CRTC, "ACTIVE", 0});
+    if (planes[i] == 0) continue;
+    settings_.push_back({planes[i], DRM_MODE_OBJECT_PLANE, "FB_ID", 0});
+    settings_.push_back({planes[i], DRM_MODE_OBJECT_PLANE, "CRTC_ID", 0});
+  }
 }
 
 Result<ports::Flip> KmsScreen::ReadFlip() {
-  const auto flip = ReadEvents(card_);
-  if (!flip || !presented_ || flip->user_data != TokenOf(*presented_))
-    return Fail(std::errc::resource_unavailable_try_again, "read a flip of the screen");
-  if (!std::exchange(lit_, true)) RemoveOldFramebuffers();
-  window_.ReleasePrevious();
-  const Time at(std::chrono::seconds(flip->tv_sec) + std::chrono::microseconds(flip->tv_usec));
-  return ports::Flip{at, *std::exchange(presented_, std::nullopt), PeriodOf(output_.mode)};
+  while (const auto flip = card_.ReadFlip())
+    if (flip->token == TokenOf(frame_)) TakeFlip(*flip);
+  if (!shown_ || Owes()) return Fail(std::errc::resource_unavailable_try_again, "read a flip of the screen");
+  if (!std::exchange(alone_, true)) RemoveOldFramebuffers();
+  pictures_->ReleasePrevious();
+  const Panel* const first = First();
+  const Duration period = PeriodOf((first == nullptr ? panels_.front() : *first).at.output.chosen.mode);
+  return ports::Flip{*std::exchange(shown_, std::nullopt), frame_, period};
 }
 
-Result<void> KmsScreen::Commit(std::uint32_t framebuffer, std::uint64_t frame) {
-  const DrmAtomic request(drmModeAtomicAlloc());
-  if (!request) return Fail(std::errc::not_enough_memory, "ask the graphics card for a picture");
-  std::uint32_t flags = DRM_MODE_PAGE_FLIP_EVENT | DRM_MODE_ATOMIC_NONBLOCK;
-  if (lit_) {
-    drmModeAtomicAddProperty(request.get(), output_.plane, framebuffer_property_, framebuffer);
-  } else if (auto added = AddModeset(request.get(), framebuffer); !added) {
-    return added;
-  } else {
-    flags |= DRM_MODE_ATOMIC_ALLOW_MODESET;
+void KmsScreen::TakeFlip(const KmsFlip& flip) {
+  for (Panel& panel : panels_) {
+    if (panel.at.output.crtc != flip.crtc || !panel.flips) continue;
+    panel.flips = false;
+    panel.light = Light::kLit;
+    if (!shown_ || &panel == First()) shown_ = flip.at;
   }
-  // The kernel hands the token back with the flip; it is a number and never followed.
-  auto* const token = reinterpret_cast<void*>(TokenOf(frame));  // NOLINT(performance-no-int-to-ptr)
-  if (drmModeAtomicCommit(card_, request.get(), flags, token) != 0)
-    return FailErrno("show a picture on the screen");
-  return {};
 }
 
-// Where the screen shows the same mode already, as after a restart, the kernel changes the picture alone.
-Result<void> KmsScreen::AddModeset(drmModeAtomicReq* request, std::uint32_t framebuffer) {
-  if (mode_ == 0 && drmModeCreatePropertyBlob(card_, &output_.mode, sizeof(output_.mode), &mode_) != 0)
-    return FailErrno("tell the graphics card the screen's mode");
-  const std::uint64_t width_px = output_.mode.hdisplay;
-  const std::uint64_t height_px = output_.mode.vdisplay;
-  const std::array connector{NamedValue{"CRTC_ID", output_.crtc}};
-  const std::array crtc{NamedValue{"MODE_ID", mode_}, NamedValue{"ACTIVE", 1}};
-  // The source rectangle is in 1/65536 of a pixel.
-  const std::array plane{NamedValue{"FB_ID", framebuffer},
-                         NamedValue{"CRTC_ID", output_.crtc},
-                         NamedValue{"SRC_X", 0},
-                         NamedValue{"SRC_Y", 0},
-                         NamedValue{"SRC_W", width_px << 16},
-                         NamedValue{"SRC_H", height_px << 16},
-                         NamedValue{"CRTC_X", 0},
-                         NamedValue{"CRTC_Y", 0},
-                         NamedValue{"CRTC_W", width_px},
-                         NamedValue{"CRTC_H", height_px}};
-  if (auto added = Add(card_, request, {output_.connector, DRM_MODE_OBJECT_CONNECTOR}, connector); !added)
-    return added;
-  if (auto added = Add(card_, request, {output_.crtc, DRM_MODE_OBJECT_CRTC}, crtc); !added) return added;
-  return Add(card_, request, {output_.plane, DRM_MODE_OBJECT_PLANE}, plane);
+KmsScreen::Panel* KmsScreen::First() {
+  const auto first = std::ranges::find_if(panels_, [](const Panel& p) { return p.light != Light::kDark; });
+  return first == panels_.end() ? nullptr : &*first;
+}
+
+bool KmsScreen::Owes() const {
+  return std::ranges::any_of(panels_, [](const Panel& panel) { return panel.flips; });
 }
 
 // Only now: removing the picture that is shown blanks the screen.
 void KmsScreen::RemoveOldFramebuffers() {
-  const DrmResources resources(drmModeGetResources(card_));
-  for (int i = 0; resources && i < resources->count_fbs; ++i)
-    if (!window_.Made(resources->fbs[i])) drmModeRmFB(card_, resources->fbs[i]);
+  for (const std::uint32_t framebuffer : card_.Framebuffers())
+    if (!pictures_->Made(framebuffer)) card_.Remove(framebuffer);
 }
 
 }  // namespace kaori::scanout

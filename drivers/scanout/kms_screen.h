@@ -1,61 +1,80 @@
-// A screen on a graphics card: atomic KMS shows what EGL draws into a GBM surface.
+// The screens of a graphics card as one: atomic KMS shows what EGL draws, all of it on all of them.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
-#include "drivers/scanout/gbm_window.h"
-#include "drivers/scanout/kms_output.h"
+#include "drivers/scanout/kms_device.h"
+#include "drivers/scanout/kms_wall.h"
 
 namespace kaori::scanout {
 
-// The card's file: whoever opened it first may set modes, and what it shows lasts until its last copy is
-// closed.
-struct KmsCard {
-  // Opens "/dev/dri/card0" or the like. Errors: those of open(2).
-  static Result<UniqueFd> Open(const char* path);
-
-  // Makes the file ready, be it fresh or held over from a program that died. Errors: not_supported (no atomic
-  // KMS), and what the card says.
-  static Result<void> Prepare(int card);
-};
+// Makes room for pictures of this size.
+using MakePictures = std::function<Result<std::unique_ptr<KmsPictures>>(int width_px, int height_px)>;
 
 // Never blanks: the picture stays when this object, or its program, ends.
+//
+// A screen that is pulled keeps its place, and the others play on. When it is back it shows again within 0.5
+// s. Once all are pulled, or another one is plugged in, or one comes back with another mode, this screen is
+// gone, and to be opened anew.
 class KmsScreen final : public ports::Scanout {
  public:
-  // The first screen that is plugged into `card`, which was prepared. `card` and `device` must outlive it.
-  // Errors: those of FindOutput and GbmWindow.
-  static Result<std::unique_ptr<ports::Scanout>> Open(int card, gbm_device* device);
-
-  KmsScreen(int card, const KmsOutput& output, std::uint32_t framebuffer_property, GbmWindow window)
-      : card_(card),
-        output_(output),
-        framebuffer_property_(framebuffer_property),
-        window_(std::move(window)) {}
-
+  // All screens that are plugged in, in the mode that is wished for or each in its own. `card` and `clock`
+  // must outlive it. Errors: those of FindOutputs and of `make`.
+  static Result<std::unique_ptr<KmsScreen>> Open(KmsDevice& card, const MakePictures& make,
+                                                 const Clock& clock,
+                                                 const std::optional<drmModeModeInfo>& mode = {});
   ~KmsScreen() override;
 
-  int pollable() const override { return card_; }
+  const KmsWall& wall() const { return wall_; }
+
+  int pollable() const override { return card_.pollable(); }
   // The buffer names EGL's window, and has no bytes.
   Result<ports::PixelBuffer> Acquire() override;
   // As the port says; the picture is the one that EGL swapped last.
   Result<void> Present(std::uint64_t frame) override;
+  // Once all screens show the frame; the time is that of the first of them.
   Result<ports::Flip> ReadFlip() override;
 
  private:
-  Result<void> Commit(std::uint32_t framebuffer, std::uint64_t frame);
-  Result<void> AddModeset(drmModeAtomicReq* request, std::uint32_t framebuffer);
+  enum class Light { kDark, kNew, kLit };  // Pulled; to be shown from the next frame on; shown.
+  struct Panel {
+    KmsPanel at;
+    Light light = Light::kNew;
+    bool flips = false;      // It owes a flip.
+    std::uint32_t mode = 0;  // As the card knows it; none before the first picture.
+  };
+  KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures> pictures, const Clock& clock,
+            const std::optional<drmModeModeInfo>& mode);
+  Result<void> Look();
+  Result<void> LookAt(Panel& panel);
+  bool IsNewcomer(std::uint32_t connector) const;
+  Result<void> Commit(std::uint32_t framebuffer);
+  Result<void> AddAll(Panel& panel, std::uint32_t framebuffer);
+  void AddOthersOff();
+  void TakeFlip(const KmsFlip& flip);
+  Panel* First();
+  bool Owes() const;
   void RemoveOldFramebuffers();
 
-  int card_;
-  KmsOutput output_;
-  std::uint32_t framebuffer_property_;
-  GbmWindow window_;
-  std::uint32_t mode_ = 0;  // The mode, as the card knows it; none before the first picture.
+  KmsDevice& card_;
+  KmsWall wall_;
+  std::unique_ptr<KmsPictures> pictures_;
+  const Clock& clock_;
+  std::optional<drmModeModeInfo> mode_;
+  std::vector<Panel> panels_;
+  std::vector<std::uint32_t> seen_;   // Connectors with a screen that the card could not drive as well.
+  std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame takes from the heap.
+  Time looked_{};                     // When connectors were looked at last.
+  Time presented_at_{};
+  std::uint64_t frame_ = 0;    // The one presented last.
+  std::optional<Time> shown_;  // When it came to light; until ReadFlip told.
   bool acquired_ = false;
-  std::optional<std::uint64_t> presented_;  // Waits for its flip.
-  bool lit_ = false;                        // The mode is set, and a picture of ours was shown.
+  bool alone_ = false;  // No framebuffer of another program is left.
 };
 
 }  // namespace kaori::scanout

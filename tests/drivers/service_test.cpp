@@ -123,16 +123,49 @@ TEST_F(Service, WhatIsKeptForAnotherProcessIsLeftAlone) {
   EXPECT_FALSE(TakeKept("card"));
 }
 
-TEST_F(Service, TheWatchdogHearsTwiceWithinItsTime) {
-  ::setenv("WATCHDOG_USEC", "250000", 1);
-  ASSERT_TRUE(WatchdogPeriod());
-  EXPECT_EQ(*WatchdogPeriod(), std::chrono::milliseconds(125));
+class WatchedService : public Service {
+ protected:
+  WatchedService() { ::setenv("WATCHDOG_USEC", "10000000", 1); }
+  Manager manager_;
+};
+
+TEST_F(WatchedService, IsWaitedForAsLongAsTheManagerSaysUntilItsPaceIsKnown) {
+  auto watchdog = Watchdog::Wanted();
+  ASSERT_TRUE(watchdog);
+  ASSERT_TRUE(watchdog->Beat(Duration{}));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG=1");
+  EXPECT_EQ(watchdog->limit(), std::chrono::seconds(10));
+}
+
+TEST_F(WatchedService, AFastProgramIsGivenUpOnAfterAQuarterOfASecond) {
+  auto watchdog = Watchdog::Wanted();
+  ASSERT_TRUE(watchdog->Beat(std::chrono::milliseconds(5)));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=250000\nWATCHDOG=1");
+  ASSERT_TRUE(watchdog->Beat(std::chrono::milliseconds(6)));
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG=1") << "it is said once";
+}
+
+TEST_F(WatchedService, ASlowProgramIsNotKilledForBeingSlow) {
+  auto watchdog = Watchdog::Wanted();
+  for (const int turn_ms : {5, 40, 300, 5000}) {
+    ASSERT_TRUE(watchdog->Beat(std::chrono::milliseconds(turn_ms)));
+    EXPECT_GE(watchdog->limit(),
+              std::min<Duration>(std::chrono::milliseconds(10 * turn_ms), std::chrono::seconds(10)));
+    EXPECT_NE(manager_.Read().words.find("WATCHDOG_USEC="), std::string::npos) << turn_ms;
+  }
+}
+
+TEST_F(WatchedService, AManagerWithoutPatienceIsNotAskedForMore) {
+  ::setenv("WATCHDOG_USEC", "100000", 1);
+  auto watchdog = Watchdog::Wanted();
+  ASSERT_TRUE(watchdog->Beat(std::chrono::milliseconds(500)));
+  EXPECT_EQ(watchdog->limit(), std::chrono::milliseconds(100));
 }
 
 TEST_F(Service, AWatchdogThatMakesNoSenseIsNone) {
   for (const char* words : {"", "0", "-5", "soon", "12x"}) {
     ::setenv("WATCHDOG_USEC", words, 1);
-    EXPECT_FALSE(WatchdogPeriod()) << words;
+    EXPECT_FALSE(Watchdog::Wanted()) << words;
   }
 }
 

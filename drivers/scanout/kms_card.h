@@ -1,0 +1,48 @@
+// A graphics card as a program uses it: the file through which it shows, which outlives the program where
+// somebody holds it, and the one through which it draws.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "drivers/base/clock.h"
+#include "drivers/scanout/gbm_window.h"
+#include "drivers/scanout/kms_kernel.h"
+#include "drivers/scanout/kms_screen.h"
+
+namespace kaori::scanout {
+
+class KmsCard {
+ public:
+  // Takes the card's file back from the service manager or from `holder` (a socket, where there is one), else
+  // opens "/dev/dri/card0" or the like anew. Errors: those of open(2); not_supported (no atomic KMS);
+  // no_such_device (another program shows on this card, or no driver draws on it).
+  static Result<std::unique_ptr<KmsCard>> Open(const std::string& path, const std::string& holder);
+
+  // Gives the card's file to both, so that the last picture stays when the program ends. Waits until the
+  // service manager has it, 5 s at most. Errors: those of service::Keep and service::Entrust.
+  Result<void> Hold();
+
+  // For EGL.
+  gbm_device* device() const { return draws_.device.get(); }
+
+  // All its screens as one, as KmsScreen::Open says. The card must outlive it.
+  Result<std::unique_ptr<KmsScreen>> OpenScreen(const Clock& clock,
+                                                const std::optional<drmModeModeInfo>& mode);
+
+ private:
+  KmsCard(UniqueFd shows, GbmDevice draws, std::string holder)
+      : shows_(std::move(shows)),
+        draws_(std::move(draws)),
+        holder_(std::move(holder)),
+        kernel_(shows_.get()) {}
+
+  UniqueFd shows_;
+  GbmDevice draws_;
+  std::string holder_;
+  bool kept_ = false;  // The service manager has the file.
+  KmsKernel kernel_;
+};
+
+}  // namespace kaori::scanout

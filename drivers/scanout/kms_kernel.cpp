@@ -1,0 +1,173 @@
+#include "drivers/scanout/kms_kernel.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "drivers/scanout/drm_objects.h"
+
+namespace kaori::scanout {
+namespace {
+
+// The CRTCs as bits, in the card's order, that the connector can be driven by.
+std::uint32_t PossibleCrtcs(int card, const drmModeConnector& connector) {
+  std::uint32_t bits = 0;
+  for (int i = 0; i < connector.count_encoders; ++i) {
+    const DrmEncoder encoder(drmModeGetEncoder(card, connector.encoders[i]));
+    if (encoder) bits |= encoder->possible_crtcs;
+  }
+  return bits;
+}
+
+std::string NameOf(const drmModeConnector& connector) {
+  const char* const kind = drmModeGetConnectorTypeName(connector.connector_type);
+  return fmt::format("{}-{}", kind == nullptr ? "screen" : kind, connector.connector_type_id);
+}
+
+Plug PlugOf(drmModeConnection connection) {
+  if (connection == DRM_MODE_CONNECTED) return Plug::kPlugged;
+  return connection == DRM_MODE_DISCONNECTED ? Plug::kEmpty : Plug::kUnknown;
+}
+
+}  // namespace
+
+Result<UniqueFd> OpenCardFile(const char* path) {
+  UniqueFd card(::open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK));
+  if (!card.valid()) return FailErrno(fmt::format("open {}", path));
+  return card;
+}
+
+bool MayShow(int card) {
+  return drmIsMaster(card) != 0;
+}
+
+Result<void> PrepareCardFile(int card) {
+  for (const auto capability : {DRM_CLIENT_CAP_UNIVERSAL_PLANES, DRM_CLIENT_CAP_ATOMIC})
+    if (drmSetClientCap(card, std::uint64_t(capability), 1) != 0)
+      return FailErrno("ask the graphics card for atomic pictures");
+  // A flip that a program asked for before it died is of no use now.
+  std::array<std::byte, 1024> bytes;
+  while (::read(card, bytes.data(), bytes.size()) > 0) {
+  }
+  return {};
+}
+
+std::vector<std::uint32_t> KmsKernel::Connectors() {
+  const DrmResources all(drmModeGetResources(card_));
+  if (!all) return {};
+  return {all->connectors, all->connectors + all->count_connectors};
+}
+
+std::vector<std::uint32_t> KmsKernel::Crtcs() {
+  const DrmResources all(drmModeGetResources(card_));
+  if (!all) return {};
+  return {all->crtcs, all->crtcs + all->count_crtcs};
+}
+
+std::vector<KmsPlane> KmsKernel::PrimaryPlanes() {
+  std::vector<KmsPlane> found;
+  const DrmPlanes planes(drmModeGetPlaneResources(card_));
+  for (std::uint32_t i = 0; planes && i < planes->count_planes; ++i) {
+    const DrmPlane plane(drmModeGetPlane(card_, planes->planes[i]));
+    if (!plane) continue;
+    const auto type = FindProperty(card_, {plane->plane_id, DRM_MODE_OBJECT_PLANE}, "type");
+    if (type && type->value == DRM_PLANE_TYPE_PRIMARY)
+      found.push_back({plane->plane_id, plane->possible_crtcs});
+  }
+  return found;
+}
+
+bool KmsKernel::IsLit(std::uint32_t crtc) {
+  const DrmCrtc now(drmModeGetCrtc(card_, crtc));
+  return now && now->mode_valid != 0;
+}
+
+Plug KmsKernel::PlugOf(std::uint32_t connector) {
+  const DrmConnector now(drmModeGetConnectorCurrent(card_, connector));
+  return now ? scanout::PlugOf(now->connection) : Plug::kEmpty;
+}
+
+Result<KmsConnector> KmsKernel::Probe(std::uint32_t connector) {
+  const DrmConnector now(drmModeGetConnector(card_, connector));
+  if (!now) return Fail(std::errc::no_such_device, "ask a screen for its modes");
+  KmsConnector found{
+      connector, NameOf(*now), now->connection == DRM_MODE_CONNECTED, PossibleCrtcs(card_, *now), {}};
+  found.modes.assign(now->modes, now->modes + now->count_modes);
+  return found;
+}
+
+Result<std::uint32_t> KmsKernel::TellMode(const drmModeModeInfo& mode) {
+  std::uint32_t blob = 0;
+  if (drmModeCreatePropertyBlob(card_, &mode, sizeof(mode), &blob) != 0)
+    return FailErrno("tell the graphics card the screen's mode");
+  return blob;
+}
+
+void KmsKernel::ForgetMode(std::uint32_t blob) {
+  drmModeDestroyPropertyBlob(card_, blob);
+}
+
+Result<void> KmsKernel::Commit(std::span<const KmsSetting> settings, std::uint64_t token,
+                               bool may_set_modes) {
+  const DrmAtomic request(drmModeAtomicAlloc());
+  for (const KmsSetting& setting : settings) {
+    const auto id = IdOf(setting);
+    if (!id) return tl::unexpected(id.error());
+    if (drmModeAtomicAddProperty(request.get(), setting.object, *id, setting.value) < 0)
+      return Fail(std::errc::not_enough_memory, "ask the graphics card for a picture");
+  }
+  const std::uint32_t flags = DRM_MODE_PAGE_FLIP_EVENT | DRM_MODE_ATOMIC_NONBLOCK |
+                              (may_set_modes ? std::uint32_t{DRM_MODE_ATOMIC_ALLOW_MODESET} : 0U);
+  // The kernel hands the token back with the flip; it is a number and never followed.
+  auto* const carried = reinterpret_cast<void*>(token);  // NOLINT(performance-no-int-to-ptr)
+  if (drmModeAtomicCommit(card_, request.get(), flags, carried) != 0)
+    return FailErrno("show a picture on the screen");
+  return {};
+}
+
+// A property is looked up once; its id holds for as long as the card is there.
+Result<std::uint32_t> KmsKernel::IdOf(const KmsSetting& setting) {
+  for (const Known& known : known_)
+    if (known.object == setting.object && std::strcmp(known.property, setting.property) == 0) return known.id;
+  const auto found = FindProperty(card_, {setting.object, setting.kind}, setting.property);
+  if (!found) return tl::unexpected(found.error());
+  known_.push_back({setting.object, setting.property, found->property});
+  return found->property;
+}
+
+std::optional<KmsFlip> KmsKernel::ReadFlip() {
+  while (true) {
+    if (from_ == until_) {
+      const ssize_t length = ::read(card_, events_.data(), events_.size());
+      if (length <= 0) return std::nullopt;
+      from_ = 0;
+      until_ = std::size_t(length);
+    }
+    drm_event_vblank event{};
+    const std::size_t left = until_ - from_;
+    std::memcpy(&event, &events_[from_], std::min(left, sizeof(event)));
+    if (left < sizeof(drm_event) || event.base.length < sizeof(drm_event) || event.base.length > left) {
+      from_ = until_;  // Nothing that can be read.
+      continue;
+    }
+    from_ += event.base.length;
+    if (event.base.type != DRM_EVENT_FLIP_COMPLETE || event.base.length < sizeof(event)) continue;
+    const Time at(std::chrono::seconds(event.tv_sec) + std::chrono::microseconds(event.tv_usec));
+    return KmsFlip{event.crtc_id, event.user_data, at};
+  }
+}
+
+std::vector<std::uint32_t> KmsKernel::Framebuffers() {
+  const DrmResources all(drmModeGetResources(card_));
+  if (!all) return {};
+  return {all->fbs, all->fbs + all->count_fbs};
+}
+
+void KmsKernel::Remove(std::uint32_t framebuffer) {
+  drmModeRmFB(card_, framebuffer);
+}
+
+}  // namespace kaori::scanout

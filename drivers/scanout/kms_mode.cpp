@@ -1,0 +1,107 @@
+#include "drivers/scanout/kms_mode.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace kaori::scanout {
+namespace {
+
+// What any screen and cable of the last fifteen years takes, when the screen itself is silent.
+constexpr int kSafeWidth_px = 1920;
+constexpr int kSafeHeight_px = 1080;
+constexpr int kFurthest_px = 16384;  // No card shows more in one piece.
+constexpr int kFastest_hz = 1000;
+
+// VESA DMT 0x04: 640 x 480 at 60 Hz.
+constexpr drmModeModeInfo LastResort() {
+  drmModeModeInfo mode{};
+  mode.clock = 25175;
+  mode.hdisplay = 640;
+  mode.hsync_start = 656;
+  mode.hsync_end = 752;
+  mode.htotal = 800;
+  mode.vdisplay = 480;
+  mode.vsync_start = 490;
+  mode.vsync_end = 492;
+  mode.vtotal = 525;
+  mode.vrefresh = 60;
+  mode.flags = DRM_MODE_FLAG_NHSYNC | DRM_MODE_FLAG_NVSYNC;
+  return mode;
+}
+
+int Area(const drmModeModeInfo& mode) {
+  return mode.hdisplay * mode.vdisplay;
+}
+
+bool IsSound(const drmModeModeInfo& mode) {
+  return mode.hdisplay > 0 && mode.vdisplay > 0 && mode.hdisplay <= kFurthest_px &&
+         mode.vdisplay <= kFurthest_px;
+}
+
+bool IsSafe(const drmModeModeInfo& mode) {
+  return mode.hdisplay <= kSafeWidth_px && mode.vdisplay <= kSafeHeight_px &&
+         (mode.flags & DRM_MODE_FLAG_INTERLACE) == 0;
+}
+
+// CVT 1.2, reduced blanking: 160 pixels beside, and at least 460 us above and below.
+drmModeModeInfo Timed(int width_px, int height_px, int rate_hz) {
+  constexpr double kBlank_s = 460e-6;
+  constexpr int kFront = 3, kSync = 4, kLeastBack = 6;
+  const double line_s = (1.0 / rate_hz - kBlank_s) / height_px;
+  const int blank = std::max(int(std::ceil(kBlank_s / line_s)) + 1, kFront + kSync + kLeastBack);
+  drmModeModeInfo mode{};
+  mode.hdisplay = std::uint16_t(width_px);
+  mode.hsync_start = std::uint16_t(width_px + 48);
+  mode.hsync_end = std::uint16_t(width_px + 48 + 32);
+  mode.htotal = std::uint16_t(width_px + 160);
+  mode.vdisplay = std::uint16_t(height_px);
+  mode.vsync_start = std::uint16_t(height_px + kFront);
+  mode.vsync_end = std::uint16_t(height_px + kFront + kSync);
+  mode.vtotal = std::uint16_t(height_px + blank);
+  mode.clock = std::uint32_t(std::lround(1e-3 * mode.htotal * mode.vtotal * rate_hz));
+  mode.vrefresh = std::uint32_t(rate_hz);
+  mode.flags = DRM_MODE_FLAG_PHSYNC | DRM_MODE_FLAG_NVSYNC;
+  mode.type = DRM_MODE_TYPE_USERDEF;
+  return mode;
+}
+
+// The number that `words` begin with, up to `ends`, which are taken too.
+std::optional<int> TakeNumber(std::string_view& words, std::string_view ends, int most) {
+  int value = 0;
+  const auto read = std::from_chars(words.data(), words.data() + words.size(), value);
+  words.remove_prefix(std::size_t(read.ptr - words.data()));
+  if (read.ec != std::errc() || value < 1 || value > most || !words.starts_with(ends)) return std::nullopt;
+  words.remove_prefix(ends.size());
+  return value;
+}
+
+}  // namespace
+
+ChosenMode ChooseMode(std::span<const drmModeModeInfo> modes) {
+  const drmModeModeInfo* safe = nullptr;
+  const drmModeModeInfo* any = nullptr;
+  for (const auto& mode : modes) {
+    if (!IsSound(mode)) continue;
+    if ((mode.type & DRM_MODE_TYPE_PREFERRED) != 0) return {mode, true};
+    if (IsSafe(mode) && (safe == nullptr || Area(mode) > Area(*safe))) safe = &mode;
+    if (any == nullptr) any = &mode;
+  }
+  const auto* const best = safe != nullptr ? safe : any;
+  return {best == nullptr ? LastResort() : *best, false};
+}
+
+std::optional<drmModeModeInfo> ParseMode(std::string_view words) {
+  const auto width_px = TakeNumber(words, "x", kFurthest_px);
+  const auto height_px = width_px ? TakeNumber(words, "@", kFurthest_px) : std::nullopt;
+  const auto rate_hz = height_px ? TakeNumber(words, "", kFastest_hz) : std::nullopt;
+  if (!rate_hz || !words.empty()) return std::nullopt;
+  return Timed(*width_px, *height_px, *rate_hz);
+}
+
+Duration PeriodOf(const drmModeModeInfo& mode) {
+  if (mode.clock == 0 || mode.htotal == 0 || mode.vtotal == 0) return FromSeconds(1.0 / 60);
+  return FromSeconds(mode.htotal * 1e-3 * mode.vtotal / mode.clock);  // The clock is in kHz.
+}
+
+}  // namespace kaori::scanout

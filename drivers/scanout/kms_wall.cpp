@@ -1,0 +1,42 @@
+#include "drivers/scanout/kms_wall.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace kaori::scanout {
+namespace {
+
+// The least number of columns that is no smaller than that of rows and leaves no place empty.
+std::size_t ColumnsOf(std::size_t screens) {
+  std::size_t columns = 1;
+  while (columns < screens && (columns * columns < screens || screens % columns != 0)) ++columns;
+  return columns;
+}
+
+}  // namespace
+
+KmsWall Arrange(std::vector<KmsOutput> outputs) {
+  const std::size_t columns = ColumnsOf(outputs.size());
+  std::vector<int> widths_px(columns, 0);
+  std::vector<int> heights_px((outputs.size() + columns - 1) / columns, 0);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto& mode = outputs[i].chosen.mode;
+    widths_px[i % columns] = std::max<int>(widths_px[i % columns], mode.hdisplay);
+    heights_px[i / columns] = std::max<int>(heights_px[i / columns], mode.vdisplay);
+  }
+  const auto sum = [](const std::vector<int>& lengths_px, std::size_t count) {
+    return std::accumulate(lengths_px.begin(), lengths_px.begin() + std::ptrdiff_t(count), 0);
+  };
+  KmsWall wall{{}, sum(widths_px, widths_px.size()), sum(heights_px, heights_px.size())};
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    wall.panels.push_back({std::move(outputs[i]), sum(widths_px, i % columns), sum(heights_px, i / columns)});
+  return wall;
+}
+
+std::string Describe(const KmsWall& wall) {
+  std::string words;
+  for (const KmsPanel& panel : wall.panels) words += (words.empty() ? "" : "; ") + Describe(panel.output);
+  return words;
+}
+
+}  // namespace kaori::scanout

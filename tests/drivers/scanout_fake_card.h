@@ -1,0 +1,149 @@
+// A graphics card made of memory: screens are plugged and pulled by a test, commits are carried out at the
+// blank that the test calls for.
+#pragma once
+
+#include <cstring>
+#include <deque>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "drivers/base/unique_fd.h"
+#include "drivers/scanout/kms_device.h"
+
+namespace kaori::tests {
+
+inline drmModeModeInfo ModeOf(int width_px, int height_px, std::uint32_t type = DRM_MODE_TYPE_PREFERRED) {
+  drmModeModeInfo mode{};
+  mode.hdisplay = std::uint16_t(width_px);
+  mode.vdisplay = std::uint16_t(height_px);
+  mode.type = type;
+  return mode;
+}
+
+class FakeCard final : public scanout::KmsDevice {
+ public:
+  static constexpr std::uint32_t kFirstCrtc = 100, kFirstPlane = 200, kFirstConnector = 300;
+
+  // A card with so many sockets and CRTCs; each CRTC can drive each socket, and has one primary plane.
+  FakeCard(int sockets, int crtcs) : crtcs_(crtcs) {
+    for (int i = 0; i < sockets; ++i)
+      connectors.push_back({kFirstConnector + std::uint32_t(i),
+                            "HDMI-A-" + std::to_string(i + 1),
+                            false,
+                            (1U << crtcs) - 1,
+                            {}});
+  }
+
+  // The cables' side.
+  std::vector<scanout::KmsConnector> connectors;
+  void PlugIn(std::size_t socket, std::vector<drmModeModeInfo> modes = {ModeOf(640, 480)}) {
+    connectors[socket].plugged = true;
+    connectors[socket].modes = std::move(modes);
+  }
+  void Pull(std::size_t socket) { connectors[socket].plugged = false; }
+  std::errc commit_fault{};  // Every commit fails with it, when set.
+
+  // The vertical blank: what was asked for comes to light.
+  void Blank(Time at) {
+    for (const std::uint32_t crtc : std::exchange(owing_, {})) flips_.push_back({crtc, token_, at});
+  }
+  // A flip that nobody here asked for.
+  void StrayFlip(std::uint32_t crtc, std::uint64_t token) { flips_.push_back({crtc, token, Time{}}); }
+
+  // What a test may look at.
+  std::uint64_t Value(std::uint32_t object, const std::string& property) const {
+    const auto found = state_.find({object, property});
+    return found == state_.end() ? 0 : found->second;
+  }
+  std::uint64_t Shows(std::size_t crtc) const { return Value(kFirstPlane + std::uint32_t(crtc), "FB_ID"); }
+  int commits = 0;
+  int modesets = 0;
+  int probes = 0;
+  std::set<std::uint32_t> framebuffers;  // Of the card's file.
+  std::set<std::uint32_t> modes_told;
+  std::map<std::pair<std::uint32_t, std::string>, std::uint64_t> state_;
+
+  int pollable() const override { return -1; }
+  std::vector<std::uint32_t> Connectors() override {
+    std::vector<std::uint32_t> ids;
+    for (const auto& connector : connectors) ids.push_back(connector.id);
+    return ids;
+  }
+  std::vector<std::uint32_t> Crtcs() override {
+    std::vector<std::uint32_t> ids;
+    for (int i = 0; i < crtcs_; ++i) ids.push_back(kFirstCrtc + std::uint32_t(i));
+    return ids;
+  }
+  std::vector<scanout::KmsPlane> PrimaryPlanes() override {
+    std::vector<scanout::KmsPlane> planes;
+    for (int i = 0; i < crtcs_; ++i) planes.push_back({kFirstPlane + std::uint32_t(i), 1U << i});
+    return planes;
+  }
+  bool IsLit(std::uint32_t crtc) override { return Value(crtc, "ACTIVE") != 0; }
+  scanout::Plug PlugOf(std::uint32_t connector) override {
+    return connectors[connector - kFirstConnector].plugged ? scanout::Plug::kPlugged : scanout::Plug::kEmpty;
+  }
+  Result<scanout::KmsConnector> Probe(std::uint32_t connector) override {
+    ++probes;
+    return connectors[connector - kFirstConnector];
+  }
+  Result<std::uint32_t> TellMode(const drmModeModeInfo&) override {
+    return *modes_told.insert(++last_mode_).first;
+  }
+  void ForgetMode(std::uint32_t blob) override { modes_told.erase(blob); }
+  Result<void> Commit(std::span<const scanout::KmsSetting> settings, std::uint64_t token,
+                      bool may_set_modes) override {
+    if (commit_fault != std::errc()) return Fail(commit_fault, "show a picture");
+    if (!owing_.empty()) return Fail(std::errc::device_or_resource_busy, "show a picture");
+    ++commits;
+    modesets += may_set_modes ? 1 : 0;
+    token_ = token;
+    for (const auto& [object, kind, property, value] : settings) {
+      state_[{object, property}] = value;
+      if (kind == DRM_MODE_OBJECT_PLANE && value != 0) owing_.insert(object - kFirstPlane + kFirstCrtc);
+      if (kind == DRM_MODE_OBJECT_CRTC) owing_.insert(object);
+    }
+    return {};
+  }
+  std::optional<scanout::KmsFlip> ReadFlip() override {
+    if (flips_.empty()) return std::nullopt;
+    const auto flip = flips_.front();
+    flips_.pop_front();
+    return flip;
+  }
+  std::vector<std::uint32_t> Framebuffers() override { return {framebuffers.begin(), framebuffers.end()}; }
+  void Remove(std::uint32_t framebuffer) override { framebuffers.erase(framebuffer); }
+
+ private:
+  int crtcs_;
+  std::uint32_t last_mode_ = 0;
+  std::uint64_t token_ = 0;
+  std::set<std::uint32_t> owing_;
+  std::deque<scanout::KmsFlip> flips_;
+};
+
+// Two pictures that take turns.
+class FakePictures final : public scanout::KmsPictures {
+ public:
+  FakePictures(FakeCard& card, std::uint32_t first) : card_(card), first_(first) {}
+  void* window() const override { return const_cast<FakePictures*>(this); }
+  Result<std::uint32_t> LockFront() override {
+    const std::uint32_t framebuffer = first_ + turn_++ % 2;
+    card_.framebuffers.insert(framebuffer);
+    return framebuffer;
+  }
+  void ReleasePrevious() override {}
+  bool Made(std::uint32_t framebuffer) const override {
+    return framebuffer == first_ || framebuffer == first_ + 1;
+  }
+
+ private:
+  FakeCard& card_;
+  std::uint32_t first_;
+  std::uint32_t turn_ = 0;
+};
+
+}  // namespace kaori::tests

@@ -1,0 +1,287 @@
+// The screens of a graphics card: several as one wall, pulled and plugged, silent, and taken over from a
+// program that died.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drivers/scanout/kms_screen.h"
+#include "tests/drivers/scanout_fake_card.h"
+
+namespace kaori::scanout {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in milliseconds.
+using ::testing::HasSubstr;
+using tests::FakeCard;
+using tests::FakePictures;
+using tests::ModeOf;
+
+class Screens : public ::testing::Test {
+ protected:
+  Result<std::unique_ptr<KmsScreen>> TryOpen() {
+    const auto make = [this](int width_px, int height_px) -> Result<std::unique_ptr<KmsPictures>> {
+      size_px_ = {width_px, height_px};
+      return std::make_unique<FakePictures>(card_, next_framebuffer_ += 10);
+    };
+    return KmsScreen::Open(card_, make, clock_);
+  }
+  std::unique_ptr<KmsScreen> Open() { return TryOpen().value(); }
+
+  // A whole frame, from drawing to its light.
+  Result<ports::Flip> Frame(KmsScreen& screen) {
+    if (auto drawn = screen.Acquire(); !drawn) return tl::unexpected(drawn.error());
+    if (auto shown = screen.Present(++frame_); !shown) return tl::unexpected(shown.error());
+    clock_.Advance(16ms);
+    card_.Blank(clock_.now());
+    return screen.ReadFlip();
+  }
+  // Frames for so long; the first fault ends them.
+  Result<void> Frames(KmsScreen& screen, Duration length) {
+    for (const Time end = clock_.now() + length; clock_.now() < end;)
+      if (auto flip = Frame(screen); !flip) return tl::unexpected(flip.error());
+    return {};
+  }
+  std::uint64_t Source(std::size_t crtc, const char* name) const {
+    return card_.Value(FakeCard::kFirstPlane + std::uint32_t(crtc), name) >> 16;
+  }
+
+  FakeCard card_{3, 3};
+  ManualClock clock_;
+  std::pair<int, int> size_px_;
+  std::uint32_t next_framebuffer_ = 1000;
+  std::uint64_t frame_ = 0;
+};
+
+TEST_F(Screens, OneScreenShowsThePictureInItsOwnMode) {
+  card_.PlugIn(1, {ModeOf(1920, 1080), ModeOf(640, 480, DRM_MODE_TYPE_DRIVER)});
+  const auto screen = Open();
+  EXPECT_EQ(size_px_, std::pair(1920, 1080));
+  const auto flip = Frame(*screen);
+  ASSERT_TRUE(flip) << flip.error().message();
+  EXPECT_EQ(flip->frame, 1U);
+  EXPECT_EQ(flip->at, clock_.now());
+  EXPECT_EQ(card_.Value(card_.connectors[1].id, "CRTC_ID"), FakeCard::kFirstCrtc);
+}
+
+TEST_F(Screens, AfterTheFirstPictureOnlyThePictureChanges) {
+  card_.PlugIn(0);
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  EXPECT_EQ(card_.modesets, 1);
+  EXPECT_GT(card_.commits, 50);
+}
+
+TEST_F(Screens, TwoScreensShowThePictureTogether) {
+  card_.PlugIn(0, {ModeOf(1280, 720)});
+  card_.PlugIn(2, {ModeOf(1024, 768)});
+  const auto screen = Open();
+  EXPECT_EQ(size_px_, std::pair(1280 + 1024, 768));
+  ASSERT_TRUE(Frame(*screen));
+  EXPECT_EQ(card_.Shows(0), card_.Shows(1)) << "one picture";
+  EXPECT_EQ(Source(0, "SRC_X"), 0U);
+  EXPECT_EQ(Source(1, "SRC_X"), 1280U);
+  EXPECT_EQ(Source(1, "SRC_W"), 1024U);
+}
+
+TEST_F(Screens, AFrameHasComeToLightWhenAllOfThemShowIt) {
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  const auto screen = Open();
+  ASSERT_TRUE(screen->Acquire());
+  ASSERT_TRUE(screen->Present(1));
+  EXPECT_EQ(screen->Acquire().error().cause, std::errc::resource_unavailable_try_again);
+  EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::resource_unavailable_try_again);
+  card_.Blank(clock_.now());
+  EXPECT_TRUE(screen->ReadFlip());
+  EXPECT_FALSE(screen->ReadFlip()) << "once";
+}
+
+TEST_F(Screens, TheOthersPlayOnWhenOneIsPulledAndItShowsAgainWithinASecond) {
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  card_.Pull(0);
+  const auto without = Frames(*screen, 3s);
+  ASSERT_TRUE(without) << without.error().message();
+  const auto stale = card_.Shows(0);
+  ASSERT_TRUE(Frame(*screen));
+  EXPECT_EQ(card_.Shows(0), stale) << "nothing is sent to a screen that is not there";
+  EXPECT_EQ(card_.modesets, 1);
+  card_.PlugIn(0);
+  ASSERT_TRUE(Frames(*screen, 500ms));
+  EXPECT_EQ(card_.Shows(0), card_.Shows(1));
+  EXPECT_EQ(card_.modesets, 2) << "the one that came back is set up, once";
+}
+
+TEST_F(Screens, AScreenThatIsPulledWhileItOwesAFlipHoldsNobodyUp) {
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  ASSERT_TRUE(screen->Acquire());
+  ASSERT_TRUE(screen->Present(++frame_));
+  card_.Pull(1);
+  clock_.Advance(300ms);
+  EXPECT_FALSE(screen->Acquire()) << "the other one still owes its flip";
+  card_.Blank(clock_.now());
+  ASSERT_TRUE(screen->ReadFlip());
+  EXPECT_TRUE(Frames(*screen, 1s));
+}
+
+TEST_F(Screens, TheLastOneThatIsPulledIsGoneAndComesBackWhenItIsOpenedAnew) {
+  card_.PlugIn(0);
+  auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  card_.Pull(0);
+  const auto gone = Frames(*screen, 1s);
+  ASSERT_FALSE(gone);
+  EXPECT_EQ(gone.error().cause, std::errc::no_such_device);
+  screen.reset();
+  EXPECT_EQ(TryOpen().error().cause, std::errc::no_such_device);
+  card_.PlugIn(0);
+  screen = Open();
+  EXPECT_TRUE(Frame(*screen));
+}
+
+TEST_F(Screens, AnotherScreenMakesThemAllBeArrangedAnew) {
+  card_.PlugIn(0);
+  auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  card_.PlugIn(1);
+  EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device);
+  screen = Open();
+  EXPECT_EQ(size_px_, std::pair(1280, 480));
+  EXPECT_TRUE(Frames(*screen, 1s));
+}
+
+TEST_F(Screens, OneThatComesBackWithAnotherModeMakesThemAllBeArrangedAnew) {
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  card_.Pull(1);
+  ASSERT_TRUE(Frames(*screen, 1s));
+  card_.PlugIn(1, {ModeOf(800, 600)});
+  EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device);
+}
+
+TEST_F(Screens, MoreScreensThanTheCardCanDriveDisturbNobody) {
+  FakeCard card(3, 2);
+  for (std::size_t i = 0; i < 3; ++i) card.PlugIn(i);
+  const auto make = [&card](int, int) -> Result<std::unique_ptr<KmsPictures>> {
+    return std::make_unique<FakePictures>(card, 1);
+  };
+  const auto screen = KmsScreen::Open(card, make, clock_).value();
+  EXPECT_EQ(screen->wall().panels.size(), 2U);
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_TRUE(screen->Acquire()) << "the third one is no newcomer";
+    ASSERT_TRUE(screen->Present(std::uint64_t(i)));
+    clock_.Advance(16ms);
+    card.Blank(clock_.now());
+    ASSERT_TRUE(screen->ReadFlip());
+  }
+}
+
+TEST_F(Screens, ASocketThatOnlyOneCrtcCanDriveGetsIt) {
+  card_.connectors[1].crtcs = 1;  // The first CRTC alone, which the first socket would take.
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  ASSERT_TRUE(Frame(*Open()));
+  EXPECT_EQ(card_.Value(card_.connectors[1].id, "CRTC_ID"), FakeCard::kFirstCrtc);
+  EXPECT_EQ(card_.Value(card_.connectors[0].id, "CRTC_ID"), FakeCard::kFirstCrtc + 1);
+}
+
+TEST_F(Screens, NoSocketThatIsKnownToBeEmptyIsAsked) {
+  EXPECT_FALSE(TryOpen());
+  EXPECT_EQ(card_.probes, 0);
+}
+
+TEST_F(Screens, AFlipOfAProgramThatDiedIsPassedOver) {
+  card_.PlugIn(0);
+  const auto screen = Open();
+  card_.StrayFlip(FakeCard::kFirstCrtc, 0xdeadbeef);
+  EXPECT_FALSE(screen->ReadFlip());
+  EXPECT_TRUE(Frame(*screen));
+}
+
+TEST_F(Screens, ThePicturesOfAProgramThatDiedGoOnlyWhenOursIsShown) {
+  card_.framebuffers = {7, 8};
+  card_.PlugIn(0);
+  const auto screen = Open();
+  ASSERT_TRUE(screen->Acquire());
+  ASSERT_TRUE(screen->Present(1));
+  EXPECT_TRUE(card_.framebuffers.contains(7)) << "removing it now would blank the screen";
+  card_.Blank(clock_.now());
+  ASSERT_TRUE(screen->ReadFlip());
+  EXPECT_FALSE(card_.framebuffers.contains(7));
+  EXPECT_FALSE(card_.framebuffers.contains(8));
+}
+
+TEST_F(Screens, ACrtcThatADeadProgramLeftOnAnotherSocketIsFreedForThisOne) {
+  card_.state_[{FakeCard::kFirstConnector, "CRTC_ID"}] = FakeCard::kFirstCrtc;
+  card_.state_[{FakeCard::kFirstConnector + 1, "CRTC_ID"}] = FakeCard::kFirstCrtc + 1;
+  for (std::uint32_t crtc : {FakeCard::kFirstCrtc, FakeCard::kFirstCrtc + 1})
+    card_.state_[{crtc, "ACTIVE"}] = 1;
+  card_.PlugIn(2);
+  ASSERT_TRUE(Frame(*Open()));
+  EXPECT_EQ(card_.Value(FakeCard::kFirstConnector, "CRTC_ID"), 0U);
+  EXPECT_EQ(card_.Value(FakeCard::kFirstConnector + 2, "CRTC_ID"), FakeCard::kFirstCrtc);
+  EXPECT_EQ(card_.Value(FakeCard::kFirstCrtc + 1, "ACTIVE"), 0U);
+}
+
+TEST_F(Screens, ACardThatNeverFlipsIsGivenUpAfterTwoSeconds) {
+  card_.PlugIn(0);
+  const auto screen = Open();
+  ASSERT_TRUE(screen->Acquire());
+  ASSERT_TRUE(screen->Present(1));
+  clock_.Advance(1900ms);
+  EXPECT_EQ(screen->Acquire().error().cause, std::errc::resource_unavailable_try_again);
+  clock_.Advance(200ms);
+  EXPECT_EQ(screen->Acquire().error().cause, std::errc::no_such_device);
+}
+
+TEST_F(Screens, WhatTheCardRefusesIsSaid) {
+  card_.PlugIn(0);
+  const auto screen = Open();
+  ASSERT_TRUE(screen->Acquire());
+  card_.commit_fault = std::errc::permission_denied;
+  EXPECT_EQ(screen->Present(1).error().cause, std::errc::permission_denied);
+  EXPECT_EQ(screen->Present(2).error().cause, std::errc::invalid_argument) << "nothing was acquired";
+}
+
+TEST_F(Screens, AModeIsForgottenWithItsScreen) {
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  EXPECT_EQ(card_.modes_told.size(), 2U);
+  screen.reset();
+  EXPECT_TRUE(card_.modes_told.empty());
+}
+
+TEST_F(Screens, ASilentScreenIsSaidToBeSilent) {
+  card_.PlugIn(0, {ModeOf(1024, 768, DRM_MODE_TYPE_DRIVER)});
+  EXPECT_THAT(Describe(Open()->wall()), HasSubstr("HDMI-A-1 1024 x 768 at 60 Hz, which is safe"));
+}
+
+TEST(Wall, ScreensStandInAFullRectangleWhereTheirNumberMakesOne) {
+  const std::vector<std::pair<int, int>> expected_px{{100, 50},  {200, 50}, {300, 50},  {200, 100}, {500, 50},
+                                                     {300, 100}, {700, 50}, {400, 100}, {300, 150}};
+  for (std::size_t count = 1; count <= expected_px.size(); ++count) {
+    std::vector<KmsOutput> outputs(count);
+    for (auto& output : outputs) output.chosen.mode = ModeOf(100, 50);
+    const KmsWall wall = Arrange(outputs);
+    EXPECT_EQ(std::pair(wall.width_px, wall.height_px), expected_px[count - 1]) << count << " screens";
+    EXPECT_EQ(wall.panels.back().x_px, wall.width_px - 100);
+    EXPECT_EQ(wall.panels.back().y_px, wall.height_px - 50);
+  }
+}
+
+TEST(Wall, NoScreenIsNoWall) {
+  const KmsWall wall = Arrange({});
+  EXPECT_TRUE(wall.panels.empty());
+  EXPECT_EQ(wall.width_px, 0);
+}
+
+}  // namespace
+}  // namespace kaori::scanout

@@ -1,0 +1,85 @@
+#!/usr/bin/env -S python3 -B
+"""The last face stays on the screen while the stage dies and starts again: hold.py IMAGE_FOLDER PACKAGES [KILLS [STOPS]]
+
+A copy of the image gets one unit more, which kills the stage each time it is ready, then stops and starts it; kernel,
+programs and everything else are the image's. The screen is read all the while, many times a second. A picture is wrong
+if it differs from the face before the death by more than a face moves; a black picture, and the face upside down, must
+be found wrong, or the test is. Results go into boot.json beside the image.
+"""
+
+import re
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from machine import FACE, Machine
+from proof import with_units, write_report
+
+ALLOWED = 0.06  # Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
+SAMPLED = 97    # Every so many bytes; a prime, so that all three colours are met everywhere.
+LOOKED_S = 0.02
+BOOT_S, DEATH_S = 300, 60
+KILLED = r"kaori-stage.service: Main process exited, code=killed, status=9"
+STOPPED = r"Stopped .*kaori-stage"
+# `start` returns when the stage is ready. What an operator does between is the pause before a restart.
+UNIT = """[Unit]
+StartLimitIntervalSec=0
+DefaultDependencies=no
+[Service]
+ExecStartPre=/usr/bin/systemctl start kaori-stage.service
+ExecStart=/usr/bin/systemctl {verb} kaori-stage.service
+Restart=always
+RestartSec=500ms
+"""
+VERBS = {"killer": ("kill --signal=KILL --kill-who=main", KILLED), "stopper": ("stop", STOPPED)}
+
+
+def difference(one, other):
+    """0 for the same picture, 1 for black against white."""
+    if len(one) != len(other):
+        return 1.0
+    pairs = list(zip(one[::SAMPLED], other[::SAMPLED]))
+    return sum(abs(a - b) for a, b in pairs) / (255 * len(pairs))
+
+
+def watch(box, pattern, deaths):
+    """Reads the screen until so many deaths; the first face, and each picture's difference from it."""
+    _, _, face = box.screen()
+    found = []
+    until = time.monotonic() + deaths * DEATH_S
+    while time.monotonic() < until and len(re.findall(pattern, box.said())) < deaths:
+        found.append(difference(face, box.screen()[2]))
+        time.sleep(LOOKED_S)
+    return face, found
+
+
+def play(image, packages, kind, deaths):
+    """One machine whose stage dies so; what was seen."""
+    verb, pattern = VERBS[kind]
+    with tempfile.TemporaryDirectory(dir=image) as folder:
+        copy = with_units(image, packages, folder, {f"bench-{kind}.service": UNIT.format(verb=verb)})
+        with Machine(copy) as box:
+            if not box.wait_for(FACE, BOOT_S):
+                sys.exit("hold: the face did not come")
+            face, found = watch(box, pattern, deaths)
+            died = len(re.findall(pattern, box.said()))
+            ready = len(re.findall(FACE, box.said()))
+    control = min(difference(face, bytes(len(face))), difference(face, face[::-1]))
+    wrong = sum(d > ALLOWED for d in found)
+    good = died >= deaths and found and not wrong and control > ALLOWED
+    print(f"{'ok  ' if good else 'FAIL'}  {kind}: {died} deaths, {ready} times ready, {len(found)} pictures, {wrong} wrong; "
+          f"largest difference {max(found, default=1):.3f}, of the controls {control:.3f}, allowed {ALLOWED}", flush=True)
+    return good, wrong, died, len(found)
+
+
+def main():
+    image, packages = Path(sys.argv[1]), Path(sys.argv[2])
+    wanted = [int(count) for count in sys.argv[3:5]] + [40, 20][len(sys.argv[3:5]):]
+    results = [play(image, packages, kind, count) for kind, count in zip(VERBS, wanted) if count]
+    write_report(image, held_frames_wrong=sum(r[1] for r in results), held_deaths=sum(r[2] for r in results),
+                 held_pictures=sum(r[3] for r in results))
+    sys.exit(not all(r[0] for r in results))
+
+
+main()
