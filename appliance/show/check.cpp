@@ -81,10 +81,21 @@ void CheckCurve(const Show& show, const std::string& item, const TakeCurve& curv
                                  kWidestTake, kWidestTake));
 }
 
+void CheckSound(const std::string& item, const Sound& sound, Faults& faults) {
+  if (sound.channels < 1 || sound.channels > 2)
+    return faults.push_back(fmt::format("{}: a sound of {} channels", item, sound.channels));
+  const auto channels = static_cast<std::size_t>(sound.channels);
+  if (sound.samples.size() % channels != 0) faults.push_back(item + ": its sound ends within a frame");
+  const auto frames = static_cast<float>(sound.samples.size() / channels);
+  if (frames > kLongestTake_s * static_cast<float>(kSoundRate_hz))
+    faults.push_back(fmt::format("{}: its sound is longer than {} s", item, kLongestTake_s));
+}
+
 void CheckTake(const Show& show, const Take& take, Faults& faults) {
   const std::string item = fmt::format("take \"{}\"", take.name);
   CheckKey(item, take.key_usage, faults);
   for (const TakeCurve& curve : take.curves) CheckCurve(show, item, curve, faults);
+  CheckSound(item, take.sound, faults);
 }
 
 bool IsColour(const glm::vec3& c) {

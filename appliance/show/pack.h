@@ -14,6 +14,9 @@ namespace kaori::show {
 
 struct LoadOptions {
   std::optional<PublicKey> signed_by{};  // Refuse every pack that this key has not signed.
+  // The file lies on a read-only file system whose every block the kernel checks, as the box's root: its
+  // checksum is not made again, and it is read where it lies.
+  bool on_verified_root = false;
 };
 
 // Reads and checks a pack; blocks for the file. The file is read once into memory of our own before anything

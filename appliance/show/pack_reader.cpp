@@ -116,8 +116,10 @@ Take ReadTake(Copier& from, const pack::Take& stored) {
     return TakeCurve{static_cast<TakeTarget>(Narrow<std::uint8_t>(c.target())),
                      Narrow<std::uint16_t>(c.channel()), copier.Structs<TakeKey>(c.keys())};
   };
-  return {from.Text(stored.name()), Narrow<std::uint16_t>(stored.key_usage()),
-          from.Tables<TakeCurve>(stored.curves(), curve)};
+  return {from.Text(stored.name()),
+          Narrow<std::uint16_t>(stored.key_usage()),
+          from.Tables<TakeCurve>(stored.curves(), curve),
+          {static_cast<int>(Narrow<std::uint8_t>(stored.sound_channels())), from.Numbers(stored.sound())}};
 }
 
 StageScene ReadScene(Copier& from, const pack::StageScene& stored) {

@@ -128,7 +128,9 @@ auto WriteAll(FlatBufferBuilder& to, const std::vector<T>& all) {
 Offset<pack::Take> Write(FlatBufferBuilder& to, const Take& take) {
   const auto name = to.CreateString(take.name);
   const auto curves = WriteAll(to, take.curves);
-  return pack::CreateTake(to, name, take.key_usage, curves);
+  const auto sound = to.CreateVector(take.sound.samples);
+  return pack::CreateTake(to, name, take.key_usage, curves, static_cast<std::uint32_t>(take.sound.channels),
+                          sound);
 }
 
 Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene) {

@@ -55,10 +55,17 @@ struct TakeCurve {
   std::uint16_t channel = 0;  // Index of Cast::expressions, where the target is a channel.
   std::vector<TakeKey> keys;  // Times rise from 0 or later; the first and last value are 0: nothing jumps.
 };
+// A recorded sound.
+inline constexpr int kSoundRate_hz = 48000;
+struct Sound {
+  int channels = 1;                   // 1, or 2: left and right side by side.
+  std::vector<std::int16_t> samples;  // Whole frames; none: no sound.
+};
 struct Take {
   std::string name;
   std::uint16_t key_usage = 0;  // HID keyboard usage that plays it.
   std::vector<TakeCurve> curves;
+  Sound sound{};  // Begins when the curves do.
 };
 
 // What a scene change sets, all at once, each with its own fade.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "render/gl/draw_state.h"
 #include "render/passes/frame.h"
 #include "render/passes/skin_texture.h"
@@ -50,7 +53,8 @@ Result<BodyPass> BodyPass::Open(const face::Cast& cast) {
   for (const int textures : {1, 2, 4}) {
     if (auto added = pass.AddVariant(textures); !added) return tl::unexpected(added.error());
   }
-  for (const face::Texture& t : cast.textures) pass.textures_.push_back(LoadSkin(t));
+  pass.cast_ = &cast;
+  pass.textures_.resize(cast.textures.size());
   for (const face::Face& f : cast.faces) {
     pass.looks_.push_back({f.surface.texture, {f.surface.softness, f.surface.metal}});
   }
@@ -61,7 +65,23 @@ const BodyPass::Variant& BodyPass::VariantFor(int textures) const {
   return variants_[static_cast<std::size_t>(textures == 1 ? 0 : (textures == 2 ? 1 : 2))];
 }
 
-void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed) const {
+const gl::Texture& BodyPass::Skin(int texture) {
+  const auto index = static_cast<std::size_t>(texture);
+  if (textures_[index].id() == 0) textures_[index] = LoadSkin(cast_->textures[index]);
+  return textures_[index];
+}
+
+bool BodyPass::LoadNext() {
+  const auto waits = [&](const Look& look) {
+    return textures_[static_cast<std::size_t>(look.texture)].id() == 0;
+  };
+  const auto next = std::ranges::find_if(looks_, waits);
+  if (next == looks_.end()) return false;
+  Skin(next->texture);
+  return true;
+}
+
+void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed) {
   Mixture mixture;
   glm::vec2 answer{};
   for (const face::Term& term : shape.faces) {
@@ -71,9 +91,9 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
   }
   mixture.weights /= glm::dot(mixture.weights, glm::vec4(1));
   const Variant& variant = VariantFor(mixture.count);
-  for (std::size_t i = 0; i < kMostTextures; ++i) {
-    textures_[static_cast<std::size_t>(mixture.textures[i])].Bind(static_cast<unsigned>(i));
-  }
+  const std::span used(mixture.textures.data(), static_cast<std::size_t>(mixture.count));
+  for (const int texture : used) Skin(texture);  // Loading one binds it; so all before the first is bound.
+  for (unsigned unit = 0; unit < used.size(); ++unit) Skin(used[unit]).Bind(unit);
   gl::Apply({});
   variant.program.Use();
   gl::Program::Set(variant.surface, answer);

@@ -14,11 +14,15 @@ namespace kaori::passes {
 
 class BodyPass {
  public:
-  // Errors: invalid_argument (a shader).
+  // Borrows the cast. Errors: invalid_argument (a shader).
   static Result<BodyPass> Open(const face::Cast& cast);
 
   // `dressed`: all hair and clothes of the faces are drawn, so that skin beneath need not be.
-  void Draw(const Surface& surface, const face::Shape& shape, bool dressed) const;
+  void Draw(const Surface& surface, const face::Shape& shape, bool dressed);
+
+  // A skin is loaded when it is first drawn, so that the first face need not wait for the others. This loads
+  // one that no face has shown yet; false where none is left. Blocks for 10 to 40 ms.
+  bool LoadNext();
 
  private:
   struct Variant {
@@ -32,10 +36,12 @@ class BodyPass {
   };
   Result<void> AddVariant(int textures);
   const Variant& VariantFor(int textures) const;
+  const gl::Texture& Skin(int texture);
 
   std::array<Variant, 3> variants_;  // For 1, 2 and 4 textures.
-  std::vector<gl::Texture> textures_;
-  std::vector<Look> looks_;  // One for each face.
+  const face::Cast* cast_ = nullptr;
+  std::vector<gl::Texture> textures_;  // Of the cast; without an id until they are loaded.
+  std::vector<Look> looks_;            // One for each face.
 };
 
 }  // namespace kaori::passes

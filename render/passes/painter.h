@@ -28,9 +28,10 @@ class Painter {
   // The face as it was drawn last; holds until the next Draw or RehearseStep.
   const face::Shape& shape() const;
 
-  // Drivers finish a shader when it is first drawn with, which would stall a fade in the middle of the show.
-  // One step draws, unseen, with one that the default look has not used; call it between frames, once the
-  // first is out, while it returns true: more remain. Blocks for 10 to 40 ms. A canvas that cannot be made is
+  // Drivers finish a shader when it is first drawn with, and a skin is loaded when it is first shown, which
+  // would stall a fade in the middle of the show. One step loads a skin, or draws, unseen, with a shader that
+  // the default look has not used; call it between frames, once the first is out, while it returns true: more
+  // remain. Blocks for 10 to 40 ms. A canvas that cannot be made is
   // no fault: shaders are then finished when they are needed.
   bool RehearseStep();
 

@@ -60,6 +60,7 @@ void Painter::Parts::Rehearse(Turn turn) {
 
 bool Painter::RehearseStep() {
   Parts& p = *parts_;
+  if (p.body->LoadNext()) return true;
   constexpr std::size_t kSteps = Parts::kRehearsal.size() + BackdropPass::kRehearsals;
   if (p.rehearsed >= kSteps) return false;
   if (!p.backstage) {
