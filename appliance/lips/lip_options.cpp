@@ -9,12 +9,19 @@
 namespace kaori::lips {
 namespace {
 
-constexpr std::string_view kHelp = R"(kaori-lips: the operator's painted lips, from the camera to the board
+constexpr std::string_view kHelp =
+    R"(kaori-lips: the operator's painted lips and voice, from camera and microphone to the board
 
   --board FILE    the board, shared with the other programs
   --device FILE   the camera, say /dev/video0
   --modes         say what the camera can and which rates would be taken, and end
-  --links FOLDER  the simulator's camera, plugged in there
+  --links FOLDER  the simulator's camera, microphone and loudspeaker, plugged in there
+  --microphone NAME   the operator's voice: a sound device of ALSA, say hw:1
+  --loudspeaker NAME  plays the voice when the mouth comes to light, and the sounds of motions
+  --sound-delay MS    how long the voice waits, 0 to 500; auto as measured; off: no loudspeaker; as the settings
+                      have it, or auto, if not given
+  --pack FILE     the show, for the sounds of its motions
+  --trust FILE    a public key: play no sound of a show that it has not signed
   --settings FILE what was calibrated: paint, key, smoothing, how far the mouth goes; it need not be there yet
   --service       people may calibrate: kaori-desk is let in, and the screen says what to do
   --paint R,G,B   the paint's colour, 0 to 255 each; as the settings have it, or blue (20,60,200), if not given
@@ -62,6 +69,11 @@ std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into) {
       .Text("--settings", into.settings)
       .Text("--paint", into.paint)
       .Text("--rest", into.rest)
+      .Text("--microphone", into.microphone)
+      .Text("--loudspeaker", into.loudspeaker)
+      .Text("--sound-delay", into.sound_delay)
+      .Text("--pack", into.pack)
+      .Text("--trust", into.trust)
       .Switch("--modes", into.modes)
       .Switch("--service", into.service);
   return options.Parse(argc, argv);

@@ -12,6 +12,7 @@ namespace kaori::lips {
 struct LipOptions {
   std::string board = "/dev/shm/kaori-board";
   std::string links, device, settings, paint, rest;
+  std::string microphone, loudspeaker, sound_delay, pack, trust;
   bool modes = false;
   bool service = false;
 };

@@ -49,6 +49,8 @@ constexpr std::array kValues{
     Value{"mouth.open", 0.05F, 4, KAORI_NUMBER(gauge.extents.open)},
     Value{"mouth.narrow", 0.1F, 0.99F, KAORI_NUMBER(gauge.extents.narrow)},
     Value{"mouth.wide", 1.01F, 4, KAORI_NUMBER(gauge.extents.wide)},
+    Value{"voice.opens_db", -80, 0, KAORI_NUMBER(voice.opens_db)},
+    Value{"sound.delay_ms", -1, 500, KAORI_NUMBER(voice.sound_delay_ms)},
 };
 
 #undef KAORI_NUMBER

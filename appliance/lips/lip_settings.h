@@ -29,16 +29,24 @@ struct GaugeSettings {
   friend bool operator==(const GaugeSettings&, const GaugeSettings&) = default;
 };
 
+struct VoiceSettings {
+  float opens_db = -38;  // Of full scale: what is louder is a voice.
+  // From the microphone to the loudspeaker; -1: as long as the mouth takes to the light, as measured.
+  float sound_delay_ms = -1;
+  friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
+};
+
 struct LipSettings {
   Paint paint;
   KeySettings key;
   bool marker = false;  // A dot of the same paint is worn on nose or forehead, straight above the mouth.
   GaugeSettings gauge;
+  VoiceSettings voice;
   friend bool operator==(const LipSettings&, const LipSettings&) = default;
 };
 
 // The values one by one, in the order in which the text names them.
-inline constexpr std::size_t kSettingCount = 14;
+inline constexpr std::size_t kSettingCount = 16;
 struct SettingRange {
   std::string_view name;
   float low;

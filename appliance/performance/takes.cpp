@@ -44,7 +44,8 @@ void Add(Motion& motion, const show::TakeCurve& curve, float value) {
 }
 
 float End(const show::Take& take) {
-  float end_s = 0;
+  const auto frames = static_cast<float>(take.sound.samples.size()) / static_cast<float>(take.sound.channels);
+  float end_s = frames / static_cast<float>(show::kSoundRate_hz);
   for (const auto& curve : take.curves) end_s = std::max(end_s, curve.keys.back().at_s);
   return end_s;
 }

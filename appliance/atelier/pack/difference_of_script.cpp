@@ -88,6 +88,8 @@ bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
 void CompareTake(const std::string& item, const show::Take& a, const show::Take& b, Lines& lines) {
   if (a.key_usage != b.key_usage) lines.push_back(item + ": is played by another key");
   if (!std::ranges::equal(a.curves, b.curves, SameCurve)) lines.push_back(item + ": moves otherwise");
+  if (a.sound.channels != b.sound.channels || a.sound.samples != b.sound.samples)
+    lines.push_back(item + ": sounds otherwise");
 }
 
 void CompareScene(const std::string& item, const ScriptedScene& a, const ScriptedScene& b, Lines& lines) {

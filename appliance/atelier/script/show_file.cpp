@@ -12,6 +12,7 @@
 
 #include "appliance/atelier/script/backdrop_file.h"
 #include "appliance/atelier/script/key_names.h"
+#include "appliance/atelier/script/wave_file.h"
 #include "appliance/atelier/sculpt/value.h"
 
 namespace kaori::atelier {
@@ -172,12 +173,23 @@ class Reader {
     for (const auto& [key, node] : table) {
       if (const auto* pairs = node.as_array())
         take.curves.push_back(TargetCurve(item, std::string(key.str()), *pairs));
+      else if (key.str() == "sound")
+        ReadSound(item, node, take.sound);
       else if (key.str() != "name" && key.str() != "key")
         Fault(item, fmt::format("line {}: {} wants a list of pairs [second, value]", key.source().begin.line,
                                 key.str()));
     }
-    if (take.curves.empty()) Fault(item, "it moves nothing");
+    if (take.curves.empty() && take.sound.samples.empty()) Fault(item, "it moves nothing");
     show_.takes.push_back(std::move(take));
+  }
+
+  // A file beside this one.
+  void ReadSound(const std::string& item, const toml::node& node, show::Sound& into) {
+    const auto name = node.value<std::string>();
+    if (!name) return Fault(item, "sound wants the name of a WAV file");
+    auto sound = ReadWave(file_.parent_path() / *name);
+    if (!sound) return Fault(item, sound.error().message());
+    into = std::move(*sound);
   }
 
   show::TakeCurve TargetCurve(const std::string& item, const std::string& name, const toml::array& pairs) {

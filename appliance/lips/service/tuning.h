@@ -46,6 +46,7 @@ class Tuning {
   void TakeBackTo(std::size_t changes);
 
   const Report& report() const { return report_; }
+  const LipSettings& settings() const { return used_; }  // In use.
   bool saving() const { return saving_.valid(); }
 
  private:

@@ -25,6 +25,7 @@ class Listener {
 
   // Frames that were lost (xrun) leave a gap that sounds like nothing.
   const Voice& Hear(const ports::SoundBlock& block, const ports::SoundFormat& format);
+  void Use(const GateSettings& gate) { gate_.Use(gate); }
   const Voice& voice() const { return voice_; }
 
  private:

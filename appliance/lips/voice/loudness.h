@@ -31,6 +31,8 @@ class Gate {
   // is silence.
   bool Take(float level_db, Time at, Duration length);
 
+  void Use(const GateSettings& settings) { settings_ = settings; }
+
   float level_db() const { return level_db_; }  // Smoothed.
   bool open() const { return open_; }
 

@@ -27,6 +27,9 @@ class VoiceReader {
   // Does everything that waits; never blocks. Call it when pollable() is readable, and every 50 ms or sooner.
   void Step();
 
+  // From the next block on.
+  void Use(const GateSettings& gate) { listener_.Use(gate); }
+
   // Of the microphone that is open; -1 while none is. Another may have the same number: see opened().
   int pollable() const { return microphone_ ? microphone_->pollable() : -1; }
   int opened() const { return opened_; }
