@@ -13,12 +13,12 @@ int Grey(const std::uint8_t* rgb) {
   return (54 * rgb[0] + 183 * rgb[1] + 19 * rgb[2]) >> 8;
 }
 
-// What is not paint falls back to a dark grey.
+// What is not paint falls back, dark and pale, but keeps a colour that may yet be tapped.
 std::uint8_t Shown(View view, const std::uint8_t* rgbp, std::size_t channel) {
   const int paint = rgbp[3];
   if (view == View::kMask) return static_cast<std::uint8_t>(kLit[channel] * paint / 255);
   if (view == View::kPlain) return rgbp[channel];
-  const int dark = Grey(rgbp) * 3 / 8;
+  const int dark = (Grey(rgbp) + rgbp[channel]) / 4;
   const int bright = std::min(255, rgbp[channel] + 40);
   return static_cast<std::uint8_t>((bright * paint + dark * (255 - paint)) / 255);
 }

@@ -14,7 +14,6 @@ constexpr std::size_t kMostFrames = 4096;
 constexpr float kGoodMouth = 0.5F;
 constexpr std::size_t kMostChanges = 1000;  // The oldest are forgotten.
 
-constexpr int kPatchHalf = 4;     // Samples of chroma to each side of a click.
 constexpr float kLeastTint = 20;  // Levels: less is grey.
 constexpr float kMostAway = 18;   // Levels: more is two colours.
 constexpr float kLeastSimilarity = 100, kMostSimilarity = 260;
@@ -39,12 +38,11 @@ struct Patch {
   std::vector<float> y, cb, cr;
 };
 
-Patch Around(const camera::Planes& planes, int x, int y) {
+Patch Around(const camera::Planes& planes, int x, int y, int half) {
   Patch patch;
   const camera::Plane& c = planes.cb;
-  for (int row = std::max(0, y - kPatchHalf); row <= std::min(c.height_px - 1, y + kPatchHalf); ++row) {
-    for (int column = std::max(0, x - kPatchHalf); column <= std::min(c.width_px - 1, x + kPatchHalf);
-         ++column) {
+  for (int row = std::max(0, y - half); row <= std::min(c.height_px - 1, y + half); ++row) {
+    for (int column = std::max(0, x - half); column <= std::min(c.width_px - 1, x + half); ++column) {
       patch.cb.push_back(static_cast<float>(c.at(column, row)) - 128);
       patch.cr.push_back(static_cast<float>(planes.cr.at(column, row)) - 128);
       patch.y.push_back(
@@ -71,35 +69,41 @@ Paint PaintOf(float y, float cb, float cr, bool full_range) {
   return {level(rgb[0]), level(rgb[1]), level(rgb[2])};
 }
 
-std::vector<float> Distances(const Patch& patch, float cb, float cr) {
+// A patch in a few words: its medians, how far most samples lie from them, and how far nearly all do.
+struct Colour {
+  float y = 0, cb = 0, cr = 0;
+  float spread = 0;
+  float away = 0;
+};
+
+Colour ColourOf(Patch patch) {
+  const Patch samples = patch;
+  Colour colour{At(patch.y, 0.5F), At(patch.cb, 0.5F), At(patch.cr, 0.5F)};
   std::vector<float> away;
-  for (std::size_t n = 0; n < patch.cb.size(); ++n)
-    away.push_back(std::hypot(patch.cb[n] - cb, patch.cr[n] - cr));
-  return away;
+  for (std::size_t n = 0; n < samples.cb.size(); ++n)
+    away.push_back(std::hypot(samples.cb[n] - colour.cb, samples.cr[n] - colour.cr));
+  colour.spread = At(away, 0.5F);
+  colour.away = At(away, 0.85F);
+  return colour;
 }
 
 }  // namespace
 
-Result<void> Calibration::SamplePaint(const camera::Planes& planes, float x, float y) {
+Result<void> Calibration::SamplePaint(const camera::Planes& planes, float x, float y, int reach) {
   if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1) || planes.cb.width_px <= 0 || planes.cb.height_px <= 0)
     return FailInput("sample the paint: the click is outside the picture");
   const auto column =
       std::min(static_cast<int>(x * static_cast<float>(planes.cb.width_px)), planes.cb.width_px - 1);
   const auto row =
       std::min(static_cast<int>(y * static_cast<float>(planes.cb.height_px)), planes.cb.height_px - 1);
-  Patch patch = Around(planes, column, row);
-  const Patch samples = patch;
-  const float cb = At(patch.cb, 0.5F);
-  const float cr = At(patch.cr, 0.5F);
-  auto away = Distances(samples, cb, cr);
-  const float spread = At(away, 0.5F);
-  const float tint = std::hypot(cb, cr);
+  const Colour colour = ColourOf(Around(planes, column, row, reach));
+  const float tint = std::hypot(colour.cb, colour.cr);
   if (tint < kLeastTint) return FailInput("sample the paint: this is grey");
-  if (At(away, 0.85F) > kMostAway) return FailInput("sample the paint: these are several colours");
+  if (colour.away > kMostAway) return FailInput("sample the paint: these are several colours");
   LipSettings to = settings_;
-  to.paint = PaintOf(At(patch.y, 0.5F), cb, cr, planes.full_range);
+  to.paint = PaintOf(colour.y, colour.cb, colour.cr, planes.full_range);
   to.key.similarity =
-      std::clamp(kLeastSimilarity + kSimilarityForALevel * spread, kLeastSimilarity, kMostSimilarity);
+      std::clamp(kLeastSimilarity + kSimilarityForALevel * colour.spread, kLeastSimilarity, kMostSimilarity);
   to.key.spill = std::clamp(kSpillPart * tint / kLevelsPerThousandth, kLeastSpill, kMostSpill);
   Change(to);
   return {};

@@ -22,10 +22,11 @@ class Calibration {
  public:
   explicit Calibration(const LipSettings& settings) : settings_(settings) {}
 
-  // Takes the paint's colour from the samples round a click at (x, y), in parts of the picture: their median,
-  // and from their spread how similar a colour has to be. Errors:
+  // Takes the paint's colour from the samples of chroma round a click at (x, y), in parts of the picture,
+  // `reach` of them to each side: their median, and from their spread how similar a colour has to be. Errors:
   //   invalid_argument  nothing changed: the click is outside, or on grey, or on more than one colour
-  Result<void> SamplePaint(const camera::Planes& planes, float x, float y);
+  static constexpr int kReach = 4;
+  Result<void> SamplePaint(const camera::Planes& planes, float x, float y, int reach = kReach);
 
   // The operator holds the pose for a second, or speaks for ten. A step that was under way is given up.
   void Begin(CalibrationStep step);

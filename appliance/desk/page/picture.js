@@ -6,6 +6,7 @@ const $ = (id) => document.getElementById(id);
 const kViews = [['viewPlain', '/picture'], ['viewBoth', '/picture/both'], ['viewMask', '/picture/mask']];
 let view = 1;
 let streams = false;
+let freeLight = false;
 
 function stream(on) {
   streams = on;
@@ -81,6 +82,13 @@ function showState(state) {
   if (!settings) return;
   const [red, green, blue] = ['red', 'green', 'blue'].map((name) => settings[`paint.${name}`].value);
   $('paint').style.backgroundColor = `rgb(${red} ${green} ${blue})`;
+  freeLight = state.report.free_light;
+  showLight();
+}
+
+function showLight() {
+  $('light').setAttribute('aria-pressed', String(freeLight));
+  $('light').textContent = word(freeLight ? 'holdLight' : 'freeLight');
 }
 
 export function makePicture() {
@@ -89,10 +97,12 @@ export function makePicture() {
   $('picture').addEventListener('load', () => $('picture').classList.add('seen'));
   $('picture').addEventListener('dragstart', (event) => event.preventDefault());
   $('find').addEventListener('click', () => ask('find', word('found')));
+  $('light').addEventListener('click', () => freeLight ? ask('light 0', word('held')) : ask('light 1', word('freed')));
   onState(showState);
   onLanguage(() => {
     $('picture').alt = word('pictureLabel');
     $('views').setAttribute('aria-label', word('views'));
     $('paint').setAttribute('aria-label', word('paintLabel'));
+    showLight();
   });
 }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Duration kPictureComes = std::chrono::seconds(1);
 constexpr Duration kFilePeriod = std::chrono::seconds(1);
+constexpr int kReachFound = 2;  // Round a place that is known to be the paint's; lips may be thin.
 
 std::filesystem::file_time_type TimeOf(const std::filesystem::path& file) {
   std::error_code none;
@@ -129,13 +130,14 @@ void Tuning::See(const camera::Planes& planes, const LipMeter& meter, Time at, T
 
 void Tuning::Paint(const camera::Planes& planes) {
   const Waiting waiting = *std::exchange(waiting_, std::nullopt);
-  Point place{waiting.command.a, waiting.command.b};
   if (waiting.command.ask == Ask::kFind) {
     const auto found = FindPaint(planes);
     if (!found) return Answer(waiting.command, "no paint is seen");
-    place = *found;
+    return Answer(waiting.command,
+                  ComplaintOf(calibration_.SamplePaint(planes, found->x, found->y, kReachFound)));
   }
-  Answer(waiting.command, ComplaintOf(calibration_.SamplePaint(planes, place.x, place.y)));
+  const Command& click = waiting.command;
+  Answer(click, ComplaintOf(calibration_.SamplePaint(planes, click.a, click.b)));
 }
 
 void Tuning::Answer(const Command& command, std::string complaint) {

@@ -1,0 +1,62 @@
+// An operator before a lip camera of true pictures, thirty a second: the test moves the mouth and the paint.
+#pragma once
+
+#include <sys/eventfd.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "drivers/base/unique_fd.h"
+#include "drivers/ports/camera.h"
+#include "hw-sim/devices/lip_scene.h"
+
+namespace kaori::testing {
+
+// The test's side; it outlives the camera.
+struct OperatorHand {
+  sim::LipScene scene;
+  bool plugged = true;
+};
+
+class OperatorCamera final : public ports::Camera {
+ public:
+  static constexpr int kWidth_px = 320;
+  static constexpr int kHeight_px = 240;
+
+  OperatorCamera(OperatorHand& hand, const Clock& clock)
+      : hand_(hand), clock_(clock), event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), due_(clock.now()) {}
+
+  static ports::CameraOpener Opener(OperatorHand& hand, const Clock& clock) {
+    return [&hand, &clock]() -> Result<std::unique_ptr<ports::Camera>> {
+      if (!hand.plugged) return Fail(std::errc::no_such_device, "open the operator's camera");
+      return std::make_unique<OperatorCamera>(hand, clock);
+    };
+  }
+
+  int pollable() const override { return event_.get(); }
+
+  Result<ports::CameraFrame> Next() override {
+    constexpr Duration kPeriod = std::chrono::microseconds(33'333);
+    if (!hand_.plugged) return Fail(std::errc::no_such_device, "the operator's camera");
+    const Time now = clock_.now();
+    if (now < due_) return Fail(std::errc::resource_unavailable_try_again, "the operator's camera");
+    due_ = std::max(due_ + kPeriod, now - kPeriod);
+    hand_.scene.camera.sequence++;
+    sim::PaintScene(hand_.scene, {kWidth_px, kHeight_px, yuyv_});
+    return ports::CameraFrame{.at = now,
+                              .sequence = hand_.scene.camera.sequence,
+                              .format = {kWidth_px, kHeight_px, ports::PixelFormat::kYuyv},
+                              .stride_bytes = kWidth_px * 2,
+                              .bytes = yuyv_};
+  }
+
+ private:
+  OperatorHand& hand_;
+  const Clock& clock_;
+  UniqueFd event_;
+  Time due_;
+  std::vector<std::uint8_t> yuyv_ = std::vector<std::uint8_t>(std::size_t{2} * kWidth_px * kHeight_px);
+};
+
+}  // namespace kaori::testing
