@@ -6,6 +6,7 @@
 
 #include "appliance/board/performance_state.h"
 #include "appliance/performance/takes.h"
+#include "appliance/stage/in_service.h"
 #include "drivers/base/log.h"
 
 namespace kaori::stage {
@@ -155,7 +156,11 @@ performance::Performed Stage::Animate(const board::Snapshot& snapshot, Time ligh
 }
 
 scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
+  const bool guiding = IsGuiding(snapshot.lips_guide, light);
+  if (guiding) TakeGuideHands(snapshot, state_);
   auto performed = Animate(snapshot, light);
+  if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, light);
+  SayService(snapshot, light, performed.scene);
   state_ = performed.state;
   writers_.performance.Write(board::Hold(state_), light, board::SourceState::kLive);
   TellTake(light);

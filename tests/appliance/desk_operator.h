@@ -3,6 +3,8 @@
 
 #include <sys/eventfd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -43,20 +45,43 @@ class OperatorCamera final : public ports::Camera {
     if (now < due_) return Fail(std::errc::resource_unavailable_try_again, "the operator's camera");
     due_ = std::max(due_ + kPeriod, now - kPeriod);
     hand_.scene.camera.sequence++;
-    sim::PaintScene(hand_.scene, {kWidth_px, kHeight_px, yuyv_});
     return ports::CameraFrame{.at = now,
                               .sequence = hand_.scene.camera.sequence,
                               .format = {kWidth_px, kHeight_px, ports::PixelFormat::kYuyv},
                               .stride_bytes = kWidth_px * 2,
-                              .bytes = yuyv_};
+                              .bytes = Picture()};
   }
 
  private:
+  // What a picture shows, but for its noise. Four of each are drawn, and come again.
+  struct Sight {
+    sim::Mouth mouth;
+    float red, green, blue;
+    double light;
+    bool operator==(const Sight&) const = default;
+  };
+
+  const std::vector<std::uint8_t>& Picture() {
+    const auto& [person, before, light, lens] = hand_.scene;
+    const Sight sight{person.mouth, person.paint.red, person.paint.green, person.paint.blue, light.level};
+    if (sight != seen_) drawn_ = 0;
+    seen_ = sight;
+    auto& picture = pictures_[next_++ % pictures_.size()];
+    if (drawn_ == pictures_.size()) return picture;
+    ++drawn_;
+    picture.resize(std::size_t{2} * kWidth_px * kHeight_px);
+    sim::PaintScene(hand_.scene, {kWidth_px, kHeight_px, picture});
+    return picture;
+  }
+
   OperatorHand& hand_;
   const Clock& clock_;
   UniqueFd event_;
   Time due_;
-  std::vector<std::uint8_t> yuyv_ = std::vector<std::uint8_t>(std::size_t{2} * kWidth_px * kHeight_px);
+  Sight seen_{};
+  std::size_t drawn_ = 0;
+  std::size_t next_ = 0;
+  std::array<std::vector<std::uint8_t>, 4> pictures_;
 };
 
 }  // namespace kaori::testing
