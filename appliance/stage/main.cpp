@@ -21,6 +21,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --board FILE    the board, shared with the other programs
   --pack FILE     the show
   --trust FILE    a public key: play no show that it has not signed
+  --verified      the show lies on a root whose every block the kernel checks: its checksum is not made again
   --own FOLDER    where expressions made with the needles are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
   --links FOLDER  the simulator's link folder, in which the screen is plugged
@@ -32,7 +33,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
 
 struct Settings {
   std::string board, pack, links, card, trust, own, mode, holder;
-  bool early = false;
+  bool early = false, verified = false;
 };
 
 int Complain(const kaori::Error& error) {
@@ -57,10 +58,11 @@ kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clo
 }
 
 kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
-  if (settings.trust.empty()) return kaori::show::LoadPack(settings.pack);
+  if (settings.trust.empty())
+    return kaori::show::LoadPack(settings.pack, {.signed_by = {}, .on_verified_root = settings.verified});
   const auto key = kaori::show::ReadPublicKey(settings.trust);
   if (!key) return tl::unexpected(key.error());
-  return kaori::show::LoadPack(settings.pack, {.signed_by = *key});
+  return kaori::show::LoadPack(settings.pack, {.signed_by = *key, .on_verified_root = settings.verified});
 }
 
 int Play(const Settings& settings, kaori::EventLoop& loop) {
@@ -119,7 +121,8 @@ int main(int argc, char** argv) {
       .Text("--own", settings.own)
       .Text("--mode", settings.mode)
       .Text("--holder", settings.holder)
-      .Switch("--early", settings.early);
+      .Switch("--early", settings.early)
+      .Switch("--verified", settings.verified);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.card.empty() == settings.links.empty()) {
     kaori::Log("where is the screen? Give one of --links and --card");
