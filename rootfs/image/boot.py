@@ -8,15 +8,15 @@
 """
 
 import argparse
-import json
 import os
 import re
-import socket
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+from qmp import Qmp
 
 # The guest draws by itself; with newer processors' instructions emulation is many times slower.
 MACHINE = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-no-reboot", "-vga", "none")
@@ -44,20 +44,6 @@ def qemu(args, folder):
             "-drive", f"file={images / 'kaori.disk'},if=virtio,format=raw,snapshot=on",
             "-device", f"virtio-gpu-pci,xres={width},yres={height}", "-device", "qemu-xhci",
             "-serial", "stdio", "-qmp", f"unix:{folder}/qmp,server=on,wait=off"]
-
-
-def screendump(folder, picture):
-    with socket.socket(socket.AF_UNIX) as link:
-        link.connect(f"{folder}/qmp")
-        lines = link.makefile("rw")
-        lines.readline()
-        for command in ({"execute": "qmp_capabilities"},
-                        {"execute": "screendump", "arguments": {"filename": str(picture), "format": "png"}}):
-            lines.write(json.dumps(command) + "\n")
-            lines.flush()
-            answer = json.loads(lines.readline())
-            if "error" in answer:
-                sys.exit(f"boot: {answer['error']['desc']}")
 
 
 def follow(machine, began, trace, log):
@@ -98,7 +84,7 @@ def main():
                 elif MARKS[-1][0] not in follow(machine, began, args.trace, log):
                     sys.exit(f"boot: the face did not come; see {args.images}/serial.log")
                 elif args.shot:
-                    screendump(folder, args.shot.resolve())
+                    Qmp(f"{folder}/qmp").screendump(args.shot.resolve())
             except KeyboardInterrupt:
                 pass
             finally:

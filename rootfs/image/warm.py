@@ -1,5 +1,6 @@
 #!/usr/bin/env -S python3 -B
-"""Lets the stage compile its shaders once, in QEMU, and keeps them: warm.py OUT PACKAGES. Results: OUT/shaders/*.foz
+"""Lets the stage compile its shaders once, in QEMU, and keeps them, and the picture of the first face: warm.py OUT
+PACKAGES. Results: OUT/shaders/*.foz and still.ppm
 
 Starts a copy of the image that writes shaders to its data partition. They are for a box that draws without a graphics
 card, on any processor since 2008. Does nothing where stage, show and packages are those of the shaders that lie there.
@@ -15,6 +16,7 @@ import time
 from pathlib import Path
 
 import pack
+from qmp import Qmp
 
 READY = re.compile("Started .*kaori-stage")
 LONGEST_S = 240
@@ -50,11 +52,13 @@ def play(folder):
             ["qemu-system-x86_64", "-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512",
              "-vga", "none", "-display", "none", "-no-reboot", "-kernel", folder / "bzImage", "-append", told,
              "-drive", f"file={folder / 'kaori.disk'},if=virtio,format=raw,cache=writethrough",
-             "-device", "virtio-gpu-pci,xres=960,yres=540", "-serial", f"file:{folder / 'serial'}"],
+             "-device", "virtio-gpu-pci,xres=960,yres=540", "-serial", f"file:{folder / 'serial'}",
+             "-qmp", f"unix:{folder / 'qmp'},server=on,wait=off"],
             stderr=subprocess.DEVNULL) as machine:
         until = time.monotonic() + LONGEST_S
         while machine.poll() is None and time.monotonic() < until:
             if (folder / "serial").exists() and READY.search((folder / "serial").read_text(errors="replace")):
+                Qmp(folder / "qmp").screendump(folder / "still.ppm")
                 time.sleep(WRITTEN_S)
                 break
             time.sleep(0.2)
@@ -87,6 +91,7 @@ def main():
         writing_copy(out, packages, Path(folder))
         play(Path(folder))
         take_shaders(Path(folder), shaders)
+        shutil.copyfile(Path(folder) / "still.ppm", shaders / "still.ppm")
     (shaders / "stamp").write_text(wanted)
 
 

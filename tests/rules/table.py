@@ -52,7 +52,7 @@ SYSTEM_HEADERS = ("unistd.h", "fcntl.h", "sys/", "linux/", "libusb", "libudev.h"
 # (what the <header> begins with, the rooms that may include it). Tests may include any.
 LIBRARIES = (
     (("EGL/", "GLES", "GL/"), ("render/gl/",)),
-    (("gbm.h", "xf86drm", "drm/", "libdrm/"), ("drivers/scanout/", "render/gl/")),
+    (("gbm.h", "xf86drm", "drm/", "libdrm/"), ("drivers/scanout/", "render/gl/", "firmware/boot/")),
     (("gpiod", "linux/gpio.h"), ("drivers/gpio/",)),
     (("libusb", "libudev.h", "linux/hidraw.h", "hidapi"), ("drivers/hid/",)),
     (("linux/videodev2.h",), ("drivers/camera/",)),

@@ -1,0 +1,76 @@
+// kaori-light: the first program of the box. Lights its screens with the picture of the show's first face,
+// and becomes the system's own first program.
+//
+// It says nothing, whatever fails: a box that cannot show a still starts all the same, and a moment later the
+// stage says what is wrong.
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+
+#include "firmware/boot/card.h"
+#include "firmware/boot/still.h"
+
+namespace {
+
+constexpr const char* kStill = "/usr/share/kaori/still.ppm";
+constexpr const char* kCard = "/dev/dri/card0";
+constexpr const char* kSystem = "/usr/lib/systemd/systemd";
+
+constexpr int kLongestLight_ms = 1500;  // A card that takes longer is not waited for.
+constexpr unsigned kLook_us = 200'000;  // How often the light looks whether it is still needed,
+constexpr int kMostLooks = 5 * 60 * 5;  // and how often at most: five minutes.
+
+// A whole file, mapped for as long as the program lives.
+std::span<const std::uint8_t> Map(const char* path) {
+  const int fd = ::open(path, O_RDONLY | O_CLOEXEC);
+  struct stat status {};
+  if (fd < 0 || ::fstat(fd, &status) != 0 || status.st_size == 0) return {};
+  const auto bytes = static_cast<std::size_t>(status.st_size);
+  void* const at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_POPULATE, fd, 0);
+  ::close(fd);
+  if (at == MAP_FAILED) return {};
+  return {static_cast<const std::uint8_t*>(at), bytes};
+}
+
+// Ends once the stage shows its own pictures: before, the screens would go dark with this program.
+void KeepLit(const kaori::boot::Card& card, const std::vector<kaori::boot::Lit>& lit) {
+  for (int looks = 0; looks < kMostLooks && card.Shows(lit); ++looks) ::usleep(kLook_us);
+}
+
+// `done` is closed when the card is free for the next program.
+void Light(int done) {
+  const auto still = kaori::boot::ReadStill(Map(kStill));
+  if (!still) return;
+  const kaori::boot::Card card(kCard);
+  const auto lit = card.Light(*still);
+  card.GiveWay();
+  ::close(done);
+  KeepLit(card, lit);
+}
+
+void AwaitLight(int done) {
+  pollfd look{.fd = done, .events = POLLIN, .revents = 0};
+  ::poll(&look, 1, kLongestLight_ms);
+}
+
+}  // namespace
+
+int main(int, char** argv) {
+  std::array<int, 2> done{-1, -1};
+  if (::pipe2(done.data(), O_CLOEXEC) == 0) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::close(done[0]);
+      Light(done[1]);
+      ::_exit(0);
+    }
+    ::close(done[1]);
+    if (child > 0) AwaitLight(done[0]);
+  }
+  ::execv(kSystem, argv);
+  return 1;
+}

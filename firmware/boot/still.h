@@ -1,0 +1,34 @@
+// A picture that stands ready: read from a file of bytes, and laid over a screen of any size.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace kaori::boot {
+
+// Borrows the bytes it was read from. Top row first; red, green and blue, 8 bits each, of sRGB.
+struct Still {
+  int width_px = 0;
+  int height_px = 0;
+  std::span<const std::uint8_t> rgb;
+};
+
+// Reads a PPM ("P6", 255 steps, no comments). None where it is anything else, is cut short, or has a side of
+// more than 8192 pixels.
+std::optional<Still> ReadStill(std::span<const std::uint8_t> file);
+
+// A screen's memory: rows of 4 bytes a pixel (blue, green, red, nothing), `pitch_bytes` apart.
+struct ScreenMemory {
+  std::uint8_t* bytes = nullptr;
+  int width_px = 0;
+  int height_px = 0;
+  std::size_t pitch_bytes = 0;
+};
+
+// Fills the screen: the still's height becomes the screen's, its middle stays in the middle, and where the
+// screen is wider its edges go on. Smooth.
+void LayStill(const Still& still, const ScreenMemory& screen);
+
+}  // namespace kaori::boot
