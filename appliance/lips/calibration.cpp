@@ -9,6 +9,7 @@ namespace {
 
 constexpr Duration kPose = std::chrono::seconds(1);
 constexpr Duration kSpeech = std::chrono::seconds(10);
+constexpr Duration kSitsStill = std::chrono::seconds(60);
 constexpr Duration kLongestFrame = std::chrono::milliseconds(200);  // A gap counts as no more than this.
 constexpr std::size_t kMostFrames = 4096;
 constexpr float kGoodMouth = 0.5F;
@@ -125,15 +126,25 @@ bool Calibration::Feed(const board::Lips& lips, Time at) {
   if (progress() < 1) return false;
   Taking done = std::move(*taking_);
   taking_.reset();
+  if (done.step == CalibrationStep::kShut) shut_at_ = at;
   Change(Concluded(done));
   return true;
+}
+
+// A mouth that is stretched and held may pass for one that came nearer; who was at rest just now has not
+// moved.
+float Calibration::ScaleOf(Taking& taking) const {
+  const float rest = settings_.gauge.rest_width;
+  if (!shut_at_ || *taking.last - *shut_at_ > kSitsStill || rest <= 0 || settings_.marker) return 1;
+  return At(taking.rests, 0.5F) / rest;
 }
 
 LipSettings Calibration::Concluded(Taking& taking) const {
   LipSettings to = settings_;
   Extents& extents = to.gauge.extents;
-  const float height = At(taking.heights, 0.5F);
-  const float width = At(taking.widths, 0.5F);
+  const float scale = taking.step == CalibrationStep::kShut ? 1 : ScaleOf(taking);
+  const float height = scale * At(taking.heights, 0.5F);
+  const float width = scale * At(taking.widths, 0.5F);
   switch (taking.step) {
     case CalibrationStep::kShut:
       to.gauge.rest_width = std::clamp(width * At(taking.rests, 0.5F), 0.01F, 0.95F);

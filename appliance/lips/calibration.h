@@ -60,11 +60,13 @@ class Calibration {
   };
   void Change(const LipSettings& to);
   LipSettings Concluded(Taking& taking) const;
+  float ScaleOf(Taking& taking) const;
 
   LipSettings settings_;
   std::vector<LipSettings> before_;  // The oldest first.
   std::uint32_t gesture_ = 0;        // Of the newest change.
   std::optional<Taking> taking_;
+  std::optional<Time> shut_at_;  // When the mouth at rest was learnt.
 };
 
 }  // namespace kaori::lips

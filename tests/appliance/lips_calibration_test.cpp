@@ -106,7 +106,9 @@ TEST(Calibration, LearnsShutOpenWideAndNarrowInASecondEach) {
   Time now = Time{} + std::chrono::seconds(1);
   const auto take = [&](CalibrationStep step, float height, float width) {
     calibration.Begin(step);
-    EXPECT_TRUE(Hold(calibration, Seen(height, width), now, milliseconds(1100)));
+    board::Lips lips = Seen(height, width);
+    if (step != CalibrationStep::kShut) lips.rest_width = 0.33F;  // As the first step found it.
+    EXPECT_TRUE(Hold(calibration, lips, now, milliseconds(1100)));
     EXPECT_FALSE(calibration.step());
   };
   take(CalibrationStep::kShut, 0.26F, 1.1F);
@@ -119,6 +121,18 @@ TEST(Calibration, LearnsShutOpenWideAndNarrowInASecondEach) {
   EXPECT_NEAR(gauge.extents.open, 0.95F, 1e-3);
   EXPECT_NEAR(gauge.extents.wide, 1.19F, 1e-3);
   EXPECT_NEAR(gauge.extents.narrow, 0.62F, 1e-3);
+}
+
+TEST(Calibration, IsNotMisledByAHeldMouthThatPassesForANearerHead) {
+  Calibration calibration({});
+  Time now = Time{} + std::chrono::seconds(1);
+  calibration.Begin(CalibrationStep::kShut);
+  ASSERT_TRUE(Hold(calibration, Seen(0.25F, 1), now, milliseconds(1100)));
+  calibration.Begin(CalibrationStep::kWide);
+  board::Lips wide = Seen(0.27F, 1.1F);
+  wide.rest_width = 0.327F;  // The gauge has crept towards it: in truth it is 1.2 wide.
+  ASSERT_TRUE(Hold(calibration, wide, now, milliseconds(1100)));
+  EXPECT_NEAR(calibration.settings().gauge.extents.wide, 1.19F, 0.005);
 }
 
 TEST(Calibration, OrFromTenSecondsOfSpeech) {

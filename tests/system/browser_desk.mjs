@@ -1,0 +1,87 @@
+// What the desk's browser tests play on: desk-bench, an operator with green lips, and a visitor's browser.
+import {spawn} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {createInterface} from 'node:readline';
+
+import {until} from '../hw-sim/browser/bench.mjs';
+
+export class DeskBench {
+  constructor() {
+    this.folder = mkdtempSync(join(tmpdir(), 'kaori-desk-'));
+    this.process = spawn(join(process.env.KAORI_PROGRAMS, 'desk-bench'), [this.folder], {stdio: ['pipe', 'pipe', 'pipe']});
+    this.lines = [];
+    this.log = '';
+    this.process.stderr.on('data', (text) => { this.log += text; });
+    createInterface({input: this.process.stdout}).on('line', (line) => this.lines.push(line));
+  }
+
+  said(word) {
+    return this.lines.findLast((line) => line.startsWith(`${word} `))?.slice(word.length + 1);
+  }
+  address() {
+    return until('the address of the page', () => this.said('address'));
+  }
+  code() {
+    return until('a code', () => this.said('code'));
+  }
+  tell(line) {
+    this.process.stdin.write(`${line}\n`);
+  }
+  settings() {
+    return readFileSync(join(this.folder, 'lips.settings'), 'utf8');
+  }
+
+  async close() {
+    if (this.process.exitCode === null && this.process.signalCode === null) {
+      const gone = new Promise((done) => this.process.once('exit', done));
+      this.process.kill('SIGTERM');
+      await gone;
+    }
+    rmSync(this.folder, {recursive: true, force: true});
+  }
+}
+
+// A visitor who takes the box's own certificate as it is. Everything that is asked for is noted.
+export async function visit(browser, address, options = {viewport: {width: 1280, height: 800}, locale: 'en-GB'}) {
+  const context = await browser.newContext({...options, ignoreHTTPSErrors: true});
+  const page = await context.newPage();
+  page.faults = [];
+  page.asked = [];
+  page.bytes = 0;
+  page.on('pageerror', (error) => page.faults.push(error.message));
+  page.on('request', (request) => page.asked.push(request.url()));
+  page.on('response', async (response) => {
+    const endless = ['text/event-stream', 'multipart/'].some((type) => response.headers()['content-type']?.startsWith(type));
+    const body = endless ? '' : await response.body().catch(() => '');
+    page.bytes += body.length;
+  });
+  await page.goto(address);
+  await until('a page that knows where it stands', () => page.evaluate(() => document.body.dataset.view !== 'wait'));
+  return page;
+}
+
+export async function pair(page, bench) {
+  await page.locator('#code').fill(await bench.code());
+  await page.locator('#pair button').click();
+  await until('a desk that is open', () => page.locator('#desk').isVisible());
+  await until('a live picture', () => page.evaluate(() => document.querySelector('#picture').naturalWidth > 0));
+}
+
+export const stateOf = (page) => page.evaluate(async () => (await fetch('/state')).json());
+
+// How many pixels of the picture are as `is` wants them, of all: a function of [red, green, blue], as text.
+export function partOf(page, is) {
+  return page.evaluate((test) => {
+    const picture = document.querySelector('#picture');
+    const canvas = Object.assign(document.createElement('canvas'), {width: 160, height: 120});
+    const pen = canvas.getContext('2d', {willReadFrequently: true});
+    pen.drawImage(picture, 0, 0, 160, 120);
+    const {data} = pen.getImageData(0, 0, 160, 120);
+    const wanted = new Function('red', 'green', 'blue', `return ${test}`);
+    let count = 0;
+    for (let at = 0; at < data.length; at += 4) count += wanted(data[at], data[at + 1], data[at + 2]) ? 1 : 0;
+    return count / (160 * 120);
+  }, is);
+}
