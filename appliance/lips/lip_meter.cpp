@@ -3,6 +3,7 @@
 namespace kaori::lips {
 namespace {
 
+constexpr float kGoodMouth = 0.3F;  // The stage follows no worse one.
 constexpr float kFirmPart = 0.12F;  // Of the runs' middles that must be paint beyond doubt.
 constexpr float kFirm = 0.75F;      // The soft key of what is beyond doubt.
 
@@ -11,7 +12,9 @@ constexpr float kFirm = 0.75F;      // The soft key of what is beyond doubt.
 const board::Lips& LipMeter::Measure(const camera::Planes& planes, Time at) {
   NoteSize(planes.y);
   sight_ = Look(planes, at);
-  return gauge_.Measure(sight_, at);
+  const board::Lips& lips = gauge_.Measure(sight_, at);
+  if (sight_ && lips.quality >= kGoodMouth) search_.Remember(mask_.grid(), at);
+  return lips;
 }
 
 void LipMeter::NoteSize(const camera::Plane& picture) {

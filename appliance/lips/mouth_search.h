@@ -15,7 +15,7 @@ struct Found {
   std::optional<Region> marker;      // The dot on nose or forehead.
 };
 
-// Remembers where the mouth was: there it is looked for first, and with time ever further around.
+// Remembers where a good mouth was: there it is looked for first, and with time ever further around.
 class MouthSearch {
  public:
   // `marker`: whether a dot of the same paint is worn on nose or forehead.
@@ -27,6 +27,9 @@ class MouthSearch {
   // Null where nothing in the picture can be a mouth. The result is valid until the next call.
   const Found* Find(Regions& regions, const Grid& grid, Time at);
 
+  // What was found is a mouth indeed. Noise that looks like one is not remembered.
+  void Remember(const Grid& grid, Time at);
+
  private:
   struct Last {
     float x_px;
@@ -37,7 +40,6 @@ class MouthSearch {
   float Likelihood(const Region& region, const Grid& grid, Time at) const;
   void TakeParts(std::span<const Region> all, const Region& largest, const Grid& grid);
   void TakeMarker(std::span<const Region> all);
-  void Remember(const Grid& grid, Time at);
 
   bool wants_marker_;
   std::optional<Last> last_;

@@ -102,8 +102,14 @@ void Regions::Unite(std::uint32_t a, std::uint32_t b) {
 
 std::span<const Region> Regions::Largest(int least_area, std::size_t most) {
   largest_.clear();
-  for (std::uint32_t n = 0; n < regions_.size(); ++n)
-    if (into_[n] == n && regions_[n].area >= least_area) largest_.push_back(regions_[n]);
+  specks_ = 0;
+  for (std::uint32_t n = 0; n < regions_.size(); ++n) {
+    if (into_[n] != n) continue;
+    if (regions_[n].area >= least_area)
+      largest_.push_back(regions_[n]);
+    else
+      specks_ += regions_[n].area;
+  }
   const auto count = static_cast<std::ptrdiff_t>(std::min(most, largest_.size()));
   std::ranges::partial_sort(largest_, largest_.begin() + count, std::greater{}, &Region::area);
   return std::span(largest_).first(static_cast<std::size_t>(count));

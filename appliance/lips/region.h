@@ -40,6 +40,7 @@ class Regions {
 
   // Regions of at least `least_area`, the largest first, `most` at the most. Valid until the next call.
   std::span<const Region> Largest(int least_area, std::size_t most);
+  int specks() const { return specks_; }  // Samples of paint in regions that were smaller than that.
 
   // All runs, row by row, from left to right.
   std::span<const Run> runs() const { return runs_; }
@@ -56,6 +57,7 @@ class Regions {
   std::vector<Region> regions_;  // By label; only roots count.
   std::vector<std::uint32_t> into_;
   std::vector<Region> largest_;
+  int specks_ = 0;
 };
 
 }  // namespace kaori::lips

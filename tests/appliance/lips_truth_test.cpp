@@ -86,5 +86,28 @@ TEST(PassingHand, IsNoMouthAndTheMouthIsBackWithinATenthOfASecond) {
   EXPECT_GT(unseen, 5) << "the mouth was covered";
 }
 
+// In a small picture a speck of noise may look like a far mouth.
+TEST(Noise, IsNoMouthAndDoesNotMoveWhereTheMouthIsLookedFor) {
+  LipMeter meter({}, {});
+  camera::PlaneReader reader;
+  std::vector<std::uint8_t> yuyv(std::size_t{320} * 240 * 2);
+  sim::LipScene scene;
+  Time at = Time{} + std::chrono::seconds(1);
+  const auto look = [&](bool noise) {
+    at += std::chrono::milliseconds(33);
+    ++scene.camera.sequence;
+    sim::PaintScene(scene, {320, 240, yuyv});
+    if (noise) sim::FillWithNoise(scene.camera.sequence, yuyv);
+    const auto planes = reader.Read(
+        {.at = {}, .format = {320, 240, ports::PixelFormat::kYuyv}, .stride_bytes = 640, .bytes = yuyv});
+    return meter.Measure(*planes, at).quality;
+  };
+  for (int n = 0; n < 40; ++n) look(false);
+  for (int round = 0; round < 20; ++round) {
+    for (int n = 0; n < 40; ++n) ASSERT_EQ(look(true), 0.0F) << "round " << round;
+    ASSERT_GT(look(false), 0.8F) << "round " << round;
+  }
+}
+
 }  // namespace
 }  // namespace kaori::lips
