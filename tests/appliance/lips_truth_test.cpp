@@ -91,13 +91,15 @@ TEST(Noise, IsNoMouthAndDoesNotMoveWhereTheMouthIsLookedFor) {
   LipMeter meter({}, {});
   camera::PlaneReader reader;
   std::vector<std::uint8_t> yuyv(std::size_t{320} * 240 * 2);
-  sim::LipScene scene;
+  auto clean = yuyv;
+  sim::PaintScene({}, {320, 240, clean});
+  std::uint32_t sequence = 0;
   Time at = Time{} + std::chrono::seconds(1);
   const auto look = [&](bool noise) {
     at += std::chrono::milliseconds(33);
-    ++scene.camera.sequence;
-    sim::PaintScene(scene, {320, 240, yuyv});
-    if (noise) sim::FillWithNoise(scene.camera.sequence, yuyv);
+    ++sequence;
+    std::ranges::copy(clean, yuyv.begin());
+    if (noise) sim::FillWithNoise(sequence, yuyv);
     const auto planes = reader.Read(
         {.at = {}, .format = {320, 240, ports::PixelFormat::kYuyv}, .stride_bytes = 640, .bytes = yuyv});
     return meter.Measure(*planes, at).quality;

@@ -1,0 +1,151 @@
+// A camera's light: as fast as it allows, then held for the show.
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "appliance/lips/camera_care.h"
+
+namespace kaori::lips {
+namespace {
+
+using ports::CameraHold;
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+// A camera with three rates.
+class Tuning final : public ports::CameraTuning {
+ public:
+  std::string mode() const override { return rates[rung]; }
+  std::optional<float> exposure() const override { return exposed; }
+  std::vector<std::string> Set(CameraHold to) override {
+    holds.push_back(to);
+    return lacks;
+  }
+  bool Slower() override {
+    if (rung + 1 == rates.size()) return false;
+    ++rung;
+    return true;
+  }
+
+  std::vector<std::string> rates{"120 frames/s", "60 frames/s", "30 frames/s"};
+  std::size_t rung = 0;
+  std::optional<float> exposed = 1.0F;
+  std::vector<std::string> lacks;
+  std::vector<CameraHold> holds;
+};
+
+class Care : public testing::Test {
+ protected:
+  // The luma of skin; the log is kept. True when the camera is to be opened anew within the time.
+  bool See(std::uint8_t luma, Duration time) {
+    std::ranges::fill(picture_, luma);
+    const camera::Planes planes{.y = {picture_, 64, 48, 64, 1}, .cb = {}, .cr = {}, .full_range = false};
+    for (const Time end = now_ + time; now_ < end; now_ += milliseconds(10))
+      if (care_.See(planes, now_)) return true;
+    return false;
+  }
+  std::string LogOf(const std::function<void()>& play) {
+    testing::internal::CaptureStderr();
+    play();
+    return testing::internal::GetCapturedStderr();
+  }
+
+  std::vector<std::uint8_t> picture_ = std::vector<std::uint8_t>(std::size_t{64} * 48);
+  Time now_ = Time{} + std::chrono::seconds(10);
+  Tuning tuning_;
+  CameraCare care_{&tuning_};
+};
+
+TEST_F(Care, NamesTheModeOnceAndHoldsTheCameraWhenItHasFoundItsExposure) {
+  const std::string log = LogOf([&] {
+    care_.Opened();
+    care_.Opened();
+    EXPECT_FALSE(See(150, milliseconds(1900)));
+    EXPECT_FALSE(care_.held());
+    EXPECT_FALSE(See(150, milliseconds(3000)));
+  });
+  EXPECT_TRUE(care_.held());
+  EXPECT_THAT(tuning_.holds, testing::ElementsAre(CameraHold::kHeld));
+  EXPECT_THAT(log, testing::StrEq("kaori: lip camera: 120 frames/s\nkaori: lip camera: held as it is\n"));
+}
+
+TEST_F(Care, StepsDownUntilThereIsLightAndSaysSo) {
+  const std::string log = LogOf([&] {
+    care_.Opened();
+    EXPECT_TRUE(See(40, milliseconds(2500)));
+    care_.Opened();
+    EXPECT_TRUE(See(60, milliseconds(2500)));
+    care_.Opened();
+    EXPECT_FALSE(See(110, milliseconds(2500)));
+  });
+  EXPECT_TRUE(care_.held());
+  EXPECT_THAT(log, HasSubstr("too dark at 120 frames/s; slower\n"));
+  EXPECT_THAT(log, HasSubstr("lip camera: 30 frames/s\n"));
+}
+
+TEST_F(Care, AsksForLightWhereTheSlowestRateIsTooDark) {
+  tuning_.rung = 2;
+  const std::string log = LogOf([&] {
+    care_.Opened();
+    EXPECT_FALSE(See(40, milliseconds(5000)));
+  });
+  EXPECT_TRUE(care_.held());
+  EXPECT_THAT(log, HasSubstr("light the lips"));
+}
+
+TEST_F(Care, DoesNotJudgeACoveredLens) {
+  LogOf([&] {
+    EXPECT_FALSE(See(20, std::chrono::seconds(60)));
+    EXPECT_FALSE(care_.held());
+    EXPECT_FALSE(See(150, milliseconds(2500)));
+  });
+  EXPECT_TRUE(care_.held());
+  EXPECT_EQ(tuning_.rung, 0u);
+}
+
+TEST_F(Care, WaitsForAnExposureThatIsStillGrowingButNotForEver) {
+  tuning_.exposed = 0.3F;
+  LogOf([&] {
+    EXPECT_FALSE(See(40, milliseconds(3800)));
+    EXPECT_TRUE(See(40, milliseconds(400)));
+  });
+}
+
+TEST_F(Care, FreesTheCameraForACalibrationAndHoldsItAfterwards) {
+  const std::string log = LogOf([&] {
+    tuning_.lacks = {"focus"};
+    care_.Hold();
+    care_.Free();
+    EXPECT_FALSE(care_.held());
+    care_.Hold();
+    EXPECT_FALSE(See(40, std::chrono::seconds(10))) << "what a person has held is not judged";
+  });
+  EXPECT_THAT(tuning_.holds, testing::ElementsAre(CameraHold::kHeld, CameraHold::kFree, CameraHold::kHeld));
+  const auto first = log.find("cannot be held: focus");
+  EXPECT_NE(first, log.npos);
+  EXPECT_EQ(log.find("cannot be held", first + 1), log.npos) << "named once: " << log;
+}
+
+TEST_F(Care, LeavesACameraAloneThatHasNothingToTune) {
+  CameraCare care(nullptr);
+  care.Opened();
+  care.Hold();
+  care.Free();
+  const camera::Planes planes{.y = {picture_, 64, 48, 64, 1}, .cb = {}, .cr = {}, .full_range = false};
+  EXPECT_FALSE(care.See(planes, now_));
+}
+
+TEST(Brightness, IsThatOfTheBrightestTenth) {
+  std::vector<std::uint8_t> luma(std::size_t{64} * 48, 16);
+  std::fill_n(luma.begin(), luma.size() / 8, std::uint8_t{235});
+  camera::Planes planes{.y = {luma, 64, 48, 64, 1}, .cb = {}, .cr = {}, .full_range = false};
+  EXPECT_FLOAT_EQ(BrightnessOf(planes), 1);
+  std::fill_n(luma.begin(), luma.size(), std::uint8_t{16});
+  EXPECT_FLOAT_EQ(BrightnessOf(planes), 0);
+}
+
+}  // namespace
+}  // namespace kaori::lips
