@@ -12,6 +12,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kLongest = seconds(30);
+constexpr Duration kTremble = milliseconds(100);
 constexpr double kHeld = 0.3;  // On the board, of a stick that is held at 0.8.
 
 int Between(std::mt19937& chance, int low, int high) {
@@ -22,8 +23,17 @@ int Between(std::mt19937& chance, int low, int high) {
 // the board showed before cannot be taken for what it shows now.
 class HeldSticks {
  public:
-  explicit HeldSticks(Scene& scene) : scene_(scene) { Turn(); }
+  explicit HeldSticks(Scene& scene) : scene_(scene) {
+    Turn();
+    scene.place.SetHands([this](Time now) {
+      if (now < tremble_at_) return;
+      tremble_at_ = now + kTremble;
+      trembling_ = -trembling_;
+      Hold();
+    });
+  }
   ~HeldSticks() {
+    scene_.place.SetHands({});
     hands().left_stick.Move(0, 0);
     hands().right_stick.Move(0, 0);
   }
@@ -32,8 +42,7 @@ class HeldSticks {
 
   void Turn() {
     up_ = !up_;
-    hands().left_stick.Move(0.8F, up_ ? 0.8F : -0.8F);
-    hands().right_stick.Move(-0.8F, up_ ? 0.8F : -0.8F);
+    Hold();
   }
   bool new_on(const StickView& stick) const {
     return stick.live && (up_ ? stick.y > kHeld : stick.y < -kHeld);
@@ -46,9 +55,16 @@ class HeldSticks {
   }
 
  private:
+  void Hold() {
+    const float y = (up_ ? 0.8F : -0.8F) + trembling_;
+    hands().left_stick.Move(0.8F, y);
+    hands().right_stick.Move(-0.8F, y);
+  }
   sim::Instruments& hands() { return scene_.place.rig().instruments(); }
   Scene& scene_;
   bool up_ = false;
+  float trembling_ = 0.01F;
+  Time tremble_at_{};
 };
 
 std::vector<std::string> Chosen(std::mt19937& chance) {

@@ -10,6 +10,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kLongest = seconds(10);
+constexpr Duration kLongestFind = seconds(40);
 constexpr int kCountsPerTurn = 256;
 constexpr std::uint8_t kKeyA = 0x04;
 
@@ -89,13 +90,51 @@ Result<void> KeysAndPointer(Scene& scene) {
   return Ok(scene.place.UntilBoard(up, kLongest, "see key A up"));
 }
 
+Result<void> AllFound(Scene& scene) {
+  const auto found = [](const BoardView& board) {
+    return board.surface_live && board.left.live && board.right.live && board.keys_live && board.pointer_live;
+  };
+  return Ok(scene.place.UntilBoard(found, kLongestFind, "find the hands' devices"));
+}
+
+Result<void> PlayByLibusb(Scene& scene) {
+  if (auto ok = AllFound(scene); !ok) return ok;
+  for (const auto& part : {Dials, ButtonsAndLamps, Sticks, KeysAndPointer})
+    if (auto ok = part(scene); !ok) return ok;
+  for (const char* name : {"stick-left", "dial-box"}) static_cast<void>(scene.place.rig().Unplug(name));
+  const auto gone = [](const BoardView& board) { return !board.surface_live && !board.left.live; };
+  if (auto ok = scene.place.UntilBoard(gone, kLongestFind, "see two devices gone"); !ok) return Ok(ok);
+  for (const char* name : {"stick-left", "dial-box"}) static_cast<void>(scene.place.rig().Plug(name));
+  if (auto ok = AllFound(scene); !ok) return ok;
+  return Sticks(scene);
+}
+
+// The same program with the kernel's own driver put aside; then all as before.
+Result<void> Libusb(Scene& scene) {
+  const auto ask = [&](const std::string& question) {
+    return scene.place.witness().Ask(question, seconds(60));
+  };
+  if (auto ok = ask("own /usr/bin/systemctl stop kaori-input.service"); !ok)
+    return tl::unexpected(ok.error());
+  const auto program = ask("start /usr/bin/kaori-input --usb --board /run/kaori/board");
+  if (!program) return tl::unexpected(program.error());
+  scene.place.For(seconds(3));
+  auto played = PlayByLibusb(scene);
+  static_cast<void>(ask("end " + *program));
+  if (auto ok = ask("own /usr/bin/systemctl start kaori-input.service"); !ok)
+    return tl::unexpected(ok.error());
+  scene.finding.said = "dials, buttons, lamps, sticks, keys and pointer; pulled and plugged";
+  return played ? AllFound(scene) : played;
+}
+
 }  // namespace
 
 std::vector<Check> HandChecks() {
   return {{"dials", "Eight dials arrive on the board to the last count", true, Dials},
           {"lamps", "Buttons arrive, and lamps come back to the box", true, ButtonsAndLamps},
           {"sticks", "Both joysticks arrive, each as itself", true, Sticks},
-          {"keys", "Keys and the pointer arrive", true, KeysAndPointer}};
+          {"keys", "Keys and the pointer arrive", true, KeysAndPointer},
+          {"libusb", "All hands again, by libusb instead of the kernel's driver", false, Libusb}};
 }
 
 }  // namespace kaori::bench

@@ -85,10 +85,21 @@ class Bench {
       finding.verdict = kaori::bench::Verdict::kFailed;
       finding.said = ok.error().message();
       static_cast<void>(scene.Shoot(check.name + "-failed", "When it failed"));
+      AddTraces(finding);
     }
     fmt::print("{}  {:6.1f} s  {}: {}\n", Sign(finding.verdict), finding.took_s, check.name, finding.said);
     std::fflush(stdout);
     return reported;
+  }
+
+  // What helps to find out why.
+  void AddTraces(kaori::bench::Finding& finding) {
+    constexpr kaori::Duration kLongest = std::chrono::seconds(60);
+    for (const char* question :
+         {"board", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-input",
+          "own /usr/bin/journalctl -k --no-pager -o short-monotonic -n 60"})
+      if (const auto told = place_.witness().Ask(question, kLongest))
+        finding.texts.emplace_back(question, *told);
   }
 
   double boot_s() const { return strategy_.boot_s(); }

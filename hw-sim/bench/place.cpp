@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 namespace kaori::bench {
 namespace {
 
@@ -14,6 +16,13 @@ constexpr Duration kLookAgain = milliseconds(20);
 constexpr Duration kHands = milliseconds(4);  // Slow hands move in steps of this.
 constexpr Duration kAskAgain = milliseconds(100);
 constexpr Duration kLongestAnswer = std::chrono::seconds(30);
+
+std::string Hands(const BoardView& board) {
+  const auto one = [](const StickView& stick) {
+    return fmt::format("{} {:.2f} {:.2f}", stick.live ? "live" : "away", stick.x, stick.y);
+  };
+  return fmt::format("left {}, right {}", one(board.left), one(board.right));
+}
 
 }  // namespace
 
@@ -59,7 +68,8 @@ Result<BoardView> Place::UntilBoard(const std::function<bool(const BoardView&)>&
     auto board = Board();
     if (board && right(*board)) return board;
     if (clock_.now() >= until)
-      return Fail(std::errc::timed_out, what + (board ? "" : " (" + board.error().message() + ")"));
+      return Fail(std::errc::timed_out,
+                  what + " (" + (board ? Hands(*board) : board.error().message()) + ")");
     For(kAskAgain);
   }
 }

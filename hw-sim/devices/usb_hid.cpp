@@ -1,6 +1,7 @@
 #include "hw-sim/devices/usb_hid.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hw-sim/devices/usb_plate.h"
 
@@ -10,6 +11,7 @@ namespace {
 constexpr std::uint8_t kHidClass = 3;
 constexpr std::uint8_t kHidKind = 0x21, kReportKind = 0x22;
 constexpr std::uint16_t kPacketBytes = 64;
+constexpr Duration kTellAgain = std::chrono::milliseconds(150);
 constexpr std::uint8_t kEveryMicroframe = 1;
 
 // Requests (7.2 of the class definition), and the standard one that asks for HID's own descriptors.
@@ -95,14 +97,37 @@ std::optional<UsbBytes> UsbHid::Answer(const UsbSetup& setup, std::span<const st
 
 // On the cable a report that has no number is its bytes alone; above it begins with a 0.
 void UsbHid::TakeOut(std::uint8_t, std::span<const std::uint8_t> data) {
-  UsbBytes report(shape_.numbers_reports ? 0 : 1);
-  report.insert(report.end(), data.begin(), data.end());
+  const std::size_t before = shape_.numbers_reports ? 0 : 1;
+  UsbBytes report(before + data.size());
+  std::ranges::copy(data, report.begin() + static_cast<std::ptrdiff_t>(before));
   device_.TakeOutput(report);
+}
+
+void UsbHid::HostCame(std::uint8_t) {
+  device_.HostCame();
+  host_is_new_ = device_.next_due().has_value();
+}
+
+void UsbHid::HostLeft(std::uint8_t) {
+  device_.HostLeft();
+  host_is_new_ = false;
+  tell_again_at_.reset();
+}
+
+std::optional<Time> UsbHid::next_due(Time now) const {
+  if (host_is_new_) return now;
+  const auto due = device_.next_due();
+  return due && tell_again_at_ ? std::min(*due, *tell_again_at_) : due ? due : tell_again_at_;
 }
 
 std::optional<UsbBytes> UsbHid::TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) {
   if (endpoint != kIn) return std::nullopt;
+  if (std::exchange(host_is_new_, false)) tell_again_at_ = now + kTellAgain;
   auto report = device_.TakeReport(now);
+  if (!report && tell_again_at_ && now >= *tell_again_at_) {
+    tell_again_at_.reset();
+    report = device_.Standing();
+  }
   if (report) report->resize(std::min(report->size(), room_bytes));
   return report;
 }

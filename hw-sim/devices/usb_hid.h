@@ -14,8 +14,9 @@ struct HidShape {
 };
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor);
 
-// High speed and polled in every microframe: at full speed a host falls behind a device that sends each
-// millisecond (device class definition for HID 1.11).
+// Linux throws away what comes in the first 50 ms after a device is opened: what is not at rest when a host
+// comes is told a second time. High speed and polled in every microframe: at full speed a host falls behind a
+// device that sends each millisecond (device class definition for HID 1.11).
 class UsbHid final : public UsbDevice {
  public:
   static constexpr std::uint8_t kIn = 0x81;
@@ -28,15 +29,17 @@ class UsbHid final : public UsbDevice {
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
   void TakeOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) override;
   std::optional<UsbBytes> TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
-  std::optional<Time> next_due(Time) const override { return device_.next_due(); }
-  void HostCame(std::uint8_t) override { device_.HostCame(); }
-  void HostLeft(std::uint8_t) override { device_.HostLeft(); }
+  std::optional<Time> next_due(Time now) const override;
+  void HostCame(std::uint8_t) override;
+  void HostLeft(std::uint8_t) override;
   void PowerCycle() override { device_.PowerCycle(); }
 
  private:
   std::optional<UsbBytes> Descriptor(std::uint8_t kind) const;
 
   HidDevice& device_;
+  bool host_is_new_ = false;  // It came since TakeIn was last called, and something is not at rest.
+  std::optional<Time> tell_again_at_;
   HidShape shape_;
   UsbPlate plate_;
 };

@@ -148,6 +148,26 @@ TEST_F(UsbLink, SendsReportsToWhoListensAndToNobodyElse) {
   EXPECT_EQ(machine.reports.size(), 1U);
 }
 
+TEST_F(UsbLink, TellsANewHostTwiceWhatIsNotAtRest) {
+  UsbMachine machine(Path("stick-left"));
+  rig_->instruments().left_stick.Move(0.5F, 0);
+  Enumerate("stick-left", machine);
+  Later(1ms, machine);
+  ASSERT_EQ(machine.reports.size(), 1U);
+  Later(200ms, machine);
+  ASSERT_EQ(machine.reports.size(), 2U);
+  EXPECT_EQ(machine.reports[0], machine.reports[1]);
+  Later(1s, machine);
+  EXPECT_EQ(machine.reports.size(), 2U);
+}
+
+TEST_F(UsbLink, SaysNothingOfADeviceAtRest) {
+  UsbMachine machine(Path("stick-left"));
+  Enumerate("stick-left", machine);
+  Later(1s, machine);
+  EXPECT_TRUE(machine.reports.empty());
+}
+
 TEST_F(UsbLink, LightsTheLampsThatTheMachineSends) {
   UsbMachine machine(Path("dial-box"));
   Enumerate("dial-box", machine);

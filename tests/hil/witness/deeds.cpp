@@ -72,6 +72,22 @@ Result<std::string> RunIn(int root, const std::vector<std::string>& words, Durat
                    "\n" + said);
 }
 
+Result<std::string> StartIn(int root, const std::vector<std::string>& words) {
+  if (words.empty()) return FailInput("no program is named");
+  const UniqueFd nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC));
+  const pid_t child = ::fork();
+  if (child < 0) return FailErrno("fork");
+  if (child == 0) Become(root, words, nowhere.get());
+  return std::to_string(child);
+}
+
+Result<std::string> EndStarted(const std::string& number) {
+  const pid_t child = IsNumber(number) ? std::atoi(number.c_str()) : -1;
+  if (child <= 0 || ::kill(child, SIGTERM) < 0) return FailInput("nothing was started as " + number);
+  ::waitpid(child, nullptr, 0);
+  return std::string();
+}
+
 Result<std::string> ReadIn(int root, const std::string& path) {
   const auto from = path.find_first_not_of('/');
   const UniqueFd fd(

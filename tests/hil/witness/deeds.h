@@ -14,6 +14,12 @@ namespace kaori::hil {
 // said), those of fork and pipe.
 Result<std::string> RunIn(int root, const std::vector<std::string>& words, Duration longest);
 
+// Starts a program in the room of `root` and leaves it running; gives its number. Errors: those of fork.
+Result<std::string> StartIn(int root, const std::vector<std::string>& words);
+
+// Ends what StartIn started, and waits for it. Errors: invalid_argument (no such number).
+Result<std::string> EndStarted(const std::string& number);
+
 // The first 64 KiB of a file in the room of `root`. Errors: those of the file.
 Result<std::string> ReadIn(int root, const std::string& path);
 

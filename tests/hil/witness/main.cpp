@@ -8,6 +8,8 @@
 //   read PATH                    a file of the box
 //   tool WORDS...                a program of the bench's disk
 //   own WORDS...                 a program of the box
+//   start WORDS...               the same, left running; its number
+//   end NUMBER                   of a program that was started
 //   signal NAME NUMBER           to every process of that name
 //   lines take CHIP IN,IN OUT,OUT    GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
@@ -57,6 +59,8 @@ class Witness {
     if (verb == "clock") return std::to_string(clock_.now().time_since_epoch().count());
     if (verb == "tool") return kaori::hil::RunIn(rooms_.bench.get(), words, kLongestTool);
     if (verb == "own") return kaori::hil::RunIn(rooms_.box.get(), words, kLongestTool);
+    if (verb == "start") return kaori::hil::StartIn(rooms_.box.get(), words);
+    if (verb == "end" && words.size() == 1) return kaori::hil::EndStarted(words[0]);
     if (verb == "lines") return Lines(words);
     if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
     if (verb == "read" && words.size() == 1) return kaori::hil::ReadIn(rooms_.box.get(), words[0]);
