@@ -1,23 +1,27 @@
 // kaori-light: the first program of the box. Lights its screens with the picture of the show's first face,
-// and becomes the system's own first program.
+// makes ready what the stage needs at once, and becomes the system's own first program.
 //
 // It says nothing, whatever fails: a box that cannot show a still starts all the same, and a moment later the
 // stage says what is wrong.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/mount.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
+#include <string>
 
 #include "firmware/boot/card.h"
+#include "firmware/boot/data_partition.h"
 #include "firmware/boot/still.h"
 
 namespace {
 
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kCard = "/dev/dri/card0";
+constexpr const char* kData = "/var/lib/kaori";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
 constexpr int kLongestLight_ms = 1500;  // A card that takes longer is not waited for.
@@ -36,6 +40,17 @@ std::span<const std::uint8_t> Map(const char* path) {
   return {static_cast<const std::uint8_t*>(at), bytes};
 }
 
+// The stage waits for these first: they are read from the disk, and checked, while the system starts.
+void ReadAhead() {
+  for (const char* file : {"/usr/lib/x86_64-linux-gnu/dri/swrast_dri.so",
+                           "/usr/lib/x86_64-linux-gnu/libLLVM-15.so.1", "/usr/share/kaori/kaori.kaori"}) {
+    const int fd = ::open(file, O_RDONLY | O_CLOEXEC);
+    struct stat status {};
+    if (fd >= 0 && ::fstat(fd, &status) == 0) ::readahead(fd, 0, static_cast<std::size_t>(status.st_size));
+    ::close(fd);
+  }
+}
+
 // Ends once the stage shows its own pictures: before, the screens would go dark with this program.
 void KeepLit(const kaori::boot::Card& card, const std::vector<kaori::boot::Lit>& lit) {
   for (int looks = 0; looks < kMostLooks && card.Shows(lit); ++looks) ::usleep(kLook_us);
@@ -49,7 +64,28 @@ void Light(int done) {
   const auto lit = card.Light(*still);
   card.GiveWay();
   ::close(done);
+  ReadAhead();
   KeepLit(card, lit);
+}
+
+// Cards are the stage's before udev, which runs later, says the same.
+void GiveCards() {
+  constexpr gid_t kVideo = 44;  // As the root's etc/group has them.
+  constexpr gid_t kRender = 102;
+  constexpr mode_t kGroupsToo = 0660;
+  constexpr const char* kDraws = "/dev/dri/renderD128";
+  if (::chown(kCard, 0, kVideo) == 0) ::chmod(kCard, kGroupsToo);
+  if (::chown(kDraws, 0, kRender) == 0) ::chmod(kDraws, kGroupsToo);
+}
+
+// What a show keeps. Where this fails the system tries once more, and the show plays without.
+void MountData() {
+  constexpr unsigned long kPlain = MS_NODEV | MS_NOSUID | MS_NOEXEC;
+  ::mount("sysfs", "/sys", "sysfs", kPlain, nullptr);
+  const auto partition = kaori::boot::FindDataPartition("/sys/class/block");
+  if (!partition) return;
+  const std::string device = "/dev/" + *partition;
+  ::mount(device.c_str(), kData, "ext4", kPlain, nullptr);
 }
 
 void AwaitLight(int done) {
@@ -69,6 +105,8 @@ int main(int, char** argv) {
       ::_exit(0);
     }
     ::close(done[1]);
+    GiveCards();
+    MountData();
     if (child > 0) AwaitLight(done[0]);
   }
   ::execv(kSystem, argv);
