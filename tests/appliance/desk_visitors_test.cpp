@@ -201,7 +201,7 @@ TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneForNobody) {
   EXPECT_GT(pictures(cookie), 0);
   EXPECT_EQ(Status({.method = "POST", .path = "/leave", .cookie = cookie}), 204);
   house_.Play(100ms);
-  const auto ended = [](const std::string& got) { return got.ends_with("\r\n0\r\n\r\n"); };
+  const auto ended = [](const std::string& got) { return ("\r\n" + got).ends_with("\r\n0\r\n\r\n"); };
   EXPECT_TRUE(ended(paired.Receive(ended))) << "who left sees no more";
 }
 
