@@ -23,9 +23,9 @@ struct Picture {
 struct Finding {
   Verdict verdict = Verdict::kPassed;
   std::string said;  // Why it failed or was skipped; else what was seen.
-  std::vector<Picture> pictures;
-  std::map<std::string, double> figures;                   // For out/boot.json.
-  std::vector<std::pair<std::string, std::string>> texts;  // Name and content: outputs of tools.
+  std::vector<Picture> pictures{};
+  std::map<std::string, double> figures{};                   // For out/boot.json.
+  std::vector<std::pair<std::string, std::string>> texts{};  // Name and content: outputs of tools.
   double took_s = 0;
 };
 

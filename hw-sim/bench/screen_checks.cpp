@@ -36,7 +36,7 @@ Result<void> Face(Scene& scene) {
   if (!picture) return tl::unexpected(picture.error());
   const auto board = scene.place.Board();
   if (!board) return tl::unexpected(board.error());
-  scene.finding.figures["frames_per_s"] = board->stage.frames_per_s;
+  scene.finding.figures["llvmpipe_frames_per_s"] = board->stage.frames_per_s;
   scene.finding.said = fmt::format("{}; {:.1f} frames/s", Words(*picture), board->stage.frames_per_s);
   return WantFace(scene);
 }

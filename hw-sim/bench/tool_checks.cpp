@@ -44,7 +44,7 @@ void Evtest(Scene& scene) {
   sim::StickPod& stick = scene.place.rig().instruments().left_stick;
   float x = 0;
   scene.place.SetHands([&](Time) { stick.Move(x = x > 0.9F ? -0.9F : x + 0.01F, 0); });
-  const auto said = scene.place.witness().Ask("tool timeout 2 evtest " + file, kLongest);
+  const auto said = scene.place.witness().Ask("tool timeout -s INT 2 evtest " + file, kLongest);
   scene.place.SetHands({});
   stick.Move(0, 0);
   scene.finding.texts.emplace_back("evtest " + file, said ? *said : said.error().message());

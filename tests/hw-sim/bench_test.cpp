@@ -1,0 +1,236 @@
+// The bench without a machine: what it says to one, understands of it, and reports.
+#include "hw-sim/bench/serial_witness.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <png.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "appliance/board/board.h"
+#include "hw-sim/bench/board_view.h"
+#include "hw-sim/bench/picture.h"
+#include "hw-sim/bench/qemu.h"
+#include "hw-sim/bench/report.h"
+#include "hw-sim/links/usbredir/usb_rig.h"
+#include "tests/hil/witness/deeds.h"
+#include "tests/hil/witness/first_program.h"
+#include "tests/hil/witness/sight.h"
+
+namespace kaori::bench {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kShipped =
+    R"(dm-mod.create="root,,,ro,0 8 verity 1 a b" root=/dev/dm-0 rootfstype=erofs ro init=/usr/lib/systemd/systemd quiet)";
+
+TEST(BenchCommandLine, StartsTheWitnessWhichBecomesWhatTheImageNames) {
+  const std::string line = BenchCommandLine(kShipped);
+  EXPECT_THAT(line, testing::StartsWith(kShipped)) << "what ships is kept; the last word of a name counts";
+  EXPECT_EQ(hil::OnCommandLine(line, "kaori.root"), "/dev/dm-0");
+  EXPECT_EQ(hil::OnCommandLine(line, "kaori.rootfstype"), "erofs");
+  EXPECT_EQ(hil::OnCommandLine(line, "kaori.init"), "/usr/lib/systemd/systemd");
+  EXPECT_LT(line.rfind("init=/usr/lib"), line.rfind("init=/usr/bin/kaori-witness"));
+}
+
+TEST(BenchCommandLine, KnowsWhatIsUsualWhereTheImageSaysNothing) {
+  EXPECT_EQ(hil::OnCommandLine(BenchCommandLine("quiet"), "kaori.init"), "/usr/lib/systemd/systemd");
+  EXPECT_EQ(hil::OnCommandLine("quiet", "kaori.init"), "");
+}
+
+TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
+  const auto command = QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, "line");
+  for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n)
+    EXPECT_THAT(command, testing::Contains("usb-redir,chardev=usb" + std::to_string(n) +
+                                           ",bus=xhci.0,port=" + std::to_string(n + 1)));
+  EXPECT_THAT(command, testing::Contains("file=i/kaori.disk,if=virtio,format=raw,snapshot=on"))
+      << "nothing is written to it";
+  EXPECT_THAT(command, testing::Contains("file=b,if=virtio,format=raw,readonly=on"));
+}
+
+TEST(TakeAnswer, WaitsForAllOfIt) {
+  std::string waiting = "\x02OK 5\nhel";
+  EXPECT_FALSE(TakeAnswer(waiting));
+  waiting += "lo\x02";
+  const auto answer = TakeAnswer(waiting);
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->yes);
+  EXPECT_EQ(answer->text, "hello");
+  EXPECT_EQ(waiting, "\x02") << "the next one has begun";
+}
+
+TEST(TakeAnswer, LeavesTheNoiseOfTheLine) {
+  std::string waiting = "[  1.2] a word of the kernel\r\n\x02NO 3\nwhy";
+  const auto answer = TakeAnswer(waiting);
+  ASSERT_TRUE(answer);
+  EXPECT_FALSE(answer->yes);
+  EXPECT_EQ(answer->text, "why");
+}
+
+TEST(TakeAnswer, PassesOverAHeadThatIsTorn) {
+  std::string waiting = "\x02OK 1x\n\x02OK 2\nhi";
+  const auto answer = TakeAnswer(waiting);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->text, "hi");
+}
+
+class Folder : public testing::Test {
+ protected:
+  Folder() : folder_(testing::TempDir() + "bench-" + std::to_string(::getpid())) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~Folder() override { std::filesystem::remove_all(folder_); }
+  std::string Path(const std::string& name) const { return folder_ + "/" + name; }
+  std::string folder_;
+};
+
+using WitnessSight = Folder;
+
+TEST_F(WitnessSight, IsWhatTheBenchReads) {
+  const auto board = board::Board::Create(Path("board"));
+  ASSERT_TRUE(board);
+  const ManualClock clock;
+  board::Surface surface;
+  surface.counts[2] = -64;
+  surface.pushes[31] = 7;
+  board->TakeWriter<board::Surface>()->Write(surface, clock.now(), board::SourceState::kLive);
+  board->TakeWriter<board::Stick>(1)->Write({.x = -0.5F, .y = 0.25F, .port = 99}, clock.now(),
+                                            board::SourceState::kStale);
+  board::StageStatus stage;
+  stage.frames = 12;
+  board->TakeWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
+  const auto view = ReadBoardView(hil::BoardAsJson(*board, clock));
+  ASSERT_TRUE(view) << view.error().message();
+  EXPECT_TRUE(view->surface_live);
+  EXPECT_EQ(view->counts[2], -64);
+  EXPECT_EQ(view->pushes[31], 7U);
+  EXPECT_FALSE(view->right.live);
+  EXPECT_EQ(view->right.x, -0.5);
+  EXPECT_EQ(view->right.port, 99U);
+  EXPECT_FALSE(view->left.live);
+  EXPECT_EQ(view->stage.frames, 12U);
+  EXPECT_EQ(view->now_ns, clock.now().time_since_epoch().count());
+}
+
+TEST(BoardView, RefusesWhatNoWitnessSays) {
+  EXPECT_FALSE(ReadBoardView(""));
+  EXPECT_FALSE(ReadBoardView("{}"));
+  EXPECT_FALSE(ReadBoardView(R"({"surface":7})"));
+}
+
+using WitnessDeeds = Folder;
+
+TEST_F(WitnessDeeds, ReadFilesOfTheRoomTheyAreIn) {
+  std::ofstream(Path("serial")) << "7\n";
+  const UniqueFd room(::open(folder_.c_str(), O_PATH | O_DIRECTORY));
+  EXPECT_EQ(hil::ReadIn(room.get(), "/serial"), "7\n");
+  const auto missing = hil::ReadIn(room.get(), "/nothing");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().cause, std::errc::no_such_file_or_directory);
+}
+
+TEST_F(WitnessDeeds, SignalNobodyWhereNobodyHasTheName) {
+  EXPECT_EQ(hil::SignalAll("no-such-program", "15"), "0");
+  EXPECT_FALSE(hil::SignalAll("no-such-program", "hard"));
+}
+
+using Pictures = Folder;
+
+void WritePng(const std::string& path, const std::function<std::array<std::uint8_t, 3>(int, int)>& colour) {
+  constexpr int kSide = 64;
+  std::vector<std::uint8_t> rgb;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (const std::uint8_t part : colour(x, y)) rgb.push_back(part);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = image.height = kSide;
+  image.format = PNG_FORMAT_RGB;
+  ASSERT_NE(png_image_write_to_file(&image, path.c_str(), 0, rgb.data(), 0, nullptr), 0);
+}
+
+TEST_F(Pictures, OfBlackAndOfAConsoleShowNoFace) {
+  WritePng(Path("black.png"), [](int, int) { return std::array<std::uint8_t, 3>{0, 0, 0}; });
+  EXPECT_FALSE(ShowsAFace(*LookAt(Path("black.png"))));
+  WritePng(Path("console.png"), [](int x, int y) {
+    const auto grey = static_cast<std::uint8_t>((x * 7 + y * 3) % 5 == 0 ? 170 : 0);
+    return std::array<std::uint8_t, 3>{grey, grey, grey};
+  });
+  EXPECT_FALSE(ShowsAFace(*LookAt(Path("console.png"))));
+}
+
+TEST_F(Pictures, OfManyShadesMayShowOne) {
+  WritePng(Path("shades.png"), [](int x, int y) {
+    return std::array<std::uint8_t, 3>{static_cast<std::uint8_t>(x * 4), static_cast<std::uint8_t>(y * 4),
+                                       90};
+  });
+  EXPECT_TRUE(ShowsAFace(*LookAt(Path("shades.png"))));
+  EXPECT_FALSE(LookAt(Path("none.png")));
+}
+
+Report Sample() {
+  Report report{.image = "out/image", .root_hash = "ab12", .boot_s = 30, .checks = {}};
+  report.checks.push_back(
+      {"face",
+       "The face is on the screen",
+       {.said = "92 % lit", .pictures = {{"face-0.png", "The first face"}}, .took_s = 1.5}});
+  report.checks.push_back(
+      {"replugs",
+       "Roles stay",
+       {.verdict = Verdict::kFailed, .said = "1 < 2 & \"so\" on", .figures = {{"swaps", 1}}}});
+  report.checks.push_back({"sound", "Sound", {.verdict = Verdict::kSkipped, .said = "no card"}});
+  return report;
+}
+
+TEST(BenchReport, TellsMachinesWhatFailedAndWhy) {
+  const std::string xml = AsJUnit(Sample());
+  EXPECT_THAT(xml, HasSubstr(R"(tests="3" failures="1" skipped="1" time="1.5")"));
+  EXPECT_THAT(xml, HasSubstr(R"(<failure message="1 &lt; 2 &amp; &quot;so&quot; on"/>)"));
+  EXPECT_THAT(xml, HasSubstr(R"(<skipped message="no card"/>)"));
+}
+
+TEST(BenchReport, ShowsPeoplePicturesAndFigures) {
+  const std::string page = AsPage(Sample());
+  EXPECT_THAT(page, HasSubstr("The box failed on the bench"));
+  EXPECT_THAT(page, HasSubstr(R"(<img src="face-0.png" alt="The first face")"));
+  EXPECT_THAT(page, HasSubstr("swaps"));
+  EXPECT_THAT(page, Not(HasSubstr("1 < 2")));
+}
+
+using BenchFigures = Folder;
+
+TEST_F(BenchFigures, AreLaidBesideThoseOfOthers) {
+  std::ofstream(Path("boot.json")) << R"({"first_light_over_stock": 0.1, "swaps": 9})";
+  ASSERT_TRUE(MergeFigures(Sample(), Path("boot.json")));
+  std::ostringstream text;
+  text << std::ifstream(Path("boot.json")).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr("\"first_light_over_stock\": 0.1"));
+  EXPECT_THAT(text.str(), HasSubstr("\"swaps\": 1.0"));
+}
+
+TEST_F(BenchFigures, AreNotLaidOverWhatIsNoObject) {
+  std::ofstream(Path("boot.json")) << "seven";
+  EXPECT_FALSE(MergeFigures(Sample(), Path("boot.json")));
+}
+
+TEST(BenchChecks, HaveNamesOfTheirOwnAndAChosenPart) {
+  std::vector<std::string> names;
+  int chosen = 0;
+  for (const Check& check : AllChecks()) {
+    names.push_back(check.name);
+    chosen += check.chosen ? 1 : 0;
+  }
+  std::ranges::sort(names);
+  EXPECT_EQ(std::ranges::adjacent_find(names), names.end());
+  EXPECT_GE(chosen, 8);
+}
+
+}  // namespace
+}  // namespace kaori::bench
