@@ -2,159 +2,52 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <optional>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include "appliance/lips/paint_block.h"
 
 namespace kaori::lips {
 namespace {
 
-constexpr int kBlock = 64;  // Samples that become one word of bits.
-
 constexpr std::size_t kCacheLine_bytes = 64;
 constexpr std::size_t kRowsAhead = 2;  // Of the grid, that are fetched while one is looked at.
 
-enum class Packing { kYuyv, kNv12, kPlanar, kOther };
+// How far a packing's samples are read beyond the last one's chroma: YUYV is read up to its next luma.
+constexpr std::size_t kReadBeyond_bytes = 4;
 
-struct ChromaRow {
-  const std::uint8_t* cb;
-  const std::uint8_t* cr;
-  std::size_t step;
-};
-
-// A block of Cb Cr Cb Cr.
-using Pairs = std::array<std::uint8_t, std::size_t{2} * kBlock>;
-
-// The rest of a row, and shapes that no camera of ours sends: sample by sample, neutral beyond the end.
-void Gather(const ChromaRow& row, int count, Pairs& pairs) {
-  pairs.fill(128);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    pairs[2 * i] = row.cb[i * row.step];
-    pairs[2 * i + 1] = row.cr[i * row.step];
-  }
+std::optional<Packing> PackingOf(const camera::Planes& planes) {
+  const auto apart = planes.cr.bytes.data() - planes.cb.bytes.data();
+  if (planes.cb.step_bytes == 4 && apart == 2) return Packing::kYuyv;
+  if (planes.cb.step_bytes == 2 && apart == 1) return Packing::kNv12;
+  if (planes.cb.step_bytes == 1) return Packing::kPlanar;
+  return std::nullopt;
 }
-
-#if defined(__SSE2__)
-// Every x86-64 has these instructions. Four samples at a time: Cb and Cr lie side by side as 16-bit numbers,
-// which is what the multiply-and-add of pairs takes.
-class BlockKey {
- public:
-  explicit BlockKey(const std::array<HalfPlane, 3>& wedge) {
-    for (std::size_t n = 0; n < wedge.size(); ++n) {
-      const HalfPlane& half = wedge[n];
-      sides_[n].normal =
-          _mm_set_epi16(half.cr, half.cb, half.cr, half.cb, half.cr, half.cb, half.cr, half.cb);
-      sides_[n].offset = _mm_set1_epi32(half.offset - 128 * (half.cb + half.cr));
-    }
-  }
-
-  // Cb Y Cr Y: the luma between them is masked away.
-  std::uint64_t Yuyv(const std::uint8_t* at) const {
-    const __m128i low = _mm_set1_epi16(255);
-    std::uint64_t outside = 0;
-    for (int n = 0; n < kBlock; n += 4)
-      outside |= Outside(_mm_and_si128(Load(at + 4 * static_cast<std::size_t>(n)), low)) << n;
-    return ~outside;
-  }
-
-  std::uint64_t Nv12(const std::uint8_t* at) const {
-    const __m128i zero = _mm_setzero_si128();
-    std::uint64_t outside = 0;
-    for (int n = 0; n < kBlock; n += 8) {
-      const __m128i eight = Load(at + 2 * static_cast<std::size_t>(n));
-      outside |= Outside(_mm_unpacklo_epi8(eight, zero)) << n;
-      outside |= Outside(_mm_unpackhi_epi8(eight, zero)) << (n + 4);
-    }
-    return ~outside;
-  }
-
-  std::uint64_t Planar(const std::uint8_t* cb, const std::uint8_t* cr) const {
-    Pairs pairs;
-    for (std::size_t n = 0; n < kBlock; n += 16) {
-      const __m128i some_cb = Load(cb + n);
-      const __m128i some_cr = Load(cr + n);
-      Store(&pairs[2 * n], _mm_unpacklo_epi8(some_cb, some_cr));
-      Store(&pairs[2 * n + 16], _mm_unpackhi_epi8(some_cb, some_cr));
-    }
-    return Nv12(pairs.data());
-  }
-
- private:
-  static __m128i Load(const std::uint8_t* at) {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
-  }
-  static void Store(std::uint8_t* at, __m128i value) {
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(at), value);
-  }
-
-  // A sample is paint where it lies on no negative side: where the three signs or-ed are clear.
-  std::uint64_t Outside(__m128i four) const {
-    const auto side = [&](const Side& of) {
-      return _mm_add_epi32(_mm_madd_epi16(four, of.normal), of.offset);
-    };
-    const __m128i signs = _mm_or_si128(_mm_or_si128(side(sides_[0]), side(sides_[1])), side(sides_[2]));
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(signs))));
-  }
-
-  struct Side {
-    __m128i normal;
-    __m128i offset;
-  };
-  std::array<Side, 3> sides_;
-};
-#else
-// The same anywhere: loops of a known length without branches, of which the compiler makes vectors.
-class BlockKey {
- public:
-  explicit BlockKey(const std::array<HalfPlane, 3>& wedge) : wedge_(wedge) {}
-
-  std::uint64_t Yuyv(const std::uint8_t* at) const { return Strided(at, at + 2, 4); }
-  std::uint64_t Nv12(const std::uint8_t* at) const { return Strided(at, at + 1, 2); }
-  std::uint64_t Planar(const std::uint8_t* cb, const std::uint8_t* cr) const { return Strided(cb, cr, 1); }
-
- private:
-  std::uint64_t Strided(const std::uint8_t* cb, const std::uint8_t* cr, std::size_t step) const {
-    const auto [a, b, c] = wedge_;
-    std::array<std::uint8_t, kBlock> paint;
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      const int blue = cb[i * step] - 128;
-      const int red = cr[i * step] - 128;
-      const int signs = (blue * a.cb + red * a.cr + a.offset) | (blue * b.cb + red * b.cr + b.offset) |
-                        (blue * c.cb + red * c.cr + c.offset);
-      paint[i] = signs < 0 ? 0 : 1;
-    }
-    std::uint64_t bits = 0;
-    for (std::size_t n = 0; n < kBlock; n += 8) {  // Eight bytes become eight bits by one multiplication.
-      std::uint64_t eight = 0;
-      std::memcpy(&eight, &paint[n], 8);
-      bits |= (eight * 0x0102040810204080U >> 56) << n;
-    }
-    return bits;
-  }
-
-  std::array<HalfPlane, 3> wedge_;
-};
-#endif
 
 struct RowWork {
   ChromaRow row;
   int width;         // Samples.
   std::size_t left;  // Bytes from row.cb to the end of the frame.
-  Packing packing;
 };
 
-std::uint64_t KeyBlock(const RowWork& work, int x, const BlockKey& key) {
-  const std::size_t from = static_cast<std::size_t>(x) * work.row.step;
-  const ChromaRow at{work.row.cb + from, work.row.cr + from, work.row.step};
-  const bool whole = x + kBlock <= work.width && from + kBlock * work.row.step <= work.left;
-  if (whole && work.packing == Packing::kYuyv) return key.Yuyv(at.cb);
-  if (whole && work.packing == Packing::kNv12) return key.Nv12(at.cb);
-  if (whole && work.packing == Packing::kPlanar) return key.Planar(at.cb, at.cr);
-  Pairs pairs;
-  Gather(at, std::min(kBlock, work.width - x), pairs);
-  return key.Nv12(pairs.data());
+// Blocks that lie within the row and the frame.
+std::size_t WholeBlocks(const RowWork& work) {
+  const auto in_row = static_cast<std::size_t>(work.width / kBlock);
+  return std::min(in_row, work.left / (static_cast<std::size_t>(kBlock) * work.row.step));
+}
+
+// The rest of a row, and shapes that no camera of ours sends: sample by sample, neutral beyond the end.
+std::uint64_t KeyRest(const RowWork& work, std::size_t block, const Wedge& wedge) {
+  std::array<std::uint8_t, std::size_t{2} * kBlock + kReadBeyond_bytes> pairs;
+  pairs.fill(128);
+  const std::size_t from = block * kBlock;
+  const std::size_t count = std::min<std::size_t>(kBlock, static_cast<std::size_t>(work.width) - from);
+  for (std::size_t n = 0; n < count; ++n) {
+    pairs[2 * n] = work.row.cb[(from + n) * work.row.step];
+    pairs[2 * n + 1] = work.row.cr[(from + n) * work.row.step];
+  }
+  std::uint64_t bits = 0;
+  PlainKey(Packing::kNv12)({pairs.data(), pairs.data() + 1, 2}, 1, wedge, &bits);
+  return bits;
 }
 
 // A frame comes fresh from the camera, in no cache, and rows that are left out make it hard to foresee.
@@ -162,13 +55,6 @@ void Prefetch(const camera::Plane& plane, std::size_t at) {
   const std::size_t row = static_cast<std::size_t>(plane.width_px) * plane.step_bytes;
   if (at + row > plane.bytes.size()) return;
   for (std::size_t n = 0; n < row; n += kCacheLine_bytes) __builtin_prefetch(&plane.bytes[at + n]);
-}
-
-Packing PackingOf(const camera::Planes& planes) {
-  const auto apart = planes.cr.bytes.data() - planes.cb.bytes.data();
-  if (planes.cb.step_bytes == 4 && apart == 2) return Packing::kYuyv;
-  if (planes.cb.step_bytes == 2 && apart == 1) return Packing::kNv12;
-  return planes.cb.step_bytes == 1 ? Packing::kPlanar : Packing::kOther;
 }
 
 // At least three of a sample and its four neighbours: counted for 64 samples at once, bit by bit.
@@ -198,23 +84,23 @@ Grid GridOf(const camera::Planes& planes) {
 }
 
 void PaintMask::Read(const camera::Planes& planes, const PaintKey& key) {
-  const BlockKey block_key(key.weak());
   grid_ = GridOf(planes);
   words_ = static_cast<std::size_t>(grid_.width + kBlock - 1) / kBlock;
   const auto rows = static_cast<std::size_t>(grid_.height);
   raw_.assign((rows + 2) * words_, 0);  // An empty row above and below.
   voted_.resize(rows * words_);
-  const Packing packing = PackingOf(planes);
+  const auto packing = PackingOf(planes);
+  const KeyBlocks key_blocks = packing ? WidestKey(*packing) : nullptr;
+  const std::size_t row_bytes = static_cast<std::size_t>(grid_.row_step) * planes.cb.stride_bytes;
   for (std::size_t y = 0; y < rows; ++y) {
-    const std::size_t at = y * static_cast<std::size_t>(grid_.row_step) * planes.cb.stride_bytes;
+    const std::size_t at = y * row_bytes;
     const std::size_t end = std::min(planes.cb.bytes.size(), planes.cr.bytes.size()) - at;
-    const RowWork work{{planes.cb.bytes.data() + at, planes.cr.bytes.data() + at, planes.cb.step_bytes},
-                       grid_.width,
-                       end,
-                       packing};
-    Prefetch(planes.cb, at + kRowsAhead * static_cast<std::size_t>(grid_.row_step) * planes.cb.stride_bytes);
-    for (std::size_t n = 0; n < words_; ++n)
-      raw_[(y + 1) * words_ + n] = KeyBlock(work, static_cast<int>(n) * kBlock, block_key);
+    const RowWork work{
+        {planes.cb.bytes.data() + at, planes.cr.bytes.data() + at, planes.cb.step_bytes}, grid_.width, end};
+    Prefetch(planes.cb, at + kRowsAhead * row_bytes);
+    const std::size_t whole = key_blocks != nullptr ? WholeBlocks(work) : 0;
+    if (whole > 0) key_blocks(work.row, whole, key.weak(), &raw_[(y + 1) * words_]);
+    for (std::size_t n = whole; n < words_; ++n) raw_[(y + 1) * words_ + n] = KeyRest(work, n, key.weak());
   }
   VoteOn(rows);
 }
