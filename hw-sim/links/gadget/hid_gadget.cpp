@@ -1,0 +1,104 @@
+#include "hw-sim/links/gadget/hid_gadget.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "drivers/base/unique_fd.h"
+#include "hw-sim/devices/usb_hid.h"
+
+namespace kaori::sim {
+namespace {
+
+constexpr std::string_view kFunction = "/functions/hid.0";
+constexpr std::string_view kConfiguration = "/configs/c.1";
+constexpr std::string_view kEnglish = "/strings/0x409";
+constexpr std::size_t kLongestReport = 64;
+
+// An attribute takes its value in one write.
+Result<void> Set(const std::string& path, std::string_view value) {
+  const UniqueFd fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  if (!fd.valid() || ::write(fd.get(), value.data(), value.size()) != static_cast<ssize_t>(value.size()))
+    return FailErrno("set " + path);
+  return {};
+}
+
+Result<void> MakeFolder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "make " + path);
+  return {};
+}
+
+std::string Hex(std::uint16_t value) {
+  return fmt::format("{:#06x}", value);
+}
+
+}  // namespace
+
+Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, const HidNameplate& plate) {
+  const std::string path = room.gadgets + "/" + name;
+  for (const std::string_view folder : {std::string_view(), kEnglish, kFunction, kConfiguration})
+    if (auto ok = MakeFolder(path + std::string(folder)); !ok) return tl::unexpected(ok.error());
+  HidGadget gadget(std::move(room), path);
+  gadget.Unbind();
+  if (auto ok = gadget.Describe(plate); !ok) return tl::unexpected(ok.error());
+  return gadget;
+}
+
+Result<void> HidGadget::Describe(const HidNameplate& plate) const {
+  const std::string function = path_ + std::string(kFunction);
+  const std::string english = path_ + std::string(kEnglish);
+  const std::string_view descriptor(reinterpret_cast<const char*>(plate.descriptor.data()),
+                                    plate.descriptor.size());
+  const std::pair<std::string, std::string> values[] = {
+      {path_ + "/idVendor", Hex(plate.vendor)},
+      {path_ + "/idProduct", Hex(plate.product)},
+      {english + "/manufacturer", "Kaori"},
+      {english + "/product", plate.name},
+      {function + "/protocol", "0"},
+      {function + "/subclass", "0"},
+      {function + "/report_length", std::to_string(kLongestReport)},
+      {function + "/report_desc", std::string(descriptor)}};
+  for (const auto& [file, value] : values)
+    if (auto ok = Set(file, value); !ok) return ok;
+  std::error_code error;
+  const std::string link = path_ + std::string(kConfiguration) + "/hid.0";
+  if (!std::filesystem::is_symlink(link, error)) std::filesystem::create_symlink(function, link, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "link " + link);
+  return {};
+}
+
+// From the inside out, as configfs wants it; what is not there needs no going.
+HidGadget::~HidGadget() {
+  if (path_.empty()) return;
+  Unbind();
+  ::unlink((path_ + std::string(kConfiguration) + "/hid.0").c_str());
+  for (const std::string_view folder : {kConfiguration, kFunction, kEnglish, std::string_view()})
+    ::rmdir((path_ + std::string(folder)).c_str());
+}
+
+Result<void> HidGadget::Bind(const std::string& controller) {
+  return Set(path_ + "/UDC", controller);
+}
+
+void HidGadget::Unbind() {
+  static_cast<void>(Set(path_ + "/UDC", "\n"));  // Fails where it was not bound.
+}
+
+// "237:0": the second number counts the files.
+Result<std::string> HidGadget::DeviceFile() const {
+  std::ifstream file(path_ + std::string(kFunction) + "/dev");
+  std::string major, minor;
+  if (!std::getline(file, major, ':') || !std::getline(file, minor))
+    return FailErrno("read " + path_ + "/functions/hid.0/dev");
+  return room_.devices + "/hidg" + minor;
+}
+
+}  // namespace kaori::sim

@@ -1,0 +1,46 @@
+// A HID device as Linux shows it at its own USB socket: a gadget in configfs, made, bound and taken away.
+#pragma once
+
+#include <string>
+
+#include "drivers/base/result.h"
+#include "hw-sim/devices/hid_device.h"
+
+namespace kaori::sim {
+
+// Where the kernel keeps gadgets and their files.
+struct GadgetRoom {
+  std::string gadgets = "/sys/kernel/config/usb_gadget";
+  std::string devices = "/dev";
+};
+
+// One gadget with one function. Needs root, and a kernel with libcomposite and usb_f_hid. The gadget goes
+// with this.
+class HidGadget {
+ public:
+  // Makes it, not yet bound; what a dead simulator left under that name is used again. Errors: those of the
+  // files.
+  static Result<HidGadget> Make(GadgetRoom room, const std::string& name, const HidNameplate& plate);
+  HidGadget(HidGadget&& other) noexcept
+      : room_(std::move(other.room_)), path_(std::exchange(other.path_, {})) {}
+  HidGadget& operator=(HidGadget&&) = delete;
+  ~HidGadget();
+
+  // The cable: to the USB device controller of that name, as in /sys/class/udc. Errors:
+  // device_or_resource_busy (another gadget has it), no_such_device.
+  Result<void> Bind(const std::string& controller);
+  void Unbind();
+
+  // The file through which its reports go; there is one while it is bound. Errors: those of the gadget's own
+  // file.
+  Result<std::string> DeviceFile() const;
+
+ private:
+  HidGadget(GadgetRoom room, std::string path) : room_(std::move(room)), path_(std::move(path)) {}
+  Result<void> Describe(const HidNameplate& plate) const;
+
+  GadgetRoom room_;
+  std::string path_;
+};
+
+}  // namespace kaori::sim
