@@ -1,0 +1,123 @@
+// The real programs in service: kaori-desk before kaori-lips, and what each does when the other dies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "appliance/board/board.h"
+#include "tests/appliance/desk_visitor.h"
+#include "tests/system/house.h"
+
+namespace kaori::test {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+using board::SourceState;
+using testing::Asked;
+using ::testing::HasSubstr;
+
+class DeskProgram : public ::testing::Test {
+ protected:
+  void StartLips() {
+    house_.Start("kaori-lips", {"--board", house_.board(), "--links", house_.links(), "--service",
+                                "--settings", house_.File("lips.settings")});
+  }
+  void StartDesk() {
+    std::filesystem::remove(house_.File("address"));
+    house_.Start("kaori-desk", {"--service", "--board", house_.board(), "--port", "0", "--plain", "--local",
+                                "--address-file", house_.File("address")});
+    ASSERT_TRUE(Await([this] { return ReadPort(); })) << house_.LogOf("kaori-desk");
+    board_ = board::Board::Create(house_.board()).value();
+    ASSERT_TRUE(Await([this] { return board_->Read<board::Desk>().source == SourceState::kLive; }));
+  }
+  void StartAll() {
+    house_.Start("kaori-sim", {"--links", house_.links()});
+    StartLips();
+    StartDesk();
+    ASSERT_TRUE(Await([this] { return Lips().source == SourceState::kLive; }));
+  }
+
+  bool ReadPort() {
+    std::ifstream file(house_.File("address"));
+    std::string address;
+    if (!std::getline(file, address) || file.eof()) return false;
+    port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+    return true;
+  }
+
+  std::string Ask(const Asked& asked) {
+    testing::Visitor visitor(port_, [] {});
+    visitor.Send(testing::RequestOf(asked, port_));
+    return visitor.Receive(testing::IsWhole);
+  }
+  std::string Pair() {
+    const std::string code = fmt::format("{:06}", board_->Read<board::Desk>().value.code);
+    const std::string reply = Ask({.method = "POST", .path = "/pair", .body = code});
+    EXPECT_EQ(testing::StatusOf(reply), 204) << reply;
+    const auto at = reply.find("kaori-desk=");
+    return reply.substr(at, reply.find(';', at) - at);
+  }
+  bool State(const std::string& cookie, const char* words) {
+    return Ask({.path = "/state", .cookie = cookie}).find(words) != std::string::npos;
+  }
+  board::Stamped<board::Lips> Lips() const { return board_->Read<board::Lips>(); }
+
+  House house_;
+  std::optional<board::Board> board_;
+  std::uint16_t port_ = 0;
+};
+
+TEST_F(DeskProgram, RefusesToServeABoxThatPlaysInOneLine) {
+  EXPECT_EQ(house_.RunToEnd("kaori-desk", {"--board", house_.board()}), 2);
+  const std::string log = house_.LogOf("kaori-desk");
+  EXPECT_THAT(log, HasSubstr("--service"));
+  EXPECT_EQ(std::ranges::count(log, '\n'), 1);
+}
+
+TEST_F(DeskProgram, ChangesTheLipsOfAPairedVisitor) {
+  StartAll();
+  const std::string cookie = Pair();
+  EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":true"); }));
+  EXPECT_EQ(testing::StatusOf(
+                Ask({.method = "POST", .path = "/do", .body = "set mouth.open 0.7 1", .cookie = cookie})),
+            200);
+  EXPECT_TRUE(Await([&] { return Lips().value.open == 0.7F; }));
+  EXPECT_EQ(testing::StatusOf(Ask({.method = "POST", .path = "/do", .body = "save", .cookie = cookie})), 200);
+  EXPECT_TRUE(Await([&] { return std::filesystem::exists(house_.File("lips.settings")); }));
+  house_.Kill("kaori-lips");
+  EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":false"); })) << "and the page says so";
+  StartLips();
+  EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":true"); }));
+  EXPECT_TRUE(Await([&] { return Lips().source == SourceState::kLive && Lips().value.open == 0.7F; }))
+      << "as it was saved";
+}
+
+TEST_F(DeskProgram, DoesNotDisturbTheLipsWhenItDies) {
+  StartAll();
+  for (int round = 0; round < 3; ++round) {
+    const std::uint32_t code = board_->Read<board::Desk>().value.code;
+    testing::Visitor looker(port_, [] {});
+    looker.Send(testing::RequestOf({.path = "/picture", .cookie = Pair()}, port_));
+    house_.Kill("kaori-desk");
+    const std::uint32_t frames = Lips().value.frames;
+    EXPECT_TRUE(Await([&] { return Lips().value.frames > frames + 5; }, 2s));
+    EXPECT_EQ(Lips().source, SourceState::kLive);
+    StartDesk();
+    EXPECT_TRUE(Await([&] { return board_->Read<board::Desk>().value.code != code; }))
+        << "a new code at every start";
+  }
+}
+
+TEST_F(DeskProgram, FindsNoWayIntoLipsThatAreNotInService) {
+  house_.Start("kaori-sim", {"--links", house_.links()});
+  house_.Start("kaori-lips", {"--board", house_.board(), "--links", house_.links()});
+  StartDesk();
+  ASSERT_TRUE(Await([this] { return Lips().source == SourceState::kLive; }));
+  EXPECT_FALSE(std::filesystem::exists(house_.board() + ".lips"));
+  const std::string cookie = Pair();
+  EXPECT_TRUE(State(cookie, "\"lips\":false"));
+}
+
+}  // namespace
+}  // namespace kaori::test
