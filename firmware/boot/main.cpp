@@ -40,17 +40,6 @@ std::span<const std::uint8_t> Map(const char* path) {
   return {static_cast<const std::uint8_t*>(at), bytes};
 }
 
-// The stage waits for these first: they are read from the disk, and checked, while the system starts.
-void ReadAhead() {
-  for (const char* file : {"/usr/lib/x86_64-linux-gnu/dri/swrast_dri.so",
-                           "/usr/lib/x86_64-linux-gnu/libLLVM-15.so.1", "/usr/share/kaori/kaori.kaori"}) {
-    const int fd = ::open(file, O_RDONLY | O_CLOEXEC);
-    struct stat status {};
-    if (fd >= 0 && ::fstat(fd, &status) == 0) ::readahead(fd, 0, static_cast<std::size_t>(status.st_size));
-    ::close(fd);
-  }
-}
-
 // Ends once the stage shows its own pictures: before, the screens would go dark with this program.
 void KeepLit(const kaori::boot::Card& card, const std::vector<kaori::boot::Lit>& lit) {
   for (int looks = 0; looks < kMostLooks && card.Shows(lit); ++looks) ::usleep(kLook_us);
@@ -64,7 +53,6 @@ void Light(int done) {
   const auto lit = card.Light(*still);
   card.GiveWay();
   ::close(done);
-  ReadAhead();
   KeepLit(card, lit);
 }
 
