@@ -59,7 +59,9 @@ class KmsDevice {
   // Whether the CRTC shows something now, of whatever program.
   virtual bool IsLit(std::uint32_t crtc) = 0;
 
-  // What the kernel has seen last; asks nothing of the cable.
+  // Whether the kernel said, since this was asked last, that a screen came or went: Probe tells which.
+  virtual bool Stirred() = 0;
+  // What the kernel has seen last; asks nothing of the cable. Some cards see nothing until they are probed.
   virtual Plug PlugOf(std::uint32_t connector) = 0;
   // Asks the screen itself, which takes tens of milliseconds. Errors: no_such_device (no such connector).
   virtual Result<KmsConnector> Probe(std::uint32_t connector) = 0;

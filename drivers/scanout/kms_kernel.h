@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "drivers/base/unique_fd.h"
+#include "drivers/scanout/hotplug.h"
 #include "drivers/scanout/kms_device.h"
 
 namespace kaori::scanout {
@@ -26,13 +28,14 @@ Result<void> PrepareCardFile(int card);
 class KmsKernel final : public KmsDevice {
  public:
   // `card` was prepared, and must outlive this.
-  explicit KmsKernel(int card) : card_(card) {}
+  explicit KmsKernel(int card, Hotplug hotplug = {}) : card_(card), hotplug_(std::move(hotplug)) {}
 
   int pollable() const override { return card_; }
   std::vector<std::uint32_t> Connectors() override;
   std::vector<std::uint32_t> Crtcs() override;
   std::vector<KmsPlane> PrimaryPlanes() override;
   bool IsLit(std::uint32_t crtc) override;
+  bool Stirred() override { return hotplug_.Heard(); }
   Plug PlugOf(std::uint32_t connector) override;
   Result<KmsConnector> Probe(std::uint32_t connector) override;
   Result<std::uint32_t> TellMode(const drmModeModeInfo& mode) override;
@@ -51,6 +54,7 @@ class KmsKernel final : public KmsDevice {
   Result<std::uint32_t> IdOf(const KmsSetting& setting);
 
   int card_;
+  Hotplug hotplug_;
   std::vector<Known> known_;
   std::array<std::byte, 1024> events_{};  // Read from the card and not yet passed on.
   std::size_t from_ = 0;

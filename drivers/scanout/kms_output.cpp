@@ -57,8 +57,9 @@ class Wiring {
 
 std::vector<KmsConnector> PluggedIn(KmsDevice& card) {
   std::vector<KmsConnector> found;
+  const bool stirred = card.Stirred();
   for (const std::uint32_t id : card.Connectors()) {
-    if (card.PlugOf(id) == Plug::kEmpty) continue;
+    if (!stirred && card.PlugOf(id) == Plug::kEmpty) continue;
     auto connector = card.Probe(id);
     if (connector && connector->plugged) found.push_back(std::move(*connector));
   }

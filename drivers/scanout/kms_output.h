@@ -21,8 +21,8 @@ struct KmsOutput {
 
 // Every screen that is plugged in and can be driven beside the others, in the card's order. Where the card
 // cannot drive them all, as many as it can. `mode` is what people wish for all of them, if they do. Probes no
-// connector that the kernel knows to be empty. Errors: no_such_device (no screen is plugged in),
-// not_supported (the card can show on none of them).
+// connector that the kernel knows to be empty, but where it says that something changed. Errors:
+// no_such_device (no screen is plugged in), not_supported (the card can show on none of them).
 Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, const std::optional<drmModeModeInfo>& mode = {});
 
 // For each CRTC, in the card's order, a primary plane of its own; 0 where there is none.

@@ -67,7 +67,27 @@ Result<ports::PixelBuffer> KmsScreen::Acquire() {
   return ports::PixelBuffer{wall_.width_px, wall_.height_px, {}, pictures_->window()};
 }
 
+// The kernel's own view is that of the last probe; a screen that is lit may have given way to another one.
+Result<void> KmsScreen::Ask() {
+  for (const std::uint32_t connector : card_.Connectors()) {
+    const auto found = card_.Probe(connector);
+    const auto panel =
+        std::ranges::find(panels_, connector, [](const Panel& p) { return p.at.output.connector; });
+    if (found && found->plugged && panel != panels_.end() && !IsAsBefore(*found, *panel))
+      return Fail(std::errc::no_such_device, "leave the screens as they were: one has another mode");
+  }
+  return {};
+}
+
+bool KmsScreen::IsAsBefore(const KmsConnector& connector, const Panel& panel) const {
+  const auto& now = ModeFor(connector, mode_).mode;
+  const auto& before = panel.at.output.chosen.mode;
+  return now.hdisplay == before.hdisplay && now.vdisplay == before.vdisplay;
+}
+
 Result<void> KmsScreen::Look() {
+  if (card_.Stirred())
+    if (auto asked = Ask(); !asked) return asked;
   for (const std::uint32_t connector : card_.Connectors()) {
     const bool plugged = card_.PlugOf(connector) == Plug::kPlugged;
     if (!plugged) std::erase(seen_, connector);
@@ -96,9 +116,7 @@ Result<void> KmsScreen::LookAt(Panel& panel) {
   if (panel.light != Light::kDark) return {};
   const auto back = card_.Probe(connector);
   if (!back || !back->plugged) return {};
-  const auto& mode = ModeFor(*back, mode_).mode;
-  const auto& before = panel.at.output.chosen.mode;
-  if (mode.hdisplay != before.hdisplay || mode.vdisplay != before.vdisplay)
+  if (!IsAsBefore(*back, panel))
     return Fail(std::errc::no_such_device, "leave the screens as they were: one came back with another mode");
   panel.light = Light::kNew;
   return {};

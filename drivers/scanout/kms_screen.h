@@ -51,6 +51,8 @@ class KmsScreen final : public ports::Scanout {
   KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures> pictures, const Clock& clock,
             const std::optional<drmModeModeInfo>& mode);
   Result<void> Look();
+  Result<void> Ask();
+  bool IsAsBefore(const KmsConnector& connector, const Panel& panel) const;
   Result<void> LookAt(Panel& panel);
   bool IsNewcomer(std::uint32_t connector) const;
   Result<void> Commit(std::uint32_t framebuffer);

@@ -44,6 +44,8 @@ class FakeCard final : public scanout::KmsDevice {
     connectors[socket].modes = std::move(modes);
   }
   void Pull(std::size_t socket) { connectors[socket].plugged = false; }
+  bool blind = false;        // It sees what is plugged in only when it is probed.
+  bool stirred = false;      // It says that something changed.
   std::errc commit_fault{};  // Every commit fails with it, when set.
 
   // The vertical blank: what was asked for comes to light.
@@ -82,13 +84,17 @@ class FakeCard final : public scanout::KmsDevice {
     for (int i = 0; i < crtcs_; ++i) planes.push_back({kFirstPlane + std::uint32_t(i), 1U << i});
     return planes;
   }
+  bool Stirred() override { return std::exchange(stirred, false); }
   bool IsLit(std::uint32_t crtc) override { return Value(crtc, "ACTIVE") != 0; }
   scanout::Plug PlugOf(std::uint32_t connector) override {
-    return connectors[connector - kFirstConnector].plugged ? scanout::Plug::kPlugged : scanout::Plug::kEmpty;
+    const bool plugged = blind ? seen_.contains(connector) : connectors[connector - kFirstConnector].plugged;
+    return plugged ? scanout::Plug::kPlugged : scanout::Plug::kEmpty;
   }
   Result<scanout::KmsConnector> Probe(std::uint32_t connector) override {
     ++probes;
-    return connectors[connector - kFirstConnector];
+    const auto& found = connectors[connector - kFirstConnector];
+    found.plugged ? void(seen_.insert(connector)) : void(seen_.erase(connector));
+    return found;
   }
   Result<std::uint32_t> TellMode(const drmModeModeInfo&) override {
     return *modes_told.insert(++last_mode_).first;
@@ -119,6 +125,7 @@ class FakeCard final : public scanout::KmsDevice {
 
  private:
   int crtcs_;
+  std::set<std::uint32_t> seen_;  // By a card that is blind.
   std::uint32_t last_mode_ = 0;
   std::uint64_t token_ = 0;
   std::set<std::uint32_t> owing_;

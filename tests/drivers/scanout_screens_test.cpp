@@ -165,21 +165,44 @@ TEST_F(Screens, OneThatComesBackWithAnotherModeMakesThemAllBeArrangedAnew) {
   EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device);
 }
 
-TEST_F(Screens, MoreScreensThanTheCardCanDriveDisturbNobody) {
-  FakeCard card(3, 2);
-  for (std::size_t i = 0; i < 3; ++i) card.PlugIn(i);
-  const auto make = [&card](int, int) -> Result<std::unique_ptr<KmsPictures>> {
-    return std::make_unique<FakePictures>(card, 1);
-  };
-  const auto screen = KmsScreen::Open(card, make, clock_).value();
-  EXPECT_EQ(screen->wall().panels.size(), 2U);
-  for (int i = 0; i < 100; ++i) {
-    ASSERT_TRUE(screen->Acquire()) << "the third one is no newcomer";
-    ASSERT_TRUE(screen->Present(std::uint64_t(i)));
-    clock_.Advance(16ms);
-    card.Blank(clock_.now());
-    ASSERT_TRUE(screen->ReadFlip());
-  }
+TEST_F(Screens, ACardThatNoticesNothingByItselfIsAskedWhenTheKernelSaysSo) {
+  card_.blind = true;
+  card_.PlugIn(0);
+  card_.PlugIn(1);
+  EXPECT_FALSE(TryOpen()) << "nobody has asked yet";
+  card_.stirred = true;
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  card_.Pull(0);
+  card_.stirred = true;
+  ASSERT_TRUE(Frames(*screen, 1s));
+  const auto stale = card_.Shows(0);
+  ASSERT_TRUE(Frame(*screen));
+  EXPECT_EQ(card_.Shows(0), stale);
+  card_.PlugIn(0);
+  card_.stirred = true;
+  ASSERT_TRUE(Frames(*screen, 500ms));
+  EXPECT_EQ(card_.Shows(0), card_.Shows(1));
+  card_.PlugIn(2);
+  card_.stirred = true;
+  EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device) << "a newcomer";
+}
+
+TEST_F(Screens, AScreenThatGivesWayToAnotherWithoutAPauseIsNoticed) {
+  card_.PlugIn(0, {ModeOf(1920, 1080)});
+  const auto screen = Open();
+  ASSERT_TRUE(Frames(*screen, 1s));
+  card_.PlugIn(0, {ModeOf(1280, 720)});
+  card_.stirred = true;
+  EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device);
+}
+
+TEST_F(Screens, WhileNothingStirsNoScreenIsAsked) {
+  card_.PlugIn(0);
+  const auto screen = Open();
+  const int before = card_.probes;
+  ASSERT_TRUE(Frames(*screen, 10s));
+  EXPECT_EQ(card_.probes, before) << "reading an EDID would cost a frame";
 }
 
 TEST_F(Screens, ASocketThatOnlyOneCrtcCanDriveGetsIt) {
@@ -262,25 +285,6 @@ TEST_F(Screens, AModeIsForgottenWithItsScreen) {
 TEST_F(Screens, ASilentScreenIsSaidToBeSilent) {
   card_.PlugIn(0, {ModeOf(1024, 768, DRM_MODE_TYPE_DRIVER)});
   EXPECT_THAT(Describe(Open()->wall()), HasSubstr("HDMI-A-1 1024 x 768 at 60 Hz, which is safe"));
-}
-
-TEST(Wall, ScreensStandInAFullRectangleWhereTheirNumberMakesOne) {
-  const std::vector<std::pair<int, int>> expected_px{{100, 50},  {200, 50}, {300, 50},  {200, 100}, {500, 50},
-                                                     {300, 100}, {700, 50}, {400, 100}, {300, 150}};
-  for (std::size_t count = 1; count <= expected_px.size(); ++count) {
-    std::vector<KmsOutput> outputs(count);
-    for (auto& output : outputs) output.chosen.mode = ModeOf(100, 50);
-    const KmsWall wall = Arrange(outputs);
-    EXPECT_EQ(std::pair(wall.width_px, wall.height_px), expected_px[count - 1]) << count << " screens";
-    EXPECT_EQ(wall.panels.back().x_px, wall.width_px - 100);
-    EXPECT_EQ(wall.panels.back().y_px, wall.height_px - 50);
-  }
-}
-
-TEST(Wall, NoScreenIsNoWall) {
-  const KmsWall wall = Arrange({});
-  EXPECT_TRUE(wall.panels.empty());
-  EXPECT_EQ(wall.width_px, 0);
 }
 
 }  // namespace
