@@ -22,7 +22,8 @@ StageView Stage(const json& section) {
           .frames_per_s = section.at("frames_per_s"),
           .face = section.at("face"),
           .expression = section.at("expression"),
-          .scene = section.at("scene")};
+          .scene = section.at("scene"),
+          .read_ns = section.at("read_ns")};
 }
 
 void TakeHands(const json& board, BoardView& view) {

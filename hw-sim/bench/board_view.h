@@ -24,6 +24,8 @@ struct StageView {
   std::uint32_t face = 0;
   std::uint32_t expression = 0;
   std::uint32_t scene = 0;
+  std::int64_t read_ns =
+      0;  // When the hands were read for the frame that is on the screen, by the machine's clock.
 };
 
 struct BoardView {

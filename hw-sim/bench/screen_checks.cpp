@@ -12,6 +12,7 @@ namespace {
 using std::chrono::seconds;
 
 constexpr Duration kLongestReturn = seconds(90);
+constexpr Duration kLongestFrame = seconds(120);  // With a new style's shaders, on a busy machine.
 constexpr int kShotsWhileAway = 12;
 
 Result<PictureView> LastPicture(const Scene& scene) {
@@ -41,32 +42,70 @@ Result<void> Face(Scene& scene) {
   return WantFace(scene);
 }
 
-// A picture in the middle of each scene.
+// A scenario on the bench: its time stands still while a slow machine draws.
+class HeldPlay {
+ public:
+  HeldPlay(sim::Scenario scenario, Place& place)
+      : place_(place), last_(place.clock().now()), player_(std::move(scenario), place.rig(), last_) {
+    place.SetHands([this](Time now) {
+      if (now > last_ && !held_) played_ += now - last_;
+      last_ = now;
+      player_.Perform(start_ + played_);
+    });
+  }
+  ~HeldPlay() { place_.SetHands({}); }
+  HeldPlay(const HeldPlay&) = delete;
+  HeldPlay& operator=(const HeldPlay&) = delete;
+
+  const sim::Scenario& scenario() const { return player_.scenario(); }
+  void PlayUntil(Duration at) {
+    held_ = false;
+    place_.Until([&] { return player_.position() >= at; }, at + seconds(1));
+    held_ = true;
+  }
+  // Until the screen shows hands as they are now. Errors: timed_out.
+  Result<void> AwaitFrame(const std::string& scene) {
+    const auto now = place_.Board();
+    if (!now) return tl::unexpected(now.error());
+    const auto drawn = [&](const BoardView& board) { return board.stage.read_ns >= now->now_ns; };
+    if (auto ok = place_.UntilBoard(drawn, kLongestFrame, "wait for a frame of scene " + scene); !ok)
+      return tl::unexpected(ok.error());
+    return {};
+  }
+
+ private:
+  Place& place_;
+  Time last_;
+  Time start_ = last_;
+  Duration played_{};
+  bool held_ = false;
+  sim::Player player_;
+};
+
+// In each scene, when two thirds of it are over.
+Result<void> ShootScene(Scene& scene, HeldPlay& play, std::size_t beat) {
+  const auto& beats = play.scenario().beats;
+  const Duration ends = beat + 1 < beats.size() ? beats[beat + 1].at : play.scenario().length;
+  play.PlayUntil(beats[beat].at + (ends - beats[beat].at) * 2 / 3);
+  if (auto ok = play.AwaitFrame(beats[beat].name); !ok) return ok;
+  if (auto ok = scene.Shoot("play", beats[beat].name); !ok) return ok;
+  return WantFace(scene);
+}
+
 Result<void> Play(Scene& scene) {
   auto scenario = sim::LoadScenario(scene.play);
   if (!scenario) return tl::unexpected(scenario.error());
   const auto before = scene.place.Board();
   if (!before) return tl::unexpected(before.error());
-  sim::Player player(std::move(*scenario), scene.place.rig(), scene.place.clock().now());
-  scene.place.SetHands([&player](Time now) { player.Perform(now); });
-  const auto& beats = player.scenario().beats;
-  Result<void> ok;
-  for (std::size_t n = 0; ok && n < beats.size(); ++n) {
-    const Duration ends = n + 1 < beats.size() ? beats[n + 1].at : player.scenario().length;
-    const Duration middle = beats[n].at + (ends - beats[n].at) * 2 / 3;
-    scene.place.Until([&] { return player.position() >= middle; }, middle + seconds(5));
-    ok = scene.Shoot("play", beats[n].name);
-    if (ok) ok = WantFace(scene);
-  }
-  scene.place.Until([&] { return player.finished(); }, player.scenario().length);
-  scene.place.SetHands({});
-  if (!ok) return ok;
+  HeldPlay play(std::move(*scenario), scene.place);
+  for (std::size_t n = 0; n < play.scenario().beats.size(); ++n)
+    if (auto ok = ShootScene(scene, play, n); !ok) return ok;
+  play.PlayUntil(play.scenario().length);
   const auto after = scene.place.Board();
   if (!after) return tl::unexpected(after.error());
-  const double frames = after->stage.frames - before->stage.frames;
-  scene.finding.said = fmt::format("{} scenes in {:.0f} s, {:.0f} frames", beats.size(),
-                                   Seconds(player.scenario().length), frames);
-  return frames > 0 ? Result<void>{} : FailInput("no frame came while it played");
+  scene.finding.said = fmt::format("{} scenes, {} frames; time stood still while a slow machine drew",
+                                   play.scenario().beats.size(), after->stage.frames - before->stage.frames);
+  return {};
 }
 
 // The kernel keeps the last picture; systemd starts the program again.

@@ -35,7 +35,8 @@ void LoudspeakerPort::SendDue(Time now) {
   loudspeaker_.PlayUntil(now);
   if (now - told_at_ < kTellPeriod) return;
   told_at_ = now;
-  if (loudspeaker_.played_frames() == told_frames_) return;
+  if (loudspeaker_.played_frames() == told_frames_ && loudspeaker_.dry() == told_dry_) return;
+  told_dry_ = loudspeaker_.dry();
   told_frames_ = loudspeaker_.played_frames();
   Send(wire::Encode(wire::PlayedNote{loudspeaker_.played_at().time_since_epoch().count(), told_frames_,
                                      loudspeaker_.dry()}));

@@ -26,6 +26,7 @@ class LoudspeakerPort final : public LinkPort {
   const Clock& clock_;
   Time told_at_{};
   std::uint64_t told_frames_ = 0;
+  std::uint32_t told_dry_ = 0;
 };
 
 }  // namespace kaori::sim

@@ -1,0 +1,42 @@
+// The simulated hands' devices, each at a USB device controller of this machine: the bench for a real box.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/result.h"
+#include "hw-sim/devices/instruments.h"
+#include "hw-sim/links/gadget/gadget_port.h"
+
+namespace kaori::sim {
+
+// One thread; nothing blocks.
+class GadgetRig final : public Playground {
+ public:
+  // The clock outlives the rig.
+  GadgetRig(GadgetRoom room, const Clock& clock);
+
+  // Puts the device of `place` at a controller, the cable in. Errors: invalid_argument (a place without a HID
+  // device), and those of HidGadget and GadgetPort.
+  Result<void> Put(Place place, const std::string& controller);
+
+  // Reads, answers and sends what is due at clock.now(). Call it every few milliseconds.
+  void Pump();
+
+  Instruments& instruments() override { return instruments_; }
+
+  // Cables of places that have no controller are ignored. Errors: as Put.
+  Result<void> Do(const Hand& hand) override;
+
+ private:
+  HidDevice* DeviceAt(Place place);
+
+  GadgetRoom room_;
+  Workbench bench_;
+  Instruments instruments_;
+  std::map<Place, std::unique_ptr<GadgetPort>> ports_;
+};
+
+}  // namespace kaori::sim
