@@ -71,6 +71,12 @@ Json ReportJson(const lips::Report& report) {
           {"settings", SettingsJson(report)}};
 }
 
+// "ja", "ja-JP" and "ja;q=0.8" are of "ja"; "jam" is not.
+bool IsOf(std::string_view entry, std::string_view language) {
+  return entry.starts_with(language) &&
+         (entry.size() == language.size() || entry[language.size()] == '-' || entry[language.size()] == ';');
+}
+
 // How much one entry of Accept-Language ("ja-JP;q=0.8") is wanted.
 double WeightOf(std::string_view entry) {
   const auto q = entry.find("q=");
@@ -102,8 +108,8 @@ bool PrefersJapanese(std::string_view accept_language) {
     const auto end = std::min(accept_language.find(','), accept_language.size());
     std::string_view entry = accept_language.substr(0, end);
     while (!entry.empty() && entry.front() == ' ') entry.remove_prefix(1);
-    if (entry.starts_with("ja")) japanese = std::max(japanese, WeightOf(entry));
-    if (entry.starts_with("en")) english = std::max(english, WeightOf(entry));
+    if (IsOf(entry, "ja")) japanese = std::max(japanese, WeightOf(entry));
+    if (IsOf(entry, "en")) english = std::max(english, WeightOf(entry));
     accept_language.remove_prefix(std::min(end + 1, accept_language.size()));
   }
   return japanese > english;

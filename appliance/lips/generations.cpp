@@ -54,6 +54,7 @@ Result<std::optional<LipSettings>> ReadOne(const fs::path& file) {
   std::string text(kMostBytes, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.find('=') == std::string::npos) return FailInput(file.string() + ": says nothing");
   if (!SumFits(text)) return FailInput(file.string() + ": its sum does not fit its lines");
   return ParseLipSettings(text, file.string()).map([](const LipSettings& read) {
     return std::optional(read);

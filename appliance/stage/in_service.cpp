@@ -78,9 +78,9 @@ std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now) {
 }
 
 void SayService(const board::Snapshot& board, Time now, scene::Scene& scene) {
-  if (HasCode(board.desk, now)) Say(DeskLines(board.desk.value), scene.caption);
   if (IsGuiding(board.lips_guide, now) && board.lips_guide.value.captions != 0)
-    Say(GuideLines(board.lips_guide.value), scene.caption);
+    return Say(GuideLines(board.lips_guide.value), scene.caption);
+  if (HasCode(board.desk, now)) Say(DeskLines(board.desk.value), scene.caption);
 }
 
 }  // namespace kaori::stage

@@ -21,7 +21,7 @@ void TakeGuideHands(const board::Snapshot& board, performance::State& state);
 // asked for blinks, and faster while it is taken. When all are taken all four blink.
 std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now);
 
-// Adds the lines to the scene's caption: of the calibration where the screen may speak, and the desk's
+// Adds the lines to the scene's caption: of the calibration where the screen may speak, else the desk's
 // address and code while they hold. A desk that is silent for three seconds is none.
 void SayService(const board::Snapshot& board, Time now, scene::Scene& scene);
 

@@ -76,6 +76,12 @@ TEST(StageService, LeadsThroughACalibrationInWords) {
   EXPECT_THAT(LinesOf(WithGuide({.step = 4, .seen = 1, .captions = 1}), 600ms), IsEmpty()) << "the lips died";
 }
 
+TEST(StageService, SaysNoCodeInTheMiddleOfACalibration) {
+  board::Snapshot both = WithDesk(kDesk);
+  both.lips_guide = WithGuide({.step = 4, .seen = 1, .captions = 1}).lips_guide;
+  EXPECT_THAT(LinesOf(both), ::testing::SizeIs(2));
+}
+
 TEST(StageService, KeepsTheLinesOfTheNeedlesBesideItsOwn) {
   scene::Scene scene;
   scene.caption = {1, {"mirror on"}};
