@@ -15,6 +15,7 @@
 
 #include "firmware/boot/card.h"
 #include "firmware/boot/data_partition.h"
+#include "firmware/boot/profile.h"
 #include "firmware/boot/still.h"
 
 namespace {
@@ -22,6 +23,7 @@ namespace {
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kCard = "/dev/dri/card0";
 constexpr const char* kData = "/var/lib/kaori";
+constexpr const char* kProfiles = "/run/kaori-profile";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
 constexpr int kLongestLight_ms = 1500;  // A card that takes longer is not waited for.
@@ -76,6 +78,24 @@ void MountData() {
   ::mount(device.c_str(), kData, "ext4", kPlain, nullptr);
 }
 
+// Into the kernel's log, which the journal reads. Nothing of it comes to a screen.
+void Say(const std::string& words) {
+  const std::string line = "<4>kaori-light: " + words + "\n";
+  const int fd = ::open("/dev/kmsg", O_WRONLY | O_CLOEXEC);
+  if (::write(fd, line.data(), line.size()) < 0) return;
+  ::close(fd);
+}
+
+// For udev's rules: a file named after the profile, in a folder that is there before everything else.
+void ApplySettings() {
+  const auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
+  if (!profile.fault.empty()) Say(profile.fault);
+  ::mount("tmpfs", "/run", "tmpfs", MS_NODEV | MS_NOSUID | MS_STRICTATIME, "mode=755,size=20%");
+  ::mkdir(kProfiles, 0755);
+  const std::string file = std::string(kProfiles) + "/" + profile.name;
+  ::close(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0444));
+}
+
 void AwaitLight(int done) {
   pollfd look{.fd = done, .events = POLLIN, .revents = 0};
   ::poll(&look, 1, kLongestLight_ms);
@@ -95,6 +115,7 @@ int main(int, char** argv) {
     ::close(done[1]);
     GiveCards();
     MountData();
+    ApplySettings();
     if (child > 0) AwaitLight(done[0]);
   }
   ::execv(kSystem, argv);

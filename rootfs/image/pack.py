@@ -65,11 +65,12 @@ def command_line(image, root_hash):
     root, tree = f"PARTUUID={ids['root-a']}", f"PARTUUID={ids['verity-a']}"
     table = f"0 {blocks * BLOCK // SECTOR} verity 1 {root} {tree} {BLOCK} {BLOCK} {blocks} 1 sha256 {root_hash} {SALT}"
     return f'dm-mod.waitfor={root},{tree} dm-mod.create="root,,,ro,{table}" root=/dev/dm-0 rootfstype=erofs ro ' \
-           "init=/usr/bin/kaori-light quiet loglevel=3 panic=5"
+           "init=/usr/bin/kaori-light usbcore.authorized_default=0 quiet loglevel=3 panic=5"
 
 
 def make_data(out):
-    """An ext4 with the stage's own folder in it, empty, and with no time but the image's."""
+    """An ext4 with the settings in it, the stage's own folder, empty, and with no time but the image's."""
+    os.environ["E2FSPROGS_FAKE_TIME"] = os.environ["SOURCE_DATE_EPOCH"]
     data = out / "data.ext4"
     data.unlink(missing_ok=True)
     size_mib = next(size for name, size, _, _ in LAYOUT if name == "data")
@@ -77,7 +78,10 @@ def make_data(out):
         "-L", "kaori-data", data, f"{size_mib}M")
     user = next(line.split(":") for line in (out / "root/etc/passwd").read_text().splitlines()
                 if line.startswith("kaori-stage:"))
-    for change in ("mkdir own", f"set_inode_field own uid {user[2]}", f"set_inode_field own gid {user[3]}",
+    settings = Path(__file__).with_name("box.toml")
+    for change in ("mkdir settings", f"write {settings} settings/box.toml",
+                   *(f"set_inode_field settings/box.toml {field}" for field in ("uid 0", "gid 0", "mode 0100644")),
+                   "mkdir own", f"set_inode_field own uid {user[2]}", f"set_inode_field own gid {user[3]}",
                    "set_inode_field own mode 040700"):
         run("debugfs", "-w", "-R", change, data)
     return data

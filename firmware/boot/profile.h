@@ -1,0 +1,28 @@
+// What the box is for tonight, as its settings file says: which devices it lets in.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace kaori::boot {
+
+// The settings file is TOML that people write. Before its first [section], which is others' business, it may
+// say:
+//   profile = "stage"   hands, cameras and sound; what is plugged in for anything else stays dead
+//             "kiosk"   the same without keyboards: visitors stand before the box
+//             "bench"   everything
+struct Profile {
+  std::string name = "stage";
+  std::string fault{};  // One line that names file and line; empty: none.
+};
+
+// Reads the words of a settings file. With a fault the name is the usual one.
+Profile ReadProfile(std::string_view text);
+
+// Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one
+// is left as it is: then the last good one counts, and the fault is named. Where there is none the usual
+// profile counts.
+Profile ChooseProfile(const std::filesystem::path& folder);
+
+}  // namespace kaori::boot

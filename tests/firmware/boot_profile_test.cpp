@@ -1,0 +1,89 @@
+// What the box is for: a settings file that people write, and that may be wrong.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "firmware/boot/profile.h"
+
+namespace kaori::boot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(Profile, IsTheOneThatTheFileNames) {
+  EXPECT_EQ(ReadProfile("profile = \"kiosk\"").name, "kiosk");
+  EXPECT_EQ(ReadProfile("# tonight\n\n  profile=\"bench\"  # of the workshop\r\n").name, "bench");
+  EXPECT_EQ(ReadProfile("profile = \"stage\"\n[desk]\nport = 1\n").name, "stage");
+  EXPECT_THAT(ReadProfile("profile = \"stage\"\n[desk]\nport = 1\n").fault, IsEmpty());
+}
+
+TEST(Profile, WithoutAWordIsTheStage) {
+  EXPECT_EQ(ReadProfile("").name, "stage");
+  EXPECT_THAT(ReadProfile("").fault, IsEmpty());
+}
+
+TEST(Profile, AFaultIsNamedWithItsLine) {
+  EXPECT_EQ(ReadProfile("\nprofile = \"disco\"").fault,
+            "line 2: there is no profile \"disco\": stage, kiosk or bench");
+  EXPECT_EQ(ReadProfile("profile = kiosk").fault, "line 1: expected a value in quotes");
+  EXPECT_EQ(ReadProfile("profil = \"kiosk\"").fault, "line 1: there is no setting profil");
+  EXPECT_EQ(ReadProfile("kiosk").fault, "line 1: expected a name, = and a value");
+  EXPECT_EQ(ReadProfile("profile = \"").fault, "line 1: expected a value in quotes");
+  EXPECT_EQ(ReadProfile("profile = \"kiosk\"\nx").name, "stage") << "half a file is not believed";
+}
+
+class SettingsFolder : public ::testing::Test {
+ protected:
+  SettingsFolder() : folder_(fs::path(::testing::TempDir()) / "settings_folder_test") {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~SettingsFolder() override { fs::remove_all(folder_); }
+
+  void Write(const std::string& text) const { std::ofstream(folder_ / "box.toml") << text; }
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(SettingsFolder, WithoutAFileTheStageIsMeant) {
+  EXPECT_EQ(ChooseProfile(folder()).name, "stage");
+  EXPECT_EQ(ChooseProfile(folder() / "nowhere").name, "stage");
+  EXPECT_TRUE(fs::is_empty(folder()));
+}
+
+TEST_F(SettingsFolder, AFaultyFileLeavesTheLastGoodOneInForce) {
+  Write("profile = \"kiosk\"\n");
+  EXPECT_EQ(ChooseProfile(folder()).name, "kiosk");
+  Write("profile = \"kioks\"\n");
+  for (int start = 0; start < 3; ++start) {
+    const Profile chosen = ChooseProfile(folder());
+    EXPECT_EQ(chosen.name, "kiosk");
+    EXPECT_THAT(chosen.fault, HasSubstr("box.toml, line 1: there is no profile \"kioks\""));
+  }
+  Write("profile = \"bench\"\n");
+  EXPECT_EQ(ChooseProfile(folder()).name, "bench");
+  EXPECT_THAT(ChooseProfile(folder()).fault, IsEmpty());
+}
+
+TEST_F(SettingsFolder, AFaultyFileAtTheFirstStartMeansTheStage) {
+  Write(std::string(100, '\0'));
+  EXPECT_EQ(ChooseProfile(folder()).name, "stage");
+  EXPECT_THAT(ChooseProfile(folder()).fault, HasSubstr("the profile is stage"));
+}
+
+TEST_F(SettingsFolder, ADraftThatWasCutShortIsNotLookedAt) {
+  Write("profile = \"kiosk\"\n");
+  ChooseProfile(folder());
+  std::ofstream(folder() / "box.last-good.toml.draft") << "profile = \"ben";
+  Write("nonsense");
+  EXPECT_EQ(ChooseProfile(folder()).name, "kiosk");
+}
+
+}  // namespace
+}  // namespace kaori::boot
