@@ -10,21 +10,24 @@ from pathlib import Path
 
 # The guest draws by itself; with newer processors' instructions emulation is many times slower.
 BOARD = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512", "-no-reboot",
-         "-vga", "none", "-display", "none", "-device", "virtio-gpu-pci,xres=960,yres=540", "-device", "qemu-xhci")
+         "-vga", "none", "-display", "none", "-device", "qemu-xhci")
+SCREEN = ("-device", "virtio-gpu-pci,id=card,xres=960,yres=540")
 TOLD = "console=ttyS0 loglevel=6 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=1"
 FACE = r"Started .*kaori-stage"
 
 
 class Machine:
-    """Runs from construction to the end of a `with`. `disk` may be another than the image's; nothing is written to it."""
+    """Runs from construction to the end of a `with`. `disk` may be another than the image's; nothing is written to it.
+    `screen` is QEMU's words for the graphics card; those may name {folder}, where sockets lie."""
 
-    def __init__(self, image, disk=None):
+    def __init__(self, image, disk=None, screen=SCREEN):
         image = Path(image)
         self.folder = tempfile.TemporaryDirectory()
         self.serial = Path(self.folder.name) / "serial"
         told = (image / "cmdline").read_text().strip().replace(" quiet loglevel=3", "") + " " + TOLD
         self.process = subprocess.Popen(
-            ["qemu-system-x86_64", *BOARD, "-kernel", str(image / "bzImage"), "-append", told,
+            ["qemu-system-x86_64", *BOARD, *(word.format(folder=self.folder.name) for word in screen),
+             "-kernel", str(image / "bzImage"), "-append", told,
              "-drive", f"file={disk or image / 'kaori.disk'},if=virtio,format=raw,snapshot=on",
              "-serial", f"file:{self.serial}", "-qmp", f"unix:{self.folder.name}/qmp,server=on,wait=off"])
         self.link = None
@@ -61,8 +64,8 @@ class Machine:
             if "return" in answer:
                 return answer["return"]
 
-    def screen(self):
-        """The picture on its screen: width, height, and the bytes of its pixels (RGB)."""
+    def screen(self, head=0):
+        """The picture on its screen, or on another of its card: width, height, and the bytes of its pixels (RGB)."""
         if self.link is None:
             plug = socket.socket(socket.AF_UNIX)
             plug.connect(f"{self.folder.name}/qmp")
@@ -70,7 +73,7 @@ class Machine:
             self.link.readline()
             self._command("qmp_capabilities")
         picture = Path(self.folder.name) / "screen.ppm"
-        self._command("screendump", filename=str(picture))
+        self._command("screendump", filename=str(picture), **({"device": "card", "head": head} if head else {}))
         kind, size, _, pixels = picture.read_bytes().split(b"\n", 3)
         assert kind == b"P6", kind
         width, height = map(int, size.split())

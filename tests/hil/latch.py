@@ -1,0 +1,78 @@
+#!/usr/bin/env -S python3 -B
+"""How long a hand waits for the light: latch.py IMAGE_FOLDER PACKAGES KERNEL PROGRAM [EVENTS [MODE]]
+
+PROGRAM is kaori-latch, which takes the stage's place in a copy of the image. KERNEL is the box's kernel with one more
+driver, vkms: a screen whose vertical blanks come by a timer, which QEMU's own graphics cards do not have. A dial box on
+uhid reports a turn at random moments; kaori-input and kaori-stage are the image's. Compared are the stage that reads
+the hands as late as drawing allows, and the same stage with --early, which reads them right after each flip, in three
+rounds that take turns, and a third arm in which one of the two processors is kept busy. The screen is small and slow, so
+that drawing without a graphics card, under emulation, takes a part of its period, as it does on a box. Results go into
+boot.json beside the image.
+"""
+
+import re
+import shutil
+import statistics
+import sys
+import tempfile
+from pathlib import Path
+
+from machine import Machine
+from proof import with_units, write_report
+
+UNIT = """[Unit]
+After=basic.target
+[Service]
+Group=kaori
+UMask=0007
+RuntimeDirectory=kaori
+RuntimeDirectoryMode=0770
+Environment=MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/run/kaori MESA_DISK_CACHE_READ_ONLY_FOZ_DBS=../../../../../../../usr/share/kaori/shaders
+ExecStart=/usr/bin/kaori-latch --mode {mode} --events {events} --pack /usr/share/kaori/kaori.kaori
+"""
+LONGEST_S = 1800
+WANTED_GAIN, WANTED_MISSED, WANTED_MISSED_LOADED = 1.6, 0.5, 2.0
+
+
+def rounds_of(said):
+    """arm -> the figures of its rounds."""
+    found = {}
+    for line in re.findall(r"round (arm=.*)", said):
+        figures = dict(pair.split("=") for pair in line.split())
+        found.setdefault(figures.pop("arm"), []).append({name: float(value) for name, value in figures.items()})
+    return found
+
+
+def missed_percent(rounds):
+    return 100 * sum(r["missed"] for r in rounds) / max(1, sum(r["frames"] for r in rounds))
+
+
+def main():
+    image, packages, kernel, program = map(Path, sys.argv[1:5])
+    events, mode = sys.argv[5] if len(sys.argv) > 5 else "70", sys.argv[6] if len(sys.argv) > 6 else "320x180@4"
+    with tempfile.TemporaryDirectory(dir=image) as folder:
+        copy = with_units(image, packages, folder, {"bench-latch.service": UNIT.format(mode=mode, events=events)},
+                          programs=[program], without=["kaori-stage.service"])
+        shutil.copy(kernel, copy / "bzImage")
+        with Machine(copy, screen=()) as box:
+            done = box.wait_for(r"all rounds are played|bench-latch.service: Main process exited", LONGEST_S)
+            said = box.said()
+    (image / "latch.log").write_text(said)
+    rounds = rounds_of(said)
+    for arm, figures in rounds.items():
+        print(arm, *figures, sep="\n    ")
+    if not done or {"early", "late", "loaded"} - rounds.keys():
+        sys.exit(f"latch: the rounds did not end; see {image}/latch.log")
+    mean = {arm: statistics.median(r["mean_ms"] for r in figures) for arm, figures in rounds.items()}
+    gain, missed, loaded = mean["early"] / mean["late"], missed_percent(rounds["late"]), missed_percent(rounds["loaded"])
+    good = gain >= WANTED_GAIN and missed <= WANTED_MISSED and loaded <= WANTED_MISSED_LOADED
+    print(f"{'ok  ' if good else 'FAIL'}  {mode}: {mean['early']:.1f} ms read early, {mean['late']:.1f} ms read late: {gain:.2f} "
+          f"times less (wanted {WANTED_GAIN}); missed flips {missed:.2f} % (at most {WANTED_MISSED}), with a busy processor "
+          f"{loaded:.2f} % (at most {WANTED_MISSED_LOADED})")
+    write_report(image, latency_gain_over_naive=round(gain, 3), missed_flips_percent=round(missed, 3),
+                 missed_flips_percent_loaded=round(loaded, 3), latency_mode=mode,
+                 latency_ms={arm: round(value, 2) for arm, value in mean.items()})
+    sys.exit(not good)
+
+
+main()

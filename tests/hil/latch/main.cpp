@@ -1,0 +1,161 @@
+// kaori-latch: how long a hand waits for the light, with its hands read late and early, in one run. Runs on
+// the box itself, in the stage's place; says each round on one line.
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "appliance/board/board.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "tests/hil/latch/child.h"
+#include "tests/hil/latch/hand.h"
+
+namespace kaori::hil {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view kHelp = R"(kaori-latch: how long a hand waits for the light
+
+  --mode MODE    the screen's, as in 320x180@4
+  --events N     of each round (70)
+  --rounds N     of each arm (3)
+  --board FILE   (/run/kaori/board)
+  --pack FILE    the show
+)";
+
+constexpr int kLook_ms = 1;
+constexpr unsigned kLongestPause_ms = 300;
+constexpr Duration kLongest = 120s;         // For a stage to begin, and for a hand to be seen.
+constexpr std::uint32_t kFirstFrames = 40;  // They compile shaders.
+
+struct Settings {
+  std::string mode = "320x180@4", events = "70", rounds = "3", board = "/run/kaori/board", pack;
+};
+
+struct Arm {
+  const char* name;
+  bool early;
+  bool loaded;
+};
+
+Time At(const std::array<std::uint32_t, 2>& words) {
+  return Time{} + Duration(std::int64_t(words[0] | std::uint64_t{words[1]} << 32));
+}
+
+class Bench {
+ public:
+  Bench(const board::Board& board, Hand hand, const Settings& settings)
+      : board_(board), hand_(std::move(hand)), settings_(settings) {}
+
+  Result<void> Round(const Arm& arm, int round);
+
+ private:
+  board::StageStatus Status() const { return board_.Read<board::StageStatus>().value; }
+  template <class Condition>
+  bool Until(Condition condition);
+  Result<Duration> Event();
+
+  const board::Board& board_;
+  Hand hand_;
+  const Settings& settings_;
+  SteadyClock clock_;
+  std::mt19937 random_{7};
+};
+
+// Whether it came true in time.
+template <class Condition>
+bool Bench::Until(Condition condition) {
+  for (const Time end = clock_.now() + kLongest; clock_.now() < end;) {
+    hand_.Answer();
+    if (condition()) return true;
+    ::poll(nullptr, 0, kLook_ms);
+  }
+  return false;
+}
+
+// From the device's report to the first flip of a frame that had read it.
+Result<Duration> Bench::Event() {
+  const auto at = hand_.Turn(clock_);
+  if (!at) return tl::unexpected(at.error());
+  if (!Until([&] { return board_.Read<board::Surface>().at >= *at; }))
+    return Fail(std::errc::timed_out, "see the hand on the board");
+  const Time known = board_.Read<board::Surface>().at;
+  board::StageStatus seen;
+  if (!Until([&] { return At((seen = Status()).read_ns) > known; }))
+    return Fail(std::errc::timed_out, "see the hand on the screen");
+  return At(seen.flip_ns) - *at;
+}
+
+double Milliseconds(Duration length) {
+  return Seconds(length) * 1e3;
+}
+
+Result<void> Bench::Round(const Arm& arm, int round) {
+  std::vector<std::string> words{"/usr/bin/kaori-stage", "--card", "/dev/dri/card0", "--board",
+                                 settings_.board,        "--pack", settings_.pack,   "--mode",
+                                 settings_.mode};
+  if (arm.early) words.emplace_back("--early");
+  const std::uint32_t before = Status().frames;
+  const auto stage = Child::Start(words);
+  if (!stage) return tl::unexpected(stage.error());
+  const auto has_begun = [&] { return Status().frames - before >= kFirstFrames; };
+  while (!Until([&] { return has_begun() || !stage->Runs(); }) && !has_begun()) Log("the stage is slow");
+  if (!stage->Runs()) return Fail(std::errc::no_child_process, "keep the stage playing");
+  std::optional<Result<Child>> burner;
+  if (arm.loaded) burner.emplace(Child::Burn());
+  const board::StageStatus first = Status();
+  std::vector<Duration> waited;
+  const auto wanted = std::size_t(std::atoi(settings_.events.c_str()));
+  while (waited.size() < wanted) {
+    const auto event = Event();
+    if (!event) return tl::unexpected(event.error());
+    waited.push_back(*event);
+    ::poll(nullptr, 0, int(random_() % kLongestPause_ms));
+  }
+  const board::StageStatus last = Status();
+  std::ranges::sort(waited);
+  const Duration sum = std::accumulate(waited.begin(), waited.end(), Duration());
+  Log("round arm={} round={} events={} mean_ms={:.2f} median_ms={:.2f} p99_ms={:.2f} frames={} missed={} "
+      "draw_ms={:.2f} "
+      "margin_ms={:.2f}",
+      arm.name, round, waited.size(), Milliseconds(sum) / double(waited.size()),
+      Milliseconds(waited[waited.size() / 2]), Milliseconds(waited[waited.size() * 99 / 100]),
+      last.frames - first.frames, last.missed_flips - first.missed_flips, last.draw_us * 1e-3,
+      last.margin_us * 1e-3);
+  return {};
+}
+
+int Run(const Settings& settings) {
+  const auto board = board::Board::Create(settings.board);
+  if (!board) return Log("{}", board.error().message()), 1;
+  auto hand = Hand::Open();
+  if (!hand) return Log("{}", hand.error().message()), 1;
+  Bench bench(*board, std::move(*hand), settings);
+  constexpr std::array kArms{Arm{"early", true, false}, Arm{"late", false, false},
+                             Arm{"loaded", false, true}};
+  for (int round = 0; round < std::atoi(settings.rounds.c_str()); ++round)
+    for (const Arm& arm : kArms)
+      if (auto played = bench.Round(arm, round); !played) return Log("{}", played.error().message()), 1;
+  Log("all rounds are played");
+  return 0;
+}
+
+}  // namespace
+}  // namespace kaori::hil
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-latch");
+  kaori::hil::Settings settings;
+  kaori::Options options(kaori::hil::kHelp);
+  options.Text("--mode", settings.mode).Text("--events", settings.events).Text("--rounds", settings.rounds);
+  options.Text("--board", settings.board).Text("--pack", settings.pack, true);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  return kaori::hil::Run(settings);
+}
