@@ -23,7 +23,9 @@ constexpr float kLipsLost_s = 0.1F;
 constexpr float kToVoice_s = 0.06F;
 constexpr float kVoiceLost_s = 0.25F;
 constexpr float kForgotten_s = 10;
-constexpr float kLn2 = 0.6931F;
+// The expression's own mouth gives way so fast. An opening is added sooner while it is small, so that the
+// first word after a pause is in time.
+constexpr float kGivesWay_per_s = 12, kOpens_per_s = 60, kGivenBack_per_s = 3;
 
 struct Goal {
   float open = 0;
@@ -101,26 +103,36 @@ Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
 
 void MoveMouth(State& state, const board::Snapshot& board, const show::Channels& channels,
                face::Weights& weights, float dt_s) {
-  const Goal goal = WhoSpeaks(state, board, dt_s);
+  Goal goal = WhoSpeaks(state, board, dt_s);
+  if (!goal.drives && state.mouth_said <= 0) goal.open = 0;  // Nobody sees it: the next word begins shut.
   const auto follow = [&](float& now, float to) {
     now = Travel(now, Approach(now, to, dt_s, goal.follow_s), dt_s, kFastest_per_s);
   };
   follow(state.mouth_open, goal.open);
   follow(state.mouth_wide, goal.wide);
-  state.mouth_drive = Travel(state.mouth_drive, goal.drives ? 1.0F : 0.0F, dt_s, goal.drives ? 12.0F : 3.0F);
+  const auto take = [&](float& share, float speed_per_s) {
+    share = Travel(share, goal.drives ? 1.0F : 0.0F, dt_s, goal.drives ? speed_per_s : kGivenBack_per_s);
+  };
+  take(state.mouth_drive, kGivesWay_per_s);
+  take(state.mouth_said, kGivesWay_per_s / std::max(state.mouth_open, kGivesWay_per_s / kOpens_per_s));
   const float drive = SmoothStep(state.mouth_drive);
   weights.mouth_given_away = drive;
   const float open = state.mouth_open, wide = state.mouth_wide;
   const std::array<float, 4> shapes{(1 - open) * (1 - wide), (1 - open) * wide, open * (1 - wide),
                                     open * wide};
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    if (channels.mouth[i] >= 0 && drive * shapes[i] > 0)
-      weights.channels.Add(static_cast<std::uint16_t>(channels.mouth[i]), drive * shapes[i]);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const float share = i < 2 ? drive : state.mouth_said;
+    if (channels.mouth[i] >= 0 && share * shapes[i] > 0)
+      weights.channels.Add(static_cast<std::uint16_t>(channels.mouth[i]), share * shapes[i]);
+  }
 }
 
-// An exponential that does half of the way in h is h / ln 2 late in the mean.
-Duration MouthLag(const State& state) {
-  return FromSeconds(Mix(kFollowLips_s, kFollowVoice_s, state.mouth_voice) / kLn2);
+// What does a share of the way that is left in each frame is behind by (1 - share) / share frames in the
+// mean.
+Duration MouthLag(const State& state, Duration frame) {
+  const double half_life_s = Mix(kFollowLips_s, kFollowVoice_s, state.mouth_voice);
+  const double left = std::exp2(-Seconds(frame) / half_life_s);
+  return FromSeconds(Seconds(frame) * left / (1 - std::min(left, 0.99)));
 }
 
 }  // namespace kaori::performance

@@ -12,7 +12,7 @@ namespace kaori::performance {
 void MoveMouth(State& state, const board::Snapshot& board, const show::Channels& channels,
                face::Weights& weights, float dt_s);
 
-// How far the mouth is behind the lips or the voice that it follows.
-Duration MouthLag(const State& state);
+// How far the mouth is behind the lips or the voice that it follows, where frames are this long.
+Duration MouthLag(const State& state, Duration frame);
 
 }  // namespace kaori::performance

@@ -63,7 +63,7 @@ bool SoundClocks(const State& s) {
   return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
          Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s, s.lips_lost_s}, 0, 10) &&
          Within({s.life.to_next_blink_s, s.life.to_next_glance_s}, -1, 10) &&
-         Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_voice}, 0,
+         Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said, s.mouth_voice}, 0,
                 1);
 }
 

@@ -60,7 +60,7 @@ struct Sway {
 };
 
 struct State {
-  static constexpr std::uint32_t kLayout = 4;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 5;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // For which light the last frame was made.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   Seen seen;
@@ -81,6 +81,7 @@ struct State {
   float mouth_open = 0;
   float mouth_wide = 0.5F;
   float mouth_drive = 0;  // 0: the expression's mouth .. 1: the hand's or the lips'.
+  float mouth_said = 0;   // The same of its opening, which does not wait.
   float mouth_quiet_s = 10;
   float mouth_voice = 0;   // 0: the lips have the mouth .. 1: the voice has it.
   float lips_lost_s = 10;  // Since the lips were seen well.

@@ -25,8 +25,7 @@ void MouthClock::Present(std::uint64_t frame, const board::Snapshot& board, cons
   frame_ = frame;
   lips_at_ = seen ? board.lips.at : Time{};
   voice_at_ = board.voice.source == board::SourceState::kLive ? board.voice.at : Time{};
-  voice_leads_ = state.mouth_voice > 0.5F;
-  smoothing_ = performance::MouthLag(state);
+  shown_ = state;
 }
 
 // A picture stands until the next one: in the mean it is half a period older than at its first light.
@@ -37,7 +36,8 @@ void MouthClock::Flip(const ports::Flip& flip) {
   };
   count(lips_, lips_at_, {});
   count(voice_, voice_at_, {});
-  count(mouth_, voice_leads_ ? voice_at_ : lips_at_, flip.period / 2 + smoothing_);
+  count(mouth_, shown_.mouth_voice > 0.5F ? voice_at_ : lips_at_,
+        flip.period / 2 + performance::MouthLag(shown_, flip.period));
 }
 
 void MouthClock::Report(board::StageStatus& into) {

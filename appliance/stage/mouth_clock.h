@@ -31,8 +31,7 @@ class MouthClock {
   };
   std::uint64_t frame_ = 0;
   Time lips_at_{}, voice_at_{};  // What the frame on its way shows; Time{}: none.
-  bool voice_leads_ = false;
-  Duration smoothing_{};
+  performance::State shown_;     // The mouth that it shows.
   Mean lips_, voice_, mouth_;
 };
 

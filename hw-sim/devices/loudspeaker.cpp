@@ -25,22 +25,28 @@ void Loudspeaker::Stall(bool stalled) {
   bench_.Saw({Place::kLoudspeaker, Verb::kStall, stalled ? 1 : 0, 0, 0});
 }
 
+// What came while the simulator was busy came in time: it is played before anything is called dry.
 void Loudspeaker::Take(std::span<const std::int16_t> samples, Time now) {
-  PlayUntil(now);
-  const std::size_t room = kRoomFrames * kChannels - std::min(waiting_.size(), kRoomFrames * kChannels);
-  const std::size_t taken = std::min(samples.size() / kChannels * kChannels, room);
-  waiting_.insert(waiting_.end(), samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(taken));
+  const std::size_t room = kRoomFrames + Due(now), waits = waiting_.size() / kChannels;
+  const std::size_t frames = samples.size() / kChannels,
+                    taken = std::min(frames, room - std::min(waits, room));
+  waiting_.insert(waiting_.end(), samples.begin(),
+                  samples.begin() + static_cast<std::ptrdiff_t>(taken * kChannels));
+  lost_ += frames - taken;
   if (playing_ || stalled_ || waiting_.empty()) return;
   playing_ = true;
   start_ = played_at_ = now;
   start_frame_ = played_;
 }
 
+std::size_t Loudspeaker::Due(Time now) const {
+  if (!playing_ || stalled_ || now <= start_) return 0;
+  return start_frame_ + static_cast<std::uint64_t>(Seconds(now - start_) * rate_hz()) - played_;
+}
+
 void Loudspeaker::PlayUntil(Time now) {
-  if (!playing_ || stalled_ || now <= start_) return;
-  const auto due = start_frame_ + static_cast<std::uint64_t>(Seconds(now - start_) * rate_hz()) - played_;
-  const std::size_t there = waiting_.size() / kChannels;
-  Remember(std::min<std::size_t>(due, there));
+  const std::size_t due = Due(now), there = waiting_.size() / kChannels;
+  Remember(std::min(due, there));
   if (due <= there) return;
   ++dry_;
   playing_ = false;
@@ -65,7 +71,7 @@ void Loudspeaker::Remember(std::size_t frames) {
 void Loudspeaker::Silence() {
   waiting_.clear();
   playing_ = false;
-  played_ = start_frame_ = 0;
+  played_ = start_frame_ = lost_ = 0;
   level_db_ = -100;
 }
 

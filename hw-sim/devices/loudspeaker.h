@@ -34,17 +34,19 @@ class Loudspeaker {
   void Stall(bool stalled);                      // It plays nothing and stands still.
   bool stalled() const { return stalled_; }
 
-  // Appliance's side. Frames that find no room are lost: the driver knows how much there is.
+  // Appliance's side. Frames that find no room are lost, and count as played: the driver knows how much there
+  // is, unless the simulator itself was late.
   ports::SoundFormat format() const { return {48000, kChannels}; }
   void Take(std::span<const std::int16_t> samples, Time now);
   void PlayUntil(Time now);
-  void Silence();                                          // Nobody plays any more: what waits is dropped.
-  std::uint64_t played_frames() const { return played_; }  // Since the last Silence.
-  Time played_at() const { return played_at_; }            // When the last of these was over.
-  std::uint32_t dry() const { return dry_; }               // How often nothing was there to play.
+  void Silence();  // Nobody plays any more: what waits is dropped.
+  std::uint64_t played_frames() const { return played_ + lost_; }  // Since the last Silence.
+  Time played_at() const { return played_at_; }                    // When the last of these was over.
+  std::uint32_t dry() const { return dry_; }                       // How often nothing was there to play.
 
  private:
   double rate_hz() const { return 48000 * (1 + ppm_ * 1e-6); }
+  std::size_t Due(Time now) const;
   void Remember(std::size_t frames);
 
   const Workbench& bench_;
@@ -54,6 +56,7 @@ class Loudspeaker {
   Time start_{};  // When frame `start_frame_` was heard.
   std::uint64_t start_frame_ = 0;
   std::uint64_t played_ = 0;
+  std::uint64_t lost_ = 0;
   Time played_at_{};
   std::uint32_t dry_ = 0;
   double level_db_ = -100;

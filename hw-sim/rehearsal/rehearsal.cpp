@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "drivers/audio/local_loudspeaker.h"
+#include "drivers/audio/local_microphone.h"
 #include "drivers/camera/local_camera.h"
 #include "drivers/scanout/local_screen.h"
 
@@ -45,7 +47,8 @@ Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& 
   auto rig = Rig::Open({.folder = links_,
                         .screen_width_px = options.width_px,
                         .screen_height_px = options.height_px,
-                        .screen_period = FromSeconds(1 / options.hz)},
+                        .screen_period = FromSeconds(1 / options.hz),
+                        .camera_period = FromSeconds(1 / options.camera_hz)},
                        clock_);
   if (!rig) return tl::unexpected(rig.error());
   rig_ = std::move(*rig);
@@ -58,9 +61,21 @@ Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& 
   if (!lip_writer) return tl::unexpected(lip_writer.error());
   lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); },
                                             board_, std::move(*lip_writer), lips::LipSettings{}, clock_);
+  if (auto ok = SeatVoice(options, studio.show()); !ok) return ok;
   auto stage_writers = stage::StageWriters::Take(board_);
   if (!stage_writers) return tl::unexpected(stage_writers.error());
   stage_ = std::make_unique<stage::Stage>(board_, std::move(*stage_writers), studio, clock_);
+  return {};
+}
+
+Result<void> Rehearsal::SeatVoice(const RehearsalOptions& options, const show::Show& show) {
+  voice::VoiceSeatSettings settings{{}, {options.sound_delay, {}}};
+  for (const show::Take& take : show.takes) settings.speaker.clips.push_back(take.sound);
+  auto seat = voice::VoiceSeat::Take({[this] { return audio::LocalMicrophone::Open(links_); },
+                                      [this] { return audio::LocalLoudspeaker::Open(links_, clock_); }},
+                                     std::move(settings), board_, clock_);
+  if (!seat) return tl::unexpected(seat.error());
+  voice_ = std::move(*seat);
   return {};
 }
 
@@ -93,6 +108,7 @@ void Rehearsal::Tick(const Hands& hands) {
   rig_->Pump();
   desk_->Step();
   lips_->Step();
+  voice_->Step();
   stage_->Step();
 }
 

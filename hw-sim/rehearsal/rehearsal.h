@@ -9,6 +9,7 @@
 #include "appliance/board/board.h"
 #include "appliance/input/input_desk.h"
 #include "appliance/lips/lip_reader.h"
+#include "appliance/lips/voice/voice_seat.h"
 #include "appliance/stage/stage.h"
 #include "appliance/stage/studio.h"
 #include "drivers/base/clock.h"
@@ -22,6 +23,8 @@ struct RehearsalOptions {
   int width_px = 960;
   int height_px = 540;
   double hz = 30;
+  double camera_hz = 30;
+  voice::DelayWish sound_delay{};  // None: as measured.
 };
 
 // One thread.
@@ -53,6 +56,7 @@ class Rehearsal {
   Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus)
       : board_(std::move(board)), bus_(std::move(bus)) {}
   Result<void> Furnish(const RehearsalOptions& options, stage::Studio& studio);
+  Result<void> SeatVoice(const RehearsalOptions& options, const show::Show& show);
   Result<void> Settle();
   void Tick(const Hands& hands);
 
@@ -62,6 +66,7 @@ class Rehearsal {
   std::unique_ptr<Rig> rig_;
   std::unique_ptr<input::InputDesk> desk_;
   std::unique_ptr<lips::LipReader> lips_;
+  std::unique_ptr<voice::VoiceSeat> voice_;
   std::unique_ptr<stage::Stage> stage_;
   std::string links_;
   Time began_{};

@@ -89,15 +89,15 @@ std::vector<Action> Speak(std::string_view text, Duration at, Duration over) {
     double open = start;
     if (syllables[n].shuts_first) {
       open += kShutPart;
-      actions.push_back(Sound(after(start), syllables[n].vowel, 0));
       actions.push_back(Shape(after(start), after(open) - after(start), kShut));
+      actions.push_back(Sound(after(start), syllables[n].vowel, 0));
     }
-    actions.push_back(Sound(after(open), syllables[n].vowel, syllables[n].loudness));
     actions.push_back(Shape(after(open), after(start + kOpenPart) - after(open), syllables[n].mouth));
+    actions.push_back(Sound(after(open), syllables[n].vowel, syllables[n].loudness));
   }
   const Duration end = after(static_cast<double>(syllables.size()));
-  actions.push_back(Sound(end, syllables.back().vowel, 0));
   actions.push_back(Shape(end, at + over - end, kAtRest));
+  actions.push_back(Sound(end, syllables.back().vowel, 0));
   return actions;
 }
 

@@ -17,8 +17,9 @@ constexpr Duration kUsual =
 constexpr Duration kClose = milliseconds(3);  // What is this close is no news.
 constexpr Duration kStands = std::chrono::seconds(1);
 constexpr Duration kFresh = std::chrono::seconds(2);  // The stage measures once a second.
-// A mouth that opens is measured smaller than it is until the filter of the lips knows that it moves.
-constexpr Duration kLipsFilterLag = milliseconds(5);
+// A mouth that opens is measured smaller than it is until the filter of the lips knows that it moves. Seen on
+// claps, as kVoiceMouthLag is.
+constexpr Duration kLipsFilterLag = milliseconds(2);
 
 std::optional<Duration> Measured(const board::Snapshot& board, Time now) {
   const auto& status = board.stage_status;

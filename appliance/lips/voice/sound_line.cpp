@@ -13,18 +13,18 @@ using std::chrono::milliseconds;
 constexpr std::size_t kRing = 1U << 16U;
 constexpr std::size_t kFade = 480;  // A cross-fade of 10 ms.
 constexpr std::size_t kEdge = 96;   // Sound that ends or begins does so within 2 ms.
-constexpr double kStampShare =
-    0.02;  // Of a stamp's news that is believed: stamps tremble, clocks drift slowly.
-constexpr Duration kTorn =
-    milliseconds(20);  // A stamp further off than this tells of frames that are missing.
+// Of a stamp's news that is believed: stamps tremble, clocks drift slowly.
+constexpr double kStampShare = 0.02;
+// A stamp further off than this tells of frames that are missing; less where the source says so itself.
+constexpr Duration kTorn = milliseconds(20), kTornHole = milliseconds(1);
 constexpr double kErrorShare = 0.1;
 constexpr double kMend_frames = kSoundRate_hz / 2.0;  // An error is mended in about half a second,
 constexpr double kMostBend = 0.002;                   // and never more than so much faster or slower.
 constexpr double kFar_frames = kFade;                 // What is further off is reached by a cross-fade.
 constexpr Duration kChange = milliseconds(2);         // Another delay is another place at once.
-constexpr Duration kForget = microseconds(20);  // A tenth of a percent, with blocks of a few milliseconds.
-constexpr Duration kTail = milliseconds(3);     // Between what is read last and what was heard last.
-constexpr Duration kMostNeeded = milliseconds(80);  // A microphone that is later has stalled: none waits.
+constexpr Duration kForget = microseconds(5);         // What can be mended meanwhile, in chunks of 2.5 ms.
+constexpr Duration kTail = microseconds(2200);        // Between what is read last and what was heard last.
+constexpr Duration kMostNeeded = milliseconds(80);    // A microphone that is later has stalled: none waits.
 
 Duration Frames(double frames) {
   return FromSeconds(frames / kSoundRate_hz);
@@ -37,8 +37,9 @@ SoundLine::SoundLine() : ring_(kRing) {}
 void SoundLine::Hear(const ports::SoundBlock& block, const ports::SoundFormat& format) {
   const auto channels = static_cast<std::size_t>(std::max(format.channels, 1));
   const Duration off = block.at - newest_at_;
-  if (!heard_any_ || std::abs(off.count()) > kTorn.count()) {
-    if (heard_any_ && off > kTorn) Skip(static_cast<std::int64_t>(Seconds(off) * kSoundRate_hz));
+  const Duration torn = block.xrun ? kTornHole : kTorn;
+  if (!heard_any_ || std::abs(off.count()) > torn.count()) {
+    if (heard_any_ && off > torn) Skip(static_cast<std::int64_t>(Seconds(off) * kSoundRate_hz));
     newest_at_ = block.at;
     heard_any_ = true;
   } else {
@@ -54,16 +55,18 @@ void SoundLine::Hear(const ports::SoundBlock& block, const ports::SoundFormat& f
 }
 
 void SoundLine::Append(float sample) {
+  if (soft_left_ > 0) sample *= static_cast<float>(kEdge - soft_left_--) / kEdge;
   ring_[static_cast<std::size_t>(newest_++) % kRing] = sample;
 }
 
-// Frames that were lost sound like nothing; what was before them ends softly.
+// Frames that were lost sound like nothing; what was before them ends softly, and what follows begins so.
 void SoundLine::Skip(std::int64_t frames) {
   for (std::size_t n = 1; n <= kEdge && static_cast<std::int64_t>(n) <= newest_; ++n)
     ring_[static_cast<std::size_t>(newest_ - static_cast<std::int64_t>(n)) % kRing] *=
         static_cast<float>(n - 1) / kEdge;
   frames = std::min(frames, static_cast<std::int64_t>(kRing));
   for (std::int64_t n = 0; n < frames; ++n) Append(0);
+  soft_left_ = kEdge;
 }
 
 void SoundLine::Speak(std::span<float> into, Time heard_at, Duration delay) {

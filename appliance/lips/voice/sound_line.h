@@ -49,6 +49,7 @@ class SoundLine {
   std::int64_t newest_ = 0;  // How many frames were heard since the beginning,
   Time newest_at_{};         // and when the next would be, smoothed.
   bool heard_any_ = false;
+  std::size_t soft_left_ = 0;  // Frames until a beginning is wholly loud.
 
   double place_ = 0;  // Where it is read, in frames since the beginning.
   double speed_ = 1;

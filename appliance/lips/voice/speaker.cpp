@@ -13,12 +13,15 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr Duration kRetry = milliseconds(250);
-constexpr Duration kLead = milliseconds(30);  // How much waits in the device: how late we may be.
+// How much waits in the device: how late we may be. A device that ran dry gets more, and less again by and
+// by.
+constexpr Duration kLeastLead = milliseconds(20), kMoreLead = milliseconds(10), kMostLead = milliseconds(50);
+constexpr int kForgiveness = 1000;            // A millisecond of each second.
 constexpr Duration kTorn = milliseconds(10);  // A promise further off than this is a break, and no trembling.
 constexpr double kPromiseShare = 0.05;        // Of a promise's news that is believed.
 constexpr Duration kStuck = milliseconds(1000);
 constexpr Duration kTellPeriod = milliseconds(100);
-constexpr int kChunksAtOnce = 20;
+constexpr int kChunksAtOnce = 40;
 
 float Ms(Duration time) {
   return static_cast<float>(Seconds(time) * 1e3);
@@ -63,13 +66,15 @@ void Speaker::TryOpen(Time now) {
   heard_next_.reset();
   chunk_.clear();
   pushed_ = 0;
-  silent_since_ = now;
+  silent_since_ = filled_at_ = now;
   Log("loudspeaker: open");
 }
 
 void Speaker::Fill(Time now) {
+  lead_ = std::max(lead_ - (now - filled_at_) / kForgiveness, kLeastLead);
+  filled_at_ = now;
   for (int n = 0; n < kChunksAtOnce && loudspeaker_; ++n) {
-    const bool enough = heard_next_ && *heard_next_ >= now + depth_ + kLead;
+    const bool enough = heard_next_ && *heard_next_ >= now + depth_ + lead_;
     if (pushed_ == chunk_.size() && enough) return;
     if (!SpeakChunk()) break;
   }
@@ -125,8 +130,11 @@ void Speaker::NotePlayout(const ports::Playout& playout) {
   const auto channels = static_cast<std::size_t>(loudspeaker_->format().channels);
   const std::size_t left = (chunk_.size() - pushed_) / channels;
   const Time next = playout.at + FromSeconds(static_cast<double>(playout.frames + left) / kSoundRate_hz);
-  if (playout.xrun) ++sound_.xruns;
-  if (!heard_next_ || playout.xrun) depth_ = std::max(playout.at - now, Duration{});
+  if (playout.xrun) {
+    ++sound_.xruns;
+    lead_ = std::min(lead_ + kMoreLead, kMostLead);
+  }
+  if (!heard_next_) depth_ = std::max(playout.at - now, Duration{});
   const Duration off = heard_next_ ? next - *heard_next_ : Duration{};
   if (!heard_next_ || playout.xrun || off > kTorn || off < -kTorn)
     heard_next_ = next;

@@ -41,7 +41,7 @@ class Speaker {
   void Step();
 
  private:
-  static constexpr std::size_t kChunk = 240;  // Frames: 5 ms.
+  static constexpr std::size_t kChunk = 120;  // Frames: 2.5 ms.
 
   void TryOpen(Time now);
   void Fill(Time now);
@@ -61,6 +61,8 @@ class Speaker {
   TakeSound takes_;
   std::unique_ptr<ports::Loudspeaker> loudspeaker_;
   std::optional<Time> heard_next_;  // When the next frame that is made will be heard; none: not yet known.
+  Duration lead_{};                 // How much shall wait in the device,
+  Time filled_at_{};                // and when that was seen to last.
   Duration depth_{};                // What the device itself holds, from a write to its sound.
   std::array<float, kChunk> voice_{};
   std::array<float, 2 * kChunk> mixed_{};

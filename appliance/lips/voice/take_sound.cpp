@@ -20,7 +20,10 @@ float Sample(std::int16_t value) {
 }  // namespace
 
 void TakeSound::Follow(const board::Stamped<board::TakeNow>& now) {
-  if (now.source != board::SourceState::kLive) return;
+  if (now.source != board::SourceState::kLive) {
+    known_ = true;  // None ever played: the first one begins now.
+    return;
+  }
   const bool fresh = known_ && now.value.starts != starts_;
   if (now.value.take != take_ || fresh) CutOff(now.value.take < 0 && now_.clip != nullptr ? kFade : kCutOff);
   take_ = now.value.take;

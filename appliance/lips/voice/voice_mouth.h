@@ -8,7 +8,7 @@ namespace kaori::voice {
 
 // How far what VoiceMouth says is behind the sound, in the mean: the moment that a vowel is told from, and
 // the smoothing.
-inline constexpr Duration kVoiceMouthLag = std::chrono::milliseconds(25);
+inline constexpr Duration kVoiceMouthLag = std::chrono::milliseconds(13);
 
 // Pure: time is in the voice.
 class VoiceMouth {
