@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 
 #include "appliance/lips/paint_block.h"
@@ -106,17 +107,22 @@ void PaintMask::Read(const camera::Planes& planes, const PaintKey& key) {
 }
 
 void PaintMask::VoteOn(std::size_t rows) {
+  runs_ = 0;
   for (std::size_t y = 0; y < rows; ++y) {
     const std::uint64_t* here = &raw_[(y + 1) * words_];
+    std::uint64_t last = 0;  // The bit before.
     for (std::size_t n = 0; n < words_; ++n) {
       if ((here[n] | *(here + n - words_) | here[n + words_]) == 0) {  // Most of a picture.
-        voted_[y * words_ + n] = 0;
+        voted_[y * words_ + n] = last = 0;
         continue;
       }
       const std::uint64_t before = n > 0 ? here[n - 1] >> 63 : 0;
       const std::uint64_t after = n + 1 < words_ ? here[n + 1] << 63 : 0;
-      voted_[y * words_ + n] =
+      const std::uint64_t word =
           Vote(here[n] << 1 | before, here[n], here[n] >> 1 | after, *(here + n - words_), here[n + words_]);
+      runs_ += static_cast<std::size_t>(std::popcount(word & ~(word << 1 | last)));
+      last = word >> 63;
+      voted_[y * words_ + n] = word;
     }
   }
 }

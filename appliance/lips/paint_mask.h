@@ -29,6 +29,7 @@ class PaintMask {
   void Read(const camera::Planes& planes, const PaintKey& key);
 
   const Grid& grid() const { return grid_; }
+  std::size_t runs() const { return runs_; }  // Of samples side by side, in all rows.
 
   // Bit x % 64 of word x / 64 is the sample at x; bits beyond the grid's width are 0.
   std::span<const std::uint64_t> row(int y) const {
@@ -40,6 +41,7 @@ class PaintMask {
 
   Grid grid_;
   std::size_t words_ = 0;  // For each row.
+  std::size_t runs_ = 0;
   std::vector<std::uint64_t> raw_;
   std::vector<std::uint64_t> voted_;
 };

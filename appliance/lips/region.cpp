@@ -22,17 +22,13 @@ bool Regions::Find(const PaintMask& mask) {
   into_.clear();
   const std::size_t most = static_cast<std::size_t>(mask.grid().width) *
                            static_cast<std::size_t>(mask.grid().height) / kSamplesForARun;
+  if (mask.runs() > most) return false;
   std::size_t above = 0;
   for (int row = 0; row < mask.grid().height; ++row) {
     const std::size_t here = runs_.size();
     CutRuns(mask.row(row), row);
     Join(above, here);
     above = here;
-    if (runs_.size() <= most) continue;
-    runs_.clear();
-    regions_.clear();
-    into_.clear();
-    return false;
   }
   return true;
 }

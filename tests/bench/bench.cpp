@@ -42,6 +42,7 @@ const std::vector<Room>& Rooms() {
   static const std::vector<Room> rooms{
       {"blend", [](const Settings& o) { return MeasureBlend(o.quick); }},
       {"lips", [](const Settings& o) { return MeasureLips(o.quick); }},
+      {"lips motion", [](const Settings& o) { return MeasureLipMotion(o.quick); }},
       {"hid", [](const Settings& o) { return MeasureHid(o.quick); }},
       {"frame", [](const Settings& o) { return MeasureFrames(o.pack, o.quick); }},
       {"pack", [](const Settings& o) { return MeasurePacks(o.pack, o.quick); }},
