@@ -27,6 +27,7 @@ expect "fuzz takes --seconds and a number" fuzz 60
 expect "--json wants the name of a file" bench --json
 expect "test takes one PATTERN" test a b
 
+"$BOX" help | grep -q -e '--service' || { echo "box help does not tell of the desk"; failures=$((failures + 1)); }
 "$BOX" help | grep -q './box demo --record' || { echo "box help does not tell of films"; failures=$((failures + 1)); }
 
 # What ./box fuzz starts are the targets that there are, each with the inputs that are kept for it.
