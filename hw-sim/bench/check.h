@@ -58,6 +58,7 @@ std::vector<Check> ScreenChecks();
 std::vector<Check> HandChecks();
 std::vector<Check> CableChecks();
 std::vector<Check> SourceChecks();
+std::vector<Check> GadgetChecks();
 std::vector<Check> ToolChecks();
 
 }  // namespace kaori::bench

@@ -97,6 +97,7 @@ class Bench {
     constexpr kaori::Duration kLongest = std::chrono::seconds(60);
     for (const char* question :
          {"board", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-input",
+          "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-stage",
           "own /usr/bin/journalctl -k --no-pager -o short-monotonic -n 60"})
       if (const auto told = place_.witness().Ask(question, kLongest))
         finding.texts.emplace_back(question, *told);

@@ -28,6 +28,7 @@ Result<std::string> MountOwn() {
   for (const auto& [type, where] :
        {std::pair{"devtmpfs", "/dev"}, {"proc", "/proc"}, {"sysfs", "/sys"}, {"tmpfs", "/tmp"}})
     if (auto ok = Mount(type, where, type); !ok) return tl::unexpected(ok.error());
+  static_cast<void>(Mount("configfs", "/sys/kernel/config", "configfs"));  // Where the kernel has it.
   std::ifstream file("/proc/cmdline");
   std::string line;
   std::getline(file, line);

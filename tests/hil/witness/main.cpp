@@ -9,6 +9,7 @@
 //   tool WORDS...                a program of the bench's disk
 //   own WORDS...                 a program of the box
 //   start WORDS...               the same, left running; its number
+//   start-tool WORDS...          a program of the bench's disk, left running
 //   end NUMBER                   of a program that was started
 //   signal NAME NUMBER           to every process of that name
 //   lines take CHIP IN,IN OUT,OUT    GPIO lines, by the box's own driver
@@ -60,6 +61,7 @@ class Witness {
     if (verb == "tool") return kaori::hil::RunIn(rooms_.bench.get(), words, kLongestTool);
     if (verb == "own") return kaori::hil::RunIn(rooms_.box.get(), words, kLongestTool);
     if (verb == "start") return kaori::hil::StartIn(rooms_.box.get(), words);
+    if (verb == "start-tool") return kaori::hil::StartIn(rooms_.bench.get(), words);
     if (verb == "end" && words.size() == 1) return kaori::hil::EndStarted(words[0]);
     if (verb == "lines") return Lines(words);
     if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
