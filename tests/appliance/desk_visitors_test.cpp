@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "appliance/desk/certificate.h"
 #include "appliance/desk/desk.h"
 #include "tests/appliance/desk_house.h"
 #include "tests/appliance/desk_visitor.h"
@@ -162,6 +163,40 @@ TEST_F(DeskVisitors, WhoSendABodyDropByDropAreCutOffToo) {
     house_.Play(2200ms);
   }
   EXPECT_TRUE(slow.IsCutOff());
+}
+
+TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreCutOff) {
+  desk_.reset();
+  const auto own = desk::KeptCertificate(house_.folder(), {{"localhost"}, 0x7F000001, 1'795'000'000}).value();
+  desk_ = desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine, .certificate = own.pem},
+                           house_.board, loop_, house_.clock)
+              .value();
+  const std::string address = desk_->address();
+  EXPECT_TRUE(address.starts_with("https://"));
+  port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+  Visitor plain = Come();
+  plain.Send(RequestOf({}, port_));
+  EXPECT_TRUE(plain.IsCutOff());
+  Visitor garbage = Come();
+  garbage.Send("\x16\x03\x01\xff\xff" + std::string(70'000, '\x01'));
+  EXPECT_TRUE(garbage.IsCutOff());
+  Visitor silent = Come();
+  silent.Send("\x16\x03\x01");
+  house_.Play(9s);
+  EXPECT_EQ(desk_->connections(), 1U);
+  house_.Play(2s);
+  EXPECT_TRUE(silent.IsCutOff()) << "in the middle of the handshake";
+  EXPECT_EQ(desk_->connections(), 0U);
+}
+
+TEST_F(DeskVisitors, GetNoSecureDeskOfACertificateThatIsNone) {
+  desk_.reset();
+  const auto opened = desk::Desk::Open(
+      {.port = 0, .reach = web::Reach::kThisMachine, .certificate = web::Certificate{"a", "b"}}, house_.board,
+      loop_, house_.clock);
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message(), HasSubstr("certificate"));
+  house_.each_step = nullptr;
 }
 
 TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
