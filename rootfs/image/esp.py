@@ -8,6 +8,7 @@ from pathlib import Path
 
 MIB = 1 << 20
 SECTION_ALIGNED = 0x1000
+HEADER_POINTER, TIME_AT, CHECKSUM_AT = 0x3C, 8, 88  # In a PE file, and in its header.
 VOLUME_ID = "6B616F72"
 LOADERS = "usr/lib/systemd/boot/efi"  # In Debian's packages.
 SETTINGS = "timeout 0\neditor no\nconsole-mode keep\nauto-entries no\nauto-firmware no\nauto-reboot no\n"
@@ -27,6 +28,16 @@ def free_address(stub):
     return max(ends)
 
 
+def forget_time(program):
+    """Of a PE file: when it was made, and the checksum over that, which no firmware looks at."""
+    with open(program, "r+b") as file:
+        file.seek(HEADER_POINTER)
+        header = int.from_bytes(file.read(4), "little")
+        for field in (header + TIME_AT, header + CHECKSUM_AT):
+            file.seek(field)
+            file.write(bytes(4))
+
+
 def make_unified(stub, release, cmdline, kernel, target):
     """The kernel in an EFI program, with its command line."""
     address, options = free_address(stub), []
@@ -35,6 +46,7 @@ def make_unified(stub, release, cmdline, kernel, target):
         options += ["--add-section", f"{name}={path}", "--change-section-vma", f"{name}={address:#x}"]
         address += path.stat().st_size
     run("objcopy", *options, stub, target)
+    forget_time(target)
 
 
 def make(out, packages, size_mib):
