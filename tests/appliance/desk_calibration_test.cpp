@@ -186,6 +186,13 @@ TEST_F(DeskCalibration, BeginsByNoShortPushAndNotAgainWhileTheKeyIsHeld) {
   EXPECT_FALSE(house_.lips->guide().active());
 }
 
+TEST_F(DeskCalibration, BeginsByInsertWhereABrowserKeepsF12) {
+  house_.StartLips();
+  house_.Hold(0x49, true);
+  house_.Play(2100ms);
+  EXPECT_TRUE(house_.lips->guide().active());
+}
+
 TEST_F(DeskCalibration, WorksByLampsAloneOutOfService) {
   house_.StartLips(false);
   house_.Play(500ms);

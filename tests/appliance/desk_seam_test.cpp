@@ -114,6 +114,24 @@ TEST_F(DeskSeam, MakesOneChangeOfASliderThatIsDrawn) {
   EXPECT_EQ(Value("key.similarity"), 140);
 }
 
+TEST_F(DeskSeam, LearnsFromTenSecondsOfSpeech) {
+  EXPECT_EQ(Do({.ask = Ask::kBegin, .name = "speak"}), "");
+  for (int n = 0; n < 75 && line_->report()->step; ++n) {
+    const double swing = n % 5 / 4.0;
+    house_.hand.scene.person.mouth = {0.25 + 0.45 * swing, 0.8 + 0.35 * (n % 7 / 6.0)};
+    house_.Play(150ms);
+  }
+  EXPECT_FALSE(line_->report()->step) << "ten seconds are over";
+  EXPECT_EQ(line_->report()->taken, 1U << static_cast<unsigned>(CalibrationStep::kSpeak));
+  EXPECT_NEAR(Value("mouth.open"), 0.69F, 0.06F);
+  EXPECT_NEAR(Value("mouth.narrow"), 0.8F, 0.06F);
+  EXPECT_NEAR(Value("mouth.wide"), 1.14F, 0.06F);
+  EXPECT_EQ(Do({.ask = Ask::kBegin, .name = "speak"}), "");
+  EXPECT_EQ(Do({.ask = Ask::kStop}), "");
+  EXPECT_FALSE(line_->report()->step);
+  EXPECT_EQ(Do({.ask = Ask::kBegin, .name = "sing"}), "there is no step sing");
+}
+
 TEST_F(DeskSeam, KeepsTwoGenerationsAndGoesBackToEither) {
   const auto set = [this](float value) {
     EXPECT_EQ(Do({.ask = Ask::kSet, .a = value, .name = "key.spill"}), "");

@@ -13,7 +13,8 @@ constexpr Duration kPatience = std::chrono::seconds(60);
 constexpr std::uint32_t kKeep = 4;   // The step after the four poses.
 constexpr float kCleanMouth = 0.8F;  // Its paint is known: it need not be looked for.
 constexpr float kGoodMouth = 0.5F;   // What a calibration counts.
-constexpr std::size_t kEnter = 0x28, kEscape = 0x29, kF12 = 0x45, kPadEnter = 0x58;  // HID page 7.
+constexpr std::size_t kEnter = 0x28, kEscape = 0x29, kF12 = 0x45, kInsert = 0x49,
+                      kPadEnter = 0x58;  // HID page 7.
 
 bool IsDown(const board::Keys& keys, std::size_t usage) {
   return ((keys.down[usage / 32] >> (usage % 32)) & 1U) != 0;
@@ -32,7 +33,8 @@ void Guide::Step(const board::Stamped<board::Keys>& keys, const board::Stamped<b
                  float quality, Tuning& tuning, Time now) {
   const Pushes pushes = PushesOf(keys.value, surface.value);
   const Pushes before = std::exchange(seen_pushes_, pushes);
-  const bool down = keys.source == board::SourceState::kLive && IsDown(keys.value, kF12);
+  const bool down =
+      keys.source == board::SourceState::kLive && (IsDown(keys.value, kF12) || IsDown(keys.value, kInsert));
   if (!down) held_since_.reset();
   if (!down) let_go_ = true;
   if (down && !held_since_) held_since_ = now;

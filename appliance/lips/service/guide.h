@@ -11,10 +11,10 @@
 
 namespace kaori::lips {
 
-// F12 held for two seconds begins it. Where no clean mouth is seen the paint is looked for first, and the
-// camera may find its light anew. Enter, or any push on the dial box, takes the pose that the lamp of its
-// number asks for (shut, open, wide, narrow), and at last keeps all of it on the disk. Escape, or a minute
-// in which nobody pushes, leaves, and all is as before.
+// F12 held for two seconds begins it, or Insert, which no browser takes for itself. Where no clean mouth is
+// seen the paint is looked for first, and the camera may find its light anew. Enter, or any push on the dial
+// box, takes the pose that the lamp of its number asks for (shut, open, wide, narrow), and at last keeps all
+// of it on the disk. Escape, or a minute in which nobody pushes, leaves, and all is as before.
 class Guide {
  public:
   // What the hands are doing, and how well the mouth is seen now.
@@ -43,7 +43,7 @@ class Guide {
   float progress_ = 0;
   std::uint32_t before_ = 0;        // Changes there were when it began,
   std::uint32_t before_step_ = 0;   // and when the pose was taken.
-  std::optional<Time> held_since_;  // F12.
+  std::optional<Time> held_since_;  // F12 or Insert.
   bool let_go_ = true;
   Pushes seen_pushes_;
   Time idle_since_{};
