@@ -13,7 +13,7 @@ constexpr std::string_view kHelp =
     R"(kaori-lips: the operator's painted lips and voice, from camera and microphone to the board
 
   --board FILE    the board, shared with the other programs
-  --device FILE   the camera, say /dev/video0
+  --device NAME   the camera: /dev/video0, or libcamera:NAME where libcamera is to bring it
   --modes         say what the camera can and which rates would be taken, and end
   --links FOLDER  the simulator's camera, microphone and loudspeaker, plugged in there
   --microphone NAME   the operator's voice: a sound device of ALSA, say hw:1

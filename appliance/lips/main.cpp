@@ -14,7 +14,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/camera/local_camera.h"
-#include "drivers/camera/v4l2_source.h"
+#include "drivers/camera/named_camera.h"
 
 namespace {
 
@@ -29,7 +29,8 @@ int Complain(const kaori::Error& error) {
 }
 
 int SayModes(const LipOptions& options) {
-  const auto text = kaori::camera::ModesText(options.device, {});
+  const kaori::SteadyClock clock;
+  const auto text = kaori::camera::NamedCamera(options.device, clock).ModesText();
   if (!text) return Complain(text.error());
   std::fputs(text->c_str(), stdout);
   return 0;
@@ -65,10 +66,10 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
   auto writer = board->TakeWriter<kaori::board::Lips>();
   if (!writer) return Complain(writer.error());
   const kaori::SteadyClock clock;
-  kaori::camera::V4l2Source device(options.device, {}, clock);
+  kaori::camera::NamedCamera device(options.device, clock);
   const bool simulated = options.device.empty();
   kaori::lips::LipReader reader(simulated ? SimulatedCamera(options) : device.opener(), *board,
-                                std::move(*writer), *lips, clock, simulated ? nullptr : &device);
+                                std::move(*writer), *lips, clock, simulated ? nullptr : device.tuning());
   const auto service = kaori::lips::LipService::Open(
       {.service = options.service, .file = options.settings, .now = *lips}, reader, *board, clock);
   if (!service) return Complain(service.error());

@@ -1,0 +1,64 @@
+#include "drivers/camera/libcamera/libcamera_choice.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace kaori::camera {
+namespace {
+
+using ports::CameraFormat;
+using ports::PixelFormat;
+
+constexpr int kLeastWidth_px = 320;
+constexpr int kMostWidth_px = 1280;
+constexpr double kPenalty = 1e6;  // Of a width that is worse for lips than any other.
+constexpr std::array<std::int64_t, 3> kSlower_us = {16'667, 33'333, 41'667};
+
+double BytesPerPixel(PixelFormat pixels) {
+  switch (pixels) {
+    case PixelFormat::kNv12:
+      return 1.5;
+    case PixelFormat::kYuyv:
+      return 2;
+    case PixelFormat::kMjpeg:
+      return 4;  // It is small, but has to be decoded, and blurs colour.
+  }
+  return 0;
+}
+
+const char* NameOf(PixelFormat pixels) {
+  if (pixels == PixelFormat::kMjpeg) return "MJPEG";
+  return pixels == PixelFormat::kNv12 ? "NV12" : "YUYV";
+}
+
+double CostOf(const CameraFormat& format) {
+  const bool fits = format.width_px >= kLeastWidth_px && format.width_px <= kMostWidth_px;
+  return BytesPerPixel(format.pixels) * format.width_px * format.height_px * (fits ? 1 : kPenalty);
+}
+
+}  // namespace
+
+std::optional<CameraFormat> ChooseFormat(std::span<const CameraFormat> offered) {
+  std::optional<CameraFormat> best;
+  for (const CameraFormat& format : offered)
+    if (!best || CostOf(format) < CostOf(*best)) best = format;
+  return best;
+}
+
+std::string NameOf(const CameraFormat& format, double rate_hz) {
+  const auto picture = fmt::format("{} x {} {}", format.width_px, format.height_px, NameOf(format.pixels));
+  return rate_hz > 0 ? fmt::format("{} at {:.4g} frames/s", picture, rate_hz)
+                     : picture + " at the camera's own rate";
+}
+
+std::optional<std::int64_t> FrameTimeOf(const FrameTimes& can, std::size_t rung) {
+  if (rung == 0) return can.shortest_us;
+  for (const std::int64_t slower_us : kSlower_us) {
+    const bool is_slower = slower_us > can.shortest_us + can.shortest_us / 50;
+    if (is_slower && slower_us <= can.longest_us && --rung == 0) return slower_us;
+  }
+  return std::nullopt;
+}
+
+}  // namespace kaori::camera

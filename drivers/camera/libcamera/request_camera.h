@@ -1,0 +1,94 @@
+// A camera that is fed by requests, as libcamera's are: buffers go out, and come back filled in another
+// thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/unique_fd.h"
+#include "drivers/ports/camera.h"
+
+namespace kaori::camera {
+
+struct CompletedRequest {
+  std::uint32_t buffer = 0;
+  bool whole = false;  // Filled without a fault.
+  std::uint32_t bytes = 0;
+  std::uint32_t sequence = 0;
+  Time at{};
+};
+
+// The one crossing between the library's thread and ours.
+class Completions {
+ public:
+  Completions();
+
+  // The library's side; any thread.
+  void Add(const CompletedRequest& request);
+  void Disconnect();
+
+  // Our side. Readable when something was added.
+  int pollable() const { return wake_.get(); }
+  std::vector<CompletedRequest> TakeAll();
+  bool disconnected() const;
+
+ private:
+  void Wake() const;
+
+  mutable std::mutex mutex_;
+  std::vector<CompletedRequest> waiting_;
+  bool disconnected_ = false;
+  UniqueFd wake_;
+};
+
+// What the library does for one streaming camera. Its end ends the stream; nothing is completed after it.
+class RequestDevice {
+ public:
+  virtual ~RequestDevice() = default;
+  virtual Completions& completions() = 0;
+  virtual std::uint32_t buffers() const = 0;
+  virtual std::span<const std::uint8_t> memory(std::uint32_t buffer) const = 0;
+  // Has the buffer filled. Errors: no_such_device, io_error.
+  virtual Result<void> Queue(std::uint32_t buffer) = 0;
+};
+
+struct RequestStream {
+  std::string name;  // For errors.
+  ports::CameraFormat format;
+  std::uint32_t stride_bytes = 0;                    // 0 for MJPEG.
+  std::uint32_t frame_bytes = 0;                     // A whole uncompressed frame; 0 for MJPEG.
+  Duration stall = std::chrono::milliseconds(1000);  // Without a frame for so long the stream is broken.
+};
+
+// As ports::Camera. A frame keeps its buffer until the next Next; every other buffer is with the library.
+class RequestCamera final : public ports::Camera {
+ public:
+  // Queues every buffer. Borrows `clock`. Errors: those of Queue.
+  static Result<std::unique_ptr<RequestCamera>> Start(std::unique_ptr<RequestDevice> device,
+                                                      const RequestStream& stream, const Clock& clock);
+
+  int pollable() const override { return device_->completions().pollable(); }
+  Result<ports::CameraFrame> Next() override;
+
+ private:
+  RequestCamera(std::unique_ptr<RequestDevice> device, const RequestStream& stream, const Clock& clock);
+  Result<void> Queue(std::uint32_t buffer);
+  Result<void> GiveBackHeld();
+  bool is_whole(const CompletedRequest& request) const;
+  tl::unexpected<Error> Broken(std::errc cause, const char* verb);
+
+  std::unique_ptr<RequestDevice> device_;
+  RequestStream stream_;
+  const Clock& clock_;
+  std::optional<CompletedRequest> held_;
+  std::optional<Error> broken_;
+  Time newest_;
+};
+
+}  // namespace kaori::camera
