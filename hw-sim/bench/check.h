@@ -35,6 +35,7 @@ struct Scene {
   Finding& finding;
   std::string folder;  // Of the report.
   int replugs = 20;
+  int scenes = 0;  // Of the scenario, from its beginning; 0: all.
   std::mt19937& chance;
   std::string play;  // The scenario that is played.
 
@@ -59,6 +60,7 @@ std::vector<Check> HandChecks();
 std::vector<Check> CableChecks();
 std::vector<Check> SourceChecks();
 std::vector<Check> GadgetChecks();
+std::vector<Check> LatencyChecks();
 std::vector<Check> ToolChecks();
 
 }  // namespace kaori::bench

@@ -13,8 +13,8 @@ Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
 
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
-  for (auto& part :
-       {ScreenChecks(), HandChecks(), SourceChecks(), CableChecks(), GadgetChecks(), ToolChecks()})
+  for (auto& part : {ScreenChecks(), HandChecks(), LatencyChecks(), SourceChecks(), CableChecks(),
+                     GadgetChecks(), ToolChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

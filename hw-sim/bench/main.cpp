@@ -28,6 +28,7 @@ constexpr std::string_view kHelp =
   --only NAMES          these checks, with commas between
   --chosen              those that run each time
   --list                names the checks, and ends
+  --scenes 0            of the scenario, from its beginning; 0 plays all
   --replugs 200         how often cables are pulled and plugged
   --seed 1              of their order
   --size 480x270        of the screen
@@ -35,7 +36,7 @@ constexpr std::string_view kHelp =
 
 struct Settings {
   std::string image = "out/image", bench_disk, report = "out/bench", figures, play, only;
-  std::string replugs = "200", seed = "1", size = "480x270";
+  std::string scenes = "0", replugs = "200", seed = "1", size = "480x270";
   bool chosen = false, list = false;
 };
 
@@ -74,8 +75,13 @@ class Bench {
   kaori::bench::ReportedCheck Try(const kaori::bench::Check& check) {
     kaori::bench::ReportedCheck reported{check.name, check.sentence, {}};
     auto& finding = reported.finding;
-    kaori::bench::Scene scene{place_,  finding,       settings_.report, std::atoi(settings_.replugs.c_str()),
-                              chance_, settings_.play};
+    kaori::bench::Scene scene{.place = place_,
+                              .finding = finding,
+                              .folder = settings_.report,
+                              .replugs = std::atoi(settings_.replugs.c_str()),
+                              .scenes = std::atoi(settings_.scenes.c_str()),
+                              .chance = chance_,
+                              .play = settings_.play};
     auto ok = strategy_.Transition(kaori::bench::BoxState::kPlaying);
     if (!ok) place_.machine().Off();
     const kaori::Time began = clock_.now();
@@ -173,6 +179,7 @@ int main(int argc, char** argv) {
       .Switch("--list", settings.list)
       .Text("--replugs", settings.replugs);
   options.Text("--seed", settings.seed).Text("--size", settings.size);
+  options.Text("--scenes", settings.scenes);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.list) return List();
   const auto size = kaori::ParseSize(settings.size);

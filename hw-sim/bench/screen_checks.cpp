@@ -1,4 +1,6 @@
 // What is on the screen, while it plays and while its program is away.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "hw-sim/bench/check.h"
@@ -98,9 +100,11 @@ Result<void> Play(Scene& scene) {
   const auto before = scene.place.Board();
   if (!before) return tl::unexpected(before.error());
   HeldPlay play(std::move(*scenario), scene.place);
-  for (std::size_t n = 0; n < play.scenario().beats.size(); ++n)
+  const std::size_t all = play.scenario().beats.size();
+  const std::size_t scenes = scene.scenes > 0 ? std::min(all, static_cast<std::size_t>(scene.scenes)) : all;
+  for (std::size_t n = 0; n < scenes; ++n)
     if (auto ok = ShootScene(scene, play, n); !ok) return ok;
-  play.PlayUntil(play.scenario().length);
+  if (scenes == all) play.PlayUntil(play.scenario().length);
   const auto after = scene.place.Board();
   if (!after) return tl::unexpected(after.error());
   scene.finding.said = fmt::format("{} scenes, {} frames; time stood still while a slow machine drew",

@@ -1,7 +1,4 @@
-// Camera, lines, sound, and the way of an event from the cable to the light.
-#include <algorithm>
-#include <sstream>
-
+// Camera, lines and sound.
 #include <fmt/format.h>
 
 #include "hw-sim/bench/check.h"
@@ -126,93 +123,13 @@ Result<void> Sound(Scene& scene) {
   return {};
 }
 
-struct Moments {
-  std::vector<std::int64_t> stick_ns;                        // When events arrived, by the machine's clock.
-  std::vector<std::pair<std::int64_t, std::int64_t>> flips;  // Hands read, light.
-};
-
-Moments ReadMoments(const std::string& told) {
-  Moments moments;
-  std::istringstream lines(told);
-  std::string kind;
-  for (std::int64_t a = 0; lines >> kind >> a;) {
-    double b = 0;
-    lines >> b;
-    if (kind == "stick") moments.stick_ns.push_back(a);
-    if (kind == "flip") moments.flips.emplace_back(a, static_cast<std::int64_t>(b));
-  }
-  return moments;
-}
-
-double Part(std::vector<double> values, double part) {
-  std::ranges::sort(values);
-  return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
-
-// Shakes the left stick for so long, and tells what the witness saw of it.
-Result<Moments> Shake(Scene& scene, int watch_ms) {
-  constexpr Duration kBetween = milliseconds(90);
-  sim::StickPod& stick = scene.place.rig().instruments().left_stick;
-  Time next = scene.place.clock().now();
-  bool right = false;
-  scene.place.SetHands([&](Time now) {
-    if (now < next) return;
-    next = now + kBetween;
-    right = !right;
-    stick.Move(right ? 0.7F : -0.7F, 0);
-  });
-  const auto told =
-      scene.place.witness().Ask(fmt::format("events {}", watch_ms), milliseconds(watch_ms) + kAnswer);
-  scene.place.SetHands({});
-  stick.Move(0, 0);
-  if (!told) return tl::unexpected(told.error());
-  return ReadMoments(*told);
-}
-
-// In frames of the screen as it ran meanwhile: an emulated machine's milliseconds say little.
-std::vector<double> FramesToLight(const Moments& moments, double frame_ns) {
-  std::vector<double> frames;
-  for (const std::int64_t at : moments.stick_ns) {
-    const auto shown =
-        std::ranges::find_if(moments.flips, [at](const auto& flip) { return flip.first >= at; });
-    if (shown != moments.flips.end()) frames.push_back(static_cast<double>(shown->second - at) / frame_ns);
-  }
-  return frames;
-}
-
-Result<void> Latency(Scene& scene) {
-  constexpr int kWatchMs = 25'000;
-  constexpr std::size_t kLeastFlips = 4;
-  static_cast<void>(scene.place.rig().Unplug("camera"));  // Its pictures cost an emulated machine much.
-  scene.place.For(seconds(5));
-  const auto moments = Shake(scene, kWatchMs);
-  static_cast<void>(scene.place.rig().Plug("camera"));
-  if (!moments) return tl::unexpected(moments.error());
-  if (moments->flips.size() < kLeastFlips) {
-    scene.finding.verdict = Verdict::kSkipped;
-    scene.finding.said =
-        fmt::format("{} frames came in {} s: too few to measure by", moments->flips.size(), kWatchMs / 1000);
-    return {};
-  }
-  const double frame_ns = static_cast<double>(moments->flips.back().second - moments->flips.front().second) /
-                          static_cast<double>(moments->flips.size() - 1);
-  const auto frames = FramesToLight(*moments, frame_ns);
-  if (frames.empty()) return FailInput("no event came to light");
-  scene.finding.figures["event_to_flip_frames_median"] = Part(frames, 0.5);
-  scene.finding.figures["event_to_flip_frames_p99"] = Part(frames, 0.99);
-  scene.finding.said = fmt::format("{} events: median {:.2f}, p99 {:.2f} frames of {:.0f} ms", frames.size(),
-                                   Part(frames, 0.5), Part(frames, 0.99), frame_ns / 1e6);
-  return {};
-}
-
 }  // namespace
 
 std::vector<Check> SourceChecks() {
   return {{"camera", "The lip camera streams, and the lips follow the mouth", true, Camera},
           {"camera-pulled", "The camera is pulled and plugged: the lips come back", true, CameraPulled},
           {"lines", "Switches and a lamp on GPIO lines, with edges", true, Lines},
-          {"sound", "Sound goes in and out", true, Sound},
-          {"latency", "From an event to the flip that shows it", true, Latency}};
+          {"sound", "Sound goes in and out", true, Sound}};
 }
 
 }  // namespace kaori::bench
