@@ -53,7 +53,7 @@ bool CameraCare::Judge(const camera::Planes& planes, Time now) {
   if (!finding_since_) finding_since_ = now;
   if (now - *finding_since_ < kFinding) return false;
   if (brightness >= kDark) {
-    Hold();
+    Found();
     return false;
   }
   const bool exposes_more = tuning_->exposure().value_or(1) < kFullyExposed;
@@ -64,12 +64,17 @@ bool CameraCare::Judge(const camera::Planes& planes, Time now) {
   }
   if (!std::exchange(told_dark_, true))
     Log("lip camera: too dark, and none of its rates is slower: light the lips");
-  Hold();
+  Found();
   return false;
+}
+
+void CameraCare::Found() {
+  if (!by_hand_) Hold();
 }
 
 void CameraCare::Free() {
   held_ = false;
+  by_hand_ = true;
   told_dark_ = false;
   finding_since_.reset();
   if (tuning_ != nullptr) tuning_->Set(ports::CameraHold::kFree);
@@ -77,6 +82,7 @@ void CameraCare::Free() {
 
 void CameraCare::Hold() {
   held_ = true;
+  by_hand_ = false;
   if (tuning_ == nullptr) return;
   const auto lacks = tuning_->Set(ports::CameraHold::kHeld);
   Log("lip camera: held as it is");

@@ -27,19 +27,22 @@ class CameraCare {
   // Each picture. True: open the camera anew, it will be slower and see more.
   bool See(const camera::Planes& planes, Time now);
 
-  // For a calibration, and after it. Held by hand, the camera is not judged again.
+  // For a calibration, and after it: freed by hand it stays free until it is held by hand, and held by hand
+  // it is not judged again.
   void Free();
   void Hold();
   bool held() const { return held_; }
 
  private:
   bool Judge(const camera::Planes& planes, Time now);
+  void Found();
 
   ports::CameraTuning* tuning_;
   std::string mode_;                   // That was told last.
   std::vector<std::string> lacks_;     // Likewise.
   std::optional<Time> finding_since_;  // It has seen light since, and looks for its exposure.
   bool held_ = false;
+  bool by_hand_ = false;
   bool told_dark_ = false;
 };
 

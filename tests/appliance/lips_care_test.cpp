@@ -119,7 +119,8 @@ TEST_F(Care, FreesTheCameraForACalibrationAndHoldsItAfterwards) {
     tuning_.lacks = {"focus"};
     care_.Hold();
     care_.Free();
-    EXPECT_FALSE(care_.held());
+    EXPECT_FALSE(See(150, std::chrono::seconds(10)));
+    EXPECT_FALSE(care_.held()) << "until the calibration is over";
     care_.Hold();
     EXPECT_FALSE(See(40, std::chrono::seconds(10))) << "what a person has held is not judged";
   });
