@@ -68,22 +68,23 @@ void GiveCards() {
   if (::chown(kDraws, 0, kRender) == 0) ::chmod(kDraws, kGroupsToo);
 }
 
-// What a show keeps. Where this fails the system tries once more, and the show plays without.
-void MountData() {
-  constexpr unsigned long kPlain = MS_NODEV | MS_NOSUID | MS_NOEXEC;
-  ::mount("sysfs", "/sys", "sysfs", kPlain, nullptr);
-  const auto partition = kaori::boot::FindDataPartition("/sys/class/block");
-  if (!partition) return;
-  const std::string device = "/dev/" + *partition;
-  ::mount(device.c_str(), kData, "ext4", kPlain, nullptr);
-}
-
 // Into the kernel's log, which the journal reads. Nothing of it comes to a screen.
 void Say(const std::string& words) {
   const std::string line = "<4>kaori-light: " + words + "\n";
   const int fd = ::open("/dev/kmsg", O_WRONLY | O_CLOEXEC);
   if (::write(fd, line.data(), line.size()) < 0) return;
   ::close(fd);
+}
+
+// What a show keeps. Where this fails the system tries once more, and the show plays without.
+void MountData() {
+  constexpr unsigned long kPlain = MS_NODEV | MS_NOSUID | MS_NOEXEC;
+  ::mount("sysfs", "/sys", "sysfs", kPlain, nullptr);
+  const auto partition = kaori::boot::FindDataPartition("/sys/class/block");
+  if (!partition) return Say("there is no data partition beside the root: nothing is kept");
+  const std::string device = "/dev/" + *partition;
+  if (::mount(device.c_str(), kData, "ext4", kPlain, nullptr) != 0)
+    Say("the data partition " + device + " cannot be mounted: nothing is kept");
 }
 
 // For udev's rules: a file named after the profile, in a folder that is there before everything else.

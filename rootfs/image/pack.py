@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Packs OUT/root into OUT/root.erofs with its tree of hashes; writes OUT/kaori.disk, OUT/cmdline, and a report of sizes.
 
-    pack.py OUT PACKAGES REPORT.json
+    pack.py OUT PACKAGES REPORT.json [DISK_MIB]
+
+The data partition gets what the others leave of the disk.
 """
 
 import json
@@ -32,11 +34,23 @@ LAYOUT = (
     ("verity-b", 8, VERITY, "6b616f72-6900-4000-8000-000000000014"),
     ("data", 128, DATA, "6b616f72-6900-4000-8000-000000000015"),
 )
+LEAST_DATA_MIB = 16
 ALIGNED_MIB = 1  # Partitions begin on whole MiB; one more at each end holds the table.
 
 
 def run(*command):
     return subprocess.run([str(c) for c in command], check=True, capture_output=True, text=True).stdout
+
+
+def laid_out(disk_mib):
+    """The layout on a disk of this size; as it stands where none is said."""
+    if disk_mib is None:
+        return LAYOUT
+    rest_mib = disk_mib - 2 * ALIGNED_MIB - sum(size for name, size, _, _ in LAYOUT if name != "data")
+    if rest_mib < LEAST_DATA_MIB:
+        needed_mib = disk_mib - rest_mib + LEAST_DATA_MIB
+        sys.exit(f"image: a disk of {disk_mib} MiB has no room for data; {needed_mib} are needed")
+    return tuple((name, rest_mib if name == "data" else size, kind, uuid) for name, size, kind, uuid in LAYOUT)
 
 
 def pack_root(out):
@@ -68,12 +82,11 @@ def command_line(image, root_hash):
            "init=/usr/bin/kaori-light usbcore.authorized_default=0 quiet loglevel=3 panic=5"
 
 
-def make_data(out):
+def make_data(out, size_mib):
     """An ext4 with the settings in it, the stage's own folder, empty, and with no time but the image's."""
     os.environ["E2FSPROGS_FAKE_TIME"] = os.environ["SOURCE_DATE_EPOCH"]
     data = out / "data.ext4"
     data.unlink(missing_ok=True)
-    size_mib = next(size for name, size, _, _ in LAYOUT if name == "data")
     run("mke2fs", "-q", "-t", "ext4", "-U", DATA_UUID, "-E", f"hash_seed={DATA_UUID},lazy_itable_init=0", "-m", "0",
         "-L", "kaori-data", data, f"{size_mib}M")
     user = next(line.split(":") for line in (out / "root/etc/passwd").read_text().splitlines()
@@ -87,14 +100,14 @@ def make_data(out):
     return data
 
 
-def write_disk(out, parts):
+def write_disk(out, layout, parts):
     """A sparse file; `parts` are written into the partitions of their names."""
     disk = out / "kaori.disk"
     disk.unlink(missing_ok=True)
     with open(disk, "wb") as file:
-        file.truncate((sum(size for _, size, _, _ in LAYOUT) + 2 * ALIGNED_MIB) * MIB)
+        file.truncate((sum(size for _, size, _, _ in layout) + 2 * ALIGNED_MIB) * MIB)
     options, start = [], ALIGNED_MIB
-    for number, (name, size, kind, uuid) in enumerate(LAYOUT, 1):
+    for number, (name, size, kind, uuid) in enumerate(layout, 1):
         options += ["-n", f"{number}:{start}M:+{size}M", "-t", f"{number}:{kind}", "-c", f"{number}:{name}",
                     "-u", f"{number}:{uuid}"]
         if name in parts:
@@ -123,12 +136,15 @@ def folder_bytes(folder):
 
 
 def main():
-    out, packages, written = (Path(argument) for argument in sys.argv[1:])
+    out, packages, written = (Path(argument) for argument in sys.argv[1:4])
+    layout = laid_out(int(sys.argv[4]) if len(sys.argv) > 4 else None)
+    sizes_mib = {name: size for name, size, _, _ in layout}
     image = pack_root(out)
     tree, root_hash = hash_root(out, image)
     (out / "cmdline").write_text(command_line(image, root_hash) + "\n")
-    boot = esp.make(out, packages, next(size for name, size, _, _ in LAYOUT if name == "boot"))
-    write_disk(out, {"boot": boot, "root-a": image, "verity-a": tree, "data": make_data(out)})
+    boot = esp.make(out, packages, sizes_mib["boot"])
+    data = make_data(out, sizes_mib["data"])
+    write_disk(out, layout, {"boot": boot, "root-a": image, "verity-a": tree, "data": data})
     kernel = out / "bzImage"
     in_mb = {"kernel": kernel.stat().st_size, "root": image.stat().st_size, "verity": tree.stat().st_size,
              "unpacked": folder_bytes(out / "root"),
