@@ -49,7 +49,11 @@ export function makeMouth() {
     list.append(term, value);
   }
   onState((state) => {
-    if (!state?.report) return live.classList.add('lost');
+    if (!state?.report) {
+      live.classList.add('lost');
+      for (const value of Object.values(values)) value.textContent = '–';
+      return;
+    }
     const {mouth, report: {settings}} = state;
     const quality = state.camera === 'live' ? mouth.quality : 0;
     live.classList.toggle('lost', quality < kGood);

@@ -77,6 +77,8 @@ function showState(state) {
   if (live !== streams) stream(live);
   if (!state && live) return;
   $('notice').textContent = noticeOf(state);
+  $('camera').classList.toggle('old', $('notice').textContent !== '');
+  for (const id of ['find', 'light']) $(id).disabled = !state?.report;
   const settings = state?.report?.settings;
   showBox(state?.report?.box);
   if (!settings) return;

@@ -50,7 +50,7 @@ export function makeSteps() {
   };
   onState((state) => {
     if (state) last = state;
-    for (const button of buttons) button.disabled = !state?.report && document.body.dataset.link !== 'live';
+    for (const button of buttons) button.disabled = !state?.report;
     show();
   });
   onLanguage(show);

@@ -35,7 +35,7 @@ function makeSlider([name, label, low, high, step]) {
     set(name, input.value);
   });
   onState((state) => {
-    input.disabled = !state?.report && document.body.dataset.link !== 'live';
+    input.disabled = !state?.report;
     if (!state?.report || performance.now() - touched_ms < kLocal_ms) return;
     const {value} = state.report.settings[name];
     input.value = value;
