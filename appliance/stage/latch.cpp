@@ -14,6 +14,10 @@ constexpr int kWiden = 8;
 // The margin widens by a step at each frame that was late or lucky and narrows by this part of a step at each
 // other one: so it settles where one frame in so many is one of them.
 constexpr int kNarrow = 250;
+// But fast, by this part of the difference at each frame, down to twice what any remembered frame needed: a
+// machine that was busy once is not late for ever.
+constexpr int kNarrowFast = 8;
+constexpr std::size_t kNewest = 15;  // Half of them are new within 8 frames of a step.
 
 // Clocks of screens are told in whole kHz: a smaller change is none.
 bool IsSamePeriod(Duration one, Duration other) {
@@ -47,7 +51,7 @@ void Latch::Drawn(const Plan& plan, Time done) {
   if (plan.light - done < last_->period / kTooClose)
     Widen();
   else
-    margin_ = std::max(margin_ - last_->period / kWiden / kNarrow, last_->period / kLeastMargin);
+    Narrow();
 }
 
 Latch::Plan Latch::Next(Time now) const {
@@ -66,12 +70,24 @@ Time Latch::BlankAfter(Time at) const {
 }
 
 Duration Latch::usual() const {
-  auto sorted = spent_;
-  const auto end = sorted.begin() + std::ptrdiff_t(std::min(drawn_, kRemembered));
-  if (end == sorted.begin()) return {};
-  const auto middle = sorted.begin() + (end - sorted.begin()) / 2;
-  std::nth_element(sorted.begin(), middle, end);
+  std::array<Duration, kNewest> newest;
+  const std::size_t count = std::min(drawn_, kNewest);
+  if (count == 0) return {};
+  for (std::size_t i = 0; i < count; ++i) newest[i] = spent_[(drawn_ - 1 - i) % kRemembered];
+  const auto middle = newest.begin() + std::ptrdiff_t(count / 2);
+  std::nth_element(newest.begin(), middle, newest.begin() + std::ptrdiff_t(count));
   return *middle;
+}
+
+Duration Latch::longest() const {
+  return *std::max_element(spent_.begin(), spent_.begin() + std::ptrdiff_t(std::min(drawn_, kRemembered)));
+}
+
+void Latch::Narrow() {
+  const Duration least = last_->period / kLeastMargin;
+  const Duration ample = 2 * (longest() - usual()) + least;
+  const Duration fast = std::max(margin_ - ample, Duration()) / kNarrowFast;
+  margin_ = std::max(margin_ - std::max(fast, last_->period / kWiden / kNarrow), least);
 }
 
 void Latch::Widen() {

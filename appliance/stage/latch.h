@@ -40,14 +40,16 @@ class Latch {
   std::uint32_t missed() const { return missed_; }
   // What is held ready beyond the usual time of drawing.
   Duration margin() const { return margin_; }
-  // The usual time from the beginning of a frame until the screen has it: the median of the last frames.
+  // The usual time from the beginning of a frame until the screen has it: the median of the newest frames.
   Duration usual() const;
 
  private:
   Time BlankAfter(Time at) const;
   void Widen();
+  void Narrow();
+  Duration longest() const;
 
-  static constexpr std::size_t kRemembered = 15;  // Half of them are new within 8 frames of a step.
+  static constexpr std::size_t kRemembered = 31;
   bool late_ = true;
   std::optional<ports::Flip> last_;
   std::optional<Time> aimed_;  // At which blank the frame should be seen that the screen has.

@@ -134,6 +134,52 @@ TEST_F(StageTest, IsNotCarriedAwayByAScreenWhoseClockIsWrong) {
   EXPECT_FLOAT_EQ(stage->state().faces.progress, 1) << "time goes on all the same";
 }
 
+TEST_F(StageTest, ReadsTheHandsJustBeforeTheFlipWhenItIsToldTo) {
+  const auto stage = Open();
+  stage->DrawLate();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  stage->Step();
+  ASSERT_EQ(screen_.presented, 1U) << "the first picture waits for nothing";
+  screen_.flip = ports::Flip{clock_.now(), 1, kFrame};
+  stage->Step();
+  EXPECT_EQ(screen_.presented, 1U) << "there is time";
+  ASSERT_TRUE(stage->wakes_at());
+  EXPECT_GT(*stage->wakes_at(), clock_.now() + kFrame / 2);
+  EXPECT_LT(*stage->wakes_at(), clock_.now() + kFrame);
+  clock_.Advance(*stage->wakes_at() - clock_.now());
+  ++hands_.pushes[2];
+  Touch();
+  stage->Step();
+  EXPECT_EQ(screen_.presented, 2U);
+  EXPECT_EQ(stage->state().faces.to, 2) << "what the hand did meanwhile is in the picture";
+}
+
+TEST_F(StageTest, TellsWhenAFrameCameToLightAndWhenItsHandsWereRead) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  stage->Step();
+  const Time read = clock_.now();
+  Frame(*stage);
+  const Time light = clock_.now();
+  const auto at = [](const std::array<std::uint32_t, 2>& words) {
+    return Time{} + Duration(std::int64_t(words[0] | std::uint64_t{words[1]} << 32));
+  };
+  const auto status = board_.Read<board::StageStatus>().value;
+  EXPECT_EQ(at(status.flip_ns), light);
+  EXPECT_EQ(at(status.read_ns), read);
+  EXPECT_EQ(status.missed_flips, 0U);
+}
+
+TEST_F(StageTest, CountsTheFlipsThatCameLate) {
+  const auto stage = Open();
+  stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  for (int i = 0; i < 10; ++i) Frame(*stage);
+  clock_.Advance(kFrame);
+  Frame(*stage);
+  Frame(*stage);
+  EXPECT_EQ(board_.Read<board::StageStatus>().value.missed_flips, 1U);
+}
+
 TEST_F(StageTest, RefusesASecondStageOnOneBoard) {
   const auto stage = Open();
   const auto second = stage::StageWriters::Take(board_);

@@ -1,8 +1,8 @@
 #!/usr/bin/env -S python3 -B
-"""The last face stays on the screen while the stage dies and starts again: hold.py IMAGE_FOLDER PACKAGES [KILLS [STOPS]]
+"""The last face stays on the screen while the stage dies and starts again: hold.py IMAGE_FOLDER PACKAGES [KILLS [STOPS [HANGS]]]
 
-A copy of the image gets one unit more, which kills the stage each time it is ready, then stops and starts it; kernel,
-programs and everything else are the image's. The screen is read all the while, many times a second. A picture is wrong
+A copy of the image gets one unit more, which kills the stage each time it is ready; another, which stops and starts it;
+and one that freezes it, upon which the watchdog must kill it. Kernel, programs and everything else are the image's. The screen is read all the while, many times a second. A picture is wrong
 if it differs from the face before the death by more than a face moves; a black picture, and the face upside down, must
 be found wrong, or the test is. Results go into boot.json beside the image.
 """
@@ -20,8 +20,10 @@ ALLOWED = 0.06  # Of the range of a byte, on average over a picture: breath, a b
 SAMPLED = 97    # Every so many bytes; a prime, so that all three colours are met everywhere.
 LOOKED_S = 0.02
 BOOT_S, DEATH_S = 300, 60
+SCREEN = ("-device", "virtio-gpu-pci,id=card,xres=480,yres=270")  # Small: the stage is back sooner.
 KILLED = r"kaori-stage.service: Main process exited, code=killed, status=9"
 STOPPED = r"Stopped .*kaori-stage"
+HUNG = r"kaori-stage.service: Watchdog timeout"
 # `start` returns when the stage is ready. What an operator does between is the pause before a restart.
 UNIT = """[Unit]
 StartLimitIntervalSec=0
@@ -32,7 +34,8 @@ ExecStart=/usr/bin/systemctl {verb} kaori-stage.service
 Restart=always
 RestartSec=500ms
 """
-VERBS = {"killer": ("kill --signal=KILL --kill-who=main", KILLED), "stopper": ("stop", STOPPED)}
+VERBS = {"killer": ("kill --signal=KILL --kill-who=main", KILLED), "stopper": ("stop", STOPPED),
+         "hanger": ("kill --signal=STOP --kill-who=main", HUNG)}
 
 
 def difference(one, other):
@@ -59,7 +62,7 @@ def play(image, packages, kind, deaths):
     verb, pattern = VERBS[kind]
     with tempfile.TemporaryDirectory(dir=image) as folder:
         copy = with_units(image, packages, folder, {f"bench-{kind}.service": UNIT.format(verb=verb)})
-        with Machine(copy) as box:
+        with Machine(copy, screen=SCREEN) as box:
             if not box.wait_for(FACE, BOOT_S):
                 sys.exit("hold: the face did not come")
             face, found = watch(box, pattern, deaths)
@@ -75,7 +78,7 @@ def play(image, packages, kind, deaths):
 
 def main():
     image, packages = Path(sys.argv[1]), Path(sys.argv[2])
-    wanted = [int(count) for count in sys.argv[3:5]] + [40, 20][len(sys.argv[3:5]):]
+    wanted = [int(count) for count in sys.argv[3:6]] + [40, 20, 3][len(sys.argv[3:6]):]
     results = [play(image, packages, kind, count) for kind, count in zip(VERBS, wanted) if count]
     write_report(image, held_frames_wrong=sum(r[1] for r in results), held_deaths=sum(r[2] for r in results),
                  held_pictures=sum(r[3] for r in results))

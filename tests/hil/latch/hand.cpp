@@ -39,7 +39,19 @@ Result<Hand> Hand::Open() {
   return Hand(std::move(kernel));
 }
 
+Result<Hand> Hand::OnBoard(const board::Board& board) {
+  auto surface = board.TakeWriter<board::Surface>();
+  if (!surface) return tl::unexpected(surface.error());
+  return Hand(std::move(*surface));
+}
+
 Result<Time> Hand::Turn(const Clock& clock) {
+  if (surface_) {
+    const Time now = clock.now();
+    ++stands_.counts[0];
+    surface_->Write(stands_, now, board::SourceState::kLive);
+    return now;
+  }
   wire::DialBoxReport report;
   report.turned[0] = 1;
   const auto bytes = wire::Encode(report);
@@ -54,6 +66,7 @@ Result<Time> Hand::Turn(const Clock& clock) {
 
 // It has nothing to tell but its reports; a question without an answer would hold its reader up for seconds.
 void Hand::Answer() {
+  if (surface_) return;
   uhid_event asked{};
   while (::read(kernel_.get(), &asked, sizeof(asked)) > 0) {
     uhid_event answer{};

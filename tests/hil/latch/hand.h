@@ -1,5 +1,10 @@
-// A dial box that the kernel takes for a real one (uhid), and the hand on its first dial.
+// A hand on a dial: of a dial box that the kernel takes for a real one (uhid), or, where there is no such
+// kernel, right on the board.
 #pragma once
+
+#include <optional>
+
+#include "appliance/board/board.h"
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
@@ -12,6 +17,8 @@ class Hand {
  public:
   // Plugs the box in. Errors: those of open(2) on /dev/uhid and of write(2).
   static Result<Hand> Open();
+  // In the input program's place. Errors: those of TakeWriter.
+  static Result<Hand> OnBoard(const board::Board& board);
 
   // Turns the dial by one count; the moment at which the device reported it. Errors: those of write(2).
   Result<Time> Turn(const Clock& clock);
@@ -21,8 +28,11 @@ class Hand {
 
  private:
   explicit Hand(UniqueFd kernel) : kernel_(std::move(kernel)) {}
+  explicit Hand(board::Writer<board::Surface> surface) : surface_(std::move(surface)) {}
 
   UniqueFd kernel_;
+  std::optional<board::Writer<board::Surface>> surface_;
+  board::Surface stands_;
 };
 
 }  // namespace kaori::hil

@@ -24,6 +24,8 @@ using namespace std::chrono_literals;
 constexpr std::string_view kHelp = R"(kaori-latch: how long a hand waits for the light
 
   --mode MODE    the screen's, as in 320x180@4
+  --links FOLDER instead of a graphics card: the simulator's; the hand is on the board then
+  --stage FILE   the program (/usr/bin/kaori-stage)
   --events N     of each round (70)
   --rounds N     of each arm (3)
   --board FILE   (/run/kaori/board)
@@ -36,7 +38,8 @@ constexpr Duration kLongest = 120s;         // For a stage to begin, and for a h
 constexpr std::uint32_t kFirstFrames = 40;  // They compile shaders.
 
 struct Settings {
-  std::string mode = "320x180@4", events = "70", rounds = "3", board = "/run/kaori/board", pack;
+  std::string links, stage = "/usr/bin/kaori-stage", mode = "320x180@4", events = "70", rounds = "3",
+                     board = "/run/kaori/board", pack;
 };
 
 struct Arm {
@@ -98,9 +101,11 @@ double Milliseconds(Duration length) {
 }
 
 Result<void> Bench::Round(const Arm& arm, int round) {
-  std::vector<std::string> words{"/usr/bin/kaori-stage", "--card", "/dev/dri/card0", "--board",
-                                 settings_.board,        "--pack", settings_.pack,   "--mode",
-                                 settings_.mode};
+  std::vector<std::string> words{settings_.stage, "--board", settings_.board, "--pack", settings_.pack};
+  for (const auto& word : settings_.links.empty()
+                              ? std::vector<std::string>{"--card", "/dev/dri/card0", "--mode", settings_.mode}
+                              : std::vector<std::string>{"--links", settings_.links})
+    words.push_back(word);
   if (arm.early) words.emplace_back("--early");
   const std::uint32_t before = Status().frames;
   const auto stage = Child::Start(words);
@@ -135,7 +140,7 @@ Result<void> Bench::Round(const Arm& arm, int round) {
 int Run(const Settings& settings) {
   const auto board = board::Board::Create(settings.board);
   if (!board) return Log("{}", board.error().message()), 1;
-  auto hand = Hand::Open();
+  auto hand = settings.links.empty() ? Hand::Open() : Hand::OnBoard(*board);
   if (!hand) return Log("{}", hand.error().message()), 1;
   Bench bench(*board, std::move(*hand), settings);
   constexpr std::array kArms{Arm{"early", true, false}, Arm{"late", false, false},
@@ -155,6 +160,7 @@ int main(int argc, char** argv) {
   kaori::hil::Settings settings;
   kaori::Options options(kaori::hil::kHelp);
   options.Text("--mode", settings.mode).Text("--events", settings.events).Text("--rounds", settings.rounds);
+  options.Text("--links", settings.links).Text("--stage", settings.stage);
   options.Text("--board", settings.board).Text("--pack", settings.pack, true);
   if (const auto status = options.Parse(argc, argv)) return *status;
   return kaori::hil::Run(settings);
