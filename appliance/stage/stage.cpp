@@ -13,6 +13,8 @@ namespace kaori::stage {
 namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
+constexpr std::uint32_t kSameAge_us = 5000;
+constexpr Duration kAgeQuiet = std::chrono::seconds(10);
 constexpr Duration kFarthestLight = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
 
 Duration CpuOfProcess() {
@@ -180,6 +182,17 @@ void Stage::TellTake(Time light) {
   writers_.take.Write(take_now_, light, board::SourceState::kLive);
 }
 
+// When it is known, and when it has become another one.
+void Stage::LogLipsAge(Time now) {
+  const std::uint32_t age_us = status_.lips_age_us, more_us = std::max(age_us, logged_age_us_);
+  const bool same = more_us - std::min(age_us, logged_age_us_) < more_us / 4 + kSameAge_us;
+  if (age_us == 0 || same || now < age_quiet_until_) return;
+  logged_age_us_ = age_us;
+  age_quiet_until_ = now + kAgeQuiet;
+  Log("lips are {:.0f} ms old at the moment of light, and the mouth follows {:.0f} ms after them",
+      age_us / 1e3, status_.mouth_lag_us / 1e3);
+}
+
 void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   const Time now = clock_.now();
   if (second_.frames == 0 && second_.began == Time{}) second_.began = state_.last;
@@ -190,6 +203,7 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
     status_.frames_per_s = static_cast<float>(second_.frames / Seconds(passed));
     status_.frame_cpu_ms = static_cast<float>(Seconds(second_.cpu) * 1e3 / second_.frames);
     mouth_clock_.Report(status_);
+    LogLipsAge(now);
     second_ = {now, 0, {}};
   }
   status_.face = state_.faces.to;

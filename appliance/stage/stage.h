@@ -71,6 +71,7 @@ class Stage {
   performance::Performed Animate(const board::Snapshot& snapshot, Time light);
   scene::Scene Perform(const board::Snapshot& snapshot, Time light);
   void TellTake(Time light);
+  void LogLipsAge(Time now);
   void Report(const board::Snapshot& snapshot, Duration cpu);
 
   const board::Board& board_;
@@ -86,6 +87,8 @@ class Stage {
   std::uint64_t frame_ = 0;
   Time read_{};  // When the hands were read for that frame.
   MouthClock mouth_clock_;
+  std::uint32_t logged_age_us_ = 0;
+  Time age_quiet_until_{};
   board::TakeNow take_now_;
   board::StageStatus status_;
   struct Second {  // What is averaged over a second.

@@ -26,6 +26,7 @@ inline show::Show SmallShow() {
   show.scenes[0].backdrop = {{0.1F, 0.2F, 0.3F}, {}, scene::BackdropKind::kPicture, {0.5F, 0.4F, 0.3F}, 0};
   show.cast.faces[2].surface.print = 0.75F;
   show.takes = {{"nod", 0x1E, {{show::TakeTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
+  show.takes[0].sound = {2, {1, -1, 32767, -32768}};
   show.channels.brow_frown = 4;
   return show;
 }

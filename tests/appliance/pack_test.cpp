@@ -35,6 +35,8 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->keys[0].key_usage, 0x14);
   EXPECT_EQ(loaded->keys[0].call.kind, show::CallKind::kStyle);
   EXPECT_EQ(loaded->takes[0].curves[0].keys[1].value, 0.3F);
+  EXPECT_EQ(loaded->takes[0].sound.channels, 2);
+  EXPECT_EQ(loaded->takes[0].sound.samples, show.takes[0].sound.samples);
   EXPECT_EQ(loaded->scenes[0].backdrop.top, show.scenes[0].backdrop.top);
   EXPECT_EQ(loaded->scenes[0].backdrop, show.scenes[0].backdrop);
   EXPECT_EQ(loaded->cast.faces[2].surface.print, 0.75F);
@@ -141,6 +143,21 @@ const ShowFault kShowFaults[] = {
        s.takes[0].curves[0] = {show::TakeTarget::kChannel, 99, {{0, 0}, {1, 0}}};
      },
      "a curve moves nothing that exists"},
+    {"SoundThatEndsWithinAFrame",
+     [](Show& s) {
+       s.takes[0].sound = {2, {1, 2, 3}};
+     },
+     "take \"nod\": its sound ends within a frame"},
+    {"SoundOfManyChannels",
+     [](Show& s) {
+       s.takes[0].sound = {6, {}};
+     },
+     "a sound of 6 channels"},
+    {"SoundThatNeverEnds",
+     [](Show& s) {
+       s.takes[0].sound = {1, std::vector<std::int16_t>(601 * 48000)};
+     },
+     "its sound is longer than 600 s"},
     {"RoleOfAnExpressionThatIsNone", [](Show& s) { s.channels.mouth[2] = 99; },
      "channel mouth: there is no expression"},
     {"NoTexture", [](Show& s) { s.cast.textures.clear(); }, "textures: there is none"},

@@ -104,6 +104,13 @@ double ClapReport::mean_apart_ms() const {
   return claps.empty() ? 0 : sum / static_cast<double>(claps.size());
 }
 
+double ClapReport::median_apart_ms() const {
+  std::vector<double> apart_ms;
+  for (const Clap& clap : claps) apart_ms.push_back(clap.apart_ms());
+  std::ranges::sort(apart_ms);
+  return apart_ms.empty() ? 0 : apart_ms[apart_ms.size() / 2];
+}
+
 double ClapReport::worst_apart_ms() const {
   double worst = 0;
   for (const Clap& clap : claps) worst = std::max(worst, std::abs(clap.apart_ms()));

@@ -24,6 +24,7 @@ struct ClapReport {
   double lips_age_ms = 0;
   double delay_ms = 0;
   double mean_apart_ms() const;
+  double median_apart_ms() const;
   double worst_apart_ms() const;  // Of either sign, without the sign.
 };
 

@@ -17,7 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kScreenPeriod = 33'333'333ns;  // What a machine without a GPU keeps.
-constexpr int kClaps = 10;
+constexpr int kClaps = 11;
+constexpr std::uint32_t kMostLate = 60;  // Of some 300 frames and 4000 chunks of sound.
 
 class SoundInRealTime : public ::testing::Test {
  protected:
@@ -88,15 +89,17 @@ TEST_F(SoundInRealTime, MeetsTheMouth) {
   for (const auto& clap : report.claps)
     fmt::print("picture {:5.1f} ms, sound {:5.1f} ms: {:+5.1f} ms\n", clap.picture_ms, clap.sound_ms,
                clap.apart_ms());
-  fmt::print("lips {:.1f} ms old in the light, delay {:.1f} ms; mean {:+.1f} ms, worst {:.1f} ms\n",
-             report.lips_age_ms, report.delay_ms, report.mean_apart_ms(), report.worst_apart_ms());
-  // A machine that has no time for the programs tells nothing of them.
   const std::uint32_t late = status.missed_flips - missed + sound.xruns - dry;
-  if (late > kClaps / 2)
-    GTEST_SKIP() << "the machine was too busy: " << late << " frames or sounds came late; mean "
-                 << report.mean_apart_ms() << " ms, worst " << report.worst_apart_ms() << " ms";
-  ASSERT_GE(report.claps.size(), static_cast<std::size_t>(kClaps - 1)) << "each was seen and heard";
-  EXPECT_LE(std::abs(report.mean_apart_ms()), 15);
+  fmt::print(
+      "lips {:.1f} ms old in the light, delay {:.1f} ms; median {:+.1f} ms, worst {:.1f} ms; {} came late\n",
+      report.lips_age_ms, report.delay_ms, report.median_apart_ms(), report.worst_apart_ms(), late);
+  // A machine that has no time for the programs tells nothing of them. Of a single clap a neighbour may take
+  // the processor away, and most of them are as they should be.
+  if (late > kMostLate)
+    GTEST_SKIP() << "the machine was too busy: " << late << " frames or sounds came late; median "
+                 << report.median_apart_ms() << " ms, worst " << report.worst_apart_ms() << " ms";
+  ASSERT_GE(report.claps.size(), static_cast<std::size_t>(kClaps - 2)) << "each was seen and heard";
+  EXPECT_LE(std::abs(report.median_apart_ms()), 15);
 }
 
 TEST_F(SoundInRealTime, TheDelayIsSaidInTheLog) {

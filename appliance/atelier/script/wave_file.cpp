@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,7 +19,7 @@ namespace kaori::atelier {
 namespace {
 
 constexpr std::uintmax_t kMost_bytes = std::uintmax_t{512} << 20U;
-constexpr double kRate_hz = 48000;
+constexpr long kRate_hz = show::kSoundRate_hz;
 constexpr std::size_t kRiffHead_bytes = 12, kChunkHead_bytes = 8, kFormat_bytes = 16;
 constexpr std::uint32_t kPcm = 1, kExtensible = 0xFFFE;
 constexpr int kReach = 24;  // Of the low pass to either side, in samples of the slower rate.
@@ -83,25 +84,45 @@ std::vector<float> Channel(Bytes data, const Format& format, std::size_t channel
   return samples;
 }
 
-// Between the samples by a sinc under a Hann window, which also keeps out what the slower rate cannot hold.
-std::vector<float> Resampled(const std::vector<float>& from, double rate_hz) {
+// The weights of the samples around a place that lies `part` behind one of them: a sinc under a Hann window,
+// which also keeps out what the slower rate cannot hold. The first is that of the sample `reach` before.
+std::vector<float> Kernel(double part, double cut, long reach) {
+  std::vector<float> weights;
+  double sum = 0;
+  for (long k = -reach; k <= reach; ++k) {
+    const double x = std::numbers::pi * (static_cast<double>(k) - part);
+    const double sinc = std::abs(x) < 1e-9 ? 1 : std::sin(cut * x) / (cut * x);
+    const double window =
+        0.5 + 0.5 * std::cos(std::min(std::numbers::pi, std::abs(x) / static_cast<double>(reach)));
+    weights.push_back(static_cast<float>(sinc * window));
+    sum += sinc * window;
+  }
+  for (float& weight : weights) weight = static_cast<float>(weight / sum);
+  return weights;
+}
+
+float Weighed(const std::vector<float>& from, long first, const std::vector<float>& weights) {
+  float sum = 0;
+  for (std::size_t n = 0; n < weights.size(); ++n) {
+    const long k = first + static_cast<long>(n);
+    if (k >= 0 && k < static_cast<long>(from.size())) sum += weights[n] * from[static_cast<std::size_t>(k)];
+  }
+  return sum;
+}
+
+// Places repeat after so many samples, and their weights with them.
+std::vector<float> Resampled(const std::vector<float>& from, long rate_hz) {
   if (rate_hz == kRate_hz) return from;
-  const double cut = std::min(1.0, kRate_hz / rate_hz), reach = kReach / cut;
-  std::vector<float> to(static_cast<std::size_t>(static_cast<double>(from.size()) * kRate_hz / rate_hz));
+  const double cut = std::min(1.0, static_cast<double>(kRate_hz) / static_cast<double>(rate_hz));
+  const long reach = std::lround(kReach / cut), phases = kRate_hz / std::gcd(rate_hz, kRate_hz);
+  std::vector<std::vector<float>> kernels(static_cast<std::size_t>(phases));
+  std::vector<float> to(from.size() * static_cast<std::size_t>(kRate_hz) / static_cast<std::size_t>(rate_hz));
   for (std::size_t n = 0; n < to.size(); ++n) {
-    const double place = static_cast<double>(n) * rate_hz / kRate_hz;
-    const auto first = std::max(0L, static_cast<long>(std::ceil(place - reach)));
-    const auto last =
-        std::min(static_cast<long>(from.size()) - 1, static_cast<long>(std::floor(place + reach)));
-    double sum = 0, weights = 0;
-    for (long k = first; k <= last; ++k) {
-      const double x = std::numbers::pi * (static_cast<double>(k) - place);
-      const double sinc = std::abs(x) < 1e-9 ? 1 : std::sin(cut * x) / (cut * x);
-      const double weight = sinc * (0.5 + 0.5 * std::cos(x / reach));
-      sum += weight * static_cast<double>(from[static_cast<std::size_t>(k)]);
-      weights += weight;
-    }
-    to[n] = static_cast<float>(weights > 0 ? sum / weights : 0);
+    const long whole = static_cast<long>(n) * rate_hz / kRate_hz,
+               rest = static_cast<long>(n) * rate_hz % kRate_hz;
+    auto& kernel = kernels[n % kernels.size()];
+    if (kernel.empty()) kernel = Kernel(static_cast<double>(rest) / kRate_hz, cut, reach);
+    to[n] = Weighed(from, whole - reach, kernel);
   }
   return to;
 }
@@ -125,7 +146,7 @@ Result<show::Sound> Decode(Bytes file) {
     return FailInput(fmt::format("is {:.0f} s long; {} s at most", seconds, show::kLongestTake_s));
   std::vector<std::vector<float>> channels;
   for (std::size_t channel = 0; channel < format->channels; ++channel)
-    channels.push_back(Resampled(Channel(*data, *format, channel), format->rate_hz));
+    channels.push_back(Resampled(Channel(*data, *format, channel), static_cast<long>(format->rate_hz)));
   return Interleaved(channels);
 }
 

@@ -61,6 +61,7 @@ Duration DelayChoice::Choose(const board::Snapshot& board, Time now) {
   if (wish_) return chosen_;
   const auto measured = Measured(board, now);
   const auto close = [&](Duration to) { return std::abs((*measured - to).count()) <= kClose.count(); };
+  if (measured && close(chosen_)) measured_ = true;
   if (!measured || close(chosen_)) {
     other_.reset();
   } else if (!other_ || !close(*other_)) {
@@ -68,6 +69,7 @@ Duration DelayChoice::Choose(const board::Snapshot& board, Time now) {
     other_since_ = now;
   } else if (now - other_since_ >= kStands) {
     chosen_ = *measured;
+    measured_ = true;
     other_.reset();
   }
   return chosen_;

@@ -29,10 +29,12 @@ class DelayChoice {
   void Use(const DelayWish& wish);
   Duration chosen() const { return chosen_; }
   bool automatic() const { return !wish_; }
+  bool measured() const { return !wish_ && measured_; }
 
  private:
   DelayWish wish_;
   Duration chosen_;
+  bool measured_ = false;
   std::optional<Duration> other_;  // What is measured instead,
   Time other_since_{};             // and since when.
 };

@@ -160,10 +160,14 @@ void Speaker::Tell(Time now) {
   sound_.leaps = line_.leaps();
   sound_.drift_ppm = line_.drift_ppm();
   writer_.Write(sound_, now, source_);
+  LogDelay();
+}
+
+void Speaker::LogDelay() {
+  if (choice_.automatic() && !choice_.measured()) return;
   if (std::exchange(logged_delay_, choice_.chosen()) == choice_.chosen()) return;
-  const auto lips_us = board_.Read<board::StageStatus>().value.lips_age_us;
-  Log("the voice sounds {:.0f} ms after it was spoken{}; lips are {:.0f} ms old at the moment of light",
-      Ms(choice_.chosen()), choice_.automatic() ? ", as measured" : "", lips_us / 1e3);
+  Log("the voice sounds {:.0f} ms after it was spoken{}", Ms(choice_.chosen()),
+      choice_.automatic() ? ", as measured" : "");
 }
 
 }  // namespace kaori::voice

@@ -51,6 +51,7 @@ class Speaker {
   void NotePlayout(const ports::Playout& playout);
   void Close(Time now, std::string_view why);
   void Tell(Time now);
+  void LogDelay();
 
   ports::LoudspeakerOpener open_;
   const board::Board& board_;
