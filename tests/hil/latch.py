@@ -30,7 +30,7 @@ RuntimeDirectoryMode=0770
 Environment=MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/run/kaori MESA_DISK_CACHE_READ_ONLY_FOZ_DBS=../../../../../../../usr/share/kaori/shaders
 ExecStart=/usr/bin/kaori-latch --mode {mode} --events {events} --pack /usr/share/kaori/kaori.kaori
 """
-LONGEST_S = 1800
+LONGEST_S = 3600
 WANTED_GAIN, WANTED_MISSED, WANTED_MISSED_LOADED = 1.6, 0.5, 2.0
 
 
@@ -47,32 +47,38 @@ def missed_percent(rounds):
     return 100 * sum(r["missed"] for r in rounds) / max(1, sum(r["frames"] for r in rounds))
 
 
+def judge(image, said, where):
+    """Prints and reports the figures; whether they are good."""
+    rounds = rounds_of(said)
+    for arm, figures in rounds.items():
+        print(arm, *figures, sep="\n    ")
+    if {"early", "late", "loaded"} - rounds.keys():
+        sys.exit(f"latch: the rounds did not end; see {image}/latch.log")
+    mean = {arm: statistics.median(r["mean_ms"] for r in figures) for arm, figures in rounds.items()}
+    gain, missed, loaded = mean["early"] / mean["late"], missed_percent(rounds["late"]), missed_percent(rounds["loaded"])
+    good = gain >= WANTED_GAIN and missed <= WANTED_MISSED and loaded <= WANTED_MISSED_LOADED
+    print(f"{'ok  ' if good else 'FAIL'}  {where}: {mean['early']:.1f} ms read early, {mean['late']:.1f} ms read late: "
+          f"{gain:.2f} times less (wanted {WANTED_GAIN}); missed flips {missed:.2f} % (at most {WANTED_MISSED}), with a busy "
+          f"processor {loaded:.2f} % (at most {WANTED_MISSED_LOADED})")
+    write_report(image, latency_gain_over_naive=round(gain, 3), missed_flips_percent=round(missed, 3),
+                 missed_flips_percent_loaded=round(loaded, 3), latency_measured_on=where,
+                 latency_ms={arm: round(value, 2) for arm, value in mean.items()})
+    return good
+
+
 def main():
     image, packages, kernel, program = map(Path, sys.argv[1:5])
-    events, mode = sys.argv[5] if len(sys.argv) > 5 else "70", sys.argv[6] if len(sys.argv) > 6 else "320x180@4"
+    events, mode = sys.argv[5] if len(sys.argv) > 5 else "70", sys.argv[6] if len(sys.argv) > 6 else "320x180@1"
     with tempfile.TemporaryDirectory(dir=image) as folder:
         copy = with_units(image, packages, folder, {"bench-latch.service": UNIT.format(mode=mode, events=events)},
                           programs=[program], without=["kaori-stage.service"])
         shutil.copy(kernel, copy / "bzImage")
         with Machine(copy, screen=()) as box:
-            done = box.wait_for(r"all rounds are played|bench-latch.service: Main process exited", LONGEST_S)
+            box.wait_for(r"all rounds are played|bench-latch.service: Main process exited", LONGEST_S)
             said = box.said()
     (image / "latch.log").write_text(said)
-    rounds = rounds_of(said)
-    for arm, figures in rounds.items():
-        print(arm, *figures, sep="\n    ")
-    if not done or {"early", "late", "loaded"} - rounds.keys():
-        sys.exit(f"latch: the rounds did not end; see {image}/latch.log")
-    mean = {arm: statistics.median(r["mean_ms"] for r in figures) for arm, figures in rounds.items()}
-    gain, missed, loaded = mean["early"] / mean["late"], missed_percent(rounds["late"]), missed_percent(rounds["loaded"])
-    good = gain >= WANTED_GAIN and missed <= WANTED_MISSED and loaded <= WANTED_MISSED_LOADED
-    print(f"{'ok  ' if good else 'FAIL'}  {mode}: {mean['early']:.1f} ms read early, {mean['late']:.1f} ms read late: {gain:.2f} "
-          f"times less (wanted {WANTED_GAIN}); missed flips {missed:.2f} % (at most {WANTED_MISSED}), with a busy processor "
-          f"{loaded:.2f} % (at most {WANTED_MISSED_LOADED})")
-    write_report(image, latency_gain_over_naive=round(gain, 3), missed_flips_percent=round(missed, 3),
-                 missed_flips_percent_loaded=round(loaded, 3), latency_mode=mode,
-                 latency_ms={arm: round(value, 2) for arm, value in mean.items()})
-    sys.exit(not good)
+    sys.exit(not judge(image, said, f"the image in QEMU, {mode}"))
 
 
-main()
+if __name__ == "__main__":
+    main()
