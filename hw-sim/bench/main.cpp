@@ -82,8 +82,7 @@ class Bench {
                               .scenes = std::atoi(settings_.scenes.c_str()),
                               .chance = chance_,
                               .play = settings_.play};
-    auto ok = strategy_.Transition(kaori::bench::BoxState::kPlaying);
-    if (!ok) place_.machine().Off();
+    auto ok = StartBox();
     const kaori::Time began = clock_.now();
     if (ok) ok = check.run(scene);
     finding.took_s = kaori::Seconds(clock_.now() - began);
@@ -96,6 +95,14 @@ class Bench {
     fmt::print("{}  {:6.1f} s  {}: {}\n", Sign(finding.verdict), finding.took_s, check.name, finding.said);
     std::fflush(stdout);
     return reported;
+  }
+
+  // A box that did not start once is not waited for again.
+  kaori::Result<void> StartBox() {
+    if (dead_) return kaori::FailInput("not tried: the box did not start before");
+    auto ok = strategy_.Transition(kaori::bench::BoxState::kPlaying);
+    dead_ = !ok;
+    return ok;
   }
 
   // What helps to find out why.
@@ -118,6 +125,7 @@ class Bench {
   const kaori::Clock& clock_;
   kaori::bench::PlayStrategy strategy_;
   std::mt19937 chance_;
+  bool dead_ = false;
 };
 
 // The hash of the root, which stands on the command line before its salt.
