@@ -107,8 +107,8 @@ Result<void> Play(Scene& scene) {
   if (scenes == all) play.PlayUntil(play.scenario().length);
   const auto after = scene.place.Board();
   if (!after) return tl::unexpected(after.error());
-  scene.finding.said = fmt::format("{} scenes, {} frames; time stood still while a slow machine drew",
-                                   play.scenario().beats.size(), after->stage.frames - before->stage.frames);
+  scene.finding.said = fmt::format("{} scenes, {} frames; time stood still while a slow machine drew", scenes,
+                                   after->stage.frames - before->stage.frames);
   return {};
 }
 
