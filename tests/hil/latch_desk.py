@@ -26,7 +26,7 @@ def main():
                 time.sleep(0.05)
             try:
                 said = subprocess.run([programs / "kaori-latch", "--links", folder, "--stage", programs / "kaori-stage",
-                                       "--board", f"{folder}/board", "--pack", pack, "--events", events],
+                                       "--board", f"{folder}/board", "--pack", pack, "--events", events, "--first"],
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=LONGEST_S,
                                       check=False).stdout
             finally:

@@ -13,8 +13,9 @@ namespace kaori::hil {
 
 class Child {
  public:
-  // Errors: those of fork(2).
-  static Result<Child> Start(const std::vector<std::string>& words);
+  // `niceness` is as nice(2) counts; where less than 0 is not allowed, it stays what it is. Errors: those of
+  // fork(2).
+  static Result<Child> Start(const std::vector<std::string>& words, int niceness);
   // A process that does nothing but keep a processor busy.
   static Result<Child> Burn();
 
