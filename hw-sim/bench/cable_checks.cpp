@@ -11,7 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr Duration kLongest = seconds(30);
+constexpr Duration kLongest = seconds(60);  // For machines that have little of a processor.
 constexpr Duration kTremble = milliseconds(100);
 constexpr double kHeld = 0.3;  // On the board, of a stick that is held at 0.8.
 

@@ -9,7 +9,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr Duration kLongest = seconds(10);
+constexpr Duration kLongest = seconds(30);
 constexpr Duration kLongestFind = seconds(40);
 constexpr int kCountsPerTurn = 256;
 constexpr std::uint8_t kKeyA = 0x04;

@@ -9,7 +9,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr Duration kLongest = seconds(30);
+constexpr Duration kLongest = seconds(90);  // For machines that have little of a processor.
 constexpr Duration kAnswer = seconds(60);
 constexpr const char* kChip = "cp2112_gpio";
 
