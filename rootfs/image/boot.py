@@ -13,6 +13,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -30,6 +31,7 @@ MARKS = (
     ("the first face is on the screen", r"Started .*kaori-stage"),
 )
 LONGEST_S = 240
+COLOURS_OF_A_PICTURE = 500  # QEMU's own words on a screen that is dark have fewer.
 
 
 def qemu(args, folder):
@@ -44,6 +46,28 @@ def qemu(args, folder):
             "-drive", f"file={images / 'kaori.disk'},if=virtio,format=raw,snapshot=on",
             "-device", f"virtio-gpu-pci,xres={width},yres={height}", "-device", "qemu-xhci",
             "-serial", "stdio", "-qmp", f"unix:{folder}/qmp,server=on,wait=off"]
+
+
+def is_lit(picture):
+    """Whether a PPM shows more than words."""
+    pixels = picture.read_bytes().split(b"\n", 3)[3]
+    return len({pixels[at:at + 3] for at in range(0, len(pixels), 3 * 17)}) > COLOURS_OF_A_PICTURE
+
+
+def say_light(folder, began):
+    """Looks at the screen until it shows any picture."""
+    while not os.path.exists(f"{folder}/qmp"):
+        time.sleep(0.05)
+    qmp, picture = Qmp(f"{folder}/qmp"), Path(folder) / "screen.ppm"
+    while time.monotonic() - began < LONGEST_S:
+        time.sleep(0.1)
+        try:
+            qmp.screendump(picture)
+        except (OSError, ValueError):
+            return  # The machine has ended.
+        if is_lit(picture):
+            print(f"{time.monotonic() - began:7.2f} s  the screen shows the still", flush=True)
+            return
 
 
 def follow(machine, began, trace, log):
@@ -63,7 +87,21 @@ def follow(machine, began, trace, log):
     return seen
 
 
-def main():
+def watch(machine, args, folder, log):
+    """Until the first face; then the picture that was asked for."""
+    began = time.monotonic()
+    light = threading.Thread(target=say_light, args=(folder, began), daemon=True)
+    if args.trace:
+        light.start()
+    if MARKS[-1][0] not in follow(machine, began, args.trace, log):
+        sys.exit(f"boot: the face did not come; see {args.images}/serial.log")
+    if args.trace:
+        light.join()
+    if args.shot:
+        Qmp(f"{folder}/qmp").screendump(args.shot.resolve())
+
+
+def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("images", type=Path)
     parser.add_argument("--shot", type=Path)
@@ -73,22 +111,25 @@ def main():
     args = parser.parse_args()
     if not re.fullmatch(r"[1-9]\d{1,4}x[1-9]\d{1,4}", args.size):
         sys.exit(f"boot: --size {args.size}: expected a width and a height, as in 960x540")
+    return args
+
+
+def main():
+    args = parse()
     with tempfile.TemporaryDirectory() as folder, open(args.images / "serial.log", "w", encoding="utf-8") as log:
-        began = time.monotonic()
         with subprocess.Popen([str(c) for c in qemu(args, folder)], stdout=subprocess.PIPE, stderr=log,
                               text=True, errors="replace") as machine:
             try:
-                if not args.trace and not args.shot:
+                if args.trace or args.shot:
+                    watch(machine, args, folder, log)
+                else:
                     print("the box runs; Ctrl-C ends it", flush=True)
                     machine.wait()
-                elif MARKS[-1][0] not in follow(machine, began, args.trace, log):
-                    sys.exit(f"boot: the face did not come; see {args.images}/serial.log")
-                elif args.shot:
-                    Qmp(f"{folder}/qmp").screendump(args.shot.resolve())
             except KeyboardInterrupt:
                 pass
             finally:
                 machine.terminate()
 
 
-main()
+if __name__ == "__main__":
+    main()
