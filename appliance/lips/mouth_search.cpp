@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t kMostRegions = 24;  // Smaller ones are specks.
 constexpr int kLeastArea = 8;             // Samples.
 constexpr int kPartOf = 12;               // The other lip has at least this part of the larger one's area.
-constexpr int kMostSpecks = 2;          // Times the mouth's paint. More is noise, and the mouth a part of it.
+constexpr int kMostSpecks = 2;  // Times the mouth's paint, if the mouth is small itself: all is noise.
+constexpr int kSmall = 32;      // Samples.
 constexpr float kManyPictures = 0.02F;  // A region of this part of the picture is as good as a larger one.
 constexpr float kCut = 0.05F;           // What the picture's edge cuts is rather a shirt than a mouth.
 constexpr float kLeastFilled = 0.12F;   // Paint in its box: even a wide open mouth is a ring of a sixth.
@@ -76,7 +77,8 @@ const Found* MouthSearch::Find(Regions& regions, const Grid& grid, Time at) {
     best = &region;
     most = likely;
   }
-  if (best == nullptr || regions.specks() > kMostSpecks * best->area) return nullptr;
+  if (best == nullptr) return nullptr;
+  if (best->area < kSmall && regions.specks() > kMostSpecks * best->area) return nullptr;
   TakeParts(all, *best, grid);
   TakeMarker(all);
   return &found_;
