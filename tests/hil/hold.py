@@ -21,6 +21,7 @@ SAMPLED = 97    # Every so many bytes; a prime, so that all three colours are me
 LOOKED_S = 0.02
 BOOT_S, DEATH_S = 300, 60
 SCREEN = ("-device", "virtio-gpu-pci,id=card,xres=480,yres=270")  # Small: the stage is back sooner.
+READY = r"kaori-stage: the first picture is drawn"
 KILLED = r"kaori-stage.service: Main process exited, code=killed, status=9"
 STOPPED = r"Stopped .*kaori-stage"
 HUNG = r"kaori-stage.service: Watchdog timeout"
@@ -67,7 +68,7 @@ def play(image, packages, kind, deaths):
                 sys.exit("hold: the face did not come")
             face, found = watch(box, pattern, deaths)
             died = len(re.findall(pattern, box.said()))
-            ready = len(re.findall(FACE, box.said()))
+            ready = len(re.findall(READY, box.said()))
     control = min(difference(face, bytes(len(face))), difference(face, face[::-1]))
     wrong = sum(d > ALLOWED for d in found)
     good = died >= deaths and found and not wrong and control > ALLOWED
