@@ -112,6 +112,7 @@ struct HttpServer::Calls {
   }
 
   // MHD's access handler: once for the headers, once for each part of the body, once at the end.
+  // NOLINTNEXTLINE(readability-function-size): the parameters are MHD's.
   static MHD_Result Access(void* context, MHD_Connection* connection, const char* path, const char* method,
                            const char*, const char* part, std::size_t* part_bytes, void** slot) {
     auto& server = *static_cast<HttpServer*>(context);
