@@ -29,6 +29,8 @@ std::optional<Hand> Undoing(const Hand& hand) {
       return Hand{hand.place, Verb::kHat, -1};
     case Verb::kLips:
       return Hand{hand.place, Verb::kLips, 0, kShutHeight, kRestWidth};
+    case Verb::kVoice:
+      return Hand{hand.place, Verb::kVoice};
     default:
       return std::nullopt;
   }

@@ -11,8 +11,8 @@ namespace kaori::console {
 
 // {"dials":[turns..], "values":[number or null..], "buttons":bits, "lamps":bits,
 //  "sticks":[{"x","y","twist","slider"}..], "lips":{"height","width"}, "covered":bool,
-//  "pointer":{"x","y","buttons"}, "needles":bool, "ports":{"dial-box":{"plugged","connected"}..},
-//  "fps":number}
+//  "pointer":{"x","y","buttons"}, "voice":{"vowel","loudness"}, "loudspeaker_db":number,
+//  "needles":bool, "ports":{"dial-box":{"plugged","connected"}..}, "fps":number}
 std::string StateJson(sim::Rig& rig, const DialValues& values, const NeedlesWatch& needles,
                       double frames_per_s);
 

@@ -21,6 +21,7 @@ constexpr Duration kTorn = milliseconds(10);  // A promise further off than this
 constexpr double kPromiseShare = 0.05;        // Of a promise's news that is believed.
 constexpr Duration kStuck = milliseconds(1000);
 constexpr Duration kTellPeriod = milliseconds(100);
+constexpr Duration kQuiet = std::chrono::seconds(10);  // Between two lines of the log about the delay.
 constexpr int kChunksAtOnce = 40;
 
 float Ms(Duration time) {
@@ -164,8 +165,9 @@ void Speaker::Tell(Time now) {
 }
 
 void Speaker::LogDelay() {
-  if (choice_.automatic() && !choice_.measured()) return;
+  if (choice_.automatic() && (!choice_.measured() || told_at_ < quiet_until_)) return;
   if (std::exchange(logged_delay_, choice_.chosen()) == choice_.chosen()) return;
+  quiet_until_ = told_at_ + kQuiet;
   Log("the voice sounds {:.0f} ms after it was spoken{}", Ms(choice_.chosen()),
       choice_.automatic() ? ", as measured" : "");
 }

@@ -76,6 +76,7 @@ class Speaker {
   Time silent_since_{};  // The device took nothing since then.
   std::errc logged_{};
   Duration logged_delay_{};
+  Time quiet_until_{};
 };
 
 }  // namespace kaori::voice

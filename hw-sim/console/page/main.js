@@ -8,6 +8,7 @@ import {makeKeys} from './keys.js';
 import {makeLips} from './lips.js';
 import {makeNeedles, needlesAreOpen, pointing} from './needles.js';
 import {makeStick} from './sticks.js';
+import {makeVoice} from './voice.js';
 import {connect, onState} from './wire.js';
 
 const $ = (id) => document.getElementById(id);
@@ -63,6 +64,7 @@ async function begin() {
   makeStick($('left'), 'left', labels.sticks[0]);
   makeStick($('right'), 'right', labels.sticks[1]);
   makeLips($('mouth'));
+  makeVoice($('mouth'));
   makeKeys($('keys'), labels.keys);
   makeNeedles($('stage'), $('picture'));
   makePicture($('picture'));
