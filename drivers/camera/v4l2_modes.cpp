@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cerrno>
 #include <optional>
 
 #include <fmt/format.h>
@@ -35,12 +35,16 @@ struct Size {
   std::uint32_t height_px;
 };
 
-bool is_capture(V4l2Calls& calls, int fd) {
+// What is no camera knows nothing of the question.
+Result<void> ExpectCapture(V4l2Calls& calls, int fd) {
   v4l2_capability capability{};
-  if (calls.Ioctl(fd, VIDIOC_QUERYCAP, &capability) < 0) return false;
+  const bool answered = calls.Ioctl(fd, VIDIOC_QUERYCAP, &capability) == 0;
+  if (!answered && errno != ENOTTY && errno != EINVAL) return FailErrno("ask what it can");
   const bool tells_node = (capability.capabilities & V4L2_CAP_DEVICE_CAPS) != 0;
   const std::uint32_t can = tells_node ? capability.device_caps : capability.capabilities;
-  return (can & V4L2_CAP_VIDEO_CAPTURE) != 0 && (can & V4L2_CAP_STREAMING) != 0;
+  const bool streams = (can & V4L2_CAP_VIDEO_CAPTURE) != 0 && (can & V4L2_CAP_STREAMING) != 0;
+  if (!streams) return Fail(std::errc::not_supported, "find video capture");
+  return {};
 }
 
 std::vector<Known> KnownFormats(V4l2Calls& calls, int fd) {
@@ -144,7 +148,7 @@ std::string NameOf(const V4l2Mode& mode) {
 }
 
 Result<std::vector<V4l2Mode>> ListModes(V4l2Calls& calls, int fd) {
-  if (!is_capture(calls, fd)) return Fail(std::errc::not_supported, "find video capture");
+  if (auto ok = ExpectCapture(calls, fd); !ok) return tl::unexpected(ok.error());
   std::vector<V4l2Mode> modes;
   for (const Known& known : KnownFormats(calls, fd)) {
     for (const Size& size : SizesOf(calls, fd, known.fourcc)) {

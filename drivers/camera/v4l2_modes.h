@@ -35,7 +35,7 @@ struct V4l2Mode {
 std::string NameOf(const V4l2Mode& mode);
 
 // All modes in formats that we read, of the open camera `fd`. A camera that names no sizes has the one it is
-// set to. Errors: not_supported (no video capture with streaming, or no format that we read).
+// set to. Errors: not_supported (no video capture with streaming, or no format that we read), no_such_device.
 Result<std::vector<V4l2Mode>> ListModes(V4l2Calls& calls, int fd);
 
 // For each rate the mode that is with us soonest, the fastest rate first: the fewest bytes for the cable and

@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "appliance/lips/camera_care.h"
+#include "appliance/lips/lip_reader.h"
+#include "drivers/camera/v4l2_source.h"
+#include "tests/appliance/board_file.h"
+#include "tests/drivers/camera_v4l2_fake.h"
 
 namespace kaori::lips {
 namespace {
@@ -146,6 +150,41 @@ TEST(Brightness, IsThatOfTheBrightestTenth) {
   EXPECT_FLOAT_EQ(BrightnessOf(planes), 1);
   std::fill_n(luma.begin(), luma.size(), std::uint8_t{16});
   EXPECT_FLOAT_EQ(BrightnessOf(planes), 0);
+}
+
+// All of it: the reader, the driver, and a camera that sees the more the longer its frames are.
+TEST(DimStage, HasTheCameraOpenedSlowerUntilItSeesAndThenHeldOverAPulledCable) {
+  const board::BoardFile file;
+  const board::Board board = file.Open();
+  ManualClock clock;
+  tests::FakeV4l2 kernel;
+  for (const std::uint32_t rate_hz : {30U, 60U, 120U})
+    kernel.offers.push_back({V4L2_PIX_FMT_YUYV, rate_hz, 320, 240});
+  kernel.controls = {{V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_APERTURE_PRIORITY},
+                     {V4L2_CID_EXPOSURE_ABSOLUTE, 333}};
+  camera::V4l2Source source("/dev/video0", {}, clock, kernel);
+  LipReader reader(source.opener(), board, board.TakeWriter<board::Lips>().value(), {}, clock, &source);
+  const auto play = [&](Duration time) {
+    for (const Time end = clock.now() + time; clock.now() < end; clock.Advance(milliseconds(10))) {
+      kernel.Expose(static_cast<std::uint8_t>(16 + 2400 / std::max(kernel.rate_hz(), 1U)), clock.now());
+      reader.Step();
+    }
+  };
+  testing::internal::CaptureStderr();
+  play(std::chrono::seconds(12));
+  EXPECT_EQ(source.mode(), "320 x 240 YUYV at 30 frames/s");
+  EXPECT_TRUE(reader.care().held());
+  EXPECT_EQ(kernel.controls[V4L2_CID_EXPOSURE_AUTO], V4L2_EXPOSURE_MANUAL);
+  kernel.controls[V4L2_CID_EXPOSURE_AUTO] = V4L2_EXPOSURE_APERTURE_PRIORITY;
+  kernel.failing_error = ENODEV;
+  play(milliseconds(100));
+  kernel.failing_error = 0;
+  play(std::chrono::seconds(1));
+  EXPECT_EQ(kernel.controls[V4L2_CID_EXPOSURE_AUTO], V4L2_EXPOSURE_MANUAL);
+  EXPECT_EQ(kernel.rate_hz(), 30u);
+  const std::string log = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(log, HasSubstr("lip camera: too dark at 320 x 240 YUYV at 60 frames/s; slower\n"));
+  EXPECT_THAT(log, HasSubstr("lip camera: cannot be held: gain, white balance, focus\n"));
 }
 
 }  // namespace
