@@ -16,6 +16,7 @@
 #include "tests/bench/house_bench.h"
 #include "tests/bench/lips_bench.h"
 #include "tests/bench/pack_bench.h"
+#include "tests/bench/sound_bench.h"
 
 namespace kaori::bench {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::string_view kHelp = R"(kaori-figures: measures the box
 
   --pack FILE   the show to play (needed)
   --quick       a tenth of the time
-  --only TEXT   the rooms whose names hold TEXT: blend, lips, hid, frame, pack, house
+  --only TEXT   the rooms whose names hold TEXT: blend, lips, sound, hid, frame, pack, house
   --json FILE   {"metrics": [{"name", "unit", "median", "p99"}]}
 )";
 
@@ -43,6 +44,7 @@ const std::vector<Room>& Rooms() {
       {"blend", [](const Settings& o) { return MeasureBlend(o.quick); }},
       {"lips", [](const Settings& o) { return MeasureLips(o.quick); }},
       {"lips motion", [](const Settings& o) { return MeasureLipMotion(o.quick); }},
+      {"sound", [](const Settings& o) { return MeasureSound(o.pack, o.quick); }},
       {"hid", [](const Settings& o) { return MeasureHid(o.quick); }},
       {"frame", [](const Settings& o) { return MeasureFrames(o.pack, o.quick); }},
       {"pack", [](const Settings& o) { return MeasurePacks(o.pack, o.quick); }},
