@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kScreenPeriod = 33'333'333ns;  // What a machine without a GPU keeps.
 constexpr int kClaps = 11;
-constexpr std::uint32_t kMostLate = 60;  // Of some 300 frames and 4000 chunks of sound.
+constexpr std::uint32_t kMostLate = 25;  // Of some 330 frames, and of chunks of sound.
 
 class SoundInRealTime : public ::testing::Test {
  protected:
