@@ -1,5 +1,6 @@
 // Which disk the box keeps its data on, as the kernel lists them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 class BlockDevices : public ::testing::Test {
  protected:
-  BlockDevices() : folder_(fs::path(::testing::TempDir()) / "block_devices_test") {
+  BlockDevices() : folder_(fs::path(::testing::TempDir()) / ("block-devices-" + std::to_string(::getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(blocks());
   }

@@ -1,5 +1,6 @@
 // What the box is for: a settings file that people write, and that may be wrong.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -38,7 +39,7 @@ TEST(Profile, AFaultIsNamedWithItsLine) {
 
 class SettingsFolder : public ::testing::Test {
  protected:
-  SettingsFolder() : folder_(fs::path(::testing::TempDir()) / "settings_folder_test") {
+  SettingsFolder() : folder_(fs::path(::testing::TempDir()) / ("settings-folder-" + std::to_string(::getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

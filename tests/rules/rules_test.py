@@ -58,7 +58,7 @@ AGAINST = (
     ("appliance/input/a.cpp", "<gpiod.h>", "only drivers/gpio/ includes"),
     ("appliance/input/a.cpp", "<libusb-1.0/libusb.h>", "only drivers/hid/ includes"),
     ("appliance/lips/a.cpp", "<linux/videodev2.h>", "only drivers/camera/ includes"),
-    ("appliance/stage/a.cpp", "<xf86drmMode.h>", "only drivers/scanout/, render/gl/ includes"),
+    ("appliance/stage/a.cpp", "<xf86drmMode.h>", "only drivers/scanout/, render/gl/, firmware/boot/ includes"),
     ("appliance/input/a.cpp", "<alsa/asoundlib.h>", "only drivers/audio/, appliance/desk/ includes"),
     ("appliance/show/a.cpp", "<toml++/toml.h>", "includes <toml++/"),
     ("render/face/a.cpp", "<libqhull_r/libqhull_r.h>", "only appliance/atelier/, tools/ includes"),

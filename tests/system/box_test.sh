@@ -31,7 +31,7 @@ expect "test takes one PATTERN" test a b
 "$BOX" help | grep -q './box demo --record' || { echo "box help does not tell of films"; failures=$((failures + 1)); }
 
 # What ./box fuzz starts are the targets that there are, each with the inputs that are kept for it.
-targets=$(sed -n 's/^kaori_fuzz(\([a-z]*\).*/\1/p' "$REPOSITORY/tests/fuzz/CMakeLists.txt" | sort)
+targets=$(sed -n 's/^kaori_fuzz(\([a-z_]*\).*/\1/p' "$REPOSITORY/tests/fuzz/CMakeLists.txt" | sort)
 kept=$(ls "$REPOSITORY/tests/fuzz/corpus" | sort)
 [ -n "$targets" ] && [ "$targets" = "$kept" ] || { echo "fuzz targets: $targets; kept inputs: $kept"; failures=$((failures + 1)); }
 grep -q 'fuzz/bin/fuzz-\*' "$BOX" && grep -q 'add_custom_target(fuzzers' "$REPOSITORY/tests/fuzz/CMakeLists.txt" ||
