@@ -56,7 +56,7 @@ inline constexpr int kStepCount = 5;
 struct Report {
   std::uint32_t answered = 0;  // The command that was done last.
   std::string complaint;       // Why it was not; empty: it was.
-  std::optional<CalibrationStep> step;
+  std::optional<CalibrationStep> step{};
   float progress = 0;
   std::uint32_t taken = 0;    // Bit n: step n was done since the lips began.
   std::uint32_t changes = 0;  // That can be taken back.
