@@ -1,6 +1,7 @@
 #include "appliance/lips/lip_reader.h"
 
 #include "drivers/base/log.h"
+#include "drivers/base/source.h"
 
 namespace kaori::lips {
 namespace {
@@ -14,11 +15,6 @@ constexpr Duration kRetry = milliseconds(250);
 constexpr Duration kGiveUp = milliseconds(2000);  // A stream this silent does not come back by itself.
 constexpr Duration kQuiet = std::chrono::seconds(10);
 constexpr Duration kOldest = milliseconds(150);  // A stamp further off than this is the source's mistake.
-
-// Some sources stamp with another clock, or leap: then the arrival is the better guess.
-Time Believable(Time stamp, Time now) {
-  return stamp > now || stamp < now - kOldest ? now : stamp;
-}
 
 }  // namespace
 
@@ -41,14 +37,9 @@ void LipReader::Step() {
 }
 
 void LipReader::TryOpen(Time now) {
-  auto camera = open_();
   retry_at_ = now + kRetry;
-  if (!camera) {
-    if (logged_ != camera.error().cause) Log("{}; trying again until it is there", camera.error().message());
-    logged_ = camera.error().cause;
-    return;
-  }
-  camera_ = std::move(*camera);
+  camera_ = OpenOrSay(open_, logged_);
+  if (!camera_) return;
   last_sign_ = opened_at_ = now;
   ++opened_;
   if (logged_ != std::errc::timed_out) Log("lip camera: open");
@@ -74,7 +65,7 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   if (frame.format != format_)
     Log("lip camera: frames of {} x {}", frame.format.width_px, frame.format.height_px);
   format_ = frame.format;
-  const Time at = Believable(frame.at, now);
+  const Time at = Believable(frame.at, now, kOldest);
   const bool knew_rest = meter_.lips().rest_width > 0;
   meter_.Measure(*planes, at);
   if (!knew_rest && meter_.lips().rest_width > 0)

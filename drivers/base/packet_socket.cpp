@@ -1,25 +1,17 @@
 #include "drivers/base/packet_socket.h"
 
 #include <sys/socket.h>
-#include <sys/un.h>
 
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <optional>
+
+#include "drivers/base/unix_address.h"
 
 namespace kaori {
 namespace {
 
 constexpr int kWaitingCalls = 4;
-
-std::optional<sockaddr_un> AddressOf(const std::string& path) {
-  sockaddr_un address{};
-  if (path.size() >= sizeof(address.sun_path)) return std::nullopt;
-  address.sun_family = AF_UNIX;
-  std::memcpy(address.sun_path, path.data(), path.size());
-  return address;
-}
 
 UniqueFd NewSocket() {
   return UniqueFd(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
@@ -52,7 +44,7 @@ UniqueFd DescriptorIn(msghdr& message) {
 
 Result<UniqueFd> ListenForPackets(const std::string& path) {
   const std::string newcomer = path + ".new";  // Renamed when it listens: nobody finds a deaf socket.
-  const auto address = AddressOf(newcomer);
+  const auto address = UnixAddress(newcomer);
   if (!address) return Fail(std::errc::filename_too_long, "listen at " + path);
   UniqueFd socket = NewSocket();
   if (!socket.valid()) return FailErrno("make a socket for " + path);
@@ -71,7 +63,7 @@ Result<UniqueFd> AcceptPeer(int listener) {
 }
 
 Result<UniqueFd> ConnectToPeer(const std::string& path) {
-  const auto address = AddressOf(path);
+  const auto address = UnixAddress(path);
   if (!address) return Fail(std::errc::filename_too_long, "connect to " + path);
   UniqueFd socket = NewSocket();
   if (!socket.valid()) return FailErrno("make a socket for " + path);

@@ -1,33 +1,21 @@
 #include "hw-sim/bench/stream.h"
 
 #include <sys/socket.h>
-#include <sys/un.h>
 
 #include <array>
 #include <cerrno>
-#include <cstring>
+#include <utility>
+
+#include "drivers/base/stream_socket.h"
 
 namespace kaori::bench {
-namespace {
-
-UniqueFd CallOnce(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) return UniqueFd();
-  std::memcpy(address.sun_path, path.c_str(), path.size());
-  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) < 0)
-    socket.reset();
-  return socket;
-}
-
-}  // namespace
 
 Result<Stream> Stream::Call(const std::string& path, Waiter& waiter, Duration longest) {
   UniqueFd socket;
   const auto called = [&] {
-    socket = CallOnce(path);
-    return socket.valid();
+    auto connected = ConnectToStream(path);
+    if (connected) socket = std::move(*connected);
+    return connected.has_value();
   };
   if (waiter.Until(called, longest)) return Stream(std::move(socket));
   return Fail(std::errc::timed_out, "call " + path);

@@ -1,12 +1,14 @@
 """The box's image in QEMU, as a test holds it: its serial line, and its screen."""
 
-import json
 import re
-import socket
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "rootfs/image"))
+from qmp import Qmp  # noqa: E402  The image's own.
 
 # The guest draws by itself; with newer processors' instructions emulation is many times slower.
 BOARD = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512", "-no-reboot",
@@ -54,26 +56,12 @@ class Machine:
             time.sleep(0.1)
         return False
 
-    def _command(self, name, **arguments):
-        self.link.write(json.dumps({"execute": name, "arguments": arguments}) + "\n")
-        self.link.flush()
-        while True:
-            answer = json.loads(self.link.readline())
-            if "error" in answer:
-                raise RuntimeError(f"{name}: {answer['error']['desc']}")
-            if "return" in answer:
-                return answer["return"]
-
     def screen(self, head=0):
         """The picture on its screen, or on another of its card: width, height, and the bytes of its pixels (RGB)."""
         if self.link is None:
-            plug = socket.socket(socket.AF_UNIX)
-            plug.connect(f"{self.folder.name}/qmp")
-            self.link = plug.makefile("rw")
-            self.link.readline()
-            self._command("qmp_capabilities")
+            self.link = Qmp(f"{self.folder.name}/qmp")
         picture = Path(self.folder.name) / "screen.ppm"
-        self._command("screendump", filename=str(picture), **({"device": "card", "head": head} if head else {}))
+        self.link.ask("screendump", filename=str(picture), **({"device": "card", "head": head} if head else {}))
         kind, size, _, pixels = picture.read_bytes().split(b"\n", 3)
         assert kind == b"P6", kind
         width, height = map(int, size.split())

@@ -5,7 +5,7 @@ import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {createInterface} from 'node:readline';
 
-import {until} from '../hw-sim/browser/bench.mjs';
+import {end, until} from '../hw-sim/browser/bench.mjs';
 
 export class DeskBench {
   constructor() {
@@ -34,11 +34,7 @@ export class DeskBench {
   }
 
   async close() {
-    if (this.process.exitCode === null && this.process.signalCode === null) {
-      const gone = new Promise((done) => this.process.once('exit', done));
-      this.process.kill('SIGTERM');
-      await gone;
-    }
+    await end(this.process, 'SIGTERM');
     rmSync(this.folder, {recursive: true, force: true});
   }
 }

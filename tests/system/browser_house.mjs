@@ -4,7 +4,7 @@ import {existsSync, mkdtempSync, openSync, closeSync, readFileSync, rmSync} from
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
-import {until} from '../hw-sim/browser/bench.mjs';
+import {end, until} from '../hw-sim/browser/bench.mjs';
 
 const kPrograms = process.env.KAORI_PROGRAMS;
 const kShows = join(kPrograms, '..', 'shows');
@@ -48,10 +48,7 @@ export class House {
   async kill(program) {
     const child = this.running.get(program);
     this.running.delete(program);
-    if (child.exitCode !== null || child.signalCode !== null) return;
-    const gone = new Promise((done) => child.once('exit', done));
-    child.kill('SIGKILL');
-    await gone;
+    await end(child, 'SIGKILL');
   }
 
   async address() {

@@ -6,6 +6,7 @@
 
 #include "appliance/board/snapshot.h"
 #include "drivers/base/log.h"
+#include "drivers/base/source.h"
 
 namespace kaori::voice {
 namespace {
@@ -55,15 +56,9 @@ void Speaker::Step() {
 }
 
 void Speaker::TryOpen(Time now) {
-  auto loudspeaker = open_();
   retry_at_ = now + kRetry;
-  if (!loudspeaker) {
-    if (logged_ != loudspeaker.error().cause)
-      Log("{}; trying again until it is there", loudspeaker.error().message());
-    logged_ = loudspeaker.error().cause;
-    return;
-  }
-  loudspeaker_ = std::move(*loudspeaker);
+  loudspeaker_ = OpenOrSay(open_, logged_);
+  if (!loudspeaker_) return;
   heard_next_.reset();
   chunk_.clear();
   pushed_ = 0;

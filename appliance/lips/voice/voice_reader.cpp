@@ -1,6 +1,7 @@
 #include "appliance/lips/voice/voice_reader.h"
 
 #include "drivers/base/log.h"
+#include "drivers/base/source.h"
 
 namespace kaori::voice {
 namespace {
@@ -12,10 +13,6 @@ constexpr Duration kRetry = milliseconds(250);
 constexpr Duration kGiveUp = milliseconds(2000);  // A stream this silent does not come back by itself.
 constexpr Duration kOldest = milliseconds(500);   // A stamp further off than this is the source's mistake.
 constexpr int kBlocksAtOnce = 64;                 // A microphone that talks without end must not hold us.
-
-Time Believable(Time stamp, Time now) {
-  return stamp > now || stamp < now - kOldest ? now : stamp;
-}
 
 bool Readable(const ports::SoundFormat& format) {
   return format.rate_hz == 48000 && (format.channels == 1 || format.channels == 2);
@@ -40,15 +37,9 @@ void VoiceReader::Step() {
 }
 
 void VoiceReader::TryOpen(Time now) {
-  auto microphone = open_();
   retry_at_ = now + kRetry;
-  if (!microphone) {
-    if (logged_ != microphone.error().cause)
-      Log("{}; trying again until it is there", microphone.error().message());
-    logged_ = microphone.error().cause;
-    return;
-  }
-  microphone_ = std::move(*microphone);
+  microphone_ = OpenOrSay(open_, logged_);
+  if (!microphone_) return;
   last_block_ = now;
   ++opened_;
   if (logged_ != std::errc::timed_out) Log("microphone: open");
@@ -70,7 +61,7 @@ void VoiceReader::TakeBlocks(Time now) {
 
 void VoiceReader::Hear(const ports::SoundBlock& heard, Time now) {
   ports::SoundBlock block = heard;
-  block.at = Believable(block.at, now);
+  block.at = Believable(block.at, now, kOldest);
   const Voice& voice = listener_.Hear(block, microphone_->format());
   if (ear_) ear_(block, microphone_->format());
   if (source_ != board::SourceState::kLive) Log("microphone: live");

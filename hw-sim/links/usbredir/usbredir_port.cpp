@@ -1,12 +1,10 @@
 #include "hw-sim/links/usbredir/usbredir_port.h"
 
 #include <sys/epoll.h>
-#include <sys/socket.h>
-#include <sys/un.h>
 
 #include <algorithm>
-#include <cstring>
 
+#include "drivers/base/stream_socket.h"
 #include "hw-sim/devices/usb_plate.h"
 
 namespace kaori::sim {
@@ -16,18 +14,6 @@ constexpr Duration kCallAgain = std::chrono::milliseconds(100);
 constexpr std::size_t kInterruptBytes = 64;
 constexpr int kTransfersAtOnce = 256;  // Of one endpoint: the others have their turn.
 constexpr std::uint8_t kFromDevice = 0x80;
-
-// Errors: not valid where nobody listens.
-UniqueFd CallMachine(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) return UniqueFd();
-  std::memcpy(address.sun_path, path.c_str(), path.size());
-  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) < 0)
-    socket.reset();
-  return socket;
-}
 
 }  // namespace
 
@@ -65,14 +51,14 @@ std::optional<Time> UsbredirPort::next_due(Time now) const {
 
 void UsbredirPort::Call(Time now) {
   call_at_ = now + kCallAgain;
-  UniqueFd socket = CallMachine(path_);
-  if (!socket.valid()) return;
+  auto socket = ConnectToStream(path_);
+  if (!socket) return;
   epoll_event event{};
   event.events = EPOLLIN;
-  event.data.fd = socket.get();
-  ::epoll_ctl(epoll_, EPOLL_CTL_ADD, socket.get(), &event);
+  event.data.fd = socket->get();
+  ::epoll_ctl(epoll_, EPOLL_CTL_ADD, socket->get(), &event);
   RedirRequests& requests = *this;
-  wire_ = std::make_unique<RedirWire>(std::move(socket), requests);
+  wire_ = std::make_unique<RedirWire>(std::move(*socket), requests);
   waits_for_room_ = false;
 }
 

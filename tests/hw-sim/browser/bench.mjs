@@ -21,6 +21,14 @@ export async function until(what, ask) {
   throw new Error(`waited ${kPatience_ms} ms for: ${what}; last seen: ${JSON.stringify(seen)}`);
 }
 
+// Ends a process that was started here, and waits until it is gone.
+export async function end(child, signal) {
+  if (child.exitCode !== null || child.signalCode !== null) return;
+  const gone = new Promise((done) => child.once('exit', done));
+  child.kill(signal);
+  await gone;
+}
+
 // The simulator and the toy stage, in a process of their own.
 export class Bench {
   constructor() {
@@ -46,11 +54,7 @@ export class Bench {
   }
 
   async close() {
-    if (this.process.exitCode === null && this.process.signalCode === null) {
-      const gone = new Promise((done) => this.process.once('exit', done));
-      this.process.kill('SIGTERM');
-      await gone;
-    }
+    await end(this.process, 'SIGTERM');
     rmSync(this.folder, {recursive: true, force: true});
   }
 }

@@ -1,0 +1,18 @@
+#include "drivers/base/stream_socket.h"
+
+#include <sys/socket.h>
+
+#include "drivers/base/unix_address.h"
+
+namespace kaori {
+
+Result<UniqueFd> ConnectToStream(const std::string& path) {
+  const auto address = UnixAddress(path);
+  if (!address) return Fail(std::errc::filename_too_long, "connect to " + path);
+  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) < 0)
+    return FailErrno("connect to " + path);
+  return socket;
+}
+
+}  // namespace kaori
