@@ -1,0 +1,132 @@
+# ./box demo: the house on this machine, with simulated hands and a screen in the browser. Read by ./box.
+
+readonly PORT=8093
+readonly DESK_PORT=8443
+readonly SCREEN_HZ=60  # A frame that is late by a little waits for little; the page shows 30 of them.
+readonly RUN=out/run
+
+readonly RECORD_PACKAGES=(ffmpeg)
+
+demo() {
+  local port= size=960x540 hz= record= play= hands= value
+  while [ $# -gt 0 ]; do
+    if [ "$1" = --service ]; then
+      in_service=yes
+      shift
+      continue
+    fi
+    [[ $1 =~ ^--(port|size|hz|record|play|hands)$ ]] || fail "demo knows no $1; see ./box help"
+    [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
+    value=$2
+    [[ ! $1 =~ ^--(record|play|hands)$ ]] || value=$(from_caller "$2")
+    local "${1#--}=$value"
+    shift 2
+  done
+  need "${BUILD_PACKAGES[@]}"
+  [ -n "$record" ] && need "${RECORD_PACKAGES[@]}"
+  build release programs
+  if [ -n "$record" ]; then
+    exec $BIN/kaori-rehearsal --pack $PACK --play "${play:-$PLAY}" --film "$record" --size "$size" --hz "${hz:-30}"
+  fi
+  local -a playing_hands=()
+  [ -n "$play" ] && playing_hands+=(--play "$play")
+  [ -n "$hands" ] && playing_hands+=(--record "$hands")
+  house "$port" "$size" "${hz:-$SCREEN_HZ}" "${playing_hands[@]}"
+}
+
+# Whether some program listens on the port.
+taken() { (: <>"/dev/tcp/127.0.0.1/$1") 2>/dev/null; }
+
+# The port that was asked for; else the usual one, so that a page that is still open finds the next show; else any.
+choose_port() {
+  local port=$1
+  [[ -z $port || $port =~ ^[0-9]{1,5}$ && $((10#$port)) -le 65535 ]] || fail "--port $port: expected a number up to 65535"
+  if [ -z "$port" ]; then
+    taken $PORT && echo 0 || echo $PORT
+  elif [ "$port" != 0 ] && taken "$port"; then
+    fail "port $port is taken by another program; choose another one with --port"
+  else
+    echo "$port"
+  fi
+}
+
+in_service=  # Whether the lips can be calibrated.
+declare -A playing=() started=()  # Process id -> program; program -> second of its start.
+
+# Starts a program of the house, which ends with this script, however that ends: launch PROGRAM OPTION...
+launch() {
+  local program=$1
+  local -a options=(--links $RUN/links "${@:2}")
+  case $program in
+    kaori-sim) options+=(--labels $LABELS --address-file $RUN/address) ;;
+    kaori-stage) options+=(--board $RUN/board --pack $PACK) ;;
+    kaori-lips) options+=(--board $RUN/board --pack $PACK) ;;
+    kaori-desk) options=(--service --local --board $RUN/board --port "$desk_port" --data out/desk --address-file $RUN/desk) ;;
+    *) options+=(--board $RUN/board) ;;
+  esac
+  [ "$program$in_service" != kaori-lipsyes ] || options+=(--service --settings out/desk/lips.settings)
+  setpriv --pdeathsig TERM $BIN/"$program" "${options[@]}" >>"$LOGS/$program.log" 2>&1 &
+  playing[$!]=$program
+  started[$program]=$SECONDS
+}
+
+end_house() {
+  trap '' INT TERM HUP
+  kill "${!playing[@]}" 2>/dev/null
+  wait "${!playing[@]}" 2>/dev/null
+}
+
+# The simulator writes its address when the page can be opened; where it cannot start, its own words say why.
+await_address() {
+  local simulator=$1
+  for _ in $(seq 200); do
+    [ -s $RUN/address ] && return
+    kill -0 "$simulator" 2>/dev/null || break
+    sleep 0.05
+  done
+  fail "$(sed -n '$s/^kaori-sim: //p' $LOGS/kaori-sim.log) (see $LOGS/kaori-sim.log)"
+}
+
+tell_of_desk() {
+  for _ in $(seq 100); do
+    [ ! -s $RUN/desk ] || break
+    sleep 0.05
+  done
+  [ -s $RUN/desk ] || fail "the desk does not start; see $LOGS/kaori-desk.log"
+  say "The desk is at $(cat $RUN/desk) - its code is on her screen; your browser will ask about its certificate."
+}
+
+# Starts again whatever ends. A scenario that has begun is not played, nor recorded, a second time.
+watch_house() {
+  local screen=("$@") program ended
+  while true; do
+    wait -n -p ended "${!playing[@]}" 2>/dev/null || true  # Bash would tell of the kill in its own words.
+    program=${playing[$ended]}
+    unset "playing[$ended]"
+    say "$program ended and is started again; see $LOGS/$program.log"
+    [ $((SECONDS - started[$program])) -gt 1 ] || sleep 1
+    if [ "$program" = kaori-sim ]; then launch kaori-sim "${screen[@]}"; else launch "$program"; fi
+  done
+}
+
+# The four programs and the simulator, each a process of its own: house PORT SIZE HZ SIMULATOR_OPTION...
+house() {
+  local port program simulator lock desk_port=$DESK_PORT
+  ! taken $DESK_PORT || desk_port=0
+  mkdir -p $LOGS
+  exec {lock}>out/demo.lock
+  flock -n "$lock" || fail "a demo plays already at $(cat $RUN/address); end it with Ctrl-C first"
+  port=$(choose_port "$1")
+  rm -rf $RUN && mkdir -p $RUN/links
+  rm -f $LOGS/kaori-*.log
+  trap end_house EXIT
+  trap 'exit 0' INT TERM HUP
+  launch kaori-sim --console "$port" --size "$2" --hz "$3" "${@:4}"
+  simulator=$!
+  for program in kaori-input kaori-lips kaori-stage ${in_service:+kaori-desk}; do launch $program; done
+  await_address $simulator
+  port=$(sed 's/.*:\([0-9]*\).*/\1/' $RUN/address)  # A simulator that is started again keeps it.
+  say "She plays at $(cat $RUN/address) - open it in a browser. Ctrl-C ends the show."
+  [ -z "$in_service" ] || tell_of_desk
+  watch_house --console "$port" --size "$2" --hz "$3"
+}

@@ -1,0 +1,50 @@
+# ./box test --bench: the image in a virtual machine. Read by ./box.
+
+readonly MACHINE_PACKAGES=(e2fsprogs evtest v4l-utils gpiod alsa-utils usbutils ovmf)  # What looks at devices in the machine.
+
+# The image, with simulated devices plugged in: play_on_the_bench OPTION...
+play_on_the_bench() {
+  tests/hil/bench_disk $BIN/kaori-witness out/bench.disk
+  $BIN/kaori-bench --image out/image --bench-disk out/bench.disk --report out/bench --figures out/boot.json --play $PLAY "$@" ||
+    { say "the report is out/bench/report.html"; return 1; }
+}
+
+failed_proofs=()
+
+# Goes on after a failure, and remembers it: prove SENTENCE COMMAND...
+prove() {
+  local began=$SECONDS
+  say "$1"
+  if "${@:2}"; then
+    say "$1: so it is ($((SECONDS - began)) s)"
+  else
+    failed_proofs+=("$1")
+  fi
+}
+
+# One by one: they share the processors.
+prove_all() {
+  local image=out/image packages=out/image/packages
+  prove "devices are played, pulled and plugged" play_on_the_bench --replugs 200
+  prove "a changed root is not played" tests/hil/verity.py $image
+  prove "the disk starts on a PC with UEFI" tests/hil/uefi.py $image
+  prove "the last picture stays while the stage dies" tests/hil/hold.py $image $packages
+  prove "screens come and go" tests/hil/outputs.py $image
+  prove "the face is there soon" tests/hil/boot.py $image
+  prove "two builds are the same" tests/hil/reproducible.py $image $BIN
+}
+
+# --chosen: what runs each time.
+test_on_the_bench() {
+  [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen; see ./box help"
+  need "${MACHINE_PACKAGES[@]}"
+  image
+  build release kaori-bench kaori-witness kaori-gadget
+  if [ $# -gt 0 ]; then
+    say "playing the image in a virtual machine"
+    play_on_the_bench --chosen --replugs 24 --scenes 2 || fail "the box failed on the bench"
+    return
+  fi
+  prove_all
+  [ ${#failed_proofs[@]} -eq 0 ] || fail "not so: $(printf '%s; ' "${failed_proofs[@]}")see above"
+}

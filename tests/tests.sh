@@ -1,0 +1,68 @@
+# ./box test, bench and fuzz. Read by ./box.
+
+readonly TEST_PACKAGES=(python3 chromium ffmpeg systemd)
+readonly BENCH_PACKAGES=(libopencv-core-dev libopencv-imgproc-dev)  # What the lips are compared with: ten seconds.
+readonly FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev)
+
+run_tests() {
+  if [ "${1:-}" = --bench ]; then
+    shift
+    test_on_the_bench "$@"
+    return
+  fi
+  [ $# -le 1 ] || fail "test takes one PATTERN; put it in quotes where it has spaces"
+  need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
+  need_node
+  if [ "${1:-}" = --sanitizers ]; then
+    for preset in asan tsan; do
+      build $preset
+      ctest --test-dir out/build/$preset --output-on-failure -j 2 -E 'Chromium|golden: |rules: ' ||
+        fail "tests failed under the $preset preset; they are named above"
+    done
+    return
+  fi
+  build release
+  local match=()
+  [ $# -gt 0 ] && match=(-R "$1")
+  ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}"
+}
+
+bench() {
+  local -a options=()
+  local json
+  while [ $# -gt 0 ]; do
+    [[ $1 != --json || $# -gt 1 ]] || fail "--json wants the name of a file; see ./box help"
+    if [ "$1" = --json ]; then
+      json=$(from_caller "$2")
+      options+=(--json "$json")
+      shift
+    else
+      options+=("$1")
+    fi
+    shift
+  done
+  need "${BUILD_PACKAGES[@]}" "${BENCH_PACKAGES[@]}"
+  build release programs kaori-figures
+  exec $BIN/kaori-figures --pack $PACK "${options[@]}"
+}
+
+fuzz() {
+  local seconds=60
+  if [ $# -gt 0 ]; then
+    [[ $# = 2 && $1 == --seconds && $2 =~ ^[1-9][0-9]{0,5}$ ]] ||
+      fail "fuzz takes --seconds and a number, as in ./box fuzz --seconds 60"
+    seconds=$2
+  fi
+  need "${BUILD_PACKAGES[@]}" "${FUZZ_PACKAGES[@]}"
+  build fuzz fuzzers
+  local target name
+  for target in out/build/fuzz/bin/fuzz-*; do
+    name=$(basename "$target")
+    say "fuzzing $name for $seconds s"
+    mkdir -p "out/fuzz/$name"
+    "$target" -max_total_time="$seconds" -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="out/fuzz/$name-" \
+      "out/fuzz/$name" "tests/fuzz/corpus/${name#fuzz-}" >"$LOGS/$name.log" 2>&1 ||
+      fail "$name found a fault; the input lies in out/fuzz, the report in $LOGS/$name.log"
+    grep -E 'number_of_executed_units|peak_rss' "$LOGS/$name.log" >&2
+  done
+}
