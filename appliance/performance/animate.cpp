@@ -6,6 +6,7 @@
 #include "appliance/performance/blink.h"
 #include "appliance/performance/hands.h"
 #include "appliance/performance/life.h"
+#include "appliance/performance/lines.h"
 #include "appliance/performance/mouth.h"
 #include "appliance/performance/takes.h"
 #include "render/face/jaw.h"
@@ -97,6 +98,7 @@ void PlayHands(State& state, const board::Snapshot& board, const show::Show& sho
 void MoveOn(State& state, const board::Snapshot& board, const show::Show& show, float dt_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
   PlayHands(state, board, show);
+  TakeLines(state, board.lines, show, dt_s);
   FollowKnobs(state, dt_s);
   MoveSticks(state, board, dt_s);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
@@ -143,6 +145,7 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time light) 
   if (!show.scenes.empty()) EnterScene(state, show, 0, 0);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
     mixture->from.clear();
+  BeginLines(state, board.lines);
   return state;
 }
 
@@ -162,7 +165,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const sho
   Swing(state.sway, scene.head, dt_s);
   scene.hair_sway_rad = state.sway.angle_rad;
   HangBackdrops(state.backdrops, show, scene);
-  scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight);
+  scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight) * Unblacked(state);
   performed.lamps = Lamps(state, show);
   return performed;
 }

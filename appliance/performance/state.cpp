@@ -62,9 +62,11 @@ bool SoundClocks(const State& s) {
   const auto stick = [](const StickNow& n) { return Within({n.presence}, 0, 1) && n.lost_s >= 0; };
   return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
          Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s, s.lips_lost_s}, 0, 10) &&
+         Within({s.blackout}, 0, 1) && Within({s.go_quiet_s}, 0, 10) && s.black_wanted <= 1 &&
          Within({s.life.to_next_blink_s, s.life.to_next_glance_s}, -1, 10) &&
-         Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said, s.mouth_voice}, 0,
-                1);
+         Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said,
+                 s.mouth_voice},
+                0, 1);
 }
 
 bool SoundVoices(const State& s, const show::Show& show) {

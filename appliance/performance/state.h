@@ -21,6 +21,7 @@ struct Seen {
   std::array<std::int32_t, 8> dials{};
   std::array<std::uint32_t, 32> buttons{};
   std::array<std::uint32_t, 256> keys{};
+  std::array<std::uint32_t, 16> lines{};
 };
 
 struct Backstage {  // The scene's light on its way.
@@ -60,7 +61,7 @@ struct Sway {
 };
 
 struct State {
-  static constexpr std::uint32_t kLayout = 5;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 6;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // For which light the last frame was made.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   Seen seen;
@@ -83,8 +84,12 @@ struct State {
   float mouth_drive = 0;  // 0: the expression's mouth .. 1: the hand's or the lips'.
   float mouth_said = 0;   // The same of its opening, which does not wait.
   float mouth_quiet_s = 10;
-  float mouth_voice = 0;   // 0: the lips have the mouth .. 1: the voice has it.
-  float lips_lost_s = 10;  // Since the lips were seen well.
+  float mouth_voice = 0;           // 0: the lips have the mouth .. 1: the voice has it.
+  float lips_lost_s = 10;          // Since the lips were seen well.
+  float blackout = 0;              // 0 lit .. 1 black, on its way.
+  float go_quiet_s = 10;           // Since the last GO.
+  std::uint16_t black_wanted = 0;  // 1: the switch is on, or was when it was lost.
+  std::uint16_t black_scene = 0;   // The scene at the last look at that switch.
   std::uint16_t scene = 0;
 };
 static_assert(std::is_trivially_copyable_v<State>);
