@@ -10,6 +10,7 @@ run_tests() {
     test_on_the_bench "$@"
     return
   fi
+  [[ ${1:-} != --* || $1 == --sanitizers ]] || fail "test knows no $1; see ./box help"
   [ $# -le 1 ] || fail "test takes one PATTERN; put it in quotes where it has spaces"
   need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
   need_node
