@@ -9,6 +9,7 @@
 #include "appliance/input/key_seat.h"
 #include "appliance/input/pointer_seat.h"
 #include "appliance/input/stick_seat.h"
+#include "appliance/input/tally.h"
 #include "drivers/base/log.h"
 
 namespace kaori::input {
@@ -66,7 +67,8 @@ Result<DeskWriters> DeskWriters::Take(const board::Board& board) {
 
 InputDesk::InputDesk(const board::Board& board, DeskWriters writers, DeskSources sources,
                      const InputSettings& settings, const Clock& clock)
-    : clock_(clock),
+    : board_(board),
+      clock_(clock),
       lines_(board, std::move(writers.lines), std::move(sources.lines)),
       roles_(settings.stick_ports, PortsBefore(board)),
       started_(clock.now()) {
@@ -96,6 +98,7 @@ void InputDesk::Step() {
   }
   if (!absent_known_ && now - started_ >= kFindTime) LeaveAbsent(now);
   lines_.Step(now);
+  lines_.Light(TallyLit(board_.Read<board::StageStatus>(), board_.Read<board::Lines>(), now));
 }
 
 bool InputDesk::ScanIsDue(Time now) const {

@@ -103,6 +103,7 @@ class InputDesk {
   void LeaveAbsent(Time now);
   bool Seated(const Socket& socket) const;
 
+  const board::Board& board_;
   const Clock& clock_;
   std::vector<Bus> buses_;
   LineDesk lines_;

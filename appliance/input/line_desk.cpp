@@ -36,6 +36,7 @@ void LineDesk::Open(Time now) {
   }
   logged_ = {};
   lines_ = std::move(*lines);
+  tally_.reset();
   ++generation_;
   Begin(now);
 }
@@ -85,6 +86,13 @@ void LineDesk::Settle(std::uint32_t line, Time at) {
   value_.active ^= bit;
   if ((value_.active & bit) != 0 && line < value_.pushes.size()) ++value_.pushes[line];
   Write(at, SourceState::kLive);
+}
+
+// A lamp that cannot be lit is none: a chip that is gone says so when it is read.
+void LineDesk::Light(bool tally) {
+  if (!lines_ || tally_ == tally) return;
+  tally_ = tally;
+  static_cast<void>(lines_->Drive(0, tally));
 }
 
 void LineDesk::Lose(const Error& error, Time now) {

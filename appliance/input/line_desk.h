@@ -1,8 +1,9 @@
-// GPIO lines to the board: foot switches and service switches.
+// GPIO lines to the board: foot switches and service switches; and the tally lamp.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "appliance/board/board.h"
 #include "drivers/base/clock.h"
@@ -22,6 +23,9 @@ class LineDesk {
 
   // Takes every edge that waits; never blocks, but for what opening takes.
   void Step(Time now);
+
+  // Output 0, where one is wired, from now on.
+  void Light(bool tally);
 
   int pollable() const { return lines_ ? lines_->pollable() : -1; }
   std::uint32_t generation() const { return generation_; }  // Changes with pollable().
@@ -43,6 +47,7 @@ class LineDesk {
   board::SourceState source_;
   std::uint32_t told_ = 0;             // What the lines said last; the board follows when it has settled.
   std::array<Time, 32> changed_at_{};  // When each line last changed on the board.
+  std::optional<bool> tally_;          // What the lamp was told; nothing since the lines came.
   Time retry_at_{};
   std::errc logged_{};  // Why they could not be opened: the same again is not logged.
   std::uint32_t generation_ = 0;

@@ -1,11 +1,11 @@
 // kaori-input: what the operators' hands do, from the devices to the board.
-#include <charconv>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "appliance/board/board.h"
 #include "appliance/input/input_desk.h"
+#include "appliance/input/line_roles.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
@@ -25,7 +25,9 @@ constexpr std::string_view kHelp = R"(kaori-input: what the operators' hands do,
   --usb            HID devices on USB, without it
   --links FOLDER   devices of the simulator, plugged in there
   --gpiochip NAME  the chip of the foot and service switches: gpiochip0, or its label
-  --lines 4,17     their lines on that chip, switches to ground; the first is line 0 of the board
+  --lines go=0,blackout=1,service=2,presence=3,tally=4
+                   which line of that chip is what, or some of them: switches to ground, and a lamp that is lit
+                   while the show is live
   --settings FILE  which port plays what, dead zones and curves (TOML)
 )";
 
@@ -89,29 +91,21 @@ kaori::Result<Buses> OpenBuses(const Settings& settings, const kaori::Clock& clo
   return buses;
 }
 
-// "4,17" as offsets on the chip.
-kaori::Result<kaori::gpio::Wiring> ParseLines(const std::string& text) {
+// Switches to ground, and a lamp that a high line lights.
+kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
   kaori::gpio::Wiring wiring;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (bool more = true; more;) {
-    kaori::gpio::LineWiring line;
-    const auto [after, error] = std::from_chars(at, end, line.offset);
-    if (error != std::errc{} || (after < end && *after != ','))
-      return kaori::FailInput("--lines " + text + ": numbers with commas between are wanted, as in 4,17");
-    wiring.inputs.push_back(line);
-    more = after < end;
-    at = more ? after + 1 : end;
-  }
+  for (const auto& offset : roles.inputs)
+    wiring.inputs.push_back({.offset = offset.value_or(0), .wired = offset.has_value()});
+  if (roles.tally) wiring.outputs.push_back({.offset = *roles.tally, .active_low = false});
   return wiring;
 }
 
 // Empty where no chip is asked for.
 kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings) {
   if (settings.chip.empty()) return kaori::ports::GpioOpener{};
-  const auto wiring = ParseLines(settings.lines);
-  if (!wiring) return tl::unexpected(wiring.error());
-  return [chip = settings.chip, wiring = *wiring] { return kaori::gpio::OpenLines(chip, wiring); };
+  const auto roles = kaori::input::ParseLineRoles(settings.lines);
+  if (!roles) return tl::unexpected(roles.error());
+  return [chip = settings.chip, wiring = WiringOf(*roles)] { return kaori::gpio::OpenLines(chip, wiring); };
 }
 
 kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path) {
@@ -129,10 +123,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   const auto buses = OpenBuses(settings, clock);
   if (!buses) return Complain(buses.error());
-  const auto lines = LinesOpener(settings);
-  if (!lines) return Complain(lines.error());
+  auto lines = LinesOpener(settings);
+  if (!lines) kaori::Log("{}; playing without lines", lines.error().message());
   kaori::input::DeskSources sources;
-  sources.lines = *lines;
+  if (lines) sources.lines = std::move(*lines);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   kaori::input::InputDesk desk(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   DeskWatch watch(desk, loop);

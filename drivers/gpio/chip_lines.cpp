@@ -44,6 +44,10 @@ ChipLines::ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd ke
     : chip_(std::move(chip)), epoll_(std::move(epoll)), kept_(std::move(kept)) {}
 
 Result<void> ChipLines::AddInput(const LineWiring& wiring) {
+  if (!wiring.wired) {
+    inputs_.emplace_back();
+    return {};
+  }
   auto line = chip_->TakeInput(wiring);
   if (!line) return tl::unexpected(line.error());
   if (auto ok = WatchIn(epoll_, (*line)->pollable()); !ok) return ok;
@@ -54,6 +58,7 @@ Result<void> ChipLines::AddInput(const LineWiring& wiring) {
 Result<std::uint32_t> ChipLines::Levels() {
   std::uint32_t active = 0;
   for (std::size_t n = 0; n < inputs_.size(); ++n) {
+    if (!inputs_[n].line) continue;
     const auto level = inputs_[n].line->Level();
     if (!level) return tl::unexpected(level.error());
     if (*level) active |= std::uint32_t{1} << n;
@@ -76,7 +81,7 @@ Result<GpioEdge> ChipLines::ReadEdge() {
 // Every line's next edge: only all of them together tell which is the oldest.
 Result<void> ChipLines::Look() {
   for (Input& input : inputs_) {
-    if (input.next) continue;
+    if (input.next || !input.line) continue;
     const auto edge = input.line->ReadEdge();
     if (edge) input.next = *edge;
     if (!edge && edge.error().cause != std::errc::resource_unavailable_try_again)

@@ -31,8 +31,8 @@ class ChipLines final : public ports::GpioLines {
 
  private:
   struct Input {
-    std::unique_ptr<InputLine> line;
-    std::optional<LineEdge> next;  // Read from the kernel, but not yet the oldest.
+    std::unique_ptr<InputLine> line;  // None where it is not wired: never active.
+    std::optional<LineEdge> next;     // Read from the kernel, but not yet the oldest.
   };
   ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd kept);
   Result<void> AddInput(const LineWiring& wiring);

@@ -15,6 +15,7 @@ struct LineWiring {
   std::uint32_t offset = 0;  // Of the line on its chip.
   bool active_low = true;    // A switch to ground.
   bool pull_up = false;      // Needs a chip that has pull-ups.
+  bool wired = true;         // False: nothing is there, and none is taken.
 };
 
 struct LineEdge {

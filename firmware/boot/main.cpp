@@ -87,14 +87,21 @@ void MountData() {
     Say("the data partition " + device + " cannot be mounted: nothing is kept");
 }
 
-// For udev's rules: a file named after the profile, in a folder that is there before everything else.
+void WriteFile(const std::string& path, const std::string& text) {
+  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0444);
+  if (::write(fd, text.data(), text.size()) < 0) return;
+  ::close(fd);
+}
+
+// In a folder that is there before everything else: for udev's rules a file named after the profile, and for
+// kaori-input what its lines are.
 void ApplySettings() {
   const auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Say(profile.fault);
   ::mount("tmpfs", "/run", "tmpfs", MS_NODEV | MS_NOSUID | MS_STRICTATIME, "mode=755,size=20%");
   ::mkdir(kProfiles, 0755);
-  const std::string file = std::string(kProfiles) + "/" + profile.name;
-  ::close(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0444));
+  WriteFile(std::string(kProfiles) + "/" + profile.name, {});
+  WriteFile(std::string(kProfiles) + "/lines", EnvironmentOf(profile.wiring));
 }
 
 void AwaitLight(int done) {

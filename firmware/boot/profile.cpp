@@ -34,13 +34,8 @@ std::string_view WithoutComment(std::string_view line) {
   return line;
 }
 
-// Takes what a line says into `name`; or says what is wrong with it.
-std::string Take(std::string_view line, std::string& name) {
-  const auto equals = line.find('=');
-  if (equals == std::string_view::npos) return "expected a name, = and a value";
-  const auto key = Trim(line.substr(0, equals));
+std::string TakeName(std::string_view key, std::string_view value, std::string& name) {
   if (key != "profile") return "there is no setting " + std::string(key);
-  const auto value = Trim(line.substr(equals + 1));
   if (value.size() < 2 || value.front() != '"' || value.back() != '"') return "expected a value in quotes";
   const auto wanted = value.substr(1, value.size() - 2);
   if (std::ranges::find(kNames, wanted) == kNames.end())
@@ -48,6 +43,48 @@ std::string Take(std::string_view line, std::string& name) {
   name = wanted;
   return {};
 }
+
+// Reads line by line; the first fault is the last thing it reads.
+class Reading {
+ public:
+  void Take(std::string_view line) {
+    ++number_;
+    if (line.starts_with('[')) section_ = line;
+    const bool ours = section_.empty() || section_ == kLines;
+    if (line.empty() || line.starts_with('[') || !ours) return;
+    if (const auto wrong = TakeSetting(line); !wrong.empty()) Blame(wrong);
+    if (!section_.empty()) wired_at_ = number_;
+  }
+  bool ended() const { return !profile_.fault.empty(); }
+  Profile End() {
+    const auto wrong = CheckWiring(profile_.wiring);
+    if (!ended() && !wrong.empty()) {
+      number_ = wired_at_;
+      Blame(wrong);
+    }
+    return profile_;
+  }
+
+ private:
+  static constexpr std::string_view kLines = "[lines]";
+
+  std::string TakeSetting(std::string_view line) {
+    const auto equals = line.find('=');
+    if (equals == std::string_view::npos) return "expected a name, = and a value";
+    const auto key = Trim(line.substr(0, equals));
+    const auto value = Trim(line.substr(equals + 1));
+    return section_.empty() ? TakeName(key, value, profile_.name) : TakeWire(key, value, profile_.wiring);
+  }
+  // Half a file is not believed.
+  void Blame(const std::string& wrong) {
+    profile_ = {.fault = "line " + std::to_string(number_) + ": " + wrong};
+  }
+
+  Profile profile_;
+  std::string_view section_;
+  int number_ = 0;
+  int wired_at_ = 0;
+};
 
 std::optional<std::string> TextOf(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -76,17 +113,13 @@ void Keep(const fs::path& path, std::string_view text) {
 }  // namespace
 
 Profile ReadProfile(std::string_view text) {
-  Profile profile;
-  for (int number = 1; !text.empty(); ++number) {
+  Reading reading;
+  while (!text.empty() && !reading.ended()) {
     const auto end = text.find('\n');
-    const auto line = Trim(WithoutComment(text.substr(0, end)));
+    reading.Take(Trim(WithoutComment(text.substr(0, end))));
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (line.starts_with('[')) break;
-    if (line.empty()) continue;
-    if (const auto wrong = Take(line, profile.name); !wrong.empty())
-      return {.name = Profile().name, .fault = "line " + std::to_string(number) + ": " + wrong};
   }
-  return profile;
+  return reading.End();
 }
 
 Profile ChooseProfile(const fs::path& folder) {
@@ -94,15 +127,15 @@ Profile ChooseProfile(const fs::path& folder) {
   const fs::path last_good = folder / "box.last-good.toml";
   const auto text = TextOf(file);
   if (!text) return {};
-  Profile chosen = ReadProfile(*text);
+  const Profile chosen = ReadProfile(*text);
   const auto before = TextOf(last_good);
   if (chosen.fault.empty()) {
     if (before != text) Keep(last_good, *text);
     return chosen;
   }
-  if (before) chosen.name = ReadProfile(*before).name;
-  chosen.fault = "box.toml, " + chosen.fault + "; the profile is " + chosen.name;
-  return chosen;
+  Profile sound = before ? ReadProfile(*before) : Profile();
+  sound.fault = "box.toml, " + chosen.fault + "; the profile is " + sound.name;
+  return sound;
 }
 
 }  // namespace kaori::boot

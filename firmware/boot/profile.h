@@ -1,23 +1,26 @@
-// What the box is for tonight, as its settings file says: which devices it lets in.
+// What the box is for tonight, as its settings file says: which devices it lets in, and what its lines are.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "firmware/boot/wiring.h"
+
 namespace kaori::boot {
 
-// The settings file is TOML that people write. Before its first [section], which is others' business, it may
-// say:
+// The settings file is TOML that people write. Before its first [section] it may say:
 //   profile = "stage"   hands, cameras and sound; what is plugged in for anything else stays dead
 //             "kiosk"   the same without keyboards: visitors stand before the box
 //             "bench"   everything
+// and in the section [lines] what TakeWire takes. Other sections are others' business.
 struct Profile {
   std::string name = "stage";
+  Wiring wiring{};
   std::string fault{};  // One line that names file and line; empty: none.
 };
 
-// Reads the words of a settings file. With a fault the name is the usual one.
+// Reads the words of a settings file. With a fault all else is the usual.
 Profile ReadProfile(std::string_view text);
 
 // Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one

@@ -8,6 +8,8 @@
 
 #include "appliance/input/input_desk.h"
 #include "appliance/input/line_desk.h"
+#include "appliance/input/line_roles.h"
+#include "appliance/input/tally.h"
 #include "tests/appliance/board_file.h"
 
 namespace kaori::input {
@@ -23,6 +25,7 @@ struct Floor {
   bool there = true;
   int fd = -1;
   int opened = 0;
+  std::vector<bool> lamp;  // What output 0 was told.
 };
 
 class ToyLines final : public ports::GpioLines {
@@ -40,7 +43,10 @@ class ToyLines final : public ports::GpioLines {
     floor_.edges.pop_front();
     return edge;
   }
-  Result<void> Drive(std::uint32_t, bool) override { return {}; }
+  Result<void> Drive(std::uint32_t, bool lit) override {
+    floor_.lamp.push_back(lit);
+    return {};
+  }
 
  private:
   Floor& floor_;
@@ -167,6 +173,65 @@ TEST_F(Lines, AreReleasedWhenTheChipIsPulledAndComeBackWithIt) {
   Wait(milliseconds(1100));
   EXPECT_EQ(Read().source, SourceState::kLive);
   EXPECT_EQ(Read().value.active, 8U);
+}
+
+TEST_F(Lines, TellTheTallyLampOnlyWhatIsNewAndAllOfItAgainToAChipThatCameBack) {
+  for (const bool lit : {true, true, false, false, true}) desk_->Light(lit);
+  EXPECT_EQ(floor_.lamp, (std::vector<bool>{true, false, true}));
+  floor_.there = false;
+  Wait(milliseconds(1));
+  desk_->Light(true);
+  EXPECT_EQ(floor_.lamp.size(), 3U);
+  floor_.there = true;
+  Wait(milliseconds(1100));
+  desk_->Light(true);
+  EXPECT_EQ(floor_.lamp, (std::vector<bool>{true, false, true, true}));
+}
+
+class TallyLamp : public ::testing::Test {
+ protected:
+  bool LitAfter(Duration age) const { return TallyLit(stage_, lines_, stage_.at + age); }
+
+  board::Stamped<board::StageStatus> stage_{
+      .value = {}, .at = Time{} + std::chrono::seconds(9), .source = SourceState::kLive};
+  board::Stamped<board::Lines> lines_;
+};
+
+TEST_F(TallyLamp, IsLitWhileTheStageShowsFramesAndDarkWithinASecondOfItsDeath) {
+  EXPECT_TRUE(LitAfter({}));
+  EXPECT_TRUE(LitAfter(milliseconds(900)));
+  EXPECT_FALSE(LitAfter(milliseconds(1100)));
+  stage_.source = SourceState::kAbsent;
+  EXPECT_FALSE(LitAfter({})) << "no stage ever";
+}
+
+TEST_F(TallyLamp, WaitsLongerForAStageThatDrawsSlowly) {
+  stage_.value.draw_us = 2'000'000;
+  EXPECT_TRUE(LitAfter(milliseconds(8900)));
+  EXPECT_FALSE(LitAfter(milliseconds(9100)));
+}
+
+TEST_F(TallyLamp, IsDarkInABlackout) {
+  lines_ = {.value = {.active = 2}, .at = {}, .source = SourceState::kLive};
+  EXPECT_FALSE(LitAfter({}));
+  lines_.value.active = 1 | 4 | 8;
+  EXPECT_TRUE(LitAfter({}));
+}
+
+TEST(LineRolesOf, AChipAreNamedAndNeedNotAllBeThere) {
+  const auto all = ParseLineRoles("go=0,blackout=1,service=2,presence=3,tally=4").value();
+  for (std::uint32_t n = 0; n < 4; ++n) EXPECT_EQ(all.inputs[n], n);
+  EXPECT_EQ(all.tally, 4U);
+  const auto some = ParseLineRoles("tally=0,presence=17").value();
+  EXPECT_EQ(some.tally, 0U);
+  EXPECT_FALSE(some.inputs[0]);
+  EXPECT_EQ(some.inputs[3], 17U);
+}
+
+TEST(LineRolesOf, AChipAreRefusedWhereTheyMakeNoSense) {
+  for (const char* wrong : {"", "go", "go=", "go=x", "go=-1", "go=64", "go=0,", ",go=0", "stop=1",
+                            "go=0,go=1", "go=1,tally=1", "go=0 ", "go=0x1"})
+    EXPECT_FALSE(ParseLineRoles(wrong)) << wrong;
 }
 
 // Otherwise the program would wake for a dead descriptor again and again.

@@ -146,6 +146,18 @@ TEST_F(ChipLinesTest, SaysThatTheChipWasPulled) {
   EXPECT_EQ(lines_->Drive(0, true).error().cause, std::errc::no_such_device);
 }
 
+TEST(ChipLines, ALineThatIsNotWiredIsNeverTakenAndNeverActive) {
+  Bench bench;
+  const auto lines =
+      ChipLines::Take(std::make_unique<MemoryChip>(bench), {.inputs = {{.wired = false}, {.offset = 3}}});
+  ASSERT_TRUE(lines) << lines.error().message();
+  EXPECT_EQ(bench.taken, 1);
+  bench.levels[3] = true;
+  EXPECT_EQ(*(*lines)->Levels(), 2U);
+  bench.Switch(3, true, Time{} + std::chrono::milliseconds(1));
+  EXPECT_EQ((*lines)->ReadEdge()->line, 1U);
+}
+
 TEST(ChipLines, TakesEveryLineOrNone) {
   Bench bench;
   EXPECT_FALSE(

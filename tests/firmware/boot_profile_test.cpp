@@ -37,9 +37,44 @@ TEST(Profile, AFaultIsNamedWithItsLine) {
   EXPECT_EQ(ReadProfile("profile = \"kiosk\"\nx").name, "stage") << "half a file is not believed";
 }
 
+TEST(Profile, TheLinesAreWiredAsTheirSectionSays) {
+  const auto usual = ReadProfile("profile = \"kiosk\"").wiring;
+  EXPECT_EQ(EnvironmentOf(usual),
+            "KAORI_CHIP=cp2112_gpio\nKAORI_LINES=go=0,blackout=1,service=2,presence=3,tally=4\n");
+  const auto read = ReadProfile(
+      "[desk]\nport = x\n[lines] # ours\nchip = \"mcp2221_gpio\"\ngo = 1\nblackout = 0\ntally = "
+      "\"none\"\n[x]\ny\n");
+  EXPECT_THAT(read.fault, IsEmpty());
+  EXPECT_EQ(EnvironmentOf(read.wiring),
+            "KAORI_CHIP=mcp2221_gpio\nKAORI_LINES=go=1,blackout=0,service=2,presence=3\n");
+}
+
+TEST(Profile, ABoxWithoutLinesLooksForNoChip) {
+  std::string none = "[lines]\n";
+  for (const auto name : kLineNames) none += std::string(name) + " = \"none\"\n";
+  EXPECT_EQ(EnvironmentOf(ReadProfile(none).wiring), "KAORI_CHIP=\nKAORI_LINES=\n");
+}
+
+TEST(Profile, AFaultInTheLinesIsNamedWithItsLine) {
+  EXPECT_EQ(ReadProfile("[lines]\nstop = 1").fault, "line 2: there is no line stop");
+  for (const char* wrong : {"x", "-1", "64", "1.5", "\"1\"", ""})
+    EXPECT_EQ(ReadProfile(std::string("[lines]\ngo = ") + wrong).fault,
+              "line 2: expected a number of 0 to 63, or \"none\"")
+        << wrong;
+  for (const char* wrong : {"cp2112_gpio", "\"\"", "\"a b\"", "\"a\nKAORI_LINES=\""})
+    EXPECT_EQ(ReadProfile(std::string("[lines]\nchip = ") + wrong).fault,
+              "line 2: expected a chip's label in quotes")
+        << wrong;
+  const Profile twice = ReadProfile("profile = \"kiosk\"\n[lines]\ngo = 1\n\n[other]\n");
+  EXPECT_EQ(twice.fault, "line 3: go and blackout are one line");
+  EXPECT_EQ(twice.wiring, Wiring());
+  EXPECT_EQ(twice.name, "stage");
+}
+
 class SettingsFolder : public ::testing::Test {
  protected:
-  SettingsFolder() : folder_(fs::path(::testing::TempDir()) / ("settings-folder-" + std::to_string(::getpid()))) {
+  SettingsFolder()
+      : folder_(fs::path(::testing::TempDir()) / ("settings-folder-" + std::to_string(::getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -70,6 +105,15 @@ TEST_F(SettingsFolder, AFaultyFileLeavesTheLastGoodOneInForce) {
   Write("profile = \"bench\"\n");
   EXPECT_EQ(ChooseProfile(folder()).name, "bench");
   EXPECT_THAT(ChooseProfile(folder()).fault, IsEmpty());
+}
+
+TEST_F(SettingsFolder, AFaultInTheLinesLeavesTheLastGoodOnesInForce) {
+  Write("[lines]\ngo = 7\n");
+  ASSERT_THAT(ChooseProfile(folder()).fault, IsEmpty());
+  Write("profile = \"kiosk\"\n[lines]\ngo = 77\n");
+  EXPECT_EQ(ChooseProfile(folder()).wiring.lines[0], 7);
+  EXPECT_EQ(ChooseProfile(folder()).name, "stage");
+  EXPECT_THAT(ChooseProfile(folder()).fault, HasSubstr("line 3: expected a number"));
 }
 
 TEST_F(SettingsFolder, AFaultyFileAtTheFirstStartMeansTheStage) {
