@@ -44,14 +44,15 @@ int Complain(const kaori::Error& error) {
 // Without one on a desk, where the simulator's screen is looked for.
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
-  return kaori::scanout::KmsCard::Open(settings.card, settings.holder);
+  auto card = kaori::scanout::KmsCard::Open(settings.card, settings.holder);
+  if (card) (*card)->Wish({.mode = kaori::scanout::ParseMode(settings.mode)});
+  return card;
 }
 
 using Screen = std::unique_ptr<kaori::ports::Scanout>;
 
-kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clock& clock,
-                                 const std::string& mode) {
-  auto screen = card.OpenScreen(clock, kaori::scanout::ParseMode(mode));
+kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clock& clock) {
+  auto screen = card.OpenScreen(clock);
   if (!screen) return tl::unexpected(screen.error());
   kaori::Log("{}", kaori::scanout::Describe((*screen)->wall()));
   return std::move(*screen);
@@ -89,7 +90,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!settings.early) stage.DrawLate();
   kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
     if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
-    return OpenScreen(**card, clock, settings.mode);
+    return OpenScreen(**card, clock);
   });
   if (auto seated = seat.Take(); !seated) return Complain(seated.error());
   kaori::Log("the first picture is drawn");

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
+#include "drivers/ports/sign.h"
 
 namespace kaori::ports {
 
@@ -43,6 +45,11 @@ class Scanout {
 
   // Errors: resource_unavailable_try_again, no_such_device.
   virtual Result<Flip> ReadFlip() = 0;
+
+  // The sign beside this screen, for as long as this lives; or none.
+  virtual Sign* sign() { return nullptr; }
+  // What it is made of, for people, one part a line.
+  virtual std::string Words() const { return {}; }
 };
 
 }  // namespace kaori::ports

@@ -44,12 +44,11 @@ Result<void> KmsCard::Hold() {
   return service::Entrust(shows_.get(), holder_);
 }
 
-Result<std::unique_ptr<KmsScreen>> KmsCard::OpenScreen(const Clock& clock,
-                                                       const std::optional<drmModeModeInfo>& mode) {
+Result<std::unique_ptr<KmsScreen>> KmsCard::OpenScreen(const Clock& clock) {
   const auto make = [this](int width_px, int height_px) {
     return GbmWindow::Make(device(), shows_.get(), width_px, height_px);
   };
-  return KmsScreen::Open(kernel_, make, clock, mode);
+  return KmsScreen::Open(kernel_, make, clock, wishes_);
 }
 
 }  // namespace kaori::scanout

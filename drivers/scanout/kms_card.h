@@ -27,9 +27,11 @@ class KmsCard {
   // For EGL.
   gbm_device* device() const { return draws_.device.get(); }
 
+  // Holds for screens that are opened from now on.
+  void Wish(KmsWishes wishes) { wishes_ = std::move(wishes); }
+
   // All its screens as one, as KmsScreen::Open says. The card must outlive it.
-  Result<std::unique_ptr<KmsScreen>> OpenScreen(const Clock& clock,
-                                                const std::optional<drmModeModeInfo>& mode);
+  Result<std::unique_ptr<KmsScreen>> OpenScreen(const Clock& clock);
 
  private:
   KmsCard(UniqueFd shows, GbmDevice draws, std::string holder)
@@ -44,6 +46,7 @@ class KmsCard {
   std::string holder_;
   bool kept_ = false;  // The service manager has the file.
   KmsKernel kernel_;
+  KmsWishes wishes_;
 };
 
 }  // namespace kaori::scanout

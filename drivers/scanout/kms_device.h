@@ -43,6 +43,14 @@ struct KmsFlip {
   Time at{};
 };
 
+// A picture that programs write into byte by byte: 8-bit B, G, R, X, the top row first. As large as was asked
+// for.
+struct KmsSheet {
+  std::uint32_t framebuffer = 0;
+  std::size_t pitch_bytes = 0;  // From row to row.
+  std::span<std::uint8_t> bytes;
+};
+
 enum class Plug { kEmpty, kUnknown, kPlugged };
 
 // One thread. No call but Probe takes long.
@@ -75,12 +83,22 @@ class KmsDevice {
   virtual Result<void> Commit(std::span<const KmsSetting> settings, std::uint64_t token,
                               bool may_set_modes) = 0;
 
+  // Whether the card would take `settings`, modes included; changes nothing. Errors: what the card says.
+  virtual Result<void> Try(std::span<const KmsSetting> settings) = 0;
+
   // The next flip that happened; none left. Other events are passed over.
   virtual std::optional<KmsFlip> ReadFlip() = 0;
 
   // Those of the card's file, of whatever program.
   virtual std::vector<std::uint32_t> Framebuffers() = 0;
   virtual void Remove(std::uint32_t framebuffer) = 0;
+  // The framebuffer that lies on the plane now, of whatever program; 0 is none.
+  virtual std::uint32_t PictureOn(std::uint32_t plane) = 0;
+
+  // A blank one. Errors: what the card says.
+  virtual Result<KmsSheet> MakeSheet(int width_px, int height_px) = 0;
+  // Its bytes are gone; what is shown of it stays until its framebuffer is removed.
+  virtual void ForgetSheet(const KmsSheet& sheet) = 0;
 };
 
 // What is shown: pictures in the card's memory, all of one size.

@@ -1,16 +1,18 @@
 #include "drivers/scanout/kms_kernel.h"
 
+#include <drm_fourcc.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
 
-#include "drivers/scanout/drm_objects.h"
-
 namespace kaori::scanout {
 namespace {
+
+constexpr std::uint32_t kBitsOfPixel = 32;
 
 // The CRTCs as bits, in the card's order, that the connector can be driven by.
 std::uint32_t PossibleCrtcs(int card, const drmModeConnector& connector) {
@@ -30,6 +32,17 @@ std::string NameOf(const drmModeConnector& connector) {
 Plug PlugOf(drmModeConnection connection) {
   if (connection == DRM_MODE_CONNECTED) return Plug::kPlugged;
   return connection == DRM_MODE_DISCONNECTED ? Plug::kEmpty : Plug::kUnknown;
+}
+
+// Without its framebuffer.
+Result<KmsSheet> MapSheet(int card, std::uint32_t handle, std::uint64_t size_bytes) {
+  std::uint64_t offset = 0;
+  void* at = MAP_FAILED;
+  if (drmModeMapDumbBuffer(card, handle, &offset) == 0)
+    at = ::mmap(nullptr, size_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, card, off_t(offset));
+  if (at == MAP_FAILED) return FailErrno("map a sheet of the graphics card");
+  std::memset(at, 0, size_bytes);
+  return KmsSheet{.bytes = {static_cast<std::uint8_t*>(at), size_bytes}};
 }
 
 }  // namespace
@@ -110,20 +123,35 @@ void KmsKernel::ForgetMode(std::uint32_t blob) {
   drmModeDestroyPropertyBlob(card_, blob);
 }
 
-Result<void> KmsKernel::Commit(std::span<const KmsSetting> settings, std::uint64_t token,
-                               bool may_set_modes) {
-  const DrmAtomic request(drmModeAtomicAlloc());
+Result<DrmAtomic> KmsKernel::RequestOf(std::span<const KmsSetting> settings) {
+  DrmAtomic request(drmModeAtomicAlloc());
   for (const KmsSetting& setting : settings) {
     const auto id = IdOf(setting);
     if (!id) return tl::unexpected(id.error());
     if (drmModeAtomicAddProperty(request.get(), setting.object, *id, setting.value) < 0)
       return Fail(std::errc::not_enough_memory, "ask the graphics card for a picture");
   }
+  return request;
+}
+
+Result<void> KmsKernel::Try(std::span<const KmsSetting> settings) {
+  const auto request = RequestOf(settings);
+  if (!request) return tl::unexpected(request.error());
+  constexpr std::uint32_t kFlags = DRM_MODE_ATOMIC_TEST_ONLY | DRM_MODE_ATOMIC_ALLOW_MODESET;
+  if (drmModeAtomicCommit(card_, request->get(), kFlags, nullptr) != 0)
+    return FailErrno("ask the graphics card whether it could show a picture");
+  return {};
+}
+
+Result<void> KmsKernel::Commit(std::span<const KmsSetting> settings, std::uint64_t token,
+                               bool may_set_modes) {
+  const auto request = RequestOf(settings);
+  if (!request) return tl::unexpected(request.error());
   const std::uint32_t flags = DRM_MODE_PAGE_FLIP_EVENT | DRM_MODE_ATOMIC_NONBLOCK |
                               (may_set_modes ? std::uint32_t{DRM_MODE_ATOMIC_ALLOW_MODESET} : 0U);
   // The kernel hands the token back with the flip; it is a number and never followed.
   auto* const carried = reinterpret_cast<void*>(token);  // NOLINT(performance-no-int-to-ptr)
-  if (drmModeAtomicCommit(card_, request.get(), flags, carried) != 0)
+  if (drmModeAtomicCommit(card_, request->get(), flags, carried) != 0)
     return FailErrno("show a picture on the screen");
   return {};
 }
@@ -168,6 +196,34 @@ std::vector<std::uint32_t> KmsKernel::Framebuffers() {
 
 void KmsKernel::Remove(std::uint32_t framebuffer) {
   drmModeRmFB(card_, framebuffer);
+}
+
+std::uint32_t KmsKernel::PictureOn(std::uint32_t plane) {
+  const DrmPlane now(drmModeGetPlane(card_, plane));
+  return now ? now->fb_id : 0;
+}
+
+Result<KmsSheet> KmsKernel::MakeSheet(int width_px, int height_px) {
+  const auto width = std::uint32_t(width_px), height = std::uint32_t(height_px);
+  std::uint32_t handle = 0, pitch_bytes = 0;
+  std::uint64_t size_bytes = 0;
+  if (drmModeCreateDumbBuffer(card_, width, height, kBitsOfPixel, 0, &handle, &pitch_bytes, &size_bytes) != 0)
+    return FailErrno("make a sheet on the graphics card");
+  auto sheet = MapSheet(card_, handle, size_bytes);
+  // The framebuffer and the mapping keep it; a handle would outlive the program.
+  const std::uint32_t handles[4]{handle}, pitches[4]{pitch_bytes}, offsets[4]{};
+  if (sheet && drmModeAddFB2(card_, width, height, DRM_FORMAT_XRGB8888, handles, pitches, offsets,
+                             &sheet->framebuffer, 0) != 0) {
+    ForgetSheet(*sheet);
+    sheet = FailErrno("make a framebuffer of a sheet");
+  }
+  drmCloseBufferHandle(card_, handle);
+  if (sheet) sheet->pitch_bytes = pitch_bytes;
+  return sheet;
+}
+
+void KmsKernel::ForgetSheet(const KmsSheet& sheet) {
+  ::munmap(sheet.bytes.data(), sheet.bytes.size());
 }
 
 }  // namespace kaori::scanout

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drivers/base/unique_fd.h"
+#include "drivers/scanout/drm_objects.h"
 #include "drivers/scanout/hotplug.h"
 #include "drivers/scanout/kms_device.h"
 
@@ -41,9 +42,13 @@ class KmsKernel final : public KmsDevice {
   Result<std::uint32_t> TellMode(const drmModeModeInfo& mode) override;
   void ForgetMode(std::uint32_t blob) override;
   Result<void> Commit(std::span<const KmsSetting> settings, std::uint64_t token, bool may_set_modes) override;
+  Result<void> Try(std::span<const KmsSetting> settings) override;
   std::optional<KmsFlip> ReadFlip() override;
   std::vector<std::uint32_t> Framebuffers() override;
   void Remove(std::uint32_t framebuffer) override;
+  std::uint32_t PictureOn(std::uint32_t plane) override;
+  Result<KmsSheet> MakeSheet(int width_px, int height_px) override;
+  void ForgetSheet(const KmsSheet& sheet) override;
 
  private:
   struct Known {  // A property that was looked up.
@@ -51,6 +56,7 @@ class KmsKernel final : public KmsDevice {
     const char* property;
     std::uint32_t id;
   };
+  Result<DrmAtomic> RequestOf(std::span<const KmsSetting> settings);
   Result<std::uint32_t> IdOf(const KmsSetting& setting);
 
   int card_;

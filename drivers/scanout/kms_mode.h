@@ -13,7 +13,8 @@ namespace kaori::scanout {
 
 struct ChosenMode {
   drmModeModeInfo mode{};
-  bool wished = false;  // By the screen, or by people; else it is a safe guess.
+  bool wished = false;   // By the screen, or by people; else it is a safe guess.
+  bool instead = false;  // The card refused a better one.
 };
 
 // The mode that the screen asks for by its EDID; of a screen that asks for none (a broken EDID, or none at

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace kaori::scanout {
 namespace {
@@ -66,6 +65,31 @@ std::vector<KmsConnector> PluggedIn(KmsDevice& card) {
   return found;
 }
 
+bool IsSame(const drmModeModeInfo& one, const drmModeModeInfo& other) {
+  return one.clock == other.clock && one.hdisplay == other.hdisplay && one.vdisplay == other.vdisplay &&
+         one.htotal == other.htotal && one.vtotal == other.vtotal && one.flags == other.flags;
+}
+
+bool IsRefused(const KmsWishes& wishes, std::uint32_t connector, const drmModeModeInfo& mode) {
+  return std::ranges::any_of(wishes.refused, [&](const KmsRefusal& refusal) {
+    return refusal.connector == connector && IsSame(refusal.mode, mode);
+  });
+}
+
+void ForgetRefusals(KmsWishes& wishes, const std::vector<KmsConnector>& plugged) {
+  std::erase_if(wishes.refused, [&](const KmsRefusal& refusal) {
+    return std::ranges::find(plugged, refusal.connector, &KmsConnector::id) == plugged.end();
+  });
+}
+
+// The CRTCs that have a plane, as bits.
+std::uint32_t UsableOf(const std::vector<std::uint32_t>& planes) {
+  std::uint32_t usable = 0;
+  for (std::size_t crtc = 0; crtc < planes.size(); ++crtc)
+    if (planes[crtc] != 0) usable |= 1U << crtc;
+  return usable;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs) {
@@ -80,34 +104,58 @@ std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs) {
   return planes;
 }
 
-Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, const std::optional<drmModeModeInfo>& mode) {
-  const auto connectors = PluggedIn(card);
+Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsWishes& wishes) {
+  auto connectors = PluggedIn(card);
+  ForgetRefusals(wishes, connectors);
   if (connectors.empty()) return Fail(std::errc::no_such_device, "find a screen on the graphics card");
+  std::erase_if(connectors, [&](const KmsConnector& connector) { return !ModeFor(connector, wishes); });
   const auto crtcs = card.Crtcs();
   const auto planes = PlanesOf(card, crtcs.size());
-  std::uint32_t usable = 0;
-  for (std::size_t crtc = 0; crtc < crtcs.size(); ++crtc)
-    if (planes[crtc] != 0) usable |= 1U << crtc;
-  Wiring wiring(connectors, usable);
+  Wiring wiring(connectors, UsableOf(planes));
   for (std::size_t i = 0; i < connectors.size(); ++i) wiring.Wire(i);
   std::vector<KmsOutput> outputs;
   for (std::size_t i = 0; i < connectors.size(); ++i)
     if (const auto crtc = wiring.CrtcOf(i))
-      outputs.push_back(
-          {connectors[i].id, connectors[i].name, crtcs[*crtc], planes[*crtc], ModeFor(connectors[i], mode)});
-  if (outputs.empty()) return Fail(std::errc::not_supported, "find a plane for the screen");
+      outputs.push_back({connectors[i].id, connectors[i].name, crtcs[*crtc], planes[*crtc],
+                         *ModeFor(connectors[i], wishes)});
+  if (outputs.empty()) return Fail(std::errc::not_supported, "show on any screen that is plugged in");
   return outputs;
 }
 
-ChosenMode ModeFor(const KmsConnector& connector, const std::optional<drmModeModeInfo>& mode) {
-  return mode ? ChosenMode{*mode, true} : ChooseMode(connector.modes);
+std::optional<KmsOutput> TakeSign(KmsDevice& card, const std::string& name, std::vector<KmsOutput>& outputs) {
+  if (name.empty() || outputs.size() < 2) return std::nullopt;
+  const auto connectors = card.Connectors();
+  const auto number_of = [&](const KmsOutput& output) {
+    return std::ranges::find(connectors, output.connector) - connectors.begin() + 1;
+  };
+  const auto found = std::ranges::find_if(outputs, [&](const KmsOutput& output) {
+    return output.name == name || std::to_string(number_of(output)) == name;
+  });
+  if (found == outputs.end()) return std::nullopt;
+  KmsOutput sign = std::move(*found);
+  outputs.erase(found);
+  return sign;
+}
+
+std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsWishes& wishes) {
+  if (wishes.mode && !IsRefused(wishes, connector.id, *wishes.mode)) return ChosenMode{*wishes.mode, true};
+  auto modes = connector.modes;
+  std::erase_if(modes, [&](const auto& mode) { return IsRefused(wishes, connector.id, mode); });
+  auto chosen = ChooseMode(modes);
+  if (IsRefused(wishes, connector.id, chosen.mode)) return std::nullopt;
+  chosen.instead = wishes.mode || modes.size() < connector.modes.size();
+  return chosen;
 }
 
 std::string Describe(const KmsOutput& output) {
   const auto& mode = output.chosen.mode;
+  const char* why = "";
+  if (output.chosen.instead)
+    why = ", in place of what the card refuses";
+  else if (!output.chosen.wished)
+    why = ", which is safe: the screen itself asks for no mode";
   return fmt::format("{} {} x {} at {:.4g} Hz{}", output.name, mode.hdisplay, mode.vdisplay,
-                     1 / Seconds(PeriodOf(mode)),
-                     output.chosen.wished ? "" : ", which is safe: the screen itself asks for no mode");
+                     1 / Seconds(PeriodOf(mode)), why);
 }
 
 }  // namespace kaori::scanout

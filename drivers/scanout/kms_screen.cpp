@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/scanout/kms_settings.h"
+
 namespace kaori::scanout {
 namespace {
 
 using namespace std::chrono_literals;
 
 constexpr Duration kLookPeriod = 250ms;  // How often connectors are looked at.
+constexpr Duration kGivenUp = 5s;        // A card that refused everything is asked once more after this.
 constexpr Duration kLongestFlip = 2s;    // A card that takes longer has lost the frame.
 
 // Whose flip an event is: a dead program's comes by through the same file, and is not ours.
@@ -18,32 +21,54 @@ std::uint64_t TokenOf(std::uint64_t frame) {
   return std::uint64_t(::getpid()) << 32 | (frame & 0xffffffff);
 }
 
+const KmsOutput& Largest(const KmsWall& wall) {
+  const auto area = [](const KmsPanel& panel) {
+    return int{panel.output.chosen.mode.hdisplay} * panel.output.chosen.mode.vdisplay;
+  };
+  return std::ranges::max_element(wall.panels, {}, area)->output;
+}
+
+void Refuse(const KmsOutput& output, Time now, KmsWishes& wishes) {
+  wishes.refused.push_back({output.connector, output.chosen.mode});
+  wishes.refused_at = now;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<KmsScreen>> KmsScreen::Open(KmsDevice& card, const MakePictures& make,
-                                                   const Clock& clock,
-                                                   const std::optional<drmModeModeInfo>& mode) {
-  auto outputs = FindOutputs(card, mode);
-  if (!outputs) return tl::unexpected(outputs.error());
+                                                   const Clock& clock, KmsWishes& wishes) {
+  auto outputs = FindOutputs(card, wishes);
+  if (!outputs) {
+    if (clock.now() - wishes.refused_at > kGivenUp) wishes.refused.clear();
+    return tl::unexpected(outputs.error());
+  }
+  auto sign = TakeSign(card, wishes.sign, *outputs);
   KmsWall wall = Arrange(std::move(*outputs));
+  wall.sign = std::move(sign);
   auto pictures = make(wall.width_px, wall.height_px);
-  if (!pictures) return tl::unexpected(pictures.error());
-  return std::unique_ptr<KmsScreen>(new KmsScreen(card, std::move(wall), std::move(*pictures), clock, mode));
+  if (!pictures) {
+    Refuse(Largest(wall), clock.now(), wishes);
+    return tl::unexpected(pictures.error());
+  }
+  return std::unique_ptr<KmsScreen>(
+      new KmsScreen(card, std::move(wall), std::move(*pictures), clock, wishes));
 }
 
 KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures> pictures, const Clock& clock,
-                     const std::optional<drmModeModeInfo>& mode)
+                     KmsWishes& wishes)
     : card_(card),
       wall_(std::move(wall)),
       pictures_(std::move(pictures)),
       clock_(clock),
-      mode_(mode),
+      wishes_(wishes),
       looked_(clock.now()) {
   for (const KmsPanel& panel : wall_.panels) panels_.push_back({panel});
   for (const std::uint32_t connector : card_.Connectors())
     if (IsNewcomer(connector) && card_.PlugOf(connector) == Plug::kPlugged) seen_.push_back(connector);
   constexpr std::size_t kMostSettings = 13;  // Of one screen.
   settings_.reserve(panels_.size() * kMostSettings);
+  // Where there is no memory for one, the show goes on without.
+  if (wall_.sign) sign_ = KmsSign::Open(card_, *wall_.sign).value_or(nullptr);
 }
 
 // The card keeps a mode for as long as it shows it.
@@ -80,9 +105,9 @@ Result<void> KmsScreen::Ask() {
 }
 
 bool KmsScreen::IsAsBefore(const KmsConnector& connector, const Panel& panel) const {
-  const auto& now = ModeFor(connector, mode_).mode;
+  const auto now = ModeFor(connector, wishes_);
   const auto& before = panel.at.output.chosen.mode;
-  return now.hdisplay == before.hdisplay && now.vdisplay == before.vdisplay;
+  return now && now->mode.hdisplay == before.hdisplay && now->mode.vdisplay == before.vdisplay;
 }
 
 Result<void> KmsScreen::Look() {
@@ -125,9 +150,12 @@ Result<void> KmsScreen::LookAt(Panel& panel) {
 Result<void> KmsScreen::Present(std::uint64_t frame) {
   if (!std::exchange(acquired_, false)) return Fail(std::errc::invalid_argument, "present without a buffer");
   const auto framebuffer = pictures_->LockFront();
-  if (!framebuffer) return tl::unexpected(framebuffer.error());
+  if (!framebuffer) {
+    if (framebuffer.error().cause != std::errc::io_error) Refuse(Largest(wall_), clock_.now(), wishes_);
+    return tl::unexpected(framebuffer.error());
+  }
   frame_ = frame;
-  if (auto shown = Commit(*framebuffer); !shown) return shown;
+  if (auto shown = Commit(*framebuffer); !shown) return tl::unexpected(Blame(shown.error(), *framebuffer));
   presented_at_ = clock_.now();
   for (Panel& panel : panels_) panel.flips = panel.light != Light::kDark;
   return {};
@@ -150,38 +178,44 @@ Result<void> KmsScreen::Commit(std::uint32_t framebuffer) {
   return card_.Commit(settings_, TokenOf(frame_), sets_modes);
 }
 
+bool KmsScreen::CouldShow(Panel& panel, std::uint32_t framebuffer) {
+  settings_.clear();
+  return AddAll(panel, framebuffer) && card_.Try(settings_);
+}
+
+// Which screen's mode it was that the card refused, it says of each alone. Where each alone would do, they
+// are too much together, and the last one that is new gives way.
+Error KmsScreen::Blame(const Error& error, std::uint32_t framebuffer) {
+  if (error.cause == std::errc::device_or_resource_busy || error.cause == std::errc::permission_denied)
+    return error;
+  const Panel* blamed = nullptr;
+  bool alone = false;
+  for (Panel& panel : panels_) {
+    if (panel.light != Light::kNew || alone) continue;
+    alone = !CouldShow(panel, framebuffer);
+    blamed = &panel;
+  }
+  if (blamed == nullptr) return error;
+  Refuse(blamed->at.output, clock_.now(), wishes_);
+  return {error.cause, "show " + Describe(blamed->at.output)};
+}
+
 Result<void> KmsScreen::AddAll(Panel& panel, std::uint32_t framebuffer) {
   const KmsOutput& output = panel.at.output;
-  const auto& mode = output.chosen.mode;
   if (panel.mode == 0) {
-    const auto told = card_.TellMode(mode);
+    const auto told = card_.TellMode(output.chosen.mode);
     if (!told) return tl::unexpected(told.error());
     panel.mode = *told;
   }
-  settings_.push_back({output.connector, DRM_MODE_OBJECT_CONNECTOR, "CRTC_ID", output.crtc});
-  settings_.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "MODE_ID", panel.mode});
-  settings_.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "ACTIVE", 1});
-  const auto plane = [&](const char* name, std::uint64_t value) {
-    settings_.push_back({output.plane, DRM_MODE_OBJECT_PLANE, name, value});
-  };
-  plane("FB_ID", framebuffer);
-  plane("CRTC_ID", output.crtc);
-  // The part of the picture, in 1/65536 of a pixel.
-  plane("SRC_X", std::uint64_t(panel.at.x_px) << 16);
-  plane("SRC_Y", std::uint64_t(panel.at.y_px) << 16);
-  plane("SRC_W", std::uint64_t{mode.hdisplay} << 16);
-  plane("SRC_H", std::uint64_t{mode.vdisplay} << 16);
-  plane("CRTC_X", 0);
-  plane("CRTC_Y", 0);
-  plane("CRTC_W", mode.hdisplay);
-  plane("CRTC_H", mode.vdisplay);
+  AddWhole(output, panel.mode, {framebuffer, panel.at.x_px, panel.at.y_px}, settings_);
   return {};
 }
 
 // What an earlier program showed elsewhere, on a screen that has gone since, ends: its CRTC may be needed.
 void KmsScreen::AddOthersOff() {
   const auto is_ours = [this](std::uint32_t KmsOutput::*part, std::uint32_t id) {
-    return std::ranges::any_of(panels_, [&](const Panel& p) { return p.at.output.*part == id; });
+    return (sign_ && sign_->output().*part == id) ||
+           std::ranges::any_of(panels_, [&](const Panel& p) { return p.at.output.*part == id; });
   };
   for (const std::uint32_t connector : card_.Connectors())
     if (!is_ours(&KmsOutput::connector, connector))
@@ -230,7 +264,15 @@ bool KmsScreen::Owes() const {
 // Only now: removing the picture that is shown blanks the screen.
 void KmsScreen::RemoveOldFramebuffers() {
   for (const std::uint32_t framebuffer : card_.Framebuffers())
-    if (!pictures_->Made(framebuffer)) card_.Remove(framebuffer);
+    if (!pictures_->Made(framebuffer) && !(sign_ && sign_->Needs(framebuffer))) card_.Remove(framebuffer);
+}
+
+std::string KmsScreen::Words() const {
+  std::string words;
+  for (const Panel& panel : panels_)
+    words += Describe(panel.at.output) + (panel.light == Light::kDark ? ", pulled\n" : "\n");
+  if (sign_) words += Describe(sign_->output()) + ", the sign\n";
+  return words;
 }
 
 }  // namespace kaori::scanout

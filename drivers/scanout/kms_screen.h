@@ -9,6 +9,7 @@
 #include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
 #include "drivers/scanout/kms_device.h"
+#include "drivers/scanout/kms_sign.h"
 #include "drivers/scanout/kms_wall.h"
 
 namespace kaori::scanout {
@@ -20,14 +21,14 @@ using MakePictures = std::function<Result<std::unique_ptr<KmsPictures>>(int widt
 //
 // A screen that is pulled keeps its place, and the others play on. When it is back it shows again within 0.5
 // s. Once all are pulled, or another one is plugged in, or one comes back with another mode, this screen is
-// gone, and to be opened anew.
+// gone, and to be opened anew; so too where the card refuses a screen's mode, which is noted in the wishes:
+// the next one is opened in another mode, or without that screen.
 class KmsScreen final : public ports::Scanout {
  public:
-  // All screens that are plugged in, in the mode that is wished for or each in its own. `card` and `clock`
-  // must outlive it. Errors: those of FindOutputs and of `make`.
+  // All screens that are plugged in, as `wishes` say. `card`, `clock` and `wishes` must outlive it. Errors:
+  // those of FindOutputs and of `make`.
   static Result<std::unique_ptr<KmsScreen>> Open(KmsDevice& card, const MakePictures& make,
-                                                 const Clock& clock,
-                                                 const std::optional<drmModeModeInfo>& mode = {});
+                                                 const Clock& clock, KmsWishes& wishes);
   ~KmsScreen() override;
 
   const KmsWall& wall() const { return wall_; }
@@ -39,6 +40,8 @@ class KmsScreen final : public ports::Scanout {
   Result<void> Present(std::uint64_t frame) override;
   // Once all screens show the frame; the time is that of the first of them.
   Result<ports::Flip> ReadFlip() override;
+  ports::Sign* sign() override { return sign_.get(); }
+  std::string Words() const override;
 
  private:
   enum class Light { kDark, kNew, kLit };  // Pulled; to be shown from the next frame on; shown.
@@ -49,13 +52,15 @@ class KmsScreen final : public ports::Scanout {
     std::uint32_t mode = 0;  // As the card knows it; none before the first picture.
   };
   KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures> pictures, const Clock& clock,
-            const std::optional<drmModeModeInfo>& mode);
+            KmsWishes& wishes);
   Result<void> Look();
   Result<void> Ask();
   bool IsAsBefore(const KmsConnector& connector, const Panel& panel) const;
   Result<void> LookAt(Panel& panel);
   bool IsNewcomer(std::uint32_t connector) const;
   Result<void> Commit(std::uint32_t framebuffer);
+  Error Blame(const Error& error, std::uint32_t framebuffer);
+  bool CouldShow(Panel& panel, std::uint32_t framebuffer);
   Result<void> AddAll(Panel& panel, std::uint32_t framebuffer);
   void AddOthersOff();
   void TakeFlip(const KmsFlip& flip);
@@ -67,7 +72,8 @@ class KmsScreen final : public ports::Scanout {
   KmsWall wall_;
   std::unique_ptr<KmsPictures> pictures_;
   const Clock& clock_;
-  std::optional<drmModeModeInfo> mode_;
+  KmsWishes& wishes_;
+  std::unique_ptr<KmsSign> sign_;
   std::vector<Panel> panels_;
   std::vector<std::uint32_t> seen_;   // Connectors with a screen that the card could not drive as well.
   std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame takes from the heap.

@@ -27,7 +27,7 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
   const auto sum = [](const std::vector<int>& lengths_px, std::size_t count) {
     return std::accumulate(lengths_px.begin(), lengths_px.begin() + std::ptrdiff_t(count), 0);
   };
-  KmsWall wall{{}, sum(widths_px, widths_px.size()), sum(heights_px, heights_px.size())};
+  KmsWall wall{{}, sum(widths_px, widths_px.size()), sum(heights_px, heights_px.size()), {}};
   for (std::size_t i = 0; i < outputs.size(); ++i)
     wall.panels.push_back({std::move(outputs[i]), sum(widths_px, i % columns), sum(heights_px, i / columns)});
   return wall;
@@ -36,6 +36,7 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
 std::string Describe(const KmsWall& wall) {
   std::string words;
   for (const KmsPanel& panel : wall.panels) words += (words.empty() ? "" : "; ") + Describe(panel.output);
+  if (wall.sign) words += "; " + Describe(*wall.sign) + ", the sign";
   return words;
 }
 

@@ -2,11 +2,13 @@
 // blank that the test calls for.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <deque>
 #include <map>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -47,10 +49,12 @@ class FakeCard final : public scanout::KmsDevice {
   bool blind = false;        // It sees what is plugged in only when it is probed.
   bool stirred = false;      // It says that something changed.
   std::errc commit_fault{};  // Every commit fails with it, when set.
+  int most_px = 1 << 20;     // What is wider is refused,
+  int most_lit = 32;         // and more screens than these at a time.
 
   // The vertical blank: what was asked for comes to light.
   void Blank(Time at) {
-    for (const std::uint32_t crtc : std::exchange(owing_, {})) flips_.push_back({crtc, token_, at});
+    for (const auto& [crtc, token] : std::exchange(owing_, {})) flips_.push_back({crtc, token, at});
   }
   // A flip that nobody here asked for.
   void StrayFlip(std::uint32_t crtc, std::uint64_t token) { flips_.push_back({crtc, token, Time{}}); }
@@ -65,7 +69,9 @@ class FakeCard final : public scanout::KmsDevice {
   int modesets = 0;
   int probes = 0;
   std::set<std::uint32_t> framebuffers;  // Of the card's file.
-  std::set<std::uint32_t> modes_told;
+  std::map<std::uint32_t, drmModeModeInfo> modes_told;
+  std::map<std::uint32_t, std::vector<std::uint8_t>> sheets;  // By framebuffer.
+  int tries = 0;
   std::map<std::pair<std::uint32_t, std::string>, std::uint64_t> state_;
 
   int pollable() const override { return -1; }
@@ -96,23 +102,31 @@ class FakeCard final : public scanout::KmsDevice {
     found.plugged ? void(seen_.insert(connector)) : void(seen_.erase(connector));
     return found;
   }
-  Result<std::uint32_t> TellMode(const drmModeModeInfo&) override {
-    return *modes_told.insert(++last_mode_).first;
+  Result<std::uint32_t> TellMode(const drmModeModeInfo& mode) override {
+    modes_told[++last_mode_] = mode;
+    return last_mode_;
   }
   void ForgetMode(std::uint32_t blob) override { modes_told.erase(blob); }
   Result<void> Commit(std::span<const scanout::KmsSetting> settings, std::uint64_t token,
                       bool may_set_modes) override {
     if (commit_fault != std::errc()) return Fail(commit_fault, "show a picture");
-    if (!owing_.empty()) return Fail(std::errc::device_or_resource_busy, "show a picture");
+    std::set<std::uint32_t> touched;
+    for (const auto& [object, kind, property, value] : settings) {
+      if (kind == DRM_MODE_OBJECT_PLANE && value != 0) touched.insert(object - kFirstPlane + kFirstCrtc);
+      if (kind == DRM_MODE_OBJECT_CRTC) touched.insert(object);
+    }
+    if (std::ranges::any_of(touched, [&](auto crtc) { return owing_.contains(crtc); }))
+      return Fail(std::errc::device_or_resource_busy, "show a picture");
+    if (auto taken = Weigh(settings); !taken) return taken;
     ++commits;
     modesets += may_set_modes ? 1 : 0;
-    token_ = token;
-    for (const auto& [object, kind, property, value] : settings) {
-      state_[{object, property}] = value;
-      if (kind == DRM_MODE_OBJECT_PLANE && value != 0) owing_.insert(object - kFirstPlane + kFirstCrtc);
-      if (kind == DRM_MODE_OBJECT_CRTC) owing_.insert(object);
-    }
+    for (const std::uint32_t crtc : touched) owing_[crtc] = token;
+    for (const auto& [object, kind, property, value] : settings) state_[{object, property}] = value;
     return {};
+  }
+  Result<void> Try(std::span<const scanout::KmsSetting> settings) override {
+    ++tries;
+    return Weigh(settings);
   }
   std::optional<scanout::KmsFlip> ReadFlip() override {
     if (flips_.empty()) return std::nullopt;
@@ -122,13 +136,37 @@ class FakeCard final : public scanout::KmsDevice {
   }
   std::vector<std::uint32_t> Framebuffers() override { return {framebuffers.begin(), framebuffers.end()}; }
   void Remove(std::uint32_t framebuffer) override { framebuffers.erase(framebuffer); }
+  std::uint32_t PictureOn(std::uint32_t plane) override { return std::uint32_t(Value(plane, "FB_ID")); }
+  Result<scanout::KmsSheet> MakeSheet(int width_px, int height_px) override {
+    const std::uint32_t framebuffer = ++last_sheet_;
+    const std::size_t pitch_bytes = std::size_t(width_px) * 4 + kOdd_bytes;
+    auto& bytes = sheets[framebuffer];
+    bytes.resize(pitch_bytes * std::size_t(height_px));
+    framebuffers.insert(framebuffer);
+    return scanout::KmsSheet{framebuffer, pitch_bytes, bytes};
+  }
+  void ForgetSheet(const scanout::KmsSheet& sheet) override { sheets.erase(sheet.framebuffer); }
 
  private:
+  static constexpr std::size_t kOdd_bytes = 64;  // What a card adds to a row.
+
+  Result<void> Weigh(std::span<const scanout::KmsSetting> settings) const {
+    int lit = 0;
+    for (const auto& [object, kind, property, value] : settings) {
+      if (std::string_view(property) != "MODE_ID" || value == 0) continue;
+      ++lit;
+      if (modes_told.at(std::uint32_t(value)).hdisplay > most_px)
+        return Fail(std::errc::invalid_argument, "show a picture");
+    }
+    if (lit > most_lit) return Fail(std::errc::no_space_on_device, "show a picture");
+    return {};
+  }
+
   int crtcs_;
   std::set<std::uint32_t> seen_;  // By a card that is blind.
   std::uint32_t last_mode_ = 0;
-  std::uint64_t token_ = 0;
-  std::set<std::uint32_t> owing_;
+  std::uint32_t last_sheet_ = 5000;
+  std::map<std::uint32_t, std::uint64_t> owing_;  // CRTCs, and the tokens of their commits.
   std::deque<scanout::KmsFlip> flips_;
 };
 

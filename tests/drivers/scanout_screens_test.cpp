@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "drivers/scanout/kms_screen.h"
-#include "tests/drivers/scanout_fake_card.h"
+#include "tests/drivers/scanout_bench.h"
 
 namespace kaori::scanout {
 namespace {
@@ -12,44 +12,8 @@ namespace {
 using namespace std::chrono_literals;  // NOLINT: tests speak in milliseconds.
 using ::testing::HasSubstr;
 using tests::FakeCard;
-using tests::FakePictures;
 using tests::ModeOf;
-
-class Screens : public ::testing::Test {
- protected:
-  Result<std::unique_ptr<KmsScreen>> TryOpen() {
-    const auto make = [this](int width_px, int height_px) -> Result<std::unique_ptr<KmsPictures>> {
-      size_px_ = {width_px, height_px};
-      return std::make_unique<FakePictures>(card_, next_framebuffer_ += 10);
-    };
-    return KmsScreen::Open(card_, make, clock_);
-  }
-  std::unique_ptr<KmsScreen> Open() { return TryOpen().value(); }
-
-  // A whole frame, from drawing to its light.
-  Result<ports::Flip> Frame(KmsScreen& screen) {
-    if (auto drawn = screen.Acquire(); !drawn) return tl::unexpected(drawn.error());
-    if (auto shown = screen.Present(++frame_); !shown) return tl::unexpected(shown.error());
-    clock_.Advance(16ms);
-    card_.Blank(clock_.now());
-    return screen.ReadFlip();
-  }
-  // Frames for so long; the first fault ends them.
-  Result<void> Frames(KmsScreen& screen, Duration length) {
-    for (const Time end = clock_.now() + length; clock_.now() < end;)
-      if (auto flip = Frame(screen); !flip) return tl::unexpected(flip.error());
-    return {};
-  }
-  std::uint64_t Source(std::size_t crtc, const char* name) const {
-    return card_.Value(FakeCard::kFirstPlane + std::uint32_t(crtc), name) >> 16;
-  }
-
-  FakeCard card_{3, 3};
-  ManualClock clock_;
-  std::pair<int, int> size_px_;
-  std::uint32_t next_framebuffer_ = 1000;
-  std::uint64_t frame_ = 0;
-};
+using tests::Screens;
 
 TEST_F(Screens, OneScreenShowsThePictureInItsOwnMode) {
   card_.PlugIn(1, {ModeOf(1920, 1080), ModeOf(640, 480, DRM_MODE_TYPE_DRIVER)});

@@ -39,7 +39,8 @@ TEST(Wall, MoreScreensThanTheCardCanDriveDisturbNobody) {
   const auto make = [&card](int, int) -> Result<std::unique_ptr<KmsPictures>> {
     return std::make_unique<FakePictures>(card, 1);
   };
-  const auto screen = KmsScreen::Open(card, make, clock).value();
+  KmsWishes wishes;
+  const auto screen = KmsScreen::Open(card, make, clock, wishes).value();
   EXPECT_EQ(screen->wall().panels.size(), 2U);
   for (int i = 0; i < 100; ++i) {
     ASSERT_TRUE(screen->Acquire()) << "the third one is no newcomer";

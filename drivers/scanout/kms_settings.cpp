@@ -1,0 +1,27 @@
+#include "drivers/scanout/kms_settings.h"
+
+namespace kaori::scanout {
+
+void AddWhole(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
+              std::vector<KmsSetting>& into) {
+  const auto& size = output.chosen.mode;
+  into.push_back({output.connector, DRM_MODE_OBJECT_CONNECTOR, "CRTC_ID", output.crtc});
+  into.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "MODE_ID", mode});
+  into.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "ACTIVE", 1});
+  const auto plane = [&](const char* name, std::uint64_t value) {
+    into.push_back({output.plane, DRM_MODE_OBJECT_PLANE, name, value});
+  };
+  plane("FB_ID", part.framebuffer);
+  plane("CRTC_ID", output.crtc);
+  // The part of the picture, in 1/65536 of a pixel.
+  plane("SRC_X", std::uint64_t(part.x_px) << 16);
+  plane("SRC_Y", std::uint64_t(part.y_px) << 16);
+  plane("SRC_W", std::uint64_t{size.hdisplay} << 16);
+  plane("SRC_H", std::uint64_t{size.vdisplay} << 16);
+  plane("CRTC_X", 0);
+  plane("CRTC_Y", 0);
+  plane("CRTC_W", size.hdisplay);
+  plane("CRTC_H", size.vdisplay);
+}
+
+}  // namespace kaori::scanout
