@@ -16,8 +16,8 @@ constexpr std::string_view kHelp =
   --device NAME   the camera: /dev/video0, or libcamera:NAME where libcamera is to bring it
   --modes         say what the camera can and which rates would be taken, and end
   --links FOLDER  the simulator's camera, microphone and loudspeaker, plugged in there
-  --microphone NAME   the operator's voice: a sound device of ALSA, say hw:1
-  --loudspeaker NAME  plays the voice when the mouth comes to light, and the sounds of motions
+  --microphone NAME   the operator's voice: a sound device of ALSA, say hw:1; any: the first on USB, else the box's own
+  --loudspeaker NAME  plays the voice when the mouth comes to light, and the sounds of motions; or any
   --sound-delay MS    how long the voice waits, 0 to 500; auto as measured; off: no loudspeaker; as the settings
                       have it, or auto, if not given
   --pack FILE     the show, for the sounds of its motions

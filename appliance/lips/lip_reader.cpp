@@ -91,13 +91,14 @@ void LipReader::Close(Time now, std::string_view why) {
   camera_.reset();
   retry_at_ = last_frame_ > opened_at_ ? now : now + kRetry;
   Log("{}; opening the lip camera anew", why);
+  silence_log_.Lost();
   logged_ = std::errc::no_such_device;
   if (source_ == board::SourceState::kLive) Write(last_frame_, board::SourceState::kStale);
 }
 
 void LipReader::CheckSilence(Time now) {
   if (source_ == board::SourceState::kLive && now - last_frame_ >= kSilence) {
-    Log("lip camera: silent for {} ms; the lips are stale", kSilence / milliseconds(1));
+    silence_log_.Silent(kSilence, now);
     Write(last_frame_, board::SourceState::kStale);
   }
   if (!camera_ || now - last_sign_ < kGiveUp) return;
@@ -109,7 +110,7 @@ void LipReader::CheckSilence(Time now) {
 }
 
 void LipReader::Write(Time at, board::SourceState source) {
-  if (source == board::SourceState::kLive && source_ != source) Log("lip camera: live");
+  if (source == board::SourceState::kLive && source_ != source) silence_log_.Speaks();
   source_ = source;
   writer_.Write(meter_.lips(), at, source);
 }

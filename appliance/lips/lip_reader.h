@@ -8,6 +8,7 @@
 #include "appliance/lips/camera_care.h"
 #include "appliance/lips/lip_meter.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/silence_log.h"
 #include "drivers/camera/planes.h"
 #include "drivers/ports/camera.h"
 
@@ -65,6 +66,7 @@ class LipReader {
   Time opened_at_{};
   Time retry_at_{};
   Time quiet_until_{};  // Dropped frames are not logged before.
+  SilenceLog silence_log_{"lip camera", "the lips are stale"};
   std::errc logged_{};  // The last trouble that was logged: the same again is not.
   int opened_ = 0;
   Watcher watcher_;

@@ -4,6 +4,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "drivers/audio/sound_choice.h"
+
 namespace kaori::audio {
 
 Result<std::unique_ptr<AlsaLoudspeaker>> AlsaLoudspeaker::Open(const std::string& name, const AlsaWish& wish,
@@ -53,8 +55,9 @@ tl::unexpected<Error> AlsaLoudspeaker::Refused(const Error& error) {
 }
 
 ports::LoudspeakerOpener AlsaLoudspeakerOpener(std::string name, const AlsaWish& wish, const Clock& clock) {
-  return [name = std::move(name), wish, &clock]() -> Result<std::unique_ptr<ports::Loudspeaker>> {
-    return AlsaLoudspeaker::Open(name, wish, clock);
+  return [name = std::move(name), wish, &clock,
+          open = ChoosingPcmOpener(clock)]() -> Result<std::unique_ptr<ports::Loudspeaker>> {
+    return AlsaLoudspeaker::Open(name, wish, clock, open);
   };
 }
 

@@ -35,7 +35,8 @@ class AlsaLoudspeaker final : public ports::Loudspeaker {
   std::optional<Error> broken_;
 };
 
-// Opens the loudspeaker `name` anew each time. Borrows `clock` for its life.
+// Opens the loudspeaker `name` anew each time; kAnySound is the nearest one (sound_choice.h). Borrows `clock`
+// for its life.
 ports::LoudspeakerOpener AlsaLoudspeakerOpener(std::string name, const AlsaWish& wish, const Clock& clock);
 
 }  // namespace kaori::audio

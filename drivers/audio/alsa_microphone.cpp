@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "drivers/audio/sound_choice.h"
+
 namespace kaori::audio {
 namespace {
 
@@ -70,8 +72,9 @@ tl::unexpected<Error> AlsaMicrophone::Broken(const Error& error) {
 }
 
 ports::MicrophoneOpener AlsaMicrophoneOpener(std::string name, const AlsaWish& wish, const Clock& clock) {
-  return [name = std::move(name), wish, &clock]() -> Result<std::unique_ptr<ports::Microphone>> {
-    return AlsaMicrophone::Open(name, wish, clock);
+  return [name = std::move(name), wish, &clock,
+          open = ChoosingPcmOpener(clock)]() -> Result<std::unique_ptr<ports::Microphone>> {
+    return AlsaMicrophone::Open(name, wish, clock, open);
   };
 }
 

@@ -40,7 +40,8 @@ class AlsaMicrophone final : public ports::Microphone {
   bool xrun_ = false;
 };
 
-// Opens the microphone `name` anew each time. Borrows `clock` for its life.
+// Opens the microphone `name` anew each time; kAnySound is the nearest one (sound_choice.h). Borrows `clock`
+// for its life.
 ports::MicrophoneOpener AlsaMicrophoneOpener(std::string name, const AlsaWish& wish, const Clock& clock);
 
 }  // namespace kaori::audio

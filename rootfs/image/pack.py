@@ -82,20 +82,24 @@ def command_line(image, root_hash):
            "init=/usr/bin/kaori-light usbcore.authorized_default=0 quiet loglevel=3 panic=5"
 
 
+def folder_of(name, user):
+    """A folder that nobody else may look into, as debugfs makes it; `user` as passwd has it."""
+    return (f"mkdir {name}", f"set_inode_field {name} uid {user[2]}", f"set_inode_field {name} gid {user[3]}",
+            f"set_inode_field {name} mode 040700")
+
+
 def make_data(out, size_mib):
-    """An ext4 with the settings in it, the stage's own folder, empty, and with no time but the image's."""
+    """An ext4 with the settings in it, folders of the stage's and the lips' own, empty, and no time but the image's."""
     os.environ["E2FSPROGS_FAKE_TIME"] = os.environ["SOURCE_DATE_EPOCH"]
     data = out / "data.ext4"
     data.unlink(missing_ok=True)
     run("mke2fs", "-q", "-t", "ext4", "-U", DATA_UUID, "-E", f"hash_seed={DATA_UUID},lazy_itable_init=0", "-m", "0",
         "-L", "kaori-data", data, f"{size_mib}M")
-    user = next(line.split(":") for line in (out / "root/etc/passwd").read_text().splitlines()
-                if line.startswith("kaori-stage:"))
+    users = {line.split(":")[0]: line.split(":") for line in (out / "root/etc/passwd").read_text().splitlines()}
     settings = Path(__file__).with_name("box.toml")
     for change in ("mkdir settings", f"write {settings} settings/box.toml",
                    *(f"set_inode_field settings/box.toml {field}" for field in ("uid 0", "gid 0", "mode 0100644")),
-                   "mkdir own", f"set_inode_field own uid {user[2]}", f"set_inode_field own gid {user[3]}",
-                   "set_inode_field own mode 040700"):
+                   *folder_of("own", users["kaori-stage"]), *folder_of("lips", users["kaori-lips"])):
         run("debugfs", "-w", "-R", change, data)
     return data
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "appliance/board/lines.h"
 #include "tests/appliance/desk_house.h"
 
 namespace kaori::testing {
@@ -191,6 +192,21 @@ TEST_F(DeskCalibration, BeginsByInsertWhereABrowserKeepsF12) {
   house_.Hold(0x49, true);
   house_.Play(2100ms);
   EXPECT_TRUE(house_.lips->guide().active());
+}
+
+TEST_F(DeskCalibration, SpeaksOnTheScreenWhileTheKeySwitchIsOn) {
+  auto lines = house_.board.TakeWriter<board::Lines>().value();
+  house_.StartLips(/*service=*/false);
+  house_.Play(2s);
+  house_.Hold(LipHouse::kF12, true);
+  house_.Play(2500ms);
+  ASSERT_EQ(house_.Guide().source, board::SourceState::kLive);
+  for (const std::uint32_t on : {1U, 0U}) {
+    lines.Write({.active = on << static_cast<unsigned>(board::Line::kService)}, house_.clock.now(),
+                board::SourceState::kLive);
+    house_.Play(50ms);
+    EXPECT_EQ(house_.Guide().value.captions, on);
+  }
 }
 
 TEST_F(DeskCalibration, WorksByLampsAloneOutOfService) {

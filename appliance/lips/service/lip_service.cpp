@@ -1,5 +1,7 @@
 #include "appliance/lips/service/lip_service.h"
 
+#include "appliance/board/lines.h"
+
 namespace kaori::lips {
 
 Result<std::unique_ptr<LipService>> LipService::Open(const LipServiceOptions& options, LipReader& reader,
@@ -46,9 +48,16 @@ void LipService::Step() {
   if (outlet_) outlet_->Tell(tuning_.report(), now);
 }
 
+// By the key switch at the box.
+bool LipService::ServiceSwitched() const {
+  const auto lines = board_.Read<board::Lines>();
+  return lines.source == board::SourceState::kLive && board::IsOn(lines.value, board::Line::kService);
+}
+
 // Written anew each time while it is under way, so that a reader sees when the lips are gone.
 void LipService::ShowGuide(Time now) {
-  if (guide_.active()) writer_.Write(guide_.shown(service_), now, board::SourceState::kLive);
+  if (guide_.active())
+    writer_.Write(guide_.shown(service_ || ServiceSwitched()), now, board::SourceState::kLive);
   if (!guide_.active() && shown_) writer_.Write({}, now, board::SourceState::kAbsent);
   shown_ = guide_.active();
 }

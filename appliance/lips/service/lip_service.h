@@ -15,7 +15,8 @@
 namespace kaori::lips {
 
 struct LipServiceOptions {
-  bool service = false;          // A desk may ask, and the guide may speak on the screen.
+  bool service =
+      false;  // A desk may ask, and the guide may speak on the screen, as it may with the key switch.
   std::filesystem::path file{};  // Where settings are kept; empty: nowhere.
   LipSettings now{};             // In use.
 };
@@ -41,6 +42,7 @@ class LipService {
   LipService(const LipServiceOptions& options, LipReader& reader, const board::Board& board,
              board::Writer<board::LipsGuide> writer, const Clock& clock);
   void ShowGuide(Time now);
+  bool ServiceSwitched() const;
 
   bool service_;
   LipReader& reader_;

@@ -64,7 +64,7 @@ void VoiceReader::Hear(const ports::SoundBlock& heard, Time now) {
   block.at = Believable(block.at, now, kOldest);
   const Voice& voice = listener_.Hear(block, microphone_->format());
   if (ear_) ear_(block, microphone_->format());
-  if (source_ != board::SourceState::kLive) Log("microphone: live");
+  if (source_ != board::SourceState::kLive) silence_log_.Speaks();
   source_ = board::SourceState::kLive;
   last_block_ = now;
   logged_ = {};
@@ -76,6 +76,7 @@ void VoiceReader::Close(Time now, std::string_view why) {
   microphone_.reset();
   retry_at_ = now + kRetry;
   Log("{}; opening the microphone anew", why);
+  silence_log_.Lost();
   logged_ = std::errc::no_such_device;
   if (source_ != board::SourceState::kLive) return;
   source_ = board::SourceState::kStale;
@@ -84,7 +85,7 @@ void VoiceReader::Close(Time now, std::string_view why) {
 
 void VoiceReader::CheckSilence(Time now) {
   if (source_ == board::SourceState::kLive && now - last_block_ >= kSilence) {
-    Log("microphone: nothing for {} ms; the voice is stale", kSilence / milliseconds(1));
+    silence_log_.Silent(kSilence, now);
     source_ = board::SourceState::kStale;
     writer_.Write(mouth_.mouth(), heard_at_, source_);
   }

@@ -9,6 +9,7 @@
 #include "appliance/lips/voice/listener.h"
 #include "appliance/lips/voice/voice_mouth.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/silence_log.h"
 #include "drivers/ports/microphone.h"
 
 namespace kaori::voice {
@@ -52,6 +53,7 @@ class VoiceReader {
   Time last_block_;  // When the newest block came, or the microphone was opened.
   Time heard_at_{};  // The stamp of what is on the board.
   Time retry_at_{};
+  SilenceLog silence_log_{"microphone", "the voice is stale"};
   std::errc logged_{};  // The last trouble that was logged: the same again is not.
   int opened_ = 0;
 };

@@ -1,0 +1,82 @@
+#include "drivers/audio/sound_choice.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+#include "drivers/base/log.h"
+
+namespace kaori::audio {
+namespace {
+
+constexpr Duration kLook = std::chrono::seconds(2);
+
+// The nearest device, until another one is.
+class NearestPcm final : public AlsaPcm {
+ public:
+  NearestPcm(std::unique_ptr<AlsaPcm> pcm, std::string name, const Clock& clock,
+             std::function<std::string()> nearest)
+      : pcm_(std::move(pcm)),
+        name_(std::move(name)),
+        clock_(clock),
+        nearest_(std::move(nearest)),
+        look_at_(clock.now() + kLook) {}
+
+  ports::SoundFormat format() const override { return pcm_->format(); }
+  int pollable() const override { return pcm_->pollable(); }
+  int Start() override { return pcm_->Start(); }
+  int Prepare() override { return pcm_->Prepare(); }
+  int Resume() override { return pcm_->Resume(); }
+  int Status(PcmStatus& into) override { return pcm_->Status(into); }
+  long Read(std::span<std::int16_t> into) override { return IsNearest() ? pcm_->Read(into) : -ENODEV; }
+  long Write(std::span<const std::int16_t> from) override {
+    return IsNearest() ? pcm_->Write(from) : -ENODEV;
+  }
+
+ private:
+  bool IsNearest() {
+    if (clock_.now() < look_at_) return true;
+    look_at_ = clock_.now() + kLook;
+    return nearest_() == name_;
+  }
+
+  std::unique_ptr<AlsaPcm> pcm_;
+  std::string name_;
+  const Clock& clock_;
+  std::function<std::string()> nearest_;
+  Time look_at_;
+};
+
+Result<std::unique_ptr<AlsaPcm>> OpenNearest(const SoundSearch& search, Direction direction,
+                                             const AlsaWish& wish, const Clock& clock) {
+  const auto nearest = [list = search.list, direction] { return Nearest(list(direction)); };
+  const std::string name = nearest();
+  const char* const kind = direction == Direction::kCapture ? "microphone" : "loudspeaker";
+  if (name.empty()) return Fail(std::errc::no_such_device, std::string("find a ") + kind);
+  search.loosen(name, direction);
+  auto pcm = search.open(name, direction, wish);
+  if (!pcm) return pcm;
+  Log("{}: {} is the nearest", kind, name);
+  return std::make_unique<NearestPcm>(std::move(*pcm), name, clock, nearest);
+}
+
+}  // namespace
+
+std::string Nearest(std::span<const SoundDevice> devices) {
+  for (const auto& wanted : {+[](const SoundDevice& d) { return d.usb; },
+                             +[](const SoundDevice& d) { return !d.on_screen_cable; }}) {
+    const auto found = std::ranges::find_if(devices, wanted);
+    if (found != devices.end()) return found->name;
+  }
+  return devices.empty() ? std::string() : devices.front().name;
+}
+
+PcmOpener ChoosingPcmOpener(const Clock& clock, SoundSearch search) {
+  return [&clock, search = std::move(search)](const std::string& name, Direction direction,
+                                              const AlsaWish& wish) {
+    return name == kAnySound ? OpenNearest(search, direction, wish, clock)
+                             : search.open(name, direction, wish);
+  };
+}
+
+}  // namespace kaori::audio

@@ -1,0 +1,30 @@
+#include "drivers/base/silence_log.h"
+
+#include <utility>
+
+#include "drivers/base/log.h"
+
+namespace kaori {
+namespace {
+
+constexpr Duration kQuiet = std::chrono::minutes(1);
+
+}  // namespace
+
+void SilenceLog::Silent(Duration length, Time now) {
+  said_ = now >= quiet_until_;
+  if (!said_) {
+    ++unsaid_;
+    return;
+  }
+  quiet_until_ = now + kQuiet;
+  const int more = std::exchange(unsaid_, 0);
+  const std::string often = more > 0 ? fmt::format(", as {} times since it was said last", more) : "";
+  Log("{}: silent for {} ms{}; {}", source_, length / std::chrono::milliseconds(1), often, consequence_);
+}
+
+void SilenceLog::Speaks() {
+  if (std::exchange(said_, false)) Log("{}: live", source_);
+}
+
+}  // namespace kaori

@@ -1,0 +1,94 @@
+// Which sound device, where nobody named any.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <map>
+
+#include "drivers/audio/sound_choice.h"
+#include "tests/drivers/audio_fake_pcm.h"
+
+namespace kaori::audio {
+namespace {
+
+using std::chrono::seconds;
+using testing::ElementsAre;
+
+const SoundDevice kOwn{.name = "hw:0,0"};
+const SoundDevice kScreen{.name = "hw:0,3", .on_screen_cable = true};
+const SoundDevice kUsb{.name = "hw:1,0", .usb = true};
+const SoundDevice kOtherUsb{.name = "hw:2,0", .usb = true};
+
+TEST(NearestSound, IsTheFirstOnUsbElseTheBoxsOwnElseAScreens) {
+  EXPECT_EQ(Nearest(std::vector{kScreen, kOwn, kUsb, kOtherUsb}), "hw:1,0");
+  EXPECT_EQ(Nearest(std::vector{kScreen, kOwn}), "hw:0,0");
+  EXPECT_EQ(Nearest(std::vector{kScreen}), "hw:0,3");
+  EXPECT_EQ(Nearest({}), "");
+}
+
+// A machine with cards that come and go.
+class ChosenSound : public testing::Test {
+ protected:
+  Result<std::unique_ptr<AlsaPcm>> Open(const std::string& name) {
+    const SoundSearch search{
+        .list = [this](Direction) { return cards_; },
+        .loosen = [this](const std::string& card, Direction) { loosened_.push_back(card); },
+        .open = [this](const std::string& card, Direction,
+                       const AlsaWish&) -> Result<std::unique_ptr<AlsaPcm>> {
+          opened_.push_back(card);
+          return std::make_unique<tests::FakePcm>(sound_);
+        }};
+    return ChoosingPcmOpener(clock_, search)(name, Direction::kCapture, {});
+  }
+  long Read(AlsaPcm& pcm) {
+    sound_.heard = {1};
+    std::array<std::int16_t, 1> into{};
+    return pcm.Read(into);
+  }
+
+  ManualClock clock_;
+  tests::FakeSound sound_;
+  std::vector<SoundDevice> cards_{kOwn};
+  std::vector<std::string> opened_, loosened_;
+};
+
+TEST_F(ChosenSound, IsTheNearestAndIsMadeAudible) {
+  ASSERT_TRUE(Open(kAnySound));
+  EXPECT_THAT(opened_, ElementsAre("hw:0,0"));
+  EXPECT_THAT(loosened_, ElementsAre("hw:0,0"));
+}
+
+TEST_F(ChosenSound, IsLeftAsItIsWhereSomebodyNamedIt) {
+  ASSERT_TRUE(Open("hw:7"));
+  EXPECT_THAT(opened_, ElementsAre("hw:7"));
+  EXPECT_TRUE(loosened_.empty());
+}
+
+TEST_F(ChosenSound, IsNoneWhereThereIsNoCard) {
+  cards_.clear();
+  EXPECT_EQ(Open(kAnySound).error().cause, std::errc::no_such_device);
+  EXPECT_TRUE(opened_.empty());
+}
+
+TEST_F(ChosenSound, GivesWayWithinTwoSecondsToANearerOne) {
+  const auto pcm = std::move(Open(kAnySound).value());
+  clock_.Advance(seconds(10));
+  EXPECT_EQ(Read(*pcm), 1) << "nothing came";
+  cards_ = {kOwn, kUsb};
+  EXPECT_EQ(Read(*pcm), 1) << "not asked at every read";
+  clock_.Advance(seconds(2));
+  EXPECT_EQ(Read(*pcm), -ENODEV);
+  ASSERT_TRUE(Open(kAnySound));
+  EXPECT_EQ(opened_.back(), "hw:1,0");
+}
+
+TEST_F(ChosenSound, StaysWhenOneThatIsFartherComes) {
+  cards_ = {kUsb};
+  const auto pcm = std::move(Open(kAnySound).value());
+  cards_ = {kOwn, kUsb, kOtherUsb};
+  clock_.Advance(seconds(10));
+  EXPECT_EQ(Read(*pcm), 1);
+}
+
+}  // namespace
+}  // namespace kaori::audio
