@@ -16,6 +16,7 @@
 #include "firmware/boot/card.h"
 #include "firmware/boot/data_partition.h"
 #include "firmware/boot/profile.h"
+#include "firmware/boot/root_hash.h"
 #include "firmware/boot/still.h"
 
 namespace {
@@ -68,8 +69,12 @@ void GiveCards() {
   if (::chown(kDraws, 0, kRender) == 0) ::chmod(kDraws, kGroupsToo);
 }
 
-// Into the kernel's log, which the journal reads. Nothing of it comes to a screen.
+// What it said, for whoever looks at the box's status.
+std::string g_faults;
+
+// Into the kernel's log, which the journal reads. Nothing of it comes to the show's screens.
 void Say(const std::string& words) {
+  g_faults += words + "\n";
   const std::string line = "<4>kaori-light: " + words + "\n";
   const int fd = ::open("/dev/kmsg", O_WRONLY | O_CLOEXEC);
   if (::write(fd, line.data(), line.size()) < 0) return;
@@ -93,8 +98,19 @@ void WriteFile(const std::string& path, const std::string& text) {
   ::close(fd);
 }
 
-// In a folder that is there before everything else: for udev's rules a file named after the profile, and for
-// kaori-input what its lines are.
+// The hash at the root of the tree that the kernel checks the box's root against; empty where it checks none.
+std::string RootHash() {
+  ::mount("proc", "/proc", "proc", MS_NODEV | MS_NOSUID | MS_NOEXEC, nullptr);
+  std::array<char, 4096> line{};
+  const int fd = ::open("/proc/cmdline", O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return {};
+  const ssize_t bytes = ::read(fd, line.data(), line.size());
+  ::close(fd);
+  return kaori::boot::RootHashOf({line.data(), bytes < 0 ? 0 : static_cast<std::size_t>(bytes)});
+}
+
+// In a folder that is there before everything else: for udev's rules a file named after the profile, for
+// kaori-input what its lines are, for kaori-stage which screen is people's, and what its status says.
 void ApplySettings() {
   const auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
   if (!profile.fault.empty()) Say(profile.fault);
@@ -102,6 +118,9 @@ void ApplySettings() {
   ::mkdir(kProfiles, 0755);
   WriteFile(std::string(kProfiles) + "/" + profile.name, {});
   WriteFile(std::string(kProfiles) + "/lines", EnvironmentOf(profile.wiring));
+  WriteFile(std::string(kProfiles) + "/status_screen", profile.status_screen);
+  WriteFile(std::string(kProfiles) + "/root_hash", RootHash());
+  WriteFile(std::string(kProfiles) + "/faults", g_faults);
 }
 
 void AwaitLight(int done) {

@@ -34,13 +34,34 @@ std::string_view WithoutComment(std::string_view line) {
   return line;
 }
 
-std::string TakeName(std::string_view key, std::string_view value, std::string& name) {
-  if (key != "profile") return "there is no setting " + std::string(key);
-  if (value.size() < 2 || value.front() != '"' || value.back() != '"') return "expected a value in quotes";
+bool IsQuoted(std::string_view value) {
+  return value.size() >= 2 && value.front() == '"' && value.back() == '"';
+}
+
+std::string TakeName(std::string_view value, std::string& name) {
+  if (!IsQuoted(value)) return "expected a value in quotes";
   const auto wanted = value.substr(1, value.size() - 2);
   if (std::ranges::find(kNames, wanted) == kNames.end())
     return "there is no profile " + std::string(value) + ": stage, kiosk or bench";
   name = wanted;
+  return {};
+}
+
+bool IsOfScreenName(char letter) {
+  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '-' ||
+         (letter >= '0' && letter <= '9');
+}
+
+// Sockets of a card have short names; what has none of that kind is a slip of somebody's hand.
+std::string TakeScreen(std::string_view value, std::string& screen) {
+  constexpr std::size_t kLongestName = 32, kLongestNumber = 2;
+  const auto wanted = IsQuoted(value) ? value.substr(1, value.size() - 2) : value;
+  const bool is_number = !wanted.empty() && wanted.size() <= kLongestNumber && wanted.front() != '0' &&
+                         std::ranges::all_of(wanted, [](char c) { return c >= '0' && c <= '9'; });
+  const bool is_name =
+      IsQuoted(value) && wanted.size() <= kLongestName && std::ranges::all_of(wanted, IsOfScreenName);
+  if (!is_number && !is_name) return "expected a screen's name, as in \"HDMI-A-2\", or its number";
+  screen = wanted;
   return {};
 }
 
@@ -73,7 +94,10 @@ class Reading {
     if (equals == std::string_view::npos) return "expected a name, = and a value";
     const auto key = Trim(line.substr(0, equals));
     const auto value = Trim(line.substr(equals + 1));
-    return section_.empty() ? TakeName(key, value, profile_.name) : TakeWire(key, value, profile_.wiring);
+    if (!section_.empty()) return TakeWire(key, value, profile_.wiring);
+    if (key == "profile") return TakeName(value, profile_.name);
+    if (key == "status_screen") return TakeScreen(value, profile_.status_screen);
+    return "there is no setting " + std::string(key);
   }
   // Half a file is not believed.
   void Blame(const std::string& wrong) {

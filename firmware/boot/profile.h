@@ -13,11 +13,15 @@ namespace kaori::boot {
 //   profile = "stage"   hands, cameras and sound; what is plugged in for anything else stays dead
 //             "kiosk"   the same without keyboards: visitors stand before the box
 //             "bench"   everything
+//   status_screen = "HDMI-A-2", or = 2   the screen that says how the box does, by its name or its number;
+//   wherever
+//             it is the only one it is the show's
 // and in the section [lines] what TakeWire takes. Other sections are others' business.
 struct Profile {
   std::string name = "stage";
   Wiring wiring{};
-  std::string fault{};  // One line that names file and line; empty: none.
+  std::string status_screen{};  // Empty: none.
+  std::string fault{};          // One line that names file and line; empty: none.
 };
 
 // Reads the words of a settings file. With a fault all else is the usual.

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "firmware/boot/profile.h"
+#include "firmware/boot/root_hash.h"
 
 namespace kaori::boot {
 namespace {
@@ -69,6 +70,28 @@ TEST(Profile, AFaultInTheLinesIsNamedWithItsLine) {
   EXPECT_EQ(twice.fault, "line 3: go and blackout are one line");
   EXPECT_EQ(twice.wiring, Wiring());
   EXPECT_EQ(twice.name, "stage");
+}
+
+TEST(Profile, NamesTheScreenThatSaysHowTheBoxDoes) {
+  EXPECT_THAT(ReadProfile("profile = \"stage\"\n").status_screen, IsEmpty());
+  EXPECT_EQ(ReadProfile("status_screen = \"HDMI-A-2\"").status_screen, "HDMI-A-2");
+  EXPECT_EQ(ReadProfile("status_screen = 2  # the small one").status_screen, "2");
+  EXPECT_THAT(ReadProfile("status_screen = \"\"").status_screen, IsEmpty()) << "none, in so many words";
+  for (const char* wrong : {"HDMI-A-2", "0", "-1", "200", "\"a b\"", "\"../x\"", ""})
+    EXPECT_THAT(ReadProfile(std::string("status_screen = ") + wrong).fault,
+                HasSubstr("line 1: expected a screen's name"))
+        << wrong;
+}
+
+TEST(RootHash, IsTheOneOfTheVerityTable) {
+  const std::string hash(64, 'a');
+  const std::string table =
+      "dm-mod.create=\"root,,,ro,0 8 verity 1 PARTUUID=1 PARTUUID=2 4096 4096 1 1 sha256 ";
+  EXPECT_EQ(RootHashOf("quiet " + table + hash + " 00\" ro"), hash);
+  EXPECT_THAT(RootHashOf(""), IsEmpty());
+  EXPECT_THAT(RootHashOf("root=/dev/vda sha256 " + hash), IsEmpty());
+  EXPECT_THAT(RootHashOf(table + hash.substr(1)), IsEmpty());
+  EXPECT_THAT(RootHashOf(table + "X" + hash.substr(1)), IsEmpty());
 }
 
 class SettingsFolder : public ::testing::Test {
