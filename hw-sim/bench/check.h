@@ -9,6 +9,7 @@
 
 #include "drivers/base/result.h"
 #include "hw-sim/bench/place.h"
+#include "hw-sim/bench/setup.h"
 
 namespace kaori::bench {
 
@@ -22,7 +23,7 @@ struct Picture {
 // What a check found.
 struct Finding {
   Verdict verdict = Verdict::kPassed;
-  std::string said;  // Why it failed or was skipped; else what was seen.
+  std::string said{};  // Why it failed or was skipped; else what was seen.
   std::vector<Picture> pictures{};
   std::map<std::string, double> figures{};                   // For out/boot.json.
   std::vector<std::pair<std::string, std::string>> texts{};  // Name and content: outputs of tools.
@@ -41,14 +42,21 @@ struct Scene {
 
   // Takes a picture of the screen into the finding. Errors: as VideoProtocol::Shoot.
   Result<void> Shoot(const std::string& name, const std::string& caption);
+
+  // The same, of a picture that must show a face. Errors: also invalid_argument (it does not).
+  Result<void> ShootFace(const std::string& name, const std::string& caption);
+
+  // Why this cannot be tried here; for a check to return.
+  Result<void> Skip(std::string why);
 };
 
 struct Check {
   std::string name;      // One word, for people who choose.
   std::string sentence;  // What is shown.
   bool chosen = false;   // Of the part that runs each time.
-  // Errors become failures. A check that cannot run sets the verdict to skipped and says why.
+  // Errors become failures. A check that cannot run says so by Skip.
   std::function<Result<void>(Scene&)> run;
+  Setup setup{};  // Of the box that it finds playing.
 };
 
 // In the order in which they are run.
@@ -62,5 +70,8 @@ std::vector<Check> SourceChecks();
 std::vector<Check> GadgetChecks();
 std::vector<Check> LatencyChecks();
 std::vector<Check> ToolChecks();
+std::vector<Check> StrangerChecks();
+std::vector<Check> SpeedChecks();
+std::vector<Check> AloneChecks();
 
 }  // namespace kaori::bench

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/bench/check.h"
+#include "hw-sim/bench/picture.h"
 
 namespace kaori::bench {
 
@@ -11,10 +12,25 @@ Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
   return {};
 }
 
+Result<void> Scene::ShootFace(const std::string& name, const std::string& caption) {
+  if (auto ok = Shoot(name, caption); !ok) return ok;
+  const auto picture = LookAt(folder + "/" + finding.pictures.back().file);
+  if (!picture) return tl::unexpected(picture.error());
+  if (!ShowsAFace(*picture)) return FailInput("no face is on the screen: " + Words(*picture));
+  return {};
+}
+
+Result<void> Scene::Skip(std::string why) {
+  finding.verdict = Verdict::kSkipped;
+  finding.said = std::move(why);
+  return {};
+}
+
+// Those that want the same setup stand together: another one is a box started anew.
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part : {ScreenChecks(), HandChecks(), LatencyChecks(), SourceChecks(), CableChecks(),
-                     GadgetChecks(), ToolChecks()})
+                     ToolChecks(), StrangerChecks(), AloneChecks(), SpeedChecks(), GadgetChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

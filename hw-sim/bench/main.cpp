@@ -13,7 +13,7 @@
 #include "drivers/base/options.h"
 #include "hw-sim/bench/check.h"
 #include "hw-sim/bench/report.h"
-#include "hw-sim/bench/strategy.h"
+#include "hw-sim/bench/trial.h"
 
 namespace {
 
@@ -22,6 +22,7 @@ constexpr std::string_view kHelp =
 
   --image FOLDER        bzImage, cmdline and kaori.disk (out/image)
   --bench-disk FILE     the disk with the witness and tools
+  --bench-kernel FILE   a kernel with simulated hardware of its own, for the checks that want it
   --report FOLDER       where report.html, report.xml and pictures go
   --figures FILE        a JSON object that gets the figures
   --play FILE           the scenario that is played
@@ -35,7 +36,7 @@ constexpr std::string_view kHelp =
 )";
 
 struct Settings {
-  std::string image = "out/image", bench_disk, report = "out/bench", figures, play, only;
+  std::string image = "out/image", bench_disk, bench_kernel, report = "out/bench", figures, play, only;
   std::string scenes = "0", replugs = "200", seed = "1", size = "480x270";
   bool chosen = false, list = false;
 };
@@ -62,72 +63,6 @@ std::string_view Sign(kaori::bench::Verdict verdict) {
   return verdict == kaori::bench::Verdict::kFailed ? "FAIL" : "skip";
 }
 
-// Each check finds a box that plays: one that the check before has felled is started anew.
-class Bench {
- public:
-  Bench(const Settings& settings, kaori::bench::Place& place, const kaori::Clock& clock)
-      : settings_(settings),
-        place_(place),
-        clock_(clock),
-        strategy_(place),
-        chance_(static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10))) {}
-
-  kaori::bench::ReportedCheck Try(const kaori::bench::Check& check) {
-    kaori::bench::ReportedCheck reported{check.name, check.sentence, {}};
-    auto& finding = reported.finding;
-    kaori::bench::Scene scene{.place = place_,
-                              .finding = finding,
-                              .folder = settings_.report,
-                              .replugs = std::atoi(settings_.replugs.c_str()),
-                              .scenes = std::atoi(settings_.scenes.c_str()),
-                              .chance = chance_,
-                              .play = settings_.play};
-    auto ok = StartBox();
-    const kaori::Time began = clock_.now();
-    if (ok) ok = check.run(scene);
-    finding.took_s = kaori::Seconds(clock_.now() - began);
-    if (!ok) {
-      finding.verdict = kaori::bench::Verdict::kFailed;
-      finding.said = ok.error().message();
-      static_cast<void>(scene.Shoot(check.name + "-failed", "When it failed"));
-      AddTraces(finding);
-    }
-    fmt::print("{}  {:6.1f} s  {}: {}\n", Sign(finding.verdict), finding.took_s, check.name, finding.said);
-    std::fflush(stdout);
-    return reported;
-  }
-
-  // A box that did not start once is not waited for again.
-  kaori::Result<void> StartBox() {
-    if (dead_) return kaori::FailInput("not tried: the box did not start before");
-    auto ok = strategy_.Transition(kaori::bench::BoxState::kPlaying);
-    dead_ = !ok;
-    return ok;
-  }
-
-  // What helps to find out why.
-  void AddTraces(kaori::bench::Finding& finding) {
-    constexpr kaori::Duration kLongest = std::chrono::seconds(60);
-    for (const char* question :
-         {"board", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-input",
-          "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-stage",
-          "own /usr/bin/journalctl -k --no-pager -o short-monotonic -n 60"})
-      if (const auto told = place_.witness().Ask(question, kLongest))
-        finding.texts.emplace_back(question, *told);
-  }
-
-  double boot_s() const { return strategy_.boot_s(); }
-  void End() { static_cast<void>(strategy_.Transition(kaori::bench::BoxState::kOff)); }
-
- private:
-  const Settings& settings_;
-  kaori::bench::Place& place_;
-  const kaori::Clock& clock_;
-  kaori::bench::PlayStrategy strategy_;
-  std::mt19937 chance_;
-  bool dead_ = false;
-};
-
 // The hash of the root, which stands on the command line before its salt.
 std::string RootHash(const std::string& image) {
   std::ifstream file(image + "/cmdline");
@@ -142,23 +77,37 @@ kaori::Result<std::string> MakeFolder() {
   return pattern;
 }
 
+void Tell(const kaori::bench::ReportedCheck& check) {
+  const auto& [verdict, said, pictures, figures, texts, took_s] = check.finding;
+  fmt::print("{}  {:6.1f} s  {}: {}\n", Sign(verdict), took_s, check.name, said);
+  std::fflush(stdout);
+}
+
 int TryAll(const Settings& settings, const std::string& sockets, const kaori::Size& size) {
   const kaori::SteadyClock clock;
   auto place = kaori::bench::Place::Open({.image = settings.image,
                                           .bench_disk = settings.bench_disk,
+                                          .bench_kernel = settings.bench_kernel,
                                           .folder = sockets,
                                           .width_px = size.width_px,
                                           .height_px = size.height_px},
                                          clock);
   if (!place) return Complain(place.error());
-  Bench bench(settings, **place, clock);
+  kaori::bench::Trial trial(
+      {.report = settings.report,
+       .play = settings.play,
+       .replugs = std::atoi(settings.replugs.c_str()),
+       .scenes = std::atoi(settings.scenes.c_str()),
+       .seed = static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10))},
+      **place);
   kaori::bench::Report report{.image = settings.image, .root_hash = RootHash(settings.image), .checks = {}};
   for (const auto& check : WantedChecks(settings)) {
-    report.checks.push_back(bench.Try(check));
-    report.boot_s = bench.boot_s();
+    report.checks.push_back(trial.Try(check));
+    Tell(report.checks.back());
+    report.boot_s = trial.boot_s();
     if (auto ok = kaori::bench::WriteReport(report, settings.report); !ok) return Complain(ok.error());
   }
-  bench.End();
+  trial.End();
   if (!settings.figures.empty())
     if (auto ok = kaori::bench::MergeFigures(report, settings.figures); !ok) return Complain(ok.error());
   fmt::print("{} passed, {} failed, {} skipped; see {}/report.html\n",
@@ -181,6 +130,7 @@ int main(int argc, char** argv) {
   kaori::Options options(kHelp);
   options.Text("--image", settings.image)
       .Text("--bench-disk", settings.bench_disk)
+      .Text("--bench-kernel", settings.bench_kernel)
       .Text("--report", settings.report);
   options.Text("--figures", settings.figures).Text("--play", settings.play).Text("--only", settings.only);
   options.Switch("--chosen", settings.chosen)

@@ -33,7 +33,7 @@ p.said { margin: .25rem 0 0; color: var(--soft); overflow-wrap: anywhere; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: .7rem; margin-top: .9rem; }
 figure { margin: 0; } figure img { width: 100%; display: block; border-radius: .4rem; background: #000; }
 figcaption { font-size: .82rem; color: var(--soft); padding-top: .2rem; }
-details { margin-top: .6rem; } summary { cursor: pointer; font-size: .9rem; }
+details a { font-size: .8rem; color: var(--soft); } details { margin-top: .6rem; } summary { cursor: pointer; font-size: .9rem; }
 pre { overflow: auto; max-height: 24rem; background: var(--paper); border-radius: .4rem; padding: .7rem; font-size: .78rem; }
 )css";
 
@@ -64,11 +64,11 @@ std::string Pictures(const Finding& finding) {
   return all + "</div>\n";
 }
 
-std::string Texts(const Finding& finding) {
+std::string Texts(const ReportedCheck& check) {
   std::string all;
-  for (const auto& [name, text] : finding.texts)
-    all +=
-        fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n", Escaped(name), Escaped(text));
+  for (const auto& [name, text] : check.finding.texts)
+    all += fmt::format("<details><summary>{}</summary><pre>{}</pre><a href=\"{}\">as a file</a></details>\n",
+                       Escaped(name), Escaped(text), Escaped(TextFile(check.name, name)));
   return all;
 }
 
@@ -78,7 +78,7 @@ std::string Article(const ReportedCheck& check) {
       "<article class=\"{0}\" id=\"{1}\"><header><h2>{2}</h2><span class=\"took\">{3:.1f} s</span><span "
       "class=\"verdict\">{0}</span></header>\n<p class=\"said\">{4}</p>\n{5}{6}</article>\n",
       word, Escaped(check.name), Escaped(check.sentence), check.finding.took_s, Escaped(check.finding.said),
-      Pictures(check.finding), Texts(check.finding));
+      Pictures(check.finding), Texts(check));
 }
 
 std::string Tiles(const Report& report) {

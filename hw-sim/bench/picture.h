@@ -18,6 +18,12 @@ struct PictureView {
 // Errors: io_error (not a PNG).
 Result<PictureView> LookAt(const std::string& png);
 
+// For people: its size, its light and its shades.
+std::string Words(const PictureView& picture);
+
+// The part of the points that differ by more than a shade; 1 where sizes do. Errors: as LookAt.
+Result<double> Difference(const std::string& png, const std::string& other_png);
+
 // A face has light on it and many shades; a console, a cursor or nothing has neither.
 bool ShowsAFace(const PictureView& picture);
 

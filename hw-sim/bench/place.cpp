@@ -80,4 +80,10 @@ Result<void> Place::PlugAll() {
   return {};
 }
 
+Result<void> Place::PullAll() {
+  for (const std::string_view name : sim::kUsbSockets)
+    if (auto ok = rig_->Unplug(name); !ok) return ok;
+  return {};
+}
+
 }  // namespace kaori::bench

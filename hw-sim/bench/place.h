@@ -38,6 +38,7 @@ class Place final : public Waiter {
 
   // Plugs in everything that a box has. Errors: none but of our own.
   Result<void> PlugAll();
+  Result<void> PullAll();
 
  private:
   Place(QemuOptions options, std::unique_ptr<sim::UsbRig> rig, const Clock& clock);

@@ -24,6 +24,18 @@ class VideoProtocol {
   virtual Result<void> Shoot(int head, const std::string& file) = 0;
 };
 
+// What a stranger might plug in.
+enum class Stranger { kStorage, kNetwork, kKeyboard };
+
+// One at a time.
+class StrangerProtocol {
+ public:
+  virtual ~StrangerProtocol() = default;
+  // Errors: no_such_device (no power), invalid_argument (in the machine's own words).
+  virtual Result<void> PlugStranger(Stranger stranger) = 0;
+  virtual Result<void> PullStranger() = 0;
+};
+
 class WitnessProtocol {
  public:
   virtual ~WitnessProtocol() = default;

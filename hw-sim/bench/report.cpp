@@ -1,6 +1,7 @@
 #include "hw-sim/bench/report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -53,7 +54,20 @@ std::string AsJUnit(const Report& report) {
       report.checks.size(), report.count(Verdict::kFailed), report.count(Verdict::kSkipped), took_s, cases);
 }
 
+// Letters that may stand in any file's name; a run of others is one hyphen.
+std::string TextFile(const std::string& check, const std::string& text) {
+  std::string name = check + "-";
+  for (const char letter : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    if (plain || name.back() != '-') name += plain ? letter : '-';
+  }
+  return name + ".txt";
+}
+
 Result<void> WriteReport(const Report& report, const std::string& folder) {
+  for (const ReportedCheck& check : report.checks)
+    for (const auto& [name, text] : check.finding.texts)
+      if (auto ok = WriteFile(folder + "/" + TextFile(check.name, name), text); !ok) return ok;
   if (auto ok = WriteFile(folder + "/report.xml", AsJUnit(report)); !ok) return ok;
   return WriteFile(folder + "/report.html", AsPage(report));
 }

@@ -27,7 +27,11 @@ struct Report {
 std::string AsJUnit(const Report& report);
 std::string AsPage(const Report& report);
 
-// Writes report.xml and report.html into the folder. Errors: those of the files.
+// Where a text of a check stands in the report's folder: "tools-v4l2-compliance.txt".
+std::string TextFile(const std::string& check, const std::string& text);
+
+// Writes report.xml and report.html into the folder, and what tools and logs said beside them. Errors: those
+// of the files.
 Result<void> WriteReport(const Report& report, const std::string& folder);
 
 // Sets what was measured in a JSON object that others write too; makes it where it is not there. Errors:

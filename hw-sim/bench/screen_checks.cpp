@@ -21,27 +21,15 @@ Result<PictureView> LastPicture(const Scene& scene) {
   return LookAt(scene.folder + "/" + scene.finding.pictures.back().file);
 }
 
-std::string Words(const PictureView& picture) {
-  return fmt::format("{}x{}, {:.0f} % lit, {} shades", picture.width_px, picture.height_px, 100 * picture.lit,
-                     picture.colours);
-}
-
-Result<void> WantFace(const Scene& scene) {
-  const auto picture = LastPicture(scene);
-  if (!picture) return tl::unexpected(picture.error());
-  if (!ShowsAFace(*picture)) return FailInput("no face is on the screen: " + Words(*picture));
-  return {};
-}
-
 Result<void> Face(Scene& scene) {
-  if (auto ok = scene.Shoot("face", "The first face"); !ok) return ok;
+  if (auto ok = scene.ShootFace("face", "The first face"); !ok) return ok;
   const auto picture = LastPicture(scene);
   if (!picture) return tl::unexpected(picture.error());
   const auto board = scene.place.Board();
   if (!board) return tl::unexpected(board.error());
   scene.finding.figures["llvmpipe_frames_per_s"] = board->stage.frames_per_s;
   scene.finding.said = fmt::format("{}; {:.1f} frames/s", Words(*picture), board->stage.frames_per_s);
-  return WantFace(scene);
+  return {};
 }
 
 // A scenario on the bench: its time stands still while a slow machine draws.
@@ -90,8 +78,7 @@ Result<void> ShootScene(Scene& scene, HeldPlay& play, std::size_t beat) {
   const Duration ends = beat + 1 < beats.size() ? beats[beat + 1].at : play.scenario().length;
   play.PlayUntil(beats[beat].at + (ends - beats[beat].at) * 2 / 3);
   if (auto ok = play.AwaitFrame(beats[beat].name); !ok) return ok;
-  if (auto ok = scene.Shoot("play", beats[beat].name); !ok) return ok;
-  return WantFace(scene);
+  return scene.ShootFace("play", beats[beat].name);
 }
 
 Result<void> Play(Scene& scene) {
@@ -112,6 +99,34 @@ Result<void> Play(Scene& scene) {
   return {};
 }
 
+// Nobody touches it: the face lives by itself, and takes what is plugged in at last.
+Result<void> Alone(Scene& scene) {
+  constexpr double kMoved = 0.002;  // Of the points.
+  constexpr std::uint32_t kFrames = 4;
+  if (auto ok = scene.ShootFace("alone", "Nothing is plugged in"); !ok) return ok;
+  const auto before = scene.place.Board();
+  if (!before) return tl::unexpected(before.error());
+  const auto later = [&](const BoardView& board) {
+    return board.stage.live && board.stage.frames >= before->stage.frames + kFrames;
+  };
+  if (auto ok = scene.place.UntilBoard(later, kLongestFrame, "see it play alone"); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = scene.ShootFace("alone", "A little later"); !ok) return ok;
+  const auto moved = Difference(scene.folder + "/" + scene.finding.pictures[0].file,
+                                scene.folder + "/" + scene.finding.pictures[1].file);
+  if (!moved) return tl::unexpected(moved.error());
+  if (*moved < kMoved) return FailInput("nothing moves");
+  if (auto ok = scene.place.PlugAll(); !ok) return ok;
+  const auto found = [](const BoardView& board) {
+    return board.surface_live && board.left.live && board.right.live && board.lips_live;
+  };
+  if (auto ok = scene.place.UntilBoard(found, kLongestReturn, "find what is plugged in at last"); !ok)
+    return tl::unexpected(ok.error());
+  scene.finding.said = fmt::format(
+      "the face moved by itself ({:.1f} % of the points), then took what was plugged in", 100 * *moved);
+  return {};
+}
+
 // The kernel keeps the last picture; systemd starts the program again.
 Result<void> StageKilled(Scene& scene) {
   const auto before = scene.place.Board();
@@ -121,11 +136,10 @@ Result<void> StageKilled(Scene& scene) {
       !found || *found != "1")
     return FailInput("the stage could not be killed");
   for (int n = 0; n < kShotsWhileAway; ++n) {
-    if (auto ok = scene.Shoot(
+    if (auto ok = scene.ShootFace(
             "killed", fmt::format("{:.1f} s after the kill", Seconds(scene.place.clock().now() - killed)));
         !ok)
       return ok;
-    if (auto ok = WantFace(scene); !ok) return ok;
     if (n > 0 && n + 1 < kShotsWhileAway)
       scene.finding.pictures.pop_back();  // The first and the last are shown.
     scene.place.For(std::chrono::milliseconds(150));
@@ -148,6 +162,10 @@ std::vector<Check> ScreenChecks() {
       {"face", "The face is on the screen", true, Face},
       {"play", "A scenario plays through the box's own drivers", true, Play},
       {"stage-killed", "The stage is killed: its last picture stays, and it comes back", true, StageKilled}};
+}
+
+std::vector<Check> AloneChecks() {
+  return {{"alone", "Without any device it plays by itself", false, Alone, {.plugged = false}}};
 }
 
 }  // namespace kaori::bench

@@ -83,11 +83,8 @@ Result<bool> HasChip(Scene& scene) {
 }
 
 Result<void> Lines(Scene& scene) {
-  if (const auto there = HasChip(scene); !there || !*there) {
-    scene.finding.verdict = Verdict::kSkipped;
-    scene.finding.said = "the kernel shows no chip for the bridge, or the bench's disk has no gpiodetect";
-    return {};
-  }
+  if (const auto there = HasChip(scene); !there || !*there)
+    return scene.Skip("the kernel shows no chip for the bridge, or the bench's disk has no gpiodetect");
   if (auto ok = Ask(scene, fmt::format("lines take {} 0,1,2,3 4", kChip)); !ok)
     return tl::unexpected(ok.error());
   sim::GpioBridge& bridge = scene.place.rig().gpio();
@@ -109,11 +106,7 @@ Result<void> Lines(Scene& scene) {
 
 Result<void> Sound(Scene& scene) {
   const auto cards = Ask(scene, "read /proc/asound/cards");
-  if (!cards || cards->find("[") == std::string::npos) {
-    scene.finding.verdict = Verdict::kSkipped;
-    scene.finding.said = "the kernel shows no sound card";
-    return {};
-  }
+  if (!cards || cards->find("[") == std::string::npos) return scene.Skip("the kernel shows no sound card");
   scene.finding.texts.emplace_back("sound cards", *cards);
   const auto heard = Ask(scene, "tool arecord -q -D hw:0,0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav");
   if (!heard) return tl::unexpected(heard.error());

@@ -3,26 +3,30 @@
 
 #include "drivers/base/result.h"
 #include "hw-sim/bench/place.h"
+#include "hw-sim/bench/setup.h"
 
 namespace kaori::bench {
 
-enum class BoxState { kOff, kPlaying };
-
-// Playing: power is on, the stage shows frames, every hand's device is plugged in and was found.
+// A playing box has power, set up as wanted, and shows frames; where the devices are plugged in, those of the
+// hands were found.
 class PlayStrategy {
  public:
   explicit PlayStrategy(Place& place) : place_(place) {}
 
-  // Errors: timed_out, named by what did not come.
-  Result<void> Transition(BoxState wanted);
-  BoxState state() const { return state_; }
+  // A box that plays with that setup is left as it is. Errors: timed_out, named by what did not come;
+  // not_supported (the bench lacks what the setup wants).
+  Result<void> Play(const Setup& setup);
+  void Off();
+
   double boot_s() const { return boot_s_; }  // From power to the first frames, of the last time.
 
  private:
   Result<void> SwitchOn();
+  Result<void> AwaitFrames();
+  Result<void> AwaitHands();
 
   Place& place_;
-  BoxState state_ = BoxState::kOff;
+  bool plays_ = false;
   double boot_s_ = 0;
 };
 

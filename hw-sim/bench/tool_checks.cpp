@@ -47,7 +47,7 @@ void Evtest(Scene& scene) {
   const auto said = scene.place.witness().Ask("tool timeout -s INT 2 evtest " + file, kLongest);
   scene.place.SetHands({});
   stick.Move(0, 0);
-  scene.finding.texts.emplace_back("evtest " + file, said ? *said : said.error().message());
+  scene.finding.texts.emplace_back("evtest", said ? *said : said.error().message());
 }
 
 Result<void> Tools(Scene& scene) {

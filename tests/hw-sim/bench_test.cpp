@@ -14,7 +14,7 @@
 #include "appliance/board/board.h"
 #include "hw-sim/bench/board_view.h"
 #include "hw-sim/bench/picture.h"
-#include "hw-sim/bench/qemu.h"
+#include "hw-sim/bench/qemu_command.h"
 #include "hw-sim/bench/report.h"
 #include "hw-sim/links/usbredir/usb_rig.h"
 #include "tests/hil/witness/deeds.h"
@@ -46,7 +46,8 @@ TEST(BenchCommandLine, KnowsWhatIsUsualWhereTheImageSaysNothing) {
 }
 
 TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
-  const auto command = QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, "line");
+  const auto command =
+      QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, {}, "line", "i/kaori.disk");
   for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n)
     EXPECT_THAT(command, testing::Contains("usb-redir,chardev=usb" + std::to_string(n) +
                                            ",bus=xhci.0,port=" + std::to_string(n + 1)));

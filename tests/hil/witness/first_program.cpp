@@ -11,6 +11,7 @@ namespace kaori::hil {
 namespace {
 
 constexpr const char* kBox = "/box";
+constexpr const char* kBoxDevices = "/box/dev";
 
 // The machine has no console: nothing is open yet, and the next file would be taken for standard input.
 void OpenStandardFiles() {
@@ -59,6 +60,8 @@ Result<Rooms> StartTheBox() {
   const std::string root = OnCommandLine(*line, "kaori.root");
   if (auto ok = Mount(root, kBox, OnCommandLine(*line, "kaori.rootfstype"), MS_RDONLY); !ok)
     return tl::unexpected(ok.error());
+  // What the kernel does for the first program of a root that it mounts itself.
+  if (auto ok = Mount("devtmpfs", kBoxDevices, "devtmpfs"); !ok) return tl::unexpected(ok.error());
   Rooms rooms{UniqueFd(::open(kBox, O_PATH | O_DIRECTORY | O_CLOEXEC)),
               UniqueFd(::open("/", O_PATH | O_DIRECTORY | O_CLOEXEC))};
   if (!rooms.box.valid() || !rooms.bench.valid()) return FailErrno("open the roots");

@@ -11,6 +11,7 @@
 //   start WORDS...               the same, left running; its number
 //   start-tool WORDS...          a program of the bench's disk, left running
 //   end NUMBER                   of a program that was started
+//   usb                          its devices, and whether each was let in
 //   signal NAME NUMBER           to every process of that name
 //   lines take CHIP IN,IN OUT,OUT    GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
@@ -30,6 +31,7 @@
 #include "tests/hil/witness/first_program.h"
 #include "tests/hil/witness/serial_line.h"
 #include "tests/hil/witness/sight.h"
+#include "tests/hil/witness/usb_view.h"
 
 namespace {
 
@@ -58,6 +60,7 @@ class Witness {
     words.erase(words.begin());
     if (verb == "hello") return "kaori-witness";
     if (verb == "clock") return std::to_string(clock_.now().time_since_epoch().count());
+    if (verb == "usb") return kaori::hil::UsbDevices("/sys/bus/usb/devices");
     if (verb == "tool") return kaori::hil::RunIn(rooms_.bench.get(), words, kLongestTool);
     if (verb == "own") return kaori::hil::RunIn(rooms_.box.get(), words, kLongestTool);
     if (verb == "start") return kaori::hil::StartIn(rooms_.box.get(), words);
