@@ -4,6 +4,7 @@
 #include "appliance/show/pack.h"
 #include "appliance/stage/seat.h"
 #include "appliance/stage/stage.h"
+#include "appliance/stage/status_sign.h"
 #include "appliance/stage/studio.h"
 #include "drivers/base/alarm.h"
 #include "drivers/base/event_loop.h"
@@ -27,12 +28,15 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
+  --settings FOLDER what the box was told when it started (/run/kaori-profile)
   --holder SOCKET where the card is held while no stage runs
   --early         read the hands right after each flip, not as late as drawing allows: to compare
 )";
 
+constexpr int kShareOfSign = 16;  // Of a frame's usual time, for the status beside the show.
+
 struct Settings {
-  std::string board, pack, links, card, trust, own, mode, holder;
+  std::string board, pack, links, card, trust, own, mode, holder, settings = "/run/kaori-profile";
   bool early = false, verified = false;
 };
 
@@ -45,7 +49,9 @@ int Complain(const kaori::Error& error) {
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
   auto card = kaori::scanout::KmsCard::Open(settings.card, settings.holder);
-  if (card) (*card)->Wish({.mode = kaori::scanout::ParseMode(settings.mode)});
+  if (card)
+    (*card)->Wish({.mode = kaori::scanout::ParseMode(settings.mode),
+                   .sign = kaori::status::ReadFacts({.settings = settings.settings}).screen});
   return card;
 }
 
@@ -104,6 +110,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
     if (auto told = watchdog->Beat(stage.usual_turn()); !told) kaori::Log("{}", told.error().message());
   };
   if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok) return Complain(ok.error());
+  kaori::stage::StatusSign sign(
+      *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
+  const auto tell = [&] { sign.Step(stage.screen(), stage.usual_turn() / kShareOfSign); };
+  if (auto ok = loop.Every(kaori::stage::StatusSign::kPeriod, tell); !ok) return Complain(ok.error());
   if (auto played = loop.Run(); !played) return Complain(played.error());
   return 0;
 }
@@ -121,6 +131,7 @@ int main(int argc, char** argv) {
   options.Text("--trust", settings.trust)
       .Text("--own", settings.own)
       .Text("--mode", settings.mode)
+      .Text("--settings", settings.settings)
       .Text("--holder", settings.holder)
       .Switch("--early", settings.early)
       .Switch("--verified", settings.verified);

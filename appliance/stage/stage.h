@@ -42,6 +42,7 @@ class Stage {
   // The screen that shows the frames from now on; none when it was unplugged.
   void SetScreen(std::unique_ptr<ports::Scanout> screen);
   bool has_screen() const { return screen_ != nullptr; }
+  ports::Scanout* screen() const { return screen_.get(); }  // Until the next SetScreen or Step.
 
   // Reads the hands as late as each frame allows, from now on; before, right after the flip. Step is then to
   // be called at wakes_at() too.

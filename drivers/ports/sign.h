@@ -16,6 +16,8 @@ class Sign {
 
   virtual int width_px() const = 0;
   virtual int height_px() const = 0;
+  // Nothing was shown on it yet.
+  virtual bool fresh() const = 0;
 
   // Takes the rows from `first` up to `end` of `rgbx`, which is a whole picture in the layout of PixelBuffer,
   // and shows them. Errors:

@@ -271,7 +271,7 @@ std::string KmsScreen::Words() const {
   std::string words;
   for (const Panel& panel : panels_)
     words += Describe(panel.at.output) + (panel.light == Light::kDark ? ", pulled\n" : "\n");
-  if (sign_) words += Describe(sign_->output()) + ", the sign\n";
+  if (sign_) words += Describe(sign_->output()) + ", shows the status\n";
   return words;
 }
 

@@ -28,6 +28,7 @@ class KmsSign final : public ports::Sign {
 
   int width_px() const override { return output_.chosen.mode.hdisplay; }
   int height_px() const override { return output_.chosen.mode.vdisplay; }
+  bool fresh() const override { return !lit_; }
   // As the port says. A wrong count of bytes or rows is invalid_argument.
   Result<void> Show(std::span<const std::uint8_t> rgbx, int first, int end) override;
 

@@ -36,7 +36,7 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
 std::string Describe(const KmsWall& wall) {
   std::string words;
   for (const KmsPanel& panel : wall.panels) words += (words.empty() ? "" : "; ") + Describe(panel.output);
-  if (wall.sign) words += "; " + Describe(*wall.sign) + ", the sign";
+  if (wall.sign) words += "; " + Describe(*wall.sign) + ", shows the status";
   return words;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "render/image/font.h"
 #include "render/image/utf8.h"
@@ -129,14 +130,13 @@ void Lettering::Draw(std::string_view text, const TextStyle& style, int x_px, in
 
 std::string Shorten(Lettering& lettering, std::string_view text, int size_px, int width_px) {
   if (lettering.width_px(text, size_px) <= width_px) return std::string(text);
-  std::string best;
-  std::size_t end = 0;
-  while (true) {
-    const std::string candidate = std::string(text.substr(0, end)) + kEllipsis;
-    if (lettering.width_px(candidate, size_px) > width_px) return best;
-    best = candidate;
-    end += FirstLetter(text.substr(end)).bytes;
-  }
+  std::vector<std::size_t> ends{0};  // Of beginnings, each a letter longer.
+  while (ends.back() < text.size()) ends.push_back(ends.back() + FirstLetter(text.substr(ends.back())).bytes);
+  const auto cut = [&](std::size_t end) { return std::string(text.substr(0, end)) + kEllipsis; };
+  const auto first_too_long = std::partition_point(ends.begin(), ends.end(), [&](std::size_t end) {
+    return lettering.width_px(cut(end), size_px) <= width_px;
+  });
+  return first_too_long == ends.begin() ? std::string() : cut(*(first_too_long - 1));
 }
 
 }  // namespace kaori::image

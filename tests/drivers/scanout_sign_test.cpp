@@ -36,7 +36,7 @@ TEST_F(SignScreen, IsNoPartOfThePicture) {
   ASSERT_NE(screen->sign(), nullptr);
   EXPECT_EQ(screen->sign()->width_px(), kWidth_px);
   EXPECT_EQ(screen->sign()->height_px(), kHeight_px);
-  EXPECT_THAT(screen->Words(), HasSubstr("HDMI-A-2 320 x 200 at 60 Hz, the sign"));
+  EXPECT_THAT(screen->Words(), HasSubstr("HDMI-A-2 320 x 200 at 60 Hz, shows the status"));
 }
 
 TEST_F(SignScreen, IsNamedByItsNumberToo) {

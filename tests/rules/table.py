@@ -30,9 +30,9 @@ MAY_INCLUDE = (
     ("appliance/board/", _DRIVER),
     ("appliance/show/", _DRAWING),
     ("appliance/performance/", _DRAWING + ("appliance/board/", "appliance/show/")),
-    ("appliance/stage/", _PLAY + ("appliance/needles/",)),
+    ("appliance/stage/", _PLAY + ("appliance/needles/", "appliance/status/")),
     ("appliance/atelier/", _PLAY + ("appliance/stage/",)),  # Its contact sheets are drawn by the stage's studio.
-    ("appliance/desk/", _PLAY + ("appliance/lips/service/", "drivers/web/")),
+    ("appliance/desk/", _PLAY + ("appliance/lips/service/", "appliance/status/", "drivers/web/")),
     ("appliance/", _PLAY),
     ("hw-sim/rehearsal/", EVERYTHING),
     ("hw-sim/", _SIMULATOR),

@@ -1,0 +1,83 @@
+#include "appliance/stage/status_sign.h"
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "drivers/base/log.h"
+
+namespace kaori::stage {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kFactsPeriod = 1s;  // How often files are looked at.
+constexpr Duration kGivenUp = 60s;     // How long a sign is left alone that cannot show.
+
+// Whole or not at all: others read it.
+void Leave(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path draft = path.string() + ".draft";
+  if (!(std::ofstream(draft) << text)) return;
+  std::error_code none;
+  std::filesystem::rename(draft, path, none);
+}
+
+}  // namespace
+
+void StatusSign::Step(ports::Scanout* screen, Duration spare) {
+  LookAtScreens(screen);
+  ports::Sign* const sign = screen == nullptr ? nullptr : screen->sign();
+  if (sign == nullptr || clock_.now() < silent_until_) return;
+  const auto shown = ShowNext(*sign, spare);
+  owed_ = !shown && shown.error().cause == std::errc::device_or_resource_busy;
+  if (shown || owed_) return;
+  Log("the status cannot be shown ({})", shown.error().message());
+  silent_until_ = clock_.now() + kGivenUp;
+}
+
+void StatusSign::LookAtScreens(ports::Scanout* screen) {
+  std::string words = screen == nullptr ? std::string() : screen->Words();
+  if (screens_ == words) return;
+  Leave(places_.screens, words);
+  screens_ = std::move(words);
+  facts_read_ = {};
+}
+
+std::vector<status::Line> StatusSign::Lines() {
+  const Time now = clock_.now();
+  if (facts_read_ == Time{} || now - facts_read_ >= kFactsPeriod) {
+    facts_ = status::ReadFacts(places_);
+    facts_read_ = now;
+  }
+  return status::Describe(status::Look(board_, facts_, now));
+}
+
+Result<void> StatusSign::ShowNext(ports::Sign& sign, Duration spare) {
+  const bool anew = sign.fresh() || !sheet_;
+  const auto rows = anew ? DrawAnew(sign) : DrawChanged(spare);
+  if (!rows) return tl::unexpected(rows.error());
+  if (rows->first == rows->end && !owed_) return {};
+  return sign.Show(sheet_->picture().rgbx, rows->first, rows->end);
+}
+
+// Its lines come one after the other.
+Result<status::Sheet::Rows> StatusSign::DrawAnew(const ports::Sign& sign) {
+  auto lettering = image::Lettering::Open();
+  if (!lettering) return tl::unexpected(lettering.error());
+  sheet_.emplace(std::move(*lettering), sign.width_px(), sign.height_px());
+  return status::Sheet::Rows{0, sign.height_px()};
+}
+
+status::Sheet::Rows StatusSign::DrawChanged(Duration spare) {
+  const auto lines = Lines();
+  const Time until = clock_.now() + spare;
+  status::Sheet::Rows all{sheet_->picture().height_px, 0};
+  while (const auto drawn = sheet_->DrawNext(lines)) {
+    all = {std::min(all.first, drawn->first), std::max(all.end, drawn->end)};
+    if (clock_.now() >= until) break;
+  }
+  return all.end == 0 ? status::Sheet::Rows{} : all;
+}
+
+}  // namespace kaori::stage
