@@ -2,6 +2,7 @@
 #include "appliance/board/board.h"
 #include "appliance/needles/needles.h"
 #include "appliance/show/pack.h"
+#include "appliance/stage/last_face.h"
 #include "appliance/stage/seat.h"
 #include "appliance/stage/stage.h"
 #include "appliance/stage/status_sign.h"
@@ -25,6 +26,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --verified      the show lies on a root whose every block the kernel checks: its checksum is not made again
   --own FOLDER    where expressions made with the needles are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
+  --last-face FILE  her last face is kept there, and she goes on with it when the box is switched on
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
@@ -35,8 +37,10 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
 
 constexpr int kShareOfSign = 16;  // Of a frame's usual time, for the status beside the show.
 
+constexpr int kStillWidth_px = 480;
+
 struct Settings {
-  std::string board, pack, links, card, trust, own, mode, holder, settings = "/run/kaori-profile";
+  std::string last_face, board, pack, links, card, trust, own, mode, holder, settings = "/run/kaori-profile";
   bool early = false, verified = false;
 };
 
@@ -72,6 +76,22 @@ kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
   return kaori::show::LoadPack(settings.pack, {.signed_by = *key, .on_verified_root = settings.verified});
 }
 
+// None where nobody says where; else what was kept there before is taken up.
+std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kaori::stage::Studio& studio,
+                                                   const kaori::board::Board& board,
+                                                   kaori::stage::StageWriters& writers,
+                                                   const kaori::Clock& clock) {
+  if (settings.last_face.empty()) return nullptr;
+  const kaori::stage::LastFacePlace place{settings.last_face,
+                                          kaori::stage::ShowMark(settings.pack).value_or(0)};
+  const auto taken_up =
+      kaori::stage::TakeUpLastFace(place, studio.show(), board, writers.performance, clock.now());
+  const auto look = [&studio](kaori::stage::SmallImage& into) {
+    return studio.ReadSmall(kStillWidth_px, into);
+  };
+  return std::make_unique<kaori::stage::LastFace>(place, look, taken_up);
+}
+
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto card = CardOf(settings);
   if (!card) return Complain(card.error());
@@ -87,8 +107,11 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto studio = kaori::stage::Studio::Open(std::move(*show), *card ? (*card)->device() : nullptr);
   if (!studio) return Complain(studio.error());
   const kaori::SteadyClock clock;
+  auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.Bring(std::move(needles));
+  if (last_face)
+    stage.Tell([&](const auto& state, const auto& scene, auto now) { last_face->See(state, scene, now); });
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer());
   auto alarm = kaori::Alarm::Make();
@@ -114,7 +137,9 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
   const auto tell = [&] { sign.Step(stage.screen(), stage.usual_turn() / kShareOfSign); };
   if (auto ok = loop.Every(kaori::stage::StatusSign::kPeriod, tell); !ok) return Complain(ok.error());
-  if (auto played = loop.Run(); !played) return Complain(played.error());
+  auto played = loop.Run();
+  if (last_face) last_face->End();
+  if (!played) return Complain(played.error());
   return 0;
 }
 
@@ -129,6 +154,7 @@ int main(int argc, char** argv) {
       .Text("--links", settings.links)
       .Text("--card", settings.card);
   options.Text("--trust", settings.trust)
+      .Text("--last-face", settings.last_face)
       .Text("--own", settings.own)
       .Text("--mode", settings.mode)
       .Text("--settings", settings.settings)

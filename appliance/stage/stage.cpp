@@ -143,6 +143,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   mouth_clock_.Present(frame_, snapshot, state_);
   latch_.Drawn(plan, clock_.now());
   Report(snapshot, CpuOfProcess() - cpu_before);
+  if (after_frame_) after_frame_(state_, scene, clock_.now());
   studio_.Prepare();
   return {};
 }

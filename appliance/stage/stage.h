@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -38,6 +39,10 @@ class Stage {
   // Lets an author make expressions in the show. They were opened on the studio's show.
   void Bring(std::unique_ptr<needles::Needles> needles) { needles_ = std::move(needles); }
   const needles::Needles* needles() const { return needles_.get(); }
+
+  // Called after each frame that the screen has taken. It holds up the next one.
+  using AfterFrame = std::function<void(const performance::State&, const scene::Scene&, Time now)>;
+  void Tell(AfterFrame after) { after_frame_ = std::move(after); }
 
   // The screen that shows the frames from now on; none when it was unplugged.
   void SetScreen(std::unique_ptr<ports::Scanout> screen);
@@ -88,6 +93,7 @@ class Stage {
   std::uint64_t frame_ = 0;
   Time read_{};  // When the hands were read for that frame.
   MouthClock mouth_clock_;
+  AfterFrame after_frame_;
   std::uint32_t logged_age_us_ = 0;
   Time age_quiet_until_{};
   board::TakeNow take_now_;

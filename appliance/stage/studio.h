@@ -5,19 +5,29 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "appliance/show/show.h"
 #include "drivers/base/result.h"
 #include "drivers/ports/scanout.h"
 #include "render/gl/canvas.h"
 #include "render/gl/context.h"
+#include "render/gl/small_picture.h"
 #include "render/gl/window.h"
 #include "render/passes/painter.h"
 #include "render/scene/scene.h"
 
 namespace kaori::stage {
+
+// R, G, B, X; the top row first.
+struct SmallImage {
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<std::uint8_t> pixels;
+};
 
 // One thread: the one that opened it.
 class Studio {
@@ -39,6 +49,10 @@ class Studio {
   // The face as it was drawn last; holds until the next Draw or Prepare.
   const face::Shape& shape() const { return painter_->shape(); }
 
+  // What was drawn last, of at most `most_width_px`, copied out; waits until it is finished. R, G, B, X; the
+  // top row first. False where nothing was drawn.
+  bool ReadSmall(int most_width_px, SmallImage& into);
+
   // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for
   // it later. Takes 10 to 40 ms while there is any left, then nothing.
   void Prepare() { unprepared_ = unprepared_ && painter_->RehearseStep(); }
@@ -59,6 +73,7 @@ class Studio {
   std::unique_ptr<passes::Painter> painter_;
   gl::Canvas canvas_;
   gl::Window window_;
+  std::optional<gl::SmallPicture> small_;
   bool unprepared_ = true;
 };
 

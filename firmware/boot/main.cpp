@@ -1,5 +1,5 @@
-// kaori-light: the first program of the box. Lights its screens with the picture of the show's first face,
-// makes ready what the stage needs at once, and becomes the system's own first program.
+// kaori-light: the first program of the box. Lights its screens with the picture of her last face, or of the
+// show's first one, makes ready what the stage needs at once, and becomes the system's own first program.
 //
 // It says nothing, whatever fails: a box that cannot show a still starts all the same, and a moment later the
 // stage says what is wrong.
@@ -10,7 +10,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 
 #include "firmware/boot/card.h"
@@ -18,25 +20,29 @@
 #include "firmware/boot/profile.h"
 #include "firmware/boot/root_hash.h"
 #include "firmware/boot/still.h"
+#include "firmware/wire/last_face.h"
 
 namespace {
 
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
+constexpr const char* kLastFace = "/var/lib/kaori/own/last-face";
+constexpr const char* kPack = "/usr/share/kaori/kaori.kaori";
 constexpr const char* kCard = "/dev/dri/card0";
 constexpr const char* kData = "/var/lib/kaori";
 constexpr const char* kProfiles = "/run/kaori-profile";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
-constexpr int kLongestLight_ms = 1500;  // A card that takes longer is not waited for.
+constexpr int kLongestMount_ms = 1000;  // A disk that takes longer is not waited for, and
+constexpr int kLongestLight_ms = 2500;  // neither is a card.
 constexpr unsigned kLook_us = 200'000;  // How often the light looks whether it is still needed,
 constexpr int kMostLooks = 5 * 60 * 5;  // and how often at most: five minutes.
 
-// A whole file, mapped for as long as the program lives.
-std::span<const std::uint8_t> Map(const char* path) {
-  const int fd = ::open(path, O_RDONLY | O_CLOEXEC);
+// A whole file, or as much of its beginning, mapped for as long as the program lives.
+std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX) {
+  const int fd = ::open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   struct stat status {};
-  if (fd < 0 || ::fstat(fd, &status) != 0 || status.st_size == 0) return {};
-  const auto bytes = static_cast<std::size_t>(status.st_size);
+  if (fd < 0 || ::fstat(fd, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return {};
+  const auto bytes = std::min(static_cast<std::size_t>(status.st_size), most);
   void* const at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_POPULATE, fd, 0);
   ::close(fd);
   if (at == MAP_FAILED) return {};
@@ -48,9 +54,23 @@ void KeepLit(const kaori::boot::Card& card, const std::vector<kaori::boot::Lit>&
   for (int looks = 0; looks < kMostLooks && card.Shows(lit); ++looks) ::usleep(kLook_us);
 }
 
-// `done` is closed when the card is free for the next program.
-void Light(int done) {
-  const auto still = kaori::boot::ReadStill(Map(kStill));
+// Her last face is shown only to be gone on with: not without the disk from which the stage will take it.
+std::optional<kaori::boot::Still> ChooseStill() {
+  namespace wire = kaori::wire;
+  const auto last = kaori::boot::ReadLastStill(Map(kLastFace, wire::kLargestLastFace_bytes + 1),
+                                               Map(kPack, wire::kShowMark_bytes));
+  return last ? last : kaori::boot::ReadStill(Map(kStill));
+}
+
+void Await(int closed, int longest_ms) {
+  pollfd look{.fd = closed, .events = POLLIN, .revents = 0};
+  ::poll(&look, 1, longest_ms);
+}
+
+// `mounted` is closed when the data partition is there, `done` when the card is free for the next program.
+void Light(int mounted, int done) {
+  Await(mounted, kLongestMount_ms);
+  const auto still = ChooseStill();
   if (!still) return;
   const kaori::boot::Card card(kCard);
   const auto lit = card.Light(*still);
@@ -123,27 +143,25 @@ void ApplySettings() {
   WriteFile(std::string(kProfiles) + "/faults", g_faults);
 }
 
-void AwaitLight(int done) {
-  pollfd look{.fd = done, .events = POLLIN, .revents = 0};
-  ::poll(&look, 1, kLongestLight_ms);
-}
-
 }  // namespace
 
 int main(int, char** argv) {
-  std::array<int, 2> done{-1, -1};
-  if (::pipe2(done.data(), O_CLOEXEC) == 0) {
+  std::array<int, 2> mounted{-1, -1}, done{-1, -1};
+  if (::pipe2(mounted.data(), O_CLOEXEC) == 0 && ::pipe2(done.data(), O_CLOEXEC) == 0) {
     const pid_t child = ::fork();
     if (child == 0) {
+      ::close(mounted[1]);
       ::close(done[0]);
-      Light(done[1]);
+      Light(mounted[0], done[1]);
       ::_exit(0);
     }
+    ::close(mounted[0]);
     ::close(done[1]);
-    GiveCards();
     MountData();
+    ::close(mounted[1]);
+    GiveCards();
     ApplySettings();
-    if (child > 0) AwaitLight(done[0]);
+    if (child > 0) Await(done[0], kLongestLight_ms);
   }
   ::execv(kSystem, argv);
   return 1;

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "firmware/wire/last_face.h"
+
 namespace kaori::boot {
 namespace {
 
@@ -91,6 +93,13 @@ std::optional<Still> ReadStill(std::span<const std::uint8_t> file) {
   if (rest.size() < wanted) return std::nullopt;
   still.rgb = rest.first(wanted);
   return still;
+}
+
+std::optional<Still> ReadLastStill(std::span<const std::uint8_t> file,
+                                   std::span<const std::uint8_t> pack_begin) {
+  const auto face = wire::ReadLastFace(file);
+  if (!face || face->show != wire::AddSum(wire::kEmptySum, pack_begin)) return std::nullopt;
+  return ReadStill(face->picture);
 }
 
 void LayStill(const Still& still, const ScreenMemory& screen) {

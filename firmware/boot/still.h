@@ -19,6 +19,11 @@ struct Still {
 // more than 8192 pixels.
 std::optional<Still> ReadStill(std::span<const std::uint8_t> file);
 
+// The picture of the last face (firmware/wire/last_face.h); none where the file is torn, or of a show whose
+// pack does not begin so.
+std::optional<Still> ReadLastStill(std::span<const std::uint8_t> file,
+                                   std::span<const std::uint8_t> pack_begin);
+
 // A screen's memory: rows of 4 bytes a pixel (blue, green, red, nothing), `pitch_bytes` apart.
 struct ScreenMemory {
   std::uint8_t* bytes = nullptr;

@@ -184,6 +184,14 @@ void Canvas::CopyTo(unsigned framebuffer) const {
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void Canvas::ShrinkTo(unsigned framebuffer, int width_px, int height_px) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_frame_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, options_.width_px, options_.height_px, 0, height_px, width_px, 0,
+                    GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
 void Canvas::ReadPixels(std::span<std::uint8_t> bytes) const {
   assert(bytes.size() >= std::size_t(options_.width_px) * std::size_t(options_.height_px) * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_.id());

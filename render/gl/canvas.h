@@ -59,6 +59,9 @@ class Canvas {
   // Copies the picture onto a framebuffer of the same size: 0 is the current window.
   void CopyTo(unsigned framebuffer) const;
 
+  // Copies the picture onto a framebuffer of another size, upside down: its top row becomes the first.
+  void ShrinkTo(unsigned framebuffer, int width_px, int height_px) const;
+
   // Whoever finds here what they signed with last may count on the picture as they left it.
   struct Signature {
     const void* painter = nullptr;

@@ -1,10 +1,13 @@
 // The picture with which the box lights its screens before anything else runs.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "firmware/boot/still.h"
+#include "firmware/wire/last_face.h"
 
 namespace kaori::boot {
 namespace {
@@ -103,6 +106,49 @@ TEST(Still, NothingIsWrittenBeyondAScreensRows) {
       for (int x = 0; x < width_px; ++x) ASSERT_EQ(screen.Pixel(x, y)[1], 255);
     }
   }
+}
+
+// A last face of a show whose pack begins with these bytes.
+std::vector<std::uint8_t> LastFaceOf(std::string_view pack, std::string_view picture) {
+  const auto bytes = [](std::string_view text) {
+    return std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  };
+  const wire::LastFace face{
+      .show = wire::AddSum(wire::kEmptySum, bytes(pack)), .picture = bytes(picture), .state = bytes("state")};
+  std::vector<std::uint8_t> file;
+  const auto end = wire::EndOf(face);
+  for (const std::span<const std::uint8_t> part :
+       {face.picture, face.state, std::span<const std::uint8_t>(end)})
+    std::ranges::copy(part, std::back_inserter(file));
+  return file;
+}
+
+TEST(LastStill, IsThePictureOfAWholeFileOfThisShow) {
+  const std::vector<std::uint8_t> pack{'K', 'A'}, other{'K', 'B'};
+  const auto file = LastFaceOf("KA", "P6\n1 1\n255\nabc");
+  const auto still = ReadLastStill(file, pack);
+  ASSERT_TRUE(still);
+  EXPECT_EQ(still->width_px, 1);
+  EXPECT_EQ(still->rgb[0], 'a');
+  EXPECT_FALSE(ReadLastStill(file, other));
+  EXPECT_FALSE(ReadLastStill({}, pack));
+  EXPECT_FALSE(ReadLastStill(LastFaceOf("KA", "P6\n2 1\n255\nabc"), pack)) << "a picture that is cut short";
+}
+
+TEST(LastStill, OfATornFileIsNone) {
+  const std::vector<std::uint8_t> pack{'K', 'A'};
+  const auto whole = LastFaceOf("KA", "P6\n1 1\n255\nabc");
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    auto spoilt = whole;
+    spoilt[at] ^= 1;
+    EXPECT_FALSE(ReadLastStill(spoilt, pack)) << at;
+    EXPECT_FALSE(ReadLastStill(std::span(whole).first(at), pack)) << at;
+  }
+}
+
+TEST(LastStill, OfAFileThatIsTooLargeIsNone) {
+  const std::vector<std::uint8_t> huge(wire::kLargestLastFace_bytes + 1);
+  EXPECT_FALSE(ReadLastStill(huge, {}));
 }
 
 }  // namespace

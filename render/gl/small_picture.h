@@ -1,0 +1,32 @@
+// A canvas's picture, made small and copied out.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "drivers/base/result.h"
+#include "render/gl/canvas.h"
+#include "render/gl/handle.h"
+#include "render/gl/texture.h"
+
+namespace kaori::gl {
+
+class SmallPicture {
+ public:
+  // On the current context. Errors: not_enough_memory.
+  static Result<SmallPicture> Make(int width_px, int height_px);
+
+  // Waits until the canvas's picture is finished and copies it out: R, G, B, X; the top row first.
+  // `bytes` holds width * height * 4.
+  void Read(const Canvas& canvas, std::span<std::uint8_t> bytes) const;
+
+ private:
+  SmallPicture(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {}
+
+  int width_px_;
+  int height_px_;
+  Texture picture_;
+  Handle frame_;
+};
+
+}  // namespace kaori::gl
