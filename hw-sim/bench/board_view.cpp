@@ -50,6 +50,12 @@ void TakeTheRest(const json& board, BoardView& view) {
   view.lips_frames = lips.at("frames");
   view.lips_height = lips.at("height");
   view.lips_quality = lips.at("quality");
+  const json& voice = board.at("voice");
+  view.voice_live = Live(voice);
+  view.voice_speaking = voice.at("speaking") == 1;
+  view.voice_level_db = voice.at("level_db");
+  view.voice_height = voice.at("height");
+  view.voice_blocks = voice.at("blocks");
   view.lamps = board.at("lamps");
   view.stage = Stage(board.at("stage"));
 }

@@ -47,6 +47,11 @@ struct BoardView {
   std::uint32_t lips_frames = 0;
   double lips_height = 0;
   double lips_quality = 0;
+  bool voice_live = false;
+  bool voice_speaking = false;
+  double voice_level_db = -100;
+  double voice_height = 0;
+  std::uint32_t voice_blocks = 0;
   std::uint32_t lamps = 0;
   StageView stage;
 

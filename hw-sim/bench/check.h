@@ -67,6 +67,8 @@ std::vector<Check> ScreenChecks();
 std::vector<Check> HandChecks();
 std::vector<Check> CableChecks();
 std::vector<Check> SourceChecks();
+std::vector<Check> SoundChecks();
+std::vector<Check> LoopChecks();
 std::vector<Check> GadgetChecks();
 std::vector<Check> LatencyChecks();
 std::vector<Check> ToolChecks();

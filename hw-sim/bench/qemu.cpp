@@ -10,6 +10,9 @@
 namespace kaori::bench {
 namespace {
 
+// One for each gadget.
+constexpr const char* kControllers = " dummy_hcd.num=3";
+
 // As QEMU calls it, on the port that the rig leaves free.
 std::string DeviceOf(Stranger stranger) {
   constexpr const char* kPort = R"("id":"stranger","bus":"xhci.0","port":"8")";
@@ -51,10 +54,11 @@ Result<void> QemuDriver::Start() {
     if (!copy) return tl::unexpected(copy.error());
     disk = std::move(*copy);
   }
+  line = BenchCommandLine(line) + (setup_.bench_kernel ? kControllers : "");
   std::vector<std::string> variables;
   if (window_) variables = {"DISPLAY=" + window_->name(), "SDL_VIDEODRIVER=x11"};
-  auto process = Process::Start(QemuCommand(options_, setup_, BenchCommandLine(line), disk),
-                                options_.folder + "/qemu.log", variables);
+  auto process =
+      Process::Start(QemuCommand(options_, setup_, line, disk), options_.folder + "/qemu.log", variables);
   if (!process) return tl::unexpected(process.error());
   process_.emplace(std::move(*process));
   return {};

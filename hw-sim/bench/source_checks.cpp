@@ -1,4 +1,4 @@
-// Camera, lines and sound.
+// The camera and the lines.
 #include <fmt/format.h>
 
 #include "hw-sim/bench/check.h"
@@ -104,25 +104,12 @@ Result<void> Lines(Scene& scene) {
   return {};
 }
 
-Result<void> Sound(Scene& scene) {
-  const auto cards = Ask(scene, "read /proc/asound/cards");
-  if (!cards || cards->find("[") == std::string::npos) return scene.Skip("the kernel shows no sound card");
-  scene.finding.texts.emplace_back("sound cards", *cards);
-  const auto heard = Ask(scene, "tool arecord -q -D hw:0,0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav");
-  if (!heard) return tl::unexpected(heard.error());
-  const auto played = Ask(scene, "tool aplay -q -D hw:0,0 /tmp/heard.wav");
-  if (!played) return tl::unexpected(played.error());
-  scene.finding.said = "a second recorded and played at 48 kHz by ALSA";
-  return {};
-}
-
 }  // namespace
 
 std::vector<Check> SourceChecks() {
   return {{"camera", "The lip camera streams, and the lips follow the mouth", true, Camera},
           {"camera-pulled", "The camera is pulled and plugged: the lips come back", true, CameraPulled},
-          {"lines", "Switches and a lamp on GPIO lines, with edges", true, Lines},
-          {"sound", "Sound goes in and out", true, Sound}};
+          {"lines", "Switches and a lamp on GPIO lines, with edges", true, Lines}};
 }
 
 }  // namespace kaori::bench

@@ -1,6 +1,7 @@
 #include "hw-sim/devices/usb_hid.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "hw-sim/devices/usb_plate.h"
@@ -8,7 +9,7 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::uint8_t kHidClass = 3;
+constexpr std::uint8_t kHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
 constexpr std::uint8_t kHidKind = 0x21, kReportKind = 0x22;
 constexpr std::uint16_t kPacketBytes = 64;
 constexpr Duration kTellAgain = std::chrono::milliseconds(150);
@@ -23,6 +24,8 @@ constexpr std::uint8_t kInputReport = 1, kOutputReport = 2;
 
 // Items of a report descriptor: what stands before the length of their data.
 constexpr std::uint8_t kOutputItem = 0x90, kReportIdItem = 0x84, kItemMask = 0xFC;
+
+constexpr std::array<std::uint8_t, 4> kDesktopKeyboard{0x05, 0x01, 0x09, 0x06};  // Usage page and usage.
 
 void Add(const UsbBytes& part, UsbBytes& whole) {
   whole.insert(whole.end(), part.begin(), part.end());
@@ -40,11 +43,14 @@ UsbBytes HidDescriptor(std::size_t report_descriptor_bytes) {
           static_cast<std::uint8_t>(report_descriptor_bytes >> 8)};
 }
 
-UsbBytes Configuration(std::size_t report_descriptor_bytes, bool takes_output) {
-  UsbBytes bytes = InterfaceDescriptor({.kind = kHidClass}, takes_output ? 2 : 1);
+// A keyboard says so outside its reports too, for hosts that start (4.2 and 4.3 of the class definition).
+UsbBytes Configuration(std::size_t report_descriptor_bytes, const HidShape& shape) {
+  UsbInterface interface { .kind = kHidClass };
+  if (shape.is_keyboard) interface = {.kind = kHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
+  UsbBytes bytes = InterfaceDescriptor(interface, shape.takes_output ? 2 : 1);
   Add(HidDescriptor(report_descriptor_bytes), bytes);
   Add(EndpointDescriptor({UsbHid::kIn, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
-  if (takes_output)
+  if (shape.takes_output)
     Add(EndpointDescriptor({UsbHid::kOut, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
   return ConfigurationOf(1, bytes);
 }
@@ -53,6 +59,8 @@ UsbBytes Configuration(std::size_t report_descriptor_bytes, bool takes_output) {
 
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor) {
   HidShape shape;
+  shape.is_keyboard = std::ranges::equal(
+      report_descriptor.first(std::min(report_descriptor.size(), kDesktopKeyboard.size())), kDesktopKeyboard);
   for (std::size_t at = 0; at < report_descriptor.size();) {
     const std::uint8_t item = report_descriptor[at];
     shape.takes_output |= (item & kItemMask) == kOutputItem;
@@ -70,7 +78,7 @@ UsbHid::UsbHid(HidDevice& device) : device_(device) {
   plate_.product = nameplate.product;
   plate_.maker = "Kaori";
   plate_.name = nameplate.name;
-  plate_.configuration = Configuration(nameplate.descriptor.size(), shape_.takes_output);
+  plate_.configuration = Configuration(nameplate.descriptor.size(), shape_);
 }
 
 std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {

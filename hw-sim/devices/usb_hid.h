@@ -11,6 +11,7 @@ namespace kaori::sim {
 struct HidShape {
   bool takes_output = false;     // It has output reports.
   bool numbers_reports = false;  // Its reports begin with their number.
+  bool is_keyboard = false;      // That is what it says first.
 };
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor);
 

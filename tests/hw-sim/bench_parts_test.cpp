@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 
 #include "hw-sim/bench/disk_copy.h"
@@ -15,6 +16,7 @@
 #include "hw-sim/bench/qemu_command.h"
 #include "hw-sim/bench/report.h"
 #include "hw-sim/bench/x_screen.h"
+#include "hw-sim/devices/voice_file.h"
 #include "tests/hil/witness/usb_view.h"
 
 namespace kaori::bench {
@@ -184,6 +186,37 @@ TEST_F(UsbView, TellsWhichDevicesWereLetIn) {
   Write("1-2.1:1.0/authorized", "1\n");
   EXPECT_EQ(hil::UsbDevices(folder_), "1-2.1 46f4:0001 1\n1-8 46f4:0001 0\n");
   EXPECT_EQ(hil::UsbDevices(Path("missing")), "");
+}
+
+using VoiceFiles = Folder;
+
+TEST_F(VoiceFiles, AreReadAsTheyWereWritten) {
+  const auto said = sim::SayVowels(std::chrono::milliseconds(700));
+  ASSERT_TRUE(sim::WriteWav(Path("voice.wav"), said));
+  EXPECT_EQ(sim::ReadWav(Path("voice.wav")), said);
+  Write("none.wav", std::string(100, 'n'));
+  EXPECT_FALSE(sim::ReadWav(Path("none.wav")));
+  EXPECT_FALSE(sim::ReadWav(Path("missing.wav")));
+}
+
+TEST(Likeness, FindsAVoiceThatIsLateAndSoft) {
+  const auto said = sim::SayVowels(std::chrono::seconds(1));
+  std::vector<std::int16_t> heard(12'345, 0);
+  for (const std::int16_t sample : said) heard.push_back(static_cast<std::int16_t>(sample / 4));
+  EXPECT_GT(sim::Likeness(said, heard), 0.95);
+}
+
+TEST(Likeness, OfSilenceNoiseAndAnotherVowelIsLow) {
+  const auto said = sim::SayVowels(std::chrono::seconds(1));
+  EXPECT_EQ(sim::Likeness(said, std::vector<std::int16_t>(48'000, 0)), 0);
+  EXPECT_EQ(sim::Likeness(said, {}), 0);
+  std::mt19937 chance(3);
+  std::vector<std::int16_t> noise(48'000);
+  for (auto& sample : noise)
+    sample = static_cast<std::int16_t>(std::uniform_int_distribution(-9000, 9000)(chance));
+  EXPECT_LT(sim::Likeness(said, noise), 0.4);
+  const std::size_t third = said.size() / 3;
+  EXPECT_LT(sim::Likeness(said, std::span(said).first(third)), 0.6) << "another vowel of the same voice";
 }
 
 using ReportFiles = Folder;

@@ -70,6 +70,16 @@ TEST(UsbHid, HasAnEndpointOutOnlyForDevicesThatTakeReports) {
   EXPECT_EQ(ContentsOf(UsbHid(desk.instruments.pointer).plate().configuration).endpoints.size(), 1U);
 }
 
+TEST(UsbHid, SaysOfAKeyboardAloneThatItIsOne) {
+  Desk desk;
+  const auto protocol = [](HidDevice& device) {
+    return ContentsOf(UsbHid(device).plate().configuration).interfaces.at(0).protocol;
+  };
+  EXPECT_EQ(protocol(desk.instruments.keyboard), 1);
+  EXPECT_EQ(protocol(desk.instruments.dial_box), 0);
+  EXPECT_EQ(protocol(desk.instruments.pointer), 0);
+}
+
 TEST(UsbHid, GivesTheStandingReportWhenItIsAskedFor) {
   Desk desk;
   UsbHid keyboard(desk.instruments.keyboard);

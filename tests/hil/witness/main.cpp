@@ -12,6 +12,7 @@
 //   start-tool WORDS...          a program of the bench's disk, left running
 //   end NUMBER                   of a program that was started
 //   usb                          its devices, and whether each was let in
+//   voice PATH SECONDS           writes a voice as a WAV file of the bench's disk
 //   signal NAME NUMBER           to every process of that name
 //   lines take CHIP IN,IN OUT,OUT    GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
@@ -27,6 +28,7 @@
 #include "appliance/board/board.h"
 #include "drivers/base/log.h"
 #include "drivers/gpio/chip_lines.h"
+#include "hw-sim/devices/voice_file.h"
 #include "tests/hil/witness/deeds.h"
 #include "tests/hil/witness/first_program.h"
 #include "tests/hil/witness/serial_line.h"
@@ -60,6 +62,7 @@ class Witness {
     words.erase(words.begin());
     if (verb == "hello") return "kaori-witness";
     if (verb == "clock") return std::to_string(clock_.now().time_since_epoch().count());
+    if (verb == "voice" && words.size() == 2) return Voice(words);
     if (verb == "usb") return kaori::hil::UsbDevices("/sys/bus/usb/devices");
     if (verb == "tool") return kaori::hil::RunIn(rooms_.bench.get(), words, kLongestTool);
     if (verb == "own") return kaori::hil::RunIn(rooms_.box.get(), words, kLongestTool);
@@ -81,6 +84,11 @@ class Witness {
     if (!board) return tl::unexpected(board.error());
     if (words.empty()) return kaori::hil::BoardAsJson(*board, clock_);
     return kaori::hil::WatchEvents(*board, clock_, std::chrono::milliseconds(std::atoi(words[0].c_str())));
+  }
+
+  static Result<std::string> Voice(const Words& words) {
+    const auto said = kaori::sim::SayVowels(std::chrono::seconds(std::atoi(words[1].c_str())));
+    return kaori::sim::WriteWav(words[0], said).map([] { return std::string(); });
   }
 
   Result<std::string> Lines(const Words& words) {

@@ -50,6 +50,12 @@ std::string LipsAsJson(const board::Stamped<board::Lips>& lips) {
                      lips.value.height, lips.value.width, lips.value.quality, lips.value.frames);
 }
 
+std::string VoiceAsJson(const board::Stamped<board::Voice>& voice) {
+  return fmt::format(R"({{{},"level_db":{},"speaking":{},"height":{},"width":{},"blocks":{}}})", Head(voice),
+                     voice.value.level_db, voice.value.speaking, voice.value.height, voice.value.width,
+                     voice.value.blocks);
+}
+
 std::string StageAsJson(const board::Stamped<board::StageStatus>& stage) {
   const auto& value = stage.value;
   return fmt::format(
@@ -65,15 +71,14 @@ std::string StageAsJson(const board::Stamped<board::StageStatus>& stage) {
 std::string BoardAsJson(const board::Board& board, const Clock& clock) {
   const auto keys = board.Read<board::Keys>();
   const auto pointer = board.Read<board::Pointer>();
-  const auto voice = board.Read<board::Voice>();
   return fmt::format(
       R"({{"now_ns":{},"surface":{},"left":{},"right":{},"keys":{{{},"down":[{}]}},"pointer":{{{},"x":{},"y":{}}},)"
-      R"("lines":{},"lips":{},"voice":{{{},"level_db":{},"blocks":{}}},"lamps":{},"stage":{}}})",
+      R"("lines":{},"lips":{},"voice":{},"lamps":{},"stage":{}}})",
       Nanoseconds(clock.now()), SurfaceAsJson(board.Read<board::Surface>()),
       StickAsJson(board.Read<board::Stick>(0)), StickAsJson(board.Read<board::Stick>(1)), Head(keys),
       fmt::join(keys.value.down, ","), Head(pointer), pointer.value.x, pointer.value.y,
-      LinesAsJson(board.Read<board::Lines>()), LipsAsJson(board.Read<board::Lips>()), Head(voice),
-      voice.value.level_db, voice.value.blocks, board.Read<board::Lamps>().value.lit,
+      LinesAsJson(board.Read<board::Lines>()), LipsAsJson(board.Read<board::Lips>()),
+      VoiceAsJson(board.Read<board::Voice>()), board.Read<board::Lamps>().value.lit,
       StageAsJson(board.Read<board::StageStatus>()));
 }
 
