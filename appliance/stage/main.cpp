@@ -49,10 +49,14 @@ int Complain(const kaori::Error& error) {
   return 1;
 }
 
-// Without one on a desk, where the simulator's screen is looked for.
+// None on a desk, where the simulator's screen is looked for, and none in a box that has none.
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
   auto card = kaori::scanout::KmsCard::Open(settings.card, settings.holder);
+  if (!card && card.error().cause == std::errc::no_such_file_or_directory) {
+    kaori::Log("there is no graphics card ({}): playing on unseen", card.error().message());
+    return nullptr;
+  }
   if (card)
     (*card)->Wish({.mode = kaori::scanout::ParseMode(settings.mode),
                    .sign = kaori::status::ReadFacts({.settings = settings.settings}).screen});
@@ -66,6 +70,13 @@ kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clo
   if (!screen) return tl::unexpected(screen.error());
   kaori::Log("{}", kaori::scanout::Describe((*screen)->wall()));
   return std::move(*screen);
+}
+
+// A card that comes later wants another start: what draws was chosen without it.
+kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop) {
+  std::error_code none;
+  if (std::filesystem::exists(path, none)) loop.Stop();
+  return kaori::Fail(std::errc::no_such_device, "find a graphics card");
 }
 
 kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
@@ -119,7 +130,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!settings.early) stage.DrawLate();
   kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
     if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
-    return OpenScreen(**card, clock);
+    return *card ? OpenScreen(**card, clock) : AwaitCard(settings.card, loop);
   });
   if (auto seated = seat.Take(); !seated) return Complain(seated.error());
   kaori::Log("the first picture is drawn");

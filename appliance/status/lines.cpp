@@ -39,7 +39,8 @@ Line Title(const Facts& facts) {
   return {Mark::kTitle, "Kaori box", words};
 }
 
-Line Show(const board::Stamped<board::StageStatus>& stage, Time now) {
+Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time now) {
+  if (!has_screen) return {Mark::kFault, "show", "there is no screen to show it on"};
   if (stage.source == SourceState::kAbsent)
     return {Mark::kFault, "show", "no picture yet: the stage is starting"};
   if (now - stage.at > kLate) return {Mark::kFault, "show", "no picture for " + Length(now - stage.at)};
@@ -147,7 +148,7 @@ State Look(const board::Board& board, Facts facts, Time now) {
 std::vector<Line> Describe(const State& state) {
   std::vector<Line> lines{Title(state.facts)};
   for (const std::string& fault : state.facts.faults) lines.push_back({Mark::kFault, "fault", fault});
-  lines.push_back(Show(state.board.stage_status, state.now));
+  lines.push_back(Show(state.board.stage_status, !state.facts.screens.empty(), state.now));
   if (state.facts.screens.empty())
     lines.push_back({Mark::kFault, "screens", "none is plugged in; the show goes on unseen"});
   for (const std::string& screen : state.facts.screens) lines.push_back(Screen(screen));
