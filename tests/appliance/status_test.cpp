@@ -37,7 +37,7 @@ TEST_F(StatusWords, ABoxWithNothingPluggedInNamesAllThatIsMissing) {
                            "loudspeaker", "switches"})
     EXPECT_THAT(Said(what), HasSubstr("- not plugged in")) << what;
   EXPECT_THAT(Said("screens"), HasSubstr("! none is plugged in"));
-  EXPECT_THAT(Said("show"), HasSubstr("! no picture yet"));
+  EXPECT_THAT(Said("show"), HasSubstr("! there is no screen"));
 }
 
 TEST_F(StatusWords, WhatIsPulledIsSaidSoWithHowLong) {
@@ -55,6 +55,8 @@ TEST_F(StatusWords, WhatIsThereIsSaidSo) {
 }
 
 TEST_F(StatusWords, TheShowSaysItsRateAndWhatCameLate) {
+  state_.facts.screens = {"HDMI-A-1 640 x 480 at 60 Hz"};
+  EXPECT_THAT(Said("show"), HasSubstr("! no picture yet"));
   state_.board.stage_status = {
       {.missed_flips = 3, .frames_per_s = 59.9F, .draw_us = 6200}, state_.now, SourceState::kLive};
   EXPECT_EQ(Said("show"), "  60 pictures a second, 6.2 ms each; 3 came late");
