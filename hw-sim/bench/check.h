@@ -67,6 +67,7 @@ std::vector<Check> ScreenChecks();
 std::vector<Check> HandChecks();
 std::vector<Check> CableChecks();
 std::vector<Check> SourceChecks();
+std::vector<Check> LineChecks();
 std::vector<Check> SoundChecks();
 std::vector<Check> LoopChecks();
 std::vector<Check> GadgetChecks();
