@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "drivers/hid/hidraw_channel.h"
+#include "drivers/hid/recognise.h"
 
 namespace kaori::hid {
 namespace {
@@ -135,13 +136,24 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
   if (!fd.valid()) return Fail(CauseOfOpen(errno), "open " + node.path + " at " + port);
   auto descriptor = ReadHidrawDescriptor(fd.get());
   if (!descriptor) return Fail(std::errc::no_such_device, descriptor.error().attempt + " at " + port);
-  return std::make_unique<HidrawChannel>(std::move(fd),
-                                         ports::HidIdentity{.port = port,
-                                                            .vendor = node.vendor,
-                                                            .product = node.product,
-                                                            .name = node.name,
-                                                            .descriptor = std::move(*descriptor)},
-                                         clock_);
+  auto channel = std::make_unique<HidrawChannel>(std::move(fd),
+                                                 ports::HidIdentity{.port = port,
+                                                                    .vendor = node.vendor,
+                                                                    .product = node.product,
+                                                                    .name = node.name,
+                                                                    .descriptor = std::move(*descriptor)},
+                                                 clock_);
+  Ask(*channel);
+  return channel;
+}
+
+// Once it did not answer, no device of its kind is asked again: the others' hands wait meanwhile.
+void HidrawBus::Ask(HidrawChannel& channel) {
+  const ports::HidIdentity& identity = channel.identity();
+  const auto layout = LayoutOf(identity);
+  const std::pair kind(identity.vendor, identity.product);
+  if (!layout || mute_.contains(kind)) return;
+  if (!channel.AskHowItStands(StandingReportsOf(*layout))) mute_.insert(kind);
 }
 
 }  // namespace kaori::hid

@@ -3,7 +3,9 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drivers/base/clock.h"
@@ -14,6 +16,8 @@ struct udev_device;
 struct udev_monitor;
 
 namespace kaori::hid {
+
+class HidrawChannel;
 
 // As ports::HidBus. A port is the USB port path, "1-4.2"; an interface after the first of one device adds its
 // name, "1-4.2:1.1". A device without USB goes by its physical place (of Bluetooth the receiver: all of its
@@ -43,11 +47,14 @@ class HidrawBus final : public ports::HidBus {
   bool TakeNotices();
   Result<void> Scan();
   void Add(udev_device* device);
+  void Ask(HidrawChannel& channel);
 
   const Clock& clock_;
   std::unique_ptr<udev, Unref> udev_;
   std::unique_ptr<udev_monitor, Unref> monitor_;
   std::map<std::string, Node> nodes_;  // By port.
+  std::set<std::pair<std::uint16_t, std::uint16_t>>
+      mute_;  // Vendors and products that do not say how they stand.
   bool scanned_ = false;
 };
 

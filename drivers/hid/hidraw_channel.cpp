@@ -23,8 +23,36 @@ bool is_hung_up(int fd) {
 HidrawChannel::HidrawChannel(UniqueFd node, ports::HidIdentity identity, const Clock& clock)
     : node_(std::move(node)), identity_(std::move(identity)), clock_(clock) {}
 
+Result<void> HidrawChannel::AskHowItStands(std::span<const StandingReport> reports) {
+  for (const StandingReport& report : reports)
+    if (auto ok = Ask(report); !ok) return ok;
+  return {};
+}
+
+// The kernel's answer begins with the report's number, or with a 0 that was not on the cable.
+Result<void> HidrawChannel::Ask(const StandingReport& report) {
+  std::vector<std::uint8_t> answer(1 + report.bytes);
+  answer[0] = report.id;
+  const int got = ::ioctl(node_.get(), HIDIOCGINPUT(answer.size()), answer.data());
+  if (got < 0 && errno == ETIMEDOUT)
+    return Fail(std::errc::timed_out, "ask how " + identity_.port + " stands");
+  if (got < 1 || answer[0] != report.id) return {};
+  answer.resize(std::min(answer.size(), static_cast<std::size_t>(got)));
+  if (!IsBelievable(report, std::span(answer).subspan(1))) return {};
+  if (report.id == 0) answer.erase(answer.begin());
+  standing_.push_back(std::move(answer));
+  return {};
+}
+
 Result<HidInput> HidrawChannel::Read(std::span<std::uint8_t> into) {
   if (gone_) return Gone();
+  if (!standing_.empty()) {
+    const auto report = std::exchange(standing_.front(), {});
+    standing_.pop_front();
+    const std::size_t bytes = std::min(report.size(), into.size());
+    std::copy_n(report.begin(), bytes, into.begin());
+    return HidInput{.at = clock_.now(), .bytes = bytes};
+  }
   const ssize_t bytes = ::read(node_.get(), into.data(), into.size());
   if (bytes < 0) return Failed(errno, "read ");
   if (bytes == 0) return Failed(ENODEV, "read ");  // A node that hung up ends like a file.

@@ -1,7 +1,12 @@
 // One HID device through the kernel's hidraw node.
 #pragma once
 
+#include <deque>
+#include <span>
+#include <vector>
+
 #include "drivers/base/unique_fd.h"
+#include "drivers/hid/standing_reports.h"
 #include "drivers/ports/hid_channel.h"
 
 namespace kaori::hid {
@@ -13,6 +18,12 @@ class HidrawChannel final : public ports::HidChannel {
   // `node` is an open, non-blocking hidraw node. Borrows `clock` for its life.
   HidrawChannel(UniqueFd node, ports::HidIdentity identity, const Clock& clock);
 
+  // Asks the device for these reports; what it says is read first, before what it sends by itself. Linux
+  // throws away what a device sends in the first 50 ms after it was opened, and one that is held still says
+  // no more. A device that stalls or answers rubbish has said nothing. Waits for the device: about 1 ms, and
+  // 5 s for one that does not answer at all. Errors: timed_out (that one).
+  Result<void> AskHowItStands(std::span<const StandingReport> reports);
+
   int pollable() const override { return node_.get(); }
   const ports::HidIdentity& identity() const override { return identity_; }
   Result<ports::HidInput> Read(std::span<std::uint8_t> into) override;
@@ -22,9 +33,12 @@ class HidrawChannel final : public ports::HidChannel {
   tl::unexpected<Error> Failed(int error, const char* verb);
   tl::unexpected<Error> Gone() const;
 
+  Result<void> Ask(const StandingReport& report);
+
   UniqueFd node_;
   ports::HidIdentity identity_;
   const Clock& clock_;
+  std::deque<std::vector<std::uint8_t>> standing_;  // As they would be read.
   bool gone_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include "drivers/hid/dial_box.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "firmware/wire/dial_box.h"
+#include "firmware/wire/stick_pod.h"
 #include "tests/drivers/hid_mock_device.h"
 
 namespace kaori::hid {
@@ -93,6 +94,70 @@ TEST_F(HidrawBusTest, OpensADeviceThatIsReadAndWritten) {
   EXPECT_EQ(decoder.Decode(std::span(into).first(input->bytes), input->at)->counts[0], -3);
   ASSERT_TRUE((*channel)->Write(decoder.LampReport(0x81)));
   EXPECT_THAT(box_.received(), ElementsAre(0, 0x81, 0, 0, 0));
+}
+
+std::vector<std::uint8_t> StickDescriptor() {
+  return {wire::kStickPodDescriptor.begin(), wire::kStickPodDescriptor.end()};
+}
+
+// As the kernel gives it: before a report without a number stands a 0.
+std::vector<std::uint8_t> Held(const wire::StickPodReport& report) {
+  const auto bytes = wire::Encode(report);
+  std::vector<std::uint8_t> answer(bytes.begin(), bytes.end());
+  answer.insert(answer.begin(), 0);
+  return answer;
+}
+
+class HeldStick : public HidrawBusTest {
+ protected:
+  std::unique_ptr<ports::HidChannel> Plug() {
+    const std::string port = "1-" + std::to_string(++plugs_);
+    kernel_->Plug(port, 0, "hidraw" + std::to_string(plugs_), stick_);
+    EXPECT_TRUE(has_notice());
+    EXPECT_TRUE(bus_->Ports());
+    return std::move(bus_->Open(port).value());
+  }
+  std::errc Cause(ports::HidChannel& channel) { return channel.Read(into_).error().cause; }
+
+  tests::MockHidraw stick_{StickDescriptor()};
+  int plugs_ = 0;
+  std::array<std::uint8_t, 64> into_{};
+};
+
+TEST_F(HeldStick, IsKnownAtOnceAndWhatItSendsComesAfterwards) {
+  const auto held = Held({.x = 1200, .y = -700});
+  stick_.Stand(held);
+  stick_.Send({1, 2, 3});
+  const auto channel = Plug();
+  ASSERT_EQ(channel->Read(into_)->bytes, held.size() - 1);
+  EXPECT_TRUE(std::equal(held.begin() + 1, held.end(), into_.begin()));
+  EXPECT_EQ(channel->Read(into_)->bytes, 3U);
+  EXPECT_EQ(Cause(*channel), std::errc::resource_unavailable_try_again);
+}
+
+TEST_F(HeldStick, ThatStallsOrAnswersRubbishHasSaidNothing) {
+  const auto whole = Held({.x = 5});
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, whole.size() - 1}) {
+    stick_.Stand({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bytes)});
+    const auto channel = Plug();
+    EXPECT_EQ(Cause(*channel), std::errc::resource_unavailable_try_again) << bytes;
+  }
+  stick_.Stand(std::vector<std::uint8_t>(whole.size()));
+  EXPECT_EQ(Cause(*Plug()), std::errc::resource_unavailable_try_again) << "zeros";
+}
+
+TEST_F(HeldStick, ThatDoesNotAnswerIsAskedOnceForEver) {
+  stick_.Stand({}, ETIMEDOUT);
+  for (int plugs = 0; plugs < 3; ++plugs) EXPECT_TRUE(Plug());
+  EXPECT_EQ(stick_.asked(), 1);
+}
+
+TEST_F(HidrawBusTest, ABoxOfEndlessDialsIsNotAsked) {
+  box_.Stand(std::vector<std::uint8_t>(21, 1));
+  kernel_->Plug("1-4", 0, "hidraw0", box_);
+  ASSERT_TRUE(bus_->Ports());
+  ASSERT_TRUE(bus_->Open("1-4"));
+  EXPECT_EQ(box_.asked(), 0);
 }
 
 }  // namespace

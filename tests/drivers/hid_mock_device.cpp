@@ -73,11 +73,40 @@ std::vector<std::uint8_t> MockHidraw::received() const {
   return received_;
 }
 
+void MockHidraw::Stand(std::vector<std::uint8_t> report, int error) {
+  const std::lock_guard lock(mutex_);
+  standing_ = std::move(report);
+  standing_error_ = error;
+}
+
+int MockHidraw::asked() const {
+  const std::lock_guard lock(mutex_);
+  return asked_;
+}
+
+int MockHidraw::AnswerInput(UMockdevIoctlClient* client) {
+  const std::lock_guard lock(mutex_);
+  ++asked_;
+  const std::size_t room = _IOC_SIZE(umockdev_ioctl_client_get_request(client));
+  const std::span answer = std::span(standing_).first(std::min(room, standing_.size()));
+  if (answer.empty()) {
+    umockdev_ioctl_client_complete(client, -1, standing_error_ != 0 ? standing_error_ : EPIPE);
+    return 1;
+  }
+  Put(Argument(client, room), 0, answer);
+  umockdev_ioctl_client_complete(client, static_cast<long>(answer.size()), 0);
+  return 1;
+}
+
 int MockHidraw::OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self) {
-  const auto& descriptor = static_cast<MockHidraw*>(self)->descriptor_;
+  auto& hidraw = *static_cast<MockHidraw*>(self);
+  const auto& descriptor = hidraw.descriptor_;
+  const auto request = umockdev_ioctl_client_get_request(client);
+  if (_IOC_TYPE(request) == 'H' && _IOC_NR(request) == _IOC_NR(HIDIOCGINPUT(0)))
+    return hidraw.AnswerInput(client);
   const std::uint32_t size = static_cast<std::uint32_t>(descriptor.size());
   const std::span size_bytes(reinterpret_cast<const std::uint8_t*>(&size), sizeof size);
-  switch (umockdev_ioctl_client_get_request(client)) {
+  switch (request) {
     case HIDIOCGRDESCSIZE:
       Put(Argument(client, sizeof size), 0, size_bytes);
       break;

@@ -30,11 +30,16 @@ class MockHidraw {
   MockHidraw& operator=(const MockHidraw&) = delete;
 
   void Send(std::vector<std::uint8_t> report);
+  // What it answers when it is asked how it stands, as the kernel gives it; empty: it stalls. Or the error
+  // that the kernel gives.
+  void Stand(std::vector<std::uint8_t> report, int error = 0);
+  int asked() const;
   std::vector<std::uint8_t> received() const;
   UMockdevIoctlBase* handler() const { return handler_.get(); }
 
  private:
   static int OnIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self);
+  int AnswerInput(UMockdevIoctlClient* client);
   static int OnRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self);
   static int OnWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, void* self);
 
@@ -42,6 +47,9 @@ class MockHidraw {
   mutable std::mutex mutex_;
   std::vector<std::vector<std::uint8_t>> waiting_;
   std::vector<std::uint8_t> received_;
+  std::vector<std::uint8_t> standing_;
+  int standing_error_ = 0;
+  int asked_ = 0;
   std::unique_ptr<UMockdevIoctlBase, Unobject> handler_;
 };
 
