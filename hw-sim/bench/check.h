@@ -69,6 +69,7 @@ std::vector<Check> CableChecks();
 std::vector<Check> SourceChecks();
 std::vector<Check> LineChecks();
 std::vector<Check> SoundChecks();
+std::vector<Check> PluginChecks();
 std::vector<Check> LoopChecks();
 std::vector<Check> GadgetChecks();
 std::vector<Check> LatencyChecks();

@@ -30,8 +30,8 @@ Result<void> Scene::Skip(std::string why) {
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part : {ScreenChecks(), HandChecks(), LatencyChecks(), SourceChecks(), LineChecks(),
-                     SoundChecks(), CableChecks(), ToolChecks(), StrangerChecks(), AloneChecks(),
-                     SpeedChecks(), GadgetChecks(), LoopChecks()})
+                     SoundChecks(), PluginChecks(), CableChecks(), ToolChecks(), StrangerChecks(),
+                     AloneChecks(), SpeedChecks(), GadgetChecks(), LoopChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -1,5 +1,7 @@
 // The same devices by a Linux USB gadget, from within the machine: what a bench with a real box does with
 // real cables.
+#include <fmt/format.h>
+
 #include "hw-sim/bench/check.h"
 
 namespace kaori::bench {
@@ -8,10 +10,9 @@ namespace {
 using std::chrono::seconds;
 
 constexpr Duration kAnswer = seconds(30);
-constexpr Duration kLongest = seconds(60);
-constexpr const char* kPlayed =
-    "start-tool kaori-gadget --put dial-box=dummy_udc.0,stick-left=dummy_udc.1,stick-right=dummy_udc.2 "
-    "--play "
+constexpr Duration kLongest = seconds(180);
+constexpr std::string_view kGadget =
+    "kaori-gadget --put dial-box=dummy_udc.0,stick-left=dummy_udc.1,stick-right=dummy_udc.2 --play "
     "/usr/share/kaori/kaori.play --loop";
 
 // The rig's own devices leave their seats to the gadgets.
@@ -41,10 +42,11 @@ Result<void> Gadgets(Scene& scene) {
   };
   const auto before = scene.place.UntilBoard(gone, kLongest, "see the other devices gone");
   if (!before) return tl::unexpected(before.error());
-  const auto program = witness.Ask(kPlayed, kAnswer);
+  const auto program = witness.Ask(fmt::format("start-tool {}", kGadget), kAnswer);
   if (!program) return tl::unexpected(program.error());
   auto played = WantPlayed(scene, *before);
-  static_cast<void>(witness.Ask("end " + *program, kAnswer));
+  const auto said = witness.Ask("end " + *program, kAnswer);
+  scene.finding.texts.emplace_back("kaori-gadget", said ? *said : said.error().message());
   PlugRigs(scene, true);
   scene.finding.said = "dial box and two sticks played a scenario through dummy_hcd";
   return played;

@@ -29,7 +29,7 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
   const std::string size =
       fmt::format("id=screens,xres={},yres={}", WidthOf(options, setup), HeightOf(options, setup));
   if (setup.drawn_outside)
-    return Add(command, {"-display", "sdl,gl=on", "-full-screen", "-device", "virtio-gpu-gl-pci," + size});
+    return Add(command, {"-display", "sdl,gl=on", "-device", "virtio-gpu-gl-pci," + size});
   Add(command,
       {"-display", "none", "-device", fmt::format("virtio-gpu-pci,{},max_outputs={}", size, options.heads)});
 }
@@ -46,10 +46,13 @@ void AddUsb(const QemuOptions& options, std::vector<std::string>& command) {
   Add(command, {"-netdev", "hubport,id=net,hubid=0"});
 }
 
-// Its microphone hears silence: QEMU's sound to a file has no other.
+// Two cards: a loudspeaker that the bench hears, and a microphone that hears silence. QEMU's sound to a file
+// has no microphone.
 void AddSound(const QemuOptions& options, std::vector<std::string>& command) {
   Add(command, {"-audiodev", fmt::format("wav,id=sound,path={},out.frequency=48000", SoundPath(options))});
-  Add(command, {"-device", "ich9-intel-hda", "-device", "hda-duplex,audiodev=sound"});
+  Add(command, {"-device", "ich9-intel-hda,id=out", "-device", "hda-output,bus=out.0,audiodev=sound"});
+  Add(command, {"-audiodev", "none,id=silence", "-device", "ich9-intel-hda,id=in", "-device",
+                "hda-micro,bus=in.0,audiodev=silence"});
 }
 
 }  // namespace

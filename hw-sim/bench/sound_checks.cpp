@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "hw-sim/bench/check.h"
+#include "hw-sim/bench/lull.h"
 #include "hw-sim/devices/voice_file.h"
 
 namespace kaori::bench {
@@ -27,35 +28,18 @@ Result<void> Ask(Scene& scene, const std::string& question) {
   return {};
 }
 
-// "0" of the line " 0 [Intel          ]: HDA-Intel - HDA Intel"; empty: there is none of that kind.
-std::string CardOf(const std::string& cards, const std::string& kind) {
-  std::istringstream lines(cards);
+// The numbers of the lines such as " 0 [Intel          ]: HDA-Intel - HDA Intel".
+std::vector<std::string> CardsOf(Scene& scene, const std::string& kind) {
+  std::vector<std::string> numbers;
+  const auto cards = scene.place.witness().Ask("read /proc/asound/cards", kAnswer);
+  std::istringstream lines(cards ? *cards : "");
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string number;
-    if (line.find("]: " + kind) != std::string::npos && words >> number) return number;
+    if (line.find("]: " + kind) != std::string::npos && words >> number) numbers.push_back(number);
   }
-  return {};
+  return numbers;
 }
-
-Result<std::string> Card(Scene& scene, const std::string& kind) {
-  const auto cards = scene.place.witness().Ask("read /proc/asound/cards", kAnswer);
-  return cards ? CardOf(*cards, kind) : std::string();
-}
-
-// The box's own program of sound is away meanwhile, and back afterwards.
-class Silence {
- public:
-  explicit Silence(Scene& scene) : scene_(scene) {
-    static_cast<void>(Ask(scene, "own /usr/bin/systemctl stop kaori-lips.service"));
-  }
-  ~Silence() { static_cast<void>(Ask(scene_, "own /usr/bin/systemctl start kaori-lips.service")); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  Scene& scene_;
-};
 
 double HeardVoice(Scene& scene) {
   const auto heard = sim::ReadWav(SoundPath(scene.place.machine().options()));
@@ -63,19 +47,19 @@ double HeardVoice(Scene& scene) {
 }
 
 Result<void> Sound(Scene& scene) {
-  const auto card = Card(scene, "HDA-Intel");
-  if (!card || card->empty()) return scene.Skip("the kernel shows no sound card");
-  const Silence others(scene);
-  if (auto ok =
-          Ask(scene,
-              fmt::format("tool arecord -q -D hw:{},0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav", *card));
+  const auto cards = CardsOf(scene, "HDA-Intel");  // As QemuCommand has them: loudspeaker, microphone.
+  if (cards.size() < 2) return scene.Skip("the kernel does not show both sound cards");
+  const Lull others(scene, "kaori-lips.service");
+  if (auto ok = Ask(
+          scene,
+          fmt::format("tool arecord -q -D hw:{},0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav", cards[1]));
       !ok)
     return ok;
   const double before = HeardVoice(scene);
   if (before >= kLike) return FailInput("a voice is heard before one speaks");
-  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", *card)));
+  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
   for (const std::string& question : {fmt::format("voice {} {}", kVoice, kVoiceSeconds),
-                                      fmt::format("tool aplay -q -D plughw:{},0 {}", *card, kVoice)})
+                                      fmt::format("tool aplay -q -D plughw:{},0 {}", cards[0], kVoice)})
     if (auto ok = Ask(scene, question); !ok) return ok;
   const double after = HeardVoice(scene);
   scene.finding.said = fmt::format(
@@ -123,21 +107,22 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
 
 // From a voice in the kernel's loop, by the box's own program, to the board and to the card's loudspeaker.
 Result<void> Voice(Scene& scene) {
-  const auto card = Card(scene, "HDA-Intel"), loop = Card(scene, "Loopback");
-  if (!card || !loop || card->empty() || loop->empty())
+  const auto cards = CardsOf(scene, "HDA-Intel"), loops = CardsOf(scene, "Loopback");
+  if (cards.empty() || loops.empty())
     return scene.Skip("this kernel has no loop of sound (snd-aloop) beside its card");
-  const Silence others(scene);
+  const Lull others(scene, "kaori-lips.service");
   if (auto ok = Ask(scene, fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
-  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", *card)));
+  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
   const auto program = scene.place.witness().Ask(
       fmt::format(
           "start /usr/bin/kaori-lips --microphone hw:{},1,0 --loudspeaker hw:{},0 --sound-delay 60 --board "
           "/run/kaori/board",
-          *loop, *card),
+          loops[0], cards[0]),
       kAnswer);
   if (!program) return tl::unexpected(program.error());
-  auto spoken = SpeakAndWatch(scene, *loop);
-  static_cast<void>(Ask(scene, "end " + *program));
+  auto spoken = SpeakAndWatch(scene, loops[0]);
+  const auto said = scene.place.witness().Ask("end " + *program, kAnswer);
+  scene.finding.texts.emplace_back("kaori-lips", said ? *said : said.error().message());
   return spoken;
 }
 

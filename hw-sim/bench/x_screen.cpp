@@ -17,7 +17,8 @@ namespace kaori::bench {
 namespace {
 
 constexpr Duration kLongest = std::chrono::seconds(60);
-constexpr int kFirstNumber = 100;  // People's own screens have small ones.
+constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;  // Of QEMU's window.
+constexpr int kFirstNumber = 100;                                   // People's own screens have small ones.
 constexpr int kNumbers = 10'000;
 
 // Big-endian words of the dump's head, by their place (X11/XWDFile.h).
@@ -47,11 +48,16 @@ std::optional<Dump> Understand(std::span<const std::uint8_t> bytes) {
   return dump;
 }
 
-std::vector<std::uint8_t> Rgb(const Dump& dump) {
+bool Holds(const Dump& dump, const DumpPart& part) {
+  return part.width_px > 0 && part.height_px > 0 && part.x_px + part.width_px <= dump.width_px &&
+         part.y_px + part.height_px <= dump.height_px;
+}
+
+std::vector<std::uint8_t> Rgb(const Dump& dump, const DumpPart& part) {
   std::vector<std::uint8_t> rgb;
-  rgb.reserve(std::size_t{3} * dump.width_px * dump.height_px);
-  for (std::size_t y = 0; y < dump.height_px; ++y) {
-    for (std::size_t x = 0; x < dump.width_px; ++x) {
+  rgb.reserve(3 * part.width_px * part.height_px);
+  for (std::size_t y = part.y_px; y < part.y_px + part.height_px; ++y) {
+    for (std::size_t x = part.x_px; x < part.x_px + part.width_px; ++x) {
       const auto point = dump.points.subspan(y * dump.line_bytes + x * kPointBytes, kPointBytes);
       rgb.insert(rgb.end(), {point[2], point[1], point[0]});
     }
@@ -59,18 +65,30 @@ std::vector<std::uint8_t> Rgb(const Dump& dump) {
   return rgb;
 }
 
+struct Sides {
+  std::size_t screen_px = 0, before_px = 0, window_px = 0;
+};
+
+// QEMU's window begins small in the middle of the screen, and grows to the right and down as its machine's
+// screen does.
+Sides SidesFor(int window, std::size_t begun_px) {
+  const auto window_px = static_cast<std::size_t>(window);
+  const std::size_t screen_px = window_px > begun_px ? 2 * window_px - begun_px : begun_px;
+  return {screen_px, (screen_px - begun_px) / 2, window_px};
+}
+
 }  // namespace
 
-Result<void> WriteDumpAsPng(const std::string& dump_file, const std::string& file) {
+Result<void> WriteDumpAsPng(const std::string& dump_file, const DumpPart& part, const std::string& file) {
   std::ifstream stream(dump_file, std::ios::binary);
   const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
   const auto dump = Understand(bytes);
-  if (!dump) return Fail(std::errc::io_error, "read the screen in " + dump_file);
-  const auto rgb = Rgb(*dump);
+  if (!dump || !Holds(*dump, part)) return Fail(std::errc::io_error, "read the screen in " + dump_file);
+  const auto rgb = Rgb(*dump, part);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.width = dump->width_px;
-  image.height = dump->height_px;
+  image.width = static_cast<png_uint_32>(part.width_px);
+  image.height = static_cast<png_uint_32>(part.height_px);
   image.format = PNG_FORMAT_RGB;
   if (png_image_write_to_file(&image, file.c_str(), 0, rgb.data(), 0, nullptr) == 0)
     return Fail(std::errc::io_error, "write " + file);
@@ -81,20 +99,23 @@ Result<void> WriteDumpAsPng(const std::string& dump_file, const std::string& fil
 Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
   const int number = kFirstNumber + static_cast<int>(::getpid()) % kNumbers;
   std::string name = fmt::format(":{}", number);
-  auto program = Process::Start(
-      {"Xvfb", name, "-screen", "0", fmt::format("{}x{}x24", options.width_px, options.height_px),
-       "-nolisten", "tcp", "-fbdir", options.folder},
-      options.folder + "/xvfb.log");
+  const Sides across = SidesFor(options.width_px, kBegunWidth_px);
+  const Sides down = SidesFor(options.height_px, kBegunHeight_px);
+  auto program =
+      Process::Start({"Xvfb", name, "-screen", "0", fmt::format("{}x{}x24", across.screen_px, down.screen_px),
+                      "-nolisten", "tcp", "-fbdir", options.folder},
+                     options.folder + "/xvfb.log");
   if (!program) return tl::unexpected(program.error());
   const std::string socket = fmt::format("/tmp/.X11-unix/X{}", number);
   const auto ready = [&] { return !program->runs() || std::filesystem::exists(socket); };
   if (!waiter.Until(ready, kLongest)) return Fail(std::errc::timed_out, "start Xvfb");
   if (!program->runs()) return Fail(std::errc::not_supported, "start Xvfb (Debian's xvfb)");
-  return XScreen(std::move(*program), std::move(name), options.folder + "/Xvfb_screen0");
+  return XScreen(std::move(*program), std::move(name), options.folder + "/Xvfb_screen0",
+                 {across.before_px, down.before_px, across.window_px, down.window_px});
 }
 
 Result<void> XScreen::Shoot(const std::string& file) const {
-  return WriteDumpAsPng(memory_, file);
+  return WriteDumpAsPng(memory_, window_, file);
 }
 
 }  // namespace kaori::bench

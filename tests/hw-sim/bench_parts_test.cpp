@@ -89,6 +89,8 @@ TEST(QemuCommand, TakesAnotherKernelOnlyWhereACheckWantsIt) {
 
 using Dumps = Folder;
 
+constexpr DumpPart kAll{0, 0, 2, 1};
+
 std::string BigEndian(std::uint32_t word) {
   return {static_cast<char>(word >> 24), static_cast<char>(word >> 16), static_cast<char>(word >> 8),
           static_cast<char>(word)};
@@ -109,7 +111,7 @@ std::string Dump(std::uint32_t bits_of_point) {
 
 TEST_F(Dumps, OfAScreenBecomePictures) {
   Write("dump", Dump(32));
-  ASSERT_TRUE(WriteDumpAsPng(Path("dump"), Path("dump.png")));
+  ASSERT_TRUE(WriteDumpAsPng(Path("dump"), kAll, Path("dump.png")));
   const auto picture = LookAt(Path("dump.png"));
   ASSERT_TRUE(picture);
   EXPECT_EQ(picture->width_px, 2);
@@ -117,12 +119,19 @@ TEST_F(Dumps, OfAScreenBecomePictures) {
   EXPECT_DOUBLE_EQ(picture->lit, 0.5);
 }
 
+TEST_F(Dumps, GiveThePartThatIsAskedFor) {
+  Write("dump", Dump(32));
+  ASSERT_TRUE(WriteDumpAsPng(Path("dump"), {1, 0, 1, 1}, Path("part.png")));
+  EXPECT_EQ(LookAt(Path("part.png"))->lit, 0) << "the second point alone";
+  EXPECT_FALSE(WriteDumpAsPng(Path("dump"), {1, 0, 2, 1}, Path("none.png"))) << "it ends before";
+}
+
 TEST_F(Dumps, ThatAreNoneAreRefused) {
   Write("short", Dump(32).substr(0, 120));
   Write("grey", Dump(8));
   Write("empty", "");
   for (const char* name : {"short", "grey", "empty", "missing"})
-    EXPECT_FALSE(WriteDumpAsPng(Path(name), Path("none.png"))) << name;
+    EXPECT_FALSE(WriteDumpAsPng(Path(name), kAll, Path("none.png"))) << name;
 }
 
 TEST_F(Dumps, AreComparedPointByPoint) {
@@ -130,8 +139,8 @@ TEST_F(Dumps, AreComparedPointByPoint) {
   std::string other = Dump(32);
   other[other.size() - 7] = '\x7f';  // The second point's green.
   Write("other", other);
-  ASSERT_TRUE(WriteDumpAsPng(Path("dump"), Path("dump.png")));
-  ASSERT_TRUE(WriteDumpAsPng(Path("other"), Path("other.png")));
+  ASSERT_TRUE(WriteDumpAsPng(Path("dump"), kAll, Path("dump.png")));
+  ASSERT_TRUE(WriteDumpAsPng(Path("other"), kAll, Path("other.png")));
   EXPECT_EQ(Difference(Path("dump.png"), Path("dump.png")), 0);
   EXPECT_EQ(Difference(Path("dump.png"), Path("other.png")), 0.5);
   EXPECT_FALSE(Difference(Path("dump.png"), Path("missing.png")));

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,8 +13,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-
-#include "drivers/base/unique_fd.h"
 
 namespace kaori::hil {
 namespace {
@@ -72,20 +71,27 @@ Result<std::string> RunIn(int root, const std::vector<std::string>& words, Durat
                    "\n" + said);
 }
 
-Result<std::string> StartIn(int root, const std::vector<std::string>& words) {
+Result<std::string> Started::Start(int root, const std::vector<std::string>& words) {
   if (words.empty()) return FailInput("no program is named");
-  const UniqueFd nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC));
+  UniqueFd said(::memfd_create("said", MFD_CLOEXEC));
+  if (!said.valid()) return FailErrno("make room for what " + words[0] + " says");
   const pid_t child = ::fork();
   if (child < 0) return FailErrno("fork");
-  if (child == 0) Become(root, words, nowhere.get());
+  if (child == 0) Become(root, words, said.get());
+  said_[child] = std::move(said);
   return std::to_string(child);
 }
 
-Result<std::string> EndStarted(const std::string& number) {
-  const pid_t child = IsNumber(number) ? std::atoi(number.c_str()) : -1;
-  if (child <= 0 || ::kill(child, SIGTERM) < 0) return FailInput("nothing was started as " + number);
-  ::waitpid(child, nullptr, 0);
-  return std::string();
+Result<std::string> Started::End(const std::string& number) {
+  const auto child = said_.find(IsNumber(number) ? std::atoi(number.c_str()) : -1);
+  if (child == said_.end()) return FailInput("nothing was started as " + number);
+  ::kill(child->first, SIGTERM);
+  ::waitpid(child->first, nullptr, 0);
+  std::string text(kMostText, '\0');
+  const ssize_t got = ::pread(child->second.get(), text.data(), text.size(), 0);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  said_.erase(child);
+  return text;
 }
 
 Result<std::string> ReadIn(int root, const std::string& path) {

@@ -1,11 +1,15 @@
 // What the witness does in the machine when it is asked: runs tools, reads files, kills programs.
 #pragma once
 
+#include <sys/types.h>
+
+#include <map>
 #include <string>
 #include <vector>
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
 
 namespace kaori::hil {
 
@@ -14,11 +18,18 @@ namespace kaori::hil {
 // said), those of fork and pipe.
 Result<std::string> RunIn(int root, const std::vector<std::string>& words, Duration longest);
 
-// Starts a program in the room of `root` and leaves it running; gives its number. Errors: those of fork.
-Result<std::string> StartIn(int root, const std::vector<std::string>& words);
+// Programs that run on beside the questions.
+class Started {
+ public:
+  // Starts one in the room of `root`; gives its number. Errors: those of fork and of memory for its words.
+  Result<std::string> Start(int root, const std::vector<std::string>& words);
 
-// Ends what StartIn started, and waits for it. Errors: invalid_argument (no such number).
-Result<std::string> EndStarted(const std::string& number);
+  // Ends it, waits for it, and gives what it said. Errors: invalid_argument (no such number).
+  Result<std::string> End(const std::string& number);
+
+ private:
+  std::map<pid_t, UniqueFd> said_;
+};
 
 // The first 64 KiB of a file in the room of `root`. Errors: those of the file.
 Result<std::string> ReadIn(int root, const std::string& path);

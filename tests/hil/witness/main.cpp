@@ -10,7 +10,7 @@
 //   own WORDS...                 a program of the box
 //   start WORDS...               the same, left running; its number
 //   start-tool WORDS...          a program of the bench's disk, left running
-//   end NUMBER                   of a program that was started
+//   end NUMBER                   of a program that was started; what it said
 //   usb                          its devices, and whether each was let in
 //   voice PATH SECONDS           writes a voice as a WAV file of the bench's disk
 //   signal NAME NUMBER           to every process of that name
@@ -66,9 +66,9 @@ class Witness {
     if (verb == "usb") return kaori::hil::UsbDevices("/sys/bus/usb/devices");
     if (verb == "tool") return kaori::hil::RunIn(rooms_.bench.get(), words, kLongestTool);
     if (verb == "own") return kaori::hil::RunIn(rooms_.box.get(), words, kLongestTool);
-    if (verb == "start") return kaori::hil::StartIn(rooms_.box.get(), words);
-    if (verb == "start-tool") return kaori::hil::StartIn(rooms_.bench.get(), words);
-    if (verb == "end" && words.size() == 1) return kaori::hil::EndStarted(words[0]);
+    if (verb == "start") return started_.Start(rooms_.box.get(), words);
+    if (verb == "start-tool") return started_.Start(rooms_.bench.get(), words);
+    if (verb == "end" && words.size() == 1) return started_.End(words[0]);
     if (verb == "lines") return Lines(words);
     if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
     if (verb == "read" && words.size() == 1) return kaori::hil::ReadIn(rooms_.box.get(), words[0]);
@@ -132,6 +132,7 @@ class Witness {
 
   const kaori::hil::Rooms& rooms_;
   kaori::SteadyClock clock_;
+  kaori::hil::Started started_;
   std::unique_ptr<kaori::ports::GpioLines> lines_;
 };
 
