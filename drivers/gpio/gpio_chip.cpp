@@ -4,6 +4,8 @@
 
 #include <cerrno>
 
+#include "drivers/gpio/polled_line.h"
+
 namespace kaori::gpio {
 namespace {
 
@@ -24,6 +26,12 @@ std::string Named(const char* verb, gpiod_line* line) {
 tl::unexpected<Error> Failed(const char* verb, gpiod_line* line) {
   const bool gone = errno == ENODEV || errno == ENXIO;
   return Fail(gone ? std::errc::no_such_device : std::errc::io_error, Named(verb, line));
+}
+
+// A chip without interrupts. One that was pulled says the same, and says so again when the line is taken
+// plainly.
+bool TellsNoEdges(const Error& error) {
+  return error.cause == std::errc::no_such_device || error.cause == std::errc::no_such_device_or_address;
 }
 
 class Input final : public InputLine {
@@ -70,8 +78,13 @@ class Chip final : public GpioChip {
 
   Result<std::unique_ptr<InputLine>> TakeInput(const LineWiring& wiring) override {
     auto line = Take(wiring, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES);
-    if (!line) return tl::unexpected(line.error());
-    return std::make_unique<Input>(std::move(*line));
+    if (line) return std::make_unique<Input>(std::move(*line));
+    if (!TellsNoEdges(line.error())) return tl::unexpected(line.error());
+    auto plain = Take(wiring, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
+    if (!plain) return tl::unexpected(plain.error());
+    constexpr std::uint32_t kTurns = 4;  // The lines of an MCP2221 look one after the other.
+    constexpr Duration kTurn = std::chrono::milliseconds(10);
+    return PollLine(std::make_unique<Input>(std::move(*plain)), kTurn * (1 + wiring.offset % kTurns));
   }
 
   Result<std::unique_ptr<OutputLine>> TakeOutput(const LineWiring& wiring) override {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "drivers/gpio/chip_lines.h"
+#include "drivers/gpio/polled_line.h"
 
 namespace kaori::gpio {
 namespace {
@@ -171,6 +172,68 @@ TEST(GpioChip, ThatIsNotThereIsNoSuchDevice) {
   ASSERT_FALSE(lines);
   EXPECT_EQ(lines.error().cause, std::errc::no_such_device);
   EXPECT_EQ(lines.error().attempt, "open GPIO chip gpiochip-of-nobody");
+}
+
+// A chip that tells no edges; the level is what a hand says.
+struct Contact {
+  bool active = false;
+  bool pulled = false;
+};
+
+class PlainInput final : public InputLine {
+ public:
+  explicit PlainInput(const Contact& contact) : contact_(contact) {}
+  int pollable() const override { return -1; }
+  Result<bool> Level() override {
+    if (contact_.pulled) return Pulled();
+    return contact_.active;
+  }
+  Result<LineEdge> ReadEdge() override { return Fail(std::errc::io_error, "no edges here"); }
+
+ private:
+  const Contact& contact_;
+};
+
+class PolledLine : public testing::Test {
+ protected:
+  // The first edge that a look finds; looks are waited for as a program does.
+  Result<LineEdge> Next(int looks = 50) {
+    Result<LineEdge> edge = line_->ReadEdge();
+    for (; looks > 0 && !edge && edge.error().cause == std::errc::resource_unavailable_try_again; --looks) {
+      pollfd state{.fd = line_->pollable(), .events = POLLIN, .revents = 0};
+      EXPECT_EQ(::poll(&state, 1, 10'000), 1);
+      edge = line_->ReadEdge();
+    }
+    return edge;
+  }
+
+  Contact contact_;
+  std::unique_ptr<InputLine> line_ =
+      PollLine(std::make_unique<PlainInput>(contact_), std::chrono::milliseconds(1)).value();
+};
+
+TEST_F(PolledLine, TellsEachChangeOnce) {
+  EXPECT_FALSE(Next(2)) << "nothing changed";
+  for (const bool active : {true, false}) {
+    contact_.active = active;
+    const Time before = SteadyClock().now();
+    const auto edge = Next();
+    ASSERT_TRUE(edge) << edge.error().message();
+    EXPECT_EQ(edge->active, active);
+    EXPECT_GE(edge->at, before);
+    EXPECT_FALSE(Next(2));
+  }
+}
+
+TEST_F(PolledLine, ASwitchThatStoodSoWhenItWasTakenIsNoEdge) {
+  contact_.active = true;
+  EXPECT_TRUE(*line_->Level());
+  EXPECT_FALSE(Next(2));
+}
+
+TEST_F(PolledLine, SaysThatTheChipWasPulled) {
+  contact_.pulled = true;
+  EXPECT_EQ(Next().error().cause, std::errc::no_such_device);
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+#include "drivers/gpio/polled_line.h"
+
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::gpio {
+namespace {
+
+constexpr Duration kPeriod = std::chrono::milliseconds(40);  // As Linux looks at a CP2112.
+
+timespec Timespec(Duration length) {
+  const auto whole = std::chrono::duration_cast<std::chrono::seconds>(length);
+  return {.tv_sec = whole.count(), .tv_nsec = (length - whole).count()};
+}
+
+class PolledInput final : public InputLine {
+ public:
+  PolledInput(std::unique_ptr<InputLine> plain, UniqueFd timer)
+      : plain_(std::move(plain)), timer_(std::move(timer)) {}
+
+  int pollable() const override { return timer_.get(); }
+
+  Result<bool> Level() override {
+    auto level = plain_->Level();
+    if (level) active_ = *level;
+    return level;
+  }
+
+  Result<LineEdge> ReadEdge() override {
+    const auto nothing = [] {
+      return Fail(std::errc::resource_unavailable_try_again, "look at a GPIO line");
+    };
+    std::uint64_t ticks = 0;
+    if (::read(timer_.get(), &ticks, sizeof ticks) < 0) return nothing();
+    const auto level = plain_->Level();
+    if (!level) return tl::unexpected(level.error());
+    if (std::exchange(active_, *level) == *level) return nothing();
+    return LineEdge{.at = SteadyClock().now(), .active = *level};
+  }
+
+ private:
+  std::unique_ptr<InputLine> plain_;
+  UniqueFd timer_;
+  bool active_ = false;  // At the last look.
+};
+
+}  // namespace
+
+Result<std::unique_ptr<InputLine>> PollLine(std::unique_ptr<InputLine> plain, Duration first) {
+  UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
+  const itimerspec period{.it_interval = Timespec(kPeriod), .it_value = Timespec(first)};
+  if (!timer.valid() || ::timerfd_settime(timer.get(), 0, &period, nullptr) < 0)
+    return FailErrno("look at a GPIO line now and then");
+  return std::make_unique<PolledInput>(std::move(plain), std::move(timer));
+}
+
+}  // namespace kaori::gpio
