@@ -94,7 +94,8 @@ test('a slider changes the mask', async () => {
 
 test('every slider sets its value on the box', async () => {
   const names = {Similarity: 'key.similarity', Smoothness: 'key.smoothness', Spill: 'key.spill',
-                 'Stillness, Hz': 'smoothing.least_cutoff_hz', Quickness: 'smoothing.cutoff_per_speed'};
+                 'Stillness, Hz': 'smoothing.least_cutoff_hz', Quickness: 'smoothing.cutoff_per_speed',
+                 'Voice from, dB': 'voice.opens_db'};
   for (const [name, value] of Object.entries(names)) {
     const before = await valueOf(value);
     await page.getByRole('slider', {name}).focus();

@@ -1,4 +1,4 @@
-// Sliders of the key and of the smoothing; they follow what the box has, unless a hand is on them.
+// Sliders of the key, of the smoothing and of the voice; they follow what the box has, unless a hand is on them.
 import {onLanguage, word} from './words.js';
 import {newGesture, onState, set} from './wire.js';
 
@@ -9,6 +9,8 @@ const kSliders = [
   ['key.spill', 'spill', 1, 300, 1],
   ['smoothing.least_cutoff_hz', 'still', 0.5, 20, 0.1],
   ['smoothing.cutoff_per_speed', 'quick', 0, 60, 0.5],
+  ['voice.opens_db', 'gate', -80, 0, 1],
+  ['sound.delay_ms', 'delay', -1, 500, 1],
 ];
 const kLocal_ms = 700;  // A value that was just set is not what the box had before.
 
