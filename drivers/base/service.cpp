@@ -19,7 +19,7 @@ namespace {
 constexpr int kFirstPassed = 3;  // Descriptors that the manager passes begin here.
 constexpr int kLongestWait_ms = 5000;
 // How long a program that is watched may be silent: so many of its usual turns, and never less than this.
-constexpr int kPatientTurns = 10;
+constexpr int kPatientTurns = 30;
 constexpr Duration kShortestSilence = std::chrono::milliseconds(250);
 
 std::string_view Variable(const char* name) {

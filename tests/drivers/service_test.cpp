@@ -150,7 +150,7 @@ TEST_F(WatchedService, ASlowProgramIsNotKilledForBeingSlow) {
   for (const int turn_ms : {5, 40, 300, 5000}) {
     ASSERT_TRUE(watchdog->Beat(std::chrono::milliseconds(turn_ms)));
     EXPECT_GE(watchdog->limit(),
-              std::min<Duration>(std::chrono::milliseconds(10 * turn_ms), std::chrono::seconds(10)));
+              std::min<Duration>(std::chrono::milliseconds(30 * turn_ms), std::chrono::seconds(10)));
     EXPECT_NE(manager_.Read().words.find("WATCHDOG_USEC="), std::string::npos) << turn_ms;
   }
 }

@@ -1,23 +1,25 @@
 #!/usr/bin/env -S python3 -B
-"""How long a hand waits for the light: latch.py IMAGE_FOLDER PACKAGES KERNEL PROGRAM [EVENTS [MODE]]
+"""How long a hand waits for the light: latch.py IMAGE_FOLDER PACKAGES KERNEL PROGRAMS [EVENTS [MODE]]
 
-PROGRAM is kaori-latch, which takes the stage's place in a copy of the image. KERNEL is the box's kernel with one more
+PROGRAMS is the folder with kaori-latch, which takes the stage's place in a copy of the image, and with kaori-atelier. KERNEL is the box's kernel with one more
 driver, vkms: a screen whose vertical blanks come by a timer, which QEMU's own graphics cards do not have. A dial box on
 uhid reports a turn at random moments; kaori-input and kaori-stage are the image's. Compared are the stage that reads
 the hands as late as drawing allows, and the same stage with --early, which reads them right after each flip, in three
-rounds that take turns, and a third arm in which one of the two processors is kept busy. The screen is small and slow, so
-that drawing without a graphics card, under emulation, takes a part of its period, as it does on a box. Results go into
-boot.json beside the image.
+rounds that take turns, and a third arm in which one of the two processors is kept busy. The machine's time is that of its
+instructions, so neighbours on this computer change nothing but how long it takes. The screen is small and slow, and the
+face a plain one drawn flat, so that drawing takes a part of its period, as it does on a box. Results go into boot.json
+beside the image.
 """
 
 import re
 import shutil
 import statistics
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from machine import Machine
+from machine import STEADY, Machine
 from proof import with_units, write_report
 
 UNIT = """[Unit]
@@ -27,11 +29,26 @@ Group=kaori
 UMask=0007
 RuntimeDirectory=kaori
 RuntimeDirectoryMode=0770
-Environment=MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/run/kaori MESA_DISK_CACHE_READ_ONLY_FOZ_DBS=../../../../../../../usr/share/kaori/shaders
-ExecStart=/usr/bin/kaori-latch --mode {mode} --events {events} --pack /usr/share/kaori/kaori.kaori
+Environment=LP_NUM_THREADS=0 MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/run/kaori MESA_DISK_CACHE_READ_ONLY_FOZ_DBS=../../../../../../../usr/share/kaori/shaders
+ExecStart=/usr/bin/kaori-latch --mode {mode} --events {events} --pack /usr/share/kaori/latch.kaori
 """
+SHOW = Path(__file__).resolve().parents[2] / "appliance/shows/kaori"
+FIRST = {"face": "mask", "style": "flat", "backdrop": '{ kind = "gradient", top = "#5a6c8c", bottom = "#2c3448" }'}
 LONGEST_S = 3600
 WANTED_GAIN, WANTED_MISSED, WANTED_MISSED_LOADED = 1.6, 0.5, 2.0
+
+
+def pack_plain_show(programs, folder, into):
+    """The show, but that its first scene, which opens it, is cheap to draw."""
+    shutil.copytree(SHOW, folder)
+    script = folder / "show.toml"
+    before, first, rest = script.read_text().split("[[scene]]", 2)
+    for name, value in FIRST.items():
+        value = value if value.startswith("{") else f'"{value}"'
+        first, found = re.subn(rf"^{name} = .*$", f"{name} = {value}", first, flags=re.MULTILINE)
+        assert found == 1, name
+    script.write_text("[[scene]]".join((before, first, rest)))
+    subprocess.run([programs / "kaori-atelier", "pack", folder, into], check=True, stdout=subprocess.DEVNULL)
 
 
 def rounds_of(said):
@@ -67,13 +84,15 @@ def judge(image, said, where):
 
 
 def main():
-    image, packages, kernel, program = map(Path, sys.argv[1:5])
-    events, mode = sys.argv[5] if len(sys.argv) > 5 else "70", sys.argv[6] if len(sys.argv) > 6 else "320x180@1"
+    image, packages, kernel, programs = map(Path, sys.argv[1:5])
+    events, mode = sys.argv[5] if len(sys.argv) > 5 else "70", sys.argv[6] if len(sys.argv) > 6 else "160x90@6"
     with tempfile.TemporaryDirectory(dir=image) as folder:
+        plain = Path(folder) / "latch.kaori"
+        pack_plain_show(programs, Path(folder) / "show", plain)
         copy = with_units(image, packages, folder, {"bench-latch.service": UNIT.format(mode=mode, events=events)},
-                          programs=[program], without=["kaori-stage.service"])
+                          programs=[programs / "kaori-latch"], shows=[plain], without=["kaori-stage.service", "kaori-lips.service"])
         shutil.copy(kernel, copy / "bzImage")
-        with Machine(copy, screen=()) as box:
+        with Machine(copy, screen=(), pace=STEADY) as box:
             box.wait_for(r"all rounds are played|bench-latch.service: Main process exited", LONGEST_S)
             said = box.said()
     (image / "latch.log").write_text(said)

@@ -26,7 +26,8 @@ def main():
                 time.sleep(0.05)
             try:
                 said = subprocess.run([programs / "kaori-latch", "--links", folder, "--stage", programs / "kaori-stage",
-                                       "--board", f"{folder}/board", "--pack", pack, "--events", events, "--first"],
+                                       "--board", f"{folder}/board", "--pack", pack, "--events", events, "--first",
+                                       "--mode", f"{SIZE}@{rate_hz}"],
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=LONGEST_S,
                                       check=False).stdout
             finally:

@@ -11,26 +11,32 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "rootfs/image"))
 from qmp import Qmp  # noqa: E402  The image's own.
 
 # The guest draws by itself; with newer processors' instructions emulation is many times slower.
-BOARD = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512", "-no-reboot",
+BOARD = ("-M", "q35", "-cpu", "Nehalem", "-smp", "2", "-m", "512", "-no-reboot",
          "-vga", "none", "-display", "none", "-device", "qemu-xhci")
+FAST = ("-accel", "tcg,thread=multi")
+# Each instruction takes a nanosecond of the machine's own time, whatever else this computer does meanwhile; waiting
+# takes none of ours.
+STEADY = ("-accel", "tcg,thread=single", "-icount", "shift=0,sleep=off")
 SCREEN = ("-device", "virtio-gpu-pci,id=card,xres=960,yres=540")
 TOLD = "console=ttyS0 loglevel=6 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=1"
 FACE = r"Started .*kaori-stage"
 
 
 class Machine:
-    """Runs from construction to the end of a `with`. `disk` may be another than the image's; nothing is written to it.
-    `screen` is QEMU's words for the graphics card; those may name {folder}, where sockets lie."""
+    """Runs from construction to the end of a `with`. `disk` may be another than the image's; nothing is
+    written to it, unless the machine `keeps` what it writes.
+    `screen` is QEMU's words for the graphics card; those may name {folder}, where sockets lie. `pace` is FAST, or
+    STEADY where times in the machine are measured."""
 
-    def __init__(self, image, disk=None, screen=SCREEN):
+    def __init__(self, image, disk=None, screen=SCREEN, keeps=False, pace=FAST):
         image = Path(image)
         self.folder = tempfile.TemporaryDirectory()
         self.serial = Path(self.folder.name) / "serial"
         told = (image / "cmdline").read_text().strip().replace(" quiet loglevel=3", "") + " " + TOLD
         self.process = subprocess.Popen(
-            ["qemu-system-x86_64", *BOARD, *(word.format(folder=self.folder.name) for word in screen),
+            ["qemu-system-x86_64", *BOARD, *pace, *(word.format(folder=self.folder.name) for word in screen),
              "-kernel", str(image / "bzImage"), "-append", told,
-             "-drive", f"file={disk or image / 'kaori.disk'},if=virtio,format=raw,snapshot=on",
+             "-drive", f"file={disk or image / 'kaori.disk'},if=virtio,format=raw,snapshot={'off' if keeps else 'on'}",
              "-serial", f"file:{self.serial}", "-qmp", f"unix:{self.folder.name}/qmp,server=on,wait=off"])
         self.link = None
 
@@ -41,6 +47,10 @@ class Machine:
         self.process.terminate()
         self.process.wait()
         self.folder.cleanup()
+
+    def path(self, name):
+        """Where a socket lies that `screen` named."""
+        return Path(self.folder.name) / name
 
     def said(self):
         return self.serial.read_text(errors="replace") if self.serial.exists() else ""
@@ -56,12 +66,19 @@ class Machine:
             time.sleep(0.1)
         return False
 
-    def screen(self, head=0):
-        """The picture on its screen, or on another of its card: width, height, and the bytes of its pixels (RGB)."""
+    def ask(self, command, **arguments):
         if self.link is None:
             self.link = Qmp(f"{self.folder.name}/qmp")
+        return self.link.ask(command, **arguments)
+
+    def strike(self, key):
+        """Of a keyboard that was plugged in with the screen; QEMU's name."""
+        self.ask("send-key", keys=[{"type": "qcode", "data": key}], **{"hold-time": 300})
+
+    def screen(self, head=0):
+        """The picture on its screen, or on another of its card: width, height, and the bytes of its pixels (RGB)."""
         picture = Path(self.folder.name) / "screen.ppm"
-        self.link.ask("screendump", filename=str(picture), **({"device": "card", "head": head} if head else {}))
+        self.ask("screendump", filename=str(picture), **({"device": "card", "head": head} if head else {}))
         kind, size, _, pixels = picture.read_bytes().split(b"\n", 3)
         assert kind == b"P6", kind
         width, height = map(int, size.split())

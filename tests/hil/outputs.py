@@ -15,6 +15,7 @@ import time
 from pathlib import Path
 
 from machine import FACE, Machine
+from pictures import is_lit
 from proof import write_report
 
 HEADS = 2
@@ -52,10 +53,6 @@ class Viewer:
         self.link.sendall(struct.pack(">BxHHBxIHHHHI", 251, width, height, 1, 0, 0, 0, width, height, 0))
 
 
-def is_lit(picture):
-    return len(set(picture[2][::997])) > 8
-
-
 def wait_until(condition):
     """The seconds it took; None when it did not come."""
     began = time.monotonic()
@@ -71,7 +68,7 @@ class Wall:
 
     def __init__(self, box):
         self.box = box
-        self.viewers = [Viewer(Path(box.folder.name) / f"vnc{head}") for head in range(HEADS)]
+        self.viewers = [Viewer(box.path(f"vnc{head}")) for head in range(HEADS)]
         self.plugged = [True, False]
         self.faults = []
         self.took_s = []
@@ -94,7 +91,7 @@ class Wall:
     def changes(self, head):
         """It shows a face, and the face moves."""
         one = self.box.screen(head)
-        if one[:2] != SIZES[head] or not is_lit(one):
+        if one[:2] != SIZES[head] or not is_lit(one[2]):
             return False
         return wait_until(lambda: self.box.screen(head)[2] != one[2]) is not None
 
@@ -125,4 +122,5 @@ def main():
     sys.exit(bool(wall.faults))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "appliance/board/board.h"
@@ -35,9 +36,9 @@ constexpr std::string_view kHelp = R"(kaori-latch: how long a hand waits for the
 
 constexpr int kFirst = -10;  // As nice(2) counts.
 constexpr int kLook_ms = 1;
-constexpr unsigned kLongestPause_ms = 300;
 constexpr Duration kLongest = 120s;         // For a stage to begin, and for a hand to be seen.
 constexpr std::uint32_t kFirstFrames = 40;  // They compile shaders.
+constexpr std::uint32_t kStep = 100;        // Frames after a load step in which its end is looked for.
 
 struct Settings {
   std::string links, stage = "/usr/bin/kaori-stage", mode = "320x180@4", events = "70", rounds = "3",
@@ -67,12 +68,17 @@ class Bench {
   template <class Condition>
   bool Until(Condition condition);
   Result<Duration> Event();
+  void Note();
+  unsigned Pause_ms();
 
   const board::Board& board_;
   Hand hand_;
   const Settings& settings_;
   SteadyClock clock_;
   std::mt19937 random_{7};
+  board::StageStatus step_;         // When the round's load began, or would have.
+  std::uint32_t known_missed_ = 0;  // As far as Note has seen.
+  std::uint32_t settled_ = 0;       // Frames from the step to the last flip that was missed for it.
 };
 
 // Whether it came true in time.
@@ -80,10 +86,25 @@ template <class Condition>
 bool Bench::Until(Condition condition) {
   for (const Time end = clock_.now() + kLongest; clock_.now() < end;) {
     hand_.Answer();
+    Note();
     if (condition()) return true;
     ::poll(nullptr, 0, kLook_ms);
   }
   return false;
+}
+
+// Flips that are missed soon after the load began are missed for it.
+void Bench::Note() {
+  const board::StageStatus now = Status();
+  const std::uint32_t since = now.frames - step_.frames;
+  if (now.missed_flips != std::exchange(known_missed_, now.missed_flips) && since <= kStep) settled_ = since;
+}
+
+// Up to one period of the screen: so a hand comes at any moment of a frame.
+unsigned Bench::Pause_ms() {
+  const auto at = settings_.mode.rfind('@');
+  const int rate_hz = at == std::string::npos ? 0 : std::atoi(settings_.mode.c_str() + at + 1);
+  return unsigned(random_() % (1000U / unsigned(std::clamp(rate_hz, 1, 1000)) + 1));
 }
 
 // From the device's report to the first flip of a frame that had read it.
@@ -118,24 +139,25 @@ Result<void> Bench::Round(const Arm& arm, int round) {
   if (!stage->Runs()) return Fail(std::errc::no_child_process, "keep the stage playing");
   std::optional<Result<Child>> burner;
   if (arm.loaded) burner.emplace(Child::Burn());
-  const board::StageStatus first = Status();
+  const board::StageStatus first = step_ = Status();
+  known_missed_ = first.missed_flips;
+  settled_ = 0;
   std::vector<Duration> waited;
   const auto wanted = std::size_t(std::atoi(settings_.events.c_str()));
   while (waited.size() < wanted) {
     const auto event = Event();
     if (!event) return tl::unexpected(event.error());
     waited.push_back(*event);
-    ::poll(nullptr, 0, int(random_() % kLongestPause_ms));
+    ::poll(nullptr, 0, int(Pause_ms()));
   }
   const board::StageStatus last = Status();
   std::ranges::sort(waited);
   const Duration sum = std::accumulate(waited.begin(), waited.end(), Duration());
   Log("round arm={} round={} events={} mean_ms={:.2f} median_ms={:.2f} p99_ms={:.2f} frames={} missed={} "
-      "draw_ms={:.2f} "
-      "margin_ms={:.2f}",
+      "settled={} draw_ms={:.2f} margin_ms={:.2f}",
       arm.name, round, waited.size(), Milliseconds(sum) / double(waited.size()),
       Milliseconds(waited[waited.size() / 2]), Milliseconds(waited[waited.size() * 99 / 100]),
-      last.frames - first.frames, last.missed_flips - first.missed_flips, last.draw_us * 1e-3,
+      last.frames - first.frames, last.missed_flips - first.missed_flips, settled_, last.draw_us * 1e-3,
       last.margin_us * 1e-3);
   return {};
 }
