@@ -64,6 +64,7 @@ std::vector<Check> AllChecks();
 
 // The parts of it.
 std::vector<Check> ScreenChecks();
+std::vector<Check> PlayChecks();
 std::vector<Check> HandChecks();
 std::vector<Check> CableChecks();
 std::vector<Check> SourceChecks();

@@ -29,9 +29,9 @@ Result<void> Scene::Skip(std::string why) {
 // Those that want the same setup stand together: another one is a box started anew.
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
-  for (auto& part : {ScreenChecks(), HandChecks(), LatencyChecks(), SourceChecks(), LineChecks(),
-                     SoundChecks(), PluginChecks(), CableChecks(), ToolChecks(), StrangerChecks(),
-                     AloneChecks(), SpeedChecks(), GadgetChecks(), LoopChecks()})
+  for (auto& part : {ScreenChecks(), PlayChecks(), HandChecks(), LatencyChecks(), SourceChecks(),
+                     LineChecks(), SoundChecks(), PluginChecks(), CableChecks(), ToolChecks(),
+                     StrangerChecks(), AloneChecks(), SpeedChecks(), GadgetChecks(), LoopChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -5,8 +5,6 @@
 
 #include "hw-sim/bench/check.h"
 #include "hw-sim/bench/picture.h"
-#include "hw-sim/scenario/player.h"
-#include "hw-sim/scenario/reader.h"
 
 namespace kaori::bench {
 namespace {
@@ -29,73 +27,6 @@ Result<void> Face(Scene& scene) {
   if (!board) return tl::unexpected(board.error());
   scene.finding.figures["llvmpipe_frames_per_s"] = board->stage.frames_per_s;
   scene.finding.said = fmt::format("{}; {:.1f} frames/s", Words(*picture), board->stage.frames_per_s);
-  return {};
-}
-
-// A scenario on the bench: its time stands still while a slow machine draws.
-class HeldPlay {
- public:
-  HeldPlay(sim::Scenario scenario, Place& place)
-      : place_(place), last_(place.clock().now()), player_(std::move(scenario), place.rig(), last_) {
-    place.SetHands([this](Time now) {
-      if (now > last_ && !held_) played_ += now - last_;
-      last_ = now;
-      player_.Perform(start_ + played_);
-    });
-  }
-  ~HeldPlay() { place_.SetHands({}); }
-  HeldPlay(const HeldPlay&) = delete;
-  HeldPlay& operator=(const HeldPlay&) = delete;
-
-  const sim::Scenario& scenario() const { return player_.scenario(); }
-  void PlayUntil(Duration at) {
-    held_ = false;
-    place_.Until([&] { return player_.position() >= at; }, at + seconds(1));
-    held_ = true;
-  }
-  // Until the screen shows hands as they are now. Errors: timed_out.
-  Result<void> AwaitFrame(const std::string& scene) {
-    const auto now = place_.Board();
-    if (!now) return tl::unexpected(now.error());
-    const auto drawn = [&](const BoardView& board) { return board.stage.read_ns >= now->now_ns; };
-    if (auto ok = place_.UntilBoard(drawn, kLongestFrame, "wait for a frame of scene " + scene); !ok)
-      return tl::unexpected(ok.error());
-    return {};
-  }
-
- private:
-  Place& place_;
-  Time last_;
-  Time start_ = last_;
-  Duration played_{};
-  bool held_ = false;
-  sim::Player player_;
-};
-
-// In each scene, when two thirds of it are over.
-Result<void> ShootScene(Scene& scene, HeldPlay& play, std::size_t beat) {
-  const auto& beats = play.scenario().beats;
-  const Duration ends = beat + 1 < beats.size() ? beats[beat + 1].at : play.scenario().length;
-  play.PlayUntil(beats[beat].at + (ends - beats[beat].at) * 2 / 3);
-  if (auto ok = play.AwaitFrame(beats[beat].name); !ok) return ok;
-  return scene.ShootFace("play", beats[beat].name);
-}
-
-Result<void> Play(Scene& scene) {
-  auto scenario = sim::LoadScenario(scene.play);
-  if (!scenario) return tl::unexpected(scenario.error());
-  const auto before = scene.place.Board();
-  if (!before) return tl::unexpected(before.error());
-  HeldPlay play(std::move(*scenario), scene.place);
-  const std::size_t all = play.scenario().beats.size();
-  const std::size_t scenes = scene.scenes > 0 ? std::min(all, static_cast<std::size_t>(scene.scenes)) : all;
-  for (std::size_t n = 0; n < scenes; ++n)
-    if (auto ok = ShootScene(scene, play, n); !ok) return ok;
-  if (scenes == all) play.PlayUntil(play.scenario().length);
-  const auto after = scene.place.Board();
-  if (!after) return tl::unexpected(after.error());
-  scene.finding.said = fmt::format("{} scenes, {} frames; time stood still while a slow machine drew", scenes,
-                                   after->stage.frames - before->stage.frames);
   return {};
 }
 
@@ -160,7 +91,6 @@ Result<void> StageKilled(Scene& scene) {
 std::vector<Check> ScreenChecks() {
   return {
       {"face", "The face is on the screen", true, Face},
-      {"play", "A scenario plays through the box's own drivers", true, Play},
       {"stage-killed", "The stage is killed: its last picture stays, and it comes back", true, StageKilled}};
 }
 

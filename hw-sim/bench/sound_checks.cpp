@@ -49,6 +49,9 @@ double HeardVoice(Scene& scene) {
 Result<void> Sound(Scene& scene) {
   const auto cards = CardsOf(scene, "HDA-Intel");  // As QemuCommand has them: loudspeaker, microphone.
   if (cards.size() < 2) return scene.Skip("the kernel does not show both sound cards");
+  const auto hears = [](const BoardView& board) { return board.voice_live && board.voice_blocks > 0; };
+  if (auto ok = scene.place.UntilBoard(hears, kLongest, "see that the box hears its microphone"); !ok)
+    return tl::unexpected(ok.error());
   const Lull others(scene, "kaori-lips.service");
   if (auto ok = Ask(
           scene,
@@ -63,7 +66,8 @@ Result<void> Sound(Scene& scene) {
     if (auto ok = Ask(scene, question); !ok) return ok;
   const double after = HeardVoice(scene);
   scene.finding.said = fmt::format(
-      "a second recorded; a voice played, and heard at the card's loudspeaker ({:.2f} like it; {:.2f} "
+      "the box hears its microphone; a second recorded; a voice played, and heard at the card's loudspeaker "
+      "({:.2f} like it; {:.2f} "
       "before)",
       after, before);
   return after >= kLike ? Result<void>{} : FailInput(scene.finding.said);

@@ -1,12 +1,21 @@
 # ./box test --bench: the image in a virtual machine. Read by ./box.
 
 readonly MACHINE_PACKAGES=(e2fsprogs evtest v4l-utils gpiod alsa-utils usbutils ovmf)  # What looks at devices in the machine.
+readonly WINDOW_PACKAGES=(xvfb qemu-system-gui)  # What draws for it.
+readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 
 # The image, with simulated devices plugged in: play_on_the_bench OPTION...
 play_on_the_bench() {
   tests/hil/bench_disk $BIN/kaori-witness out/bench.disk
   $BIN/kaori-bench --image out/image --bench-disk out/bench.disk --report out/bench --figures out/boot.json --play $PLAY "$@" ||
     { say "the report is out/bench/report.html"; return 1; }
+}
+
+# A kernel with the box's settings, and devices that are not there. Of its files only those that differ are compiled.
+build_bench_kernel() {
+  say "building the bench's kernel, where its settings are new (minutes)"
+  rootfs/image/kernel/build out/image/kernel --more rootfs/image/kernel/bench.config --into "$(dirname $BENCH_KERNEL)" ||
+    fail "the bench's kernel could not be built; see $(dirname $BENCH_KERNEL)/build.log"
 }
 
 failed_proofs=()
@@ -25,7 +34,7 @@ prove() {
 # One by one: they share the processors.
 prove_all() {
   local image=out/image packages=out/image/packages
-  prove "devices are played, pulled and plugged" play_on_the_bench --replugs 200
+  prove "devices are played, pulled and plugged" play_on_the_bench --replugs 200 --bench-kernel $BENCH_KERNEL
   prove "a changed root is not played" tests/hil/verity.py $image
   prove "the disk starts on a PC with UEFI" tests/hil/uefi.py $image
   prove "the last picture stays while the stage dies" tests/hil/hold.py $image $packages
@@ -39,12 +48,14 @@ test_on_the_bench() {
   [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen; see ./box help"
   need "${MACHINE_PACKAGES[@]}"
   image
-  build release kaori-bench kaori-witness kaori-gadget
+  build release kaori-bench kaori-witness kaori-gadget kaori-lips kaori-camera-libcamera
   if [ $# -gt 0 ]; then
     say "playing the image in a virtual machine"
     play_on_the_bench --chosen --replugs 24 --scenes 2 || fail "the box failed on the bench"
     return
   fi
+  need "${WINDOW_PACKAGES[@]}"
+  build_bench_kernel
   prove_all
   [ ${#failed_proofs[@]} -eq 0 ] || fail "not so: $(printf '%s; ' "${failed_proofs[@]}")see above"
 }
