@@ -40,13 +40,14 @@ bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
   if (canvas_.width_px() == 0) return false;
   const int width_px = std::min(most_width_px, canvas_.width_px());
   const int height_px = std::max(1, canvas_.height_px() * width_px / canvas_.width_px());
-  if (!small_ || into.width_px != width_px || into.height_px != height_px) {
+  if (!small_ || small_->width_px() != width_px || small_->height_px() != height_px) {
     auto small = gl::SmallPicture::Make(width_px, height_px);
     if (!small) return false;
     small_.emplace(std::move(*small));
-    into = {width_px, height_px, {}};
-    into.pixels.resize(std::size_t(width_px) * std::size_t(height_px) * 4);
   }
+  into.width_px = width_px;
+  into.height_px = height_px;
+  into.pixels.resize(std::size_t(width_px) * std::size_t(height_px) * 4);
   small_->Read(canvas_, into.pixels);
   return true;
 }

@@ -20,6 +20,9 @@ class SmallPicture {
   // `bytes` holds width * height * 4.
   void Read(const Canvas& canvas, std::span<std::uint8_t> bytes) const;
 
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+
  private:
   SmallPicture(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {}
 
