@@ -233,5 +233,17 @@ TEST(BenchChecks, HaveNamesOfTheirOwnAndAChosenPart) {
   EXPECT_GE(chosen, 8);
 }
 
+TEST(BenchChecks, OfOneSetupStandTogether) {
+  std::vector<bench::Setup> setups;
+  for (const Check& check : AllChecks())
+    if (setups.empty() || setups.back() != check.setup) setups.push_back(check.setup);
+  for (std::size_t n = 0; n < setups.size(); ++n)
+    EXPECT_EQ(std::count(setups.begin(), setups.end(), setups[n]), 1) << "a box is started anew for nothing";
+}
+
+TEST(BenchChecks, OfTheChosenPartWantTheImageAndNothingElse) {
+  for (const Check& check : AllChecks()) EXPECT_TRUE(!check.chosen || check.setup == bench::Setup{}) << check.name;
+}
+
 }  // namespace
 }  // namespace kaori::bench
