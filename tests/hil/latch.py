@@ -1,5 +1,5 @@
 #!/usr/bin/env -S python3 -B
-"""How long a hand waits for the light: latch.py IMAGE_FOLDER PACKAGES KERNEL PROGRAMS [EVENTS [MODE]]
+"""How long a hand waits for the light: latch.py IMAGE_FOLDER PACKAGES KERNEL PROGRAMS [EVENTS [MODE [LOADED_MODE]]]
 
 PROGRAMS is the folder with kaori-latch, which takes the stage's place in a copy of the image, and with kaori-atelier. KERNEL is the box's kernel with one more
 driver, vkms: a screen whose vertical blanks come by a timer, which QEMU's own graphics cards do not have. A dial box on
@@ -30,7 +30,7 @@ UMask=0007
 RuntimeDirectory=kaori
 RuntimeDirectoryMode=0770
 Environment=LP_NUM_THREADS=0 MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/run/kaori MESA_DISK_CACHE_READ_ONLY_FOZ_DBS=../../../../../../../usr/share/kaori/shaders
-ExecStart=/usr/bin/kaori-latch --mode {mode} --events {events} --pack /usr/share/kaori/latch.kaori
+ExecStart=/usr/bin/kaori-latch --mode {mode} --loaded {loaded} --events {events} --pack /usr/share/kaori/latch.kaori
 """
 SHOW = Path(__file__).resolve().parents[2] / "appliance/shows/kaori"
 FIRST = {"face": "mask", "style": "flat", "backdrop": '{ kind = "gradient", top = "#5a6c8c", bottom = "#2c3448" }'}
@@ -85,11 +85,11 @@ def judge(image, said, where):
 
 def main():
     image, packages, kernel, programs = map(Path, sys.argv[1:5])
-    events, mode = sys.argv[5] if len(sys.argv) > 5 else "70", sys.argv[6] if len(sys.argv) > 6 else "160x90@6"
+    events, mode, loaded = sys.argv[5:8] + ["70", "160x90@3", "160x90@6"][len(sys.argv[5:8]):]
     with tempfile.TemporaryDirectory(dir=image) as folder:
         plain = Path(folder) / "latch.kaori"
         pack_plain_show(programs, Path(folder) / "show", plain)
-        copy = with_units(image, packages, folder, {"bench-latch.service": UNIT.format(mode=mode, events=events)},
+        copy = with_units(image, packages, folder, {"bench-latch.service": UNIT.format(mode=mode, loaded=loaded, events=events)},
                           programs=[programs / "kaori-latch"], shows=[plain], without=["kaori-stage.service", "kaori-lips.service"])
         shutil.copy(kernel, copy / "bzImage")
         with Machine(copy, screen=(), pace=STEADY) as box:

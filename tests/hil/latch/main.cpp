@@ -1,5 +1,6 @@
 // kaori-latch: how long a hand waits for the light, with its hands read late and early, in one run. Runs on
 // the box itself, in the stage's place; says each round on one line.
+#include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -25,6 +26,7 @@ using namespace std::chrono_literals;
 constexpr std::string_view kHelp = R"(kaori-latch: how long a hand waits for the light
 
   --mode MODE    the screen's, as in 320x180@4
+  --loaded MODE  the screen's where a processor is kept busy; half as many events there (the same)
   --links FOLDER instead of a graphics card: the simulator's; the hand is on the board then
   --stage FILE   the program (/usr/bin/kaori-stage)
   --first        the stage goes before what else runs on the machine: on a desk where others work
@@ -36,12 +38,13 @@ constexpr std::string_view kHelp = R"(kaori-latch: how long a hand waits for the
 
 constexpr int kFirst = -10;  // As nice(2) counts.
 constexpr int kLook_ms = 1;
-constexpr Duration kLongest = 120s;         // For a stage to begin, and for a hand to be seen.
-constexpr std::uint32_t kFirstFrames = 40;  // They compile shaders.
-constexpr std::uint32_t kStep = 100;        // Frames after a load step in which its end is looked for.
+constexpr Duration kLongest = 120s;  // For a stage to begin, and for a hand to be seen.
+constexpr std::uint32_t kFirstFrames = 40, kMostFrames = 160;  // Before a round begins.
+constexpr std::uint32_t kSettled = 6;                          // Of a period is then the margin.
+constexpr std::uint32_t kStep = 100;  // Frames after a load step in which its end is looked for.
 
 struct Settings {
-  std::string links, stage = "/usr/bin/kaori-stage", mode = "320x180@4", events = "70", rounds = "3",
+  std::string links, stage = "/usr/bin/kaori-stage", mode = "320x180@4", loaded, events = "70", rounds = "3",
                      board = "/run/kaori/board", pack;
   bool first = false;
 };
@@ -56,6 +59,14 @@ Time At(const std::array<std::uint32_t, 2>& words) {
   return Time{} + Duration(std::int64_t(words[0] | std::uint64_t{words[1]} << 32));
 }
 
+// 4 where the words are no mode.
+unsigned RateOf_hz(const std::string& mode) {
+  constexpr int kUsual = 4, kMost = 1000;
+  const auto at = mode.rfind('@');
+  const int rate_hz = at == std::string::npos ? kUsual : std::atoi(mode.c_str() + at + 1);
+  return unsigned(std::clamp(rate_hz, 1, kMost));
+}
+
 class Bench {
  public:
   Bench(const board::Board& board, Hand hand, const Settings& settings)
@@ -67,9 +78,17 @@ class Bench {
   board::StageStatus Status() const { return board_.Read<board::StageStatus>().value; }
   template <class Condition>
   bool Until(Condition condition);
-  Result<Duration> Event();
+  struct Seen {
+    Duration waited{};  // From the device's report to the first flip of a frame that had read it.
+    Duration shown{};   // Of that, from the reading to the flip.
+  };
+  Result<Seen> Event();
   void Note();
-  unsigned Pause_ms();
+  unsigned Pause_ms(const std::string& mode);
+  bool HasBegun(std::uint32_t frames, const std::string& mode) const;
+  const std::string& ModeOf(const Arm& arm) const {
+    return arm.loaded && !settings_.loaded.empty() ? settings_.loaded : settings_.mode;
+  }
 
   const board::Board& board_;
   Hand hand_;
@@ -101,14 +120,18 @@ void Bench::Note() {
 }
 
 // Up to one period of the screen: so a hand comes at any moment of a frame.
-unsigned Bench::Pause_ms() {
-  const auto at = settings_.mode.rfind('@');
-  const int rate_hz = at == std::string::npos ? 0 : std::atoi(settings_.mode.c_str() + at + 1);
-  return unsigned(random_() % (1000U / unsigned(std::clamp(rate_hz, 1, 1000)) + 1));
+unsigned Bench::Pause_ms(const std::string& mode) {
+  return unsigned(random_() % (1000U / RateOf_hz(mode) + 1));
 }
 
-// From the device's report to the first flip of a frame that had read it.
-Result<Duration> Bench::Event() {
+// The first frames compile shaders, and the margin that they widened needs some more to be what it usually
+// is.
+bool Bench::HasBegun(std::uint32_t frames, const std::string& mode) const {
+  const std::uint32_t widest_us = 1'000'000 / RateOf_hz(mode) / kSettled;
+  return frames >= kFirstFrames && (Status().margin_us < widest_us || frames >= kMostFrames);
+}
+
+Result<Bench::Seen> Bench::Event() {
   const auto at = hand_.Turn(clock_);
   if (!at) return tl::unexpected(at.error());
   if (!Until([&] { return board_.Read<board::Surface>().at >= *at; }))
@@ -117,24 +140,38 @@ Result<Duration> Bench::Event() {
   board::StageStatus seen;
   if (!Until([&] { return At((seen = Status()).read_ns) > known; }))
     return Fail(std::errc::timed_out, "see the hand on the screen");
-  return At(seen.flip_ns) - *at;
+  return Seen{At(seen.flip_ns) - *at, At(seen.flip_ns) - At(seen.read_ns)};
 }
 
 double Milliseconds(Duration length) {
   return Seconds(length) * 1e3;
 }
 
+// At least one.
+Duration Median(std::vector<Duration> lengths) {
+  std::ranges::sort(lengths);
+  return lengths[lengths.size() / 2];
+}
+
+std::string Words(std::vector<Duration> waited) {
+  std::ranges::sort(waited);
+  const Duration sum = std::accumulate(waited.begin(), waited.end(), Duration());
+  return fmt::format("events={} mean_ms={:.2f} least_ms={:.2f} median_ms={:.2f} p99_ms={:.2f}", waited.size(),
+                     Milliseconds(sum) / double(waited.size()), Milliseconds(waited.front()),
+                     Milliseconds(Median(waited)), Milliseconds(waited[waited.size() * 99 / 100]));
+}
+
 Result<void> Bench::Round(const Arm& arm, int round) {
   std::vector<std::string> words{settings_.stage, "--board", settings_.board, "--pack", settings_.pack};
   for (const auto& word : settings_.links.empty()
-                              ? std::vector<std::string>{"--card", "/dev/dri/card0", "--mode", settings_.mode}
+                              ? std::vector<std::string>{"--card", "/dev/dri/card0", "--mode", ModeOf(arm)}
                               : std::vector<std::string>{"--links", settings_.links})
     words.push_back(word);
   if (arm.early) words.emplace_back("--early");
   const std::uint32_t before = Status().frames;
   const auto stage = Child::Start(words, settings_.first ? kFirst : 0);
   if (!stage) return tl::unexpected(stage.error());
-  const auto has_begun = [&] { return Status().frames - before >= kFirstFrames; };
+  const auto has_begun = [&] { return HasBegun(Status().frames - before, ModeOf(arm)); };
   while (!Until([&] { return has_begun() || !stage->Runs(); }) && !has_begun()) Log("the stage is slow");
   if (!stage->Runs()) return Fail(std::errc::no_child_process, "keep the stage playing");
   std::optional<Result<Child>> burner;
@@ -142,23 +179,20 @@ Result<void> Bench::Round(const Arm& arm, int round) {
   const board::StageStatus first = step_ = Status();
   known_missed_ = first.missed_flips;
   settled_ = 0;
-  std::vector<Duration> waited;
-  const auto wanted = std::size_t(std::atoi(settings_.events.c_str()));
+  std::vector<Duration> waited, shown;
+  const auto wanted = std::size_t(std::atoi(settings_.events.c_str())) / (arm.loaded ? 2 : 1);
   while (waited.size() < wanted) {
     const auto event = Event();
     if (!event) return tl::unexpected(event.error());
-    waited.push_back(*event);
-    ::poll(nullptr, 0, int(Pause_ms()));
+    waited.push_back(event->waited);
+    shown.push_back(event->shown);
+    ::poll(nullptr, 0, int(Pause_ms(ModeOf(arm))));
   }
   const board::StageStatus last = Status();
-  std::ranges::sort(waited);
-  const Duration sum = std::accumulate(waited.begin(), waited.end(), Duration());
-  Log("round arm={} round={} events={} mean_ms={:.2f} median_ms={:.2f} p99_ms={:.2f} frames={} missed={} "
-      "settled={} draw_ms={:.2f} margin_ms={:.2f}",
-      arm.name, round, waited.size(), Milliseconds(sum) / double(waited.size()),
-      Milliseconds(waited[waited.size() / 2]), Milliseconds(waited[waited.size() * 99 / 100]),
-      last.frames - first.frames, last.missed_flips - first.missed_flips, settled_, last.draw_us * 1e-3,
-      last.margin_us * 1e-3);
+  Log("round arm={} round={} {} read_to_flip_ms={:.2f} frames={} missed={} settled={} draw_ms={:.2f} "
+      "margin_ms={:.2f}",
+      arm.name, round, Words(waited), Milliseconds(Median(shown)), last.frames - first.frames,
+      last.missed_flips - first.missed_flips, settled_, last.draw_us * 1e-3, last.margin_us * 1e-3);
   return {};
 }
 
@@ -184,7 +218,10 @@ int main(int argc, char** argv) {
   kaori::SetLogName("kaori-latch");
   kaori::hil::Settings settings;
   kaori::Options options(kaori::hil::kHelp);
-  options.Text("--mode", settings.mode).Text("--events", settings.events).Text("--rounds", settings.rounds);
+  options.Text("--mode", settings.mode)
+      .Text("--loaded", settings.loaded)
+      .Text("--events", settings.events)
+      .Text("--rounds", settings.rounds);
   options.Text("--links", settings.links).Text("--stage", settings.stage).Switch("--first", settings.first);
   options.Text("--board", settings.board).Text("--pack", settings.pack, true);
   if (const auto status = options.Parse(argc, argv)) return *status;
