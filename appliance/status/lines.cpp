@@ -113,8 +113,7 @@ Line Lines(const board::Stamped<board::Lines>& lines, Time now) {
       {board::Line::kService, "service"},
       {board::Line::kPresence, "somebody stands before the box"},
       {board::Line::kGo, "GO"}};
-  Line line =
-      Of({"switches", "they stand as they were", "GO and blackout from keys and buttons"}, lines, now);
+  Line line = Of({"switches", "they stand as they were", "the show goes on without them"}, lines, now);
   if (lines.source == SourceState::kAbsent) return line;
   std::string on;
   for (const auto& [which, name] : kNames)

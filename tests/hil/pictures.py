@@ -8,8 +8,13 @@ def is_lit(pixels):
     return len(set(pixels[::997])) > LEAST_COLOURS
 
 
-def share_of(colour, pixels, apart=30):
-    """How much of the picture is nearly of this colour (R, G, B)."""
-    near = sum(abs(pixels[i] - colour[0]) + abs(pixels[i + 1] - colour[1]) + abs(pixels[i + 2] - colour[2]) < apart
-               for i in range(0, len(pixels) - 2, 3))
-    return near / (len(pixels) / 3)
+def is_near(one, other, apart=30):
+    return sum(abs(a - b) for a, b in zip(one, other)) < apart
+
+
+def marks(picture, colour):
+    """How many lines of a status picture have a mark of this colour; see appliance/status/sheet.cpp."""
+    width, height, pixels = picture
+    pitch = max(1, min(height // 20, width * 2 // 60))
+    rows = range(pitch // 2 + pitch // 2, height - pitch, pitch)
+    return sum(is_near(pixels[(y * width + pitch * 3 // 4) * 3:][:3], colour) for y in rows)
