@@ -11,7 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr Duration kLongest = seconds(60);  // For machines that have little of a processor.
+constexpr Duration kLongest = seconds(120);  // For machines that have little of a processor.
 constexpr Duration kTremble = milliseconds(100);
 constexpr double kHeld = 0.3;  // On the board, of a stick that is held at 0.8.
 
@@ -189,7 +189,7 @@ Result<void> InputKilled(Scene& scene) {
   const auto before = scene.place.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
                                              "see both sticks held");
   if (!before) return tl::unexpected(before.error());
-  if (const auto found = scene.place.witness().Ask("signal kaori-input 9", seconds(10));
+  if (const auto found = scene.place.witness().Ask("signal kaori-input 9", seconds(60));
       !found || *found != "1")
     return FailInput("the program of the hands could not be killed");
   sticks.Turn();

@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr Duration kAnswer = seconds(30);
+constexpr Duration kAnswer = seconds(90);
 constexpr Duration kLongest = seconds(180);
 constexpr std::string_view kGadget =
     "kaori-gadget --put dial-box=dummy_udc.0,stick-left=dummy_udc.1,stick-right=dummy_udc.2 --play "

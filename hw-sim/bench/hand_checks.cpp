@@ -9,8 +9,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr Duration kLongest = seconds(30);
-constexpr Duration kLongestFind = seconds(40);
+constexpr Duration kLongest = seconds(90);
+constexpr Duration kLongestFind = seconds(90);
 constexpr int kCountsPerTurn = 256;
 constexpr std::uint8_t kKeyA = 0x04;
 

@@ -19,7 +19,7 @@ enum Line { kGo = 0, kBlackout = 1, kService = 2, kPresence = 3, kTally = 4 };
 // The box's own program has the lines. Without the kernel's chip there is nothing to try.
 bool HasLines(Scene& scene) {
   const auto live = [](const BoardView& board) { return board.lines_live; };
-  return scene.place.UntilBoard(live, seconds(30), "see the lines").has_value();
+  return scene.place.UntilBoard(live, kLongest, "see the lines").has_value();
 }
 
 Result<void> WantLine(Scene& scene, int line, bool on) {

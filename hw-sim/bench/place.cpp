@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 constexpr Duration kLookAgain = milliseconds(20);
 constexpr Duration kHands = milliseconds(4);  // Slow hands move in steps of this.
 constexpr Duration kAskAgain = milliseconds(100);
-constexpr Duration kLongestAnswer = std::chrono::seconds(30);
+constexpr Duration kLongestAnswer = std::chrono::seconds(90);
 
 std::string Hands(const BoardView& board) {
   const auto one = [](const StickView& stick) {

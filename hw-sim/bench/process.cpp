@@ -6,9 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace kaori::bench {
 namespace {
@@ -55,6 +57,19 @@ bool Process::runs() const {
   return number_ > 0 &&
          ::waitid(P_PID, static_cast<id_t>(number_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          ended.si_pid == 0;
+}
+
+// The name of the program, which may hold anything, ends with the last parenthesis; see proc(5).
+Duration Process::worked() const {
+  constexpr int kFieldsBefore = 11;  // From the state on; then user's and system's time, in ticks.
+  std::ifstream file("/proc/" + std::to_string(number_) + "/stat");
+  const std::string line(std::istreambuf_iterator<char>(file), {});
+  std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
+  std::string skipped;
+  for (int n = 0; n < kFieldsBefore; ++n) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return FromSeconds((user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK)));
 }
 
 Result<void> RunToEnd(const std::vector<std::string>& words, const std::string& log) {

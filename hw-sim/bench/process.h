@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 
 namespace kaori::bench {
@@ -26,6 +27,7 @@ class Process {
 
   bool runs() const;
   pid_t number() const { return number_; }
+  Duration worked() const;  // The processors' time that it has had, all its threads together.
 
  private:
   explicit Process(pid_t number) : number_(number) {}

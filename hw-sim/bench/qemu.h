@@ -31,6 +31,7 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Stra
   Result<void> PlugStranger(Stranger stranger) override;
   Result<void> PullStranger() override;
 
+  Duration worked() const { return process_ ? process_->worked() : Duration{}; }
   bool runs() const { return process_ && process_->runs(); }
   const QemuOptions& options() const { return options_; }
   std::string log() const;  // What QEMU complained of.

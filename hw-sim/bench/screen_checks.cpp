@@ -63,7 +63,7 @@ Result<void> StageKilled(Scene& scene) {
   const auto before = scene.place.Board();
   if (!before) return tl::unexpected(before.error());
   const Time killed = scene.place.clock().now();
-  if (const auto found = scene.place.witness().Ask("signal kaori-stage 9", seconds(10));
+  if (const auto found = scene.place.witness().Ask("signal kaori-stage 9", seconds(60));
       !found || *found != "1")
     return FailInput("the stage could not be killed");
   for (int n = 0; n < kShotsWhileAway; ++n) {

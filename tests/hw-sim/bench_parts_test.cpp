@@ -58,6 +58,14 @@ TEST_F(Programs, EndWithWhoeverHoldsThem) {
   EXPECT_NE(::kill(number, 0), 0);
 }
 
+TEST_F(Programs, TellHowMuchTheyWorked) {
+  const auto idle = Process::Start({"sleep", "600"}, Path("log"));
+  const auto busy = Process::Start({"sh", "-c", "while :; do :; done"}, Path("log"));
+  ASSERT_TRUE(idle && busy);
+  while (busy->worked() < std::chrono::milliseconds(30)) ::usleep(1000);
+  EXPECT_LT(idle->worked(), std::chrono::milliseconds(30));
+}
+
 TEST_F(Programs, ThatAreNotThereDoNotRun) {
   const auto program = Process::Start({"no-such-program-of-ours"}, Path("log"));
   ASSERT_TRUE(program);
