@@ -8,6 +8,7 @@
 #include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
+#include <sys/sysinfo.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <string>
 
+#include "firmware/boot/ahead.h"
 #include "firmware/boot/card.h"
 #include "firmware/boot/data_partition.h"
 #include "firmware/boot/profile.h"
@@ -27,6 +29,7 @@ namespace {
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kLastFace = "/var/lib/kaori/own/last-face";
 constexpr const char* kPack = "/usr/share/kaori/kaori.kaori";
+constexpr const char* kAhead = "/usr/share/kaori/ahead";
 constexpr const char* kCard = "/dev/dri/card0";
 constexpr const char* kData = "/var/lib/kaori";
 constexpr const char* kProfiles = "/run/kaori-profile";
@@ -112,6 +115,14 @@ void MountData() {
     Say("the data partition " + device + " cannot be mounted: nothing is kept");
 }
 
+// Meanwhile, and on another processor; but not more than half of the memory that is left.
+void StartReadingAhead() {
+  struct sysinfo now {};
+  if (::sysinfo(&now) != 0 || ::fork() != 0) return;
+  kaori::boot::ReadAhead(kAhead, std::size_t{now.freeram} * now.mem_unit / 2);
+  ::_exit(0);
+}
+
 void WriteFile(const std::string& path, const std::string& text) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0444);
   if (::write(fd, text.data(), text.size()) < 0) return;
@@ -162,6 +173,7 @@ int main(int, char** argv) {
     GiveCards();
     ApplySettings();
     if (child > 0) Await(done[0], kLongestLight_ms);
+    StartReadingAhead();
   }
   ::execv(kSystem, argv);
   return 1;

@@ -16,6 +16,10 @@ import stand_in
 
 MERGED = ("bin", "sbin", "lib", "lib64")  # Folders of the root that are names of folders in usr.
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
+# What the stage opens besides its libraries, in its order; then the show.
+OPENED = (f"{LIBRARIES}/libEGL_mesa.so.0", f"{LIBRARIES}/dri/swrast_dri.so")
+SHOW = "usr/share/kaori/kaori.kaori"
+AHEAD = "usr/share/kaori/ahead"
 MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var/lib/kaori")
 
 
@@ -90,6 +94,20 @@ def with_libraries(names, programs, files, replaced):
     return sorted(kept)
 
 
+def write_ahead(stage, files, replaced, root):
+    """What the first program reads ahead for the stage: the files that it opens, about in its order."""
+    waiting = [find_library(name, files) for name in needed(stage)] + list(OPENED)
+    order = []
+    while waiting:
+        name = waiting.pop(0)
+        if name not in order:
+            order.append(name)
+            waiting += [find_library(library, files) for library in needed(files[name]) if library not in replaced]
+    target = root / AHEAD
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text("".join(f"/{name}\n" for name in (f"usr/bin/{Path(stage).name}", *order, SHOW)))
+
+
 def copy(names, files, root):
     """Names of one file stay names of one file."""
     copies = {}
@@ -135,6 +153,7 @@ def main():
     copy(kept, files, root)
     replace(replaced, kept, files, root)
     install(programs, root)
+    write_ahead(next(program for program in programs if program.endswith("/kaori-stage")), files, replaced, root)
     shutil.copytree(overlay, root, symlinks=True, dirs_exist_ok=True)
 
 
