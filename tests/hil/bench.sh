@@ -35,11 +35,15 @@ prove() {
 prove_all() {
   local image=out/image packages=out/image/packages
   prove "devices are played, pulled and plugged" play_on_the_bench --replugs 200 --bench-kernel $BENCH_KERNEL
+  prove "the face is there soon" tests/hil/boot.py $image
+  prove "the last face comes back with the power" tests/hil/last_face.py $image
+  prove "the last picture stays while the stage dies" tests/hil/hold.py $image $packages
+  prove "the box takes whatever screens it finds" tests/hil/screens.py $image
+  prove "screens come and go" tests/hil/outputs.py $image
+  prove "hands are read late, and no flip is missed" tests/hil/latch.py $image $packages $BENCH_KERNEL $BIN
+  prove "a box that hangs starts again" tests/hil/watchdog.py $image $packages
   prove "a changed root is not played" tests/hil/verity.py $image
   prove "the disk starts on a PC with UEFI" tests/hil/uefi.py $image
-  prove "the last picture stays while the stage dies" tests/hil/hold.py $image $packages
-  prove "screens come and go" tests/hil/outputs.py $image
-  prove "the face is there soon" tests/hil/boot.py $image
   prove "two builds are the same" tests/hil/reproducible.py $image $BIN
 }
 
@@ -48,7 +52,7 @@ test_on_the_bench() {
   [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen; see ./box help"
   need "${MACHINE_PACKAGES[@]}"
   image
-  build release kaori-bench kaori-witness kaori-gadget kaori-lips kaori-camera-libcamera
+  build release kaori-bench kaori-witness kaori-gadget kaori-lips kaori-camera-libcamera kaori-latch
   if [ $# -gt 0 ]; then
     say "playing the image in a virtual machine"
     play_on_the_bench --chosen --replugs 24 --scenes 2 || fail "the box failed on the bench"
