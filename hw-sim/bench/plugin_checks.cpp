@@ -13,9 +13,7 @@ constexpr Duration kAnswer = seconds(120);
 constexpr Duration kLongest = seconds(120);
 constexpr double kWatched_s = 10;
 constexpr const char* kCameras = "tool kaori-lips --device libcamera: --modes";
-// The bench's disk has the plug-in; the box's board lies in the room of its first program.
-constexpr const char* kLips =
-    "start-tool kaori-lips --device libcamera: --board /proc/1/root/run/kaori/board";
+constexpr const char* kLips = "start-tool kaori-lips --device libcamera: --board /run/kaori/board";
 
 Result<double> FramesPerSecond(Scene& scene) {
   const auto before = scene.place.Board();

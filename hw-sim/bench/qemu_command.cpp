@@ -85,7 +85,7 @@ std::string BenchCommandLine(const std::string& of_the_image) {
 // The guest draws by itself: with a newer processor's instructions emulation is many times slower.
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk) {
-  std::vector<std::string> command{"qemu-system-x86_64", "-M", "q35"};
+  std::vector<std::string> command{"qemu-system-x86_64", "-M", "q35", "-name", "box,debug-threads=on"};
   Add(command, {"-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2"});
   Add(command, {"-no-reboot", "-vga", "none", "-m", std::to_string(options.memory_mib)});
   Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : options.image + "/bzImage"});

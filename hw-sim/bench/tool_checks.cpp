@@ -36,17 +36,23 @@ std::string EventFile(const std::string& devices, const std::string& name) {
   return "/dev/input/" + devices.substr(event, devices.find_first_of(" \n", event) - event);
 }
 
-// evtest stays until it is ended; meanwhile the stick moves.
+// evtest stays until it is ended; meanwhile both sticks move: which of them the kernel lists first is chance.
 void Evtest(Scene& scene) {
   const auto devices = scene.place.witness().Ask("read /proc/bus/input/devices", kLongest);
   const std::string file = devices ? EventFile(*devices, "stick pod") : "";
   if (file.empty()) return;
-  sim::StickPod& stick = scene.place.rig().instruments().left_stick;
+  sim::Instruments& hands = scene.place.rig().instruments();
   float x = 0;
-  scene.place.SetHands([&](Time) { stick.Move(x = x > 0.9F ? -0.9F : x + 0.01F, 0); });
-  const auto said = scene.place.witness().Ask("tool timeout -s INT 2 evtest " + file, kLongest);
+  scene.place.SetHands([&](Time) {
+    x = x > 0.9F ? -0.9F : x + 0.01F;
+    hands.left_stick.Move(x, 0);
+    hands.right_stick.Move(x, 0);
+  });
+  const auto said =
+      scene.place.witness().Ask("tool timeout -s INT --preserve-status 3 evtest " + file, kLongest);
   scene.place.SetHands({});
-  stick.Move(0, 0);
+  hands.left_stick.Move(0, 0);
+  hands.right_stick.Move(0, 0);
   scene.finding.texts.emplace_back("evtest", said ? *said : said.error().message());
 }
 
