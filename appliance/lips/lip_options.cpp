@@ -22,6 +22,7 @@ constexpr std::string_view kHelp =
                       have it, or auto, if not given
   --pack FILE     the show, for the sounds of its motions
   --trust FILE    a public key: play no sound of a show that it has not signed
+  --verified      the show lies on a root whose every block the kernel checks: only its sounds are read
   --settings FILE what was calibrated: paint, key, smoothing, how far the mouth goes; it need not be there yet
   --service       people may calibrate: kaori-desk is let in, and the screen says what to do
   --paint R,G,B   the paint's colour, 0 to 255 each; as the settings have it, or blue (20,60,200), if not given
@@ -75,6 +76,7 @@ std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into) {
       .Text("--pack", into.pack)
       .Text("--trust", into.trust)
       .Switch("--modes", into.modes)
+      .Switch("--verified", into.verified)
       .Switch("--service", into.service);
   return options.Parse(argc, argv);
 }

@@ -14,6 +14,7 @@ struct LipOptions {
   std::string links, device, settings, paint, rest;
   std::string microphone, loudspeaker, sound_delay, pack, trust;
   bool modes = false;
+  bool verified = false;
   bool service = false;
 };
 

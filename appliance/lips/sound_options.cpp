@@ -10,18 +10,14 @@ namespace {
 constexpr float kGateHysteresis_db = 6;
 
 Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
-  std::vector<show::Sound> clips;
-  if (options.pack.empty()) return clips;
-  show::LoadOptions load;
+  if (options.pack.empty()) return std::vector<show::Sound>();
+  show::LoadOptions load{.signed_by = {}, .on_verified_root = options.verified};
   if (!options.trust.empty()) {
     const auto key = show::ReadPublicKey(options.trust);
     if (!key) return tl::unexpected(key.error());
     load.signed_by = *key;
   }
-  auto show = show::LoadPack(options.pack, load);
-  if (!show) return tl::unexpected(show.error());
-  for (show::Take& take : show->takes) clips.push_back(std::move(take.sound));
-  return clips;
+  return show::LoadSounds(options.pack, load);
 }
 
 }  // namespace

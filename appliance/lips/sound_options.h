@@ -9,7 +9,7 @@
 namespace kaori::lips {
 
 // Reads the show for the sounds of its motions, if one is named. Errors: a delay that is none; those of
-// show::LoadPack.
+// show::LoadSounds.
 Result<voice::VoiceSeatSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips);
 
 // Of settings that change while the program runs. What the command line says stays.

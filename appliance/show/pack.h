@@ -27,6 +27,10 @@ struct LoadOptions {
 //   invalid_argument        it is no sound pack of this version, or not signed as asked
 Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options = {});
 
+// The sounds of its motions, in their order, an empty one for a motion without; of a show on a verified root
+// nothing else is read. Errors: as LoadPack, but for what CheckShow faults elsewhere.
+Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const LoadOptions& options = {});
+
 // Who signed a pack, if anybody; reads its header alone. Errors: as LoadPack.
 Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file);
 

@@ -18,4 +18,7 @@ std::vector<std::uint8_t> EncodeContent(const Show& show);
 //   invalid_argument  the words follow on a file's name: "is damaged: ..."
 Result<Show> DecodeContent(std::span<const std::uint8_t> content);
 
+// The sounds of its motions alone, in their order; as DecodeContent.
+Result<std::vector<Sound>> DecodeSounds(std::span<const std::uint8_t> content);
+
 }  // namespace kaori::show

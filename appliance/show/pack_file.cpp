@@ -30,8 +30,8 @@ class Pages {
     return Pages({static_cast<std::uint8_t*>(at), bytes});
   }
   // The file itself, which nobody can change or shorten.
-  static Result<Pages> Map(int fd, std::size_t bytes, const std::string& name) {
-    void* at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_POPULATE, fd, 0);
+  static Result<Pages> Map(int fd, std::size_t bytes, bool at_once, const std::string& name) {
+    void* at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | (at_once ? MAP_POPULATE : 0), fd, 0);
     if (at == MAP_FAILED) return FailErrno("read the show " + name);
     return Pages({static_cast<std::uint8_t*>(at), bytes});
   }
@@ -124,23 +124,48 @@ Result<Show> DecodeChecked(std::span<const std::uint8_t> content, const std::str
                    (faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more faults)" : ""));
 }
 
-}  // namespace
+// What stands behind the header.
+struct Content {
+  Pages pages;
+  std::size_t begin = 0, length = 0;
+  std::span<const std::uint8_t> bytes() const { return pages.bytes().subspan(begin, length); }
+};
 
-Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options) {
-  const std::string name = file.string();
+Result<Content> OpenContent(const std::string& name, const LoadOptions& options, bool all_of_it) {
   const auto open = Open(name);
   if (!open) return tl::unexpected(open.error());
   const auto seal = ReadSeal(*open, name);
   if (!seal) return tl::unexpected(seal.error());
   if (auto ok = CheckSigner(name, *seal, options); !ok) return tl::unexpected(ok.error());
-  if (options.on_verified_root) {
-    const auto whole = Pages::Map(open->fd.get(), open->bytes, name);
-    if (!whole) return tl::unexpected(whole.error());
-    return DecodeChecked(whole->bytes().subspan(kPackHeader_bytes), name);
-  }
-  const auto content = ReadContent(*open, *seal, name);
+  auto pages = options.on_verified_root ? Pages::Map(open->fd.get(), open->bytes, all_of_it, name)
+                                        : ReadContent(*open, *seal, name);
+  if (!pages) return tl::unexpected(pages.error());
+  return Content{std::move(*pages), options.on_verified_root ? kPackHeader_bytes : 0, seal->content_bytes};
+}
+
+bool IsSound(const Sound& sound) {
+  return (sound.channels == 1 || sound.channels == 2) &&
+         sound.samples.size() % static_cast<std::size_t>(sound.channels) == 0;
+}
+
+}  // namespace
+
+Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options) {
+  const auto content = OpenContent(file.string(), options, /*all_of_it=*/true);
   if (!content) return tl::unexpected(content.error());
-  return DecodeChecked(content->bytes().first(seal->content_bytes), name);
+  return DecodeChecked(content->bytes(), file.string());
+}
+
+Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const LoadOptions& options) {
+  const std::string name = file.string();
+  const auto content = OpenContent(name, options, /*all_of_it=*/false);
+  if (!content) return tl::unexpected(content.error());
+  auto sounds = DecodeSounds(content->bytes());
+  if (!sounds) return Refuse(name, sounds.error());
+  for (const Sound& sound : *sounds)
+    if (!IsSound(sound))
+      return FailInput(name + ": the sound of a motion is neither one nor two channels of whole frames");
+  return sounds;
 }
 
 Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file) {

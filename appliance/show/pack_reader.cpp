@@ -111,15 +111,17 @@ face::Texture ReadTexture(Copier& from, const pack::Texture& stored) {
   return {stored.width_px(), stored.height_px(), from.Numbers(stored.rgba())};
 }
 
+Sound ReadSound(Copier& from, const pack::Take& stored) {
+  return {static_cast<int>(Narrow<std::uint8_t>(stored.sound_channels())), from.Numbers(stored.sound())};
+}
+
 Take ReadTake(Copier& from, const pack::Take& stored) {
   const auto curve = [](Copier& copier, const pack::TakeCurve& c) {
     return TakeCurve{static_cast<TakeTarget>(Narrow<std::uint8_t>(c.target())),
                      Narrow<std::uint16_t>(c.channel()), copier.Structs<TakeKey>(c.keys())};
   };
-  return {from.Text(stored.name()),
-          Narrow<std::uint16_t>(stored.key_usage()),
-          from.Tables<TakeCurve>(stored.curves(), curve),
-          {static_cast<int>(Narrow<std::uint8_t>(stored.sound_channels())), from.Numbers(stored.sound())}};
+  return {from.Text(stored.name()), Narrow<std::uint16_t>(stored.key_usage()),
+          from.Tables<TakeCurve>(stored.curves(), curve), ReadSound(from, stored)};
 }
 
 StageScene ReadScene(Copier& from, const pack::StageScene& stored) {
@@ -178,15 +180,27 @@ Show Read(Copier& from, const pack::Pack& stored) {
   return show;
 }
 
-}  // namespace
-
-Result<Show> DecodeContent(std::span<const std::uint8_t> content) {
+template <class Reader>
+auto Decode(std::span<const std::uint8_t> content, Reader read)
+    -> Result<decltype(read(std::declval<Copier&>(), std::declval<const pack::Pack&>()))> {
   flatbuffers::Verifier verifier(content.data(), content.size(), kMaxDepth, kMaxTables);
   if (!pack::VerifyPackBuffer(verifier)) return FailInput("is damaged: its tables do not hang together");
   Copier copier(content.size());
-  Show show = Read(copier, *pack::GetPack(content.data()));
+  auto found = read(copier, *pack::GetPack(content.data()));
   if (copier.overdrawn()) return FailInput("is damaged: it unfolds to more than it holds");
-  return show;
+  return found;
+}
+
+}  // namespace
+
+Result<Show> DecodeContent(std::span<const std::uint8_t> content) {
+  return Decode(content, Read);
+}
+
+Result<std::vector<Sound>> DecodeSounds(std::span<const std::uint8_t> content) {
+  return Decode(content, [](Copier& from, const pack::Pack& stored) {
+    return from.Tables<Sound>(stored.takes(), ReadSound);
+  });
 }
 
 }  // namespace kaori::show

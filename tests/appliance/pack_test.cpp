@@ -44,6 +44,30 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
 }
 
+TEST_F(PackTest, ItsSoundsAloneAreThoseOfTheWholeShow) {
+  const auto file = Write(EncodePack(SmallShow()));
+  for (const bool verified : {false, true}) {
+    const auto sounds = show::LoadSounds(file, {.signed_by = {}, .on_verified_root = verified});
+    ASSERT_TRUE(sounds) << sounds.error().message();
+    ASSERT_EQ(sounds->size(), SmallShow().takes.size());
+    EXPECT_EQ(sounds->at(0).channels, 2);
+    EXPECT_EQ(sounds->at(0).samples, SmallShow().takes[0].sound.samples);
+  }
+}
+
+TEST_F(PackTest, SoundsThatAreNoneAreRefused) {
+  for (const show::Sound& wrong :
+       {show::Sound{3, {1, 2, 3}}, show::Sound{2, {1, 2, 3}}, show::Sound{0, {1}}}) {
+    Show show = SmallShow();
+    show.takes[0].sound = wrong;
+    EXPECT_THAT(show::LoadSounds(Write(EncodePack(show))).error().attempt, HasSubstr("whole frames"));
+  }
+  auto damaged = EncodePack(SmallShow());
+  damaged[damaged.size() / 2] ^= 0x10;
+  EXPECT_THAT(show::LoadSounds(Write(damaged)).error().attempt, HasSubstr("its checksum does not fit"));
+  EXPECT_FALSE(show::LoadSounds(folder_ / "nowhere"));
+}
+
 TEST_F(PackTest, AMissingAnEmptyAndAForeignFileAreNamed) {
   EXPECT_THAT(LoadPack(folder_ / "nowhere").error().message(), HasSubstr("nowhere: No such file"));
   EXPECT_THAT(LoadPack(folder_).error().message(), HasSubstr("Is a directory"));
