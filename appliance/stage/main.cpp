@@ -6,6 +6,7 @@
 #include "appliance/stage/seat.h"
 #include "appliance/stage/stage.h"
 #include "appliance/stage/status_sign.h"
+#include "appliance/stage/still.h"
 #include "appliance/stage/studio.h"
 #include "drivers/base/alarm.h"
 #include "drivers/base/event_loop.h"
@@ -32,6 +33,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
   --settings FOLDER what the box was told when it started (/run/kaori-profile)
   --holder SOCKET where the card is held while no stage runs
+  --still FILE    writes the show's first moment there, as a PPM
   --early         read the hands right after each flip, not as late as drawing allows: to compare
 )";
 
@@ -40,7 +42,8 @@ constexpr int kShareOfSign = 16;  // Of a frame's usual time, for the status bes
 constexpr int kStillWidth_px = 480;
 
 struct Settings {
-  std::string last_face, board, pack, links, card, trust, own, mode, holder, settings = "/run/kaori-profile";
+  std::string still, last_face, board, pack, links, card, trust, own, mode, holder,
+      settings = "/run/kaori-profile";
   bool early = false, verified = false;
 };
 
@@ -106,6 +109,7 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto card = CardOf(settings);
   if (!card) return Complain(card.error());
+  if (*card) kaori::Log("the graphics card is open");
   auto show = LoadShow(settings);
   if (!show) return Complain(show.error());
   kaori::Log("{} is read", show->name);
@@ -117,7 +121,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
       settings.own.empty() ? kaori::needles::UsualFolder() : std::filesystem::path(settings.own), *show);
   const auto studio = kaori::stage::Studio::Open(std::move(*show), *card ? (*card)->device() : nullptr);
   if (!studio) return Complain(studio.error());
-  const kaori::SteadyClock clock;
+  kaori::stage::StillClock clock(!settings.still.empty());
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.Bring(std::move(needles));
@@ -134,6 +138,10 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   });
   if (auto seated = seat.Take(); !seated) return Complain(seated.error());
   kaori::Log("the first picture is drawn");
+  clock.LetGo();
+  if (!settings.still.empty())
+    if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
+      return Complain(written.error());
   if (*card)
     if (auto held = (*card)->Hold(); !held)
       kaori::Log("the last picture will not stay when the stage ends ({})", held.error().message());
@@ -170,6 +178,7 @@ int main(int argc, char** argv) {
       .Text("--mode", settings.mode)
       .Text("--settings", settings.settings)
       .Text("--holder", settings.holder)
+      .Text("--still", settings.still)
       .Switch("--early", settings.early)
       .Switch("--verified", settings.verified);
   if (const auto status = options.Parse(argc, argv)) return *status;

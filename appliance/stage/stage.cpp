@@ -144,7 +144,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   latch_.Drawn(plan, clock_.now());
   Report(snapshot, CpuOfProcess() - cpu_before);
   if (after_frame_) after_frame_(state_, scene, clock_.now());
-  studio_.Prepare();
+  if (studio_.Prepare()) Log("all drawing is rehearsed");
   return {};
 }
 

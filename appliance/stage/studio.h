@@ -54,8 +54,8 @@ class Studio {
   bool ReadSmall(int most_width_px, SmallImage& into);
 
   // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for
-  // it later. Takes 10 to 40 ms while there is any left, then nothing.
-  void Prepare() { unprepared_ = unprepared_ && painter_->RehearseStep(); }
+  // it later. Takes 10 to 40 ms while there is any left, then nothing. True once: when it was the last.
+  bool Prepare() { return unprepared_ && !(unprepared_ = painter_->RehearseStep()); }
 
   // To be called before a window's screen goes.
   void CloseWindow() { window_ = gl::Window(); }
