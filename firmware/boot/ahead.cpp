@@ -11,7 +11,7 @@
 namespace kaori::boot {
 namespace {
 
-constexpr std::size_t kPiece_bytes = std::size_t{512} << 10U;
+constexpr std::size_t kPiece_bytes = std::size_t{128} << 10U;
 
 // 0 for what is no file.
 std::size_t SizeOf(int fd) {

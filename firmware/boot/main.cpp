@@ -5,6 +5,7 @@
 // stage says what is wrong.
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
@@ -115,10 +116,12 @@ void MountData() {
     Say("the data partition " + device + " cannot be mounted: nothing is kept");
 }
 
-// Meanwhile, and on another processor; but not more than half of the memory that is left.
+// Meanwhile, while a processor has nothing else to do; but not more than half of the memory that is left.
 void StartReadingAhead() {
   struct sysinfo now {};
   if (::sysinfo(&now) != 0 || ::fork() != 0) return;
+  const sched_param none{};
+  ::sched_setscheduler(0, SCHED_IDLE, &none);
   kaori::boot::ReadAhead(kAhead, std::size_t{now.freeram} * now.mem_unit / 2);
   ::_exit(0);
 }
