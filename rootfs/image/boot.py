@@ -21,13 +21,18 @@ from qmp import Qmp
 
 # The guest draws by itself; with newer processors' instructions emulation is many times slower.
 MACHINE = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-no-reboot", "-vga", "none")
-TOLD = "console=ttyS0 loglevel=6 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=1"
+# Programs speak to the kernel, which passes it on at once: the journal starts after the first face.
+TOLD = "console=ttyS0 loglevel=7 printk.devkmsg=on systemd.log_target=console systemd.show_status=0 " \
+       "systemd.default_standard_output=kmsg"
 # What the serial line says -> what it means. In this order.
 MARKS = (
-    ("the kernel speaks", r"Linux version"),
-    ("the first program runs", r"systemd 252|systemd\[1\]: "),
-    ("the stage starts", r"Starting .*kaori-stage"),
-    ("its shaders and show are ready", r"is (opened|resumed) on"),
+    ("the kernel begins", r"Linux version"),
+    ("the disk's root is found and believed; the first program lights the screen", r"Run /usr/bin/kaori-light"),
+    ("the system begins", r"systemd 252|systemd\[1\]: "),
+    ("the stage's program begins", r"Starting .*kaori-stage"),
+    ("Mesa is loaded, the graphics card is open", r"the graphics card is open"),
+    ("the show is read", r"kaori-stage: .* is read"),
+    ("faces and shaders are ready", r"is (opened|resumed) on"),
     ("the first face is on the screen", r"Started .*kaori-stage"),
 )
 LONGEST_S = 240
@@ -66,13 +71,13 @@ def say_light(folder, began):
         except (OSError, ValueError):
             return  # The machine has ended.
         if is_lit(picture):
-            print(f"{time.monotonic() - began:7.2f} s  the screen shows the still", flush=True)
+            print(f"{time.monotonic() - began:7.2f} s               (the screen shows the still)", flush=True)
             return
 
 
 def follow(machine, began, trace, log):
     """Reads the serial line until the last mark, or the end; the seconds of the marks that came by."""
-    seen = {}
+    seen, before = {}, 0.0
     for line in machine.stdout:
         log.write(line)
         now = time.monotonic() - began
@@ -81,7 +86,8 @@ def follow(machine, began, trace, log):
                 continue
             seen[name] = now
             if trace:
-                print(f"{now:7.2f} s  {name}", flush=True)
+                print(f"{now:7.2f} s  after {now - before:5.2f}  {name}", flush=True)
+                before = now
         if MARKS[-1][0] in seen or now > LONGEST_S:
             break
     return seen
