@@ -96,7 +96,7 @@ std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& se
   Add(command, {"-qmp", fmt::format("unix:{}/qmp,server=on,wait=off", options.folder)});
   AddScreens(options, setup, command);
   AddUsb(options, command);
-  AddSound(options, command);
+  if (setup.sound) AddSound(options, command);
   return command;
 }
 

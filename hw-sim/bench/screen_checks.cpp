@@ -95,7 +95,8 @@ std::vector<Check> ScreenChecks() {
 }
 
 std::vector<Check> AloneChecks() {
-  return {{"alone", "Without any device it plays by itself", false, Alone, {.plugged = false}}};
+  return {
+      {"alone", "Without any device it plays by itself", false, Alone, {.plugged = false, .sound = false}}};
 }
 
 }  // namespace kaori::bench

@@ -7,6 +7,7 @@ namespace kaori::bench {
 
 struct Setup {
   bool plugged = true;         // The simulated devices are plugged in before power comes.
+  bool sound = true;           // It has sound cards.
   bool drawn_outside = false;  // The machine's GLES is drawn on the bench (virgl), in a window under Xvfb.
   bool keyboards = true;       // The profile lets them in.
   bool bench_kernel = false;   // The box's own settings, and simulated hardware besides.
