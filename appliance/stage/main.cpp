@@ -37,8 +37,6 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --early         read the hands right after each flip, not as late as drawing allows: to compare
 )";
 
-constexpr int kShareOfSign = 16;  // Of a frame's usual time, for the status beside the show.
-
 constexpr int kStillWidth_px = 480;
 
 struct Settings {
@@ -154,7 +152,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok) return Complain(ok.error());
   kaori::stage::StatusSign sign(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
-  const auto tell = [&] { sign.Step(stage.screen(), stage.usual_turn() / kShareOfSign); };
+  const auto tell = [&] { sign.Step(stage.screen()); };
   if (auto ok = loop.Every(kaori::stage::StatusSign::kPeriod, tell); !ok) return Complain(ok.error());
   auto played = loop.Run();
   if (last_face) last_face->End();

@@ -13,6 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kFactsPeriod = 1s;  // How often files are looked at.
+constexpr int kShare = 16;             // Of a frame's usual time, for lines that changed.
 constexpr Duration kGivenUp = 60s;     // How long a sign is left alone that cannot show.
 
 // Whole or not at all: others read it.
@@ -25,11 +26,11 @@ void Leave(const std::filesystem::path& path, const std::string& text) {
 
 }  // namespace
 
-void StatusSign::Step(ports::Scanout* screen, Duration spare) {
+void StatusSign::Step(ports::Scanout* screen) {
   LookAtScreens(screen);
   ports::Sign* const sign = screen == nullptr ? nullptr : screen->sign();
   if (sign == nullptr || clock_.now() < silent_until_) return;
-  const auto shown = ShowNext(*sign, spare);
+  const auto shown = ShowNext(*sign);
   owed_ = !shown && shown.error().cause == std::errc::device_or_resource_busy;
   if (shown || owed_) return;
   Log("the status cannot be shown ({})", shown.error().message());
@@ -53,9 +54,9 @@ std::vector<status::Line> StatusSign::Lines() {
   return status::Describe(status::Look(board_, facts_, now));
 }
 
-Result<void> StatusSign::ShowNext(ports::Sign& sign, Duration spare) {
+Result<void> StatusSign::ShowNext(ports::Sign& sign) {
   const bool anew = sign.fresh() || !sheet_;
-  const auto rows = anew ? DrawAnew(sign) : DrawChanged(spare);
+  const auto rows = anew ? DrawAnew(sign) : DrawChanged();
   if (!rows) return tl::unexpected(rows.error());
   if (rows->first == rows->end && !owed_) return {};
   return sign.Show(sheet_->picture().rgbx, rows->first, rows->end);
@@ -69,9 +70,10 @@ Result<status::Sheet::Rows> StatusSign::DrawAnew(const ports::Sign& sign) {
   return status::Sheet::Rows{0, sign.height_px()};
 }
 
-status::Sheet::Rows StatusSign::DrawChanged(Duration spare) {
+status::Sheet::Rows StatusSign::DrawChanged() {
   const auto lines = Lines();
-  const Time until = clock_.now() + spare;
+  const auto frame = std::chrono::microseconds(board_.Read<board::StageStatus>().value.draw_us);
+  const Time until = clock_.now() + frame / kShare;
   status::Sheet::Rows all{sheet_->picture().height_px, 0};
   while (const auto drawn = sheet_->DrawNext(lines)) {
     all = {std::min(all.first, drawn->first), std::max(all.end, drawn->end)};

@@ -23,16 +23,16 @@ class StatusSign {
       : board_(board), clock_(clock), places_(std::move(places)) {}
 
   // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines
-  // that changed for as long as `spare`, and one at least, so that no frame is late for it.
-  void Step(ports::Scanout* screen, Duration spare);
+  // that changed, for a small part of a frame's usual time, and one at least: so no frame is late for it.
+  void Step(ports::Scanout* screen);
 
   static constexpr Duration kPeriod = std::chrono::milliseconds(100);
 
  private:
   void LookAtScreens(ports::Scanout* screen);
-  Result<void> ShowNext(ports::Sign& sign, Duration spare);
+  Result<void> ShowNext(ports::Sign& sign);
   Result<status::Sheet::Rows> DrawAnew(const ports::Sign& sign);
-  status::Sheet::Rows DrawChanged(Duration spare);
+  status::Sheet::Rows DrawChanged();
   std::vector<status::Line> Lines();
 
   const board::Board& board_;

@@ -33,6 +33,12 @@ std::string Length(Duration age) {
   return minutes < 120 ? "an hour" : fmt::format("{} hours", minutes / 60);
 }
 
+// Of a frame.
+std::string Words(std::uint32_t length_us) {
+  constexpr double kPerMs = 1e3, kPerS = 1e6;
+  return length_us < kPerS ? Number(length_us / kPerMs) + " ms" : Number(length_us / kPerS) + " s";
+}
+
 Line Title(const Facts& facts) {
   std::string words = facts.profile.empty() ? "not started as a box" : "profile " + facts.profile;
   words += facts.root_hash.empty() ? ", root unchecked" : ", root " + facts.root_hash.substr(0, kHashShown);
@@ -48,8 +54,7 @@ Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time
   const std::string late =
       s.missed_flips == 0 ? "none came late" : fmt::format("{} came late", s.missed_flips);
   return {Mark::kGood, "show",
-          fmt::format("{} pictures a second, {} ms each; {}", Number(s.frames_per_s), Number(s.draw_us / 1e3),
-                      late)};
+          fmt::format("{} pictures a second, {} each; {}", Number(s.frames_per_s), Words(s.draw_us), late)};
 }
 
 // A screen's line begins with its name.

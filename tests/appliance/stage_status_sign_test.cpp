@@ -57,7 +57,7 @@ class StageSign : public ::testing::Test {
   void Steps(int count) {
     for (; count > 0; --count) {
       clock_.Advance(StatusSign::kPeriod);
-      sign_.Step(&screen_, Duration());
+      sign_.Step(&screen_);
     }
   }
   std::string Left() const {
@@ -124,7 +124,7 @@ TEST_F(StageSign, ThatCannotShowIsLeftAloneForAMinute) {
 TEST_F(StageSign, LeavesTheScreensForOthersToRead) {
   Steps(1);
   EXPECT_THAT(Left(), HasSubstr("HDMI-A-1 640 x 480"));
-  sign_.Step(nullptr, Duration());
+  sign_.Step(nullptr);
   EXPECT_THAT(Left(), IsEmpty());
 }
 

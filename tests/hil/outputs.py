@@ -32,6 +32,7 @@ class Viewer:
 
     def __init__(self, path):
         self.link = socket.socket(socket.AF_UNIX)
+        wait_until(lambda: Path(path).exists())  # QEMU is about to begin.
         self.link.connect(str(path))
         self._take(12)
         self.link.sendall(b"RFB 003.008\n")

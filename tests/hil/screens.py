@@ -123,6 +123,7 @@ def status_screen(case, image):
         keyboard = ("-device", "usb-kbd,id=keys")
         with Machine(image, disk, screen=card("xres=320,yres=180", heads=2) + keyboard) as box:
             viewers = [Viewer(box.path(f"vnc{head}")) for head in range(2)]
+            viewers[0].resize(320, 180)
             viewers[1].resize(640, 480)
             case.start(box)
             case.until("the face comes", lambda: is_lit(box.screen()[2]))
