@@ -41,7 +41,8 @@ prove_all() {
   prove "the box takes whatever screens it finds" tests/hil/screens.py $image
   prove "screens come and go" tests/hil/outputs.py $image
   prove "hands are read late, and no flip is missed" tests/hil/latch.py $image $packages $BENCH_KERNEL $BIN
-  prove "a box that hangs starts again" tests/hil/watchdog.py $image $packages
+  prove "a box that hangs starts again" tests/hil/restart.py $image $packages
+  prove "a stage that is slow is left alone, one that hangs is not" tests/hil/watchdog.py $BIN $PACK
   prove "a changed root is not played" tests/hil/verity.py $image
   prove "the disk starts on a PC with UEFI" tests/hil/uefi.py $image
   prove "two builds are the same" tests/hil/reproducible.py $image $BIN

@@ -67,6 +67,8 @@ class Machine:
         return False
 
     def ask(self, command, **arguments):
+        while self.link is None and not self.path("qmp").exists() and self.process.poll() is None:
+            time.sleep(0.02)  # QEMU is about to begin.
         if self.link is None:
             self.link = Qmp(f"{self.folder.name}/qmp")
         return self.link.ask(command, **arguments)

@@ -87,20 +87,20 @@ def no_card(case, image):
 
 
 def late_screen(case, image):
-    with Machine(image, screen=card("xres=320,yres=180")) as box:
+    with Machine(image, screen=card("xres=320,yres=240")) as box:
         viewer = Viewer(box.path("vnc0"))
         viewer.resize(0, 0)
         case.start(box)
         case.expect("the stage finds no screen", "a screen is plugged in" not in box.said())
-        viewer.resize(320, 180)
-        case.until("the face comes with its screen", lambda: box.screen()[:2] == (320, 180) and is_lit(box.screen()[2]))
+        viewer.resize(320, 240)
+        case.until("the face comes with its screen", lambda: box.screen()[:2] == (320, 240) and is_lit(box.screen()[2]))
         case.expect("the face plays", case.plays(box))
         case.expect("the stage did not start anew", not re.search(ENDED, box.said()))
         case.end(box)
 
 
 def silent_screen(case, image):
-    with Machine(image, screen=card("edid=off,xres=320,yres=180")) as box:
+    with Machine(image, screen=card("edid=off,xres=320,yres=240")) as box:
         case.start(box)
         case.until("the face comes", lambda: is_lit(box.screen()[2]))
         case.expect("the face plays", case.plays(box))
@@ -121,9 +121,9 @@ def status_screen(case, image):
     with tempfile.TemporaryDirectory(dir=image) as folder:
         disk = with_settings(image, folder, 'profile = "bench"\nstatus_screen = "Virtual-2"\n')
         keyboard = ("-device", "usb-kbd,id=keys")
-        with Machine(image, disk, screen=card("xres=320,yres=180", heads=2) + keyboard) as box:
+        with Machine(image, disk, screen=card("xres=320,yres=240", heads=2) + keyboard) as box:
             viewers = [Viewer(box.path(f"vnc{head}")) for head in range(2)]
-            viewers[0].resize(320, 180)
+            viewers[0].resize(320, 240)
             viewers[1].resize(640, 480)
             case.start(box)
             case.until("the face comes", lambda: is_lit(box.screen()[2]))
@@ -145,7 +145,7 @@ def status_screen(case, image):
 
 def busy_machine(case, image):
     """Its time is taken away, not its clock: frames are slow, and no hang."""
-    with Machine(image, screen=("-device", "virtio-gpu-pci,id=card,xres=320,yres=180")) as box:
+    with Machine(image, screen=("-device", "virtio-gpu-pci,id=card,xres=320,yres=240")) as box:
         case.start(box)
         case.until("the face comes", lambda: is_lit(box.screen()[2]))
         for _ in range(TURNS):
