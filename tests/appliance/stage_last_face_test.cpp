@@ -11,6 +11,7 @@
 #include "firmware/wire/last_face.h"
 #include "tests/appliance/board_file.h"
 #include "tests/appliance/performance_fixture.h"
+#include "tests/appliance/small_disk.h"
 
 namespace kaori::stage {
 namespace {
@@ -194,10 +195,10 @@ TEST_F(LastFaceTest, AStateThatTheShowCannotPlayIsRefused) {
 TEST_F(LastFaceTest, ADiskThatTakesNothingIsSaidOnceAndTriedAgain) {
   place_.file = folder_ / "away" / "last-face";
   Begin();
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   Play(95s);
   keeper_->End();
-  const std::string said = testing::internal::GetCapturedStderr();
+  const std::string said = ::testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr("the last face is not kept"));
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
   EXPECT_GE(looks_, 3);
@@ -205,6 +206,23 @@ TEST_F(LastFaceTest, ADiskThatTakesNothingIsSaidOnceAndTriedAgain) {
   Play(31s);
   keeper_->End();
   EXPECT_EQ(Refusal(place_), "");
+}
+
+TEST_F(LastFaceTest, AFullDiskLeavesTheFaceThatWasKeptBefore) {
+  Play(1s);
+  keeper_->End();
+  Push(3);
+  ::testing::internal::CaptureStderr();
+  {
+    const kaori::testing::SmallDisk full(1000);
+    Play(32s);
+    keeper_->End();
+  }
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("the last face is not kept"));
+  EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 0);
+  Play(31s);
+  keeper_->End();
+  EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 3);
 }
 
 TEST_F(LastFaceTest, IsPutOntoABoardThatIsNewAndOnNoOther) {
