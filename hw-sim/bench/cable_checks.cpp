@@ -12,28 +12,19 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kLongest = seconds(120);  // For machines that have little of a processor.
-constexpr Duration kTremble = milliseconds(100);
-constexpr double kHeld = 0.3;  // On the board, of a stick that is held at 0.8.
+constexpr double kHeld = 0.3;                // On the board, of a stick that is held at 0.8.
 
 int Between(std::mt19937& chance, int low, int high) {
   return std::uniform_int_distribution(low, high)(chance);
 }
 
-// Each pod is held to its own side, which tells them apart; up or down changes with every plug, so that what
-// the board showed before cannot be taken for what it shows now.
+// Each pod is held still to its own side, which tells them apart; up or down changes with every plug, so that
+// what the board showed before cannot be taken for what it shows now. Nobody trembles: what is held still
+// must be asked for by the box.
 class HeldSticks {
  public:
-  explicit HeldSticks(Scene& scene) : scene_(scene) {
-    Turn();
-    scene.place.SetHands([this](Time now) {
-      if (now < tremble_at_) return;
-      tremble_at_ = now + kTremble;
-      trembling_ = -trembling_;
-      Hold();
-    });
-  }
+  explicit HeldSticks(Scene& scene) : scene_(scene) { Turn(); }
   ~HeldSticks() {
-    scene_.place.SetHands({});
     hands().left_stick.Move(0, 0);
     hands().right_stick.Move(0, 0);
   }
@@ -42,7 +33,9 @@ class HeldSticks {
 
   void Turn() {
     up_ = !up_;
-    Hold();
+    const float y = up_ ? 0.8F : -0.8F;
+    hands().left_stick.Move(0.8F, y);
+    hands().right_stick.Move(-0.8F, y);
   }
   bool new_on(const StickView& stick) const {
     return stick.live && (up_ ? stick.y > kHeld : stick.y < -kHeld);
@@ -55,16 +48,9 @@ class HeldSticks {
   }
 
  private:
-  void Hold() {
-    const float y = (up_ ? 0.8F : -0.8F) + trembling_;
-    hands().left_stick.Move(0.8F, y);
-    hands().right_stick.Move(-0.8F, y);
-  }
   sim::Instruments& hands() { return scene_.place.rig().instruments(); }
   Scene& scene_;
   bool up_ = false;
-  float trembling_ = 0.01F;
-  Time tremble_at_{};
 };
 
 std::vector<std::string> Chosen(std::mt19937& chance) {

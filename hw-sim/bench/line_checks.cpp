@@ -11,7 +11,9 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kLongest = seconds(90);  // For machines that have little of a processor.
-constexpr double kBlack = 0.004;            // Of the picture's points that are lit.
+constexpr Duration kLongestFade = seconds(300);
+constexpr std::uint32_t kFade = 30;  // Frames, after which it is over.
+constexpr double kBlack = 0.004;     // Of the picture's points that are lit.
 
 // Numbers of the bridge's lines as docs/image.md wires them; those on the board are the same.
 enum Line { kGo = 0, kBlackout = 1, kService = 2, kPresence = 3, kTally = 4 };
@@ -62,15 +64,22 @@ Result<void> Go(Scene& scene) {
   return Switch(scene, kGo, false);
 }
 
-// The picture goes black, or shows a face again: looked at until it does.
+// The picture goes black, or shows a face again: looked at until it does. It fades from frame to frame, so
+// that a machine which draws slowly is given frames, not seconds.
 Result<void> WantPicture(Scene& scene, const std::string& name, bool black) {
-  const Time until = scene.place.clock().now() + kLongest;
+  const Time until = scene.place.clock().now() + kLongest, latest = until + kLongestFade;
+  const auto before = scene.place.Board();
+  if (!before) return tl::unexpected(before.error());
+  const auto faded = [&] {
+    const auto board = scene.place.Board();
+    return board && board->stage.frames - before->stage.frames >= kFade;
+  };
   while (true) {
     if (auto ok = scene.Shoot(name, black ? "Blacked out" : "Lit"); !ok) return ok;
     const auto picture = LookAt(scene.folder + "/" + scene.finding.pictures.back().file);
     if (!picture) return tl::unexpected(picture.error());
     if (black ? picture->lit < kBlack : ShowsAFace(*picture)) return {};
-    if (scene.place.clock().now() > until)
+    if (const Time now = scene.place.clock().now(); now > latest || (now > until && faded()))
       return FailInput(fmt::format("the picture is not {}: {}", black ? "black" : "lit", Words(*picture)));
     scene.finding.pictures.pop_back();
     scene.place.For(milliseconds(200));

@@ -58,7 +58,7 @@ Result<void> WantLetIn(Scene& scene, const Kind& kind, bool wanted) {
     return Fail(std::errc::timed_out, fmt::format("see {} in the machine", kind.name));
   if (auto ok = scene.place.witness().Ask("own /usr/bin/udevadm settle --timeout=90", kAnswer); !ok)
     return tl::unexpected(ok.error());
-  const auto played = AwaitFrames(scene);
+  auto played = AwaitFrames(scene);
   const auto let_in = LetIn(scene, kind.number);
   if (auto ok = scene.place.machine().PullStranger(); !ok) return ok;
   if (!scene.place.Until([&] { return !LetIn(scene, kind.number); }, kLongest))

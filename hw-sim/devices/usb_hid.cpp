@@ -12,7 +12,6 @@ namespace {
 constexpr std::uint8_t kHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
 constexpr std::uint8_t kHidKind = 0x21, kReportKind = 0x22;
 constexpr std::uint16_t kPacketBytes = 64;
-constexpr Duration kTellAgain = std::chrono::milliseconds(150);
 constexpr std::uint8_t kEveryMicroframe = 1;
 
 // Requests (7.2 of the class definition), and the standard one that asks for HID's own descriptors.
@@ -119,23 +118,17 @@ void UsbHid::HostCame(std::uint8_t) {
 void UsbHid::HostLeft(std::uint8_t) {
   device_.HostLeft();
   host_is_new_ = false;
-  tell_again_at_.reset();
 }
 
 std::optional<Time> UsbHid::next_due(Time now) const {
   if (host_is_new_) return now;
-  const auto due = device_.next_due();
-  return due && tell_again_at_ ? std::min(*due, *tell_again_at_) : due ? due : tell_again_at_;
+  return device_.next_due();
 }
 
 std::optional<UsbBytes> UsbHid::TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) {
   if (endpoint != kIn) return std::nullopt;
-  if (std::exchange(host_is_new_, false)) tell_again_at_ = now + kTellAgain;
+  host_is_new_ = false;
   auto report = device_.TakeReport(now);
-  if (!report && tell_again_at_ && now >= *tell_again_at_) {
-    tell_again_at_.reset();
-    report = device_.Standing();
-  }
   if (report) report->resize(std::min(report->size(), room_bytes));
   return report;
 }

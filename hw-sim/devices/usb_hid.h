@@ -15,9 +15,10 @@ struct HidShape {
 };
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor);
 
-// Linux throws away what comes in the first 50 ms after a device is opened: what is not at rest when a host
-// comes is told a second time. High speed and polled in every microframe: at full speed a host falls behind a
-// device that sends each millisecond (device class definition for HID 1.11).
+// What is not at rest when a host comes is told once; Linux throws that away, as all that comes in the first
+// 50 ms after a device is opened. How it stands is said whenever a host asks. High speed and polled in every
+// microframe: at full speed a host falls behind a device that sends each millisecond (device class definition
+// for HID 1.11).
 class UsbHid final : public UsbDevice {
  public:
   static constexpr std::uint8_t kIn = 0x81;
@@ -40,7 +41,6 @@ class UsbHid final : public UsbDevice {
 
   HidDevice& device_;
   bool host_is_new_ = false;  // It came since TakeIn was last called, and something is not at rest.
-  std::optional<Time> tell_again_at_;
   HidShape shape_;
   UsbPlate plate_;
 };

@@ -92,7 +92,7 @@ Result<std::vector<std::int16_t>> ReadWav(const std::string& path) {
                      Take(file, kChannelsAt, 2) > 0 && Take(file, kRateAt, 4) == kSynthRate_hz &&
                      Take(file, kBitsAt, 2) == 8 * kSampleBytes;
   if (!sound) return FailInput(path + " is no WAV file of 16 bits at 48 kHz");
-  const std::size_t step = kSampleBytes * Take(file, kChannelsAt, 2);
+  const std::size_t step = std::size_t{kSampleBytes} * Take(file, kChannelsAt, 2);
   std::vector<std::int16_t> samples;
   for (std::size_t at = kHeadBytes; at + step <= file.size(); at += step)
     samples.push_back(static_cast<std::int16_t>(Take(file, at, kSampleBytes)));
