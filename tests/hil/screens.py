@@ -20,6 +20,7 @@ from pictures import is_lit, marks
 from proof import difference, with_settings, write_report
 
 BOOT_S, LONGEST_S = 600, 180
+PAUSE_S = 1.5
 QUIET_S = 20        # For so long nothing may change for the worse.
 AFTER_S = 10        # How long a screen is looked at after the first face.
 SAME = 0.06         # As far as a face moves by itself.
@@ -89,6 +90,8 @@ def no_card(case, image):
 def late_screen(case, image):
     with Machine(image, screen=card("xres=320,yres=240")) as box:
         viewer = Viewer(box.path("vnc0"))
+        viewer.resize(320, 240)  # QEMU takes no heed of a viewer that was never of any size.
+        time.sleep(PAUSE_S)
         viewer.resize(0, 0)
         case.start(box)
         case.expect("the stage finds no screen", "a screen is plugged in" not in box.said())
