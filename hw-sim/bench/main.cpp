@@ -118,7 +118,7 @@ int TryAll(const Settings& settings, const std::string& sockets, const kaori::Si
 
 int List() {
   for (const auto& check : kaori::bench::AllChecks())
-    fmt::print("{:14} {}{}\n", check.name, check.sentence, check.chosen ? "" : " (long mode)");
+    fmt::print("{:16} {}{}\n", check.name, check.sentence, check.chosen ? "" : " (long mode)");
   return 0;
 }
 
