@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "appliance/desk/page.h"
+#include "appliance/desk/status_png.h"
 #include "drivers/base/log.h"
 
 namespace kaori::desk {
@@ -171,8 +172,15 @@ web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
     return NotFound(request.path);
   }
   if (request.path == "/state") return Reply{200, kJson, State()};
+  if (request.path == "/status.png") return Status();
   if (web::Feed* feed = FeedOf(request.path)) return feed;
   return NotFound(request.path);
+}
+
+Reply Desk::Status() {
+  auto png = StatusPng(board_, clock_.now());
+  if (!png) return {503, kText, png.error().message() + "\n"};
+  return {200, "image/png", std::move(*png)};
 }
 
 web::Feed* Desk::FeedOf(const std::string& path) {

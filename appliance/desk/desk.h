@@ -53,6 +53,7 @@ class Desk {
   web::Reply Leave(const web::Request& request);
   web::Reply Do(const web::Request& request);
   web::Reply Hello(bool paired);
+  web::Reply Status();
   web::Feed* FeedOf(const std::string& path);
   std::string State();
   void ShowPictures(Time now);

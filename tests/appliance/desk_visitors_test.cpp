@@ -65,7 +65,8 @@ TEST_F(DeskVisitors, GetThePageAndNothingElseWithoutACode) {
   EXPECT_EQ(Status({}), 200);
   EXPECT_EQ(Status({.path = "/main.js"}), 200);
   EXPECT_THAT(Ask({.path = "/hello"}), HasSubstr("\"paired\":false"));
-  for (const char* path : {"/state", "/events", "/picture", "/picture/both", "/nothing", "/../etc/passwd"})
+  for (const char* path :
+       {"/state", "/events", "/picture", "/picture/both", "/status.png", "/nothing", "/../etc/passwd"})
     EXPECT_EQ(Status({.path = path}), 401) << path;
   EXPECT_EQ(Status({.method = "POST", .path = "/do", .body = "defaults"}), 401);
   EXPECT_EQ(Status({.path = "/state", .cookie = "kaori-desk=" + std::string(64, '0')}), 401);
@@ -84,6 +85,13 @@ TEST_F(DeskVisitors, AreLetInByTheCodeOnTheBoard) {
   EXPECT_EQ(house_.board.Read<board::Desk>().source, board::SourceState::kAbsent) << "no code on the screen";
   EXPECT_EQ(Status({.method = "POST", .path = "/leave", .cookie = cookie}), 204);
   EXPECT_EQ(Status({.path = "/state", .cookie = cookie}), 401);
+}
+
+TEST_F(DeskVisitors, SeeTheStatusOfTheBoxOncePaired) {
+  const std::string reply = Ask({.path = "/status.png", .cookie = Pair()});
+  EXPECT_EQ(StatusOf(reply), 200);
+  EXPECT_THAT(reply, HasSubstr("image/png"));
+  EXPECT_THAT(reply, HasSubstr("\x89PNG"));
 }
 
 TEST_F(DeskVisitors, MayTryFiveTimesAMinute) {
