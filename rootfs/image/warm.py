@@ -2,8 +2,10 @@
 """Lets the stage compile its shaders once, in QEMU, and keeps them, and the picture of the first face: warm.py OUT
 PACKAGES. Results: OUT/shaders/*.foz and still.ppm
 
-Starts a copy of the image that writes shaders to its data partition. They are for a box that draws without a graphics
-card, on any processor since 2008. Does nothing where stage, show and packages are those of the shaders that lie there.
+Starts a copy of the image that writes both to its data partition, and waits until every drawing of the show was rehearsed.
+They are for a box that draws without a graphics card, on any processor since 2008. Made twice they are the same: the still
+is the show's first moment, and the shaders stand in the order of their names. Does nothing where stage, show and packages
+are those of the shaders that lie there.
 """
 
 import hashlib
@@ -16,12 +18,17 @@ import time
 from pathlib import Path
 
 import pack
-from qmp import Qmp
+import shader_store
 
-READY = re.compile("Started .*kaori-stage")
-LONGEST_S = 240
-WRITTEN_S = 12  # From the first face on: the kernel writes what it holds after 5 s at most; see the mount's options.
-STAGE, DATA = "usr/lib/systemd/system/kaori-stage.service", "usr/lib/systemd/system/var-lib-kaori.mount"
+REHEARSED = re.compile("all drawing is rehearsed")
+LONGEST_S = 3600  # On a busy machine; a few minutes else.
+LOOK_S = 6
+LOOKS_ALIKE = 3  # Mesa writes what it has compiled whenever nothing else is to be done.
+UNIT, OWN = "usr/lib/systemd/system/kaori-stage.service", "/var/lib/kaori/own"
+WANTED = "usr/lib/systemd/system/kaori.target.wants"
+STILL, STORE, INDEX = "still.ppm", "foz_cache.foz", "foz_cache_idx.foz"
+TOLD = "console=ttyS0 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=0 " \
+       "sysctl.vm.dirty_writeback_centisecs=100 sysctl.vm.dirty_expire_centisecs=100"
 
 
 def stamp(out, packages):
@@ -31,52 +38,65 @@ def stamp(out, packages):
     return hashed.hexdigest()
 
 
-def change(path, begins, line):
-    lines = [line if old.startswith(begins) else old for old in path.read_text().splitlines()]
-    path.write_text("\n".join(lines) + "\n")
-
-
 def writing_copy(out, packages, folder):
-    """The image, but for two lines."""
+    """The image, but for what the stage is told, and without other programs."""
     subprocess.run(["cp", "-a", out / "root", out / "bzImage", folder], check=True)
-    change(folder / "root" / STAGE, "Environment=",
-           "Environment=MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/var/lib/kaori/own")
-    change(folder / "root" / DATA, "Options=", "Options=nodev,nosuid,noexec,nodelalloc,commit=1")
-    subprocess.run([Path(__file__).with_name("pack.py"), folder, packages, folder / "image.json"], check=True)
+    start = next(line for line in (folder / "root" / UNIT).read_text().splitlines() if line.startswith("ExecStart="))
+    for other in (folder / "root" / WANTED).iterdir():
+        if other.name != Path(UNIT).name:
+            other.unlink()
+    words = ("[Service]", "WatchdogSec=0", "ExecStart=", f"{start} --still {OWN}/{STILL}", "Environment=",
+             f"Environment=MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR={OWN}")
+    told = folder / "root/etc/systemd/system" / f"{Path(UNIT).name}.d" / "warm.conf"
+    told.parent.mkdir(parents=True, exist_ok=True)
+    told.write_text("\n".join(words) + "\n")
+    packing = (Path(__file__).with_name("pack.py"), folder, packages, folder / "image.json", pack.UNWEIGHED)
+    subprocess.run(packing, check=True)
+
+
+def started(folder):
+    return subprocess.Popen(
+        ["qemu-system-x86_64", "-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512",
+         "-vga", "none", "-display", "none", "-no-reboot", "-kernel", folder / "bzImage",
+         "-append", (folder / "cmdline").read_text().strip() + " " + TOLD,
+         "-drive", f"file={folder / 'kaori.disk'},if=virtio,format=raw,cache=writethrough",
+         "-device", "virtio-gpu-pci,xres=960,yres=540", "-serial", f"file:{folder / 'serial'}"],
+        stderr=subprocess.DEVNULL)
+
+
+def written(folder):
+    """What the stage has written so far: the still, the store, its index. None where that is not whole."""
+    start_mib = pack.ALIGNED_MIB + sum(size for name, size, _, _ in pack.LAYOUT if name != "data")
+    data, own = folder / "data", folder / "own"
+    shutil.rmtree(own, ignore_errors=True)
+    quiet = dict(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    subprocess.run(["dd", f"if={folder / 'kaori.disk'}", f"of={data}", "bs=1M", f"skip={start_mib}"], **quiet)
+    subprocess.run(["e2fsck", "-fy", data], **quiet)
+    subprocess.run(["debugfs", "-R", f"rdump own {folder}", data], **quiet)
+    found = [next(own.rglob(name), None) for name in (STILL, STORE, INDEX)]
+    if None in found:
+        return None
+    still, store, index = (path.read_bytes() for path in found)
+    return (still, store, index) if shader_store.is_whole(store, index) else None
 
 
 def play(folder):
-    """Until the first face, and a little longer."""
-    told = (folder / "cmdline").read_text().strip() + " console=ttyS0 systemd.log_target=console systemd.show_status=1"
-    with subprocess.Popen(
-            ["qemu-system-x86_64", "-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512",
-             "-vga", "none", "-display", "none", "-no-reboot", "-kernel", folder / "bzImage", "-append", told,
-             "-drive", f"file={folder / 'kaori.disk'},if=virtio,format=raw,cache=writethrough",
-             "-device", "virtio-gpu-pci,xres=960,yres=540", "-serial", f"file:{folder / 'serial'}",
-             "-qmp", f"unix:{folder / 'qmp'},server=on,wait=off"],
-            stderr=subprocess.DEVNULL) as machine:
-        until = time.monotonic() + LONGEST_S
-        while machine.poll() is None and time.monotonic() < until:
-            if (folder / "serial").exists() and READY.search((folder / "serial").read_text(errors="replace")):
-                Qmp(folder / "qmp").screendump(folder / "still.ppm")
-                time.sleep(WRITTEN_S)
-                break
-            time.sleep(0.2)
+    """Until nothing more is written; the still and the store."""
+    alike, last, until = 0, None, time.monotonic() + LONGEST_S
+    with started(folder) as machine:
+        while machine.poll() is None and time.monotonic() < until and alike < LOOKS_ALIKE:
+            time.sleep(LOOK_S)
+            said = (folder / "serial").read_text(errors="replace") if (folder / "serial").exists() else ""
+            if not REHEARSED.search(said):
+                continue
+            now = written(folder)
+            alike = alike + 1 if now and now == last else 0
+            last = now
         machine.kill()
-
-
-def take_shaders(folder, shaders):
-    start_mib = pack.ALIGNED_MIB + sum(size for name, size, _, _ in pack.LAYOUT if name != "data")
-    data = folder / "data"
-    subprocess.run(["dd", f"if={folder / 'kaori.disk'}", f"of={data}", "bs=1M", f"skip={start_mib}", "status=none"],
-                   check=True)
-    subprocess.run(["e2fsck", "-fy", data], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-    subprocess.run(["debugfs", "-R", f"rdump own {folder}", data], stderr=subprocess.DEVNULL, check=True)
-    for name, kept in (("foz_cache.foz", "shaders.foz"), ("foz_cache_idx.foz", "shaders_idx.foz")):
-        found = next((folder / "own").rglob(name), None)
-        if found is None:
-            sys.exit("warm: the stage wrote no shaders")
-        shutil.copyfile(found, shaders / kept)
+    if alike < LOOKS_ALIKE:
+        said = (folder / "serial").read_text(errors="replace")
+        sys.exit(f"warm: the stage did not rehearse to its end:\n{said[-1500:]}")
+    return last[:2]
 
 
 def main():
@@ -89,9 +109,10 @@ def main():
     shaders.mkdir()
     with tempfile.TemporaryDirectory(dir=out) as folder:
         writing_copy(out, packages, Path(folder))
-        play(Path(folder))
-        take_shaders(Path(folder), shaders)
-        shutil.copyfile(Path(folder) / "still.ppm", shaders / "still.ppm")
+        still, store = play(Path(folder))
+    store, index = shader_store.in_order(store)
+    for name, content in ((STILL, still), ("shaders.foz", store), ("shaders_idx.foz", index)):
+        (shaders / name).write_bytes(content)
     (shaders / "stamp").write_text(wanted)
 
 

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""What the image's builder refuses, in one line, before it has built anything: image_test.py REPOSITORY"""
+"""What the image's builder refuses, in one line, before it has built anything, and how it keeps compiled shaders:
+image_test.py REPOSITORY"""
 
+import struct
 import subprocess
 import sys
 import tempfile
@@ -8,6 +10,9 @@ import unittest
 from pathlib import Path
 
 REPOSITORY = Path(sys.argv.pop(1))
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(REPOSITORY / "rootfs/image"))
+import shader_store  # noqa: E402  The image's own.
 
 
 def refusal(*command):
@@ -35,6 +40,34 @@ class Image(unittest.TestCase):
             self.assertIn("there is no option --dusk", refusal(build, "--dusk", 1))
             self.assertIn("--out wants a value", refusal(build, "--out"))
             self.assertIn("there is no show at", refusal(build, *usual[:4], "--pack", f"{folder}/none"))
+
+
+def stored(shaders):
+    """A store as Mesa writes it, in the order in which shaders were compiled, and its index."""
+    store = index = shader_store.MARK
+    for key, payload in shaders:
+        index += key + struct.pack("<4IQ", 8, 1, 0, 8, len(store) + len(key))
+        store += key + struct.pack("<4I", len(payload), 1, 77, len(payload)) + payload
+    return store, index
+
+
+class ShaderStore(unittest.TestCase):
+    EYES, HAIR = (b"e" * 40, b"eyes, compiled"), (b"a" * 40, b"hair")
+
+    def test_the_order_of_compiling_leaves_no_trace(self):
+        one, other = stored((self.EYES, self.HAIR)), stored((self.HAIR, self.EYES))
+        self.assertNotEqual(one, other)
+        self.assertEqual(shader_store.in_order(one[0]), other)
+        self.assertEqual(shader_store.in_order(other[0]), other)
+
+    def test_what_was_not_written_to_its_end_is_not_whole(self):
+        store, index = stored((self.EYES, self.HAIR))
+        self.assertTrue(shader_store.is_whole(store, index))
+        self.assertFalse(shader_store.is_whole(store[:-1], index))
+        self.assertFalse(shader_store.is_whole(store, index[:-64]))
+        self.assertFalse(shader_store.is_whole(store, index[:-64] + bytes(64)), "a block that the disk never got")
+        self.assertFalse(shader_store.is_whole(store + b"e", index))
+        self.assertFalse(shader_store.is_whole(b"", b""))
 
 
 if __name__ == "__main__":
