@@ -11,8 +11,8 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr Duration kLongestReturn = seconds(90);
-constexpr Duration kLongestFrame = seconds(120);  // With a new style's shaders, on a busy machine.
+constexpr Duration kLongestReturn = seconds(240);
+constexpr Duration kLongestFrame = seconds(300);  // With a new style's shaders, on a busy machine.
 constexpr int kShotsWhileAway = 12;
 
 Result<PictureView> LastPicture(const Scene& scene) {
