@@ -148,17 +148,14 @@ TEST_F(UsbLink, SendsReportsToWhoListensAndToNobodyElse) {
   EXPECT_EQ(machine.reports.size(), 1U);
 }
 
-TEST_F(UsbLink, TellsANewHostTwiceWhatIsNotAtRest) {
+TEST_F(UsbLink, TellsANewHostOnceWhatIsNotAtRest) {
   UsbMachine machine(Path("stick-left"));
   rig_->instruments().left_stick.Move(0.5F, 0);
   Enumerate("stick-left", machine);
   Later(1ms, machine);
   ASSERT_EQ(machine.reports.size(), 1U);
-  Later(200ms, machine);
-  ASSERT_EQ(machine.reports.size(), 2U);
-  EXPECT_EQ(machine.reports[0], machine.reports[1]);
   Later(1s, machine);
-  EXPECT_EQ(machine.reports.size(), 2U);
+  EXPECT_EQ(machine.reports.size(), 1U) << "whoever missed it must ask";
 }
 
 TEST_F(UsbLink, SaysNothingOfADeviceAtRest) {
