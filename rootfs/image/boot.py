@@ -22,7 +22,7 @@ from qmp import Qmp
 # The guest draws by itself; with newer processors' instructions emulation is many times slower.
 MACHINE = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-no-reboot", "-vga", "none")
 # Programs speak to the kernel, which passes it on at once: the journal starts after the first face.
-TOLD = "console=ttyS0 loglevel=7 printk.devkmsg=on systemd.log_target=console systemd.show_status=0 " \
+TOLD = "console=ttyS0 loglevel=7 printk.devkmsg=on systemd.log_target=kmsg systemd.show_status=0 " \
        "systemd.default_standard_output=kmsg"
 # What the serial line says -> what it means. In this order.
 MARKS = (
