@@ -18,8 +18,11 @@ constexpr Duration kLongestFrame = seconds(300);  // With a new style's shaders,
 // A scenario on the bench: its time stands still while a slow machine draws.
 class HeldPlay {
  public:
-  HeldPlay(sim::Scenario scenario, Place& place)
-      : place_(place), last_(place.clock().now()), player_(std::move(scenario), place.rig(), last_) {
+  HeldPlay(sim::Scenario scenario, std::string name, Place& place)
+      : name_(std::move(name)),
+        place_(place),
+        last_(place.clock().now()),
+        player_(std::move(scenario), place.rig(), last_) {
     place.SetHands([this](Time now) {
       if (now > last_ && !held_) played_ += now - last_;
       last_ = now;
@@ -30,6 +33,7 @@ class HeldPlay {
   HeldPlay(const HeldPlay&) = delete;
   HeldPlay& operator=(const HeldPlay&) = delete;
 
+  const std::string& name() const { return name_; }  // Of its pictures.
   const sim::Scenario& scenario() const { return player_.scenario(); }
   void PlayUntil(Duration at) {
     held_ = false;
@@ -47,6 +51,7 @@ class HeldPlay {
   }
 
  private:
+  std::string name_;
   Place& place_;
   Time last_;
   Time start_ = last_;
@@ -61,7 +66,7 @@ Result<void> ShootScene(Scene& scene, HeldPlay& play, std::size_t beat) {
   const Duration ends = beat + 1 < beats.size() ? beats[beat + 1].at : play.scenario().length;
   play.PlayUntil(beats[beat].at + (ends - beats[beat].at) * 2 / 3);
   if (auto ok = play.AwaitFrame(beats[beat].name); !ok) return ok;
-  return scene.ShootFace("play", beats[beat].name);
+  return scene.ShootFace(play.name(), beats[beat].name);
 }
 
 // Plays so many of its scenes, 0 all; gives the number of frames that were drawn meanwhile.
@@ -70,7 +75,7 @@ Result<std::uint32_t> PlayFile(Scene& scene, const std::string& file, int most) 
   if (!scenario) return tl::unexpected(scenario.error());
   const auto before = scene.place.Board();
   if (!before) return tl::unexpected(before.error());
-  HeldPlay play(std::move(*scenario), scene.place);
+  HeldPlay play(std::move(*scenario), std::filesystem::path(file).stem(), scene.place);
   const std::size_t all = play.scenario().beats.size();
   const std::size_t scenes = most > 0 ? std::min(all, static_cast<std::size_t>(most)) : all;
   for (std::size_t n = 0; n < scenes; ++n)
