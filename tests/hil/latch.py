@@ -1,14 +1,15 @@
 #!/usr/bin/env -S python3 -B
 """How long a hand waits for the light: latch.py IMAGE_FOLDER PACKAGES KERNEL PROGRAMS [EVENTS [MODE [LOADED_MODE]]]
 
-PROGRAMS is the folder with kaori-latch, which takes the stage's place in a copy of the image, and with kaori-atelier. KERNEL is the box's kernel with one more
-driver, vkms: a screen whose vertical blanks come by a timer, which QEMU's own graphics cards do not have. A dial box on
-uhid reports a turn at random moments; kaori-input and kaori-stage are the image's. Compared are the stage that reads
-the hands as late as drawing allows, and the same stage with --early, which reads them right after each flip, in three
-rounds that take turns, and a third arm in which one of the two processors is kept busy. The machine's time is that of its
-instructions, so neighbours on this computer change nothing but how long it takes. The screen is small and slow, and the
-face a plain one drawn flat, so that drawing takes a part of its period, as it does on a box. Results go into boot.json
-beside the image.
+PROGRAMS is the folder with kaori-latch, which takes the stage's place in a copy of the image, and with kaori-atelier.
+KERNEL is the box's kernel with one more driver, vkms: a screen whose vertical blanks come by a timer, which QEMU's
+own graphics cards do not have. A dial box on uhid reports a turn at random moments; kaori-input and kaori-stage are
+the image's. Compared are the stage that reads the hands as late as drawing allows, and the same stage with --early,
+which reads them right after each flip, in three rounds that take turns, and a third arm in which one of the two
+processors is kept busy: measured from 30 frames after that began, until when the stage must have adapted. The
+machine's time is that of its instructions, so neighbours on this computer change nothing but how long it takes. The
+screen is small and slow, and the face a plain one drawn flat, so that drawing takes a part of its period, as it does
+on a box. Results go into boot.json beside the image.
 """
 
 import re
@@ -78,14 +79,15 @@ def judge(image, said, where):
           f"{gain:.2f} times less (wanted {WANTED_GAIN}); missed flips {missed:.2f} % (at most {WANTED_MISSED}), with a busy "
           f"processor {loaded:.2f} % (at most {WANTED_MISSED_LOADED})")
     write_report(image, latency_gain_over_naive=round(gain, 3), missed_flips_percent=round(missed, 3),
-                 missed_flips_percent_loaded=round(loaded, 3), latency_measured_on=where,
+                 missed_flips_percent_loaded=round(loaded, 3),
+                 frames_to_adapt=max(r["settled"] for r in rounds["loaded"]), latency_measured_on=where,
                  latency_ms={arm: round(value, 2) for arm, value in mean.items()})
     return good
 
 
 def main():
     image, packages, kernel, programs = map(Path, sys.argv[1:5])
-    events, mode, loaded = sys.argv[5:8] + ["70", "160x90@3", "160x90@6"][len(sys.argv[5:8]):]
+    events, mode, loaded = sys.argv[5:8] + ["70", "160x90@3", "160x90@3"][len(sys.argv[5:8]):]
     with tempfile.TemporaryDirectory(dir=image) as folder:
         plain = Path(folder) / "latch.kaori"
         pack_plain_show(programs, Path(folder) / "show", plain)

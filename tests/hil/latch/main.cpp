@@ -41,6 +41,7 @@ constexpr int kLook_ms = 1;
 constexpr Duration kLongest = 120s;  // For a stage to begin, and for a hand to be seen.
 constexpr std::uint32_t kFirstFrames = 40, kMostFrames = 160;  // Before a round begins.
 constexpr std::uint32_t kSettled = 6;                          // Of a period is then the margin.
+constexpr std::uint32_t kAdapted = 30;                         // So many frames after a load step it is over.
 constexpr std::uint32_t kStep = 100;  // Frames after a load step in which its end is looked for.
 
 struct Settings {
@@ -176,9 +177,12 @@ Result<void> Bench::Round(const Arm& arm, int round) {
   if (!stage->Runs()) return Fail(std::errc::no_child_process, "keep the stage playing");
   std::optional<Result<Child>> burner;
   if (arm.loaded) burner.emplace(Child::Burn());
-  const board::StageStatus first = step_ = Status();
-  known_missed_ = first.missed_flips;
+  step_ = Status();
+  known_missed_ = step_.missed_flips;
   settled_ = 0;
+  if (arm.loaded && !Until([&] { return Status().frames - step_.frames >= kAdapted; }))
+    return Fail(std::errc::timed_out, "keep the stage playing beside a busy processor");
+  const board::StageStatus first = Status();
   std::vector<Duration> waited, shown;
   const auto wanted = std::size_t(std::atoi(settings_.events.c_str())) / (arm.loaded ? 2 : 1);
   while (waited.size() < wanted) {
