@@ -99,6 +99,9 @@ Result<void> WriteDumpAsPng(const std::string& dump_file, const DumpPart& part, 
 Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
   const int number = kFirstNumber + static_cast<int>(::getpid()) % kNumbers;
   std::string name = fmt::format(":{}", number);
+  const std::string socket = fmt::format("/tmp/.X11-unix/X{}", number);
+  std::error_code none;
+  std::filesystem::remove(socket, none);  // Of a bench that had our number before us.
   const Sides across = SidesFor(options.width_px, kBegunWidth_px);
   const Sides down = SidesFor(options.height_px, kBegunHeight_px);
   auto program =
@@ -106,7 +109,6 @@ Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
                       "-nolisten", "tcp", "-fbdir", options.folder},
                      options.folder + "/xvfb.log");
   if (!program) return tl::unexpected(program.error());
-  const std::string socket = fmt::format("/tmp/.X11-unix/X{}", number);
   const auto ready = [&] { return !program->runs() || std::filesystem::exists(socket); };
   if (!waiter.Until(ready, kLongest)) return Fail(std::errc::timed_out, "start Xvfb");
   if (!program->runs()) return Fail(std::errc::not_supported, "start Xvfb (Debian's xvfb)");
