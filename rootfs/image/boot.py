@@ -21,9 +21,9 @@ from qmp import Qmp
 
 # The guest draws by itself; with newer processors' instructions emulation is many times slower.
 MACHINE = ("-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-no-reboot", "-vga", "none")
-# Programs speak to the kernel, which passes it on at once: the journal starts after the first face.
+# The system speaks to the kernel, the stage to the journal; both pass it on at once.
 TOLD = "console=ttyS0 loglevel=7 printk.devkmsg=on systemd.log_target=kmsg systemd.show_status=0 " \
-       "systemd.default_standard_output=kmsg"
+       "systemd.journald.forward_to_console=1"
 # What the serial line says -> what it means. In this order.
 MARKS = (
     ("the kernel begins", r"Linux version"),
