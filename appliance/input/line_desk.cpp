@@ -45,7 +45,7 @@ void LineDesk::Begin(Time now) {
   const auto levels = lines_->Levels();
   if (!levels) return Lose(levels.error(), now);
   told_ = *levels;
-  if (source_ == SourceState::kAbsent) value_.active = told_;  // A switch that latches was not pushed.
+  if (source_ != SourceState::kLive) value_.active = told_;  // What is held as the lines come was not pushed.
   SettleAll(now);
   Write(now, SourceState::kLive);
 }
