@@ -26,6 +26,9 @@ expect "fuzz takes --seconds and a number" fuzz --seconds soon
 expect "fuzz takes --seconds and a number" fuzz 60
 expect "--json wants the name of a file" bench --json
 expect "test takes one PATTERN" test a b
+expect "test knows no --loud" test --loud
+expect "test --bench takes --chosen" test --bench --loud
+expect "image knows no --loud" image --loud
 
 "$BOX" help | grep -q -e '--service' || { echo "box help does not tell of the desk"; failures=$((failures + 1)); }
 "$BOX" help | grep -q './box demo --record' || { echo "box help does not tell of films"; failures=$((failures + 1)); }
@@ -34,6 +37,6 @@ expect "test takes one PATTERN" test a b
 targets=$(sed -n 's/^kaori_fuzz(\([a-z_]*\).*/\1/p' "$REPOSITORY/tests/fuzz/CMakeLists.txt" | sort)
 kept=$(ls "$REPOSITORY/tests/fuzz/corpus" | sort)
 [ -n "$targets" ] && [ "$targets" = "$kept" ] || { echo "fuzz targets: $targets; kept inputs: $kept"; failures=$((failures + 1)); }
-grep -q 'fuzz/bin/fuzz-\*' "$BOX" && grep -q 'add_custom_target(fuzzers' "$REPOSITORY/tests/fuzz/CMakeLists.txt" ||
+grep -q 'fuzz/bin/fuzz-\*' "$REPOSITORY/tests/tests.sh" && grep -q 'add_custom_target(fuzzers' "$REPOSITORY/tests/fuzz/CMakeLists.txt" ||
   { echo "box fuzz builds or starts what does not exist"; failures=$((failures + 1)); }
 exit $((failures > 0))
