@@ -1,4 +1,5 @@
-// The show pack: one file, verified when it is opened, copied out of it into a Show.
+// The show pack: one file, verified when it is opened, copied out of it into a Show, but for textures: they stay
+// in the file's memory, and the show keeps that.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace kaori::show {
 struct LoadOptions {
   std::optional<PublicKey> signed_by{};  // Refuse every pack that this key has not signed.
   // The file lies on a read-only file system whose every block the kernel checks, as the box's root: its
-  // checksum is not made again, and it is read where it lies.
+  // checksum is not made again, and it is read where it lies: textures when they are first looked at.
   bool on_verified_root = false;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,10 +14,12 @@ namespace kaori::show {
 std::vector<std::uint8_t> EncodeContent(const Show& show);
 
 // Safe for any bytes; `content` starts at a multiple of 16. Copies everything out, and never more bytes than
-// the content has: a forged one in which tables share their arrays is refused, not unfolded. Does not check
-// the show (see check.h). Errors:
+// the content has: a forged one in which tables share their arrays is refused, not unfolded. But where
+// `keeper` keeps the content alive, textures stay in it, and hold on to the keeper. Does not check the show
+// (see check.h). Errors:
 //   invalid_argument  the words follow on a file's name: "is damaged: ..."
-Result<Show> DecodeContent(std::span<const std::uint8_t> content);
+Result<Show> DecodeContent(std::span<const std::uint8_t> content,
+                           std::shared_ptr<const void> keeper = nullptr);
 
 // The sounds of its motions alone, in their order; as DecodeContent.
 Result<std::vector<Sound>> DecodeSounds(std::span<const std::uint8_t> content);

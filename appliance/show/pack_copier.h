@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstring>
+#include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "appliance/show/pack_layout.h"
@@ -14,7 +17,9 @@ namespace kaori::show {
 // missing.
 class Copier {
  public:
-  explicit Copier(std::size_t bytes_at_most) : left_(bytes_at_most) {}
+  // Textures stay where they are while `keeper` lives; without one they are copied too.
+  explicit Copier(std::size_t bytes_at_most, std::shared_ptr<const void> keeper = nullptr)
+      : left_(bytes_at_most), keeper_(std::move(keeper)) {}
 
   bool overdrawn() const { return overdrawn_; }
 
@@ -31,6 +36,12 @@ class Copier {
   std::vector<T> Numbers(const flatbuffers::Vector<T>* stored) {
     if (stored == nullptr || !Take(stored->size() * sizeof(T))) return {};
     return {stored->data(), stored->data() + stored->size()};
+  }
+
+  face::Texels Texels(const flatbuffers::Vector<std::uint8_t>* stored) {
+    if (!keeper_) return Numbers(stored);
+    if (stored == nullptr || !Take(stored->size())) return {};
+    return {std::span(stored->data(), stored->size()), keeper_};
   }
 
   std::string Text(const flatbuffers::String* stored) {
@@ -55,6 +66,7 @@ class Copier {
   }
 
   std::size_t left_;
+  std::shared_ptr<const void> keeper_;
   bool overdrawn_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -30,8 +31,8 @@ class Pages {
     return Pages({static_cast<std::uint8_t*>(at), bytes});
   }
   // The file itself, which nobody can change or shorten.
-  static Result<Pages> Map(int fd, std::size_t bytes, bool at_once, const std::string& name) {
-    void* at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | (at_once ? MAP_POPULATE : 0), fd, 0);
+  static Result<Pages> Map(int fd, std::size_t bytes, const std::string& name) {
+    void* at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE, fd, 0);
     if (at == MAP_FAILED) return FailErrno("read the show " + name);
     return Pages({static_cast<std::uint8_t*>(at), bytes});
   }
@@ -115,15 +116,6 @@ Result<Pages> ReadContent(const OpenFile& file, const PackSeal& seal, const std:
   return pages;
 }
 
-Result<Show> DecodeChecked(std::span<const std::uint8_t> content, const std::string& name) {
-  auto show = DecodeContent(content);
-  if (!show) return Refuse(name, show.error());
-  const auto faults = CheckShow(*show);
-  if (faults.empty()) return show;
-  return FailInput(name + ": " + faults.front() +
-                   (faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more faults)" : ""));
-}
-
 // What stands behind the header.
 struct Content {
   Pages pages;
@@ -131,13 +123,23 @@ struct Content {
   std::span<const std::uint8_t> bytes() const { return pages.bytes().subspan(begin, length); }
 };
 
-Result<Content> OpenContent(const std::string& name, const LoadOptions& options, bool all_of_it) {
+Result<Show> DecodeChecked(Content opened, const std::string& name) {
+  const auto content = std::make_shared<const Content>(std::move(opened));
+  auto show = DecodeContent(content->bytes(), content);
+  if (!show) return Refuse(name, show.error());
+  const auto faults = CheckShow(*show);
+  if (faults.empty()) return show;
+  return FailInput(name + ": " + faults.front() +
+                   (faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more faults)" : ""));
+}
+
+Result<Content> OpenContent(const std::string& name, const LoadOptions& options) {
   const auto open = Open(name);
   if (!open) return tl::unexpected(open.error());
   const auto seal = ReadSeal(*open, name);
   if (!seal) return tl::unexpected(seal.error());
   if (auto ok = CheckSigner(name, *seal, options); !ok) return tl::unexpected(ok.error());
-  auto pages = options.on_verified_root ? Pages::Map(open->fd.get(), open->bytes, all_of_it, name)
+  auto pages = options.on_verified_root ? Pages::Map(open->fd.get(), open->bytes, name)
                                         : ReadContent(*open, *seal, name);
   if (!pages) return tl::unexpected(pages.error());
   return Content{std::move(*pages), options.on_verified_root ? kPackHeader_bytes : 0, seal->content_bytes};
@@ -151,14 +153,14 @@ bool IsSound(const Sound& sound) {
 }  // namespace
 
 Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options) {
-  const auto content = OpenContent(file.string(), options, /*all_of_it=*/true);
+  auto content = OpenContent(file.string(), options);
   if (!content) return tl::unexpected(content.error());
-  return DecodeChecked(content->bytes(), file.string());
+  return DecodeChecked(std::move(*content), file.string());
 }
 
 Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const LoadOptions& options) {
   const std::string name = file.string();
-  const auto content = OpenContent(name, options, /*all_of_it=*/false);
+  const auto content = OpenContent(name, options);
   if (!content) return tl::unexpected(content.error());
   auto sounds = DecodeSounds(content->bytes());
   if (!sounds) return Refuse(name, sounds.error());

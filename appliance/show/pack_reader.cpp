@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "appliance/show/pack_content.h"
 #include "appliance/show/pack_copier.h"
@@ -108,7 +109,7 @@ face::Prop ReadProp(Copier& from, const pack::Prop& stored) {
 }
 
 face::Texture ReadTexture(Copier& from, const pack::Texture& stored) {
-  return {stored.width_px(), stored.height_px(), from.Numbers(stored.rgba())};
+  return {stored.width_px(), stored.height_px(), from.Texels(stored.rgba())};
 }
 
 Sound ReadSound(Copier& from, const pack::Take& stored) {
@@ -181,11 +182,11 @@ Show Read(Copier& from, const pack::Pack& stored) {
 }
 
 template <class Reader>
-auto Decode(std::span<const std::uint8_t> content, Reader read)
+auto Decode(std::span<const std::uint8_t> content, std::shared_ptr<const void> keeper, Reader read)
     -> Result<decltype(read(std::declval<Copier&>(), std::declval<const pack::Pack&>()))> {
   flatbuffers::Verifier verifier(content.data(), content.size(), kMaxDepth, kMaxTables);
   if (!pack::VerifyPackBuffer(verifier)) return FailInput("is damaged: its tables do not hang together");
-  Copier copier(content.size());
+  Copier copier(content.size(), std::move(keeper));
   auto found = read(copier, *pack::GetPack(content.data()));
   if (copier.overdrawn()) return FailInput("is damaged: it unfolds to more than it holds");
   return found;
@@ -193,12 +194,12 @@ auto Decode(std::span<const std::uint8_t> content, Reader read)
 
 }  // namespace
 
-Result<Show> DecodeContent(std::span<const std::uint8_t> content) {
-  return Decode(content, Read);
+Result<Show> DecodeContent(std::span<const std::uint8_t> content, std::shared_ptr<const void> keeper) {
+  return Decode(content, std::move(keeper), Read);
 }
 
 Result<std::vector<Sound>> DecodeSounds(std::span<const std::uint8_t> content) {
-  return Decode(content, [](Copier& from, const pack::Pack& stored) {
+  return Decode(content, nullptr, [](Copier& from, const pack::Pack& stored) {
     return from.Tables<Sound>(stored.takes(), ReadSound);
   });
 }

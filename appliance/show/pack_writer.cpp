@@ -107,7 +107,8 @@ Offset<pack::Prop> Write(FlatBufferBuilder& to, const face::Prop& prop) {
 }
 
 Offset<pack::Texture> Write(FlatBufferBuilder& to, const face::Texture& texture) {
-  return pack::CreateTexture(to, texture.width_px, texture.height_px, to.CreateVector(texture.rgba));
+  return pack::CreateTexture(to, texture.width_px, texture.height_px,
+                             to.CreateVector(texture.rgba.data(), texture.rgba.size()));
 }
 
 Offset<pack::TakeCurve> Write(FlatBufferBuilder& to, const TakeCurve& curve) {

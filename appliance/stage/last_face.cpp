@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "appliance/board/performance_state.h"
 #include "appliance/performance/recall.h"
@@ -109,6 +110,7 @@ LastFace::Called LastFace::CalledOf(const performance::State& state) {
 void LastFace::See(const performance::State& state, const scene::Scene& scene, Time now) {
   seen_ = state;
   fit_ = IsFit(state, scene);
+  if (std::exchange(first_, false)) return;  // It should be seen soon: looking at it comes after.
   if (now < not_before_ || !fit_ || !IsCalm(state, scene)) return;
   if (writer_->failed()) kept_.reset();
   if (kept_ == CalledOf(state) || !Keep()) return;

@@ -81,6 +81,7 @@ class LastFace {
   std::optional<Called> kept_;
   performance::State seen_;
   bool fit_ = false;  // The frame that was seen last is one to keep.
+  bool first_ = true;
   Time not_before_{};
 };
 

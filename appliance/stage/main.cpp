@@ -1,4 +1,6 @@
 // kaori-stage: draws the face that the board describes.
+#include <future>
+
 #include "appliance/board/board.h"
 #include "appliance/needles/needles.h"
 #include "appliance/show/pack.h"
@@ -80,12 +82,24 @@ kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop)
   return kaori::Fail(std::errc::no_such_device, "find a graphics card");
 }
 
-kaori::Result<kaori::show::Show> LoadShow(const Settings& settings) {
-  if (settings.trust.empty())
-    return kaori::show::LoadPack(settings.pack, {.signed_by = {}, .on_verified_root = settings.verified});
-  const auto key = kaori::show::ReadPublicKey(settings.trust);
-  if (!key) return tl::unexpected(key.error());
-  return kaori::show::LoadPack(settings.pack, {.signed_by = *key, .on_verified_root = settings.verified});
+struct Loaded {
+  std::unique_ptr<kaori::needles::Needles> needles;
+  std::unique_ptr<kaori::stage::PreparedShow> show;
+};
+
+kaori::Result<Loaded> LoadShow(const Settings& settings) {
+  kaori::show::LoadOptions options{.signed_by = {}, .on_verified_root = settings.verified};
+  if (!settings.trust.empty()) {
+    const auto key = kaori::show::ReadPublicKey(settings.trust);
+    if (!key) return tl::unexpected(key.error());
+    options.signed_by = *key;
+  }
+  auto show = kaori::show::LoadPack(settings.pack, options);
+  if (!show) return tl::unexpected(show.error());
+  kaori::Log("{} is read", show->name);
+  auto needles = kaori::needles::Needles::Open(
+      settings.own.empty() ? kaori::needles::UsualFolder() : std::filesystem::path(settings.own), *show);
+  return Loaded{std::move(needles), std::make_unique<kaori::stage::PreparedShow>(std::move(*show))};
 }
 
 // None where nobody says where; else what was kept there before is taken up.
@@ -105,24 +119,24 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
 }
 
 int Play(const Settings& settings, kaori::EventLoop& loop) {
+  // The show beside Mesa, which takes about as long.
+  auto loading = std::async(std::launch::async, [&] { return LoadShow(settings); });
   const auto card = CardOf(settings);
   if (!card) return Complain(card.error());
   if (*card) kaori::Log("the graphics card is open");
-  auto show = LoadShow(settings);
-  if (!show) return Complain(show.error());
-  kaori::Log("{} is read", show->name);
+  auto loaded = loading.get();
+  if (!loaded) return Complain(loaded.error());
   const auto board = kaori::board::Board::Create(settings.board);
   if (!board) return Complain(board.error());
   auto writers = kaori::stage::StageWriters::Take(*board);
   if (!writers) return Complain(writers.error());
-  auto needles = kaori::needles::Needles::Open(
-      settings.own.empty() ? kaori::needles::UsualFolder() : std::filesystem::path(settings.own), *show);
-  const auto studio = kaori::stage::Studio::Open(std::move(*show), *card ? (*card)->device() : nullptr);
+  const auto studio =
+      kaori::stage::Studio::Open(std::move(loaded->show), *card ? (*card)->device() : nullptr);
   if (!studio) return Complain(studio.error());
   kaori::stage::StillClock clock(!settings.still.empty());
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
-  stage.Bring(std::move(needles));
+  stage.Bring(std::move(loaded->needles));
   if (last_face)
     stage.Tell([&](const auto& state, const auto& scene, auto now) { last_face->See(state, scene, now); });
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",

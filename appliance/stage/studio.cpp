@@ -5,10 +5,16 @@
 namespace kaori::stage {
 
 Result<std::unique_ptr<Studio>> Studio::Open(show::Show show, void* gbm) {
+  return Open(std::make_unique<PreparedShow>(std::move(show)), gbm);
+}
+
+Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepared, void* gbm) {
   auto context = gl::Context::Open(gbm);
   if (!context) return tl::unexpected(context.error());
-  std::unique_ptr<Studio> studio(new Studio(std::move(*context), std::move(show)));
-  auto painter = passes::Painter::Open(*studio->context_, studio->show_.cast);
+  std::unique_ptr<Studio> studio(new Studio(std::move(*context), std::move(prepared)));
+  PreparedShow& made_of = *studio->prepared_;
+  auto painter =
+      passes::Painter::Open(*studio->context_, made_of.show_.cast, std::move(made_of.preparation_));
   if (!painter) return tl::unexpected(painter.error());
   studio->painter_ = std::move(*painter);
   return studio;
@@ -33,7 +39,14 @@ Result<void> Studio::ShowIn(void* window) {
     if (!made) return tl::unexpected(made.error());
     window_ = std::move(*made);
   }
-  return window_.Show(canvas_);
+  if (!screen_pass_) {
+    auto pass = passes::ScreenPass::Open();
+    if (!pass) return tl::unexpected(pass.error());
+    screen_pass_.emplace(std::move(*pass));
+  }
+  if (auto begun = window_.Begin(canvas_.width_px(), canvas_.height_px()); !begun) return begun;
+  screen_pass_->Draw(canvas_);
+  return window_.Show();
 }
 
 bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
@@ -54,7 +67,7 @@ bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
 
 void Studio::Renew(std::uint16_t index, std::span<const glm::vec3> displacement,
                    const std::array<float, 2>& lids) {
-  face::Expression& expression = show_.cast.expressions[index];
+  face::Expression& expression = prepared_->show_.cast.expressions[index];
   expression.displacement.assign(displacement.begin(), displacement.end());
   expression.lids = lids;
   painter_->Renew(index);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "appliance/show/show.h"
@@ -18,6 +19,8 @@
 #include "render/gl/small_picture.h"
 #include "render/gl/window.h"
 #include "render/passes/painter.h"
+#include "render/passes/preparation.h"
+#include "render/passes/screen.h"
 #include "render/scene/scene.h"
 
 namespace kaori::stage {
@@ -29,12 +32,28 @@ struct SmallImage {
   std::vector<std::uint8_t> pixels;
 };
 
+// A show, and what can be worked out of it without a graphics card: on any thread. It stays where it is.
+class PreparedShow {
+ public:
+  explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {}
+  PreparedShow(const PreparedShow&) = delete;
+  PreparedShow& operator=(const PreparedShow&) = delete;
+
+  const show::Show& show() const { return show_; }
+
+ private:
+  friend class Studio;
+  show::Show show_;
+  passes::Preparation preparation_;  // Goes into a studio's painter.
+};
+
 // One thread: the one that opened it.
 class Studio {
  public:
   // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context
   // and Painter.
   static Result<std::unique_ptr<Studio>> Open(show::Show show, void* gbm = nullptr);
+  static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared, void* gbm = nullptr);
 
   // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size
   // changes.
@@ -60,19 +79,20 @@ class Studio {
   // To be called before a window's screen goes.
   void CloseWindow() { window_ = gl::Window(); }
 
-  const show::Show& show() const { return show_; }
+  const show::Show& show() const { return prepared_->show(); }
   const std::string& renderer() const { return context_->renderer(); }
 
  private:
   Result<void> ShowIn(void* window);
-  Studio(std::unique_ptr<gl::Context> context, show::Show show)
-      : context_(std::move(context)), show_(std::move(show)) {}
+  Studio(std::unique_ptr<gl::Context> context, std::unique_ptr<PreparedShow> prepared)
+      : context_(std::move(context)), prepared_(std::move(prepared)) {}
 
   std::unique_ptr<gl::Context> context_;  // First in, last out: the rest lives in it.
-  show::Show show_;
+  std::unique_ptr<PreparedShow> prepared_;
   std::unique_ptr<passes::Painter> painter_;
   gl::Canvas canvas_;
   gl::Window window_;
+  std::optional<passes::ScreenPass> screen_pass_;
   std::optional<gl::SmallPicture> small_;
   bool unprepared_ = true;
 };

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "render/face/texels.h"
 #include "render/face/topology.h"
 
 namespace kaori::face {
@@ -119,7 +120,7 @@ struct Prop {
 struct Texture {
   int width_px = 0;
   int height_px = 0;
-  std::vector<std::uint8_t> rgba;
+  Texels rgba;
 };
 
 struct Cast {

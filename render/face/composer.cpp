@@ -180,6 +180,7 @@ Shape Composer::Work::View(const Topology& topology, Detail detail) const {
 
 Composer::Composer(const Cast& cast) : cast_(cast), work_(std::make_unique<Work>(cast)) {}
 Composer::~Composer() = default;
+Composer::Composer(Composer&&) noexcept = default;
 
 void Composer::Renew(std::size_t expression) {
   work_->composites.Outdate(cast_, expression);

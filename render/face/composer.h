@@ -39,6 +39,7 @@ class Composer {
  public:
   explicit Composer(const Cast& cast);
   ~Composer();
+  Composer(Composer&&) noexcept;
 
   // Allocates nothing, locks nothing; one thread at a time. Weights that are not finite, or name a face or
   // expression that does not exist, count as zero; face weights are brought to the sum 1; with no face left,

@@ -1,6 +1,8 @@
 #include "render/gl/canvas.h"
 
 #include <GLES3/gl31.h>
+// After it.
+#include <GLES2/gl2ext.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -176,12 +178,9 @@ void Canvas::BindLayer(unsigned unit, const Box& box) const {
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void Canvas::CopyTo(unsigned framebuffer) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_frame_.id());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glDisable(GL_SCISSOR_TEST);
-  glBlitFramebuffer(0, 0, options_.width_px, options_.height_px, 0, 0, options_.width_px, options_.height_px,
-                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+void Canvas::BindPictureCodes(unsigned unit) const {
+  picture_.Bind(unit);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
 }
 
 void Canvas::ShrinkTo(unsigned framebuffer, int width_px, int height_px) const {

@@ -56,8 +56,8 @@ class Canvas {
   // `bytes` holds width * height * 4.
   void ReadPixels(std::span<std::uint8_t> bytes) const;
 
-  // Copies the picture onto a framebuffer of the same size: 0 is the current window.
-  void CopyTo(unsigned framebuffer) const;
+  // The picture as a texture whose codes are read as they are.
+  void BindPictureCodes(unsigned unit) const;
 
   // Copies the picture onto a framebuffer of another size, upside down: its top row becomes the first.
   void ShrinkTo(unsigned framebuffer, int width_px, int height_px) const;

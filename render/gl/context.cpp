@@ -110,6 +110,15 @@ bool Context::ReadsSamples() {
   return major > 3 || (major == 3 && minor >= 1);
 }
 
+bool Context::Offers(std::string_view extension) {
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+    if (extension == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))))
+      return true;
+  return false;
+}
+
 Result<std::unique_ptr<Context>> Context::Open(void* gbm) {
   auto egl = std::make_unique<Egl>();
   egl->display = DisplayOf(gbm);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "drivers/base/result.h"
 
@@ -30,6 +31,8 @@ class Context {
 
   // Shaders may read single samples (GLES 3.1); else these are resolved first. Of the current context.
   static bool ReadsSamples();
+  // Whether the driver of the current context offers an extension, by its whole name.
+  static bool Offers(std::string_view extension);
 
  private:
   struct Egl;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
+#include <vector>
 
 namespace kaori::gl {
 namespace {
@@ -48,6 +50,34 @@ void SetSampling(const TextureOptions& o) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, smooth ? GL_LINEAR : GL_NEAREST);
 }
 
+struct Rgba8 {
+  std::vector<std::byte> bytes;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+// Half as wide and half as high, each texel the mean of the four that it replaces; an odd column or row at
+// the end goes. `from` is larger than one texel.
+Rgba8 Halve(std::span<const std::byte> from, int width_px, int height_px) {
+  const auto wide = static_cast<std::size_t>(width_px);
+  Rgba8 half{{}, std::max(width_px / 2, 1), std::max(height_px / 2, 1)};
+  const auto columns = static_cast<std::size_t>(half.width_px);
+  half.bytes.resize(columns * static_cast<std::size_t>(half.height_px) * 4);
+  const std::size_t right = width_px > 1 ? 4 : 0;
+  const std::size_t below = height_px > 1 ? wide * 4 : 0;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(half.height_px); ++y) {
+    const std::byte* row = from.data() + y * 2 * wide * 4;
+    std::byte* to = half.bytes.data() + y * columns * 4;
+    for (std::size_t x = 0; x < columns; ++x, row += 2 * right, to += 4) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        const auto code = [row, c](std::size_t at) { return std::to_integer<unsigned>(row[at + c]); };
+        to[c] = static_cast<std::byte>((code(0) + code(right) + code(below) + code(right + below) + 2) / 4);
+      }
+    }
+  }
+  return half;
+}
+
 }  // namespace
 
 Texture::Texture(const TextureOptions& options, std::span<const std::byte> pixels) : options_(options) {
@@ -60,14 +90,25 @@ Texture::Texture(const TextureOptions& options, std::span<const std::byte> pixel
   SetSampling(options);
   if (pixels.empty()) return;
   Write(options.height_px, pixels);
-  if (options.mipmaps) glGenerateMipmap(GL_TEXTURE_2D);
+  // Made here: a software renderer compiles shaders for it anew at each start, and that takes longer.
+  assert(!options.mipmaps || options.texels == Texels::kRgba8);
+  Rgba8 level{{}, options.width_px, options.height_px};
+  for (int number = 1; number < LevelsOf(options); ++number) {
+    level = Halve(number == 1 ? pixels : std::span<const std::byte>(level.bytes), level.width_px,
+                  level.height_px);
+    WriteLevel(number, level.width_px, level.height_px, level.bytes);
+  }
 }
 
 void Texture::Write(int rows, std::span<const std::byte> pixels) {
+  WriteLevel(0, options_.width_px, rows, pixels);
+}
+
+void Texture::WriteLevel(int level, int width_px, int rows, std::span<const std::byte> pixels) const {
   const Format f = FormatOf(options_.texels);
   glBindTexture(GL_TEXTURE_2D, handle_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, options_.width_px, rows, f.format, f.type, pixels.data());
+  glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width_px, rows, f.format, f.type, pixels.data());
 }
 
 void Texture::Bind(unsigned unit) const {

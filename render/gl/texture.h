@@ -21,7 +21,7 @@ struct TextureOptions {
   int width_px = 0;
   int height_px = 0;
   Texels texels = Texels::kRgba8;
-  bool mipmaps = false;
+  bool mipmaps = false;  // Of kRgba8 alone.
   bool repeat = false;
 };
 
@@ -38,6 +38,8 @@ class Texture {
   unsigned id() const { return handle_.id(); }
 
  private:
+  void WriteLevel(int level, int width_px, int rows, std::span<const std::byte> pixels) const;
+
   Handle handle_;
   TextureOptions options_;
 };

@@ -1,23 +1,19 @@
 #include "render/gl/window.h"
 
 #include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GLES3/gl3.h>
 
-#include <array>
 #include <utility>
 
 namespace kaori::gl {
 
 Result<Window> Window::Make(const Context& context, void* native) {
-  // Coded as the canvas's picture is, so that copying changes no bit.
-  constexpr std::array kCoded{EGL_GL_COLORSPACE_KHR, EGL_GL_COLORSPACE_SRGB_KHR, EGL_NONE};
   Window window;
   window.display_ = context.display();
   window.context_ = context.handle();
   window.native_ = native;
-  const EGLSurface surface = eglCreateWindowSurface(
-      context.display(), context.config(), reinterpret_cast<EGLNativeWindowType>(native), kCoded.data());
+  const EGLSurface surface = eglCreateWindowSurface(context.display(), context.config(),
+                                                    reinterpret_cast<EGLNativeWindowType>(native), nullptr);
   if (surface == EGL_NO_SURFACE) return Fail(std::errc::protocol_error, "make a window of the screen");
   window.surface_ = surface;
   return window;
@@ -41,10 +37,16 @@ Window& Window::operator=(Window&& other) noexcept {
   return *this;
 }
 
-Result<void> Window::Show(const Canvas& canvas) {
+Result<void> Window::Begin(int width_px, int height_px) const {
   if (!eglMakeCurrent(display_, surface_, surface_, context_))
     return Fail(std::errc::protocol_error, "draw into the screen's window");
-  canvas.CopyTo(0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, width_px, height_px);
+  return {};
+}
+
+Result<void> Window::Show() const {
   glFinish();
   if (!eglSwapBuffers(display_, surface_))
     return Fail(std::errc::protocol_error, "hand the window to the screen");

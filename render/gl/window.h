@@ -1,8 +1,7 @@
-// A window that a screen shows: EGL's surface on a native one, onto which finished pictures are copied.
+// A window that a screen shows: EGL's surface on a native one, on which finished pictures are drawn.
 #pragma once
 
 #include "drivers/base/result.h"
-#include "render/gl/canvas.h"
 #include "render/gl/context.h"
 
 namespace kaori::gl {
@@ -20,9 +19,12 @@ class Window {
   // The native window it was made of; none yet.
   void* native() const { return native_; }
 
-  // Copies the canvas's picture, which has the window's size, and hands it to the screen. Waits until a
-  // renderer of which the kernel does not know has finished. Errors: protocol_error.
-  Result<void> Show(const Canvas& canvas);
+  // Drawing goes to the window from here on, all of it, and writes codes as they are. Errors: protocol_error.
+  Result<void> Begin(int width_px, int height_px) const;
+
+  // Hands what was drawn to the screen. Waits until a renderer of which the kernel does not know has
+  // finished. Errors: protocol_error.
+  Result<void> Show() const;
 
  private:
   void* display_ = nullptr;

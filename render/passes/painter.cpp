@@ -76,8 +76,12 @@ void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
 
 }  // namespace
 
-Painter::Parts::Parts(const face::Cast& cast)
-    : composer(cast), neck(NeckOf(cast)), edges(MeasureEdges(cast)), wardrobe(cast), surface(cast) {
+Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
+    : composer(std::move(prepared.composer)),
+      neck(NeckOf(cast)),
+      edges(std::move(prepared.edges)),
+      wardrobe(cast, prepared.props),
+      surface(cast, prepared.worn) {
   for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
 }
 
@@ -143,8 +147,13 @@ FrameBlock Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas
 Painter::Painter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Painter::~Painter() = default;
 
-Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context&, const face::Cast& cast) {
-  auto parts = std::make_unique<Parts>(cast);
+Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context& context, const face::Cast& cast) {
+  return Open(context, cast, Preparation(cast));
+}
+
+Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context&, const face::Cast& cast,
+                                               Preparation prepared) {
+  auto parts = std::make_unique<Parts>(cast, std::move(prepared));
   if (auto opened = parts->Open(cast); !opened) return tl::unexpected(opened.error());
   return std::unique_ptr<Painter>(new Painter(std::move(parts)));
 }

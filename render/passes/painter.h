@@ -10,12 +10,17 @@
 
 namespace kaori::passes {
 
+struct Preparation;
+
 class Painter {
  public:
   // Compiles shaders and loads textures, which blocks. Borrows the context (current on this thread, as at
   // every later call) and the cast; both outlive the painter. Errors: invalid_argument (a shader; names file
   // and line).
   static Result<std::unique_ptr<Painter>> Open(const gl::Context& context, const face::Cast& cast);
+  // Faster: `prepared` is of this cast.
+  static Result<std::unique_ptr<Painter>> Open(const gl::Context& context, const face::Cast& cast,
+                                               Preparation prepared);
   ~Painter();
 
   // Makes the picture of `scene` on `canvas`, of any size. Values that are none are replaced (see

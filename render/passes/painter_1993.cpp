@@ -29,7 +29,7 @@ struct Painter1993::Parts {
         eyes(std::move(the_eyes)),
         composer(cast),
         neck(NeckOf(cast)),
-        surface(cast) {
+        surface(cast, {}) {
     for (const face::Texture& t : cast.textures) textures.push_back(LoadSkin(t, SkinTexels::kCodes));
     program.BindSampler("texture0", 0);
   }

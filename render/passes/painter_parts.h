@@ -22,6 +22,7 @@
 #include "render/passes/mouth.h"
 #include "render/passes/needles.h"
 #include "render/passes/painter.h"
+#include "render/passes/preparation.h"
 #include "render/passes/surface.h"
 #include "render/passes/wire.h"
 
@@ -31,7 +32,7 @@ namespace kaori::passes {
 // pictures.
 enum class Group : std::uint8_t { kTextured, kFlat, kWire };
 struct Painter::Parts {
-  explicit Parts(const face::Cast& cast);
+  Parts(const face::Cast& cast, Preparation prepared);
   Result<void> Open(const face::Cast& cast);
   FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
   void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);

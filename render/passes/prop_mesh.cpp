@@ -76,48 +76,55 @@ struct Prism {
   }
 };
 
-std::array<Slice, PropMesh::kSlices> SlicesOf(const face::Prop& prop) {
+std::array<Slice, kPropSlices> SlicesOf(const face::Prop& prop) {
   const auto [low, high] =
       std::ranges::minmax_element(prop.vertices, {}, [](const face::PropVertex& v) { return v.position.y; });
   if (low == prop.vertices.end()) return {};
   const float low_m = low->position.y;
-  const float per_metre = PropMesh::kSlices / std::max(high->position.y - low_m, 1e-6F);
+  const float per_metre = kPropSlices / std::max(high->position.y - low_m, 1e-6F);
   const auto slice_of = [&](face::Index v) {
     const float slice = (prop.vertices[v].position.y - low_m) * per_metre;
-    return std::clamp(static_cast<int>(slice), 0, PropMesh::kSlices - 1);
+    return std::clamp(static_cast<int>(slice), 0, kPropSlices - 1);
   };
-  std::array<Prism, PropMesh::kSlices> prisms;
+  std::array<Prism, kPropSlices> prisms;
   for (const face::Triangle& t : prop.triangles) {
     const auto [first, last] = std::minmax({slice_of(t[0]), slice_of(t[1]), slice_of(t[2])});
     for (int s = first; s <= last; ++s) {
       for (const face::Index v : t) prisms[static_cast<std::size_t>(s)].Add(prop.vertices[v].position);
     }
   }
-  std::array<Slice, PropMesh::kSlices> slices;
+  std::array<Slice, kPropSlices> slices;
   std::ranges::transform(prisms, slices.begin(), &Prism::Finish);
   return slices;
 }
 
-}  // namespace
-
-PropMesh::PropMesh(const face::Prop& prop)
-    : part(prop.part),
-      paint(prop.colour),
-      slices(SlicesOf(prop)),
-      vertices(gl::Buffer::Of(std::span<const face::PropVertex>(prop.vertices))),
-      numbers(gl::BufferUse::kStatic, prop.vertices.size() * sizeof(float)) {
-  if (part != face::Part::kHair) {
-    mesh = MeshOf(prop, vertices, numbers, prop.triangles);
-    return;
-  }
-  const std::vector<float> lock_numbers = LockNumbers(prop);
-  numbers.Write(std::as_bytes(std::span(lock_numbers)));
-  mesh = MeshOf(prop, vertices, numbers, OuterLocksFirst(prop, lock_numbers));
+PropForm FormOf(const face::Prop& prop) {
+  PropForm form{.slices = SlicesOf(prop), .numbers = {}, .triangles = prop.triangles};
+  if (prop.part != face::Part::kHair) return form;
+  form.numbers = LockNumbers(prop);
+  form.triangles = OuterLocksFirst(prop, form.numbers);
+  return form;
 }
 
-Wardrobe::Wardrobe(const face::Cast& cast) : presence_(cast.props.size()) {
+}  // namespace
+
+std::vector<PropForm> FormsOf(std::span<const face::Prop> props) {
+  std::vector<PropForm> forms(props.size());
+  std::ranges::transform(props, forms.begin(), FormOf);
+  return forms;
+}
+
+PropMesh::PropMesh(const face::Prop& prop, const PropForm& form)
+    : part(prop.part),
+      paint(prop.colour),
+      slices(form.slices),
+      vertices(gl::Buffer::Of(std::span<const face::PropVertex>(prop.vertices))),
+      numbers(gl::Buffer::Of(std::span<const float>(form.numbers))),
+      mesh(MeshOf(prop, vertices, numbers, form.triangles)) {}
+
+Wardrobe::Wardrobe(const face::Cast& cast, std::span<const PropForm> forms) : presence_(cast.props.size()) {
   meshes_.reserve(cast.props.size());
-  for (const face::Prop& prop : cast.props) meshes_.emplace_back(prop);
+  for (std::size_t i = 0; i < cast.props.size(); ++i) meshes_.emplace_back(cast.props[i], forms[i]);
   for (const face::Face& f : cast.faces) worn_.push_back(f.props);
 }
 

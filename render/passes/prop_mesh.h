@@ -20,19 +20,28 @@ struct Slice {
   bool empty() const { return low_m > high_m; }
 };
 
+inline constexpr int kPropSlices = 20;
+
+// What is worked out of a prop before it goes to the driver.
+struct PropForm {
+  std::array<Slice, kPropSlices> slices;  // From below; together they enclose the prop closely.
+  std::vector<float> numbers;  // Hair: for each vertex a number 0..1 that a lock's vertices share; else none.
+  std::vector<face::Triangle> triangles;  // In the order in which they are drawn.
+};
+
+std::vector<PropForm> FormsOf(std::span<const face::Prop> props);
+
 // Attribute locations: 0 position, 1 normal, 2 shade; hair: 2 tangent, 3 along, across, shade, 4 number of
 // the lock.
 struct PropMesh {
-  static constexpr int kSlices = 20;
-
-  explicit PropMesh(const face::Prop& prop);
+  PropMesh(const face::Prop& prop, const PropForm& form);
   PropMesh(PropMesh&&) = default;
 
   face::Part part;
   glm::vec3 paint;
-  std::array<Slice, kSlices> slices;  // From below; together they enclose the prop closely.
+  std::array<Slice, kPropSlices> slices;
   gl::Buffer vertices;
-  gl::Buffer numbers;  // Hair: for each vertex a number 0..1 that a lock's vertices share.
+  gl::Buffer numbers;
   gl::Mesh mesh;
 };
 
@@ -40,7 +49,7 @@ struct PropMesh {
 // it.
 class Wardrobe {
  public:
-  explicit Wardrobe(const face::Cast& cast);
+  Wardrobe(const face::Cast& cast, std::span<const PropForm> forms);
 
   void Weigh(const face::Terms& faces);
 

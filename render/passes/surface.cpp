@@ -40,16 +40,22 @@ std::vector<float> FineOcclusion(const face::Topology& topology, const face::Fac
   return open;
 }
 
-std::vector<face::Triangle> SeenOn(const face::Topology& topology, const face::Face& face,
-                                   const std::vector<bool>& rigid) {
+Triangles SeenOn(const face::Topology& topology, const face::Face& face, const std::vector<bool>& rigid) {
   const std::vector<float> open = FineOcclusion(topology, face);
   const auto hidden = [&](face::Index v) { return rigid[v] && open[v] < kHidden; };
-  std::vector<face::Triangle> seen = topology.fine.triangles;
+  Triangles seen = topology.fine.triangles;
   std::erase_if(seen, [&](const face::Triangle& t) { return std::ranges::all_of(t, hidden); });
   return seen;
 }
 
 }  // namespace
+
+std::vector<Triangles> SeenWhenWorn(const face::Cast& cast) {
+  const std::vector<bool> rigid = RigidVertices(cast.topology);
+  std::vector<Triangles> seen;
+  for (const face::Face& f : cast.faces) seen.push_back(SeenOn(cast.topology, f, rigid));
+  return seen;
+}
 
 Surface::Arrays::Arrays(std::size_t vertices)
     : positions(gl::BufferUse::kEachFrame, vertices * sizeof(glm::vec3)),
@@ -65,17 +71,14 @@ gl::Mesh Surface::Arrays::Join(const gl::Buffer& places, std::span<const face::T
                   Flatten(triangles));
 }
 
-Surface::Surface(const face::Cast& cast)
+Surface::Surface(const face::Cast& cast, std::span<const Triangles> worn)
     : fine_places_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.fine.texture))),
       cage_places_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.texture))),
       fine_(cast.topology.fine.from_cage.rows()),
       cage_(cast.topology.vertex_count),
       fine_mesh_(fine_.Join(fine_places_, cast.topology.fine.triangles)),
       cage_mesh_(cage_.Join(cage_places_, cast.topology.triangles)) {
-  const std::vector<bool> rigid = RigidVertices(cast.topology);
-  for (const face::Face& f : cast.faces) {
-    worn_meshes_.push_back(fine_.Join(fine_places_, SeenOn(cast.topology, f, rigid)));
-  }
+  for (const Triangles& seen : worn) worn_meshes_.push_back(fine_.Join(fine_places_, seen));
 }
 
 void Surface::WriteFine(const face::Shape& shape) {

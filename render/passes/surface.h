@@ -1,6 +1,7 @@
 // The composed face in the memory of the graphics driver: the cage and the fine mesh, written once a frame.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render/face/cast.h"
@@ -9,15 +10,20 @@
 
 namespace kaori::passes {
 
+using Triangles = std::vector<face::Triangle>;
+
+// For each face, the triangles of its fine mesh but those that it hides, when it is all alone, under its own
+// hair and clothes.
+std::vector<Triangles> SeenWhenWorn(const face::Cast& cast);
+
 class Surface {
  public:
-  explicit Surface(const face::Cast& cast);
+  Surface(const face::Cast& cast, std::span<const Triangles> worn);
 
   void WriteFine(const face::Shape& shape);
   void WriteCage(const face::Shape& shape);
 
-  // The fine mesh, whole; and without what `face`, when it is all alone, hides under its own hair and
-  // clothes.
+  // The fine mesh, whole; and what of it is seen when `face` is all alone.
   const gl::Mesh& fine() const { return fine_mesh_; }
   const gl::Mesh& fine_worn(std::size_t face) const { return worn_meshes_[face]; }
   const gl::Mesh& cage() const { return cage_mesh_; }

@@ -100,7 +100,7 @@ TEST_F(ScriptTest, PutsAPictureFromBesideItIntoTheShow) {
   ASSERT_EQ(backdrop.picture, 0);
   const face::Texture& texture = show_.cast.textures.at(0);
   EXPECT_EQ(texture.height_px, 3);
-  EXPECT_EQ(texture.rgba.at(2 * 2 * 4), 200) << "the top row comes first";
+  EXPECT_EQ(texture.rgba[2 * 2 * 4], 200) << "the top row comes first";
 }
 
 struct Wrong {

@@ -44,7 +44,7 @@ TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {
 
 TEST(PackDiff, SaysHowMuchOfATextureChanged) {
   Show after = SmallShow();
-  after.cast.textures[0].rgba[5] = 0;
+  after.cast.textures[0].rgba.own()[5] = 0;
   EXPECT_THAT(Differences(SmallShow(), after),
               ::testing::Contains("face \"round\": texture changed in 25.0 % of its texels"));
 }

@@ -21,7 +21,7 @@ Result<face::Texture> Blank(int width_px, int height_px) {
 }
 
 void SetGloss(face::Texture& texture) {
-  for (std::size_t i = 3; i < texture.rgba.size(); i += 4) texture.rgba[i] = kGloss;
+  for (std::size_t i = 3; i < texture.rgba.size(); i += 4) texture.rgba.own()[i] = kGloss;
 }
 
 Result<face::Texture> DecodePng(std::span<const std::uint8_t> bytes) {
@@ -33,7 +33,7 @@ Result<face::Texture> DecodePng(std::span<const std::uint8_t> bytes) {
   picture.format = PNG_FORMAT_RGBA;
   auto texture = Blank(static_cast<int>(picture.width), static_cast<int>(picture.height));
   if (!texture) return texture;
-  if (png_image_finish_read(&picture, nullptr, texture->rgba.data(), 0, nullptr) == 0)
+  if (png_image_finish_read(&picture, nullptr, texture->rgba.own().data(), 0, nullptr) == 0)
     return FailInput(std::string("not a sound PNG: ") + picture.message);
   SetGloss(*texture);
   return texture;
@@ -50,8 +50,8 @@ Result<face::Texture> DecodeJpeg(std::span<const std::uint8_t> bytes) {
     return FailInput("neither a sound PNG nor a sound JPEG");
   auto texture = Blank(width_px, height_px);
   if (!texture) return texture;
-  if (tjDecompress2(reader.get(), bytes.data(), size, texture->rgba.data(), width_px, 0, height_px, TJPF_RGBA,
-                    0) != 0)
+  if (tjDecompress2(reader.get(), bytes.data(), size, texture->rgba.own().data(), width_px, 0, height_px,
+                    TJPF_RGBA, 0) != 0)
     return FailInput(std::string("not a sound JPEG: ") + tjGetErrorStr2(reader.get()));
   SetGloss(*texture);
   return texture;

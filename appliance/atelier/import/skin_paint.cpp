@@ -65,7 +65,7 @@ class Painting {
  public:
   explicit Painting(const Colour& ground) : ground_(ground), texture_{kSide_px, kSide_px, {}} {
     for (int i = 0; i < kSide_px * kSide_px; ++i)
-      texture_.rgba.insert(texture_.rgba.end(), ground.begin(), ground.end());
+      texture_.rgba.own().insert(texture_.rgba.own().end(), ground.begin(), ground.end());
   }
 
   void Fill(const std::array<glm::vec2, 3>& uv, const Colour& colour) {
@@ -85,7 +85,8 @@ class Painting {
 
  private:
   void Put(int x, int y, const Colour& colour) {
-    std::ranges::copy(colour, texture_.rgba.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * kSide_px + x));
+    std::ranges::copy(colour,
+                      texture_.rgba.own().begin() + 4 * (static_cast<std::ptrdiff_t>(y) * kSide_px + x));
   }
   Colour ground_;
   face::Texture texture_;

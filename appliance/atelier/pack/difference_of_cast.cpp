@@ -121,7 +121,7 @@ void CompareTexture(const std::string& item, const face::Texture* a, const face:
   }
   std::size_t changed = 0;
   for (std::size_t i = 0; i + 3 < a->rgba.size(); i += 4)
-    changed += std::equal(&a->rgba[i], &a->rgba[i] + 4, &b->rgba[i]) ? 0 : 1;
+    changed += std::equal(a->rgba.data() + i, a->rgba.data() + i + 4, b->rgba.data() + i) ? 0 : 1;
   if (changed > 0)
     lines.push_back(fmt::format("{}: texture changed in {:.1f} % of its texels", item,
                                 400.0 * static_cast<double>(changed) / static_cast<double>(a->rgba.size())));

@@ -24,11 +24,11 @@ constexpr int kWidestPicture_px = 4096;
 face::Texture TextureOf(const image::Picture& picture) {
   face::Texture texture{picture.width_px, picture.height_px, {}};
   const std::size_t row_bytes = static_cast<std::size_t>(picture.width_px) * 4;
-  texture.rgba.resize(picture.rgbx.size());
+  texture.rgba.own().resize(picture.rgbx.size());
   for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height_px); ++y) {
     const std::size_t from = (static_cast<std::size_t>(picture.height_px) - 1 - y) * row_bytes;
     std::copy_n(picture.rgbx.begin() + static_cast<std::ptrdiff_t>(from), row_bytes,
-                texture.rgba.begin() + static_cast<std::ptrdiff_t>(y * row_bytes));
+                texture.rgba.own().begin() + static_cast<std::ptrdiff_t>(y * row_bytes));
   }
   return texture;
 }

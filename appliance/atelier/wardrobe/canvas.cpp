@@ -170,15 +170,15 @@ void Canvas::FillOutside() {
 
 face::Texture Canvas::Finish() && {
   FillOutside();
-  face::Texture texture{atlas_.size_px, atlas_.size_px, {}};
-  texture.rgba.reserve(texels_.size() * 4);
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(texels_.size() * 4);
   for (const Paint& p : texels_) {
-    texture.rgba.push_back(ToSrgbByte(p.colour.r));
-    texture.rgba.push_back(ToSrgbByte(p.colour.g));
-    texture.rgba.push_back(ToSrgbByte(p.colour.b));
-    texture.rgba.push_back(static_cast<std::uint8_t>(std::lround(Clamp01(p.gloss) * 255)));
+    rgba.push_back(ToSrgbByte(p.colour.r));
+    rgba.push_back(ToSrgbByte(p.colour.g));
+    rgba.push_back(ToSrgbByte(p.colour.b));
+    rgba.push_back(static_cast<std::uint8_t>(std::lround(Clamp01(p.gloss) * 255)));
   }
-  return texture;
+  return {atlas_.size_px, atlas_.size_px, std::move(rgba)};
 }
 
 }  // namespace kaori::wardrobe

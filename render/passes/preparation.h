@@ -1,0 +1,26 @@
+// What of a painter needs no graphics driver, worked out of a cast beforehand: on any thread, while the
+// driver loads.
+#pragma once
+
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/face/composer.h"
+#include "render/passes/figure_region.h"
+#include "render/passes/prop_mesh.h"
+#include "render/passes/surface.h"
+
+namespace kaori::passes {
+
+// Borrows the cast, as its composer does.
+struct Preparation {
+  explicit Preparation(const face::Cast& cast)
+      : composer(cast), edges(MeasureEdges(cast)), props(FormsOf(cast.props)), worn(SeenWhenWorn(cast)) {}
+
+  face::Composer composer;
+  LongestEdges edges;
+  std::vector<PropForm> props;  // In the order of Cast::props.
+  std::vector<Triangles> worn;  // For each face, what is seen of it under its hair and clothes.
+};
+
+}  // namespace kaori::passes
