@@ -20,6 +20,7 @@
 #include "firmware/boot/ahead.h"
 #include "firmware/boot/card.h"
 #include "firmware/boot/data_partition.h"
+#include "firmware/boot/known_shaders.h"
 #include "firmware/boot/profile.h"
 #include "firmware/boot/root_hash.h"
 #include "firmware/boot/still.h"
@@ -30,6 +31,8 @@ namespace {
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kLastFace = "/var/lib/kaori/own/last-face";
 constexpr const char* kPack = "/usr/share/kaori/kaori.kaori";
+constexpr const char* kKnownShaders = "/usr/share/kaori/shaders.known";
+constexpr const char* kStageFolder = "/run/kaori";  // Where its unit tells Mesa to keep shaders.
 constexpr const char* kAhead = "/usr/share/kaori/ahead";
 constexpr const char* kCard = "/dev/dri/card0";
 constexpr const char* kData = "/var/lib/kaori";
@@ -175,6 +178,7 @@ int main(int, char** argv) {
     ::close(mounted[1]);
     GiveCards();
     ApplySettings();
+    if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder)) Say("Mesa is not told which shaders it has");
     if (child > 0) Await(done[0], kLongestLight_ms);
     StartReadingAhead();
   }

@@ -18,7 +18,6 @@ MERGED = ("bin", "sbin", "lib", "lib64")  # Folders of the root that are names o
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
 # What the stage opens besides its libraries, in its order; then the show.
 OPENED = (f"{LIBRARIES}/libEGL_mesa.so.0", f"{LIBRARIES}/dri/swrast_dri.so")
-SHOW = "usr/share/kaori/kaori.kaori"
 AHEAD = "usr/share/kaori/ahead"
 MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var/lib/kaori")
 
@@ -95,7 +94,9 @@ def with_libraries(names, programs, files, replaced):
 
 
 def write_ahead(stage, files, replaced, root):
-    """What the first program reads ahead for the stage: the files that it opens, about in its order."""
+    """What the first program reads ahead for the stage: the programs that it loads, about in their order.
+
+    Not the show: of that it looks at a small part only."""
     waiting = [find_library(name, files) for name in needed(stage)] + list(OPENED)
     order = []
     while waiting:
@@ -105,7 +106,7 @@ def write_ahead(stage, files, replaced, root):
             waiting += [find_library(library, files) for library in needed(files[name]) if library not in replaced]
     target = root / AHEAD
     target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text("".join(f"/{name}\n" for name in (f"usr/bin/{Path(stage).name}", *order, SHOW)))
+    target.write_text("".join(f"/{name}\n" for name in (f"usr/bin/{Path(stage).name}", *order)))
 
 
 def copy(names, files, root):

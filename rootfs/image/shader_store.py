@@ -8,6 +8,20 @@ HEAD = struct.Struct("<4I")  # How many bytes follow, of what kind, their checks
 PLACE = struct.Struct("<Q")
 
 
+# Beside its store Mesa keeps the names of the sources that are in it, each in a place that its first bytes say; a
+# source that is not known there is parsed before the store is asked.
+KNOWN, KNOWN_HEAD_BYTES, KNOWN_PLACES, SOURCE_BYTES = "index", 8, 1 << 16, 20
+
+
+def known(index):
+    """The names of the sources in it, sorted."""
+    wanted = KNOWN_HEAD_BYTES + KNOWN_PLACES * SOURCE_BYTES
+    if len(index) != wanted:
+        raise ValueError(f"Mesa's {KNOWN} has {len(index)} bytes, not {wanted}")
+    names = {index[at:at + SOURCE_BYTES] for at in range(KNOWN_HEAD_BYTES, wanted, SOURCE_BYTES)}
+    return sorted(names - {bytes(SOURCE_BYTES)})
+
+
 def entries(store):
     """key -> (head, bytes) of the whole entries; and whether nothing is left over."""
     found, at = {}, len(MARK)

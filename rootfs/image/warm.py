@@ -1,6 +1,6 @@
 #!/usr/bin/env -S python3 -B
 """Lets the stage compile its shaders once, in QEMU, and keeps them, and the picture of the first face: warm.py OUT
-PACKAGES. Results: OUT/shaders/*.foz and still.ppm
+PACKAGES. Results: OUT/shaders/*.foz, shaders.known and still.ppm
 
 Starts a copy of the image that writes both to its data partition, and waits until every drawing of the show was rehearsed.
 They are for a box that draws without a graphics card, on any processor since 2008. Made twice they are the same: the still
@@ -65,7 +65,7 @@ def started(folder):
 
 
 def written(folder):
-    """What the stage has written so far: the still, the store, its index. None where that is not whole."""
+    """What the stage has written so far: the still, the store, and what Mesa knows of it. None where that is not whole."""
     start_mib = pack.ALIGNED_MIB + sum(size for name, size, _, _ in pack.LAYOUT if name != "data")
     data, own = folder / "data", folder / "own"
     shutil.rmtree(own, ignore_errors=True)
@@ -77,11 +77,15 @@ def written(folder):
     if None in found:
         return None
     still, store, index = (path.read_bytes() for path in found)
-    return (still, store, index) if shader_store.is_whole(store, index) else None
+    if not shader_store.is_whole(store, index):
+        return None
+    place = found[1].parent
+    names = shader_store.known((place / shader_store.KNOWN).read_bytes())
+    return still, store, "".join(f"{line}\n" for line in (place.relative_to(own), *(name.hex() for name in names)))
 
 
 def play(folder):
-    """Until nothing more is written; the still and the store."""
+    """Until nothing more is written; what there is then."""
     alike, last, until = 0, None, time.monotonic() + LONGEST_S
     with started(folder) as machine:
         while machine.poll() is None and time.monotonic() < until and alike < LOOKS_ALIKE:
@@ -96,7 +100,7 @@ def play(folder):
     if alike < LOOKS_ALIKE:
         said = (folder / "serial").read_text(errors="replace")
         sys.exit(f"warm: the stage did not rehearse to its end:\n{said[-1500:]}")
-    return last[:2]
+    return last
 
 
 def main():
@@ -109,9 +113,9 @@ def main():
     shaders.mkdir()
     with tempfile.TemporaryDirectory(dir=out) as folder:
         writing_copy(out, packages, Path(folder))
-        still, store = play(Path(folder))
+        still, store, known = play(Path(folder))
     store, index = shader_store.in_order(store)
-    for name, content in ((STILL, still), ("shaders.foz", store), ("shaders_idx.foz", index)):
+    for name, content in ((STILL, still), ("shaders.foz", store), ("shaders_idx.foz", index), ("shaders.known", known.encode())):
         (shaders / name).write_bytes(content)
     (shaders / "stamp").write_text(wanted)
 

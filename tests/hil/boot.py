@@ -49,7 +49,7 @@ def unpacked_debian(folder):
 def usual_initramfs(image, debian, folder):
     root = folder / "initramfs"
     subprocess.run(["cp", "-a", image / "root", root], check=True)
-    for name in ("still.ppm", "shaders.foz", "shaders_idx.foz"):
+    for name in ("still.ppm", "shaders.foz", "shaders_idx.foz", "shaders.known"):
         (root / "usr/share/kaori" / name).unlink()
     shutil.copy(debian / "bin/busybox", root / "usr/bin/busybox")
     (root / "modules").mkdir()
