@@ -58,7 +58,8 @@ Result<void> Go(Scene& scene) {
   const auto before = scene.place.Board();
   if (!before) return tl::unexpected(before.error());
   if (auto ok = Switch(scene, kGo, true); !ok) return ok;
-  const auto next = [&](const BoardView& board) { return board.stage.scene == before->stage.scene + 1; };
+  // After the last one comes the first.
+  const auto next = [&](const BoardView& board) { return board.stage.scene != before->stage.scene; };
   const auto called = scene.place.UntilBoard(next, kLongest, "see the next scene");
   if (!called) return tl::unexpected(called.error());
   return Switch(scene, kGo, false);

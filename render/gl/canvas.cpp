@@ -181,6 +181,8 @@ void Canvas::BindLayer(unsigned unit, const Box& box) const {
 void Canvas::BindPictureCodes(unsigned unit) const {
   picture_.Bind(unit);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
 void Canvas::ShrinkTo(unsigned framebuffer, int width_px, int height_px) const {

@@ -56,7 +56,7 @@ class Canvas {
   // `bytes` holds width * height * 4.
   void ReadPixels(std::span<std::uint8_t> bytes) const;
 
-  // The picture as a texture whose codes are read as they are.
+  // The picture as a texture whose codes are read as they are, without smoothing, but by texelFetch.
   void BindPictureCodes(unsigned unit) const;
 
   // Copies the picture onto a framebuffer of another size, upside down: its top row becomes the first.

@@ -1,10 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "render/gl/canvas.h"
+#include "render/gl/draw_state.h"
+#include "render/gl/mesh.h"
 #include "render/gl/program.h"
 #include "render/gl/shader_text.h"
+#include "render/gl/texture.h"
+#include "render/passes/screen.h"
 #include "tests/render/pass_studio.h"
 
 namespace kaori::gl {
@@ -15,6 +21,13 @@ constexpr ShaderFile kFiles[] = {
     {"good.vert", "#include \"light.glsl\"\nvoid main() { gl_Position = vec4(Twice(0.5)); }\n"},
     {"good.frag", "layout(location = 0) out vec4 colour;\nvoid main() { colour = vec4(1.0); }\n"},
     {"bad.frag", "#include \"light.glsl\"\nvoid main() {\n  wrong = 1.0;\n}\n"},
+    {"whole.vert",
+     "void main() {\n"
+     "  gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);\n"
+     "}\n"},
+    {"level.frag",
+     "uniform sampler2D picture;\nuniform int level;\nlayout(location = 0) out vec4 colour;\n"
+     "void main() { colour = texelFetch(picture, ivec2(gl_FragCoord.xy), level); }\n"},
     {"lost.frag", "#include \"nowhere.glsl\"\n"}};
 
 // The painter's context is current while any test of this program runs.
@@ -78,6 +91,53 @@ TEST_F(Gl, TakesCodesAsTheyAreWhereAsked) {
   canvas->ReadPixels(bytes);
   EXPECT_NEAR(bytes[0], 128, 1);
   EXPECT_EQ(bytes[2], 255);
+}
+
+// What the canvas shows, after `draw` on a background of black codes.
+template <class Draw>
+std::vector<std::uint8_t> Codes(int width_px, int height_px, Draw draw) {
+  const auto canvas =
+      Canvas::Make({.width_px = width_px, .height_px = height_px, .samples = 0, .takes_codes = true});
+  canvas->BeginPlain({});
+  draw();
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) * 4);
+  canvas->ReadPixels(bytes);
+  return bytes;
+}
+
+TEST_F(Gl, MakesEachSmallerPictureOfFourTexelsMeans) {
+  constexpr std::array<std::uint8_t, 4 * 2 * 4> kTexels{10, 0, 0, 0, 20, 0, 0, 0, 90, 0, 0, 8, 90, 0, 0, 8,
+                                                        30, 0, 0, 0, 40, 0, 0, 0, 90, 0, 0, 8, 94, 0, 0, 8};
+  const Texture texture({.width_px = 4, .height_px = 2, .mipmaps = true}, std::as_bytes(std::span(kTexels)));
+  const auto program = Program::Make({.library = kFiles, .vertex = "whole.vert", .fragment = "level.frag"});
+  ASSERT_TRUE(program) << program.error().message();
+  const Mesh everywhere({}, 3);
+  const auto level = [&](int number) {
+    Apply({.depth = Depth::kOff});
+    program->BindSampler("picture", 0);
+    Program::Set(program->Find("level"), number);
+    texture.Bind(0);
+    everywhere.Draw();
+  };
+  const auto half = Codes(2, 1, [&] { level(1); });
+  EXPECT_EQ(half[0], 25);
+  EXPECT_EQ(half[4], 91);
+  const auto last = Codes(1, 1, [&] { level(2); });
+  EXPECT_EQ(last[0], 58);
+}
+
+TEST_F(Gl, ShowsThePictureOnAScreenBitByBit) {
+  const auto screen = passes::ScreenPass::Open();
+  ASSERT_TRUE(screen) << screen.error().message();
+  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2, .samples = 0});
+  ASSERT_TRUE(canvas) << canvas.error().message();
+  for (float light = 0; light <= 1; light += 1.0F / 64) {
+    canvas->BeginPlain({light, light / 2, light / 8});
+    std::vector<std::uint8_t> bytes(16);
+    canvas->ReadPixels(bytes);
+    const auto shown = Codes(2, 2, [&] { screen->Draw(*canvas); });
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(shown[i], bytes[i]) << light;
+  }
 }
 
 }  // namespace
