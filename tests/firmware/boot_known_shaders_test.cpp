@@ -29,7 +29,9 @@ class KnownShaders : public ::testing::Test {
     return {std::istreambuf_iterator(file), {}};
   }
 
-  std::filesystem::path root_ = std::filesystem::path(::testing::TempDir()) / "known-shaders";
+  std::filesystem::path root_ = std::filesystem::path(::testing::TempDir()) /
+                                (std::string("known-shaders-") +
+                                 ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(KnownShaders, StandInThePlacesThatTheirFirstBytesSay) {
