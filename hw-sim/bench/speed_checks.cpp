@@ -56,7 +56,7 @@ Result<void> Virgl(Scene& scene) {
     if (pace->frames_hz > best.frames_hz) best = *pace;
   }
   AddShares(scene, "after");
-  scene.finding.figures["virgl_frames_per_s"] = best.frames_hz;
+  scene.finding.figures["frames_per_s"] = best.frames_hz;
   scene.finding.said = fmt::format("{:.1f} frames/s at {} x {}, each of {:.0f} ms of the processors' time",
                                    best.frames_hz, kWindow.width_px, kWindow.height_px, best.worked_ms);
   return best.frames_hz >= kLeast_hz ? Result<void>{} : FailInput(scene.finding.said);
