@@ -43,8 +43,8 @@ bench() {
     shift
   done
   need "${BUILD_PACKAGES[@]}" "${BENCH_PACKAGES[@]}"
-  build release programs kaori-figures
-  exec $BIN/kaori-figures --pack $PACK "${options[@]}"
+  build release programs kaori-benchmark
+  exec $BIN/kaori-benchmark --pack $PACK "${options[@]}"
 }
 
 fuzz() {

@@ -61,7 +61,7 @@ Result<void> LocalLoudspeaker::ReadNotes() {
   for (int n = 0; n < kNotesAtOnce; ++n) {
     const auto packet = ReceivePacket(socket_.get(), buffer);
     if (packet) {
-      if (auto ok = TakePacket(std::span(buffer).first(packet->bytes)); !ok) return ok;
+      if (auto ok = HandlePacket(std::span(buffer).first(packet->bytes)); !ok) return ok;
     } else if (packet.error().cause == std::errc::resource_unavailable_try_again) {
       return {};
     } else if (packet.error().cause == std::errc::no_such_device) {
@@ -73,7 +73,7 @@ Result<void> LocalLoudspeaker::ReadNotes() {
   return {};
 }
 
-Result<void> LocalLoudspeaker::TakePacket(std::span<const std::uint8_t> packet) {
+Result<void> LocalLoudspeaker::HandlePacket(std::span<const std::uint8_t> packet) {
   if (room_frames_ == 0) {
     const auto hello = wire::DecodeLoudspeakerHello(packet);
     if (!hello || hello->channels < 1 || hello->channels > 2 || hello->rate_hz < 8000 ||

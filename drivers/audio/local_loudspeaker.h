@@ -29,7 +29,7 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
 
  private:
   Result<void> ReadNotes();
-  Result<void> TakePacket(std::span<const std::uint8_t> packet);
+  Result<void> HandlePacket(std::span<const std::uint8_t> packet);
   double Waiting(Time now) const;
   tl::unexpected<Error> Broken();
 

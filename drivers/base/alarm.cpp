@@ -22,7 +22,7 @@ void Alarm::Set(Time at) {
   ::timerfd_settime(timer_.get(), TFD_TIMER_ABSTIME, &once, nullptr);
 }
 
-void Alarm::Take() {
+void Alarm::Acknowledge() {
   std::uint64_t rings = 0;
   [[maybe_unused]] const auto bytes = ::read(timer_.get(), &rings, sizeof(rings));
 }

@@ -20,7 +20,7 @@ class Alarm {
   void Set(Time at);
 
   // To be called when it rang: it is silent until it is set again.
-  void Take();
+  void Acknowledge();
 
  private:
   explicit Alarm(UniqueFd timer) : timer_(std::move(timer)) {}

@@ -17,7 +17,7 @@ namespace kaori::service {
 namespace {
 
 constexpr int kFirstPassed = 3;  // Descriptors that the manager passes begin here.
-constexpr int kLongestWait_ms = 5000;
+constexpr int kServiceLongestWait_ms = 5000;
 // How long a program that is watched may be silent: so many of its usual turns, and never less than this.
 constexpr int kPatientTurns = 30;
 constexpr Duration kShortestSilence = std::chrono::milliseconds(250);
@@ -85,7 +85,7 @@ Result<void> AwaitManager() {
   if (auto sent = Send("BARRIER=1", theirs.get()); !sent) return sent;
   theirs.reset();
   pollfd look{ours.get(), POLLIN, 0};
-  if (::poll(&look, 1, kLongestWait_ms) != 1) return Fail(std::errc::timed_out, "await the service manager");
+  if (::poll(&look, 1, kServiceLongestWait_ms) != 1) return Fail(std::errc::timed_out, "await the service manager");
   return {};
 }
 
@@ -95,14 +95,14 @@ Result<void> Tell(std::string_view words) {
   return Send(words, -1);
 }
 
-Result<void> Keep(int fd, std::string_view name) {
+Result<void> StoreFd(int fd, std::string_view name) {
   if (Variable("NOTIFY_SOCKET").empty()) return {};
   // FDPOLL=0: it is kept even while the device behind it reports a fault.
   if (auto sent = Send(fmt::format("FDSTORE=1\nFDNAME={}\nFDPOLL=0", name), fd); !sent) return sent;
   return AwaitManager();
 }
 
-std::optional<UniqueFd> TakeKept(std::string_view name) {
+std::optional<UniqueFd> RetrieveFd(std::string_view name) {
   const auto count = Number(Variable("LISTEN_FDS"));
   if (!count || !IsForUs("LISTEN_PID")) return std::nullopt;
   std::string_view names = Variable("LISTEN_FDNAMES");

@@ -20,10 +20,10 @@ Result<void> Tell(std::string_view words);
 
 // Gives the manager a copy of `fd` to keep beyond this program's end, and waits (5 s at most) until it has
 // it. Errors: those of sendmsg(2); timed_out.
-Result<void> Keep(int fd, std::string_view name);
+Result<void> StoreFd(int fd, std::string_view name);
 
 // The descriptor that was kept under this name, once; none on the first start.
-std::optional<UniqueFd> TakeKept(std::string_view name);
+std::optional<UniqueFd> RetrieveFd(std::string_view name);
 
 // Tells a manager that watches this program that it lives, and how soon its silence means that it hangs: a
 // machine that draws fast is given up on fast, a slow one is not killed for being slow.

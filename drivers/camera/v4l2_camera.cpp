@@ -88,7 +88,7 @@ Result<CameraFrame> V4l2Camera::Next() {
   if (broken_) return tl::unexpected(*broken_);
   if (auto ok = GiveBackHeld(); !ok) return tl::unexpected(ok.error());
   bool torn = false;
-  if (auto ok = TakeAll(torn); !ok) return tl::unexpected(ok.error());
+  if (auto ok = DrainAll(torn); !ok) return tl::unexpected(ok.error());
   if (HasSourceChanged()) return Broken(EIO, "keep the format of ");
   if (held_ || torn) newest_ = clock_.now();
   if (!held_ && torn) return Fail(std::errc::bad_message, "read a whole frame of " + path_);
@@ -102,9 +102,9 @@ Result<CameraFrame> V4l2Camera::Next() {
 }
 
 // Takes all that wait and keeps the newest whole one; `torn` tells that another one was dropped for damage.
-Result<void> V4l2Camera::TakeAll(bool& torn) {
+Result<void> V4l2Camera::DrainAll(bool& torn) {
   for (std::size_t n = 0; n <= buffers_.size(); ++n) {  // A driver that never runs dry must not hold us.
-    const auto taken = Take();
+    const auto taken = Dequeue();
     if (!taken) return tl::unexpected(taken.error());
     if (!*taken) return {};
     const bool whole = is_whole(**taken);
@@ -114,7 +114,7 @@ Result<void> V4l2Camera::TakeAll(bool& torn) {
   return {};
 }
 
-Result<std::optional<v4l2_buffer>> V4l2Camera::Take() {
+Result<std::optional<v4l2_buffer>> V4l2Camera::Dequeue() {
   v4l2_buffer taken = Described(0);
   if (calls_.Ioctl(fd_.get(), VIDIOC_DQBUF, &taken) < 0) {
     if (errno == EAGAIN) return std::nullopt;

@@ -53,9 +53,9 @@ class V4l2Camera final : public ports::Camera {
   Result<void> MapBuffer(std::uint32_t index);
   Result<void> GiveBack(std::uint32_t index);
   Result<void> GiveBackHeld();
-  Result<std::optional<v4l2_buffer>> Take();
+  Result<std::optional<v4l2_buffer>> Dequeue();
   Result<void> KeepNewest(const v4l2_buffer& taken);
-  Result<void> TakeAll(bool& torn);
+  Result<void> DrainAll(bool& torn);
   bool is_whole(const v4l2_buffer& taken) const;
   bool HasSourceChanged();
   Time StampOf(const v4l2_buffer& taken) const;

@@ -23,7 +23,7 @@ Result<void> WatchIn(const UniqueFd& epoll, int fd) {
 
 }  // namespace
 
-Result<std::unique_ptr<ChipLines>> ChipLines::Take(std::unique_ptr<GpioChip> chip, const Wiring& wiring) {
+Result<std::unique_ptr<ChipLines>> ChipLines::Request(std::unique_ptr<GpioChip> chip, const Wiring& wiring) {
   if (wiring.inputs.size() > kMostInputs) return FailInput("take more than 32 GPIO inputs");
   UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
   UniqueFd kept(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
@@ -33,7 +33,7 @@ Result<std::unique_ptr<ChipLines>> ChipLines::Take(std::unique_ptr<GpioChip> chi
   for (const LineWiring& input : wiring.inputs)
     if (auto ok = lines->AddInput(input); !ok) return tl::unexpected(ok.error());
   for (const LineWiring& output : wiring.outputs) {
-    auto line = lines->chip_->TakeOutput(output);
+    auto line = lines->chip_->RequestOutput(output);
     if (!line) return tl::unexpected(line.error());
     lines->outputs_.push_back(std::move(*line));
   }
@@ -48,7 +48,7 @@ Result<void> ChipLines::AddInput(const LineWiring& wiring) {
     inputs_.emplace_back();
     return {};
   }
-  auto line = chip_->TakeInput(wiring);
+  auto line = chip_->RequestInput(wiring);
   if (!line) return tl::unexpected(line.error());
   if (auto ok = WatchIn(epoll_, (*line)->pollable()); !ok) return ok;
   inputs_.push_back({.line = std::move(*line), .next = {}});
@@ -108,7 +108,7 @@ Result<void> ChipLines::Drive(std::uint32_t line, bool active) {
 Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring) {
   auto opened = OpenGpioChip(chip);
   if (!opened) return tl::unexpected(opened.error());
-  return ChipLines::Take(std::move(*opened), wiring);
+  return ChipLines::Request(std::move(*opened), wiring);
 }
 
 }  // namespace kaori::gpio

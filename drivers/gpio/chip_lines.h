@@ -22,7 +22,7 @@ class ChipLines final : public ports::GpioLines {
  public:
   // Takes every line of `wiring`, or none. Errors: invalid_argument (more than 32 inputs), and those of the
   // chip.
-  static Result<std::unique_ptr<ChipLines>> Take(std::unique_ptr<GpioChip> chip, const Wiring& wiring);
+  static Result<std::unique_ptr<ChipLines>> Request(std::unique_ptr<GpioChip> chip, const Wiring& wiring);
 
   int pollable() const override { return epoll_.get(); }
   Result<std::uint32_t> Levels() override;
@@ -46,7 +46,7 @@ class ChipLines final : public ports::GpioLines {
   UniqueFd kept_;  // Readable while an edge waits here and no longer in the kernel.
 };
 
-// Opens the chip and takes the lines; see OpenGpioChip and ChipLines::Take.
+// Opens the chip and takes the lines; see OpenGpioChip and ChipLines::Request.
 Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring);
 
 }  // namespace kaori::gpio

@@ -76,25 +76,25 @@ class Chip final : public GpioChip {
  public:
   explicit Chip(std::unique_ptr<gpiod_chip, CloseChip> chip) : chip_(std::move(chip)) {}
 
-  Result<std::unique_ptr<InputLine>> TakeInput(const LineWiring& wiring) override {
-    auto line = Take(wiring, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES);
+  Result<std::unique_ptr<InputLine>> RequestInput(const LineWiring& wiring) override {
+    auto line = Request(wiring, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES);
     if (line) return std::make_unique<Input>(std::move(*line));
     if (!TellsNoEdges(line.error())) return tl::unexpected(line.error());
-    auto plain = Take(wiring, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
+    auto plain = Request(wiring, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
     if (!plain) return tl::unexpected(plain.error());
     constexpr std::uint32_t kTurns = 4;  // The lines of an MCP2221 look one after the other.
     constexpr Duration kTurn = std::chrono::milliseconds(10);
     return PollLine(std::make_unique<Input>(std::move(*plain)), kTurn * (1 + wiring.offset % kTurns));
   }
 
-  Result<std::unique_ptr<OutputLine>> TakeOutput(const LineWiring& wiring) override {
-    auto line = Take(wiring, GPIOD_LINE_REQUEST_DIRECTION_OUTPUT);
+  Result<std::unique_ptr<OutputLine>> RequestOutput(const LineWiring& wiring) override {
+    auto line = Request(wiring, GPIOD_LINE_REQUEST_DIRECTION_OUTPUT);
     if (!line) return tl::unexpected(line.error());
     return std::make_unique<Output>(std::move(*line));
   }
 
  private:
-  Result<Line> Take(const LineWiring& wiring, int request_type) {
+  Result<Line> Request(const LineWiring& wiring, int request_type) {
     const std::string attempt = "take GPIO line " + std::to_string(wiring.offset);
     gpiod_line* line = gpiod_chip_get_line(chip_.get(), wiring.offset);
     if (line == nullptr) return FailErrno(attempt);

@@ -42,8 +42,8 @@ class GpioChip {
  public:
   virtual ~GpioChip() = default;
   // Errors: invalid_argument (no such line, or no pull-up), device_or_resource_busy, no_such_device.
-  virtual Result<std::unique_ptr<InputLine>> TakeInput(const LineWiring& wiring) = 0;
-  virtual Result<std::unique_ptr<OutputLine>> TakeOutput(const LineWiring& wiring) = 0;  // Starts inactive.
+  virtual Result<std::unique_ptr<InputLine>> RequestInput(const LineWiring& wiring) = 0;
+  virtual Result<std::unique_ptr<OutputLine>> RequestOutput(const LineWiring& wiring) = 0;  // Starts inactive.
 };
 
 // By name ("gpiochip0", "/dev/gpiochip0") or label. Lines must end before their chip. Errors: no_such_device,

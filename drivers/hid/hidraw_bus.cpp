@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "drivers/hid/hidraw_channel.h"
-#include "drivers/hid/recognise.h"
+#include "drivers/decode/recognise.h"
 
 namespace kaori::hid {
 namespace {
@@ -83,7 +83,7 @@ int HidrawBus::pollable() const {
 }
 
 Result<std::vector<std::string>> HidrawBus::Ports() {
-  if (TakeNotices() || !scanned_) {
+  if (DrainNotices() || !scanned_) {
     if (auto ok = Scan(); !ok) return tl::unexpected(ok.error());
   }
   std::vector<std::string> ports;
@@ -92,7 +92,7 @@ Result<std::vector<std::string>> HidrawBus::Ports() {
 }
 
 // A storm of notices may overrun the socket: what is lost shows as something to read, and as no device.
-bool HidrawBus::TakeNotices() {
+bool HidrawBus::DrainNotices() {
   pollfd notices{.fd = pollable(), .events = POLLIN, .revents = 0};
   const bool any = ::poll(&notices, 1, 0) > 0;
   while (const std::unique_ptr<udev_device, Unref> device{udev_monitor_receive_device(monitor_.get())}) {
@@ -150,10 +150,10 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
 // Once it did not answer, no device of its kind is asked again: the others' hands wait meanwhile.
 void HidrawBus::Ask(HidrawChannel& channel) {
   const ports::HidIdentity& identity = channel.identity();
-  const auto layout = LayoutOf(identity);
+  const auto layout = decode::LayoutOf(identity);
   const std::pair kind(identity.vendor, identity.product);
   if (!layout || mute_.contains(kind)) return;
-  if (!channel.AskHowItStands(StandingReportsOf(*layout))) mute_.insert(kind);
+  if (!channel.AskHowItStands(decode::StandingReportsOf(*layout))) mute_.insert(kind);
 }
 
 }  // namespace kaori::hid

@@ -44,7 +44,7 @@ class HidrawBus final : public ports::HidBus {
     std::string name;
   };
   explicit HidrawBus(const Clock& clock) : clock_(clock) {}
-  bool TakeNotices();
+  bool DrainNotices();
   Result<void> Scan();
   void Add(udev_device* device);
   void Ask(HidrawChannel& channel);

@@ -23,14 +23,14 @@ bool is_hung_up(int fd) {
 HidrawChannel::HidrawChannel(UniqueFd node, ports::HidIdentity identity, const Clock& clock)
     : node_(std::move(node)), identity_(std::move(identity)), clock_(clock) {}
 
-Result<void> HidrawChannel::AskHowItStands(std::span<const StandingReport> reports) {
-  for (const StandingReport& report : reports)
+Result<void> HidrawChannel::AskHowItStands(std::span<const decode::StandingReport> reports) {
+  for (const decode::StandingReport& report : reports)
     if (auto ok = Ask(report); !ok) return ok;
   return {};
 }
 
 // The kernel's answer begins with the report's number, or with a 0 that was not on the cable.
-Result<void> HidrawChannel::Ask(const StandingReport& report) {
+Result<void> HidrawChannel::Ask(const decode::StandingReport& report) {
   std::vector<std::uint8_t> answer(1 + report.bytes);
   answer[0] = report.id;
   const int got = ::ioctl(node_.get(), HIDIOCGINPUT(answer.size()), answer.data());
@@ -38,7 +38,7 @@ Result<void> HidrawChannel::Ask(const StandingReport& report) {
     return Fail(std::errc::timed_out, "ask how " + identity_.port + " stands");
   if (got < 1 || answer[0] != report.id) return {};
   answer.resize(std::min(answer.size(), static_cast<std::size_t>(got)));
-  if (!IsBelievable(report, std::span(answer).subspan(1))) return {};
+  if (!decode::IsBelievable(report, std::span(answer).subspan(1))) return {};
   if (report.id == 0) answer.erase(answer.begin());
   standing_.push_back(std::move(answer));
   return {};

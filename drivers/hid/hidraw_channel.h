@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drivers/base/unique_fd.h"
-#include "drivers/hid/standing_reports.h"
+#include "drivers/decode/standing_reports.h"
 #include "drivers/ports/hid_channel.h"
 
 namespace kaori::hid {
@@ -22,7 +22,7 @@ class HidrawChannel final : public ports::HidChannel {
   // throws away what a device sends in the first 50 ms after it was opened, and one that is held still says
   // no more. A device that stalls or answers rubbish has said nothing. Waits for the device: about 1 ms, and
   // 5 s for one that does not answer at all. Errors: timed_out (that one).
-  Result<void> AskHowItStands(std::span<const StandingReport> reports);
+  Result<void> AskHowItStands(std::span<const decode::StandingReport> reports);
 
   int pollable() const override { return node_.get(); }
   const ports::HidIdentity& identity() const override { return identity_; }
@@ -33,7 +33,7 @@ class HidrawChannel final : public ports::HidChannel {
   tl::unexpected<Error> Failed(int error, const char* verb);
   tl::unexpected<Error> Gone() const;
 
-  Result<void> Ask(const StandingReport& report);
+  Result<void> Ask(const decode::StandingReport& report);
 
   UniqueFd node_;
   ports::HidIdentity identity_;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "drivers/hid/report_layout.h"
+#include "drivers/decode/report_layout.h"
 
 namespace kaori::hid {
 namespace {
@@ -26,10 +26,10 @@ constexpr int kEndingTurn_ms = 10;
 // Whole packets for the longest report: a shorter transfer overflows, a longer one waits for a second report.
 std::size_t ReadBytes(std::span<const std::uint8_t> descriptor, std::size_t packet_bytes) {
   std::size_t longest = 1;
-  if (const auto layout = ReadReportLayout(descriptor)) {
-    const std::size_t id_bytes = layout->numbered(ReportKind::kInput) ? 1 : 0;
-    for (const ReportShape& report : layout->reports)
-      if (report.kind == ReportKind::kInput) longest = std::max(longest, report.bytes() + id_bytes);
+  if (const auto layout = decode::ReadReportLayout(descriptor)) {
+    const std::size_t id_bytes = layout->numbered(decode::ReportKind::kInput) ? 1 : 0;
+    for (const decode::ReportShape& report : layout->reports)
+      if (report.kind == decode::ReportKind::kInput) longest = std::max(longest, report.bytes() + id_bytes);
   }
   return packet_bytes * ((longest + packet_bytes - 1) / packet_bytes);
 }
@@ -99,7 +99,7 @@ Result<void> LibusbChannel::ReadIdentity() {
                .descriptor = {}};
   if (device.iProduct != 0) identity_.name = ReadName(device.iProduct);
   std::vector<std::uint8_t> descriptor(
-      std::min<std::size_t>(interface_.descriptor_bytes, kMaxDescriptorBytes));
+      std::min<std::size_t>(interface_.descriptor_bytes, decode::kMaxDescriptorBytes));
   const int bytes = libusb_control_transfer(handle_.get(), kStandardFromInterface,
                                             LIBUSB_REQUEST_GET_DESCRIPTOR, kReportDescriptor << 8,
                                             static_cast<std::uint16_t>(interface_.number), descriptor.data(),

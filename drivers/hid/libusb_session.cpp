@@ -13,7 +13,7 @@ namespace kaori::hid {
 namespace {
 
 constexpr std::uint8_t kHidDescriptor = 0x21;  // HID 1.11, section 6.2.1.
-constexpr std::uint8_t kReportDescriptor = 0x22;
+constexpr std::uint8_t kLibusbSessionReportDescriptor = 0x22;
 constexpr int kMaxPortDepth = 7;  // USB 3.2, section 10.
 
 struct FreePollfds {
@@ -40,7 +40,7 @@ std::string PortOf(libusb_device* device) {
 std::uint16_t ReportDescriptorBytes(std::span<const std::uint8_t> extra) {
   while (extra.size() >= 2 && extra[0] >= 2 && extra[0] <= extra.size()) {
     const auto one = extra.first(extra[0]);
-    if (one[1] == kHidDescriptor && one.size() >= 9 && one[6] == kReportDescriptor)
+    if (one[1] == kHidDescriptor && one.size() >= 9 && one[6] == kLibusbSessionReportDescriptor)
       return static_cast<std::uint16_t>(one[7] | (one[8] << 8));
     extra = extra.subspan(extra[0]);
   }

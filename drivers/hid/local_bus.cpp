@@ -72,7 +72,7 @@ Result<void> LocalHidBus::WatchFolder() {
 }
 
 Result<std::vector<std::string>> LocalHidBus::Ports() {
-  if (auto taken = TakeNotices(); !taken) return tl::unexpected(taken.error());
+  if (auto taken = DrainNotices(); !taken) return tl::unexpected(taken.error());
   std::vector<std::string> ports;
   for (auto& [port, line] : lines_) {
     if (line.state == State::kCalling) Answer(port, line);
@@ -81,7 +81,7 @@ Result<std::vector<std::string>> LocalHidBus::Ports() {
   return ports;
 }
 
-Result<void> LocalHidBus::TakeNotices() {
+Result<void> LocalHidBus::DrainNotices() {
   alignas(inotify_event) std::array<char, 4096> buffer;
   bool folder_gone = !watching_;
   for (ssize_t bytes = 0; (bytes = ::read(watch_.get(), buffer.data(), buffer.size())) > 0;) {

@@ -36,7 +36,7 @@ class LocalHidBus final : public ports::HidBus {
 
   LocalHidBus(std::string folder, UniqueFd epoll) : folder_(std::move(folder)), epoll_(std::move(epoll)) {}
   Result<void> WatchFolder();
-  Result<void> TakeNotices();
+  Result<void> DrainNotices();
   void LookAt(const std::string& port);
   void Call(const std::string& port);
   void Answer(const std::string& port, Line& line);

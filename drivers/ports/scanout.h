@@ -7,7 +7,7 @@
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
-#include "drivers/ports/sign.h"
+#include "drivers/ports/status_display.h"
 
 namespace kaori::ports {
 
@@ -47,7 +47,7 @@ class Scanout {
   virtual Result<Flip> ReadFlip() = 0;
 
   // The sign beside this screen, for as long as this lives; or none.
-  virtual Sign* sign() { return nullptr; }
+  virtual StatusDisplay* status_display() { return nullptr; }
   // What it is made of, for people, one part a line.
   virtual std::string Words() const { return {}; }
 };

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "drivers/base/holder.h"
+#include "drivers/base/fd_keeper.h"
 #include "drivers/base/service.h"
 
 namespace kaori::scanout {
@@ -16,10 +16,10 @@ struct Taken {
 };
 
 Result<Taken> TakeCard(const std::string& path, const std::string& holder) {
-  if (auto kept = service::TakeKept(kName)) return Taken{std::move(*kept), true};
+  if (auto kept = service::RetrieveFd(kName)) return Taken{std::move(*kept), true};
   auto opened = OpenCardFile(path.c_str());
   // Whoever opened the card first may show on it: that file is held, or another program has it.
-  if (opened && !MayShow(opened->get())) opened = service::TakeEntrusted(holder);
+  if (opened && !MayShow(opened->get())) opened = service::RetrieveFromKeeper(holder);
   if (!opened) return tl::unexpected(opened.error());
   return Taken{std::move(*opened)};
 }
@@ -39,9 +39,9 @@ Result<std::unique_ptr<KmsCard>> KmsCard::Open(const std::string& path, const st
 
 Result<void> KmsCard::Hold() {
   if (!kept_)
-    if (auto kept = service::Keep(shows_.get(), kName); !kept) return kept;
+    if (auto kept = service::StoreFd(shows_.get(), kName); !kept) return kept;
   kept_ = true;
-  return service::Entrust(shows_.get(), holder_);
+  return service::GiveToKeeper(shows_.get(), holder_);
 }
 
 Result<std::unique_ptr<KmsScreen>> KmsCard::OpenScreen(const Clock& clock) {

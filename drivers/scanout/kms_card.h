@@ -21,7 +21,7 @@ class KmsCard {
   static Result<std::unique_ptr<KmsCard>> Open(const std::string& path, const std::string& holder);
 
   // Gives the card's file to both, so that the last picture stays when the program ends. Waits until the
-  // service manager has it, 5 s at most. Errors: those of service::Keep and service::Entrust.
+  // service manager has it, 5 s at most. Errors: those of service::Keep and service::GiveToKeeper.
   Result<void> Hold();
 
   // For EGL.

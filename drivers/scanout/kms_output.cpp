@@ -33,13 +33,13 @@ class Wiring {
     for (const bool push : {false, true}) {
       for (std::size_t crtc = 0; crtc < driven_.size(); ++crtc) {
         if ((connectors_[connector].crtcs & usable_ & ~tried_) >> crtc == 0) break;
-        if (Take(connector, crtc, push)) return true;
+        if (Assign(connector, crtc, push)) return true;
       }
     }
     return false;
   }
 
-  bool Take(std::size_t connector, std::size_t crtc, bool push) {
+  bool Assign(std::size_t connector, std::size_t crtc, bool push) {
     const bool possible = ((connectors_[connector].crtcs & usable_ & ~tried_) >> crtc & 1) != 0;
     if (!possible || (driven_[crtc] && !push)) return false;
     tried_ |= 1U << crtc;
@@ -122,7 +122,7 @@ Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsWishes& wishes) {
   return outputs;
 }
 
-std::optional<KmsOutput> TakeSign(KmsDevice& card, const std::string& name, std::vector<KmsOutput>& outputs) {
+std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name, std::vector<KmsOutput>& outputs) {
   if (name.empty() || outputs.size() < 2) return std::nullopt;
   const auto connectors = card.Connectors();
   const auto number_of = [&](const KmsOutput& output) {

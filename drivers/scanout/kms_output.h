@@ -29,7 +29,7 @@ Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsWishes& wishes);
 
 // Takes the sign out of the outputs: none where nobody wishes for one, where it is not among them, or where
 // it is the only screen, which is the show's.
-std::optional<KmsOutput> TakeSign(KmsDevice& card, const std::string& name, std::vector<KmsOutput>& outputs);
+std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name, std::vector<KmsOutput>& outputs);
 
 // For each CRTC, in the card's order, a primary plane of its own; 0 where there is none.
 std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs);

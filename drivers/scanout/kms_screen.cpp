@@ -42,7 +42,7 @@ Result<std::unique_ptr<KmsScreen>> KmsScreen::Open(KmsDevice& card, const MakePi
     if (clock.now() - wishes.refused_at > kGivenUp) wishes.refused.clear();
     return tl::unexpected(outputs.error());
   }
-  auto sign = TakeSign(card, wishes.sign, *outputs);
+  auto sign = ExtractStatusOutput(card, wishes.sign, *outputs);
   KmsWall wall = Arrange(std::move(*outputs));
   wall.sign = std::move(sign);
   auto pictures = make(wall.width_px, wall.height_px);
@@ -68,7 +68,7 @@ KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures>
   constexpr std::size_t kMostSettings = 13;  // Of one screen.
   settings_.reserve(panels_.size() * kMostSettings);
   // Where there is no memory for one, the show goes on without.
-  if (wall_.sign) sign_ = KmsSign::Open(card_, *wall_.sign).value_or(nullptr);
+  if (wall_.sign) status_display_ = KmsStatusDisplay::Open(card_, *wall_.sign).value_or(nullptr);
 }
 
 // The card keeps a mode for as long as it shows it.
@@ -214,7 +214,7 @@ Result<void> KmsScreen::AddAll(Panel& panel, std::uint32_t framebuffer) {
 // What an earlier program showed elsewhere, on a screen that has gone since, ends: its CRTC may be needed.
 void KmsScreen::AddOthersOff() {
   const auto is_ours = [this](std::uint32_t KmsOutput::*part, std::uint32_t id) {
-    return (sign_ && sign_->output().*part == id) ||
+    return (status_display_ && status_display_->output().*part == id) ||
            std::ranges::any_of(panels_, [&](const Panel& p) { return p.at.output.*part == id; });
   };
   for (const std::uint32_t connector : card_.Connectors())
@@ -234,7 +234,7 @@ void KmsScreen::AddOthersOff() {
 
 Result<ports::Flip> KmsScreen::ReadFlip() {
   while (const auto flip = card_.ReadFlip())
-    if (flip->token == TokenOf(frame_)) TakeFlip(*flip);
+    if (flip->token == TokenOf(frame_)) HandleFlip(*flip);
   if (!shown_ || Owes()) return Fail(std::errc::resource_unavailable_try_again, "read a flip of the screen");
   if (!std::exchange(alone_, true)) RemoveOldFramebuffers();
   pictures_->ReleasePrevious();
@@ -243,7 +243,7 @@ Result<ports::Flip> KmsScreen::ReadFlip() {
   return ports::Flip{*std::exchange(shown_, std::nullopt), frame_, period};
 }
 
-void KmsScreen::TakeFlip(const KmsFlip& flip) {
+void KmsScreen::HandleFlip(const KmsFlip& flip) {
   for (Panel& panel : panels_) {
     if (panel.at.output.crtc != flip.crtc || !panel.flips) continue;
     panel.flips = false;
@@ -264,14 +264,14 @@ bool KmsScreen::Owes() const {
 // Only now: removing the picture that is shown blanks the screen.
 void KmsScreen::RemoveOldFramebuffers() {
   for (const std::uint32_t framebuffer : card_.Framebuffers())
-    if (!pictures_->Made(framebuffer) && !(sign_ && sign_->Needs(framebuffer))) card_.Remove(framebuffer);
+    if (!pictures_->Made(framebuffer) && !(status_display_ && status_display_->Needs(framebuffer))) card_.Remove(framebuffer);
 }
 
 std::string KmsScreen::Words() const {
   std::string words;
   for (const Panel& panel : panels_)
     words += Describe(panel.at.output) + (panel.light == Light::kDark ? ", pulled\n" : "\n");
-  if (sign_) words += Describe(sign_->output()) + ", shows the status\n";
+  if (status_display_) words += Describe(status_display_->output()) + ", shows the status\n";
   return words;
 }
 

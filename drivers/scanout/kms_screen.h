@@ -9,7 +9,7 @@
 #include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
 #include "drivers/scanout/kms_device.h"
-#include "drivers/scanout/kms_sign.h"
+#include "drivers/scanout/kms_status_display.h"
 #include "drivers/scanout/kms_wall.h"
 
 namespace kaori::scanout {
@@ -40,7 +40,7 @@ class KmsScreen final : public ports::Scanout {
   Result<void> Present(std::uint64_t frame) override;
   // Once all screens show the frame; the time is that of the first of them.
   Result<ports::Flip> ReadFlip() override;
-  ports::Sign* sign() override { return sign_.get(); }
+  ports::StatusDisplay* status_display() override { return status_display_.get(); }
   std::string Words() const override;
 
  private:
@@ -63,7 +63,7 @@ class KmsScreen final : public ports::Scanout {
   bool CouldShow(Panel& panel, std::uint32_t framebuffer);
   Result<void> AddAll(Panel& panel, std::uint32_t framebuffer);
   void AddOthersOff();
-  void TakeFlip(const KmsFlip& flip);
+  void HandleFlip(const KmsFlip& flip);
   Panel* First();
   bool Owes() const;
   void RemoveOldFramebuffers();
@@ -73,7 +73,7 @@ class KmsScreen final : public ports::Scanout {
   std::unique_ptr<KmsPictures> pictures_;
   const Clock& clock_;
   KmsWishes& wishes_;
-  std::unique_ptr<KmsSign> sign_;
+  std::unique_ptr<KmsStatusDisplay> status_display_;
   std::vector<Panel> panels_;
   std::vector<std::uint32_t> seen_;   // Connectors with a screen that the card could not drive as well.
   std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame takes from the heap.

@@ -106,7 +106,7 @@ struct HttpServer::Calls {
     return MHD_YES;
   }
 
-  static void Take(Exchange& exchange, std::string_view part) {
+  static void Append(Exchange& exchange, std::string_view part) {
     exchange.too_long |= exchange.request.body.size() + part.size() > kMostBodyBytes;
     if (!exchange.too_long) exchange.request.body += part;
   }
@@ -119,7 +119,7 @@ struct HttpServer::Calls {
     if (*slot == nullptr) return Begin(server, connection, path, method, slot);
     auto& exchange = *static_cast<Exchange*>(*slot);
     if (*part_bytes > 0) {
-      Take(exchange, {part, *part_bytes});
+      Append(exchange, {part, *part_bytes});
       *part_bytes = 0;
       return MHD_YES;
     }

@@ -62,7 +62,7 @@ bool TakeStick(const Json& json, StickLabel& into) {
          TakeText(json, "slide", into.slide);
 }
 
-bool TakeKey(const Json& json, KeyLabel& into) {
+bool MotionKey(const Json& json, KeyLabel& into) {
   if (!json.is_object() || !json.contains("usage") || !json["usage"].is_number_unsigned()) return false;
   const auto usage = json["usage"].get<std::uint64_t>();
   into.usage = static_cast<std::uint8_t>(usage);
@@ -92,7 +92,7 @@ std::optional<std::string> TakeLabels(const Json& json, Labels& into) {
   if (auto fault = TakeRow(json, "dials", into.dials, TakeDial)) return fault;
   if (auto fault = TakeRow(json, "buttons", into.buttons, TakeButton)) return fault;
   if (auto fault = TakeRow(json, "sticks", into.sticks, TakeStick)) return fault;
-  return TakeRow(json, "keys", into.keys, TakeKey);
+  return TakeRow(json, "keys", into.keys, MotionKey);
 }
 
 Json DialJson(const DialLabel& dial) {

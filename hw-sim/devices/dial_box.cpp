@@ -67,12 +67,12 @@ double DialBox::turned(int dial) const {
   return dials_[static_cast<std::size_t>(dial)].turns;
 }
 
-HidNameplate DialBox::nameplate() const {
+HidDeviceName DialBox::device_name() const {
   return {wire::kDialBoxVendor, wire::kDialBoxProduct, "Kaori dial and button box", wire::kDialBoxDescriptor};
 }
 
-std::optional<Report> DialBox::TakeReport(Time now) {
-  const auto report = waiting_.Take(now);
+std::optional<Report> DialBox::NextReport(Time now) {
+  const auto report = waiting_.Next(now);
   if (!report) return std::nullopt;
   return Bytes(*report);
 }
@@ -81,7 +81,7 @@ Report DialBox::Standing() const {
   return Bytes(Next(waiting_.newest()));
 }
 
-void DialBox::TakeOutput(std::span<const std::uint8_t> report) {
+void DialBox::HandleOutput(std::span<const std::uint8_t> report) {
   if (report.size() != 1 + wire::kDialBoxLampBytes || report[0] != 0) return;
   lamps_ = wire::DecodeLamps(report.subspan<1, wire::kDialBoxLampBytes>());
 }

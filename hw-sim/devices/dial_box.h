@@ -25,11 +25,11 @@ class DialBox final : public HidDevice {
   double turned(int dial) const;  // All turns since the box was made.
 
   // Appliance's side.
-  HidNameplate nameplate() const override;
+  HidDeviceName device_name() const override;
   std::optional<Time> next_due() const override { return waiting_.next_due(); }
-  std::optional<Report> TakeReport(Time now) override;
+  std::optional<Report> NextReport(Time now) override;
   Report Standing() const override;
-  void TakeOutput(std::span<const std::uint8_t> report) override;
+  void HandleOutput(std::span<const std::uint8_t> report) override;
   void HostCame() override;
   void HostLeft() override { waiting_.set_hosted(false); }
   void PowerCycle() override;

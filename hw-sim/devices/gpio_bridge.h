@@ -24,8 +24,8 @@ class GpioBridge final : public UsbDevice {
   // Appliance's side.
   const UsbPlate& plate() const override { return plate_; }
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
-  void TakeOut(std::uint8_t, std::span<const std::uint8_t>) override {}
-  std::optional<UsbBytes> TakeIn(std::uint8_t, std::size_t, Time) override { return std::nullopt; }
+  void HandleOut(std::uint8_t, std::span<const std::uint8_t>) override {}
+  std::optional<UsbBytes> NextIn(std::uint8_t, std::size_t, Time) override { return std::nullopt; }
   std::optional<Time> next_due(Time) const override { return std::nullopt; }
   void HostCame(std::uint8_t) override {}
   void HostLeft(std::uint8_t) override {}

@@ -13,7 +13,7 @@ namespace kaori::sim {
 
 using Report = std::vector<std::uint8_t>;
 
-struct HidNameplate {
+struct HidDeviceName {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string name;
@@ -25,19 +25,19 @@ struct HidNameplate {
 class HidDevice {
  public:
   virtual ~HidDevice() = default;
-  virtual HidNameplate nameplate() const = 0;
+  virtual HidDeviceName device_name() const = 0;
 
   // When the next report may leave; nothing while there is none.
   virtual std::optional<Time> next_due() const = 0;
 
   // The next report that is due at `now`.
-  virtual std::optional<Report> TakeReport(Time now) = 0;
+  virtual std::optional<Report> NextReport(Time now) = 0;
 
   // A report of how things stand, whether due or not; what was turned and not yet reported stays unreported.
   virtual Report Standing() const = 0;
 
   // An output report, byte 0 the report id. Unknown ones are ignored, as by the real part.
-  virtual void TakeOutput(std::span<const std::uint8_t> report) = 0;
+  virtual void HandleOutput(std::span<const std::uint8_t> report) = 0;
 
   // A host began to listen: it gets one report if anything is not at rest. While none listens, changes gather
   // in one report.

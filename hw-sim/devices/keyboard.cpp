@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint8_t kLastUsage = 0xE7;
 constexpr std::uint8_t kLightBits = 0x1F;
 
-Report Bytes(const wire::KeyboardReport& report) {
+Report KeyboardBytes(const wire::KeyboardReport& report) {
   const auto bytes = wire::Encode(report);
   return {bytes.begin(), bytes.end()};
 }
@@ -24,21 +24,21 @@ void Keyboard::Set(std::uint8_t usage, bool down) {
   bench_.Saw({Place::kKeyboard, down ? Verb::kPush : Verb::kRelease, usage, 0, 0});
 }
 
-HidNameplate Keyboard::nameplate() const {
+HidDeviceName Keyboard::device_name() const {
   return {wire::kKeyboardVendor, wire::kKeyboardProduct, "Kaori keyboard", wire::kKeyboardDescriptor};
 }
 
-std::optional<Report> Keyboard::TakeReport(Time now) {
-  const auto report = waiting_.Take(now);
+std::optional<Report> Keyboard::NextReport(Time now) {
+  const auto report = waiting_.Next(now);
   if (!report) return std::nullopt;
-  return Bytes(*report);
+  return KeyboardBytes(*report);
 }
 
 Report Keyboard::Standing() const {
-  return Bytes(waiting_.newest());
+  return KeyboardBytes(waiting_.newest());
 }
 
-void Keyboard::TakeOutput(std::span<const std::uint8_t> report) {
+void Keyboard::HandleOutput(std::span<const std::uint8_t> report) {
   if (report.size() == 2 && report[0] == 0) lights_ = report[1] & kLightBits;
 }
 

@@ -20,11 +20,11 @@ class Keyboard final : public HidDevice {
   std::uint8_t lights() const { return lights_; }  // Bit 0 num lock, 1 caps lock, 2 scroll lock.
 
   // Appliance's side.
-  HidNameplate nameplate() const override;
+  HidDeviceName device_name() const override;
   std::optional<Time> next_due() const override { return waiting_.next_due(); }
-  std::optional<Report> TakeReport(Time now) override;
+  std::optional<Report> NextReport(Time now) override;
   Report Standing() const override;
-  void TakeOutput(std::span<const std::uint8_t> report) override;
+  void HandleOutput(std::span<const std::uint8_t> report) override;
   void HostCame() override;
   void HostLeft() override { waiting_.set_hosted(false); }
   void PowerCycle() override;

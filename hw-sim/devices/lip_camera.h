@@ -41,7 +41,7 @@ class LipCamera {
   std::size_t Shoot(std::uint32_t sequence, std::span<std::uint8_t> into);
 
   // How the frame that is now leaving is spoilt; the one after it is clean again.
-  Spoil TakeSpoil() { return std::exchange(spoil_, Spoil::kNothing); }
+  Spoil ExchangeSpoil() { return std::exchange(spoil_, Spoil::kNothing); }
 
  private:
   void Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv);

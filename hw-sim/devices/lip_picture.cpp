@@ -80,7 +80,7 @@ struct MouthPixels {
   double half_opening_height;
 };
 
-MouthPixels Place(const Mouth& mouth, const YuyvPicture& picture) {
+MouthPixels MouthIn(const Mouth& mouth, const YuyvPicture& picture) {
   const double rest_px = kRestMouthOfPicture * picture.width_px;
   const double opening = std::max(0.0, mouth.height - kLipsHeight);
   return {kMouthX * picture.width_px,
@@ -151,7 +151,7 @@ void PaintFace(const YuyvPicture& into) {
 }
 
 void PaintMouth(const Mouth& shape, const YuyvPicture& into) {
-  const MouthPixels mouth = Place(shape, into);
+  const MouthPixels mouth = MouthIn(shape, into);
   const int first = std::max(0, static_cast<int>(mouth.centre_x - mouth.half_width - 1)) & ~1;
   const int end = std::min(into.width_px, (static_cast<int>(mouth.centre_x + mouth.half_width + 3)) & ~1);
   const int top = std::max(0, static_cast<int>(mouth.centre_y - mouth.half_height - 1));

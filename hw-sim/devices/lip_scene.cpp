@@ -8,15 +8,15 @@
 namespace kaori::sim {
 namespace {
 
-constexpr Rgb kSkin{0.80F, 0.59F, 0.47F};
-constexpr Rgb kThroat{0.24F, 0.08F, 0.10F};
+constexpr Rgb kLipSceneSkin{0.80F, 0.59F, 0.47F};
+constexpr Rgb kLipSceneThroat{0.24F, 0.08F, 0.10F};
 constexpr Rgb kTeeth{0.86F, 0.84F, 0.78F};
-constexpr Rgb kRoom{0.12F, 0.125F, 0.14F};
+constexpr Rgb kLipSceneRoom{0.12F, 0.125F, 0.14F};
 
 // In widths of the mouth at rest.
 constexpr float kShutHeight = 0.24F;
 constexpr float kUpperPart = 0.3F;  // Of an opening mouth: the upper lip hardly moves, the jaw does.
-constexpr float kOpeningOfWidth = 0.74F;
+constexpr float kLipSceneOpeningOfWidth = 0.74F;
 constexpr float kFaceHalf = 1.35F;
 constexpr float kChin = 0.85F;
 constexpr float kMarkerAbove = 1.0F;
@@ -25,8 +25,8 @@ constexpr float kHandHalfWidth = 0.45F;
 constexpr float kHandHalfHeight = 0.8F;
 constexpr float kShadowEdge = 0.12F;
 
-constexpr double kMouthX = 0.5;  // In parts of the picture.
-constexpr double kMouthY = 0.52;
+constexpr double kLipSceneMouthX = 0.5;  // In parts of the picture.
+constexpr double kLipSceneMouthY = 0.52;
 constexpr int kExposures = 5;  // That a smeared picture is put together from.
 
 constexpr int kCurve = 2048;
@@ -71,7 +71,7 @@ float Held(double value) {
 }
 
 // A lens with pointed corners: half its height so far from its middle; negative beyond them.
-float LensHalf(float half_height, float half_width, float from_middle) {
+float LensHalfHeight(float half_height, float half_width, float from_middle) {
   const float part = from_middle / half_width;
   return std::abs(part) >= 1 ? -1 : half_height * std::pow(1 - part * part, 0.75F);
 }
@@ -82,14 +82,14 @@ class Moment {
   Moment(const LipScene& scene, const HeadPose& head, const YuyvPicture& into)
       : scene_(scene),
         paint_(Linear(scene.person.paint)),
-        skin_(Linear(kSkin)),
-        throat_(Linear(kThroat)),
+        skin_(Linear(kLipSceneSkin)),
+        throat_(Linear(kLipSceneThroat)),
         teeth_(Linear(kTeeth)),
-        room_(Linear(kRoom)),
+        room_(Linear(kLipSceneRoom)),
         shirt_(Linear(scene.person.shirt.value_or(Rgb{}))) {
     const double width_px = kRestMouthOfPicture * into.width_px;
-    middle_x_ = static_cast<float>(kMouthX * into.width_px + head.x * width_px);
-    middle_y_ = static_cast<float>(kMouthY * into.height_px + head.y * width_px);
+    middle_x_ = static_cast<float>(kLipSceneMouthX * into.width_px + head.x * width_px);
+    middle_y_ = static_cast<float>(kLipSceneMouthY * into.height_px + head.y * width_px);
     per_px_ = static_cast<float>(1 / (width_px * head.scale));
     cos_ = static_cast<float>(std::cos(head.tilt_rad));
     sin_ = static_cast<float>(std::sin(head.tilt_rad));
@@ -128,10 +128,10 @@ class Moment {
     const double smile = u < 0 ? scene_.person.smile_left : scene_.person.smile_right;
     const float part = u / half_width_;
     const float down = v - drop_ + static_cast<float>(smile) * part * part;
-    const float lips = Inside(LensHalf(half_height_, half_width_, u) - std::abs(down));
+    const float lips = Inside(LensHalfHeight(half_height_, half_width_, u) - std::abs(down));
     if (lips <= 0) return face;
     const float hole =
-        half_opening_ > 0 ? Inside(LensHalf(half_opening_, kOpeningOfWidth * half_width_, u) - std::abs(down))
+        half_opening_ > 0 ? Inside(LensHalfHeight(half_opening_, kLipSceneOpeningOfWidth * half_width_, u) - std::abs(down))
                           : 0;
     const Rgb within = down < -0.45F * half_opening_ ? teeth_ : throat_;
     const float relief = 1.05F - 0.35F * down * down / (half_height_ * half_height_);
@@ -173,7 +173,7 @@ Ycc ToYcc(const Rgb& linear) {
           128 + 112 * r - 93.786F * g - 18.214F * b};
 }
 
-std::uint32_t Scatter(std::uint32_t x) {
+std::uint32_t ScatterPoint(std::uint32_t x) {
   x = (x ^ (x >> 16)) * 0x85EBCA6Bu;
   x = (x ^ (x >> 13)) * 0xC2B2AE35u;
   return x ^ (x >> 16);
@@ -181,7 +181,7 @@ std::uint32_t Scatter(std::uint32_t x) {
 
 // Of mean 0 and deviation 1, near enough normal: four bytes added.
 float Grain(std::uint32_t seed) {
-  const std::uint32_t random = Scatter(seed);
+  const std::uint32_t random = ScatterPoint(seed);
   const auto sum =
       static_cast<float>((random & 255) + (random >> 8 & 255) + (random >> 16 & 255) + (random >> 24));
   return (sum - 510) / 148;
@@ -219,7 +219,7 @@ void PaintScene(const LipScene& scene, const YuyvPicture& into) {
     AddMoment(Moment(scene, head, into), into, 1 / static_cast<float>(exposures), sum);
   }
   const auto noise = static_cast<float>(scene.camera.noise_steps);
-  const std::uint32_t seed = Scatter(scene.camera.sequence + 1);
+  const std::uint32_t seed = ScatterPoint(scene.camera.sequence + 1);
   for (std::size_t n = 0; n < sum.size(); ++n) {
     const float value = sum[n] + noise * Grain(seed ^ static_cast<std::uint32_t>(n) * 0x9E3779B9u);
     into.bytes[n] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 1.0F, 254.0F)));

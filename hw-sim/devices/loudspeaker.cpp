@@ -12,7 +12,7 @@ constexpr std::size_t kMostHeard = 4000;  // Blocks; a block is what was heard b
 
 }  // namespace
 
-std::vector<Loudspeaker::Heard> Loudspeaker::TakeHeard() {
+std::vector<Loudspeaker::Heard> Loudspeaker::DrainHeard() {
   std::vector<Heard> taken(std::make_move_iterator(heard_.begin()), std::make_move_iterator(heard_.end()));
   heard_.clear();
   return taken;
@@ -26,7 +26,7 @@ void Loudspeaker::Stall(bool stalled) {
 }
 
 // What came while the simulator was busy came in time: it is played before anything is called dry.
-void Loudspeaker::Take(std::span<const std::int16_t> samples, Time now) {
+void Loudspeaker::Play(std::span<const std::int16_t> samples, Time now) {
   const std::size_t room = kRoomFrames + Due(now), waits = waiting_.size() / kChannels;
   const std::size_t frames = samples.size() / kChannels,
                     taken = std::min(frames, room - std::min(waits, room));

@@ -28,7 +28,7 @@ class Loudspeaker {
   };
 
   // Test's side. What was heard since the last call, the last ten seconds at most.
-  std::vector<Heard> TakeHeard();
+  std::vector<Heard> DrainHeard();
   double level_db() const { return level_db_; }  // Of what was heard last; -100 is silence.
   void SetDrift(double ppm) { ppm_ = ppm; }      // Its crystal runs so much faster, from the next start on.
   void Stall(bool stalled);                      // It plays nothing and stands still.
@@ -37,7 +37,7 @@ class Loudspeaker {
   // Appliance's side. Frames that find no room are lost, and count as played: the driver knows how much there
   // is, unless the simulator itself was late.
   ports::SoundFormat format() const { return {48000, kChannels}; }
-  void Take(std::span<const std::int16_t> samples, Time now);
+  void Play(std::span<const std::int16_t> samples, Time now);
   void PlayUntil(Time now);
   void Silence();  // Nobody plays any more: what waits is dropped.
   std::uint64_t played_frames() const { return played_ + lost_; }  // Since the last Silence.

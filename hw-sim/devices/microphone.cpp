@@ -52,7 +52,7 @@ void Microphone::HearUntil(Time now) {
   for (; heard_ < until; ++heard_) waiting_.push_back(synth_.Next());
 }
 
-std::optional<Microphone::Block> Microphone::TakeBlock(Time now) {
+std::optional<Microphone::Block> Microphone::NextBlock(Time now) {
   HearUntil(now);
   while (waiting_.size() >= kBlockFrames) {
     Block block{TimeOf(heard_ - static_cast<std::int64_t>(waiting_.size())),

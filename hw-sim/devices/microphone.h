@@ -35,7 +35,7 @@ class Microphone {
     std::vector<std::int16_t> samples;
   };
   // The next block that has been heard wholly by `now`.
-  std::optional<Block> TakeBlock(Time now);
+  std::optional<Block> NextBlock(Time now);
   Time next_due() const;
   // Nobody listens: what was heard until `now` is gone.
   void Drop(Time now);

@@ -9,7 +9,7 @@ namespace {
 // Beyond this a hand did not turn the wheel: a number went wrong.
 constexpr double kMostNotches = 1000;
 
-Report Bytes(const wire::PointerReport& report) {
+Report PointerBytes(const wire::PointerReport& report) {
   const auto bytes = wire::Encode(report);
   return {bytes.begin(), bytes.end()};
 }
@@ -88,23 +88,23 @@ void Pointer::AddNotches(int notches) {
   }
 }
 
-HidNameplate Pointer::nameplate() const {
+HidDeviceName Pointer::device_name() const {
   return {wire::kPointerVendor, wire::kPointerProduct, "Kaori tablet", wire::kPointerDescriptor};
 }
 
-std::optional<Report> Pointer::TakeReport(Time now) {
-  const auto report = waiting_.Take(now);
+std::optional<Report> Pointer::NextReport(Time now) {
+  const auto report = waiting_.Next(now);
   if (!report) return std::nullopt;
-  return Bytes(*report);
+  return PointerBytes(*report);
 }
 
 Report Pointer::Standing() const {
-  return Bytes(Next(waiting_.newest()));
+  return PointerBytes(Next(waiting_.newest()));
 }
 
 void Pointer::HostCame() {
   waiting_.set_hosted(true);
-  if (!waiting_.next_due() && Standing() != Bytes({})) waiting_.Change(bench_.clock.now(), MergesAlways);
+  if (!waiting_.next_due() && Standing() != PointerBytes({})) waiting_.Change(bench_.clock.now(), MergesAlways);
 }
 
 }  // namespace kaori::sim

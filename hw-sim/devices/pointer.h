@@ -23,11 +23,11 @@ class Pointer final : public HidDevice {
   std::uint8_t buttons_down() const { return waiting_.newest().buttons_down; }
 
   // Appliance's side.
-  HidNameplate nameplate() const override;
+  HidDeviceName device_name() const override;
   std::optional<Time> next_due() const override { return waiting_.next_due(); }
-  std::optional<Report> TakeReport(Time now) override;
+  std::optional<Report> NextReport(Time now) override;
   Report Standing() const override;
-  void TakeOutput(std::span<const std::uint8_t>) override {}
+  void HandleOutput(std::span<const std::uint8_t>) override {}
   void HostCame() override;
   void HostLeft() override { waiting_.set_hosted(false); }
   void PowerCycle() override { waiting_.Forget(); }

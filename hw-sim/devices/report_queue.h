@@ -38,7 +38,7 @@ class ReportQueue {
     return waiting_.front().due;
   }
 
-  std::optional<State> Take(Time now) {
+  std::optional<State> Next(Time now) {
     if (waiting_.empty() || waiting_.front().due > now) return std::nullopt;
     sent_ = waiting_.front().state;
     free_at_ = now + kReportPeriod;

@@ -9,7 +9,7 @@ namespace {
 constexpr float kAxisEnd = 32767;
 constexpr float kSliderEnd = 65535;
 
-Report Bytes(const wire::StickPodReport& report) {
+Report StickPodBytes(const wire::StickPodReport& report) {
   const auto bytes = wire::Encode(report);
   return {bytes.begin(), bytes.end()};
 }
@@ -89,23 +89,23 @@ void StickPod::SetButton(int button, bool down) {
   bench_.Saw({place_, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
 }
 
-HidNameplate StickPod::nameplate() const {
+HidDeviceName StickPod::device_name() const {
   return {wire::kStickPodVendor, wire::kStickPodProduct, "Kaori stick pod", wire::kStickPodDescriptor};
 }
 
-std::optional<Report> StickPod::TakeReport(Time now) {
-  const auto report = waiting_.Take(now);
+std::optional<Report> StickPod::NextReport(Time now) {
+  const auto report = waiting_.Next(now);
   if (!report) return std::nullopt;
-  return Bytes(*report);
+  return StickPodBytes(*report);
 }
 
 Report StickPod::Standing() const {
-  return Bytes(waiting_.newest());
+  return StickPodBytes(waiting_.newest());
 }
 
 void StickPod::HostCame() {
   waiting_.set_hosted(true);
-  if (!waiting_.next_due() && Standing() != Bytes({})) Change();
+  if (!waiting_.next_due() && Standing() != StickPodBytes({})) Change();
 }
 
 }  // namespace kaori::sim

@@ -53,12 +53,12 @@ class UsbDevice {
   virtual std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) = 0;
 
   // Data for an OUT endpoint.
-  virtual void TakeOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) = 0;
+  virtual void HandleOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) = 0;
 
   // The next transfer of an IN endpoint that is due at `now`, at most `room_bytes` long; nothing: none yet.
-  virtual std::optional<UsbBytes> TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) = 0;
+  virtual std::optional<UsbBytes> NextIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) = 0;
 
-  // When TakeIn next has something; nothing while it has none. Asked only while a host waits for it.
+  // When NextIn next has something; nothing while it has none. Asked only while a host waits for it.
   virtual std::optional<Time> next_due(Time now) const = 0;
 
   // A host began to poll an interrupt endpoint, or ended.

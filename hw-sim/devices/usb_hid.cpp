@@ -9,16 +9,16 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::uint8_t kHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
-constexpr std::uint8_t kHidKind = 0x21, kReportKind = 0x22;
+constexpr std::uint8_t kUsbHidHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
+constexpr std::uint8_t kUsbHidHidKind = 0x21, kUsbHidReportKind = 0x22;
 constexpr std::uint16_t kPacketBytes = 64;
 constexpr std::uint8_t kEveryMicroframe = 1;
 
 // Requests (7.2 of the class definition), and the standard one that asks for HID's own descriptors.
-constexpr std::uint8_t kToInterface = 0x21, kFromInterface = 0xA1, kStandardFromInterface = 0x81;
-constexpr std::uint8_t kGetDescriptor = 0x06;
-constexpr std::uint8_t kGetReport = 0x01, kGetIdle = 0x02, kGetProtocol = 0x03;
-constexpr std::uint8_t kSetReport = 0x09, kSetIdle = 0x0A, kSetProtocol = 0x0B;
+constexpr std::uint8_t kUsbHidToInterface = 0x21, kUsbHidFromInterface = 0xA1, kUsbHidStandardFromInterface = 0x81;
+constexpr std::uint8_t kUsbHidGetDescriptor = 0x06;
+constexpr std::uint8_t kUsbHidGetReport = 0x01, kGetIdle = 0x02, kGetProtocol = 0x03;
+constexpr std::uint8_t kUsbHidSetReport = 0x09, kUsbHidSetIdle = 0x0A, kSetProtocol = 0x0B;
 constexpr std::uint8_t kInputReport = 1, kOutputReport = 2;
 
 // Items of a report descriptor: what stands before the length of their data.
@@ -32,20 +32,20 @@ void Add(const UsbBytes& part, UsbBytes& whole) {
 
 UsbBytes HidDescriptor(std::size_t report_descriptor_bytes) {
   return {9,
-          kHidKind,
+          kUsbHidHidKind,
           0x11,
           0x01,
           0,
           1,
-          kReportKind,
+          kUsbHidReportKind,
           static_cast<std::uint8_t>(report_descriptor_bytes & 0xFF),
           static_cast<std::uint8_t>(report_descriptor_bytes >> 8)};
 }
 
 // A keyboard says so outside its reports too, for hosts that start (4.2 and 4.3 of the class definition).
 UsbBytes Configuration(std::size_t report_descriptor_bytes, const HidShape& shape) {
-  UsbInterface interface { .kind = kHidClass };
-  if (shape.is_keyboard) interface = {.kind = kHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
+  UsbInterface interface { .kind = kUsbHidHidClass };
+  if (shape.is_keyboard) interface = {.kind = kUsbHidHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
   UsbBytes bytes = InterfaceDescriptor(interface, shape.takes_output ? 2 : 1);
   Add(HidDescriptor(report_descriptor_bytes), bytes);
   Add(EndpointDescriptor({UsbHid::kIn, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
@@ -71,43 +71,43 @@ HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor) {
 }
 
 UsbHid::UsbHid(HidDevice& device) : device_(device) {
-  const HidNameplate nameplate = device.nameplate();
-  shape_ = ShapeOf(nameplate.descriptor);
-  plate_.vendor = nameplate.vendor;
-  plate_.product = nameplate.product;
+  const HidDeviceName device_name = device.device_name();
+  shape_ = ShapeOf(device_name.descriptor);
+  plate_.vendor = device_name.vendor;
+  plate_.product = device_name.product;
   plate_.maker = "Kaori";
-  plate_.name = nameplate.name;
-  plate_.configuration = Configuration(nameplate.descriptor.size(), shape_);
+  plate_.name = device_name.name;
+  plate_.configuration = Configuration(device_name.descriptor.size(), shape_);
 }
 
 std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {
-  const auto report = device_.nameplate().descriptor;
-  if (kind == kReportKind) return UsbBytes(report.begin(), report.end());
-  if (kind == kHidKind) return HidDescriptor(report.size());
+  const auto report = device_.device_name().descriptor;
+  if (kind == kUsbHidReportKind) return UsbBytes(report.begin(), report.end());
+  if (kind == kUsbHidHidKind) return HidDescriptor(report.size());
   return std::nullopt;
 }
 
 std::optional<UsbBytes> UsbHid::Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) {
   const auto kind = static_cast<std::uint8_t>(setup.value >> 8);
-  if (setup.type == kStandardFromInterface && setup.request == kGetDescriptor) return Descriptor(kind);
-  if (setup.type == kFromInterface) {
-    if (setup.request == kGetReport && kind == kInputReport) return device_.Standing();
+  if (setup.type == kUsbHidStandardFromInterface && setup.request == kUsbHidGetDescriptor) return Descriptor(kind);
+  if (setup.type == kUsbHidFromInterface) {
+    if (setup.request == kUsbHidGetReport && kind == kInputReport) return device_.Standing();
     if (setup.request == kGetIdle) return UsbBytes{0};
     if (setup.request == kGetProtocol) return UsbBytes{1};
   }
-  if (setup.type == kToInterface) {
-    if (setup.request == kSetIdle || setup.request == kSetProtocol) return UsbBytes{};
-    if (setup.request == kSetReport && kind == kOutputReport) return TakeOut(kOut, data), UsbBytes{};
+  if (setup.type == kUsbHidToInterface) {
+    if (setup.request == kUsbHidSetIdle || setup.request == kSetProtocol) return UsbBytes{};
+    if (setup.request == kUsbHidSetReport && kind == kOutputReport) return HandleOut(kOut, data), UsbBytes{};
   }
   return std::nullopt;
 }
 
 // On the cable a report that has no number is its bytes alone; above it begins with a 0.
-void UsbHid::TakeOut(std::uint8_t, std::span<const std::uint8_t> data) {
+void UsbHid::HandleOut(std::uint8_t, std::span<const std::uint8_t> data) {
   const std::size_t before = shape_.numbers_reports ? 0 : 1;
   UsbBytes report(before + data.size());
   std::ranges::copy(data, report.begin() + static_cast<std::ptrdiff_t>(before));
-  device_.TakeOutput(report);
+  device_.HandleOutput(report);
 }
 
 void UsbHid::HostCame(std::uint8_t) {
@@ -125,10 +125,10 @@ std::optional<Time> UsbHid::next_due(Time now) const {
   return device_.next_due();
 }
 
-std::optional<UsbBytes> UsbHid::TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) {
+std::optional<UsbBytes> UsbHid::NextIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) {
   if (endpoint != kIn) return std::nullopt;
   host_is_new_ = false;
-  auto report = device_.TakeReport(now);
+  auto report = device_.NextReport(now);
   if (report) report->resize(std::min(report->size(), room_bytes));
   return report;
 }

@@ -29,8 +29,8 @@ class UsbHid final : public UsbDevice {
 
   const UsbPlate& plate() const override { return plate_; }
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
-  void TakeOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) override;
-  std::optional<UsbBytes> TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
+  void HandleOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) override;
+  std::optional<UsbBytes> NextIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
   std::optional<Time> next_due(Time now) const override;
   void HostCame(std::uint8_t) override;
   void HostLeft(std::uint8_t) override;
@@ -40,7 +40,7 @@ class UsbHid final : public UsbDevice {
   std::optional<UsbBytes> Descriptor(std::uint8_t kind) const;
 
   HidDevice& device_;
-  bool host_is_new_ = false;  // It came since TakeIn was last called, and something is not at rest.
+  bool host_is_new_ = false;  // It came since NextIn was last called, and something is not at rest.
   HidShape shape_;
   UsbPlate plate_;
 };

@@ -14,7 +14,7 @@ constexpr std::size_t kConfigurationHeaderBytes = 9;
 constexpr std::uint8_t kMakerString = 1, kNameString = 2;  // No serial number: two equal devices are equal.
 
 // Standard requests.
-constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kGetDescriptor = 6;
+constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kUsbPlateGetDescriptor = 6;
 constexpr std::uint8_t kFromDevice = 0x80, kTypeMask = 0x60;
 
 std::uint8_t Low(std::uint16_t value) {
@@ -122,7 +122,7 @@ UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint) {
 std::optional<UsbBytes> AnswerStandard(const UsbPlate& plate, const UsbSetup& setup) {
   if ((setup.type & kTypeMask) != 0) return std::nullopt;
   const bool asks = (setup.type & kFromDevice) != 0;
-  if (asks && setup.request == kGetDescriptor) return Descriptor(plate, setup);
+  if (asks && setup.request == kUsbPlateGetDescriptor) return Descriptor(plate, setup);
   if (asks && setup.request == kGetStatus) return UsbBytes{0, 0};
   if (!asks && (setup.request == kClearFeature || setup.request == kSetFeature)) return UsbBytes{};
   return std::nullopt;

@@ -8,10 +8,10 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::uint16_t kVendor = 0x1209, kProduct = 0x0005;  // A pid.codes test id: for development only.
+constexpr std::uint16_t kUvcCameraVendor = 0x1209, kUvcCameraProduct = 0x0005;  // A pid.codes test id: for development only.
 
 // Class requests (4.2 of the class), and the standard one that a host sends when it ends a stream.
-constexpr std::uint8_t kToInterface = 0x21, kFromInterface = 0xA1, kToEndpoint = 0x02, kClearFeature = 0x01;
+constexpr std::uint8_t kUvcCameraToInterface = 0x21, kUvcCameraFromInterface = 0xA1, kToEndpoint = 0x02, kUvcCameraClearFeature = 0x01;
 constexpr std::uint8_t kSetCur = 0x01, kGetLen = 0x85, kGetInfo = 0x86;
 constexpr std::uint8_t kStreamingInterface = 1, kProbeControl = 1, kCommitControl = 2;
 constexpr std::uint8_t kCanGetAndSet = 3;
@@ -49,8 +49,8 @@ UvcCamera::UvcCamera(LipCamera& camera, Duration period) : camera_(camera), peri
   plate_.device_class = 0xEF;  // Interfaces that belong together are said so by an association.
   plate_.device_subclass = 0x02;
   plate_.device_protocol = 0x01;
-  plate_.vendor = kVendor;
-  plate_.product = kProduct;
+  plate_.vendor = kUvcCameraVendor;
+  plate_.product = kUvcCameraProduct;
   plate_.maker = "Kaori";
   plate_.name = "Simulated lip camera";
   plate_.configuration = UvcConfiguration(ModeOf(camera, period));
@@ -58,13 +58,13 @@ UvcCamera::UvcCamera(LipCamera& camera, Duration period) : camera_(camera), peri
 }
 
 std::optional<UsbBytes> UvcCamera::Answer(const UsbSetup& setup, std::span<const std::uint8_t>) {
-  if (setup.type == kToEndpoint && setup.request == kClearFeature) return EndStream(), UsbBytes{};
+  if (setup.type == kToEndpoint && setup.request == kUvcCameraClearFeature) return EndStream(), UsbBytes{};
   const auto control = static_cast<std::uint8_t>(setup.value >> 8);
   const bool ours =
       (setup.index & 0xFF) == kStreamingInterface && (control == kProbeControl || control == kCommitControl);
   if (!ours) return std::nullopt;
-  if (setup.type == kToInterface && setup.request == kSetCur) return UsbBytes{};
-  if (setup.type != kFromInterface) return std::nullopt;
+  if (setup.type == kUvcCameraToInterface && setup.request == kSetCur) return UsbBytes{};
+  if (setup.type != kUvcCameraFromInterface) return std::nullopt;
   const UsbBytes probe = UvcProbe(ModeOf(camera_, period_));
   if (setup.request == kGetInfo) return UsbBytes{kCanGetAndSet};
   if (setup.request == kGetLen) return UsbBytes{static_cast<std::uint8_t>(probe.size()), 0};
@@ -92,7 +92,7 @@ bool UvcCamera::BeginFrame(Time now) {
   return true;
 }
 
-std::optional<UsbBytes> UvcCamera::TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) {
+std::optional<UsbBytes> UvcCamera::NextIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) {
   if (endpoint != kIn || room_bytes == 0) return std::nullopt;
   if (std::exchange(ends_full_, false)) return UsbBytes{};
   if (sent_ == payloads_.size() && !BeginFrame(now)) return std::nullopt;

@@ -21,8 +21,8 @@ class UvcCamera final : public UsbDevice {
 
   const UsbPlate& plate() const override { return plate_; }
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
-  void TakeOut(std::uint8_t, std::span<const std::uint8_t>) override {}
-  std::optional<UsbBytes> TakeIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
+  void HandleOut(std::uint8_t, std::span<const std::uint8_t>) override {}
+  std::optional<UsbBytes> NextIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
   std::optional<Time> next_due(Time now) const override;
   void HostCame(std::uint8_t) override {}
   void HostLeft(std::uint8_t) override {}

@@ -9,30 +9,30 @@ namespace {
 
 constexpr std::uint8_t kVideoClass = 0x0E, kControlSubclass = 1, kStreamingSubclass = 2;
 constexpr std::uint8_t kClassInterface = 0x24, kAssociation = 0x0B;
-constexpr std::uint8_t kControlInterface = 0, kStreamingInterface = 1;
+constexpr std::uint8_t kControlInterface = 0, kStreamInterface = 1;
 constexpr std::uint8_t kCameraTerminal = 1, kOutputTerminal = 2;
 constexpr std::uint32_t kClockHz = 48'000'000;
 constexpr std::uint16_t kBulkPacketBytes = 512;
 
 // Little-endian fields, one after another.
-class Bytes {
+class UvcBytes {
  public:
-  Bytes& U8(std::initializer_list<std::uint8_t> values) {
+  UvcBytes& U8(std::initializer_list<std::uint8_t> values) {
     bytes_.insert(bytes_.end(), values);
     return *this;
   }
-  Bytes& U16(std::uint16_t value) {
+  UvcBytes& U16(std::uint16_t value) {
     return U8({static_cast<std::uint8_t>(value & 0xFF), static_cast<std::uint8_t>(value >> 8)});
   }
-  Bytes& U32(std::uint32_t value) {
+  UvcBytes& U32(std::uint32_t value) {
     return U16(static_cast<std::uint16_t>(value & 0xFFFF)).U16(static_cast<std::uint16_t>(value >> 16));
   }
-  Bytes& All(const UsbBytes& part) {
+  UvcBytes& All(const UsbBytes& part) {
     bytes_.insert(bytes_.end(), part.begin(), part.end());
     return *this;
   }
   // A descriptor, which begins with its length.
-  Bytes& Sized(const Bytes& part) {
+  UvcBytes& Sized(const UvcBytes& part) {
     U8({static_cast<std::uint8_t>(part.bytes_.size() + 1)});
     return All(part.bytes_);
   }
@@ -44,9 +44,9 @@ class Bytes {
 };
 
 // From the lens to the cable; nothing on the way that could be set.
-Bytes Control() {
-  Bytes terminals;
-  terminals.Sized(Bytes()
+UvcBytes Control() {
+  UvcBytes terminals;
+  terminals.Sized(UvcBytes()
                       .U8({kClassInterface, 2, kCameraTerminal})
                       .U16(0x0201)
                       .U8({0, 0})
@@ -54,19 +54,19 @@ Bytes Control() {
                       .U16(0)
                       .U16(0)
                       .U8({2, 0, 0}));
-  terminals.Sized(Bytes().U8({kClassInterface, 3, kOutputTerminal}).U16(0x0101).U8({0, kCameraTerminal, 0}));
+  terminals.Sized(UvcBytes().U8({kClassInterface, 3, kOutputTerminal}).U16(0x0101).U8({0, kCameraTerminal, 0}));
   constexpr std::uint16_t kHeaderBytes = 13;
   const auto total = static_cast<std::uint16_t>(kHeaderBytes + terminals.size());
-  Bytes all;
+  UvcBytes all;
   all.All(InterfaceDescriptor({kControlInterface, kVideoClass, kControlSubclass, 0}, 0));
   all.Sized(
-      Bytes().U8({kClassInterface, 1}).U16(0x0110).U16(total).U32(kClockHz).U8({1, kStreamingInterface}));
+      UvcBytes().U8({kClassInterface, 1}).U16(0x0110).U16(total).U32(kClockHz).U8({1, kStreamInterface}));
   return all.All(terminals.bytes());
 }
 
 // YUY2 as a GUID: its four letters, and the tail that all such formats share.
-Bytes Format() {
-  return Bytes().U8({kClassInterface,
+UvcBytes Format() {
+  return UvcBytes().U8({kClassInterface,
                      4,
                      1,
                      1,
@@ -94,10 +94,10 @@ Bytes Format() {
                      0});
 }
 
-Bytes Frame(const UvcMode& mode) {
+UvcBytes Frame(const UvcMode& mode) {
   const auto bits_per_s =
       static_cast<std::uint32_t>(std::uint64_t{mode.frame_bytes()} * 8 * 10'000'000 / mode.period_100ns);
-  return Bytes()
+  return UvcBytes()
       .U8({kClassInterface, 5, 1, 0})
       .U16(mode.width_px)
       .U16(mode.height_px)
@@ -109,33 +109,33 @@ Bytes Frame(const UvcMode& mode) {
       .U32(mode.period_100ns);
 }
 
-Bytes Streaming(const UvcMode& mode) {
+UvcBytes Streaming(const UvcMode& mode) {
   constexpr std::uint8_t kBt709Primaries = 1, kBt709Gamma = 1, kBt601Matrix = 4;
-  Bytes formats;
+  UvcBytes formats;
   formats.Sized(Format()).Sized(Frame(mode));
-  formats.Sized(Bytes().U8({kClassInterface, 0x0D, kBt709Primaries, kBt709Gamma, kBt601Matrix}));
+  formats.Sized(UvcBytes().U8({kClassInterface, 0x0D, kBt709Primaries, kBt709Gamma, kBt601Matrix}));
   constexpr std::uint16_t kHeaderBytes = 14;
   const auto total = static_cast<std::uint16_t>(kHeaderBytes + formats.size());
-  Bytes all;
-  all.All(InterfaceDescriptor({kStreamingInterface, kVideoClass, kStreamingSubclass, 0}, 1));
+  UvcBytes all;
+  all.All(InterfaceDescriptor({kStreamInterface, kVideoClass, kStreamingSubclass, 0}, 1));
   all.Sized(
-      Bytes().U8({kClassInterface, 1, 1}).U16(total).U8({mode.endpoint, 0, kOutputTerminal, 0, 0, 0, 1, 0}));
+      UvcBytes().U8({kClassInterface, 1, 1}).U16(total).U8({mode.endpoint, 0, kOutputTerminal, 0, 0, 0, 1, 0}));
   all.All(formats.bytes());
   return all.All(
-      EndpointDescriptor({mode.endpoint, UsbTransfer::kBulk, kBulkPacketBytes, 0, kStreamingInterface}));
+      EndpointDescriptor({mode.endpoint, UsbTransfer::kBulk, kBulkPacketBytes, 0, kStreamInterface}));
 }
 
 }  // namespace
 
 UsbBytes UvcConfiguration(const UvcMode& mode) {
-  Bytes all;
-  all.Sized(Bytes().U8({kAssociation, kControlInterface, 2, kVideoClass, 3, 0, 2}));
+  UvcBytes all;
+  all.Sized(UvcBytes().U8({kAssociation, kControlInterface, 2, kVideoClass, 3, 0, 2}));
   all.All(Control().bytes()).All(Streaming(mode).bytes());
   return ConfigurationOf(2, all.bytes());
 }
 
 UsbBytes UvcProbe(const UvcMode& mode) {
-  return Bytes()
+  return UvcBytes()
       .U16(1)  // The interval is kept, other values may give.
       .U8({1, 1})
       .U32(mode.period_100ns)

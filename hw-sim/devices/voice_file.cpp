@@ -29,7 +29,7 @@ void Put(std::string& bytes, std::uint32_t value, int length) {
   for (int n = 0; n < length; ++n) bytes += static_cast<char>(value >> (8 * n) & 0xFF);
 }
 
-std::uint32_t Take(const std::string& bytes, std::size_t at, std::size_t length) {
+std::uint32_t LittleEndian(const std::string& bytes, std::size_t at, std::size_t length) {
   std::uint32_t value = 0;
   for (std::size_t n = length; n-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at + n]);
   return value;
@@ -89,13 +89,13 @@ Result<std::vector<std::int16_t>> ReadWav(const std::string& path) {
   if (!stream) return FailErrno("open " + path);
   const std::string file(std::istreambuf_iterator<char>(stream), {});
   const bool sound = file.size() >= kHeadBytes && file.starts_with("RIFF") &&
-                     Take(file, kChannelsAt, 2) > 0 && Take(file, kRateAt, 4) == kSynthRate_hz &&
-                     Take(file, kBitsAt, 2) == 8 * kSampleBytes;
+                     LittleEndian(file, kChannelsAt, 2) > 0 && LittleEndian(file, kRateAt, 4) == kSynthRate_hz &&
+                     LittleEndian(file, kBitsAt, 2) == 8 * kSampleBytes;
   if (!sound) return FailInput(path + " is no WAV file of 16 bits at 48 kHz");
-  const std::size_t step = std::size_t{kSampleBytes} * Take(file, kChannelsAt, 2);
+  const std::size_t step = std::size_t{kSampleBytes} * LittleEndian(file, kChannelsAt, 2);
   std::vector<std::int16_t> samples;
   for (std::size_t at = kHeadBytes; at + step <= file.size(); at += step)
-    samples.push_back(static_cast<std::int16_t>(Take(file, at, kSampleBytes)));
+    samples.push_back(static_cast<std::int16_t>(LittleEndian(file, at, kSampleBytes)));
   return samples;
 }
 

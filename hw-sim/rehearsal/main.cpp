@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "appliance/needles/needles.h"
-#include "appliance/show/pack.h"
+#include "appliance/programs/editor/expression_editor.h"
+#include "appliance/core/show/pack.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "hw-sim/rehearsal/film.h"
@@ -40,7 +40,7 @@ struct Outputs {
   std::string pictures;
   int hz = 30;
 
-  Result<void> Take(const kaori::sim::Shown& shown, int number) {
+  Result<void> Write(const kaori::sim::Shown& shown, int number) {
     if (film)
       if (auto ok = film->Add(shown.rgbx); !ok) return ok;
     if (pictures.empty() || number % hz != 0) return {};
@@ -69,7 +69,7 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& house, kaori::sim::Scenario scen
   int number = 0;
   for (; !player.finished(); ++number) {
     const auto shown = house.NextPicture([&](kaori::Time now) { player.Perform(now); });
-    auto taken = shown ? outputs.Take(*shown, number) : tl::unexpected(shown.error());
+    auto taken = shown ? outputs.Write(*shown, number) : tl::unexpected(shown.error());
     if (!taken) {
       fmt::print(stderr, "\n");  // The progress stays on a line of its own.
       return taken;
@@ -103,7 +103,7 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   auto show = kaori::show::LoadPack(settings.pack);
   if (!show) return Complain(show.error());
   auto needles =
-      kaori::needles::Needles::Open(folder + "/own", *show);  // What is saved goes with the rehearsal.
+      kaori::editor::ExpressionEditor::Open(folder + "/own", *show);  // What is saved goes with the rehearsal.
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return Complain(studio.error());
   const auto house = kaori::sim::Rehearsal::Open({.folder = folder,

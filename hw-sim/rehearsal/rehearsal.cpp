@@ -52,17 +52,17 @@ Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& 
                        clock_);
   if (!rig) return tl::unexpected(rig.error());
   rig_ = std::move(*rig);
-  auto desk_writers = input::DeskWriters::Take(board_);
+  auto desk_writers = input::DeskWriters::Acquire(board_);
   if (!desk_writers) return tl::unexpected(desk_writers.error());
   desk_ = std::make_unique<input::InputDesk>(board_, std::move(*desk_writers),
                                              input::DeskSources{{bus_.get()}, nullptr},
                                              input::InputSettings{}, clock_);
-  auto lip_writer = board_.TakeWriter<board::Lips>();
+  auto lip_writer = board_.AcquireWriter<board::Lips>();
   if (!lip_writer) return tl::unexpected(lip_writer.error());
   lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); },
                                             board_, std::move(*lip_writer), lips::LipSettings{}, clock_);
   if (auto ok = SeatVoice(options, studio.show()); !ok) return ok;
-  auto stage_writers = stage::StageWriters::Take(board_);
+  auto stage_writers = stage::StageWriters::Acquire(board_);
   if (!stage_writers) return tl::unexpected(stage_writers.error());
   stage_ = std::make_unique<stage::Stage>(board_, std::move(*stage_writers), studio, clock_);
   return {};
@@ -70,8 +70,8 @@ Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& 
 
 Result<void> Rehearsal::SeatVoice(const RehearsalOptions& options, const show::Show& show) {
   voice::VoiceSeatSettings settings{{}, {options.sound_delay, {}}};
-  for (const show::Take& take : show.takes) settings.speaker.clips.push_back(take.sound);
-  auto seat = voice::VoiceSeat::Take({[this] { return audio::LocalMicrophone::Open(links_); },
+  for (const show::Motion& take : show.motions) settings.speaker.clips.push_back(take.sound);
+  auto seat = voice::VoiceSeat::Acquire({[this] { return audio::LocalMicrophone::Open(links_); },
                                       [this] { return audio::LocalLoudspeaker::Open(links_, clock_); }},
                                      std::move(settings), board_, clock_);
   if (!seat) return tl::unexpected(seat.error());

@@ -6,12 +6,12 @@
 #include <memory>
 #include <string>
 
-#include "appliance/board/board.h"
-#include "appliance/input/input_desk.h"
-#include "appliance/lips/lip_reader.h"
-#include "appliance/lips/voice/voice_seat.h"
-#include "appliance/stage/stage.h"
-#include "appliance/stage/studio.h"
+#include "appliance/core/board/board.h"
+#include "appliance/programs/input/input_desk.h"
+#include "appliance/programs/lips/lip_reader.h"
+#include "appliance/programs/lips/voice/voice_seat.h"
+#include "appliance/programs/stage/stage.h"
+#include "appliance/programs/stage/studio.h"
 #include "drivers/base/clock.h"
 #include "drivers/hid/local_bus.h"
 #include "hw-sim/links/local/rig.h"
@@ -44,7 +44,7 @@ class Rehearsal {
   Result<Shown> NextPicture(const Hands& hands = {});
 
   // Lets hands make expressions. They were opened on the studio's show.
-  void Bring(std::unique_ptr<needles::Needles> needles) { stage_->Bring(std::move(needles)); }
+  void Bring(std::unique_ptr<editor::ExpressionEditor> needles) { stage_->Bring(std::move(needles)); }
 
   Rig& rig() { return *rig_; }
   const board::Board& board() const { return board_; }

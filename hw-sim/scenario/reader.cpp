@@ -18,7 +18,7 @@ constexpr std::size_t kMostProblems = 100;
 
 bool ReadTimes(Words& words, Statement& statement) {
   for (;;) {
-    auto* const time = words.Take("at") ? &statement.at : words.Take("over") ? &statement.over : nullptr;
+    auto* const time = words.Accept("at") ? &statement.at : words.Accept("over") ? &statement.over : nullptr;
     if (time == nullptr) return !words.bad();
     const int column = words.last_column();
     if (*time) {

@@ -41,7 +41,7 @@ void AddButton(std::string_view verb, Place place, int index, Statement& into) {
 void ReadDial(Words& words, std::string_view, Statement& into) {
   const auto dial = words.Numbered("dial", kDials);
   if (!dial) return;
-  if (!words.Take("turn")) return words.Complain(words.next_column(), "expected turn");
+  if (!words.Accept("turn")) return words.Complain(words.next_column(), "expected turn");
   const auto turns = words.Number("a number of turns", -kMostTurns, kMostTurns);
   if (turns) AddOne({Place::kDialBox, Verb::kTurn, *dial - 1, *turns, 0}, into);
 }
@@ -62,14 +62,14 @@ void ReadPointerButton(Words& words, std::string_view verb, Statement& into) {
 
 // What is done with the pointer alone.
 void ReadAtPointer(Words& words, std::string_view verb, Statement& into) {
-  if (!words.Take("pointer")) return words.Complain(words.next_column(), "expected pointer");
+  if (!words.Accept("pointer")) return words.Complain(words.next_column(), "expected pointer");
   if (verb != "roll") return ReadPointerButton(words, verb, into);
   const auto notches = words.Number("a number of notches", -kMostNotches, kMostNotches);
   if (notches) AddOne({Place::kPointer, Verb::kRoll, 0, *notches, 0}, into);
 }
 
 void ReadBoxButton(Words& words, std::string_view verb, Statement& into) {
-  if (verb == "release" && words.Take("pointer")) return ReadPointerButton(words, verb, into);
+  if (verb == "release" && words.Accept("pointer")) return ReadPointerButton(words, verb, into);
   const auto button = words.Numbered("button", kBoxButtons);
   if (button) AddButton(verb, Place::kDialBox, *button - 1, into);
 }
@@ -163,8 +163,8 @@ void ReadSay(Words& words, std::string_view, Statement& into) {
 // microphone stall, microphone run; the same of the loudspeaker.
 void ReadSound(Words& words, std::string_view thing, Statement& into) {
   const Place place = thing == "microphone" ? Place::kMicrophone : Place::kLoudspeaker;
-  if (words.Take("stall")) return AddOne({place, Verb::kStall, 1, 0, 0}, into);
-  if (words.Take("run")) return AddOne({place, Verb::kStall, 0, 0, 0}, into);
+  if (words.Accept("stall")) return AddOne({place, Verb::kStall, 1, 0, 0}, into);
+  if (words.Accept("run")) return AddOne({place, Verb::kStall, 0, 0, 0}, into);
   words.Complain(words.next_column(), "expected stall or run");
 }
 
@@ -172,8 +172,8 @@ void ReadSound(Words& words, std::string_view thing, Statement& into) {
 void ReadCamera(Words& words, std::string_view thing, Statement& into) {
   const bool lens = thing == "lens";
   const Verb verb = lens ? Verb::kCoverLens : Verb::kStall;
-  if (words.Take(lens ? "cover" : "stall")) return AddOne({Place::kCamera, verb, 1, 0, 0}, into);
-  if (words.Take(lens ? "uncover" : "run")) return AddOne({Place::kCamera, verb, 0, 0, 0}, into);
+  if (words.Accept(lens ? "cover" : "stall")) return AddOne({Place::kCamera, verb, 1, 0, 0}, into);
+  if (words.Accept(lens ? "uncover" : "run")) return AddOne({Place::kCamera, verb, 0, 0, 0}, into);
   words.Complain(words.next_column(), lens ? "expected cover or uncover" : "expected stall or run");
 }
 

@@ -64,7 +64,7 @@ int Words::next_column() const {
   return next_ < words_.size() ? words_[next_].column : end_column_;
 }
 
-bool Words::Take(std::string_view word) {
+bool Words::Accept(std::string_view word) {
   if (AtEnd() || words_[next_].text != word) return false;
   last_column_ = words_[next_++].column;
   return true;

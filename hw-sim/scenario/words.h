@@ -31,7 +31,7 @@ class Words {
   bool AtEnd() const { return bad_ || next_ >= words_.size(); }
   bool bad() const { return bad_; }
   // Whether the next word is `word`; takes it if so.
-  bool Take(std::string_view word);
+  bool Accept(std::string_view word);
 
   // Whether the next word begins as a number does.
   bool NumberFollows() const;

@@ -139,7 +139,7 @@ std::vector<std::string> FindFaults(const Cast& cast) {
   for (std::size_t i = 0; i < cast.textures.size(); ++i) CheckTexture(i, cast.textures[i], faults);
   if (!IsFinite(cast.neck_pivot) || !IsFinite(cast.mouth_anchor))
     faults.Add("cast: the neck or the mouth has no place");
-  return faults.Take();
+  return faults.Release();
 }
 
 Result<void> CheckCast(const Cast& cast) {

@@ -19,7 +19,7 @@ namespace kaori::face {
 class Faults {
  public:
   void Add(std::string fault) { lines_.push_back(std::move(fault)); }
-  std::vector<std::string> Take() { return std::move(lines_); }
+  std::vector<std::string> Release() { return std::move(lines_); }
 
   // Each adds a line that begins with `item` where the thing is not as it has to be, and answers whether it
   // is.

@@ -8,7 +8,7 @@
 namespace kaori::gl {
 namespace {
 
-void Delete(unsigned id) {
+void DeleteBuffer(unsigned id) {
   glDeleteBuffers(1, &id);
 }
 
@@ -20,7 +20,7 @@ constexpr GLenum kFillTarget = GL_COPY_WRITE_BUFFER;
 Buffer::Buffer(BufferUse use, std::size_t size_bytes) : size_bytes_(size_bytes) {
   GLuint id = 0;
   glGenBuffers(1, &id);
-  handle_ = Handle(id, Delete);
+  handle_ = Handle(id, DeleteBuffer);
   glBindBuffer(kFillTarget, id);
   glBufferData(kFillTarget, static_cast<GLsizeiptr>(size_bytes), nullptr,
                use == BufferUse::kStatic ? GL_STATIC_DRAW : GL_STREAM_DRAW);

@@ -22,7 +22,7 @@ void DeleteFramebuffer(unsigned id) {
 void DeleteRenderbuffer(unsigned id) {
   glDeleteRenderbuffers(1, &id);
 }
-void DeleteTexture(unsigned id) {
+void DeleteCanvasTexture(unsigned id) {
   glDeleteTextures(1, &id);
 }
 
@@ -47,7 +47,7 @@ Handle NewSamplesTexture(const CanvasOptions& o) {
   glGenTextures(1, &id);
   glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
   glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, o.samples, GL_RGBA8, o.width_px, o.height_px, GL_TRUE);
-  return Handle(id, DeleteTexture);
+  return Handle(id, DeleteCanvasTexture);
 }
 
 void AttachTexture(GLenum kind, unsigned id) {

@@ -5,7 +5,7 @@
 namespace kaori::gl {
 namespace {
 
-void Delete(unsigned id) {
+void DeleteMesh(unsigned id) {
   glDeleteVertexArrays(1, &id);
 }
 
@@ -45,7 +45,7 @@ Handle NewArray(std::initializer_list<VertexStream> streams) {
     glBindBuffer(GL_ARRAY_BUFFER, stream.buffer.id());
     for (const Attribute& attribute : stream.attributes) Describe(attribute, stream.stride_bytes);
   }
-  return Handle(id, Delete);
+  return Handle(id, DeleteMesh);
 }
 
 }  // namespace

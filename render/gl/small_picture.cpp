@@ -7,7 +7,7 @@
 namespace kaori::gl {
 namespace {
 
-void DeleteFramebuffer(unsigned id) {
+void SmallPictureFramebufferDelete(unsigned id) {
   glDeleteFramebuffers(1, &id);
 }
 
@@ -18,7 +18,7 @@ Result<SmallPicture> SmallPicture::Make(int width_px, int height_px) {
   small.picture_ = Texture({.width_px = width_px, .height_px = height_px, .texels = Texels::kSrgb8}, {});
   GLuint id = 0;
   glGenFramebuffers(1, &id);
-  small.frame_ = Handle(id, DeleteFramebuffer);
+  small.frame_ = Handle(id, SmallPictureFramebufferDelete);
   glBindFramebuffer(GL_FRAMEBUFFER, id);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, small.picture_.id(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)

@@ -6,7 +6,7 @@
 namespace kaori::gl {
 namespace {
 
-void DeleteFramebuffer(unsigned id) {
+void TargetFramebufferDelete(unsigned id) {
   glDeleteFramebuffers(1, &id);
 }
 
@@ -18,7 +18,7 @@ Result<Target> Target::Make(const TextureOptions& options) {
   target.texture_ = Texture(options, {});
   GLuint id = 0;
   glGenFramebuffers(1, &id);
-  target.frame_ = Handle(id, DeleteFramebuffer);
+  target.frame_ = Handle(id, TargetFramebufferDelete);
   glBindFramebuffer(GL_FRAMEBUFFER, id);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture_.id(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return target;

@@ -30,7 +30,7 @@ Format FormatOf(Texels texels) {
   return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
 }
 
-void Delete(unsigned id) {
+void DeleteTexture(unsigned id) {
   glDeleteTextures(1, &id);
 }
 
@@ -83,7 +83,7 @@ Rgba8 Halve(std::span<const std::byte> from, int width_px, int height_px) {
 Texture::Texture(const TextureOptions& options, std::span<const std::byte> pixels) : options_(options) {
   GLuint id = 0;
   glGenTextures(1, &id);
-  handle_ = Handle(id, Delete);
+  handle_ = Handle(id, DeleteTexture);
   glBindTexture(GL_TEXTURE_2D, id);
   glTexStorage2D(GL_TEXTURE_2D, LevelsOf(options), FormatOf(options.texels).internal, options.width_px,
                  options.height_px);

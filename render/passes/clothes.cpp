@@ -12,14 +12,14 @@ namespace {
 constexpr float kSunk_m = 0.14F;
 constexpr float kGone = 0.004F;
 
-bool WearsClothes(const Wardrobe& wardrobe, std::size_t face) {
+bool WearsClothes(const Appearance& wardrobe, std::size_t face) {
   return std::ranges::any_of(wardrobe.worn_by(face), [&](int prop) {
     return wardrobe.meshes()[static_cast<std::size_t>(prop)].part == face::Part::kClothes;
   });
 }
 
 // The part of the faces that wears anything.
-float Dressed(const Wardrobe& wardrobe, const face::Terms& faces) {
+float Dressed(const Appearance& wardrobe, const face::Terms& faces) {
   float dressed = 0;
   for (const face::Term& term : faces) dressed += WearsClothes(wardrobe, term.index) ? term.weight : 0.0F;
   return std::clamp(dressed, 0.0F, 1.0F);
@@ -38,7 +38,7 @@ Result<ClothesPass> ClothesPass::Open() {
   return pass;
 }
 
-void ClothesPass::Draw(const Wardrobe& wardrobe, const face::Terms& faces) const {
+void ClothesPass::Draw(const Appearance& wardrobe, const face::Terms& faces) const {
   program_.Use();
   gl::Program::Set(sunk_, kSunk_m * (1 - Dressed(wardrobe, faces)));
   float laid = 0;
@@ -52,7 +52,7 @@ void ClothesPass::Draw(const Wardrobe& wardrobe, const face::Terms& faces) const
   }
 }
 
-void ClothesPass::DrawWorn(const Wardrobe& wardrobe, std::size_t face) const {
+void ClothesPass::DrawWorn(const Appearance& wardrobe, std::size_t face) const {
   for (const int index : wardrobe.worn_by(face)) {
     const PropMesh& prop = wardrobe.meshes()[static_cast<std::size_t>(index)];
     if (prop.part != face::Part::kClothes) continue;

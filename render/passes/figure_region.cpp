@@ -120,7 +120,7 @@ LongestEdges MeasureEdges(const face::Cast& cast) {
   return edges;
 }
 
-FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Wardrobe& wardrobe,
+FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& wardrobe,
                         const LongestEdges& edges, float reach_m) {
   Bands bands({frame.sway.z, frame.sway.w});
   const glm::vec2 per_metre = SeenPerMetre(frame);

@@ -9,7 +9,7 @@ namespace {
 // The band of light is the hair's own colour and a little of the lamp's.
 constexpr glm::vec3 kGleam{0.16F, 0.10F, 0.065F};
 
-constexpr float kGone = 0.01F;
+constexpr float kHairGone = 0.01F;
 constexpr float kWhole = 0.999F;
 
 }  // namespace
@@ -36,11 +36,11 @@ Result<HairPass> HairPass::Open() {
   return pass;
 }
 
-void HairPass::Draw(const Wardrobe& wardrobe, float share) const {
+void HairPass::Draw(const Appearance& wardrobe, float share) const {
   for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {
     const PropMesh& prop = wardrobe.meshes()[i];
     const float presence = wardrobe.presence(i) * share;
-    if (prop.part == face::Part::kHair && presence > kGone) DrawLocks(prop, presence);
+    if (prop.part == face::Part::kHair && presence > kHairGone) DrawLocks(prop, presence);
   }
 }
 

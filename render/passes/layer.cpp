@@ -23,7 +23,7 @@ float DotWave_rad_px(const gl::Canvas& canvas) {
   return 2 * std::numbers::pi_v<float> / pitch_px;
 }
 
-Result<gl::Program> Make(std::string_view fragment, std::string defines) {
+Result<gl::Program> MakeLayer(std::string_view fragment, std::string defines) {
   const bool reads_samples = gl::Context::ReadsSamples();
   if (reads_samples) defines += "#define SAMPLES\n";
   auto program = gl::Program::Make({.library = ShaderLibrary(),
@@ -63,11 +63,11 @@ LayerPass::Variant LayerPass::Named(gl::Program program) {
 }
 
 Result<LayerPass> LayerPass::Open() {
-  auto backdrop = Make("backdrop.frag", "");
+  auto backdrop = MakeLayer("backdrop.frag", "");
   if (!backdrop) return tl::unexpected(backdrop.error());
-  auto plain = Make("layer.frag", "");
+  auto plain = MakeLayer("layer.frag", "");
   if (!plain) return tl::unexpected(plain.error());
-  auto printed = Make("layer.frag", "#define PRINT\n");
+  auto printed = MakeLayer("layer.frag", "#define PRINT\n");
   if (!printed) return tl::unexpected(printed.error());
   LayerPass pass;
   pass.backdrop_ = Named(std::move(*backdrop));

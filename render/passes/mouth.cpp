@@ -10,7 +10,7 @@ namespace {
 
 // Lips that touch hide all; teeth would show between the triangles of the fine mesh.
 constexpr float kShut_m = 0.0002F;
-constexpr float kGone = 0.02F;
+constexpr float kMouthGone = 0.02F;
 
 float FitPresence(const face::MouthFit& fit, face::Part part) {
   switch (part) {
@@ -57,7 +57,7 @@ Result<MouthPass> MouthPass::Open(const face::Cast& cast) {
   return pass;
 }
 
-void MouthPass::Draw(const Wardrobe& wardrobe, const face::Shape& shape) const {
+void MouthPass::Draw(const Appearance& wardrobe, const face::Shape& shape) const {
   if (shape.jaw_drop_m < kShut_m) return;
   gl::Apply({.cull = gl::Cull::kNone});
   program_.Use();
@@ -65,7 +65,7 @@ void MouthPass::Draw(const Wardrobe& wardrobe, const face::Shape& shape) const {
   for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {
     const PropMesh& prop = wardrobe.meshes()[i];
     const float presence = wardrobe.presence(i) * FitPresence(shape.mouth, prop.part);
-    if (presence > kGone) DrawPart(prop, presence, shape);
+    if (presence > kMouthGone) DrawPart(prop, presence, shape);
   }
 }
 

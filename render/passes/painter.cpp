@@ -13,8 +13,8 @@ using scene::Style;
 
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
-constexpr float kUnseen = 1.0F / 1024;
-constexpr float kWhole = 1 - kUnseen;
+constexpr float kPainterUnseen = 1.0F / 1024;
+constexpr float kPainterWhole = 1 - kPainterUnseen;
 
 // Behind glowing lines the stage is darker.
 constexpr float kWireBackdrop = 0.10F;
@@ -51,22 +51,22 @@ float MixedLightBehind(const scene::Scene& s) {
 
 // Of the textured styles alone.
 float SoftShare(const scene::Scene& s) {
-  return WeightOf(s, Style::kSoft) / std::max(WeightOf(s, Group::kTextured), kUnseen);
+  return WeightOf(s, Style::kSoft) / std::max(WeightOf(s, Group::kTextured), kPainterUnseen);
 }
 float HairShare(const scene::Scene& s) {
-  return 1 - WeightOf(s, Style::kBare) / std::max(WeightOf(s, Group::kTextured), kUnseen);
+  return 1 - WeightOf(s, Style::kBare) / std::max(WeightOf(s, Group::kTextured), kPainterUnseen);
 }
 
 // Of the faces that are shown, the part that is a poster's print.
 float PrintShare(const std::vector<float>& prints, const face::Terms& faces) {
   float share = 0;
   for (const face::Term& term : faces) share += term.weight * prints[term.index];
-  return share < kUnseen ? 0.0F : std::min(share, 1.0F);
+  return share < kPainterUnseen ? 0.0F : std::min(share, 1.0F);
 }
 
 // Takes the value of a step that succeeded; else keeps the first error.
 template <class T>
-void Take(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
+void Keep(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
   if (made) {
     into.emplace(std::move(*made));
   } else if (outcome) {
@@ -87,18 +87,18 @@ Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
 
 Result<void> Painter::Parts::Open(const face::Cast& cast) {
   Result<void> outcome;
-  Take(BodyPass::Open(cast), body, outcome);
-  Take(EyesPass::Open(cast.topology), eyes, outcome);
-  Take(LashesPass::Open(cast.topology), lashes, outcome);
-  Take(MouthPass::Open(cast), mouth, outcome);
-  Take(HairPass::Open(), hair, outcome);
-  Take(ClothesPass::Open(), clothes, outcome);
-  Take(FlatPass::Open(cast), flat, outcome);
-  Take(WirePass::Open(cast), wire, outcome);
-  Take(NeedlesPass::Open(cast), needles, outcome);
-  Take(BackdropPass::Open(cast), backdrop, outcome);
-  Take(CaptionPass::Open(), caption, outcome);
-  Take(LayerPass::Open(), layer, outcome);
+  Keep(BodyPass::Open(cast), body, outcome);
+  Keep(EyesPass::Open(cast.topology), eyes, outcome);
+  Keep(LashesPass::Open(cast.topology), lashes, outcome);
+  Keep(MouthPass::Open(cast), mouth, outcome);
+  Keep(HairPass::Open(), hair, outcome);
+  Keep(ClothesPass::Open(), clothes, outcome);
+  Keep(FlatPass::Open(cast), flat, outcome);
+  Keep(WirePass::Open(cast), wire, outcome);
+  Keep(HandlesPass::Open(cast), needles, outcome);
+  Keep(BackdropPass::Open(cast), backdrop, outcome);
+  Keep(CaptionPass::Open(), caption, outcome);
+  Keep(LayerPass::Open(), layer, outcome);
   return outcome;
 }
 
@@ -108,7 +108,7 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
   hair->Draw(wardrobe, HairShare(scene));
   lashes->Draw(shape);
   clothes->Draw(wardrobe, shape.faces);
-  body->Draw(surface, shape, HairShare(scene) > kWhole);
+  body->Draw(surface, shape, HairShare(scene) > kPainterWhole);
   eyes->Draw(shape, scene.gaze);
   mouth->Draw(wardrobe, shape);
 }
@@ -162,13 +162,13 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   Parts& p = *parts_;
   Sane(wanted, p.sane);
   const scene::Scene& scene = p.sane;
-  const bool fine = WeightOf(scene, Group::kTextured) > kUnseen;
+  const bool fine = WeightOf(scene, Group::kTextured) > kPainterUnseen;
   const face::Shape& shape =
       p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
   p.wardrobe.Weigh(shape.faces);
   const FrameBlock frame = p.BindFrame(scene, canvas);
   const FigureRegion figure =
-      FindFigure(frame, shape, p.wardrobe, p.edges, NeedlesPass::ReachOf(scene.needles));
+      FindFigure(frame, shape, p.wardrobe, p.edges, HandlesPass::ReachOf(scene.needles));
   p.backdrop->Prepare(scene, canvas.width_px(), canvas.height_px());
   const gl::Texture& behind = p.backdrop->picture();
   const std::uint64_t version = p.backdrop->version();
@@ -177,12 +177,12 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   float laid = 0;
   for (const Group group : kGroups) {
     const float weight = WeightOf(scene, group);
-    if (weight <= kUnseen) continue;
+    if (weight <= kPainterUnseen) continue;
     laid += weight;
     canvas.BeginLayer(figure.bands, figure.whole);
     p.DrawGroup(group, scene, shape);
     p.needles->Draw(scene.needles, shape,
-                    group == Group::kWire ? NeedlesPass::Among::kWires : NeedlesPass::Among::kSkin);
+                    group == Group::kWire ? HandlesPass::Among::kWires : HandlesPass::Among::kSkin);
     p.layer->Lay(canvas, figure, {behind, version, LightBehind(scene, group)},
                  {.opacity = weight / laid,
                   .print = group == Group::kTextured ? print : 0,

@@ -20,7 +20,7 @@
 #include "render/passes/lashes.h"
 #include "render/passes/layer.h"
 #include "render/passes/mouth.h"
-#include "render/passes/needles.h"
+#include "render/passes/handles.h"
 #include "render/passes/painter.h"
 #include "render/passes/preparation.h"
 #include "render/passes/surface.h"
@@ -63,7 +63,7 @@ struct Painter::Parts {
   std::vector<float> prints;  // Of each face, how much of a poster it is.
   Neck neck;
   LongestEdges edges;
-  Wardrobe wardrobe;
+  Appearance wardrobe;
   Surface surface;
   gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
   std::optional<BodyPass> body;
@@ -74,7 +74,7 @@ struct Painter::Parts {
   std::optional<ClothesPass> clothes;
   std::optional<FlatPass> flat;
   std::optional<WirePass> wire;
-  std::optional<NeedlesPass> needles;
+  std::optional<HandlesPass> needles;
   std::optional<BackdropPass> backdrop;
   std::optional<CaptionPass> caption;
   std::optional<LayerPass> layer;

@@ -122,13 +122,13 @@ PropMesh::PropMesh(const face::Prop& prop, const PropForm& form)
       numbers(gl::Buffer::Of(std::span<const float>(form.numbers))),
       mesh(MeshOf(prop, vertices, numbers, form.triangles)) {}
 
-Wardrobe::Wardrobe(const face::Cast& cast, std::span<const PropForm> forms) : presence_(cast.props.size()) {
+Appearance::Appearance(const face::Cast& cast, std::span<const PropForm> forms) : presence_(cast.props.size()) {
   meshes_.reserve(cast.props.size());
   for (std::size_t i = 0; i < cast.props.size(); ++i) meshes_.emplace_back(cast.props[i], forms[i]);
   for (const face::Face& f : cast.faces) worn_.push_back(f.props);
 }
 
-void Wardrobe::Weigh(const face::Terms& faces) {
+void Appearance::Weigh(const face::Terms& faces) {
   std::ranges::fill(presence_, 0.0F);
   for (const face::Term& term : faces) {
     for (const int prop : worn_[term.index]) presence_[static_cast<std::size_t>(prop)] += term.weight;

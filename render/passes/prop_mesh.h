@@ -47,9 +47,9 @@ struct PropMesh {
 
 // The props of a cast, and after Weigh how much of each is there, 0..1: the weights of the faces that wear
 // it.
-class Wardrobe {
+class Appearance {
  public:
-  Wardrobe(const face::Cast& cast, std::span<const PropForm> forms);
+  Appearance(const face::Cast& cast, std::span<const PropForm> forms);
 
   void Weigh(const face::Terms& faces);
 

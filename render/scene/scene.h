@@ -77,7 +77,7 @@ struct FadingBackdrop {
 inline constexpr std::size_t kMostFading = 3;
 
 // The control points as needles that stick in the face in work (the paper's figure 3).
-struct Needles {
+struct ExpressionEditor {
   float shown = 0;             // 0 none .. 1.
   int chosen = -1;             // The control point whose needle is pulled; -1: none.
   int partner = -1;            // The one that moves with it on the other side.
@@ -101,7 +101,7 @@ struct Scene {
   std::array<FadingBackdrop, kMostFading> fading;  // Weights sum to 1 at most.
   glm::vec2 hair_sway_rad{};                       // Tips swing: sideways, forwards.
   float breath = 0;                                // -1 out .. 1 in.
-  Needles needles;
+  ExpressionEditor needles;
   Caption caption;
 };
 

@@ -27,7 +27,7 @@ TOLD = "console=ttyS0 loglevel=7 printk.devkmsg=on systemd.log_target=kmsg syste
 # What the serial line says -> what it means. In this order.
 MARKS = (
     ("the kernel begins", r"Linux version"),
-    ("the disk's root is found and believed; the first program lights the screen", r"Run /usr/bin/kaori-light"),
+    ("the disk's root is found and believed; the first program lights the screen", r"Run /usr/bin/kaori-boot"),
     ("the system begins", r"systemd 252|systemd\[1\]: "),
     ("the stage's program begins", r"Starting .*kaori-stage"),
     ("Mesa is loaded, the graphics card is open", r"the graphics card is open"),

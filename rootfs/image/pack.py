@@ -81,7 +81,7 @@ def command_line(image, root_hash):
     root, tree = f"PARTUUID={ids['root-a']}", f"PARTUUID={ids['verity-a']}"
     table = f"0 {blocks * BLOCK // SECTOR} verity 1 {root} {tree} {BLOCK} {BLOCK} {blocks} 1 sha256 {root_hash} {SALT}"
     return f'dm-mod.waitfor={root},{tree} dm-mod.create="root,,,ro,{table}" root=/dev/dm-0 rootfstype=erofs ro ' \
-           "init=/usr/bin/kaori-light usbcore.authorized_default=0 quiet loglevel=3 panic=5"
+           "init=/usr/bin/kaori-boot usbcore.authorized_default=0 quiet loglevel=3 panic=5"
 
 
 def folder_of(name, user):

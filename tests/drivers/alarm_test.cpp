@@ -14,7 +14,7 @@ bool RingsWithin(const Alarm& alarm, int wait_ms) {
   return ::poll(&look, 1, wait_ms) == 1;
 }
 
-class AlarmTest : public testing::Test {
+class AlarmTest : public ::testing::Test {
  protected:
   Alarm alarm_ = Alarm::Make().value();
   SteadyClock clock_;
@@ -41,9 +41,9 @@ TEST_F(AlarmTest, RingsAtOnceForWhatHasPassed) {
 TEST_F(AlarmTest, RingsOnce) {
   alarm_.Set(clock_.now());
   ASSERT_TRUE(RingsWithin(alarm_, 5000));
-  alarm_.Take();
+  alarm_.Acknowledge();
   EXPECT_FALSE(RingsWithin(alarm_, 0));
-  alarm_.Take();  // Never waits.
+  alarm_.Acknowledge();  // Never waits.
 }
 
 TEST_F(AlarmTest, ASecondTimeReplacesTheFirst) {

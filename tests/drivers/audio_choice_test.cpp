@@ -12,7 +12,7 @@ namespace kaori::audio {
 namespace {
 
 using std::chrono::seconds;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 const SoundDevice kOwn{.name = "hw:0,0"};
 const SoundDevice kScreen{.name = "hw:0,3", .on_screen_cable = true};
@@ -27,7 +27,7 @@ TEST(NearestSound, IsTheFirstOnUsbElseTheBoxsOwnElseAScreens) {
 }
 
 // A machine with cards that come and go.
-class ChosenSound : public testing::Test {
+class ChosenSound : public ::testing::Test {
  protected:
   Result<std::unique_ptr<AlsaPcm>> Open(const std::string& name) {
     const SoundSearch search{

@@ -10,9 +10,9 @@ namespace kaori::audio {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
-class AlsaTest : public testing::Test {
+class AlsaTest : public ::testing::Test {
  protected:
   std::unique_ptr<AlsaMicrophone> Microphone() {
     return std::move(AlsaMicrophone::Open("hw:1", {}, clock_, tests::Opener(sound_)).value());

@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class AlsaPlugins : public testing::Test {
+class AlsaPlugins : public ::testing::Test {
  protected:
-  AlsaPlugins() : folder_(fs::path(testing::TempDir()) / ("kaori-alsa-" + std::to_string(::getpid()))) {
+  AlsaPlugins() : folder_(fs::path(::testing::TempDir()) / ("kaori-alsa-" + std::to_string(::getpid()))) {
     fs::create_directories(folder_);
     std::ofstream(folder_ / "asound.conf")
         << "pcm.quiet { type null }\n"

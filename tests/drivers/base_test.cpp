@@ -13,7 +13,7 @@
 namespace kaori {
 namespace {
 
-class Loop : public testing::Test {
+class Loop : public ::testing::Test {
  protected:
   static UniqueFd Readable() { return UniqueFd(::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK)); }
   EventLoop loop_ = EventLoop::Open().value();

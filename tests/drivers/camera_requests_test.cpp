@@ -17,7 +17,7 @@ namespace {
 
 using ports::CameraFormat;
 using ports::PixelFormat;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr std::uint32_t kBytes = 320 * 240 * 2;
 
@@ -52,7 +52,7 @@ class FakeDevice final : public RequestDevice {
   std::uint32_t sequence_ = 0;
 };
 
-class Requests : public testing::Test {
+class Requests : public ::testing::Test {
  protected:
   Requests() {
     auto device = std::make_unique<FakeDevice>();
@@ -148,9 +148,9 @@ TEST_F(Requests, CrossFromTheLibrarysThreadWithoutLoss) {
   });
   std::uint32_t next = 0;
   while (next < kMany)
-    for (const CompletedRequest& request : completions.TakeAll()) ASSERT_EQ(request.sequence, next++);
+    for (const CompletedRequest& request : completions.DrainAll()) ASSERT_EQ(request.sequence, next++);
   library.join();
-  EXPECT_TRUE(completions.TakeAll().empty());
+  EXPECT_TRUE(completions.DrainAll().empty());
 }
 
 TEST(LibcameraFormat, IsTheSmallestThatLipsNeedWithoutJpegIfItCanBe) {

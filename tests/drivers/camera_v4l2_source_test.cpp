@@ -9,14 +9,14 @@ namespace kaori::camera {
 namespace {
 
 using ports::CameraHold;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr std::uint32_t kYuyv = V4L2_PIX_FMT_YUYV;
 constexpr std::uint32_t kMjpeg = V4L2_PIX_FMT_MJPEG;
 
-class V4l2SourceTest : public testing::Test {
+class V4l2SourceTest : public ::testing::Test {
  protected:
   // What many a webcam offers, and the controls that it has.
   V4l2SourceTest() {

@@ -8,9 +8,9 @@ namespace kaori::camera {
 namespace {
 
 using ports::PixelFormat;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class V4l2CameraTest : public testing::Test {
+class V4l2CameraTest : public ::testing::Test {
  protected:
   std::unique_ptr<V4l2Camera> Opened() {
     auto camera = V4l2Camera::Open("/dev/video0", {}, clock_, kernel_);

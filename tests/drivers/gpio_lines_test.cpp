@@ -79,11 +79,11 @@ class MemoryOutput final : public OutputLine {
 class MemoryChip final : public GpioChip {
  public:
   explicit MemoryChip(Bench& bench) : bench_(bench) {}
-  Result<std::unique_ptr<InputLine>> TakeInput(const LineWiring& wiring) override {
+  Result<std::unique_ptr<InputLine>> RequestInput(const LineWiring& wiring) override {
     if (wiring.offset >= kLines) return FailInput("take a line that the chip has not");
     return std::make_unique<MemoryInput>(bench_, wiring.offset);
   }
-  Result<std::unique_ptr<OutputLine>> TakeOutput(const LineWiring& wiring) override {
+  Result<std::unique_ptr<OutputLine>> RequestOutput(const LineWiring& wiring) override {
     return std::make_unique<MemoryOutput>(bench_, wiring.offset);
   }
 
@@ -92,10 +92,10 @@ class MemoryChip final : public GpioChip {
   Bench& bench_;
 };
 
-class ChipLinesTest : public testing::Test {
+class ChipLinesTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    lines_ = ChipLines::Take(std::make_unique<MemoryChip>(bench_),
+    lines_ = ChipLines::Request(std::make_unique<MemoryChip>(bench_),
                              {.inputs = {{.offset = 7}, {.offset = 3}}, .outputs = {{.offset = 20}}})
                  .value();
   }
@@ -150,7 +150,7 @@ TEST_F(ChipLinesTest, SaysThatTheChipWasPulled) {
 TEST(ChipLines, ALineThatIsNotWiredIsNeverTakenAndNeverActive) {
   Bench bench;
   const auto lines =
-      ChipLines::Take(std::make_unique<MemoryChip>(bench), {.inputs = {{.wired = false}, {.offset = 3}}});
+      ChipLines::Request(std::make_unique<MemoryChip>(bench), {.inputs = {{.wired = false}, {.offset = 3}}});
   ASSERT_TRUE(lines) << lines.error().message();
   EXPECT_EQ(bench.taken, 1);
   bench.levels[3] = true;
@@ -162,9 +162,9 @@ TEST(ChipLines, ALineThatIsNotWiredIsNeverTakenAndNeverActive) {
 TEST(ChipLines, TakesEveryLineOrNone) {
   Bench bench;
   EXPECT_FALSE(
-      ChipLines::Take(std::make_unique<MemoryChip>(bench), {.inputs = {{.offset = 1}, {.offset = 99}}}));
+      ChipLines::Request(std::make_unique<MemoryChip>(bench), {.inputs = {{.offset = 1}, {.offset = 99}}}));
   EXPECT_EQ(bench.taken, 0);
-  EXPECT_FALSE(ChipLines::Take(std::make_unique<MemoryChip>(bench), {.inputs = std::vector<LineWiring>(33)}));
+  EXPECT_FALSE(ChipLines::Request(std::make_unique<MemoryChip>(bench), {.inputs = std::vector<LineWiring>(33)}));
 }
 
 TEST(GpioChip, ThatIsNotThereIsNoSuchDevice) {
@@ -194,7 +194,7 @@ class PlainInput final : public InputLine {
   const Contact& contact_;
 };
 
-class PolledLine : public testing::Test {
+class PolledLine : public ::testing::Test {
  protected:
   // The first edge that a look finds; looks are waited for as a program does.
   Result<LineEdge> Next(int looks = 50) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
-#include "drivers/hid/dial_box.h"
+#include "drivers/decode/dial_box.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "firmware/wire/dial_box.h"
 #include "firmware/wire/stick_pod.h"
@@ -12,14 +12,14 @@
 namespace kaori::hid {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 std::vector<std::uint8_t> BoxDescriptor() {
   return {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()};
 }
 
-class HidrawBusTest : public testing::Test {
+class HidrawBusTest : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!tests::InMockKernel()) GTEST_SKIP() << "the library umockdev-preload could not be loaded";
@@ -90,7 +90,7 @@ TEST_F(HidrawBusTest, OpensADeviceThatIsReadAndWritten) {
   box_.Send({report.begin(), report.end()});
   const auto input = (*channel)->Read(into);
   ASSERT_TRUE(input) << input.error().message();
-  auto decoder = DialBoxDecoder::For(identity).value();
+  auto decoder = decode::DialBoxDecoder::For(identity).value();
   EXPECT_EQ(decoder.Decode(std::span(into).first(input->bytes), input->at)->counts[0], -3);
   ASSERT_TRUE((*channel)->Write(decoder.LampReport(0x81)));
   EXPECT_THAT(box_.received(), ElementsAre(0, 0x81, 0, 0, 0));

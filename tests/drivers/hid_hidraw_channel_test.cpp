@@ -11,7 +11,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-class HidrawChannelTest : public testing::Test {
+class HidrawChannelTest : public ::testing::Test {
  protected:
   HidrawChannelTest() {
     std::array<int, 2> ends{};

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "drivers/hid/dial_box.h"
+#include "drivers/decode/dial_box.h"
 #include "drivers/hid/libusb_bus.h"
 #include "drivers/hid/libusb_channel.h"
 #include "firmware/wire/dial_box.h"
@@ -13,11 +13,11 @@
 namespace kaori::hid {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 using Bytes = std::vector<std::uint8_t>;
 
-class LibusbTest : public testing::Test {
+class LibusbTest : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!tests::InMockKernel()) GTEST_SKIP() << "the library umockdev-preload could not be loaded";
@@ -62,7 +62,7 @@ TEST_F(LibusbTest, ReadsReportsInTheirOrder) {
   EXPECT_EQ(channel->identity().vendor, 0x1209);
   EXPECT_EQ(channel->identity().port, "1-4");
   EXPECT_EQ(channel->identity().name, "Dial Box");
-  auto decoder = DialBoxDecoder::For(channel->identity()).value();
+  auto decoder = decode::DialBoxDecoder::For(channel->identity()).value();
   EXPECT_EQ(channel->Read(into_).error().cause, std::errc::resource_unavailable_try_again);
   for (int n = 1; n <= 100; ++n) {
     const auto report = wire::Encode(wire::DialBoxReport{.turned = {1, static_cast<std::int16_t>(n)}});

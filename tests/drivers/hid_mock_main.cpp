@@ -27,6 +27,6 @@ int main(int argc, char** argv) {
     std::perror("run again within umockdev");
     return 1;
   }
-  testing::InitGoogleTest(&argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

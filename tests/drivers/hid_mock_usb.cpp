@@ -59,7 +59,7 @@ std::string UsbDevice(const char* dir, int number, const Bytes& descriptors) {
       dir, number, number, number, number, fmt::join(descriptors, ""));
 }
 
-void Add(UMockdevTestbed* testbed, const std::string& device) {
+void MockUsbAdd(UMockdevTestbed* testbed, const std::string& device) {
   GError* error = nullptr;
   EXPECT_TRUE(umockdev_testbed_add_from_string(testbed, device.c_str(), &error)) << error->message;
 }
@@ -82,7 +82,7 @@ void MockUsb::Plug(MockKernel& kernel) {
   Bytes descriptors = DeviceDescriptor(!options_.name.empty());
   for (const std::uint8_t byte : ConfigDescriptor(options_.descriptor.size(), options_.has_out_endpoint))
     descriptors.push_back(byte);
-  Add(kernel.testbed(), UsbDevice(kDeviceDir, 2, descriptors));
+  MockUsbAdd(kernel.testbed(), UsbDevice(kDeviceDir, 2, descriptors));
   GError* error = nullptr;
   EXPECT_TRUE(umockdev_testbed_attach_ioctl(kernel.testbed(), kNode, handler_.get(), &error))
       << error->message;

@@ -71,7 +71,7 @@ class Service : public ::testing::Test {
 TEST_F(Service, SaysNothingWhereNobodyListens) {
   ::unsetenv("NOTIFY_SOCKET");
   EXPECT_TRUE(Tell("READY=1"));
-  EXPECT_TRUE(Keep(0, "card"));
+  EXPECT_TRUE(StoreFd(0, "card"));
 }
 
 TEST_F(Service, TellsTheManagerInItsOwnWords) {
@@ -95,7 +95,7 @@ TEST_F(Service, ADescriptorIsKeptOnceTheManagerHasReadIt) {
     manager.Read();  // The barrier: its pipe closes here.
   });
   const UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM, 0));
-  const auto done = Keep(socket.get(), "card");
+  const auto done = StoreFd(socket.get(), "card");
   reads.join();
   EXPECT_TRUE(done);
   EXPECT_EQ(kept.words, "FDSTORE=1\nFDNAME=card\nFDPOLL=0");
@@ -103,24 +103,24 @@ TEST_F(Service, ADescriptorIsKeptOnceTheManagerHasReadIt) {
 }
 
 TEST_F(Service, NothingIsKeptOnTheFirstStart) {
-  EXPECT_FALSE(TakeKept("card"));
+  EXPECT_FALSE(RetrieveFd("card"));
 }
 
 TEST_F(Service, TheKeptDescriptorIsFoundByItsName) {
   ::setenv("LISTEN_FDS", "2", 1);
   ::setenv("LISTEN_PID", std::to_string(::getpid()).c_str(), 1);
   ::setenv("LISTEN_FDNAMES", "other:card", 1);
-  auto kept = TakeKept("card");
+  auto kept = RetrieveFd("card");
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->release(), 4);  // Not ours to close here.
-  EXPECT_FALSE(TakeKept("lamp"));
+  EXPECT_FALSE(RetrieveFd("lamp"));
 }
 
 TEST_F(Service, WhatIsKeptForAnotherProcessIsLeftAlone) {
   ::setenv("LISTEN_FDS", "1", 1);
   ::setenv("LISTEN_PID", "1", 1);
   ::setenv("LISTEN_FDNAMES", "card", 1);
-  EXPECT_FALSE(TakeKept("card"));
+  EXPECT_FALSE(RetrieveFd("card"));
 }
 
 class WatchedService : public Service {

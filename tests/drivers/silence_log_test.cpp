@@ -11,7 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-class Silence : public testing::Test {
+class Silence : public ::testing::Test {
  protected:
   // The lines that `deed` leaves in the log.
   template <class Deed>

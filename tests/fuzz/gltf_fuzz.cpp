@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "appliance/atelier/import/gltf_file.h"
-#include "appliance/atelier/import/mesh_check.h"
+#include "appliance/authoring/import/gltf_file.h"
+#include "appliance/authoring/import/mesh_check.h"
 #include "tests/fuzz/check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

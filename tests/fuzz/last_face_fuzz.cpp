@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "firmware/boot/profile.h"
-#include "firmware/boot/still.h"
+#include "appliance/programs/boot/profile.h"
+#include "appliance/programs/boot/still.h"
 #include "firmware/wire/last_face.h"
 #include "tests/fuzz/check.h"
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "appliance/lips/lip_settings.h"
-#include "appliance/lips/service/words.h"
+#include "appliance/programs/lips/lip_settings.h"
+#include "appliance/programs/lips/service/words.h"
 #include "tests/fuzz/check.h"
 
 namespace kaori::fuzz {

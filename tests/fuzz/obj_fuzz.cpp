@@ -1,8 +1,8 @@
 // Any bytes as an OBJ file: a sound model within its bounds, or reasons that name the file.
 #include <cstdint>
 
-#include "appliance/atelier/import/mesh_check.h"
-#include "appliance/atelier/import/obj_file.h"
+#include "appliance/authoring/import/mesh_check.h"
+#include "appliance/authoring/import/obj_file.h"
 #include "tests/fuzz/check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <span>
 
-#include "drivers/hid/dial_box.h"
-#include "drivers/hid/joystick.h"
-#include "drivers/hid/keyboard.h"
-#include "drivers/hid/pointer.h"
+#include "drivers/decode/dial_box.h"
+#include "drivers/decode/joystick.h"
+#include "drivers/decode/keyboard.h"
+#include "drivers/decode/pointer.h"
 #include "tests/fuzz/check.h"
 
 namespace kaori::fuzz {
@@ -24,23 +24,23 @@ Bytes Take(Bytes& from, std::size_t bytes) {
   return taken;
 }
 
-void Check(const hid::StickSample& stick) {
+void Check(const decode::StickSample& stick) {
   for (const float axis : {stick.x, stick.y, stick.twist})
     Promise(std::isfinite(axis) && std::abs(axis) <= 1, "an axis lies in -1 .. 1");
   Promise(stick.slider >= 0 && stick.slider <= 1, "a slider lies in 0 .. 1");
   Promise(stick.hat >= -1 && stick.hat <= 7, "a hat has eight ways");
 }
 
-void Check(const hid::KeySample& keyboard) {
+void Check(const decode::KeySample& keyboard) {
   Promise((keyboard.keys.down[0] & 0x0Fu) == 0, "error codes are no keys");
 }
 
-void Check(const hid::PointerSample& pointer) {
+void Check(const decode::PointerSample& pointer) {
   for (const float place : {pointer.x, pointer.y})
     Promise(place >= 0 && place <= 1, "a pointer stays on the picture");
 }
 
-void Check(const hid::DialSample&) {}
+void Check(const decode::DialSample&) {}
 
 template <class Decoder>
 void Play(Decoder decoder, Bytes reports) {
@@ -69,12 +69,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::Bytes descriptor = fuzz::Take(input, head[0] + std::size_t{head[1]} * 256);
   ports::HidIdentity identity{.port = "fuzz", .vendor = 0, .product = 0, .name = "", .descriptor = {}};
   identity.descriptor.assign(descriptor.begin(), descriptor.end());
-  if (auto box = hid::DialBoxDecoder::For(identity)) {
+  if (auto box = decode::DialBoxDecoder::For(identity)) {
     box->LampReport(0xA5A5A5A5u);
     fuzz::Play(std::move(*box), input);
   }
-  if (auto stick = hid::JoystickDecoder::For(identity)) fuzz::Play(std::move(*stick), input);
-  if (auto keyboard = hid::KeyboardDecoder::For(identity)) fuzz::Play(std::move(*keyboard), input);
-  if (auto pointer = hid::PointerDecoder::For(identity)) fuzz::Play(std::move(*pointer), input);
+  if (auto stick = decode::JoystickDecoder::For(identity)) fuzz::Play(std::move(*stick), input);
+  if (auto keyboard = decode::KeyboardDecoder::For(identity)) fuzz::Play(std::move(*keyboard), input);
+  if (auto pointer = decode::PointerDecoder::For(identity)) fuzz::Play(std::move(*pointer), input);
   return 0;
 }

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "appliance/board/snapshot.h"
-#include "appliance/show/pack.h"
+#include "appliance/core/board/snapshot.h"
+#include "appliance/core/show/pack.h"
 #include "hw-sim/rehearsal/rehearsal.h"
 #include "hw-sim/scenario/player.h"
 #include "hw-sim/scenario/reader.h"

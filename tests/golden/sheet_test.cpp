@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "appliance/atelier/sheet/sheet.h"
-#include "appliance/show/pack.h"
+#include "appliance/authoring/sheet/sheet.h"
+#include "appliance/core/show/pack.h"
 #include "tests/golden/compare.h"
 
 namespace kaori::golden {
@@ -19,7 +19,7 @@ TEST(Sheets, EveryFaceWithEveryExpressionLooksAsItDidWhenItWasAccepted) {
   const auto studio = stage::Studio::Open(std::move(*show));
   ASSERT_TRUE(studio) << studio.error().message();
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("kaori-sheets-{}", ::getpid());
-  const auto drawn = atelier::DrawSheets(**studio, folder, {.cell_width_px = 112, .cell_height_px = 126},
+  const auto drawn = authoring::DrawSheets(**studio, folder, {.cell_width_px = 112, .cell_height_px = 126},
                                          [](std::string_view) {});
   ASSERT_TRUE(drawn) << drawn.error().message();
   int sheets = 0;

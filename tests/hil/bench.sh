@@ -6,7 +6,7 @@ readonly BENCH_KERNEL=out/image/kernel-bench/bzImage
 
 # The image, with simulated devices plugged in: play_on_the_bench OPTION...
 play_on_the_bench() {
-  tests/hil/bench_disk $BIN/kaori-witness out/bench.disk
+  tests/hil/bench_disk $BIN/kaori-hil-agent out/bench.disk
   $BIN/kaori-bench --image out/image --bench-disk out/bench.disk --report out/bench --figures out/boot.json --play $PLAY "$@" ||
     { say "the report is out/bench/report.html"; return 1; }
 }
@@ -53,7 +53,7 @@ test_on_the_bench() {
   [ $# -eq 0 ] || [ "$*" = --chosen ] || fail "test --bench takes --chosen; see ./box help"
   need "${MACHINE_PACKAGES[@]}"
   image
-  build release kaori-bench kaori-witness kaori-gadget kaori-lips kaori-camera-libcamera kaori-latch
+  build release kaori-bench kaori-hil-agent kaori-gadget kaori-lips kaori-camera-libcamera kaori-latch
   if [ $# -gt 0 ]; then
     say "playing the image in a virtual machine"
     play_on_the_bench --chosen --replugs 24 --scenes 2 || fail "the box failed on the bench"

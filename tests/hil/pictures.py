@@ -13,7 +13,7 @@ def is_near(one, other, apart=30):
 
 
 def marks(picture, colour):
-    """How many lines of a status picture have a mark of this colour; see appliance/status/sheet.cpp."""
+    """How many lines of a status picture have a mark of this colour; see appliance/programs/status/sheet.cpp."""
     width, height, pixels = picture
     pitch = max(1, min(height // 20, width * 2 // 60))
     rows = range(pitch // 2 + pitch // 2, height - pitch, pitch)

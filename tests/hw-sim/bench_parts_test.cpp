@@ -10,29 +10,29 @@
 #include <random>
 #include <string>
 
-#include "hw-sim/bench/disk_copy.h"
-#include "hw-sim/bench/picture.h"
-#include "hw-sim/bench/process.h"
-#include "hw-sim/bench/qemu_command.h"
-#include "hw-sim/bench/report.h"
-#include "hw-sim/bench/x_screen.h"
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/picture.h"
+#include "hw-sim/hil/process.h"
+#include "hw-sim/hil/qemu_command.h"
+#include "hw-sim/hil/report.h"
+#include "hw-sim/hil/x_screen.h"
 #include "hw-sim/devices/voice_file.h"
-#include "tests/hil/witness/usb_view.h"
+#include "tests/hil/agent/usb_view.h"
 
-namespace kaori::bench {
+namespace kaori::hil {
 namespace {
 
-using testing::Contains;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
-class Folder : public testing::Test {
+class PartsFolder : public ::testing::Test {
  protected:
-  Folder() {
+  PartsFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "kaori-parts-XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
   }
-  ~Folder() override { std::filesystem::remove_all(folder_); }
+  ~PartsFolder() override { std::filesystem::remove_all(folder_); }
   std::string Path(const std::string& name) const { return folder_ + "/" + name; }
   std::string Text(const std::string& name) const {
     std::ifstream file(Path(name));
@@ -45,7 +45,7 @@ class Folder : public testing::Test {
   std::string folder_;
 };
 
-using Programs = Folder;
+using Programs = PartsFolder;
 
 TEST_F(Programs, EndWithWhoeverHoldsThem) {
   pid_t number = 0;
@@ -95,7 +95,7 @@ TEST(QemuCommand, TakesAnotherKernelOnlyWhereACheckWantsIt) {
   EXPECT_THAT(QemuCommand(options, {.bench_kernel = true}, "line", "disk"), Contains("more"));
 }
 
-using Dumps = Folder;
+using Dumps = PartsFolder;
 
 constexpr DumpPart kAll{0, 0, 2, 1};
 
@@ -154,7 +154,7 @@ TEST_F(Dumps, AreComparedPointByPoint) {
   EXPECT_FALSE(Difference(Path("dump.png"), Path("missing.png")));
 }
 
-using Disks = Folder;
+using Disks = PartsFolder;
 
 std::string LittleEndian(std::uint64_t number, int bytes) {
   std::string text;
@@ -192,7 +192,7 @@ TEST_F(Disks, WithoutATableAreRefused) {
   EXPECT_FALSE(PartitionStart_bytes(Path("missing"), "data"));
 }
 
-using UsbView = Folder;
+using UsbView = PartsFolder;
 
 TEST_F(UsbView, TellsWhichDevicesWereLetIn) {
   for (const auto& [port, let_in] : {std::pair{"1-8", "0"}, {"1-2.1", "1"}, {"usb1", "1"}}) {
@@ -201,11 +201,11 @@ TEST_F(UsbView, TellsWhichDevicesWereLetIn) {
     Write(std::string(port) + "/authorized", std::string(let_in) + "\n");
   }
   Write("1-2.1:1.0/authorized", "1\n");
-  EXPECT_EQ(hil::UsbDevices(folder_), "1-2.1 46f4:0001 1\n1-8 46f4:0001 0\n");
-  EXPECT_EQ(hil::UsbDevices(Path("missing")), "");
+  EXPECT_EQ(agent::UsbDevices(folder_), "1-2.1 46f4:0001 1\n1-8 46f4:0001 0\n");
+  EXPECT_EQ(agent::UsbDevices(Path("missing")), "");
 }
 
-using VoiceFiles = Folder;
+using VoiceFiles = PartsFolder;
 
 TEST_F(VoiceFiles, AreReadAsTheyWereWritten) {
   const auto said = sim::SayVowels(std::chrono::milliseconds(700));
@@ -236,7 +236,7 @@ TEST(Likeness, OfSilenceNoiseAndAnotherVowelIsLow) {
   EXPECT_LT(sim::Likeness(said, std::span(said).first(third)), 0.6) << "another vowel of the same voice";
 }
 
-using ReportFiles = Folder;
+using ReportFiles = PartsFolder;
 
 TEST_F(ReportFiles, HoldWhatToolsSaid) {
   Report report;
@@ -249,4 +249,4 @@ TEST_F(ReportFiles, HoldWhatToolsSaid) {
 }
 
 }  // namespace
-}  // namespace kaori::bench
+}  // namespace kaori::hil

@@ -1,5 +1,5 @@
 // The bench without a machine: what it says to one, understands of it, and reports.
-#include "hw-sim/bench/serial_witness.h"
+#include "hw-sim/hil/serial_witness.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -11,80 +11,80 @@
 #include <fstream>
 #include <sstream>
 
-#include "appliance/board/board.h"
-#include "hw-sim/bench/board_view.h"
-#include "hw-sim/bench/picture.h"
-#include "hw-sim/bench/qemu_command.h"
-#include "hw-sim/bench/report.h"
+#include "appliance/core/board/board.h"
+#include "hw-sim/hil/board_view.h"
+#include "hw-sim/hil/picture.h"
+#include "hw-sim/hil/qemu_command.h"
+#include "hw-sim/hil/report.h"
 #include "hw-sim/links/usbredir/usb_rig.h"
-#include "tests/hil/witness/deeds.h"
-#include "tests/hil/witness/first_program.h"
-#include "tests/hil/witness/sight.h"
+#include "tests/hil/agent/deeds.h"
+#include "tests/hil/agent/first_program.h"
+#include "tests/hil/agent/sight.h"
 
-namespace kaori::bench {
+namespace kaori::hil {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* kShipped =
     R"(dm-mod.create="root,,,ro,0 8 verity 1 a b" root=/dev/dm-0 rootfstype=erofs ro init=/usr/lib/systemd/systemd quiet)";
 
 TEST(BenchCommandLine, StartsTheWitnessWhichBecomesWhatTheImageNames) {
   const std::string line = BenchCommandLine(kShipped);
-  EXPECT_THAT(line, testing::StartsWith(kShipped)) << "what ships is kept; the last word of a name counts";
-  EXPECT_EQ(hil::OnCommandLine(line, "kaori.root"), "/dev/dm-0");
-  EXPECT_EQ(hil::OnCommandLine(line, "kaori.rootfstype"), "erofs");
-  EXPECT_EQ(hil::OnCommandLine(line, "kaori.init"), "/usr/lib/systemd/systemd");
-  EXPECT_LT(line.rfind("init=/usr/lib"), line.rfind("init=/usr/bin/kaori-witness"));
+  EXPECT_THAT(line, ::testing::StartsWith(kShipped)) << "what ships is kept; the last word of a name counts";
+  EXPECT_EQ(agent::OnCommandLine(line, "kaori.root"), "/dev/dm-0");
+  EXPECT_EQ(agent::OnCommandLine(line, "kaori.rootfstype"), "erofs");
+  EXPECT_EQ(agent::OnCommandLine(line, "kaori.init"), "/usr/lib/systemd/systemd");
+  EXPECT_LT(line.rfind("init=/usr/lib"), line.rfind("init=/usr/bin/kaori-hil-agent"));
 }
 
 TEST(BenchCommandLine, KnowsWhatIsUsualWhereTheImageSaysNothing) {
-  EXPECT_EQ(hil::OnCommandLine(BenchCommandLine("quiet"), "kaori.init"), "/usr/lib/systemd/systemd");
-  EXPECT_EQ(hil::OnCommandLine("quiet", "kaori.init"), "");
+  EXPECT_EQ(agent::OnCommandLine(BenchCommandLine("quiet"), "kaori.init"), "/usr/lib/systemd/systemd");
+  EXPECT_EQ(agent::OnCommandLine("quiet", "kaori.init"), "");
 }
 
 TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
   const auto command =
       QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, {}, "line", "i/kaori.disk");
   for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n)
-    EXPECT_THAT(command, testing::Contains("usb-redir,chardev=usb" + std::to_string(n) +
+    EXPECT_THAT(command, ::testing::Contains("usb-redir,chardev=usb" + std::to_string(n) +
                                            ",bus=xhci.0,port=" + std::to_string(n + 1)));
-  EXPECT_THAT(command, testing::Contains("file=i/kaori.disk,if=virtio,format=raw,snapshot=on"))
+  EXPECT_THAT(command, ::testing::Contains("file=i/kaori.disk,if=virtio,format=raw,snapshot=on"))
       << "nothing is written to it";
-  EXPECT_THAT(command, testing::Contains("file=b,if=virtio,format=raw,readonly=on"));
+  EXPECT_THAT(command, ::testing::Contains("file=b,if=virtio,format=raw,readonly=on"));
 }
 
-TEST(TakeAnswer, WaitsForAllOfIt) {
+TEST(ParseAnswer, WaitsForAllOfIt) {
   std::string waiting = "\x02OK 5\nhel";
-  EXPECT_FALSE(TakeAnswer(waiting));
+  EXPECT_FALSE(ParseAnswer(waiting));
   waiting += "lo\x02";
-  const auto answer = TakeAnswer(waiting);
+  const auto answer = ParseAnswer(waiting);
   ASSERT_TRUE(answer);
   EXPECT_TRUE(answer->yes);
   EXPECT_EQ(answer->text, "hello");
   EXPECT_EQ(waiting, "\x02") << "the next one has begun";
 }
 
-TEST(TakeAnswer, LeavesTheNoiseOfTheLine) {
+TEST(ParseAnswer, LeavesTheNoiseOfTheLine) {
   std::string waiting = "[  1.2] a word of the kernel\r\n\x02NO 3\nwhy";
-  const auto answer = TakeAnswer(waiting);
+  const auto answer = ParseAnswer(waiting);
   ASSERT_TRUE(answer);
   EXPECT_FALSE(answer->yes);
   EXPECT_EQ(answer->text, "why");
 }
 
-TEST(TakeAnswer, PassesOverAHeadThatIsTorn) {
+TEST(ParseAnswer, PassesOverAHeadThatIsTorn) {
   std::string waiting = "\x02OK 1x\n\x02OK 2\nhi";
-  const auto answer = TakeAnswer(waiting);
+  const auto answer = ParseAnswer(waiting);
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->text, "hi");
 }
 
-class Folder : public testing::Test {
+class Folder : public ::testing::Test {
  protected:
-  Folder() : folder_(testing::TempDir() + "bench-" + std::to_string(::getpid())) {
+  Folder() : folder_(::testing::TempDir() + "bench-" + std::to_string(::getpid())) {
     std::filesystem::create_directories(folder_);
   }
   ~Folder() override { std::filesystem::remove_all(folder_); }
@@ -101,13 +101,13 @@ TEST_F(WitnessSight, IsWhatTheBenchReads) {
   board::Surface surface;
   surface.counts[2] = -64;
   surface.pushes[31] = 7;
-  board->TakeWriter<board::Surface>()->Write(surface, clock.now(), board::SourceState::kLive);
-  board->TakeWriter<board::Stick>(1)->Write({.x = -0.5F, .y = 0.25F, .port = 99}, clock.now(),
+  board->AcquireWriter<board::Surface>()->Write(surface, clock.now(), board::SourceState::kLive);
+  board->AcquireWriter<board::Stick>(1)->Write({.x = -0.5F, .y = 0.25F, .port = 99}, clock.now(),
                                             board::SourceState::kStale);
   board::StageStatus stage;
   stage.frames = 12;
-  board->TakeWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
-  const auto view = ReadBoardView(hil::BoardAsJson(*board, clock));
+  board->AcquireWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
+  const auto view = ReadBoardView(agent::BoardAsJson(*board, clock));
   ASSERT_TRUE(view) << view.error().message();
   EXPECT_TRUE(view->surface_live);
   EXPECT_EQ(view->counts[2], -64);
@@ -131,15 +131,15 @@ using WitnessDeeds = Folder;
 TEST_F(WitnessDeeds, ReadFilesOfTheRoomTheyAreIn) {
   std::ofstream(Path("serial")) << "7\n";
   const UniqueFd room(::open(folder_.c_str(), O_PATH | O_DIRECTORY));
-  EXPECT_EQ(hil::ReadIn(room.get(), "/serial"), "7\n");
-  const auto missing = hil::ReadIn(room.get(), "/nothing");
+  EXPECT_EQ(agent::ReadIn(room.get(), "/serial"), "7\n");
+  const auto missing = agent::ReadIn(room.get(), "/nothing");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().cause, std::errc::no_such_file_or_directory);
 }
 
 TEST_F(WitnessDeeds, SignalNobodyWhereNobodyHasTheName) {
-  EXPECT_EQ(hil::SignalAll("no-such-program", "15"), "0");
-  EXPECT_FALSE(hil::SignalAll("no-such-program", "hard"));
+  EXPECT_EQ(agent::SignalAll("no-such-program", "15"), "0");
+  EXPECT_FALSE(agent::SignalAll("no-such-program", "hard"));
 }
 
 using Pictures = Folder;
@@ -234,7 +234,7 @@ TEST(BenchChecks, HaveNamesOfTheirOwnAndAChosenPart) {
 }
 
 TEST(BenchChecks, OfOneSetupStandTogether) {
-  std::vector<bench::Setup> setups;
+  std::vector<hil::Setup> setups;
   for (const Check& check : AllChecks())
     if (setups.empty() || setups.back() != check.setup) setups.push_back(check.setup);
   for (std::size_t n = 0; n < setups.size(); ++n)
@@ -242,8 +242,8 @@ TEST(BenchChecks, OfOneSetupStandTogether) {
 }
 
 TEST(BenchChecks, OfTheChosenPartWantTheImageAndNothingElse) {
-  for (const Check& check : AllChecks()) EXPECT_TRUE(!check.chosen || check.setup == bench::Setup{}) << check.name;
+  for (const Check& check : AllChecks()) EXPECT_TRUE(!check.chosen || check.setup == hil::Setup{}) << check.name;
 }
 
 }  // namespace
-}  // namespace kaori::bench
+}  // namespace kaori::hil

@@ -22,7 +22,7 @@ void Say(const std::string& line) {
   std::fflush(stdout);
 }
 
-bool held(const hid::KeySample& sample, std::uint8_t usage) {
+bool held(const decode::KeySample& sample, std::uint8_t usage) {
   return ((sample.keys.down[usage / 32] >> (usage % 32)) & 1u) != 0;
 }
 
@@ -94,17 +94,17 @@ void ToyStage::OpenPorts() {
 
 void ToyStage::ReadDialBox(ports::HidChannel& channel) {
   if (!dial_box_) {
-    auto decoder = hid::DialBoxDecoder::For(channel.identity());
+    auto decoder = decode::DialBoxDecoder::For(channel.identity());
     if (!decoder) return Say(decoder.error().message());
     dial_box_.emplace(std::move(*decoder));
   }
   ReadAll(channel, [&](auto report, Time at) {
-    const hid::DialSample before = dial_box_->sample();
+    const decode::DialSample before = dial_box_->sample();
     if (const auto now = dial_box_->Decode(report, at)) TellDialBox(before, *now, channel);
   });
 }
 
-void ToyStage::TellDialBox(const hid::DialSample& before, const hid::DialSample& now,
+void ToyStage::TellDialBox(const decode::DialSample& before, const decode::DialSample& now,
                            ports::HidChannel& channel) {
   for (std::size_t n = 0; n < now.counts.size(); ++n)
     if (now.counts[n] != before.counts[n]) Say(fmt::format("dial {} {}", n + 1, now.counts[n]));
@@ -118,7 +118,7 @@ void ToyStage::TellDialBox(const hid::DialSample& before, const hid::DialSample&
 void ToyStage::ReadStick(ports::HidChannel& channel) {
   const std::string& port = channel.identity().port;
   if (!sticks_.contains(port)) {
-    auto decoder = hid::JoystickDecoder::For(channel.identity());
+    auto decoder = decode::JoystickDecoder::For(channel.identity());
     if (!decoder) return Say(decoder.error().message());
     sticks_.emplace(port, std::move(*decoder));
   }
@@ -130,12 +130,12 @@ void ToyStage::ReadStick(ports::HidChannel& channel) {
 
 void ToyStage::ReadKeyboard(ports::HidChannel& channel) {
   if (!keyboard_) {
-    auto decoder = hid::KeyboardDecoder::For(channel.identity());
+    auto decoder = decode::KeyboardDecoder::For(channel.identity());
     if (!decoder) return Say(decoder.error().message());
     keyboard_.emplace(std::move(*decoder));
   }
   ReadAll(channel, [&](auto report, Time at) {
-    const hid::KeySample before = keyboard_->sample();
+    const decode::KeySample before = keyboard_->sample();
     const auto now = keyboard_->Decode(report, at);
     for (unsigned usage = 4; now && usage < 232; ++usage) {
       const auto key = static_cast<std::uint8_t>(usage);
@@ -146,7 +146,7 @@ void ToyStage::ReadKeyboard(ports::HidChannel& channel) {
 
 void ToyStage::ReadPointer(ports::HidChannel& channel) {
   if (!pointer_) {
-    auto decoder = hid::PointerDecoder::For(channel.identity());
+    auto decoder = decode::PointerDecoder::For(channel.identity());
     if (!decoder) return Say(decoder.error().message());
     pointer_.emplace(std::move(*decoder));
   }

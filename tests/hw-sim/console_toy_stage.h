@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "drivers/base/result.h"
-#include "drivers/hid/dial_box.h"
-#include "drivers/hid/joystick.h"
-#include "drivers/hid/keyboard.h"
-#include "drivers/hid/pointer.h"
+#include "drivers/decode/dial_box.h"
+#include "drivers/decode/joystick.h"
+#include "drivers/decode/keyboard.h"
+#include "drivers/decode/pointer.h"
 #include "drivers/ports/hid_channel.h"
 #include "drivers/ports/scanout.h"
 
@@ -36,17 +36,17 @@ class ToyStage {
   void ReadStick(ports::HidChannel& channel);
   void ReadKeyboard(ports::HidChannel& channel);
   void ReadPointer(ports::HidChannel& channel);
-  void TellDialBox(const hid::DialSample& before, const hid::DialSample& now, ports::HidChannel& channel);
+  void TellDialBox(const decode::DialSample& before, const decode::DialSample& now, ports::HidChannel& channel);
   void Draw();
   void DrawHand(const ports::PixelBuffer& into, std::size_t dial) const;
 
   std::string folder_;
   std::unique_ptr<ports::HidBus> bus_;
   std::map<std::string, std::unique_ptr<ports::HidChannel>> channels_;
-  std::optional<hid::DialBoxDecoder> dial_box_;
-  std::map<std::string, hid::JoystickDecoder> sticks_;
-  std::optional<hid::KeyboardDecoder> keyboard_;
-  std::optional<hid::PointerDecoder> pointer_;
+  std::optional<decode::DialBoxDecoder> dial_box_;
+  std::map<std::string, decode::JoystickDecoder> sticks_;
+  std::optional<decode::KeyboardDecoder> keyboard_;
+  std::optional<decode::PointerDecoder> pointer_;
   std::uint32_t lamps_ = 0;
   std::unique_ptr<ports::Scanout> screen_;
   std::uint64_t frame_ = 0;

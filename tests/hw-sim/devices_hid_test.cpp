@@ -19,7 +19,7 @@ class SimulatedDevices : public ::testing::Test {
     std::vector<Report> reports;
     while (const auto due = device.next_due()) {
       if (*due > clock.now()) clock.Advance(*due - clock.now());
-      auto report = device.TakeReport(clock.now());
+      auto report = device.NextReport(clock.now());
       if (!report) break;
       reports.push_back(std::move(*report));
     }
@@ -74,14 +74,14 @@ TEST_F(SimulatedDevices, AButtonThatGoesDownAndUpAtOnceMakesTwoReportsAMilliseco
   box.HostCame();
   box.Push(8);
   box.Release(8);
-  const auto first = box.TakeReport(clock.now());
+  const auto first = box.NextReport(clock.now());
   ASSERT_TRUE(first);
   EXPECT_EQ(Box(*first).buttons_down, 1u << 8);
-  EXPECT_FALSE(box.TakeReport(clock.now()));
+  EXPECT_FALSE(box.NextReport(clock.now()));
   clock.Advance(999us);
-  EXPECT_FALSE(box.TakeReport(clock.now()));
+  EXPECT_FALSE(box.NextReport(clock.now()));
   clock.Advance(1us);
-  const auto second = box.TakeReport(clock.now());
+  const auto second = box.NextReport(clock.now());
   ASSERT_TRUE(second);
   EXPECT_EQ(Box(*second).buttons_down, 0u);
 }
@@ -126,10 +126,10 @@ TEST_F(SimulatedDevices, NumbersThatNoHandCanDoAreIgnored) {
 
 TEST_F(SimulatedDevices, LampsAreWhatTheLastOutputReportSaid) {
   DialBox box(bench);
-  box.TakeOutput(std::array<std::uint8_t, 5>{0, 0x01, 0, 0, 0x80});
+  box.HandleOutput(std::array<std::uint8_t, 5>{0, 0x01, 0, 0, 0x80});
   EXPECT_EQ(box.lamps(), 0x80000001u);
-  box.TakeOutput(std::array<std::uint8_t, 3>{0, 0xFF, 0xFF});           // Short,
-  box.TakeOutput(std::array<std::uint8_t, 5>{9, 0xFF, 0xFF, 0xFF, 0});  // and of another report id.
+  box.HandleOutput(std::array<std::uint8_t, 3>{0, 0xFF, 0xFF});           // Short,
+  box.HandleOutput(std::array<std::uint8_t, 5>{9, 0xFF, 0xFF, 0xFF, 0});  // and of another report id.
   EXPECT_EQ(box.lamps(), 0x80000001u);
   box.PowerCycle();
   EXPECT_EQ(box.lamps(), 0u);
@@ -137,10 +137,10 @@ TEST_F(SimulatedDevices, LampsAreWhatTheLastOutputReportSaid) {
 
 TEST_F(SimulatedDevices, AKeyboardsLightsAreWhatTheLastOutputReportSaid) {
   Keyboard keyboard(bench);
-  keyboard.TakeOutput(std::array<std::uint8_t, 2>{0, 0xE2});
+  keyboard.HandleOutput(std::array<std::uint8_t, 2>{0, 0xE2});
   EXPECT_EQ(keyboard.lights(), 0x02u) << "caps lock, and no padding";
-  keyboard.TakeOutput(std::array<std::uint8_t, 1>{0});
-  keyboard.TakeOutput(std::array<std::uint8_t, 2>{7, 0x01});
+  keyboard.HandleOutput(std::array<std::uint8_t, 1>{0});
+  keyboard.HandleOutput(std::array<std::uint8_t, 2>{7, 0x01});
   EXPECT_EQ(keyboard.lights(), 0x02u);
   keyboard.PowerCycle();
   EXPECT_EQ(keyboard.lights(), 0u);

@@ -17,7 +17,7 @@ class SimulatedPointer : public ::testing::Test {
     std::vector<wire::PointerReport> reports;
     while (const auto due = pointer.next_due()) {
       if (*due > clock.now()) clock.Advance(*due - clock.now());
-      const auto report = pointer.TakeReport(clock.now());
+      const auto report = pointer.NextReport(clock.now());
       if (!report || report->size() != wire::kPointerReportBytes) break;
       reports.push_back(
           wire::DecodePointer(std::span<const std::uint8_t, wire::kPointerReportBytes>(*report)));

@@ -20,9 +20,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class Gadget : public testing::Test {
+class Gadget : public ::testing::Test {
  protected:
-  Gadget() : folder_(testing::TempDir() + "gadget-" + std::to_string(::getpid())) {
+  Gadget() : folder_(::testing::TempDir() + "gadget-" + std::to_string(::getpid())) {
     std::filesystem::create_directories(folder_ + "/gadgets/box/functions/hid.0");
     std::filesystem::create_directories(folder_ + "/dev");
     std::ofstream(folder_ + "/gadgets/box/functions/hid.0/dev") << "237:4\n";
@@ -39,7 +39,7 @@ class Gadget : public testing::Test {
 
   Result<HidGadget> Make() {
     return HidGadget::Make({folder_ + "/gadgets", folder_ + "/dev"}, "box",
-                           instruments_.dial_box.nameplate());
+                           instruments_.dial_box.device_name());
   }
   std::string Said(const std::string& file) const {
     std::ostringstream text;
@@ -98,9 +98,9 @@ TEST_F(Gadget, IsPulledByItsCable) {
 }
 
 TEST_F(Gadget, NamesTheFolderThatAKernelWithoutGadgetsLacks) {
-  const auto made = HidGadget::Make({"/proc/no-gadgets", "/dev"}, "box", instruments_.dial_box.nameplate());
+  const auto made = HidGadget::Make({"/proc/no-gadgets", "/dev"}, "box", instruments_.dial_box.device_name());
   ASSERT_FALSE(made);
-  EXPECT_THAT(made.error().message(), testing::HasSubstr("/proc/no-gadgets/box"));
+  EXPECT_THAT(made.error().message(), ::testing::HasSubstr("/proc/no-gadgets/box"));
 }
 
 }  // namespace

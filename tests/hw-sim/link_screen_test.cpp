@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kPeriod = 16'666'667ns;
+constexpr Duration kScreenPeriod = 16'666'667ns;
 
 class LinkScreen : public LinkBench {
  protected:
@@ -54,14 +54,14 @@ TEST_F(LinkScreen, FlipsAtTheVerticalBlankAndSaysWhen) {
     PresentGrey(n, static_cast<std::uint8_t>(n));
     EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::resource_unavailable_try_again);
     EXPECT_EQ(screen->Acquire().error().cause, std::errc::resource_unavailable_try_again);
-    Step(kPeriod - 3ms - 1ns);
+    Step(kScreenPeriod - 3ms - 1ns);
     EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::resource_unavailable_try_again);
     Step(1ns);
     const auto flip = screen->ReadFlip();
     ASSERT_TRUE(flip) << flip.error().message();
-    EXPECT_EQ(flip->at, start + static_cast<std::int64_t>(n) * kPeriod);
+    EXPECT_EQ(flip->at, start + static_cast<std::int64_t>(n) * kScreenPeriod);
     EXPECT_EQ(flip->frame, n);
-    EXPECT_EQ(flip->period, kPeriod);
+    EXPECT_EQ(flip->period, kScreenPeriod);
   }
   EXPECT_EQ(rig->screen().frames_shown(), 10u);
 }
@@ -70,7 +70,7 @@ TEST_F(LinkScreen, ShowsThePixelsThatWereDrawn) {
   EXPECT_FALSE(rig->screen().latest());
   PresentGrey(7, 0xAB);
   EXPECT_FALSE(rig->screen().latest());
-  Step(kPeriod);
+  Step(kScreenPeriod);
   const auto shown = rig->screen().latest();
   ASSERT_TRUE(shown);
   EXPECT_EQ(shown->frame, 7u);
@@ -82,7 +82,7 @@ TEST_F(LinkScreen, ShowsThePixelsThatWereDrawn) {
 
 TEST_F(LinkScreen, DrawingDoesNotTouchThePictureThatStands) {
   PresentGrey(1, 0x11);
-  Step(kPeriod);
+  Step(kScreenPeriod);
   ASSERT_TRUE(screen->ReadFlip());
   std::ranges::fill(screen->Acquire()->bytes, 0x22);
   rig->Pump();
@@ -91,29 +91,29 @@ TEST_F(LinkScreen, DrawingDoesNotTouchThePictureThatStands) {
 
 TEST_F(LinkScreen, TheLastPictureStandsWhileTheProgramIsRestarted) {
   PresentGrey(1, 0x33);
-  Step(kPeriod);
+  Step(kScreenPeriod);
   screen.reset();
-  Step(kPeriod);
+  Step(kScreenPeriod);
   EXPECT_EQ(rig->screen().latest()->rgbx[100], 0x33);
   Reopen();
   std::ranges::fill(screen->Acquire()->bytes, 0x44);
-  Step(kPeriod);
+  Step(kScreenPeriod);
   EXPECT_EQ(rig->screen().latest()->rgbx[100], 0x33);
   PresentGrey(1, 0x44);
-  Step(kPeriod);
+  Step(kScreenPeriod);
   EXPECT_EQ(rig->screen().latest()->rgbx[100], 0x44);
 }
 
 TEST_F(LinkScreen, AProgramThatDiesBeforeItsFlipShowsNothing) {
   PresentGrey(1, 0x55);
   screen.reset();
-  Step(kPeriod);
+  Step(kScreenPeriod);
   EXPECT_FALSE(rig->screen().latest());
 }
 
 TEST_F(LinkScreen, ANewModeIsForTheProgramToOpenAnew) {
   PresentGrey(1, 0x66);
-  Step(kPeriod);
+  Step(kScreenPeriod);
   rig->screen().SetMode({128, 72, 20ms});
   rig->Pump();
   ASSERT_TRUE(screen->ReadFlip());  // What was shown before is still told,
@@ -128,7 +128,7 @@ TEST_F(LinkScreen, ANewModeIsForTheProgramToOpenAnew) {
 
 TEST_F(LinkScreen, APulledCableDarkensTheScreen) {
   PresentGrey(1, 0x77);
-  Step(kPeriod);
+  Step(kScreenPeriod);
   ASSERT_TRUE(rig->Unplug("screen"));
   EXPECT_FALSE(rig->screen().latest());
   ASSERT_TRUE(screen->ReadFlip());
@@ -141,15 +141,15 @@ TEST_F(LinkScreen, APulledCableDarkensTheScreen) {
 
 TEST_F(LinkScreen, ALateSimulatorShowsAtTheLastBlankThatPassed) {
   PresentGrey(1, 1);
-  Step(3 * kPeriod + 2ms);
-  EXPECT_EQ(screen->ReadFlip()->at, start + 3 * kPeriod);
+  Step(3 * kScreenPeriod + 2ms);
+  EXPECT_EQ(screen->ReadFlip()->at, start + 3 * kScreenPeriod);
 }
 
 TEST_F(LinkScreen, TellsWhenItNeedsThePumpNext) {
   EXPECT_GT(rig->next_due(), start + 1h);  // Nothing waits; the camera has no driver.
   clock.Advance(1ms);
   PresentGrey(1, 1);
-  EXPECT_EQ(rig->next_due(), start + kPeriod);
+  EXPECT_EQ(rig->next_due(), start + kScreenPeriod);
 }
 
 }  // namespace

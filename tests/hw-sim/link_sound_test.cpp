@@ -121,7 +121,7 @@ TEST_F(SoundLink, TheLoudspeakerPlaysWhatItIsGivenAndTheDriverKnowsWhen) {
     Step(5ms);
   }
   Time heard{};
-  for (const auto& block : rig->loudspeaker().TakeHeard())
+  for (const auto& block : rig->loudspeaker().DrainHeard())
     for (std::size_t n = 0; n < block.samples.size() && heard == Time{}; n += 2)
       if (block.samples[n] == 8000)
         heard = block.at + FromSeconds(block.frame_s * static_cast<double>(n / 2));

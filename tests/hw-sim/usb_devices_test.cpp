@@ -17,7 +17,7 @@ namespace kaori::sim {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 constexpr Duration kPeriod = 33'333'300ns;
 
@@ -101,7 +101,7 @@ struct Viewer {
   bool ends = false;
 
   void Watch(Time now) {
-    while (const auto transfer = camera.TakeIn(UvcCamera::kIn, room, now)) Take(*transfer);
+    while (const auto transfer = camera.NextIn(UvcCamera::kIn, room, now)) Take(*transfer);
   }
   void Take(std::span<const std::uint8_t> transfer) {
     auto data = transfer;
@@ -168,7 +168,7 @@ TEST(UvcCamera, DoesNotCatchUpWithWhatWasNotFetched) {
 TEST(UvcCamera, StartsAnewWhenTheHostEndedTheStream) {
   Desk desk;
   UvcCamera camera(desk.instruments.camera, kPeriod);
-  ASSERT_TRUE(camera.TakeIn(UvcCamera::kIn, 512, desk.clock.now()));
+  ASSERT_TRUE(camera.NextIn(UvcCamera::kIn, 512, desk.clock.now()));
   ASSERT_TRUE(camera.Answer({0x02, 0x01, 0, UvcCamera::kIn, 0}, {}));
   Viewer viewer{camera};
   viewer.Watch(desk.clock.now());
@@ -179,7 +179,7 @@ TEST(UvcCamera, SendsNothingWhileItStalls) {
   Desk desk;
   UvcCamera camera(desk.instruments.camera, kPeriod);
   desk.instruments.camera.Stall(true);
-  EXPECT_FALSE(camera.TakeIn(UvcCamera::kIn, 512, desk.clock.now()));
+  EXPECT_FALSE(camera.NextIn(UvcCamera::kIn, 512, desk.clock.now()));
   EXPECT_FALSE(camera.next_due(desk.clock.now()));
 }
 

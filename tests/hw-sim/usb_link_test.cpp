@@ -16,11 +16,11 @@ namespace kaori::sim {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
-class UsbLink : public testing::Test {
+class UsbLink : public ::testing::Test {
  protected:
-  UsbLink() : folder_(testing::TempDir() + "usb-link-" + std::to_string(::getpid())) {
+  UsbLink() : folder_(::testing::TempDir() + "usb-link-" + std::to_string(::getpid())) {
     std::filesystem::create_directories(folder_);
     rig_ = std::move(*UsbRig::Open(folder_, clock_));
   }
@@ -112,7 +112,7 @@ TEST_F(UsbLink, GivesTheReportDescriptorThatTheFirmwareHas) {
   const auto& answer = machine.answers.at(id);
   EXPECT_EQ(answer.status, usb_redir_success);
   EXPECT_EQ(answer.length, wire::kStickPodDescriptor.size());
-  EXPECT_THAT(answer.data, testing::ElementsAreArray(wire::kStickPodDescriptor));
+  EXPECT_THAT(answer.data, ::testing::ElementsAreArray(wire::kStickPodDescriptor));
 }
 
 TEST_F(UsbLink, CutsAnAnswerToWhatWasAskedFor) {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "appliance/atelier/sculpt/sculpt.h"
+#include "appliance/authoring/sculpt/sculpt.h"
 
 namespace kaori::testing {
 namespace {

@@ -20,7 +20,7 @@ using face::Detail;
 using face::Shape;
 using face::Weights;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kComposerNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Weights Wearing(std::uint16_t face, std::uint16_t expression) {
@@ -93,13 +93,13 @@ TEST(Composer, LeavesOutWeightsThatAreNoNumbersOrNameNothing) {
   const Cast cast = MakeSyntheticCast();
   Composer composer(cast);
   Weights spoiled = Wearing(1, 2);
-  spoiled.faces.Push(2, kNan);
+  spoiled.faces.Push(2, kComposerNan);
   spoiled.faces.Push(9999, 1);
   spoiled.expressions.Push(1, kInfinity);
   spoiled.expressions.Push(9999, 1);
   spoiled.channels.Push(4, -kInfinity);
-  spoiled.mouth_given_away = kNan;
-  spoiled.lids_shut = {kNan, kInfinity};
+  spoiled.mouth_given_away = kComposerNan;
+  spoiled.lids_shut = {kComposerNan, kInfinity};
   EXPECT_EQ(Cage(composer, spoiled), Cage(composer, Wearing(1, 2)));
 }
 

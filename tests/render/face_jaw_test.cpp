@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "appliance/atelier/inspect/folds.h"
-#include "appliance/atelier/inspect/lid_gaps.h"
-#include "appliance/atelier/inspect/skin.h"
+#include "appliance/authoring/inspect/folds.h"
+#include "appliance/authoring/inspect/lid_gaps.h"
+#include "appliance/authoring/inspect/skin.h"
 #include "render/face/composer.h"
 #include "tests/render/default_cast.h"
 #include "tests/render/synthetic_cast.h"

@@ -32,7 +32,7 @@ Box InkOf(const Picture& picture) {
   return ink;
 }
 
-class Text : public testing::Test {
+class Text : public ::testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(opened_) << opened_.error().message(); }
 

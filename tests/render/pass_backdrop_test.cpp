@@ -14,8 +14,8 @@ using testing::Difference;
 using testing::PassStudio;
 using testing::Picture;
 
-constexpr int kWidth_px = 160;
-constexpr int kHeight_px = 90;
+constexpr int kBackdropWidth_px = 160;
+constexpr int kBackdropHeight_px = 90;
 
 scene::Backdrop Drop(int kind) {
   return {{0.30F, 0.24F, 0.20F}, {0.10F, 0.07F, 0.12F}, static_cast<BackdropKind>(kind), {1, 0.8F, 0.5F}, 0};
@@ -29,8 +29,8 @@ scene::Scene Empty(int kind) {
   return scene;
 }
 
-Picture Draw(const scene::Scene& scene) {
-  return PassStudio::Shared().Draw(scene, kWidth_px, kHeight_px);
+Picture BackdropDraw(const scene::Scene& scene) {
+  return PassStudio::Shared().Draw(scene, kBackdropWidth_px, kBackdropHeight_px);
 }
 
 double Mean(const Picture& picture) {
@@ -42,7 +42,7 @@ double Mean(const Picture& picture) {
 TEST(Backdrop, IsAPictureOfItsOwnForEachKind) {
   std::vector<Picture> drawn;
   for (int kind = 0; kind < scene::kBackdropKindCount; ++kind) {
-    drawn.push_back(Draw(Empty(kind)));
+    drawn.push_back(BackdropDraw(Empty(kind)));
     EXPECT_GT(Mean(drawn.back()), 10) << kind;
     for (int other = 0; other < kind; ++other)
       EXPECT_GT(Difference(drawn.back(), drawn[static_cast<std::size_t>(other)]), 2) << kind << ", " << other;
@@ -53,7 +53,7 @@ TEST(Backdrop, IsBlackWithoutLight) {
   for (int kind = 0; kind < scene::kBackdropKindCount; ++kind) {
     scene::Scene scene = Empty(kind);
     scene.light.exposure = 0;
-    EXPECT_EQ(Mean(Draw(scene)), 0) << kind;
+    EXPECT_EQ(Mean(BackdropDraw(scene)), 0) << kind;
   }
 }
 
@@ -63,7 +63,7 @@ TEST(Backdrop, FadesIntoTheNextWithoutADip) {
   std::vector<double> means;
   for (const float weight : {0.0F, 0.25F, 0.5F, 0.75F, 1.0F}) {
     scene.fading[1].weight = weight;
-    means.push_back(Mean(Draw(scene)));
+    means.push_back(Mean(BackdropDraw(scene)));
   }
   const double step = (means.back() - means.front()) / 4;
   ASSERT_GT(std::abs(step), 0.5) << "the two look alike";
@@ -74,14 +74,14 @@ TEST(Backdrop, FadesIntoTheNextWithoutADip) {
 TEST(Backdrop, IsThatOfFourWhenFourFade) {
   scene::Scene scene = Empty(static_cast<int>(BackdropKind::kRays));
   for (int i = 0; i < 3; ++i) scene.fading[static_cast<std::size_t>(i)] = {Drop(i + 1), 0.25F};
-  double mean = Mean(Draw(Empty(static_cast<int>(BackdropKind::kRays)))) / 4;
-  for (int i = 0; i < 3; ++i) mean += Mean(Draw(Empty(i + 1))) / 4;
-  EXPECT_NEAR(Mean(Draw(scene)), mean, 6);
+  double mean = Mean(BackdropDraw(Empty(static_cast<int>(BackdropKind::kRays)))) / 4;
+  for (int i = 0; i < 3; ++i) mean += Mean(BackdropDraw(Empty(i + 1))) / 4;
+  EXPECT_NEAR(Mean(BackdropDraw(scene)), mean, 6);
 }
 
 TEST(Backdrop, StandsStillAndComesBackAsItWas) {
   PassStudio& studio = PassStudio::Shared();
-  const auto canvas = gl::Canvas::Make({.width_px = kWidth_px, .height_px = kHeight_px});
+  const auto canvas = gl::Canvas::Make({.width_px = kBackdropWidth_px, .height_px = kBackdropHeight_px});
   ASSERT_TRUE(canvas) << canvas.error().message();
   scene::Scene scene = testing::PlainScene(scene::Style::kSoft);
   scene.backdrop = Drop(static_cast<int>(BackdropKind::kKitchen));
@@ -104,19 +104,19 @@ TEST(Backdrop, CoversAStageOfAnyShape) {
 
 TEST(Backdrop, ShowsAPictureOfTheShow) {
   scene::Scene scene = Empty(static_cast<int>(BackdropKind::kPicture));
-  const Picture picture = Draw(scene);  // The studio's first texture is one colour.
-  const std::uint8_t* middle = picture.at(kWidth_px / 2, kHeight_px / 2);
+  const Picture picture = BackdropDraw(scene);  // The studio's first texture is one colour.
+  const std::uint8_t* middle = picture.at(kBackdropWidth_px / 2, kBackdropHeight_px / 2);
   EXPECT_NEAR(middle[0], 230, 3);
   EXPECT_NEAR(middle[1], 190, 3);
   EXPECT_NEAR(middle[2], 170, 3);
 }
 
 TEST(Backdrop, IsPlainWhereThePictureIsNotThere) {
-  const Picture plain = Draw(Empty(static_cast<int>(BackdropKind::kGradient)));
+  const Picture plain = BackdropDraw(Empty(static_cast<int>(BackdropKind::kGradient)));
   for (const int picture : {-1, 99}) {
     scene::Scene scene = Empty(static_cast<int>(BackdropKind::kPicture));
     scene.backdrop.picture = picture;
-    EXPECT_LT(Difference(Draw(scene), plain), 0.5) << picture;
+    EXPECT_LT(Difference(BackdropDraw(scene), plain), 0.5) << picture;
   }
 }
 

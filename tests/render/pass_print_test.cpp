@@ -13,8 +13,8 @@ using testing::Difference;
 using testing::PassStudio;
 using testing::Picture;
 
-constexpr int kWidth_px = 400;
-constexpr int kHeight_px = 300;
+constexpr int kPrintWidth_px = 400;
+constexpr int kPrintHeight_px = 300;
 
 // The studio's cast, its first face printed by so much.
 class Press {
@@ -27,10 +27,10 @@ class Press {
   }
 
   Picture Draw(const scene::Scene& scene) {
-    const auto canvas = gl::Canvas::Make({.width_px = kWidth_px, .height_px = kHeight_px});
+    const auto canvas = gl::Canvas::Make({.width_px = kPrintWidth_px, .height_px = kPrintHeight_px});
     EXPECT_TRUE(canvas) << canvas.error().message();
-    Picture picture{kWidth_px, kHeight_px, {}};
-    picture.bytes.resize(std::size_t{kWidth_px} * kHeight_px * 4);
+    Picture picture{kPrintWidth_px, kPrintHeight_px, {}};
+    picture.bytes.resize(std::size_t{kPrintWidth_px} * kPrintHeight_px * 4);
     painter_->Draw(scene, *canvas);
     canvas->ReadPixels(picture.bytes);
     return picture;

@@ -17,17 +17,17 @@ HEADER = "// A header that says what it is for.\n#pragma once\n"
 # (file, what it includes, a part of the rule that must be named)
 AGAINST = (
     ("firmware/wire/a.h", '"drivers/base/result.h"', "firmware/wire/ may include only"),
-    ("firmware/surface/a.cpp", '"drivers/base/clock.h"', "firmware/surface/ may include only"),
     ("firmware/wire/a.h", "<vector>", "freestanding"),
-    ("firmware/surface/a.cpp", "<unistd.h>", "freestanding"),
+    ("firmware/wire/a.cpp", "<unistd.h>", "freestanding"),
     ("drivers/base/a.h", '"drivers/ports/camera.h"', "drivers/base/ may include only"),
-    ("drivers/ports/a.h", '"drivers/hid/keyboard.h"', "drivers/ports/ may include only"),
+    ("drivers/ports/a.h", '"drivers/decode/keyboard.h"', "drivers/ports/ may include only"),
     ("drivers/hid/a.cpp", '"drivers/gpio/lines.h"', "drivers/hid/ may include only"),
-    ("drivers/gpio/a.cpp", '"drivers/hid/keyboard.h"', "drivers/gpio/ may include only"),
+    ("drivers/decode/a.cpp", '"drivers/hid/local_bus.h"', "drivers/decode/ may include only"),
+    ("drivers/gpio/a.cpp", '"drivers/hid/local_bus.h"', "drivers/gpio/ may include only"),
     ("drivers/camera/a.cpp", '"drivers/scanout/kms.h"', "drivers/camera/ may include only"),
     ("drivers/audio/a.cpp", '"drivers/camera/v4l2.h"', "drivers/audio/ may include only"),
     ("drivers/scanout/a.cpp", '"render/scene/scene.h"', "drivers/scanout/ may include only"),
-    ("drivers/hid/a.cpp", '"appliance/board/board.h"', "drivers/hid/ may include only"),
+    ("drivers/hid/a.cpp", '"appliance/core/board/board.h"', "drivers/hid/ may include only"),
     ("drivers/hid/a.cpp", '"hw-sim/devices/dial_box.h"', "nothing of the product includes hw-sim"),
     ("render/face/a.h", '"render/scene/scene.h"', "render/face/ may include only"),
     ("render/scene/a.h", '"render/gl/shader.h"', "render/scene/ may include only"),
@@ -35,50 +35,56 @@ AGAINST = (
     ("render/gl/a.cpp", '"render/passes/body.h"', "render/gl/ may include only"),
     ("render/passes/a.cpp", '"drivers/ports/scanout.h"', "render/passes/ may include only"),
     ("drivers/web/a.cpp", '"drivers/ports/camera.h"', "drivers/web/ may include only"),
-    ("appliance/desk/a.cpp", '"appliance/lips/lip_reader.h"', "appliance/desk/ may include only"),
+    ("appliance/programs/desk/a.cpp", '"appliance/programs/lips/lip_reader.h"', "appliance/programs/desk/ may include only"),
     ("render/passes/a.cpp", '"drivers/scanout/kms.h"', "render/passes/ may include only"),
-    ("render/passes/a.cpp", '"appliance/show/show.h"', "render/passes/ may include only"),
-    ("render/wall/a.cpp", '"render/passes/body.h"', "render/wall/ may include only"),
-    ("appliance/board/a.h", '"render/scene/scene.h"', "appliance/board/ may include only"),
-    ("appliance/show/a.h", '"appliance/board/board.h"', "appliance/show/ may include only"),
-    ("appliance/performance/a.h", '"drivers/ports/hid_channel.h"', "appliance/performance/ may include only"),
-    ("appliance/atelier/a.h", '"appliance/input/input.h"', "appliance/atelier/ may include only"),
-    ("appliance/input/a.h", '"drivers/hid/local_bus.h"', "only a program's main.cpp names a driver"),
-    ("render/passes/a.h", '"drivers/hid/dial_box.h"', "render/passes/ may include only"),
-    ("appliance/stage/a.cpp", '"appliance/input/input.h"', "appliance/stage/ may include only"),
-    ("appliance/stage/a.cpp", '"drivers/scanout/kms.h"', "only a program's main.cpp names a driver"),
-    ("appliance/stage/main.cpp", '"hw-sim/devices/screen.h"', "nothing of the product includes hw-sim"),
-    ("hw-sim/devices/a.cpp", '"drivers/hid/dial_box.h"', "hw-sim/ may include only"),
-    ("hw-sim/console/a.cpp", '"appliance/show/show.h"', "hw-sim/ may include only"),
-    ("hw-sim/devices/a.cpp", '"hw-sim/rehearsal/film.h"', "hw-sim/ may include only"),
-    ("appliance/stage/a.cpp", '"stage.h"', "starts at the root"),
-    ("appliance/stage/a.cpp", '"appliance/stage/../../hw-sim/devices/screen.h"', "starts at the root"),
+    ("render/passes/a.cpp", '"appliance/core/show/show.h"', "render/passes/ may include only"),
+    ("appliance/core/board/a.h", '"render/scene/scene.h"', "appliance/core/board/ may include only"),
+    ("appliance/core/show/a.h", '"appliance/core/board/board.h"', "appliance/core/show/ may include only"),
+    ("appliance/core/performance/a.h", '"drivers/ports/hid_channel.h"', "appliance/core/performance/ may include only"),
+    ("appliance/authoring/a.h", '"appliance/programs/input/input.h"', "appliance/authoring/ may include only"),
+    ("appliance/programs/input/a.h", '"drivers/hid/local_bus.h"', "only a program's main.cpp names a driver"),
+    ("render/passes/a.h", '"drivers/decode/dial_box.h"', "render/passes/ may include only"),
+    ("appliance/programs/boot/a.h", '"appliance/core/board/board.h"', "appliance/programs/boot/ may include only"),
+    ("appliance/programs/fdkeeper/a.h", '"drivers/ports/camera.h"', "appliance/programs/fdkeeper/ may include only"),
+    ("appliance/programs/editor/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/editor/ may include only"),
+    ("appliance/programs/status/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/status/ may include only"),
+    ("appliance/programs/lips/a.h", '"appliance/programs/input/input.h"', "appliance/programs/lips/ may include only"),
+    ("appliance/programs/stage/a.cpp", '"appliance/programs/input/input.h"', "appliance/programs/stage/ may include only"),
+    ("appliance/programs/stage/a.cpp", '"drivers/scanout/kms.h"', "only a program's main.cpp names a driver"),
+    ("appliance/programs/stage/main.cpp", '"hw-sim/devices/screen.h"', "nothing of the product includes hw-sim"),
+    ("hw-sim/devices/a.cpp", '"drivers/decode/dial_box.h"', "hw-sim/devices/ may include only"),
+    ("hw-sim/console/a.cpp", '"appliance/core/show/show.h"', "hw-sim/console/ may include only"),
+    ("hw-sim/devices/a.cpp", '"hw-sim/rehearsal/film.h"', "hw-sim/devices/ may include only"),
+    ("hw-sim/links/a.cpp", '"hw-sim/scenario/player.h"', "hw-sim/links/ may include only"),
+    ("hw-sim/scenario/a.cpp", '"hw-sim/console/console.h"', "hw-sim/scenario/ may include only"),
+    ("hw-sim/hil/a.cpp", '"hw-sim/rehearsal/film.h"', "hw-sim/hil/ may include only"),
+    ("hw-sim/main.cpp", '"appliance/core/board/board.h"', "hw-sim/main.cpp may include only"),
+    ("appliance/programs/stage/a.cpp", '"stage.h"', "starts at the root"),
+    ("appliance/programs/stage/a.cpp", '"appliance/programs/stage/../../hw-sim/devices/screen.h"', "starts at the root"),
     ("render/passes/a.cpp", "<GLES3/gl3.h>", "only render/gl/ includes"),
-    ("appliance/stage/a.cpp", "<EGL/egl.h>", "only render/gl/ includes"),
-    ("appliance/input/a.cpp", "<gpiod.h>", "only drivers/gpio/ includes"),
-    ("appliance/input/a.cpp", "<libusb-1.0/libusb.h>", "only drivers/hid/ includes"),
-    ("appliance/lips/a.cpp", "<linux/videodev2.h>", "only drivers/camera/ includes"),
-    ("appliance/stage/a.cpp", "<xf86drmMode.h>", "only drivers/scanout/, render/gl/, firmware/boot/ includes"),
-    ("appliance/input/a.cpp", "<alsa/asoundlib.h>", "only drivers/audio/, appliance/desk/ includes"),
-    ("appliance/show/a.cpp", "<toml++/toml.h>", "includes <toml++/"),
-    ("render/face/a.cpp", "<libqhull_r/libqhull_r.h>", "only appliance/atelier/, tools/ includes"),
-    ("render/gl/a.cpp", "<meshoptimizer.h>", "only appliance/atelier/, tools/ includes"),
-    ("appliance/stage/a.cpp", "<microhttpd.h>", "only drivers/web/ includes"),
-    ("appliance/lips/a.cpp", "<gnutls/x509.h>", "only appliance/desk/ includes"),
-    ("appliance/stage/a.cpp", "<nlohmann/json.hpp>", "includes <nlohmann/"),
+    ("appliance/programs/stage/a.cpp", "<EGL/egl.h>", "only render/gl/ includes"),
+    ("appliance/programs/input/a.cpp", "<gpiod.h>", "only drivers/gpio/ includes"),
+    ("appliance/programs/input/a.cpp", "<libusb-1.0/libusb.h>", "only drivers/hid/ includes"),
+    ("appliance/programs/lips/a.cpp", "<linux/videodev2.h>", "only drivers/camera/ includes"),
+    ("appliance/programs/stage/a.cpp", "<xf86drmMode.h>", "only drivers/scanout/, render/gl/, appliance/programs/boot/ includes"),
+    ("appliance/programs/input/a.cpp", "<alsa/asoundlib.h>", "only drivers/audio/, appliance/programs/desk/ includes"),
+    ("appliance/core/show/a.cpp", "<toml++/toml.h>", "includes <toml++/"),
+    ("render/face/a.cpp", "<libqhull_r/libqhull_r.h>", "only appliance/authoring/ includes"),
+    ("render/gl/a.cpp", "<meshoptimizer.h>", "only appliance/authoring/ includes"),
+    ("appliance/programs/stage/a.cpp", "<microhttpd.h>", "only drivers/web/ includes"),
+    ("appliance/programs/lips/a.cpp", "<gnutls/x509.h>", "only appliance/programs/desk/ includes"),
+    ("appliance/programs/stage/a.cpp", "<nlohmann/json.hpp>", "includes <nlohmann/"),
     ("hw-sim/devices/a.cpp", "<usbredirparser.h>", "only hw-sim/links/ includes"),
-    ("firmware/boot/a.c", "<pico/stdlib.h>", "only firmware/rp2040/ includes"),
 )
 
 ALONG = (
-    ("firmware/surface/a.cpp", '"firmware/wire/surface.h"'),
     ("drivers/hid/a.cpp", '"firmware/wire/link.h"'),
     ("drivers/hid/a.cpp", '"drivers/hid/descriptor.h"'),
     ("render/gl/a.cpp", "<EGL/egl.h>"),
-    ("appliance/stage/main.cpp", '"drivers/scanout/local.h"'),
-    ("appliance/atelier/a.cpp", "<toml++/toml.h>"),
-    ("appliance/input/a.h", '"drivers/hid/dial_box.h"'),
-    ("hw-sim/rehearsal/a.cpp", '"appliance/stage/stage.h"'),
+    ("appliance/programs/stage/main.cpp", '"drivers/scanout/local.h"'),
+    ("appliance/authoring/a.cpp", "<toml++/toml.h>"),
+    ("appliance/programs/input/a.h", '"drivers/decode/dial_box.h"'),
+    ("hw-sim/rehearsal/a.cpp", '"appliance/programs/stage/stage.h"'),
     ("tests/system/a.cpp", '"hw-sim/rehearsal/film.h"'),
 )
 
@@ -137,15 +143,18 @@ class Direction(unittest.TestCase):
             self.assertRaises(SystemExit, lambda: list(direction.sources(pathlib.Path(folder))))
 
 
-class PureDecoders(unittest.TestCase):
-    def test_make_no_system_call(self):
-        root = pathlib.Path(__file__).parents[2]
-        for header in table.PURE_DECODERS:
-            for path in (header, header.replace(".h", ".cpp")):
-                if not (root / path).exists():
-                    self.assertTrue(path.endswith(".cpp"), f"{path} is not there")
-                    continue
-                found = [i.target for i in direction.includes(path, root / path)]
+class Rooms(unittest.TestCase):
+    ROOT = pathlib.Path(__file__).parents[2]
+
+    def test_of_the_table_are_all_there(self):
+        rooms = {room for row in table.MAY_INCLUDE for room in (row[0], *row[1])}
+        rooms |= {room for _, rooms in table.LIBRARIES for room in rooms}
+        self.assertEqual([room for room in sorted(rooms) if not (self.ROOT / room).exists()], [])
+
+    def test_of_bytes_to_values_call_no_system(self):
+        for path, file in direction.sources(self.ROOT):
+            if path.startswith(table.PURE_ROOMS):
+                found = [i.target for i in direction.includes(path, file)]
                 self.assertFalse([t for t in found if t.startswith(table.SYSTEM_HEADERS)], path)
 
 

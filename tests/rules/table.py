@@ -4,73 +4,78 @@ SOURCE_ROOMS = ("firmware", "drivers", "render", "appliance", "hw-sim", "tests")
 SOURCE_SUFFIXES = (".h", ".hpp", ".c", ".cc", ".cpp")
 
 _BASE = ("firmware/wire/", "drivers/base/")
-_DRIVER = _BASE + ("drivers/ports/",)
+_PORTS = _BASE + ("drivers/ports/",)
+_DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_PLAY = _DRIVER + ("render/", "appliance/board/", "appliance/show/", "appliance/performance/")
-_SIMULATOR = _DRIVER + ("firmware/surface/", "hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/",
-                        "hw-sim/console/", "drivers/web/")
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "show", "performance"))
+_PROGRAM = _DECODE + ("render/",) + _CORE
+_SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
 CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "gpio", "camera", "audio", "scanout"))
 
-# (room, what it may include besides itself). The first row whose room begins the path counts.
+# (room, what it may include besides itself). The first row whose room begins the path counts. Every room exists.
 MAY_INCLUDE = (
     ("firmware/wire/", ()),
-    ("firmware/surface/", ("firmware/wire/",)),
-    ("firmware/", ("firmware/",)),
     ("drivers/base/", ()),
     ("drivers/ports/", _BASE),
-    *((driver, _DRIVER) for driver in CONCRETE_DRIVERS),
+    ("drivers/decode/", _PORTS),
+    *((driver, _DECODE) for driver in CONCRETE_DRIVERS),
     ("drivers/web/", ("drivers/base/",)),  # No device: what pages need, of the product and of the simulator.
     ("render/face/", ("drivers/base/",)),
     ("render/scene/", ("drivers/base/", "render/face/")),
     ("render/image/", ("drivers/base/",)),
     ("render/gl/", _DRAWING),
     ("render/passes/", _DRAWING + ("render/gl/", "render/image/", "render/shaders/")),
-    ("render/wall/", _DRAWING + ("render/gl/", "render/shaders/")),
-    ("appliance/board/", _DRIVER),
-    ("appliance/show/", _DRAWING),
-    ("appliance/performance/", _DRAWING + ("appliance/board/", "appliance/show/")),
-    ("appliance/stage/", _PLAY + ("appliance/needles/", "appliance/status/")),
-    ("appliance/atelier/", _PLAY + ("appliance/stage/",)),  # Its contact sheets are drawn by the stage's studio.
-    ("appliance/desk/", _PLAY + ("appliance/lips/service/", "appliance/status/", "drivers/web/")),
-    ("appliance/", _PLAY),
+    ("appliance/core/board/", _PORTS),
+    ("appliance/core/show/", _DRAWING),
+    ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
+    ("appliance/programs/boot/", _BASE),
+    ("appliance/programs/fdkeeper/", ("drivers/base/",)),
+    ("appliance/programs/input/", _DECODE + ("appliance/core/board/",)),
+    ("appliance/programs/editor/", _PROGRAM),
+    ("appliance/programs/status/", _PROGRAM),
+    ("appliance/programs/lips/", _PROGRAM),
+    ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/status/")),
+    ("appliance/programs/desk/", _PROGRAM + ("appliance/programs/lips/service/", "appliance/programs/status/", "drivers/web/")),
+    ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.
     ("hw-sim/rehearsal/", EVERYTHING),
-    ("hw-sim/", _SIMULATOR),
+    ("hw-sim/devices/", _PORTS),
+    ("hw-sim/links/", _PORTS + ("hw-sim/devices/",)),
+    ("hw-sim/scenario/", _PORTS + ("hw-sim/devices/", "hw-sim/links/")),
+    ("hw-sim/console/", _PORTS + ("drivers/web/", "hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/")),
+    ("hw-sim/hil/", _SIMULATOR),
+    ("hw-sim/main.cpp", _SIMULATOR),
     ("tests/", EVERYTHING),
 )
 
 # The one file of each program that may name concrete drivers.
 MAIN_FILE = "main.cpp"
 
-# The pure middle of a driver, bytes to values: a program may use it anywhere, since no device hangs on it.
-# The rules test looks into their sources for system calls.
-PURE_DECODERS = tuple(f"drivers/hid/{name}.h" for name in (
-    "dial_box", "joystick", "keyboard", "pointer", "recognise", "report_layout", "report_values", "switches", "usages",
-)) + ("drivers/camera/planes.h",)
+# The pure middle of the drivers, bytes to values, calls no system.
+PURE_ROOMS = ("drivers/decode/",)
 SYSTEM_HEADERS = ("unistd.h", "fcntl.h", "sys/", "linux/", "libusb", "libudev.h", "poll.h")
 
 # (what the <header> begins with, the rooms that may include it). Tests may include any.
 LIBRARIES = (
     (("EGL/", "GLES", "GL/"), ("render/gl/",)),
-    (("gbm.h", "xf86drm", "drm/", "libdrm/"), ("drivers/scanout/", "render/gl/", "firmware/boot/")),
+    (("gbm.h", "xf86drm", "drm/", "libdrm/"), ("drivers/scanout/", "render/gl/", "appliance/programs/boot/")),
     (("gpiod", "linux/gpio.h"), ("drivers/gpio/",)),
     (("libusb", "libudev.h", "linux/hidraw.h", "hidapi"), ("drivers/hid/",)),
     (("linux/videodev2.h",), ("drivers/camera/",)),
-    (("alsa/",), ("drivers/audio/", "appliance/desk/")),
+    (("alsa/",), ("drivers/audio/", "appliance/programs/desk/")),
     # Settings and the box's own expressions are TOML for people; shows are read by the atelier only.
-    (("toml++/",), ("appliance/atelier/", "tools/", "appliance/input/settings.cpp",
-                   "appliance/needles/own_reader.cpp")),
+    (("toml++/",), ("appliance/authoring/", "appliance/programs/input/settings.cpp",
+                   "appliance/programs/editor/own_reader.cpp")),
     (("libqhull", "meshoptimizer.h", "tiny_gltf.h", "tiny_obj_loader.h"),
-     ("appliance/atelier/", "tools/")),
+     ("appliance/authoring/",)),
     (("microhttpd.h",), ("drivers/web/",)),
-    (("gnutls/",), ("appliance/desk/",)),
-    (("nlohmann/",), ("appliance/atelier/", "appliance/desk/", "hw-sim/", "tools/")),
+    (("gnutls/",), ("appliance/programs/desk/",)),
+    (("nlohmann/",), ("appliance/authoring/", "appliance/programs/desk/", "hw-sim/")),
     (("usbredir",), ("hw-sim/links/",)),
-    (("pico/", "hardware/", "tusb.h"), ("firmware/rp2040/",)),
 )
 
-# Firmware outside rp2040 knows no operating system: only these of the standard library.
-FREESTANDING_ROOMS = ("firmware/wire/", "firmware/surface/")
+# Firmware knows no operating system: only these of the standard library.
+FREESTANDING_ROOMS = ("firmware/",)
 FREESTANDING = ("algorithm", "array", "bit", "concepts", "cstddef", "cstdint", "iterator", "limits", "numeric",
                 "optional", "span", "string_view", "tuple", "type_traits", "utility")
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "appliance/board/board.h"
-#include "tests/appliance/desk_visitor.h"
+#include "appliance/core/board/board.h"
+#include "tests/appliance/programs/desk_visitor.h"
 #include "tests/system/house.h"
 
 namespace kaori::test {

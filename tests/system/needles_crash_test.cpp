@@ -5,12 +5,12 @@
 #include <deque>
 #include <memory>
 
-#include "appliance/board/performance_state.h"
-#include "appliance/board/snapshot.h"
-#include "appliance/needles/journal.h"
-#include "appliance/needles/keys.h"
-#include "appliance/performance/state.h"
-#include "appliance/show/pack.h"
+#include "appliance/core/board/performance_state.h"
+#include "appliance/core/board/snapshot.h"
+#include "appliance/programs/editor/journal.h"
+#include "appliance/programs/editor/keys.h"
+#include "appliance/core/performance/state.h"
+#include "appliance/core/show/pack.h"
 #include "hw-sim/links/local/rig.h"
 #include "tests/system/house.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
-namespace key = needles::key;
+namespace key = editor::key;
 
 constexpr int kOutwards = 3;                     // The dial.
 constexpr float kPullPerCount_m = 0.010F / 256;  // As docs/playing.md says.
@@ -62,21 +62,21 @@ class NeedlesInAHouse : public ::testing::Test {
     rig_->keyboard().Press(usage);
     ASSERT_TRUE(Until([&] { return pushes() != before && Seen().keys[usage] == pushes(); }));
     rig_->keyboard().Release(usage);
-    ASSERT_TRUE(Until([&] { return !needles::IsDown(board_.Read<board::Keys>().value, usage); }));
+    ASSERT_TRUE(Until([&] { return !editor::IsDown(board_.Read<board::Keys>().value, usage); }));
   }
 
   // What the stage has taken in.
   performance::Seen Seen() const {
-    const auto state = board::Take<performance::State>(board_.Read<board::Performance>().value);
+    const auto state = board::Restore<performance::State>(board_.Read<board::Performance>().value);
     return state ? state->seen : performance::Seen{};
   }
 
   // How far the journal has the pulled needle, in counts of the dial.
   float PulledInJournal() const {
     const show::Show show = show::LoadPack(Pack()).value();
-    needles::Session session(needles::PointsOf(show.cast.net));
+    editor::Session session(editor::PointsOf(show.cast.net));
     const auto opened =
-        needles::Journal::Open(Own() + "/needles.journal", needles::Fingerprint(session.points()));
+        editor::Journal::Open(Own() + "/needles.journal", editor::Fingerprint(session.points()));
     EXPECT_TRUE(opened);
     for (const auto& record : opened->records) session.Replay(record.change, record.work);
     float most_m = 0;

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "appliance/board/performance_state.h"
-#include "appliance/board/snapshot.h"
-#include "appliance/performance/state.h"
+#include "appliance/core/board/performance_state.h"
+#include "appliance/core/board/snapshot.h"
+#include "appliance/core/performance/state.h"
 
 namespace kaori::test {
 namespace {
@@ -49,7 +49,7 @@ Pose PoseOn(const board::Board& board) {
       .key_pushes = all.keys.value.pushes,
       .axes = {all.sticks[0].value.x, all.sticks[0].value.y, all.sticks[1].value.x, all.sticks[1].value.y},
       .mouth = {all.lips.value.height, all.lips.value.width}};
-  if (const auto state = board::Take<performance::State>(board.Read<board::Performance>().value)) {
+  if (const auto state = board::Restore<performance::State>(board.Read<board::Performance>().value)) {
     pose.knobs = state->shown;
     pose.called = {state->faces.to, state->expressions.to, state->styles.to, state->scene};
     pose.head_yaw_rad = state->head.yaw_rad;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "appliance/board/board.h"
+#include "appliance/core/board/board.h"
 
 namespace kaori::test {
 

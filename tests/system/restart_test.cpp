@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "appliance/board/snapshot.h"
+#include "appliance/core/board/snapshot.h"
 #include "hw-sim/links/local/rig.h"
 #include "tests/system/house.h"
 #include "tests/system/pose.h"
@@ -208,7 +208,7 @@ TEST_F(WholeHouse, KeepsItsPoseWhenAnyProgramIsKilledTwentyTimes) {
 TEST_F(Programs, RefuseToPlayTwiceOnOneBoard) {
   Start("kaori-input");
   Start("kaori-lips");
-  ASSERT_TRUE(Await([&] { return !board_.TakeWriter<board::Lines>() && !board_.TakeWriter<board::Lips>(); }));
+  ASSERT_TRUE(Await([&] { return !board_.AcquireWriter<board::Lines>() && !board_.AcquireWriter<board::Lips>(); }));
   for (const std::string program : {"kaori-input", "kaori-lips"}) {
     House second;
     EXPECT_EQ(second.RunToEnd(program, {"--board", house_.board(), "--links", second.links()}), 1);
@@ -220,7 +220,7 @@ TEST_F(Programs, RefuseToPlayTwiceOnOneBoard) {
 
 TEST_F(Programs, RefuseASecondStageOnOneBoardAndTheFirstPlaysOn) {
   Start("kaori-stage");
-  ASSERT_TRUE(Await([&] { return !board_.TakeWriter<board::Lamps>(); }, std::chrono::seconds(30)));
+  ASSERT_TRUE(Await([&] { return !board_.AcquireWriter<board::Lamps>(); }, std::chrono::seconds(30)));
   House second;
   EXPECT_EQ(second.RunToEnd("kaori-stage",
                             {"--board", house_.board(), "--pack", Pack(), "--links", second.links()}),

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "appliance/board/board.h"
-#include "tests/appliance/voice_claps.h"
+#include "appliance/core/board/board.h"
+#include "tests/appliance/programs/voice_claps.h"
 #include "tests/system/house.h"
 
 namespace kaori::test {

@@ -178,7 +178,7 @@ Result<void> LibcameraDevice::Start(std::size_t rung) {
   lacks_ = LacksOf(has);
   written_ = hold_.changes();
   hold_.Write(has, list);
-  camera_->requestCompleted.connect(this, [this](libcamera::Request* request) { TakeCompleted(request); });
+  camera_->requestCompleted.connect(this, [this](libcamera::Request* request) { HandleCompleted(request); });
   camera_->disconnected.connect(this, [this] { completions_.Disconnect(); });
   if (const int result = camera_->start(&list); result < 0)
     return Fail(CauseOf(result), "start " + stream_.name);
@@ -197,7 +197,7 @@ Result<void> LibcameraDevice::Queue(std::uint32_t buffer) {
   return {};
 }
 
-void LibcameraDevice::TakeCompleted(libcamera::Request* request) {
+void LibcameraDevice::HandleCompleted(libcamera::Request* request) {
   if (request->status() == libcamera::Request::RequestCancelled) return;  // The stream ends.
   hold_.Note(request->metadata());
   const libcamera::FrameMetadata& frame = request->buffers().begin()->second->metadata();

@@ -70,7 +70,7 @@ class LibcameraDevice final : public RequestDevice {
   Result<void> MapBuffers();
   Result<void> MapBuffer(std::uint32_t index, libcamera::FrameBuffer& buffer);
   Result<void> Start(std::size_t rung);
-  void TakeCompleted(libcamera::Request* request);  // In the library's thread.
+  void HandleCompleted(libcamera::Request* request);  // In the library's thread.
 
   std::shared_ptr<libcamera::Camera> camera_;
   LibcameraHold& hold_;

@@ -22,7 +22,7 @@ void Completions::Disconnect() {
   Wake();
 }
 
-std::vector<CompletedRequest> Completions::TakeAll() {
+std::vector<CompletedRequest> Completions::DrainAll() {
   const std::lock_guard lock(mutex_);
   eventfd_t told = 0;
   ::eventfd_read(wake_.get(), &told);
@@ -55,7 +55,7 @@ Result<CameraFrame> RequestCamera::Next() {
   if (broken_) return tl::unexpected(*broken_);
   if (auto ok = GiveBackHeld(); !ok) return tl::unexpected(ok.error());
   bool torn = false;
-  for (const CompletedRequest& request : device_->completions().TakeAll()) {
+  for (const CompletedRequest& request : device_->completions().DrainAll()) {
     const bool whole = is_whole(request);
     torn = torn || !whole;
     if (auto ok = whole ? GiveBackHeld() : Queue(request.buffer); !ok) return tl::unexpected(ok.error());

@@ -35,7 +35,7 @@ class Completions {
 
   // Our side. Readable when something was added.
   int pollable() const { return wake_.get(); }
-  std::vector<CompletedRequest> TakeAll();
+  std::vector<CompletedRequest> DrainAll();
   bool disconnected() const;
 
  private:

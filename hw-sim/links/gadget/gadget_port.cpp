@@ -40,16 +40,16 @@ void GadgetPort::Unplug() {
 // Above the cable a report without a number begins with a 0.
 void GadgetPort::Pump(Time now) {
   if (!plugged()) return;
-  const std::size_t before = ShapeOf(device_.nameplate().descriptor).numbers_reports ? 0 : 1;
+  const std::size_t before = ShapeOf(device_.device_name().descriptor).numbers_reports ? 0 : 1;
   std::array<std::uint8_t, kLongestReport + 1> buffer{};
   for (int n = 0; n < kReportsAtOnce; ++n) {
     const ssize_t got = ::read(file_.get(), buffer.data() + before, kLongestReport);
     if (got <= 0) break;
-    device_.TakeOutput(std::span(buffer).first(before + static_cast<std::size_t>(got)));
+    device_.HandleOutput(std::span(buffer).first(before + static_cast<std::size_t>(got)));
   }
   if (!unsent_.empty() && !Send(unsent_)) return;
   unsent_.clear();
-  while (auto report = device_.TakeReport(now)) {
+  while (auto report = device_.NextReport(now)) {
     if (Send(*report)) continue;
     unsent_ = std::move(*report);
     return;

@@ -27,7 +27,7 @@ HidDevice* GadgetRig::DeviceAt(Place place) {
 Result<void> GadgetRig::Put(Place place, const std::string& controller) {
   HidDevice* const device = DeviceAt(place);
   if (device == nullptr) return FailInput("no HID device stands at " + std::string(PortName(place)));
-  auto gadget = HidGadget::Make(room_, "kaori-" + std::string(PortName(place)), device->nameplate());
+  auto gadget = HidGadget::Make(room_, "kaori-" + std::string(PortName(place)), device->device_name());
   if (!gadget) return tl::unexpected(gadget.error());
   auto& port = ports_[place];
   port = std::make_unique<GadgetPort>(std::move(*gadget), controller, *device);

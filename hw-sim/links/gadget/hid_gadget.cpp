@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kFunction = "/functions/hid.0";
 constexpr std::string_view kConfiguration = "/configs/c.1";
 constexpr std::string_view kEnglish = "/strings/0x409";
-constexpr std::size_t kLongestReport = 64;
+constexpr std::size_t kHidGadgetLongestReport = 64;
 
 // An attribute takes its value in one write.
 Result<void> Set(const std::string& path, std::string_view value) {
@@ -42,7 +42,7 @@ std::string Hex(std::uint16_t value) {
 
 }  // namespace
 
-Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, const HidNameplate& plate) {
+Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, const HidDeviceName& plate) {
   const std::string path = room.gadgets + "/" + name;
   for (const std::string_view folder : {std::string_view(), kEnglish, kFunction, kConfiguration})
     if (auto ok = MakeFolder(path + std::string(folder)); !ok) return tl::unexpected(ok.error());
@@ -52,7 +52,7 @@ Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, cons
   return gadget;
 }
 
-Result<void> HidGadget::Describe(const HidNameplate& plate) const {
+Result<void> HidGadget::Describe(const HidDeviceName& plate) const {
   const std::string function = path_ + std::string(kFunction);
   const std::string english = path_ + std::string(kEnglish);
   const std::string_view descriptor(reinterpret_cast<const char*>(plate.descriptor.data()),
@@ -64,7 +64,7 @@ Result<void> HidGadget::Describe(const HidNameplate& plate) const {
       {english + "/product", plate.name},
       {function + "/protocol", "0"},
       {function + "/subclass", "0"},
-      {function + "/report_length", std::to_string(kLongestReport)},
+      {function + "/report_length", std::to_string(kHidGadgetLongestReport)},
       {function + "/report_desc", std::string(descriptor)}};
   for (const auto& [file, value] : values)
     if (auto ok = Set(file, value); !ok) return ok;

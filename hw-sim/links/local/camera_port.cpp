@@ -24,7 +24,7 @@ bool CameraPort::Greet() {
   return Send(wire::Encode(wire::CameraHello{kSlots, kSlotBytes}), memory_.descriptor());
 }
 
-void CameraPort::Take(std::span<const std::uint8_t> packet) {
+void CameraPort::Handle(std::span<const std::uint8_t> packet) {
   if (packet.size() != wire::kCameraReturnBytes) return;
   const std::uint32_t slot = wire::GetU32(packet, 0);
   if (slot < lent_.size()) lent_[slot] = false;
@@ -43,7 +43,7 @@ void CameraPort::SendFrame(std::int64_t number, std::size_t slot) {
   const auto room = memory_.bytes().subspan(slot * kSlotBytes, kSlotBytes);
   const std::size_t bytes = camera_.Shoot(static_cast<std::uint32_t>(number), room);
   wire::CameraFrameNote note = Describe(number, slot, bytes);
-  const Spoil spoil = camera_.TakeSpoil();
+  const Spoil spoil = camera_.ExchangeSpoil();
   if (spoil == Spoil::kPixels) FillWithNoise(note.sequence, room.first(bytes));
   if (spoil == Spoil::kMessage) {
     note = {.at_ns = -1,

@@ -28,7 +28,7 @@ class CameraPort final : public LinkPort {
 
  protected:
   bool Greet() override;
-  void Take(std::span<const std::uint8_t> packet) override;
+  void Handle(std::span<const std::uint8_t> packet) override;
   void SendDue(Time now) override;
 
  private:

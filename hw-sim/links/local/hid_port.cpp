@@ -14,7 +14,7 @@ std::optional<Time> HidPort::next_due() const {
 }
 
 bool HidPort::Greet() {
-  const HidNameplate plate = device_.nameplate();
+  const HidDeviceName plate = device_.device_name();
   const auto head =
       wire::Encode(wire::HidHello{plate.vendor, plate.product, static_cast<std::uint16_t>(plate.name.size()),
                                   static_cast<std::uint16_t>(plate.descriptor.size())});
@@ -31,7 +31,7 @@ void HidPort::SendDue(Time now) {
     if (!SendReport(now, unsent_)) return;
     unsent_.clear();
   }
-  while (auto report = device_.TakeReport(now)) {
+  while (auto report = device_.NextReport(now)) {
     if (SendReport(now, *report)) continue;
     if (connected()) unsent_ = std::move(*report);
     return;

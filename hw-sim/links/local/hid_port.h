@@ -22,7 +22,7 @@ class HidPort final : public LinkPort {
 
  protected:
   bool Greet() override;
-  void Take(std::span<const std::uint8_t> packet) override { device_.TakeOutput(packet); }
+  void Handle(std::span<const std::uint8_t> packet) override { device_.HandleOutput(packet); }
   void SendDue(Time now) override;
   void PeerLeft() override;
   void PowerChanged() override { device_.PowerCycle(); }

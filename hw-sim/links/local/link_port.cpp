@@ -58,7 +58,7 @@ void LinkPort::Receive() {
   for (int n = 0; n < kPacketsAtOnce && connected(); ++n) {
     const auto packet = ReceivePacket(peer(), buffer);
     if (packet) {
-      Take(std::span(buffer).first(packet->bytes));
+      Handle(std::span(buffer).first(packet->bytes));
     } else if (packet.error().cause == std::errc::resource_unavailable_try_again) {
       return;
     } else if (packet.error().cause != std::errc::message_size) {

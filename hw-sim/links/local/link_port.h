@@ -42,7 +42,7 @@ class LinkPort {
   bool Send(std::span<const std::uint8_t> packet, int descriptor = -1);
 
   virtual bool Greet() = 0;  // A driver came: says hello. False: no use.
-  virtual void Take(std::span<const std::uint8_t> packet) = 0;
+  virtual void Handle(std::span<const std::uint8_t> packet) = 0;
   virtual void SendDue(Time now) = 0;
   virtual void PeerLeft() {}
   virtual void PowerChanged() {}

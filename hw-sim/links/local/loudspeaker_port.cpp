@@ -23,12 +23,12 @@ bool LoudspeakerPort::Greet() {
                                                   static_cast<std::uint32_t>(Loudspeaker::kRoomFrames)}));
 }
 
-void LoudspeakerPort::Take(std::span<const std::uint8_t> packet) {
+void LoudspeakerPort::Handle(std::span<const std::uint8_t> packet) {
   if (packet.size() % (2 * Loudspeaker::kChannels) != 0) return HangUp();
   std::vector<std::int16_t> samples(packet.size() / 2);
   for (std::size_t n = 0; n < samples.size(); ++n)
     samples[n] = static_cast<std::int16_t>(wire::GetU16(packet, 2 * n));
-  loudspeaker_.Take(samples, clock_.now());
+  loudspeaker_.Play(samples, clock_.now());
 }
 
 void LoudspeakerPort::SendDue(Time now) {

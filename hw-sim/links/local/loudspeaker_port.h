@@ -17,7 +17,7 @@ class LoudspeakerPort final : public LinkPort {
 
  protected:
   bool Greet() override;
-  void Take(std::span<const std::uint8_t> packet) override;
+  void Handle(std::span<const std::uint8_t> packet) override;
   void SendDue(Time now) override;
   void PeerLeft() override { loudspeaker_.Silence(); }
 

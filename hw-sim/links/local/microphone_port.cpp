@@ -18,7 +18,7 @@ bool MicrophonePort::Greet() {
 }
 
 void MicrophonePort::SendDue(Time now) {
-  while (const auto block = microphone_.TakeBlock(now)) {
+  while (const auto block = microphone_.NextBlock(now)) {
     const auto head =
         wire::Encode(wire::SoundBlockNote{block->at.time_since_epoch().count(), block->lost ? 1U : 0U});
     std::vector<std::uint8_t> packet(head.size() + 2 * block->samples.size());

@@ -17,7 +17,7 @@ class MicrophonePort final : public LinkPort {
 
  protected:
   bool Greet() override;
-  void Take(std::span<const std::uint8_t> /*drivers say nothing*/) override {}
+  void Handle(std::span<const std::uint8_t> /*drivers say nothing*/) override {}
   void SendDue(Time now) override;
 
  private:

@@ -28,7 +28,7 @@ bool ScreenPort::Greet() {
       drawn_.descriptor());
 }
 
-void ScreenPort::Take(std::span<const std::uint8_t> packet) {
+void ScreenPort::Handle(std::span<const std::uint8_t> packet) {
   const auto present = wire::DecodeScreenPresent(packet);
   if (!present || present->slot >= kSlots) return HangUp();
   waiting_ = present;

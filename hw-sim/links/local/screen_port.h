@@ -21,7 +21,7 @@ class ScreenPort final : public LinkPort {
 
  protected:
   bool Greet() override;
-  void Take(std::span<const std::uint8_t> packet) override;
+  void Handle(std::span<const std::uint8_t> packet) override;
   void SendDue(Time now) override;
   void PeerLeft() override { waiting_.reset(); }
   void PowerChanged() override;

@@ -13,7 +13,7 @@ namespace {
 constexpr Duration kCallAgain = std::chrono::milliseconds(100);
 constexpr std::size_t kInterruptBytes = 64;
 constexpr int kTransfersAtOnce = 256;  // Of one endpoint: the others have their turn.
-constexpr std::uint8_t kFromDevice = 0x80;
+constexpr std::uint8_t kUsbredirPortFromDevice = 0x80;
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void UsbredirPort::WatchForRoom() {
 void UsbredirPort::SendDue(Time now) {
   for (const std::uint8_t endpoint : listened_to_) {
     for (int n = 0; n < kTransfersAtOnce; ++n) {
-      const auto data = device_->TakeIn(endpoint, kInterruptBytes, now);
+      const auto data = device_->NextIn(endpoint, kInterruptBytes, now);
       if (!data) break;
       wire_->InterruptIn(endpoint, *data);
     }
@@ -100,7 +100,7 @@ void UsbredirPort::SendDue(Time now) {
 // Devices of ours have one bulk endpoint at most: requests are filled in their order.
 bool UsbredirPort::FillFirst(Time now) {
   const RedirBulk request = bulk_in_.front();
-  const auto data = device_->TakeIn(request.endpoint, request.length_bytes, now);
+  const auto data = device_->NextIn(request.endpoint, request.length_bytes, now);
   if (!data) return false;
   bulk_in_.pop_front();
   wire_->Bulk(request, RedirStatus::kDone, *data, data->size());
@@ -152,13 +152,13 @@ void UsbredirPort::Listen(std::uint64_t id, std::uint8_t endpoint, bool begins) 
 }
 
 void UsbredirPort::InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::span<const std::uint8_t> data) {
-  if (announced_) device_->TakeOut(endpoint, data);
+  if (announced_) device_->HandleOut(endpoint, data);
   wire_->InterruptOutDone(id, endpoint, data.size());
 }
 
 void UsbredirPort::Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) {
-  if ((request.endpoint & kFromDevice) != 0 && announced_) return bulk_in_.push_back(request);
-  if (announced_) device_->TakeOut(request.endpoint, data);
+  if ((request.endpoint & kUsbredirPortFromDevice) != 0 && announced_) return bulk_in_.push_back(request);
+  if (announced_) device_->HandleOut(request.endpoint, data);
   wire_->Bulk(request, announced_ ? RedirStatus::kDone : RedirStatus::kIoError, {}, data.size());
 }
 

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace kaori::hil {
+namespace kaori::latch {
 namespace {
 
 [[noreturn]] void Become(const std::vector<std::string>& words) {
@@ -48,4 +48,4 @@ bool Child::Runs() const {
          ended.si_pid == 0;
 }
 
-}  // namespace kaori::hil
+}  // namespace kaori::latch

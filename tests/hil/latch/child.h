@@ -9,7 +9,7 @@
 
 #include "drivers/base/result.h"
 
-namespace kaori::hil {
+namespace kaori::latch {
 
 class Child {
  public:
@@ -30,4 +30,4 @@ class Child {
   pid_t process_;
 };
 
-}  // namespace kaori::hil
+}  // namespace kaori::latch

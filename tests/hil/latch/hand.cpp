@@ -12,7 +12,7 @@
 
 #include "firmware/wire/dial_box.h"
 
-namespace kaori::hil {
+namespace kaori::latch {
 namespace {
 
 Result<void> Send(int kernel, const uhid_event& event) {
@@ -40,7 +40,7 @@ Result<Hand> Hand::Open() {
 }
 
 Result<Hand> Hand::OnBoard(const board::Board& board) {
-  auto surface = board.TakeWriter<board::Surface>();
+  auto surface = board.AcquireWriter<board::Surface>();
   if (!surface) return tl::unexpected(surface.error());
   return Hand(std::move(*surface));
 }
@@ -84,4 +84,4 @@ void Hand::Answer() {
   }
 }
 
-}  // namespace kaori::hil
+}  // namespace kaori::latch

@@ -4,20 +4,20 @@
 
 #include <optional>
 
-#include "appliance/board/board.h"
+#include "appliance/core/board/board.h"
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/base/unique_fd.h"
 
-namespace kaori::hil {
+namespace kaori::latch {
 
 // One thread.
 class Hand {
  public:
   // Plugs the box in. Errors: those of open(2) on /dev/uhid and of write(2).
   static Result<Hand> Open();
-  // In the input program's place. Errors: those of TakeWriter.
+  // In the input program's place. Errors: those of AcquireWriter.
   static Result<Hand> OnBoard(const board::Board& board);
 
   // Turns the dial by one count; the moment at which the device reported it. Errors: those of write(2).
@@ -35,4 +35,4 @@ class Hand {
   board::Surface stands_;
 };
 
-}  // namespace kaori::hil
+}  // namespace kaori::latch

@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "appliance/board/board.h"
+#include "appliance/core/board/board.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "tests/hil/latch/child.h"
 #include "tests/hil/latch/hand.h"
 
-namespace kaori::hil {
+namespace kaori::latch {
 namespace {
 
 using namespace std::chrono_literals;
@@ -216,12 +216,12 @@ int Run(const Settings& settings) {
 }
 
 }  // namespace
-}  // namespace kaori::hil
+}  // namespace kaori::latch
 
 int main(int argc, char** argv) {
   kaori::SetLogName("kaori-latch");
-  kaori::hil::Settings settings;
-  kaori::Options options(kaori::hil::kHelp);
+  kaori::latch::Settings settings;
+  kaori::Options options(kaori::latch::kHelp);
   options.Text("--mode", settings.mode)
       .Text("--loaded", settings.loaded)
       .Text("--events", settings.events)
@@ -229,5 +229,5 @@ int main(int argc, char** argv) {
   options.Text("--links", settings.links).Text("--stage", settings.stage).Switch("--first", settings.first);
   options.Text("--board", settings.board).Text("--pack", settings.pack, true);
   if (const auto status = options.Parse(argc, argv)) return *status;
-  return kaori::hil::Run(settings);
+  return kaori::latch::Run(settings);
 }

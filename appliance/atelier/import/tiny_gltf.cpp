@@ -1,3 +1,0 @@
-// The library's own code, in a file of its own since it takes long to compile.
-#define TINYGLTF_IMPLEMENTATION
-#include "appliance/atelier/import/tiny_gltf.h"

@@ -1,0 +1,184 @@
+#include "appliance/authoring/appearance/canvas.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/appearance/colour.h"
+#include "appliance/authoring/appearance/shaping.h"
+
+namespace kaori::appearance {
+namespace {
+
+constexpr int kPieces = 5;              // Straight pieces that draw a bent stroke.
+constexpr float kSoftEdge_cm = 0.014F;  // About half a texel where the texture is finest.
+
+using Bent = std::array<glm::vec2, kPieces + 1>;
+
+Bent Flatten(const Stroke& s) {
+  Bent points{};
+  for (int i = 0; i <= kPieces; ++i) {
+    const float t = static_cast<float>(i) / kPieces;
+    points[static_cast<std::size_t>(i)] =
+        s.root_cm * ((1 - t) * (1 - t)) + s.bend_cm * (2 * t * (1 - t)) + s.tip_cm * (t * t);
+  }
+  return points;
+}
+
+struct Nearest {
+  float distance_cm = 1e9F;
+  float along = 0;  // 0 at the root .. 1 at the tip.
+};
+
+Nearest NearestOn(const Bent& line, glm::vec2 p) {
+  Nearest best;
+  for (int i = 0; i < kPieces; ++i) {
+    const glm::vec2 a = line[static_cast<std::size_t>(i)];
+    const glm::vec2 d = line[static_cast<std::size_t>(i) + 1] - a;
+    const float h = Clamp01(glm::dot(p - a, d) / std::max(glm::dot(d, d), 1e-9F));
+    const float distance_cm = glm::length(p - a - d * h);
+    if (distance_cm < best.distance_cm) best = {distance_cm, (static_cast<float>(i) + h) / kPieces};
+  }
+  return best;
+}
+
+float Coverage(const Stroke& stroke, Nearest n) {
+  const float half_cm = stroke.half_width_cm * (1 - 0.85F * n.along * n.along);
+  return stroke.opacity * SmoothStep(half_cm + kSoftEdge_cm, half_cm - kSoftEdge_cm, n.distance_cm) *
+         (1 - SmoothStep(0.85F, 1, n.along));
+}
+
+// Row-major; what lies outside counts as the nearest inside.
+std::size_t IndexOf(long x, long y, int size_px) {
+  const auto inside = [size_px](long v) { return static_cast<std::size_t>(std::clamp(v, 0L, size_px - 1L)); };
+  return inside(y) * static_cast<std::size_t>(size_px) + inside(x);
+}
+
+// No hair hangs into the mouth.
+bool InMouth(const Texel& texel) {
+  return texel.bag > 0.05F;
+}
+
+struct Box {
+  int x0, y0, x1, y1;
+};
+
+Box BoxOf(const Stroke& s, int size_px) {
+  const float margin_cm = s.half_width_cm + kSoftEdge_cm;
+  const glm::vec2 low = glm::min(glm::min(s.root_cm, s.tip_cm), s.bend_cm) - margin_cm;
+  const glm::vec2 high = glm::max(glm::max(s.root_cm, s.tip_cm), s.bend_cm) + margin_cm;
+  const glm::vec2 top_left = TexelFromPlace({low.x, high.y}, size_px);
+  const glm::vec2 bottom_right = TexelFromPlace({high.x, low.y}, size_px);
+  const auto clip = [size_px](float v) { return std::clamp(static_cast<int>(v), 0, size_px - 1); };
+  return {clip(top_left.x), clip(top_left.y), clip(bottom_right.x + 1), clip(bottom_right.y + 1)};
+}
+
+// The texels above, below and beside one, as many as there are.
+class Around {
+ public:
+  Around(std::size_t texel, int size_px) {
+    const auto size = static_cast<std::size_t>(size_px);
+    if (texel % size > 0) Add(texel - 1);
+    if (texel % size + 1 < size) Add(texel + 1);
+    if (texel / size > 0) Add(texel - size);
+    if (texel / size + 1 < size) Add(texel + size);
+  }
+  const std::size_t* begin() const { return texels_.data(); }
+  const std::size_t* end() const { return texels_.data() + count_; }
+
+ private:
+  void Add(std::size_t texel) { texels_[count_++] = texel; }
+
+  std::array<std::size_t, 4> texels_{};
+  std::size_t count_ = 0;
+};
+
+// The texels beside a wave that nobody has filled, each once.
+std::vector<std::size_t> NextWave(const std::vector<std::size_t>& wave,
+                                  const std::vector<std::uint8_t>& filled, int size_px) {
+  std::vector<std::size_t> next;
+  for (const std::size_t i : wave) {
+    for (const std::size_t n : Around(i, size_px)) {
+      if (filled[n] == 0) next.push_back(n);
+    }
+  }
+  std::sort(next.begin(), next.end());
+  next.erase(std::unique(next.begin(), next.end()), next.end());
+  return next;
+}
+
+}  // namespace
+
+void Paint::Mix(float amount, glm::vec3 over) {
+  const float a = Clamp01(amount);
+  colour = colour * (1 - a) + over * a;
+}
+
+void Paint::MixGloss(float amount, float over) {
+  const float a = Clamp01(amount);
+  gloss = gloss * (1 - a) + over * a;
+}
+
+glm::vec3 Canvas::Sample(glm::vec2 place_cm) const {
+  const glm::vec2 at = TexelFromPlace(place_cm, atlas_.size_px);
+  return texels_[IndexOf(std::lround(at.x), std::lround(at.y), atlas_.size_px)].colour;
+}
+
+void Canvas::Draw(const Stroke& stroke) {
+  const Bent line = Flatten(stroke);
+  const Box box = BoxOf(stroke, atlas_.size_px);
+  for (int y = box.y0; y <= box.y1; ++y) {
+    for (int x = box.x0; x <= box.x1; ++x) {
+      const std::size_t i = IndexOf(x, y, atlas_.size_px);
+      const Nearest nearest = NearestOn(line, atlas_.texels[i].place_cm);
+      if (nearest.distance_cm > stroke.half_width_cm + kSoftEdge_cm || InMouth(atlas_.texels[i])) continue;
+      texels_[i].Mix(Coverage(stroke, nearest), stroke.colour);
+    }
+  }
+}
+
+void Canvas::FillFrom(std::size_t texel, const std::vector<std::uint8_t>& filled) {
+  Paint sum;
+  float count = 0;
+  for (const std::size_t n : Around(texel, atlas_.size_px)) {
+    if (filled[n] == 0) continue;
+    sum.colour += texels_[n].colour;
+    sum.gloss += texels_[n].gloss;
+    ++count;
+  }
+  texels_[texel] = {sum.colour / count, sum.gloss / count};
+}
+
+// Wave by wave from the edges of what is covered: each texel outside takes the mean of its neighbours that
+// were filled by earlier waves.
+void Canvas::FillOutside() {
+  std::vector<std::uint8_t> filled(texels_.size());
+  std::vector<std::size_t> wave;
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    filled[i] = atlas_.texels[i].covered ? 1 : 0;
+    if (filled[i] == 1) wave.push_back(i);
+  }
+  while (!wave.empty()) {
+    wave = NextWave(wave, filled, atlas_.size_px);
+    for (const std::size_t i : wave) FillFrom(i, filled);
+    for (const std::size_t i : wave) filled[i] = 1;
+  }
+}
+
+face::Texture Canvas::Finish() && {
+  FillOutside();
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(texels_.size() * 4);
+  for (const Paint& p : texels_) {
+    rgba.push_back(ToSrgbByte(p.colour.r));
+    rgba.push_back(ToSrgbByte(p.colour.g));
+    rgba.push_back(ToSrgbByte(p.colour.b));
+    rgba.push_back(static_cast<std::uint8_t>(std::lround(Clamp01(p.gloss) * 255)));
+  }
+  return {atlas_.size_px, atlas_.size_px, std::move(rgba)};
+}
+
+}  // namespace kaori::appearance

@@ -1,0 +1,60 @@
+// A texture while it is painted: linear colour and gloss per texel, fine strokes, and the finish.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "appliance/authoring/appearance/atlas.h"
+#include "render/face/cast.h"
+
+namespace kaori::appearance {
+
+struct Paint {
+  glm::vec3 colour{};
+  float gloss = 0;  // 0 matt .. 1 wet.
+
+  // Lays `over` on top, as opaque as `amount` (clamped to 0..1).
+  void Mix(float amount, glm::vec3 over);
+  void MixGloss(float amount, float over);
+};
+
+// A hair: a bent line that is widest at its root and ends in a point.
+struct Stroke {
+  glm::vec2 root_cm{};
+  glm::vec2 bend_cm{};
+  glm::vec2 tip_cm{};
+  float half_width_cm = 0.02F;
+  float opacity = 1;
+  glm::vec3 colour{};
+};
+
+class Canvas {
+ public:
+  // Borrows the atlas for its own life.
+  explicit Canvas(const Atlas& atlas) : atlas_(atlas), texels_(atlas.texels.size()) {}
+
+  const Atlas& atlas() const { return atlas_; }
+  Paint& at(std::size_t i) { return texels_[i]; }
+
+  // The colour at a place, for strokes that take after what they lie on.
+  glm::vec3 Sample(glm::vec2 place_cm) const;
+
+  void Draw(const Stroke& stroke);
+
+  // The texture: what no triangle covers takes the colour of its nearest neighbours, so that neither
+  // filtering nor mipmaps pull in a foreign colour at an edge.
+  face::Texture Finish() &&;
+
+ private:
+  void FillOutside();
+  void FillFrom(std::size_t texel, const std::vector<std::uint8_t>& filled);
+
+  const Atlas& atlas_;
+  std::vector<Paint> texels_;
+};
+
+}  // namespace kaori::appearance

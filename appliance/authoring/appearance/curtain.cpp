@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include "appliance/authoring/appearance/hair.h"
+#include "appliance/authoring/appearance/lock.h"
+#include "appliance/authoring/appearance/shaping.h"
+
+namespace kaori::appearance {
+namespace {
+
+constexpr int kCapRows = 8;
+constexpr int kCapColumns = 32;
+constexpr float kCapOffset_cm = 0.12F;
+constexpr int kCurtainRows = 15;
+constexpr int kCurtainColumns = 65;
+constexpr float kLocksAcross = 14;  // A sheet counts as so many locks, for the stripes on it.
+constexpr float kSheet_cm = 0.35F;  // Thickness of the curtain.
+
+float Share(int i, int count) {
+  return static_cast<float>(i) / static_cast<float>(count - 1);
+}
+
+// Degrees from the front, whichever side: tables of looks are the same left and right.
+float FromFront(float around_deg) {
+  const float a = std::fmod(std::abs(around_deg), 360.0F);
+  return a > 180 ? 360 - a : a;
+}
+
+// Strands that stand out of the sheet: waves of no fixed length.
+float Ripple(float around_deg, float t, std::uint32_t seed) {
+  const float s = static_cast<float>(seed) * 17.3F;
+  const float coarse = Noise(around_deg * 0.16F + s, t * 0.8F) - 0.5F;
+  const float fine = Noise(around_deg * 0.37F + s, t * 0.5F + 9) - 0.5F;
+  return (0.34F * coarse + 0.16F * fine) * SmoothStep(0.05F, 0.5F, t);
+}
+
+// From the front end of the parting, for the locks beside the face, over the top to the whorl behind it.
+float PartingAt(const HairLook& look, float around_deg) {
+  if (look.parting_deg <= 0) return 0;
+  constexpr float kWhorl_deg = 112;
+  const float back = SmoothStep(look.opens_at_deg, 125, FromFront(around_deg));
+  return look.parting_deg + (kWhorl_deg - look.parting_deg) * back;
+}
+
+Fall FallOf(const HairLook& look, float around_deg) {
+  Fall fall;
+  fall.end_y_cm = Table(look.ends_cm, FromFront(around_deg));
+  fall.offset_cm = look.volume_cm;
+  fall.flare = look.flare;
+  fall.curl = look.curl;
+  fall.parting_deg = PartingAt(look, around_deg);
+  return fall;
+}
+
+void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
+  Patch sheet{kCurtainRows, kCurtainColumns, false, {}, {}, {}};
+  for (int row = 0; row < kCurtainRows; ++row) {
+    const float t = Share(row, kCurtainRows);
+    sheet.along.push_back(t);
+    for (int c = 0; c < kCurtainColumns; ++c) {
+      const float around = look.opens_at_deg + (360 - 2 * look.opens_at_deg) * Share(c, kCurtainColumns);
+      Fall fall = FallOf(look, around);
+      fall.end_y_cm += 0.5F * (Noise(around * 0.3F, 3) - 0.5F) + 0.35F * (Noise(around * 1.3F, 7) - 0.5F);
+      fall.offset_cm += Ripple(around, t, look.seed);
+      sheet.points.push_back(OnFall(look.skull, fall, around, t));
+    }
+  }
+  for (int c = 0; c < kCurtainColumns; ++c) sheet.across.push_back(kLocksAcross * Share(c, kCurtainColumns));
+  mesh.AddSolid(sheet, [](int row, int c) {
+    const float edge = static_cast<float>(std::min(c, kCurtainColumns - 1 - c));
+    const float at_end = 1 - 0.75F * SmoothStep(0.75F, 1, Share(row, kCurtainRows));
+    return kSheet_cm * at_end * (0.3F + 0.7F * Clamp01(edge / 2));
+  });
+}
+
+void AddCurtainLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
+  LockShape shape;
+  shape.width_cm = dice.Between(1.5F, 3.4F);
+  shape.thickness_cm = dice.Between(0.28F, 0.5F);
+  shape.tip = dice.Between(0.08F, 0.4F);
+  shape.tapers_from = dice.Between(0.6F, 0.8F);
+  Fall fall = FallOf(look, around_deg);
+  fall.end_y_cm += 0.35F * dice.Spread();
+  fall.offset_cm += dice.Between(0.02F, 0.22F);
+  const float drift_deg = 3.5F * dice.Spread();
+  const float wave_deg = 1.5F * dice.Spread();
+  const auto path = [=, &look](float t) {
+    const float lean = drift_deg * t * t + wave_deg * std::sin(kPi * 2 * t);
+    return OnFall(look.skull, fall, around_deg + lean, t);
+  };
+  AddLock(mesh, look.skull, path, shape);
+}
+
+}  // namespace
+
+void AddCap(ClothMesh& mesh, const HairLook& look) {
+  Patch cap{kCapRows, kCapColumns, true, {}, {}, {}};
+  const float front_deg = std::max(20.0F, look.parting_deg + 2);
+  const Knots rim_deg{{0, front_deg}, {45, front_deg - 3}, {58, -8}, {85, -14}, {180, -35}};
+  for (int row = 0; row < kCapRows; ++row) {
+    const float t = Share(row, kCapRows);
+    cap.along.push_back(t * 0.6F);
+    for (int c = 0; c < kCapColumns; ++c) {
+      const float around = 360 * static_cast<float>(c) / kCapColumns;
+      const float elevation = 88 + (Table(rim_deg, FromFront(around)) - 88) * t;
+      cap.points.push_back(look.skull.Above(Direction(around, elevation), kCapOffset_cm));
+    }
+  }
+  for (int c = 0; c < kCapColumns; ++c) cap.across.push_back(kLocksAcross * Share(c, kCapColumns));
+  mesh.AddPatch(cap);
+}
+
+void AddCurtain(ClothMesh& mesh, const HairLook& look, int locks) {
+  AddCurtainSheet(mesh, look);
+  Dice dice(look.seed);
+  const float width_deg = 360 - 2 * look.opens_at_deg;
+  for (int i = 0; i < locks; ++i) {
+    const float around = look.opens_at_deg + width_deg * (Share(i, locks) + 0.012F * dice.Spread());
+    AddCurtainLock(mesh, look, around, dice);
+  }
+}
+
+}  // namespace kaori::appearance

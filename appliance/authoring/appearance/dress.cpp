@@ -1,0 +1,125 @@
+#include "appliance/authoring/appearance/dress.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/appearance/clothes.h"
+#include "appliance/authoring/appearance/gear.h"
+#include "appliance/authoring/appearance/hair.h"
+#include "appliance/authoring/appearance/looks.h"
+#include "appliance/authoring/appearance/painter.h"
+#include "appliance/authoring/appearance/shade.h"
+#include "appliance/authoring/appearance/teeth.h"
+
+namespace kaori::appearance {
+namespace {
+
+constexpr float kDressMetresPerCm = 0.01F;
+
+int AddProp(face::Cast& cast, face::Prop prop) {
+  cast.props.push_back(std::move(prop));
+  return static_cast<int>(cast.props.size()) - 1;
+}
+
+// Teeth and tongue; the same for all.
+std::array<int, 3> AddMouth(face::Cast& cast) {
+  return {AddProp(cast, CarveUpperTeeth()), AddProp(cast, CarveLowerTeeth()), AddProp(cast, CarveTongue())};
+}
+
+void AddHair(face::Cast& cast, const HairLook& look, face::Face& face) {
+  if (look.cut == "none") return;
+  ClothMesh mesh;
+  look.cut == "bob" ? CutBob(mesh, look) : CutSwept(mesh, look);
+  AddBundles(mesh, look.bundles);
+  face.props.push_back(
+      AddProp(cast, std::move(mesh).Finish(face.name + ".hair", face::Part::kHair, look.colour)));
+}
+
+// Drawn with the hair: it turns with the head, and a face without hair is without it.
+void AddGear(face::Cast& cast, const std::vector<GearLook>& gear, face::Face& face) {
+  for (std::size_t i = 0; i < gear.size(); ++i) {
+    ClothMesh mesh;
+    AddGear(mesh, gear[i]);
+    const std::string name = face.name + ".gear" + std::to_string(i + 1);
+    face.props.push_back(AddProp(cast, std::move(mesh).Finish(name, face::Part::kHair, gear[i].colour)));
+  }
+}
+
+Garment SewOn(const face::Face& face, const ClothesLook& look, const Neck& neck) {
+  if (look.cut == "blouse") return SewBlouse(face.name, look, neck);
+  if (look.cut == "knit") return SewKnit(face.name, look, neck);
+  if (look.cut == "jacket") return SewJacket(face.name, look, neck);
+  if (look.cut == "kimono") return SewKimono(face.name, look, neck);
+  if (look.cut == "hull") return SewHull(face.name, look, neck);
+  if (look.cut == "fur") return SewFur(face.name, look, neck);
+  return {};
+}
+
+// Sewn on a neck that is lowered, then raised with it.
+Garment Sew(const face::Face& face, const ClothesLook& look) {
+  Neck neck = MeasureNeck(face);
+  neck.top_cm.y -= look.rise_cm;
+  neck.bottom_cm.y -= look.rise_cm;
+  Garment garment = SewOn(face, look, neck);
+  for (face::Prop& prop : garment) {
+    for (face::PropVertex& v : prop.vertices) v.position.y += look.rise_cm * kDressMetresPerCm;
+  }
+  return garment;
+}
+
+void AddClothes(face::Cast& cast, const ClothesLook& look, face::Face& face) {
+  for (face::Prop& prop : Sew(face, look)) face.props.push_back(AddProp(cast, std::move(prop)));
+}
+
+face::EyeLook EyesOf(const EyePaint& paint) {
+  return {paint.iris, paint.iris_radius_cm * kDressMetresPerCm, paint.lash_length_cm * kDressMetresPerCm,
+          paint.lash_wing_cm * kDressMetresPerCm};
+}
+
+struct Studio {
+  const Atlas& atlas;
+  const std::vector<sculpt::PaintAttributes>& attributes;
+  std::array<int, 3> mouth;
+  const DressOptions& options;
+};
+
+void DressFace(const Studio& studio, const FaceLook& look, face::Cast& cast, face::Face& face) {
+  face.props.assign(studio.mouth.begin(), studio.mouth.end());
+  face.eye_look = EyesOf(look.eyes);
+  face.surface = {look.surface.softness, look.surface.metal, static_cast<int>(cast.textures.size()),
+                  look.surface.flat, look.surface.print};
+  cast.textures.push_back(PaintFace(studio.atlas, look));
+  AddHair(cast, look.hair, face);
+  AddGear(cast, look.gear, face);
+  AddClothes(cast, look.clothes, face);
+  ShadeFace(studio.attributes, studio.options.shade_directions, cast, face);
+}
+
+bool IsSize(int px) {
+  return px >= 64 && px <= 4096 && (px & (px - 1)) == 0;
+}
+
+}  // namespace
+
+Result<void> Dress(const std::filesystem::path& show_folder, face::Cast& cast, const DressOptions& options) {
+  if (!IsSize(options.texture_px)) return FailInput("texture size: must be a power of two, 64 to 4096");
+  const sculpt::Cage cage = sculpt::BuildCage();
+  if (cage.vertices.size() != cast.topology.vertex_count)
+    return FailInput("dress: the cast has another topology");
+  const auto attributes = sculpt::PaintAttributesOf(cage);
+  const Atlas atlas = UnrollSurface(cast.topology, attributes, options.texture_px);
+  cast.props.clear();
+  cast.textures.clear();
+  const Studio studio{atlas, attributes, AddMouth(cast), options};
+  for (face::Face& face : cast.faces) {
+    const Result<FaceLook> look = ReadLook(show_folder / "looks" / (face.name + ".toml"));
+    if (!look) return tl::unexpected(look.error());
+    DressFace(studio, *look, cast, face);
+  }
+  return {};
+}
+
+}  // namespace kaori::appearance

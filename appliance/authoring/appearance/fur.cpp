@@ -1,0 +1,58 @@
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/appearance/clothes.h"
+#include "appliance/authoring/appearance/lock.h"
+#include "appliance/authoring/appearance/shaping.h"
+
+namespace kaori::appearance {
+namespace {
+
+constexpr NeckLine kFurLine{-14.6F, -12.6F};
+constexpr NeckLine kStrap{-13.6F, -11.6F};
+
+// Tufts lie on the chest like tiles, each row over the next below.
+void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg, std::uint32_t seed) {
+  constexpr int kRows = 5;
+  constexpr float kSpacing_deg = 9;
+  Dice dice(seed);
+  const Skull chest{{0, -40, -4}, {1, 1, 1}};
+  for (int row = kRows - 1; row >= 0; --row) {
+    const float shift = row % 2 == 0 ? 0 : kSpacing_deg / 2;
+    const int tufts = static_cast<int>((to_deg - from_deg - shift) / kSpacing_deg) + 1;
+    for (int tuft_index = 0; tuft_index < tufts; ++tuft_index) {
+      const float around = from_deg + shift + kSpacing_deg * static_cast<float>(tuft_index);
+      const float at = around + 3 * dice.Spread();
+      const float top = 50 - 11.5F * static_cast<float>(row) + 3 * dice.Spread();
+      const float length = dice.Between(19, 25);
+      const float lean = 6 * dice.Spread();
+      LockShape tuft{dice.Between(1.3F, 2.3F), dice.Between(0.14F, 0.26F), 0.5F, 0.4F, 0.45F, 0.04F, 5};
+      AddLock(
+          mesh, chest, [&](float t) { return torso.At(at + lean * t, top - length * t, -0.12F + 0.4F * t); },
+          tuft);
+    }
+  }
+}
+
+}  // namespace
+
+Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& neck) {
+  const Torso torso{neck, look.shoulders_cm - 3, 19.5F, 3.6F, 0.3F};
+  ClothMesh coat;
+  AddBody(coat, torso, kFurLine, 0);
+  AddTufts(coat, torso, 52, 309, 3);
+  ClothMesh bib;
+  AddTufts(bib, torso, -46, 47, 4);
+  ClothMesh strap;
+  AddNeckRing(strap, neck, {kStrap, 0.6F, 0.42F, 0.95F, 0});
+  ClothMesh tag;
+  AddDisc(tag, neck.At(0, kStrap.front_y_cm - 2.0F, 1.2F), glm::normalize(glm::vec3(0, 0.15F, 1)), 1.15F);
+  Garment garment;
+  garment.push_back(std::move(coat).Finish(face + ".coat", face::Part::kClothes, look.main));
+  garment.push_back(std::move(bib).Finish(face + ".bib", face::Part::kClothes, look.collar));
+  garment.push_back(std::move(strap).Finish(face + ".strap", face::Part::kClothes, look.accent));
+  garment.push_back(
+      std::move(tag).Finish(face + ".tag", face::Part::kClothes, glm::vec3(0.72F, 0.5F, 0.14F)));
+  return garment;
+}
+
+}  // namespace kaori::appearance

@@ -1,0 +1,14 @@
+// Hard things worn on the head, and gathered hair.
+#pragma once
+
+#include <vector>
+
+#include "appliance/authoring/appearance/cloth_mesh.h"
+#include "appliance/authoring/appearance/looks.h"
+
+namespace kaori::appearance {
+
+void AddGear(ClothMesh& mesh, const GearLook& look);
+void AddBundles(ClothMesh& mesh, const std::vector<Bundle>& bundles);
+
+}  // namespace kaori::appearance

@@ -1,0 +1,22 @@
+// A head of hair, cut to a look.
+#pragma once
+
+#include <string>
+
+#include "appliance/authoring/appearance/cloth_mesh.h"
+#include "appliance/authoring/appearance/looks.h"
+
+namespace kaori::appearance {
+
+// A bob: a curtain from the temples round the back, a fringe, and locks over both. About 12 000 triangles.
+void CutBob(ClothMesh& mesh, const HairLook& look);
+
+// Short hair, combed back from the hairline; the nape as in a bob.
+void CutSwept(ClothMesh& mesh, const HairLook& look);
+
+// Pieces that the cuts share: a cap that closes every gap to the scalp, and the curtain from `opens_at_deg`
+// round the back with its locks.
+void AddCap(ClothMesh& mesh, const HairLook& look);
+void AddCurtain(ClothMesh& mesh, const HairLook& look, int locks);
+
+}  // namespace kaori::appearance

@@ -1,0 +1,64 @@
+#include "appliance/authoring/appearance/lock.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/appearance/shaping.h"
+
+namespace kaori::appearance {
+namespace {
+
+// Round the lens: five steps over its face, three behind.
+constexpr std::array<float, 8> kSection_deg{0, 36, 72, 108, 144, 180, 240, 300};
+constexpr float kBackDepth = 0.35F;  // The back is flatter than the face.
+
+// Evenly along the lock, with one ring close to the tip that shapes its end.
+float RingAt(int ring, int rings) {
+  if (ring == rings - 1) return 1;
+  if (ring == rings - 2) return 0.985F;
+  return 0.985F * static_cast<float>(ring) / static_cast<float>(rings - 2);
+}
+
+float WidthAt(const LockShape& s, float t) {
+  if (t >= 1) return 0;
+  const float opening = s.root + (1 - s.root) * SmoothStep(0, s.full_from, t);
+  return s.width_cm * opening * (1 - (1 - s.tip) * SmoothStep(s.tapers_from, 1, t));
+}
+
+float ThicknessAt(const LockShape& s, float t) {
+  if (t >= 1) return 0;
+  return s.thickness_cm * (0.35F + 0.65F * SmoothStep(0, 0.4F, t)) * (1 - 0.8F * SmoothStep(0.7F, 1, t));
+}
+
+void AddRing(Patch& patch, const Skull& skull, const Path& path, const LockShape& shape, float t) {
+  const glm::vec3 p = path(t);
+  const glm::vec3 along = glm::normalize(path(std::min(1.0F, t + 0.01F)) - path(std::max(0.0F, t - 0.01F)));
+  const glm::vec3 side = glm::normalize(glm::cross(OutwardsAt(skull, p), along));
+  const glm::vec3 out = glm::cross(along, side);
+  for (const float a_deg : kSection_deg) {
+    const float c = std::cos(a_deg * kRadPerDeg);
+    const float s = std::sin(a_deg * kRadPerDeg);
+    const float depth = ThicknessAt(shape, t) * (s > 0 ? s : s * kBackDepth);
+    patch.points.push_back(p - side * (c * 0.5F * WidthAt(shape, t)) + out * depth);
+  }
+  patch.along.push_back(t);
+}
+
+}  // namespace
+
+void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape) {
+  Patch patch;
+  patch.rows = shape.rings;
+  patch.columns = static_cast<int>(kSection_deg.size());
+  patch.closed_across = true;
+  for (const float a_deg : kSection_deg) patch.across.push_back(0.5F - 0.5F * std::cos(a_deg * kRadPerDeg));
+  for (int ring = 0; ring < shape.rings; ++ring) {
+    AddRing(patch, skull, path, shape, RingAt(ring, shape.rings));
+  }
+  mesh.AddPatch(patch);
+}
+
+}  // namespace kaori::appearance

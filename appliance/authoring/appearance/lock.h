@@ -1,0 +1,25 @@
+// One lock of hair: a lens-shaped tube along a path, that tapers to its tip.
+#pragma once
+
+#include <functional>
+
+#include "appliance/authoring/appearance/cloth_mesh.h"
+#include "appliance/authoring/appearance/skull.h"
+
+namespace kaori::appearance {
+
+struct LockShape {
+  float width_cm = 2;
+  float thickness_cm = 0.4F;
+  float root = 0.3F;         // Width at the root, as a part of the width.
+  float full_from = 0.45F;   // Full width is reached here along the lock,
+  float tapers_from = 0.7F;  // and left here.
+  float tip = 0.05F;         // Width just before the tip closes.
+  int rings = 11;
+};
+
+using Path = std::function<glm::vec3(float t)>;  // t 0 at the root .. 1 at the tip; centimetres.
+
+void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape);
+
+}  // namespace kaori::appearance

@@ -1,0 +1,82 @@
+#include "appliance/authoring/appearance/look_values.h"
+
+#include <string>
+
+#include "appliance/authoring/appearance/colour.h"
+
+namespace kaori::appearance {
+
+using sculpt::Section;
+using sculpt::Value;
+
+float Real(Section& s, std::string_view key) {
+  return static_cast<float>(s.Number(key));
+}
+
+float RealOr(Section& s, std::string_view key, float otherwise) {
+  return static_cast<float>(s.NumberOr(key, otherwise));
+}
+
+float Share(Section& s, std::string_view key, float otherwise) {
+  const float value = RealOr(s, key, otherwise);
+  if (!(value >= 0 && value <= 1)) s.Fault(key, "must lie between 0 and 1");
+  return value;
+}
+
+float NotNegative(Section& s, std::string_view key, float otherwise) {
+  const float value = RealOr(s, key, otherwise);
+  if (value < 0) s.Fault(key, "must not be negative");
+  return value;
+}
+
+glm::vec3 Colour(Section& s, std::string_view key) {
+  const auto colour = ColourFromHex(s.Word(key));
+  if (!colour) s.Fault(key, "must be a colour such as \"#f2cbb3\"");
+  return colour.value_or(glm::vec3(0));
+}
+
+namespace {
+
+bool IsPair(const Value& v) {
+  return v.kind == Value::Kind::kList && v.list.size() == 2 && v.list[0].kind == Value::Kind::kNumber &&
+         v.list[1].kind == Value::Kind::kNumber;
+}
+
+}  // namespace
+
+Knots Pairs(Section& s, std::string_view key) {
+  Knots knots;
+  const Value* value = s.Find(key);
+  if (value == nullptr) {
+    s.Fault(key, "is missing");
+    return knots;
+  }
+  for (const Value& pair : value->list) {
+    if (!IsPair(pair)) {
+      s.Fault(key, "must be a list of pairs of numbers");
+      return {};
+    }
+    knots.emplace_back(static_cast<float>(pair.list[0].number), static_cast<float>(pair.list[1].number));
+    const bool rises = knots.size() < 2 || knots.back().x > knots[knots.size() - 2].x;
+    if (!rises) s.Fault(key, "the first number of each pair must rise");
+  }
+  if (knots.size() < 2) s.Fault(key, "must have two pairs or more");
+  return knots;
+}
+
+Knots PairsOrNone(Section& s, std::string_view key) {
+  return s.Has(key) ? Pairs(s, key) : Knots{};
+}
+
+std::size_t OneOf(Section& s, std::string_view key, std::span<const std::string_view> words) {
+  const std::string word = s.Word(key);
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (word == words[i]) return i;
+    list += (i == 0 ? "\"" : ", \"") + std::string(words[i]) + "\"";
+  }
+  s.Fault(key, "must be one of " + list);
+  return 0;
+}
+
+}  // namespace kaori::appearance

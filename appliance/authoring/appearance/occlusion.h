@@ -1,0 +1,45 @@
+// How open every point of a figure is to the light around it: ambient occlusion by depth pictures taken from
+// many sides.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "render/face/topology.h"
+
+namespace kaori::appearance {
+
+// Everything that throws shade, in metres.
+struct Shell {
+  std::vector<glm::vec3> positions;
+  std::vector<face::Triangle> triangles;
+};
+
+// A point that is shaded: its surface looks along `normal`.
+struct Probe {
+  glm::vec3 position{};
+  glm::vec3 normal{};
+  float lift_m = 0.0035F;  // Lifted off its own surface by this much; as much again is forgiven.
+};
+
+struct OcclusionSettings {
+  int directions = 72;
+  int picture_px = 192;
+  glm::vec3 low_m{-0.16F, -0.24F, -0.16F};  // What lies outside this box throws no shade.
+  glm::vec3 high_m{0.16F, 0.20F, 0.20F};
+};
+
+// One value for each probe: 0 shut in .. 1 open to all sides; cosine-weighted.
+std::vector<float> MeasureOpenness(const Shell& shell, const std::vector<Probe>& probes,
+                                   const OcclusionSettings& settings);
+
+// Evens values out over a mesh: `steps` times the mean of a vertex and of its neighbours.
+void SmoothOver(const std::vector<face::Triangle>& triangles, int steps, std::vector<float>& values);
+
+// Smooth unit normals of a closed mesh.
+std::vector<glm::vec3> VertexNormals(const std::vector<glm::vec3>& positions,
+                                     const std::vector<face::Triangle>& triangles);
+
+}  // namespace kaori::appearance

@@ -1,0 +1,123 @@
+// Skin, scalp, lids, lips and the inside of the mouth. Places are those of the reference face, in
+// centimetres.
+#include <cmath>
+
+#include "appliance/authoring/appearance/colour.h"
+#include "appliance/authoring/appearance/painter.h"
+#include "appliance/authoring/appearance/shaping.h"
+
+namespace kaori::appearance {
+namespace {
+
+constexpr glm::vec2 kPaintSkinBlush_cm{4.2F, -2.6F};  // The cheeks.
+
+// Where blood shows through: nose, chin, beside the eyes, ears.
+float Warmth(const Texel& texel) {
+  const glm::vec2 p = texel.mirrored();
+  return 0.20F * Bell2(p, {0, -3.4F}, {0.9F, 0.7F}) + 0.10F * Bell2(p, {0, -9.2F}, {1.6F, 1}) +
+         0.12F * Bell2(p, {3.4F, -0.4F}, {2.6F, 2}) + 0.30F * SmoothStep(0.25F, 0.9F, texel.ear_ring);
+}
+
+float Glow(glm::vec2 p) {
+  return 0.25F * Bell2(p, {0, 4.6F}, {3.5F, 2}) + 0.2F * Bell2(p, {0, -0.6F}, {0.5F, 2}) +
+         0.12F * Bell2(p, {3.3F, -1.9F}, {1.3F, 0.5F});
+}
+
+// Where skin is oily: the bridge and tip of the nose, the forehead's middle.
+float Oil(glm::vec2 p) {
+  return Bell2(p, {0, -2.6F}, {0.6F, 1.6F}) + 0.5F * Bell2(p, {0, 4}, {3, 1.6F}) +
+         0.4F * Bell2(p, {3.6F, -1.8F}, {1.6F, 0.8F});
+}
+
+float Mottle(glm::vec2 place) {
+  return Noise(place.x * 1.1F + 40, place.y * 1.1F) * 0.6F + Noise(place.x * 6 + 90, place.y * 6) * 0.4F -
+         0.5F;
+}
+
+void PaintStubble(const Texel& texel, float amount, Paint& paint) {
+  const glm::vec2 p = texel.mirrored();
+  const float beard =
+      SmoothStep(-3.9F, -5.2F, p.y) * SmoothStep(-11.5F, -9.6F, p.y) * SmoothStep(6.6F, 4.6F, p.x);
+  const float sides = SmoothStep(4.2F, 5.4F, p.x) * SmoothStep(8.2F, 6.8F, p.x) * SmoothStep(2, -2, p.y) *
+                      SmoothStep(-9, -6, p.y);
+  const float grain = 0.75F + 0.5F * (Noise(texel.place_cm.x * 26, texel.place_cm.y * 26) - 0.5F);
+  paint.Mix(amount * grain * std::max(beard, 0.7F * sides), Hex("#7d6a66"));
+}
+
+void PaintNostrils(glm::vec2 p, float amount, Paint& paint) {
+  const glm::vec2 q((p.x - 0.52F) / 0.27F, (p.y + 4.13F) / 0.11F);
+  const float hole = std::exp(-std::pow(q.x * q.x + q.y * q.y, 1.5F));
+  paint.Mix(0.72F * amount * hole, Hex("#6a2e26"));
+  paint.Mix(0.10F * amount * Bell2(p, {1.25F, -3.75F}, {0.18F, 0.5F}), Hex("#a85c4c"));  // The wing's crease.
+  paint.Mix(0.08F * amount * Bell2(p, {0, -4.95F}, {0.22F, 0.3F}), Hex("#b87060"));      // The philtrum.
+}
+
+}  // namespace
+
+void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint) {
+  const glm::vec2 p = texel.mirrored();
+  paint = {look.base, look.gloss};
+  paint.colour *= 1 + 0.045F * Mottle(texel.place_cm);
+  paint.Mix(look.blush_amount * Bell2(p, kPaintSkinBlush_cm, {1.9F, 1.1F}), look.blush);
+  paint.Mix(Warmth(texel), look.blush);
+  paint.Mix(Glow(p) * 0.9F, Hex("#ffe6d4") * look.base * 1.35F);
+  paint.MixGloss(0.5F * Oil(p), look.gloss * 2.2F);
+  if (look.stubble > 0) PaintStubble(texel, look.stubble, paint);
+  PaintNostrils(p, look.nostrils, paint);
+}
+
+void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint) {
+  if (look.above_cm.empty()) return;
+  const glm::vec2 p = texel.mirrored();
+  const float ragged = 0.5F * Noise(p.x * 4, p.y * 0.7F) + 0.25F * Noise(p.x * 11, p.y) - 0.35F;
+  const float above_cm = p.y - Table(look.above_cm, p.x) - ragged * look.ragged;
+  const float opaque = 1 - 0.07F * look.ragged;
+  const float covered = opaque * SmoothStep(-0.25F, 0.1F + 0.7F * look.ragged, above_cm);
+  paint.Mix(covered, look.colour);
+  paint.MixGloss(covered * (1 - look.ragged), 0.02F);
+}
+
+void PaintLids(const Texel& texel, const LidLook& look, Paint& paint) {
+  const float k = texel.eye_ring;
+  if (k <= 0) return;
+  const glm::vec2 p = texel.mirrored();
+  const float upper = texel.eye_upper;
+  const float lower = 1 - upper;
+  paint.Mix(upper * SmoothStep(1.4F, 4.6F, k) * look.shadow_amount, look.shadow);
+  paint.Mix(upper * Bell(k - 3.1F, 0.24F) * 0.45F * SmoothStep(1.7F, 2.4F, p.x), look.shadow * 0.45F);
+  paint.Mix(lower * Bell(k - 2.2F, 0.9F) * 0.10F, look.shadow);
+  paint.Mix(look.flesh * lower * SmoothStep(4.45F, 4.95F, k) * 0.5F, Hex("#7a4438"));
+  paint.Mix(lower * SmoothStep(4.6F, 4.95F, k) * 0.45F * SmoothStep(3.3F, 4.9F, p.x) * look.liner_amount,
+            look.liner);
+  paint.Mix(upper * SmoothStep(4.3F, 4.75F, k) * look.liner_amount * SmoothStep(1.75F, 2.3F, p.x),
+            look.liner);
+  if (k > 5) {
+    paint.Mix(look.flesh * 0.75F * SmoothStep(2.7F, 2.0F, p.x), Hex("#e3a090"));
+    paint.Mix(look.flesh * 0.5F * SmoothStep(1.9F, 2.4F, p.x) * SmoothStep(5, 5.3F, k), Hex("#7a4438"));
+    paint.MixGloss(0.8F * SmoothStep(2.7F, 2.0F, p.x), 0.6F);
+  }
+}
+
+void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
+  const float k = texel.mouth_ring;
+  if (k <= 0) return;
+  const glm::vec2 p = texel.mirrored();
+  const float lip = SmoothStep(2.62F, 3.22F, k) * (1 - texel.bag);
+  const float lines =
+      Noise(texel.place_cm.x * 15 + 50, k * 0.5F) + 0.6F * Noise(texel.place_cm.x * 31, k * 0.9F);
+  const float shade = 1 - 0.16F * (lines - 0.8F) - 0.10F * texel.mouth_upper;
+  paint.Mix(lip * look.amount, look.colour * shade);
+  paint.Mix(lip * 0.30F * SmoothStep(1.3F, 2.1F, p.x), look.colour * 0.5F);
+  paint.Mix(lip * SmoothStep(5.2F, 6, k) * 0.6F, look.colour * glm::vec3(0.22F, 0.10F, 0.14F));
+  const float bloom = Bell(k - 4.3F, 0.6F) * Bell(p.x, 0.9F) * (1 - texel.mouth_upper);
+  paint.Mix(lip * bloom * 0.32F, look.colour * 1.2F + glm::vec3(0.16F, 0.12F, 0.12F));
+  paint.MixGloss(lip, look.gloss * (0.55F + 0.45F * Bell(k - 4.4F, 0.9F)) * (1.1F - 0.3F * lines));
+}
+
+void PaintBag(const Texel& texel, const LipLook& look, Paint& paint) {
+  const float inside = SmoothStep(0.1F, 0.9F, texel.bag);
+  paint.Mix(inside, look.inside);
+  paint.MixGloss(inside, 0.04F);
+}
+
+}  // namespace kaori::appearance

@@ -1,0 +1,50 @@
+#include "appliance/authoring/appearance/painter.h"
+
+namespace kaori::appearance {
+namespace {
+
+void PaintHide(const Texel& texel, const SkinLook& look, Paint& paint) {
+  switch (look.hide) {
+    case Hide::kSkin:
+      return PaintSkin(texel, look, paint);
+    case Hide::kCoat:
+      return PaintCoat(texel, look, paint);
+    case Hide::kMetal:
+      return PaintMetal(texel, look, paint);
+    case Hide::kPaint:
+      return PaintFlat(texel, look, paint);
+    case Hide::kShell:
+      return PaintShell(texel, look, paint);
+  }
+}
+
+void PaintTexel(const Texel& texel, const FaceLook& look, Paint& paint) {
+  PaintHide(texel, look.skin, paint);
+  PaintScalp(texel, look.scalp, paint);
+  PaintLids(texel, look.lids, paint);
+  if (look.skin.hide == Hide::kCoat) {
+    PaintMuzzleLips(texel, paint);
+  } else {
+    PaintLips(texel, look.lips, paint);
+  }
+  PaintBrowBase(texel, look.brows, paint);
+  PaintBag(texel, look.lips, paint);
+}
+
+}  // namespace
+
+face::Texture PaintFace(const Atlas& atlas, const FaceLook& look) {
+  Canvas canvas(atlas);
+  for (std::size_t i = 0; i < atlas.texels.size(); ++i) {
+    if (atlas.texels[i].covered) PaintTexel(atlas.texels[i], look, canvas.at(i));
+  }
+  if (look.skin.hide == Hide::kCoat) DrawFur(canvas);
+  DrawLines(canvas, look.skin);
+  DrawFreckles(canvas, look.skin);
+  DrawHairline(canvas, look.scalp);
+  DrawMoustache(canvas, look.moustache);
+  DrawBrows(canvas, look.brows);
+  return std::move(canvas).Finish();
+}
+
+}  // namespace kaori::appearance

@@ -1,0 +1,54 @@
+// Small functions that shape things: soft steps, bells, value noise, smooth tables, repeatable chance.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include <glm/vec2.hpp>
+
+namespace kaori::appearance {
+
+inline constexpr float kPi = 3.14159265F;
+inline constexpr float kRadPerDeg = kPi / 180;
+
+inline float Clamp01(float x) {
+  return x < 0 ? 0 : x > 1 ? 1 : x;
+}
+
+// 0 at `from`, 1 at `to`, smooth between; `to` may be the smaller.
+inline float SmoothStep(float from, float to, float x) {
+  const float t = Clamp01((x - from) / (to - from));
+  return t * t * (3 - 2 * t);
+}
+
+// 1 at x = 0, exp(-1) at |x| = width.
+inline float Bell(float x, float width) {
+  const float t = x / width;
+  return std::exp(-t * t);
+}
+
+inline float Bell2(glm::vec2 p, glm::vec2 centre, glm::vec2 width) {
+  const glm::vec2 t = (p - centre) / width;
+  return std::exp(-t.x * t.x - t.y * t.y);
+}
+
+// Smooth value noise, 0..1, period about one unit; the same everywhere and always.
+float Noise(float x, float y);
+
+// Through the knots (x ascending, y) without overshoot between them; constant outside.
+float Table(std::span<const glm::vec2> knots, float x);
+
+// Chance that is the same on every machine: xorshift, not the library's distributions.
+class Dice {
+ public:
+  explicit Dice(std::uint32_t seed) : state_(seed * 2654435761U + 0x9E3779B9U) {}
+  float Unit();  // 0..1
+  float Between(float low, float high) { return low + (high - low) * Unit(); }
+  float Spread() { return Unit() + Unit() + Unit() - 1.5F; }  // About 0, deviation 0.5.
+
+ private:
+  std::uint32_t state_;
+};
+
+}  // namespace kaori::appearance

@@ -1,0 +1,44 @@
+// The body under the clothes: where a face's neck ends and where its shoulders lie. Centimetres.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/face/cast.h"
+
+namespace kaori::appearance {
+
+// A neck as an oval cone: measured on the face, so that collars fit it.
+struct Neck {
+  glm::vec3 top_cm{0, -12.5F, -3};
+  glm::vec3 bottom_cm{0, -17, -3.8F};
+  glm::vec2 top_radii_cm{3.5F, 3.5F};  // Sideways, forwards.
+  glm::vec2 bottom_radii_cm{3.7F, 3.7F};
+
+  // The point `off_cm` off the skin at a height, `around_deg` from the front.
+  glm::vec3 At(float around_deg, float y_cm, float off_cm) const;
+};
+Neck MeasureNeck(const face::Face& face);
+
+struct Torso {
+  Neck neck;
+  float shoulders_cm = 13;  // The joints' distance from the middle.
+  float drop_cm = 17.8F;    // The joints' distance below the eyes.
+  float chest_cm = 0;       // How far a bosom stands out.
+  float wrinkles_cm = 0.2F;
+
+  // The surface seen from the middle of the chest: `around_deg` from the front, `elevation_deg` up;
+  // `off_cm` above it.
+  glm::vec3 At(float around_deg, float elevation_deg, float off_cm) const;
+
+  // The elevation at which the surface, going up, reaches the height.
+  float ElevationAt(float around_deg, float y_cm) const;
+
+  // The elevation and the turn of a point as At() counts them.
+  static float ElevationOf(glm::vec3 point_cm);
+
+ private:
+  float Distance(glm::vec3 point_cm) const;
+};
+
+}  // namespace kaori::appearance

@@ -1,0 +1,112 @@
+#include "appliance/authoring/appearance/worn_file.h"
+
+#include <array>
+#include <string_view>
+
+#include "appliance/authoring/appearance/look_values.h"
+
+namespace kaori::appearance {
+
+using sculpt::Section;
+
+namespace {
+
+constexpr std::size_t kMostPathPoints = 32;
+
+Skull ReadSkull(Section& s) {
+  const Skull skull{s.Point("skull_centre"), s.Point("skull_radii")};
+  const glm::vec3 r = skull.radii_cm;
+  if (!(r.x > 0 && r.y > 0 && r.z > 0)) s.Fault("skull_radii", "must be greater than 0");
+  return skull;
+}
+
+std::vector<glm::vec3> ReadPath(Section& s) {
+  std::vector<glm::vec3> path;
+  for (const glm::dvec3& p : s.Points("path")) path.emplace_back(p);
+  if (path.size() < 2 || path.size() > kMostPathPoints) s.Fault("path", "must have 2 to 32 points");
+  return path;
+}
+
+Bundle ReadBundle(Section s) {
+  s.AllowOnly({"path", "radius", "locks", "twist", "mirrored"});
+  Bundle bundle;
+  bundle.path_cm = ReadPath(s);
+  bundle.radius_cm = Pairs(s, "radius");
+  const float locks = RealOr(s, "locks", 6);
+  if (!(locks >= 2 && locks <= 24)) s.Fault("locks", "must lie between 2 and 24");
+  bundle.locks = static_cast<int>(locks);
+  bundle.twist_turns = RealOr(s, "twist", bundle.twist_turns);
+  bundle.mirrored = s.NumberOr("mirrored", 0) != 0;
+  return bundle;
+}
+
+// A ring or a disc stands across the way it faces.
+void ReadFacing(Section& s, GearLook& gear) {
+  gear.facing = s.PointOr("facing", gear.facing);
+  if (gear.facing.x == 0 && gear.facing.z == 0) s.Fault("facing", "must not be along y");
+}
+
+}  // namespace
+
+HairLook ReadHair(Section s) {
+  s.AllowOnly({"cut", "colour", "skull_centre", "skull_radii", "seed", "volume", "flare", "curl", "opens_at",
+               "ends", "fringe", "fringe_sweep", "framing", "parting", "hairline", "bundle"});
+  HairLook hair;
+  constexpr std::array<std::string_view, 2> kCuts{"bob", "swept"};
+  hair.cut = kCuts[OneOf(s, "cut", kCuts)];
+  hair.colour = Colour(s, "colour");
+  hair.skull = ReadSkull(s);
+  hair.seed = static_cast<std::uint32_t>(NotNegative(s, "seed", 1));
+  hair.volume_cm = RealOr(s, "volume", hair.volume_cm);
+  hair.flare = RealOr(s, "flare", hair.flare);
+  hair.curl = RealOr(s, "curl", hair.curl);
+  hair.opens_at_deg = Real(s, "opens_at");
+  if (!(hair.opens_at_deg > 10 && hair.opens_at_deg < 170))
+    s.Fault("opens_at", "must lie between 10 and 170");
+  hair.ends_cm = Pairs(s, "ends");
+  hair.fringe_cm = PairsOrNone(s, "fringe");
+  hair.fringe_sweep_deg = RealOr(s, "fringe_sweep", 0);
+  hair.parting_deg = RealOr(s, "parting", 0);
+  if (!(hair.parting_deg >= 0 && hair.parting_deg < 90)) s.Fault("parting", "must lie between 0 and 90");
+  hair.framing = s.NumberOr("framing", 0) != 0;
+  for (const Section& bundle : s.Parts("bundle")) hair.bundles.push_back(ReadBundle(bundle));
+  if (hair.cut == "swept") hair.hairline_deg = Pairs(s, "hairline");
+  return hair;
+}
+
+GearLook ReadGear(Section s) {
+  s.AllowOnly({"shape", "colour", "path", "centre", "facing", "radii", "radius", "thickness", "mirrored"});
+  constexpr std::array<std::string_view, 4> kShapes{"rod", "ring", "ball", "disc"};
+  GearLook gear;
+  gear.shape = static_cast<GearLook::Shape>(OneOf(s, "shape", kShapes));
+  gear.colour = Colour(s, "colour");
+  const bool rod = gear.shape == GearLook::Shape::kRod;
+  const bool ring = gear.shape == GearLook::Shape::kRing;
+  if (rod) gear.path_cm = ReadPath(s);
+  if (!rod) gear.centre_cm = s.Point("centre");
+  if (ring || gear.shape == GearLook::Shape::kDisc) ReadFacing(s, gear);
+  gear.radii_cm = s.Has("radius") ? glm::vec3(Real(s, "radius")) : glm::vec3(s.Point("radii"));
+  const glm::vec3 r = gear.radii_cm;
+  if (!(r.x > 0 && r.y > 0 && (r.z > 0 || ring))) s.Fault("radii", "must be greater than 0");
+  gear.thickness_cm = RealOr(s, "thickness", gear.thickness_cm);
+  if (!(gear.thickness_cm > 0)) s.Fault("thickness", "must be greater than 0");
+  gear.mirrored = s.NumberOr("mirrored", 0) != 0;
+  return gear;
+}
+
+ClothesLook ReadClothes(Section s) {
+  s.AllowOnly({"cut", "main", "collar", "accent", "shoulders", "rise"});
+  constexpr std::array<std::string_view, 6> kCuts{"blouse", "knit", "jacket", "fur", "kimono", "hull"};
+  ClothesLook clothes;
+  clothes.cut = kCuts[OneOf(s, "cut", kCuts)];
+  clothes.main = Colour(s, "main");
+  clothes.collar = Colour(s, "collar");
+  clothes.accent = Colour(s, "accent");
+  clothes.shoulders_cm = Real(s, "shoulders");
+  if (!(clothes.shoulders_cm > 5 && clothes.shoulders_cm < 25))
+    s.Fault("shoulders", "must lie between 5 and 25");
+  clothes.rise_cm = RealOr(s, "rise", 0);
+  return clothes;
+}
+
+}  // namespace kaori::appearance

@@ -1,0 +1,160 @@
+#include "appliance/authoring/import/bridge.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace kaori::import {
+namespace {
+
+constexpr std::size_t kFewestLandmarks = 8;
+constexpr float kMotionAsDistance_m = 0.012F;  // What moves wholly and what not at all are this far apart.
+constexpr float kNear_m = 0.010F;
+constexpr float kFar_m = 0.030F;
+constexpr int kSmoothSteps = 2;
+constexpr float kSmoothShare = 0.5F;
+
+// A vertex by place and motion.
+struct Feature {
+  glm::vec3 at{};
+  glm::vec3 motion{};  // Jaw, left lids, right lids; metres.
+};
+
+std::vector<Feature> FeaturesOf(const HeadShape& head) {
+  const std::size_t count = head.positions.size();
+  const std::vector<float> jaw = Shares(head.jaw, count);
+  const std::vector<float> left = Shares(head.blink[0], count);
+  const std::vector<float> right = Shares(head.blink[1], count);
+  std::vector<Feature> features(count);
+  for (std::size_t v = 0; v < count; ++v)
+    features[v] = {head.positions[v], kMotionAsDistance_m * glm::vec3(jaw[v], left[v], right[v])};
+  return features;
+}
+
+float SquareDistance(const Feature& a, const Feature& b) {
+  const glm::vec3 place = a.at - b.at;
+  const glm::vec3 motion = a.motion - b.motion;
+  return glm::dot(place, place) + glm::dot(motion, motion);
+}
+
+// The shares of the nearest point of a triangle: inside, else on its nearest edge.
+glm::vec3 NearestShares(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& p) {
+  const glm::vec3 ab = b - a;
+  const glm::vec3 ac = c - a;
+  const glm::vec3 ap = p - a;
+  const float bb = glm::dot(ab, ab);
+  const float bc = glm::dot(ab, ac);
+  const float cc = glm::dot(ac, ac);
+  const float area = bb * cc - bc * bc;
+  if (!(area > 0)) return {1, 0, 0};
+  const float share_b = (cc * glm::dot(ab, ap) - bc * glm::dot(ac, ap)) / area;
+  const float share_c = (bb * glm::dot(ac, ap) - bc * glm::dot(ab, ap)) / area;
+  const glm::vec3 shares = glm::max(glm::vec3(1 - share_b - share_c, share_b, share_c), 0.0F);
+  return shares / (shares.x + shares.y + shares.z);
+}
+
+class Locator {
+ public:
+  explicit Locator(const HeadShape& head)
+      : head_(head), features_(FeaturesOf(head)), around_(head.positions.size()) {
+    for (std::size_t t = 0; t < head.triangles.size(); ++t)
+      for (const Index corner : head.triangles[t]) around_[corner].push_back(t);
+  }
+
+  Spot Find(const Feature& wanted) const {
+    Index nearest = 0;
+    float least = std::numeric_limits<float>::max();
+    for (Index v = 0; v < features_.size(); ++v) {
+      const float square = SquareDistance(features_[v], wanted);
+      if (square < least && !around_[v].empty()) {
+        least = square;
+        nearest = v;
+      }
+    }
+    Spot best{{nearest, nearest, nearest}, {1, 0, 0}, glm::distance(head_.positions[nearest], wanted.at)};
+    for (const std::size_t t : around_[nearest]) Try(head_.triangles[t], wanted.at, best);
+    return best;
+  }
+
+ private:
+  void Try(const Triangle& t, const glm::vec3& wanted, Spot& best) const {
+    const auto& p = head_.positions;
+    const glm::vec3 shares = NearestShares(p[t[0]], p[t[1]], p[t[2]], wanted);
+    const glm::vec3 point = shares.x * p[t[0]] + shares.y * p[t[1]] + shares.z * p[t[2]];
+    const float distance_m = glm::distance(point, wanted);
+    if (distance_m < best.distance_m) best = {t, shares, distance_m};
+  }
+
+  const HeadShape& head_;
+  std::vector<Feature> features_;
+  std::vector<std::vector<std::size_t>> around_;
+};
+
+struct Matched {
+  std::vector<sculpt::Pull> forth;
+  std::vector<sculpt::Pull> back;
+};
+
+Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to,
+              std::vector<std::string>& missing) {
+  Matched matched;
+  for (const Landmark& mark : from) {
+    const auto same = std::ranges::find(to, mark.name, &Landmark::name);
+    if (same == to.end()) {
+      missing.push_back(mark.name);
+      continue;
+    }
+    matched.forth.push_back({glm::dvec3(mark.at), glm::dvec3(same->at)});
+    matched.back.push_back({glm::dvec3(same->at), glm::dvec3(mark.at)});
+  }
+  return matched;
+}
+
+template <class T>
+T Mix(const std::vector<T>& values, const Spot& spot) {
+  return spot.shares.x * values[spot.corners[0]] + spot.shares.y * values[spot.corners[1]] +
+         spot.shares.z * values[spot.corners[2]];
+}
+
+}  // namespace
+
+std::optional<Bridge> Bridge::Between(const HeadShape& from, const HeadShape& to,
+                                      std::vector<std::string>& missing) {
+  Matched matched = Match(FindLandmarks(from), FindLandmarks(to), missing);
+  if (matched.forth.size() < kFewestLandmarks) return std::nullopt;
+  const std::size_t landmarks = matched.forth.size();
+  auto forth = sculpt::Warp::Through(std::move(matched.forth));
+  const auto back = sculpt::Warp::Through(std::move(matched.back));
+  if (!forth || !back) return std::nullopt;
+  Bridge bridge(from.positions, std::move(*forth), MeshGraph(to.positions, to.triangles));
+  bridge.landmarks_ = landmarks;
+  const Locator locator(from);
+  for (const Feature& feature : FeaturesOf(to))
+    bridge.spots_.push_back(locator.Find({glm::vec3((*back)(glm::dvec3(feature.at))), feature.motion}));
+  return bridge;
+}
+
+Offsets Bridge::Carry(const Offsets& from) const {
+  Offsets carried(spots_.size(), glm::vec3(0));
+  for (std::size_t v = 0; v < spots_.size(); ++v) {
+    const Spot& spot = spots_[v];
+    const glm::vec3 moved = Mix(from, spot);
+    if (moved == glm::vec3(0)) continue;
+    const glm::dvec3 at(Mix(from_, spot));
+    const float near = 1 - glm::smoothstep(kNear_m, kFar_m, spot.distance_m);
+    carried[v] = near * glm::vec3(forth_(at + glm::dvec3(moved)) - forth_(at));
+  }
+  for (int step = 0; step < kSmoothSteps; ++step) surface_.Smooth(kSmoothShare, carried);
+  return carried;
+}
+
+std::vector<float> Bridge::Carry(const std::vector<float>& from) const {
+  std::vector<float> carried;
+  for (const Spot& spot : spots_) carried.push_back(Mix(from, spot));
+  return carried;
+}
+
+}  // namespace kaori::import

@@ -1,0 +1,23 @@
+#include "appliance/authoring/import/findings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace kaori::import {
+
+void Findings::Add(std::string_view file, std::string_view item, std::string_view reason) {
+  if (lines_.size() >= kMost) {
+    ++dropped_;
+    return;
+  }
+  lines_.push_back(item.empty() ? fmt::format("{}: {}", file, reason)
+                                : fmt::format("{}: {}: {}", file, item, reason));
+}
+
+tl::unexpected<Error> Findings::Refuse() const {
+  std::string text = fmt::format("{}", fmt::join(lines_, "\n"));
+  if (dropped_ > 0) text += fmt::format("\n(and {} more)", dropped_);
+  return FailInput(std::move(text));
+}
+
+}  // namespace kaori::import

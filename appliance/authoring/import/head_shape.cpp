@@ -1,0 +1,74 @@
+#include "appliance/authoring/import/head_shape.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <glm/geometric.hpp>
+
+#include "render/face/composer.h"
+
+namespace kaori::import {
+namespace {
+
+Offsets Difference(const face::Cast& cast, const face::Weights& weights, face::Composer& composer) {
+  face::Weights rest;
+  rest.faces.Push(0, 1);
+  const auto still = composer.Compose(rest, face::Detail::kCage).cage;
+  Offsets offsets(still.begin(), still.end());
+  const auto moved = composer.Compose(weights, face::Detail::kCage).cage;
+  for (std::size_t v = 0; v < cast.topology.vertex_count; ++v) offsets[v] = moved[v] - offsets[v];
+  return offsets;
+}
+
+Offsets Named(const face::Cast& cast, std::string_view name) {
+  const auto found = std::ranges::find(cast.expressions, name, &face::Expression::name);
+  return found == cast.expressions.end() ? Offsets{} : OffsetsOfCast(cast, *found);
+}
+
+Offsets Blink(const face::Cast& cast, std::size_t side, face::Composer& composer) {
+  face::Weights weights;
+  weights.faces.Push(0, 1);
+  weights.lids_shut[side] = 1;
+  return Difference(cast, weights, composer);
+}
+
+// The margin of the lids, at its ends and in its middle.
+std::optional<LidMarks> MarksOf(const face::LidRig& rig, const std::vector<glm::vec3>& positions) {
+  if (rig.columns < 2) return std::nullopt;
+  const auto columns = static_cast<std::size_t>(rig.columns);
+  const auto margin = static_cast<std::size_t>(rig.margin_ring) * columns;
+  return LidMarks{positions[rig.upper[margin]], positions[rig.upper[margin + columns - 1]],
+                  positions[rig.upper[margin + columns / 2]], positions[rig.lower[margin + columns / 2]]};
+}
+
+}  // namespace
+
+Offsets OffsetsOfCast(const face::Cast& cast, const face::Expression& expression) {
+  face::Composer composer(cast);
+  face::Weights weights;
+  weights.faces.Push(0, 1);
+  const auto index = static_cast<std::uint16_t>(&expression - cast.expressions.data());
+  weights.expressions.Push(index, 1);
+  return Difference(cast, weights, composer);
+}
+
+HeadShape ShapeOfCast(const face::Cast& cast) {
+  face::Composer composer(cast);
+  HeadShape head{cast.faces.front().positions, cast.topology.triangles, cast.faces.front().eyes, {}, {}, {}};
+  head.jaw = Named(cast, "jaw_open");
+  head.blink = {Blink(cast, 0, composer), Blink(cast, 1, composer)};
+  head.brow_up = {Named(cast, "brow_up_left"), Named(cast, "brow_up_right")};
+  for (std::size_t side = 0; side < 2; ++side)
+    head.lids[side] = MarksOf(cast.topology.lids[side], head.positions);
+  return head;
+}
+
+std::vector<float> Shares(const Offsets& offsets, std::size_t vertices) {
+  std::vector<float> shares(vertices, 0.0F);
+  float most = 1e-9F;
+  for (const glm::vec3& offset : offsets) most = std::max(most, glm::length(offset));
+  for (std::size_t v = 0; v < offsets.size(); ++v) shares[v] = glm::length(offsets[v]) / most;
+  return shares;
+}
+
+}  // namespace kaori::import

@@ -1,0 +1,86 @@
+#include "appliance/authoring/import/look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <glm/trigonometric.hpp>
+
+#include "appliance/authoring/import/picture.h"
+#include "appliance/authoring/import/skin_paint.h"
+#include "appliance/authoring/appearance/occlusion.h"
+
+namespace kaori::import {
+namespace {
+
+constexpr int kLookSmoothSteps = 3;
+constexpr float kTeethOpen = 0.5F;  // They are seen when the mouth is open, and measured while it is shut.
+
+// The eyes throw shade into their sockets: an octahedron, halved twice, is ball enough.
+void AddBall(const face::EyeBall& eye, appearance::Shell& shell) {
+  if (!(eye.radius_m > 0)) return;
+  constexpr int kAround = 12;
+  constexpr int kUp = 6;
+  const auto first = static_cast<Index>(shell.positions.size());
+  for (int row = 0; row <= kUp; ++row)
+    for (int column = 0; column < kAround; ++column) {
+      const float up = glm::radians(180.0F * static_cast<float>(row) / kUp);
+      const float round = glm::radians(360.0F * static_cast<float>(column) / kAround);
+      const glm::vec3 way(std::sin(up) * std::cos(round), std::cos(up), std::sin(up) * std::sin(round));
+      shell.positions.push_back(eye.centre + eye.radius_m * way);
+    }
+  for (Index row = 0; row < kUp; ++row)
+    for (Index column = 0; column < kAround; ++column) {
+      const Index next = (column + 1) % kAround;
+      const auto at = [&](Index r, Index c) { return first + r * kAround + c; };
+      shell.triangles.push_back({at(row, column), at(row, next), at(row + 1, next)});
+      shell.triangles.push_back({at(row, column), at(row + 1, next), at(row + 1, column)});
+    }
+}
+
+}  // namespace
+
+void ShadeFaces(const std::vector<PartOf>& part, face::Cast& cast) {
+  for (face::Face& face : cast.faces) {
+    appearance::Shell shell{face.positions, cast.topology.triangles};
+    const std::vector<glm::vec3> normals = appearance::VertexNormals(shell.positions, shell.triangles);
+    std::vector<appearance::Probe> probes;
+    for (std::size_t v = 0; v < normals.size(); ++v)
+      probes.push_back({.position = face.positions[v], .normal = normals[v]});
+    for (const face::EyeBall& eye : face.eyes) AddBall(eye, shell);
+    face.occlusion = appearance::MeasureOpenness(shell, probes, {});
+    appearance::SmoothOver(cast.topology.triangles, kLookSmoothSteps, face.occlusion);
+    for (std::size_t v = 0; v < part.size(); ++v)
+      face.occlusion[v] = std::clamp(face.occlusion[v], part[v] == PartOf::kSkin ? 0.0F : kTeethOpen, 1.0F);
+  }
+}
+
+std::string GiveSkin(const Model& model, const Heads& heads, const Lender& lender, face::Cast& cast) {
+  const bool painted = lender.show != nullptr && !lender.spots.empty() && !lender.show->textures.empty();
+  std::string remark = painted ? "skin: painted as the show's faces are" : "skin: plain";
+  if (!model.picture.empty()) {
+    auto texture = DecodePicture(model.picture);
+    if (texture) {
+      cast.textures = {std::move(*texture)};
+      return "skin: the artist's picture";
+    }
+    remark += "; the artist's is " + texture.error().message();
+  }
+  if (!painted) {
+    cast.textures = {PlainSkin(heads)};
+    return remark;
+  }
+  std::map<std::size_t, int> known;  // The texture of each of the show's faces.
+  for (std::size_t i = 0; i < cast.faces.size(); ++i) {
+    const std::size_t like = lender.like[i];
+    const auto [texture, is_new] = known.try_emplace(like, static_cast<int>(cast.textures.size()));
+    if (is_new) cast.textures.push_back(PaintSkin(heads, lender.spots, *lender.show, like));
+    const face::SurfaceLook& look = lender.show->faces[like].surface;
+    cast.faces[i].surface = look;
+    cast.faces[i].surface.texture = texture->second;
+  }
+  return remark;
+}
+
+}  // namespace kaori::import

@@ -1,0 +1,98 @@
+#include "appliance/authoring/import/mesh_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace kaori::import {
+namespace {
+
+constexpr float kSmallest_m = 0.02F;
+constexpr float kLargest_m = 3;
+constexpr double kFlatPlace = 1e-10;  // Of the unit square.
+constexpr double kSliver = 0.02;      // Of the mean triangle; one that is turned over by less does no harm.
+constexpr float kFlat_m2 = 1e-14F;
+
+template <class Vec>
+std::size_t CountNotFinite(const std::vector<Vec>& values) {
+  return static_cast<std::size_t>(std::ranges::count_if(values, [](const Vec& v) {
+    for (int k = 0; k < Vec::length(); ++k)
+      if (!std::isfinite(v[k])) return true;
+    return false;
+  }));
+}
+
+template <class Vec>
+bool AreNumbers(const Model& model, const std::string& item, const std::vector<Vec>& values,
+                Findings& findings) {
+  const std::size_t wrong = CountNotFinite(values);
+  if (wrong > 0) findings.Add(model.file, item, fmt::format("{} of {} are no numbers", wrong, values.size()));
+  return wrong == 0;
+}
+
+void CheckSize(const Model& model, Findings& findings) {
+  glm::vec3 least = model.positions.front();
+  glm::vec3 most = least;
+  for (const glm::vec3& p : model.positions) {
+    least = glm::min(least, p);
+    most = glm::max(most, p);
+  }
+  const glm::vec3 size = most - least;
+  const float largest = std::max({size.x, size.y, size.z});
+  if (largest >= kSmallest_m && largest <= kLargest_m) return;
+  findings.Add(model.file, "", fmt::format("is {:.4g} m large; a head in metres is expected", largest));
+}
+
+double PlaceArea(const Model& model, const Triangle& t) {
+  const glm::dvec2 a = glm::dvec2(model.uv[t[1]]) - glm::dvec2(model.uv[t[0]]);
+  const glm::dvec2 b = glm::dvec2(model.uv[t[2]]) - glm::dvec2(model.uv[t[0]]);
+  return 0.5 * (a.x * b.y - a.y * b.x);
+}
+
+}  // namespace
+
+void CheckModel(const Model& model, Findings& findings) {
+  if (model.positions.empty()) return findings.Add(model.file, "", "has no vertices");
+  if (AreNumbers(model, "positions", model.positions, findings)) CheckSize(model, findings);
+  AreNumbers(model, "texture coordinates", model.uv, findings);
+  for (const Target& target : model.targets)
+    AreNumbers(model, fmt::format("target \"{}\"", target.name), target.offsets, findings);
+}
+
+void CheckSameTopology(const Model& reference, const Model& other, Findings& findings) {
+  if (other.positions.size() != reference.positions.size()) {
+    findings.Add(other.file, "",
+                 fmt::format("{} vertices, {} has {}", other.positions.size(), reference.file,
+                             reference.positions.size()));
+  } else if (other.triangles != reference.triangles) {
+    findings.Add(other.file, "", "its triangles join other vertices than those of " + reference.file);
+  }
+}
+
+void CheckUnfolding(const Model& model, std::span<const Triangle> triangles, Findings& findings) {
+  double all = 0;
+  for (const Triangle& t : triangles) all += std::abs(PlaceArea(model, t));
+  const double sliver = kSliver * all / static_cast<double>(std::max<std::size_t>(triangles.size(), 1));
+  std::size_t flat = 0;
+  std::size_t turned = 0;
+  std::size_t no_area = 0;
+  for (const Triangle& t : triangles) {
+    const double place = PlaceArea(model, t);
+    if (std::abs(place) <= kFlatPlace) ++flat;
+    if (place < -sliver) ++turned;
+    const glm::vec3 cross = glm::cross(model.positions[t[1]] - model.positions[t[0]],
+                                       model.positions[t[2]] - model.positions[t[0]]);
+    if (!(glm::dot(cross, cross) > kFlat_m2 * kFlat_m2)) ++no_area;
+  }
+  const auto say = [&](std::size_t count, const char* what) {
+    if (count > 0) findings.Add(model.file, what, fmt::format("{} of {} triangles", count, triangles.size()));
+  };
+  say(flat, "without area in the texture");
+  say(turned, "turned over in the texture");
+  say(no_area, "without area in space");
+}
+
+}  // namespace kaori::import

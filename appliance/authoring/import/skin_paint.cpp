@@ -1,0 +1,177 @@
+#include "appliance/authoring/import/skin_paint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace kaori::import {
+namespace {
+
+constexpr int kSide_px = 1024;
+constexpr float kMargin = -0.15F;        // Triangles are drawn this much beyond their edges, against seams.
+constexpr float kFarthestApart = 0.08F;  // Of the show's texture: corners farther apart lie on its seam.
+
+using Colour = std::array<std::uint8_t, 4>;
+constexpr Colour kSkin{222, 184, 163, 40};
+constexpr Colour kTeeth{232, 226, 212, 150};
+constexpr Colour kTongue{186, 92, 92, 120};
+
+// Calls paint(x, y, shares) for each pixel of a triangle of texture coordinates.
+template <class Paint>
+void ForPixels(const std::array<glm::vec2, 3>& uv, Paint paint) {
+  const auto pixel = [](const glm::vec2& p) {
+    return glm::vec2(p.x, 1 - p.y) * static_cast<float>(kSide_px);
+  };
+  const glm::vec2 a = pixel(uv[0]);
+  const glm::vec2 ab = pixel(uv[1]) - a;
+  const glm::vec2 ac = pixel(uv[2]) - a;
+  const float area = ab.x * ac.y - ab.y * ac.x;
+  if (area == 0) return;
+  const glm::vec2 least = glm::clamp(glm::min(a, a + glm::min(ab, ac)) - 1.0F, 0.0F, kSide_px - 1.0F);
+  const glm::vec2 most = glm::clamp(glm::max(a, a + glm::max(ab, ac)) + 1.0F, 0.0F, kSide_px - 1.0F);
+  for (int y = static_cast<int>(least.y); y <= static_cast<int>(most.y); ++y)
+    for (int x = static_cast<int>(least.x); x <= static_cast<int>(most.x); ++x) {
+      const glm::vec2 p = glm::vec2(x, y) + 0.5F - a;
+      const float share_b = (p.x * ac.y - p.y * ac.x) / area;
+      const float share_c = (ab.x * p.y - ab.y * p.x) / area;
+      const glm::vec3 shares(1 - share_b - share_c, share_b, share_c);
+      if (std::min({shares.x, shares.y, shares.z}) > kMargin) paint(x, y, shares);
+    }
+}
+
+Colour At(const face::Texture& texture, const glm::vec2& place) {
+  const auto along = [](float t, int size_px) {
+    return std::clamp(static_cast<int>(t * static_cast<float>(size_px)), 0, size_px - 1);
+  };
+  const int x = along(place.x, texture.width_px);
+  const int y = along(1 - place.y, texture.height_px);
+  const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(texture.width_px) +
+                       static_cast<std::size_t>(x));
+  return {texture.rgba[at], texture.rgba[at + 1], texture.rgba[at + 2], texture.rgba[at + 3]};
+}
+
+Colour Mix(const Colour& from, const Colour& to, float share) {
+  Colour mixed{};
+  for (std::size_t i = 0; i < mixed.size(); ++i)
+    mixed[i] = static_cast<std::uint8_t>(
+        std::lround(glm::mix(static_cast<float>(from[i]), static_cast<float>(to[i]), share)));
+  return mixed;
+}
+
+class Painting {
+ public:
+  explicit Painting(const Colour& ground) : ground_(ground), texture_{kSide_px, kSide_px, {}} {
+    for (int i = 0; i < kSide_px * kSide_px; ++i)
+      texture_.rgba.own().insert(texture_.rgba.own().end(), ground.begin(), ground.end());
+  }
+
+  void Fill(const std::array<glm::vec2, 3>& uv, const Colour& colour) {
+    ForPixels(uv, [&](int x, int y, const glm::vec3&) { Put(x, y, colour); });
+  }
+
+  // Mixes `source` in, as much as `shown` says at the corners.
+  void Copy(const std::array<glm::vec2, 3>& uv, const std::array<glm::vec2, 3>& from, const glm::vec3& shown,
+            const face::Texture& source) {
+    ForPixels(uv, [&](int x, int y, const glm::vec3& s) {
+      const Colour paint = At(source, s.x * from[0] + s.y * from[1] + s.z * from[2]);
+      Put(x, y, Mix(ground_, paint, std::clamp(glm::dot(s, shown), 0.0F, 1.0F)));
+    });
+  }
+
+  face::Texture Release() { return std::move(texture_); }
+
+ private:
+  void Put(int x, int y, const Colour& colour) {
+    std::ranges::copy(colour,
+                      texture_.rgba.own().begin() + 4 * (static_cast<std::ptrdiff_t>(y) * kSide_px + x));
+  }
+  Colour ground_;
+  face::Texture texture_;
+};
+
+bool AreApart(const std::array<glm::vec2, 3>& places) {
+  const auto far = [](const glm::vec2& a, const glm::vec2& b) {
+    return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > kFarthestApart;
+  };
+  return far(places[0], places[1]) || far(places[1], places[2]) || far(places[2], places[0]);
+}
+
+template <class Value>
+std::array<glm::vec2, 3> Corners(const Triangle& t, Value value) {
+  return {value(t[0]), value(t[1]), value(t[2])};
+}
+
+template <class T>
+T OnSpot(const std::vector<T>& values, const Spot& spot) {
+  return spot.shares.x * values[spot.corners[0]] + spot.shares.y * values[spot.corners[1]] +
+         spot.shares.z * values[spot.corners[2]];
+}
+
+// How much of the show's paint is taken over at a point of its first face: all of it between temples,
+// hairline and chin, none where hair is painted, on ears and neck.
+float ShownAt(const glm::vec3& p) {
+  const float aside = glm::smoothstep(0.050F, 0.066F, std::abs(p.x));
+  const float above = glm::smoothstep(0.040F, 0.056F, p.y);
+  const float below = glm::smoothstep(0.088F, 0.106F, -p.y);
+  const float behind = glm::smoothstep(0.0F, 0.02F, -p.z);
+  return 1 - std::max({aside, above, below, behind});
+}
+
+// What the show's paint looks like where it fades: the middle value of each channel.
+Colour GroundOf(const std::vector<Colour>& paints) {
+  Colour ground = kSkin;
+  if (paints.empty()) return ground;
+  for (std::size_t channel = 0; channel < ground.size(); ++channel) {
+    std::vector<std::uint8_t> values;
+    for (const Colour& paint : paints) values.push_back(paint[channel]);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    ground[channel] = *middle;
+  }
+  return ground;
+}
+
+void FillMouth(const Heads& heads, Painting& painting) {
+  for (const Triangle& t : heads.triangles) {
+    const PartOf part = heads.part[t[0]];
+    if (part == PartOf::kSkin) continue;
+    painting.Fill(Corners(t, [&](Index v) { return heads.uv[v]; }),
+                  part == PartOf::kTongue ? kTongue : kTeeth);
+  }
+}
+
+}  // namespace
+
+face::Texture PlainSkin(const Heads& heads) {
+  Painting painting(kSkin);
+  FillMouth(heads, painting);
+  return painting.Release();
+}
+
+face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
+                        std::size_t like) {
+  const face::Texture& source = show.textures[static_cast<std::size_t>(show.faces[like].surface.texture)];
+  std::vector<glm::vec2> place;
+  std::vector<float> shown;
+  std::vector<Colour> at_edge;
+  for (const Spot& spot : spots) {
+    place.push_back(OnSpot(show.topology.texture, spot));
+    shown.push_back(ShownAt(OnSpot(show.faces.front().positions, spot)));
+    if (shown.back() > 0.02F && shown.back() < 0.4F) at_edge.push_back(At(source, place.back()));
+  }
+  Painting painting(GroundOf(at_edge));
+  for (const Triangle& t : heads.triangles) {
+    if (heads.part[t[0]] != PartOf::kSkin) continue;
+    const auto from = Corners(t, [&](Index v) { return place[v]; });
+    if (AreApart(from)) continue;
+    painting.Copy(Corners(t, [&](Index v) { return heads.uv[v]; }), from,
+                  {shown[t[0]], shown[t[1]], shown[t[2]]}, source);
+  }
+  FillMouth(heads, painting);
+  return painting.Release();
+}
+
+}  // namespace kaori::import

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "appliance/authoring/import/gltf_parse.h"
+
+namespace kaori::import {
+namespace {
+
+constexpr float kPercent = 0.01F;
+
+const tinygltf::Value* Member(const tinygltf::Value* value, const char* name) {
+  return value != nullptr && value->Has(name) ? &value->Get(name) : nullptr;
+}
+
+std::string Text(const tinygltf::Value* value) {
+  return value != nullptr && value->IsString() ? value->Get<std::string>() : std::string();
+}
+
+float Number(const tinygltf::Value* value, float otherwise) {
+  return value != nullptr && value->IsNumber() ? static_cast<float>(value->GetNumberAsDouble()) : otherwise;
+}
+
+int Whole(const tinygltf::Value* value) {
+  return value != nullptr && value->IsInt() ? value->Get<int>() : -1;
+}
+
+template <class Use>
+void ForEach(const tinygltf::Value* array, Use use) {
+  for (std::size_t i = 0; array != nullptr && i < array->ArrayLen(); ++i)
+    use(array->Get(static_cast<int>(i)));
+}
+
+std::string TargetName(const tinygltf::Model& model, int mesh, int target) {
+  if (mesh < 0 || static_cast<std::size_t>(mesh) >= model.meshes.size() || target < 0) return {};
+  const tinygltf::Mesh& from = model.meshes[static_cast<std::size_t>(mesh)];
+  if (from.primitives.empty()) return {};
+  const std::size_t count = from.primitives.front().targets.size();
+  const auto index = static_cast<std::size_t>(target);
+  return index < count ? TargetNames(from, count)[index] : std::string();
+}
+
+void AddPart(const std::string& target, float weight, Preset& preset) {
+  if (target.empty()) return;
+  const auto same = std::ranges::find(preset.parts, target, &PresetPart::target);
+  if (same == preset.parts.end()) preset.parts.push_back({target, weight});
+}
+
+// VRM 0.x: groups with binds of mesh, index and a weight in percent.
+Preset Group(const tinygltf::Model& model, const tinygltf::Value& group) {
+  Preset preset{Text(Member(&group, "presetName")), {}};
+  if (preset.name.empty() || preset.name == "unknown") preset.name = Text(Member(&group, "name"));
+  ForEach(Member(&group, "binds"), [&](const tinygltf::Value& bind) {
+    const std::string target = TargetName(model, Whole(Member(&bind, "mesh")), Whole(Member(&bind, "index")));
+    AddPart(target, kPercent * Number(Member(&bind, "weight"), 100), preset);
+  });
+  return preset;
+}
+
+// VRM 1.0: an object by name, binds of node, index and a weight.
+Preset Expression(const tinygltf::Model& model, std::string name, const tinygltf::Value& expression) {
+  Preset preset{std::move(name), {}};
+  ForEach(Member(&expression, "morphTargetBinds"), [&](const tinygltf::Value& bind) {
+    const int node = Whole(Member(&bind, "node"));
+    const bool exists = node >= 0 && static_cast<std::size_t>(node) < model.nodes.size();
+    const int mesh = exists ? model.nodes[static_cast<std::size_t>(node)].mesh : -1;
+    AddPart(TargetName(model, mesh, Whole(Member(&bind, "index"))), Number(Member(&bind, "weight"), 1),
+            preset);
+  });
+  return preset;
+}
+
+}  // namespace
+
+std::vector<Preset> VrmPresets(const tinygltf::Model& model) {
+  std::vector<Preset> presets;
+  if (const auto vrm = model.extensions.find("VRM"); vrm != model.extensions.end()) {
+    ForEach(Member(Member(&vrm->second, "blendShapeMaster"), "blendShapeGroups"),
+            [&](const tinygltf::Value& group) { presets.push_back(Group(model, group)); });
+  }
+  if (const auto vrm = model.extensions.find("VRMC_vrm"); vrm != model.extensions.end()) {
+    const tinygltf::Value* expressions = Member(&vrm->second, "expressions");
+    for (const char* kind : {"preset", "custom"}) {
+      const tinygltf::Value* named = Member(expressions, kind);
+      if (named == nullptr) continue;
+      for (const std::string& name : named->Keys())
+        presets.push_back(Expression(model, name, named->Get(name)));
+    }
+  }
+  std::erase_if(presets, [](const Preset& preset) { return preset.name.empty() || preset.parts.empty(); });
+  return presets;
+}
+
+}  // namespace kaori::import

@@ -1,0 +1,50 @@
+#include "appliance/authoring/inspect/folds.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace kaori::inspect {
+namespace {
+
+constexpr float kTurnedOver = -0.3F;  // Cosine of the angle to its surroundings: 107 degrees.
+constexpr float kNoArea_m2 = 1e-10F;  // A square of a hundredth of a millimetre: nobody sees where it looks.
+
+// Zero where the triangle has no area.
+glm::vec3 UnitNormal(std::span<const glm::vec3> fine, const face::Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  const glm::vec3 normal = glm::cross(fine[b] - fine[a], fine[c] - fine[a]);
+  const float length = glm::length(normal);
+  return length > 2 * kNoArea_m2 ? normal / length : glm::vec3(0);
+}
+
+}  // namespace
+
+Folds FindFolds(std::span<const glm::vec3> fine, const face::FineMesh& mesh, const std::vector<bool>& skin) {
+  const auto weld = [&](face::Index v) { return std::min(v, mesh.twin[v]); };
+  std::vector<bool> sought(fine.size(), false);  // By vertex; what no skin meets costs nothing.
+  for (std::size_t i = 0; i < skin.size(); ++i)
+    if (skin[i])
+      for (const face::Index v : mesh.triangles[i]) sought[weld(v)] = true;
+  std::vector<glm::vec3> normals(mesh.triangles.size(), glm::vec3(0));
+  std::vector<glm::vec3> around(fine.size(), glm::vec3(0));
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const face::Triangle& triangle = mesh.triangles[i];
+    if (std::ranges::none_of(triangle, [&](face::Index v) { return sought[weld(v)]; })) continue;
+    normals[i] = UnitNormal(fine, triangle);
+    for (const face::Index v : triangle) around[weld(v)] += normals[i];
+  }
+  Folds folds;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!skin[i]) continue;
+    glm::vec3 sum = -3.0F * normals[i];
+    for (const face::Index v : mesh.triangles[i]) sum += around[weld(v)];
+    if (glm::dot(sum, normals[i]) >= kTurnedOver * glm::length(sum)) continue;
+    const auto& [a, b, c] = mesh.triangles[i];
+    if (folds.triangles.empty()) folds.at = (fine[a] + fine[b] + fine[c]) / 3.0F;
+    folds.triangles.push_back(i);
+  }
+  return folds;
+}
+
+}  // namespace kaori::inspect

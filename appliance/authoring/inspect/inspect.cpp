@@ -1,0 +1,174 @@
+#include "appliance/authoring/inspect/inspect.h"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "appliance/authoring/inspect/folds.h"
+#include "appliance/authoring/inspect/lid_gaps.h"
+#include "appliance/authoring/inspect/poses.h"
+#include "appliance/authoring/inspect/skin.h"
+#include "appliance/authoring/inspect/teeth.h"
+#include "render/face/composer.h"
+#include "render/face/jaw.h"
+
+namespace kaori::inspect {
+namespace {
+
+constexpr float kSquareMillimetre_m2 = 1e-6F;
+constexpr float kMillimetre_m = 1e-3F;
+
+// Triangles of the fine mesh that expressions or lids can move.
+std::vector<bool> FindMoving(const face::Topology& topology) {
+  const face::SparseRows& rows = topology.fine.from_cage;
+  const auto moves = [&](face::Index vertex) {
+    const auto first = rows.column.begin() + rows.row_start[vertex];
+    const auto last = rows.column.begin() + rows.row_start[vertex + 1];
+    return std::any_of(first, last, [&](face::Index v) { return v < topology.moving_count; });
+  };
+  std::vector<bool> moving;
+  moving.reserve(topology.fine.triangles.size());
+  for (const face::Triangle& t : topology.fine.triangles) moving.push_back(std::ranges::any_of(t, moves));
+  return moving;
+}
+
+class Inspector {
+ public:
+  explicit Inspector(const face::Cast& cast)
+      : cast_(cast),
+        composer_(cast),
+        moving_(FindMoving(cast.topology)),
+        poses_(PosesToSee(cast.expressions)) {
+    for (Pose& pose : poses_) face::LimitJaw(cast, pose.weights);
+  }
+
+  Inspection InspectFace(std::uint16_t face) {
+    found_ = {};
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      Pose& pose = poses_[i];
+      pose.weights.faces.clear();
+      pose.weights.faces.Push(face, 1);
+      const auto& shape = composer_.Compose(pose.weights, face::Detail::kFine);
+      if (i == 0) LookForSkin(shape);
+      SeekFolds(shape, i == 0 ? skin_ : moving_skin_, face, pose.name);
+      if (pose.shut) {
+        SeekLidGaps(shape, pose.alone ? Sides::kNine : Sides::kThree, face, pose.name);
+      } else {
+        SeekTeeth(shape, face, pose.name);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  const face::FineMesh& mesh() const { return cast_.topology.fine; }
+
+  // The first pose is the face at rest.
+  void LookForSkin(const face::Shape& at_rest) {
+    skin_ = FindSkin(at_rest, mesh().triangles);
+    moving_skin_ = skin_;
+    for (std::size_t i = 0; i < skin_.size(); ++i) moving_skin_[i] = skin_[i] && moving_[i];
+  }
+
+  void Add(std::uint16_t face, const std::string& pose, Finding finding) {
+    finding.face = cast_.faces[face].name;
+    finding.pose = pose;
+    found_.findings.push_back(std::move(finding));
+  }
+
+  void SeekFolds(const face::Shape& shape, const std::vector<bool>& skin, std::uint16_t face,
+                 const std::string& pose) {
+    const Folds folds = FindFolds(shape.fine, mesh(), skin);
+    const auto count = static_cast<int>(folds.triangles.size());
+    if (count == 0) return;
+    found_.folds += count;
+    Add(face, pose,
+        {.flaw = Flaw::kFold, .count = count, .measure = static_cast<float>(count), .at = folds.at});
+  }
+
+  void SeekTeeth(const face::Shape& shape, std::uint16_t face, const std::string& pose) {
+    const auto through = FindTeethThroughLips(cast_, cast_.faces[face], shape, moving_skin_);
+    if (through.vertices == 0) return;
+    ++found_.teeth_through_lips;
+    Add(face, pose,
+        {.flaw = Flaw::kTeethThroughLips,
+         .count = through.vertices,
+         .measure = through.farthest_m / kMillimetre_m});
+  }
+
+  void SeekLidGaps(const face::Shape& shape, Sides sides, std::uint16_t face, const std::string& pose) {
+    const auto seen_m2 = BallsSeen_m2(shape, mesh().triangles, sides);
+    const int eyes = (seen_m2[0] > 0 ? 1 : 0) + (seen_m2[1] > 0 ? 1 : 0);
+    if (eyes == 0) return;
+    found_.lid_gaps += eyes;
+    const std::size_t worse = seen_m2[1] > seen_m2[0] ? 1 : 0;
+    Add(face, pose,
+        {.flaw = Flaw::kLidGap,
+         .count = eyes,
+         .measure = seen_m2[worse] / kSquareMillimetre_m2,
+         .at = shape.eyes[worse].centre});
+  }
+
+  const face::Cast& cast_;
+  face::Composer composer_;
+  std::vector<bool> moving_;
+  std::vector<Pose> poses_;
+  std::vector<bool> skin_, moving_skin_;  // Of the face in work.
+  Inspection found_;
+};
+
+Inspection Sum(std::vector<Inspection> parts) {
+  Inspection sum;
+  for (Inspection& part : parts) {
+    sum.folds += part.folds;
+    sum.lid_gaps += part.lid_gaps;
+    sum.teeth_through_lips += part.teeth_through_lips;
+    std::ranges::move(part.findings, std::back_inserter(sum.findings));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun) {
+  if (cast.topology.fine.triangles.empty()) return {};
+  std::vector<Inspection> found(cast.faces.size());
+  std::atomic<std::size_t> next = 0;
+  std::mutex speaking;
+  const auto work = [&] {
+    Inspector inspector(cast);
+    for (std::size_t face = next++; face < found.size(); face = next++) {
+      {
+        const std::lock_guard alone(speaking);
+        face_begun(cast.faces[face].name);
+      }
+      found[face] = inspector.InspectFace(static_cast<std::uint16_t>(face));
+    }
+  };
+  std::vector<std::jthread> workers(std::min<std::size_t>(found.size(), std::thread::hardware_concurrency()));
+  for (std::jthread& worker : workers) worker = std::jthread(work);
+  workers.clear();  // Each has finished.
+  return Sum(std::move(found));
+}
+
+std::string Say(const Finding& f) {
+  std::string who = f.face + ", " + f.pose;
+  switch (f.flaw) {
+    case Flaw::kFold:
+      return fmt::format("{}: {} folded triangles, the first at {:.0f} {:.0f} {:.0f} mm", who, f.count,
+                         f.at.x / kMillimetre_m, f.at.y / kMillimetre_m, f.at.z / kMillimetre_m);
+    case Flaw::kLidGap:
+      return fmt::format("{}: {} of the shut eyes {} {:.2f} mm2 of the ball", who, f.count,
+                         f.count == 1 ? "shows" : "show", f.measure);
+    case Flaw::kTeethThroughLips:
+      return fmt::format("{}: teeth through lips by {:.2f} mm", who, f.measure);
+  }
+  return who;
+}
+
+}  // namespace kaori::inspect

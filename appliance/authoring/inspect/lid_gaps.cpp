@@ -1,0 +1,117 @@
+#include "appliance/authoring/inspect/lid_gaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/inspect/depth_picture.h"
+
+namespace kaori::inspect {
+namespace {
+
+constexpr int kPixels = 96;       // Across the ball: half a millimetre.
+constexpr int kFewerPixels = 64;  // From three sides.
+constexpr int kGrazing = 2;       // So few pixels are a rim that the two rasters see differently.
+constexpr float kClose = 1.4F;    // Radii.
+constexpr std::array<float, 3> kYaws_rad{-0.5F, 0, 0.5F};
+constexpr std::array<float, 3> kPitches_rad{-0.3F, 0, 0.3F};
+
+float PixelsOfBall(const DepthPicture& picture, const glm::vec3& centre, float radius_m) {
+  int seen = 0;
+  for (int y = 0; y < picture.pixels(); ++y) {
+    for (int x = 0; x < picture.pixels(); ++x) {
+      const glm::vec2 place = picture.Middle(x, y);
+      const glm::vec2 from = place - glm::vec2(centre);
+      const float square = radius_m * radius_m - from.x * from.x - from.y * from.y;
+      if (square > 0 && centre.z + std::sqrt(square) > picture.At(place)) ++seen;
+    }
+  }
+  return seen <= kGrazing ? 0 : static_cast<float>(seen);
+}
+
+using Triangles = std::vector<glm::vec3>;  // Three corners each.
+
+// The triangles that cover a ball closely.
+Triangles CloseTo(const face::EyeBall& eye, const face::Shape& shape,
+                  std::span<const face::Triangle> triangles) {
+  const float reach_m = kClose * eye.radius_m;
+  const auto covers = [&](face::Index v) {
+    const glm::vec3 from = shape.fine[v] - eye.centre;
+    const float square = glm::dot(from, from);
+    return square > eye.radius_m * eye.radius_m && square < reach_m * reach_m;
+  };
+  Triangles corners;
+  for (const face::Triangle& t : triangles)
+    if (std::ranges::all_of(t, covers))
+      for (const face::Index v : t) corners.push_back(shape.fine[v]);
+  return corners;
+}
+
+Triangles All(const face::Shape& shape, std::span<const face::Triangle> triangles) {
+  Triangles corners;
+  corners.reserve(3 * triangles.size());
+  for (const face::Triangle& t : triangles)
+    for (const face::Index v : t) corners.push_back(shape.fine[v]);
+  return corners;
+}
+
+bool FacesUs(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
+}
+
+struct Look {
+  Sight sight;
+  DepthPicture picture;
+  glm::vec3 centre;  // The ball's, in the frame of the sight.
+};
+
+std::vector<Look> LooksAt(const face::EyeBall& eye, Sides sides) {
+  std::vector<Look> looks;
+  for (const float yaw_rad : kYaws_rad) {
+    for (const float pitch_rad : kPitches_rad) {
+      if (sides == Sides::kThree && pitch_rad != 0) continue;
+      const Sight sight{yaw_rad, pitch_rad};
+      const glm::vec3 centre = Turned(eye.centre, sight);
+      const Window window{glm::vec2(centre) - eye.radius_m, 2 * eye.radius_m};
+      looks.push_back({sight, DepthPicture(window, sides == Sides::kNine ? kPixels : kFewerPixels), centre});
+    }
+  }
+  return looks;
+}
+
+// Draws `corners` over what has been drawn before, and tells the most that is still seen.
+float BallSeen_m2(std::vector<Look>& looks, float radius_m, const Triangles& corners, bool front_alone) {
+  float most_m2 = 0;
+  Triangles turned(corners.size());
+  for (Look& look : looks) {
+    TurnAll(corners, look.sight, turned);
+    for (std::size_t i = 0; i < turned.size(); i += 3) {
+      const glm::vec3 &a = turned[i], &b = turned[i + 1], &c = turned[i + 2];
+      if (std::max({a.z, b.z, c.z}) < look.centre.z || (front_alone && !FacesUs(a, b, c))) continue;
+      look.picture.Draw(a, b, c);
+    }
+    const float pixel_m = 2 * radius_m / static_cast<float>(look.picture.pixels());
+    most_m2 = std::max(most_m2, PixelsOfBall(look.picture, look.centre, radius_m) * pixel_m * pixel_m);
+  }
+  return most_m2;
+}
+
+}  // namespace
+
+std::array<float, 2> BallsSeen_m2(const face::Shape& shape, std::span<const face::Triangle> triangles,
+                                  Sides sides) {
+  std::array<float, 2> seen_m2{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const face::EyeBall& eye = shape.eyes[side];
+    if (!(eye.radius_m > 0)) continue;
+    std::vector<Look> looks = LooksAt(eye, sides);
+    // Mostly the lids hide all; the rest of the head is drawn only if they do not.
+    seen_m2[side] = BallSeen_m2(looks, eye.radius_m, CloseTo(eye, shape, triangles), true);
+    if (seen_m2[side] > 0) seen_m2[side] = BallSeen_m2(looks, eye.radius_m, All(shape, triangles), false);
+  }
+  return seen_m2;
+}
+
+}  // namespace kaori::inspect

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "appliance/authoring/pack/difference_parts.h"
+#include "appliance/authoring/script/backdrop_file.h"
+
+namespace kaori::authoring {
+namespace {
+
+constexpr std::array<const char*, scene::kStyleCount> kStyles{"wire", "flat", "bare", "hair", "soft"};
+
+template <class Items>
+std::string NameOf(const Items& items, std::size_t index) {
+  return index < items.size() ? items[index].name : "nothing";
+}
+
+std::string StyleName(std::size_t style) {
+  return style < kStyles.size() ? kStyles[style] : "nothing";
+}
+
+// "face dog": the same words as in show.toml.
+std::string Says(const show::Show& show, const show::Call& call) {
+  switch (call.kind) {
+    case show::CallKind::kNothing:
+      return "nothing";
+    case show::CallKind::kFace:
+      return "face " + NameOf(show.cast.faces, call.index);
+    case show::CallKind::kExpression:
+      return "expression " + NameOf(show.cast.expressions, call.index);
+    case show::CallKind::kStyle:
+      return "style " + StyleName(call.index);
+    case show::CallKind::kScene:
+      return "scene " + NameOf(show.scenes, call.index);
+  }
+  return "nothing";
+}
+
+std::string OnKey(const show::Show& show, std::uint16_t usage) {
+  const auto key = std::ranges::find(show.keys, usage, &show::KeyCall::key_usage);
+  return key == show.keys.end() ? "nothing" : Says(show, key->call);
+}
+
+bool SameCurve(const show::MotionCurve& a, const show::MotionCurve& b) {
+  const auto same = [](const show::MotionKey& x, const show::MotionKey& y) {
+    return x.at_s == y.at_s && x.value == y.value;
+  };
+  return a.target == b.target && a.channel == b.channel && std::ranges::equal(a.keys, b.keys, same);
+}
+
+std::string ChannelName(const show::Show& show, int index) {
+  return index < 0 ? "nothing" : NameOf(show.cast.expressions, static_cast<std::size_t>(index));
+}
+
+std::vector<std::pair<std::string, std::string>> ChannelsOf(const show::Show& show) {
+  const show::Channels& c = show.channels;
+  std::vector<std::pair<std::string, std::string>> all{{"brow_up_left", ChannelName(show, c.brow_up[0])},
+                                                       {"brow_up_right", ChannelName(show, c.brow_up[1])},
+                                                       {"brow_frown", ChannelName(show, c.brow_frown)},
+                                                       {"lids_up", ChannelName(show, c.lids_up)},
+                                                       {"lids_down", ChannelName(show, c.lids_down)}};
+  for (std::size_t i = 0; i < c.mouth.size(); ++i)
+    all.emplace_back(fmt::format("mouth {}", i + 1), ChannelName(show, c.mouth[i]));
+  return all;
+}
+
+const face::Texture* PictureOf(const ScriptedScene& s) {
+  const auto index = static_cast<std::size_t>(s.scene.backdrop.picture);
+  return index < s.show.cast.textures.size() ? &s.show.cast.textures[index] : nullptr;
+}
+
+// Pictures are the same when they look the same, wherever they stand in the pack.
+bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
+  scene::Backdrop as_a = b.scene.backdrop;
+  as_a.picture = a.scene.backdrop.picture;
+  if (!(as_a == a.scene.backdrop)) return false;
+  if (as_a.kind != scene::BackdropKind::kPicture) return true;
+  const face::Texture* before = PictureOf(a);
+  const face::Texture* after = PictureOf(b);
+  return before != nullptr && after != nullptr && before->width_px == after->width_px &&
+         before->rgba == after->rgba;
+}
+
+}  // namespace
+
+void CompareMotion(const std::string& item, const show::Motion& a, const show::Motion& b, Lines& lines) {
+  if (a.key_usage != b.key_usage) lines.push_back(item + ": is played by another key");
+  if (!std::ranges::equal(a.curves, b.curves, SameCurve)) lines.push_back(item + ": moves otherwise");
+  if (a.sound.channels != b.sound.channels || a.sound.samples != b.sound.samples)
+    lines.push_back(item + ": sounds otherwise");
+}
+
+void CompareScene(const std::string& item, const ScriptedScene& a, const ScriptedScene& b, Lines& lines) {
+  const auto compare = [&](const char* what, const std::string& before, const std::string& after) {
+    if (before != after) lines.push_back(fmt::format("{}: {} {} is now {}", item, what, before, after));
+  };
+  compare("face", NameOf(a.show.cast.faces, a.scene.face), NameOf(b.show.cast.faces, b.scene.face));
+  compare("expression", NameOf(a.show.cast.expressions, a.scene.expression),
+          NameOf(b.show.cast.expressions, b.scene.expression));
+  compare("style", StyleName(static_cast<std::size_t>(a.scene.style)),
+          StyleName(static_cast<std::size_t>(b.scene.style)));
+  compare("light", fmt::format("{:.2f}", a.scene.exposure), fmt::format("{:.2f}", b.scene.exposure));
+  compare("fade", fmt::format("{:.2f} s", a.scene.fade_s), fmt::format("{:.2f} s", b.scene.fade_s));
+  compare("backdrop", NameOf(a.scene.backdrop.kind), NameOf(b.scene.backdrop.kind));
+  if (a.scene.backdrop.kind == b.scene.backdrop.kind && !SameBackdrop(a, b))
+    lines.push_back(item + ": backdrop changed");
+  if (a.scene.key_usage != b.scene.key_usage) lines.push_back(item + ": is called by another key");
+}
+
+void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
+  for (std::size_t i = 0; i < a.buttons.size(); ++i)
+    if (const auto before = Says(a, a.buttons[i]), after = Says(b, b.buttons[i]); before != after)
+      lines.push_back(fmt::format("button {}: {} is now {}", i + 1, before, after));
+  for (const show::KeyCall& key : b.keys)
+    if (const auto before = OnKey(a, key.key_usage), after = Says(b, key.call); before != after)
+      lines.push_back(fmt::format("key {}: {} is now {}", key.key_usage, before, after));
+  for (const show::KeyCall& key : a.keys)
+    if (OnKey(b, key.key_usage) == "nothing")
+      lines.push_back(fmt::format("key {}: {} is now nothing", key.key_usage, Says(a, key.call)));
+  const auto before = ChannelsOf(a);
+  const auto after = ChannelsOf(b);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (before[i].second != after[i].second)
+      lines.push_back(
+          fmt::format("channel {}: {} is now {}", before[i].first, before[i].second, after[i].second));
+}
+
+}  // namespace kaori::authoring

@@ -1,0 +1,37 @@
+// The parts of Differences: one item before and after, and a line for what changed in it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "appliance/core/show/show.h"
+
+namespace kaori::authoring {
+
+using Lines = std::vector<std::string>;
+
+// An expression, and the points that it moves.
+struct WornExpression {
+  const face::ControlNet& net;
+  const face::Expression& expression;
+};
+
+// A scene, and the show whose faces and expressions it numbers.
+struct ScriptedScene {
+  const show::Show& show;
+  const show::StageScene& scene;
+};
+
+void CompareTopology(const face::Topology& a, const face::Topology& b, Lines& lines);
+void CompareFace(const std::string& item, const face::Face& a, const face::Face& b, Lines& lines);
+void CompareTexture(const std::string& item, const face::Texture* a, const face::Texture* b, Lines& lines);
+void CompareProp(const std::string& item, const face::Prop& a, const face::Prop& b, Lines& lines);
+void ComparePoint(const std::string& item, const face::ControlPoint& a, const face::ControlPoint& b,
+                  Lines& lines);
+void CompareExpression(const std::string& item, const WornExpression& a, const WornExpression& b,
+                       Lines& lines);
+void CompareMotion(const std::string& item, const show::Motion& a, const show::Motion& b, Lines& lines);
+void CompareScene(const std::string& item, const ScriptedScene& a, const ScriptedScene& b, Lines& lines);
+void CompareControls(const show::Show& a, const show::Show& b, Lines& lines);
+
+}  // namespace kaori::authoring

@@ -1,0 +1,32 @@
+#include "appliance/authoring/pack/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace kaori::authoring {
+namespace {
+
+constexpr std::string_view kEraseLine = "\r\x1b[K";
+
+}  // namespace
+
+ProgressLine::ProgressLine() : begun_(clock_.now()), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (on_terminal_ && shown_) fmt::print(stderr, "{}", kEraseLine);
+}
+
+void ProgressLine::Step(std::string_view what) {
+  const std::string line = fmt::format("[{:5.1f} s] {}", seconds(), what);
+  if (on_terminal_)
+    fmt::print(stderr, "{}{}", kEraseLine, line);
+  else
+    fmt::print(stderr, "{}\n", line);
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+}  // namespace kaori::authoring

@@ -1,0 +1,29 @@
+#include "appliance/authoring/pack/verbs.h"
+#include "appliance/authoring/script/labels.h"
+#include "appliance/core/show/pack.h"
+#include "appliance/core/show/pack_whole_file.h"
+
+namespace kaori::authoring {
+namespace {
+
+int RunLabels(const Arguments& arguments) {
+  const auto show = show::LoadPack(arguments.words[0]);
+  if (!show) return Complain(show.error());
+  const std::string json = LabelsJson(*show);
+  if (const auto ok = show::WriteWholeFile(arguments.words[1], {show::AsBytes(json)}); !ok)
+    return Complain(ok.error());
+  return 0;
+}
+
+}  // namespace
+
+Verb LabelsVerb() {
+  return {.name = "labels",
+          .words = {"FILE", "JSON"},
+          .options = {},
+          .summary = "what the show writes on the operators' controls, for kaori-sim's page",
+          .page = "",
+          .run = RunLabels};
+}
+
+}  // namespace kaori::authoring

@@ -1,0 +1,131 @@
+#include "appliance/authoring/script/labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "appliance/core/performance/knobs.h"
+#include "appliance/core/performance/state.h"
+
+namespace kaori::authoring {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint16_t kSpace = 0x2C, kZ = 0x1D, kX = 0x1B;  // HID usage page 7.
+
+struct Dial {
+  const char* text;
+  const char* unit;
+  const char* called_by;  // A call of this group comes whole and fills the dial; a scene does so too.
+};
+constexpr std::array<Dial, performance::kKnobCount> kDials{{
+    {"Face", "%", "face"},
+    {"Expression", "%", "expression"},
+    {"Strength", "%", nullptr},
+    {"Fade time", "s", nullptr},
+    {"Mouth", "%", nullptr},
+    {"Mouth width", "%", nullptr},
+    {"Life", "%", nullptr},
+    {"Light", "%", nullptr},
+}};
+
+constexpr std::array<const char*, scene::kStyleCount> kStyles{"Wireframe", "Flat", "No hair", "Hair",
+                                                              "Soft light"};
+
+// As people write it: a float's 1.4 is not 1.39999998.
+double Short(float value) {
+  return std::round(static_cast<double>(value) * 1e4) / 1e4;
+}
+
+Json DialsJson() {
+  const performance::State opening;
+  Json dials = Json::array();
+  for (std::size_t n = 0; n < kDials.size(); ++n) {
+    const Dial& dial = kDials[n];
+    const performance::KnobRange& range = performance::kKnobRanges[n];
+    dials.push_back(
+        {{"text", dial.text},
+         {"unit", dial.unit},
+         {"low", Short(range.low)},
+         {"high", Short(range.high)},
+         {"per_turn", Short(range.per_turn)},
+         {"start", Short(opening.knobs[n])},
+         {"filled_by", dial.called_by == nullptr ? Json::array() : Json{dial.called_by, "scene"}}});
+  }
+  return dials;
+}
+
+struct Label {
+  std::string text;
+  const char* group = "";
+};
+
+Label LabelOf(const show::Call& call, const show::Show& show) {
+  const auto labelled = [](const std::string& text, const char* group) { return Label{text, group}; };
+  switch (call.kind) {
+    case show::CallKind::kFace:
+      return labelled(Readable(show.cast.faces[call.index].name), "face");
+    case show::CallKind::kExpression:
+      return labelled(Readable(show.cast.expressions[call.index].name), "expression");
+    case show::CallKind::kStyle:
+      return labelled(kStyles[call.index], "style");
+    case show::CallKind::kScene:
+      return labelled(Readable(show.scenes[call.index].name), "scene");
+    case show::CallKind::kNothing:
+      break;
+  }
+  return {};
+}
+
+Json ButtonJson(const show::Call& call, const show::Show& show) {
+  const Label label = LabelOf(call, show);
+  return Json{{"text", label.text}, {"group", label.group}};
+}
+
+Json SticksJson() {
+  return Json::array({{{"text", "Head"}, {"twist", "Tilt"}, {"slide", "Lean in"}},
+                      {{"text", "Gaze and brows"}, {"twist", "Brows"}, {"slide", "Brows up"}}});
+}
+
+// In the order in which hands find them: blinks, registered motions, scenes, and what else keys call.
+Json KeysJson(const show::Show& show) {
+  Json keys = Json::array();
+  const auto add = [&keys](std::uint16_t usage, const std::string& text, const char* group) {
+    if (usage != 0) keys.push_back({{"usage", usage}, {"text", text}, {"group", group}});
+  };
+  add(kSpace, "Blink", "blink");
+  add(kZ, "Wink left", "blink");  // As the audience sees her.
+  add(kX, "Wink right", "blink");
+  for (const show::Motion& take : show.motions) add(take.key_usage, Readable(take.name), "take");
+  for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
+  for (const show::KeyCall& key : show.keys) {
+    const Label label = LabelOf(key.call, show);
+    add(key.key_usage, label.text, label.group);
+  }
+  return keys;
+}
+
+}  // namespace
+
+std::string Readable(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+std::string LabelsJson(const show::Show& show) {
+  Json buttons = Json::array();
+  for (const show::Call& call : show.buttons) buttons.push_back(ButtonJson(call, show));
+  const Json labels{{"show", show.name},
+                    {"dials", DialsJson()},
+                    {"buttons", buttons},
+                    {"sticks", SticksJson()},
+                    {"keys", KeysJson(show)}};
+  // A name that is not UTF-8 is shown with replacement signs.
+  return labels.dump(1, ' ', false, nlohmann::detail::error_handler_t::replace) + '\n';
+}
+
+}  // namespace kaori::authoring

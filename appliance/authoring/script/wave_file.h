@@ -1,0 +1,18 @@
+// Reads a WAV file as a sound of the box: 48 kHz, 16 bit.
+#pragma once
+
+#include <filesystem>
+
+#include "appliance/core/show/show.h"
+#include "drivers/base/result.h"
+
+namespace kaori::authoring {
+
+// PCM of 16 or 24 bit, one or two channels, 8 to 192 kHz; other rates than 48 kHz become that. Errors:
+//   those of the file
+//   invalid_argument  no WAV file, another kind of sound, cut off, or longer than a motion may be: the
+//   attempt
+//                     names the file and the reason
+Result<show::Sound> ReadWave(const std::filesystem::path& file);
+
+}  // namespace kaori::authoring

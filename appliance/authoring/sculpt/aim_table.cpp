@@ -1,0 +1,68 @@
+#include "appliance/authoring/sculpt/aim_table.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/sculpt/pchip.h"
+
+namespace kaori::sculpt {
+namespace {
+
+// One coordinate of the table's row `row`, between its columns.
+Pchip AlongRow(const AimTable& table, std::size_t row, int axis) {
+  std::vector<double> values;
+  for (const glm::dvec3& p : table.points[row]) values.push_back(p[axis]);
+  return {table.columns, values};
+}
+
+void FillAxis(const AimTable& table, int axis, std::vector<glm::dvec3>& grid) {
+  std::vector<Pchip> along;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) along.push_back(AlongRow(table, row, axis));
+  for (int column = 0; column <= kColumns; ++column) {
+    std::vector<double> values;
+    for (const Pchip& curve : along) values.push_back(curve.At(column));
+    const Pchip up(table.rows, values);
+    for (int row = 0; row <= kRows; ++row) {
+      grid[static_cast<std::size_t>(row * (kColumns + 1) + column)][axis] = up.At(row);
+    }
+  }
+}
+
+double Unit(double x) {
+  return std::clamp(x, 0.0, 1.0);
+}
+
+// A point inside the head or the neck, from which the skin is seen outwards.
+glm::dvec3 AxisPoint(int row, glm::dvec3 aimed) {
+  if (row <= 5) return {0, aimed.y, -3.2 - 0.15 * (5 - row)};
+  if (row < 8) return {0, -8 - 0.3 * (8 - row), 1 - 0.9 * (8 - row)};
+  if (row < 11) return {0, -5 + 0.8 * (aimed.y + 5) * (row - 8) / 3, -1};
+  if (row <= 26) return {0, aimed.y, -0.8};
+  const double t = (row - 26) / 10.0;
+  return {0, aimed.y * (1 - t) + 2.5 * t, -0.8};
+}
+
+double Frontness(GridPoint at) {
+  return Unit(1 - (at.column - 6) / 7.0) * Unit((at.row - 8) / 3.0) * Unit((34 - at.row) / 8.0);
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> AimedGrid(const AimTable& table, const AimScale& scale) {
+  std::vector<glm::dvec3> grid(static_cast<std::size_t>((kColumns + 1) * (kRows + 1)));
+  for (int axis = 0; axis < 3; ++axis) FillAxis(table, axis, grid);
+  for (glm::dvec3& p : grid) {
+    p.x *= scale.x;
+    p.y *= p.y < 0 ? scale.y_below_eyes : scale.y_above_eyes;
+  }
+  return grid;
+}
+
+glm::dvec3 ProjectionDirection(GridPoint at, glm::dvec3 aimed) {
+  const glm::dvec3 outwards = glm::normalize(aimed - AxisPoint(at.row, aimed));
+  const double front = Frontness(at);
+  return glm::normalize(outwards * (1 - front) + glm::dvec3(0, 0, front));
+}
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,112 @@
+#include "appliance/authoring/sculpt/cage.h"
+
+#include <algorithm>
+
+namespace kaori::sculpt {
+namespace {
+
+// Expressions reach from below the chin to the forehead and to before the ear; the rest of the head is still.
+constexpr int kMovingColumns = 16;
+constexpr int kMovingRow0 = 3;
+constexpr int kMovingRow1 = 33;
+
+bool CanMove(const Key& key) {
+  if (key.region == Region::kEye || key.region == Region::kMouth) return true;
+  return key.region == Region::kGrid && key.a <= kMovingColumns && key.b >= kMovingRow0 &&
+         key.b <= kMovingRow1;
+}
+
+bool IsMiddle(const Key& key) {
+  if (key.region == Region::kGrid) return key.a == 0 && key.b < kRows;
+  return key.region == Region::kMouth && (key.a == 0 || key.a == kMouthRim - 1);
+}
+
+bool IsSeam(const Key& key) {
+  return key.region == Region::kGrid && (key.a == kColumns || key.b == kRows);
+}
+
+void AddVertex(Cage& cage, Index half, int side) {
+  const auto vertex = static_cast<Index>(cage.vertices.size());
+  cage.vertices.push_back({.half = half, .side = side, .twin = vertex});
+  (side > 0 ? cage.left : cage.right)[half] = vertex;
+}
+
+void AddVertices(Cage& cage, bool moving) {
+  for (int side : {1, -1}) {
+    for (Index half = 0; half < cage.half.keys.size(); ++half) {
+      const Key& key = cage.half.keys[half];
+      if (CanMove(key) != moving) continue;
+      if (side < 0 && IsMiddle(key)) {
+        cage.right[half] = cage.left[half];
+      } else {
+        AddVertex(cage, half, side);
+      }
+    }
+  }
+}
+
+void LinkTwins(Cage& cage) {
+  for (Index half = 0; half < cage.half.keys.size(); ++half) {
+    if (!IsSeam(cage.half.keys[half])) continue;
+    cage.vertices[cage.left[half]].twin = cage.right[half];
+    cage.vertices[cage.right[half]].twin = cage.left[half];
+  }
+}
+
+void AddQuads(Cage& cage) {
+  for (const Quad& q : cage.half.quads) {
+    cage.quads.push_back({cage.left[q[0]], cage.left[q[1]], cage.left[q[2]], cage.left[q[3]]});
+  }
+  for (const Quad& q : cage.half.quads) {
+    cage.quads.push_back({cage.right[q[0]], cage.right[q[3]], cage.right[q[2]], cage.right[q[1]]});
+  }
+}
+
+void AddOnce(std::vector<Index>& list, Index vertex) {
+  if (std::find(list.begin(), list.end(), vertex) == list.end()) list.push_back(vertex);
+}
+
+}  // namespace
+
+Cage BuildCage() {
+  Cage cage;
+  cage.half = BuildHalfTopology();
+  cage.left.resize(cage.half.keys.size());
+  cage.right.resize(cage.half.keys.size());
+  AddVertices(cage, true);
+  cage.moving_count = static_cast<Index>(cage.vertices.size());
+  AddVertices(cage, false);
+  LinkTwins(cage);
+  AddQuads(cage);
+  return cage;
+}
+
+std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::dvec3>& half) {
+  std::vector<glm::dvec3> whole;
+  whole.reserve(cage.vertices.size());
+  for (const CageVertex& v : cage.vertices) whole.push_back(half[v.half] * glm::dvec3(v.side, 1, 1));
+  return whole;
+}
+
+std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dvec2>& half) {
+  std::vector<glm::dvec2> whole;
+  whole.reserve(cage.vertices.size());
+  for (const CageVertex& v : cage.vertices) whole.push_back(half[v.half] * glm::dvec2(v.side, 1));
+  return whole;
+}
+
+std::vector<std::vector<Index>> Neighbours(const Cage& cage) {
+  std::vector<std::vector<Index>> neighbours(cage.vertices.size());
+  for (const Quad& quad : cage.quads) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index a = cage.Weld(quad[i]);
+      const Index b = cage.Weld(quad[(i + 1) % 4]);
+      if (a == b) continue;
+      AddOnce(neighbours[a], b);
+      AddOnce(neighbours[b], a);
+    }
+  }
+  return neighbours;
+}
+
+}  // namespace kaori::sculpt

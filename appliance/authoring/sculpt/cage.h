@@ -1,0 +1,51 @@
+// The whole head's vertices: two halves joined in the middle of the face, in the order in which a cast keeps
+// them.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "appliance/authoring/sculpt/half_topology.h"
+
+namespace kaori::sculpt {
+
+// A shape of one half, in centimetres: position and place of each vertex of HalfTopology.
+struct HalfShape {
+  std::vector<glm::dvec3> position;
+  std::vector<glm::dvec2> place;
+};
+
+struct CageVertex {
+  Index half = 0;  // The vertex of the half that it is, or mirrors.
+  int side = 1;    // +1: the character's left, and the middle of the face; -1: the mirror image.
+  Index twin = 0;  // The other copy on the seam at the back or on the crown: same position, other place.
+};
+
+// Vertices that can move with an expression come first: [0, moving_count).
+struct Cage {
+  HalfTopology half;
+  std::vector<CageVertex> vertices;
+  Index moving_count = 0;
+  std::vector<Index> left;   // By vertex of the half: the cage's vertex on the character's left,
+  std::vector<Index> right;  // and on the right; the same one in the middle of the face.
+  std::vector<Quad> quads;   // Counter-clockwise seen from outside, both halves.
+
+  const Key& key(Index vertex) const { return half.keys[vertices[vertex].half]; }
+  // The lower-numbered of a vertex and its twin: one name for one position.
+  Index Weld(Index vertex) const { return std::min(vertex, vertices[vertex].twin); }
+};
+
+Cage BuildCage();
+
+// The half's values on the whole cage, mirrored.
+std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::dvec3>& half);
+std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dvec2>& half);
+
+// For each vertex the vertices at the far ends of its quad edges, seams closed: lists hold welded vertices,
+// and a vertex that is not its own Weld() has an empty list.
+std::vector<std::vector<Index>> Neighbours(const Cage& cage);
+
+}  // namespace kaori::sculpt

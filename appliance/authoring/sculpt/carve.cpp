@@ -1,0 +1,47 @@
+#include "appliance/authoring/sculpt/carve.h"
+
+#include "appliance/authoring/sculpt/aim_table.h"
+#include "appliance/authoring/sculpt/ear.h"
+#include "appliance/authoring/sculpt/eye_rings.h"
+#include "appliance/authoring/sculpt/mouth_rings.h"
+#include "appliance/authoring/sculpt/place_grid.h"
+
+namespace kaori::sculpt {
+namespace {
+
+void PlaceGridVertices(const HalfTopology& half, const AimTable& aim, const Carved& recipe,
+                       HalfShape& shape) {
+  const std::vector<glm::dvec3> aimed = AimedGrid(aim, recipe.scale);
+  const std::vector<glm::dvec2> places = PlaceGrid();
+  for (Index v = 0; v < half.keys.size(); ++v) {
+    const Key& key = half.keys[v];
+    if (key.region != Region::kGrid) continue;
+    const auto at = static_cast<std::size_t>(key.b * (kColumns + 1) + key.a);
+    shape.position[v] = Project(recipe.bodies, aimed[at], ProjectionDirection({key.a, key.b}, aimed[at]));
+    shape.place[v] = places[at];
+    if (key.a == 0 || key.a == kColumns || key.b == kRows) shape.position[v].x = 0;
+  }
+}
+
+// Before the rings: those of the mouth start from the grid.
+void Touch(const HalfTopology& half, const std::vector<Landmark>& touches, HalfShape& shape) {
+  for (const Landmark& touch : touches) {
+    shape.position[half.At(touch.vertex.region, touch.vertex.a, touch.vertex.b)] = touch.target;
+  }
+}
+
+}  // namespace
+
+HalfShape Carve(const HalfTopology& half, const AimTable& aim, const Carved& recipe) {
+  HalfShape shape;
+  shape.position.resize(half.keys.size());
+  shape.place.resize(half.keys.size());
+  PlaceGridVertices(half, aim, recipe, shape);
+  Touch(half, recipe.touches, shape);
+  PlaceEyeRings(half, recipe.bodies, recipe.eye, shape);
+  PlaceMouthRings(half, recipe.bodies, recipe.mouth, shape);
+  PlaceEar(half, recipe.bodies, recipe.ear, shape);
+  return shape;
+}
+
+}  // namespace kaori::sculpt

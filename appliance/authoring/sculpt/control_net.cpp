@@ -1,0 +1,209 @@
+#include "appliance/authoring/sculpt/control_net.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "appliance/authoring/sculpt/delaunay.h"
+#include "appliance/authoring/sculpt/point_surface.h"
+#include "appliance/authoring/sculpt/texture_map.h"
+
+namespace kaori::sculpt {
+namespace {
+
+constexpr int kSmoothSteps = 3;
+constexpr int kLipSmoothSteps = 6;  // More around the lips, whose corners are drawn far on short triangles.
+constexpr double kOutside = -0.1;   // A share below this: the place lies too far outside the triangle.
+constexpr double kLeastWeight = 1e-4;  // Smaller ones cost and cannot be seen.
+constexpr std::array<double, kMouthRings - kLipContactRing> kIntoBag{1.0, 0.9, 0.6, 0.35};
+
+// How a control point as written maps to columns of the net; border points have none.
+struct Column {
+  std::optional<Index> left;
+  std::optional<Index> right;
+};
+
+// Rows by vertex of the cage, columns by control point.
+class WeightTable {
+ public:
+  WeightTable(std::size_t rows, std::size_t columns) : columns_(columns), value_(rows * columns) {}
+
+  double* row(std::size_t r) { return value_.data() + r * columns_; }
+  const double* row(std::size_t r) const { return value_.data() + r * columns_; }
+  std::size_t columns() const { return columns_; }
+
+  face::SparseRows Sparse(std::size_t rows) const {
+    face::SparseRows sparse;
+    sparse.row_start.push_back(0);
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::size_t c = 0; c < columns_; ++c) {
+        if (row(r)[c] < kLeastWeight) continue;
+        sparse.column.push_back(static_cast<Index>(c));
+        sparse.weight.push_back(static_cast<float>(row(r)[c]));
+      }
+      sparse.row_start.push_back(static_cast<std::uint32_t>(sparse.column.size()));
+    }
+    return sparse;
+  }
+
+ private:
+  std::size_t columns_;
+  std::vector<double> value_;
+};
+
+// Points of the left half in the file's order, then the border.
+struct HalfNet {
+  std::vector<glm::dvec2> place_cm;
+  std::vector<Column> column;
+  std::vector<Key> vertex;  // What the point lies on, where that is the edge of a lid or a lip.
+  std::vector<Corners3> triangles;
+};
+
+HalfNet MakeHalfNet(const ExpressionFile& file, face::ControlNet& net) {
+  HalfNet half;
+  const auto add = [&net](const std::string& name, glm::dvec2 place_cm) {
+    net.points.push_back({name, glm::vec2(UnitFromPlace(place_cm))});
+    return static_cast<Index>(net.points.size() - 1);
+  };
+  for (const AuthoredPoint& point : file.points) {
+    half.place_cm.push_back(point.place_cm);
+    half.vertex.push_back(point.vertex.value_or(Key{}));
+    if (point.paired) {
+      const Index left = add(point.name + ".l", point.place_cm);
+      half.column.push_back({left, add(point.name + ".r", point.place_cm * glm::dvec2(-1, 1))});
+    } else {
+      const Index middle = add(point.name, {0, point.place_cm.y});
+      half.column.push_back({middle, middle});
+    }
+  }
+  for (glm::dvec2 place_cm : file.border_cm) {
+    half.place_cm.push_back(place_cm);
+    half.vertex.push_back({});
+    half.column.push_back({});
+  }
+  half.triangles = Delaunay(half.place_cm);
+  return half;
+}
+
+// The vertex whose place stands for `key`, and how much of its motion is felt there.
+struct Lender {
+  Key key;
+  double share = 1;
+};
+
+Lender LenderOf(const Key& key) {
+  if (key.region == Region::kEye && key.b > kLidRing) return {{key.region, key.a, kLidRing}, 1};
+  if (key.region == Region::kMouth && key.b > kLipContactRing) {
+    return {{key.region, key.a, kLipContactRing},
+            kIntoBag[static_cast<std::size_t>(key.b - kLipContactRing - 1)]};
+  }
+  return {key, 1};
+}
+
+// Above (1) or below (-1) the slit of the eye or the mouth; 0 in its corners and elsewhere.
+int SideOfSlit(const Key& key) {
+  if (key.region == Region::kMouth) return key.a == kMouthCorner ? 0 : key.a < kMouthCorner ? 1 : -1;
+  if (key.region != Region::kEye || key.a % (kEyeRim / 2) == 0) return 0;
+  return key.a < kEyeRim / 2 ? 1 : -1;
+}
+
+bool AreOpposed(const Key& a, const Key& b) {
+  return a.region == b.region && SideOfSlit(a) * SideOfSlit(b) < 0;
+}
+
+struct Found {
+  Corners3 corners{};
+  glm::dvec3 shares{};
+  double inside = kOutside;  // The smallest share: how deep the place lies in the triangle.
+};
+
+// The triangle that holds the place. Between two points on its edge a lip bows into the slit, where triangles
+// reach over to the other lip: those are passed over for the one that the place misses by least.
+Found FindTriangle(const HalfNet& net, glm::dvec2 place_cm, const Key& key) {
+  Found best;
+  for (const Corners3& t : net.triangles) {
+    const auto opposed = [&](std::size_t corner) { return AreOpposed(net.vertex[corner], key); };
+    if (std::any_of(t.begin(), t.end(), opposed)) continue;
+    const auto shares = SharesIn(net.place_cm[t[0]], net.place_cm[t[1]], net.place_cm[t[2]], place_cm);
+    if (!shares) continue;
+    const double inside = std::min({shares->x, shares->y, shares->z});
+    if (inside > best.inside) best = {t, CleanShares(*shares), inside};
+  }
+  return best;
+}
+
+bool FillRow(const HalfNet& net, glm::dvec2 place_cm, const CageVertex& vertex, const Lender& lender,
+             double* row) {
+  const Found found = FindTriangle(net, place_cm, lender.key);
+  if (found.shares == glm::dvec3(0)) return false;
+  for (int i = 0; i < 3; ++i) {
+    const Column& column = net.column[found.corners[static_cast<std::size_t>(i)]];
+    const std::optional<Index>& c = vertex.side > 0 ? column.left : column.right;
+    if (c) row[*c] += found.shares[i] * lender.share;
+  }
+  return true;
+}
+
+Result<WeightTable> LinearWeights(const Cage& cage, const HalfShape& reference, const HalfNet& net,
+                                  std::size_t points) {
+  WeightTable table(cage.vertices.size(), points);
+  for (Index v = 0; v < cage.moving_count; ++v) {
+    const Lender lender = LenderOf(cage.key(v));
+    const glm::dvec2 place_cm = reference.place[cage.half.At(lender.key.region, lender.key.a, lender.key.b)];
+    if (!FillRow(net, place_cm, cage.vertices[v], lender, table.row(v))) {
+      return FailInput(fmt::format("control points: no triangle of theirs holds the place ({:.2f}, {:.2f})",
+                                   place_cm.x, place_cm.y));
+    }
+  }
+  return table;
+}
+
+bool IsSmoothed(const Key& key) {
+  return !(key.region == Region::kEye && key.b >= kLidRing) &&
+         !(key.region == Region::kMouth && key.b >= kLipContactRing);
+}
+
+bool IsAroundLips(const Key& key) {
+  return key.region == Region::kMouth && key.b < kLipContactRing;
+}
+
+using Choice = bool (*)(const Key& key);
+
+void SmoothOnce(const Cage& cage, const std::vector<std::vector<Index>>& neighbours, Choice chosen,
+                WeightTable& table) {
+  const WeightTable before = table;
+  for (Index v = 0; v < cage.moving_count; ++v) {
+    if (!chosen(cage.key(v))) continue;
+    const double each = 0.5 / static_cast<double>(neighbours[v].size());
+    double* row = table.row(v);
+    for (std::size_t c = 0; c < table.columns(); ++c) {
+      double sum = 0;
+      for (Index n : neighbours[v]) sum += before.row(n)[c];
+      row[c] = 0.5 * before.row(v)[c] + each * sum;
+    }
+  }
+}
+
+}  // namespace
+
+Result<face::ControlNet> MakeControlNet(const Cage& cage, const HalfShape& reference,
+                                        const ExpressionFile& file) {
+  face::ControlNet net;
+  const HalfNet half = MakeHalfNet(file, net);
+  if (half.triangles.empty()) return FailInput("control points: they do not span the face");
+  Result<WeightTable> table = LinearWeights(cage, reference, half, net.points.size());
+  if (!table) return tl::unexpected(table.error());
+  net.to_cage_linear = table->Sparse(cage.moving_count);
+  const std::vector<std::vector<Index>> neighbours = Neighbours(cage);
+  for (int step = 0; step < kSmoothSteps; ++step) SmoothOnce(cage, neighbours, IsSmoothed, *table);
+  for (int step = 0; step < kLipSmoothSteps; ++step) SmoothOnce(cage, neighbours, IsAroundLips, *table);
+  net.to_cage = table->Sparse(cage.moving_count);
+  net.surface = PointsOnSurface(cage, reference, file.points);
+  return net;
+}
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,113 @@
+#include "appliance/authoring/sculpt/ear.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/sculpt/disc.h"
+
+namespace kaori::sculpt {
+namespace {
+
+constexpr int kMiddleColumn = (kEarBlock.column0 + kEarBlock.column1) / 2;
+constexpr int kMiddleRow = (kEarBlock.row0 + kEarBlock.row1) / 2;
+constexpr glm::dvec3 kShift_cm{0, -0.1, -0.2};  // From the middle of the rim.
+constexpr double kCapDepth_cm = 0.75;
+constexpr double kPlaceShrink = 0.12;  // Each ring shrinks by this in the unrolled surface.
+
+// How large a ring is, and how far it stands off the head in front and behind.
+struct Ring {
+  double scale;
+  double lift_front_cm;
+  double lift_rear_cm;
+};
+// Out to the helix, into the groove behind it, up again to the inner ridge.
+constexpr std::array<Ring, kEarRings> kRings{
+    {{0.78, 0.15, 0.45}, {1.0, 0.30, 1.25}, {0.93, 0.42, 1.42}, {0.77, 0.26, 0.98}, {0.58, 0.44, 1.06}}};
+
+// Offset of a ring's point in the plane of the head's side: x forward, y up.
+glm::dvec2 InPlane(const EarRecipe& ear, const Ring& ring, glm::dvec2 disc) {
+  const double tilt = ear.tilt_deg * std::numbers::pi / 180;
+  const double helix = 1 - 0.30 * std::max(disc.x, 0.0) * std::max(disc.y, 0.0);
+  const double lobe = disc.y < 0 ? 1 + 0.30 * disc.y : 1;
+  const double up = ear.height * ring.scale * disc.y * helix;
+  return {ear.width * ring.scale * disc.x * lobe - up * std::sin(tilt), up * std::cos(tilt)};
+}
+
+double Lift(const Ring& ring, glm::dvec2 disc) {
+  const double rear = std::clamp(0.5 - 0.5 * disc.x, 0.0, 1.0);
+  const double lift_cm = glm::mix(ring.lift_front_cm, ring.lift_rear_cm, std::pow(rear, 1.3));
+  return lift_cm * (1 - 0.45 * std::max(disc.y, 0.0));
+}
+
+glm::dvec3 RingPoint(const std::vector<Body>& bodies, const EarRecipe& ear, const Ring& ring, glm::dvec2 disc,
+                     glm::dvec3 centre) {
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(0, 0.12, 1));
+  const glm::dvec3 up = glm::normalize(glm::dvec3(0, 1, 0) - forward * forward.y);
+  const glm::dvec2 offset = InPlane(ear, ring, disc);
+  glm::dvec3 p = centre + kShift_cm + offset.y * up + offset.x * forward;
+  // The upper rim would sink into the skull, and leave a notch.
+  const double skin_x = Project(bodies, {6.5, p.y, p.z}, {1, 0, 0}).x;
+  p.x = disc.y > 0 ? std::max(p.x, skin_x) : 0.6 * p.x + 0.4 * skin_x;
+  return p + glm::dvec3(Lift(ring, disc), 0, 0);
+}
+
+// A patch whose four sides are given: a Coons fill of the cap from the innermost ring.
+template <class Point, class Side>
+Point Fill(const Side& side, int column, int row) {
+  const Block& b = kEarBlock;
+  const double s = static_cast<double>(column - b.column0) / (b.column1 - b.column0);
+  const double t = static_cast<double>(row - b.row0) / (b.row1 - b.row0);
+  const Point across = (1 - s) * side(b.column0, row) + s * side(b.column1, row);
+  const Point along = (1 - t) * side(column, b.row0) + t * side(column, b.row1);
+  const Point corners = (1 - t) * ((1 - s) * side(b.column0, b.row0) + s * side(b.column1, b.row0)) +
+                        t * ((1 - s) * side(b.column0, b.row1) + s * side(b.column1, b.row1));
+  return across + along - corners;
+}
+
+void PlaceCap(const HalfTopology& half, HalfShape& shape) {
+  const auto position = [&](int c, int r) { return shape.position[half.At(Region::kEarCap, c, r)]; };
+  const auto place = [&](int c, int r) { return shape.place[half.At(Region::kEarCap, c, r)]; };
+  for (int row = kEarBlock.row0 + 1; row < kEarBlock.row1; ++row) {
+    for (int column = kEarBlock.column0 + 1; column < kEarBlock.column1; ++column) {
+      const Index vertex = half.At(Region::kEarCap, column, row);
+      shape.position[vertex] = Fill<glm::dvec3>(position, column, row) - glm::dvec3(kCapDepth_cm, 0, 0);
+      shape.place[vertex] = Fill<glm::dvec2>(place, column, row);
+    }
+  }
+}
+
+}  // namespace
+
+glm::dvec2 OnEarDisc(GridPoint at) {
+  const double half_width = 0.5 * (kEarBlock.column1 - kEarBlock.column0);
+  const double half_height = 0.5 * (kEarBlock.row1 - kEarBlock.row0);
+  return DiscFromSquare({(kMiddleColumn - at.column) / half_width, (at.row - kMiddleRow) / half_height});
+}
+
+void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const EarRecipe& ear,
+              HalfShape& shape) {
+  glm::dvec3 centre{};
+  glm::dvec2 centre_place{};
+  for (GridPoint p : half.ear_rim) {
+    centre += shape.position[half.Grid(p.column, p.row)] / static_cast<double>(kEarRim);
+    centre_place += shape.place[half.Grid(p.column, p.row)] / static_cast<double>(kEarRim);
+  }
+  for (int k = 1; k <= kEarRings; ++k) {
+    for (int j = 0; j < kEarRim; ++j) {
+      const GridPoint rim = half.ear_rim[static_cast<std::size_t>(j)];
+      const Index vertex = half.At(Region::kEar, j, k);
+      const Ring& ring = kRings[static_cast<std::size_t>(k - 1)];
+      shape.position[vertex] = RingPoint(bodies, ear, ring, OnEarDisc(rim), centre);
+      shape.place[vertex] =
+          glm::mix(shape.place[half.Grid(rim.column, rim.row)], centre_place, kPlaceShrink * k);
+    }
+  }
+  PlaceCap(half, shape);
+}
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,19 @@
+// The ear: a bowl of rings that stands off the head, and the cap of cells that closes it.
+#pragma once
+
+#include <vector>
+
+#include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/sculpt/recipe.h"
+
+namespace kaori::sculpt {
+
+// A rim position of the ear's block on the unit disc: x forward, y up. By index, whatever the shape of the
+// rim.
+glm::dvec2 OnEarDisc(GridPoint at);
+
+// Sets position and place of all ear rings and of the cap. The rim must lie on the skin already.
+void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const EarRecipe& ear,
+              HalfShape& shape);
+
+}  // namespace kaori::sculpt

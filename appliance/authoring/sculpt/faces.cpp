@@ -1,0 +1,88 @@
+#include "appliance/authoring/sculpt/faces.h"
+
+#include <utility>
+
+#include "appliance/authoring/sculpt/animal.h"
+#include "appliance/authoring/sculpt/carve.h"
+#include "appliance/authoring/sculpt/kettle.h"
+
+namespace kaori::sculpt {
+namespace {
+
+constexpr double kFacesMetresPerCentimetre = 0.01;
+
+glm::vec3 Metres(glm::dvec3 p_cm) {
+  return glm::vec3(p_cm * kFacesMetresPerCentimetre);
+}
+float Metres(double length_cm) {
+  return static_cast<float>(length_cm * kFacesMetresPerCentimetre);
+}
+
+class Shaper {
+ public:
+  Shaper(const Cage& cage, const CastRecipe& cast)
+      : cage_(cage), cast_(cast), eye_(std::get<Carved>(cast.faces.front().shape).eye) {
+    reference_ = Carve(cage.half, cast.aim, std::get<Carved>(cast.faces.front().shape));
+  }
+
+  Result<ShapedFace> operator()(const Carved& recipe) const {
+    const EyeRecipe& eye = recipe.eye;
+    ShapedFace face{Carve(cage_.half, cast_.aim, recipe), {eye.centre, eye.radius, eye.thickness}};
+    face.shape.place = reference_.place;
+    return face;
+  }
+
+  Result<ShapedFace> operator()(const Warped& recipe) const {
+    Result<HalfShape> shape = PullToLandmarks(cage_, reference_, eye_, recipe);
+    if (!shape) return tl::unexpected(shape.error());
+    return ShapedFace{std::move(*shape), BallOf(recipe, eye_)};
+  }
+
+  Result<ShapedFace> operator()(const Turned& recipe) const {
+    Result<Kettle> kettle = Turn(cage_.half, reference_, eye_, recipe);
+    if (!kettle) return tl::unexpected(kettle.error());
+    return ShapedFace{std::move(kettle->shape), kettle->eye};
+  }
+
+ private:
+  const Cage& cage_;
+  const CastRecipe& cast_;
+  EyeRecipe eye_;
+  HalfShape reference_;
+};
+
+std::array<face::EyeBall, 2> MakeEyes(const Ball& left) {
+  const face::EyeBall ball{Metres(left.centre), Metres(left.radius), Metres(left.lid_thickness)};
+  face::EyeBall mirrored = ball;
+  mirrored.centre.x = -mirrored.centre.x;
+  return {ball, mirrored};
+}
+
+}  // namespace
+
+Result<std::vector<ShapedFace>> ShapeFaces(const Cage& cage, const CastRecipe& cast) {
+  const Shaper shaper(cage, cast);
+  std::vector<ShapedFace> faces;
+  for (const FaceRecipe& recipe : cast.faces) {
+    Result<ShapedFace> face = std::visit(shaper, recipe.shape);
+    if (!face) return FailInput(recipe.file + ": " + face.error().attempt);
+    faces.push_back(std::move(*face));
+  }
+  return faces;
+}
+
+face::Face MakeFace(const Cage& cage, const FaceRecipe& recipe, const ShapedFace& shaped) {
+  face::Face face;
+  face.name = recipe.name;
+  for (const glm::dvec3& p : WholePositions(cage, shaped.shape.position)) face.positions.push_back(Metres(p));
+  face.eyes = MakeEyes(shaped.eye);
+  face.mouth = {.scale = static_cast<float>(recipe.teeth_scale),
+                .offset = Metres(recipe.teeth_offset),
+                .upper_teeth = static_cast<float>(recipe.upper_teeth),
+                .lower_teeth = static_cast<float>(recipe.lower_teeth),
+                .tongue = static_cast<float>(recipe.tongue)};
+  face.expression_gain = static_cast<float>(recipe.expression_gain);
+  return face;
+}
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,25 @@
+// The faces of a cast, shaped from their recipes.
+#pragma once
+
+#include <vector>
+
+#include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/sculpt/recipe.h"
+#include "appliance/authoring/sculpt/seat_lids.h"
+#include "drivers/base/result.h"
+#include "render/face/cast.h"
+
+namespace kaori::sculpt {
+
+struct ShapedFace {
+  HalfShape shape;  // In centimetres; places are those of the reference face.
+  Ball eye;         // The left one.
+};
+
+// One for each recipe, in their order. A fault names the file.
+Result<std::vector<ShapedFace>> ShapeFaces(const Cage& cage, const CastRecipe& cast);
+
+// In metres. Only what the sculptor decides is filled: name, positions, balls, mouth fit, gain.
+face::Face MakeFace(const Cage& cage, const FaceRecipe& recipe, const ShapedFace& shaped);
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,24 @@
+#include "appliance/authoring/sculpt/fine_mesh.h"
+
+#include "appliance/authoring/mesh/subdivide.h"
+#include "appliance/authoring/sculpt/texture_map.h"
+
+namespace kaori::sculpt {
+
+face::FineMesh MakeFineMesh(const Cage& cage, const std::vector<glm::dvec2>& places) {
+  std::vector<mesh::Polygon> polygons;
+  for (const Quad& quad : cage.quads) polygons.push_back(Corners(quad));
+  std::vector<Index> weld;
+  for (Index v = 0; v < cage.vertices.size(); ++v) weld.push_back(cage.Weld(v));
+  face::FineMesh fine = mesh::Subdivide(polygons, weld);
+  const face::SparseRows& rows = fine.attributes_from_cage;
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    glm::dvec2 place{};
+    for (std::uint32_t i = rows.row_start[row]; i < rows.row_start[row + 1]; ++i)
+      place += static_cast<double>(rows.weight[i]) * places[rows.column[i]];
+    fine.texture.emplace_back(TextureFromPlace(place));
+  }
+  return fine;
+}
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,14 @@
+// The fine mesh of the heads that are modelled here.
+#pragma once
+
+#include <vector>
+
+#include "appliance/authoring/sculpt/cage.h"
+#include "render/face/topology.h"
+
+namespace kaori::sculpt {
+
+// As mesh::Subdivide, with texture places. `places` are the cage's, in centimetres.
+face::FineMesh MakeFineMesh(const Cage& cage, const std::vector<glm::dvec2>& places);
+
+}  // namespace kaori::sculpt

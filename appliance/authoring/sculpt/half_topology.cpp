@@ -1,0 +1,199 @@
+#include "appliance/authoring/sculpt/half_topology.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace kaori::sculpt {
+namespace {
+
+constexpr Index kNobody = ~Index{0};
+constexpr int kEarColumns = kEarBlock.column1 - kEarBlock.column0;
+constexpr int kEarRows = kEarBlock.row1 - kEarBlock.row0;
+
+struct Extent {
+  int count_a, count_b;
+  std::size_t count() const { return static_cast<std::size_t>(count_a) * static_cast<std::size_t>(count_b); }
+};
+
+constexpr Extent ExtentOf(Region region) {
+  switch (region) {
+    case Region::kGrid:
+      return {kColumns + 1, kRows + 1};
+    case Region::kEye:
+      return {kEyeRim, kEyeRings + 1};
+    case Region::kMouth:
+      return {kMouthRim, kMouthRings + 1};
+    case Region::kEar:
+      return {kEarRim, kEarRings + 1};
+    case Region::kEarCap:
+      break;
+  }
+  return {kEarColumns + 1, kEarRows + 1};
+}
+
+std::size_t Slot(Region region, int a, int b) {
+  const Extent extent = ExtentOf(region);
+  if (region == Region::kEye || region == Region::kEar) a = (a + extent.count_a) % extent.count_a;
+  if (region == Region::kEarCap) a -= kEarBlock.column0, b -= kEarBlock.row0;
+  assert(a >= 0 && a < extent.count_a && b >= 0 && b < extent.count_b);
+  return static_cast<std::size_t>(b) * static_cast<std::size_t>(extent.count_a) + static_cast<std::size_t>(a);
+}
+
+bool IsInside(const Block& block, int column, int row) {
+  return column > block.column0 && column < block.column1 && row > block.row0 && row < block.row1;
+}
+
+bool HasCell(const Block& block, int column, int row) {
+  return column >= block.column0 && column < block.column1 && row >= block.row0 && row < block.row1;
+}
+
+// The mouth's block reaches the middle of the face: its inside includes column 0.
+bool IsCutOut(int column, int row) {
+  const Block mouth{-1, kMouthBlock.column1, kMouthBlock.row0, kMouthBlock.row1};
+  return IsInside(kEyeBlock, column, row) || IsInside(kEarBlock, column, row) || IsInside(mouth, column, row);
+}
+
+// Clockwise from the middle of the block's inner side: up, over the top, down, back below.
+std::vector<GridPoint> ClosedRim(const Block& block) {
+  const int middle = (block.row0 + block.row1) / 2;
+  std::vector<GridPoint> rim;
+  for (int row = middle; row < block.row1; ++row) rim.push_back({block.column0, row});
+  for (int column = block.column0; column < block.column1; ++column) rim.push_back({column, block.row1});
+  for (int row = block.row1; row > block.row0; --row) rim.push_back({block.column1, row});
+  for (int column = block.column1; column > block.column0; --column) rim.push_back({column, block.row0});
+  for (int row = block.row0; row < middle; ++row) rim.push_back({block.column0, row});
+  return rim;
+}
+
+// Clockwise from the middle of the face above the mouth to the middle below.
+std::vector<GridPoint> OpenRim(const Block& block) {
+  std::vector<GridPoint> rim;
+  for (int column = block.column0; column < block.column1; ++column) rim.push_back({column, block.row1});
+  for (int row = block.row1; row > block.row0; --row) rim.push_back({block.column1, row});
+  for (int column = block.column1; column >= block.column0; --column) rim.push_back({column, block.row0});
+  return rim;
+}
+
+class Builder {
+ public:
+  HalfTopology Build() {
+    half_.eye_rim = ClosedRim(kEyeBlock);
+    half_.mouth_rim = OpenRim(kMouthBlock);
+    half_.ear_rim = ClosedRim(kEarBlock);
+    for (Region region : {Region::kGrid, Region::kEye, Region::kMouth, Region::kEar, Region::kEarCap}) {
+      Table(region).assign(ExtentOf(region).count(), kNobody);
+    }
+    AddGrid();
+    AddGridCells();
+    AddRings(Region::kEye, half_.eye_rim, kEyeRings, kEyeRim);
+    AddRings(Region::kMouth, half_.mouth_rim, kMouthRings, kMouthRim - 1);
+    ZipMouthBag();
+    AddRings(Region::kEar, half_.ear_rim, kEarRings, kEarRim);
+    AddEarCap();
+    return std::move(half_);
+  }
+
+ private:
+  std::vector<Index>& Table(Region region) { return half_.table[static_cast<std::size_t>(region)]; }
+
+  void Add(Key key) {
+    Table(key.region)[Slot(key.region, key.a, key.b)] = static_cast<Index>(half_.keys.size());
+    half_.keys.push_back(key);
+  }
+
+  void AddGrid() {
+    for (int row = 0; row <= kRows; ++row) {
+      for (int column = 0; column <= kColumns; ++column) {
+        const bool end_of_crown = row == kRows && (column == 0 || column == kColumns);
+        if (!end_of_crown && !IsCutOut(column, row)) Add({Region::kGrid, column, row});
+      }
+    }
+  }
+
+  void AddGridCells() {
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        const bool cut = HasCell(kEyeBlock, column, row) || HasCell(kMouthBlock, column, row) ||
+                         HasCell(kEarBlock, column, row);
+        if (!cut) AddGridCell(column, row);
+      }
+    }
+  }
+
+  // The two end cells of the crown are triangles.
+  void AddGridCell(int column, int row) {
+    const bool crown = row == kRows - 1;
+    const int above0 = crown && column == 0 ? 1 : column;
+    const int above1 = crown && column == kColumns - 1 ? column : column + 1;
+    half_.quads.push_back({half_.Grid(column, row), half_.Grid(column + 1, row), half_.Grid(above1, row + 1),
+                           half_.Grid(above0, row + 1)});
+  }
+
+  // Rims run clockwise, so ring quads are listed from the inner ring outwards.
+  void AddRings(Region region, const std::vector<GridPoint>& rim, int rings, int steps) {
+    for (std::size_t j = 0; j < rim.size(); ++j) {
+      Table(region)[Slot(region, static_cast<int>(j), 0)] = half_.Grid(rim[j].column, rim[j].row);
+    }
+    for (int k = 1; k <= rings; ++k) {
+      for (std::size_t j = 0; j < rim.size(); ++j) Add({region, static_cast<int>(j), k});
+    }
+    for (int k = 0; k < rings; ++k) {
+      for (int j = 0; j < steps; ++j) {
+        half_.quads.push_back({half_.At(region, j, k + 1), half_.At(region, j + 1, k + 1),
+                               half_.At(region, j + 1, k), half_.At(region, j, k)});
+      }
+    }
+  }
+
+  void ZipMouthBag() {
+    const auto end = [this](int j) { return half_.At(Region::kMouth, j, kMouthRings); };
+    const int last = kMouthRim - 1;
+    for (int j = 0; j < kMouthCorner; ++j) {
+      half_.quads.push_back({end(last - j), end(last - 1 - j), end(j + 1), end(j)});
+    }
+  }
+
+  void AddEarCap() {
+    for (std::size_t j = 0; j < half_.ear_rim.size(); ++j) {
+      const GridPoint p = half_.ear_rim[j];
+      Table(Region::kEarCap)[Slot(Region::kEarCap, p.column, p.row)] =
+          half_.At(Region::kEar, static_cast<int>(j), kEarRings);
+    }
+    for (int row = kEarBlock.row0 + 1; row < kEarBlock.row1; ++row) {
+      for (int column = kEarBlock.column0 + 1; column < kEarBlock.column1; ++column) {
+        Add({Region::kEarCap, column, row});
+      }
+    }
+    const auto cap = [this](int column, int row) { return half_.At(Region::kEarCap, column, row); };
+    for (int row = kEarBlock.row0; row < kEarBlock.row1; ++row) {
+      for (int column = kEarBlock.column0; column < kEarBlock.column1; ++column) {
+        half_.quads.push_back(
+            {cap(column, row), cap(column + 1, row), cap(column + 1, row + 1), cap(column, row + 1)});
+      }
+    }
+  }
+
+  HalfTopology half_;
+};
+
+}  // namespace
+
+Index HalfTopology::At(Region region, int a, int b) const {
+  const Index vertex = table[static_cast<std::size_t>(region)][Slot(region, a, b)];
+  assert(vertex != kNobody);
+  return vertex;
+}
+
+HalfTopology BuildHalfTopology() {
+  return Builder().Build();
+}
+
+std::vector<Index> Corners(const Quad& quad) {
+  std::vector<Index> corners;
+  for (Index corner : quad) {
+    if (std::find(corners.begin(), corners.end(), corner) == corners.end()) corners.push_back(corner);
+  }
+  return corners;
+}
+
+}  // namespace kaori::sculpt

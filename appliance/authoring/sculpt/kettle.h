@@ -1,0 +1,20 @@
+// A turned body that still is a face: eyes and mouth on its wall, a spout for a nose, a handle for ears.
+#pragma once
+
+#include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/sculpt/recipe.h"
+#include "appliance/authoring/sculpt/seat_lids.h"
+#include "drivers/base/result.h"
+
+namespace kaori::sculpt {
+
+struct Kettle {
+  HalfShape shape;
+  Ball eye;
+};
+
+// Fails where the body's profile puts points of the face into one place.
+Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const EyeRecipe& eye,
+                    const Turned& recipe);
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,16 @@
+// Places of the grid's lines in the unrolled surface.
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "appliance/authoring/sculpt/half_topology.h"
+
+namespace kaori::sculpt {
+
+// In centimetres, as in texture_map.h; [row * (kColumns + 1) + column]. Narrow cells in the face, wide
+// behind.
+std::vector<glm::dvec2> PlaceGrid();
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,17 @@
+// Where the control points lie on the cage, whatever face it wears.
+#pragma once
+
+#include <vector>
+
+#include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/sculpt/expression_file.h"
+#include "render/face/topology.h"
+
+namespace kaori::sculpt {
+
+// Rows in the order of the net's points: paired ones left, right. A row mixes the corners of the skin's quad
+// in which the point lies; what lies behind the edges of lips and lids is no skin.
+face::SparseRows PointsOnSurface(const Cage& cage, const HalfShape& reference,
+                                 const std::vector<AuthoredPoint>& points);
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,140 @@
+// What the files of a show say about the shape of a face. Lengths in centimetres, angles in degrees, the
+// frame of Cast (+x the character's left, +y up, +z out of the face); only the left half is described.
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "appliance/authoring/sculpt/half_topology.h"
+#include "appliance/authoring/sculpt/signed_distance.h"
+
+namespace kaori::sculpt {
+
+// Where some vertices of the grid are aimed before they are projected: rows of points, smooth in between.
+struct AimTable {
+  std::vector<double> columns;                  // Grid columns, rising from 0 to 26.
+  std::vector<double> rows;                     // Grid rows, rising from 0 to 36.
+  std::vector<std::vector<glm::dvec3>> points;  // [row][column]
+};
+
+// The reference face's table, stretched for another face.
+struct AimScale {
+  double x = 1;
+  double y_above_eyes = 1;
+  double y_below_eyes = 1;
+};
+
+struct EyeRecipe {
+  glm::dvec3 centre{};  // Of the ball.
+  double radius = 0;
+  double inner_x = 0, inner_y = 0;  // Corners of the lids.
+  double outer_x = 0, outer_y = 0;
+  double upper_height = 0;  // Of the open lids over the line between the corners.
+  double lower_height = 0;
+  double thickness = 0.13;  // The lid's margin over the ball.
+  double crease = 0.16;     // Depth of the fold in the upper lid.
+};
+
+struct MouthRecipe {
+  double half_width = 0;
+  double y = 0;
+  double upper_height = 0;  // Of the lips.
+  double lower_height = 0;
+  double upturn = 0;  // How far the corners rise.
+  double fullness = 1;
+};
+
+struct EarRecipe {
+  double height = 3.1;  // Half of it.
+  double width = 1.75;
+  double tilt_deg = 14;
+};
+
+// A vertex, and where it goes.
+struct Landmark {
+  Key vertex;
+  glm::dvec3 target{};
+};
+
+// A solid of round bodies, onto which the grid is projected.
+struct Carved {
+  AimScale scale;
+  std::vector<Body> bodies;
+  std::vector<Landmark>
+      touches;  // Points of the grid set by hand, where a solid is too coarse: the nose's base.
+  EyeRecipe eye;
+  MouthRecipe mouth;
+  EarRecipe ear;
+};
+
+// The ear's block drawn out into a tube: six stations from the head to the tip.
+struct Tube {
+  std::vector<glm::dvec3> path;
+  std::vector<double> half_width;
+  std::vector<double> half_thickness;
+  glm::dvec3 width_direction{};
+  double cap = 0;  // How far the end bulges.
+};
+
+// The reference face pulled to landmarks.
+struct Warped {
+  std::vector<Landmark> landmarks;
+  glm::dvec3 eye_shift{};  // The ball goes here from its place in the reference face,
+  double eye_scale = 1;    // and so do four points of the lids' margin, scaled about it.
+  double eye_radius = 0;
+  double lid_thickness = 0.13;
+  int smoothing_steps = 0;
+  Tube ear;
+};
+
+struct Spout {
+  glm::dvec3 foot{};  // Start and end of its axis.
+  glm::dvec3 tip{};
+  double foot_width = 0;
+  double foot_height = 0;
+  double foot_out = 0;  // How far the foot stands out along the axis.
+  double rim_radius = 0;
+  double hole_depth = 0;
+  double hole_radius = 0;
+};
+
+// A turned body with a spout for a nose and a handle for ears.
+struct Turned {
+  std::vector<double> profile_rows;
+  std::vector<double> profile_radius;
+  std::vector<double> profile_y;
+  std::vector<double> columns;
+  std::vector<double> angles_deg;  // Round the axis from the front.
+  double knob_y = 0;               // The crown's seam lies across the knob.
+  double knob_radius = 0;
+  double eye_yaw_deg = 0;  // Where the eyes look to.
+  double lid_thickness = 0.15;
+  double mouth_scale = 1;  // Of the lips; the rings around grow less.
+  double lip_relief = 0;
+  double wall_radius = 10.5;  // Of the wall where the mouth is.
+  Spout spout;
+  Tube handle;
+};
+
+struct FaceRecipe {
+  std::string name;
+  std::string file;
+  std::variant<Carved, Warped, Turned> shape;
+  double teeth_scale = 1;
+  glm::dvec3 teeth_offset{};
+  double upper_teeth = 1;
+  double lower_teeth = 1;
+  double tongue = 1;
+  double expression_gain = 1;
+};
+
+struct CastRecipe {
+  AimTable aim;
+  std::vector<FaceRecipe> faces;  // The first is the reference face, and carved.
+};
+
+}  // namespace kaori::sculpt

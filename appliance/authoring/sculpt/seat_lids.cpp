@@ -1,0 +1,32 @@
+#include "appliance/authoring/sculpt/seat_lids.h"
+
+#include <glm/geometric.hpp>
+
+namespace kaori::sculpt {
+namespace {
+
+constexpr double kSunk_cm = 0.45;         // Ring 7 under the ball's surface.
+constexpr double kSkinOverLid_cm = 0.05;  // The rings before it over the lid's edge.
+
+glm::dvec3 AtRadius(const Ball& ball, glm::dvec3 p, double radius) {
+  return ball.centre + glm::normalize(p - ball.centre) * radius;
+}
+
+void SeatRing(const HalfTopology& half, const Ball& ball, int k, double radius, HalfShape& shape) {
+  for (int j = 0; j < kEyeRim; ++j) {
+    glm::dvec3& p = shape.position[half.At(Region::kEye, j, k)];
+    if (k >= kLidRing || glm::distance(p, ball.centre) < radius) p = AtRadius(ball, p, radius);
+  }
+}
+
+}  // namespace
+
+void SeatLids(const HalfTopology& half, const Ball& ball, HalfShape& shape) {
+  const double edge = ball.radius + ball.lid_thickness;
+  for (int k = 1; k < kLidRing; ++k) SeatRing(half, ball, k, edge + kSkinOverLid_cm, shape);
+  SeatRing(half, ball, kLidRing, edge, shape);
+  SeatRing(half, ball, kLidRing + 1, ball.radius, shape);
+  SeatRing(half, ball, kLidRing + 2, ball.radius - kSunk_cm, shape);
+}
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,77 @@
+#include "appliance/authoring/sculpt/signed_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace kaori::sculpt {
+namespace {
+
+constexpr double kSoftMiddle_cm =
+    0.25;  // Rounds |x| off at 0, so that mirrored bodies leave no crease there.
+constexpr double kStart_cm = 5;
+constexpr int kSteps = 60;
+constexpr double kStride = 0.8;  // Of the distance: blended ellipsoids overstate it a little.
+
+// Cubic smooth minimum: differs from min() only where the two are closer than `width`.
+double SmoothMin(double a, double b, double width) {
+  if (width <= 0) return std::min(a, b);
+  const double h = std::max(width - std::abs(a - b), 0.0) / width;
+  return std::min(a, b) - h * h * h * width / 6;
+}
+
+double ToEllipsoid(const Body& body, glm::dvec3 p) {
+  const glm::dvec3 q = p - body.a;
+  const double k0 = glm::length(q / body.b);
+  const double k1 = glm::length(q / (body.b * body.b));
+  return k0 * (k0 - 1) / std::max(k1, 1e-9);
+}
+
+double ToCapsule(const Body& body, glm::dvec3 p) {
+  const glm::dvec3 axis = body.b - body.a;
+  const glm::dvec3 q = p - body.a;
+  const double h = std::clamp(glm::dot(q, axis) / glm::dot(axis, axis), 0.0, 1.0);
+  return glm::length(q - h * axis) - (body.radius_a_cm + (body.radius_b_cm - body.radius_a_cm) * h);
+}
+
+double ToBox(const Body& body, glm::dvec3 p) {
+  const glm::dvec3 q = glm::abs(p - body.a) - (body.b - body.radius_a_cm);
+  const double inside = std::min(std::max({q.x, q.y, q.z}), 0.0);
+  return glm::length(glm::max(q, glm::dvec3(0))) + inside - body.radius_a_cm;
+}
+
+double ToBody(const Body& body, glm::dvec3 p, glm::dvec3 folded) {
+  const glm::dvec3 q = body.mirrored ? folded : p;
+  switch (body.shape) {
+    case Body::Shape::kEllipsoid:
+      return ToEllipsoid(body, q);
+    case Body::Shape::kCapsule:
+      return ToCapsule(body, q);
+    case Body::Shape::kBox:
+      break;
+  }
+  return ToBox(body, q);
+}
+
+}  // namespace
+
+double SignedDistance(const std::vector<Body>& bodies, glm::dvec3 p) {
+  const glm::dvec3 folded(std::sqrt(p.x * p.x + kSoftMiddle_cm * kSoftMiddle_cm), p.y, p.z);
+  double distance = 1e9;
+  for (const Body& body : bodies) {
+    const double to_body = ToBody(body, p, folded);
+    distance = body.join == Body::Join::kAdd ? SmoothMin(distance, to_body, body.blend_cm)
+                                             : -SmoothMin(-distance, to_body, body.blend_cm);
+  }
+  return distance;
+}
+
+glm::dvec3 Project(const std::vector<Body>& bodies, glm::dvec3 p, glm::dvec3 outwards) {
+  glm::dvec3 q = p + kStart_cm * outwards;
+  for (int i = 0; i < kSteps; ++i) q -= kStride * SignedDistance(bodies, q) * outwards;
+  return q;
+}
+
+}  // namespace kaori::sculpt

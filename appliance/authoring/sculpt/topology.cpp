@@ -1,0 +1,105 @@
+#include "appliance/authoring/sculpt/topology.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "appliance/authoring/sculpt/fine_mesh.h"
+#include "appliance/authoring/sculpt/texture_map.h"
+
+namespace kaori::sculpt {
+namespace {
+
+// How far each ring of the eye, 0 .. 7, follows the lid's edge when it shuts; below the eye the skin follows
+// less. The rim, ring 0, stays where it is and is only kept out of the ball.
+constexpr int kRingsOfLid = kEyeRings + 1;
+constexpr std::array<float, kRingsOfLid> kFollow{0, 0.08F, 0.28F, 0.56F, 0.86F, 1, 1, 1};
+constexpr float kLowerSkin = 0.6F;
+
+void SplitQuads(const Cage& cage, const HalfShape& reference, std::vector<face::Triangle>& triangles) {
+  const auto length = [&](Index a, Index b) {
+    return glm::distance(reference.position[cage.vertices[a].half],
+                         reference.position[cage.vertices[b].half]);
+  };
+  for (const Quad& quad : cage.quads) {
+    const std::vector<Index> q = Corners(quad);
+    if (q.size() == 3) {
+      triangles.push_back({q[0], q[1], q[2]});
+    } else if (length(q[0], q[2]) <= length(q[1], q[3])) {
+      triangles.push_back({q[0], q[1], q[2]});
+      triangles.push_back({q[0], q[2], q[3]});
+    } else {
+      triangles.push_back({q[0], q[1], q[3]});
+      triangles.push_back({q[1], q[2], q[3]});
+    }
+  }
+}
+
+// Each edge once, also on seams.
+std::vector<face::Line> Wires(const Cage& cage) {
+  std::set<std::pair<Index, Index>> edges;
+  for (const Quad& quad : cage.quads) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index a = cage.Weld(quad[i]);
+      const Index b = cage.Weld(quad[(i + 1) % 4]);
+      if (a != b) edges.emplace(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::vector<face::Line> wires;
+  for (const auto& [a, b] : edges) wires.push_back({a, b});
+  return wires;
+}
+
+float SmoothStep(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return static_cast<float>(t * t * (3 - 2 * t));
+}
+
+// Lips, jaw and chin move with the mouth; cheeks and nose with the expression.
+float MouthShare(const Key& key, glm::dvec2 place_cm) {
+  if (key.region == Region::kMouth) return 1;
+  return SmoothStep(-3.6, -5.0, place_cm.y) * SmoothStep(7.5, 4.5, std::abs(place_cm.x));
+}
+
+face::LidRig MakeLidRig(const Cage& cage, const std::vector<Index>& side) {
+  face::LidRig rig;
+  rig.columns = kEyeRim / 2 + 1;
+  rig.rings = kRingsOfLid;
+  rig.margin_ring = kLidRing;
+  for (int k = 0; k < kRingsOfLid; ++k) {
+    for (int j = 0; j < rig.columns; ++j) {
+      rig.upper.push_back(side[cage.half.At(Region::kEye, j, k)]);
+      rig.lower.push_back(side[cage.half.At(Region::kEye, -j, k)]);
+    }
+    const float follow = kFollow[static_cast<std::size_t>(k)];
+    rig.follow_upper.push_back(follow);
+    rig.follow_lower.push_back(k <= 3 ? follow * kLowerSkin : follow);
+  }
+  return rig;
+}
+
+}  // namespace
+
+face::Topology MakeTopology(const Cage& cage, const HalfShape& reference) {
+  const std::vector<glm::dvec2> places = WholePlaces(cage, reference.place);
+  face::Topology topology;
+  topology.vertex_count = static_cast<Index>(cage.vertices.size());
+  topology.moving_count = cage.moving_count;
+  for (Index v = 0; v < topology.vertex_count; ++v) {
+    topology.place.emplace_back(UnitFromPlace(places[v]));
+    topology.texture.emplace_back(TextureFromPlace(places[v]));
+    topology.twin.push_back(cage.vertices[v].twin);
+    topology.mouth_share.push_back(MouthShare(cage.key(v), places[v]));
+  }
+  SplitQuads(cage, reference, topology.triangles);
+  topology.wires = Wires(cage);
+  topology.lids = {MakeLidRig(cage, cage.left), MakeLidRig(cage, cage.right)};
+  topology.fine = MakeFineMesh(cage, places);
+  return topology;
+}
+
+}  // namespace kaori::sculpt

@@ -1,0 +1,36 @@
+// What an inspection found, by face and expression, in the few words that a small picture has room for.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "appliance/authoring/inspect/inspect.h"
+
+namespace kaori::authoring {
+
+class Flaws {
+ public:
+  Flaws() : summary_("not inspected") {}
+  explicit Flaws(const inspect::Inspection& inspection);
+
+  // "3 folds", "lids 0.2 mm² with brow_up", "5 flaws, 3 folds with a"; empty: none. A pose belongs to the
+  // expression that its name begins with; shut lids on the face at rest to kLidsShut.
+  std::string On(const std::string& face, const std::string& expression) const;
+
+  // "0 folds, 2 lid gaps, 0 teeth through lips".
+  const std::string& summary() const { return summary_; }
+  bool any() const { return !found_.empty(); }
+
+  static constexpr const char* kLidsShut = "lids shut";
+
+ private:
+  struct Found {
+    int count = 0;
+    std::string first;
+  };
+  std::map<std::pair<std::string, std::string>, Found> found_;  // By face and expression.
+  std::string summary_;
+};
+
+}  // namespace kaori::authoring

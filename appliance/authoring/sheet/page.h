@@ -1,0 +1,21 @@
+// The page that shows contact sheets in a browser.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "appliance/authoring/sheet/layout.h"
+#include "appliance/authoring/sheet/plan.h"
+
+namespace kaori::authoring {
+
+struct LaidOut {
+  Sheet sheet;
+  Layout layout;
+};
+
+// One file that needs nothing but the pictures beside it: each cell can be found by face, by name and by
+// flaw, and is shown large when it is clicked.
+std::string Page(const std::vector<LaidOut>& sheets, const std::string& show, const std::string& about);
+
+}  // namespace kaori::authoring

@@ -1,0 +1,121 @@
+// Where each section lies on the board: computed once, and hashed so that no two programs disagree.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include "appliance/core/board/sections.h"
+#include "appliance/core/board/slots.h"
+
+namespace kaori::board {
+
+enum class Section : std::uint32_t {
+  kSurface,
+  kStickLeft,
+  kStickRight,
+  kKeys,
+  kLines,
+  kPointer,
+  kLips,
+  kVoice,
+  kSound,
+  kMotionNow,
+  kLipsGuide,
+  kDesk,
+  kLamps,
+  kStageStatus,
+  kPerformance,
+};
+inline constexpr std::size_t kSectionCount = 15;
+
+// The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes; the rest is zero.
+inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
+inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::size_t kHeadWords = 16;
+
+struct SectionPlace {
+  std::string_view name;
+  std::size_t value_words = 0;  // Stamp and value.
+  std::size_t at_word = 0;      // From the start of the file.
+};
+
+// In front of every value: the time stamp in two words, and the state of its source.
+inline constexpr std::size_t kStampWords = 4;
+
+namespace internal {
+
+template <class T>
+constexpr std::size_t ValueWords() {
+  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint32_t) == 0);
+  return kStampWords + sizeof(T) / sizeof(std::uint32_t);
+}
+
+constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
+  std::array<SectionPlace, kSectionCount> places{{{"surface", ValueWords<Surface>()},
+                                                  {"stick left", ValueWords<Stick>()},
+                                                  {"stick right", ValueWords<Stick>()},
+                                                  {"keys", ValueWords<Keys>()},
+                                                  {"lines", ValueWords<Lines>()},
+                                                  {"pointer", ValueWords<Pointer>()},
+                                                  {"lips", ValueWords<Lips>()},
+                                                  {"voice", ValueWords<Voice>()},
+                                                  {"sound", ValueWords<Sound>()},
+                                                  {"motion_now", ValueWords<MotionNow>()},
+                                                  {"lips_guide", ValueWords<LipsGuide>()},
+                                                  {"desk", ValueWords<Desk>()},
+                                                  {"lamps", ValueWords<Lamps>()},
+                                                  {"stage_status", ValueWords<StageStatus>()},
+                                                  {"performance", ValueWords<Performance>()}}};
+  std::size_t at = kHeadWords;
+  for (SectionPlace& place : places) {
+    place.at_word = at;
+    at += SectionWords(place.value_words);
+  }
+  return places;
+}
+
+}  // namespace internal
+
+inline constexpr std::array<SectionPlace, kSectionCount> kPlaces = internal::PlaceSections();
+inline constexpr std::size_t kBoardWords = kPlaces.back().at_word + SectionWords(kPlaces.back().value_words);
+inline constexpr std::size_t kBoardBytes = kBoardWords * sizeof(std::uint32_t);
+
+constexpr const SectionPlace& Place(Section section) {
+  return kPlaces[static_cast<std::size_t>(section)];
+}
+
+// FNV-1a over names and sizes: two programs built from different sections never share a board.
+constexpr std::uint64_t LayoutHash() {
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  const auto mix = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001B3ULL; };
+  for (const SectionPlace& place : kPlaces) {
+    for (const char letter : place.name) mix(static_cast<unsigned char>(letter));
+    mix(place.value_words & 0xFF);
+    mix(place.value_words >> 8);
+  }
+  return hash;
+}
+
+// Which section holds a T; the sticks are told apart by `which`.
+template <class T>
+constexpr Section SectionOf(int which) {
+  if constexpr (std::is_same_v<T, Surface>) return Section::kSurface;
+  if constexpr (std::is_same_v<T, Stick>) return which == 0 ? Section::kStickLeft : Section::kStickRight;
+  if constexpr (std::is_same_v<T, Keys>) return Section::kKeys;
+  if constexpr (std::is_same_v<T, Lines>) return Section::kLines;
+  if constexpr (std::is_same_v<T, Pointer>) return Section::kPointer;
+  if constexpr (std::is_same_v<T, Lips>) return Section::kLips;
+  if constexpr (std::is_same_v<T, Lamps>) return Section::kLamps;
+  if constexpr (std::is_same_v<T, Voice>) return Section::kVoice;
+  if constexpr (std::is_same_v<T, Sound>) return Section::kSound;
+  if constexpr (std::is_same_v<T, MotionNow>) return Section::kMotionNow;
+  if constexpr (std::is_same_v<T, LipsGuide>) return Section::kLipsGuide;
+  if constexpr (std::is_same_v<T, Desk>) return Section::kDesk;
+  if constexpr (std::is_same_v<T, StageStatus>) return Section::kStageStatus;
+  if constexpr (std::is_same_v<T, Performance>) return Section::kPerformance;
+}
+
+}  // namespace kaori::board

@@ -1,0 +1,23 @@
+// What each GPIO line of the box means: its number in the board's section `lines`, wherever it is wired.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "appliance/core/board/sections.h"
+
+namespace kaori::board {
+
+enum class Line : std::uint8_t {
+  kGo,        // The foot switch: calls the next scene.
+  kBlackout,  // Latches: while it is on the picture is black.
+  kService,   // The key switch: while it is on the screen may speak to whoever works at the box.
+  kPresence,  // Somebody stands before the box.
+};
+inline constexpr std::size_t kLineCount = 4;
+
+inline bool IsOn(const Lines& lines, Line line) {
+  return (lines.active >> static_cast<unsigned>(line) & 1U) != 0;
+}
+
+}  // namespace kaori::board

@@ -1,0 +1,99 @@
+#include "appliance/core/board/valid.h"
+
+#include <algorithm>
+
+namespace kaori::board {
+namespace {
+
+constexpr std::int32_t kMaxCountsPerTurn = 1 << 20;  // The finest optical dials have a tenth of it.
+constexpr float kMaxLip = 8.0F;                      // Mouth widths; no mouth opens so far.
+constexpr float kMaxFigure = 1e9F;
+constexpr float kMostLevel_db = 100;
+constexpr float kMostDelay_ms = 2000;  // The box delays by 500 ms; a sound card adds its own.
+constexpr float kMostDrift_ppm = 1e5F;
+constexpr float kLongestMotion_s = 1e5F;
+constexpr std::uint32_t kMostCode = 999'999;
+constexpr float kLongestCode_s = 86'400;
+
+// False for NaN too: every comparison with it is.
+bool Within(float value, float low, float high) {
+  return value >= low && value <= high;
+}
+
+}  // namespace
+
+bool Valid(const Surface& surface) {
+  return surface.counts_per_turn > 0 && surface.counts_per_turn <= kMaxCountsPerTurn;
+}
+
+bool Valid(const Stick& stick) {
+  return Within(stick.x, -1, 1) && Within(stick.y, -1, 1) && Within(stick.twist, -1, 1) &&
+         Within(stick.slider, 0, 1) && stick.hat >= -1 && stick.hat <= 7 &&
+         std::ranges::all_of(stick.centres, [](float centre) { return Within(centre, -1, 1); });
+}
+
+bool Valid(const Keys& /*any bits are keys*/) {
+  return true;
+}
+
+bool Valid(const Lines& /*any bits are lines*/) {
+  return true;
+}
+
+bool Valid(const Pointer& pointer) {
+  return Within(pointer.x, 0, 1) && Within(pointer.y, 0, 1);
+}
+
+bool Valid(const Lips& lips) {
+  return Within(lips.height, 0, kMaxLip) && Within(lips.width, 0, kMaxLip) && Within(lips.quality, 0, 1) &&
+         Within(lips.rest_width, 0, 1) && Within(lips.opening, 0, kMaxLip) &&
+         Within(lips.corners[0], -kMaxLip, kMaxLip) && Within(lips.corners[1], -kMaxLip, kMaxLip) &&
+         Within(lips.rest_marker, 0, kMaxLip) && Within(lips.shut, 0, lips.open) &&
+         Within(lips.open, 0.01F, kMaxLip) && Within(lips.narrow, 0, 1) && Within(lips.wide, 1, kMaxLip);
+}
+
+bool Valid(const Voice& voice) {
+  return Within(voice.level_db, -kMostLevel_db, kMostLevel_db) && voice.speaking <= 1 &&
+         Within(voice.height, 0, 1) && Within(voice.width, 0, 1) && Within(voice.quality, 0, 1);
+}
+
+bool Valid(const Sound& sound) {
+  return Within(sound.delay_ms, 0, kMostDelay_ms) && Within(sound.asked_ms, 0, kMostDelay_ms) &&
+         sound.automatic <= 1 && Within(sound.drift_ppm, -kMostDrift_ppm, kMostDrift_ppm);
+}
+
+bool Valid(const MotionNow& take) {
+  return take.take >= -1 && Within(take.at_s, 0, kLongestMotion_s);
+}
+
+bool Valid(const LipsGuide& guide) {
+  return guide.step <= 4 && guide.taking <= 1 && Within(guide.progress, 0, 1) && guide.seen <= 1 &&
+         guide.captions <= 1;
+}
+
+bool Valid(const Desk& desk) {
+  return desk.code <= kMostCode && Within(desk.valid_s, 0, kLongestCode_s) && desk.port <= 65535 &&
+         desk.secure <= 1;
+}
+
+bool Valid(const Lamps& /*any bits are lamps*/) {
+  return true;
+}
+
+bool Valid(const StageStatus& status) {
+  return Within(status.frame_cpu_ms, 0, kMaxFigure) && Within(status.frames_per_s, 0, kMaxFigure);
+}
+
+bool Valid(const Performance& performance) {
+  return performance.bytes <= Performance::kCapacityBytes;
+}
+
+bool Valid(Time at) {
+  return at >= Time{} && at.time_since_epoch() <= Duration::max() / 2;
+}
+
+bool Valid(SourceState source) {
+  return source <= SourceState::kStale;
+}
+
+}  // namespace kaori::board

@@ -1,0 +1,27 @@
+// What may stand on the board: every reader checks every field before it believes a section.
+#pragma once
+
+#include "appliance/core/board/sections.h"
+
+namespace kaori::board {
+
+// True where every field is finite and within the range that its declaration in sections.h gives. Pure.
+bool Valid(const Surface& surface);
+bool Valid(const Stick& stick);
+bool Valid(const Keys& keys);
+bool Valid(const Lines& lines);
+bool Valid(const Pointer& pointer);
+bool Valid(const Lips& lips);
+bool Valid(const Voice& voice);
+bool Valid(const Sound& sound);
+bool Valid(const MotionNow& take);
+bool Valid(const LipsGuide& guide);
+bool Valid(const Desk& desk);
+bool Valid(const Lamps& lamps);
+bool Valid(const StageStatus& status);
+bool Valid(const Performance& performance);
+bool Valid(SourceState source);
+// From the machine's start on, and so that readers may reckon with it.
+bool Valid(Time at);
+
+}  // namespace kaori::board

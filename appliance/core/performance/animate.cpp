@@ -1,0 +1,173 @@
+#include "appliance/core/performance/animate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/hands.h"
+#include "appliance/core/performance/life.h"
+#include "appliance/core/performance/lines.h"
+#include "appliance/core/performance/mouth.h"
+#include "appliance/core/performance/motions.h"
+#include "render/face/jaw.h"
+
+namespace kaori::performance {
+namespace {
+
+constexpr Duration kLongestStep = std::chrono::milliseconds(100);
+constexpr Duration kClockBegan = std::chrono::seconds(1);  // A light this far back is of another clock.
+constexpr float kLidFollow_rad =
+    0.38F;  // The lids have followed wholly when the gaze is this far up or down.
+
+void PushChannel(face::Terms& channels, int index, float weight) {
+  if (index >= 0 && weight > 1e-4F) channels.Add(static_cast<std::uint16_t>(index), weight);
+}
+
+// Strength scales every expression but the neutral one, which takes the rest.
+face::Terms Strengthened(const face::Terms& terms, float strength) {
+  face::Terms out;
+  float rest = 1;
+  for (const face::Term& t : terms)
+    if (t.index != 0) {
+      out.Push(t.index, t.weight * strength);
+      rest -= t.weight * strength;
+    }
+  out.Push(0, rest);
+  return out;
+}
+
+void AddBrowsAndLids(const State& state, const show::Channels& channels, const scene::Gaze& gaze,
+                     face::Terms& terms) {
+  for (const int brow : channels.brow_up) PushChannel(terms, brow, state.brow);
+  PushChannel(terms, channels.brow_frown, -state.brow);
+  PushChannel(terms, channels.lids_up, std::min(1.0F, gaze.pitch_rad / kLidFollow_rad));
+  PushChannel(terms, channels.lids_down, std::min(1.0F, -gaze.pitch_rad / kLidFollow_rad));
+}
+
+scene::Head Sum(const scene::Head& a, const scene::Head& b, const scene::Head& c) {
+  return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad,
+          a.roll_rad + b.roll_rad + c.roll_rad, a.shift_m + b.shift_m + c.shift_m};
+}
+
+scene::Gaze Sum(const scene::Gaze& a, const scene::Gaze& b, const scene::Gaze& c) {
+  return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad};
+}
+
+std::uint32_t Lamps(const State& state, const show::Show& show) {
+  const auto lit = [&](const show::Call& call) {
+    switch (call.kind) {
+      case show::CallKind::kFace:
+        return call.index == state.faces.to;
+      case show::CallKind::kExpression:
+        return call.index == state.expressions.to;
+      case show::CallKind::kStyle:
+        return call.index == state.styles.to;
+      case show::CallKind::kScene:
+        return call.index == state.scene;
+      case show::CallKind::kNothing:
+        break;
+    }
+    return false;
+  };
+  std::uint32_t lamps = 0;
+  for (std::size_t i = 0; i < show.buttons.size(); ++i)
+    if (lit(show.buttons[i])) lamps |= 1U << i;
+  return lamps;
+}
+
+// Moves the state's time to `light` and gives the seconds in between. A light that comes a little before the
+// one before it (the screen was pulled) takes no time, and what it went back is not played twice.
+float StepTo(State& state, Time light) {
+  const Time before = state.last;
+  if (light > before || before - light > kClockBegan) state.last = light;
+  if (light <= before) return 0;
+  if (before <= light - kLongestStep) return static_cast<float>(Seconds(kLongestStep));
+  return static_cast<float>(Seconds(light - before));
+}
+
+// A section that nobody has written, or that cannot be read, says nothing: its counters are not those of a
+// hand.
+void PlayHands(State& state, const board::Snapshot& board, const show::Show& show) {
+  if (board.surface.source != board::SourceState::kAbsent) {
+    PushButtons(state, board.surface.value, show);
+    TurnKnobs(state, board.surface.value);
+  }
+  if (board.keys.source != board::SourceState::kAbsent) StrikeKeys(state, board.keys.value, show);
+}
+
+void MoveOn(State& state, const board::Snapshot& board, const show::Show& show, float dt_s) {
+  state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
+  PlayHands(state, board, show);
+  HandleLines(state, board.lines, show, dt_s);
+  FollowKnobs(state, dt_s);
+  MoveSticks(state, board, dt_s);
+  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
+    Advance(*mixture, dt_s);
+  if (state.backstage.duration_s > 0)
+    state.backstage.progress = std::min(1.0F, state.backstage.progress + dt_s / state.backstage.duration_s);
+}
+
+void Weigh(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
+           scene::Scene& scene, float dt_s) {
+  face::Weights& weights = scene.weights;
+  weights.faces = Current(state.faces, At(state.shown, Knob::kFace));
+  weights.expressions = Strengthened(Current(state.expressions, At(state.shown, Knob::kExpression)),
+                                     At(state.shown, Knob::kStrength));
+  weights.channels = motion.channels;
+  AddBrowsAndLids(state, show.channels, scene.gaze[0], weights.channels);
+  MoveMouth(state, board, show.channels, weights, dt_s);
+  face::LimitJaw(show.cast, weights);
+  const auto shut = Lids(state, board.keys.value, dt_s);
+  for (std::size_t eye = 0; eye < shut.size(); ++eye)
+    weights.lids_shut[eye] = std::clamp(std::max(shut[eye], motion.lids), 0.0F, 1.0F);
+  scene.styles = {};
+  for (const face::Term& t : Current(state.styles, 1)) scene.styles[t.index] = t.weight;
+}
+
+// The one that was called, and those that were before it; of many, the heaviest.
+void HangBackdrops(const Mixture& backdrops, const show::Show& show, scene::Scene& scene) {
+  if (backdrops.to >= show.scenes.size()) return;
+  scene.backdrop = show.scenes[backdrops.to].backdrop;
+  for (const face::Term& t : Current(backdrops, 1)) {
+    auto lightest = std::ranges::min_element(scene.fading, {}, &scene::FadingBackdrop::weight);
+    if (t.index != backdrops.to && t.weight > lightest->weight)
+      *lightest = {show.scenes[t.index].backdrop, t.weight};
+  }
+}
+
+}  // namespace
+
+State Opening(const show::Show& show, const board::Snapshot& board, Time light) {
+  State state;
+  state.last = light;
+  state.seen = {board.surface.value.counts, board.surface.value.pushes, board.keys.value.pushes};
+  state.styles.to = static_cast<std::uint16_t>(scene::Style::kSoft);
+  if (!show.scenes.empty()) EnterScene(state, show, 0, 0);
+  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
+    mixture->from.clear();
+  BeginLines(state, board.lines);
+  return state;
+}
+
+Performed Animate(const State& previous, const board::Snapshot& board, const show::Show& show, Time light) {
+  Performed performed{previous, {}, 0};
+  State& state = performed.state;
+  const float dt_s = StepTo(state, light);
+  MoveOn(state, board, show, dt_s);
+
+  scene::Scene& scene = performed.scene;
+  const Idle idle = Live(state, At(state.shown, Knob::kLife), dt_s);
+  const Motion motion = PlayMotions(state, show, dt_s);
+  scene.head = Sum(state.head, idle.head, motion.head);
+  scene.gaze[0] = scene.gaze[1] = Sum(state.gaze, idle.gaze, motion.gaze);
+  scene.breath = idle.breath;
+  Weigh(state, board, show, motion, scene, dt_s);
+  Swing(state.sway, scene.head, dt_s);
+  scene.hair_sway_rad = state.sway.angle_rad;
+  HangBackdrops(state.backdrops, show, scene);
+  scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight) * Unblacked(state);
+  performed.lamps = Lamps(state, show);
+  return performed;
+}
+
+}  // namespace kaori::performance

@@ -1,0 +1,36 @@
+// How lids move in time, and how a scene's light travels.
+#pragma once
+
+#include "appliance/core/performance/ease.h"
+#include "appliance/core/performance/state.h"
+
+namespace kaori::performance {
+
+// One blink of 0.26 s: shut in 80 ms, held for 40, open after another 140.
+inline constexpr float kBlinkShut_s = 0.08F, kBlinkHeld_s = 0.12F, kBlinkOpen_s = 0.26F;
+
+// 0 open .. 1 shut.
+inline float BlinkCurve(float since_s) {
+  if (since_s < kBlinkShut_s) return SmoothStep(since_s / kBlinkShut_s);
+  if (since_s < kBlinkHeld_s) return 1;
+  return 1 - SmoothStep((since_s - kBlinkHeld_s) / (kBlinkOpen_s - kBlinkHeld_s));
+}
+
+// Where a blink that is called for now begins, when another began since_s ago: with the lid as far shut as it
+// is.
+inline float BlinkFrom(float since_s) {
+  if (since_s < kBlinkShut_s) return since_s;
+  const float opened = std::max(0.0F, (since_s - kBlinkHeld_s) / (kBlinkOpen_s - kBlinkHeld_s));
+  return kBlinkShut_s * std::max(0.0F, 1 - opened);
+}
+
+// A lid that a key holds: quick to shut, slower to open.
+inline float HoldLid(float now, bool held, float dt_s) {
+  return Travel(now, held ? 1.0F : 0.0F, dt_s, held ? 12.0F : 7.0F);
+}
+
+inline float ExposureNow(const Backstage& b) {
+  return Mix(b.exposure_from, b.exposure_to, SmoothStep(b.progress));
+}
+
+}  // namespace kaori::performance

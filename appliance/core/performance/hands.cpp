@@ -1,0 +1,157 @@
+#include "appliance/core/performance/hands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/ease.h"
+
+namespace kaori::performance {
+namespace {
+
+constexpr float kKnobHalfLife_s = 0.03F;  // A detent is a step; the eye shall not see it.
+
+constexpr std::uint8_t kKeySpace = 0x2C, kKeyZ = 0x1D, kKeyX = 0x1B;  // HID usage page 7.
+
+constexpr float kHeadYaw_rad = 0.62F, kHeadPitch_rad = 0.40F, kHeadRoll_rad = 0.35F, kLean_m = 0.12F;
+constexpr float kGazeYaw_rad = 0.55F, kGazePitch_rad = 0.38F;
+constexpr float kHeadHalfLife_s = 0.05F, kGazeHalfLife_s = 0.012F, kBrowHalfLife_s = 0.03F;
+constexpr float kHoldLost_s = 0.25F;  // A stick that is pulled counts for this long,
+constexpr float kEaseLost_s = 1.0F;   // then eases to neutral in this time.
+constexpr float kEaseFound_s = 0.3F;
+
+bool Down(const board::Keys& keys, std::uint8_t usage) {
+  return (keys.down[usage / 32U] >> (usage % 32U)) & 1U;
+}
+
+// A fresh call takes over whole, whatever its dial said about the one before.
+void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, float fade_s) {
+  Call(mixture, index, fade_s, At(state.shown, knob));
+  At(state.knobs, knob) = At(state.shown, knob) = 1;
+}
+
+void Obey(State& state, const show::Call& call, const show::Show& show) {
+  const float fade_s = At(state.knobs, Knob::kFade);
+  switch (call.kind) {
+    case show::CallKind::kNothing:
+      break;
+    case show::CallKind::kFace:
+      CallWhole(state, state.faces, Knob::kFace, call.index, fade_s);
+      break;
+    case show::CallKind::kExpression:
+      CallWhole(state, state.expressions, Knob::kExpression, call.index, fade_s);
+      break;
+    case show::CallKind::kStyle:
+      Call(state.styles, call.index, fade_s, 1);
+      break;
+    case show::CallKind::kScene:
+      EnterScene(state, show, call.index, show.scenes[call.index].fade_s);
+      break;
+  }
+}
+
+// No playing voice is cut off for it: that would be a jump. Eight keys within a quarter of a second are no
+// playing, the ninth is not heard.
+void PlayMotion(State& state, int take) {
+  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.take < 0; });
+  if (free != state.voices.end()) *free = {take, 0, 1};
+}
+
+void Struck(State& state, std::uint16_t usage, const show::Show& show) {
+  if (usage == kKeySpace || usage == kKeyX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
+  if (usage == kKeySpace || usage == kKeyZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
+  for (const show::KeyCall& key : show.keys)
+    if (key.key_usage == usage) Obey(state, key.call, show);
+  for (std::size_t i = 0; i < show.motions.size(); ++i)
+    if (show.motions[i].key_usage == usage) PlayMotion(state, static_cast<int>(i));
+  for (std::size_t i = 0; i < show.scenes.size(); ++i)
+    if (show.scenes[i].key_usage == usage)
+      EnterScene(state, show, static_cast<std::uint16_t>(i), show.scenes[i].fade_s);
+}
+
+float Presence(StickNow& now, board::SourceState source, float dt_s) {
+  now.lost_s = source == board::SourceState::kLive ? 0 : now.lost_s + dt_s;
+  const bool lost = now.lost_s > kHoldLost_s;
+  now.presence = Travel(now.presence, lost ? 0.0F : 1.0F, dt_s, 1 / (lost ? kEaseLost_s : kEaseFound_s));
+  return SmoothStep(now.presence);
+}
+
+float HatBrow(std::int32_t hat) {
+  if (hat == 0) return 1;
+  return hat == 4 ? -1.0F : 0.0F;
+}
+
+}  // namespace
+
+void TurnKnobs(State& state, const board::Surface& surface) {
+  const auto per_turn = static_cast<float>(std::max(1, surface.counts_per_turn));
+  for (std::size_t i = 0; i < kKnobRanges.size(); ++i) {
+    // Unsigned: counts wrap after years of turning, and the difference is right all the same.
+    const auto moved = static_cast<std::int32_t>(static_cast<std::uint32_t>(surface.counts[i]) -
+                                                 static_cast<std::uint32_t>(state.seen.dials[i]));
+    const float turns = static_cast<float>(moved) / per_turn;
+    const KnobRange& range = kKnobRanges[i];
+    state.knobs[i] = std::clamp(state.knobs[i] + turns * range.per_turn, range.low, range.high);
+  }
+  state.seen.dials = surface.counts;
+}
+
+void FollowKnobs(State& state, float dt_s) {
+  for (std::size_t i = 0; i < state.knobs.size(); ++i)
+    state.shown[i] = Approach(state.shown[i], state.knobs[i], dt_s, kKnobHalfLife_s);
+}
+
+void PushButtons(State& state, const board::Surface& surface, const show::Show& show) {
+  for (std::size_t i = 0; i < surface.pushes.size(); ++i)
+    if (surface.pushes[i] != state.seen.buttons[i]) Obey(state, show.buttons[i], show);
+  state.seen.buttons = surface.pushes;
+}
+
+void StrikeKeys(State& state, const board::Keys& keys, const show::Show& show) {
+  for (std::size_t usage = 0; usage < keys.pushes.size(); ++usage)
+    if (keys.pushes[usage] != state.seen.keys[usage]) Struck(state, static_cast<std::uint16_t>(usage), show);
+  state.seen.keys = keys.pushes;
+}
+
+void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {
+  const show::StageScene& scene = show.scenes[index];
+  CallWhole(state, state.faces, Knob::kFace, scene.face, fade_s);
+  CallWhole(state, state.expressions, Knob::kExpression, scene.expression, fade_s);
+  Call(state.styles, static_cast<std::uint16_t>(scene.style), fade_s, 1);
+  Call(state.backdrops, index, fade_s, 1);
+  const float exposure = ExposureNow(state.backstage);
+  state.backstage = {exposure, scene.exposure, fade_s > 0 ? 0.0F : 1.0F, fade_s};
+  state.scene = index;
+}
+
+void MoveSticks(State& state, const board::Snapshot& board, float dt_s) {
+  const board::Stick& left = board.sticks[0].value;
+  const board::Stick& right = board.sticks[1].value;
+  const float head = Presence(state.sticks[0], board.sticks[0].source, dt_s);
+  const float eyes = Presence(state.sticks[1], board.sticks[1].source, dt_s);
+  const auto follow = [dt_s](float& now, float goal, float half_life_s) {
+    now = Approach(now, goal, dt_s, half_life_s);
+  };
+  follow(state.head.yaw_rad, head * left.x * kHeadYaw_rad, kHeadHalfLife_s);
+  follow(state.head.pitch_rad, head * left.y * kHeadPitch_rad, kHeadHalfLife_s);
+  follow(state.head.roll_rad, head * left.twist * kHeadRoll_rad, kHeadHalfLife_s);
+  follow(state.head.shift_m.z, head * left.slider * kLean_m, kHeadHalfLife_s);
+  follow(state.gaze.yaw_rad, eyes * right.x * kGazeYaw_rad, kGazeHalfLife_s);
+  follow(state.gaze.pitch_rad, eyes * right.y * kGazePitch_rad, kGazeHalfLife_s);
+  const float brow = std::clamp(right.twist + right.slider + HatBrow(right.hat), -1.0F, 1.0F);
+  follow(state.brow, eyes * brow, kBrowHalfLife_s);
+}
+
+std::array<float, 2> Lids(State& state, const board::Keys& keys, float dt_s) {
+  const bool both = Down(keys, kKeySpace);
+  const std::array<bool, 2> held{both || Down(keys, kKeyX), both || Down(keys, kKeyZ)};
+  std::array<float, 2> shut{};
+  for (std::size_t eye = 0; eye < shut.size(); ++eye) {
+    state.blink_s[eye] = std::min(10.0F, state.blink_s[eye] + dt_s);
+    state.lids_held[eye] = HoldLid(state.lids_held[eye], held[eye], dt_s);
+    shut[eye] = std::max(BlinkCurve(state.blink_s[eye]), SmoothStep(state.lids_held[eye]));
+  }
+  return shut;
+}
+
+}  // namespace kaori::performance

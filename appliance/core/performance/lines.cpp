@@ -1,0 +1,59 @@
+#include "appliance/core/performance/lines.h"
+
+#include <algorithm>
+
+#include "appliance/core/board/lines.h"
+#include "appliance/core/performance/ease.h"
+#include "appliance/core/performance/hands.h"
+
+namespace kaori::performance {
+namespace {
+
+using board::Line;
+using board::SourceState;
+
+constexpr float kBlackoutFade_s = 0.4F;
+constexpr float kGoGuard_s = 0.3F;
+constexpr float kGoLongAgo_s = 10;
+
+void Go(State& state, const show::Show& show) {
+  if (state.go_quiet_s < kGoGuard_s || show.scenes.empty()) return;
+  state.go_quiet_s = 0;
+  const auto next = static_cast<std::uint16_t>((state.scene + 1U) % show.scenes.size());
+  EnterScene(state, show, next, show.scenes[next].fade_s);
+}
+
+void Want(State& state, const board::Stamped<board::Lines>& lines) {
+  if (lines.source == SourceState::kLive)
+    state.black_wanted = board::IsOn(lines.value, Line::kBlackout) ? 1 : 0;
+  const bool called = state.scene != state.black_scene;
+  if (lines.source == SourceState::kAbsent || (lines.source == SourceState::kStale && called))
+    state.black_wanted = 0;
+  state.black_scene = state.scene;
+}
+
+}  // namespace
+
+void BeginLines(State& state, const board::Stamped<board::Lines>& lines) {
+  state.seen.lines = lines.value.pushes;
+  state.black_scene = state.scene;
+  Want(state, lines);
+  state.blackout = state.black_wanted != 0 ? 1.0F : 0.0F;
+}
+
+void HandleLines(State& state, const board::Stamped<board::Lines>& lines, const show::Show& show, float dt_s) {
+  state.go_quiet_s = std::min(kGoLongAgo_s, state.go_quiet_s + dt_s);
+  constexpr auto kGo = static_cast<std::size_t>(Line::kGo);
+  if (lines.source != SourceState::kAbsent) {
+    if (lines.value.pushes[kGo] != state.seen.lines[kGo]) Go(state, show);
+    state.seen.lines = lines.value.pushes;
+  }
+  Want(state, lines);
+  state.blackout = Travel(state.blackout, state.black_wanted != 0 ? 1.0F : 0.0F, dt_s, 1 / kBlackoutFade_s);
+}
+
+float Unblacked(const State& state) {
+  return 1 - SmoothStep(state.blackout);
+}
+
+}  // namespace kaori::performance

@@ -1,0 +1,21 @@
+// Foot switch and blackout: what the box's GPIO lines do to the show.
+#pragma once
+
+#include "appliance/core/board/snapshot.h"
+#include "appliance/core/performance/state.h"
+#include "appliance/core/show/show.h"
+
+namespace kaori::performance {
+
+// As the lines stand before the first frame: a switch that latches was not pushed, and is no fade.
+void BeginLines(State& state, const board::Stamped<board::Lines>& lines);
+
+// GO calls the next scene, after the last one the first; a second GO within 0.3 s is a foot that slipped.
+// Blackout is on its way, 0.4 s from one end to the other. Lines that were lost hold it, until a scene is
+// called: a box whose cable broke must not stay black.
+void HandleLines(State& state, const board::Stamped<board::Lines>& lines, const show::Show& show, float dt_s);
+
+// How much of the light is left, 0..1.
+float Unblacked(const State& state);
+
+}  // namespace kaori::performance

@@ -1,0 +1,51 @@
+#include "appliance/core/performance/mixture.h"
+
+#include <algorithm>
+
+#include "appliance/core/performance/ease.h"
+
+namespace kaori::performance {
+namespace {
+
+constexpr float kNothing = 1e-5F;  // Lighter terms are dropped: nobody sees them and each one costs.
+
+float Share(const Mixture& mixture, float amount) {
+  return SmoothStep(mixture.progress) * amount;
+}
+
+face::Terms Normalised(const face::Terms& terms) {
+  const float sum = terms.sum();
+  face::Terms out;
+  for (const face::Term& t : terms) out.Push(t.index, t.weight / sum);
+  return out;
+}
+
+}  // namespace
+
+face::Terms Current(const Mixture& mixture, float amount) {
+  const float share = mixture.from.empty() ? 1.0F : Share(mixture, amount);
+  float called = share;
+  face::Terms terms;
+  for (const face::Term& t : mixture.from) {
+    const float weight = t.weight * (1 - share);
+    if (t.index == mixture.to)
+      called += weight;
+    else if (weight > kNothing)
+      terms.Push(t.index, weight);
+  }
+  if (called > kNothing) terms.Push(mixture.to, called);
+  return Normalised(terms);
+}
+
+void Call(Mixture& mixture, std::uint16_t item, float fade_s, float amount) {
+  mixture.from = Current(mixture, amount);
+  mixture.to = item;
+  mixture.duration_s = fade_s;
+  mixture.progress = fade_s > 0 ? 0.0F : 1.0F;
+}
+
+void Advance(Mixture& mixture, float dt_s) {
+  if (mixture.duration_s > 0) mixture.progress = std::min(1.0F, mixture.progress + dt_s / mixture.duration_s);
+}
+
+}  // namespace kaori::performance

@@ -1,0 +1,76 @@
+#include "appliance/core/performance/motions.h"
+
+#include <algorithm>
+
+#include "appliance/core/performance/ease.h"
+
+namespace kaori::performance {
+namespace {
+
+constexpr float kFadeOut_s = 0.25F;
+
+float At(const show::MotionCurve& curve, float at_s) {
+  const auto next = std::ranges::upper_bound(curve.keys, at_s, {}, &show::MotionKey::at_s);
+  if (next == curve.keys.begin() || next == curve.keys.end()) return 0;
+  const show::MotionKey& a = *(next - 1);
+  const float t = (at_s - a.at_s) / std::max(1e-6F, next->at_s - a.at_s);
+  return Mix(a.value, next->value, SmoothStep(t));
+}
+
+void Add(Motion& motion, const show::MotionCurve& curve, float value) {
+  switch (curve.target) {
+    case show::MotionTarget::kHeadYaw:
+      motion.head.yaw_rad += value;
+      break;
+    case show::MotionTarget::kHeadPitch:
+      motion.head.pitch_rad += value;
+      break;
+    case show::MotionTarget::kHeadRoll:
+      motion.head.roll_rad += value;
+      break;
+    case show::MotionTarget::kGazeYaw:
+      motion.gaze.yaw_rad += value;
+      break;
+    case show::MotionTarget::kGazePitch:
+      motion.gaze.pitch_rad += value;
+      break;
+    case show::MotionTarget::kLids:
+      motion.lids += value;
+      break;
+    case show::MotionTarget::kChannel:
+      motion.channels.Add(curve.channel, value);
+      break;
+  }
+}
+
+float End(const show::Motion& take) {
+  const auto frames = static_cast<float>(take.sound.samples.size()) / static_cast<float>(take.sound.channels);
+  float end_s = frames / static_cast<float>(show::kSoundRate_hz);
+  for (const auto& curve : take.curves) end_s = std::max(end_s, curve.keys.back().at_s);
+  return end_s;
+}
+
+}  // namespace
+
+const Playing* Youngest(const State& state) {
+  const Playing* youngest = nullptr;
+  for (const Playing& voice : state.voices)
+    if (voice.take >= 0 && (youngest == nullptr || voice.at_s < youngest->at_s)) youngest = &voice;
+  return youngest;
+}
+
+Motion PlayMotions(State& state, const show::Show& show, float dt_s) {
+  Motion motion;
+  const Playing* youngest = Youngest(state);
+  for (Playing& voice : state.voices) {
+    if (voice.take < 0 || voice.take >= static_cast<int>(show.motions.size())) continue;
+    const show::Motion& take = show.motions[static_cast<std::size_t>(voice.take)];
+    voice.at_s += dt_s;
+    if (&voice != youngest || voice.gain < 1) voice.gain = Travel(voice.gain, 0, dt_s, 1 / kFadeOut_s);
+    for (const auto& curve : take.curves) Add(motion, curve, voice.gain * At(curve, voice.at_s));
+    if (voice.gain <= 0 || voice.at_s >= End(take)) voice.take = -1;
+  }
+  return motion;
+}
+
+}  // namespace kaori::performance

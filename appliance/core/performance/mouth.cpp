@@ -1,0 +1,138 @@
+#include "appliance/core/performance/mouth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "appliance/core/performance/ease.h"
+
+namespace kaori::performance {
+namespace {
+
+constexpr float kHandFrom = 0.01F;  // A dial turned this far takes the mouth.
+constexpr float kGoodLips = 0.3F;
+constexpr float kFollowLips_s = 0.012F;   // Lips are in time with a voice: hardly any smoothing.
+constexpr float kFollowVoice_s = 0.025F;  // What is heard is a guess, and trembles.
+constexpr float kFollowHand_s = 0.04F;
+constexpr float kFastest_per_s =
+    15;  // No mouth opens faster; where one hand takes over from another, it would.
+constexpr float kSpeaking = 0.08F;  // Lips that move further than this from rest are speaking,
+constexpr float kPause_s = 0.7F;    // and stay so in pauses of this length.
+// Half of the 200 ms within which the voice shall move a mouth whose lips are lost; a camera of 15 frames a
+// second is never so late. The rest is for the way over.
+constexpr float kLipsLost_s = 0.1F;
+constexpr float kToVoice_s = 0.06F;
+constexpr float kVoiceLost_s = 0.25F;
+constexpr float kForgotten_s = 10;
+// The expression's own mouth gives way so fast. An opening is added sooner while it is small, so that the
+// first word after a pause is in time.
+constexpr float kGivesWay_per_s = 12, kOpens_per_s = 60, kGivenBack_per_s = 3;
+
+struct Goal {
+  float open = 0;
+  float wide = 0.5F;
+  float follow_s = kFollowLips_s;
+  bool drives = false;
+};
+
+float Fraction(float value, float low, float high) {
+  return std::clamp((value - low) / std::max(high - low, 0.01F), 0.0F, 1.0F);
+}
+
+// The mouth at rest is 1 wide and stands in the middle, however much farther one way than the other it goes.
+float Stretch(const board::Lips& lips) {
+  return lips.width < 1 ? 0.5F * Fraction(lips.width, lips.narrow, 1)
+                        : 0.5F + 0.5F * Fraction(lips.width, 1, lips.wide);
+}
+
+float Age_s(const State& state, Time at) {
+  return std::clamp(static_cast<float>(Seconds(state.last - at)), 0.0F, kForgotten_s);
+}
+
+bool Seen(const board::Stamped<board::Lips>& lips) {
+  return lips.source == board::SourceState::kLive && lips.value.quality >= kGoodLips;
+}
+
+bool Heard(const State& state, const board::Stamped<board::Voice>& voice) {
+  return voice.source == board::SourceState::kLive && Age_s(state, voice.at) < kVoiceLost_s;
+}
+
+// How much of the mouth the voice has: it takes the mouth when the lips are lost and gives it back when they
+// are seen again. Without a voice the lips keep it, however old they are.
+float VoiceShare(State& state, const board::Snapshot& board, float dt_s) {
+  state.lips_lost_s =
+      Seen(board.lips) ? Age_s(state, board.lips.at) : std::min(kForgotten_s, state.lips_lost_s + dt_s);
+  const bool leads = Heard(state, board.voice) && state.lips_lost_s > kLipsLost_s;
+  if (leads || Seen(board.lips))
+    state.mouth_voice = Travel(state.mouth_voice, leads ? 1.0F : 0.0F, dt_s, 1 / kToVoice_s);
+  return SmoothStep(state.mouth_voice);
+}
+
+// Whoever is lost leaves the mouth as it is, to be given back to the expression.
+Goal FromLips(const State& state, const board::Stamped<board::Lips>& lips) {
+  if (!Seen(lips)) return {state.mouth_open, state.mouth_wide, kFollowLips_s, false};
+  return {Fraction(lips.value.height, lips.value.shut, lips.value.open), Stretch(lips.value), kFollowLips_s,
+          true};
+}
+
+Goal FromVoice(const State& state, const board::Stamped<board::Voice>& voice) {
+  if (!Heard(state, voice)) return {state.mouth_open, state.mouth_wide, kFollowVoice_s, false};
+  return {voice.value.height, voice.value.width, kFollowVoice_s, true};
+}
+
+Goal FromOperator(State& state, const board::Snapshot& board, float dt_s) {
+  const float share = VoiceShare(state, board, dt_s);
+  const Goal lips = FromLips(state, board.lips), voice = FromVoice(state, board.voice);
+  Goal goal{Mix(lips.open, voice.open, share), Mix(lips.wide, voice.wide, share),
+            Mix(lips.follow_s, voice.follow_s, share), lips.drives || voice.drives};
+  if (!goal.drives) return goal;
+  const bool speaks = goal.open > kSpeaking || std::abs(goal.wide - 0.5F) > 2 * kSpeaking;
+  state.mouth_quiet_s = speaks ? 0 : std::min(kForgotten_s, state.mouth_quiet_s + dt_s);
+  goal.drives = state.mouth_quiet_s < kPause_s;
+  return goal;
+}
+
+Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
+  const float hand = At(state.shown, Knob::kMouth);
+  const float width = At(state.shown, Knob::kMouthWidth);
+  const Goal from_operator = FromOperator(state, board, dt_s);
+  if (hand > kHandFrom || std::abs(width - 0.5F) > kHandFrom) return {hand, width, kFollowHand_s, true};
+  return from_operator;
+}
+
+}  // namespace
+
+void MoveMouth(State& state, const board::Snapshot& board, const show::Channels& channels,
+               face::Weights& weights, float dt_s) {
+  Goal goal = WhoSpeaks(state, board, dt_s);
+  if (!goal.drives && state.mouth_said <= 0) goal.open = 0;  // Nobody sees it: the next word begins shut.
+  const auto follow = [&](float& now, float to) {
+    now = Travel(now, Approach(now, to, dt_s, goal.follow_s), dt_s, kFastest_per_s);
+  };
+  follow(state.mouth_open, goal.open);
+  follow(state.mouth_wide, goal.wide);
+  const auto take = [&](float& share, float speed_per_s) {
+    share = Travel(share, goal.drives ? 1.0F : 0.0F, dt_s, goal.drives ? speed_per_s : kGivenBack_per_s);
+  };
+  take(state.mouth_drive, kGivesWay_per_s);
+  take(state.mouth_said, kGivesWay_per_s / std::max(state.mouth_open, kGivesWay_per_s / kOpens_per_s));
+  const float drive = SmoothStep(state.mouth_drive);
+  weights.mouth_given_away = drive;
+  const float open = state.mouth_open, wide = state.mouth_wide;
+  const std::array<float, 4> shapes{(1 - open) * (1 - wide), (1 - open) * wide, open * (1 - wide),
+                                    open * wide};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const float share = i < 2 ? drive : state.mouth_said;
+    if (channels.mouth[i] >= 0 && share * shapes[i] > 0)
+      weights.channels.Add(static_cast<std::uint16_t>(channels.mouth[i]), share * shapes[i]);
+  }
+}
+
+// What does a share of the way that is left in each frame is behind by (1 - share) / share frames in the
+// mean.
+Duration MouthLag(const State& state, Duration frame) {
+  const double half_life_s = Mix(kFollowLips_s, kFollowVoice_s, state.mouth_voice);
+  const double left = std::exp2(-Seconds(frame) / half_life_s);
+  return FromSeconds(Seconds(frame) * left / (1 - std::min(left, 0.99)));
+}
+
+}  // namespace kaori::performance

@@ -1,0 +1,26 @@
+#include "appliance/core/performance/recall.h"
+
+#include "appliance/core/performance/lines.h"
+
+namespace kaori::performance {
+
+State Recalled(const State& kept, const board::Snapshot& board, Time light) {
+  State state = kept;
+  state.last = light;
+  state.seen = {.dials = board.surface.value.counts,
+                .buttons = board.surface.value.pushes,
+                .keys = board.keys.value.pushes,
+                .lines = board.lines.value.pushes};
+  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
+    mixture->progress = 1;
+  state.backstage.progress = 1;
+  state.shown = state.knobs;
+  state.voices = {};
+  state.blink_s = State().blink_s;
+  state.lids_held = {};
+  state.black_wanted = 0;
+  BeginLines(state, board.lines);
+  return state;
+}
+
+}  // namespace kaori::performance

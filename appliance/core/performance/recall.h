@@ -1,0 +1,13 @@
+// A performance that goes on after the box was off.
+#pragma once
+
+#include "appliance/core/board/snapshot.h"
+#include "appliance/core/performance/state.h"
+
+namespace kaori::performance {
+
+// `kept` on a board and a clock that began anew: face, expression, scene, look and dials as they were, every
+// fade done, and no motion, blink or blackout of that night. `kept` is sound.
+State Recalled(const State& kept, const board::Snapshot& board, Time light);
+
+}  // namespace kaori::performance

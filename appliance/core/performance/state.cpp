@@ -1,0 +1,90 @@
+#include "appliance/core/performance/state.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace kaori::performance {
+namespace {
+
+constexpr float kFarTurn_rad = 20;  // No head, gaze or tip of hair of a sound state is turned so far,
+constexpr float kFastTurn_rad_s = 1e4F;
+constexpr float kFarShift_m = 1;
+
+// False for NaN too: every comparison with it is.
+bool Within(std::initializer_list<float> values, float low, float high) {
+  return std::ranges::all_of(values, [=](float v) { return v >= low && v <= high; });
+}
+
+bool Within(const glm::vec2& v, float far) {
+  return Within({v.x, v.y}, -far, far);
+}
+bool Within(const glm::vec3& v, float far) {
+  return Within({v.x, v.y, v.z}, -far, far);
+}
+
+bool IsValidFade(float progress, float duration_s) {
+  return Within({progress}, 0, 1) && Within({duration_s}, 0, show::kLongestFade_s);
+}
+
+bool IsValidTerms(const face::Terms& terms, std::size_t count) {
+  if (static_cast<unsigned>(terms.size()) > face::Terms::kCapacity) return false;  // Nor below 0.
+  const auto sound = [count](const face::Term& t) {
+    return t.index < count && Within({t.weight}, 0, 1.001F);
+  };
+  return std::ranges::all_of(terms, sound) && (terms.empty() || Within({terms.sum()}, 0.99F, 1.01F));
+}
+
+bool IsValidMixture(const Mixture& mixture, std::size_t count) {
+  return mixture.to < count && IsValidFade(mixture.progress, mixture.duration_s) &&
+         IsValidTerms(mixture.from, count);
+}
+
+bool IsValidBackstage(const Backstage& b) {
+  return Within({b.exposure_from, b.exposure_to}, 0, show::kMostExposure) &&
+         IsValidFade(b.progress, b.duration_s);
+}
+
+bool IsValidKnobs(const State& s) {
+  for (std::size_t i = 0; i < kKnobRanges.size(); ++i)
+    if (!Within({s.knobs[i], s.shown[i]}, kKnobRanges[i].low, kKnobRanges[i].high)) return false;
+  return true;
+}
+
+bool IsValidPose(const State& s) {
+  return Within({s.head.yaw_rad, s.head.pitch_rad, s.head.roll_rad, s.gaze.yaw_rad, s.gaze.pitch_rad},
+                -kFarTurn_rad, kFarTurn_rad) &&
+         Within(s.head.shift_m, kFarShift_m) && Within({s.brow}, -1, 1) &&
+         Within(s.sway.angle_rad, kFarTurn_rad) && Within(s.sway.head_rad, kFarTurn_rad) &&
+         Within(s.sway.speed_rad_s, kFastTurn_rad_s) && Within(s.life.glance_rad, 1);
+}
+
+bool IsValidClocks(const State& s) {
+  const auto stick = [](const StickNow& n) { return Within({n.presence}, 0, 1) && n.lost_s >= 0; };
+  return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
+         Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s, s.lips_lost_s}, 0, 10) &&
+         Within({s.blackout}, 0, 1) && Within({s.go_quiet_s}, 0, 10) && s.black_wanted <= 1 &&
+         Within({s.life.to_next_blink_s, s.life.to_next_glance_s}, -1, 10) &&
+         Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said,
+                 s.mouth_voice},
+                0, 1);
+}
+
+bool IsValidVoices(const State& s, const show::Show& show) {
+  return std::ranges::all_of(s.voices, [&show](const Playing& v) {
+    return v.take < static_cast<int>(show.motions.size()) && Within({v.at_s}, 0, show::kLongestMotion_s + 1) &&
+           Within({v.gain}, 0, 1);
+  });
+}
+
+}  // namespace
+
+bool IsValid(const State& state, const show::Show& show) {
+  return IsValidMixture(state.faces, show.cast.faces.size()) &&
+         IsValidMixture(state.expressions, show.cast.expressions.size()) &&
+         IsValidMixture(state.styles, scene::kStyleCount) &&
+         (show.scenes.empty() || IsValidMixture(state.backdrops, show.scenes.size())) &&
+         IsValidBackstage(state.backstage) && IsValidKnobs(state) && IsValidPose(state) && IsValidClocks(state) &&
+         IsValidVoices(state, show) && (show.scenes.empty() || state.scene < show.scenes.size());
+}
+
+}  // namespace kaori::performance

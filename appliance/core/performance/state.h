@@ -1,0 +1,101 @@
+// What the performance remembers from frame to frame. Plain bytes: the stage keeps it on the board, so that a
+// stage that was killed goes on in the middle of a fade.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include <glm/vec2.hpp>
+
+#include "appliance/core/performance/knobs.h"
+#include "appliance/core/performance/mixture.h"
+#include "appliance/core/show/show.h"
+#include "drivers/base/clock.h"
+#include "render/scene/scene.h"
+
+namespace kaori::performance {
+
+// Counters of the board as they stood at the last frame: a difference is a push that happened since.
+struct Seen {
+  std::array<std::int32_t, 8> dials{};
+  std::array<std::uint32_t, 32> buttons{};
+  std::array<std::uint32_t, 256> keys{};
+  std::array<std::uint32_t, 16> lines{};
+};
+
+struct Backstage {  // The scene's light on its way.
+  float exposure_from = 1, exposure_to = 1;
+  float progress = 1, duration_s = 0;
+};
+
+struct StickNow {
+  float presence = 1;  // 1: its hand counts; eases to 0 when the device is lost.
+  float lost_s = 0;    // For how long it has been gone.
+};
+
+// A registered motion that is playing.
+struct Playing {
+  std::int32_t take = -1;  // -1: nothing.
+  float at_s = 0;
+  float gain = 1;  // Falls to 0 from the moment at which another motion takes over.
+};
+inline constexpr int kVoices = 8;  // Of which all but one are fading out.
+
+// All that the box plays by itself in waves begins anew after so long, on a whole number of each: a float
+// that counted on for days could not hold the step of a frame.
+inline constexpr float kLifePeriod_s = 1000;
+
+struct Life {
+  std::uint64_t random = 0x9E3779B97F4A7C15U;
+  float to_next_blink_s = 2;
+  float to_next_glance_s = 1;
+  glm::vec2 glance_rad{};
+};
+
+// A swinging tip of hair: angle and speed, sideways and forwards.
+struct Sway {
+  glm::vec2 angle_rad{};
+  glm::vec2 speed_rad_s{};
+  glm::vec2 head_rad{};  // The head at the last frame.
+};
+
+struct State {
+  static constexpr std::uint32_t kLayout = 6;  // Raise it when a field changes: see board::Hold.
+  Time last{};                                 // For which light the last frame was made.
+  float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
+  Seen seen;
+  Mixture faces, expressions, styles;
+  Mixture backdrops;  // Of scenes, by their numbers.
+  Backstage backstage;
+  std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
+  std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.
+  std::array<StickNow, 2> sticks;
+  std::array<float, 2> blink_s{10, 10};  // Since a blink began: the character's left, right.
+  std::array<float, 2> lids_held{};
+  std::array<Playing, kVoices> voices;
+  Life life;
+  Sway sway;
+  scene::Head head;
+  scene::Gaze gaze;
+  float brow = 0;  // -1 frown .. 1 raised.
+  float mouth_open = 0;
+  float mouth_wide = 0.5F;
+  float mouth_drive = 0;  // 0: the expression's mouth .. 1: the hand's or the lips'.
+  float mouth_said = 0;   // The same of its opening, which does not wait.
+  float mouth_quiet_s = 10;
+  float mouth_voice = 0;           // 0: the lips have the mouth .. 1: the voice has it.
+  float lips_lost_s = 10;          // Since the lips were seen well.
+  float blackout = 0;              // 0 lit .. 1 black, on its way.
+  float go_quiet_s = 10;           // Since the last GO.
+  std::uint16_t black_wanted = 0;  // 1: the switch is on, or was when it was lost.
+  std::uint16_t black_scene = 0;   // The scene at the last look at that switch.
+  std::uint16_t scene = 0;
+};
+static_assert(std::is_trivially_copyable_v<State>);
+
+// Whether a state found on the board may be gone on with: every number finite and in range, everything that
+// it calls exists in the show.
+bool IsValid(const State& state, const show::Show& show);
+
+}  // namespace kaori::performance

@@ -1,0 +1,160 @@
+#include "appliance/core/show/check.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "render/face/check.h"
+
+namespace kaori::show {
+namespace {
+
+using Faults = std::vector<std::string>;
+
+// False for NaN too: every comparison with it is.
+bool Within(float value, float low, float high) {
+  return value >= low && value <= high;
+}
+
+std::size_t Count(const Show& show, CallKind kind) {
+  switch (kind) {
+    case CallKind::kNothing:
+      return 1;
+    case CallKind::kFace:
+      return show.cast.faces.size();
+    case CallKind::kExpression:
+      return show.cast.expressions.size();
+    case CallKind::kStyle:
+      return scene::kStyleCount;
+    case CallKind::kScene:
+      return show.scenes.size();
+  }
+  return 0;
+}
+
+void CheckCounts(const Show& show, Faults& faults) {
+  const auto check = [&](const char* items, std::size_t count) {
+    if (count > kMostItems)
+      faults.push_back(fmt::format("{}: {}, and {} at most can be played", items, count, kMostItems));
+  };
+  check("faces", show.cast.faces.size());
+  check("expressions", show.cast.expressions.size());
+  check("props", show.cast.props.size());
+  check("textures", show.cast.textures.size());
+  check("keys", show.keys.size());
+  check("takes", show.motions.size());
+  check("scenes", show.scenes.size());
+  if (show.cast.textures.empty()) faults.emplace_back("textures: there is none, and every face wants one");
+}
+
+void CheckButtons(const Show& show, Faults& faults) {
+  for (std::size_t i = 0; i < show.buttons.size(); ++i)
+    if (const Call& call = show.buttons[i]; call.index >= Count(show, call.kind))
+      faults.push_back(
+          fmt::format("button {}: calls number {} of {}", i + 1, call.index, Count(show, call.kind)));
+}
+
+void CheckKey(const std::string& item, std::uint16_t usage, Faults& faults) {
+  if (usage >= kKeyUsages) faults.push_back(fmt::format("{}: there is no key {}", item, usage));
+}
+
+void CheckKeyCall(const Show& show, const KeyCall& key, Faults& faults) {
+  const std::string item = fmt::format("key {}", key.key_usage);
+  CheckKey(item, key.key_usage, faults);
+  if (const Call& call = key.call; call.index >= Count(show, call.kind))
+    faults.push_back(fmt::format("{}: calls number {} of {}", item, call.index, Count(show, call.kind)));
+}
+
+void CheckCurve(const Show& show, const std::string& item, const MotionCurve& curve, Faults& faults) {
+  if (curve.target > MotionTarget::kChannel || curve.channel >= show.cast.expressions.size())
+    faults.push_back(item + ": a curve moves nothing that exists");
+  if (curve.keys.size() < 2 || curve.keys.front().value != 0 || curve.keys.back().value != 0)
+    faults.push_back(item + ": a curve must start and end at 0");
+  const auto steady = [](const MotionKey& a, const MotionKey& b) { return !(b.at_s > a.at_s); };
+  if (std::ranges::adjacent_find(curve.keys, steady) != curve.keys.end())
+    faults.push_back(item + ": the times of a curve must rise");
+  const auto far = [](const MotionKey& k) {
+    return !Within(k.at_s, 0, kLongestMotion_s) || !Within(k.value, -kWidestMotion, kWidestMotion);
+  };
+  if (std::ranges::any_of(curve.keys, far))
+    faults.push_back(fmt::format("{}: a curve leaves 0 to {} s, or -{} to {}", item, kLongestMotion_s,
+                                 kWidestMotion, kWidestMotion));
+}
+
+void CheckSound(const std::string& item, const Sound& sound, Faults& faults) {
+  if (sound.channels < 1 || sound.channels > 2)
+    return faults.push_back(fmt::format("{}: a sound of {} channels", item, sound.channels));
+  const auto channels = static_cast<std::size_t>(sound.channels);
+  if (sound.samples.size() % channels != 0) faults.push_back(item + ": its sound ends within a frame");
+  const auto frames = static_cast<float>(sound.samples.size() / channels);
+  if (frames > kLongestMotion_s * static_cast<float>(kSoundRate_hz))
+    faults.push_back(fmt::format("{}: its sound is longer than {} s", item, kLongestMotion_s));
+}
+
+void CheckMotion(const Show& show, const Motion& motion, Faults& faults) {
+  const std::string item = fmt::format("take \"{}\"", motion.name);
+  CheckKey(item, motion.key_usage, faults);
+  for (const MotionCurve& curve : motion.curves) CheckCurve(show, item, curve, faults);
+  CheckSound(item, motion.sound, faults);
+}
+
+bool IsColour(const glm::vec3& c) {
+  return Within(c.x, 0, 1) && Within(c.y, 0, 1) && Within(c.z, 0, 1);
+}
+
+void CheckBackdrop(const Show& show, const std::string& item, const scene::Backdrop& backdrop,
+                   Faults& faults) {
+  if (!IsColour(backdrop.top) || !IsColour(backdrop.bottom) || !IsColour(backdrop.glow))
+    faults.push_back(item + ": its backdrop holds a colour that is none");
+  const int kind = static_cast<int>(backdrop.kind);
+  if (kind >= scene::kBackdropKindCount)
+    faults.push_back(fmt::format("{}: there is no kind of backdrop {}", item, kind));
+  const bool picture = backdrop.kind == scene::BackdropKind::kPicture;
+  if (picture && (backdrop.picture < 0 || backdrop.picture >= static_cast<int>(show.cast.textures.size())))
+    faults.push_back(fmt::format("{}: there is no picture {}", item, backdrop.picture));
+}
+
+void CheckScene(const Show& show, const StageScene& scene, Faults& faults) {
+  const std::string item = fmt::format("scene \"{}\"", scene.name);
+  CheckKey(item, scene.key_usage, faults);
+  if (scene.face >= show.cast.faces.size())
+    faults.push_back(fmt::format("{}: there is no face {}", item, scene.face));
+  if (scene.expression >= show.cast.expressions.size())
+    faults.push_back(fmt::format("{}: there is no expression {}", item, scene.expression));
+  if (static_cast<int>(scene.style) >= scene::kStyleCount)
+    faults.push_back(fmt::format("{}: there is no style {}", item, static_cast<int>(scene.style)));
+  if (!Within(scene.exposure, 0, kMostExposure))
+    faults.push_back(
+        fmt::format("{}: its light is {}, not within 0 to {}", item, scene.exposure, kMostExposure));
+  if (!Within(scene.fade_s, 0, kLongestFade_s))
+    faults.push_back(
+        fmt::format("{}: its fade is {} s, not within 0 to {}", item, scene.fade_s, kLongestFade_s));
+  CheckBackdrop(show, item, scene.backdrop, faults);
+}
+
+void CheckChannels(const Show& show, Faults& faults) {
+  const auto check = [&](const char* role, int index) {
+    if (index >= static_cast<int>(show.cast.expressions.size()) || index < -1)
+      faults.push_back(fmt::format("channel {}: there is no expression {}", role, index));
+  };
+  for (const int index : show.channels.brow_up) check("brow_up", index);
+  for (const int index : show.channels.mouth) check("mouth", index);
+  check("brow_frown", show.channels.brow_frown);
+  check("lids_up", show.channels.lids_up);
+  check("lids_down", show.channels.lids_down);
+}
+
+}  // namespace
+
+std::vector<std::string> CheckShow(const Show& show) {
+  Faults faults = face::FindFaults(show.cast);
+  CheckCounts(show, faults);
+  CheckButtons(show, faults);
+  for (const KeyCall& key : show.keys) CheckKeyCall(show, key, faults);
+  for (const Motion& motion : show.motions) CheckMotion(show, motion, faults);
+  for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);
+  CheckChannels(show, faults);
+  return faults;
+}
+
+}  // namespace kaori::show

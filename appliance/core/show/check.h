@@ -1,0 +1,15 @@
+// Finds every fault of a show before it is played.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "appliance/core/show/show.h"
+
+namespace kaori::show {
+
+// One line for each fault, naming the item and the reason; empty when the show is sound. Includes those of
+// its cast (render/face/check.h).
+std::vector<std::string> CheckShow(const Show& show);
+
+}  // namespace kaori::show

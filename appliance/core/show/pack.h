@@ -1,0 +1,45 @@
+// The show pack: one file, verified when it is opened, copied out of it into a Show, but for textures: they stay
+// in the file's memory, and the show keeps that.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "appliance/core/show/pack_key.h"
+#include "appliance/core/show/show.h"
+#include "drivers/base/result.h"
+
+namespace kaori::show {
+
+struct LoadOptions {
+  std::optional<PublicKey> signed_by{};  // Refuse every pack that this key has not signed.
+  // The file lies on a read-only file system whose every block the kernel checks, as the box's root: its
+  // checksum is not made again, and it is read where it lies: textures when they are first looked at.
+  bool on_verified_root = false;
+};
+
+// Reads and checks a pack; blocks for the file. The file is read once into memory of our own before anything
+// in it is believed, so that nobody can change or shorten it between the check and the use. A damaged,
+// truncated or foreign file, one of another version, one that is not signed as asked, and a show that
+// CheckShow faults are refused with one line that names the file and the reason. Errors:
+//   as open(2) and read(2)  the file cannot be read
+//   invalid_argument        it is no sound pack of this version, or not signed as asked
+Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options = {});
+
+// The sounds of its motions, in their order, an empty one for a motion without; of a show on a verified root
+// nothing else is read. Errors: as LoadPack, but for what CheckShow faults elsewhere.
+Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const LoadOptions& options = {});
+
+// Who signed a pack, if anybody; reads its header alone. Errors: as LoadPack.
+Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file);
+
+// The bytes of a pack, signed where a key is given. The show must be sound: LoadPack of the bytes gives the
+// same show.
+std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer = nullptr);
+
+// Writes the file whole or not at all; what stood there is kept until then. Errors: those of WriteWholeFile.
+Result<void> SavePack(const Show& show, const std::filesystem::path& file, const SecretKey* signer = nullptr);
+
+}  // namespace kaori::show

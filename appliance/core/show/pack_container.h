@@ -1,0 +1,61 @@
+// What stands before a pack's content: mark, version, length, checksum and, where it is signed, the
+// signature.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "appliance/core/show/pack_key.h"
+#include "drivers/base/result.h"
+
+namespace kaori::show {
+
+inline constexpr std::uint32_t kPackVersion = 2;
+
+// Packs are read whole into memory; a show of 100 000 triangles and 16 faces takes less than 0.2 GB.
+inline constexpr std::uint64_t kLargestPack_bytes = std::uint64_t{1} << 30U;
+
+// The header, little-endian:
+//     0   8  mark "KAORI\r\n\x1A": a transfer that rewrites line ends breaks it
+//     8   4  version
+//    12   4  1: signed; 0: not
+//    16   8  length of the content, which is the rest of the file
+//    24  32  BLAKE2b-256 of the content
+//    56  32  the signer's public key     zeros where it is not signed
+//    88  64  Ed25519 of bytes 0 to 87    zeros where it is not signed
+//   152  40  zeros
+// Its length keeps the content aligned for everything that lies in it.
+inline constexpr std::size_t kPackHeader_bytes = 192;
+using PackHeader = std::array<std::uint8_t, kPackHeader_bytes>;
+using Checksum = std::array<std::uint8_t, 32>;
+
+// What a sound header says.
+struct PackSeal {
+  std::uint64_t content_bytes = 0;
+  Checksum checksum{};
+  std::optional<PublicKey> signer;  // Its signature is good.
+};
+
+PackHeader MakeHeader(std::span<const std::uint8_t> content, const SecretKey* signer);
+
+// Reads a header of a file of `file_bytes`. `bytes` may be shorter than a header, and anything. Errors:
+//   invalid_argument  no pack, another version, cut off, too large, or wrongly signed; the words follow on a
+//                     file's name: "is no show pack"
+Result<PackSeal> ReadHeader(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes);
+
+// Adds up a checksum piece by piece.
+class Checksummer {
+ public:
+  Checksummer();
+  void Add(std::span<const std::uint8_t> bytes);
+  Checksum Finish();
+
+ private:
+  alignas(64) std::array<std::uint8_t, 384> state_;  // libsodium's, opaque.
+};
+
+}  // namespace kaori::show

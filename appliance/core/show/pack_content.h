@@ -1,0 +1,27 @@
+// The content of a pack: a show as a FlatBuffer, without the header that guards it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "appliance/core/show/show.h"
+#include "drivers/base/result.h"
+
+namespace kaori::show {
+
+std::vector<std::uint8_t> EncodeContent(const Show& show);
+
+// Safe for any bytes; `content` starts at a multiple of 16. Copies everything out, and never more bytes than
+// the content has: a forged one in which tables share their arrays is refused, not unfolded. But where
+// `keeper` keeps the content alive, textures stay in it, and hold on to the keeper. Does not check the show
+// (see check.h). Errors:
+//   invalid_argument  the words follow on a file's name: "is damaged: ..."
+Result<Show> DecodeContent(std::span<const std::uint8_t> content,
+                           std::shared_ptr<const void> keeper = nullptr);
+
+// The sounds of its motions alone, in their order; as DecodeContent.
+Result<std::vector<Sound>> DecodeSounds(std::span<const std::uint8_t> content);
+
+}  // namespace kaori::show

@@ -1,0 +1,73 @@
+// Copies arrays out of a FlatBuffer, and never more bytes than it has: tables of a forged one may share
+// theirs.
+#pragma once
+
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "appliance/core/show/pack_layout.h"
+
+namespace kaori::show {
+
+// Absent arrays read as empty, and so does everything once too much was asked for: CheckShow says what is
+// missing.
+class Copier {
+ public:
+  // Textures stay where they are while `keeper` lives; without one they are copied too.
+  explicit Copier(std::size_t bytes_at_most, std::shared_ptr<const void> keeper = nullptr)
+      : left_(bytes_at_most), keeper_(std::move(keeper)) {}
+
+  bool overdrawn() const { return overdrawn_; }
+
+  template <class Held, class Stored>
+  std::vector<Held> Structs(const flatbuffers::Vector<const Stored*>* stored) {
+    SameBytes<Stored, Held>();
+    if (stored == nullptr || !Reserve(stored->size() * sizeof(Held))) return {};
+    std::vector<Held> held(stored->size());
+    if (!held.empty()) std::memcpy(held.data(), stored->Data(), held.size() * sizeof(Held));
+    return held;
+  }
+
+  template <class T>
+  std::vector<T> Numbers(const flatbuffers::Vector<T>* stored) {
+    if (stored == nullptr || !Reserve(stored->size() * sizeof(T))) return {};
+    return {stored->data(), stored->data() + stored->size()};
+  }
+
+  face::Texels Texels(const flatbuffers::Vector<std::uint8_t>* stored) {
+    if (!keeper_) return Numbers(stored);
+    if (stored == nullptr || !Reserve(stored->size())) return {};
+    return {std::span(stored->data(), stored->size()), keeper_};
+  }
+
+  std::string Text(const flatbuffers::String* stored) {
+    return stored == nullptr || !Reserve(stored->size()) ? std::string() : stored->str();
+  }
+
+  // One value for each table of a list, as `read` makes it.
+  template <class To, class Stored, class Read>
+  std::vector<To> Tables(const flatbuffers::Vector<flatbuffers::Offset<Stored>>* stored, Read read) {
+    std::vector<To> all;
+    if (stored == nullptr || !Reserve(stored->size() * sizeof(flatbuffers::uoffset_t))) return all;
+    all.reserve(stored->size());
+    for (const Stored* one : *stored) all.push_back(read(*this, *one));
+    return all;
+  }
+
+ private:
+  bool Reserve(std::size_t bytes) {
+    overdrawn_ = overdrawn_ || bytes > left_;
+    if (!overdrawn_) left_ -= bytes;
+    return !overdrawn_;
+  }
+
+  std::size_t left_;
+  std::shared_ptr<const void> keeper_;
+  bool overdrawn_ = false;
+};
+
+}  // namespace kaori::show

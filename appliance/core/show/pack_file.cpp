@@ -1,0 +1,196 @@
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "appliance/core/show/check.h"
+#include "appliance/core/show/pack.h"
+#include "appliance/core/show/pack_container.h"
+#include "appliance/core/show/pack_content.h"
+#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::show {
+namespace {
+
+// Read and summed up in pieces that stay in the cache between the two.
+constexpr std::size_t kPiece_bytes = std::size_t{256} << 10U;
+
+// Memory that is not cleared before it is filled.
+class Pages {
+ public:
+  static Result<Pages> Allocate(std::size_t bytes, const std::string& name) {
+    void* at = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (at == MAP_FAILED) return FailErrno("find memory for the show " + name);
+    ::madvise(at, bytes, MADV_HUGEPAGE);
+    return Pages({static_cast<std::uint8_t*>(at), bytes});
+  }
+  // The file itself, which nobody can change or shorten.
+  static Result<Pages> Map(int fd, std::size_t bytes, const std::string& name) {
+    void* at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE, fd, 0);
+    if (at == MAP_FAILED) return FailErrno("read the show " + name);
+    return Pages({static_cast<std::uint8_t*>(at), bytes});
+  }
+  Pages(Pages&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+  Pages& operator=(Pages&&) = delete;
+  ~Pages() {
+    if (!bytes_.empty()) ::munmap(bytes_.data(), bytes_.size());
+  }
+  std::span<std::uint8_t> bytes() const { return bytes_; }
+
+ private:
+  explicit Pages(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
+  std::span<std::uint8_t> bytes_;
+};
+
+struct OpenFile {
+  UniqueFd fd;
+  std::uint64_t bytes = 0;
+};
+
+// What stands in a header is said of the file.
+tl::unexpected<Error> Refuse(const std::string& name, const Error& error) {
+  return Fail(error.cause, name + " " + error.attempt);
+}
+
+Result<OpenFile> Open(const std::string& name) {
+  OpenFile file{.fd = UniqueFd(::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))};
+  if (!file.fd.valid()) return FailErrno("open the show " + name);
+  struct stat status {};
+  if (::fstat(file.fd.get(), &status) < 0) return FailErrno("look at the show " + name);
+  if (S_ISDIR(status.st_mode)) return Fail(std::errc::is_a_directory, "open the show " + name);
+  if (!S_ISREG(status.st_mode)) return FailInput(name + " is no file");
+  if (status.st_size == 0) return FailInput("the show " + name + " is empty");
+  file.bytes = static_cast<std::uint64_t>(status.st_size);
+  return file;
+}
+
+// Fills `into`; stops where the file ends. Returns how much was read.
+Result<std::size_t> ReadUpTo(int fd, std::span<std::uint8_t> into, const std::string& name) {
+  std::size_t done = 0;
+  while (done < into.size()) {
+    const ssize_t got = ::read(fd, into.data() + done, into.size() - done);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return FailErrno("read the show " + name);
+    if (got == 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  return done;
+}
+
+Result<PackSeal> ReadSeal(const OpenFile& file, const std::string& name) {
+  PackHeader header{};
+  const auto got = ReadUpTo(file.fd.get(), header, name);
+  if (!got) return tl::unexpected(got.error());
+  auto seal = ReadHeader(std::span(header).first(*got), file.bytes);
+  if (!seal) return Refuse(name, seal.error());
+  return seal;
+}
+
+Result<void> CheckSigner(const std::string& name, const PackSeal& seal, const LoadOptions& options) {
+  if (!options.signed_by || seal.signer == options.signed_by) return {};
+  return FailInput(name + (seal.signer ? " is signed by another key than the one this box trusts"
+                                       : " is not signed, and this box plays signed packs only"));
+}
+
+Result<Pages> ReadContent(const OpenFile& file, const PackSeal& seal, const std::string& name) {
+  auto pages = Pages::Allocate(std::max<std::size_t>(seal.content_bytes, 1), name);
+  if (!pages) return pages;
+  Checksummer sum;
+  for (std::size_t at = 0; at < seal.content_bytes;) {
+    const auto piece =
+        pages->bytes().subspan(at, std::min<std::size_t>(kPiece_bytes, seal.content_bytes - at));
+    const auto got = ReadUpTo(file.fd.get(), piece, name);
+    if (!got) return tl::unexpected(got.error());
+    if (*got < piece.size())
+      return FailInput(name + " is no whole show pack: it became shorter while it was read");
+    sum.Add(piece);
+    at += piece.size();
+  }
+  if (sum.Finish() != seal.checksum) return FailInput(name + " is damaged: its checksum does not fit");
+  return pages;
+}
+
+// What stands behind the header.
+struct Content {
+  Pages pages;
+  std::size_t begin = 0, length = 0;
+  std::span<const std::uint8_t> bytes() const { return pages.bytes().subspan(begin, length); }
+};
+
+Result<Show> DecodeChecked(Content opened, const std::string& name) {
+  const auto content = std::make_shared<const Content>(std::move(opened));
+  auto show = DecodeContent(content->bytes(), content);
+  if (!show) return Refuse(name, show.error());
+  const auto faults = CheckShow(*show);
+  if (faults.empty()) return show;
+  return FailInput(name + ": " + faults.front() +
+                   (faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more faults)" : ""));
+}
+
+Result<Content> OpenContent(const std::string& name, const LoadOptions& options) {
+  const auto open = Open(name);
+  if (!open) return tl::unexpected(open.error());
+  const auto seal = ReadSeal(*open, name);
+  if (!seal) return tl::unexpected(seal.error());
+  if (auto ok = CheckSigner(name, *seal, options); !ok) return tl::unexpected(ok.error());
+  auto pages = options.on_verified_root ? Pages::Map(open->fd.get(), open->bytes, name)
+                                        : ReadContent(*open, *seal, name);
+  if (!pages) return tl::unexpected(pages.error());
+  return Content{std::move(*pages), options.on_verified_root ? kPackHeader_bytes : 0, seal->content_bytes};
+}
+
+bool IsSound(const Sound& sound) {
+  return (sound.channels == 1 || sound.channels == 2) &&
+         sound.samples.size() % static_cast<std::size_t>(sound.channels) == 0;
+}
+
+}  // namespace
+
+Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options) {
+  auto content = OpenContent(file.string(), options);
+  if (!content) return tl::unexpected(content.error());
+  return DecodeChecked(std::move(*content), file.string());
+}
+
+Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const LoadOptions& options) {
+  const std::string name = file.string();
+  const auto content = OpenContent(name, options);
+  if (!content) return tl::unexpected(content.error());
+  auto sounds = DecodeSounds(content->bytes());
+  if (!sounds) return Refuse(name, sounds.error());
+  for (const Sound& sound : *sounds)
+    if (!IsSound(sound))
+      return FailInput(name + ": the sound of a motion is neither one nor two channels of whole frames");
+  return sounds;
+}
+
+Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file) {
+  const auto open = Open(file.string());
+  if (!open) return tl::unexpected(open.error());
+  const auto seal = ReadSeal(*open, file.string());
+  if (!seal) return tl::unexpected(seal.error());
+  return seal->signer;
+}
+
+std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer) {
+  const auto content = EncodeContent(show);
+  const PackHeader header = MakeHeader(content, signer);
+  std::vector<std::uint8_t> bytes(header.size() + content.size());
+  std::ranges::copy(header, bytes.begin());
+  std::ranges::copy(content, bytes.begin() + kPackHeader_bytes);
+  return bytes;
+}
+
+Result<void> SavePack(const Show& show, const std::filesystem::path& file, const SecretKey* signer) {
+  const auto content = EncodeContent(show);
+  const PackHeader header = MakeHeader(content, signer);
+  return WriteWholeFile(file, {header, content});
+}
+
+}  // namespace kaori::show

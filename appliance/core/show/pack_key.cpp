@@ -1,0 +1,101 @@
+#include "appliance/core/show/pack_key.h"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "appliance/core/show/pack_whole_file.h"
+
+namespace kaori::show {
+namespace {
+
+static_assert(SecretKey::kBytes == crypto_sign_SECRETKEYBYTES);
+static_assert(sizeof(PublicKey) == crypto_sign_PUBLICKEYBYTES);
+
+// The first word of a key's line says what it is, so that nobody hands out the wrong file.
+constexpr std::string_view kSecretMark = "kaori-secret-key ";
+constexpr std::string_view kPublicMark = "kaori-public-key ";
+
+std::string Line(std::string_view mark, std::span<const std::uint8_t> bytes) {
+  std::string hex(2 * bytes.size() + 1, '\0');
+  sodium_bin2hex(hex.data(), hex.size(), bytes.data(), bytes.size());
+  hex.back() = '\n';
+  return std::string(mark) + hex;
+}
+
+// Fills `bytes` from a line as Line writes it.
+Result<void> ReadLine(const std::filesystem::path& file, std::string_view mark,
+                      std::span<std::uint8_t> bytes) {
+  std::ifstream in(file);
+  std::string line;
+  if (!in) return FailErrno("read the key " + file.string());
+  std::getline(in, line);
+  std::size_t read = 0;
+  const bool whole = line.starts_with(mark) && line.size() == mark.size() + 2 * bytes.size() &&
+                     sodium_hex2bin(bytes.data(), bytes.size(), line.data() + mark.size(),
+                                    line.size() - mark.size(), nullptr, &read, nullptr) == 0 &&
+                     read == bytes.size();
+  sodium_memzero(line.data(), line.size());
+  if (whole) return {};
+  return FailInput(file.string() + ": holds no \"" + std::string(mark.substr(0, mark.size() - 1)) + "\" of " +
+                   std::to_string(bytes.size()) + " bytes");
+}
+
+Result<void> RefuseExisting(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error))
+    return Fail(std::errc::file_exists, "write the key " + file.string());
+  return {};
+}
+
+}  // namespace
+
+SecretKey::~SecretKey() {
+  sodium_memzero(bytes_.data(), bytes_.size());
+}
+
+PublicKey SecretKey::public_key() const {
+  PublicKey key;
+  std::copy_n(bytes_.end() - static_cast<std::ptrdiff_t>(key.bytes.size()), key.bytes.size(),
+              key.bytes.begin());
+  return key;
+}
+
+Result<SecretKey> MakeKey() {
+  if (sodium_init() < 0) return Fail(std::errc::function_not_supported, "gather chance for a key");
+  PublicKey half;
+  SecretKey key;
+  crypto_sign_keypair(half.bytes.data(), key.bytes().data());
+  return key;
+}
+
+Result<void> SaveKey(const SecretKey& key, const std::filesystem::path& file) {
+  const std::filesystem::path open_file = file.string() + ".pub";
+  for (const auto& path : {file, open_file})
+    if (auto ok = RefuseExisting(path); !ok) return ok;
+  constexpr unsigned kOwnerOnly = 0600;
+  std::string secret = Line(kSecretMark, key.bytes());
+  auto ok = WriteWholeFile(file, {AsBytes(secret)}, kOwnerOnly);
+  sodium_memzero(secret.data(), secret.size());
+  if (!ok) return ok;
+  const std::string open = Line(kPublicMark, key.public_key().bytes);
+  return WriteWholeFile(open_file, {AsBytes(open)});
+}
+
+Result<SecretKey> ReadSecretKey(const std::filesystem::path& file) {
+  SecretKey key;
+  if (auto ok = ReadLine(file, kSecretMark, key.bytes()); !ok) return tl::unexpected(ok.error());
+  return key;
+}
+
+Result<PublicKey> ReadPublicKey(const std::filesystem::path& file) {
+  PublicKey key;
+  if (auto ok = ReadLine(file, kPublicMark, key.bytes); !ok) return tl::unexpected(ok.error());
+  return key;
+}
+
+}  // namespace kaori::show

@@ -1,0 +1,34 @@
+// Plain values that have the same bytes in a pack and in memory, so that they move by one copy.
+#pragma once
+
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "appliance/core/show/pack_generated.h"
+#include "appliance/core/show/show.h"
+
+namespace kaori::show {
+
+// Packs are little-endian, as every machine that the box runs on.
+static_assert(FLATBUFFERS_LITTLEENDIAN == 1);
+
+template <class Stored, class Held>
+constexpr void SameBytes() {
+  static_assert(std::is_trivially_copyable_v<Stored> && std::is_trivially_copyable_v<Held>);
+  static_assert(sizeof(Stored) == sizeof(Held) && alignof(Stored) == alignof(Held));
+}
+
+template <class Stored, class Held>
+const Stored* AsStored(const std::vector<Held>& held) {
+  SameBytes<Stored, Held>();
+  return reinterpret_cast<const Stored*>(held.data());
+}
+
+template <class Stored, class Held>
+const Held& AsHeld(const Stored& stored) {
+  SameBytes<Stored, Held>();
+  return reinterpret_cast<const Held&>(stored);
+}
+
+}  // namespace kaori::show

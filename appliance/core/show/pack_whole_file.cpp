@@ -1,0 +1,99 @@
+#include "appliance/core/show/pack_whole_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <random>
+#include <string>
+
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::show {
+namespace {
+
+// A file that is being written: without a name, or under a name that nobody looks for.
+struct Draft {
+  UniqueFd fd;
+  std::string name;  // Empty: none yet.
+
+  Draft() = default;
+  Draft(Draft&&) = default;
+  Draft& operator=(Draft&&) = delete;
+  ~Draft() {
+    if (!name.empty()) ::unlink(name.c_str());
+  }
+};
+
+std::string FreshName(const std::string& file) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device chance;
+  std::string name = file + ".";
+  for (int i = 0; i < 6; ++i) name += kLetters[chance() % kLetters.size()];
+  return name;
+}
+
+std::string FolderOf(const std::filesystem::path& file) {
+  const std::string folder = file.parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+Result<Draft> Begin(const std::filesystem::path& file, unsigned mode) {
+  Draft draft;
+  draft.fd = UniqueFd(::open(FolderOf(file).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode));
+  if (draft.fd.valid()) return draft;
+  if (errno != EOPNOTSUPP && errno != EISDIR) return FailErrno("write " + file.string());
+  std::string name = FreshName(file.string());
+  draft.fd = UniqueFd(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+  if (!draft.fd.valid()) return FailErrno("write " + file.string());
+  draft.name = std::move(name);
+  return draft;
+}
+
+Result<void> Append(int fd, std::span<const std::uint8_t> bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return FailErrno("write " + name);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+// Links cannot replace a file, so a draft gets a name of its own first.
+Result<void> Name(Draft& draft, const std::filesystem::path& file) {
+  if (draft.name.empty()) {
+    std::string name = FreshName(file.string());
+    const std::string open_file = "/proc/self/fd/" + std::to_string(draft.fd.get());
+    if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) < 0)
+      return FailErrno("write " + file.string());
+    draft.name = std::move(name);
+  }
+  if (std::rename(draft.name.c_str(), file.c_str()) < 0) return FailErrno("write " + file.string());
+  draft.name.clear();
+  return {};
+}
+
+// The name too has to outlive a cut of the power.
+Result<void> KeepFolder(const std::filesystem::path& file) {
+  const std::string folder = FolderOf(file);
+  const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("keep the folder " + folder);
+  return {};
+}
+
+}  // namespace
+
+Result<void> WriteWholeFile(const std::filesystem::path& file,
+                            std::initializer_list<std::span<const std::uint8_t>> pieces, unsigned mode) {
+  auto draft = Begin(file, mode);
+  if (!draft) return tl::unexpected(draft.error());
+  for (const auto& piece : pieces)
+    if (auto ok = Append(draft->fd.get(), piece, file.string()); !ok) return ok;
+  if (::fsync(draft->fd.get()) < 0) return FailErrno("write " + file.string());
+  if (auto ok = Name(*draft, file); !ok) return ok;
+  return KeepFolder(file);
+}
+
+}  // namespace kaori::show

@@ -1,0 +1,102 @@
+// A show: the cast, and what each control of the operators calls up. Checked once, when it is loaded.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/scene/scene.h"
+
+namespace kaori::show {
+
+inline constexpr int kButtonCount = 32;
+
+// What CheckShow allows. Fades and motions that are longer are written in the wrong unit.
+inline constexpr float kLongestFade_s = 60;
+inline constexpr float kLongestMotion_s = 600;
+inline constexpr float kMostExposure = 4;
+inline constexpr float kWidestMotion = 4;  // Radians, or a weight: face::kHeaviest.
+inline constexpr std::size_t kMostItems =
+    4096;  // Faces, expressions, props ...: each has an index of 16 bits.
+inline constexpr std::uint16_t kKeyUsages = 256;
+
+// What pushing a lit button of the box does. `index` is into faces, expressions, styles or scenes.
+enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene };
+struct Call {
+  CallKind kind = CallKind::kNothing;
+  std::uint16_t index = 0;
+};
+
+// A key of the keyboard that calls what a button may call.
+struct KeyCall {
+  std::uint16_t key_usage = 0;
+  Call call;
+};
+
+// A registered motion: curves over time, added to head, gaze and channels.
+enum class MotionTarget : std::uint8_t {
+  kHeadYaw,
+  kHeadPitch,
+  kHeadRoll,
+  kGazeYaw,
+  kGazePitch,
+  kLids,
+  kChannel
+};
+struct MotionKey {
+  float at_s = 0;
+  float value = 0;  // Radians, or a weight.
+};
+struct MotionCurve {
+  MotionTarget target = MotionTarget::kHeadYaw;
+  std::uint16_t channel = 0;  // Index of Cast::expressions, where the target is a channel.
+  std::vector<MotionKey> keys;  // Times rise from 0 or later; the first and last value are 0: nothing jumps.
+};
+// A recorded sound.
+inline constexpr int kSoundRate_hz = 48000;
+struct Sound {
+  int channels = 1;                   // 1, or 2: left and right side by side.
+  std::vector<std::int16_t> samples;  // Whole frames; none: no sound.
+};
+struct Motion {
+  std::string name;
+  std::uint16_t key_usage = 0;  // HID keyboard usage that plays it.
+  std::vector<MotionCurve> curves;
+  Sound sound{};  // Begins when the curves do.
+};
+
+// What a scene change sets, all at once, each with its own fade.
+struct StageScene {
+  std::string name;
+  std::uint16_t key_usage = 0;
+  std::uint16_t face = 0;
+  std::uint16_t expression = 0;
+  scene::Style style = scene::Style::kSoft;
+  scene::Backdrop backdrop;
+  float exposure = 1;
+  float fade_s = 0.8F;
+};
+
+// Names of expressions that the stage needs by role; -1 where the show has none.
+struct Channels {
+  std::array<int, 2> brow_up{-1, -1};  // The character's left, right.
+  int brow_frown = -1;
+  int lids_up = -1;                          // Upper lids follow a gaze that rises,
+  int lids_down = -1;                        // and one that falls.
+  std::array<int, 4> mouth{-1, -1, -1, -1};  // Shut narrow, shut wide, open narrow, open wide.
+};
+
+struct Show {
+  std::string name;
+  face::Cast cast;
+  std::array<Call, kButtonCount> buttons{};
+  std::vector<KeyCall> keys;
+  std::vector<Motion> motions;
+  std::vector<StageScene> scenes;
+  Channels channels;
+};
+
+}  // namespace kaori::show

@@ -1,0 +1,48 @@
+#include "appliance/programs/boot/ahead.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+namespace kaori::boot {
+namespace {
+
+constexpr std::size_t kPiece_bytes = std::size_t{128} << 10U;
+
+// 0 for what is no file.
+std::size_t SizeOf(int fd) {
+  struct stat status {};
+  return ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
+// A read of a piece's last byte returns when the disk has brought it.
+bool Bring(int fd, std::size_t bytes) {
+  for (std::size_t at = 0; at < bytes; at += kPiece_bytes) {
+    const std::size_t end = std::min(at + kPiece_bytes, bytes);
+    char last = 0;
+    if (::readahead(fd, static_cast<off_t>(at), end - at) != 0) return false;
+    if (::pread(fd, &last, 1, static_cast<off_t>(end - 1)) != 1) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::size_t ReadAhead(const char* list, std::size_t most_bytes) {
+  std::ifstream lines(list);
+  std::size_t bytes = 0;
+  for (std::string path; std::getline(lines, path);) {
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (fd < 0) continue;
+    const std::size_t size = SizeOf(fd);
+    if (size <= most_bytes - bytes && Bring(fd, size)) bytes += size;
+    ::close(fd);
+  }
+  return bytes;
+}
+
+}  // namespace kaori::boot

@@ -1,0 +1,46 @@
+#include "appliance/programs/boot/data_partition.h"
+
+#include <fstream>
+
+namespace kaori::boot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRoot = "dm-0";
+constexpr const char* kNamed = "PARTNAME=data";
+
+bool IsNamedData(const fs::path& partition) {
+  std::ifstream facts(partition / "uevent");
+  for (std::string line; std::getline(facts, line);)
+    if (line == kNamed) return true;
+  return false;
+}
+
+// A partition's folder lies in its disk's.
+std::optional<fs::path> DiskOf(const fs::path& partition) {
+  std::error_code failed;
+  const fs::path real = fs::canonical(partition, failed);
+  if (failed) return std::nullopt;
+  return real.parent_path();
+}
+
+std::optional<fs::path> DiskOfRoot(const fs::path& blocks) {
+  std::error_code failed;
+  for (const auto& slave : fs::directory_iterator(blocks / kRoot / "slaves", failed))
+    return DiskOf(slave.path());
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> FindDataPartition(const fs::path& blocks) {
+  const auto disk = DiskOfRoot(blocks);
+  if (!disk) return std::nullopt;
+  std::error_code failed;
+  for (const auto& partition : fs::directory_iterator(*disk, failed))
+    if (IsNamedData(partition.path())) return partition.path().filename().string();
+  return std::nullopt;
+}
+
+}  // namespace kaori::boot

@@ -1,0 +1,35 @@
+// What the box is for tonight, as its settings file says: which devices it lets in, and what its lines are.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "appliance/programs/boot/wiring.h"
+
+namespace kaori::boot {
+
+// The settings file is TOML that people write. Before its first [section] it may say:
+//   profile = "stage"   hands, cameras and sound; what is plugged in for anything else stays dead
+//             "kiosk"   the same without keyboards: visitors stand before the box
+//             "bench"   everything
+//   status_screen = "HDMI-A-2", or = 2   the screen that says how the box does, by its name or its number;
+//   wherever
+//             it is the only one it is the show's
+// and in the section [lines] what ParseWire takes. Other sections are others' business.
+struct Profile {
+  std::string name = "stage";
+  Wiring wiring{};
+  std::string status_screen{};  // Empty: none.
+  std::string fault{};          // One line that names file and line; empty: none.
+};
+
+// Reads the words of a settings file. With a fault all else is the usual.
+Profile ReadProfile(std::string_view text);
+
+// Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one
+// is left as it is: then the last good one counts, and the fault is named. Where there is none the usual
+// profile counts.
+Profile ChooseProfile(const std::filesystem::path& folder);
+
+}  // namespace kaori::boot

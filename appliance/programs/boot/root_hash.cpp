@@ -1,0 +1,28 @@
+#include "appliance/programs/boot/root_hash.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace kaori::boot {
+namespace {
+
+constexpr std::string_view kTable = " verity ";
+constexpr std::string_view kDigest = " sha256 ";  // The hash follows.
+constexpr std::size_t kDigits = 64;
+
+bool IsDigit(char letter) {
+  return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');
+}
+
+}  // namespace
+
+std::string RootHashOf(std::string_view command_line) {
+  const auto table = command_line.find(kTable);
+  const auto digest = table == std::string_view::npos ? table : command_line.find(kDigest, table);
+  if (digest == std::string_view::npos) return {};
+  const auto hash = command_line.substr(digest + kDigest.size(), kDigits);
+  if (hash.size() != kDigits || !std::ranges::all_of(hash, IsDigit)) return {};
+  return std::string(hash);
+}
+
+}  // namespace kaori::boot

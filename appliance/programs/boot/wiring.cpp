@@ -1,0 +1,67 @@
+#include "appliance/programs/boot/wiring.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace kaori::boot {
+namespace {
+
+constexpr int kMostLine = 63;
+constexpr std::size_t kLongestLabel = 32;
+
+std::optional<std::string_view> Unquoted(std::string_view value) {
+  if (value.size() < 2 || value.front() != '"' || value.back() != '"') return std::nullopt;
+  return value.substr(1, value.size() - 2);
+}
+
+bool IsLabel(std::string_view text) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; };
+  return !text.empty() && text.size() <= kLongestLabel && std::ranges::all_of(text, fits);
+}
+
+std::string TakeChip(std::string_view value, std::string& chip) {
+  const auto label = Unquoted(value);
+  if (!label || !IsLabel(*label)) return "expected a chip's label in quotes";
+  chip = *label;
+  return {};
+}
+
+}  // namespace
+
+std::string ParseWire(std::string_view key, std::string_view value, Wiring& wiring) {
+  if (key == "chip") return TakeChip(value, wiring.chip);
+  const auto name = std::ranges::find(kLineNames, key);
+  if (name == kLineNames.end()) return "there is no line " + std::string(key);
+  auto& line = wiring.lines[static_cast<std::size_t>(name - kLineNames.begin())];
+  if (Unquoted(value) == "none") {
+    line.reset();
+    return {};
+  }
+  int number = -1;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (error != std::errc{} || end != value.data() + value.size() || number < 0 || number > kMostLine)
+    return "expected a number of 0 to 63, or \"none\"";
+  line = number;
+  return {};
+}
+
+std::string CheckWiring(const Wiring& wiring) {
+  for (std::size_t a = 0; a < kLineNames.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (wiring.lines[a] && wiring.lines[a] == wiring.lines[b])
+        return std::string(kLineNames[b]) + " and " + std::string(kLineNames[a]) + " are one line";
+  return {};
+}
+
+std::string EnvironmentOf(const Wiring& wiring) {
+  std::string words;
+  for (std::size_t n = 0; n < kLineNames.size(); ++n) {
+    if (!wiring.lines[n]) continue;
+    words += words.empty() ? "" : ",";
+    words += std::string(kLineNames[n]) + "=" + std::to_string(*wiring.lines[n]);
+  }
+  return "KAORI_CHIP=" + (words.empty() ? "" : wiring.chip) + "\nKAORI_LINES=" + words + "\n";
+}
+
+}  // namespace kaori::boot

@@ -1,0 +1,29 @@
+// Which line of which GPIO chip is what, as the box's settings say in their section [lines].
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace kaori::boot {
+
+inline constexpr std::array<std::string_view, 5> kLineNames{"go", "blackout", "service", "presence", "tally"};
+
+struct Wiring {
+  std::string chip = "cp2112_gpio";  // Its label.
+  // The chip's line for each of kLineNames; nothing: not wired.
+  std::array<std::optional<int>, kLineNames.size()> lines{0, 1, 2, 3, 4};
+  friend bool operator==(const Wiring&, const Wiring&) = default;
+};
+
+// Takes one setting: chip = "label", or go = 0, or go = "none". Says what is wrong with it, or nothing.
+std::string ParseWire(std::string_view key, std::string_view value, Wiring& wiring);
+
+// What is wrong with all of it together, or nothing: one line that is two things.
+std::string CheckWiring(const Wiring& wiring);
+
+// For kaori-input's unit: KAORI_CHIP, empty where nothing is wired, and KAORI_LINES.
+std::string EnvironmentOf(const Wiring& wiring);
+
+}  // namespace kaori::boot

@@ -1,0 +1,145 @@
+#include "appliance/programs/desk/certificate.h"
+
+#include <gnutls/x509.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "appliance/programs/desk/chance.h"
+#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/log.h"
+
+namespace kaori::desk {
+namespace {
+
+constexpr std::int64_t kDay_s = 86'400;
+constexpr std::int64_t kFirst_s = 1'767'225'600;  // 2026-01-01: no box is older.
+constexpr std::int64_t kLasts_s = 825 * kDay_s;   // What browsers let a certificate last at most.
+constexpr std::int64_t kRenew_s = 30 * kDay_s;
+constexpr std::string_view kBegin = "-----BEGIN CERTIFICATE-----";
+
+struct CloseKey {
+  void operator()(gnutls_x509_privkey_t key) const { gnutls_x509_privkey_deinit(key); }
+};
+struct CloseCertificate {
+  void operator()(gnutls_x509_crt_t crt) const { gnutls_x509_crt_deinit(crt); }
+};
+using Key = std::unique_ptr<gnutls_x509_privkey_int, CloseKey>;
+using Crt = std::unique_ptr<gnutls_x509_crt_int, CloseCertificate>;
+
+Key NewKey() {
+  gnutls_x509_privkey_t key = nullptr;
+  return gnutls_x509_privkey_init(&key) < 0 ? nullptr : Key(key);
+}
+
+Crt NewCertificate() {
+  gnutls_x509_crt_t crt = nullptr;
+  return gnutls_x509_crt_init(&crt) < 0 ? nullptr : Crt(crt);
+}
+
+std::string Taken(const gnutls_datum_t& datum) {
+  std::string text(reinterpret_cast<const char*>(datum.data), datum.size);
+  gnutls_free(datum.data);
+  return text;
+}
+
+std::uint32_t MarkOf(gnutls_x509_crt_t crt) {
+  std::array<std::uint8_t, 32> sum{};
+  std::size_t size = sum.size();
+  if (gnutls_x509_crt_get_fingerprint(crt, GNUTLS_DIG_SHA256, sum.data(), &size) < 0) return 0;
+  return std::uint32_t{sum[0]} << 24 | std::uint32_t{sum[1]} << 16 | std::uint32_t{sum[2]} << 8 | sum[3];
+}
+
+// Nothing where it is none, or not valid for long any more.
+std::optional<OwnCertificate> Read(const std::string& text, std::int64_t now_s) {
+  const auto at = text.find(kBegin);
+  const Crt crt = NewCertificate();
+  const Key key = NewKey();
+  if (at == std::string::npos || !crt || !key) return std::nullopt;
+  OwnCertificate own{{text.substr(at), text.substr(0, at)}, 0};
+  const auto datum = [](std::string& pem) {
+    return gnutls_datum_t{reinterpret_cast<unsigned char*>(pem.data()), static_cast<unsigned>(pem.size())};
+  };
+  const gnutls_datum_t chain = datum(own.pem.chain), secret = datum(own.pem.key);
+  if (gnutls_x509_crt_import(crt.get(), &chain, GNUTLS_X509_FMT_PEM) < 0 ||
+      gnutls_x509_privkey_import(key.get(), &secret, GNUTLS_X509_FMT_PEM) < 0)
+    return std::nullopt;
+  if (gnutls_x509_crt_get_expiration_time(crt.get()) < now_s + kRenew_s) return std::nullopt;
+  own.mark = MarkOf(crt.get());
+  return own;
+}
+
+bool Name(gnutls_x509_crt_t crt, const CertificateFor& whom) {
+  const char* wrong = nullptr;
+  bool ok = gnutls_x509_crt_set_dn(crt, "CN=Kaori box", &wrong) >= 0;
+  for (const std::string& name : whom.names)
+    ok = ok &&
+         gnutls_x509_crt_set_subject_alt_name(crt, GNUTLS_SAN_DNSNAME, name.data(),
+                                              static_cast<unsigned>(name.size()), GNUTLS_FSAN_APPEND) >= 0;
+  for (const std::uint32_t address : {0x7F000001U, whom.address}) {
+    const std::array<std::uint8_t, 4> bytes{
+        static_cast<std::uint8_t>(address >> 24), static_cast<std::uint8_t>(address >> 16),
+        static_cast<std::uint8_t>(address >> 8), static_cast<std::uint8_t>(address)};
+    ok = ok && gnutls_x509_crt_set_subject_alt_name(crt, GNUTLS_SAN_IPADDRESS, bytes.data(), bytes.size(),
+                                                    GNUTLS_FSAN_APPEND) >= 0;
+  }
+  return ok;
+}
+
+bool Fill(gnutls_x509_crt_t crt, gnutls_x509_privkey_t key, const CertificateFor& whom) {
+  std::array<std::uint8_t, 16> serial;
+  FillByChance(serial);
+  serial[0] &= 0x7F;  // Positive.
+  const std::int64_t from_s = std::max(whom.now_s, kFirst_s) - kDay_s;
+  return gnutls_x509_crt_set_version(crt, 3) >= 0 &&
+         gnutls_x509_crt_set_serial(crt, serial.data(), serial.size()) >= 0 &&
+         gnutls_x509_crt_set_activation_time(crt, from_s) >= 0 &&
+         gnutls_x509_crt_set_expiration_time(crt, from_s + kLasts_s) >= 0 && Name(crt, whom) &&
+         gnutls_x509_crt_set_key_usage(crt, GNUTLS_KEY_DIGITAL_SIGNATURE) >= 0 &&
+         gnutls_x509_crt_set_key_purpose_oid(crt, GNUTLS_KP_TLS_WWW_SERVER, 0) >= 0 &&
+         gnutls_x509_crt_set_key(crt, key) >= 0 &&
+         gnutls_x509_crt_sign2(crt, crt, key, GNUTLS_DIG_SHA256, 0) >= 0;
+}
+
+// The key's PEM, then the certificate's.
+Result<std::string> Make(const CertificateFor& whom) {
+  const Key key = NewKey();
+  const Crt crt = NewCertificate();
+  gnutls_datum_t secret{}, chain{};
+  const unsigned bits = GNUTLS_CURVE_TO_BITS(GNUTLS_ECC_CURVE_SECP256R1);
+  if (!key || !crt || gnutls_x509_privkey_generate2(key.get(), GNUTLS_PK_ECDSA, bits, 0, nullptr, 0) < 0 ||
+      !Fill(crt.get(), key.get(), whom) ||
+      gnutls_x509_privkey_export2(key.get(), GNUTLS_X509_FMT_PEM, &secret) < 0)
+    return Fail(std::errc::not_supported, "make a certificate");
+  std::string text = Taken(secret);
+  if (gnutls_x509_crt_export2(crt.get(), GNUTLS_X509_FMT_PEM, &chain) < 0)
+    return Fail(std::errc::not_supported, "make a certificate");
+  return text + Taken(chain);
+}
+
+}  // namespace
+
+Result<OwnCertificate> KeptCertificate(const std::filesystem::path& folder, const CertificateFor& whom) {
+  const std::filesystem::path file = folder / "desk.pem";
+  const std::int64_t now_s = std::max(whom.now_s, kFirst_s);
+  std::ostringstream kept;
+  if (std::ifstream stream(file); stream) kept << stream.rdbuf();
+  if (const auto own = Read(kept.str(), now_s)) return *own;
+  const auto made = Make(whom);
+  if (!made) return tl::unexpected(made.error());
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
+  if (auto written = show::WriteWholeFile(file, {show::AsBytes(*made)}, 0600); !written)
+    return tl::unexpected(written.error());
+  Log("a certificate of the box's own was made: {}", file.string());
+  const auto own = Read(*made, now_s);
+  if (!own) return Fail(std::errc::not_supported, "read the certificate that was made");
+  return *own;
+}
+
+}  // namespace kaori::desk

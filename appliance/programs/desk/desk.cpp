@@ -1,0 +1,241 @@
+#include "appliance/programs/desk/desk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "appliance/programs/desk/page.h"
+#include "appliance/programs/desk/status_png.h"
+#include "drivers/base/log.h"
+
+namespace kaori::desk {
+namespace {
+
+using web::Reply;
+using web::Request;
+
+constexpr unsigned kMostConnections = 64;
+constexpr unsigned kMostOfOne = 24;  // A browser opens six; one host must not keep the others out.
+constexpr Duration kStatePeriod = std::chrono::milliseconds(60);
+// Silence is broken this often: listeners that went away are noticed only when something is sent.
+constexpr Duration kSignOfLife = std::chrono::seconds(1);
+constexpr Duration kCodePeriod = std::chrono::seconds(1);
+constexpr int kQuality = 80;
+
+constexpr const char* kText = "text/plain; charset=utf-8";
+constexpr const char* kJson = "application/json";
+constexpr std::string_view kBoundary = "--kaori\r\n";
+constexpr std::string_view kCookie = "kaori-desk=";
+constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
+                                                                 "/picture/mask"};
+
+// A part of the endless picture, closed by the next boundary: browsers show a part when it is closed.
+std::string PicturePart(std::string_view jpeg) {
+  return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg,
+                     kBoundary);
+}
+
+std::string SessionIn(std::string_view cookies) {
+  const auto at = cookies.find(kCookie);
+  if (at == std::string_view::npos || (at > 0 && cookies[at - 1] != ' ' && cookies[at - 1] != ';')) return {};
+  cookies.remove_prefix(at + kCookie.size());
+  return std::string(cookies.substr(0, cookies.find(';')));
+}
+
+std::string CookieOf(const std::string& session, bool secure) {
+  return fmt::format("{}{}; Path=/; HttpOnly; SameSite=Strict{}", kCookie, session, secure ? "; Secure" : "");
+}
+
+Reply NotFound(const std::string& path) {
+  return {404, kText, path + " is not here\n"};
+}
+
+}  // namespace
+
+Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::Desk> writer,
+           const Clock& clock)
+    : options_(std::move(options)),
+      board_(board),
+      writer_(std::move(writer)),
+      clock_(clock),
+      pairing_(clock),
+      line_(lips::ServicePath(board.path())),
+      states_("text/event-stream", "retry: 500\n\n") {
+  for (auto& feed : pictures_)
+    feed = std::make_unique<web::Feed>("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary));
+  address_ = options_.reach == web::Reach::kNetwork ? OwnAddress() : 0x7F000001U;
+}
+
+Result<std::unique_ptr<Desk>> Desk::Open(DeskOptions options, const board::Board& board, EventLoop& loop,
+                                         const Clock& clock) {
+  auto writer = board.AcquireWriter<board::Desk>();
+  if (!writer) return tl::unexpected(writer.error());
+  const bool secure = options.certificate.has_value();
+  std::unique_ptr<Desk> desk(new Desk(std::move(options), board, std::move(*writer), clock));
+  auto server = web::HttpServer::Open(
+      {.port = desk->options_.port,
+       .reach = desk->options_.reach,
+       .certificate = desk->options_.certificate,
+       .most_connections = kMostConnections,
+       .most_of_one_address = kMostOfOne,
+       .guard = [rules = GateRules{OwnNames(), secure}](const web::Visitor& v) { return Refusal(v, rules); }},
+      loop, clock, [self = desk.get()](const Request& request) { return self->Answer(request); });
+  if (!server) return tl::unexpected(server.error());
+  desk->server_ = std::move(*server);
+  return desk;
+}
+
+std::string Desk::address() const {
+  return fmt::format("{}://{}.{}.{}.{}:{}/", options_.certificate ? "https" : "http", address_ >> 24,
+                     address_ >> 16 & 255U, address_ >> 8 & 255U, address_ & 255U, server_->port());
+}
+
+void Desk::Step() {
+  const Time now = clock_.now();
+  line_.Step(now);
+  if (std::exchange(dismiss_, false)) {
+    for (auto& feed : pictures_) feed->Dismiss();
+    states_.Dismiss();
+  }
+  ShowPictures(now);
+  TellState(now);
+  ShowCode(now);
+  server_->Run();
+}
+
+// The lips draw pictures only while a paired page looks; each view is encoded once for all who listen.
+void Desk::ShowPictures(Time now) {
+  const bool looked_at =
+      std::ranges::any_of(pictures_, [](const auto& feed) { return feed->listeners() > 0; });
+  if (looked_at && pairing_.sessions() > 0) line_.Look(now);
+  const LipLine::Picture& picture = line_.picture();
+  for (std::size_t view = 0; view < kViewCount; ++view) {
+    if (!pictures_[view]->awaited() || sent_[view] == picture.number) continue;
+    sent_[view] = picture.number;
+    Compose(static_cast<View>(view), picture.rgbp, composed_);
+    const auto jpeg = jpeg_.Encode({picture.width_px, picture.height_px, composed_, false}, kQuality);
+    if (jpeg) pictures_[view]->Publish(PicturePart(*jpeg));
+  }
+}
+
+void Desk::TellState(Time now) {
+  if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
+  auto state = State();
+  if (state == state_ && now - state_at_ < kSignOfLife) return;
+  state_ = std::move(state);
+  state_at_ = now;
+  states_.Publish(fmt::format("data: {}\n\n", state_));
+}
+
+std::string Desk::State() {
+  return StateJson({.lips = board_.Read<board::Lips>(),
+                    .stage = board_.Read<board::StageStatus>(),
+                    .report = line_.report(),
+                    .picture = line_.picture().number,
+                    .now = clock_.now()});
+}
+
+// Written anew each second, so that the stage sees when the desk is gone.
+void Desk::ShowCode(Time now) {
+  const std::size_t sessions = pairing_.sessions();
+  const bool changed = pairing_.Step();
+  if (pairing_.sessions() < sessions) dismiss_ = true;
+  if (!changed && now - code_at_ < kCodePeriod) return;
+  code_at_ = now;
+  if (!pairing_.shown()) return writer_.Write({}, now, board::SourceState::kAbsent);
+  writer_.Write({.code = pairing_.code(),
+                 .valid_s = static_cast<float>(Seconds(pairing_.valid())),
+                 .address = address_,
+                 .port = server_->port(),
+                 .secure = options_.certificate ? 1U : 0U,
+                 .certificate = options_.mark},
+                now, board::SourceState::kLive);
+}
+
+web::HttpServer::Answer Desk::Answer(const Request& request) {
+  const bool posts = request.method == "POST";
+  if (!posts && request.method != "GET" && request.method != "HEAD")
+    return Reply{405, kText, "GET and POST only\n"};
+  if (posts && request.path == "/pair") return Pair(request);
+  const bool paired = pairing_.Knows(SessionIn(request.cookie));
+  if (!posts && request.path == "/hello") return Hello(paired);
+  if (!posts && FindPageFile(request.path) != nullptr) return Page(request);
+  if (!paired) return Reply{401, kText, "the code on the box's screen comes first\n"};
+  return AnswerPaired(request);
+}
+
+web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
+  if (request.method == "POST") {
+    if (request.path == "/do") return Do(request);
+    if (request.path == "/leave") return Leave(request);
+    return NotFound(request.path);
+  }
+  if (request.path == "/state") return Reply{200, kJson, State()};
+  if (request.path == "/status.png") return Status();
+  if (web::Feed* feed = FeedOf(request.path)) return feed;
+  return NotFound(request.path);
+}
+
+Reply Desk::Status() {
+  auto png = StatusPng(board_, clock_.now());
+  if (!png) return {503, kText, png.error().message() + "\n"};
+  return {200, "image/png", std::move(*png)};
+}
+
+web::Feed* Desk::FeedOf(const std::string& path) {
+  if (path == "/events") return &states_;
+  const auto* at = std::ranges::find(kPicturePaths, path);
+  return at == kPicturePaths.end() ? nullptr
+                                   : pictures_[static_cast<std::size_t>(at - kPicturePaths.begin())].get();
+}
+
+// The page speaks the visitor's language from its first letter on.
+Reply Desk::Page(const Request& request) {
+  const web::PageFile& file = *FindPageFile(request.path);
+  Reply reply{200, std::string(file.content_type), std::string(file.bytes)};
+  constexpr std::string_view kEnglish = "<html lang=\"en\">";
+  const auto at = reply.body.find(kEnglish);
+  if (at != std::string::npos && PrefersJapanese(request.languages))
+    reply.body.replace(at, kEnglish.size(), "<html lang=\"ja\">");
+  return reply;
+}
+
+Reply Desk::Hello(bool paired) {
+  if (!paired) pairing_.Ask();
+  return {200, kJson, fmt::format("{{\"paired\":{}}}\n", paired)};
+}
+
+Reply Desk::Pair(const Request& request) {
+  std::string session;
+  switch (pairing_.Try(request.body, session)) {
+    case Verdict::kIn:
+      Log("a page was paired");
+      return {204, kText, {}, CookieOf(session, options_.certificate.has_value())};
+    case Verdict::kWait:
+      return {429, kText, "five wrong codes; wait a minute\n"};
+    case Verdict::kWrong:
+      break;
+  }
+  Log("a wrong code was tried");
+  return {403, kText, "this is not the code\n"};
+}
+
+// Whoever else listens comes back by himself.
+Reply Desk::Leave(const Request& request) {
+  pairing_.Leave(SessionIn(request.cookie));
+  dismiss_ = true;
+  return {204, kText, {}, CookieOf("", options_.certificate.has_value()) + "; Max-Age=0"};
+}
+
+Reply Desk::Do(const Request& request) {
+  const auto command = lips::ParseCommand("0 " + request.body);
+  if (!command) return {400, kText, command.error().message() + "\n"};
+  if (command->ask == lips::Ask::kLook || command->ask == lips::Ask::kReturn)
+    return {400, kText, "the desk does that itself\n"};
+  const auto number = line_.Ask(*command);
+  if (!number) return {503, kText, "the lips are gone\n"};
+  return {200, kJson, fmt::format("{{\"number\":{}}}\n", *number)};
+}
+
+}  // namespace kaori::desk

@@ -1,0 +1,117 @@
+// kaori-desk: a page on which the lips are calibrated; in the service profile only.
+#include <charconv>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/desk/certificate.h"
+#include "appliance/programs/desk/desk.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "drivers/base/service.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view kHelp =
+    R"(kaori-desk: a page on which the lips are calibrated, before and between shows
+
+  --service            the box is in service: without this it listens to nobody, and ends
+  --board FILE         the board, shared with the other programs
+  --port PORT          8443 if not given; 0 takes any free one
+  --data FOLDER        where the certificate is kept (/var/lib/kaori where it is there, else $XDG_STATE_HOME/kaori)
+  --plain              HTTP instead of HTTPS, for a bench
+  --local              only this machine may visit, for a bench
+  --address-file FILE  where the page's address is written
+)";
+
+constexpr kaori::Duration kTick = 20ms;
+
+struct Settings {
+  std::string board = "/dev/shm/kaori-board", port = "8443", data, address_file;
+  bool service = false, plain = false, local = false;
+};
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.message());
+  return 1;
+}
+
+std::filesystem::path FolderOf(const Settings& settings) {
+  if (!settings.data.empty()) return settings.data;
+  std::error_code none;
+  if (std::filesystem::is_directory("/var/lib/kaori", none)) return "/var/lib/kaori";
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr)
+    return std::filesystem::path(state) / "kaori";
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home == nullptr ? "." : home) / ".local/state/kaori";
+}
+
+kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
+  kaori::desk::DeskOptions options;
+  const std::string& port = settings.port;
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), options.port);
+  if (error != std::errc{} || end != port.data() + port.size())
+    return kaori::FailInput("--port " + port + ": a number up to 65535 is wanted");
+  if (settings.local) options.reach = kaori::web::Reach::kThisMachine;
+  if (settings.plain) return options;
+  const auto own = kaori::desk::KeptCertificate(
+      FolderOf(settings),
+      {kaori::desk::OwnNames(), kaori::desk::OwnAddress(), static_cast<std::int64_t>(std::time(nullptr))});
+  if (!own) return tl::unexpected(own.error());
+  options.certificate = own->pem;
+  options.mark = own->mark;
+  return options;
+}
+
+kaori::Result<void> TellAddress(const std::string& file, const std::string& address) {
+  kaori::Log("the desk is at {}; the code is on the box's screen", address);
+  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::Log("{}", told.error().message());
+  if (file.empty()) return {};
+  std::ofstream out(file);
+  out << address << '\n';
+  if (!out.flush()) return kaori::FailErrno("write " + file);
+  return {};
+}
+
+int Serve(const Settings& settings, kaori::EventLoop& loop) {
+  auto options = OptionsOf(settings);
+  if (!options) return Complain(options.error());
+  const auto board = kaori::board::Board::Create(settings.board);
+  if (!board) return Complain(board.error());
+  const kaori::SteadyClock clock;
+  const auto desk = kaori::desk::Desk::Open(std::move(*options), *board, loop, clock);
+  if (!desk) return Complain(desk.error());
+  if (auto told = TellAddress(settings.address_file, (*desk)->address()); !told)
+    return Complain(told.error());
+  for (const auto& ok : {loop.Every(kTick, [&desk] { (*desk)->Step(); }), loop.Run()})
+    if (!ok) return Complain(ok.error());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-desk");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--board", settings.board).Text("--port", settings.port).Text("--data", settings.data);
+  options.Text("--address-file", settings.address_file)
+      .Switch("--service", settings.service)
+      .Switch("--plain", settings.plain)
+      .Switch("--local", settings.local);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  if (!settings.service) {
+    kaori::Log("a box that plays has no desk; --service says that it is in service");
+    return 2;
+  }
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return Complain(loop.error());
+  return Serve(settings, *loop);
+}

@@ -1,0 +1,111 @@
+#include "appliance/programs/desk/pairing.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kaori::desk {
+namespace {
+
+constexpr Duration kCodeLasts = std::chrono::minutes(5);
+constexpr Duration kShownFor = std::chrono::minutes(2);
+constexpr Duration kMinute = std::chrono::minutes(1);
+constexpr Duration kSessionLasts = std::chrono::hours(8);
+constexpr std::size_t kMostTries = 5;
+constexpr std::size_t kMostSessions = 4;
+constexpr std::uint32_t kCodes = 1'000'000;
+constexpr std::size_t kNameBytes = 32;
+
+// Takes as long wherever the two differ.
+bool SameText(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned differ = 0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    differ |= static_cast<unsigned char>(a[n]) ^ static_cast<unsigned char>(b[n]);
+  return differ == 0;
+}
+
+}  // namespace
+
+Pairing::Pairing(const Clock& clock, Chance chance) : clock_(clock), chance_(std::move(chance)) {
+  RenewCode();
+}
+
+// Every code is as likely as any other.
+void Pairing::RenewCode() {
+  constexpr std::uint32_t kFair = UINT32_MAX - UINT32_MAX % kCodes;
+  std::array<std::uint8_t, 4> bytes;
+  std::uint32_t number = kFair;
+  while (number >= kFair) {
+    chance_(bytes);
+    number = 0;
+    for (const std::uint8_t byte : bytes) number = number << 8 | byte;
+  }
+  code_ = number % kCodes;
+  code_until_ = clock_.now() + kCodeLasts;
+  changed_ = true;
+}
+
+bool Pairing::IsCode(std::string_view text) const {
+  return SameText(text, fmt::format("{:06}", code_));
+}
+
+std::string Pairing::NewName() const {
+  std::array<std::uint8_t, kNameBytes> bytes;
+  chance_(bytes);
+  std::string name;
+  for (const std::uint8_t byte : bytes) name += fmt::format("{:02x}", byte);
+  return name;
+}
+
+Verdict Pairing::Try(std::string_view code, std::string& session) {
+  Step();
+  const Time now = clock_.now();
+  if (wrong_.size() >= kMostTries) return Verdict::kWait;
+  if (!IsCode(code)) {
+    wrong_.push_back(now);
+    return Verdict::kWrong;
+  }
+  if (sessions_.size() >= kMostSessions) sessions_.erase(sessions_.begin());
+  session = NewName();
+  sessions_.push_back({session, now + kSessionLasts});
+  shown_until_ = now;
+  RenewCode();
+  return Verdict::kIn;
+}
+
+bool Pairing::Knows(std::string_view session) const {
+  const Time now = clock_.now();
+  return std::ranges::any_of(
+      sessions_, [&](const Session& one) { return now < one.until && SameText(one.name, session); });
+}
+
+void Pairing::Leave(std::string_view session) {
+  std::erase_if(sessions_, [&](const Session& one) { return SameText(one.name, session); });
+}
+
+void Pairing::Ask() {
+  shown_until_ = clock_.now() + kShownFor;
+}
+
+bool Pairing::Step() {
+  const Time now = clock_.now();
+  std::erase_if(wrong_, [&](Time at) { return now - at >= kMinute; });
+  std::erase_if(sessions_, [&](const Session& one) { return now >= one.until; });
+  if (now >= code_until_) RenewCode();
+  if (shown() != was_shown_) changed_ = true;
+  was_shown_ = shown();
+  return std::exchange(changed_, false);
+}
+
+bool Pairing::shown() const {
+  return sessions_.empty() || clock_.now() < shown_until_;
+}
+
+Duration Pairing::valid() const {
+  return std::max(Duration{}, code_until_ - clock_.now());
+}
+
+}  // namespace kaori::desk

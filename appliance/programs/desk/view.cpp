@@ -1,0 +1,35 @@
+#include "appliance/programs/desk/view.h"
+
+#include <algorithm>
+#include <array>
+
+namespace kaori::desk {
+namespace {
+
+constexpr std::array<int, 3> kLit{255, 184, 102};  // Paint in the mask: the page's lamp colour.
+
+// Green counts for most of what eyes call bright.
+int Grey(const std::uint8_t* rgb) {
+  return (54 * rgb[0] + 183 * rgb[1] + 19 * rgb[2]) >> 8;
+}
+
+// What is not paint falls back, dark and pale, but keeps a colour that may yet be tapped.
+std::uint8_t Shown(View view, const std::uint8_t* rgbp, std::size_t channel) {
+  const int paint = rgbp[3];
+  if (view == View::kMask) return static_cast<std::uint8_t>(kLit[channel] * paint / 255);
+  if (view == View::kPlain) return rgbp[channel];
+  const int dark = (Grey(rgbp) + rgbp[channel]) / 4;
+  const int bright = std::min(255, rgbp[channel] + 40);
+  return static_cast<std::uint8_t>((bright * paint + dark * (255 - paint)) / 255);
+}
+
+}  // namespace
+
+void Compose(View view, std::span<const std::uint8_t> rgbp, std::vector<std::uint8_t>& rgbx) {
+  rgbx.resize(rgbp.size() / 4 * 4);
+  for (std::size_t at = 0; at < rgbx.size(); at += 4)
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      rgbx[at + channel] = Shown(view, &rgbp[at], channel);
+}
+
+}  // namespace kaori::desk

@@ -1,0 +1,26 @@
+// What the needles say in the picture's lower left corner.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "appliance/programs/editor/hands.h"
+#include "appliance/programs/editor/session.h"
+
+namespace kaori::editor {
+
+struct CaptionFacts {
+  const Session& session;
+  int chosen = -1;
+  const std::optional<Typing>& typing;
+  bool comparing = false;
+  bool help = true;     // All keys, or how to see them.
+  std::string own;      // What stands on the shelf.
+  std::string message;  // Of the last seconds; empty: none.
+  std::string trouble;  // With the disk; empty: none.
+};
+
+std::vector<std::string> CaptionLines(const CaptionFacts& facts);
+
+}  // namespace kaori::editor

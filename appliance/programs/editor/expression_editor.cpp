@@ -1,0 +1,286 @@
+#include "appliance/programs/editor/expression_editor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "appliance/programs/editor/caption.h"
+#include "appliance/programs/editor/keys.h"
+#include "appliance/core/performance/ease.h"
+
+namespace kaori::editor {
+namespace {
+
+using namespace std::chrono_literals;
+using performance::Knob;
+
+constexpr float kShow_per_s = 4;    // ExpressionEditor come and go in a quarter of a second.
+constexpr float kChange_s = 0.25F;  // An expression that opening or closing calls.
+constexpr Duration kMessage = 4s;   // How long a message stands.
+constexpr float kLongestStep_s = 0.1F;
+constexpr float kLeastYield = 0.25F;  // Skin that gives way further is not forced to follow a pointer.
+constexpr glm::vec2 kPictureMiddle{0.5F, 0.5F};
+
+void CallWhole(performance::State& state, std::uint16_t expression, float fade_s) {
+  performance::Call(state.expressions, expression, fade_s, At(state.shown, Knob::kExpression));
+  At(state.knobs, Knob::kExpression) = At(state.shown, Knob::kExpression) = 1;
+}
+
+}  // namespace
+
+struct ExpressionEditor::Situation {
+  const show::Show& show;
+  performance::State& state;
+  Time light;
+};
+
+const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, const show::Show& show,
+                                     performance::State& state, Time light) {
+  const auto dt_s = static_cast<float>(std::max(0.0, Seconds(light - now_)));
+  now_ = light;
+  shown_ = performance::Travel(shown_, open_ ? 1.0F : 0.0F, std::min(dt_s, kLongestStep_s), kShow_per_s);
+  renewed_.clear();
+  const bool was_open = open_;
+  const bool was_typing = hands_.typing().has_value();
+  Situation situation{show, state, light};
+  for (const Command& command : hands_.Read(board, state.seen, show, open_, light)) Obey(command, situation);
+  if (scribe_.has_news()) HearNews();
+  ShowDraft();
+  const bool keys = board.keys.source != board::SourceState::kAbsent;
+  if (!was_open && !open_) {
+    if (keys) ConsumeFewKeys(board.keys.value, state);
+    return board;
+  }
+  if (keys) ConsumeKeys(board.keys.value, show, was_typing || hands_.typing(), state);
+  ConsumeInput(board, show, state);
+  return rest_;
+}
+
+void ExpressionEditor::Obey(const Command& command, Situation& now) {
+  if (command.verb == Verb::kToggle) return open_ ? Leave(now) : Start(now);
+  if (!open_) return CallPlace(command.index, now);
+  if (!ObeyHand(command) && !ObeyChoice(command)) ObeyKeeping(command, now);
+}
+
+// What pulls.
+bool ExpressionEditor::ObeyHand(const Command& command) {
+  const auto needle = static_cast<std::size_t>(chosen_);  // -1 is beyond all needles: nothing is pulled.
+  switch (command.verb) {
+    case Verb::kPull:
+      Did(session_.Pull(needle, command.by_m, command.gesture));
+      return true;
+    case Verb::kDrag:
+      Drag(command);
+      return true;
+    case Verb::kScale:
+      Did(session_.Scale(command.amount, command.gesture));
+      return true;
+    case Verb::kShutLids:
+      Did(session_.ShutLids(command.amount, command.gesture));
+      return true;
+    case Verb::kZero:
+      Did(session_.Zero(needle));
+      return true;
+    case Verb::kUndo:
+      Did(session_.Undo());
+      return true;
+    case Verb::kRedo:
+      Did(session_.Redo());
+      return true;
+    default:
+      return false;
+  }
+}
+
+// The skin goes where the pointer goes, though it gives way to its neighbours.
+void ExpressionEditor::Drag(const Command& command) {
+  if (chosen_ < 0) return;
+  const auto needle = static_cast<std::size_t>(chosen_);
+  const float yield = std::max(session_.Yield(needle), kLeastYield);
+  Did(session_.Pull(needle, sight_.PullAlong(needle, command.a) / yield, command.gesture));
+}
+
+// What is pulled, and how it spreads.
+bool ExpressionEditor::ObeyChoice(const Command& command) {
+  switch (command.verb) {
+    case Verb::kGo:
+      if (chosen_ >= 0) Choose(sight_.Next(static_cast<std::size_t>(chosen_), command.a));
+      if (chosen_ < 0) Choose(sight_.Nearest(kPictureMiddle));
+      return true;
+    case Verb::kPress:
+      Choose(sight_.Nearest(command.a));
+      return true;
+    case Verb::kMirror:
+      session_.spread.mirror = !session_.spread.mirror;
+      return true;
+    case Verb::kHelp:
+      help_ = !help_;
+      return true;
+    case Verb::kSmooth:
+      session_.spread.smooth = !session_.spread.smooth;
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Where it comes from, and where it is kept.
+void ExpressionEditor::ObeyKeeping(const Command& command, Situation& now) {
+  switch (command.verb) {
+    case Verb::kTake:
+      return BeginFrom(static_cast<std::uint16_t>(command.index), now.show);
+    case Verb::kTakeInPlay:
+      return BeginFrom(in_play_, now.show);
+    case Verb::kPlace:
+      return BeginWith(shelf_.at(command.index));
+    case Verb::kSave:
+      return Save(false);
+    case Verb::kSaveAsNew:
+      return Save(true);
+    case Verb::kAskName:
+      return hands_.AskForName(Typing::For::kName, session_.work().name);
+    case Verb::kName:
+      return Name(command.text);
+    case Verb::kNameAndSave:
+      return NameAndSave(command.text, command.index == 1);
+    case Verb::kDelete:
+      return Delete(now.light);
+    default:
+      return;
+  }
+}
+
+// Work that is not saved is taken up again; else the expression in play is begun with.
+void ExpressionEditor::Start(Situation& now) {
+  const std::uint16_t called = now.state.expressions.to;
+  if (called != draft()) in_play_ = called;
+  if (!session_.unsaved()) {
+    if (const auto work = called == draft() ? std::nullopt : WorkOf(called, now.show))
+      Did(session_.Begin(*work));
+  } else if (called != draft()) {
+    Say("unsaved work; P begins from what was in play");
+  }
+  open_ = true;
+  CallWhole(now.state, draft(), kChange_s);
+  At(now.state.knobs, Knob::kStrength) = 1;  // Pulls are seen as they are written.
+  if (chosen_ < 0) Choose(sight_.Nearest(kPictureMiddle));
+}
+
+// What is saved is played from its own place, so that the next work does not change it.
+void ExpressionEditor::Leave(Situation& now) {
+  open_ = false;
+  const int place = session_.work().place;
+  if (session_.unsaved()) return;
+  CallWhole(now.state, place >= 0 && shelf_.at(place) ? own(place) : in_play_, kChange_s);
+}
+
+void ExpressionEditor::CallPlace(int place, Situation& now) {
+  if (shelf_.at(place)) CallWhole(now.state, own(place), At(now.state.knobs, Knob::kFade));
+}
+
+void ExpressionEditor::Did(Change change) {
+  if (change == Change::kNone) return;
+  draft_outdated_ = true;
+  scribe_.Note(change, session_.work());
+}
+
+void ExpressionEditor::BeginWith(const std::optional<Work>& work) {
+  if (!work) return Say("there is no such expression");
+  Did(session_.Replace(*work));
+}
+
+void ExpressionEditor::BeginFrom(std::uint16_t expression, const show::Show& show) {
+  BeginWith(WorkOf(expression, show));
+  WarnOfResidual(expression, show);
+}
+
+void ExpressionEditor::WarnOfResidual(std::uint16_t expression, const show::Show& show) {
+  if (!show.cast.expressions[expression].residual.empty()) Say("what no needle can say of it is left out");
+}
+
+// Nothing for one that is no expression, or that no key calls any more.
+std::optional<Work> ExpressionEditor::WorkOf(std::uint16_t index, const show::Show& show) const {
+  if (index >= first_) return index < draft() ? shelf_.at(static_cast<int>(index - first_)) : std::nullopt;
+  const face::Expression& expression = show.cast.expressions[index];
+  return Work{expression.displacement, expression.lids, "", expression.name, -1};
+}
+
+void ExpressionEditor::Choose(std::optional<std::size_t> needle) {
+  if (needle) chosen_ = static_cast<int>(*needle);
+}
+
+void ExpressionEditor::Say(std::string message) {
+  message_ = std::move(message);
+  message_until_ = now_ + kMessage;
+}
+
+void ExpressionEditor::ShowDraft() {
+  if (hands_.comparing() != compared_) draft_outdated_ = true;
+  compared_ = hands_.comparing();
+  if (!draft_outdated_) return;
+  draft_outdated_ = false;
+  renewed_.push_back({draft(), compared_ ? &session_.before() : &session_.work()});
+}
+
+// Keys that are the needles' are as if they had not been struck. With the needles shut these are few.
+void ExpressionEditor::ConsumeFewKeys(const board::Keys& keys, performance::State& state) {
+  state.seen.keys[key::kTab] = keys.pushes[key::kTab];
+  if (!ShiftIsDown(keys)) return;
+  for (std::size_t digit = key::k1; digit <= key::k0; ++digit) state.seen.keys[digit] = keys.pushes[digit];
+}
+
+// With the needles open it is all of them, but for those that call faces and styles while nothing is typed.
+void ExpressionEditor::ConsumeKeys(const board::Keys& keys, const show::Show& show, bool typing,
+                       performance::State& state) {
+  const auto before = std::exchange(state.seen.keys, keys.pushes);
+  if (typing) return;
+  for (const show::KeyCall& call : show.keys) {
+    const bool plays_on = call.call.kind == show::CallKind::kFace || call.call.kind == show::CallKind::kStyle;
+    if (plays_on && !IsForNeedles(static_cast<std::uint8_t>(call.key_usage)))
+      state.seen.keys[call.key_usage] = before[call.key_usage];
+  }
+}
+
+void ExpressionEditor::ConsumeInput(const board::Snapshot& board, const show::Show& show, performance::State& state) {
+  rest_ = board;
+  rest_.keys.value.down = {};
+  board::Stick& stick = rest_.sticks[1].value;
+  stick.x = stick.y = stick.twist = stick.slider = 0;
+  stick.hat = -1;
+  if (board.surface.source == board::SourceState::kAbsent) return;
+  const board::Surface& surface = board.surface.value;
+  for (const std::size_t dial : kTakenDials) state.seen.dials[dial] = surface.counts[dial];
+  for (std::size_t i = 0; i < show.buttons.size(); ++i) {
+    const show::CallKind kind = show.buttons[i].kind;
+    if (kind == show::CallKind::kExpression || kind == show::CallKind::kScene)
+      state.seen.buttons[i] = surface.pushes[i];
+  }
+}
+
+void ExpressionEditor::Describe(scene::Scene& scene) const {
+  if (!(shown_ > 0)) return;
+  const float shown = performance::SmoothStep(shown_);
+  const Work& work = compared_ ? session_.before() : session_.work();
+  scene.needles.shown = shown;
+  scene.needles.chosen = chosen_;
+  if (chosen_ >= 0 && session_.spread.mirror)
+    scene.needles.partner = session_.points().partners[static_cast<std::size_t>(chosen_)];
+  for (const glm::vec3& pull_m : work.pulls_m) scene.needles.pulls_m.push_back(glm::length(pull_m));
+  scene.caption.shown = shown;
+  scene.caption.lines = CaptionLines({.session = session_,
+                                      .chosen = chosen_,
+                                      .typing = hands_.typing(),
+                                      .comparing = compared_,
+                                      .help = help_,
+                                      .own = shelf_.Contents(),
+                                      .message = now_ < message_until_ ? message_ : "",
+                                      .trouble = trouble_});
+}
+
+void ExpressionEditor::Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene,
+                   float aspect) {
+  sight_.Look(cast, shape, scene, aspect);
+}
+
+}  // namespace kaori::editor

@@ -1,0 +1,122 @@
+// The needles: an expression is made on the box, while she plays.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "appliance/core/board/snapshot.h"
+#include "appliance/programs/editor/hands.h"
+#include "appliance/programs/editor/scribe.h"
+#include "appliance/programs/editor/session.h"
+#include "appliance/programs/editor/shelf.h"
+#include "appliance/programs/editor/sight.h"
+#include "appliance/core/performance/state.h"
+#include "appliance/core/show/show.h"
+#include "render/scene/scene.h"
+
+namespace kaori::editor {
+
+// One thread, that of the stage; the disk is left to another one.
+class ExpressionEditor {
+ public:
+  // Appends the box's own expressions, and the one in work, to the show's cast: kPlaces + 1 of them, empty or
+  // not, so that their number never changes. Takes up the work that an earlier session left in the journal.
+  // Says in the log what was found and what could not be read; without its folder the needles work in memory.
+  // Blocks for the disk.
+  static std::unique_ptr<ExpressionEditor> Open(const std::filesystem::path& folder, show::Show& show);
+  ~ExpressionEditor();
+
+  // Does what the author's hands ask for since the last frame, and gives what is left of the board for the
+  // performance: with the needles open, hands that pull them do not play. `show` is the one that Open saw.
+  // Allocates only where a hand moved, or while the needles are open.
+  const board::Snapshot& Play(const board::Snapshot& board, const show::Show& show, performance::State& state,
+                              Time light);
+
+  // What the frame shows of them.
+  void Describe(scene::Scene& scene) const;
+
+  // The face as it was drawn: what the author sees and points at.
+  void Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene, float aspect);
+
+  // Expressions of the cast that Play has made anew, each with what it is now. Cleared by the next Play.
+  struct Renewed {
+    std::uint16_t index = 0;
+    const Work* work = nullptr;
+  };
+  const std::vector<Renewed>& renewed() const { return renewed_; }
+
+  bool open() const { return open_; }
+  const Session& session() const { return session_; }
+  int chosen() const { return chosen_; }
+  std::uint16_t draft() const {
+    return static_cast<std::uint16_t>(first_ + kPlaces);
+  }  // The work's expression.
+  std::uint16_t own(int place) const { return static_cast<std::uint16_t>(first_ + place); }
+
+  // Waits for the disk. For tests and an orderly end.
+  void Finish() { scribe_.Finish(); }
+
+ private:
+  struct Kept;  // What an earlier session left on the disk.
+  ExpressionEditor(Kept kept, const face::Cast& cast, std::vector<std::string> show_names);
+
+  struct Situation;
+  void Obey(const Command& command, Situation& now);
+  bool ObeyHand(const Command& command);
+  void Drag(const Command& command);
+  bool ObeyChoice(const Command& command);
+  void ObeyKeeping(const Command& command, Situation& now);
+  void Toggle(Situation& now);
+  void Start(Situation& now);
+  void Leave(Situation& now);
+  void CallPlace(int place, Situation& now);
+  void Did(Change change);
+  void BeginWith(const std::optional<Work>& work);
+  void BeginFrom(std::uint16_t expression, const show::Show& show);
+  void WarnOfResidual(std::uint16_t expression, const show::Show& show);
+  std::optional<Work> WorkOf(std::uint16_t expression, const show::Show& show) const;
+  void Save(bool as_new);
+  void NameAndSave(const std::string& name, bool as_new);
+  void Name(const std::string& name);
+  void Delete(Time now);
+  void Choose(std::optional<std::size_t> needle);
+  void Say(std::string message);
+  void HearNews();
+  void ShowDraft();
+  static void ConsumeFewKeys(const board::Keys& keys, performance::State& state);
+  static void ConsumeKeys(const board::Keys& keys, const show::Show& show, bool typing,
+                       performance::State& state);
+  void ConsumeInput(const board::Snapshot& board, const show::Show& show, performance::State& state);
+
+  std::size_t first_;  // Index of the first own expression in the cast.
+  Session session_;
+  Shelf shelf_;
+  Sight sight_;
+  Hands hands_;
+  bool open_ = false;
+  float shown_ = 0;
+  int chosen_ = -1;
+  std::uint16_t in_play_ = 0;  // Before the needles were opened.
+  bool compared_ = false;
+  bool help_ = true;
+  bool draft_outdated_ = false;
+  Time now_{};
+  std::string message_;
+  Time message_until_{};
+  Time delete_until_{};
+  std::string trouble_;
+  std::vector<Renewed> renewed_;
+  board::Snapshot rest_;
+  Scribe scribe_;
+};
+
+// Where a box keeps its own expressions: /var/lib/kaori/own where it is there, else in the home of whoever
+// plays
+// ($XDG_STATE_HOME/kaori/own). Empty: nowhere.
+std::filesystem::path UsualFolder();
+
+}  // namespace kaori::editor

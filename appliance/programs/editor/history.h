@@ -1,0 +1,45 @@
+// Every step of a session, to go back and forth over.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "appliance/programs/editor/work.h"
+
+namespace kaori::editor {
+
+class History {
+ public:
+  // Forgets all and begins with `work`.
+  void Begin(Work work);
+
+  // A new step after the one in work; what was undone is gone. A `fresh` one was taken from elsewhere: Before
+  // does not look behind it.
+  void Push(Work work, bool fresh = false);
+
+  // The newest step goes on.
+  void Replace(Work work);
+
+  bool Undo();  // False: there is nothing to undo.
+  bool Redo();
+
+  // Gives all steps since the work was taken another name and place: neither is a step.
+  void Rename(const Work& like);
+
+  const Work& now() const { return steps_[at_].work; }
+  const Work& before() const;  // The work as it was taken.
+  std::size_t undoable() const { return at_; }
+  std::size_t redoable() const { return steps_.size() - 1 - at_; }
+
+ private:
+  struct Step {
+    Work work;
+    bool fresh = false;
+  };
+  std::size_t Start() const;
+
+  std::vector<Step> steps_{1};
+  std::size_t at_ = 0;
+};
+
+}  // namespace kaori::editor

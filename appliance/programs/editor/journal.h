@@ -1,0 +1,54 @@
+// The journal: every change of a session, one after the other in a file, so that a crash loses next to
+// nothing.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "appliance/programs/editor/record.h"
+#include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::editor {
+
+// Any one thread.
+class Journal {
+ public:
+  struct Opened;
+
+  // Opens the file, or makes it, and reads what an earlier session wrote; blocks for the disk. A record that
+  // was torn is cut off. A journal of other control points (`fingerprint`), or a file that is none, is kept
+  // aside as FILE.NUMBER, and is taken up when it fits again. Errors:
+  //   device_or_resource_busy  another program has it open
+  //   as open(2), read(2) and write(2)
+  static Result<Opened> Open(const std::filesystem::path& file, std::uint64_t fingerprint);
+
+  // Appends and waits until it is on the disk; nothing of it is there where it fails. Errors: as write(2) and
+  // fdatasync(2): no_space_on_device ...
+  Result<void> Append(std::span<const std::uint8_t> bytes);
+
+  // Forgets all records.
+  Result<void> Clear();
+
+ private:
+  Result<void> CutOff();
+
+  Journal(UniqueFd fd, std::filesystem::path file, std::uint64_t fingerprint)
+      : fd_(std::move(fd)), file_(std::move(file)), fingerprint_(fingerprint) {}
+
+  UniqueFd fd_;
+  std::filesystem::path file_;
+  std::uint64_t fingerprint_ = 0;
+  std::uint64_t end_ = 0;  // Of the last whole record; 0: not even the head stands there.
+};
+
+struct Journal::Opened {
+  Journal journal;
+  std::vector<Record> records;
+  std::size_t torn_bytes = 0;
+  bool put_aside = false;
+};
+
+}  // namespace kaori::editor

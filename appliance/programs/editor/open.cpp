@@ -1,0 +1,107 @@
+// What an earlier session left, taken up again.
+#include "appliance/programs/editor/expression_editor.h"
+
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+#include "drivers/base/log.h"
+
+namespace kaori::editor {
+namespace {
+
+constexpr const char* kJournalName = "needles.journal";
+
+std::vector<std::string> NamesOf(const face::Cast& cast) {
+  std::vector<std::string> names;
+  for (const face::Expression& expression : cast.expressions) names.push_back(expression.name);
+  return names;
+}
+
+face::Expression ExpressionOf(const Work& work) {
+  return {.name = work.name, .displacement = work.pulls_m, .lids = work.lids};
+}
+
+// A blank where a place is empty.
+void Append(const Places& places, const Work& work, face::Cast& cast) {
+  const Work blank{.pulls_m = std::vector<glm::vec3>(cast.net.points.size())};
+  for (const auto& own : places) cast.expressions.push_back(ExpressionOf(own ? *own : blank));
+  cast.expressions.push_back(ExpressionOf(work));
+}
+
+void Replay(const std::vector<Record>& records, Session& session) {
+  for (const Record& record : records) session.Replay(record.change, record.work);
+  if (!session.unsaved()) return;
+  const Work& work = session.work();
+  Log("unsaved needle work is taken up again: {}, {} steps; Tab goes on with it",
+      work.name.empty() ? "without a name" : work.name, session.undoable());
+}
+
+Result<void> MakeFolder(const std::filesystem::path& folder) {
+  if (folder.empty()) return Fail(std::errc::no_such_file_or_directory, "find a folder for own expressions");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
+  return {};
+}
+
+std::optional<Journal> TakeUpJournal(const std::filesystem::path& folder, Session& session,
+                                     std::string& trouble) {
+  auto opened = MakeFolder(folder).and_then(
+      [&] { return Journal::Open(folder / kJournalName, Fingerprint(session.points())); });
+  if (!opened) {
+    trouble = opened.error().message();
+    Log("the needles keep no journal: {}", trouble);
+    return std::nullopt;
+  }
+  if (opened->put_aside) Log("a needles' journal of another cast is kept aside in {}", folder.string());
+  if (opened->torn_bytes > 0) Log("the needles' journal ended in a torn record, which is left out");
+  Replay(opened->records, session);
+  return std::move(opened->journal);
+}
+
+}  // namespace
+
+struct ExpressionEditor::Kept {
+  std::filesystem::path folder;
+  Session session;
+  Places places{};
+  std::optional<Journal> journal{};
+  std::string trouble{};
+};
+
+std::unique_ptr<ExpressionEditor> ExpressionEditor::Open(const std::filesystem::path& folder, show::Show& show) {
+  Kept kept{folder, Session(PointsOf(show.cast.net))};
+  kept.journal = TakeUpJournal(folder, kept.session, kept.trouble);
+  if (!folder.empty()) {
+    Stored stored = ReadStore(folder, kept.session.points(), show.cast);
+    for (const std::string& complaint : stored.complaints) Log("{}", complaint);
+    kept.places = std::move(stored.places);
+  }
+  const std::vector<std::string> names = NamesOf(show.cast);
+  Append(kept.places, kept.session.work(), show.cast);
+  return std::unique_ptr<ExpressionEditor>(new ExpressionEditor(std::move(kept), show.cast, names));
+}
+
+ExpressionEditor::ExpressionEditor(Kept kept, const face::Cast& cast, std::vector<std::string> show_names)
+    : first_(show_names.size()),
+      session_(std::move(kept.session)),
+      shelf_(std::move(kept.places), std::move(show_names)),
+      sight_(cast),
+      trouble_(std::move(kept.trouble)),
+      scribe_(std::move(kept.journal), std::move(kept.folder), session_.points()) {}
+
+ExpressionEditor::~ExpressionEditor() = default;
+
+std::filesystem::path UsualFolder() {
+  const std::filesystem::path box = "/var/lib/kaori/own";
+  std::error_code none;
+  if (std::filesystem::is_directory(box, none)) return box;
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
+    return std::filesystem::path(state) / "kaori" / "own";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return std::filesystem::path(home) / ".local" / "state" / "kaori" / "own";
+  return {};
+}
+
+}  // namespace kaori::editor

@@ -1,0 +1,127 @@
+#include "appliance/programs/editor/record.h"
+
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "appliance/programs/editor/checksum.h"
+
+namespace kaori::editor {
+namespace {
+
+constexpr std::size_t kRecordHeadBytes = sizeof(std::uint32_t) + sizeof(std::uint64_t);
+constexpr std::uint32_t kRecordMostBytes = 1U << 20U;  // A longer record is no record.
+constexpr std::size_t kRecordLongestName = 200;
+
+bool CarriesWork(Change change) {
+  return change != Change::kUndone && change != Change::kRedone;
+}
+
+template <class T>
+void Put(std::vector<std::uint8_t>& into, const T& value) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(&value);
+  into.insert(into.end(), bytes, bytes + sizeof value);
+}
+
+void PutText(std::vector<std::uint8_t>& into, const std::string& text) {
+  const std::size_t length = std::min(text.size(), kRecordLongestName);
+  Put(into, static_cast<std::uint16_t>(length));
+  into.insert(into.end(), text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length));
+}
+
+void PutWork(std::vector<std::uint8_t>& into, const Work& work) {
+  Put(into, static_cast<std::int32_t>(work.place));
+  Put(into, work.lids);
+  PutText(into, work.name);
+  PutText(into, work.origin);
+  Put(into, static_cast<std::uint32_t>(work.pulls_m.size()));
+  for (const glm::vec3& pull_m : work.pulls_m) Put(into, pull_m);
+}
+
+// Takes values off the front; after the first that is not there, all are empty.
+class RecordParser {
+ public:
+  explicit RecordParser(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  template <class T>
+  T Parse() {
+    T value{};
+    const auto taken = TakeBytes(sizeof value);
+    if (!taken.empty()) std::memcpy(&value, taken.data(), sizeof value);
+    return value;
+  }
+
+  std::string TakeText() {
+    const auto taken = TakeBytes(Parse<std::uint16_t>());
+    return {reinterpret_cast<const char*>(taken.data()), taken.size()};
+  }
+
+  std::span<const std::uint8_t> TakeBytes(std::size_t count) {
+    if (count > bytes_.size()) {
+      short_ = true;
+      bytes_ = {};
+      return {};
+    }
+    const auto taken = bytes_.first(count);
+    bytes_ = bytes_.subspan(count);
+    return taken;
+  }
+
+  std::size_t left() const { return bytes_.size(); }
+  bool whole() const { return !short_; }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  bool short_ = false;
+};
+
+Work TakeWork(RecordParser& parser) {
+  Work work;
+  work.place = parser.Parse<std::int32_t>();
+  work.lids = parser.Parse<std::array<float, 2>>();
+  work.name = parser.TakeText();
+  work.origin = parser.TakeText();
+  const auto count = parser.Parse<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count && parser.whole(); ++i) work.pulls_m.push_back(parser.Parse<glm::vec3>());
+  return work;
+}
+
+std::optional<Record> DecodeOne(std::span<const std::uint8_t> bytes) {
+  RecordParser parser(bytes);
+  const auto kind = parser.Parse<std::uint8_t>();
+  if (!parser.whole() || kind > static_cast<std::uint8_t>(kLastChange)) return std::nullopt;
+  Record record{static_cast<Change>(kind), {}};
+  if (CarriesWork(record.change)) record.work = TakeWork(parser);
+  if (!parser.whole() || parser.left() > 0) return std::nullopt;
+  return record;
+}
+
+}  // namespace
+
+void Encode(const Record& record, std::vector<std::uint8_t>& into) {
+  std::vector<std::uint8_t> body;
+  Put(body, static_cast<std::uint8_t>(record.change));
+  if (CarriesWork(record.change)) PutWork(body, record.work);
+  Put(into, static_cast<std::uint32_t>(body.size()));
+  Put(into, Checksum(body));
+  into.insert(into.end(), body.begin(), body.end());
+}
+
+Decoded Decode(std::span<const std::uint8_t> bytes) {
+  Decoded decoded;
+  while (bytes.size() - decoded.sound_bytes >= kRecordHeadBytes) {
+    RecordParser parser(bytes.subspan(decoded.sound_bytes));
+    const auto length = parser.Parse<std::uint32_t>();
+    const auto checksum = parser.Parse<std::uint64_t>();
+    if (length > kRecordMostBytes || length > parser.left()) break;
+    const auto body = parser.TakeBytes(length);
+    auto record = DecodeOne(body);
+    if (Checksum(body) != checksum || !record) break;
+    decoded.records.push_back(std::move(*record));
+    decoded.sound_bytes += kRecordHeadBytes + length;
+  }
+  return decoded;
+}
+
+}  // namespace kaori::editor

@@ -1,0 +1,78 @@
+// One author at work on one expression: what a hand does to it, and the way back.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "appliance/programs/editor/history.h"
+#include "appliance/programs/editor/points.h"
+#include "appliance/programs/editor/work.h"
+
+namespace kaori::editor {
+
+// What a command did to the history. In this order and with the work they led to, changes make the same
+// session again: see Session::Replay.
+enum class Change : std::uint8_t {
+  kNone,
+  kBegun,     // All before is forgotten.
+  kAdopted,   // A step: another expression was taken into work.
+  kPushed,    // A step.
+  kReplaced,  // The newest step went on.
+  kUndone,
+  kRedone,
+  kRenamed,  // The work has another name or place.
+  kKept,     // The work was saved.
+};
+inline constexpr Change kLastChange = Change::kKept;
+
+// Movements of one gesture (a drag, a turn of a dial) are one step. 0 is no gesture: a step of its own.
+using Gesture = std::uint32_t;
+
+// How pulls spread.
+struct Spread {
+  bool mirror = true;   // To the same needle of the other side.
+  bool smooth = false;  // To the neighbours, the nearer the more.
+};
+
+// No device, no file, no clock. Every command gives what it changed.
+class Session {
+ public:
+  explicit Session(Points points);
+
+  Change Begin(Work work);  // As saved; nothing can be undone.
+  Change Replace(Work work);
+  Change Pull(std::size_t point, glm::vec3 by_m, Gesture gesture = 0);
+  Change Zero(std::size_t point);  // And its partner, where pulls are mirrored.
+  Change Scale(float factor, Gesture gesture = 0);
+  Change ShutLids(float by, Gesture gesture = 0);
+  Change Undo();
+  Change Redo();
+  Change Rename(std::string name, int place);
+  Change Keep(const Work& saved);
+
+  // A change of an earlier session. Where `work` does not fit the control points, nothing happens.
+  void Replay(Change change, const Work& work);
+
+  // How far the skin at the point goes with a pull of its needle, as pulls spread now: 1 is as far.
+  float Yield(std::size_t point) const;
+
+  const Work& work() const { return history_.now(); }
+  const Work& before() const { return history_.before(); }
+  bool unsaved() const { return !(work() == saved_); }
+  std::size_t undoable() const { return history_.undoable(); }
+  std::size_t redoable() const { return history_.redoable(); }
+  const Points& points() const { return points_; }
+
+  Spread spread;
+
+ private:
+  Change Step(Work work, Gesture gesture);
+  bool Fits(const Work& work) const;
+
+  Points points_;
+  History history_;
+  Work saved_;
+  Gesture gesture_ = 0;  // Of the newest step; 0 when it is closed.
+};
+
+}  // namespace kaori::editor

@@ -1,0 +1,144 @@
+#include "appliance/programs/editor/store.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "appliance/core/show/pack_whole_file.h"
+
+namespace kaori::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kStoreMostBytes = 1U << 20U;
+constexpr std::string_view kStoreAside = ".faulty";
+
+// "03-": the keys count from one.
+std::string PrefixOf(int place) {
+  return fmt::format("{:02}-", place + 1);
+}
+
+// One that was kept aside before is not written over.
+fs::path AsideOf(const fs::path& file) {
+  const std::string first = file.string() + std::string(kStoreAside);
+  fs::path aside = first;
+  for (int number = 2; fs::exists(aside); ++number) aside = first + std::to_string(number);
+  return aside;
+}
+
+// The name that a file had before it was kept aside; empty where it was not.
+fs::path BeforeAside(const fs::path& file) {
+  const std::string path = file.string();
+  const auto at = path.rfind(kStoreAside);
+  return at == std::string::npos ? fs::path() : fs::path(path.substr(0, at));
+}
+
+// -1: it names no place.
+int PlaceOf(const fs::path& file) {
+  const std::string name = file.filename().string();
+  if (file.extension() != ".toml") return -1;
+  for (int place = 0; place < kPlaces; ++place)
+    if (name.starts_with(PrefixOf(place))) return place;
+  return -1;
+}
+
+std::vector<fs::path> FilesOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code none;  // A folder that is not there holds nothing.
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (PlaceOf(entry.path()) >= 0) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+std::vector<fs::path> AsidesOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (PlaceOf(BeforeAside(entry.path())) >= 0) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+Result<Work> ReadFile(const fs::path& file, const Points& points, const face::Cast& cast) {
+  std::error_code error;
+  if (fs::file_size(file, error) > kStoreMostBytes || error)
+    return FailInput(file.string() + ": cannot be so large");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return FailErrno("read " + file.string());
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return ReadOwn(text.str(), file.string(), points, cast);
+}
+
+bool HasName(const Places& places, const std::string& name) {
+  return std::ranges::any_of(places, [&](const auto& own) { return own && own->name == name; });
+}
+
+// `named` is what it is called, or was before it was kept aside.
+Result<void> ReadInto(const fs::path& file, const fs::path& named, Places& places, const Points& points,
+                      const face::Cast& cast) {
+  auto work = ReadFile(file, points, cast);
+  if (!work) return tl::unexpected(work.error());
+  work->place = PlaceOf(named);
+  auto& place = places[static_cast<std::size_t>(work->place)];
+  if (place) return FailInput(fmt::format("{}: its place is taken by \"{}\"", file.string(), place->name));
+  if (HasName(places, work->name))
+    return FailInput(fmt::format("{}: another one is named \"{}\"", file.string(), work->name));
+  place = std::move(*work);
+  return {};
+}
+
+Result<void> Remove(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "remove " + file.string());
+  return {};
+}
+
+Result<void> RemoveAllBut(const fs::path& folder, int place, const fs::path& kept) {
+  Result<void> outcome;
+  for (const fs::path& file : FilesOf(folder)) {
+    if (PlaceOf(file) != place || file == kept) continue;
+    if (auto removed = Remove(file); !removed) outcome = removed;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+Stored ReadStore(const fs::path& folder, const Points& points, const face::Cast& cast) {
+  Stored stored;
+  std::error_code ignored;  // A file that cannot be renamed was named; it stays where it is.
+  const auto before = AsidesOf(folder);
+  for (const fs::path& file : FilesOf(folder)) {
+    const auto read = ReadInto(file, file, stored.places, points, cast);
+    if (read) continue;
+    stored.complaints.push_back(read.error().message() + "; it is kept aside");
+    fs::rename(file, AsideOf(file), ignored);
+  }
+  for (const fs::path& aside : before)
+    if (ReadInto(aside, BeforeAside(aside), stored.places, points, cast))
+      fs::rename(aside, BeforeAside(aside), ignored);
+  return stored;
+}
+
+Result<void> WriteToStore(const fs::path& folder, const Work& work, const Points& points) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
+  const fs::path file = folder / (PrefixOf(work.place) + work.name + ".toml");
+  auto written = show::WriteWholeFile(file, {show::AsBytes(WriteOwn(work, points))});
+  if (!written) return written;
+  return RemoveAllBut(folder, work.place, file);
+}
+
+Result<void> RemoveFromStore(const fs::path& folder, int place) {
+  return RemoveAllBut(folder, place, {});
+}
+
+}  // namespace kaori::editor

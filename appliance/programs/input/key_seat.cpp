@@ -1,0 +1,58 @@
+#include "appliance/programs/input/key_seat.h"
+
+namespace kaori::input {
+
+using board::SourceState;
+
+KeySeat::KeySeat(const board::Board& board, board::Writer<board::Keys> writer) : writer_(std::move(writer)) {
+  const board::Stamped<board::Keys> before = board.Read<board::Keys>();
+  keys_.down = before.value.down;
+  keys_.pushes = before.value.pushes;
+  source_ = before.source;
+}
+
+Result<void> KeySeat::Plug(const ports::HidIdentity& identity, Time now) {
+  auto decoder = decode::KeyboardDecoder::For(identity);
+  if (!decoder) return tl::unexpected(decoder.error());
+  decoder_ = std::move(*decoder);
+  keys_.Plug();
+  plugged_ = now;
+  proven_ = false;
+  source_ = SourceState::kLive;
+  Write(now);
+  return {};
+}
+
+Result<void> KeySeat::Accept(std::span<const std::uint8_t> report, Time at) {
+  const auto sample = decoder_->Decode(report, at);
+  if (!sample) return tl::unexpected(sample.error());
+  keys_.Accept(sample->keys);
+  at_ = at;
+  proven_ = changed_ = true;
+  return {};
+}
+
+void KeySeat::Publish() {
+  if (std::exchange(changed_, false)) Write(at_);
+}
+
+void KeySeat::Unplug(Time now) {
+  decoder_.reset();
+  keys_.Release();
+  if (source_ != SourceState::kLive) return;
+  source_ = SourceState::kStale;
+  Write(now);
+}
+
+void KeySeat::Tick(Time now, ports::HidChannel* device) {
+  if (device == nullptr || proven_ || now - plugged_ < kProof) return;
+  keys_.Release();
+  proven_ = true;
+  Write(now);
+}
+
+void KeySeat::Write(Time at) {
+  writer_.Write({.down = keys_.down, .pushes = keys_.pushes}, at, source_);
+}
+
+}  // namespace kaori::input

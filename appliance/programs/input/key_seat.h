@@ -1,0 +1,37 @@
+// The keyboard: which keys are held, and how often each went down.
+#pragma once
+
+#include <optional>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/input/carried_switches.h"
+#include "appliance/programs/input/seat.h"
+#include "drivers/decode/keyboard.h"
+
+namespace kaori::input {
+
+class KeySeat final : public Seat {
+ public:
+  KeySeat(const board::Board& board, board::Writer<board::Keys> writer);
+
+  std::string_view name() const override { return "keyboard"; }
+  Result<void> Plug(const ports::HidIdentity& identity, Time now) override;
+  Result<void> Accept(std::span<const std::uint8_t> report, Time at) override;
+  void Publish() override;
+  void Unplug(Time now) override;
+  void Tick(Time now, ports::HidChannel* device) override;
+
+ private:
+  void Write(Time at);
+
+  board::Writer<board::Keys> writer_;
+  CarriedSwitches<8> keys_;
+  std::optional<decode::KeyboardDecoder> decoder_;
+  board::SourceState source_;
+  Time at_{};
+  Time plugged_{};
+  bool proven_ = true;  // As in DialSeat.
+  bool changed_ = false;
+};
+
+}  // namespace kaori::input

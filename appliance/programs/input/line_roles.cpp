@@ -1,0 +1,60 @@
+#include "appliance/programs/input/line_roles.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <utility>
+
+namespace kaori::input {
+namespace {
+
+constexpr std::array<std::string_view, board::kLineCount> kInputNames{"go", "blackout", "service",
+                                                                      "presence"};
+
+std::optional<std::uint32_t>* RoleNamed(std::string_view name, LineRoles& roles) {
+  if (name == "tally") return &roles.tally;
+  const auto at = std::ranges::find(kInputNames, name);
+  if (at == kInputNames.end()) return nullptr;
+  return &roles.inputs[static_cast<std::size_t>(at - kInputNames.begin())];
+}
+
+std::optional<std::uint32_t> ParseOffset(std::string_view text) {
+  std::uint32_t offset = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), offset);
+  if (error != std::errc{} || end != text.data() + text.size() || offset > kMostOffset) return std::nullopt;
+  return offset;
+}
+
+bool Has(const LineRoles& roles, std::uint32_t offset) {
+  return roles.tally == offset ||
+         std::ranges::find(roles.inputs, std::optional(offset)) != roles.inputs.end();
+}
+
+// One "go=0"; what is wrong with it, or nothing.
+std::string ParseRole(std::string_view word, LineRoles& roles) {
+  const auto equals = std::min(word.find('='), word.size());
+  auto* const role = RoleNamed(word.substr(0, equals), roles);
+  if (role == nullptr) return "go, blackout, service, presence and tally are known";
+  const auto offset = equals < word.size() ? ParseOffset(word.substr(equals + 1)) : std::nullopt;
+  if (!offset) return "the number of a line is wanted, as in go=0";
+  if (*role || Has(roles, *offset)) return "a role or a line stands there twice";
+  *role = offset;
+  return {};
+}
+
+}  // namespace
+
+Result<LineRoles> ParseLineRoles(std::string_view text) {
+  LineRoles roles;
+  for (bool more = true; more;) {
+    const auto comma = text.find(',');
+    const auto word = text.substr(0, comma);
+    if (const auto wrong = ParseRole(word, roles); !wrong.empty())
+      return FailInput("lines, " + std::string(word) + ": " + wrong);
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
+  }
+  return roles;
+}
+
+}  // namespace kaori::input

@@ -1,0 +1,21 @@
+#include "appliance/programs/input/tally.h"
+
+#include "appliance/core/board/lines.h"
+
+namespace kaori::input {
+namespace {
+
+constexpr Duration kDead = std::chrono::seconds(1);
+constexpr int kTurns = 4;
+
+}  // namespace
+
+bool TallyLit(const board::Stamped<board::StageStatus>& stage, const board::Stamped<board::Lines>& lines,
+              Time now) {
+  if (stage.source != board::SourceState::kLive) return false;
+  const Duration usual = std::chrono::microseconds(stage.value.draw_us);
+  if (now - stage.at > kDead + kTurns * usual) return false;
+  return !board::IsOn(lines.value, board::Line::kBlackout);
+}
+
+}  // namespace kaori::input

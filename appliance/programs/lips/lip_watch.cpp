@@ -1,0 +1,17 @@
+#include "appliance/programs/lips/lip_watch.h"
+
+#include "drivers/base/log.h"
+
+namespace kaori::lips {
+
+void LipWatch::Step() {
+  reader_.Step();
+  if (watched_ == reader_.pollable() && opened_ == reader_.opened()) return;
+  if (watched_ >= 0) loop_.Forget(watched_);
+  watched_ = reader_.pollable();
+  opened_ = reader_.opened();
+  if (watched_ < 0) return;
+  if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) Log("{}", ok.error().message());
+}
+
+}  // namespace kaori::lips

@@ -1,0 +1,104 @@
+// kaori-lips: the operator's painted lips, from the camera to the board.
+#include <cstdio>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/lips/lip_options.h"
+#include "appliance/programs/lips/lip_reader.h"
+#include "appliance/programs/lips/lip_watch.h"
+#include "appliance/programs/lips/service/lip_service.h"
+#include "appliance/programs/lips/sound_options.h"
+#include "drivers/audio/alsa_loudspeaker.h"
+#include "drivers/audio/alsa_microphone.h"
+#include "drivers/audio/local_loudspeaker.h"
+#include "drivers/audio/local_microphone.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/camera/local_camera.h"
+#include "drivers/camera/named_camera.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using kaori::lips::LipOptions;
+
+constexpr kaori::Duration kTick = 25ms;  // Silence and re-opening; frames wake by themselves.
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.message());
+  return 1;
+}
+
+int SayModes(const LipOptions& options) {
+  const kaori::SteadyClock clock;
+  const auto text = kaori::camera::NamedCamera(options.device, clock).ModesText();
+  if (!text) return Complain(text.error());
+  std::fputs(text->c_str(), stdout);
+  return 0;
+}
+
+// What is named, else the simulator's; without either there is none.
+kaori::voice::SoundSources SoundOf(const LipOptions& options, const kaori::Clock& clock) {
+  kaori::voice::SoundSources sound;
+  const std::string& links = options.links;
+  if (!options.microphone.empty())
+    sound.microphone = kaori::audio::AlsaMicrophoneOpener(options.microphone, {}, clock);
+  else if (!links.empty())
+    sound.microphone = [links] { return kaori::audio::LocalMicrophone::Open(links); };
+  if (options.sound_delay == "off") return sound;
+  if (!options.loudspeaker.empty())
+    sound.loudspeaker = kaori::audio::AlsaLoudspeakerOpener(options.loudspeaker, {.channels = 2}, clock);
+  else if (!links.empty())
+    sound.loudspeaker = [links, &clock] { return kaori::audio::LocalLoudspeaker::Open(links, clock); };
+  return sound;
+}
+
+kaori::ports::CameraOpener SimulatedCamera(const LipOptions& options) {
+  if (!options.links.empty())
+    return [links = options.links] { return kaori::camera::LocalCamera::Open(links); };
+  return [] { return kaori::Fail(std::errc::no_such_device, "look for a lip camera (none was named)"); };
+}
+
+int Play(const LipOptions& options, kaori::EventLoop& loop) {
+  const auto lips = kaori::lips::SettingsOf(options);
+  if (!lips) return Complain(lips.error());
+  const auto board = kaori::board::Board::Create(options.board);
+  if (!board) return Complain(board.error());
+  auto writer = board->AcquireWriter<kaori::board::Lips>();
+  if (!writer) return Complain(writer.error());
+  const kaori::SteadyClock clock;
+  kaori::camera::NamedCamera device(options.device, clock);
+  const bool simulated = options.device.empty();
+  kaori::lips::LipReader reader(simulated ? SimulatedCamera(options) : device.opener(), *board,
+                                std::move(*writer), *lips, clock, simulated ? nullptr : device.tuning());
+  const auto service = kaori::lips::LipService::Open(
+      {.service = options.service, .file = options.settings, .now = *lips}, reader, *board, clock);
+  if (!service) return Complain(service.error());
+  auto sound_settings = kaori::lips::SoundSettingsOf(options, *lips);
+  if (!sound_settings) return Complain(sound_settings.error());
+  const auto voice =
+      kaori::voice::VoiceSeat::Acquire(SoundOf(options, clock), std::move(*sound_settings), *board, clock);
+  if (!voice) return Complain(voice.error());
+  kaori::lips::LipWatch watch(reader, loop);
+  watch.Step();
+  const auto tick = [&] {
+    watch.Step();
+    (*service)->Step();
+    const auto& now = (*service)->tuning().settings().voice;
+    (*voice)->Use(kaori::lips::GateOf(now), kaori::lips::DelayOf(options, now));
+  };
+  for (const auto& ok : {(*voice)->Join(loop), loop.Every(kTick, tick), loop.Run()})
+    if (!ok) return Complain(ok.error());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-lips");
+  LipOptions options;
+  if (const auto status = kaori::lips::ParseOptions(argc, argv, options)) return *status;
+  if (options.modes) return SayModes(options);
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return Complain(loop.error());
+  return Play(options, *loop);
+}

@@ -1,0 +1,34 @@
+#include "appliance/programs/lips/one_euro.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace kaori::lips {
+namespace {
+
+constexpr float kSpeedCutoff_hz = 3;                       // The paper's filter for the speed itself is slow.
+constexpr Duration kLongestGap = std::chrono::seconds(1);  // After that the past says nothing.
+
+// The share of a new value in a first-order low pass.
+float Share(float cutoff_hz, float dt_s) {
+  const float x = 2 * std::numbers::pi_v<float> * cutoff_hz * dt_s;
+  return x / (1 + x);
+}
+
+}  // namespace
+
+float OneEuro::Filter(float value, Time at) {
+  if (!last_ || at <= last_->at || at - last_->at > kLongestGap) {
+    last_ = Last{at, value, 0};
+    return value;
+  }
+  const auto dt_s = static_cast<float>(Seconds(at - last_->at));
+  const float raw_speed = (value - last_->value) / dt_s;
+  const float speed = last_->speed + Share(kSpeedCutoff_hz, dt_s) * (raw_speed - last_->speed);
+  const float cutoff_hz = settings_.least_cutoff_hz + settings_.cutoff_per_speed * std::abs(speed);
+  const float filtered = last_->value + Share(cutoff_hz, dt_s) * (value - last_->value);
+  last_ = Last{at, filtered, speed};
+  return filtered;
+}
+
+}  // namespace kaori::lips

@@ -1,0 +1,46 @@
+#include "appliance/programs/lips/sound_options.h"
+
+#include <utility>
+
+#include "appliance/core/show/pack.h"
+
+namespace kaori::lips {
+namespace {
+
+constexpr float kGateHysteresis_db = 6;
+
+Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
+  if (options.pack.empty()) return std::vector<show::Sound>();
+  show::LoadOptions load{.signed_by = {}, .on_verified_root = options.verified};
+  if (!options.trust.empty()) {
+    const auto key = show::ReadPublicKey(options.trust);
+    if (!key) return tl::unexpected(key.error());
+    load.signed_by = *key;
+  }
+  return show::LoadSounds(options.pack, load);
+}
+
+}  // namespace
+
+Result<voice::VoiceSeatSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips) {
+  if (!options.sound_delay.empty() && options.sound_delay != "off") {
+    if (const auto delay = voice::ParseDelay(options.sound_delay); !delay)
+      return tl::unexpected(delay.error());
+  }
+  auto clips = ClipsOf(options);
+  if (!clips) return tl::unexpected(clips.error());
+  return voice::VoiceSeatSettings{GateOf(lips.voice), {DelayOf(options, lips.voice), std::move(*clips)}};
+}
+
+voice::GateSettings GateOf(const VoiceSettings& voice) {
+  return {.opens_db = voice.opens_db, .shuts_db = voice.opens_db - kGateHysteresis_db};
+}
+
+voice::DelayWish DelayOf(const LipOptions& options, const VoiceSettings& voice) {
+  if (!options.sound_delay.empty())
+    if (const auto delay = voice::ParseDelay(options.sound_delay)) return *delay;
+  if (voice.sound_delay_ms < 0) return std::nullopt;
+  return FromSeconds(static_cast<double>(voice.sound_delay_ms) / 1e3);
+}
+
+}  // namespace kaori::lips

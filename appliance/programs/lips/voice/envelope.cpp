@@ -1,0 +1,71 @@
+#include "appliance/programs/lips/voice/envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+
+namespace kaori::voice {
+namespace {
+
+constexpr double kPreEmphasis = 0.9;  // Undoes most of the fall of a voice towards its high tones.
+constexpr double kFloor = 1e-4;       // Of the power: noise that keeps the recursion well conditioned.
+
+using Correlation = std::array<double, kOrder + 1>;
+
+// Of the windowed samples; a Hann window hides where the moment was cut out.
+Correlation Correlate(std::span<const float> samples) {
+  Correlation sums{};
+  std::array<double, kOrder + 1> past{};  // The newest first.
+  const auto count = static_cast<double>(samples.size());
+  for (std::size_t n = 1; n < samples.size(); ++n) {
+    const double turn = 2 * std::numbers::pi * static_cast<double>(n) / count;
+    const double emphasised =
+        static_cast<double>(samples[n]) - kPreEmphasis * static_cast<double>(samples[n - 1]);
+    std::shift_right(past.begin(), past.end(), 1);
+    past[0] = emphasised * (0.5 - 0.5 * std::cos(turn));
+    for (std::size_t lag = 0; lag < sums.size(); ++lag) sums[lag] += past[0] * past[lag];
+  }
+  sums[0] *= 1 + kFloor;
+  return sums;
+}
+
+}  // namespace
+
+// Levinson's and Durbin's recursion.
+std::optional<Prediction> Predict(std::span<const float> samples) {
+  const Correlation r = Correlate(samples);
+  if (!std::isfinite(r[0]) || r[0] < 1e-12) return std::nullopt;
+  std::array<double, kOrder + 1> a{1};
+  double error = r[0];
+  for (std::size_t order = 1; order <= kOrder; ++order) {
+    double sum = r[order];
+    for (std::size_t n = 1; n < order; ++n) sum += a[n] * r[order - n];
+    const double reflection = -sum / error;
+    const auto before = a;
+    for (std::size_t n = 1; n < order; ++n) a[n] = before[n] + reflection * before[order - n];
+    a[order] = reflection;
+    error *= 1 - reflection * reflection;
+  }
+  Prediction prediction{};
+  for (std::size_t n = 0; n <= kOrder; ++n) prediction[n] = static_cast<float>(a[n]);
+  return prediction;
+}
+
+Envelope EnvelopeOf(const Prediction& prediction) {
+  Envelope envelope{};
+  for (std::size_t point = 0; point < kGrid; ++point) {
+    const double angle = -2 * std::numbers::pi * static_cast<double>(point) *
+                         static_cast<double>(kGridStep_hz) / kVoiceRate_hz;
+    const std::complex<double> step = std::polar(1.0, angle);
+    std::complex<double> sum = 0;
+    for (std::size_t n = kOrder + 1; n-- > 0;) sum = sum * step + static_cast<double>(prediction[n]);
+    envelope[point] = static_cast<float>(-10 * std::log10(std::norm(sum) + 1e-12));
+  }
+  const float mean = std::accumulate(envelope.begin(), envelope.end(), 0.0F) / static_cast<float>(kGrid);
+  for (float& value : envelope) value -= mean;
+  return envelope;
+}
+
+}  // namespace kaori::voice

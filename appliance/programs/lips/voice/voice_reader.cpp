@@ -1,0 +1,100 @@
+#include "appliance/programs/lips/voice/voice_reader.h"
+
+#include "drivers/base/log.h"
+#include "drivers/base/source.h"
+
+namespace kaori::voice {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr Duration kSilence = milliseconds(200);  // After that the voice is stale.
+constexpr Duration kVoiceReaderRetry = milliseconds(250);
+constexpr Duration kGiveUp = milliseconds(2000);  // A stream this silent does not come back by itself.
+constexpr Duration kOldest = milliseconds(500);   // A stamp further off than this is the source's mistake.
+constexpr int kBlocksAtOnce = 64;                 // A microphone that talks without end must not hold us.
+
+bool Readable(const ports::SoundFormat& format) {
+  return format.rate_hz == 48000 && (format.channels == 1 || format.channels == 2);
+}
+
+}  // namespace
+
+VoiceReader::VoiceReader(ports::MicrophoneOpener open, board::Writer<board::Voice> writer,
+                         const GateSettings& gate, const Clock& clock, Ear ear)
+    : open_(std::move(open)),
+      writer_(std::move(writer)),
+      clock_(clock),
+      ear_(std::move(ear)),
+      listener_(gate),
+      last_block_(clock.now()) {}
+
+void VoiceReader::Step() {
+  const Time now = clock_.now();
+  if (!microphone_ && now >= retry_at_) TryOpen(now);
+  if (microphone_) ReadBlocks(now);
+  CheckSilence(now);
+}
+
+void VoiceReader::TryOpen(Time now) {
+  retry_at_ = now + kVoiceReaderRetry;
+  microphone_ = OpenOrSay(open_, logged_);
+  if (!microphone_) return;
+  last_block_ = now;
+  ++opened_;
+  if (logged_ != std::errc::timed_out) Log("microphone: open");
+}
+
+void VoiceReader::ReadBlocks(Time now) {
+  for (int n = 0; n < kBlocksAtOnce; ++n) {
+    const auto block = microphone_->Read();
+    if (block && !Readable(microphone_->format()))
+      return Close(now, "microphone: not 48 kHz, one or two channels");
+    if (block)
+      Hear(*block, now);
+    else if (block.error().cause == std::errc::resource_unavailable_try_again)
+      return;
+    else
+      return Close(now, block.error().message());
+  }
+}
+
+void VoiceReader::Hear(const ports::SoundBlock& heard, Time now) {
+  ports::SoundBlock block = heard;
+  block.at = Believable(block.at, now, kOldest);
+  const Voice& voice = listener_.Hear(block, microphone_->format());
+  if (ear_) ear_(block, microphone_->format());
+  if (source_ != board::SourceState::kLive) silence_log_.Speaks();
+  source_ = board::SourceState::kLive;
+  last_block_ = now;
+  logged_ = {};
+  heard_at_ = voice.at;
+  writer_.Write(mouth_.Follow(voice), heard_at_, source_);
+}
+
+void VoiceReader::Close(Time now, std::string_view why) {
+  microphone_.reset();
+  retry_at_ = now + kVoiceReaderRetry;
+  Log("{}; opening the microphone anew", why);
+  silence_log_.Lost();
+  logged_ = std::errc::no_such_device;
+  if (source_ != board::SourceState::kLive) return;
+  source_ = board::SourceState::kStale;
+  writer_.Write(mouth_.mouth(), heard_at_, source_);
+}
+
+void VoiceReader::CheckSilence(Time now) {
+  if (source_ == board::SourceState::kLive && now - last_block_ >= kSilence) {
+    silence_log_.Silent(kSilence, now);
+    source_ = board::SourceState::kStale;
+    writer_.Write(mouth_.mouth(), heard_at_, source_);
+  }
+  if (!microphone_ || now - last_block_ < kGiveUp) return;
+  if (logged_ != std::errc::timed_out)
+    Log("microphone: nothing for {} s; opening it anew", kGiveUp / milliseconds(1000));
+  logged_ = std::errc::timed_out;
+  microphone_.reset();
+  retry_at_ = now;
+}
+
+}  // namespace kaori::voice

@@ -1,0 +1,86 @@
+#include "appliance/programs/stage/in_service.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace kaori::stage {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr Duration kGuideSilence = milliseconds(500);
+constexpr Duration kDeskSilence = milliseconds(3000);
+constexpr Duration kBlink = milliseconds(800);
+constexpr Duration kFastBlink = milliseconds(200);
+constexpr std::uint32_t kPoses = 4;
+constexpr std::size_t kEnter = 0x28, kEscape = 0x29, kPadEnter = 0x58;  // HID page 7.
+
+bool IsOn(Time now, Duration period) {
+  return now.time_since_epoch() % period < period / 2;
+}
+
+std::vector<std::string> GuideLines(const board::LipsGuide& guide) {
+  constexpr std::array<const char*, kPoses> kNames{"shut", "open", "wide", "narrow"};
+  if (guide.step >= kPoses) return {"lips: all is taken", "Enter keeps it   Esc goes back"};
+  const char* name = kNames[guide.step];
+  const std::string seen = guide.seen != 0 ? "" : "no mouth is seen";
+  if (guide.taking != 0)
+    return {fmt::format("lips {} of 4: {}", guide.step + 1, name),
+            seen.empty() ? fmt::format("hold it ... {:.0f} %", 100 * guide.progress) : seen};
+  std::vector<std::string> lines{fmt::format("lips {} of 4: mouth {}", guide.step + 1, name),
+                                 "Enter takes it   Esc goes back"};
+  if (!seen.empty()) lines.insert(lines.begin() + 1, seen);
+  return lines;
+}
+
+std::vector<std::string> DeskLines(const board::Desk& desk) {
+  const std::uint32_t a = desk.address, c = desk.certificate;
+  std::vector<std::string> lines{fmt::format("{}://{}.{}.{}.{}:{}", desk.secure != 0 ? "https" : "http",
+                                             a >> 24, a >> 16 & 255U, a >> 8 & 255U, a & 255U, desk.port),
+                                 fmt::format("code {:03} {:03}", desk.code / 1000, desk.code % 1000)};
+  if (c != 0)
+    lines.push_back(fmt::format("certificate {:02X} {:02X} {:02X} {:02X}", c >> 24, c >> 16 & 255U,
+                                c >> 8 & 255U, c & 255U));
+  return lines;
+}
+
+bool HasCode(const board::Stamped<board::Desk>& desk, Time now) {
+  const Duration age = now - desk.at;
+  return desk.source == board::SourceState::kLive && age < kDeskSilence &&
+         age < FromSeconds(desk.value.valid_s);
+}
+
+void Say(const std::vector<std::string>& lines, scene::Caption& caption) {
+  if (!(caption.shown > 0)) caption.lines.clear();
+  caption.shown = 1;
+  caption.lines.insert(caption.lines.begin(), lines.begin(), lines.end());
+}
+
+}  // namespace
+
+bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now) {
+  return guide.source == board::SourceState::kLive && now - guide.at < kGuideSilence;
+}
+
+void ConsumeGuideInput(const board::Snapshot& board, performance::State& state) {
+  for (const std::size_t usage : {kEnter, kEscape, kPadEnter})
+    state.seen.keys[usage] = board.keys.value.pushes[usage];
+  state.seen.buttons = board.surface.value.pushes;
+}
+
+std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now) {
+  if (guide.step >= kPoses) return IsOn(now, kBlink) ? (1U << kPoses) - 1 : 0;
+  const bool on = IsOn(now, guide.taking != 0 ? kFastBlink : kBlink);
+  return ((1U << guide.step) - 1) | (on ? 1U << guide.step : 0);
+}
+
+void SayService(const board::Snapshot& board, Time now, scene::Scene& scene) {
+  if (IsGuiding(board.lips_guide, now) && board.lips_guide.value.captions != 0)
+    return Say(GuideLines(board.lips_guide.value), scene.caption);
+  if (HasCode(board.desk, now)) Say(DeskLines(board.desk.value), scene.caption);
+}
+
+}  // namespace kaori::stage

@@ -1,0 +1,88 @@
+// Her last face, kept over the night: a small picture, which the box shows at once when it is switched on,
+// and the state from which the stage then plays on, so that nothing jumps between the two.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "appliance/core/board/board.h"
+#include "appliance/core/board/snapshot.h"
+#include "appliance/core/performance/state.h"
+#include "appliance/core/show/show.h"
+#include "appliance/programs/stage/studio.h"
+#include "drivers/base/result.h"
+#include "render/scene/scene.h"
+
+namespace kaori::stage {
+
+// Where it is kept, and of which show (ShowMark).
+struct LastFacePlace {
+  std::filesystem::path file;
+  std::uint64_t show = 0;
+};
+
+// Tells one show's pack from another by how it begins. Errors: those of open(2) and read(2).
+Result<std::uint64_t> ShowMark(const std::filesystem::path& pack);
+
+// The state that was kept, on this board, for a first frame at `light`. Blocks for the disk. Errors:
+//   no_such_file_or_directory  none was kept
+//   invalid_argument           a torn file, one of another show or another version
+Result<performance::State> RecallLastFace(const LastFacePlace& place, const show::Show& show,
+                                          const board::Snapshot& board, Time light);
+
+// Puts the state that was kept onto a board that has none yet, and gives it: a stage that starts then goes on
+// from there. Why it cannot be had is one line in the log, but for a box that never kept one.
+std::optional<performance::State> ResumeLastFace(const LastFacePlace& place, const show::Show& show,
+                                                 const board::Board& board,
+                                                 board::Writer<board::Performance>& writer, Time light);
+
+// Called by the stage's thread; a thread of its own writes. A face is kept within half a minute after a call
+// or a dial changed it, once no fade, motion or blink is under way; not in a blackout, nor with words on the
+// screen.
+class LastFace {
+ public:
+  // Copies out what is on the screen; false where there is nothing.
+  using Look = std::function<bool(SmallImage&)>;
+
+  // `recalled` is what lies there already.
+  LastFace(LastFacePlace place, Look look, const std::optional<performance::State>& recalled);
+  // Waits for the disk.
+  ~LastFace();
+  LastFace(const LastFace&) = delete;
+  LastFace& operator=(const LastFace&) = delete;
+
+  // After each frame. Allocates the first time only; waits for no disk, and for the picture twice in a minute
+  // at most.
+  void See(const performance::State& state, const scene::Scene& scene, Time now);
+
+  // At an orderly end: keeps what was seen last, however new.
+  void End();
+
+  // Waits until what was taken is on the disk, or was refused.
+  void Finish();
+
+ private:
+  class Writer;
+  // What hands have set, and no more: she breathes all the time.
+  struct Called {
+    std::array<std::uint16_t, 5> items{};
+    std::array<float, performance::kKnobCount> knobs{};
+    friend bool operator==(const Called&, const Called&) = default;
+  };
+  static Called CalledOf(const performance::State& state);
+  bool Keep();
+
+  Look look_;
+  std::unique_ptr<Writer> writer_;
+  std::optional<Called> kept_;
+  performance::State seen_;
+  bool fit_ = false;  // The frame that was seen last is one to keep.
+  bool first_ = true;
+  Time not_before_{};
+};
+
+}  // namespace kaori::stage

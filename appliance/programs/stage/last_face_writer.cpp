@@ -1,0 +1,81 @@
+#include "appliance/programs/stage/last_face_writer.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/log.h"
+#include "firmware/wire/last_face.h"
+
+namespace kaori::stage {
+namespace {
+
+constexpr std::size_t kPixel_bytes = 4;
+
+void MakePpm(const SmallImage& image, std::vector<std::uint8_t>& into) {
+  into.clear();
+  const std::string head = fmt::format("P6\n{} {}\n255\n", image.width_px, image.height_px);
+  into.insert(into.end(), head.begin(), head.end());
+  for (std::size_t at = 0; at + kPixel_bytes <= image.pixels.size(); at += kPixel_bytes)
+    into.insert(into.end(), {image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]});
+}
+
+void MakeState(const board::Performance& performance, std::vector<std::uint8_t>& into) {
+  into.assign(sizeof(std::uint32_t), 0);
+  wire::PutU32(into, 0, performance.layout);
+  into.insert(into.end(), performance.state.begin(), performance.state.begin() + performance.bytes);
+}
+
+}  // namespace
+
+LastFace::Writer::Writer(LastFacePlace place) : place_(std::move(place)), thread_([this] { Run(); }) {}
+
+LastFace::Writer::~Writer() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void LastFace::Writer::Write(const board::Performance& performance) {
+  performance_ = performance;
+  {
+    const std::lock_guard lock(mutex_);
+    busy_.store(true, std::memory_order_release);
+  }
+  changed_.notify_all();
+}
+
+void LastFace::Writer::Finish() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !busy_.load(std::memory_order_acquire); });
+}
+
+void LastFace::Writer::Run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return busy_.load(std::memory_order_acquire) || ending_; });
+    if (!busy_.load(std::memory_order_acquire)) return;
+    lock.unlock();
+    const auto written = WriteOut();
+    const std::error_code cause = written ? std::error_code() : std::make_error_code(written.error().cause);
+    if (cause && cause != logged_) Log("the last face is not kept: {}", written.error().message());
+    logged_ = cause;
+    failed_.store(!written, std::memory_order_release);
+    lock.lock();
+    busy_.store(false, std::memory_order_release);
+    changed_.notify_all();
+  }
+}
+
+Result<void> LastFace::Writer::WriteOut() {
+  MakePpm(image_, picture_);
+  MakeState(performance_, state_);
+  const auto end = wire::EndOf({.show = place_.show, .picture = picture_, .state = state_});
+  return show::WriteWholeFile(place_.file, {picture_, state_, end});
+}
+
+}  // namespace kaori::stage

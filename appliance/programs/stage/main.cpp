@@ -1,0 +1,208 @@
+// kaori-stage: draws the face that the board describes.
+#include <future>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/editor/expression_editor.h"
+#include "appliance/core/show/pack.h"
+#include "appliance/programs/stage/last_face.h"
+#include "appliance/programs/stage/seat.h"
+#include "appliance/programs/stage/stage.h"
+#include "appliance/programs/stage/stage_status_display.h"
+#include "appliance/programs/stage/still.h"
+#include "appliance/programs/stage/studio.h"
+#include "drivers/base/alarm.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "drivers/base/service.h"
+#include "drivers/scanout/kms_card.h"
+#include "drivers/scanout/kms_mode.h"
+#include "drivers/scanout/local_screen.h"
+
+namespace {
+
+constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board describes
+
+  --board FILE    the board, shared with the other programs
+  --pack FILE     the show
+  --trust FILE    a public key: play no show that it has not signed
+  --verified      the show lies on a root whose every block the kernel checks: its checksum is not made again
+  --own FOLDER    where expressions made with the needles are kept (/var/lib/kaori/own where it is there, else
+                  $XDG_STATE_HOME/kaori/own)
+  --last-face FILE  her last face is kept there, and she goes on with it when the box is switched on
+  --links FOLDER  the simulator's link folder, in which the screen is plugged
+  --card FILE     instead: the graphics card, as in /dev/dri/card0
+  --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
+  --settings FOLDER what the box was told when it started (/run/kaori-profile)
+  --holder SOCKET where the card is held while no stage runs
+  --still FILE    writes the show's first moment there, as a PPM
+  --early         read the hands right after each flip, not as late as drawing allows: to compare
+)";
+
+constexpr int kStillWidth_px = 480;
+
+struct Settings {
+  std::string still, last_face, board, pack, links, card, trust, own, mode, holder,
+      settings = "/run/kaori-profile";
+  bool early = false, verified = false;
+};
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.message());
+  return 1;
+}
+
+// None on a desk, where the simulator's screen is looked for, and none in a box that has none.
+kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
+  if (settings.card.empty()) return nullptr;
+  auto card = kaori::scanout::KmsCard::Open(settings.card, settings.holder);
+  if (!card && card.error().cause == std::errc::no_such_file_or_directory) {
+    kaori::Log("there is no graphics card ({}): playing on unseen", card.error().message());
+    return nullptr;
+  }
+  if (card)
+    (*card)->Wish({.mode = kaori::scanout::ParseMode(settings.mode),
+                   .sign = kaori::status::ReadFacts({.settings = settings.settings}).screen});
+  return card;
+}
+
+using Screen = std::unique_ptr<kaori::ports::Scanout>;
+
+kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clock& clock) {
+  auto screen = card.OpenScreen(clock);
+  if (!screen) return tl::unexpected(screen.error());
+  kaori::Log("{}", kaori::scanout::Describe((*screen)->wall()));
+  return std::move(*screen);
+}
+
+// A card that comes later wants another start: what draws was chosen without it.
+kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop) {
+  std::error_code none;
+  if (std::filesystem::exists(path, none)) loop.Stop();
+  return kaori::Fail(std::errc::no_such_device, "find a graphics card");
+}
+
+struct Loaded {
+  std::unique_ptr<kaori::editor::ExpressionEditor> needles;
+  std::unique_ptr<kaori::stage::PreparedShow> show;
+};
+
+kaori::Result<Loaded> LoadShow(const Settings& settings) {
+  kaori::show::LoadOptions options{.signed_by = {}, .on_verified_root = settings.verified};
+  if (!settings.trust.empty()) {
+    const auto key = kaori::show::ReadPublicKey(settings.trust);
+    if (!key) return tl::unexpected(key.error());
+    options.signed_by = *key;
+  }
+  auto show = kaori::show::LoadPack(settings.pack, options);
+  if (!show) return tl::unexpected(show.error());
+  kaori::Log("{} is read", show->name);
+  auto needles = kaori::editor::ExpressionEditor::Open(
+      settings.own.empty() ? kaori::editor::UsualFolder() : std::filesystem::path(settings.own), *show);
+  return Loaded{std::move(needles), std::make_unique<kaori::stage::PreparedShow>(std::move(*show))};
+}
+
+// None where nobody says where; else what was kept there before is taken up.
+std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kaori::stage::Studio& studio,
+                                                   const kaori::board::Board& board,
+                                                   kaori::stage::StageWriters& writers,
+                                                   const kaori::Clock& clock) {
+  if (settings.last_face.empty()) return nullptr;
+  const kaori::stage::LastFacePlace place{settings.last_face,
+                                          kaori::stage::ShowMark(settings.pack).value_or(0)};
+  const auto taken_up =
+      kaori::stage::ResumeLastFace(place, studio.show(), board, writers.performance, clock.now());
+  const auto look = [&studio](kaori::stage::SmallImage& into) {
+    return studio.ReadSmall(kStillWidth_px, into);
+  };
+  return std::make_unique<kaori::stage::LastFace>(place, look, taken_up);
+}
+
+int Play(const Settings& settings, kaori::EventLoop& loop) {
+  // The show beside Mesa, which takes about as long.
+  auto loading = std::async(std::launch::async, [&] { return LoadShow(settings); });
+  const auto card = CardOf(settings);
+  if (!card) return Complain(card.error());
+  if (*card) kaori::Log("the graphics card is open");
+  auto loaded = loading.get();
+  if (!loaded) return Complain(loaded.error());
+  const auto board = kaori::board::Board::Create(settings.board);
+  if (!board) return Complain(board.error());
+  auto writers = kaori::stage::StageWriters::Acquire(*board);
+  if (!writers) return Complain(writers.error());
+  const auto studio =
+      kaori::stage::Studio::Open(std::move(loaded->show), *card ? (*card)->device() : nullptr);
+  if (!studio) return Complain(studio.error());
+  kaori::stage::StillClock clock(!settings.still.empty());
+  auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
+  kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
+  stage.Bring(std::move(loaded->needles));
+  if (last_face)
+    stage.Tell([&](const auto& state, const auto& scene, auto now) { last_face->See(state, scene, now); });
+  kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
+             (*studio)->renderer());
+  auto alarm = kaori::Alarm::Make();
+  if (!alarm) return Complain(alarm.error());
+  if (!settings.early) stage.DrawLate();
+  kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
+    if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
+    return *card ? OpenScreen(**card, clock) : AwaitCard(settings.card, loop);
+  });
+  if (auto seated = seat.Take(); !seated) return Complain(seated.error());
+  kaori::Log("the first picture is drawn");
+  clock.LetGo();
+  if (!settings.still.empty())
+    if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
+      return Complain(written.error());
+  if (*card)
+    if (auto held = (*card)->Hold(); !held)
+      kaori::Log("the last picture will not stay when the stage ends ({})", held.error().message());
+  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::Log("{}", told.error().message());
+  auto watchdog = kaori::service::Watchdog::Wanted();
+  const auto beat = [&] {
+    if (!watchdog) return;
+    if (auto told = watchdog->Beat(stage.usual_turn()); !told) kaori::Log("{}", told.error().message());
+  };
+  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok) return Complain(ok.error());
+  kaori::stage::StageStatusDisplay sign(
+      *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
+  const auto tell = [&] { sign.Step(stage.screen()); };
+  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok) return Complain(ok.error());
+  auto played = loop.Run();
+  if (last_face) last_face->End();
+  if (!played) return Complain(played.error());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-stage");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--board", settings.board, true)
+      .Text("--pack", settings.pack, true)
+      .Text("--links", settings.links)
+      .Text("--card", settings.card);
+  options.Text("--trust", settings.trust)
+      .Text("--last-face", settings.last_face)
+      .Text("--own", settings.own)
+      .Text("--mode", settings.mode)
+      .Text("--settings", settings.settings)
+      .Text("--holder", settings.holder)
+      .Text("--still", settings.still)
+      .Switch("--early", settings.early)
+      .Switch("--verified", settings.verified);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  if (settings.card.empty() == settings.links.empty()) {
+    kaori::Log("where is the screen? Give one of --links and --card");
+    return 2;
+  }
+  if (!settings.mode.empty() && !kaori::scanout::ParseMode(settings.mode)) {
+    kaori::Log("--mode {}: expected width, height and rate, as in 1280x720@50", settings.mode);
+    return 2;
+  }
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return Complain(loop.error());
+  return Play(settings, *loop);
+}

@@ -1,0 +1,50 @@
+#include "appliance/programs/stage/mouth_clock.h"
+
+#include <algorithm>
+
+#include "appliance/core/performance/mouth.h"
+
+namespace kaori::stage {
+namespace {
+
+constexpr Duration kOldest = std::chrono::milliseconds(500);  // Older ones move no mouth.
+
+std::uint32_t MouthMicroseconds(Duration length) {
+  return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(length).count());
+}
+
+}  // namespace
+
+void MouthClock::Mean::Add(Duration age) {
+  sum += std::max(age, Duration{});
+  ++count;
+}
+
+void MouthClock::Present(std::uint64_t frame, const board::Snapshot& board, const performance::State& state) {
+  const bool seen = board.lips.source == board::SourceState::kLive && board.lips.value.quality > 0;
+  frame_ = frame;
+  lips_at_ = seen ? board.lips.at : Time{};
+  voice_at_ = board.voice.source == board::SourceState::kLive ? board.voice.at : Time{};
+  shown_ = state;
+}
+
+// A picture stands until the next one: in the mean it is half a period older than at its first light.
+void MouthClock::Flip(const ports::Flip& flip) {
+  if (flip.frame != frame_) return;
+  const auto count = [&flip](Mean& mean, Time at, Duration more) {
+    if (at != Time{} && flip.at - at < kOldest) mean.Add(flip.at - at + more);
+  };
+  count(lips_, lips_at_, {});
+  count(voice_, voice_at_, {});
+  count(mouth_, shown_.mouth_voice > 0.5F ? voice_at_ : lips_at_,
+        flip.period / 2 + performance::MouthLag(shown_, flip.period));
+}
+
+void MouthClock::Report(board::StageStatus& into) {
+  into.lips_age_us = MouthMicroseconds(lips_.mean());
+  into.voice_age_us = MouthMicroseconds(voice_.mean());
+  into.mouth_lag_us = MouthMicroseconds(mouth_.mean());
+  lips_ = voice_ = mouth_ = {};
+}
+
+}  // namespace kaori::stage

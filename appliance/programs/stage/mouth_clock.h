@@ -1,0 +1,38 @@
+// Measures how old the lips and the voice are when the frame that shows them comes to light.
+#pragma once
+
+#include <cstdint>
+
+#include "appliance/core/board/snapshot.h"
+#include "appliance/core/performance/state.h"
+#include "drivers/base/clock.h"
+#include "drivers/ports/scanout.h"
+
+namespace kaori::stage {
+
+// Pure: time is in the arguments. One frame at a time is on its way to the screen.
+class MouthClock {
+ public:
+  // Frame `frame` was presented, and shows what stood on the board.
+  void Present(std::uint64_t frame, const board::Snapshot& board, const performance::State& state);
+
+  // It came to light; of other frames nothing is known.
+  void Flip(const ports::Flip& flip);
+
+  // Writes the means of what came to light since the last call. Call it about once a second.
+  void Report(board::StageStatus& into);
+
+ private:
+  struct Mean {
+    Duration sum{};
+    std::int64_t count = 0;
+    void Add(Duration age);
+    Duration mean() const { return count > 0 ? sum / count : Duration{}; }
+  };
+  std::uint64_t frame_ = 0;
+  Time lips_at_{}, voice_at_{};  // What the frame on its way shows; Time{}: none.
+  performance::State shown_;     // The mouth that it shows.
+  Mean lips_, voice_, mouth_;
+};
+
+}  // namespace kaori::stage

@@ -1,0 +1,52 @@
+#include "appliance/programs/stage/seat.h"
+
+#include <utility>
+
+#include "drivers/base/log.h"
+
+namespace kaori::stage {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kUnseenPeriod = 33ms;  // Without a screen: often enough for lamps.
+constexpr Duration kLookPeriod = 250ms;   // How often a screen that is gone is looked for.
+
+}  // namespace
+
+Result<void> Seat::Take() {
+  const auto unseen = [this] {
+    if (!stage_.has_screen()) stage_.StepUnseen();
+  };
+  const auto wake = [this] {
+    alarm_.Acknowledge();
+    Step();
+  };
+  Look();
+  if (auto ok = loop_.Watch(alarm_.pollable(), wake); !ok) return ok;
+  if (auto ok = loop_.Every(kUnseenPeriod, unseen); !ok) return ok;
+  return loop_.Every(kLookPeriod, [this] { Look(); });
+}
+
+// A screen that is there is asked too: one that was pulled may have no more to tell.
+void Seat::Look() {
+  if (stage_.has_screen()) return Step();
+  auto screen = open_();
+  if (screen) Watch(std::move(*screen));  // None is expected while nobody has plugged one in.
+}
+
+void Seat::Watch(std::unique_ptr<ports::Scanout> screen) {
+  Log("a screen is plugged in");
+  watched_ = screen->pollable();
+  stage_.SetScreen(std::move(screen));
+  if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) Log("{}", ok.error().message());
+  Step();
+}
+
+void Seat::Step() {
+  stage_.Step();
+  if (!stage_.has_screen()) return loop_.Forget(watched_);
+  if (const auto at = stage_.wakes_at()) alarm_.Set(*at);
+}
+
+}  // namespace kaori::stage

@@ -1,0 +1,40 @@
+// Where the stage's screen is plugged in: looks for one, watches it while it is there, and wakes the stage
+// for each frame.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "appliance/programs/stage/stage.h"
+#include "drivers/base/alarm.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/ports/scanout.h"
+
+namespace kaori::stage {
+
+// One thread, that of the loop; the stage and the loop must outlive it.
+class Seat {
+ public:
+  // Opens the screen that is there now; fails while there is none.
+  using Open = std::function<Result<std::unique_ptr<ports::Scanout>>()>;
+
+  Seat(Stage& stage, EventLoop& loop, Alarm alarm, Open open)
+      : stage_(stage), loop_(loop), alarm_(std::move(alarm)), open_(std::move(open)) {}
+
+  // From now on the loop plays the stage, with a screen and without. Draws the first picture where a screen
+  // is there. Errors: those of the loop.
+  Result<void> Take();
+
+ private:
+  void Look();
+  void Watch(std::unique_ptr<ports::Scanout> screen);
+  void Step();
+
+  Stage& stage_;
+  EventLoop& loop_;
+  Alarm alarm_;
+  Open open_;
+  int watched_ = -1;
+};
+
+}  // namespace kaori::stage

@@ -1,0 +1,220 @@
+#include "appliance/programs/stage/stage.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "appliance/core/board/performance_state.h"
+#include "appliance/core/performance/motions.h"
+#include "appliance/programs/stage/in_service.h"
+#include "drivers/base/log.h"
+
+namespace kaori::stage {
+namespace {
+
+constexpr Duration kSecond = std::chrono::seconds(1);
+constexpr std::uint32_t kSameAge_us = 5000;
+constexpr Duration kAgeQuiet = std::chrono::seconds(10);
+constexpr Duration kFarthestLight = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
+
+Duration CpuOfProcess() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto time = [](const timeval& t) {
+    return std::chrono::seconds(t.tv_sec) + std::chrono::microseconds(t.tv_usec);
+  };
+  return time(usage.ru_utime) + time(usage.ru_stime);
+}
+
+Time NewestInput(const board::Snapshot& s) {
+  return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
+}
+
+// For the board: low word, high word.
+std::array<std::uint32_t, 2> Words(Time at) {
+  const auto ns = std::uint64_t(at.time_since_epoch().count());
+  return {std::uint32_t(ns), std::uint32_t(ns >> 32)};
+}
+
+std::uint32_t Microseconds(Duration length) {
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(length).count();
+  return std::uint32_t(std::clamp<std::int64_t>(us, 0, UINT32_MAX));
+}
+
+bool Waits(const Error& error) {
+  return error.cause == std::errc::resource_unavailable_try_again;
+}
+
+}  // namespace
+
+Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
+  auto performance = board.AcquireWriter<board::Performance>();
+  if (!performance) return tl::unexpected(performance.error());
+  auto lamps = board.AcquireWriter<board::Lamps>();
+  if (!lamps) return tl::unexpected(lamps.error());
+  auto status = board.AcquireWriter<board::StageStatus>();
+  if (!status) return tl::unexpected(status.error());
+  auto take = board.AcquireWriter<board::MotionNow>();
+  if (!take) return tl::unexpected(take.error());
+  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*take)};
+}
+
+Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
+    : board_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
+  const auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
+  resumed_ = kept && performance::IsValid(*kept, studio.show());
+  state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
+  status_.frames = board.Read<board::StageStatus>().value.frames;
+  motion_now_ = board.Read<board::MotionNow>().value;
+  pacer_.Set(false);
+}
+
+void Stage::SetScreen(std::unique_ptr<ports::Scanout> screen) {
+  studio_.CloseWindow();
+  screen_ = std::move(screen);
+  pacer_.Forget();
+  plan_.reset();
+}
+
+void Stage::Step() {
+  if (!screen_) return;
+  auto done = HandleFlips();
+  if (done) done = DrawWhenDue();
+  if (done || Waits(done.error())) return;
+  Log("the screen is gone ({}); playing on without it", done.error().message());
+  SetScreen(nullptr);
+}
+
+void Stage::StepUnseen() {
+  const board::Snapshot snapshot = board::ReadAll(board_);
+  Perform(snapshot, clock_.now());
+}
+
+Result<void> Stage::HandleFlips() {
+  while (true) {
+    const auto flip = screen_->ReadFlip();
+    if (!flip && Waits(flip.error())) return {};
+    if (!flip) return tl::unexpected(flip.error());
+    NoteFlip(*flip);
+  }
+}
+
+void Stage::NoteFlip(const ports::Flip& flip) {
+  pacer_.Flipped(flip);
+  mouth_clock_.Flip(flip);
+  status_.missed_flips = pacer_.missed();
+  if (flip.frame != frame_) return;
+  status_.flip_ns = Words(flip.at);
+  status_.read_ns = Words(read_);
+}
+
+std::optional<Time> Stage::wakes_at() const {
+  return screen_ && plan_ ? std::optional(plan_->begin) : std::nullopt;
+}
+
+// The first frames compile shaders, and say little of those that follow.
+Duration Stage::usual_turn() const {
+  constexpr std::uint64_t kFirstFrames = 100;
+  return frame_ < kFirstFrames ? Duration() : pacer_.usual();
+}
+
+// The plan stands until its frame is drawn: a late waking is late, and not a plan for another blank.
+Result<void> Stage::DrawWhenDue() {
+  const auto picture = screen_->Acquire();
+  if (!picture) return tl::unexpected(picture.error());
+  if (!plan_) plan_ = pacer_.Next(clock_.now());
+  if (clock_.now() < plan_->begin) return {};
+  return Draw(*picture);
+}
+
+Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
+  const FramePacer::Plan plan = *std::exchange(plan_, std::nullopt);
+  const Duration cpu_before = CpuOfProcess();
+  const Time now = clock_.now();
+  const Time light = std::clamp(plan.light, now, now + kFarthestLight);
+  read_ = now;
+  const board::Snapshot snapshot = board::ReadAll(board_);
+  const scene::Scene scene = Perform(snapshot, light);
+  if (auto drawn = studio_.Draw(scene, picture); !drawn) return drawn;
+  if (needles_)
+    needles_->Look(studio_.show().cast, studio_.shape(), scene,
+                   static_cast<float>(picture.width_px) / static_cast<float>(picture.height_px));
+  if (auto shown = screen_->Present(++frame_); !shown) return shown;
+  mouth_clock_.Present(frame_, snapshot, state_);
+  pacer_.Drawn(plan, clock_.now());
+  Report(snapshot, CpuOfProcess() - cpu_before);
+  if (after_frame_) after_frame_(state_, scene, clock_.now());
+  if (studio_.Prepare()) Log("all drawing is rehearsed");
+  return {};
+}
+
+// The needles take their hands first; what is left plays.
+performance::Performed Stage::Animate(const board::Snapshot& snapshot, Time light) {
+  if (!needles_) return performance::Animate(state_, snapshot, studio_.show(), light);
+  const board::Snapshot& rest = needles_->Play(snapshot, studio_.show(), state_, light);
+  for (const auto& [index, work] : needles_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
+  auto performed = performance::Animate(state_, rest, studio_.show(), light);
+  needles_->Describe(performed.scene);
+  return performed;
+}
+
+scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
+  const bool guiding = IsGuiding(snapshot.lips_guide, light);
+  if (guiding) ConsumeGuideInput(snapshot, state_);
+  auto performed = Animate(snapshot, light);
+  if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, light);
+  SayService(snapshot, light, performed.scene);
+  state_ = performed.state;
+  writers_.performance.Write(board::Hold(state_), light, board::SourceState::kLive);
+  TellTake(light);
+  if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
+    writers_.lamps.Write({performed.lamps}, light, board::SourceState::kLive);
+  return std::move(performed.scene);
+}
+
+// While a motion plays, and once when none does any more: its sound follows.
+void Stage::TellTake(Time light) {
+  const performance::Playing* take = performance::Youngest(state_);
+  if (take != nullptr && take->gain < 1) take = nullptr;  // Cut off by one that has ended since.
+  if (take == nullptr && motion_now_.take < 0) return;
+  const bool begins = take != nullptr && (take->take != motion_now_.take || take->at_s < motion_now_.at_s);
+  motion_now_ = {take != nullptr ? take->take : -1, take != nullptr ? take->at_s : 0,
+               motion_now_.starts + (begins ? 1 : 0)};
+  writers_.take.Write(motion_now_, light, board::SourceState::kLive);
+}
+
+// When it is known, and when it has become another one.
+void Stage::LogLipsAge(Time now) {
+  const std::uint32_t age_us = status_.lips_age_us, more_us = std::max(age_us, logged_age_us_);
+  const bool same = more_us - std::min(age_us, logged_age_us_) < more_us / 4 + kSameAge_us;
+  if (age_us == 0 || same || now < age_quiet_until_) return;
+  logged_age_us_ = age_us;
+  age_quiet_until_ = now + kAgeQuiet;
+  Log("lips are {:.0f} ms old at the moment of light, and the mouth follows {:.0f} ms after them",
+      age_us / 1e3, status_.mouth_lag_us / 1e3);
+}
+
+void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
+  const Time now = clock_.now();
+  if (second_.frames == 0 && second_.began == Time{}) second_.began = state_.last;
+  ++status_.frames;
+  ++second_.frames;
+  second_.cpu += cpu;
+  if (const Duration passed = now - second_.began; passed >= kSecond) {
+    status_.frames_per_s = static_cast<float>(second_.frames / Seconds(passed));
+    status_.frame_cpu_ms = static_cast<float>(Seconds(second_.cpu) * 1e3 / second_.frames);
+    mouth_clock_.Report(status_);
+    LogLipsAge(now);
+    second_ = {now, 0, {}};
+  }
+  status_.face = state_.faces.to;
+  status_.expression = state_.expressions.to;
+  status_.style = state_.styles.to;
+  status_.scene = state_.scene;
+  status_.input_age_us = Microseconds(state_.last - NewestInput(snapshot));
+  status_.draw_us = Microseconds(pacer_.usual());
+  status_.margin_us = Microseconds(pacer_.margin());
+  writers_.status.Write(status_, now, board::SourceState::kLive);
+}
+
+}  // namespace kaori::stage

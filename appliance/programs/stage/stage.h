@@ -1,0 +1,108 @@
+// The stage: reads the board as late as the frame allows, animates, draws, and shows.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/editor/expression_editor.h"
+#include "appliance/core/performance/animate.h"
+#include "appliance/programs/stage/frame_pacer.h"
+#include "appliance/programs/stage/mouth_clock.h"
+#include "appliance/programs/stage/studio.h"
+#include "drivers/base/clock.h"
+#include "drivers/ports/scanout.h"
+
+namespace kaori::stage {
+
+// What the stage writes to the board.
+struct StageWriters {
+  board::Writer<board::Performance> performance;
+  board::Writer<board::Lamps> lamps;
+  board::Writer<board::StageStatus> status;
+  board::Writer<board::MotionNow> take;
+
+  // Errors: as Board::AcquireWriter; a second stage is refused.
+  static Result<StageWriters> Acquire(const board::Board& board);
+};
+
+// One thread. The board, the studio and the clock must outlive it.
+class Stage {
+ public:
+  // Goes on from the state that an earlier stage left on the board, if that is sound.
+  Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock);
+
+  // Lets an author make expressions in the show. They were opened on the studio's show.
+  void Bring(std::unique_ptr<editor::ExpressionEditor> needles) { needles_ = std::move(needles); }
+  const editor::ExpressionEditor* needles() const { return needles_.get(); }
+
+  // Called after each frame that the screen has taken. It holds up the next one.
+  using AfterFrame = std::function<void(const performance::State&, const scene::Scene&, Time now)>;
+  void Tell(AfterFrame after) { after_frame_ = std::move(after); }
+
+  // The screen that shows the frames from now on; none when it was unplugged.
+  void SetScreen(std::unique_ptr<ports::Scanout> screen);
+  bool has_screen() const { return screen_ != nullptr; }
+  ports::Scanout* screen() const { return screen_.get(); }  // Until the next SetScreen or Step.
+
+  // Reads the hands as late as each frame allows, from now on; before, right after the flip. Step is then to
+  // be called at wakes_at() too.
+  void DrawLate() { pacer_.Set(true); }
+
+  // Takes the flips that happened, and draws the next frame when the screen has room for it and it is time.
+  // Never waits for the screen. A screen that is gone is let go.
+  void Step();
+
+  // When the next frame begins, if the screen waits for one; it may have passed.
+  std::optional<Time> wakes_at() const;
+
+  // Without a screen the performance still moves, so that lamps answer and no jump is seen later.
+  void StepUnseen();
+
+  // How long a frame usually takes; 0 until many were drawn on this screen.
+  Duration usual_turn() const;
+
+  bool resumed() const { return resumed_; }
+  const performance::State& state() const { return state_; }
+
+ private:
+  Result<void> HandleFlips();
+  void NoteFlip(const ports::Flip& flip);
+  Result<void> DrawWhenDue();
+  Result<void> Draw(const ports::PixelBuffer& picture);
+  performance::Performed Animate(const board::Snapshot& snapshot, Time light);
+  scene::Scene Perform(const board::Snapshot& snapshot, Time light);
+  void TellTake(Time light);
+  void LogLipsAge(Time now);
+  void Report(const board::Snapshot& snapshot, Duration cpu);
+
+  const board::Board& board_;
+  StageWriters writers_;
+  Studio& studio_;
+  const Clock& clock_;
+  std::unique_ptr<ports::Scanout> screen_;
+  std::unique_ptr<editor::ExpressionEditor> needles_;
+  performance::State state_;
+  bool resumed_ = false;
+  FramePacer pacer_;
+  std::optional<FramePacer::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
+  std::uint64_t frame_ = 0;
+  Time read_{};  // When the hands were read for that frame.
+  MouthClock mouth_clock_;
+  AfterFrame after_frame_;
+  std::uint32_t logged_age_us_ = 0;
+  Time age_quiet_until_{};
+  board::MotionNow motion_now_;
+  board::StageStatus status_;
+  struct Second {  // What is averaged over a second.
+    Time began{};
+    std::uint32_t frames = 0;
+    Duration cpu{};
+  } second_;
+};
+
+}  // namespace kaori::stage

@@ -1,0 +1,85 @@
+#include "appliance/programs/stage/stage_status_display.h"
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "drivers/base/log.h"
+
+namespace kaori::stage {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kFactsPeriod = 1s;  // How often files are looked at.
+constexpr int kShare = 16;             // Of a frame's usual time, for lines that changed.
+constexpr Duration kGivenUp = 60s;     // How long a sign is left alone that cannot show.
+
+// Whole or not at all: others read it.
+void Leave(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path draft = path.string() + ".draft";
+  if (!(std::ofstream(draft) << text)) return;
+  std::error_code none;
+  std::filesystem::rename(draft, path, none);
+}
+
+}  // namespace
+
+void StageStatusDisplay::Step(ports::Scanout* screen) {
+  LookAtScreens(screen);
+  ports::StatusDisplay* const sign = screen == nullptr ? nullptr : screen->status_display();
+  if (sign == nullptr || clock_.now() < silent_until_) return;
+  const auto shown = ShowNext(*sign);
+  owed_ = !shown && shown.error().cause == std::errc::device_or_resource_busy;
+  if (shown || owed_) return;
+  Log("the status cannot be shown ({})", shown.error().message());
+  silent_until_ = clock_.now() + kGivenUp;
+}
+
+void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
+  std::string words = screen == nullptr ? std::string() : screen->Words();
+  if (screens_ == words) return;
+  Leave(places_.screens, words);
+  screens_ = std::move(words);
+  facts_read_ = {};
+}
+
+std::vector<status::Line> StageStatusDisplay::Lines() {
+  const Time now = clock_.now();
+  if (facts_read_ == Time{} || now - facts_read_ >= kFactsPeriod) {
+    facts_ = status::ReadFacts(places_);
+    facts_read_ = now;
+  }
+  return status::Describe(status::Look(board_, facts_, now));
+}
+
+Result<void> StageStatusDisplay::ShowNext(ports::StatusDisplay& sign) {
+  const bool anew = sign.fresh() || !sheet_;
+  const auto rows = anew ? DrawAnew(sign) : DrawChanged();
+  if (!rows) return tl::unexpected(rows.error());
+  if (rows->first == rows->end && !owed_) return {};
+  return sign.Show(sheet_->picture().rgbx, rows->first, rows->end);
+}
+
+// Its lines come one after the other.
+Result<status::Sheet::Rows> StageStatusDisplay::DrawAnew(const ports::StatusDisplay& sign) {
+  auto lettering = image::Lettering::Open();
+  if (!lettering) return tl::unexpected(lettering.error());
+  sheet_.emplace(std::move(*lettering), sign.width_px(), sign.height_px());
+  return status::Sheet::Rows{0, sign.height_px()};
+}
+
+status::Sheet::Rows StageStatusDisplay::DrawChanged() {
+  const auto lines = Lines();
+  const auto frame = std::chrono::microseconds(board_.Read<board::StageStatus>().value.draw_us);
+  const Time until = clock_.now() + frame / kShare;
+  status::Sheet::Rows all{sheet_->picture().height_px, 0};
+  while (const auto drawn = sheet_->DrawNext(lines)) {
+    all = {std::min(all.first, drawn->first), std::max(all.end, drawn->end)};
+    if (clock_.now() >= until) break;
+  }
+  return all.end == 0 ? status::Sheet::Rows{} : all;
+}
+
+}  // namespace kaori::stage

@@ -1,0 +1,49 @@
+// The stage's sign: says how the box does on a screen beside the show's, and leaves for others what screens
+// there are.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/status/facts.h"
+#include "appliance/programs/status/sheet.h"
+#include "drivers/base/clock.h"
+#include "drivers/ports/scanout.h"
+
+namespace kaori::stage {
+
+// One thread. The board and the clock must outlive it.
+class StageStatusDisplay {
+ public:
+  StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places)
+      : board_(board), clock_(clock), places_(std::move(places)) {}
+
+  // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines
+  // that changed, for a small part of a frame's usual time, and one at least: so no frame is late for it.
+  void Step(ports::Scanout* screen);
+
+  static constexpr Duration kPeriod = std::chrono::milliseconds(100);
+
+ private:
+  void LookAtScreens(ports::Scanout* screen);
+  Result<void> ShowNext(ports::StatusDisplay& sign);
+  Result<status::Sheet::Rows> DrawAnew(const ports::StatusDisplay& sign);
+  status::Sheet::Rows DrawChanged();
+  std::vector<status::Line> Lines();
+
+  const board::Board& board_;
+  const Clock& clock_;
+  status::Places places_;
+  status::Facts facts_;
+  Time facts_read_{};
+  std::optional<std::string> screens_;  // As they were told last.
+  std::optional<status::Sheet> sheet_;
+  bool owed_ = false;  // The sign has rows that it has not shown.
+  Time silent_until_{};
+};
+
+}  // namespace kaori::stage

@@ -1,0 +1,33 @@
+#include "appliance/programs/stage/still.h"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "appliance/core/show/pack_whole_file.h"
+
+namespace kaori::stage {
+namespace {
+
+constexpr int kMostWidth_px = 960;
+constexpr std::size_t kHeld_bytes = 4, kWritten_bytes = 3;
+
+std::vector<std::uint8_t> WithoutFourth(const std::vector<std::uint8_t>& pixels) {
+  std::vector<std::uint8_t> kept;
+  kept.reserve(pixels.size() / kHeld_bytes * kWritten_bytes);
+  for (std::size_t i = 0; i + kHeld_bytes <= pixels.size(); i += kHeld_bytes)
+    for (std::size_t colour = 0; colour < kWritten_bytes; ++colour) kept.push_back(pixels[i + colour]);
+  return kept;
+}
+
+}  // namespace
+
+Result<void> WriteStill(Studio& studio, const std::filesystem::path& file) {
+  SmallImage image;
+  if (!studio.ReadSmall(kMostWidth_px, image)) return Fail(std::errc::no_such_device, "draw a still");
+  const std::string head = fmt::format("P6\n{} {}\n255\n", image.width_px, image.height_px);
+  const std::vector<std::uint8_t> first(head.begin(), head.end()), rest = WithoutFourth(image.pixels);
+  return show::WriteWholeFile(file, {first, rest});
+}
+
+}  // namespace kaori::stage

@@ -1,0 +1,76 @@
+#include "appliance/programs/stage/studio.h"
+
+#include <algorithm>
+
+namespace kaori::stage {
+
+Result<std::unique_ptr<Studio>> Studio::Open(show::Show show, void* gbm) {
+  return Open(std::make_unique<PreparedShow>(std::move(show)), gbm);
+}
+
+Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepared, void* gbm) {
+  auto context = gl::Context::Open(gbm);
+  if (!context) return tl::unexpected(context.error());
+  std::unique_ptr<Studio> studio(new Studio(std::move(*context), std::move(prepared)));
+  PreparedShow& made_of = *studio->prepared_;
+  auto painter =
+      passes::Painter::Open(*studio->context_, made_of.show_.cast, std::move(made_of.preparation_));
+  if (!painter) return tl::unexpected(painter.error());
+  studio->painter_ = std::move(*painter);
+  return studio;
+}
+
+Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& picture) {
+  if (canvas_.width_px() != picture.width_px || canvas_.height_px() != picture.height_px) {
+    auto canvas = gl::Canvas::Make({.width_px = picture.width_px, .height_px = picture.height_px});
+    if (!canvas) return tl::unexpected(canvas.error());
+    canvas_ = std::move(*canvas);
+  }
+  painter_->Draw(scene, canvas_);
+  if (picture.window != nullptr) return ShowIn(picture.window);
+  canvas_.ReadPixels(picture.bytes);
+  return {};
+}
+
+Result<void> Studio::ShowIn(void* window) {
+  if (window_.native() != window) {
+    CloseWindow();
+    auto made = gl::Window::Make(*context_, window);
+    if (!made) return tl::unexpected(made.error());
+    window_ = std::move(*made);
+  }
+  if (!screen_pass_) {
+    auto pass = passes::ScreenPass::Open();
+    if (!pass) return tl::unexpected(pass.error());
+    screen_pass_.emplace(std::move(*pass));
+  }
+  if (auto begun = window_.Begin(canvas_.width_px(), canvas_.height_px()); !begun) return begun;
+  screen_pass_->Draw(canvas_);
+  return window_.Show();
+}
+
+bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
+  if (canvas_.width_px() == 0) return false;
+  const int width_px = std::min(most_width_px, canvas_.width_px());
+  const int height_px = std::max(1, canvas_.height_px() * width_px / canvas_.width_px());
+  if (!small_ || small_->width_px() != width_px || small_->height_px() != height_px) {
+    auto small = gl::SmallPicture::Make(width_px, height_px);
+    if (!small) return false;
+    small_.emplace(std::move(*small));
+  }
+  into.width_px = width_px;
+  into.height_px = height_px;
+  into.pixels.resize(std::size_t(width_px) * std::size_t(height_px) * 4);
+  small_->Read(canvas_, into.pixels);
+  return true;
+}
+
+void Studio::Renew(std::uint16_t index, std::span<const glm::vec3> displacement,
+                   const std::array<float, 2>& lids) {
+  face::Expression& expression = prepared_->show_.cast.expressions[index];
+  expression.displacement.assign(displacement.begin(), displacement.end());
+  expression.lids = lids;
+  painter_->Renew(index);
+}
+
+}  // namespace kaori::stage

@@ -1,0 +1,100 @@
+// Draws a scene of a show into memory: the GL context, the painter and a canvas of the size that is asked
+// for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "appliance/core/show/show.h"
+#include "drivers/base/result.h"
+#include "drivers/ports/scanout.h"
+#include "render/gl/canvas.h"
+#include "render/gl/context.h"
+#include "render/gl/small_picture.h"
+#include "render/gl/window.h"
+#include "render/passes/painter.h"
+#include "render/passes/preparation.h"
+#include "render/passes/screen.h"
+#include "render/scene/scene.h"
+
+namespace kaori::stage {
+
+// R, G, B, X; the top row first.
+struct SmallImage {
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+// A show, and what can be worked out of it without a graphics card: on any thread. It stays where it is.
+class PreparedShow {
+ public:
+  explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {}
+  PreparedShow(const PreparedShow&) = delete;
+  PreparedShow& operator=(const PreparedShow&) = delete;
+
+  const show::Show& show() const { return show_; }
+
+ private:
+  friend class Studio;
+  show::Show show_;
+  passes::Preparation preparation_;  // Goes into a studio's painter.
+};
+
+// One thread: the one that opened it.
+class Studio {
+ public:
+  // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context
+  // and Painter.
+  static Result<std::unique_ptr<Studio>> Open(show::Show show, void* gbm = nullptr);
+  static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared, void* gbm = nullptr);
+
+  // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size
+  // changes.
+  Result<void> Draw(const scene::Scene& scene, const ports::PixelBuffer& picture);
+
+  // The cast's expression of this index is from now on what these say; the next frame shows it.
+  // `displacement` has one for each control point, and `lids` are within 0..1. Takes 30 us for each face that
+  // has weight.
+  void Renew(std::uint16_t expression, std::span<const glm::vec3> displacement,
+             const std::array<float, 2>& lids);
+
+  // The face as it was drawn last; holds until the next Draw or Prepare.
+  const face::Shape& shape() const { return painter_->shape(); }
+
+  // What was drawn last, of at most `most_width_px`, copied out; waits until it is finished. R, G, B, X; the
+  // top row first. False where nothing was drawn.
+  bool ReadSmall(int most_width_px, SmallImage& into);
+
+  // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for
+  // it later. Takes 10 to 40 ms while there is any left, then nothing. True once: when it was the last.
+  bool Prepare() { return unprepared_ && !(unprepared_ = painter_->RehearseStep()); }
+
+  // To be called before a window's screen goes.
+  void CloseWindow() { window_ = gl::Window(); }
+
+  const show::Show& show() const { return prepared_->show(); }
+  const std::string& renderer() const { return context_->renderer(); }
+
+ private:
+  Result<void> ShowIn(void* window);
+  Studio(std::unique_ptr<gl::Context> context, std::unique_ptr<PreparedShow> prepared)
+      : context_(std::move(context)), prepared_(std::move(prepared)) {}
+
+  std::unique_ptr<gl::Context> context_;  // First in, last out: the rest lives in it.
+  std::unique_ptr<PreparedShow> prepared_;
+  std::unique_ptr<passes::Painter> painter_;
+  gl::Canvas canvas_;
+  gl::Window window_;
+  std::optional<passes::ScreenPass> screen_pass_;
+  std::optional<gl::SmallPicture> small_;
+  bool unprepared_ = true;
+};
+
+}  // namespace kaori::stage

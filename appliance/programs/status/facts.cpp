@@ -1,0 +1,39 @@
+#include "appliance/programs/status/facts.h"
+
+#include <fstream>
+#include <system_error>
+
+namespace kaori::status {
+namespace {
+
+constexpr const char* kProfiles[] = {"stage", "kiosk", "bench"};
+constexpr std::size_t kMostLines = 64;  // Of any file.
+
+std::vector<std::string> LinesOf(const std::filesystem::path& path) {
+  std::vector<std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; lines.size() < kMostLines && std::getline(file, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+std::string WordOf(const std::filesystem::path& path) {
+  const auto lines = LinesOf(path);
+  return lines.empty() ? std::string() : lines.front();
+}
+
+}  // namespace
+
+Facts ReadFacts(const Places& places) {
+  Facts facts{{},
+              WordOf(places.settings / "root_hash"),
+              WordOf(places.settings / "status_screen"),
+              LinesOf(places.settings / "faults"),
+              LinesOf(places.screens)};
+  std::error_code none;
+  for (const char* profile : kProfiles)
+    if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;
+  return facts;
+}
+
+}  // namespace kaori::status

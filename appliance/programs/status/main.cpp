@@ -1,0 +1,57 @@
+// kaori-status: says how the box does, in words or as a picture.
+#include <cstdio>
+
+#include "appliance/programs/status/facts.h"
+#include "appliance/programs/status/lines.h"
+#include "appliance/programs/status/sheet.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+
+namespace {
+
+constexpr std::string_view kHelp = R"(kaori-status: says how the box does
+
+  --board FILE      the board (/run/kaori/board)
+  --settings FOLDER what the box was told when it started (/run/kaori-profile)
+  --picture FILE    draws it there too, as PNG
+  --size WxH        of the picture (1280x720)
+)";
+
+struct Settings {
+  std::string board = "/run/kaori/board", settings = "/run/kaori-profile", picture, size = "1280x720";
+};
+
+int Complain(const kaori::Error& error) {
+  kaori::Log("{}", error.message());
+  return 1;
+}
+
+int Tell(const Settings& settings, kaori::Size size) {
+  namespace status = kaori::status;
+  const auto board = kaori::board::Board::Open(settings.board);
+  if (!board) return Complain(board.error());
+  const std::filesystem::path screens = std::filesystem::path(settings.board).parent_path() / "screens";
+  const auto facts = status::ReadFacts({settings.settings, screens});
+  const auto lines = status::Describe(status::Look(*board, facts, kaori::SteadyClock().now()));
+  std::fputs(status::TextOf(lines).c_str(), stdout);
+  if (settings.picture.empty()) return 0;
+  const auto picture = status::DrawAll(lines, size.width_px, size.height_px);
+  if (!picture) return Complain(picture.error());
+  if (auto written = kaori::image::WritePng(settings.picture, *picture); !written)
+    return Complain(written.error());
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::SetLogName("kaori-status");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--board", settings.board).Text("--settings", settings.settings);
+  options.Text("--picture", settings.picture).Text("--size", settings.size);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  const auto size = kaori::ParseSize(settings.size);
+  if (!size) return kaori::Log("--size {}: expected width and height, as in 1280x720", settings.size), 2;
+  return Tell(settings, *size);
+}

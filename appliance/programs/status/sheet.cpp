@@ -1,0 +1,115 @@
+#include "appliance/programs/status/sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace kaori::status {
+namespace {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+constexpr int kLeast_px = 16;
+constexpr int kRows = 20;         // A title, a show, nine devices and their kin, some screens and faults.
+constexpr int kLetters = 60;      // That fit beside each other, or the letters are made smaller.
+constexpr int kNameLetters = 11;  // Of them for what a line is about.
+constexpr Colour kGround{16, 18, 22}, kName{150, 158, 170}, kWords{235, 238, 242};
+constexpr Colour kGreen{70, 190, 110}, kAmber{235, 170, 50}, kRed{240, 80, 70};
+
+Colour ColourOf(Mark mark) {
+  switch (mark) {
+    case Mark::kTitle:
+      return kWords;
+    case Mark::kGood:
+      return kGreen;
+    case Mark::kMissing:
+      return kAmber;
+    case Mark::kFault:
+      break;
+  }
+  return kRed;
+}
+
+void Fill(image::Picture& picture, int left, int bottom, int right, int top, const Colour& colour) {
+  for (int y = std::max(0, bottom); y < std::min(top, picture.height_px); ++y)
+    for (int x = std::max(0, left); x < std::min(right, picture.width_px); ++x) {
+      const auto at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width_px) +
+                       static_cast<std::size_t>(x)) *
+                      4;
+      std::copy(colour.begin(), colour.end(), picture.rgbx.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+}
+
+// What does not fit is told by its number, in the last row.
+Line LineAt(const std::vector<Line>& lines, std::size_t row, std::size_t rows) {
+  if (row + 1 < rows || lines.size() <= rows)
+    return row < lines.size() ? lines[row] : Line{Mark::kTitle, "", ""};
+  return {Mark::kMissing, "more",
+          fmt::format("{} lines for which there is no room", lines.size() - rows + 1)};
+}
+
+}  // namespace
+
+Sheet::Sheet(image::Lettering lettering, int width_px, int height_px)
+    : lettering_(std::move(lettering)),
+      picture_(image::Picture::Blank(std::max(width_px, kLeast_px), std::max(height_px, kLeast_px))),
+      pitch_px_(std::max(1, std::min(picture_.height_px / kRows, picture_.width_px * 2 / kLetters))),
+      stands_(static_cast<std::size_t>(std::max(1, (picture_.height_px - pitch_px_) / pitch_px_))) {
+  Fill(picture_, 0, 0, picture_.width_px, picture_.height_px, kGround);
+}
+
+Sheet::Rows Sheet::RowsOf(int row) const {
+  const int end = picture_.height_px - pitch_px_ / 2 - row * pitch_px_;
+  return {end - pitch_px_, end};
+}
+
+std::optional<std::size_t> Sheet::Changed(const std::vector<Line>& lines) const {
+  std::optional<std::size_t> changed;
+  for (std::size_t row = 0; row < stands_.size(); ++row) {
+    const Line line = LineAt(lines, row, stands_.size());
+    if (stands_[row] == line) continue;
+    if (!stands_[row] || stands_[row]->mark != line.mark) return row;
+    if (!changed) changed = row;
+  }
+  return changed;
+}
+
+std::optional<Sheet::Rows> Sheet::DrawNext(const std::vector<Line>& lines) {
+  const auto row = Changed(lines);
+  if (!row) return std::nullopt;
+  const Line line = LineAt(lines, *row, stands_.size());
+  DrawRow(static_cast<int>(*row), line);
+  stands_[*row] = line;
+  return RowsOf(static_cast<int>(*row));
+}
+
+void Sheet::DrawRow(int row, const Line& line) {
+  const auto [bottom, top] = RowsOf(row);
+  Fill(picture_, 0, bottom, picture_.width_px, top, kGround);
+  if (line.what.empty() && line.words.empty()) return;
+  const int size_px = std::max(1, pitch_px_ * 7 / 10);
+  const int names_px = pitch_px_ * 3 / 2, words_px = names_px + kNameLetters * size_px * 6 / 10;
+  if (line.mark != Mark::kTitle)
+    Fill(picture_, pitch_px_ / 2, bottom + pitch_px_ / 4, pitch_px_, top - pitch_px_ / 4,
+         ColourOf(line.mark));
+  const Colour& colour = line.mark == Mark::kGood ? kWords : ColourOf(line.mark);
+  const auto draw = [&](std::string_view text, const Colour& in, int x_px, int end_px) {
+    lettering_.Draw(image::Shorten(lettering_, text, size_px, end_px - x_px), {size_px, in}, x_px, bottom,
+                    picture_);
+  };
+  draw(line.what, line.mark == Mark::kTitle ? kWords : kName, names_px, words_px);
+  draw(line.words, colour, words_px, picture_.width_px - pitch_px_ / 2);
+}
+
+Result<image::Picture> DrawAll(const std::vector<Line>& lines, int width_px, int height_px) {
+  auto lettering = image::Lettering::Open();
+  if (!lettering) return tl::unexpected(lettering.error());
+  Sheet sheet(std::move(*lettering), width_px, height_px);
+  while (sheet.DrawNext(lines)) continue;
+  return sheet.picture();
+}
+
+}  // namespace kaori::status

@@ -1,0 +1,53 @@
+#include "drivers/decode/keyboard.h"
+
+#include <utility>
+
+#include "drivers/decode/known_descriptors.h"
+#include "drivers/decode/recognise.h"
+#include "drivers/decode/usages.h"
+
+namespace kaori::decode {
+namespace {
+
+// Usages 00..03 are no keys: none, roll-over, self-test failed, undefined error.
+constexpr Usage kFirstError = (kKeyboardPage << 16) | 0x01;
+constexpr Usage kLastError = (kKeyboardPage << 16) | 0x03;
+constexpr std::uint32_t kNoKeys = 0x0F;
+
+}  // namespace
+
+Result<KeyboardDecoder> KeyboardDecoder::For(const ports::HidIdentity& identity) {
+  auto layout = identity.descriptor.empty() ? ReadReportLayout(BootKeyboardDescriptor()) : LayoutOf(identity);
+  if (!layout) return tl::unexpected(layout.error());
+  if (Recognise(*layout) != DeviceKind::kKeyboard)
+    return Fail(std::errc::not_supported, "read " + identity.port + " as a keyboard");
+  return KeyboardDecoder(std::move(*layout));
+}
+
+KeyboardDecoder::KeyboardDecoder(ReportLayout layout) : layout_(std::move(layout)), keys_(kKeyboardPage, 0) {}
+
+Result<KeySample> KeyboardDecoder::Decode(std::span<const std::uint8_t> report, Time at) {
+  const auto input = OpenInput(layout_, report);
+  if (!input) return tl::unexpected(input.error());
+  if (!is_phantom(*input)) {
+    auto held = keys_.Read(layout_, *input);
+    held[0] &= ~kNoKeys;
+    sample_.keys.Become(held);
+  }
+  sample_.at = at;
+  return sample_;
+}
+
+bool KeyboardDecoder::is_phantom(const InputReport& report) const {
+  bool phantom = false;
+  VisitHeld(layout_, report, kKeyboardPage,
+            [&](Usage usage) { phantom = phantom || (usage >= kFirstError && usage <= kLastError); });
+  return phantom;
+}
+
+void KeyboardDecoder::Release() {
+  keys_.Release();
+  sample_.keys.Become({});
+}
+
+}  // namespace kaori::decode

@@ -1,0 +1,53 @@
+// Brightness and colour of a camera frame, sample by sample, whatever format it came in.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "drivers/base/result.h"
+#include "drivers/ports/camera.h"
+
+namespace kaori::decode {
+
+// One of Y, Cb, Cr: 8-bit samples, row 0 on top. `at` wants 0 <= x < width_px and 0 <= y < height_px.
+struct Plane {
+  std::span<const std::uint8_t> bytes;
+  int width_px = 0;
+  int height_px = 0;
+  std::uint32_t stride_bytes = 0;  // From a row to the next.
+  std::uint32_t step_bytes = 1;    // From a sample to the next: packed formats interleave.
+
+  std::uint8_t at(int x, int y) const {
+    return bytes[static_cast<std::size_t>(y) * stride_bytes + static_cast<std::size_t>(x) * step_bytes];
+  }
+};
+
+// BT.601; neutral colour is 128. Colour planes cover the picture of Y with as many or fewer samples.
+struct Planes {
+  Plane y;
+  Plane cb;
+  Plane cr;
+  bool full_range = false;  // Y: true 0..255 (JPEG), false 16..235 (video).
+};
+
+// Looks at frames in place; JPEG is decompressed into its own memory, which it keeps for the next frame.
+class PlaneReader {
+ public:
+  PlaneReader();
+  PlaneReader(PlaneReader&&) noexcept;
+  PlaneReader& operator=(PlaneReader&&) noexcept;
+  ~PlaneReader();
+
+  // The result borrows from `frame`, or from this reader until its next Read. Errors:
+  //   bad_message  fewer bytes than the format says, or not a JPEG that fits the format; says which
+  Result<Planes> Read(const ports::CameraFrame& frame);
+
+ private:
+  class Jpeg;
+  Result<Planes> ReadJpeg(const ports::CameraFrame& frame);
+
+  std::unique_ptr<Jpeg> jpeg_;  // Made at the first JPEG.
+};
+
+}  // namespace kaori::decode

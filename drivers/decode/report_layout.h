@@ -1,0 +1,81 @@
+// What a HID device's reports hold, read from its report descriptor with every size bounded.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "drivers/base/result.h"
+
+namespace kaori::decode {
+
+// The bounds of Linux's own parser (include/linux/hid.h), so that what it takes is what we take.
+inline constexpr std::size_t kMaxDescriptorBytes = 4096;
+inline constexpr std::size_t kMaxUsages = 12288;  // For one main item.
+inline constexpr std::size_t kMaxFieldsPerReport = 256;
+inline constexpr std::size_t kMaxGlobalStack = 4;
+inline constexpr std::size_t kMaxReportBytes = 16384;  // Report id included.
+inline constexpr std::uint32_t kMaxFieldBits = 256;    // One element; we read values of up to 32.
+inline constexpr std::uint32_t kMaxValueBits = 32;
+inline constexpr std::size_t kMaxCollectionDepth = 64;  // Ours: Linux only runs out of memory.
+
+enum class ReportKind : std::uint8_t { kInput, kOutput, kFeature };
+
+// A usage is its page in the high 16 bits and its id in the low ones: 0x00010030 is Generic Desktop X.
+using Usage = std::uint32_t;
+
+// The usages first..last, for the elements (or array values) from `start` on.
+struct UsageRange {
+  Usage first = 0;
+  Usage last = 0;
+  std::uint32_t start = 0;
+};
+
+// One main item with data: `count` elements of `bits` bits each. Padding and elements of more than
+// kMaxValueBits bits take their room in the report, but have no field.
+struct ReportField {
+  ReportKind kind = ReportKind::kInput;
+  std::uint8_t report_id = 0;     // 0 where reports have no ids.
+  bool is_array = false;          // An element names a usage; else every element has its own usage.
+  bool is_relative = false;       // Change since the last report.
+  bool wraps = false;             // Beyond the maximum comes the minimum.
+  bool has_null = false;          // A value outside the logical range says "no value".
+  std::uint32_t offset_bits = 0;  // From the first byte after the report id.
+  std::uint32_t bits = 0;         // 1..32.
+  std::uint32_t count = 0;
+  std::int64_t logical_min = 0;  // Negative: elements are signed.
+  std::int64_t logical_max = 0;
+  Usage application = 0;           // The application collection around it; 0 without one.
+  std::uint32_t usages_begin = 0;  // Its ranges in ReportLayout::usages: at least one.
+  std::uint32_t usages_end = 0;
+};
+
+struct ReportShape {
+  ReportKind kind = ReportKind::kInput;
+  std::uint8_t id = 0;
+  std::uint32_t bits = 0;  // Without the report id.
+  std::uint32_t fields = 0;
+
+  std::size_t bytes() const { return (bits + 7u) / 8u; }
+};
+
+struct ReportLayout {
+  std::vector<ReportShape> reports;
+  std::vector<ReportField> fields;  // In the order of the descriptor.
+  std::vector<UsageRange> usages;
+
+  std::span<const UsageRange> usages_of(const ReportField& field) const;
+  // The usage of element `index` (of value logical_min + index in an array). The last one stands for all
+  // elements beyond; beyond an array's last there is none: 0.
+  Usage usage(const ReportField& field, std::uint32_t index) const;
+  // Null where the device has no such report.
+  const ReportShape* Find(ReportKind kind, std::uint8_t id) const;
+  // True when reports of `kind` begin with their id.
+  bool numbered(ReportKind kind) const;
+};
+
+// Reads a descriptor. Pure; its time and memory are bounded by the limits above. Errors:
+//   invalid_argument  what is wrong and at which byte, in words
+Result<ReportLayout> ReadReportLayout(std::span<const std::uint8_t> descriptor);
+
+}  // namespace kaori::decode

@@ -1,0 +1,78 @@
+#include "hw-sim/hil/board_view.h"
+
+#include <nlohmann/json.hpp>
+
+namespace kaori::hil {
+namespace {
+
+using nlohmann::json;
+
+bool Live(const json& section) {
+  return section.at("source") == "live";
+}
+
+StickView Stick(const json& section) {
+  return {Live(section), section.at("x"), section.at("y"), section.at("port")};
+}
+
+StageView Stage(const json& section) {
+  return {.live = Live(section),
+          .frames = section.at("frames"),
+          .missed_flips = section.at("missed_flips"),
+          .frames_per_s = section.at("frames_per_s"),
+          .face = section.at("face"),
+          .expression = section.at("expression"),
+          .scene = section.at("scene"),
+          .read_ns = section.at("read_ns")};
+}
+
+void TakeHands(const json& board, BoardView& view) {
+  const json& surface = board.at("surface");
+  view.surface_live = Live(surface);
+  view.counts = surface.at("counts");
+  view.buttons = surface.at("buttons");
+  view.pushes = surface.at("pushes");
+  view.left = Stick(board.at("left"));
+  view.right = Stick(board.at("right"));
+  view.keys_live = Live(board.at("keys"));
+  view.keys_down = board.at("keys").at("down");
+  view.pointer_live = Live(board.at("pointer"));
+  view.pointer_x = board.at("pointer").at("x");
+  view.pointer_y = board.at("pointer").at("y");
+}
+
+void TakeTheRest(const json& board, BoardView& view) {
+  view.now_ns = board.at("now_ns");
+  view.lines_live = Live(board.at("lines"));
+  view.lines_active = board.at("lines").at("active");
+  const json& lips = board.at("lips");
+  view.lips_live = Live(lips);
+  view.lips_frames = lips.at("frames");
+  view.lips_height = lips.at("height");
+  view.lips_quality = lips.at("quality");
+  const json& voice = board.at("voice");
+  view.voice_live = Live(voice);
+  view.voice_speaking = voice.at("speaking") == 1;
+  view.voice_level_db = voice.at("level_db");
+  view.voice_height = voice.at("height");
+  view.voice_blocks = voice.at("blocks");
+  view.lamps = board.at("lamps");
+  view.stage = Stage(board.at("stage"));
+}
+
+}  // namespace
+
+// The library throws where a field is missing or of another kind: that ends here.
+Result<BoardView> ReadBoardView(const std::string& text) {
+  BoardView view;
+  try {
+    const json board = json::parse(text);
+    TakeHands(board, view);
+    TakeTheRest(board, view);
+  } catch (const json::exception& fault) {
+    return FailInput(std::string("the witness's board: ") + fault.what());
+  }
+  return view;
+}
+
+}  // namespace kaori::hil

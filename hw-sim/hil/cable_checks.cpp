@@ -1,0 +1,202 @@
+// Cables are pulled and plugged in any order: roles stay with their ports.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr Duration kLongest = seconds(120);  // For machines that have little of a processor.
+constexpr double kHeld = 0.3;                // On the board, of a stick that is held at 0.8.
+
+int Between(std::mt19937& chance, int low, int high) {
+  return std::uniform_int_distribution(low, high)(chance);
+}
+
+// Each pod is held still to its own side, which tells them apart; up or down changes with every plug, so that
+// what the board showed before cannot be taken for what it shows now. Nobody trembles: what is held still
+// must be asked for by the box.
+class HeldSticks {
+ public:
+  explicit HeldSticks(Scene& scene) : scene_(scene) { Turn(); }
+  ~HeldSticks() {
+    hands().left_stick.Move(0, 0);
+    hands().right_stick.Move(0, 0);
+  }
+  HeldSticks(const HeldSticks&) = delete;
+  HeldSticks& operator=(const HeldSticks&) = delete;
+
+  void Turn() {
+    up_ = !up_;
+    const float y = up_ ? 0.8F : -0.8F;
+    hands().left_stick.Move(0.8F, y);
+    hands().right_stick.Move(-0.8F, y);
+  }
+  bool new_on(const StickView& stick) const {
+    return stick.live && (up_ ? stick.y > kHeld : stick.y < -kHeld);
+  }
+  bool right(const BoardView& board) const {
+    return new_on(board.left) && new_on(board.right) && board.left.x > kHeld && board.right.x < -kHeld;
+  }
+  bool swapped(const BoardView& board) const {
+    return (new_on(board.left) && board.left.x < -kHeld) || (new_on(board.right) && board.right.x > kHeld);
+  }
+
+ private:
+  sim::Instruments& hands() { return scene_.place.rig().instruments(); }
+  Scene& scene_;
+  bool up_ = false;
+};
+
+std::vector<std::string> Chosen(std::mt19937& chance) {
+  const int which = Between(chance, 0, 9);
+  if (which < 5) return {which % 2 == 0 ? "stick-left" : "stick-right"};
+  if (which < 8) return {"stick-left", "stick-right"};
+  return {std::array{"dial-box", "keyboard", "pointer"}[static_cast<std::size_t>(Between(chance, 0, 2))]};
+}
+
+// Pulls some devices one after another, and plugs them in another order.
+void Replug(Scene& scene, std::vector<std::string> names, HeldSticks& sticks) {
+  for (const std::string& name : names) {
+    static_cast<void>(scene.place.rig().Unplug(name));
+    scene.place.For(milliseconds(Between(scene.chance, 0, 60)));
+  }
+  scene.place.For(milliseconds(Between(scene.chance, 20, 500)));
+  sticks.Turn();
+  std::ranges::shuffle(names, scene.chance);
+  for (const std::string& name : names) {
+    static_cast<void>(scene.place.rig().Plug(name));
+    scene.place.For(milliseconds(Between(scene.chance, 0, 200)));
+  }
+}
+
+struct Tally {
+  int replugs = 0;
+  int swaps = 0;
+  std::vector<double> found_s;
+};
+
+Result<void> OneRound(Scene& scene, HeldSticks& sticks, Tally& tally) {
+  const auto names = Chosen(scene.chance);
+  Replug(scene, names, sticks);
+  const Time plugged = scene.place.clock().now();
+  tally.replugs += static_cast<int>(names.size());
+  bool swapped = false;
+  const auto found = [&](const BoardView& board) {
+    swapped |= sticks.swapped(board);
+    return swapped || (sticks.right(board) && board.surface_live && board.keys_live && board.pointer_live);
+  };
+  const auto board = scene.place.UntilBoard(
+      found, kLongest, fmt::format("find what was plugged in: {}", fmt::join(names, ", ")));
+  tally.swaps += swapped ? 1 : 0;
+  tally.found_s.push_back(Seconds(scene.place.clock().now() - plugged));
+  if (!board) return tl::unexpected(board.error());
+  return {};
+}
+
+double Part(std::vector<double> values, double part) {
+  std::ranges::sort(values);
+  return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+Result<void> Replugs(Scene& scene) {
+  HeldSticks sticks(scene);
+  const auto first = scene.place.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
+                                            "see both sticks held");
+  if (!first) return tl::unexpected(first.error());
+  Tally tally;
+  Result<void> ok;
+  while (ok && tally.replugs < scene.replugs) ok = OneRound(scene, sticks, tally);
+  scene.finding.figures["replugs"] = tally.replugs;
+  scene.finding.figures["swaps"] = tally.swaps;
+  scene.finding.said = fmt::format(
+      "{} re-plugs in random order, {} swaps; found again after {:.2f} s (median), {:.2f} s at most",
+      tally.replugs, tally.swaps, Part(tally.found_s, 0.5), Part(tally.found_s, 1));
+  if (!ok) return FailInput(ok.error().message() + "; " + scene.finding.said);
+  const auto last = scene.place.Board();
+  if (!last) return tl::unexpected(last.error());
+  if (last->left.port != first->left.port || last->right.port != first->right.port)
+    return FailInput("a role changed its port");
+  return tally.swaps == 0 ? Result<void>{} : FailInput(scene.finding.said);
+}
+
+void Recable(Scene& scene, bool crossed) {
+  for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.place.rig().Unplug(name));
+  scene.place.For(milliseconds(300));
+  scene.place.rig().CrossSticks(crossed);
+  for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.place.rig().Plug(name));
+}
+
+// The control of the check before: what it would call a swap, it must see where there is one.
+Result<void> Crossed(Scene& scene) {
+  HeldSticks sticks(scene);
+  Recable(scene, true);
+  sticks.Turn();
+  const auto swapped = [&](const BoardView& b) {
+    return sticks.new_on(b.left) && sticks.new_on(b.right) && sticks.swapped(b);
+  };
+  const auto seen = scene.place.UntilBoard(swapped, kLongest, "see that the cables are crossed");
+  Recable(scene, false);
+  sticks.Turn();
+  if (!seen) return tl::unexpected(seen.error());
+  scene.finding.said =
+      "two equal joysticks with their cables crossed are seen swapped, and right again afterwards";
+  const auto right = scene.place.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
+                                            "see them right again");
+  if (!right) return tl::unexpected(right.error());
+  return {};
+}
+
+Result<void> PulledBox(Scene& scene) {
+  const auto before = scene.place.Board();
+  if (!before) return tl::unexpected(before.error());
+  static_cast<void>(scene.place.rig().Unplug("dial-box"));
+  const auto gone = [&](const BoardView& b) { return !b.surface_live && b.counts == before->counts; };
+  if (auto ok = scene.place.UntilBoard(gone, kLongest, "see the box gone and its dials where they were"); !ok)
+    return tl::unexpected(ok.error());
+  static_cast<void>(scene.place.rig().Plug("dial-box"));
+  const auto back = [&](const BoardView& b) {
+    return b.surface_live && b.counts == before->counts &&
+           scene.place.rig().instruments().dial_box.lamps() == b.lamps;
+  };
+  scene.finding.said = "counts stand, lamps are lit again";
+  if (auto ok = scene.place.UntilBoard(back, kLongest, "see the box back with its lamps"); !ok)
+    return tl::unexpected(ok.error());
+  return {};
+}
+
+Result<void> InputKilled(Scene& scene) {
+  HeldSticks sticks(scene);
+  const auto before = scene.place.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
+                                             "see both sticks held");
+  if (!before) return tl::unexpected(before.error());
+  if (const auto found = scene.place.witness().Ask("signal kaori-input 9", seconds(60));
+      !found || *found != "1")
+    return FailInput("the program of the hands could not be killed");
+  sticks.Turn();
+  const auto back = [&](const BoardView& b) {
+    return sticks.right(b) && b.counts == before->counts && b.left.port == before->left.port;
+  };
+  scene.finding.said = "roles, counts and ports as before";
+  if (auto ok = scene.place.UntilBoard(back, kLongest, "see the hands again"); !ok)
+    return tl::unexpected(ok.error());
+  return {};
+}
+
+}  // namespace
+
+std::vector<Check> CableChecks() {
+  return {
+      {"pulled-box", "The dial box is pulled: its dials stay, its lamps come back with it", true, PulledBox},
+      {"replugs", "Two equal joysticks never swap their roles, however they are plugged in again", true,
+       Replugs},
+      {"crossed", "Crossed cables are seen: the check before can fail", true, Crossed},
+      {"input-killed", "The program of the hands is killed: roles and dials stay", true, InputKilled}};
+}
+
+}  // namespace kaori::hil

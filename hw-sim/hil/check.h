@@ -1,0 +1,82 @@
+// A check of the bench: a sentence that is true of a box, and what shows it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "drivers/base/result.h"
+#include "hw-sim/hil/place.h"
+#include "hw-sim/hil/setup.h"
+
+namespace kaori::hil {
+
+enum class Verdict { kPassed, kFailed, kSkipped };
+
+struct Picture {
+  std::string file;  // In the report's folder.
+  std::string caption;
+};
+
+// What a check found.
+struct Finding {
+  Verdict verdict = Verdict::kPassed;
+  std::string said{};  // Why it failed or was skipped; else what was seen.
+  std::vector<Picture> pictures{};
+  std::map<std::string, double> figures{};                   // For out/boot.json.
+  std::vector<std::pair<std::string, std::string>> texts{};  // Name and content: outputs of tools.
+  double took_s = 0;
+};
+
+// What a check works with.
+struct Scene {
+  Place& place;
+  Finding& finding;
+  std::string folder;  // Of the report.
+  int replugs = 20;
+  int scenes = 0;  // Of the scenario, from its beginning; 0: all.
+  std::mt19937& chance;
+  std::string play;  // The scenario that is played.
+
+  // Takes a picture of the screen into the finding. Errors: as VideoProtocol::Shoot.
+  Result<void> Shoot(const std::string& name, const std::string& caption);
+
+  // The same, of a picture that must show a face. Errors: also invalid_argument (it does not).
+  Result<void> ShootFace(const std::string& name, const std::string& caption);
+
+  // Why this cannot be tried here; for a check to return.
+  Result<void> Skip(std::string why);
+};
+
+struct Check {
+  std::string name;      // One word, for people who choose.
+  std::string sentence;  // What is shown.
+  bool chosen = false;   // Of the part that runs each time.
+  // Errors become failures. A check that cannot run says so by Skip.
+  std::function<Result<void>(Scene&)> run;
+  Setup setup{};  // Of the box that it finds playing.
+};
+
+// In the order in which they are run.
+std::vector<Check> AllChecks();
+
+// The parts of it.
+std::vector<Check> ScreenChecks();
+std::vector<Check> PlayChecks();
+std::vector<Check> HandChecks();
+std::vector<Check> CableChecks();
+std::vector<Check> SourceChecks();
+std::vector<Check> LineChecks();
+std::vector<Check> SoundChecks();
+std::vector<Check> PluginChecks();
+std::vector<Check> LoopChecks();
+std::vector<Check> GadgetChecks();
+std::vector<Check> LatencyChecks();
+std::vector<Check> ToolChecks();
+std::vector<Check> StrangerChecks();
+std::vector<Check> SpeedChecks();
+std::vector<Check> AloneChecks();
+
+}  // namespace kaori::hil

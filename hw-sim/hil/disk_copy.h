@@ -1,0 +1,21 @@
+// A copy of the image's disk with other settings on its data partition. The root, and all else, stays as it
+// ships.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "drivers/base/result.h"
+#include "hw-sim/hil/setup.h"
+
+namespace kaori::hil {
+
+// Where the partition of that name begins on a disk with a GPT. Errors: those of the file, invalid_argument
+// (no GPT, no such partition).
+Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name);
+
+// Writes DISK's copy into the folder, with the settings of `setup`; gives its path. Needs cp and debugfs.
+// Errors: as above, and those of the programs.
+Result<std::string> CopyWithSettings(const std::string& disk, const Setup& setup, const std::string& folder);
+
+}  // namespace kaori::hil

@@ -1,0 +1,61 @@
+// The same devices by a Linux USB gadget, from within the machine: what a bench with a real box does with
+// real cables.
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr Duration kAnswer = seconds(90);
+constexpr Duration kGadgetLongest = seconds(180);
+constexpr std::string_view kGadget =
+    "kaori-gadget --put dial-box=dummy_udc.0,stick-left=dummy_udc.1,stick-right=dummy_udc.2 --play "
+    "/usr/share/kaori/kaori.play --loop";
+
+// The rig's own devices leave their seats to the gadgets.
+void PlugRigs(Scene& scene, bool plugged) {
+  for (const char* name : {"dial-box", "stick-left", "stick-right"})
+    static_cast<void>(plugged ? scene.place.rig().Plug(name) : scene.place.rig().Unplug(name));
+}
+
+Result<void> WantPlayed(Scene& scene, const BoardView& before) {
+  const auto played = [&](const BoardView& board) {
+    const bool moved = board.left.x != 0 || board.left.y != 0;
+    return board.surface_live && board.left.live && board.right.live && board.pushes != before.pushes &&
+           moved;
+  };
+  const auto seen = scene.place.UntilBoard(played, kGadgetLongest, "see the gadgets play");
+  if (!seen) return tl::unexpected(seen.error());
+  return {};
+}
+
+Result<void> Gadgets(Scene& scene) {
+  WitnessProtocol& witness = scene.place.witness();
+  if (!witness.Ask("read /sys/class/udc/dummy_udc.2/state", kAnswer))
+    return scene.Skip("this kernel has no USB device controller dummy_udc.2");
+  PlugRigs(scene, false);
+  const auto gone = [](const BoardView& board) {
+    return !board.surface_live && !board.left.live && !board.right.live;
+  };
+  const auto before = scene.place.UntilBoard(gone, kGadgetLongest, "see the other devices gone");
+  if (!before) return tl::unexpected(before.error());
+  const auto program = witness.Ask(fmt::format("start-tool {}", kGadget), kAnswer);
+  if (!program) return tl::unexpected(program.error());
+  auto played = WantPlayed(scene, *before);
+  const auto said = witness.Ask("end " + *program, kAnswer);
+  scene.finding.texts.emplace_back("kaori-gadget", said ? *said : said.error().message());
+  PlugRigs(scene, true);
+  scene.finding.said = "dial box and two sticks played a scenario through dummy_hcd";
+  return played;
+}
+
+}  // namespace
+
+std::vector<Check> GadgetChecks() {
+  return {{"gadget", "The same devices by a USB gadget", false, Gadgets, {.bench_kernel = true}}};
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,155 @@
+// The way of an event from the cable to the light.
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr Duration kLatencyAnswer = seconds(60);
+constexpr Duration kBetween = milliseconds(90);
+constexpr std::int64_t kClockDoubt_ns = 3'000'000;  // The two clocks agree no better than a question takes.
+
+// All by the machine's clock.
+struct Moments {
+  std::vector<std::int64_t> sent_ns;     // When the simulated hand moved,
+  std::vector<std::int64_t> arrived_ns;  // when the board had it,
+  std::vector<std::pair<std::int64_t, std::int64_t>>
+      flips;  // when hands were read for a frame, and its light.
+};
+
+void ReadMoments(const std::string& told, Moments& moments) {
+  std::istringstream lines(told);
+  std::string kind;
+  for (std::int64_t a = 0; lines >> kind >> a;) {
+    double b = 0;
+    lines >> b;
+    if (kind == "stick") moments.arrived_ns.push_back(a);
+    if (kind == "flip") moments.flips.emplace_back(a, static_cast<std::int64_t>(b));
+  }
+}
+
+// What the machine's clock is ahead of ours, from the question that was answered soonest.
+Result<std::int64_t> ClockAhead(Scene& scene) {
+  constexpr int kQuestions = 12;
+  Duration soonest = Duration::max();
+  std::int64_t ahead_ns = 0;
+  for (int n = 0; n < kQuestions; ++n) {
+    const Time asked = scene.place.clock().now();
+    const auto told = scene.place.witness().Ask("clock", kLatencyAnswer);
+    if (!told) return tl::unexpected(told.error());
+    const Duration took = scene.place.clock().now() - asked;
+    if (took >= soonest) continue;
+    soonest = took;
+    ahead_ns = std::strtoll(told->c_str(), nullptr, 10) - (asked + took / 2).time_since_epoch().count();
+  }
+  return ahead_ns;
+}
+
+// Shakes the left stick for so long, and tells what the witness saw of it.
+Result<Moments> Shake(Scene& scene, int watch_ms) {
+  const auto ahead_ns = ClockAhead(scene);
+  if (!ahead_ns) return tl::unexpected(ahead_ns.error());
+  sim::StickPod& stick = scene.place.rig().instruments().left_stick;
+  Moments moments;
+  Time next = scene.place.clock().now();
+  bool right = false;
+  scene.place.SetHands([&](Time now) {
+    if (now < next) return;
+    next = now + kBetween;
+    right = !right;
+    stick.Move(right ? 0.7F : -0.7F, 0);
+    moments.sent_ns.push_back(now.time_since_epoch().count() + *ahead_ns);
+  });
+  const auto told =
+      scene.place.witness().Ask(fmt::format("events {}", watch_ms), milliseconds(watch_ms) + kLatencyAnswer);
+  scene.place.SetHands({});
+  stick.Move(0, 0);
+  if (!told) return tl::unexpected(told.error());
+  ReadMoments(*told, moments);
+  return moments;
+}
+
+struct Ways {
+  std::vector<double> to_board_ms;
+  std::vector<double> to_light_ms;
+};
+
+// Of each event that was not overtaken by the next one before the board had it.
+Ways WaysOf(const Moments& moments) {
+  Ways ways;
+  for (std::size_t n = 0; n + 1 < moments.sent_ns.size(); ++n) {
+    const std::int64_t sent = moments.sent_ns[n];
+    const auto arrived = std::ranges::lower_bound(moments.arrived_ns, sent - kClockDoubt_ns);
+    if (arrived == moments.arrived_ns.end() || *arrived >= moments.sent_ns[n + 1] - kClockDoubt_ns) continue;
+    const auto shown =
+        std::ranges::find_if(moments.flips, [&](const auto& flip) { return flip.first >= *arrived; });
+    ways.to_board_ms.push_back(static_cast<double>(*arrived - sent) / 1e6);
+    if (shown != moments.flips.end())
+      ways.to_light_ms.push_back(static_cast<double>(shown->second - sent) / 1e6);
+  }
+  return ways;
+}
+
+double LatencyPart(std::vector<double> values, double part) {
+  std::ranges::sort(values);
+  return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+// In frames of the screen as it ran meanwhile: an emulated machine's milliseconds say little.
+void Tell(const Moments& moments, const Ways& ways, Finding& finding) {
+  const double frame_ms = static_cast<double>(moments.flips.back().second - moments.flips.front().second) /
+                          1e6 / static_cast<double>(moments.flips.size() - 1);
+  const double median = LatencyPart(ways.to_light_ms, 0.5) / frame_ms, p99 = LatencyPart(ways.to_light_ms, 0.99) / frame_ms;
+  finding.figures["event_to_flip_frames_median"] = median;
+  finding.figures["event_to_flip_frames_p99"] = p99;
+  finding.figures["event_to_board_ms_median"] = LatencyPart(ways.to_board_ms, 0.5);
+  finding.said = fmt::format(
+      "{} events: to the board {:.1f} ms (median), {:.1f} ms (p99); to the light {:.2f} frames (median), "
+      "{:.2f} (p99), of {:.0f} ms",
+      ways.to_light_ms.size(), LatencyPart(ways.to_board_ms, 0.5), LatencyPart(ways.to_board_ms, 0.99), median, p99,
+      frame_ms);
+}
+
+// Watches until enough frames came: a busy machine draws one in many seconds.
+Result<Moments> ShakeUntilSeen(Scene& scene) {
+  constexpr int kWatchMs = 20'000, kMostWatches = 6;
+  constexpr std::size_t kWantedFlips = 8;
+  Moments all;
+  for (int n = 0; n < kMostWatches && all.flips.size() < kWantedFlips; ++n) {
+    const auto moments = Shake(scene, kWatchMs);
+    if (!moments) return moments;
+    all.sent_ns.insert(all.sent_ns.end(), moments->sent_ns.begin(), moments->sent_ns.end());
+    all.arrived_ns.insert(all.arrived_ns.end(), moments->arrived_ns.begin(), moments->arrived_ns.end());
+    all.flips.insert(all.flips.end(), moments->flips.begin(), moments->flips.end());
+  }
+  return all;
+}
+
+Result<void> Latency(Scene& scene) {
+  constexpr std::size_t kLeastFlips = 4;
+  static_cast<void>(scene.place.rig().Unplug("camera"));  // Its pictures cost an emulated machine much.
+  scene.place.For(seconds(5));
+  const auto moments = ShakeUntilSeen(scene);
+  static_cast<void>(scene.place.rig().Plug("camera"));
+  if (!moments) return tl::unexpected(moments.error());
+  if (moments->arrived_ns.empty()) return FailInput("no event came to the board");
+  const Ways ways = WaysOf(*moments);
+  if (moments->flips.size() >= kLeastFlips && !ways.to_light_ms.empty())
+    return Tell(*moments, ways, scene.finding), Result<void>{};
+  return scene.Skip(fmt::format("{} frames came: too few to measure by", moments->flips.size()));
+}
+
+}  // namespace
+
+std::vector<Check> LatencyChecks() {
+  return {{"latency", "From an event on the cable to the flip that shows it", true, Latency}};
+}
+
+}  // namespace kaori::hil

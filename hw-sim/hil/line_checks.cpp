@@ -1,0 +1,149 @@
+// GPIO lines through the bridge: what foot switch and blackout do to the show, and the tally lamp.
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/picture.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr Duration kLineLongest = seconds(90);  // For machines that have little of a processor.
+constexpr Duration kLongestFade = seconds(300);
+constexpr std::uint32_t kFade = 30;  // Frames, after which it is over.
+constexpr double kBlack = 0.004;     // Of the picture's points that are lit.
+
+// Numbers of the bridge's lines as docs/image.md wires them; those on the board are the same.
+enum Line { kGo = 0, kBlackout = 1, kService = 2, kPresence = 3, kTally = 4 };
+
+// The box's own program has the lines. Without the kernel's chip there is nothing to try.
+bool HasLines(Scene& scene) {
+  const auto live = [](const BoardView& board) { return board.lines_live; };
+  return scene.place.UntilBoard(live, kLineLongest, "see the lines").has_value();
+}
+
+Result<void> WantLine(Scene& scene, int line, bool on) {
+  const auto stands = [&](const BoardView& board) {
+    return (board.lines_active >> static_cast<unsigned>(line) & 1U) == (on ? 1U : 0U);
+  };
+  const auto seen =
+      scene.place.UntilBoard(stands, kLineLongest, fmt::format("see line {} {}", line, on ? "on" : "off"));
+  if (!seen) return tl::unexpected(seen.error());
+  return {};
+}
+
+Result<void> Switch(Scene& scene, int line, bool on) {
+  sim::GpioBridge& bridge = scene.place.rig().gpio();
+  on ? bridge.Close(line) : bridge.Open(line);
+  return WantLine(scene, line, on);
+}
+
+Result<void> WantTally(Scene& scene, bool lit) {
+  sim::GpioBridge& bridge = scene.place.rig().gpio();
+  const auto shows = [&] { return bridge.drives(kTally) && bridge.high(kTally) == lit; };
+  if (scene.place.Until(shows, kLineLongest)) return {};
+  return FailInput(fmt::format("the tally lamp is not {}", lit ? "lit" : "dark"));
+}
+
+Result<void> AllSwitches(Scene& scene) {
+  for (const int line : {kService, kPresence})
+    for (const bool on : {true, false})
+      if (auto ok = Switch(scene, line, on); !ok) return ok;
+  return {};
+}
+
+Result<void> Go(Scene& scene) {
+  const auto before = scene.place.Board();
+  if (!before) return tl::unexpected(before.error());
+  if (auto ok = Switch(scene, kGo, true); !ok) return ok;
+  // After the last one comes the first.
+  const auto next = [&](const BoardView& board) { return board.stage.scene != before->stage.scene; };
+  const auto called = scene.place.UntilBoard(next, kLineLongest, "see the next scene");
+  if (!called) return tl::unexpected(called.error());
+  return Switch(scene, kGo, false);
+}
+
+// The picture goes black, or shows a face again: looked at until it does. It fades from frame to frame, so
+// that a machine which draws slowly is given frames, not seconds.
+Result<void> WantPicture(Scene& scene, const std::string& name, bool black) {
+  const Time until = scene.place.clock().now() + kLineLongest, latest = until + kLongestFade;
+  const auto before = scene.place.Board();
+  if (!before) return tl::unexpected(before.error());
+  const auto faded = [&] {
+    const auto board = scene.place.Board();
+    return board && board->stage.frames - before->stage.frames >= kFade;
+  };
+  while (true) {
+    if (auto ok = scene.Shoot(name, black ? "Blacked out" : "Lit"); !ok) return ok;
+    const auto picture = LookAt(scene.folder + "/" + scene.finding.pictures.back().file);
+    if (!picture) return tl::unexpected(picture.error());
+    if (black ? picture->lit < kBlack : ShowsAFace(*picture)) return {};
+    if (const Time now = scene.place.clock().now(); now > latest || (now > until && faded()))
+      return FailInput(fmt::format("the picture is not {}: {}", black ? "black" : "lit", Words(*picture)));
+    scene.finding.pictures.pop_back();
+    scene.place.For(milliseconds(200));
+  }
+}
+
+Result<void> Blackout(Scene& scene) {
+  for (const bool black : {true, false}) {
+    if (auto ok = Switch(scene, kBlackout, black); !ok) return ok;
+    if (auto ok = WantTally(scene, !black); !ok) return ok;
+    if (auto ok = WantPicture(scene, black ? "blackout" : "lit-again", black); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> Lines(Scene& scene) {
+  if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
+  if (auto ok = WantTally(scene, true); !ok) return ok;
+  for (const auto& part : {AllSwitches, Go, Blackout})
+    if (auto ok = part(scene); !ok) return ok;
+  scene.finding.said =
+      "service and presence, GO calls the next scene, blackout and back; the tally lamp follows";
+  return {};
+}
+
+// A cable of its own is pulled and plugged: the lines are taken again, and the lamp.
+Result<void> LinesPulled(Scene& scene) {
+  if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
+  static_cast<void>(scene.place.rig().Unplug("gpio"));
+  const auto gone = [](const BoardView& board) { return !board.lines_live; };
+  if (auto ok = scene.place.UntilBoard(gone, kLineLongest, "see the bridge gone"); !ok)
+    return tl::unexpected(ok.error());
+  static_cast<void>(scene.place.rig().Plug("gpio"));
+  const Time plugged = scene.place.clock().now();
+  const auto back = [](const BoardView& board) { return board.lines_live; };
+  if (auto ok = scene.place.UntilBoard(back, kLineLongest, "see the bridge again"); !ok)
+    return tl::unexpected(ok.error());
+  scene.finding.said =
+      fmt::format("lines again {:.1f} s after the plug", Seconds(scene.place.clock().now() - plugged));
+  if (auto ok = WantTally(scene, true); !ok) return ok;
+  return Go(scene);
+}
+
+Result<void> TallyOfADeadStage(Scene& scene) {
+  if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
+  const auto own = [&](const char* deed) {
+    return scene.place.witness().Ask(std::string("own /usr/bin/systemctl ") + deed + " kaori-stage.service",
+                                     kLineLongest);
+  };
+  if (auto ok = own("stop"); !ok) return tl::unexpected(ok.error());
+  auto dark = WantTally(scene, false);
+  if (auto ok = own("start"); !ok) return tl::unexpected(ok.error());
+  if (!dark) return dark;
+  scene.finding.said = "dark while the stage is stopped, lit once it plays again";
+  return WantTally(scene, true);
+}
+
+}  // namespace
+
+std::vector<Check> LineChecks() {
+  return {{"lines", "Switches on GPIO lines play the show, and a lamp follows it", true, Lines},
+          {"lines-pulled", "The bridge is pulled and plugged: its lines are taken again", false, LinesPulled},
+          {"tally", "The tally lamp is dark while the stage is away", false, TallyOfADeadStage}};
+}
+
+}  // namespace kaori::hil

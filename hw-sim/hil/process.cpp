@@ -1,0 +1,87 @@
+#include "hw-sim/hil/process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace kaori::hil {
+namespace {
+
+std::vector<char*> Pointers(const std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+[[noreturn]] void Become(const std::vector<std::string>& words, const std::string& log,
+                         const std::vector<std::string>& variables) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  ::dup2(file, STDOUT_FILENO);
+  ::dup2(file, STDERR_FILENO);
+  for (const std::string& variable : variables) ::putenv(const_cast<char*>(variable.c_str()));
+  ::execvp(words[0].c_str(), Pointers(words).data());
+  ::_exit(127);
+}
+
+}  // namespace
+
+Result<Process> Process::Start(const std::vector<std::string>& words, const std::string& log,
+                               const std::vector<std::string>& variables) {
+  const pid_t number = ::fork();
+  if (number < 0) return FailErrno("fork");
+  if (number == 0) Become(words, log, variables);
+  return Process(number);
+}
+
+Process::~Process() {
+  if (number_ <= 0) return;
+  ::kill(number_, SIGKILL);
+  ::waitpid(number_, nullptr, 0);
+}
+
+bool Process::runs() const {
+  siginfo_t ended{};
+  return number_ > 0 &&
+         ::waitid(P_PID, static_cast<id_t>(number_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         ended.si_pid == 0;
+}
+
+// The name of the program, which may hold anything, ends with the last parenthesis; see proc(5).
+Duration Process::worked() const {
+  constexpr int kFieldsBefore = 11;  // From the state on; then user's and system's time, in ticks.
+  std::ifstream file("/proc/" + std::to_string(number_) + "/stat");
+  const std::string line(std::istreambuf_iterator<char>(file), {});
+  std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
+  std::string skipped;
+  for (int n = 0; n < kFieldsBefore; ++n) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return FromSeconds((user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK)));
+}
+
+Result<void> RunToEnd(const std::vector<std::string>& words, const std::string& log) {
+  const pid_t number = ::fork();
+  if (number < 0) return FailErrno("fork");
+  if (number == 0) Become(words, log, {});
+  int status = 0;
+  ::waitpid(number, &status, 0);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  std::ifstream file(log);
+  return FailInput(words[0] + " failed: " + std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+}  // namespace kaori::hil

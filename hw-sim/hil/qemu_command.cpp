@@ -1,0 +1,103 @@
+#include "hw-sim/hil/qemu_command.h"
+
+#include <initializer_list>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "hw-sim/links/usbredir/usb_rig.h"
+
+namespace kaori::hil {
+namespace {
+
+constexpr int kUsbPorts = 8;
+
+// The value of the last word "name=value"; empty where there is none.
+std::string WordOf(const std::string& line, const std::string& name) {
+  std::istringstream words(line);
+  std::string value;
+  for (std::string word; words >> word;)
+    if (word.starts_with(name + "=")) value = word.substr(name.size() + 1);
+  return value;
+}
+
+void Add(std::vector<std::string>& command, std::initializer_list<std::string> words) {
+  command.insert(command.end(), words);
+}
+
+void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
+  const std::string size =
+      fmt::format("id=screens,xres={},yres={}", WidthOf(options, setup), HeightOf(options, setup));
+  if (setup.drawn_outside)
+    return Add(command, {"-display", "sdl,gl=on", "-device", "virtio-gpu-gl-pci," + size});
+  Add(command,
+      {"-display", "none", "-device", fmt::format("virtio-gpu-pci,{},max_outputs={}", size, options.heads)});
+}
+
+// The seventh socket is followed by a free port, for what a stranger brings.
+void AddUsb(const QemuOptions& options, std::vector<std::string>& command) {
+  Add(command, {"-device", fmt::format("qemu-xhci,id=xhci,p2={0},p3={0}", kUsbPorts)});
+  for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n) {
+    const std::string path = sim::UsbSocketPath(options.folder, sim::kUsbSockets[n]);
+    Add(command, {"-chardev", fmt::format("socket,id=usb{},path={},server=on,wait=off", n, path)});
+    Add(command, {"-device", fmt::format("usb-redir,chardev=usb{},bus=xhci.0,port={}", n, n + 1)});
+  }
+  Add(command, {"-blockdev", "null-co,node-name=stick,size=67108864,read-zeroes=on"});
+  Add(command, {"-netdev", "hubport,id=net,hubid=0"});
+}
+
+// Two cards: a loudspeaker that the bench hears, and a microphone that hears silence. QEMU's sound to a file
+// has no microphone.
+void AddSound(const QemuOptions& options, std::vector<std::string>& command) {
+  Add(command, {"-audiodev", fmt::format("wav,id=sound,path={},out.frequency=48000", SoundPath(options))});
+  Add(command, {"-device", "ich9-intel-hda,id=out", "-device", "hda-output,bus=out.0,audiodev=sound"});
+  Add(command, {"-audiodev", "none,id=silence", "-device", "ich9-intel-hda,id=in", "-device",
+                "hda-micro,bus=in.0,audiodev=silence"});
+}
+
+}  // namespace
+
+int WidthOf(const QemuOptions& options, const Setup& setup) {
+  return setup.width_px > 0 ? setup.width_px : options.width_px;
+}
+
+int HeightOf(const QemuOptions& options, const Setup& setup) {
+  return setup.height_px > 0 ? setup.height_px : options.height_px;
+}
+
+std::string SoundPath(const QemuOptions& options) {
+  return options.folder + "/loudspeaker.wav";
+}
+
+std::string BenchCommandLine(const std::string& of_the_image) {
+  const auto or_else = [&](const std::string& name, const std::string& otherwise) {
+    const std::string value = WordOf(of_the_image, name);
+    return value.empty() ? otherwise : value;
+  };
+  return fmt::format(
+      "{} kaori.root={} kaori.rootfstype={} kaori.init={} root=/dev/vdb rootfstype=ext4 "
+      "init=/usr/bin/kaori-hil-agent "
+      "console=null",
+      of_the_image, or_else("root", "/dev/dm-0"), or_else("rootfstype", "erofs"),
+      or_else("init", "/usr/lib/systemd/systemd"));
+}
+
+// The guest draws by itself: with a newer processor's instructions emulation is many times slower.
+std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
+                                     const std::string& command_line, const std::string& disk) {
+  std::vector<std::string> command{"qemu-system-x86_64", "-M", "q35", "-name", "box,debug-threads=on"};
+  Add(command, {"-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2"});
+  Add(command, {"-no-reboot", "-vga", "none", "-m", std::to_string(options.memory_mib)});
+  Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : options.image + "/bzImage"});
+  Add(command, {"-append", command_line});
+  Add(command, {"-drive", fmt::format("file={},if=virtio,format=raw,snapshot=on", disk)});
+  Add(command, {"-drive", fmt::format("file={},if=virtio,format=raw,readonly=on", options.bench_disk)});
+  Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
+  Add(command, {"-qmp", fmt::format("unix:{}/qmp,server=on,wait=off", options.folder)});
+  AddScreens(options, setup, command);
+  AddUsb(options, command);
+  if (setup.sound) AddSound(options, command);
+  return command;
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,51 @@
+#include "hw-sim/hil/qmp.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace kaori::hil {
+namespace {
+
+constexpr Duration kQmpLongest =
+    std::chrono::seconds(60);  // A machine that is emulated on a busy one takes its time.
+
+}  // namespace
+
+Result<Qmp> Qmp::Call(const std::string& path, Waiter& waiter) {
+  auto stream = Stream::Call(path, waiter, kQmpLongest);
+  if (!stream) return tl::unexpected(stream.error());
+  Qmp qmp(std::move(*stream), waiter);
+  if (auto greeting = qmp.NextLine(); !greeting) return tl::unexpected(greeting.error());
+  if (auto ok = qmp.Do("qmp_capabilities"); !ok) return tl::unexpected(ok.error());
+  return qmp;
+}
+
+Result<std::string> Qmp::NextLine() {
+  bool there = true;
+  const auto whole = [&] {
+    there = stream_.Read();
+    return !there || stream_.waiting().find('\n') != std::string::npos;
+  };
+  if (!waiter_->Until(whole, kQmpLongest, stream_.pollable()))
+    return Fail(std::errc::timed_out, "hear from QEMU");
+  const std::size_t end = stream_.waiting().find('\n');
+  if (end == std::string::npos) return Fail(std::errc::no_such_device, "hear from QEMU");
+  std::string line = stream_.waiting().substr(0, end);
+  stream_.Drop(end + 1);
+  return line;
+}
+
+Result<void> Qmp::Do(const std::string& command, const std::string& arguments) {
+  if (auto ok = stream_.Say(fmt::format("{{\"execute\":\"{}\",\"arguments\":{}}}\n", command, arguments));
+      !ok)
+    return ok;
+  while (true) {  // Between command and answer events may come.
+    const auto line = NextLine();
+    if (!line) return tl::unexpected(line.error());
+    const auto answer = nlohmann::json::parse(*line, nullptr, false);
+    if (answer.contains("return")) return {};
+    if (answer.contains("error")) return FailInput(command + ": " + answer["error"].value("desc", "refused"));
+  }
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,84 @@
+#include "hw-sim/hil/report.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "hw-sim/hil/markup.h"
+
+namespace kaori::hil {
+namespace {
+
+Result<void> WriteFile(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) return FailErrno("write " + path);
+  return {};
+}
+
+std::string Case(const ReportedCheck& check) {
+  const std::string head = fmt::format(R"(    <testcase classname="bench" name="{}: {}" time="{:.1f}")",
+                                       Escaped(check.name), Escaped(check.sentence), check.finding.took_s);
+  const std::string said = Escaped(check.finding.said);
+  switch (check.finding.verdict) {
+    case Verdict::kFailed:
+      return fmt::format("{}><failure message=\"{}\"/></testcase>\n", head, said);
+    case Verdict::kSkipped:
+      return fmt::format("{}><skipped message=\"{}\"/></testcase>\n", head, said);
+    default:
+      return fmt::format("{}><system-out>{}</system-out></testcase>\n", head, said);
+  }
+}
+
+}  // namespace
+
+int Report::count(Verdict verdict) const {
+  return static_cast<int>(
+      std::ranges::count(checks, verdict, [](const ReportedCheck& check) { return check.finding.verdict; }));
+}
+
+std::string AsJUnit(const Report& report) {
+  double took_s = 0;
+  std::string cases;
+  for (const ReportedCheck& check : report.checks) {
+    took_s += check.finding.took_s;
+    cases += Case(check);
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
+      "  <testsuite name=\"kaori-bench\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" time=\"{:.1f}\">\n{}  "
+      "</testsuite>\n</testsuites>\n",
+      report.checks.size(), report.count(Verdict::kFailed), report.count(Verdict::kSkipped), took_s, cases);
+}
+
+// Letters that may stand in any file's name; a run of others is one hyphen.
+std::string TextFile(const std::string& check, const std::string& text) {
+  std::string name = check + "-";
+  for (const char letter : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    if (plain || name.back() != '-') name += plain ? letter : '-';
+  }
+  return name + ".txt";
+}
+
+Result<void> WriteReport(const Report& report, const std::string& folder) {
+  for (const ReportedCheck& check : report.checks)
+    for (const auto& [name, text] : check.finding.texts)
+      if (auto ok = WriteFile(folder + "/" + TextFile(check.name, name), text); !ok) return ok;
+  if (auto ok = WriteFile(folder + "/report.xml", AsJUnit(report)); !ok) return ok;
+  return WriteFile(folder + "/report.html", AsPage(report));
+}
+
+Result<void> MergeFigures(const Report& report, const std::string& path) {
+  auto figures = nlohmann::json::object();
+  if (std::ifstream file(path); file) figures = nlohmann::json::parse(file, nullptr, false);
+  if (!figures.is_object()) return FailInput(path + " is not a JSON object");
+  for (const ReportedCheck& check : report.checks)
+    for (const auto& [name, value] : check.finding.figures) figures[name] = value;
+  return WriteFile(path, figures.dump(2) + "\n");
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,102 @@
+// What is on the screen, while it plays and while its program is away.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/picture.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr Duration kLongestReturn = seconds(240);
+constexpr Duration kScreenLongestFrame = seconds(300);  // With a new style's shaders, on a busy machine.
+constexpr int kShotsWhileAway = 12;
+
+Result<PictureView> LastPicture(const Scene& scene) {
+  return LookAt(scene.folder + "/" + scene.finding.pictures.back().file);
+}
+
+Result<void> Face(Scene& scene) {
+  if (auto ok = scene.ShootFace("face", "The first face"); !ok) return ok;
+  const auto picture = LastPicture(scene);
+  if (!picture) return tl::unexpected(picture.error());
+  const auto board = scene.place.Board();
+  if (!board) return tl::unexpected(board.error());
+  scene.finding.figures["llvmpipe_frames_per_s"] = board->stage.frames_per_s;
+  scene.finding.said = fmt::format("{}; {:.1f} frames/s", Words(*picture), board->stage.frames_per_s);
+  return {};
+}
+
+// Nobody touches it: the face lives by itself, and takes what is plugged in at last.
+Result<void> Alone(Scene& scene) {
+  constexpr double kMoved = 0.002;  // Of the points.
+  constexpr std::uint32_t kFrames = 4;
+  if (auto ok = scene.ShootFace("alone", "Nothing is plugged in"); !ok) return ok;
+  const auto before = scene.place.Board();
+  if (!before) return tl::unexpected(before.error());
+  const auto later = [&](const BoardView& board) {
+    return board.stage.live && board.stage.frames >= before->stage.frames + kFrames;
+  };
+  if (auto ok = scene.place.UntilBoard(later, kScreenLongestFrame, "see it play alone"); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = scene.ShootFace("alone", "A little later"); !ok) return ok;
+  const auto moved = Difference(scene.folder + "/" + scene.finding.pictures[0].file,
+                                scene.folder + "/" + scene.finding.pictures[1].file);
+  if (!moved) return tl::unexpected(moved.error());
+  if (*moved < kMoved) return FailInput("nothing moves");
+  if (auto ok = scene.place.PlugAll(); !ok) return ok;
+  const auto found = [](const BoardView& board) {
+    return board.surface_live && board.left.live && board.right.live && board.lips_live;
+  };
+  if (auto ok = scene.place.UntilBoard(found, kLongestReturn, "find what is plugged in at last"); !ok)
+    return tl::unexpected(ok.error());
+  scene.finding.said = fmt::format(
+      "the face moved by itself ({:.1f} % of the points), then took what was plugged in", 100 * *moved);
+  return {};
+}
+
+// The kernel keeps the last picture; systemd starts the program again.
+Result<void> StageKilled(Scene& scene) {
+  const auto before = scene.place.Board();
+  if (!before) return tl::unexpected(before.error());
+  const Time killed = scene.place.clock().now();
+  if (const auto found = scene.place.witness().Ask("signal kaori-stage 9", seconds(60));
+      !found || *found != "1")
+    return FailInput("the stage could not be killed");
+  for (int n = 0; n < kShotsWhileAway; ++n) {
+    if (auto ok = scene.ShootFace(
+            "killed", fmt::format("{:.1f} s after the kill", Seconds(scene.place.clock().now() - killed)));
+        !ok)
+      return ok;
+    if (n > 0 && n + 1 < kShotsWhileAway)
+      scene.finding.pictures.pop_back();  // The first and the last are shown.
+    scene.place.For(std::chrono::milliseconds(150));
+  }
+  const auto returned = [&](const BoardView& board) {
+    return board.stage.live && board.stage.frames != before->stage.frames &&
+           board.now_ns - before->now_ns > 0;
+  };
+  if (auto ok = scene.place.UntilBoard(returned, kLongestReturn, "wait for the stage to come back"); !ok)
+    return tl::unexpected(ok.error());
+  scene.finding.said = fmt::format("a face on all {} pictures; back after {:.1f} s", kShotsWhileAway,
+                                   Seconds(scene.place.clock().now() - killed));
+  return {};
+}
+
+}  // namespace
+
+std::vector<Check> ScreenChecks() {
+  return {
+      {"face", "The face is on the screen", true, Face},
+      {"stage-killed", "The stage is killed: its last picture stays, and it comes back", true, StageKilled}};
+}
+
+std::vector<Check> AloneChecks() {
+  return {
+      {"alone", "Without any device it plays by itself", false, Alone, {.plugged = false, .sound = false}}};
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,147 @@
+// Sound in and out: by the machine's own card, whose loudspeaker the bench hears, and by a loop in the kernel
+// through which a voice speaks to the box.
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/lull.h"
+#include "hw-sim/devices/voice_file.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr Duration kSoundAnswer = seconds(120);
+constexpr Duration kSoundLongest = seconds(120);
+constexpr const char* kVoice = "/tmp/voice.wav";
+constexpr int kVoiceSeconds = 4;
+constexpr double kLike = 0.6;   // Of a voice that is heard; what is none stays below a third.
+constexpr double kOpen = 0.25;  // How far a mouth must move.
+
+Result<void> Ask(Scene& scene, const std::string& question) {
+  const auto told = scene.place.witness().Ask(question, kSoundAnswer);
+  if (!told) return tl::unexpected(told.error());
+  return {};
+}
+
+// The numbers of the lines such as " 0 [Intel          ]: HDA-Intel - HDA Intel".
+std::vector<std::string> CardsOf(Scene& scene, const std::string& kind) {
+  std::vector<std::string> numbers;
+  const auto cards = scene.place.witness().Ask("read /proc/asound/cards", kSoundAnswer);
+  std::istringstream lines(cards ? *cards : "");
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string number;
+    if (line.find("]: " + kind) != std::string::npos && words >> number) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+double HeardVoice(Scene& scene) {
+  const auto heard = sim::ReadWav(SoundPath(scene.place.machine().options()));
+  return heard ? sim::Likeness(sim::SayVowels(seconds(kVoiceSeconds)), *heard) : 0;
+}
+
+Result<void> Sound(Scene& scene) {
+  const auto cards = CardsOf(scene, "HDA-Intel");  // As QemuCommand has them: loudspeaker, microphone.
+  if (cards.size() < 2) return scene.Skip("the kernel does not show both sound cards");
+  const auto hears = [](const BoardView& board) { return board.voice_live && board.voice_blocks > 0; };
+  if (auto ok = scene.place.UntilBoard(hears, kSoundLongest, "see that the box hears its microphone"); !ok)
+    return tl::unexpected(ok.error());
+  const Lull others(scene, "kaori-lips.service");
+  if (auto ok = Ask(
+          scene,
+          fmt::format("tool arecord -q -D hw:{},0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav", cards[1]));
+      !ok)
+    return ok;
+  const double before = HeardVoice(scene);
+  if (before >= kLike) return FailInput("a voice is heard before one speaks");
+  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
+  for (const std::string& question : {fmt::format("voice {} {}", kVoice, kVoiceSeconds),
+                                      fmt::format("tool aplay -q -D plughw:{},0 {}", cards[0], kVoice)})
+    if (auto ok = Ask(scene, question); !ok) return ok;
+  const double after = HeardVoice(scene);
+  scene.finding.said = fmt::format(
+      "the box hears its microphone; a second recorded; a voice played, and heard at the card's loudspeaker "
+      "({:.2f} like it; {:.2f} "
+      "before)",
+      after, before);
+  return after >= kLike ? Result<void>{} : FailInput(scene.finding.said);
+}
+
+// How far the mouth went by the voice while it was watched.
+struct Mouth {
+  bool spoke = false;
+  double least = 1, most = 0, loudest_db = -100;
+  void See(const BoardView& board) {
+    spoke |= board.voice_speaking;
+    loudest_db = std::max(loudest_db, board.voice_level_db);
+    if (!board.voice_speaking) return;
+    least = std::min(least, board.voice_height);
+    most = std::max(most, board.voice_height);
+  }
+};
+
+Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
+  const auto hears = [](const BoardView& board) { return board.voice_live; };
+  if (auto ok = scene.place.UntilBoard(hears, kSoundLongest, "see that the microphone is heard"); !ok)
+    return tl::unexpected(ok.error());
+  if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
+  const auto speaker = scene.place.witness().Ask(
+      fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice), kSoundAnswer);
+  if (!speaker) return tl::unexpected(speaker.error());
+  Mouth mouth;
+  const auto moved = [&](const BoardView& board) {
+    mouth.See(board);
+    return mouth.spoke && mouth.most - mouth.least >= kOpen && HeardVoice(scene) >= kLike;
+  };
+  const auto heard = scene.place.UntilBoard(moved, kSoundLongest, "see the mouth follow the voice, and hear it");
+  static_cast<void>(scene.Shoot("voice", "It speaks"));
+  scene.finding.figures["voice_heard_likeness"] = HeardVoice(scene);
+  scene.finding.said =
+      fmt::format("the mouth moved from {:.2f} to {:.2f}, {:.0f} dB; at the loudspeaker {:.2f} like it",
+                  mouth.least, mouth.most, mouth.loudest_db, HeardVoice(scene));
+  if (!heard) return FailInput(heard.error().message() + "; " + scene.finding.said);
+  return {};
+}
+
+// From a voice in the kernel's loop, by the box's own program, to the board and to the card's loudspeaker.
+Result<void> Voice(Scene& scene) {
+  const auto cards = CardsOf(scene, "HDA-Intel"), loops = CardsOf(scene, "Loopback");
+  if (cards.empty() || loops.empty())
+    return scene.Skip("this kernel has no loop of sound (snd-aloop) beside its card");
+  const Lull others(scene, "kaori-lips.service");
+  if (auto ok = Ask(scene, fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
+  static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
+  const auto program = scene.place.witness().Ask(
+      fmt::format(
+          "start /usr/bin/kaori-lips --microphone hw:{},1,0 --loudspeaker hw:{},0 --sound-delay 60 --board "
+          "/run/kaori/board",
+          loops[0], cards[0]),
+      kSoundAnswer);
+  if (!program) return tl::unexpected(program.error());
+  auto spoken = SpeakAndWatch(scene, loops[0]);
+  const auto said = scene.place.witness().Ask("end " + *program, kSoundAnswer);
+  scene.finding.texts.emplace_back("kaori-lips", said ? *said : said.error().message());
+  return spoken;
+}
+
+}  // namespace
+
+std::vector<Check> SoundChecks() {
+  return {{"sound", "Sound goes in, and what is played is heard", true, Sound}};
+}
+
+std::vector<Check> LoopChecks() {
+  return {{"voice",
+           "A voice moves the mouth, and comes from the loudspeaker",
+           false,
+           Voice,
+           {.bench_kernel = true}}};
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,40 @@
+#include "hw-sim/hil/stream.h"
+
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <utility>
+
+#include "drivers/base/stream_socket.h"
+
+namespace kaori::hil {
+
+Result<Stream> Stream::Call(const std::string& path, Waiter& waiter, Duration longest) {
+  UniqueFd socket;
+  const auto called = [&] {
+    auto connected = ConnectToStream(path);
+    if (connected) socket = std::move(*connected);
+    return connected.has_value();
+  };
+  if (waiter.Until(called, longest)) return Stream(std::move(socket));
+  return Fail(std::errc::timed_out, "call " + path);
+}
+
+bool Stream::Read() {
+  std::array<char, 65536> part;
+  while (true) {
+    const ssize_t got = ::recv(socket_.get(), part.data(), part.size(), MSG_DONTWAIT);
+    if (got < 0) return errno == EAGAIN || errno == EINTR;
+    if (got == 0) return false;
+    waiting_.append(part.data(), static_cast<std::size_t>(got));
+  }
+}
+
+Result<void> Stream::Say(std::string_view text) {
+  const ssize_t sent = ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL);
+  if (sent == static_cast<ssize_t>(text.size())) return {};
+  return Fail(std::errc::no_such_device, "speak to the machine");
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,34 @@
+// A stream socket to a machine: what came so far, and a way to say something.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
+#include "hw-sim/hil/waiter.h"
+
+namespace kaori::hil {
+
+class Stream {
+ public:
+  // Calls until somebody listens. Errors: timed_out.
+  static Result<Stream> Call(const std::string& path, Waiter& waiter, Duration longest);
+
+  int pollable() const { return socket_.get(); }
+
+  // Takes what waits. False: the other end is gone.
+  bool Read();
+  const std::string& waiting() const { return waiting_; }
+  void Drop(std::size_t bytes) { waiting_.erase(0, bytes); }
+
+  // Short texts only: the socket's own room must hold them. Errors: no_such_device.
+  Result<void> Say(std::string_view text);
+
+ private:
+  explicit Stream(UniqueFd socket) : socket_(std::move(socket)) {}
+  UniqueFd socket_;
+  std::string waiting_;
+};
+
+}  // namespace kaori::hil

@@ -1,0 +1,77 @@
+// What well-known tools say of the devices; kept in the report.
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+
+namespace kaori::hil {
+namespace {
+
+constexpr Duration kToolLongest = std::chrono::minutes(3);
+
+struct Tool {
+  const char* name;
+  const char* question;
+};
+
+constexpr std::array kTools{
+    Tool{"lsusb", "tool lsusb"},
+    Tool{"gpiodetect", "tool gpiodetect"},
+    Tool{"gpioinfo", "tool gpioinfo"},
+    Tool{"v4l2-ctl", "tool v4l2-ctl -d /dev/video0 --all"},
+    Tool{"the lips let go of the camera", "own /usr/bin/systemctl stop kaori-lips.service"},
+    Tool{"v4l2-compliance", "tool v4l2-compliance -d /dev/video0"},
+    Tool{"and take it again", "own /usr/bin/systemctl start kaori-lips.service"},
+    Tool{"input devices", "read /proc/bus/input/devices"},
+    Tool{"the kernel's log", "own /usr/bin/journalctl -k --no-pager -o short-monotonic -n 200"},
+    Tool{"the stage's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-stage"},
+    Tool{"the hands' log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-input"},
+    Tool{"the lips' log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-lips"},
+};
+
+// "/dev/input/event3" of the device that the kernel lists by that name; empty where there is none.
+std::string EventFile(const std::string& devices, const std::string& name) {
+  const std::size_t device = devices.find(name);
+  const std::size_t event = device == std::string::npos ? device : devices.find("event", device);
+  if (event == std::string::npos) return {};
+  return "/dev/input/" + devices.substr(event, devices.find_first_of(" \n", event) - event);
+}
+
+// evtest stays until it is ended; meanwhile both sticks move: which of them the kernel lists first is chance.
+void Evtest(Scene& scene) {
+  const auto devices = scene.place.witness().Ask("read /proc/bus/input/devices", kToolLongest);
+  const std::string file = devices ? EventFile(*devices, "stick pod") : "";
+  if (file.empty()) return;
+  sim::Instruments& hands = scene.place.rig().instruments();
+  float x = 0;
+  scene.place.SetHands([&](Time) {
+    x = x > 0.9F ? -0.9F : x + 0.01F;
+    hands.left_stick.Move(x, 0);
+    hands.right_stick.Move(x, 0);
+  });
+  const auto said =
+      scene.place.witness().Ask("tool timeout -s INT --preserve-status 3 evtest " + file, kToolLongest);
+  scene.place.SetHands({});
+  hands.left_stick.Move(0, 0);
+  hands.right_stick.Move(0, 0);
+  scene.finding.texts.emplace_back("evtest", said ? *said : said.error().message());
+}
+
+Result<void> Tools(Scene& scene) {
+  int answered = 0;
+  Evtest(scene);
+  for (const Tool& tool : kTools) {
+    const auto said = scene.place.witness().Ask(tool.question, kToolLongest);
+    scene.finding.texts.emplace_back(tool.name, said ? *said : said.error().message());
+    answered += said.has_value() ? 1 : 0;
+  }
+  scene.finding.said = fmt::format("{} outputs, {} without complaint", scene.finding.texts.size(), answered);
+  return {};
+}
+
+}  // namespace
+
+std::vector<Check> ToolChecks() {
+  return {{"tools", "What evtest, v4l2-compliance, gpiodetect and others say", false, Tools}};
+}
+
+}  // namespace kaori::hil

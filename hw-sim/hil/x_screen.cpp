@@ -1,0 +1,123 @@
+#include "hw-sim/hil/x_screen.h"
+
+#include <png.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace kaori::hil {
+namespace {
+
+constexpr Duration kXScreenLongest = std::chrono::seconds(60);
+constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;  // Of QEMU's window.
+constexpr int kFirstNumber = 100;                                   // People's own screens have small ones.
+constexpr int kNumbers = 10'000;
+
+// Big-endian words of the dump's head, by their place (X11/XWDFile.h).
+constexpr std::size_t kHeadBytes = 0, kWidth = 4, kHeight = 5, kByteOrder = 7, kBitsOfPoint = 11,
+                      kLineBytes = 12, kColours = 19, kHeadWords = 25;
+constexpr std::size_t kColourBytes = 12, kPointBytes = 4;
+
+struct Dump {
+  std::uint32_t width_px = 0, height_px = 0;
+  std::size_t line_bytes = 0;
+  std::span<const std::uint8_t> points;
+};
+
+std::optional<Dump> Understand(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeadWords * 4) return std::nullopt;
+  const auto word = [&](std::size_t n) {
+    return static_cast<std::uint32_t>(bytes[4 * n] << 24 | bytes[4 * n + 1] << 16 | bytes[4 * n + 2] << 8 |
+                                      bytes[4 * n + 3]);
+  };
+  const std::size_t before = word(kHeadBytes) + word(kColours) * kColourBytes;
+  Dump dump{word(kWidth), word(kHeight), word(kLineBytes), {}};
+  const bool sound = word(kBitsOfPoint) == 8 * kPointBytes && word(kByteOrder) == 0 &&
+                     dump.line_bytes >= dump.width_px * kPointBytes &&
+                     bytes.size() >= before + dump.line_bytes * dump.height_px;
+  if (!sound || dump.width_px == 0) return std::nullopt;
+  dump.points = bytes.subspan(before);
+  return dump;
+}
+
+bool Holds(const Dump& dump, const DumpPart& part) {
+  return part.width_px > 0 && part.height_px > 0 && part.x_px + part.width_px <= dump.width_px &&
+         part.y_px + part.height_px <= dump.height_px;
+}
+
+std::vector<std::uint8_t> Rgb(const Dump& dump, const DumpPart& part) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(3 * part.width_px * part.height_px);
+  for (std::size_t y = part.y_px; y < part.y_px + part.height_px; ++y) {
+    for (std::size_t x = part.x_px; x < part.x_px + part.width_px; ++x) {
+      const auto point = dump.points.subspan(y * dump.line_bytes + x * kPointBytes, kPointBytes);
+      rgb.insert(rgb.end(), {point[2], point[1], point[0]});
+    }
+  }
+  return rgb;
+}
+
+struct Sides {
+  std::size_t screen_px = 0, before_px = 0, window_px = 0;
+};
+
+// QEMU's window begins small in the middle of the screen, and grows to the right and down as its machine's
+// screen does.
+Sides SidesFor(int window, std::size_t begun_px) {
+  const auto window_px = static_cast<std::size_t>(window);
+  const std::size_t screen_px = window_px > begun_px ? 2 * window_px - begun_px : begun_px;
+  return {screen_px, (screen_px - begun_px) / 2, window_px};
+}
+
+}  // namespace
+
+Result<void> WriteDumpAsPng(const std::string& dump_file, const DumpPart& part, const std::string& file) {
+  std::ifstream stream(dump_file, std::ios::binary);
+  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
+  const auto dump = Understand(bytes);
+  if (!dump || !Holds(*dump, part)) return Fail(std::errc::io_error, "read the screen in " + dump_file);
+  const auto rgb = Rgb(*dump, part);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(part.width_px);
+  image.height = static_cast<png_uint_32>(part.height_px);
+  image.format = PNG_FORMAT_RGB;
+  if (png_image_write_to_file(&image, file.c_str(), 0, rgb.data(), 0, nullptr) == 0)
+    return Fail(std::errc::io_error, "write " + file);
+  return {};
+}
+
+// The number is ours by our own: two benches never ask for the same.
+Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
+  const int number = kFirstNumber + static_cast<int>(::getpid()) % kNumbers;
+  std::string name = fmt::format(":{}", number);
+  const std::string socket = fmt::format("/tmp/.X11-unix/X{}", number);
+  std::error_code none;
+  std::filesystem::remove(socket, none);  // Of a bench that had our number before us.
+  const Sides across = SidesFor(options.width_px, kBegunWidth_px);
+  const Sides down = SidesFor(options.height_px, kBegunHeight_px);
+  auto program =
+      Process::Start({"Xvfb", name, "-screen", "0", fmt::format("{}x{}x24", across.screen_px, down.screen_px),
+                      "-nolisten", "tcp", "-fbdir", options.folder},
+                     options.folder + "/xvfb.log");
+  if (!program) return tl::unexpected(program.error());
+  const auto ready = [&] { return !program->runs() || std::filesystem::exists(socket); };
+  if (!waiter.Until(ready, kXScreenLongest)) return Fail(std::errc::timed_out, "start Xvfb");
+  if (!program->runs()) return Fail(std::errc::not_supported, "start Xvfb (Debian's xvfb)");
+  return XScreen(std::move(*program), std::move(name), options.folder + "/Xvfb_screen0",
+                 {across.before_px, down.before_px, across.window_px, down.window_px});
+}
+
+Result<void> XScreen::Shoot(const std::string& file) const {
+  return WriteDumpAsPng(memory_, window_, file);
+}
+
+}  // namespace kaori::hil

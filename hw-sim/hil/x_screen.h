@@ -1,0 +1,46 @@
+// A screen in memory (Xvfb), for the window of a machine whose pictures are drawn on the bench.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "drivers/base/result.h"
+#include "hw-sim/hil/process.h"
+#include "hw-sim/hil/waiter.h"
+
+namespace kaori::hil {
+
+struct DumpPart {
+  std::size_t x_px = 0, y_px = 0, width_px = 0, height_px = 0;
+};
+
+// A part of an X window dump of 32 bits a point, blue first, as PNG. Errors: io_error (no dump, of another
+// kind, or smaller).
+Result<void> WriteDumpAsPng(const std::string& dump, const DumpPart& part, const std::string& file);
+
+class XScreen {
+ public:
+  struct Options {
+    std::string folder;  // For its picture and its log.
+    int width_px = 960;  // Of the machine's own screen.
+    int height_px = 540;
+  };
+
+  // Errors: not_supported (there is no Xvfb), timed_out.
+  static Result<XScreen> Open(const Options& options, Waiter& waiter);
+
+  const std::string& name() const { return name_; }  // ":7", for DISPLAY.
+
+  // What stands in the machine's window, as PNG. Errors: io_error.
+  Result<void> Shoot(const std::string& file) const;
+
+ private:
+  XScreen(Process program, std::string name, std::string memory, const DumpPart& window)
+      : program_(std::move(program)), name_(std::move(name)), memory_(std::move(memory)), window_(window) {}
+  Process program_;
+  std::string name_;
+  std::string memory_;  // The file that is its memory: an X window dump.
+  DumpPart window_;
+};
+
+}  // namespace kaori::hil

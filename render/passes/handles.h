@@ -1,0 +1,57 @@
+// ExpressionEditor that stick in the face where its control points lie, as in the paper's figure 3.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "render/face/cast.h"
+#include "render/face/composer.h"
+#include "render/gl/mesh.h"
+#include "render/gl/program.h"
+#include "render/gl/texture.h"
+#include "render/scene/scene.h"
+
+namespace kaori::passes {
+
+class HandlesPass {
+ public:
+  // Borrows the cast's control net. Errors: invalid_argument (a shader).
+  static Result<HandlesPass> Open(const face::Cast& cast);
+
+  // Into the canvas's layer, among what stands there: what that hides of them is hidden, but the chosen one
+  // and its partner glimmer through. They grow out of the skin with `shown`. A pull that is no number counts
+  // as none. Allocates nothing.
+  enum class Among : std::uint8_t { kSkin, kWires };
+  void Draw(const scene::ExpressionEditor& needles, const face::Shape& shape, Among among = Among::kSkin);
+
+  // No needle ends farther from the face than this; 0 while none is shown.
+  static float ReachOf(const scene::ExpressionEditor& needles);
+
+ private:
+  // As needles.vert fetches them.
+  struct Texels {
+    glm::vec4 root;   // xyz: in the skin, head's frame; w: length, metres.
+    glm::vec4 axis;   // xyz: unit, out of the face; w: the head's radius, metres.
+    glm::vec4 paint;  // rgb: of the head, as far as w says; the rest is plain.
+  };
+  HandlesPass(gl::Program program, const face::Cast& cast);
+  void Straighten(const face::Shape& shape);
+  Texels Place(const scene::ExpressionEditor& needles, const face::Shape& shape, std::size_t point) const;
+  void DrawThrough(int point) const;
+
+  const face::ControlNet* net_;
+  face::SparseRows beside_;         // For each point, the points about it and how near they are.
+  std::vector<glm::vec3> normals_;  // Of the skin at each point,
+  std::vector<glm::vec3> axes_;     // and what the points about it make of them.
+  gl::Program program_;
+  int first_, opacity_, plain_;
+  std::vector<Texels> needles_;
+  gl::Texture texture_;
+  gl::Buffer corners_;
+  gl::Mesh needle_;
+};
+
+}  // namespace kaori::passes

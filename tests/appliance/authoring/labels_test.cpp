@@ -1,0 +1,107 @@
+// What is written on the controls is what the controls do.
+#include "appliance/authoring/script/labels.h"
+
+#include <fstream>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "appliance/core/performance/hands.h"
+#include "hw-sim/console/labels.h"
+#include "tests/appliance/core/performance_fixture.h"
+
+namespace kaori::authoring {
+namespace {
+
+using performance::State;
+
+constexpr std::uint16_t kKeyQ = 0x14;  // HID usage page 7.
+
+show::Show NamedShow() {
+  show::Show show = performance::SmallShow();
+  for (std::size_t i = 0; i < show.cast.faces.size(); ++i)
+    show.cast.faces[i].name = "face_" + std::to_string(i);
+  for (std::size_t i = 0; i < show.cast.expressions.size(); ++i)
+    show.cast.expressions[i].name = "in_mood_" + std::to_string(i);
+  show.scenes[0].name = "studio";
+  show.scenes[1].name = "kitchen";
+  show.keys = {{kKeyQ, {show::CallKind::kStyle, static_cast<std::uint16_t>(scene::Style::kWire)}}};
+  return show;
+}
+
+// The labels as the simulator's page reads them.
+class AtelierLabels : public ::testing::Test {
+ protected:
+  AtelierLabels() {
+    std::ofstream(path_) << LabelsJson(show_);
+    labels_ = console::LoadLabels(path_).value();
+  }
+  ~AtelierLabels() override { std::remove(path_.c_str()); }
+
+  // The stage's knob after so many turns of its dial.
+  float Turned(std::size_t dial, double turns) const {
+    State state = performance::Opening(show_, {}, Time{});
+    board::Surface surface;
+    surface.counts_per_turn = 256;
+    surface.counts[dial] = static_cast<std::int32_t>(turns * 256);
+    performance::TurnKnobs(state, surface);
+    return state.knobs[dial];
+  }
+
+  std::string path_ = ::testing::TempDir() + "kaori-atelier-labels-" + std::to_string(::getpid());
+  show::Show show_ = NamedShow();
+  console::Labels labels_;
+};
+
+TEST_F(AtelierLabels, TellTheValuesThatThePerformancePlays) {
+  for (std::size_t n = 0; n < labels_.dials.size(); ++n) {
+    const console::DialLabel& dial = labels_.dials[n];
+    EXPECT_NEAR(Turned(n, 0), dial.start, 1e-6) << dial.text;
+    EXPECT_NEAR(Turned(n, -100), dial.low, 1e-6) << dial.text;
+    EXPECT_NEAR(Turned(n, 100), dial.high, 1e-6) << dial.text;
+    const double turns = dial.start < (dial.low + dial.high) / 2 ? 0.125 : -0.125;
+    EXPECT_NEAR(Turned(n, turns), dial.start + turns * dial.per_turn, 1e-6) << dial.text;
+  }
+}
+
+TEST_F(AtelierLabels, TellWhichDialsACallFills) {
+  State state = performance::Opening(show_, {}, Time{});
+  state.knobs.fill(0);
+  board::Surface surface;
+  ++surface.pushes[1];  // A face.
+  performance::PushButtons(state, surface, show_);
+  for (std::size_t n = 0; n < labels_.dials.size(); ++n)
+    EXPECT_EQ(state.knobs[n] == 1, std::ranges::count(labels_.dials[n].filled_by, "face") == 1)
+        << labels_.dials[n].text;
+}
+
+TEST_F(AtelierLabels, NameEveryButtonByWhatItCalls) {
+  EXPECT_EQ(labels_.buttons[2].text, "Face 2");
+  EXPECT_EQ(labels_.buttons[2].group, "face");
+  EXPECT_EQ(labels_.buttons[6].text, "In mood 1");
+  EXPECT_EQ(labels_.buttons[6].group, "expression");
+  EXPECT_EQ(labels_.buttons[21].text, "Wireframe");
+  EXPECT_EQ(labels_.buttons[31].text, "") << "it calls nothing";
+}
+
+TEST_F(AtelierLabels, NameTheKeysThatDoSomething) {
+  const auto text = [this](std::uint8_t usage) -> std::optional<std::string> {
+    const auto it = std::ranges::find(labels_.keys, usage, &console::KeyLabel::usage);
+    return it == labels_.keys.end() ? std::nullopt : std::optional(it->text + " " + it->group);
+  };
+  EXPECT_EQ(text(performance::kSpace), "Blink blink");
+  EXPECT_EQ(text(performance::kKey1), "Nod take");
+  EXPECT_EQ(text(performance::kF1), "Kitchen scene");
+  EXPECT_EQ(text(kKeyQ), "Wireframe style");
+  EXPECT_EQ(labels_.keys.size(), 6U) << "a scene without a key has none";
+}
+
+TEST(Readable, IsWhatPeopleWouldWrite) {
+  EXPECT_EQ(Readable("in_love"), "In love");
+  EXPECT_EQ(Readable("look around"), "Look around");
+  EXPECT_EQ(Readable(""), "");
+}
+
+}  // namespace
+}  // namespace kaori::authoring

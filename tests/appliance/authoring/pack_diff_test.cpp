@@ -1,0 +1,81 @@
+// What changed between two shows: each item that differs is named, with how much; nothing else is.
+#include <gmock/gmock.h>
+
+#include "appliance/authoring/pack/difference.h"
+#include "tests/appliance/core/pack_fixture.h"
+
+namespace kaori::testing {
+namespace {
+
+using authoring::Differences;
+using show::Show;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(PackDiff, OfAShowWithItselfIsNothing) {
+  EXPECT_THAT(Differences(SmallShow(), SmallShow()), IsEmpty());
+}
+
+TEST(PackDiff, SaysHowFarAFaceMovedInMillimetres) {
+  Show after = SmallShow();
+  after.cast.faces[1].positions[0].x += 0.002F;
+  const auto lines = Differences(SmallShow(), after);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_THAT(lines[0], ::testing::HasSubstr("face \"round\": moved by up to 2.00 mm"));
+}
+
+TEST(PackDiff, SaysWhichPointOfAnExpressionChangedMost) {
+  Show after = SmallShow();
+  const auto corner = PointNamed(after.cast, "MC.l");
+  after.cast.expressions[1].displacement[corner].y += 0.0015F;
+  after.cast.expressions[1].lids = {0.25F, 0.5F};
+  EXPECT_THAT(Differences(SmallShow(), after),
+              ElementsAre("expression \"smile\": moves by up to 1.50 mm otherwise (point MC.l)",
+                          "expression \"smile\": lids shut 0.50 and 0.50 are now 0.25 and 0.50"));
+}
+
+TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {
+  Show after = SmallShow();
+  after.cast.faces[3].name = "other";
+  after.motions.clear();
+  EXPECT_THAT(Differences(SmallShow(), after),
+              ElementsAre("face \"long\": is gone", "face \"other\": is new", "take \"nod\": is gone"));
+}
+
+TEST(PackDiff, SaysHowMuchOfATextureChanged) {
+  Show after = SmallShow();
+  after.cast.textures[0].rgba.own()[5] = 0;
+  EXPECT_THAT(Differences(SmallShow(), after),
+              ::testing::Contains("face \"round\": texture changed in 25.0 % of its texels"));
+}
+
+// A face more shifts all numbers; who calls whom by name is still the same.
+TEST(PackDiff, ComparesControlsByTheNamesOfWhatTheyCall) {
+  Show after = SmallShow();
+  after.cast.faces.insert(after.cast.faces.begin() + 1, after.cast.faces[0]);
+  after.cast.faces[1].name = "twin";
+  after.buttons[3].index = 3;
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("face \"twin\": is new"));
+  after.buttons[3].index = 1;
+  EXPECT_THAT(Differences(SmallShow(), after),
+              ElementsAre("face \"twin\": is new", "button 4: face turned is now face twin"));
+}
+
+TEST(PackDiff, SaysWhatAKeyCallsOtherwise) {
+  Show after = SmallShow();
+  after.keys[0].call.index = 0;
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("key 20: style flat is now style wire"));
+  after.keys.clear();
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("key 20: style flat is now nothing"));
+}
+
+TEST(PackDiff, SaysWhatASceneDoesOtherwise) {
+  Show after = SmallShow();
+  after.scenes[0].fade_s = 2;
+  after.scenes[0].style = scene::Style::kWire;
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("scene \"opening\": style soft is now wire",
+                                                           "scene \"opening\": fade 0.80 s is now 2.00 s"));
+}
+
+}  // namespace
+}  // namespace kaori::testing

@@ -1,0 +1,184 @@
+// The script of a show: what is written wrongly is named with its file, item and line, and nothing is
+// guessed.
+#include "appliance/authoring/script/show_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <ostream>
+
+#include "render/image/png.h"
+
+namespace kaori::authoring {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr const char* kScene = R"(
+[[scene]]
+name = "studio"
+key = "f1"
+face = "kaori"
+fade_s = 1
+backdrop = { top = "#ffffff", bottom = "#000000" }
+)";
+
+class ScriptTest : public ::testing::Test {
+ protected:
+  ~ScriptTest() override { std::remove(file_.c_str()); }
+
+  std::vector<std::string> Read(const std::string& text) {
+    std::ofstream(file_) << text;
+    show_ = {};
+    show_.cast.faces.resize(2);
+    show_.cast.faces[1].name = "kaori";
+    show_.cast.expressions.resize(2);
+    show_.cast.expressions[0].name = "neutral";
+    show_.cast.expressions[1].name = "jaw_open";
+    return ReadShowFile(file_, show_);
+  }
+
+  std::string file_ = ::testing::TempDir() + "kaori-script-" + std::to_string(::getpid()) + ".toml";
+  show::Show show_;
+};
+
+TEST_F(ScriptTest, IsReadIntoScenesAndTakes) {
+  const auto faults = Read(std::string(kScene) +
+                           "[[take]]\nname = \"nod\"\nkey = \"2\"\nhead_pitch = [[0, 0], [1, 90], [2, 0]]\n"
+                           "jaw_open = [[0, 0], [1, 0.5], [2, 0]]\n");
+  EXPECT_THAT(faults, IsEmpty());
+  ASSERT_EQ(show_.scenes.size(), 1U);
+  EXPECT_EQ(show_.scenes[0].face, 1);
+  EXPECT_EQ(show_.scenes[0].key_usage, 0x3A);
+  EXPECT_FLOAT_EQ(show_.scenes[0].fade_s, 1);
+  EXPECT_FLOAT_EQ(show_.scenes[0].backdrop.top.x, 1);
+  ASSERT_EQ(show_.motions.size(), 1U);
+  EXPECT_EQ(show_.motions[0].key_usage, 0x1F);
+  ASSERT_EQ(show_.motions[0].curves.size(), 2U);
+  EXPECT_NEAR(show_.motions[0].curves[0].keys[1].value, 1.5708F, 1e-3F) << "degrees become radians";
+  EXPECT_EQ(show_.motions[0].curves[1].channel, 1);
+}
+
+TEST_F(ScriptTest, GivesKeysWhatButtonsMayCall) {
+  EXPECT_THAT(Read(std::string("[keys]\nq = \"style wire\"\nf9 = \"face kaori\"\n") + kScene), IsEmpty());
+  ASSERT_EQ(show_.keys.size(), 2U);
+  const bool face_first = show_.keys[0].call.kind == show::CallKind::kFace;
+  const show::KeyCall& face = show_.keys[face_first ? 0 : 1];
+  const show::KeyCall& style = show_.keys[face_first ? 1 : 0];
+  EXPECT_EQ(style.key_usage, 0x14);
+  EXPECT_EQ(style.call.kind, show::CallKind::kStyle);
+  EXPECT_EQ(style.call.index, static_cast<int>(scene::Style::kWire));
+  EXPECT_EQ(face.key_usage, 0x42);
+  EXPECT_EQ(face.call.index, 1);
+}
+
+TEST_F(ScriptTest, NamesWhatStandsBehindAScene) {
+  const auto faults = Read(
+      "[[scene]]\nface = \"kaori\"\n"
+      "backdrop = { kind = \"curtain\", top = \"#ff0000\", bottom = \"#000000\", glow = \"#ffffff\" }\n");
+  EXPECT_THAT(faults, IsEmpty());
+  const scene::Backdrop& backdrop = show_.scenes.at(0).backdrop;
+  EXPECT_EQ(backdrop.kind, scene::BackdropKind::kCurtain);
+  EXPECT_FLOAT_EQ(backdrop.top.x, 1);
+  EXPECT_FLOAT_EQ(backdrop.glow.z, 1);
+}
+
+TEST_F(ScriptTest, PutsAPictureFromBesideItIntoTheShow) {
+  const std::string name = "kaori-backdrop-" + std::to_string(::getpid()) + ".png";
+  image::Picture picture = image::Picture::Blank(2, 3);
+  picture.rgbx[0] = 200;  // The bottom row's first pixel.
+  ASSERT_TRUE(image::WritePng(::testing::TempDir() + name, picture));
+  const auto faults = Read("[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"" + name + "\" }\n");
+  std::remove((::testing::TempDir() + name).c_str());
+  EXPECT_THAT(faults, IsEmpty());
+  const scene::Backdrop& backdrop = show_.scenes.at(0).backdrop;
+  EXPECT_EQ(backdrop.kind, scene::BackdropKind::kPicture);
+  ASSERT_EQ(backdrop.picture, 0);
+  const face::Texture& texture = show_.cast.textures.at(0);
+  EXPECT_EQ(texture.height_px, 3);
+  EXPECT_EQ(texture.rgba[2 * 2 * 4], 200) << "the top row comes first";
+}
+
+struct Wrong {
+  const char* name;
+  const char* text;  // After the scene.
+  const char* line;
+  friend void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
+};
+const Wrong kWrongs[] = {
+    {"AWordThatIsNone", "expresion = \"neutral\"",
+     "scene \"studio\": line 8: nothing is called \"expresion\" here"},
+    {"ATableThatIsNone", "[[scenes]]", "the show: line 8: nothing is called \"scenes\" here"},
+    {"AnExpressionThatIsNone", "expression = \"smlie\"",
+     "scene \"studio\": there is no expression \"smlie\""},
+    {"ANumberInQuotes", "light = \"1\"", "scene \"studio\": line 8: light wants a number"},
+    {"ATextWithoutQuotes", "style = 3", "scene \"studio\": line 8: style wants a text in quotes"},
+    {"AStyleThatIsNone", "style = \"Wire\"", "there is no style \"Wire\"; styles are wire"},
+    {"AColourThatIsNone",
+     "[[scene]]\nface = \"kaori\"\nbackdrop = { top = \"#12345g\", bottom = \"#000000\" }",
+     "\"#12345g\" is no colour"},
+    {"ABackdropOfNoKind",
+     "[[scene]]\nname = \"b\"\nface = \"kaori\"\nbackdrop = { kind = \"curtian\", top = \"#000000\", bottom "
+     "= "
+     "\"#000000\" }",
+     "scene \"b\": its backdrop: there is no kind \"curtian\"; kinds are gradient, studio, curtain"},
+    {"ABackdropWithAWordThatIsNone",
+     "[[scene]]\nface = \"kaori\"\nbackdrop = { topp = \"#000000\", top = \"#000000\", bottom = \"#000000\" "
+     "}",
+     "its backdrop: line 10: nothing is called \"topp\" here"},
+    {"ABackdropThatIsNoTable", "[[scene]]\nface = \"kaori\"\nbackdrop = 3", "it wants a backdrop, such as"},
+    {"APictureThatIsNotThere", "[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"none.png\" }",
+     "none.png: No such file"},
+    {"AKeyThatIsNone", "[[take]]\nkey = \"f13\"\nlids = [[0, 0], [1, 0]]", "there is no key \"f13\""},
+    {"APairOfThree", "[[take]]\nlids = [[0, 0, 0], [1, 0]]", "line 9: a pair [second, value] is expected"},
+    {"ACurveThatIsANumber", "[[take]]\nlids = 3", "line 9: lids wants a list of pairs"},
+    {"ACurveOfNothing", "[[take]]\nears = [[0, 0], [1, 0]]", "there is no target or channel \"ears\""},
+    {"ATakeOfNothing", "[[take]]\nname = \"nod\"", "take \"nod\": it moves nothing"},
+    {"ChannelsOfNoRole", "[channels]\nbrow = \"jaw_open\"",
+     "channels: line 9: nothing is called \"brow\" here"},
+    {"ACallOnAKeyThatIsNone", "[keys]\nf13 = \"style wire\"", "key f13: there is no key \"f13\""},
+    {"AKeyThatCallsNothingThatIs", "[keys]\nq = \"light on\"",
+     "key q: \"light\" is none of face, expression, style, scene"},
+    {"ACallWithoutQuotes", "[keys]\nq = 7", "key q: line 9: a text in quotes is expected"},
+    {"KeysThatAreNoTable", "[[keys]]\nq = \"style wire\"", "keys: line 8: a table is expected"},
+    {"AKeyThatIsGivenTwice", "[keys]\nf1 = \"style wire\"", "key f1: the key \"f1\" is given twice"},
+    {"ASceneOfANameThatIsTaken",
+     "[[scene]]\nname = \"studio\"\nface = \"kaori\"\nbackdrop = { top = \"#000000\", bottom = \"#000000\" }",
+     "scene \"studio\": the name \"studio\" is given twice"},
+    {"ATypingError", "light = = 1", ":8:"},
+};
+
+class AWrongScript : public ScriptTest, public ::testing::WithParamInterface<Wrong> {};
+
+TEST_P(AWrongScript, IsNamed) {
+  EXPECT_THAT(Read(std::string(kScene) + GetParam().text + "\n"),
+              Contains(::testing::AllOf(HasSubstr(file_), HasSubstr(GetParam().line))));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, AWrongScript, ::testing::ValuesIn(kWrongs),
+                         [](const auto& wrong) { return std::string(wrong.param.name); });
+
+TEST_F(ScriptTest, WithoutAnySceneIsNamed) {
+  EXPECT_THAT(Read("name = \"empty\"\n"), Contains(HasSubstr("scenes: there is none")));
+}
+
+TEST_F(ScriptTest, WithButtonsThatAreNoRowsOfTextsIsNamed) {
+  EXPECT_THAT(Read(std::string("buttons = 3\n") + kScene),
+              Contains(HasSubstr("buttons: line 1: a list is expected")));
+  EXPECT_THAT(Read(std::string("buttons = [\"face kaori\"]\n") + kScene),
+              Contains(HasSubstr("buttons: line 1: a row [...] is expected")));
+  EXPECT_THAT(Read(std::string("buttons = [[\"\", 7]]\n") + kScene),
+              Contains(HasSubstr("button 2: line 1: a text in quotes is expected")));
+}
+
+TEST_F(ScriptTest, WithAnotherNumberOfButtonsThanTheBoxIsNamed) {
+  EXPECT_THAT(Read(std::string("buttons = [[\"face kaori\", \"\"]]\n") + kScene),
+              Contains(HasSubstr("buttons: 2 are given; the box has 32")));
+}
+
+}  // namespace
+}  // namespace kaori::authoring

@@ -1,0 +1,61 @@
+// A folder of its own for a test's packs, and a small show to put into one.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "appliance/core/show/pack.h"
+#include "tests/render/synthetic_cast.h"
+
+namespace kaori::testing {
+
+inline show::Show SmallShow() {
+  show::Show show;
+  show.name = "small";
+  show.cast = MakeSyntheticCast({.columns = 16, .rows = 12});
+  show.cast.textures = {{2, 2, std::vector<std::uint8_t>(16, 200)}};
+  show.buttons[3] = {show::CallKind::kFace, 2};
+  show.keys = {{0x14, {show::CallKind::kStyle, 1}}};
+  show.scenes.resize(1);
+  show.scenes[0].name = "opening";
+  show.scenes[0].backdrop = {{0.1F, 0.2F, 0.3F}, {}, scene::BackdropKind::kPicture, {0.5F, 0.4F, 0.3F}, 0};
+  show.cast.faces[2].surface.print = 0.75F;
+  show.motions = {{"nod", 0x1E, {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
+  show.motions[0].sound = {2, {1, -1, 32767, -32768}};
+  show.channels.brow_frown = 4;
+  return show;
+}
+
+class PackTest : public ::testing::Test {
+ protected:
+  PackTest() {
+    std::string name = (std::filesystem::temp_directory_path() / "kaori-pack-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~PackTest() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path Write(const std::vector<std::uint8_t>& bytes) const {
+    const std::filesystem::path file = folder_ / "show.kaori";
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    return file;
+  }
+
+  // The name of the show that a pack holds; what is wrong with it, if it cannot be loaded.
+  static std::string NameIn(const std::filesystem::path& file) {
+    const auto show = show::LoadPack(file);
+    return show ? show->name : show.error().message();
+  }
+
+  // How many files the folder holds.
+  std::ptrdiff_t Files() const { return std::distance(std::filesystem::directory_iterator(folder_), {}); }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace kaori::testing

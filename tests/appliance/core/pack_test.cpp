@@ -1,0 +1,204 @@
+// Show packs: what goes in comes out, and what is not a sound show is refused with one line.
+#include "appliance/core/show/pack.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <ostream>
+
+#include "appliance/core/show/check.h"
+#include "tests/appliance/core/pack_fixture.h"
+
+namespace kaori::testing {
+namespace {
+
+using show::EncodePack;
+using show::LoadPack;
+using show::SavePack;
+using show::Show;
+using ::testing::HasSubstr;
+
+TEST_F(PackTest, AShowComesOutAsItWentIn) {
+  const Show show = SmallShow();
+  ASSERT_THAT(CheckShow(show), ::testing::IsEmpty());
+  const auto file = folder_ / "small.kaori";
+  ASSERT_TRUE(SavePack(show, file));
+  const auto loaded = LoadPack(file);
+  ASSERT_TRUE(loaded) << loaded.error().message();
+  EXPECT_EQ(loaded->name, "small");
+  EXPECT_EQ(loaded->cast.faces[2].positions, show.cast.faces[2].positions);
+  EXPECT_EQ(loaded->cast.net.to_cage.weight, show.cast.net.to_cage.weight);
+  EXPECT_EQ(loaded->cast.expressions[1].displacement, show.cast.expressions[1].displacement);
+  EXPECT_EQ(loaded->cast.topology.lids[1].upper, show.cast.topology.lids[1].upper);
+  EXPECT_EQ(loaded->buttons[3].index, 2);
+  ASSERT_EQ(loaded->keys.size(), 1U);
+  EXPECT_EQ(loaded->keys[0].key_usage, 0x14);
+  EXPECT_EQ(loaded->keys[0].call.kind, show::CallKind::kStyle);
+  EXPECT_EQ(loaded->motions[0].curves[0].keys[1].value, 0.3F);
+  EXPECT_EQ(loaded->motions[0].sound.channels, 2);
+  EXPECT_EQ(loaded->motions[0].sound.samples, show.motions[0].sound.samples);
+  EXPECT_EQ(loaded->scenes[0].backdrop.top, show.scenes[0].backdrop.top);
+  EXPECT_EQ(loaded->scenes[0].backdrop, show.scenes[0].backdrop);
+  EXPECT_EQ(loaded->cast.faces[2].surface.print, 0.75F);
+  EXPECT_EQ(loaded->channels.brow_frown, 4);
+  EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
+}
+
+TEST_F(PackTest, ItsSoundsAloneAreThoseOfTheWholeShow) {
+  const auto file = Write(EncodePack(SmallShow()));
+  for (const bool verified : {false, true}) {
+    const auto sounds = show::LoadSounds(file, {.signed_by = {}, .on_verified_root = verified});
+    ASSERT_TRUE(sounds) << sounds.error().message();
+    ASSERT_EQ(sounds->size(), SmallShow().motions.size());
+    EXPECT_EQ(sounds->at(0).channels, 2);
+    EXPECT_EQ(sounds->at(0).samples, SmallShow().motions[0].sound.samples);
+  }
+}
+
+TEST_F(PackTest, SoundsThatAreNoneAreRefused) {
+  for (const show::Sound& wrong :
+       {show::Sound{3, {1, 2, 3}}, show::Sound{2, {1, 2, 3}}, show::Sound{0, {1}}}) {
+    Show show = SmallShow();
+    show.motions[0].sound = wrong;
+    EXPECT_THAT(show::LoadSounds(Write(EncodePack(show))).error().attempt, HasSubstr("whole frames"));
+  }
+  auto damaged = EncodePack(SmallShow());
+  damaged[damaged.size() / 2] ^= 0x10;
+  EXPECT_THAT(show::LoadSounds(Write(damaged)).error().attempt, HasSubstr("its checksum does not fit"));
+  EXPECT_FALSE(show::LoadSounds(folder_ / "nowhere"));
+}
+
+TEST_F(PackTest, AMissingAnEmptyAndAForeignFileAreNamed) {
+  EXPECT_THAT(LoadPack(folder_ / "nowhere").error().message(), HasSubstr("nowhere: No such file"));
+  EXPECT_THAT(LoadPack(folder_).error().message(), HasSubstr("Is a directory"));
+  EXPECT_THAT(LoadPack("/dev/zero").error().message(), HasSubstr("/dev/zero is no file"));
+  EXPECT_THAT(LoadPack(Write({})).error().attempt, HasSubstr("is empty"));
+  EXPECT_THAT(LoadPack(Write(std::vector<std::uint8_t>(4096, 'x'))).error().attempt,
+              HasSubstr("show.kaori is no show pack"));
+}
+
+TEST_F(PackTest, AFaceThatIsNoFaceIsRefusedByName) {
+  Show show = SmallShow();
+  show.cast.faces[1].positions[7].y = std::numeric_limits<float>::quiet_NaN();
+  const auto loaded = LoadPack(Write(EncodePack(show)));
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().attempt, HasSubstr(show.cast.faces[1].name));
+}
+
+TEST(CheckShow, NamesEveryControlThatCallsNothing) {
+  Show show = SmallShow();
+  show.buttons[0] = {show::CallKind::kExpression, 99};
+  show.keys[0].call.index = 77;
+  show.scenes[0].face = 42;
+  show.motions[0].curves[0].keys.back().value = 1;
+  EXPECT_THAT(show::CheckShow(show),
+              ::testing::UnorderedElementsAre(HasSubstr("button 1"), HasSubstr("key 20"),
+                                              HasSubstr("scene \"opening\""), HasSubstr("take \"nod\"")));
+}
+
+struct ShowFault {
+  const char* name;
+  void (*spoil)(Show&);
+  const char* line;
+  friend void PrintTo(const ShowFault& fault, std::ostream* out) { *out << fault.name; }
+};
+
+void SetKeys(Show& show, std::vector<show::MotionKey> keys) {
+  show.motions[0].curves[0].keys = std::move(keys);
+}
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const ShowFault kShowFaults[] = {
+    {"ButtonOfNoKnownKind",
+     [](Show& s) {
+       s.buttons[7] = {show::CallKind{5}, 0};
+     },
+     "button 8: calls number 0 of 0"},
+    {"ButtonForAStyleThatIsNone",
+     [](Show& s) {
+       s.buttons[0] = {show::CallKind::kStyle, 5};
+     },
+     "button 1"},
+    {"ButtonForASceneThatIsNone",
+     [](Show& s) {
+       s.buttons[0] = {show::CallKind::kScene, 1};
+     },
+     "button 1"},
+    {"SceneInAStyleThatIsNone", [](Show& s) { s.scenes[0].style = scene::Style{9}; }, "there is no style 9"},
+    {"SceneThatNeverArrives", [](Show& s) { s.scenes[0].fade_s = 1e30F; }, "scene \"opening\": its fade is"},
+    {"SceneThatGoesBack", [](Show& s) { s.scenes[0].fade_s = -1; }, "scene \"opening\": its fade is -1 s"},
+    {"SceneThatBlinds", [](Show& s) { s.scenes[0].exposure = 1e9F; }, "scene \"opening\": its light is"},
+    {"SceneBeforeNoKindOfBackdrop",
+     [](Show& s) { s.scenes[0].backdrop.kind = static_cast<scene::BackdropKind>(77); },
+     "there is no kind of backdrop 77"},
+    {"SceneBeforeNoPicture",
+     [](Show& s) {
+       s.scenes[0].backdrop.kind = scene::BackdropKind::kPicture;
+       s.scenes[0].backdrop.picture = 9;
+     },
+     "there is no picture 9"},
+    {"FacePrintedTwice", [](Show& s) { s.cast.faces[1].surface.print = 2; },
+     "its print is not within 0 to 1"},
+    {"SceneBeforeNothing", [](Show& s) { s.scenes[0].backdrop.top.y = kNan; }, "its backdrop holds a colour"},
+    {"SceneOnAKeyThatIsNone", [](Show& s) { s.scenes[0].key_usage = 999; },
+     "scene \"opening\": there is no key 999"},
+    {"TakeThatStartsInTheMiddle",
+     [](Show& s) {
+       SetKeys(s, {{-1, 0}, {1, 0.3F}, {2, 0}});
+     },
+     "a curve leaves 0 to"},
+    {"TakeThatJumps",
+     [](Show& s) {
+       SetKeys(s, {{0, 0}, {1, 0}, {1, 0.3F}, {2, 0}});
+     },
+     "the times of a curve must rise"},
+    {"TakeThatTurnsTheHeadOff",
+     [](Show& s) {
+       SetKeys(s, {{0, 0}, {1, 400}, {2, 0}});
+     },
+     "or -4 to 4"},
+    {"TakeOfNoNumber",
+     [](Show& s) {
+       SetKeys(s, {{0, 0}, {kNan, 0.3F}, {2, 0}});
+     },
+     "take \"nod\""},
+    {"TakeOfAChannelThatIsNone",
+     [](Show& s) {
+       s.motions[0].curves[0] = {show::MotionTarget::kChannel, 99, {{0, 0}, {1, 0}}};
+     },
+     "a curve moves nothing that exists"},
+    {"SoundThatEndsWithinAFrame",
+     [](Show& s) {
+       s.motions[0].sound = {2, {1, 2, 3}};
+     },
+     "take \"nod\": its sound ends within a frame"},
+    {"SoundOfManyChannels",
+     [](Show& s) {
+       s.motions[0].sound = {6, {}};
+     },
+     "a sound of 6 channels"},
+    {"SoundThatNeverEnds",
+     [](Show& s) {
+       s.motions[0].sound = {1, std::vector<std::int16_t>(601 * 48000)};
+     },
+     "its sound is longer than 600 s"},
+    {"RoleOfAnExpressionThatIsNone", [](Show& s) { s.channels.mouth[2] = 99; },
+     "channel mouth: there is no expression"},
+    {"NoTexture", [](Show& s) { s.cast.textures.clear(); }, "textures: there is none"},
+    {"MoreItemsThanIndices", [](Show& s) { s.scenes.resize(5000, s.scenes[0]); },
+     "scenes: 5000, and 4096 at most"},
+};
+
+class AFaultOfAShow : public ::testing::TestWithParam<ShowFault> {};
+
+TEST_P(AFaultOfAShow, IsFoundAndNamed) {
+  Show show = SmallShow();
+  GetParam().spoil(show);
+  EXPECT_THAT(show::CheckShow(show), ::testing::Contains(HasSubstr(GetParam().line)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, AFaultOfAShow, ::testing::ValuesIn(kShowFaults),
+                         [](const auto& fault) { return std::string(fault.param.name); });
+
+}  // namespace
+}  // namespace kaori::testing

@@ -1,0 +1,157 @@
+// What the box is for: a settings file that people write, and that may be wrong.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "appliance/programs/boot/profile.h"
+#include "appliance/programs/boot/root_hash.h"
+
+namespace kaori::boot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(Profile, IsTheOneThatTheFileNames) {
+  EXPECT_EQ(ReadProfile("profile = \"kiosk\"").name, "kiosk");
+  EXPECT_EQ(ReadProfile("# tonight\n\n  profile=\"bench\"  # of the workshop\r\n").name, "bench");
+  EXPECT_EQ(ReadProfile("profile = \"stage\"\n[desk]\nport = 1\n").name, "stage");
+  EXPECT_THAT(ReadProfile("profile = \"stage\"\n[desk]\nport = 1\n").fault, IsEmpty());
+}
+
+TEST(Profile, WithoutAWordIsTheStage) {
+  EXPECT_EQ(ReadProfile("").name, "stage");
+  EXPECT_THAT(ReadProfile("").fault, IsEmpty());
+}
+
+TEST(Profile, AFaultIsNamedWithItsLine) {
+  EXPECT_EQ(ReadProfile("\nprofile = \"disco\"").fault,
+            "line 2: there is no profile \"disco\": stage, kiosk or bench");
+  EXPECT_EQ(ReadProfile("profile = kiosk").fault, "line 1: expected a value in quotes");
+  EXPECT_EQ(ReadProfile("profil = \"kiosk\"").fault, "line 1: there is no setting profil");
+  EXPECT_EQ(ReadProfile("kiosk").fault, "line 1: expected a name, = and a value");
+  EXPECT_EQ(ReadProfile("profile = \"").fault, "line 1: expected a value in quotes");
+  EXPECT_EQ(ReadProfile("profile = \"kiosk\"\nx").name, "stage") << "half a file is not believed";
+}
+
+TEST(Profile, TheLinesAreWiredAsTheirSectionSays) {
+  const auto usual = ReadProfile("profile = \"kiosk\"").wiring;
+  EXPECT_EQ(EnvironmentOf(usual),
+            "KAORI_CHIP=cp2112_gpio\nKAORI_LINES=go=0,blackout=1,service=2,presence=3,tally=4\n");
+  const auto read = ReadProfile(
+      "[desk]\nport = x\n[lines] # ours\nchip = \"mcp2221_gpio\"\ngo = 1\nblackout = 0\ntally = "
+      "\"none\"\n[x]\ny\n");
+  EXPECT_THAT(read.fault, IsEmpty());
+  EXPECT_EQ(EnvironmentOf(read.wiring),
+            "KAORI_CHIP=mcp2221_gpio\nKAORI_LINES=go=1,blackout=0,service=2,presence=3\n");
+}
+
+TEST(Profile, ABoxWithoutLinesLooksForNoChip) {
+  std::string none = "[lines]\n";
+  for (const auto name : kLineNames) none += std::string(name) + " = \"none\"\n";
+  EXPECT_EQ(EnvironmentOf(ReadProfile(none).wiring), "KAORI_CHIP=\nKAORI_LINES=\n");
+}
+
+TEST(Profile, AFaultInTheLinesIsNamedWithItsLine) {
+  EXPECT_EQ(ReadProfile("[lines]\nstop = 1").fault, "line 2: there is no line stop");
+  for (const char* wrong : {"x", "-1", "64", "1.5", "\"1\"", ""})
+    EXPECT_EQ(ReadProfile(std::string("[lines]\ngo = ") + wrong).fault,
+              "line 2: expected a number of 0 to 63, or \"none\"")
+        << wrong;
+  for (const char* wrong : {"cp2112_gpio", "\"\"", "\"a b\"", "\"a\nKAORI_LINES=\""})
+    EXPECT_EQ(ReadProfile(std::string("[lines]\nchip = ") + wrong).fault,
+              "line 2: expected a chip's label in quotes")
+        << wrong;
+  const Profile twice = ReadProfile("profile = \"kiosk\"\n[lines]\ngo = 1\n\n[other]\n");
+  EXPECT_EQ(twice.fault, "line 3: go and blackout are one line");
+  EXPECT_EQ(twice.wiring, Wiring());
+  EXPECT_EQ(twice.name, "stage");
+}
+
+TEST(Profile, NamesTheScreenThatSaysHowTheBoxDoes) {
+  EXPECT_THAT(ReadProfile("profile = \"stage\"\n").status_screen, IsEmpty());
+  EXPECT_EQ(ReadProfile("status_screen = \"HDMI-A-2\"").status_screen, "HDMI-A-2");
+  EXPECT_EQ(ReadProfile("status_screen = 2  # the small one").status_screen, "2");
+  EXPECT_THAT(ReadProfile("status_screen = \"\"").status_screen, IsEmpty()) << "none, in so many words";
+  for (const char* wrong : {"HDMI-A-2", "0", "-1", "200", "\"a b\"", "\"../x\"", ""})
+    EXPECT_THAT(ReadProfile(std::string("status_screen = ") + wrong).fault,
+                HasSubstr("line 1: expected a screen's name"))
+        << wrong;
+}
+
+TEST(RootHash, IsTheOneOfTheVerityTable) {
+  const std::string hash(64, 'a');
+  const std::string table =
+      "dm-mod.create=\"root,,,ro,0 8 verity 1 PARTUUID=1 PARTUUID=2 4096 4096 1 1 sha256 ";
+  EXPECT_EQ(RootHashOf("quiet " + table + hash + " 00\" ro"), hash);
+  EXPECT_THAT(RootHashOf(""), IsEmpty());
+  EXPECT_THAT(RootHashOf("root=/dev/vda sha256 " + hash), IsEmpty());
+  EXPECT_THAT(RootHashOf(table + hash.substr(1)), IsEmpty());
+  EXPECT_THAT(RootHashOf(table + "X" + hash.substr(1)), IsEmpty());
+}
+
+class SettingsFolder : public ::testing::Test {
+ protected:
+  SettingsFolder()
+      : folder_(fs::path(::testing::TempDir()) / ("settings-folder-" + std::to_string(::getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~SettingsFolder() override { fs::remove_all(folder_); }
+
+  void Write(const std::string& text) const { std::ofstream(folder_ / "box.toml") << text; }
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(SettingsFolder, WithoutAFileTheStageIsMeant) {
+  EXPECT_EQ(ChooseProfile(folder()).name, "stage");
+  EXPECT_EQ(ChooseProfile(folder() / "nowhere").name, "stage");
+  EXPECT_TRUE(fs::is_empty(folder()));
+}
+
+TEST_F(SettingsFolder, AFaultyFileLeavesTheLastGoodOneInForce) {
+  Write("profile = \"kiosk\"\n");
+  EXPECT_EQ(ChooseProfile(folder()).name, "kiosk");
+  Write("profile = \"kioks\"\n");
+  for (int start = 0; start < 3; ++start) {
+    const Profile chosen = ChooseProfile(folder());
+    EXPECT_EQ(chosen.name, "kiosk");
+    EXPECT_THAT(chosen.fault, HasSubstr("box.toml, line 1: there is no profile \"kioks\""));
+  }
+  Write("profile = \"bench\"\n");
+  EXPECT_EQ(ChooseProfile(folder()).name, "bench");
+  EXPECT_THAT(ChooseProfile(folder()).fault, IsEmpty());
+}
+
+TEST_F(SettingsFolder, AFaultInTheLinesLeavesTheLastGoodOnesInForce) {
+  Write("[lines]\ngo = 7\n");
+  ASSERT_THAT(ChooseProfile(folder()).fault, IsEmpty());
+  Write("profile = \"kiosk\"\n[lines]\ngo = 77\n");
+  EXPECT_EQ(ChooseProfile(folder()).wiring.lines[0], 7);
+  EXPECT_EQ(ChooseProfile(folder()).name, "stage");
+  EXPECT_THAT(ChooseProfile(folder()).fault, HasSubstr("line 3: expected a number"));
+}
+
+TEST_F(SettingsFolder, AFaultyFileAtTheFirstStartMeansTheStage) {
+  Write(std::string(100, '\0'));
+  EXPECT_EQ(ChooseProfile(folder()).name, "stage");
+  EXPECT_THAT(ChooseProfile(folder()).fault, HasSubstr("the profile is stage"));
+}
+
+TEST_F(SettingsFolder, ADraftThatWasCutShortIsNotLookedAt) {
+  Write("profile = \"kiosk\"\n");
+  ChooseProfile(folder());
+  std::ofstream(folder() / "box.last-good.toml.draft") << "profile = \"ben";
+  Write("nonsense");
+  EXPECT_EQ(ChooseProfile(folder()).name, "kiosk");
+}
+
+}  // namespace
+}  // namespace kaori::boot

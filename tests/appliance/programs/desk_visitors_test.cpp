@@ -1,0 +1,269 @@
+// The desk and its visitors at the wire: who is let in, who is not, and who is cut off.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "appliance/programs/desk/certificate.h"
+#include "appliance/programs/desk/desk.h"
+#include "tests/appliance/programs/desk_house.h"
+#include "tests/appliance/programs/desk_visitor.h"
+
+namespace kaori::testing {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// A plain desk on this machine before lips in service. Its clock stands still unless it is turned.
+class DeskVisitors : public ::testing::Test {
+ protected:
+  DeskVisitors() : loop_(EventLoop::Open().value()) {
+    house_.hand.scene.person.paint = {0.05F, 0.62F, 0.2F};
+    house_.StartLips();
+    desk_ =
+        desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine}, house_.board, loop_, house_.clock)
+            .value();
+    house_.each_step = [this] { desk_->Step(); };
+    house_.Play(100ms);
+    const std::string address = desk_->address();
+    port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+  }
+
+  std::function<void()> Pump() {
+    return [this] { desk_->Step(); };
+  }
+  Visitor Come() { return Visitor(port_, Pump()); }
+
+  std::string Ask(const Asked& asked) {
+    Visitor visitor = Come();
+    visitor.Send(RequestOf(asked, port_));
+    return visitor.Receive(IsWhole);
+  }
+  int Status(const Asked& asked) { return StatusOf(Ask(asked)); }
+
+  int Try(std::uint32_t code) {
+    return Status({.method = "POST", .path = "/pair", .body = fmt::format("{:06}", code)});
+  }
+  std::uint32_t WrongCode() const { return (desk_->pairing().code() + 1) % 1'000'000; }
+
+  // The cookie of a new session.
+  std::string Pair() {
+    const std::string reply =
+        Ask({.method = "POST", .path = "/pair", .body = fmt::format("{:06}", desk_->pairing().code())});
+    EXPECT_EQ(StatusOf(reply), 204);
+    const auto at = reply.find("kaori-desk=");
+    return reply.substr(at, reply.find(';', at) - at);
+  }
+
+  LipHouse house_;
+  EventLoop loop_;
+  std::unique_ptr<desk::Desk> desk_;
+  std::uint16_t port_ = 0;
+};
+
+TEST_F(DeskVisitors, GetThePageAndNothingElseWithoutACode) {
+  EXPECT_EQ(Status({}), 200);
+  EXPECT_EQ(Status({.path = "/main.js"}), 200);
+  EXPECT_THAT(Ask({.path = "/hello"}), HasSubstr("\"paired\":false"));
+  for (const char* path :
+       {"/state", "/events", "/picture", "/picture/both", "/status.png", "/nothing", "/../etc/passwd"})
+    EXPECT_EQ(Status({.path = path}), 401) << path;
+  EXPECT_EQ(Status({.method = "POST", .path = "/do", .body = "defaults"}), 401);
+  EXPECT_EQ(Status({.path = "/state", .cookie = "kaori-desk=" + std::string(64, '0')}), 401);
+  EXPECT_EQ(Status({.path = "/state", .cookie = "kaori-desk="}), 401);
+}
+
+TEST_F(DeskVisitors, AreLetInByTheCodeOnTheBoard) {
+  const board::Stamped<board::Desk> shown = house_.board.Read<board::Desk>();
+  EXPECT_EQ(shown.source, board::SourceState::kLive);
+  EXPECT_EQ(shown.value.code, desk_->pairing().code());
+  EXPECT_EQ(shown.value.port, port_);
+  EXPECT_GT(shown.value.valid_s, 200);
+  const std::string cookie = Pair();
+  EXPECT_THAT(Ask({.path = "/state", .cookie = "other=1; " + cookie}), HasSubstr("\"lips\":true"));
+  house_.Play(100ms);
+  EXPECT_EQ(house_.board.Read<board::Desk>().source, board::SourceState::kAbsent) << "no code on the screen";
+  EXPECT_EQ(Status({.method = "POST", .path = "/leave", .cookie = cookie}), 204);
+  EXPECT_EQ(Status({.path = "/state", .cookie = cookie}), 401);
+}
+
+TEST_F(DeskVisitors, SeeTheStatusOfTheBoxOncePaired) {
+  const std::string reply = Ask({.path = "/status.png", .cookie = Pair()});
+  EXPECT_EQ(StatusOf(reply), 200);
+  EXPECT_THAT(reply, HasSubstr("image/png"));
+  EXPECT_THAT(reply, HasSubstr("\x89PNG"));
+}
+
+TEST_F(DeskVisitors, MayTryFiveTimesAMinute) {
+  for (int n = 0; n < 5; ++n) EXPECT_EQ(Try(WrongCode()), 403);
+  EXPECT_EQ(Try(desk_->pairing().code()), 429) << "not even the right one";
+  house_.Play(61s);
+  EXPECT_EQ(Try(desk_->pairing().code()), 204);
+}
+
+TEST_F(DeskVisitors, FindTheCodeUsedUpAndRenewed) {
+  const std::uint32_t first = desk_->pairing().code();
+  Pair();
+  EXPECT_EQ(Try(first), 403);
+  const std::uint32_t second = desk_->pairing().code();
+  house_.reader.reset();  // Five minutes of pictures are not needed.
+  house_.lips.reset();
+  house_.Play(301s);
+  EXPECT_NE(desk_->pairing().code(), second);
+}
+
+TEST_F(DeskVisitors, OfOtherSitesAreRefused) {
+  const std::string cookie = Pair();
+  for (const char* host : {"example.org", "127.0.0.1.example.org", "evil:8443", "127.0.0.1:80@x", "[::1"})
+    EXPECT_EQ(Status({.host = host}), 403) << host;
+  EXPECT_EQ(Status({.host = fmt::format("localhost:{}", port_)}), 200);
+  Asked post{.method = "POST", .path = "/do", .body = "defaults", .cookie = cookie};
+  for (const char* origin :
+       {"http://example.org", "null", "none", "http://127.0.0.1:1", "https://127.0.0.1"}) {
+    post.origin = origin;
+    EXPECT_EQ(Status(post), 403) << origin;
+  }
+  EXPECT_EQ(Status({.path = "/state", .cookie = cookie, .more = "Sec-Fetch-Site: cross-site\r\n"}), 403);
+  post.origin = {};
+  EXPECT_EQ(Status(post), 200);
+}
+
+TEST_F(DeskVisitors, AreRefusedWhatIsTooLongOrMeaningless) {
+  const std::string cookie = Pair();
+  Asked post{.method = "POST", .path = "/do", .body = std::string(5000, 'x'), .cookie = cookie};
+  EXPECT_EQ(Status(post), 413);
+  for (const char* body : {"", "kettle", "sample 0.5", "sample nan 1", "sample 0.5 0.5 0.5", "set key.spill",
+                           "begin", "look", "return 0", "set key.spill 1e99 0"}) {
+    post.body = body;
+    EXPECT_EQ(Status(post), 400) << body;
+  }
+  Visitor huge = Come();
+  huge.Send("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nX: " + std::string(200'000, 'y'));
+  const std::string answer = huge.Receive(IsWhole);
+  EXPECT_TRUE(answer.empty() || StatusOf(answer) >= 400) << answer;
+  EXPECT_EQ(Status({.method = "DELETE",
+                    .path = "/state",
+                    .cookie = cookie,
+                    .origin = fmt::format("http://127.0.0.1:{}", port_)}),
+            405);
+}
+
+TEST_F(DeskVisitors, WhoSendDropByDropAreCutOffAfterTenSeconds) {
+  Visitor slow = Come();
+  const std::string request = RequestOf({}, port_);
+  for (int second = 0; second < 9; ++second) {
+    ASSERT_TRUE(slow.Send(request.substr(static_cast<std::size_t>(second), 1)));
+    house_.Play(1s);
+  }
+  EXPECT_EQ(desk_->connections(), 1U);
+  slow.Send(request.substr(9, 1));
+  house_.Play(2s);
+  EXPECT_TRUE(slow.IsCutOff());
+  EXPECT_EQ(desk_->connections(), 0U);
+}
+
+TEST_F(DeskVisitors, WhoSendABodyDropByDropAreCutOffToo) {
+  Visitor slow = Come();
+  slow.Send(fmt::format(
+      "POST /pair HTTP/1.1\r\nHost: 127.0.0.1\r\nOrigin: http://127.0.0.1\r\nContent-Length: 6\r\n\r\n"));
+  for (int second = 0; second < 5; ++second) {
+    slow.Send("1");
+    house_.Play(2200ms);
+  }
+  EXPECT_TRUE(slow.IsCutOff());
+}
+
+TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreCutOff) {
+  desk_.reset();
+  const auto own = desk::KeptCertificate(house_.folder(), {{"localhost"}, 0x7F000001, 1'795'000'000}).value();
+  desk_ = desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine, .certificate = own.pem},
+                           house_.board, loop_, house_.clock)
+              .value();
+  const std::string address = desk_->address();
+  EXPECT_TRUE(address.starts_with("https://"));
+  port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+  Visitor plain = Come();
+  plain.Send(RequestOf({}, port_));
+  EXPECT_TRUE(plain.IsCutOff());
+  Visitor garbage = Come();
+  garbage.Send("\x16\x03\x01\xff\xff" + std::string(70'000, '\x01'));
+  EXPECT_TRUE(garbage.IsCutOff());
+  Visitor silent = Come();
+  silent.Send("\x16\x03\x01");
+  house_.Play(9s);
+  EXPECT_EQ(desk_->connections(), 1U);
+  house_.Play(2s);
+  EXPECT_TRUE(silent.IsCutOff()) << "in the middle of the handshake";
+  EXPECT_EQ(desk_->connections(), 0U);
+}
+
+TEST_F(DeskVisitors, GetNoSecureDeskOfACertificateThatIsNone) {
+  desk_.reset();
+  const auto opened = desk::Desk::Open(
+      {.port = 0, .reach = web::Reach::kThisMachine, .certificate = web::Certificate{"a", "b"}}, house_.board,
+      loop_, house_.clock);
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message(), HasSubstr("certificate"));
+  house_.each_step = nullptr;
+}
+
+TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
+  std::vector<std::unique_ptr<Visitor>> crowd;
+  for (int n = 0; n < 100; ++n) {
+    crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
+    desk_->Step();
+  }
+  EXPECT_LE(desk_->connections(), 24U);
+  house_.Play(11s);
+  crowd.clear();
+  EXPECT_EQ(Status({}), 200) << "once the crowd is gone";
+}
+
+TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneForNobody) {
+  house_.Play(3s);
+  {
+    Visitor stranger = Come();
+    stranger.Send(RequestOf({.path = "/picture"}, port_));
+    EXPECT_EQ(StatusOf(stranger.Receive(IsWhole)), 401);
+    house_.Play(1s);
+  }
+  const auto pictures = [this](const std::string& cookie) {
+    const std::string state = Ask({.path = "/state", .cookie = cookie});
+    return std::stoi(state.substr(state.find("\"picture\":") + 10));
+  };
+  const std::string cookie = Pair();
+  EXPECT_EQ(pictures(cookie), 0) << "nobody looks";
+  Visitor paired = Come();
+  paired.Send(RequestOf({.path = "/picture", .cookie = cookie}, port_));
+  std::string stream;
+  for (int n = 0; n < 20 && stream.find("image/jpeg") == std::string::npos; ++n) {
+    house_.Play(50ms);
+    stream += paired.Receive([](const std::string& got) { return !got.empty(); });
+  }
+  EXPECT_THAT(stream, HasSubstr("image/jpeg"));
+  EXPECT_GT(pictures(cookie), 0);
+  EXPECT_EQ(Status({.method = "POST", .path = "/leave", .cookie = cookie}), 204);
+  house_.Play(100ms);
+  const auto ended = [](const std::string& got) { return ("\r\n" + got).ends_with("\r\n0\r\n\r\n"); };
+  EXPECT_TRUE(ended(paired.Receive(ended))) << "who left sees no more";
+}
+
+TEST_F(DeskVisitors, ReadWhetherTheLipsAreGone) {
+  const std::string cookie = Pair();
+  EXPECT_EQ(Status({.method = "POST", .path = "/do", .body = "undo", .cookie = cookie}), 200);
+  house_.lips.reset();
+  house_.Play(500ms);
+  EXPECT_THAT(Ask({.path = "/state", .cookie = cookie}), HasSubstr("\"lips\":false"));
+  EXPECT_EQ(Status({.method = "POST", .path = "/do", .body = "undo", .cookie = cookie}), 503);
+  house_.StartLips();
+  house_.Play(600ms);
+  EXPECT_THAT(Ask({.path = "/state", .cookie = cookie}), HasSubstr("\"lips\":true"));
+}
+
+TEST_F(DeskVisitors, ReadThePageInTheirLanguage) {
+  EXPECT_THAT(Ask({.more = "Accept-Language: ja,en-US;q=0.9\r\n"}), HasSubstr("<html lang=\"ja\">"));
+  EXPECT_THAT(Ask({.more = "Accept-Language: de,en;q=0.7,ja;q=0.3\r\n"}), HasSubstr("<html lang=\"en\">"));
+}
+
+}  // namespace
+}  // namespace kaori::testing

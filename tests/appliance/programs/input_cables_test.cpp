@@ -1,0 +1,116 @@
+// Cables that are pulled, simulators that die, and reports that are no reports.
+#include <array>
+#include <filesystem>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/appliance/programs/input_bench.h"
+
+namespace kaori::input {
+namespace {
+
+using board::SourceState;
+using std::chrono::milliseconds;
+
+constexpr std::uint8_t kCablesA = 0x04;
+
+class Cables : public InputBench {};
+class BadReports : public InputBench {};
+
+TEST_F(Cables, OfADeadPredecessorsDevicesThatAreGoneMakeTheirSectionsStale) {
+  KillDesk();
+  ASSERT_TRUE(rig_->Unplug("keyboard"));
+  Play(milliseconds(5));
+  StartDesk();
+  Play(milliseconds(100));
+  EXPECT_EQ(Board().keys.source, SourceState::kLive) << "it may yet be found";
+  Play(milliseconds(500));
+  EXPECT_EQ(Board().keys.source, SourceState::kStale);
+  EXPECT_EQ(Board().surface.source, SourceState::kLive);
+}
+
+TEST_F(Cables, AreFoundAgainTwoHundredTimesWithNoSwapAndNoLeak) {
+  const auto open_files = [] {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
+  };
+  const std::array<const char*, 5> ports{"dial-box", "stick-left", "stick-right", "keyboard", "pointer"};
+  const auto files_before = open_files();
+  std::mt19937 random(200);
+  for (int round = 0; round < 200; ++round) {
+    const char* port = ports[random() % ports.size()];
+    ASSERT_TRUE(rig_->Unplug(port));
+    Play(milliseconds(random() % 3));
+    ASSERT_TRUE(rig_->Plug(port));
+    rig_->left_stick().Move(-1, 0);
+    rig_->right_stick().Move(1, 0);
+    Play(milliseconds(20));
+    ASSERT_EQ(desk_->seated(), 5) << "round " << round << ", " << port;
+    rig_->left_stick().Move(-1, 0.01F * static_cast<float>(round % 50));
+    rig_->right_stick().Move(1, 0.01F * static_cast<float>(round % 50));
+    Play(milliseconds(3));
+    ASSERT_LT(Board().sticks[0].value.x, -0.9F) << "round " << round;
+    ASSERT_GT(Board().sticks[1].value.x, 0.9F) << "round " << round;
+  }
+  EXPECT_EQ(open_files(), files_before);
+}
+
+TEST_F(Cables, MayBePulledWithTheWholeSimulator) {
+  rig_->dial_box().Turn(0, 1);
+  Play(milliseconds(5));
+  rig_.reset();
+  for (int i = 0; i < 20; ++i) {
+    clock_.Advance(milliseconds(10));
+    desk_->Step();
+  }
+  EXPECT_EQ(desk_->seated(), 0);
+  EXPECT_EQ(Board().surface.value.counts[0], 256);
+  rig_ = sim::Rig::Open({.folder = links()}, clock_).value();
+  Play(milliseconds(500));
+  EXPECT_EQ(desk_->seated(), 5);
+  EXPECT_EQ(Board().surface.value.counts[0], 256);
+}
+
+TEST_F(BadReports, TornShortLongAndUnknownOnesChangeNothing) {
+  rig_->dial_box().Turn(0, 1);
+  rig_->left_stick().Move(0.5F, 0.5F);
+  rig_->keyboard().Press(kCablesA);
+  Play(milliseconds(5));
+  const board::Snapshot before = Board();
+  for (const char* port : {"dial-box", "stick-left", "keyboard"}) {
+    ASSERT_TRUE(rig_->SendTorn(port, 3));
+    ASSERT_TRUE(rig_->SendRaw(port, std::vector<std::uint8_t>(1, 0xFF)));
+    ASSERT_TRUE(rig_->SendRaw(port, std::vector<std::uint8_t>(64, 0xFF)));
+    ASSERT_TRUE(rig_->SendRaw(port, std::vector<std::uint8_t>(4000, 0x55)));
+  }
+  Play(milliseconds(20));
+  const board::Snapshot after = Board();
+  EXPECT_EQ(after.surface.value.counts, before.surface.value.counts);
+  EXPECT_EQ(after.surface.value.pushes, before.surface.value.pushes);
+  EXPECT_EQ(after.sticks[0].value.x, before.sticks[0].value.x);
+  EXPECT_EQ(after.keys.value.pushes, before.keys.value.pushes);
+  EXPECT_EQ(desk_->seated(), 5) << "nobody is sent away for it";
+  rig_->dial_box().Turn(0, 1);
+  Play(milliseconds(5));
+  EXPECT_EQ(Board().surface.value.counts[0], 512) << "and good ones count again";
+}
+
+TEST_F(BadReports, ADeviceThatVanishesInTheMiddleOfOneComesBack) {
+  rig_->dial_box().Turn(0, 1);
+  Play(milliseconds(5));
+  for (int round = 1; round <= 20; ++round) {
+    ASSERT_TRUE(rig_->VanishInReport("dial-box", static_cast<std::size_t>(round)));
+    Play(milliseconds(3));
+    EXPECT_EQ(Board().surface.source, SourceState::kStale);
+    EXPECT_EQ(Board().surface.value.counts[0], 256 * round);
+    ASSERT_TRUE(rig_->Plug("dial-box"));
+    Play(milliseconds(50));
+    rig_->dial_box().Turn(0, 1);
+    Play(milliseconds(3));
+    EXPECT_EQ(Board().surface.value.counts[0], 256 * (round + 1));
+  }
+}
+
+}  // namespace
+}  // namespace kaori::input

@@ -1,0 +1,171 @@
+// Buses and devices that are broken: the desk stays calm, and serves the others.
+#include <sys/eventfd.h>
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "appliance/programs/input/input_desk.h"
+#include "firmware/wire/dial_box.h"
+#include "tests/appliance/core/board_file.h"
+
+namespace kaori::input {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+// How the one device of the bus behaves. Outlives it.
+struct Fault {
+  std::errc read = std::errc::resource_unavailable_try_again;
+  std::errc write{};
+  std::errc ports{};
+  Time stamp{};
+  int reports = 0;  // Waiting.
+  int opened = 0, written = 0, listed = 0;
+  UniqueFd fd{::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK)};  // Readable at all times.
+};
+
+class FaultyBox final : public ports::HidChannel {
+ public:
+  explicit FaultyBox(Fault& fault) : fault_(fault) {
+    identity_.port = "1-1";
+    identity_.name = "box\nkaori-input: \x1b[2J all is well";
+    identity_.descriptor.assign(wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end());
+  }
+  int pollable() const override { return fault_.fd.get(); }
+  const ports::HidIdentity& identity() const override { return identity_; }
+  Result<ports::HidInput> Read(std::span<std::uint8_t> into) override {
+    if (fault_.reports == 0) return Fail(fault_.read, "read 1-1");
+    --fault_.reports;
+    const auto report = wire::Encode(wire::DialBoxReport{.turned = {1}});
+    std::copy(report.begin(), report.end(), into.begin());
+    return ports::HidInput{.at = fault_.stamp, .bytes = report.size()};
+  }
+  Result<void> Write(std::span<const std::uint8_t>) override {
+    ++fault_.written;
+    if (fault_.write != std::errc{}) return Fail(fault_.write, "write 1-1");
+    return {};
+  }
+
+ private:
+  Fault& fault_;
+  ports::HidIdentity identity_;
+};
+
+class FaultyBus final : public ports::HidBus {
+ public:
+  explicit FaultyBus(Fault& fault) : fault_(fault) {}
+  int pollable() const override { return fault_.fd.get(); }
+  Result<std::vector<std::string>> Ports() override {
+    ++fault_.listed;
+    if (fault_.ports != std::errc{}) return Fail(fault_.ports, "list ports");
+    return std::vector<std::string>{"1-1"};
+  }
+  Result<std::unique_ptr<ports::HidChannel>> Open(const std::string&) override {
+    ++fault_.opened;
+    return std::make_unique<FaultyBox>(fault_);
+  }
+
+ private:
+  Fault& fault_;
+};
+
+class Faults : public ::testing::Test {
+ protected:
+  Faults() : board_(file_.Open()) {
+    desk_.emplace(board_, DeskWriters::Acquire(board_).value(), DeskSources{.buses = {&bus_}, .lines = {}},
+                  InputSettings{}, clock_);
+  }
+  void Play(Duration time) {
+    for (Duration t{}; t < time; t += milliseconds(1)) {
+      clock_.Advance(milliseconds(1));
+      desk_->Step();
+    }
+  }
+
+  board::BoardFile file_;
+  board::Board board_;
+  ManualClock clock_;
+  Fault fault_;
+  FaultyBus bus_{fault_};
+  std::optional<InputDesk> desk_;
+};
+
+TEST_F(Faults, OfABusAreAskedAboutNowAndThenAndNotWaitedFor) {
+  fault_.ports = std::errc::io_error;
+  Play(seconds(2));
+  EXPECT_LE(fault_.listed, 9);
+  EXPECT_TRUE(desk_->pollables().empty()) << "it would wake the program all the time";
+  const auto generation = desk_->generation();
+  fault_.ports = {};
+  Play(milliseconds(300));
+  EXPECT_EQ(desk_->seated(), 1);
+  EXPECT_NE(desk_->generation(), generation);
+  EXPECT_EQ(desk_->pollables().size(), 2u);
+}
+
+TEST_F(Faults, OfADeviceThatIsGoneAsSoonAsItIsOpenedDoNotKeepTheDeskBusy) {
+  fault_.read = std::errc::no_such_device;
+  Play(seconds(2));
+  EXPECT_GE(fault_.opened, 4);
+  EXPECT_LE(fault_.opened, 9);
+  fault_.read = std::errc::resource_unavailable_try_again;
+  Play(milliseconds(300));
+  EXPECT_EQ(desk_->seated(), 1);
+}
+
+TEST_F(Faults, OfTransfersMakeADeviceLeaveOnlyWhenTheyDoNotEnd) {
+  Play(milliseconds(5));
+  fault_.read = std::errc::io_error;
+  Play(milliseconds(20));
+  EXPECT_EQ(fault_.opened, 1) << "a few are nothing";
+  Play(milliseconds(100));
+  EXPECT_EQ(fault_.opened, 2) << "this many are a dead device: opened anew";
+}
+
+// A kernel may hold the program up for seconds with each report that a box does not take.
+TEST_F(Faults, OfTheLampsAreTriedThreeTimesAndThenLeftUntilTheNextPlug) {
+  fault_.write = std::errc::io_error;
+  Play(seconds(30));
+  EXPECT_EQ(fault_.written, 3);
+  EXPECT_EQ(desk_->seated(), 1) << "its dials still count";
+  fault_.write = {};
+  fault_.read = std::errc::no_such_device;
+  Play(milliseconds(1));
+  fault_.read = std::errc::resource_unavailable_try_again;
+  Play(milliseconds(300));
+  EXPECT_EQ(fault_.written, 4);
+}
+
+TEST_F(Faults, OfTheLampsOfABusyBoxAreNone) {
+  fault_.write = std::errc::resource_unavailable_try_again;
+  Play(milliseconds(100));
+  fault_.write = {};
+  const int before = fault_.written;
+  Play(milliseconds(2));
+  EXPECT_EQ(fault_.written, before + 1);
+}
+
+TEST_F(Faults, OfANameDoNotReachTheLog) {
+  testing::internal::CaptureStderr();
+  Play(milliseconds(2));
+  const std::string log = testing::internal::GetCapturedStderr();
+  EXPECT_NE(log.find("box?kaori-input: ?[2J all is well"), std::string::npos) << log;
+  EXPECT_EQ(std::ranges::count(log, '\n'), 1);
+}
+
+TEST_F(Faults, OfAClockThatLiesDoNotReachTheBoard) {
+  for (const Time lie : {Time::min(), Time::max(), Time{} - Duration(1)}) {
+    fault_.stamp = lie;
+    fault_.reports = 1;
+    Play(milliseconds(2));
+    const Time at = board_.Read<board::Surface>().at;
+    EXPECT_LE(at, clock_.now());
+    EXPECT_GE(at, clock_.now() - seconds(2));
+  }
+  EXPECT_EQ(board_.Read<board::Surface>().value.counts[0], 3);
+}
+
+}  // namespace
+}  // namespace kaori::input

@@ -1,0 +1,254 @@
+// Foot switches: contacts that bounce, edges that the kernel drops, and chips that come and go.
+#include <sys/eventfd.h>
+
+#include <algorithm>
+#include <deque>
+
+#include <gtest/gtest.h>
+
+#include "appliance/programs/input/input_desk.h"
+#include "appliance/programs/input/line_desk.h"
+#include "appliance/programs/input/line_roles.h"
+#include "appliance/programs/input/tally.h"
+#include "tests/appliance/core/board_file.h"
+
+namespace kaori::input {
+namespace {
+
+using board::SourceState;
+using std::chrono::milliseconds;
+
+// What a foot does, and a chip that can be pulled. Outlives the lines.
+struct Floor {
+  std::uint32_t levels = 0;
+  std::deque<ports::GpioEdge> edges;
+  bool there = true;
+  int fd = -1;
+  int opened = 0;
+  std::vector<bool> lamp;  // What output 0 was told.
+};
+
+class ToyLines final : public ports::GpioLines {
+ public:
+  explicit ToyLines(Floor& floor) : floor_(floor) {}
+  int pollable() const override { return floor_.fd; }
+  Result<std::uint32_t> Levels() override {
+    if (!floor_.there) return Fail(std::errc::no_such_device, "read lines");
+    return floor_.levels;
+  }
+  Result<ports::GpioEdge> ReadEdge() override {
+    if (!floor_.there) return Fail(std::errc::no_such_device, "read lines");
+    if (floor_.edges.empty()) return Fail(std::errc::resource_unavailable_try_again, "read lines");
+    const ports::GpioEdge edge = floor_.edges.front();
+    floor_.edges.pop_front();
+    return edge;
+  }
+  Result<void> Drive(std::uint32_t, bool lit) override {
+    floor_.lamp.push_back(lit);
+    return {};
+  }
+
+ private:
+  Floor& floor_;
+};
+
+class Lines : public ::testing::Test {
+ protected:
+  Lines() : board_(file_.Open()) { Start(); }
+
+  void Start() {
+    desk_.reset();
+    desk_.emplace(board_, board_.AcquireWriter<board::Lines>().value(), Opener());
+    desk_->Step(now_);
+  }
+  ports::GpioOpener Opener() {
+    return [this]() -> Result<std::unique_ptr<ports::GpioLines>> {
+      ++floor_.opened;
+      if (!floor_.there) return Fail(std::errc::no_such_device, "open GPIO chip");
+      return std::make_unique<ToyLines>(floor_);
+    };
+  }
+  // A contact changes now, and the kernel says so.
+  void Contact(std::uint32_t line, bool active) {
+    floor_.levels = active ? floor_.levels | (1U << line) : floor_.levels & ~(1U << line);
+    floor_.edges.push_back({now_, line, active});
+  }
+  void Wait(Duration time) {
+    for (Duration t{}; t < time; t += milliseconds(1)) {
+      now_ += milliseconds(1);
+      desk_->Step(now_);
+    }
+  }
+  board::Stamped<board::Lines> Read() const { return board_.Read<board::Lines>(); }
+
+  board::BoardFile file_;
+  board::Board board_;
+  Floor floor_;
+  Time now_ = Time{} + std::chrono::seconds(100);
+  std::optional<LineDesk> desk_;
+};
+
+TEST_F(Lines, CountPushesOfFootSwitchesAndSurviveARestart) {
+  for (const bool active : {true, false, true}) {
+    Contact(2, active);
+    Wait(milliseconds(50));
+  }
+  EXPECT_EQ(Read().value.pushes[2], 2U);
+  EXPECT_EQ(Read().value.active, 4U);
+  Start();
+  EXPECT_EQ(Read().value.pushes[2], 2U) << "held, not pushed again";
+  EXPECT_EQ(Read().value.active, 4U);
+}
+
+TEST_F(Lines, CountABouncingContactOnce) {
+  for (int n = 0; n < 9; ++n) {
+    Contact(0, n % 2 == 0);
+    Wait(milliseconds(1));
+  }
+  Wait(milliseconds(50));
+  EXPECT_EQ(Read().value.pushes[0], 1U);
+  EXPECT_EQ(Read().value.active, 1U);
+  for (int n = 0; n < 9; ++n) {
+    Contact(0, n % 2 != 0);
+    Wait(milliseconds(1));
+  }
+  Wait(milliseconds(50));
+  EXPECT_EQ(Read().value.pushes[0], 1U);
+  EXPECT_EQ(Read().value.active, 0U);
+}
+
+TEST_F(Lines, ShowAPushAtOnceAndLetGoOfATapThatWasShorterThanABounce) {
+  Contact(0, true);
+  desk_->Step(now_);
+  EXPECT_EQ(Read().value.active, 1U);
+  EXPECT_EQ(Read().at, now_);
+  Wait(milliseconds(3));
+  Contact(0, false);
+  Wait(milliseconds(20));
+  EXPECT_EQ(Read().value.active, 0U);
+  EXPECT_EQ(Read().value.pushes[0], 1U);
+}
+
+TEST_F(Lines, AreNotHeldForEverByAnEdgeThatTheKernelDropped) {
+  Contact(0, true);
+  Wait(milliseconds(50));
+  Contact(1, true);
+  floor_.levels = 2;  // Line 0 was let go, and nobody said so.
+  Wait(milliseconds(50));
+  EXPECT_EQ(Read().value.active, 2U);
+}
+
+TEST_F(Lines, IgnoreALineThatIsNone) {
+  floor_.edges.push_back({now_, 32, true});
+  floor_.edges.push_back({now_, 0xFFFFFFFF, true});
+  Wait(milliseconds(20));
+  EXPECT_EQ(Read().value.active, 0U);
+}
+
+TEST_F(Lines, CountWhatWasPushedWhileTheProgramWasDeadAndNotASwitchThatStoodSo) {
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  floor_.levels = 1;
+  Start();
+  EXPECT_EQ(Read().value.pushes[0], 1U);
+  const board::BoardFile another;
+  const board::Board first_night = another.Open();
+  LineDesk desk(first_night, first_night.AcquireWriter<board::Lines>().value(), Opener());
+  desk.Step(now_);
+  EXPECT_EQ(first_night.Read<board::Lines>().value.active, 1U);
+  EXPECT_EQ(first_night.Read<board::Lines>().value.pushes[0], 0U);
+}
+
+TEST_F(Lines, AreReleasedWhenTheChipIsPulledAndComeBackWithIt) {
+  Contact(3, true);
+  Wait(milliseconds(20));
+  floor_.there = false;
+  Wait(milliseconds(1));
+  EXPECT_EQ(Read().source, SourceState::kStale);
+  EXPECT_EQ(Read().value.active, 0U);
+  EXPECT_EQ(desk_->pollable(), -1);
+  const int before = floor_.opened;
+  Wait(milliseconds(5000));
+  EXPECT_LE(floor_.opened - before, 5) << "asked now and then, not all the time";
+  floor_.there = true;
+  Wait(milliseconds(1100));
+  EXPECT_EQ(Read().source, SourceState::kLive);
+  EXPECT_EQ(Read().value.active, 8U);
+}
+
+TEST_F(Lines, TellTheTallyLampOnlyWhatIsNewAndAllOfItAgainToAChipThatCameBack) {
+  for (const bool lit : {true, true, false, false, true}) desk_->Light(lit);
+  EXPECT_EQ(floor_.lamp, (std::vector<bool>{true, false, true}));
+  floor_.there = false;
+  Wait(milliseconds(1));
+  desk_->Light(true);
+  EXPECT_EQ(floor_.lamp.size(), 3U);
+  floor_.there = true;
+  Wait(milliseconds(1100));
+  desk_->Light(true);
+  EXPECT_EQ(floor_.lamp, (std::vector<bool>{true, false, true, true}));
+}
+
+class TallyLamp : public ::testing::Test {
+ protected:
+  bool LitAfter(Duration age) const { return TallyLit(stage_, lines_, stage_.at + age); }
+
+  board::Stamped<board::StageStatus> stage_{
+      .value = {}, .at = Time{} + std::chrono::seconds(9), .source = SourceState::kLive};
+  board::Stamped<board::Lines> lines_;
+};
+
+TEST_F(TallyLamp, IsLitWhileTheStageShowsFramesAndDarkWithinASecondOfItsDeath) {
+  EXPECT_TRUE(LitAfter({}));
+  EXPECT_TRUE(LitAfter(milliseconds(900)));
+  EXPECT_FALSE(LitAfter(milliseconds(1100)));
+  stage_.source = SourceState::kAbsent;
+  EXPECT_FALSE(LitAfter({})) << "no stage ever";
+}
+
+TEST_F(TallyLamp, WaitsLongerForAStageThatDrawsSlowly) {
+  stage_.value.draw_us = 2'000'000;
+  EXPECT_TRUE(LitAfter(milliseconds(8900)));
+  EXPECT_FALSE(LitAfter(milliseconds(9100)));
+}
+
+TEST_F(TallyLamp, IsDarkInABlackout) {
+  lines_ = {.value = {.active = 2}, .at = {}, .source = SourceState::kLive};
+  EXPECT_FALSE(LitAfter({}));
+  lines_.value.active = 1 | 4 | 8;
+  EXPECT_TRUE(LitAfter({}));
+}
+
+TEST(LineRolesOf, AChipAreNamedAndNeedNotAllBeThere) {
+  const auto all = ParseLineRoles("go=0,blackout=1,service=2,presence=3,tally=4").value();
+  for (std::uint32_t n = 0; n < 4; ++n) EXPECT_EQ(all.inputs[n], n);
+  EXPECT_EQ(all.tally, 4U);
+  const auto some = ParseLineRoles("tally=0,presence=17").value();
+  EXPECT_EQ(some.tally, 0U);
+  EXPECT_FALSE(some.inputs[0]);
+  EXPECT_EQ(some.inputs[3], 17U);
+}
+
+TEST(LineRolesOf, AChipAreRefusedWhereTheyMakeNoSense) {
+  for (const char* wrong : {"", "go", "go=", "go=x", "go=-1", "go=64", "go=0,", ",go=0", "stop=1",
+                            "go=0,go=1", "go=1,tally=1", "go=0 ", "go=0x1"})
+    EXPECT_FALSE(ParseLineRoles(wrong)) << wrong;
+}
+
+// Otherwise the program would wake for a dead descriptor again and again.
+TEST_F(Lines, AreNoLongerWaitedForOnceTheyAreLost) {
+  desk_.reset();
+  const UniqueFd readable(::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK));
+  floor_.fd = readable.get();
+  ManualClock clock(now_);
+  InputDesk desk(board_, DeskWriters::Acquire(board_).value(), {.buses = {}, .lines = Opener()}, {}, clock);
+  desk.Step();
+  ASSERT_EQ(desk.pollables(), std::vector<int>{readable.get()});
+  const auto generation = desk.generation();
+  floor_.there = false;
+  desk.Step();
+  EXPECT_TRUE(desk.pollables().empty());
+  EXPECT_NE(desk.generation(), generation);
+}
+
+}  // namespace
+}  // namespace kaori::input

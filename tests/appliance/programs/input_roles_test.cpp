@@ -1,0 +1,80 @@
+// Roles of sticks, and settings.
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "appliance/programs/input/roles.h"
+#include "appliance/programs/input/settings.h"
+#include "tests/appliance/core/board_file.h"
+
+namespace kaori::input {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Roles, GoToSticksInTheOrderOfTheirPorts) {
+  EXPECT_TRUE(PortBefore("1-2", "1-10"));
+  EXPECT_FALSE(PortBefore("1-10", "1-2"));
+  EXPECT_TRUE(PortBefore("1-2", "1-2.1"));
+  EXPECT_FALSE(PortBefore("2-1", "2-1"));
+  StickRoles roles({}, {});
+  EXPECT_EQ(roles.RoleOf("1-2", {false, false}), 0);
+  EXPECT_EQ(roles.RoleOf("1-10", {true, false}), 1);
+}
+
+TEST(Roles, StayWithTheirPortsOverReplugs) {
+  StickRoles roles({}, {});
+  ASSERT_EQ(roles.RoleOf("1-2", {false, false}), 0);
+  ASSERT_EQ(roles.RoleOf("1-3", {true, false}), 1);
+  EXPECT_EQ(roles.RoleOf("1-3", {false, false}), 1);
+  EXPECT_EQ(roles.RoleOf("1-2", {false, true}), 0);
+  EXPECT_EQ(roles.RoleOf("1-4", {true, true}), std::nullopt) << "a spare";
+  EXPECT_EQ(roles.RoleOf("1-4", {false, true}), 0) << "a stick that moved to another port";
+}
+
+TEST(Roles, StayWithTheirPortsOverARestart) {
+  StickRoles roles({}, {HashOfPort("1-9"), HashOfPort("1-2")});
+  EXPECT_EQ(roles.RoleOf("1-2", {false, false}), 1);
+  EXPECT_EQ(roles.RoleOf("1-9", {false, true}), 0);
+}
+
+TEST(Roles, AreOnlyForThePortsThatTheSettingsName) {
+  StickRoles roles({"1-7", ""}, {});
+  EXPECT_EQ(roles.RoleOf("1-2", {false, false}), 1);
+  EXPECT_EQ(roles.RoleOf("1-3", {false, true}), std::nullopt);
+  EXPECT_EQ(roles.RoleOf("1-7", {false, true}), 0);
+}
+
+class Settings : public ::testing::Test {
+ protected:
+  Result<InputSettings> Read(const std::string& text) {
+    const std::string path = file_.path() + ".toml";
+    std::ofstream(path) << text;
+    return ReadSettings(path);
+  }
+  board::BoardFile file_;
+};
+
+TEST_F(Settings, SayWhichPortPlaysWhatAndHow) {
+  const auto settings = Read("[dials]\ncounts_per_turn = 94\n[stick.right]\nport = '1-4.3'\ncurve = 0.5\n");
+  ASSERT_TRUE(settings) << settings.error().message();
+  EXPECT_EQ(settings->counts_per_turn, 94);
+  EXPECT_EQ(settings->stick_ports[1], "1-4.3");
+  EXPECT_EQ(settings->sticks[1].curve, 0.5F);
+  EXPECT_EQ(settings->stick_ports[0], "");
+}
+
+TEST_F(Settings, NameLineAndColumnOfATypingError) {
+  EXPECT_THAT(Read("[dials]\ncounts_per_tern = 94\n").error().message(),
+              HasSubstr("line 2, column 19: dials.counts_per_tern does not exist"));
+  EXPECT_THAT(Read("[dials]\ncounts_per_turn = 0\n").error().message(), HasSubstr("is not between 1 and"));
+  EXPECT_THAT(Read("[stick.left]\ndead_zone = nan\n").error().message(), HasSubstr("is not between 0 and"));
+  EXPECT_THAT(Read("[stick.left]\ncurve = 'round'\n").error().message(), HasSubstr("of the wrong kind"));
+  EXPECT_THAT(Read("[stick.left\n").error().message(), HasSubstr("line 1"));
+  EXPECT_THAT(Read("dials = 3\n").error().message(), HasSubstr("dials"));
+  EXPECT_EQ(ReadSettings("/no/such/file").error().cause, std::errc::no_such_file_or_directory);
+}
+
+}  // namespace
+}  // namespace kaori::input

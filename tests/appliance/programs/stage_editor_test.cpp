@@ -1,0 +1,100 @@
+// The stage with its needles: what is pulled is in the picture, and what is shut costs nothing.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "appliance/programs/editor/keys.h"
+#include "appliance/programs/stage/stage.h"
+#include "tests/appliance/core/pack_fixture.h"
+#include "tests/appliance/programs/stage_screen.h"
+#include "tests/render/allocation_count.h"
+
+namespace kaori::testing {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+namespace key = editor::key;
+
+constexpr Duration kFrame = 16'666'667ns;
+
+class StageNeedles : public PackTest {
+ protected:
+  StageNeedles()
+      : board_(board::Board::Create((folder_ / "board").string()).value()),
+        keys_(board_.AcquireWriter<board::Keys>().value()),
+        surface_(board_.AcquireWriter<board::Surface>().value()) {
+    clock_.Advance(100s);
+    Touch();
+    show::Show show = SmallShow();
+    auto needles = editor::ExpressionEditor::Open(folder_ / "own", show);
+    studio_ = std::move(stage::Studio::Open(std::move(show)).value());
+    stage_ =
+        std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_, clock_);
+    stage_->Bring(std::move(needles));
+    stage_->SetScreen(std::make_unique<HeldScreen>(screen_));
+  }
+
+  void Touch() {
+    keys_.Write(typed_, clock_.now(), board::SourceState::kLive);
+    surface_.Write(hands_, clock_.now(), board::SourceState::kLive);
+  }
+  void Frame() {
+    clock_.Advance(kFrame);
+    Touch();
+    screen_.flip = ports::Flip{clock_.now(), screen_.presented, kFrame};
+    stage_->Step();
+  }
+  void Frames(int count) {
+    for (int i = 0; i < count; ++i) Frame();
+  }
+  void Strike(std::uint8_t usage) {
+    ++typed_.pushes[usage];
+    Frame();
+  }
+
+  ManualClock clock_;
+  board::Board board_;
+  board::Writer<board::Keys> keys_;
+  board::Writer<board::Surface> surface_;
+  board::Keys typed_;
+  board::Surface hands_;
+  ScreenHand screen_;
+  std::unique_ptr<stage::Studio> studio_;
+  std::unique_ptr<stage::Stage> stage_;
+};
+
+TEST_F(StageNeedles, PullWhatThePictureShows) {
+  Frames(3);
+  Strike(key::kTab);
+  Frames(30);
+  ASSERT_TRUE(stage_->needles()->open());
+  ASSERT_GE(stage_->needles()->chosen(), 0) << "the one nearest to the middle";
+  const auto chosen = static_cast<std::size_t>(stage_->needles()->chosen());
+  const face::EyeBall eye = studio_->shape().eyes[0];
+  const std::vector<glm::vec3> before(studio_->shape().cage.begin(), studio_->shape().cage.end());
+  hands_.counts[3] += 128;
+  Frame();
+  EXPECT_NEAR(stage_->needles()->session().work().pulls_m[chosen].z, 0.005F, 1e-5F);
+  float most_m = 0;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    most_m = std::max(most_m, glm::distance(before[v], studio_->shape().cage[v]));
+  EXPECT_GT(most_m, 0.001F) << "in the very frame";
+  EXPECT_EQ(studio_->shape().eyes[0].centre, eye.centre);
+}
+
+TEST_F(StageNeedles, TakeNothingFromTheHeapWhileTheyAreShut) {
+  Strike(key::kTab);
+  Frames(30);
+  hands_.counts[3] += 128;
+  Frames(10);
+  Strike(key::kTab);
+  Frames(200);  // Shaders are readied, the needles are gone.
+  const std::size_t before = AllocationCount();
+  for (int i = 0; i < 100; ++i) {
+    hands_.counts[1] += i % 5 - 2;
+    Frame();
+  }
+  EXPECT_EQ(AllocationCount(), before);
+}
+
+}  // namespace
+}  // namespace kaori::testing

@@ -1,0 +1,242 @@
+// Her last face, kept over the night.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "appliance/programs/stage/last_face.h"
+#include "firmware/wire/last_face.h"
+#include "tests/appliance/core/board_file.h"
+#include "tests/appliance/core/performance_fixture.h"
+#include "tests/appliance/programs/small_disk.h"
+
+namespace kaori::stage {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+namespace fs = std::filesystem;
+using performance::Knob;
+using ::testing::HasSubstr;
+
+class LastFaceTest : public performance::PerformanceTest {
+ protected:
+  LastFaceTest()
+      : folder_(fs::path(::testing::TempDir()) / ("last-face-" + std::to_string(::getpid()))),
+        place_{.file = folder_ / "last-face", .show = 77} {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    Begin();
+  }
+  ~LastFaceTest() override {
+    keeper_.reset();
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+
+  void Begin(const std::optional<performance::State>& recalled = {}) {
+    keeper_.reset();
+    keeper_.emplace(
+        place_,
+        [this](SmallImage& into) {
+          ++looks_;
+          into = {.width_px = 2, .height_px = 1, .pixels = {1, 2, 3, 0, 4, 5, 6, 0}};
+          return true;
+        },
+        recalled);
+  }
+  // Each look is on the disk before the next frame.
+  void Play(Duration time) {
+    for (const Time end = now_ + time; now_ < end;) {
+      Step();
+      keeper_->See(state_, performed_.scene, now_);
+      keeper_->Finish();
+    }
+  }
+  std::string File() const {
+    std::ifstream file(place_.file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void Write(const std::string& bytes) const { std::ofstream(place_.file, std::ios::binary) << bytes; }
+  std::string Refusal(const LastFacePlace& place) {
+    const auto state = RecallLastFace(place, show_, board_, now_);
+    return state ? "" : state.error().message();
+  }
+
+  fs::path folder_;
+  LastFacePlace place_;
+  std::optional<LastFace> keeper_;
+  int looks_ = 0;
+};
+
+TEST_F(LastFaceTest, ComesBackWithFaceExpressionSceneAndDials) {
+  Strike(performance::kF1);
+  Push(8);
+  board_.surface.value.counts[2] += board_.surface.value.counts_per_turn / 4;
+  Play(2s);
+  keeper_->End();
+  board_ = {};  // The night: another board, another clock.
+  const auto state = RecallLastFace(place_, show_, board_, Time{} + 3s);
+  ASSERT_TRUE(state) << state.error().message();
+  EXPECT_EQ(state->faces.to, state_.faces.to);
+  EXPECT_EQ(state->expressions.to, 3);
+  EXPECT_EQ(state->scene, 1);
+  EXPECT_EQ(state->knobs, state_.knobs);
+  EXPECT_NEAR(At(state->knobs, Knob::kStrength), 1.25F, 0.01F);
+  EXPECT_EQ(state->last, Time{} + 3s);
+}
+
+TEST_F(LastFaceTest, TheFirstFrameOfTheNextNightIsTheLastOfThisOne) {
+  Push(3);
+  Play(2s);
+  keeper_->End();
+  const scene::Scene evening = performed_.scene;
+  board_ = {};
+  now_ = Time{} + 2s;
+  state_ = RecallLastFace(place_, show_, board_, now_).value();
+  const scene::Scene& morning = Step();
+  EXPECT_NEAR(Weight(morning.weights.faces, 3), Weight(evening.weights.faces, 3), 1e-4F);
+  EXPECT_EQ(morning.styles, evening.styles);
+  EXPECT_FLOAT_EQ(morning.light.exposure, evening.light.exposure);
+  EXPECT_TRUE(performed_.lamps & (1U << 3U));
+}
+
+TEST_F(LastFaceTest, NoPushOfTheNightBeforeIsPushedAgain) {
+  Push(3);
+  Strike(performance::kKey1);
+  Play(3s);
+  keeper_->End();
+  board_ = {};
+  board_.surface.source = board_.keys.source = board::SourceState::kLive;
+  state_ = RecallLastFace(place_, show_, board_, now_).value();
+  Step();
+  EXPECT_EQ(state_.faces.to, 3);
+  EXPECT_EQ(state_.voices[0].take, -1);
+}
+
+TEST_F(LastFaceTest, IsWrittenWhenHandsChangedItAndNotTwiceInHalfAMinute) {
+  Play(60s);
+  EXPECT_EQ(looks_, 1) << "the show's first face, once";
+  Push(1);
+  Play(2s);
+  EXPECT_EQ(looks_, 2);
+  for (int button = 2; button < 5; ++button) {
+    Push(button);
+    Play(2s);
+  }
+  EXPECT_EQ(looks_, 2);
+  Play(30s);
+  EXPECT_EQ(looks_, 3);
+  Play(100s);
+  EXPECT_EQ(looks_, 3) << "nobody touched anything";
+}
+
+TEST_F(LastFaceTest, AFaceThatLiesThereAlreadyIsNotWrittenAgain) {
+  Begin(state_);
+  Play(60s);
+  EXPECT_EQ(looks_, 0);
+}
+
+TEST_F(LastFaceTest, NoPictureIsTakenInAFadeABlinkAMotionOrABlackout) {
+  Play(1s);
+  ASSERT_EQ(looks_, 1);
+  Play(31s);
+  Push(2);
+  Play(300ms);
+  EXPECT_EQ(looks_, 1) << "a fade";
+  Strike(performance::kSpace);
+  Play(400ms);
+  EXPECT_EQ(looks_, 1) << "a blink";
+  board_.lines = {.value = {.active = 2}, .at = {}, .source = board::SourceState::kLive};
+  Play(3s);
+  EXPECT_EQ(looks_, 1) << "a blackout";
+  keeper_->End();
+  EXPECT_EQ(looks_, 1) << "nor at its end";
+  board_.lines.value.active = 0;
+  Play(1s);
+  EXPECT_EQ(looks_, 2);
+}
+
+TEST_F(LastFaceTest, AnOrderlyEndKeepsWhatIsNew) {
+  Play(1s);
+  Push(4);
+  Play(2s);
+  ASSERT_EQ(looks_, 1);
+  keeper_->End();
+  EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 4);
+}
+
+TEST_F(LastFaceTest, ATornFileAndOneOfAnotherShowAreRefusedInOneLine) {
+  EXPECT_EQ(RecallLastFace(place_, show_, board_, now_).error().cause, std::errc::no_such_file_or_directory);
+  Play(1s);
+  keeper_->End();
+  const std::string whole = File();
+  ASSERT_EQ(Refusal(place_), "");
+  EXPECT_THAT(Refusal({.file = place_.file, .show = 78}), HasSubstr("it is of another show"));
+  for (std::size_t at = 0; at < whole.size(); at += 97) {
+    std::string spoilt = whole;
+    spoilt[at] = static_cast<char>(spoilt[at] ^ 0x10);
+    Write(spoilt);
+    EXPECT_THAT(Refusal(place_), HasSubstr("it is torn")) << at;
+    Write(whole.substr(0, at));
+    EXPECT_THAT(Refusal(place_), HasSubstr("it is torn")) << at;
+  }
+}
+
+TEST_F(LastFaceTest, AStateThatTheShowCannotPlayIsRefused) {
+  Play(1s);
+  keeper_->End();
+  show_.cast.faces.resize(0);
+  EXPECT_THAT(Refusal(place_), HasSubstr("another version"));
+}
+
+TEST_F(LastFaceTest, ADiskThatTakesNothingIsSaidOnceAndTriedAgain) {
+  place_.file = folder_ / "away" / "last-face";
+  Begin();
+  ::testing::internal::CaptureStderr();
+  Play(95s);
+  keeper_->End();
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("the last face is not kept"));
+  EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+  EXPECT_GE(looks_, 3);
+  fs::create_directories(folder_ / "away");
+  Play(31s);
+  keeper_->End();
+  EXPECT_EQ(Refusal(place_), "");
+}
+
+TEST_F(LastFaceTest, AFullDiskLeavesTheFaceThatWasKeptBefore) {
+  Play(1s);
+  keeper_->End();
+  Push(3);
+  ::testing::internal::CaptureStderr();
+  {
+    const kaori::testing::SmallDisk full(1000);
+    Play(32s);
+    keeper_->End();
+  }
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("the last face is not kept"));
+  EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 0);
+  Play(31s);
+  keeper_->End();
+  EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 3);
+}
+
+TEST_F(LastFaceTest, IsPutOntoABoardThatIsNewAndOnNoOther) {
+  Push(3);
+  Play(2s);
+  keeper_->End();
+  const board::BoardFile file;
+  const board::Board board = file.Open();
+  auto writer = board.AcquireWriter<board::Performance>().value();
+  ASSERT_TRUE(ResumeLastFace(place_, show_, board, writer, now_));
+  EXPECT_EQ(board.Read<board::Performance>().source, board::SourceState::kLive);
+  EXPECT_FALSE(ResumeLastFace(place_, show_, board, writer, now_))
+      << "a stage that was killed goes on with the board";
+}
+
+}  // namespace
+}  // namespace kaori::stage

@@ -1,0 +1,139 @@
+// The stage's sign: what it shows beside the show, and what it leaves for others to read.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "appliance/programs/stage/stage_status_display.h"
+#include "tests/appliance/core/board_file.h"
+
+namespace kaori::stage {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in milliseconds.
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr int kWidth_px = 320, kHeight_px = 200;
+
+class HeldSign final : public ports::StatusDisplay {
+ public:
+  int width_px() const override { return kWidth_px; }
+  int height_px() const override { return kHeight_px; }
+  bool fresh() const override { return shows == 0; }
+  Result<void> Show(std::span<const std::uint8_t> rgbx, int first, int end) override {
+    ++calls;
+    rows += end - first;
+    picture.assign(rgbx.begin(), rgbx.end());
+    if (fault != std::errc()) return Fail(fault, "show on the held sign");
+    ++shows;
+    return {};
+  }
+
+  std::errc fault{};
+  int calls = 0;
+  int shows = 0;
+  int rows = 0;
+  std::vector<std::uint8_t> picture;
+};
+
+class SignedScreen final : public ports::Scanout {
+ public:
+  int pollable() const override { return -1; }
+  Result<ports::PixelBuffer> Acquire() override { return ports::PixelBuffer{}; }
+  Result<void> Present(std::uint64_t) override { return {}; }
+  Result<ports::Flip> ReadFlip() override { return ports::Flip{}; }
+  ports::StatusDisplay* status_display() override { return plugged ? &held : nullptr; }
+  std::string Words() const override { return "HDMI-A-1 640 x 480 at 60 Hz\n"; }
+
+  HeldSign held;
+  bool plugged = true;
+};
+
+class StageSign : public ::testing::Test {
+ protected:
+  void Steps(int count) {
+    for (; count > 0; --count) {
+      clock_.Advance(StageStatusDisplay::kPeriod);
+      sign_.Step(&screen_);
+    }
+  }
+  std::string Left() const {
+    std::ifstream file(place_.folder() / "screens");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void PlugBox(board::SourceState source) { surface_.Write({}, clock_.now(), source); }
+
+  board::BoardFile place_;
+  board::Board board_ = place_.Open();
+  board::Writer<board::Surface> surface_ = board_.AcquireWriter<board::Surface>().value();
+  ManualClock clock_;
+  SignedScreen screen_;
+  StageStatusDisplay sign_{board_, clock_, {place_.folder(), place_.folder() / "screens"}};
+};
+
+TEST_F(StageSign, StandsWithinThreeSecondsAndIsThenLeftAlone) {
+  Steps(30);
+  EXPECT_GT(std::ranges::count_if(screen_.held.picture, [](auto byte) { return byte > 200; }), 100)
+      << "letters";
+  const int before = screen_.held.calls;
+  Steps(20);
+  EXPECT_EQ(screen_.held.calls, before) << "nothing changed";
+}
+
+TEST_F(StageSign, NeverDrawsMoreThanALineAtOnceWhenThereIsNoTimeToSpare) {
+  Steps(1);
+  for (int i = 0; i < 30; ++i) {
+    const int before = screen_.held.rows;
+    Steps(1);
+    EXPECT_LE(screen_.held.rows - before, kHeight_px / 10);
+  }
+}
+
+TEST_F(StageSign, SaysWithinTwoSecondsThatTheDialBoxWasPulled) {
+  PlugBox(board::SourceState::kLive);
+  Steps(40);
+  const auto before = screen_.held.picture;
+  PlugBox(board::SourceState::kStale);
+  Steps(20);
+  EXPECT_NE(screen_.held.picture, before);
+}
+
+TEST_F(StageSign, WhatCouldNotBeShownAtOnceIsShownLater) {
+  Steps(40);
+  screen_.held.fault = std::errc::device_or_resource_busy;
+  PlugBox(board::SourceState::kLive);
+  Steps(3);
+  const int before = screen_.held.shows;
+  screen_.held.fault = {};
+  Steps(1);
+  EXPECT_GT(screen_.held.shows, before);
+}
+
+TEST_F(StageSign, ThatCannotShowIsLeftAloneForAMinute) {
+  screen_.held.fault = std::errc::invalid_argument;
+  Steps(100);
+  EXPECT_EQ(screen_.held.calls, 1);
+  screen_.held.fault = {};
+  Steps(600);
+  EXPECT_GT(screen_.held.shows, 0);
+}
+
+TEST_F(StageSign, LeavesTheScreensForOthersToRead) {
+  Steps(1);
+  EXPECT_THAT(Left(), HasSubstr("HDMI-A-1 640 x 480"));
+  sign_.Step(nullptr);
+  EXPECT_THAT(Left(), IsEmpty());
+}
+
+TEST_F(StageSign, WithoutASignNothingIsDrawn) {
+  screen_.plugged = false;
+  Steps(10);
+  EXPECT_EQ(screen_.held.calls, 0);
+  EXPECT_THAT(Left(), HasSubstr("HDMI-A-1")) << "but the screens are told";
+}
+
+}  // namespace
+}  // namespace kaori::stage

@@ -1,0 +1,215 @@
+// What the box says of itself: in words, and lettered on its status picture.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "appliance/core/board/lines.h"
+#include "appliance/programs/status/lines.h"
+#include "appliance/programs/status/sheet.h"
+#include "tests/appliance/core/board_file.h"
+
+namespace kaori::status {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in minutes.
+using board::SourceState;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class StatusWords : public ::testing::Test {
+ protected:
+  // What the line about `what` says, with its mark before it; empty where there is none.
+  std::string Said(std::string_view what) const {
+    for (const Line& line : Describe(state_))
+      if (line.what == what) return TextOf({line}).substr(0, 2) + line.words;
+    return {};
+  }
+
+  State state_{.board = {}, .sound = {}, .facts = {}, .now = Time{} + 1h};
+};
+
+TEST_F(StatusWords, ABoxWithNothingPluggedInNamesAllThatIsMissing) {
+  for (const char* what : {"dial box", "left stick", "right stick", "keyboard", "camera", "microphone",
+                           "loudspeaker", "switches"})
+    EXPECT_THAT(Said(what), HasSubstr("- not plugged in")) << what;
+  EXPECT_THAT(Said("screens"), HasSubstr("! none is plugged in"));
+  EXPECT_THAT(Said("show"), HasSubstr("! there is no screen"));
+}
+
+TEST_F(StatusWords, WhatIsPulledIsSaidSoWithHowLong) {
+  state_.board.surface = {{}, state_.now - 2s, SourceState::kStale};
+  EXPECT_EQ(Said("dial box"), "- gone for a moment; the dials stand where they were");
+  state_.now += 5min;
+  EXPECT_THAT(Said("dial box"), HasSubstr("gone for 5 minutes"));
+  state_.now += 2h;
+  EXPECT_THAT(Said("dial box"), HasSubstr("gone for 2 hours"));
+}
+
+TEST_F(StatusWords, WhatIsThereIsSaidSo) {
+  state_.board.surface = {{}, state_.now, SourceState::kLive};
+  EXPECT_EQ(Said("dial box"), "  there");
+}
+
+TEST_F(StatusWords, TheShowSaysItsRateAndWhatCameLate) {
+  state_.facts.screens = {"HDMI-A-1 640 x 480 at 60 Hz"};
+  EXPECT_THAT(Said("show"), HasSubstr("! no picture yet"));
+  state_.board.stage_status = {
+      {.missed_flips = 3, .frames_per_s = 59.9F, .draw_us = 6200}, state_.now, SourceState::kLive};
+  EXPECT_EQ(Said("show"), "  60 pictures a second, 6.2 ms each; 3 came late");
+  state_.now += 30s;
+  EXPECT_EQ(Said("show"), "! no picture for less than a minute");
+}
+
+TEST_F(StatusWords, ACameraThatSeesNoMouthIsNotEnough) {
+  state_.board.lips = {{.quality = 0}, state_.now, SourceState::kLive};
+  EXPECT_EQ(Said("camera"), "- there, sees no painted mouth");
+  state_.board.lips.value.quality = 1;
+  EXPECT_EQ(Said("camera"), "  there, sees the mouth");
+}
+
+TEST_F(StatusWords, ABlackoutIsSaidSoThatNobodyLooksForAnotherCause) {
+  state_.board.lines = {{.active = 1U << unsigned(board::Line::kBlackout)}, state_.now, SourceState::kLive};
+  EXPECT_EQ(Said("switches"), "  there, BLACKOUT");
+}
+
+TEST_F(StatusWords, FaultsComeBeforeEverythingElse) {
+  state_.facts.faults = {"box.toml, line 3: there is no setting profil; the profile is stage"};
+  const auto lines = Describe(state_);
+  ASSERT_GT(lines.size(), 2U);
+  EXPECT_EQ(lines[1].mark, Mark::kFault);
+  EXPECT_EQ(lines[1].words, state_.facts.faults[0]);
+}
+
+TEST_F(StatusWords, ScreensAreToldByTheirNames) {
+  state_.facts.screens = {"HDMI-A-1 1920 x 1080 at 60 Hz", "HDMI-A-2 800 x 600 at 60 Hz, pulled"};
+  EXPECT_EQ(Said("HDMI-A-1"), "  1920 x 1080 at 60 Hz");
+  EXPECT_EQ(Said("HDMI-A-2"), "- 800 x 600 at 60 Hz, pulled");
+  EXPECT_THAT(Said("screens"), IsEmpty());
+}
+
+TEST_F(StatusWords, TheTitleSaysProfileAndRoot) {
+  state_.facts.profile = "kiosk";
+  state_.facts.root_hash = std::string(64, 'b');
+  EXPECT_THAT(Said("Kaori box"), AllOf(HasSubstr("profile kiosk"), HasSubstr("root bbbbbbbbbbbb"),
+                                       Not(HasSubstr(std::string(13, 'b')))));
+}
+
+TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
+  const board::BoardFile place;
+  const Places places{place.folder(), place.folder() / "screens"};
+  EXPECT_EQ(ReadFacts(places), Facts());
+  for (const auto& [file, text] : {std::pair{"kiosk", ""},
+                                   {"root_hash", "abc"},
+                                   {"status_screen", "HDMI-A-2"},
+                                   {"faults", "one\n\ntwo\n"},
+                                   {"screens", "HDMI-A-1 640 x 480 at 60 Hz\n"}})
+    std::ofstream(place.folder() / file) << text;
+  const Facts facts = ReadFacts(places);
+  EXPECT_EQ(facts.profile, "kiosk");
+  EXPECT_EQ(facts.root_hash, "abc");
+  EXPECT_EQ(facts.screen, "HDMI-A-2");
+  EXPECT_EQ(facts.faults, (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(facts.screens.size(), 1U);
+}
+
+class StatusSheet : public ::testing::Test {
+ protected:
+  static Sheet Make(int width_px, int height_px) {
+    return Sheet(image::Lettering::Open().value(), width_px, height_px);
+  }
+  // How many pixels of these rows are of this colour, nearly.
+  static int Count(const image::Picture& picture, Sheet::Rows rows, int r, int g, int b) {
+    int count = 0;
+    for (int i = rows.first * picture.width_px; i < rows.end * picture.width_px; ++i) {
+      const std::uint8_t* const p = picture.rgbx.data() + std::size_t(i) * 4;
+      count += std::abs(p[0] - r) + std::abs(p[1] - g) + std::abs(p[2] - b) < 40 ? 1 : 0;
+    }
+    return count;
+  }
+
+  std::vector<Line> lines_{{Mark::kTitle, "Kaori box", "profile stage"},
+                           {Mark::kGood, "dial box", "there"},
+                           {Mark::kMissing, "camera", "not plugged in"}};
+};
+
+TEST_F(StatusSheet, DrawsOneLineAtATimeUntilAllOfThemStand) {
+  Sheet sheet = Make(640, 480);
+  int drawn = 0;
+  int lowest = 480;
+  while (const auto rows = sheet.DrawNext(lines_)) {
+    EXPECT_LT(rows->first, rows->end);
+    lowest = std::min(lowest, rows->first);
+    ASSERT_LT(++drawn, 100);
+  }
+  EXPECT_GE(lowest, 0);
+  EXPECT_GE(drawn, 3);
+  EXPECT_FALSE(sheet.DrawNext(lines_)) << "nothing changed";
+}
+
+TEST_F(StatusSheet, ALineThatChangedAloneIsDrawnAnew) {
+  Sheet sheet = Make(640, 480);
+  while (sheet.DrawNext(lines_)) continue;
+  const auto before = sheet.picture().rgbx;
+  lines_[1] = {Mark::kMissing, "dial box", "gone for a moment"};
+  const auto rows = sheet.DrawNext(lines_);
+  ASSERT_TRUE(rows);
+  EXPECT_FALSE(sheet.DrawNext(lines_));
+  const auto& after = sheet.picture().rgbx;
+  for (int y = 0; y < 480; ++y) {
+    const auto row = std::ptrdiff_t{y} * 640 * 4;
+    const bool same = std::equal(before.begin() + row, before.begin() + row + 640 * 4, after.begin() + row);
+    EXPECT_TRUE(same || (y >= rows->first && y < rows->end)) << "row " << y;
+  }
+}
+
+TEST_F(StatusSheet, WhatBecameAFaultIsSaidBeforeANumberThatChanged) {
+  Sheet sheet = Make(640, 480);
+  while (sheet.DrawNext(lines_)) continue;
+  lines_[0].words = "profile kiosk";
+  lines_[2].mark = Mark::kFault;
+  const auto first = sheet.DrawNext(lines_), second = sheet.DrawNext(lines_);
+  ASSERT_TRUE(first && second);
+  EXPECT_LT(first->first, second->first) << "the lower line went first";
+}
+
+TEST_F(StatusSheet, MissingThingsAreAmberAndFaultsAreRed) {
+  lines_ = {{Mark::kMissing, "camera", "not plugged in"}};
+  const auto amber = DrawAll(lines_, 640, 480).value();
+  EXPECT_GT(Count(amber, {0, 480}, 235, 170, 50), 100);
+  EXPECT_EQ(Count(amber, {0, 480}, 240, 80, 70), 0);
+  lines_ = {{Mark::kFault, "camera", "broken"}};
+  EXPECT_GT(Count(DrawAll(lines_, 640, 480).value(), {0, 480}, 240, 80, 70), 100);
+}
+
+TEST_F(StatusSheet, LinesForWhichThereIsNoRoomAreCounted) {
+  lines_.assign(200, {Mark::kGood, "screen", "there"});
+  const auto picture = DrawAll(lines_, 640, 480).value();
+  EXPECT_GT(Count(picture, {0, 480 / 8}, 235, 170, 50), 50) << "the last row says so in amber";
+}
+
+TEST_F(StatusSheet, AnySizeIsDrawn) {
+  lines_.push_back({Mark::kFault, std::string(400, 'x'), std::string(4000, 'y')});
+  for (const auto& [width_px, height_px] :
+       {std::pair{16, 16}, {17, 4000}, {4000, 16}, {320, 180}, {3840, 2160}}) {
+    const auto picture = DrawAll(lines_, width_px, height_px).value();
+    EXPECT_EQ(picture.width_px, width_px);
+    EXPECT_EQ(picture.height_px, height_px);
+  }
+}
+
+TEST_F(StatusSheet, SaysItInLettersThatCanBeReadInSmall) {
+  Sheet sheet = Make(480, 270);
+  lines_.resize(1);
+  const auto rows = sheet.DrawNext(lines_);
+  ASSERT_TRUE(rows);
+  EXPECT_GE(rows->end - rows->first, 12) << "pixels from line to line";
+  const int all = 480 * (rows->end - rows->first);
+  EXPECT_LT(Count(sheet.picture(), *rows, 16, 18, 22), all - 200) << "there is ink";
+}
+
+}  // namespace
+}  // namespace kaori::status

@@ -1,9 +1,0 @@
-#include "tests/bench/opencv_arm.h"
-
-namespace kaori::bench {
-
-std::function<void()> OpenCvArm(std::span<const std::uint8_t> /*yuyv*/, int /*width_px*/, int /*height_px*/) {
-  return {};
-}
-
-}  // namespace kaori::bench

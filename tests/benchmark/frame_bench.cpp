@@ -1,0 +1,197 @@
+#include "tests/benchmark/frame_bench.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "appliance/core/show/pack.h"
+#include "drivers/base/log.h"
+#include "render/passes/painter.h"
+#include "render/passes/painter_1993.h"
+#include "tests/benchmark/bare_draw.h"
+#include "tests/benchmark/figures.h"
+#include "tests/render/synthetic_cast.h"
+
+namespace kaori::benchmark {
+namespace {
+
+struct Size {
+  int width_px;
+  int height_px;
+};
+constexpr Size kSizes[] = {{960, 540}, {1920, 1080}};
+constexpr const char* kStyleNames[] = {"wire", "flat", "bare", "hair", "default"};
+
+double CpuMs() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  const auto ms = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) * 1e3 + static_cast<double>(t.tv_usec) * 1e-3;
+  };
+  return ms(use.ru_utime) + ms(use.ru_stime);
+}
+
+double WallMs() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(now).count();
+}
+
+using DrawOne = std::function<void(int frame)>;
+
+struct Costs {
+  std::vector<double> cpu_ms;
+  std::vector<double> wall_ms;
+};
+
+// Frames until they are read back, so that all threads' work is in. The first ones warm up.
+Costs Measure(const DrawOne& draw, int frames) {
+  constexpr int kWarm = 3;
+  Costs costs;
+  for (int i = -kWarm; i < frames; ++i) {
+    const double cpu = CpuMs();
+    const double wall = WallMs();
+    draw(i);
+    if (i < 0) continue;
+    costs.cpu_ms.push_back(CpuMs() - cpu);
+    costs.wall_ms.push_back(WallMs() - wall);
+  }
+  return costs;
+}
+
+void Append(const std::string& name, const Costs& costs, std::vector<Metric>& metrics) {
+  metrics.push_back(Figure(name + ".cpu_ms", "ms", costs.cpu_ms));
+  metrics.push_back(Figure(name + ".wall_ms", "ms", costs.wall_ms));
+}
+
+// She turns and blinks, so that no frame is like the last.
+scene::Scene SceneAt(int frame, scene::Style style) {
+  scene::Scene scene;
+  const float beat = static_cast<float>(frame % 40) / 40;
+  scene.weights.faces.Push(0, 1);
+  scene.weights.expressions.Push(0, 1 - beat);
+  scene.weights.expressions.Push(1, beat);
+  scene.head.yaw_rad = 0.3F * (beat - 0.5F);
+  scene.styles = {};
+  scene.styles[static_cast<std::size_t>(style)] = 1;
+  return scene;
+}
+
+// A canvas and the memory that its picture is read into.
+struct Screen {
+  explicit Screen(Size size, bool of_1993 = false)
+      : canvas(*gl::Canvas::Make({.width_px = size.width_px,
+                                  .height_px = size.height_px,
+                                  .samples = of_1993 ? 0 : 4,
+                                  .takes_codes = of_1993})),
+        bytes(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) * 4) {}
+  gl::Canvas canvas;
+  std::vector<std::uint8_t> bytes;
+};
+
+std::string NameOf(const char* what, Size size) {
+  return fmt::format("frame.{}.{}x{}", what, size.width_px, size.height_px);
+}
+
+void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<Metric>& metrics) {
+  Screen screen(size);
+  for (int style = 0; style < scene::kStyleCount; ++style) {
+    const auto draw = [&](int frame) {
+      painter.Draw(SceneAt(frame, static_cast<scene::Style>(style)), screen.canvas);
+      screen.canvas.ReadPixels(screen.bytes);
+    };
+    Append(NameOf(kStyleNames[style], size), Measure(draw, frames), metrics);
+  }
+}
+
+void MeasurePaper(passes::Painter1993& painter, Size size, int frames, std::vector<Metric>& metrics) {
+  Screen screen(size, true);
+  const auto draw = [&](int frame) {
+    painter.Draw(SceneAt(frame, scene::Style::kBare), screen.canvas);
+    screen.canvas.ReadPixels(screen.bytes);
+  };
+  Append(NameOf("paper1993", size), Measure(draw, frames), metrics);
+}
+
+// CPU time of `ours` over `theirs`, in turns, so that a busy neighbour hurts both.
+Metric Ratio(const char* name, const DrawOne& ours, const DrawOne& theirs, int rounds) {
+  constexpr int kFrames = 6;
+  std::vector<double> ratios;
+  for (int round = -1; round < rounds; ++round) {
+    const Costs a = Measure(ours, kFrames);
+    const Costs b = Measure(theirs, kFrames);
+    if (round >= 0) ratios.push_back(Quantile(a.cpu_ms, 0.5) / std::max(Quantile(b.cpu_ms, 0.5), 1e-3));
+  }
+  return Figure(name, "ratio", ratios);
+}
+
+Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds) {
+  const Size size = kSizes[0];
+  Screen screen(size);
+  BareDraw bare(cast, SceneAt(20, scene::Style::kSoft), {size.width_px, size.height_px});
+  const DrawOne ours = [&](int frame) {
+    painter.Draw(SceneAt(20 + (frame & 1), scene::Style::kSoft), screen.canvas);
+    screen.canvas.ReadPixels(screen.bytes);
+  };
+  const DrawOne theirs = [&](int) { bare.Draw(screen.canvas, screen.bytes); };
+  return Ratio("frame.default.over_bare_draw", ours, theirs, rounds);
+}
+
+struct SyntheticStage {
+  SyntheticStage(const gl::Context& context, int faces, int expressions)
+      : cast(testing::MakeSyntheticCast({.faces = faces, .expressions = expressions})) {
+    cast.textures = {{.width_px = 1, .height_px = 1, .rgba = {200, 180, 170, 0}}};
+    painter = std::move(*passes::Painter::Open(context, cast));
+  }
+  face::Cast cast;
+  std::unique_ptr<passes::Painter> painter;
+};
+
+Metric Growth(const gl::Context& context, int rounds) {
+  Screen screen(kSizes[0]);
+  const SyntheticStage small(context, 10, 20);
+  const SyntheticStage large(context, 100, 100);
+  const auto with = [&](const SyntheticStage& stage) {
+    return [&](int frame) {
+      stage.painter->Draw(SceneAt(frame, scene::Style::kSoft), screen.canvas);
+      screen.canvas.ReadPixels(screen.bytes);
+    };
+  };
+  return Ratio("frame.growth_100x100_over_10x20", with(large), with(small), rounds);
+}
+
+// Logs why not.
+template <class T>
+bool Opened(const Result<T>& result) {
+  if (!result) Log("no frames are measured: {}", result.error().message());
+  return result.has_value();
+}
+
+}  // namespace
+
+std::vector<Metric> MeasureFrames(const std::string& pack, bool quick) {
+  const auto show = show::LoadPack(pack);
+  if (!Opened(show)) return {};
+  const auto context = gl::Context::Open();
+  if (!Opened(context)) return {};
+  const auto painter = passes::Painter::Open(**context, show->cast);
+  if (!Opened(painter)) return {};
+  const auto paper = passes::Painter1993::Open(**context, show->cast);
+  if (!Opened(paper)) return {};
+  const int frames = quick ? 8 : 80;
+  const int rounds = quick ? 3 : 15;
+  std::vector<Metric> metrics;
+  for (const Size size : kSizes) {
+    MeasureStyles(**painter, size, frames, metrics);
+    MeasurePaper(**paper, size, frames, metrics);
+  }
+  metrics.push_back(OverBareDraw(show->cast, **painter, rounds));
+  metrics.push_back(Growth(**context, rounds));
+  return metrics;
+}
+
+}  // namespace kaori::benchmark

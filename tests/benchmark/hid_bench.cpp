@@ -1,0 +1,58 @@
+#include "tests/benchmark/hid_bench.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "appliance/programs/input/dial_seat.h"
+#include "drivers/base/clock.h"
+#include "firmware/wire/dial_box.h"
+
+namespace kaori::benchmark {
+namespace {
+
+constexpr int kHidRounds = 50;
+constexpr int kReportsARound = 20'000;
+
+ports::HidIdentity DialBox() {
+  return {.port = "bench",
+          .vendor = wire::kDialBoxVendor,
+          .product = wire::kDialBoxProduct,
+          .name = "dial box",
+          .descriptor = {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()}};
+}
+
+double ReportsPerSecond(input::DialSeat& seat, const Clock& clock) {
+  wire::DialBoxReport report{.turned = {1, -1, 2, -2, 3, -3, 4, -4}};
+  const Time begin = clock.now();
+  for (int i = 0; i < kReportsARound; ++i) {
+    report.buttons_down = static_cast<std::uint32_t>(i);
+    if (!seat.Accept(wire::Encode(report), begin)) return 0;
+    seat.Publish();
+  }
+  return kReportsARound / Seconds(clock.now() - begin);
+}
+
+}  // namespace
+
+std::vector<Metric> MeasureHid(bool quick) {
+  const auto path = std::filesystem::temp_directory_path() / fmt::format("kaori-benchmark-board-{}", ::getpid());
+  const auto board = board::Board::Create(path.string());
+  if (!board) return {};
+  auto writer = board->AcquireWriter<board::Surface>();
+  std::filesystem::remove(path);
+  if (!writer) return {};
+  const SteadyClock clock;
+  input::DialSeat seat(*board, std::move(*writer), wire::kDialCountsPerTurn);
+  if (!seat.Plug(DialBox(), clock.now())) return {};
+  std::vector<double> rates;
+  for (int i = 0; i < kHidRounds / (quick ? 10 : 1); ++i) rates.push_back(ReportsPerSecond(seat, clock));
+  std::ranges::sort(rates);
+  // Of a rate the slow end is the one that matters: "p99" is what 99 of 100 rounds reached.
+  return {{"hid.reports_per_s", "1/s", rates[rates.size() / 2], rates.front()}};
+}
+
+}  // namespace kaori::benchmark

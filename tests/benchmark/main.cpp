@@ -1,0 +1,98 @@
+// kaori-benchmark: every figure of the box, as a table for people and as JSON for programs.
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "drivers/base/options.h"
+#include "tests/benchmark/blend_bench.h"
+#include "tests/benchmark/frame_bench.h"
+#include "tests/benchmark/hid_bench.h"
+#include "tests/benchmark/house_bench.h"
+#include "tests/benchmark/lips_bench.h"
+#include "tests/benchmark/pack_bench.h"
+#include "tests/benchmark/sound_bench.h"
+
+namespace kaori::benchmark {
+namespace {
+
+constexpr std::string_view kHelp = R"(kaori-benchmark: measures the box
+
+  --pack FILE   the show to play (needed)
+  --quick       a tenth of the time
+  --only TEXT   the rooms whose names hold TEXT: blend, lips, sound, hid, frame, pack, house
+  --json FILE   {"metrics": [{"name", "unit", "median", "p99"}]}
+)";
+
+struct Settings {
+  std::string pack, json, only;
+  bool quick = false;
+};
+
+struct Room {
+  const char* name;
+  std::function<std::vector<Metric>(const Settings&)> measure;
+};
+
+const std::vector<Room>& Rooms() {
+  static const std::vector<Room> rooms{
+      {"blend", [](const Settings& o) { return MeasureBlend(o.quick); }},
+      {"lips", [](const Settings& o) { return MeasureLips(o.quick); }},
+      {"lips motion", [](const Settings& o) { return MeasureLipMotion(o.quick); }},
+      {"sound", [](const Settings& o) { return MeasureSound(o.pack, o.quick); }},
+      {"hid", [](const Settings& o) { return MeasureHid(o.quick); }},
+      {"frame", [](const Settings& o) { return MeasureFrames(o.pack, o.quick); }},
+      {"pack", [](const Settings& o) { return MeasurePacks(o.pack, o.quick); }},
+      {"house", [](const Settings& o) { return MeasureHouse(o.pack, o.quick); }}};
+  return rooms;
+}
+
+void Print(const Metric& m) {
+  fmt::print("{:<44} {:>12.4g} {:>12.4g}  {}\n", m.name, m.median, m.p99, m.unit);
+}
+
+bool WriteJson(const std::string& file, const std::vector<Metric>& metrics) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Metric& m : metrics)
+    list.push_back({{"name", m.name}, {"unit", m.unit}, {"median", m.median}, {"p99", m.p99}});
+  std::ofstream out(file);
+  out << nlohmann::json{{"metrics", list}}.dump(1) << '\n';
+  return static_cast<bool>(out.flush());
+}
+
+int Run(const Settings& settings) {
+  std::vector<Metric> all;
+  fmt::print("{:<44} {:>12} {:>12}  unit\n", "figure", "median", "p99");
+  for (const Room& room : Rooms()) {
+    if (std::string_view(room.name).find(settings.only) == std::string_view::npos) continue;
+    for (const Metric& metric : room.measure(settings)) {
+      Print(metric);
+      all.push_back(metric);
+    }
+    std::fflush(stdout);
+  }
+  if (settings.json.empty() || WriteJson(settings.json, all)) return 0;
+  fmt::print(stderr, "kaori-benchmark: cannot write {}\n", settings.json);
+  return 1;
+}
+
+int Main(int argc, char** argv) {
+  Settings settings;
+  Options options(kHelp);
+  options.Text("--pack", settings.pack, true).Text("--json", settings.json).Text("--only", settings.only);
+  options.Switch("--quick", settings.quick);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  return Run(settings);
+}
+
+}  // namespace
+}  // namespace kaori::benchmark
+
+int main(int argc, char** argv) {
+  return kaori::benchmark::Main(argc, argv);
+}

@@ -1,0 +1,154 @@
+// kaori-hil-agent: stands in the machine beside the box's own programs and tells the bench what it sees.
+//
+// Questions, one a line:
+//   hello                        "kaori-hil-agent"
+//   clock                        CLOCK_MONOTONIC in ns
+//   board                        the board as JSON
+//   events MS                    what changed on it meanwhile
+//   read PATH                    a file of the box
+//   tool WORDS...                a program of the bench's disk
+//   own WORDS...                 a program of the box
+//   start WORDS...               the same, left running; its number
+//   start-tool WORDS...          a program of the bench's disk, left running
+//   end NUMBER                   of a program that was started; what it said
+//   usb                          its devices, and whether each was let in
+//   voice PATH SECONDS           writes a voice as a WAV file of the bench's disk
+//   signal NAME NUMBER           to every process of that name
+//   lines take CHIP IN,IN OUT,OUT    GPIO lines, by the box's own driver
+//   lines edges | levels         what they did since the last question; how they stand
+//   lines drive N 0|1            output number N
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "appliance/core/board/board.h"
+#include "drivers/base/log.h"
+#include "drivers/gpio/chip_lines.h"
+#include "hw-sim/devices/voice_file.h"
+#include "tests/hil/agent/deeds.h"
+#include "tests/hil/agent/first_program.h"
+#include "tests/hil/agent/serial_line.h"
+#include "tests/hil/agent/sight.h"
+#include "tests/hil/agent/usb_view.h"
+
+namespace {
+
+using kaori::Result;
+using Words = std::vector<std::string>;
+
+constexpr const char* kLine = "/dev/ttyS0";
+constexpr kaori::Duration kLongestTool = std::chrono::seconds(120);
+
+Words Split(const std::string& text, char by) {
+  Words words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, by);)
+    if (!word.empty()) words.push_back(word);
+  return words;
+}
+
+class Witness {
+ public:
+  explicit Witness(const kaori::agent::Rooms& rooms) : rooms_(rooms) {}
+
+  Result<std::string> Answer(const std::string& question) {
+    Words words = Split(question, ' ');
+    if (words.empty()) return kaori::FailInput("an empty question");
+    const std::string verb = words.front();
+    words.erase(words.begin());
+    if (verb == "hello") return "kaori-hil-agent";
+    if (verb == "clock") return std::to_string(clock_.now().time_since_epoch().count());
+    if (verb == "voice" && words.size() == 2) return Voice(words);
+    if (verb == "usb") return kaori::agent::UsbDevices("/sys/bus/usb/devices");
+    if (verb == "tool") return kaori::agent::RunIn(rooms_.bench.get(), words, kLongestTool);
+    if (verb == "own") return kaori::agent::RunIn(rooms_.box.get(), words, kLongestTool);
+    if (verb == "start") return started_.Start(rooms_.box.get(), words);
+    if (verb == "start-tool") return started_.Start(rooms_.bench.get(), words);
+    if (verb == "end" && words.size() == 1) return started_.End(words[0]);
+    if (verb == "lines") return Lines(words);
+    if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
+    if (verb == "read" && words.size() == 1) return kaori::agent::ReadIn(rooms_.box.get(), words[0]);
+    if (verb == "signal" && words.size() == 2) return kaori::agent::SignalAll(words[0], words[1]);
+    return kaori::FailInput("not understood: " + question);
+  }
+
+ private:
+  // Opened for each question: the file comes with the first program that plays.
+  Result<std::string> Board(const Words& words) const {
+    const auto board =
+        kaori::board::Board::Open(fmt::format("/proc/self/fd/{}/run/kaori/board", rooms_.box.get()));
+    if (!board) return tl::unexpected(board.error());
+    if (words.empty()) return kaori::agent::BoardAsJson(*board, clock_);
+    return kaori::agent::WatchEvents(*board, clock_, std::chrono::milliseconds(std::atoi(words[0].c_str())));
+  }
+
+  static Result<std::string> Voice(const Words& words) {
+    const auto said = kaori::sim::SayVowels(std::chrono::seconds(std::atoi(words[1].c_str())));
+    return kaori::sim::WriteWav(words[0], said).map([] { return std::string(); });
+  }
+
+  Result<std::string> Lines(const Words& words) {
+    if (words.size() >= 3 && words[0] == "take") return HandleLines(words);
+    if (!lines_) return kaori::FailInput("no lines were taken");
+    if (words.size() == 3 && words[0] == "drive")
+      return lines_->Drive(static_cast<std::uint32_t>(std::atoi(words[1].c_str())), words[2] == "1").map([] {
+        return std::string();
+      });
+    if (words.size() == 1 && words[0] == "levels")
+      return lines_->Levels().map([](std::uint32_t levels) { return std::to_string(levels); });
+    if (words.size() == 1 && words[0] == "edges") return Edges();
+    return kaori::FailInput("lines take, edges, levels or drive");
+  }
+
+  Result<std::string> HandleLines(const Words& words) {
+    kaori::gpio::Wiring wiring;
+    for (const std::string& number : Split(words[2], ','))
+      wiring.inputs.push_back({.offset = static_cast<std::uint32_t>(std::atoi(number.c_str()))});
+    for (const std::string& number : words.size() > 3 ? Split(words[3], ',') : Words{})
+      wiring.outputs.push_back(
+          {.offset = static_cast<std::uint32_t>(std::atoi(number.c_str())), .active_low = false});
+    lines_.reset();
+    auto taken = kaori::gpio::OpenLines(words[1], wiring);
+    if (!taken) return tl::unexpected(taken.error());
+    lines_ = std::move(*taken);
+    return std::string();
+  }
+
+  // "LINE 0|1 AT_NS", a line each.
+  Result<std::string> Edges() {
+    std::string told;
+    while (true) {
+      const auto edge = lines_->ReadEdge();
+      if (!edge && edge.error().cause == std::errc::resource_unavailable_try_again) return told;
+      if (!edge) return tl::unexpected(edge.error());
+      told +=
+          fmt::format("{} {} {}\n", edge->line, edge->active ? 1 : 0, edge->at.time_since_epoch().count());
+    }
+  }
+
+  const kaori::agent::Rooms& rooms_;
+  kaori::SteadyClock clock_;
+  kaori::agent::Started started_;
+  std::unique_ptr<kaori::ports::GpioLines> lines_;
+};
+
+}  // namespace
+
+int main() {
+  kaori::SetLogName("kaori-hil-agent");
+  if (::getpid() != 1) {
+    kaori::Log("is the first program of a machine on the bench; see kaori-bench");
+    return 2;
+  }
+  const auto rooms = kaori::agent::StartTheBox();
+  auto line = kaori::agent::SerialLine::Open(kLine);
+  if (!line) return 1;
+  if (!rooms) return line->Answer(tl::unexpected(rooms.error())), 1;
+  Witness witness(*rooms);
+  while (const auto question = line->Next()) line->Answer(witness.Answer(*question));
+  return 0;
+}

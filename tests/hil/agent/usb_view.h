@@ -1,0 +1,11 @@
+// The USB devices of a machine, and whether they were let in.
+#pragma once
+
+#include <string>
+
+namespace kaori::agent {
+
+// "PORT VENDOR:PRODUCT 0|1", a line each, root hubs left out; of a folder such as /sys/bus/usb/devices.
+std::string UsbDevices(const std::string& folder);
+
+}  // namespace kaori::agent
