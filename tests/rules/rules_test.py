@@ -8,7 +8,8 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-import direction  # noqa: E402  The folder must be on the path first.
+import cycles  # noqa: E402  The folder must be on the path first.
+import direction  # noqa: E402
 import shape  # noqa: E402
 import table  # noqa: E402
 
@@ -141,6 +142,33 @@ class Direction(unittest.TestCase):
     def test_does_not_pass_a_folder_without_sources(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertRaises(SystemExit, lambda: list(direction.sources(pathlib.Path(folder))))
+
+
+class Cycles(unittest.TestCase):
+    def circles(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            for path, target in files:
+                file = pathlib.Path(folder) / path
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(f'#include "{target}"\n', encoding="utf-8")
+            return list(cycles.offences(pathlib.Path(folder)))
+
+    def test_between_folders_are_named_at_every_depth(self):
+        self.assertEqual(self.circles([("render/gl/a.h", "drivers/base/a.h"), ("drivers/base/a.h", "render/gl/b.h")]),
+                         ["drivers <-> render", "drivers/base <-> render/gl"])
+        self.assertEqual(self.circles([("drivers/hid/a.h", "drivers/gpio/a.h"), ("drivers/gpio/b.h", "drivers/hid/a.h")]),
+                         ["drivers/gpio <-> drivers/hid"])
+        self.assertEqual(self.circles([("appliance/programs/a/x/a.h", "appliance/programs/a/y/a.h"),
+                                       ("appliance/programs/a/y/a.h", "appliance/programs/a/z/a.h"),
+                                       ("appliance/programs/a/z/a.h", "appliance/programs/a/x/a.h")]),
+                         ["appliance/programs/a/x <-> appliance/programs/a/y <-> appliance/programs/a/z"])
+
+    def test_through_the_main_of_a_program_are_none(self):
+        self.assertEqual(self.circles([("appliance/programs/lips/main.cpp", "appliance/programs/lips/service/a.h"),
+                                       ("appliance/programs/lips/service/a.h", "appliance/programs/lips/b.h")]), [])
+
+    def test_are_not_seen_where_folders_stand_one_above_the_other(self):
+        self.assertEqual(self.circles([("render/gl/a.h", "drivers/base/a.h"), ("appliance/core/a.h", "render/gl/a.h")]), [])
 
 
 class Rooms(unittest.TestCase):

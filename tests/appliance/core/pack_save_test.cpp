@@ -9,7 +9,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/core/show/pack_whole_file.h"
 #include "tests/appliance/core/pack_fixture.h"
-#include "tests/appliance/programs/small_disk.h"
+#include "tests/appliance/core/small_disk.h"
 
 namespace kaori::testing {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "appliance/programs/editor/scribe.h"
 #include "tests/appliance/core/board_file.h"
-#include "tests/appliance/programs/small_disk.h"
+#include "tests/appliance/core/small_disk.h"
 #include "tests/render/synthetic_cast.h"
 
 namespace kaori::testing {

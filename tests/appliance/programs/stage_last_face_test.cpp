@@ -11,7 +11,7 @@
 #include "firmware/wire/last_face.h"
 #include "tests/appliance/core/board_file.h"
 #include "tests/appliance/core/performance_fixture.h"
-#include "tests/appliance/programs/small_disk.h"
+#include "tests/appliance/core/small_disk.h"
 
 namespace kaori::stage {
 namespace {
