@@ -38,7 +38,7 @@ struct StickLabel {
 struct KeyLabel {
   std::uint8_t usage = 0;  // HID keyboard usage.
   std::string text{};
-  std::string group{};  // "blink", "take", "scene" or "".
+  std::string group{};  // "blink", "motion", "scene" or "".
 };
 
 // An empty text leaves the number alone.

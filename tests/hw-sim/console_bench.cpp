@@ -24,7 +24,7 @@ Labels BenchLabels() {
   labels.buttons[8] = {"Smile", "expression"};
   labels.buttons[24] = {"Wireframe", "style"};
   labels.sticks = {{{"Head", "Tilt", "Lean in"}, {"Gaze and brows"}}};
-  labels.keys = {{0x2C, "Blink", "blink"}, {0x1E, "Nod", "take"}, {0x3A, "Poster", "scene"}};
+  labels.keys = {{0x2C, "Blink", "blink"}, {0x1E, "Nod", "motion"}, {0x3A, "Poster", "scene"}};
   return labels;
 }
 

@@ -83,7 +83,7 @@ class Importing {
     wanted_.push_back({std::move(name), kind, std::move(offsets)});
   }
 
-  // The show's expressions stay where they are in the list, so that its buttons and takes still fit.
+  // The show's expressions stay where they are in the list, so that its buttons and motions still fit.
   void WantExpressionsOfShow() {
     if (show_ == nullptr) return Want("neutral", ExpressionKind::kExpression, {}, "the face at rest");
     for (const face::Expression& expression : show_->cast.expressions) {

@@ -37,7 +37,7 @@ struct Imported {
 
 // The first file has the shapes; all have one topology and become the faces, named as their files. With a
 // `show`, its expressions are carried to the heads, where an artist's shape does not fill the role already;
-// its buttons, takes and scenes are kept as far as the heads go; and the artist's shapes are carried to the
+// its buttons, motions and scenes are kept as far as the heads go; and the artist's shapes are carried to the
 // show's own faces; the heads are painted, combed and dressed as the faces that `options.like` names, or as
 // the first. Takes seconds. Errors: invalid_argument; the attempt lists every fault, one a line: file, item,
 // reason.

@@ -67,7 +67,7 @@ std::vector<std::string> Differences(const show::Show& before, const show::Show&
   CompareTopology(before.cast.topology, after.cast.topology, lines);
   CompareFaces(before.cast, after.cast, lines);
   CompareExpressions(before.cast, after.cast, lines);
-  CompareByName("take", before.motions, after.motions, lines,
+  CompareByName("motion", before.motions, after.motions, lines,
                 [&](const std::string& item, const show::Motion& a, const show::Motion& b) {
                   CompareMotion(item, a, b, lines);
                 });

@@ -103,7 +103,7 @@ std::string FactsPage(const Facts& f) {
   page += Row("mouth shapes", Listed(f.mouth_shapes)) + Row("channels", Listed(f.channels));
   page += Row("props", fmt::format("{:<4} {} triangles", f.props, f.triangles_of_props));
   page += Row("textures", fmt::format("{}", f.textures));
-  page += Row("takes", fmt::format("{}", f.motions)) + Row("scenes", fmt::format("{}", f.scenes));
+  page += Row("motions", fmt::format("{}", f.motions)) + Row("scenes", fmt::format("{}", f.scenes));
   page +=
       Row("folds", fmt::format("{}", f.looks.folds)) + Row("lid gaps", fmt::format("{}", f.looks.lid_gaps));
   page += Row("teeth through lips", fmt::format("{}", f.looks.teeth_through_lips));

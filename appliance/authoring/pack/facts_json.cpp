@@ -36,7 +36,7 @@ std::string FactsJson(const Facts& f) {
                   {"props", f.props},
                   {"triangles_of_props", f.triangles_of_props},
                   {"textures", f.textures},
-                  {"takes", f.motions},
+                  {"motions", f.motions},
                   {"scenes", f.scenes},
                   {"folds", f.looks.folds},
                   {"lid_gaps", f.looks.lid_gaps},

@@ -26,7 +26,7 @@ Verb DiffVerb() {
           .options = {},
           .summary = "what changed from pack A to pack B, item by item",
           .page = R"(
-One line for each face, expression, control point, prop, take, scene and control that differs, with how much: lengths
+One line for each face, expression, control point, prop, motion, scene and control that differs, with how much: lengths
 in millimetres on the reference face. Items are matched by their names.
 )",
           .run = RunDiff};

@@ -99,7 +99,8 @@ Json KeysJson(const show::Show& show) {
   add(kSpace, "Blink", "blink");
   add(kZ, "Wink left", "blink");  // As the audience sees her.
   add(kX, "Wink right", "blink");
-  for (const show::Motion& take : show.motions) add(take.key_usage, Readable(take.name), "take");
+  for (const show::Motion& motion : show.motions)
+    add(motion.key_usage, Readable(motion.name), "motion");
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
   for (const show::KeyCall& key : show.keys) {
     const Label label = LabelOf(key.call, show);

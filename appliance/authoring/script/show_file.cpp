@@ -37,13 +37,13 @@ class ShowFileReader {
   ShowFileReader(std::filesystem::path file, show::Show& show) : file_(std::move(file)), show_(show) {}
 
   std::vector<std::string> Read(const toml::table& table) {
-    CheckWords("the show", table, {"name", "scene", "take", "buttons", "keys", "channels"});
+    CheckWords("the show", table, {"name", "scene", "motion", "buttons", "keys", "channels"});
     show_.name = Value("the show", table, "name", std::string("unnamed"));
     if (const auto* scenes = Part<toml::array>(table, "scene"))
       ForEachTable(*scenes, [&](auto& t) { ReadScene(t); });
     if (show_.scenes.empty()) Fault("scenes", "there is none; the first one opens the show");
-    if (const auto* takes = Part<toml::array>(table, "take"))
-      ForEachTable(*takes, [&](auto& t) { ReadMotion(t); });
+    if (const auto* motions = Part<toml::array>(table, "motion"))
+      ForEachTable(*motions, [&](auto& t) { ReadMotion(t); });
     if (const auto* rows = Part<toml::array>(table, "buttons")) ReadButtons(*rows);
     if (const auto* keys = Part<toml::table>(table, "keys")) ReadKeys(*keys);
     if (const auto* channels = Part<toml::table>(table, "channels")) ReadChannels(*channels);
@@ -60,8 +60,12 @@ class ShowFileReader {
                   std::initializer_list<std::string_view> words) {
     for (const auto& [key, node] : table)
       if (std::ranges::find(words, key.str()) == words.end())
-        Fault(item,
-              fmt::format("line {}: nothing is called \"{}\" here", key.source().begin.line, key.str()));
+        Fault(item, fmt::format("line {}: {}", key.source().begin.line, UnknownWord(key.str())));
+  }
+
+  static std::string UnknownWord(std::string_view word) {
+    if (word == "take") return "a registered motion is now written [[motion]], not [[take]]";
+    return fmt::format("nothing is called \"{}\" here", word);
   }
 
   // A table or an array; null where there is none.
@@ -166,21 +170,21 @@ class ShowFileReader {
   }
 
   void ReadMotion(const toml::table& table) {
-    show::Motion take;
-    take.name = Value("a take", table, "name", std::string("unnamed"));
-    const std::string item = fmt::format("take \"{}\"", take.name);
-    take.key_usage = Key(item, table);
+    show::Motion motion;
+    motion.name = Value("a motion", table, "name", std::string("unnamed"));
+    const std::string item = fmt::format("motion \"{}\"", motion.name);
+    motion.key_usage = Key(item, table);
     for (const auto& [key, node] : table) {
       if (const auto* pairs = node.as_array())
-        take.curves.push_back(TargetCurve(item, std::string(key.str()), *pairs));
+        motion.curves.push_back(TargetCurve(item, std::string(key.str()), *pairs));
       else if (key.str() == "sound")
-        ReadSound(item, node, take.sound);
+        ReadSound(item, node, motion.sound);
       else if (key.str() != "name" && key.str() != "key")
         Fault(item, fmt::format("line {}: {} wants a list of pairs [second, value]", key.source().begin.line,
                                 key.str()));
     }
-    if (take.curves.empty() && take.sound.samples.empty()) Fault(item, "it moves nothing");
-    show_.motions.push_back(std::move(take));
+    if (motion.curves.empty() && motion.sound.samples.empty()) Fault(item, "it moves nothing");
+    show_.motions.push_back(std::move(motion));
   }
 
   // A file beside this one.

@@ -9,7 +9,7 @@
 
 namespace kaori::authoring {
 
-// Fills buttons, takes, scenes and channels of `show`, whose cast must be there: names are looked up in it.
+// Fills buttons, motions, scenes and channels of `show`, whose cast must be there: names are looked up in it.
 // Returns every fault found, one line each: file, item, reason; empty when all is well.
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show);
 

@@ -42,7 +42,7 @@ void CheckCounts(const Show& show, Faults& faults) {
   check("props", show.cast.props.size());
   check("textures", show.cast.textures.size());
   check("keys", show.keys.size());
-  check("takes", show.motions.size());
+  check("motions", show.motions.size());
   check("scenes", show.scenes.size());
   if (show.cast.textures.empty()) faults.emplace_back("textures: there is none, and every face wants one");
 }
@@ -92,7 +92,7 @@ void CheckSound(const std::string& item, const Sound& sound, Faults& faults) {
 }
 
 void CheckMotion(const Show& show, const Motion& motion, Faults& faults) {
-  const std::string item = fmt::format("take \"{}\"", motion.name);
+  const std::string item = fmt::format("motion \"{}\"", motion.name);
   CheckKey(item, motion.key_usage, faults);
   for (const MotionCurve& curve : motion.curves) CheckCurve(show, item, curve, faults);
   CheckSound(item, motion.sound, faults);

@@ -91,7 +91,7 @@ TEST_F(AtelierLabels, NameTheKeysThatDoSomething) {
     return it == labels_.keys.end() ? std::nullopt : std::optional(it->text + " " + it->group);
   };
   EXPECT_EQ(text(performance::kSpace), "Blink blink");
-  EXPECT_EQ(text(performance::kKey1), "Nod take");
+  EXPECT_EQ(text(performance::kKey1), "Nod motion");
   EXPECT_EQ(text(performance::kF1), "Kitchen scene");
   EXPECT_EQ(text(kKeyQ), "Wireframe style");
   EXPECT_EQ(labels_.keys.size(), 6U) << "a scene without a key has none";

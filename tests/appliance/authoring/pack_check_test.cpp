@@ -99,11 +99,11 @@ TEST_F(CheckedFolder, NamesAMissingLookBesideAMissingFace) {
   EXPECT_THAT(faults, Contains(HasSubstr("faces/round.toml: No such file")));
 }
 
-TEST_F(CheckedFolder, NamesATakeThatWouldJumpEvenBesideABrokenFace) {
+TEST_F(CheckedFolder, NamesAMotionThatWouldJumpEvenBesideABrokenFace) {
   Replace("faces/kaori.toml", "upturn", "upturm");
-  Append("show.toml", "\n[[take]]\nname = \"jump\"\nkey = \"f12\"\nhead_yaw = [[0, 0], [1, 20]]\n");
+  Append("show.toml", "\n[[motion]]\nname = \"jump\"\nkey = \"f12\"\nhead_yaw = [[0, 0], [1, 20]]\n");
   EXPECT_THAT(CheckFolder(show_),
-              Contains(HasSubstr("show.toml: take \"jump\": a curve must start and end at 0")));
+              Contains(HasSubstr("show.toml: motion \"jump\": a curve must start and end at 0")));
 }
 
 TEST(CheckFolder, SaysThatThereIsNoSuchFolder) {

@@ -39,7 +39,7 @@ TEST(PackDiff, SaysWhatIsNewAndWhatIsGone) {
   after.cast.faces[3].name = "other";
   after.motions.clear();
   EXPECT_THAT(Differences(SmallShow(), after),
-              ElementsAre("face \"long\": is gone", "face \"other\": is new", "take \"nod\": is gone"));
+              ElementsAre("face \"long\": is gone", "face \"other\": is new", "motion \"nod\": is gone"));
 }
 
 TEST(PackDiff, SaysHowMuchOfATextureChanged) {

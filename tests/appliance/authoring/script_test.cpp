@@ -46,9 +46,9 @@ class ScriptTest : public ::testing::Test {
   show::Show show_;
 };
 
-TEST_F(ScriptTest, IsReadIntoScenesAndTakes) {
+TEST_F(ScriptTest, IsReadIntoScenesAndMotions) {
   const auto faults = Read(std::string(kScene) +
-                           "[[take]]\nname = \"nod\"\nkey = \"2\"\nhead_pitch = [[0, 0], [1, 90], [2, 0]]\n"
+                           "[[motion]]\nname = \"nod\"\nkey = \"2\"\nhead_pitch = [[0, 0], [1, 90], [2, 0]]\n"
                            "jaw_open = [[0, 0], [1, 0.5], [2, 0]]\n");
   EXPECT_THAT(faults, IsEmpty());
   ASSERT_EQ(show_.scenes.size(), 1U);
@@ -133,11 +133,11 @@ const Wrong kWrongs[] = {
     {"ABackdropThatIsNoTable", "[[scene]]\nface = \"kaori\"\nbackdrop = 3", "it wants a backdrop, such as"},
     {"APictureThatIsNotThere", "[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"none.png\" }",
      "none.png: No such file"},
-    {"AKeyThatIsNone", "[[take]]\nkey = \"f13\"\nlids = [[0, 0], [1, 0]]", "there is no key \"f13\""},
-    {"APairOfThree", "[[take]]\nlids = [[0, 0, 0], [1, 0]]", "line 9: a pair [second, value] is expected"},
-    {"ACurveThatIsANumber", "[[take]]\nlids = 3", "line 9: lids wants a list of pairs"},
-    {"ACurveOfNothing", "[[take]]\nears = [[0, 0], [1, 0]]", "there is no target or channel \"ears\""},
-    {"ATakeOfNothing", "[[take]]\nname = \"nod\"", "take \"nod\": it moves nothing"},
+    {"AKeyThatIsNone", "[[motion]]\nkey = \"f13\"\nlids = [[0, 0], [1, 0]]", "there is no key \"f13\""},
+    {"APairOfThree", "[[motion]]\nlids = [[0, 0, 0], [1, 0]]", "line 9: a pair [second, value] is expected"},
+    {"ACurveThatIsANumber", "[[motion]]\nlids = 3", "line 9: lids wants a list of pairs"},
+    {"ACurveOfNothing", "[[motion]]\nears = [[0, 0], [1, 0]]", "there is no target or channel \"ears\""},
+    {"AMotionOfNothing", "[[motion]]\nname = \"nod\"", "motion \"nod\": it moves nothing"},
     {"ChannelsOfNoRole", "[channels]\nbrow = \"jaw_open\"",
      "channels: line 9: nothing is called \"brow\" here"},
     {"ACallOnAKeyThatIsNone", "[keys]\nf13 = \"style wire\"", "key f13: there is no key \"f13\""},
@@ -149,6 +149,8 @@ const Wrong kWrongs[] = {
     {"ASceneOfANameThatIsTaken",
      "[[scene]]\nname = \"studio\"\nface = \"kaori\"\nbackdrop = { top = \"#000000\", bottom = \"#000000\" }",
      "scene \"studio\": the name \"studio\" is given twice"},
+    {"AMotionByItsFormerName", "[[take]]\nname = \"nod\"\nlids = [[0, 0], [1, 0]]",
+     "the show: line 8: a registered motion is now written [[motion]], not [[take]]"},
     {"ATypingError", "light = = 1", ":8:"},
 };
 

@@ -163,12 +163,12 @@ TEST_F(WaveTest, BelongsToItsMotion) {
                      faults.empty() ? std::string() : faults[0]);
   };
   const std::string name = file_.substr(file_.rfind('/') + 1);
-  const auto [sound, fault] = read("[[take]]\nname = \"hello\"\nkey = \"1\"\nsound = \"" + name + "\"\n");
+  const auto [sound, fault] = read("[[motion]]\nname = \"hello\"\nkey = \"1\"\nsound = \"" + name + "\"\n");
   EXPECT_EQ(fault, "");
   EXPECT_EQ(sound.samples.size(), 2U) << "a motion may be of sound alone";
-  EXPECT_THAT(read("[[take]]\nname = \"hello\"\nkey = \"1\"\nsound = \"none.wav\"\n").second,
-              HasSubstr("take \"hello\": open the sound"));
-  EXPECT_THAT(read("[[take]]\nname = \"hello\"\nkey = \"1\"\nsound = 3\n").second,
+  EXPECT_THAT(read("[[motion]]\nname = \"hello\"\nkey = \"1\"\nsound = \"none.wav\"\n").second,
+              HasSubstr("motion \"hello\": open the sound"));
+  EXPECT_THAT(read("[[motion]]\nname = \"hello\"\nkey = \"1\"\nsound = 3\n").second,
               HasSubstr("sound wants the name of a WAV file"));
   std::remove(script.c_str());
 }

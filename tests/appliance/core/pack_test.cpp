@@ -93,7 +93,7 @@ TEST(CheckShow, NamesEveryControlThatCallsNothing) {
   show.motions[0].curves[0].keys.back().value = 1;
   EXPECT_THAT(show::CheckShow(show),
               ::testing::UnorderedElementsAre(HasSubstr("button 1"), HasSubstr("key 20"),
-                                              HasSubstr("scene \"opening\""), HasSubstr("take \"nod\"")));
+                                              HasSubstr("scene \"opening\""), HasSubstr("motion \"nod\"")));
 }
 
 struct ShowFault {
@@ -161,7 +161,7 @@ const ShowFault kShowFaults[] = {
      [](Show& s) {
        SetKeys(s, {{0, 0}, {kNan, 0.3F}, {2, 0}});
      },
-     "take \"nod\""},
+     "motion \"nod\""},
     {"TakeOfAChannelThatIsNone",
      [](Show& s) {
        s.motions[0].curves[0] = {show::MotionTarget::kChannel, 99, {{0, 0}, {1, 0}}};
@@ -171,7 +171,7 @@ const ShowFault kShowFaults[] = {
      [](Show& s) {
        s.motions[0].sound = {2, {1, 2, 3}};
      },
-     "take \"nod\": its sound ends within a frame"},
+     "motion \"nod\": its sound ends within a frame"},
     {"SoundOfManyChannels",
      [](Show& s) {
        s.motions[0].sound = {6, {}};
