@@ -82,3 +82,9 @@ FREESTANDING = ("algorithm", "array", "bit", "concepts", "cstddef", "cstdint", "
 LINES_WANTED = 300
 # Longer files, each with its reason.
 LONG_FILES = {}
+
+# The test's side of simulated devices, and the wire format, of which the box decodes with its general reader of reports.
+FOR_TESTS_TOO = ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "firmware/wire/")
+
+# Declared in the product's headers and used by no code of the product, each with its reason (tests/rules/unused.py).
+USED_FROM_OUTSIDE = {}

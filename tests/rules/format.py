@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""Names sources that clang-format would write otherwise, scripts that shellcheck warns of, and Python that pyflakes warns of.
+
+Usage: format.py ROOT [--apply]     prints a line for each fault, and exits 1 when there is one; --apply formats the sources.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+import words
+
+SOURCES = (".h", ".cpp", ".c")
+AT_ONCE = 100
+
+
+def of_kind(root, kind):
+    """Paths of the tree that are sources, shell scripts or Python, by their ending or their first line."""
+    for path, file in words.files(root):
+        first = b"" if file.suffix else file.read_bytes()[:64].split(b"\n")[0]
+        if kind == "source" and file.suffix in SOURCES or kind == "shell" and (file.suffix == ".sh" or b"bash" in first) \
+                or kind == "python" and (file.suffix == ".py" or b"python" in first):
+            yield path
+
+
+def run(root, command, paths):
+    """What a tool says of the paths, a few at a time."""
+    paths = list(paths)
+    for begin in range(0, len(paths), AT_ONCE):
+        done = subprocess.run([*command, *paths[begin:begin + AT_ONCE]], cwd=root, capture_output=True, text=True, check=False)
+        yield from (done.stdout + done.stderr).splitlines()
+
+
+def unformatted(root):
+    for line in run(root, ["clang-format", "--dry-run"], of_kind(root, "source")):
+        if match := re.match(r"(\S+):\d+:\d+: warning: code should be clang-formatted", line):
+            yield match[1]
+
+
+def offences(root):
+    yield from (f"{path}: is not formatted; ./box format does it" for path in sorted(set(unformatted(root))))
+    yield from run(root, ["shellcheck", "--format=gcc", "--severity=warning", "--external-sources"], of_kind(root, "shell"))
+    yield from run(root, ["pyflakes3"], of_kind(root, "python"))
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    if "--apply" in sys.argv:
+        list(run(root, ["clang-format", "-i"], of_kind(root, "source")))
+        return 0
+    found = list(offences(root))
+    print("\n".join(found) or "all is formatted; shellcheck and pyflakes find nothing")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

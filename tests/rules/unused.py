@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Names functions, types and constants of the product's headers that nothing but tests uses.
+
+Usage: unused.py ROOT     prints "header:line: name" for each, and exits 1 when there is one.
+
+A name counts as used where it stands in the product's code (comments and texts apart) more often than in its declaration and
+definition. Names that several headers declare are counted together, so that this finds too little rather than too much.
+"""
+
+import collections
+import pathlib
+import re
+import sys
+
+import direction
+import table
+import words
+
+PRODUCT = ("firmware/", "drivers/", "render/", "appliance/", "hw-sim/")
+DECLARED = re.compile(
+    r"^\s*(?:\[\[nodiscard\]\] )?(?:template <[^>]*>\s*)?(?:inline |static |constexpr |explicit |virtual )*"
+    r"(?:(?<![ ])(?:class|struct|enum class|using) (?P<type>[A-Z]\w+)(?=[ ;{:]|$)"
+    r"|(?!\s*(?:return|co_return|else|case)\b)\s*\w[\w:<>,&*\s\[\]]*?[\s&*](?P<function>[A-Z]\w+)\("
+    r"|[\w:<>,&*\s]+? (?P<constant>k[A-Z]\w+)\s*(?:=|\{|\[))")
+NAME = re.compile(r"[A-Za-z_]\w*")
+
+
+def code_of(text):
+    return words.TEXT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]) if not match[0].startswith("#include") else " ", text)
+
+
+def offences(root):
+    """Lines "header:line: name", one for each name that only tests use."""
+    uses, declared = collections.Counter(), {}
+    defined = collections.Counter()
+    for path, file in direction.sources(root):
+        if not path.startswith(PRODUCT):
+            continue
+        code = code_of(file.read_text(encoding="utf-8"))
+        uses.update(NAME.findall(code))
+        for number, line in enumerate(code.split("\n"), 1):
+            if path.endswith(".h") and not path.startswith(table.FOR_TESTS_TOO) and (match := DECLARED.match(line)):
+                name = match["type"] or match["function"] or match["constant"]
+                declared.setdefault(name, []).append(f"{path}:{number}")
+            # A definition begins at the edge of a line, perhaps of a member.
+            for name in re.findall(r"^[A-Za-z][^=;]*?\b(?:\w+::)*([A-Z]\w*)\([^;]*\{?$", line):
+                if path.endswith(".cpp"):
+                    defined[name] += 1
+    for name, places in sorted(declared.items()):
+        if name not in table.USED_FROM_OUTSIDE and uses[name] <= len(places) + defined[name]:
+            yield from (f"{place}: {name}" for place in places)
+
+
+def main():
+    found = list(offences(pathlib.Path(sys.argv[1])))
+    print("\n".join(f"{line}: only tests use it, or nobody" for line in found) or "the product uses all that it declares")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

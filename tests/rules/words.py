@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Names words that this project does not use, each with the one that it uses: docs/glossary.md is the list of the latter.
+
+Usage: words.py ROOT     prints "file:line: word: say ..." for each, and exits 1 when there is one.
+
+In code, names are taken apart (`SeatLids`, `stick_seat`) and their parts are looked at; comments, texts and pages are read
+as English. A word may stand where an exemption says so, with its reason.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+CODE = (".h", ".hpp", ".c", ".cpp", ".fbs", ".vert", ".frag", ".glsl", ".js", ".mjs", ".py", ".sh", ".cmake")
+PAGES = (".md", ".toml", ".txt", ".service", ".socket", ".target", ".play", ".html", ".css")
+
+# (part of a name, what to say). Looked for in names of code and of files.
+NAMES = (
+    (r"wardrobes?", "appearance"),
+    (r"needles?", "ExpressionEditor, handle"),
+    (r"witness(es)?", "agent: the in-guest agent"),
+    (r"strangers?", "unauthorised device"),
+    (r"latch(es|ed)?", "FramePacer, or late input sampling"),
+    (r"holders?", "fd keeper"),
+    (r"nameplates?", "device name"),
+    (r"lulls?", "pause"),
+    (r"felled", "crashed"),
+    (r"hands", "input, operator input, actions"),
+    (r"seats?|seated", "DeviceSlot, ScreenSession"),
+    (r"sights?", "detection, view"),
+    (r"deeds?", "actions, commands"),
+    (r"riddles?", "the plain name"),
+)
+# Whole names.
+WHOLE = ((re.compile(r"\bTake(?:[A-Z]\w*)?(?=\()"), "Handle, Accept, Parse, Acquire, Read, by what it does"),)
+
+# (English words, what to say). Looked for in comments, texts, log lines and pages.
+PROSE = (
+    (r"wardrobes?", "appearance"),
+    (r"(?<!kaori-)ateliers?", "authoring tool"),
+    (r"witness(es|ed)?", "in-guest agent"),
+    (r"strangers?", "unauthorised device"),
+    (r"felled", "crashed"),
+    (r"shutest", "minimum opening"),
+    (r"nameplates?", "device name"),
+    (r"lulls?", "pause"),
+    (r"(?:moment|time) of (?:its |their )?light|c[oa]me?s? to light|came to light", "is presented; scan-out time"),
+    (r"stays? dead|is let in|are let in", "stays unauthorised, is authorised"),
+    (r"a hand's wait", "input latency"),
+    (r"fell over", "flipped"),
+)
+
+# (path's beginning, pattern of NAMES or PROSE, reason).
+EXEMPT = (
+    ("tests/rules/words", None, "the list itself"),
+    ("docs/glossary.md", None, "the list for people"),
+    ("CHANGELOG.md", None, "what things were called before"),
+    ("LICENSE", None, "not ours"),
+)
+
+SPLIT = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+TEXT = re.compile(r'"(?:[^"\\\n]|\\.)*"|//[^\n]*|/\*.*?\*/|(?<![\w&])#[^\n]*' , re.S)
+
+
+def exempt(path, pattern):
+    return any(path.startswith(begin) and wanted in (None, pattern) for begin, wanted, _ in EXEMPT)
+
+
+def in_name(path, name):
+    """The first refused part of a name, as (part, what to say)."""
+    for part in SPLIT.findall(name):
+        for pattern, say in NAMES:
+            if re.fullmatch(pattern, part.lower()) and not exempt(path, pattern):
+                return part, say
+    return None
+
+
+def in_prose(path, line):
+    for pattern, say in PROSE:
+        match = re.search(rf"\b(?:{pattern})\b", line, re.IGNORECASE)
+        if match and not exempt(path, pattern):
+            yield match[0], say
+
+
+def in_code(path, line):
+    for name in set(re.findall(r"[A-Za-z_]\w+", line)):
+        if found := in_name(path, name):
+            yield name, found[1]
+    for pattern, say in WHOLE:
+        for match in pattern.finditer(line):
+            yield match[0], say
+
+
+def files(root):
+    listed = subprocess.run(["git", "-C", str(root), "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True,
+                            check=True).stdout.split("\n")
+    for path in listed:
+        file = root / path
+        if path and file.is_file() and not file.is_symlink() and "corpus/" not in path and "package-lock" not in path:
+            yield path, file
+
+
+def offences(root):
+    """Lines "file:line: word: say ...", one for each refused word."""
+    for path, file in files(root):
+        if found := in_name(path, path):
+            yield f"{path}: the file's name: {found[0]}: say {found[1]}"
+        if file.suffix not in CODE + PAGES and file.suffix:
+            continue
+        try:
+            text = file.read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            continue
+        for number, line in enumerate(text.split("\n"), 1):
+            yield from (f"{path}:{number}: {word}: say {say}" for word, say in in_prose(path, line))
+        if file.suffix in (".h", ".cpp", ".c", ".fbs"):
+            code = TEXT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+            for number, line in enumerate(code.split("\n"), 1):
+                yield from (f"{path}:{number}: {word}: say {say}" for word, say in in_code(path, line))
+
+
+def main():
+    found = list(offences(pathlib.Path(sys.argv[1]).resolve()))
+    print("\n".join(found) or "no refused words")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
