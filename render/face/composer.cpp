@@ -50,7 +50,7 @@ AlignedFloats MouthShareOfFloats(const Topology& topology, std::size_t floats) {
 
 }  // namespace
 
-// Everything that Compose writes to, and what it needs at hand. Sized once.
+// Everything that Compose reads and writes besides the cast. Its sizes are fixed at construction.
 struct Composer::Work {
   explicit Work(const Cast& cast);
 
@@ -139,7 +139,7 @@ void Composer::Work::BlendCage(float mouth_given_away) {
 void Composer::Work::Refine(const Shape& of) {
   ApplyToVertices(mesh.from_cage, cage.data(), fine.data());
   for (std::size_t side = 0; side < 2; ++side) {
-    fine_lids[side].Seat(of.eyes[side], of.lids_shut[side], fine.vertices(mesh.from_cage.rows()));
+    fine_lids[side].Fit(of.eyes[side], of.lids_shut[side], fine.vertices(mesh.from_cage.rows()));
   }
 }
 
@@ -207,7 +207,7 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   const auto cage = work_->cage.vertices(topology.vertex_count);
   for (std::size_t side = 0; side < 2; ++side) {
     ShutLids(topology.lids[side], shape_.lids_shut[side], cage);
-    SeatLids(topology.lids[side], shape_.eyes[side], cage);
+    FitLids(topology.lids[side], shape_.eyes[side], cage);
   }
   if (detail == Detail::kFine) work_->Refine(shape_);
   work_->ComputeNormals(detail);

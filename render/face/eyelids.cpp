@@ -86,7 +86,7 @@ void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage) {
   }
 }
 
-void SeatLids(const LidRig& rig, const EyeBall& ball, std::span<glm::vec3> cage) {
+void FitLids(const LidRig& rig, const EyeBall& ball, std::span<glm::vec3> cage) {
   if (!(ball.radius_m > 0)) return;
   for (int ring = 0; ring < rig.rings; ++ring) {
     const float radius_m = SmallestRadius_m(rig, ball, ring);

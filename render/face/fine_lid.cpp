@@ -85,7 +85,7 @@ void FineLid::Relax(float shut, std::span<glm::vec3> fine) {
   for (std::size_t i = 0; i < skin_.size(); ++i) fine[skin_[i]] = relaxed_[i];
 }
 
-void FineLid::Seat(const EyeBall& ball, float shut, std::span<glm::vec3> fine) {
+void FineLid::Fit(const EyeBall& ball, float shut, std::span<glm::vec3> fine) {
   if (!(ball.radius_m > 0)) return;
   if (shut > 0)
     for (int step = 0; step < kRelaxSteps; ++step) Relax(shut, fine);

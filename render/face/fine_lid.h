@@ -19,7 +19,7 @@ class FineLid {
   // Evens the skin out by as much as the lids are shut, 0..1, then pushes what is too near the ball out of
   // it: a stretched lid cuts off the curve that its rings lay on. `fine` are all vertices of the mesh.
   // Allocates nothing.
-  void Seat(const EyeBall& ball, float shut, std::span<glm::vec3> fine);
+  void Fit(const EyeBall& ball, float shut, std::span<glm::vec3> fine);
 
  private:
   struct Vertex {

@@ -94,7 +94,7 @@ Result<Canvas> Canvas::Make(const CanvasOptions& options) {
 }
 
 bool Canvas::MakePicture() {
-  const Texels texels = options_.takes_codes ? Texels::kRgba8 : Texels::kSrgb8;
+  const Texels texels = options_.stores_codes ? Texels::kRgba8 : Texels::kSrgb8;
   picture_ = Texture({.width_px = options_.width_px, .height_px = options_.height_px, .texels = texels}, {});
   picture_frame_ = NewFramebuffer();
   AttachTexture(GL_TEXTURE_2D, picture_.id());
@@ -152,7 +152,7 @@ void Canvas::Within(const Box& box) const {
 
 void Canvas::BeginPlain(const glm::vec3& background) const {
   assert(options_.samples == 0);
-  Sign({});
+  SetStamp({});
   Aim(picture_frame_.id(), options_, whole());
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);

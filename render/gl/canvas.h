@@ -18,7 +18,7 @@ struct CanvasOptions {
   // For each pixel of the layer: 4, or 0 for no smooth edges. Other numbers count as the nearer.
   int samples = 4;
   // The picture takes sRGB's codes as they are, as in 1993, and not light: less work, and no right blending.
-  bool takes_codes = false;
+  bool stores_codes = false;
 };
 
 // Pixels from the left bottom corner.
@@ -63,13 +63,13 @@ class Canvas {
   void ShrinkTo(unsigned framebuffer, int width_px, int height_px) const;
 
   // Whoever finds here what they signed with last may count on the picture as they left it.
-  struct Signature {
+  struct Stamp {
     const void* painter = nullptr;
     std::uint64_t frame = 0;
-    bool operator==(const Signature&) const = default;
+    bool operator==(const Stamp&) const = default;
   };
-  void Sign(const Signature& signature) const { signature_ = signature; }
-  const Signature& signature() const { return signature_; }
+  void SetStamp(const Stamp& stamp) const { stamp_ = stamp; }
+  const Stamp& stamp() const { return stamp_; }
 
   int width_px() const { return options_.width_px; }
   int height_px() const { return options_.height_px; }
@@ -92,7 +92,7 @@ class Canvas {
   Handle picture_frame_;
   Handle layer_frame_;  // With the samples and the depth.
   Handle resolved_frame_;
-  mutable Signature signature_;  // Belongs to the picture, which drawing changes as well.
+  mutable Stamp stamp_;  // Belongs to the picture, which drawing changes as well.
 };
 
 }  // namespace kaori::gl

@@ -26,7 +26,7 @@ struct Context::Egl {
 
 namespace {
 
-// Of the pixels that every display controller scans out; the number is GBM's and DRM's "XR24".
+// Of the pixels that every CRTC scans out; the number is GBM's and DRM's "XR24".
 constexpr EGLint kScreenPixels = 0x34325258;
 
 EGLDisplay DisplayOf(void* gbm) {

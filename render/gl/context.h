@@ -21,7 +21,7 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  // The driver's own words: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  // The driver's name for itself: "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& renderer() const { return renderer_; }
 
   // EGL's own handles, for windows.

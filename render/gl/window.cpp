@@ -49,7 +49,7 @@ Result<void> Window::Begin(int width_px, int height_px) const {
 Result<void> Window::Show() const {
   glFinish();
   if (!eglSwapBuffers(display_, surface_))
-    return Fail(std::errc::protocol_error, "hand the window to the screen");
+    return Fail(std::errc::protocol_error, "give the window's picture to the screen");
   return {};
 }
 

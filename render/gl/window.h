@@ -22,7 +22,7 @@ class Window {
   // Drawing goes to the window from here on, all of it, and writes codes as they are. Errors: protocol_error.
   Result<void> Begin(int width_px, int height_px) const;
 
-  // Hands what was drawn to the screen. Waits until a renderer of which the kernel does not know has
+  // Gives what was drawn to the screen. Waits until a renderer of which the kernel does not know has
   // finished. Errors: protocol_error.
   Result<void> Show() const;
 

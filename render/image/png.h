@@ -28,7 +28,7 @@ Result<void> WritePng(const std::filesystem::path& file, const Picture& picture)
 // The same as bytes of a file. Errors: io_error.
 Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture);
 
-// Any PNG, as 8-bit RGB. Errors: as open(2); invalid_argument (not a sound PNG).
+// Any PNG, as 8-bit RGB. Errors: as open(2); invalid_argument (not a valid PNG).
 Result<Picture> ReadPng(const std::filesystem::path& file);
 
 // Copies `from` into `into` with its lower left corner at (x_px, y_px); it must fit.

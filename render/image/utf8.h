@@ -1,4 +1,4 @@
-// UTF-8 taken apart into code points.
+// Decodes UTF-8 into code points.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ struct Letter {
   std::size_t bytes = 0;  // How many of the text it took; 1 at least.
 };
 
-// The first letter of `text`, which must not be empty. A byte that begins no sound sequence (too short, too
+// The first letter of `text`, which must not be empty. A byte that begins no valid sequence (too short, too
 // long for its code, a surrogate, above U+10FFFF) is U+FFFD, and one byte long.
 Letter FirstLetter(std::string_view text);
 

@@ -19,7 +19,7 @@ constexpr float kMargin = 0.030F;
 constexpr float kMostHeight = 0.7F;  // Of all lines.
 constexpr int kSmallest_px = 10;
 
-// The plate stands beside her face: so much of the picture's width, or room for this many letters.
+// The plate stands beside the face: so much of the picture's width, or space for this many letters.
 constexpr float kWidest = 0.37F;
 constexpr int kFewestLetters = 18;
 
@@ -44,7 +44,7 @@ CaptionPass::Measures CaptionPass::MeasuresFor(const gl::Canvas& canvas) {
           .step = Rounded(kStep * static_cast<float>(letters)),
           .border = border,
           .margin = margin,
-          .room = std::max(std::min(beside_px, canvas.width_px()) - 2 * (margin + border), 1)};
+          .line_px = std::max(std::min(beside_px, canvas.width_px()) - 2 * (margin + border), 1)};
 }
 
 CaptionPass::CaptionPass(gl::Program program, image::Lettering lettering)
@@ -68,11 +68,11 @@ Result<CaptionPass> CaptionPass::Open() {
 
 std::vector<std::string> CaptionPass::Fitting(const Measures& m, int most_px) {
   std::vector<std::string> lines;
-  const auto fits = [&](std::string_view text) { return lettering_.width_px(text, m.letters) <= m.room; };
+  const auto fits = [&](std::string_view text) { return lettering_.width_px(text, m.letters) <= m.line_px; };
   for (const std::string& line : lines_) BreakLine(line, fits, lines);
   const auto most = static_cast<std::size_t>(std::max(most_px / m.step, 1));
   if (lines.size() > most) lines.resize(most);
-  for (std::string& line : lines) line = image::Shorten(lettering_, line, m.letters, m.room);
+  for (std::string& line : lines) line = image::Shorten(lettering_, line, m.letters, m.line_px);
   return lines;
 }
 
@@ -111,7 +111,7 @@ void CaptionPass::Draw(const scene::Caption& caption, const gl::Canvas& canvas) 
   canvas.BeginPicture();
   canvas.Within(b);
   everywhere_.Draw();
-  canvas.Sign({});
+  canvas.SetStamp({});
 }
 
 }  // namespace kaori::passes

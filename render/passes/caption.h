@@ -19,7 +19,7 @@ class CaptionPass {
   static Result<CaptionPass> Open();
 
   // Onto the picture, over all that stands there, which is then no more what the painters left: the canvas's
-  // signature goes. Letters are as high as the canvas asks for; the plate keeps to her left; lines that are
+  // signature goes. Letters are as high as the canvas asks for; the plate keeps to the left of the face; lines that are
   // too long are broken, and of too many the last are left out. Letters are drawn, and memory is taken, only
   // when the lines or the size of the canvas change. Nothing where nothing is shown.
   void Draw(const scene::Caption& caption, const gl::Canvas& canvas);
@@ -31,7 +31,7 @@ class CaptionPass {
     int step = 0;     // From line to line.
     int border = 0;   // Of the plate about the letters,
     int margin = 0;   // and from the edges of the picture.
-    int room = 0;     // For a line.
+    int line_px = 0;  // The longest line.
   };
   static Measures MeasuresFor(const gl::Canvas& canvas);
   std::vector<std::string> Fitting(const Measures& m, int most_px);

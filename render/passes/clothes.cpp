@@ -12,16 +12,16 @@ namespace {
 constexpr float kSunk_m = 0.14F;
 constexpr float kGone = 0.004F;
 
-bool WearsClothes(const Appearance& wardrobe, std::size_t face) {
-  return std::ranges::any_of(wardrobe.worn_by(face), [&](int prop) {
-    return wardrobe.meshes()[static_cast<std::size_t>(prop)].part == face::Part::kClothes;
+bool WearsClothes(const Appearance& appearance, std::size_t face) {
+  return std::ranges::any_of(appearance.worn_by(face), [&](int prop) {
+    return appearance.meshes()[static_cast<std::size_t>(prop)].part == face::Part::kClothes;
   });
 }
 
 // The part of the faces that wears anything.
-float Dressed(const Appearance& wardrobe, const face::Terms& faces) {
+float Dressed(const Appearance& appearance, const face::Terms& faces) {
   float dressed = 0;
-  for (const face::Term& term : faces) dressed += WearsClothes(wardrobe, term.index) ? term.weight : 0.0F;
+  for (const face::Term& term : faces) dressed += WearsClothes(appearance, term.index) ? term.weight : 0.0F;
   return std::clamp(dressed, 0.0F, 1.0F);
 }
 
@@ -38,23 +38,23 @@ Result<ClothesPass> ClothesPass::Open() {
   return pass;
 }
 
-void ClothesPass::Draw(const Appearance& wardrobe, const face::Terms& faces) const {
+void ClothesPass::Draw(const Appearance& appearance, const face::Terms& faces) const {
   program_.Use();
-  gl::Program::Set(sunk_, kSunk_m * (1 - Dressed(wardrobe, faces)));
+  gl::Program::Set(sunk_, kSunk_m * (1 - Dressed(appearance, faces)));
   float laid = 0;
   for (const face::Term& term : faces) {
-    if (term.weight < kGone || !WearsClothes(wardrobe, term.index)) continue;
+    if (term.weight < kGone || !WearsClothes(appearance, term.index)) continue;
     laid += term.weight;
     const bool first = laid <= term.weight;
     gl::Apply({.blend = first ? gl::Blend::kReplace : gl::Blend::kOver});
     gl::Program::Set(opacity_, term.weight / laid);
-    DrawWorn(wardrobe, term.index);
+    DrawWorn(appearance, term.index);
   }
 }
 
-void ClothesPass::DrawWorn(const Appearance& wardrobe, std::size_t face) const {
-  for (const int index : wardrobe.worn_by(face)) {
-    const PropMesh& prop = wardrobe.meshes()[static_cast<std::size_t>(index)];
+void ClothesPass::DrawWorn(const Appearance& appearance, std::size_t face) const {
+  for (const int index : appearance.worn_by(face)) {
+    const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
     if (prop.part != face::Part::kClothes) continue;
     gl::Program::Set(paint_, prop.paint);
     prop.mesh.Draw();

@@ -12,10 +12,10 @@ class ClothesPass {
   // Errors: invalid_argument (a shader).
   static Result<ClothesPass> Open();
 
-  void Draw(const Appearance& wardrobe, const face::Terms& faces) const;
+  void Draw(const Appearance& appearance, const face::Terms& faces) const;
 
  private:
-  void DrawWorn(const Appearance& wardrobe, std::size_t face) const;
+  void DrawWorn(const Appearance& appearance, std::size_t face) const;
 
   gl::Program program_;
   int paint_ = -1, sunk_ = -1, opacity_ = -1;

@@ -120,7 +120,7 @@ LongestEdges MeasureEdges(const face::Cast& cast) {
   return edges;
 }
 
-FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& wardrobe,
+FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
                         const LongestEdges& edges, float reach_m) {
   Bands bands({frame.sway.z, frame.sway.w});
   const glm::vec2 per_metre = SeenPerMetre(frame);
@@ -134,8 +134,8 @@ FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const
     const glm::vec2 margin = per_metre * margin_m;
     bands.Add(glm::min(turned, still) - margin, glm::max(turned, still) + margin);
   }
-  for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {
-    if (wardrobe.presence(i) > 0) AddProp(frame, wardrobe.meshes()[i], bands);
+  for (std::size_t i = 0; i < appearance.meshes().size(); ++i) {
+    if (appearance.presence(i) > 0) AddProp(frame, appearance.meshes()[i], bands);
   }
   return bands.Region();
 }

@@ -24,7 +24,7 @@ LongestEdges MeasureEdges(const face::Cast& cast);
 
 // Encloses the face, with what sticks out of it by `reach_m`, and all that is worn in this frame, hair as it
 // swings.
-FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& wardrobe,
+FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
                         const LongestEdges& edges, float reach_m = 0);
 
 }  // namespace kaori::passes

@@ -36,10 +36,10 @@ Result<HairPass> HairPass::Open() {
   return pass;
 }
 
-void HairPass::Draw(const Appearance& wardrobe, float share) const {
-  for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {
-    const PropMesh& prop = wardrobe.meshes()[i];
-    const float presence = wardrobe.presence(i) * share;
+void HairPass::Draw(const Appearance& appearance, float share) const {
+  for (std::size_t i = 0; i < appearance.meshes().size(); ++i) {
+    const PropMesh& prop = appearance.meshes()[i];
+    const float presence = appearance.presence(i) * share;
     if (prop.part == face::Part::kHair && presence > kHairGone) DrawLocks(prop, presence);
   }
 }

@@ -13,7 +13,7 @@ class HairPass {
   static Result<HairPass> Open();
 
   // `share` 0..1: how much of the hair the style shows.
-  void Draw(const Appearance& wardrobe, float share) const;
+  void Draw(const Appearance& appearance, float share) const;
 
  private:
   struct Variant {

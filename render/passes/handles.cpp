@@ -17,7 +17,7 @@ constexpr float kLength_m = 0.0095F;
 constexpr float kDeepest_m = 0.0016F;  // So far the tip sticks in the skin.
 constexpr float kHead_m = 0.00115F;    // Radius.
 
-// A pulled needle is longer by so much of its pull, up to this pull.
+// A pulled handle is longer by so much of its pull, up to this pull.
 constexpr float kPullShown = 0.6F;
 constexpr float kFarthestPull_m = 0.020F;
 constexpr float kWarmPull_m = 0.008F;  // Wholly warm from here on.
@@ -36,13 +36,13 @@ constexpr glm::vec3 kPulledPaint{0.900F, 0.330F, 0.030F};
 constexpr glm::vec3 kOnSkin{0.030F, 0.150F, 0.300F};
 constexpr glm::vec3 kOnWires{0.700F, 0.620F, 0.520F};
 
-constexpr float kGlimmer = 0.4F;  // What stays of a needle that is hidden.
+constexpr float kGlimmer = 0.4F;  // What stays of a handle that is hidden.
 
 constexpr int kTexelsEach = 3;
 
 // The head is a ball of rings, the shaft a cone without a floor. Seen along +Z from the tip.
-constexpr int kNeedlesSpokes = 10;
-constexpr int kNeedlesRings = 6;
+constexpr int kHandleSpokes = 10;
+constexpr int kHandleRings = 6;
 constexpr int kShaftSides = 5;
 
 struct Corner {
@@ -55,12 +55,12 @@ glm::vec2 Round(int step, int steps) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-std::vector<Corner> NeedleCorners() {
+std::vector<Corner> HandleCorners() {
   std::vector<Corner> corners;
-  for (int ring = 0; ring <= kNeedlesRings; ++ring) {
-    const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / kNeedlesRings;
-    for (int spoke = 0; spoke < kNeedlesSpokes; ++spoke) {
-      const glm::vec2 way = Round(spoke, kNeedlesSpokes) * std::sin(polar);
+  for (int ring = 0; ring <= kHandleRings; ++ring) {
+    const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / kHandleRings;
+    for (int spoke = 0; spoke < kHandleSpokes; ++spoke) {
+      const glm::vec2 way = Round(spoke, kHandleSpokes) * std::sin(polar);
       corners.push_back({{way, std::cos(polar)}, {1, 1}});
     }
   }
@@ -80,10 +80,11 @@ void AppendBelt(std::uint32_t first, std::uint32_t columns, std::vector<std::uin
   }
 }
 
-std::vector<std::uint32_t> NeedleIndices() {
+std::vector<std::uint32_t> HandleIndices() {
   std::vector<std::uint32_t> indices;
-  for (std::uint32_t ring = 0; ring < kNeedlesRings; ++ring) AppendBelt(ring * kNeedlesSpokes, kNeedlesSpokes, indices);
-  AppendBelt((kNeedlesRings + 1) * kNeedlesSpokes, kShaftSides, indices);
+  for (std::uint32_t ring = 0; ring < kHandleRings; ++ring)
+    AppendBelt(ring * kHandleSpokes, kHandleSpokes, indices);
+  AppendBelt((kHandleRings + 1) * kHandleSpokes, kShaftSides, indices);
   return indices;
 }
 
@@ -94,7 +95,7 @@ glm::vec3 Mean(const face::SparseRows& rows, std::size_t row, std::span<const gl
   return sum;
 }
 
-// Lids and lips turn their margins inwards: needles stand as the face does about them, within so far.
+// Lids and lips turn their margins inwards: handles stand as the face does about them, within so far.
 constexpr float kBeside_m = 0.011F;
 
 face::SparseRows BesideEachOther(const face::Cast& cast) {
@@ -114,15 +115,15 @@ face::SparseRows BesideEachOther(const face::Cast& cast) {
   return rows;
 }
 
-float PullOf(const scene::ExpressionEditor& needles, std::size_t point) {
-  if (point >= needles.pulls_m.size() || !std::isfinite(needles.pulls_m[point])) return 0;
-  return std::clamp(needles.pulls_m[point], 0.0F, kFarthestPull_m);
+float PullOf(const scene::Handles& handles, std::size_t point) {
+  if (point >= handles.pulls_m.size() || !std::isfinite(handles.pulls_m[point])) return 0;
+  return std::clamp(handles.pulls_m[point], 0.0F, kFarthestPull_m);
 }
 
-Role RoleOf(const scene::ExpressionEditor& needles, std::size_t point) {
-  if (static_cast<int>(point) == needles.chosen) return kChosen;
-  if (static_cast<int>(point) == needles.partner) return kPartner;
-  const float warm = std::min(PullOf(needles, point) / kWarmPull_m, 1.0F);
+Role RoleOf(const scene::Handles& handles, std::size_t point) {
+  if (static_cast<int>(point) == handles.chosen) return kChosen;
+  if (static_cast<int>(point) == handles.partner) return kPartner;
+  const float warm = std::min(PullOf(handles, point) / kWarmPull_m, 1.0F);
   return {kPlainSize, kPulledPaint, std::sqrt(warm)};
 }
 
@@ -142,36 +143,36 @@ HandlesPass::HandlesPass(gl::Program program, const face::Cast& cast)
       first_(program_.Find("first")),
       opacity_(program_.Find("opacity")),
       plain_(program_.Find("plain")),
-      needles_(net_->points.size()),
+      handles_(net_->points.size()),
       texture_({.width_px = kTexelsEach,
                 .height_px = std::max(static_cast<int>(net_->points.size()), 1),
                 .texels = gl::Texels::kFloat4},
                {}),
-      corners_(gl::Buffer::Of(std::span<const Corner>(NeedleCorners()))),
-      needle_({{corners_, sizeof(Corner), {{0, 3, gl::Scalar::kFloat, 0}, {1, 2, gl::Scalar::kFloat, 12}}}},
-              NeedleIndices()) {
-  program_.BindSampler("needles", 0);
+      corners_(gl::Buffer::Of(std::span<const Corner>(HandleCorners()))),
+      handle_({{corners_, sizeof(Corner), {{0, 3, gl::Scalar::kFloat, 0}, {1, 2, gl::Scalar::kFloat, 12}}}},
+              HandleIndices()) {
+  program_.BindSampler("handles", 0);
 }
 
 Result<HandlesPass> HandlesPass::Open(const face::Cast& cast) {
-  auto program = MakeProgram("needle.vert", "needle.frag");
+  auto program = MakeProgram("handle.vert", "handle.frag");
   if (!program) return tl::unexpected(program.error());
   return HandlesPass(std::move(*program), cast);
 }
 
-float HandlesPass::ReachOf(const scene::ExpressionEditor& needles) {
-  if (Grown(needles.shown) == 0) return 0;
+float HandlesPass::ReachOf(const scene::Handles& handles) {
+  if (Grown(handles.shown) == 0) return 0;
   return (kLength_m + kPullShown * kFarthestPull_m + kHead_m) * kChosen.size;
 }
 
-HandlesPass::Texels HandlesPass::Place(const scene::ExpressionEditor& needles, const face::Shape& shape,
+HandlesPass::Texels HandlesPass::Place(const scene::Handles& handles, const face::Shape& shape,
                                        std::size_t point) const {
-  const Role role = RoleOf(needles, point);
-  const float grown = Grown(needles.shown) * std::sqrt(role.size);
+  const Role role = RoleOf(handles, point);
+  const float grown = Grown(handles.shown) * std::sqrt(role.size);
   const glm::vec3 axis = axes_[point];
-  const float length_m = kDeepest_m + (kLength_m + kPullShown * PullOf(needles, point)) * grown;
+  const float length_m = kDeepest_m + (kLength_m + kPullShown * PullOf(handles, point)) * grown;
   return {.root = {Mean(net_->surface, point, shape.cage) - axis * kDeepest_m, length_m},
-          .axis = {axis, kHead_m * Grown(needles.shown) * role.size},
+          .axis = {axis, kHead_m * Grown(handles.shown) * role.size},
           .paint = {role.paint, role.painted}};
 }
 
@@ -184,28 +185,28 @@ void HandlesPass::Straighten(const face::Shape& shape) {
 }
 
 void HandlesPass::DrawThrough(int point) const {
-  if (point < 0 || point >= static_cast<int>(needles_.size())) return;
+  if (point < 0 || point >= static_cast<int>(handles_.size())) return;
   gl::Apply({.depth = gl::Depth::kOff, .blend = gl::Blend::kOver});
   gl::Program::Set(first_, point);
-  needle_.Draw();
+  handle_.Draw();
 }
 
-void HandlesPass::Draw(const scene::ExpressionEditor& needles, const face::Shape& shape, Among among) {
-  if (Grown(needles.shown) == 0 || needles_.empty()) return;
+void HandlesPass::Draw(const scene::Handles& handles, const face::Shape& shape, Among among) {
+  if (Grown(handles.shown) == 0 || handles_.empty()) return;
   Straighten(shape);
-  for (std::size_t point = 0; point < needles_.size(); ++point)
-    needles_[point] = Place(needles, shape, point);
-  texture_.Write(static_cast<int>(needles_.size()), std::as_bytes(std::span(needles_)));
+  for (std::size_t point = 0; point < handles_.size(); ++point)
+    handles_[point] = Place(handles, shape, point);
+  texture_.Write(static_cast<int>(handles_.size()), std::as_bytes(std::span(handles_)));
   texture_.Bind(0);
   program_.Use();
   gl::Program::Set(plain_, among == Among::kSkin ? kOnSkin : kOnWires);
   gl::Program::Set(opacity_, kGlimmer);
-  DrawThrough(needles.partner);
-  DrawThrough(needles.chosen);
+  DrawThrough(handles.partner);
+  DrawThrough(handles.chosen);
   gl::Apply({});
   gl::Program::Set(opacity_, 1.0F);
   gl::Program::Set(first_, 0);
-  needle_.DrawInstances(static_cast<int>(needles_.size()));
+  handle_.DrawInstances(static_cast<int>(handles_.size()));
 }
 
 }  // namespace kaori::passes

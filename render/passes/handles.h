@@ -1,4 +1,4 @@
-// ExpressionEditor that stick in the face where its control points lie, as in the paper's figure 3.
+// The editor's handles: needles that stick in the face at its control points, as in figure 3 of Arai et al. 1994.
 #pragma once
 
 #include <cstdint>
@@ -25,13 +25,13 @@ class HandlesPass {
   // and its partner glimmer through. They grow out of the skin with `shown`. A pull that is no number counts
   // as none. Allocates nothing.
   enum class Among : std::uint8_t { kSkin, kWires };
-  void Draw(const scene::ExpressionEditor& needles, const face::Shape& shape, Among among = Among::kSkin);
+  void Draw(const scene::Handles& handles, const face::Shape& shape, Among among = Among::kSkin);
 
-  // No needle ends farther from the face than this; 0 while none is shown.
-  static float ReachOf(const scene::ExpressionEditor& needles);
+  // No handle ends farther from the face than this; 0 while none is shown.
+  static float ReachOf(const scene::Handles& handles);
 
  private:
-  // As needles.vert fetches them.
+  // As handle.vert fetches them.
   struct Texels {
     glm::vec4 root;   // xyz: in the skin, head's frame; w: length, metres.
     glm::vec4 axis;   // xyz: unit, out of the face; w: the head's radius, metres.
@@ -39,7 +39,7 @@ class HandlesPass {
   };
   HandlesPass(gl::Program program, const face::Cast& cast);
   void Straighten(const face::Shape& shape);
-  Texels Place(const scene::ExpressionEditor& needles, const face::Shape& shape, std::size_t point) const;
+  Texels Place(const scene::Handles& handles, const face::Shape& shape, std::size_t point) const;
   void DrawThrough(int point) const;
 
   const face::ControlNet* net_;
@@ -48,10 +48,10 @@ class HandlesPass {
   std::vector<glm::vec3> axes_;     // and what the points about it make of them.
   gl::Program program_;
   int first_, opacity_, plain_;
-  std::vector<Texels> needles_;
+  std::vector<Texels> handles_;
   gl::Texture texture_;
   gl::Buffer corners_;
-  gl::Mesh needle_;
+  gl::Mesh handle_;
 };
 
 }  // namespace kaori::passes

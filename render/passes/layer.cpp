@@ -100,7 +100,7 @@ void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const 
 }
 
 bool LayerPass::Stands(const gl::Canvas& canvas, const Behind& behind) const {
-  return canvas.signature() == gl::Canvas::Signature{this, frame_} && behind.version == last_version_ &&
+  return canvas.stamp() == gl::Canvas::Stamp{this, frame_} && behind.version == last_version_ &&
          behind.dim == last_dim_;
 }
 
@@ -121,7 +121,7 @@ void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& 
   last_version_ = behind.version;
   last_dim_ = behind.dim;
   last_figure_ = figure;
-  canvas.Sign({this, ++frame_});
+  canvas.SetStamp({this, ++frame_});
 }
 
 }  // namespace kaori::passes

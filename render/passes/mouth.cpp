@@ -57,14 +57,14 @@ Result<MouthPass> MouthPass::Open(const face::Cast& cast) {
   return pass;
 }
 
-void MouthPass::Draw(const Appearance& wardrobe, const face::Shape& shape) const {
+void MouthPass::Draw(const Appearance& appearance, const face::Shape& shape) const {
   if (shape.jaw_drop_m < kShut_m) return;
   gl::Apply({.cull = gl::Cull::kNone});
   program_.Use();
   gl::Program::Set(anchor_at_, anchor_);
-  for (std::size_t i = 0; i < wardrobe.meshes().size(); ++i) {
-    const PropMesh& prop = wardrobe.meshes()[i];
-    const float presence = wardrobe.presence(i) * FitPresence(shape.mouth, prop.part);
+  for (std::size_t i = 0; i < appearance.meshes().size(); ++i) {
+    const PropMesh& prop = appearance.meshes()[i];
+    const float presence = appearance.presence(i) * FitPresence(shape.mouth, prop.part);
     if (presence > kMouthGone) DrawPart(prop, presence, shape);
   }
 }

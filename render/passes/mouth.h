@@ -13,7 +13,7 @@ class MouthPass {
   // Errors: invalid_argument (a shader).
   static Result<MouthPass> Open(const face::Cast& cast);
 
-  void Draw(const Appearance& wardrobe, const face::Shape& shape) const;
+  void Draw(const Appearance& appearance, const face::Shape& shape) const;
 
  private:
   void DrawPart(const PropMesh& prop, float presence, const face::Shape& shape) const;

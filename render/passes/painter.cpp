@@ -80,7 +80,7 @@ Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
     : composer(std::move(prepared.composer)),
       neck(NeckOf(cast)),
       edges(std::move(prepared.edges)),
-      wardrobe(cast, prepared.props),
+      appearance(cast, prepared.props),
       surface(cast, prepared.worn) {
   for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
 }
@@ -95,7 +95,7 @@ Result<void> Painter::Parts::Open(const face::Cast& cast) {
   Keep(ClothesPass::Open(), clothes, outcome);
   Keep(FlatPass::Open(cast), flat, outcome);
   Keep(WirePass::Open(cast), wire, outcome);
-  Keep(HandlesPass::Open(cast), needles, outcome);
+  Keep(HandlesPass::Open(cast), handles, outcome);
   Keep(BackdropPass::Open(cast), backdrop, outcome);
   Keep(CaptionPass::Open(), caption, outcome);
   Keep(LayerPass::Open(), layer, outcome);
@@ -105,19 +105,19 @@ Result<void> Painter::Parts::Open(const face::Cast& cast) {
 // Front to back, so that what is hidden costs little.
 void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& shape) {
   surface.WriteFine(shape);
-  hair->Draw(wardrobe, HairShare(scene));
+  hair->Draw(appearance, HairShare(scene));
   lashes->Draw(shape);
-  clothes->Draw(wardrobe, shape.faces);
+  clothes->Draw(appearance, shape.faces);
   body->Draw(surface, shape, HairShare(scene) > kPainterWhole);
   eyes->Draw(shape, scene.gaze);
-  mouth->Draw(wardrobe, shape);
+  mouth->Draw(appearance, shape);
 }
 
 void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shape) {
-  clothes->Draw(wardrobe, shape.faces);
+  clothes->Draw(appearance, shape.faces);
   flat->Draw(shape);
   eyes->Draw(shape, scene.gaze);
-  mouth->Draw(wardrobe, shape);
+  mouth->Draw(appearance, shape);
 }
 
 void Painter::Parts::DrawWire(const scene::Scene& scene, const face::Shape& shape) {
@@ -165,10 +165,10 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const bool fine = WeightOf(scene, Group::kTextured) > kPainterUnseen;
   const face::Shape& shape =
       p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
-  p.wardrobe.Weigh(shape.faces);
+  p.appearance.Weigh(shape.faces);
   const FrameBlock frame = p.BindFrame(scene, canvas);
   const FigureRegion figure =
-      FindFigure(frame, shape, p.wardrobe, p.edges, HandlesPass::ReachOf(scene.needles));
+      FindFigure(frame, shape, p.appearance, p.edges, HandlesPass::ReachOf(scene.handles));
   p.backdrop->Prepare(scene, canvas.width_px(), canvas.height_px());
   const gl::Texture& behind = p.backdrop->picture();
   const std::uint64_t version = p.backdrop->version();
@@ -181,7 +181,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
     laid += weight;
     canvas.BeginLayer(figure.bands, figure.whole);
     p.DrawGroup(group, scene, shape);
-    p.needles->Draw(scene.needles, shape,
+    p.handles->Draw(scene.handles, shape,
                     group == Group::kWire ? HandlesPass::Among::kWires : HandlesPass::Among::kSkin);
     p.layer->Lay(canvas, figure, {behind, version, LightBehind(scene, group)},
                  {.opacity = weight / laid,

@@ -17,10 +17,10 @@
 #include "render/passes/flat.h"
 #include "render/passes/frame.h"
 #include "render/passes/hair.h"
+#include "render/passes/handles.h"
 #include "render/passes/lashes.h"
 #include "render/passes/layer.h"
 #include "render/passes/mouth.h"
-#include "render/passes/handles.h"
 #include "render/passes/painter.h"
 #include "render/passes/preparation.h"
 #include "render/passes/surface.h"
@@ -47,13 +47,13 @@ struct Painter::Parts {
     kWire,
     kLayer,
     kPrint,
-    kNeedles,
+    kHandles,
     kCaption,
     kBody4
   };
   static constexpr std::array kRehearsal{Turn::kMouth, Turn::kHair,    Turn::kClothes,  Turn::kLayer,
                                          Turn::kBody2, Turn::kFlat,    Turn::kDarkEyes, Turn::kWire,
-                                         Turn::kPrint, Turn::kNeedles, Turn::kCaption,  Turn::kBody4};
+                                         Turn::kPrint, Turn::kHandles, Turn::kCaption,  Turn::kBody4};
   void Rehearse(Turn turn);
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
@@ -63,7 +63,7 @@ struct Painter::Parts {
   std::vector<float> prints;  // Of each face, how much of a poster it is.
   Neck neck;
   LongestEdges edges;
-  Appearance wardrobe;
+  Appearance appearance;
   Surface surface;
   gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
   std::optional<BodyPass> body;
@@ -74,7 +74,7 @@ struct Painter::Parts {
   std::optional<ClothesPass> clothes;
   std::optional<FlatPass> flat;
   std::optional<WirePass> wire;
-  std::optional<HandlesPass> needles;
+  std::optional<HandlesPass> handles;
   std::optional<BackdropPass> backdrop;
   std::optional<CaptionPass> caption;
   std::optional<LayerPass> layer;

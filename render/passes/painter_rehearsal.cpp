@@ -23,7 +23,7 @@ void Painter::Parts::Rehearse(Turn turn) {
   scene.weights = CrossFade(turn == Turn::kBody4 ? 4 : 2);
   face::Shape shape = composer.Compose(scene.weights, face::Detail::kFine);
   shape.jaw_drop_m = 0.01F;
-  wardrobe.Weigh(shape.faces);
+  appearance.Weigh(shape.faces);
   surface.WriteFine(shape);
   surface.WriteCage(shape);
   BindFrame(scene, *backstage);
@@ -31,11 +31,11 @@ void Painter::Parts::Rehearse(Turn turn) {
   backstage->BeginLayer({&whole, 1}, whole);
   switch (turn) {
     case Turn::kMouth:
-      return mouth->Draw(wardrobe, shape);
+      return mouth->Draw(appearance, shape);
     case Turn::kHair:
-      return hair->Draw(wardrobe, 0.5F);
+      return hair->Draw(appearance, 0.5F);
     case Turn::kClothes:
-      return clothes->Draw(wardrobe, shape.faces);
+      return clothes->Draw(appearance, shape.faces);
     case Turn::kBody2:
     case Turn::kBody4:
       return body->Draw(surface, shape, false);
@@ -45,10 +45,10 @@ void Painter::Parts::Rehearse(Turn turn) {
       return eyes->DrawDark(shape);
     case Turn::kWire:
       return wire->Draw(surface, shape, scene.gaze);
-    case Turn::kNeedles:
-      scene.needles.shown = 1;
-      scene.needles.chosen = 0;
-      return needles->Draw(scene.needles, shape);
+    case Turn::kHandles:
+      scene.handles.shown = 1;
+      scene.handles.chosen = 0;
+      return handles->Draw(scene.handles, shape);
     case Turn::kCaption:
       return caption->Draw({.shown = 1, .lines = {" "}}, *backstage);
     case Turn::kLayer:

@@ -122,7 +122,8 @@ PropMesh::PropMesh(const face::Prop& prop, const PropForm& form)
       numbers(gl::Buffer::Of(std::span<const float>(form.numbers))),
       mesh(MeshOf(prop, vertices, numbers, form.triangles)) {}
 
-Appearance::Appearance(const face::Cast& cast, std::span<const PropForm> forms) : presence_(cast.props.size()) {
+Appearance::Appearance(const face::Cast& cast, std::span<const PropForm> forms)
+    : presence_(cast.props.size()) {
   meshes_.reserve(cast.props.size());
   for (std::size_t i = 0; i < cast.props.size(); ++i) meshes_.emplace_back(cast.props[i], forms[i]);
   for (const face::Face& f : cast.faces) worn_.push_back(f.props);

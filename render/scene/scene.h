@@ -43,7 +43,7 @@ struct Camera {
   float field_of_view_rad = 0.362F;  // Vertical.
 };
 
-// What stands behind her, softly, out of focus.
+// What stands behind the character, softly, out of focus.
 enum class BackdropKind : std::uint8_t {
   kGradient,  // From top to bottom, nothing else.
   kStudio,    // A sweep of paper with a pool of light.
@@ -76,10 +76,10 @@ struct FadingBackdrop {
 };
 inline constexpr std::size_t kMostFading = 3;
 
-// The control points as needles that stick in the face in work (the paper's figure 3).
-struct ExpressionEditor {
+// The control points as handles that stick in the face in work (the paper's figure 3).
+struct Handles {
   float shown = 0;             // 0 none .. 1.
-  int chosen = -1;             // The control point whose needle is pulled; -1: none.
+  int chosen = -1;             // The control point whose handle is pulled; -1: none.
   int partner = -1;            // The one that moves with it on the other side.
   std::vector<float> pulls_m;  // For each control point: how far it is pulled; drawn longer and warmer.
 };
@@ -101,7 +101,7 @@ struct Scene {
   std::array<FadingBackdrop, kMostFading> fading;  // Weights sum to 1 at most.
   glm::vec2 hair_sway_rad{};                       // Tips swing: sideways, forwards.
   float breath = 0;                                // -1 out .. 1 in.
-  ExpressionEditor needles;
+  Handles handles;
   Caption caption;
 };
 

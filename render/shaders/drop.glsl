@@ -1,4 +1,4 @@
-// What all backdrops share: they are drawn small, once, and stand behind her enlarged, so all edges are soft.
+// What all backdrops share: they are drawn small, once, and stand behind the character, enlarged, so all edges are soft.
 in vec2 place;         // x: -16/9 to 16/9 from left to right, y: -1 to 1 from below.
 uniform vec3 top;      // Colours, linear.
 uniform vec3 bottom;

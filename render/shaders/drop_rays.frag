@@ -1,4 +1,4 @@
-// A poster: rays of two inks from behind her head, and a sun.
+// A poster: rays of two inks from behind the head, and a sun.
 #include "drop.glsl"
 void main() {
   vec2 d = place - vec2(0.0, 0.08);

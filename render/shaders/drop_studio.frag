@@ -1,4 +1,4 @@
-// A sweep of paper that comes down from the wall to the floor, and a lamp on it behind her head.
+// A sweep of paper that comes down from the wall to the floor, and a lamp on it behind the head.
 #include "drop.glsl"
 void main() {
   float floor_share = Below(place.y, -0.62, 0.22);

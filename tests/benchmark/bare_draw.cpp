@@ -20,7 +20,7 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
     : composer_(cast),
       shape_(composer_.Compose(scene.weights, face::Detail::kFine)),
       scene_(scene),
-      wardrobe_(cast, passes::FormsOf(cast.props)),
+      appearance_(cast, passes::FormsOf(cast.props)),
       surface_(cast, passes::SeenWhenWorn(cast)),
       body_(Must(passes::BodyPass::Open(cast))),
       eyes_(Must(passes::EyesPass::Open(cast.topology))),
@@ -30,10 +30,10 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
       layer_(Must(passes::LayerPass::Open())),
       frame_(gl::BufferUse::kStatic, sizeof(passes::FrameBlock)) {
   surface_.WriteFine(shape_);
-  wardrobe_.Weigh(shape_.faces);
+  appearance_.Weigh(shape_.faces);
   const passes::FrameBlock frame = passes::MakeFrame(scene, passes::NeckOf(cast), canvas_px, 1);
   frame_.Write(std::as_bytes(std::span(&frame, 1)));
-  figure_ = passes::FindFigure(frame, shape_, wardrobe_, passes::MeasureEdges(cast));
+  figure_ = passes::FindFigure(frame, shape_, appearance_, passes::MeasureEdges(cast));
 }
 
 void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
@@ -42,8 +42,8 @@ void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
   const passes::LayerPass::Behind behind{backdrop_.picture(), backdrop_.version()};
   layer_.LayBackdropAround(canvas, figure_, behind);
   canvas.BeginLayer(figure_.bands, figure_.whole);
-  hair_.Draw(wardrobe_, 1);
-  clothes_.Draw(wardrobe_, shape_.faces);
+  hair_.Draw(appearance_, 1);
+  clothes_.Draw(appearance_, shape_.faces);
   body_.Draw(surface_, shape_, true);
   eyes_.Draw(shape_, scene_.gaze);
   layer_.Lay(canvas, figure_, behind, {});

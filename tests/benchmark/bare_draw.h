@@ -28,7 +28,7 @@ class BareDraw {
   face::Composer composer_;
   const face::Shape& shape_;
   scene::Scene scene_;
-  passes::Appearance wardrobe_;
+  passes::Appearance appearance_;
   passes::Surface surface_;
   passes::BodyPass body_;
   passes::EyesPass eyes_;

@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/base/options.h"
-#include "tests/benchmark/blend_bench.h"
-#include "tests/benchmark/frame_bench.h"
-#include "tests/benchmark/hid_bench.h"
-#include "tests/benchmark/house_bench.h"
-#include "tests/benchmark/lips_bench.h"
-#include "tests/benchmark/pack_bench.h"
-#include "tests/benchmark/sound_bench.h"
+#include "tests/benchmark/blend_benchmark.h"
+#include "tests/benchmark/frame_benchmark.h"
+#include "tests/benchmark/hid_benchmark.h"
+#include "tests/benchmark/lips_benchmark.h"
+#include "tests/benchmark/pack_benchmark.h"
+#include "tests/benchmark/sound_benchmark.h"
+#include "tests/benchmark/system_benchmark.h"
 
 namespace kaori::benchmark {
 namespace {
@@ -25,7 +25,7 @@ constexpr std::string_view kHelp = R"(kaori-benchmark: measures the box
 
   --pack FILE   the show to play (needed)
   --quick       a tenth of the time
-  --only TEXT   the rooms whose names hold TEXT: blend, lips, sound, hid, frame, pack, house
+  --only TEXT   the groups whose names hold TEXT: blend, lips, sound, hid, frame, pack, system
   --json FILE   {"metrics": [{"name", "unit", "median", "p99"}]}
 )";
 
@@ -34,13 +34,13 @@ struct Settings {
   bool quick = false;
 };
 
-struct Room {
+struct Group {
   const char* name;
   std::function<std::vector<Metric>(const Settings&)> measure;
 };
 
-const std::vector<Room>& Rooms() {
-  static const std::vector<Room> rooms{
+const std::vector<Group>& Groups() {
+  static const std::vector<Group> groups{
       {"blend", [](const Settings& o) { return MeasureBlend(o.quick); }},
       {"lips", [](const Settings& o) { return MeasureLips(o.quick); }},
       {"lips motion", [](const Settings& o) { return MeasureLipMotion(o.quick); }},
@@ -48,8 +48,8 @@ const std::vector<Room>& Rooms() {
       {"hid", [](const Settings& o) { return MeasureHid(o.quick); }},
       {"frame", [](const Settings& o) { return MeasureFrames(o.pack, o.quick); }},
       {"pack", [](const Settings& o) { return MeasurePacks(o.pack, o.quick); }},
-      {"house", [](const Settings& o) { return MeasureHouse(o.pack, o.quick); }}};
-  return rooms;
+      {"system", [](const Settings& o) { return MeasureSystem(o.pack, o.quick); }}};
+  return groups;
 }
 
 void Print(const Metric& m) {
@@ -68,9 +68,9 @@ bool WriteJson(const std::string& file, const std::vector<Metric>& metrics) {
 int Run(const Settings& settings) {
   std::vector<Metric> all;
   fmt::print("{:<44} {:>12} {:>12}  unit\n", "figure", "median", "p99");
-  for (const Room& room : Rooms()) {
-    if (std::string_view(room.name).find(settings.only) == std::string_view::npos) continue;
-    for (const Metric& metric : room.measure(settings)) {
+  for (const Group& group : Groups()) {
+    if (std::string_view(group.name).find(settings.only) == std::string_view::npos) continue;
+    for (const Metric& metric : group.measure(settings)) {
       Print(metric);
       all.push_back(metric);
     }

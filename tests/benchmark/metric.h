@@ -1,4 +1,4 @@
-// One figure of ./box bench: its name, its unit, and what was measured.
+// One figure of kaori-benchmark: its name, its unit, and what was measured.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The sixty-second play by simulated hands, through report bytes and camera frames, to pictures that people
+// The sixty-second play by simulated devices, through report bytes and camera frames, to pictures that people
 // have looked at.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kPlay = KAORI_PLAYS "/kaori.play";
 constexpr double kHz = 12;
 // Seconds into the play: the poster, its turn into the narrator, his prologue, the four styles and their
-// fades, her feelings, the kettle, the dog between two faces, the farewell.
+// fades, the expressions, the kettle, the dog between two faces, the farewell.
 constexpr std::array<double, 18> kMoments_s{1.9,  4.2,  6.9,  9.5,  12.5, 16.5, 18.4, 21.3, 23.0,
                                             26.0, 28.4, 33.0, 36.6, 39.8, 42.9, 44.1, 52.5, 57.0};
 
@@ -46,22 +46,22 @@ class PlayTest : public ::testing::Test {
   void Open(int width_px, int height_px) {
     auto scenario = sim::LoadScenario(kPlay);
     ASSERT_TRUE(scenario) << scenario.error().attempt;
-    auto house = sim::Rehearsal::Open(
+    auto rehearsal = sim::Rehearsal::Open(
         {.folder = folder_, .width_px = width_px, .height_px = height_px, .hz = kHz}, *studio_);
-    ASSERT_TRUE(house) << house.error().message();
-    house_ = std::move(*house);
-    player_ = std::make_unique<sim::Player>(std::move(*scenario), house_->rig(), house_->began());
+    ASSERT_TRUE(rehearsal) << rehearsal.error().message();
+    rehearsal_ = std::move(*rehearsal);
+    player_ = std::make_unique<sim::Player>(std::move(*scenario), rehearsal_->rig(), rehearsal_->began());
   }
 
   sim::Shown Next() {
-    auto shown = house_->NextPicture([this](Time now) { player_->Perform(now); });
+    auto shown = rehearsal_->NextPicture([this](Time now) { player_->Perform(now); });
     EXPECT_TRUE(shown) << shown.error().message();
     return shown.value_or(sim::Shown{});
   }
 
   static std::unique_ptr<stage::Studio> studio_;
   std::filesystem::path folder_;
-  std::unique_ptr<sim::Rehearsal> house_;
+  std::unique_ptr<sim::Rehearsal> rehearsal_;
   std::unique_ptr<sim::Player> player_;
 };
 std::unique_ptr<stage::Studio> PlayTest::studio_;
@@ -103,11 +103,11 @@ TEST_F(PlayTest, TheSameScenarioGivesTheSameBoardAndTheSamePictures) {
     ASSERT_FALSE(HasFatalFailure());
     while (player_->position() < std::chrono::seconds(20)) {
       trace.pictures.push_back(Hash(Next().rgbx));
-      const auto board = board::ReadAll(house_->board());
+      const auto board = board::ReadAll(rehearsal_->board());
       trace.boards.push_back(HashOf(board.surface.value) ^ HashOf(board.sticks[0].value) ^
                              HashOf(board.keys.value) ^ HashOf(board.lips.value) ^ HashOf(board.lamps.value));
     }
-    house_.reset();
+    rehearsal_.reset();
   }
   EXPECT_GT(traces[0].pictures.size(), 200U);
   EXPECT_NE(traces[0].pictures.front(), traces[0].pictures.back()) << "nothing was played";
@@ -116,11 +116,11 @@ TEST_F(PlayTest, TheSameScenarioGivesTheSameBoardAndTheSamePictures) {
 
 TEST_F(PlayTest, AHandOnADialIsSeenInThePicture) {
   Open(160, 90);
-  house_->rig().dial_box().Turn(6, -1);  // Life off: she holds still.
+  rehearsal_->rig().dial_box().Turn(6, -1);  // Life off: the face holds still.
   for (int i = 0; i < 20; ++i) Next();
   const auto before = Hash(Next().rgbx);
   EXPECT_EQ(Hash(Next().rgbx), before) << "a still face is drawn the same";
-  house_->rig().dial_box().Turn(4, 0.5);  // The mouth opens.
+  rehearsal_->rig().dial_box().Turn(4, 0.5);  // The mouth opens.
   Next();
   Next();
   EXPECT_NE(Hash(Next().rgbx), before);

@@ -20,7 +20,7 @@ TEST(Sheets, EveryFaceWithEveryExpressionLooksAsItDidWhenItWasAccepted) {
   ASSERT_TRUE(studio) << studio.error().message();
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("kaori-sheets-{}", ::getpid());
   const auto drawn = authoring::DrawSheets(**studio, folder, {.cell_width_px = 112, .cell_height_px = 126},
-                                         [](std::string_view) {});
+                                           [](std::string_view) {});
   ASSERT_TRUE(drawn) << drawn.error().message();
   int sheets = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

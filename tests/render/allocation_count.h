@@ -1,4 +1,4 @@
-// Counts what the program under test takes from the heap.
+// Counts what the program under test allocates on the heap.
 #pragma once
 
 #include <cstddef>

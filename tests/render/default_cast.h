@@ -5,7 +5,7 @@
 
 namespace kaori::testing {
 
-// Sculpted once in a test program, in a fraction of a second. Fails the program with the sculptor's words if
+// Sculpted once in a test program, in a fraction of a second. Fails the program with the sculptor's message if
 // the show's files have a fault.
 const face::Cast& DefaultCast();
 

@@ -35,7 +35,7 @@ std::vector<glm::vec3> Cage(Composer& composer, const Weights& weights) {
   return {cage.begin(), cage.end()};
 }
 
-TEST(Composer, TakesNothingFromTheHeap) {
+TEST(Composer, AllocatesNothing) {
   const Cast cast = MakeSyntheticCast();
   Composer composer(cast);
   Weights busy;
@@ -71,7 +71,7 @@ TEST(Composer, WearsAnExpressionAsItWasMadeAnewOnEveryFace) {
   EXPECT_EQ(Cage(composer, Wearing(2, 1)), smile) << "the others are as they were";
 }
 
-TEST(Composer, TakesNothingFromTheHeapForAnExpressionThatIsPulledOnFrameByFrame) {
+TEST(Composer, AllocatesNothingForAnExpressionThatIsPulledOnFrameByFrame) {
   Cast cast = MakeSyntheticCast();
   Composer composer(cast);
   const std::size_t before = AllocationCount();

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "render/face/composer.h"
-#include "tests/render/ball_sight.h"
 #include "tests/render/default_cast.h"
+#include "tests/render/eyeball_visibility.h"
 #include "tests/render/synthetic_cast.h"
 
 namespace kaori::testing {
@@ -104,10 +104,10 @@ void ExpectNothingOfTheBallSeen(const Cast& cast) {
     const Shape& shape = composer.Compose(Wearing(i, 0, 1), Detail::kFine);
     for (const float yaw_rad : {-0.5F, 0.0F, 0.5F}) {
       for (const float pitch_rad : {-0.3F, 0.0F, 0.3F}) {
-        const Sight sight{yaw_rad, pitch_rad};
-        EXPECT_EQ(BallSeen_m2(shape.eyes[0], {shape.fine, topology.fine.triangles}, sight), 0)
+        const ViewAngle angle{yaw_rad, pitch_rad};
+        EXPECT_EQ(BallSeen_m2(shape.eyes[0], {shape.fine, topology.fine.triangles}, angle), 0)
             << cast.faces[i].name << " from " << yaw_rad << ", " << pitch_rad;
-        EXPECT_EQ(BallSeen_m2(shape.eyes[1], {shape.cage, topology.triangles}, sight), 0)
+        EXPECT_EQ(BallSeen_m2(shape.eyes[1], {shape.cage, topology.triangles}, angle), 0)
             << cast.faces[i].name << " from " << yaw_rad << ", " << pitch_rad;
       }
     }
@@ -194,7 +194,7 @@ TEST(Lids, PushAVertexOutOfTheVeryMiddleOfTheBall) {
                    .follow_upper = {1},
                    .follow_lower = {1}};
   std::vector<glm::vec3> cage{{0, 0, 0}, {0, 0, 1}};
-  face::SeatLids(rig, {.centre = {}, .radius_m = 0.02F, .lid_thickness_m = 0.001F}, cage);
+  face::FitLids(rig, {.centre = {}, .radius_m = 0.02F, .lid_thickness_m = 0.001F}, cage);
   EXPECT_FLOAT_EQ(cage[0].z, 0.021F);
   EXPECT_FLOAT_EQ(cage[1].z, 1);
 }

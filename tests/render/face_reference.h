@@ -1,4 +1,4 @@
-// The method once more, in double precision and in its plainest words: what the fast code is compared with.
+// The method once more, in double precision and in its plainest form: what the fast code is compared with.
 #pragma once
 
 #include <span>

@@ -23,7 +23,8 @@ constexpr ShaderFile kFiles[] = {
     {"bad.frag", "#include \"light.glsl\"\nvoid main() {\n  wrong = 1.0;\n}\n"},
     {"whole.vert",
      "void main() {\n"
-     "  gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);\n"
+     "  gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, "
+     "1.0);\n"
      "}\n"},
     {"level.frag",
      "uniform sampler2D picture;\nuniform int level;\nlayout(location = 0) out vec4 colour;\n"
@@ -83,8 +84,8 @@ TEST_F(Gl, CodesTheBackgroundAsSrgb) {
   EXPECT_EQ(bytes[2], 255);
 }
 
-TEST_F(Gl, TakesCodesAsTheyAreWhereAsked) {
-  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2, .samples = 0, .takes_codes = true});
+TEST_F(Gl, StoresCodesAsTheyAreWhereAsked) {
+  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2, .samples = 0, .stores_codes = true});
   ASSERT_TRUE(canvas) << canvas.error().message();
   canvas->BeginPlain({0.5F, 0, 1});
   std::vector<std::uint8_t> bytes(16);
@@ -97,10 +98,11 @@ TEST_F(Gl, TakesCodesAsTheyAreWhereAsked) {
 template <class Draw>
 std::vector<std::uint8_t> Codes(int width_px, int height_px, Draw draw) {
   const auto canvas =
-      Canvas::Make({.width_px = width_px, .height_px = height_px, .samples = 0, .takes_codes = true});
+      Canvas::Make({.width_px = width_px, .height_px = height_px, .samples = 0, .stores_codes = true});
   canvas->BeginPlain({});
   draw();
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) * 4);
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) *
+                                  4);
   canvas->ReadPixels(bytes);
   return bytes;
 }

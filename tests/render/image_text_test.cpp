@@ -127,7 +127,7 @@ TEST_F(Text, ShortensWhatDoesNotFit) {
   EXPECT_TRUE(Shorten(lettering(), name, 20, whole - 1).starts_with("embarrassed"));
 }
 
-TEST(Utf8, TakesLettersOfOneToFourBytes) {
+TEST(Utf8, DecodesLettersOfOneToFourBytes) {
   for (const auto& [text, code, bytes] :
        {std::tuple{"A", U'A', 1U}, {"é", U'é', 2U}, {"香", U'香', 3U}, {"\U0001F600", U'\U0001F600', 4U}}) {
     EXPECT_EQ(FirstLetter(text).code, code);

@@ -71,7 +71,7 @@ int FarthestBeyond(const Picture& a, const Picture& b, int x_px, int y_px) {
 
 TEST(Caption, StandsAtTheLeftBelowAndNowhereElse) {
   const Picture bare = Draw(Captioned({}));
-  const Picture picture = Draw(Captioned({"needle MC.l", "expression: Smile"}));
+  const Picture picture = Draw(Captioned({"handle MC.l", "expression: Smile"}));
   EXPECT_GT(Difference(picture, bare), 1);
   EXPECT_EQ(FarthestBeyond(picture, bare, kWidth_px * 2 / 5, kHeight_px / 4), 0);
 }
@@ -124,11 +124,11 @@ TEST(Caption, LeavesNoTraceOnACanvas) {
 
 TEST(Caption, OfTooManyLinesTheFirstAreKept) {
   std::vector<std::string> lines(30, "help");
-  lines[0] = "needle MC.l";
+  lines[0] = "handle MC.l";
   const Picture picture = Draw(Captioned(lines));
   lines[29] = "another end";
   EXPECT_EQ(Draw(Captioned(lines)).bytes, picture.bytes);
-  lines[0] = "needle UC";
+  lines[0] = "handle UC";
   EXPECT_NE(Draw(Captioned(lines)).bytes, picture.bytes);
 }
 

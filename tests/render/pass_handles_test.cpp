@@ -1,4 +1,4 @@
-// ExpressionEditor in pictures: where they stand, what hides them, and what colour they have.
+// The editor's handles in pictures: where they stand, what hides them, and what colour they have.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -18,17 +18,17 @@ using testing::PassStudio;
 using testing::Picture;
 using testing::PlainScene;
 
-constexpr int kNeedlesWidth_px = 480;
-constexpr int kNeedlesHeight_px = 360;
+constexpr int kHandlesWidth_px = 480;
+constexpr int kHandlesHeight_px = 360;
 
-scene::Scene NeedleScene(Style style = Style::kFlat) {
+scene::Scene HandleScene(Style style = Style::kFlat) {
   scene::Scene scene = PlainScene(style);
-  scene.needles.shown = 1;
+  scene.handles.shown = 1;
   return scene;
 }
 
-Picture NeedlesDraw(const scene::Scene& scene) {
-  return PassStudio::Shared().Draw(scene, kNeedlesWidth_px, kNeedlesHeight_px);
+Picture DrawHandles(const scene::Scene& scene) {
+  return PassStudio::Shared().Draw(scene, kHandlesWidth_px, kHandlesHeight_px);
 }
 
 glm::vec3 MeanAt(std::size_t point, std::span<const glm::vec3> of) {
@@ -60,11 +60,11 @@ struct Spot {
 
 Spot PlaceOf(int point, const scene::Scene& scene) {
   PassStudio& studio = PassStudio::Shared();
-  const float aspect = static_cast<float>(kNeedlesWidth_px) / static_cast<float>(kNeedlesHeight_px);
+  const float aspect = static_cast<float>(kHandlesWidth_px) / static_cast<float>(kHandlesHeight_px);
   const scene::View view(scene, studio.cast().neck_pivot, aspect);
   const glm::vec2 at = view.InPicture(MeanAt(static_cast<std::size_t>(point), studio.painter().shape().cage));
-  return {static_cast<int>((at.x * 0.5F + 0.5F) * kNeedlesWidth_px),
-          static_cast<int>((at.y * 0.5F + 0.5F) * kNeedlesHeight_px)};
+  return {static_cast<int>((at.x * 0.5F + 0.5F) * kHandlesWidth_px),
+          static_cast<int>((at.y * 0.5F + 0.5F) * kHandlesHeight_px)};
 }
 
 // How warm the warmest pixel near a place is: red over blue.
@@ -80,142 +80,143 @@ int WarmestNear(const Picture& picture, Spot spot) {
   return warmest;
 }
 
-TEST(ExpressionEditor, AreNotThereWhenNoneAreShown) {
+TEST(Handles, AreNotThereWhenNoneAreShown) {
   scene::Scene scene = PlainScene(Style::kSoft);
-  const Picture bare = NeedlesDraw(scene);
-  scene.needles.chosen = 3;
-  scene.needles.pulls_m = {0.01F, 0.02F};
-  EXPECT_EQ(NeedlesDraw(scene).bytes, bare.bytes);
-  EXPECT_EQ(passes::HandlesPass::ReachOf(scene.needles), 0) << "and ask for no room";
+  const Picture bare = DrawHandles(scene);
+  scene.handles.chosen = 3;
+  scene.handles.pulls_m = {0.01F, 0.02F};
+  EXPECT_EQ(DrawHandles(scene).bytes, bare.bytes);
+  EXPECT_EQ(passes::HandlesPass::ReachOf(scene.handles), 0) << "and ask for no space";
 }
 
-TEST(ExpressionEditor, StickInTheFaceInEveryStyle) {
+TEST(Handles, StickInTheFaceInEveryStyle) {
   for (const Style style : {Style::kWire, Style::kFlat, Style::kBare, Style::kHair, Style::kSoft}) {
-    EXPECT_GT(Difference(NeedlesDraw(NeedleScene(style)), NeedlesDraw(PlainScene(style))), 0.02) << static_cast<int>(style);
+    EXPECT_GT(Difference(DrawHandles(HandleScene(style)), DrawHandles(PlainScene(style))), 0.02)
+        << static_cast<int>(style);
   }
 }
 
-TEST(ExpressionEditor, GrowOutOfTheSkin) {
-  const Picture bare = NeedlesDraw(PlainScene(Style::kFlat));
+TEST(Handles, GrowOutOfTheSkin) {
+  const Picture bare = DrawHandles(PlainScene(Style::kFlat));
   double seen = 0;
   for (const float shown : {0.25F, 0.5F, 0.75F, 1.0F}) {
-    scene::Scene scene = NeedleScene();
-    scene.needles.shown = shown;
-    const double more = Difference(NeedlesDraw(scene), bare);
+    scene::Scene scene = HandleScene();
+    scene.handles.shown = shown;
+    const double more = Difference(DrawHandles(scene), bare);
     EXPECT_GT(more, seen) << shown;
     seen = more;
   }
 }
 
-TEST(ExpressionEditor, TheChosenOneIsWarmAndStandsAtItsControlPoint) {
-  scene::Scene scene = NeedleScene();
-  const Picture before = NeedlesDraw(scene);
-  scene.needles.chosen = FrontPoint();
-  const Spot spot = PlaceOf(scene.needles.chosen, scene);
-  const Picture chosen = NeedlesDraw(scene);
+TEST(Handles, TheChosenOneIsWarmAndStandsAtItsControlPoint) {
+  scene::Scene scene = HandleScene();
+  const Picture before = DrawHandles(scene);
+  scene.handles.chosen = FrontPoint();
+  const Spot spot = PlaceOf(scene.handles.chosen, scene);
+  const Picture chosen = DrawHandles(scene);
   EXPECT_GT(WarmestNear(chosen, spot), 120);
   EXPECT_LT(WarmestNear(before, spot), 100);
 }
 
-TEST(ExpressionEditor, APartnerIsLighterThanTheChosenOne) {
-  scene::Scene scene = NeedleScene();
-  NeedlesDraw(scene);
+TEST(Handles, APartnerIsLighterThanTheChosenOne) {
+  scene::Scene scene = HandleScene();
+  DrawHandles(scene);
   const int point = FrontPoint();
   const Spot spot = PlaceOf(point, scene);
-  scene.needles.chosen = point;
-  const int chosen = WarmestNear(NeedlesDraw(scene), spot);
-  scene.needles.chosen = -1;
-  scene.needles.partner = point;
-  const int partner = WarmestNear(NeedlesDraw(scene), spot);
-  scene.needles.partner = -1;
-  const int plain = WarmestNear(NeedlesDraw(scene), spot);
+  scene.handles.chosen = point;
+  const int chosen = WarmestNear(DrawHandles(scene), spot);
+  scene.handles.chosen = -1;
+  scene.handles.partner = point;
+  const int partner = WarmestNear(DrawHandles(scene), spot);
+  scene.handles.partner = -1;
+  const int plain = WarmestNear(DrawHandles(scene), spot);
   EXPECT_GT(chosen, partner);
   EXPECT_GT(partner, plain);
 }
 
-TEST(ExpressionEditor, PulledOnesAreWarmer) {
-  scene::Scene scene = NeedleScene();
-  NeedlesDraw(scene);
+TEST(Handles, PulledOnesAreWarmer) {
+  scene::Scene scene = HandleScene();
+  DrawHandles(scene);
   const int point = FrontPoint();
   const Spot spot = PlaceOf(point, scene);
-  int warmth = WarmestNear(NeedlesDraw(scene), spot);
-  scene.needles.pulls_m.resize(PassStudio::Shared().cast().net.points.size());
+  int warmth = WarmestNear(DrawHandles(scene), spot);
+  scene.handles.pulls_m.resize(PassStudio::Shared().cast().net.points.size());
   for (const float pull_m : {0.003F, 0.009F}) {
-    scene.needles.pulls_m[static_cast<std::size_t>(point)] = pull_m;
-    const int now = WarmestNear(NeedlesDraw(scene), spot);
+    scene.handles.pulls_m[static_cast<std::size_t>(point)] = pull_m;
+    const int now = WarmestNear(DrawHandles(scene), spot);
     EXPECT_GT(now, warmth) << pull_m;
     warmth = now;
   }
 }
 
-TEST(ExpressionEditor, TheHeadHidesThoseBehindIt) {
-  const double in_front = Difference(NeedlesDraw(NeedleScene()), NeedlesDraw(PlainScene(Style::kFlat)));
-  scene::Scene behind = NeedleScene();
+TEST(Handles, TheHeadHidesThoseBehindIt) {
+  const double in_front = Difference(DrawHandles(HandleScene()), DrawHandles(PlainScene(Style::kFlat)));
+  scene::Scene behind = HandleScene();
   behind.camera.yaw_rad = 3.14F;
   scene::Scene bare = PlainScene(Style::kFlat);
   bare.camera.yaw_rad = 3.14F;
-  EXPECT_LT(Difference(NeedlesDraw(behind), NeedlesDraw(bare)), 0.2 * in_front);
+  EXPECT_LT(Difference(DrawHandles(behind), DrawHandles(bare)), 0.2 * in_front);
 }
 
-TEST(ExpressionEditor, TheChosenOneGlimmersThroughWhatHidesIt) {
-  scene::Scene behind = NeedleScene();
-  NeedlesDraw(behind);
+TEST(Handles, TheChosenOneGlimmersThroughWhatHidesIt) {
+  scene::Scene behind = HandleScene();
+  DrawHandles(behind);
   const int point = FrontPoint();
   behind.camera.yaw_rad = 3.14F;
-  const Picture without = NeedlesDraw(behind);
-  behind.needles.chosen = point;
+  const Picture without = DrawHandles(behind);
+  behind.handles.chosen = point;
   const Spot spot = PlaceOf(point, behind);
-  EXPECT_GT(WarmestNear(NeedlesDraw(behind), spot), WarmestNear(without, spot) + 20);
+  EXPECT_GT(WarmestNear(DrawHandles(behind), spot), WarmestNear(without, spot) + 20);
 }
 
-TEST(ExpressionEditor, LeaveNoTraceOnACanvas) {
+TEST(Handles, LeaveNoTraceOnACanvas) {
   PassStudio& studio = PassStudio::Shared();
-  const auto canvas = gl::Canvas::Make({.width_px = kNeedlesWidth_px, .height_px = kNeedlesHeight_px});
+  const auto canvas = gl::Canvas::Make({.width_px = kHandlesWidth_px, .height_px = kHandlesHeight_px});
   ASSERT_TRUE(canvas) << canvas.error().message();
   for (const float shown : {1.0F, 0.3F, 0.0F, 1.0F}) {
-    scene::Scene scene = NeedleScene(Style::kSoft);
-    scene.needles.shown = shown;
-    EXPECT_EQ(studio.DrawOn(*canvas, scene).bytes, NeedlesDraw(scene).bytes) << shown;
+    scene::Scene scene = HandleScene(Style::kSoft);
+    scene.handles.shown = shown;
+    EXPECT_EQ(studio.DrawOn(*canvas, scene).bytes, DrawHandles(scene).bytes) << shown;
   }
 }
 
-TEST(ExpressionEditor, StayWithinTheRoomThatIsClearedForThem) {
-  scene::Scene scene = NeedleScene();
-  scene.needles.pulls_m.assign(PassStudio::Shared().cast().net.points.size(), 1.0F);
+TEST(Handles, StayWithinTheRegionThatIsClearedForThem) {
+  scene::Scene scene = HandleScene();
+  scene.handles.pulls_m.assign(PassStudio::Shared().cast().net.points.size(), 1.0F);
   PassStudio& studio = PassStudio::Shared();
-  const auto canvas = gl::Canvas::Make({.width_px = kNeedlesWidth_px, .height_px = kNeedlesHeight_px});
+  const auto canvas = gl::Canvas::Make({.width_px = kHandlesWidth_px, .height_px = kHandlesHeight_px});
   ASSERT_TRUE(canvas) << canvas.error().message();
-  for (int n = 0; n < static_cast<int>(scene.needles.pulls_m.size()); n += 7) {
-    scene.needles.chosen = n;
-    ASSERT_EQ(studio.DrawOn(*canvas, scene).bytes, NeedlesDraw(scene).bytes) << n;
+  for (int n = 0; n < static_cast<int>(scene.handles.pulls_m.size()); n += 7) {
+    scene.handles.chosen = n;
+    ASSERT_EQ(studio.DrawOn(*canvas, scene).bytes, DrawHandles(scene).bytes) << n;
   }
 }
 
-TEST(ExpressionEditor, SurviveNumbersThatAreNone) {
+TEST(Handles, SurviveNumbersThatAreNone) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const Picture good = NeedlesDraw(NeedleScene());
-  scene::Scene scene = NeedleScene();
-  scene.needles.chosen = 1'000'000;
-  scene.needles.partner = -7;
-  scene.needles.pulls_m = {nan, -1, std::numeric_limits<float>::infinity()};
-  EXPECT_LT(Difference(NeedlesDraw(scene), good), 0.1);
-  scene.needles.shown = nan;
-  EXPECT_EQ(NeedlesDraw(scene).bytes, NeedlesDraw(PlainScene(Style::kFlat)).bytes);
+  const Picture good = DrawHandles(HandleScene());
+  scene::Scene scene = HandleScene();
+  scene.handles.chosen = 1'000'000;
+  scene.handles.partner = -7;
+  scene.handles.pulls_m = {nan, -1, std::numeric_limits<float>::infinity()};
+  EXPECT_LT(Difference(DrawHandles(scene), good), 0.1);
+  scene.handles.shown = nan;
+  EXPECT_EQ(DrawHandles(scene).bytes, DrawHandles(PlainScene(Style::kFlat)).bytes);
 }
 
-TEST(ExpressionEditor, TakeNothingFromTheHeap) {
+TEST(Handles, AllocateNothing) {
   PassStudio& studio = PassStudio::Shared();
   const auto canvas = gl::Canvas::Make({.width_px = 16, .height_px = 12});
   ASSERT_TRUE(canvas) << canvas.error().message();
-  scene::Scene scene = NeedleScene(Style::kSoft);
-  scene.needles.pulls_m.resize(studio.cast().net.points.size());
-  scene.needles.chosen = 1;
+  scene::Scene scene = HandleScene(Style::kSoft);
+  scene.handles.pulls_m.resize(studio.cast().net.points.size());
+  scene.handles.chosen = 1;
   scene.caption = {.shown = 1,
-                   .lines = {"needle MC.l   u +2.4   mirror on   smooth on", "expression: Smile"}};
+                   .lines = {"handle MC.l   u +2.4   mirror on   smooth on", "expression: Smile"}};
   for (int frame = 0; frame < 20; ++frame) studio.painter().Draw(scene, *canvas);
   const std::size_t before = testing::AllocationCount();
   for (int frame = 0; frame < 200; ++frame) {
-    scene.needles.chosen = frame % 3;
+    scene.handles.chosen = frame % 3;
     studio.painter().Draw(scene, *canvas);
   }
   EXPECT_EQ(testing::AllocationCount() - before, 0U);

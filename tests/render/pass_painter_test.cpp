@@ -231,7 +231,7 @@ TEST(Painter, DrawsOnCanvasesOfAnySize) {
   }
 }
 
-TEST(Painter, TakesNothingFromTheHeapForAThousandFrames) {
+TEST(Painter, AllocatesNothingForAThousandFrames) {
   PassStudio& studio = PassStudio::Shared();
   auto canvas = gl::Canvas::Make({.width_px = 16, .height_px = 12});
   ASSERT_TRUE(canvas) << canvas.error().message();

@@ -262,11 +262,11 @@ void ExpressionEditor::Describe(scene::Scene& scene) const {
   if (!(shown_ > 0)) return;
   const float shown = performance::SmoothStep(shown_);
   const Work& work = compared_ ? session_.before() : session_.work();
-  scene.needles.shown = shown;
-  scene.needles.chosen = chosen_;
+  scene.handles.shown = shown;
+  scene.handles.chosen = chosen_;
   if (chosen_ >= 0 && session_.spread.mirror)
-    scene.needles.partner = session_.points().partners[static_cast<std::size_t>(chosen_)];
-  for (const glm::vec3& pull_m : work.pulls_m) scene.needles.pulls_m.push_back(glm::length(pull_m));
+    scene.handles.partner = session_.points().partners[static_cast<std::size_t>(chosen_)];
+  for (const glm::vec3& pull_m : work.pulls_m) scene.handles.pulls_m.push_back(glm::length(pull_m));
   scene.caption.shown = shown;
   scene.caption.lines = CaptionLines({.session = session_,
                                       .chosen = chosen_,

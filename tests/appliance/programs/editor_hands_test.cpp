@@ -10,19 +10,19 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(NeedlePlay, TabShowsTheNeedlesAndHidesThemAgain) {
-  EXPECT_EQ(scene_.needles.shown, 0);
+  EXPECT_EQ(scene_.handles.shown, 0);
   Strike(key::kTab);
-  EXPECT_GT(scene_.needles.shown, 0) << "they ease in";
-  EXPECT_LT(scene_.needles.shown, 0.5F);
+  EXPECT_GT(scene_.handles.shown, 0) << "they ease in";
+  EXPECT_LT(scene_.handles.shown, 0.5F);
   Run(500ms);
-  EXPECT_EQ(scene_.needles.shown, 1);
+  EXPECT_EQ(scene_.handles.shown, 1);
   EXPECT_EQ(scene_.caption.shown, 1);
-  EXPECT_EQ(scene_.needles.pulls_m.size(), show_.cast.net.points.size());
-  EXPECT_GE(scene_.needles.chosen, 0);
+  EXPECT_EQ(scene_.handles.pulls_m.size(), show_.cast.net.points.size());
+  EXPECT_GE(scene_.handles.chosen, 0);
   EXPECT_THAT(Caption(), HasSubstr("mirror on"));
   Strike(key::kTab);
   Run(500ms);
-  EXPECT_EQ(scene_.needles.shown, 0);
+  EXPECT_EQ(scene_.handles.shown, 0);
   EXPECT_TRUE(scene_.caption.lines.empty());
 }
 

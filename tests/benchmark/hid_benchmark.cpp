@@ -1,4 +1,4 @@
-#include "tests/benchmark/hid_bench.h"
+#include "tests/benchmark/hid_benchmark.h"
 
 #include <unistd.h>
 
@@ -18,20 +18,20 @@ constexpr int kHidRounds = 50;
 constexpr int kReportsARound = 20'000;
 
 ports::HidIdentity DialBox() {
-  return {.port = "bench",
+  return {.port = "benchmark",
           .vendor = wire::kDialBoxVendor,
           .product = wire::kDialBoxProduct,
           .name = "dial box",
           .descriptor = {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()}};
 }
 
-double ReportsPerSecond(input::DialSeat& seat, const Clock& clock) {
+double ReportsPerSecond(input::DialSeat& dial_box, const Clock& clock) {
   wire::DialBoxReport report{.turned = {1, -1, 2, -2, 3, -3, 4, -4}};
   const Time begin = clock.now();
   for (int i = 0; i < kReportsARound; ++i) {
     report.buttons_down = static_cast<std::uint32_t>(i);
-    if (!seat.Accept(wire::Encode(report), begin)) return 0;
-    seat.Publish();
+    if (!dial_box.Accept(wire::Encode(report), begin)) return 0;
+    dial_box.Publish();
   }
   return kReportsARound / Seconds(clock.now() - begin);
 }
@@ -39,17 +39,18 @@ double ReportsPerSecond(input::DialSeat& seat, const Clock& clock) {
 }  // namespace
 
 std::vector<Metric> MeasureHid(bool quick) {
-  const auto path = std::filesystem::temp_directory_path() / fmt::format("kaori-benchmark-board-{}", ::getpid());
+  const auto path =
+      std::filesystem::temp_directory_path() / fmt::format("kaori-benchmark-board-{}", ::getpid());
   const auto board = board::Board::Create(path.string());
   if (!board) return {};
   auto writer = board->AcquireWriter<board::Surface>();
   std::filesystem::remove(path);
   if (!writer) return {};
   const SteadyClock clock;
-  input::DialSeat seat(*board, std::move(*writer), wire::kDialCountsPerTurn);
-  if (!seat.Plug(DialBox(), clock.now())) return {};
+  input::DialSeat dial_box(*board, std::move(*writer), wire::kDialCountsPerTurn);
+  if (!dial_box.Plug(DialBox(), clock.now())) return {};
   std::vector<double> rates;
-  for (int i = 0; i < kHidRounds / (quick ? 10 : 1); ++i) rates.push_back(ReportsPerSecond(seat, clock));
+  for (int i = 0; i < kHidRounds / (quick ? 10 : 1); ++i) rates.push_back(ReportsPerSecond(dial_box, clock));
   std::ranges::sort(rates);
   // Of a rate the slow end is the one that matters: "p99" is what 99 of 100 rounds reached.
   return {{"hid.reports_per_s", "1/s", rates[rates.size() / 2], rates.front()}};

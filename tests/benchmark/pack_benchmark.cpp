@@ -1,4 +1,4 @@
-#include "tests/benchmark/pack_bench.h"
+#include "tests/benchmark/pack_benchmark.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "tests/benchmark/frame_bench.h"
+#include "tests/benchmark/frame_benchmark.h"
 
 #include <sys/resource.h>
 
@@ -68,7 +68,7 @@ void Append(const std::string& name, const Costs& costs, std::vector<Metric>& me
   metrics.push_back(Figure(name + ".wall_ms", "ms", costs.wall_ms));
 }
 
-// She turns and blinks, so that no frame is like the last.
+// The head turns and blinks, so that no frame is like the last.
 scene::Scene SceneAt(int frame, scene::Style style) {
   scene::Scene scene;
   const float beat = static_cast<float>(frame % 40) / 40;
@@ -87,7 +87,7 @@ struct Screen {
       : canvas(*gl::Canvas::Make({.width_px = size.width_px,
                                   .height_px = size.height_px,
                                   .samples = of_1993 ? 0 : 4,
-                                  .takes_codes = of_1993})),
+                                  .stores_codes = of_1993})),
         bytes(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) * 4) {}
   gl::Canvas canvas;
   std::vector<std::uint8_t> bytes;

@@ -1,4 +1,4 @@
-// Frames: each style at two sizes, the paper's load, and what the house costs beside a bare draw (F1, F2,
+// Frames: each style at two sizes, the paper's load, and what the program costs beside a bare draw (F1, F2,
 // S1).
 #pragma once
 

@@ -1,4 +1,4 @@
-#include "tests/benchmark/sound_bench.h"
+#include "tests/benchmark/sound_benchmark.h"
 
 #include <unistd.h>
 
@@ -20,7 +20,7 @@ std::vector<Metric> MeasureSound(const std::string& pack, bool quick) {
   const auto studio = stage::Studio::Open(std::move(*show));
   if (!studio) throw std::runtime_error(studio.error().message());
   const std::string folder =
-      std::filesystem::temp_directory_path() / fmt::format("kaori-sound-bench-{}", ::getpid());
+      std::filesystem::temp_directory_path() / fmt::format("kaori-sound-benchmark-{}", ::getpid());
   const auto report = tests::ClapIn(folder, **studio, {.claps = quick ? 5 : 25});
   std::filesystem::remove_all(folder);
   if (!report) throw std::runtime_error(report.error().message());

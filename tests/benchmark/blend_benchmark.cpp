@@ -1,4 +1,4 @@
-#include "tests/benchmark/blend_bench.h"
+#include "tests/benchmark/blend_benchmark.h"
 
 #include <cstring>
 #include <memory>

@@ -9,7 +9,7 @@
 #include "appliance/core/board/board.h"
 #include "hw-sim/links/local/rig.h"
 #include "tests/benchmark/figures.h"
-#include "tests/benchmark/lips_bench.h"
+#include "tests/benchmark/lips_benchmark.h"
 #include "tests/system/house.h"
 
 namespace kaori::benchmark {
@@ -22,17 +22,17 @@ constexpr double kOpen = 0.75;
 constexpr float kMoved = 0.05F;  // Of the mouth's width: more than it trembles by, less than its first step.
 
 // The simulated camera in this process, kaori-lips in its own.
-class LipHouse {
+class LipSystem {
  public:
-  explicit LipHouse(Duration period) : period_(period) {
+  explicit LipSystem(Duration period) : period_(period) {
     auto rig =
-        sim::Rig::Open({.folder = house_.links(), .camera_period = period, .wakes_by_timer = true}, clock_);
+        sim::Rig::Open({.folder = system_.links(), .camera_period = period, .wakes_by_timer = true}, clock_);
     if (!rig) throw std::runtime_error(rig.error().message());
     rig_ = std::move(*rig);
-    house_.Start("kaori-lips", {"--board", house_.board(), "--links", house_.links()});
+    system_.Start("kaori-lips", {"--board", system_.board(), "--links", system_.links()});
     rig_->camera().SetMouth(kShut, 1);
-    Until([&] { return std::filesystem::exists(house_.board()); });
-    auto board = board::Board::Open(house_.board());
+    Until([&] { return std::filesystem::exists(system_.board()); });
+    auto board = board::Board::Open(system_.board());
     if (!board) throw std::runtime_error(board.error().message());
     board_.emplace(std::move(*board));
     Until([&] { return lips().rest_width > 0; });
@@ -57,7 +57,7 @@ class LipHouse {
     const Time late = clock_.now() + 30s;
     while (!done()) {
       if (clock_.now() > late)
-        throw std::runtime_error("kaori-lips is silent:\n" + house_.LogOf("kaori-lips"));
+        throw std::runtime_error("kaori-lips is silent:\n" + system_.LogOf("kaori-lips"));
       rig_->Pump();
       pollfd waiting{rig_->pollable(), POLLIN, 0};
       const timespec nap{0, 100'000};
@@ -71,7 +71,7 @@ class LipHouse {
 
   Duration period_;
   SteadyClock clock_;
-  test::House house_;
+  test::House system_;
   std::unique_ptr<sim::Rig> rig_;
   std::optional<board::Board> board_;
   std::mt19937 random_{3};
@@ -79,9 +79,9 @@ class LipHouse {
 };
 
 Metric MeasureRate(const std::string& name, Duration period, bool quick) {
-  LipHouse house(period);
+  LipSystem system(period);
   std::vector<double> ms(quick ? 15 : 60);
-  for (double& one : ms) one = Seconds(house.OneMotion()) * 1e3;
+  for (double& one : ms) one = Seconds(system.OneMotion()) * 1e3;
   return Figure(name, "ms", ms);
 }
 

@@ -1,4 +1,4 @@
-#include "tests/benchmark/house_bench.h"
+#include "tests/benchmark/system_benchmark.h"
 
 #include <poll.h>
 
@@ -20,29 +20,29 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kPeriod = 33'333'333ns;  // The rate at which a machine without a GPU plays.
-constexpr int kDial = 3;  // The fade time: it changes nothing in the picture.
+constexpr int kDial = 3;                    // The fade time: it changes nothing in the picture.
 
 double Milliseconds(Duration d) {
   return Seconds(d) * 1e3;
 }
 
-// The house under measurement: devices in this process, programs in their own.
-class Bench {
+// The system under measurement: devices in this process, programs in their own.
+class SystemUnderTest {
  public:
-  explicit Bench(std::string pack) : pack_(std::move(pack)) {
+  explicit SystemUnderTest(std::string pack) : pack_(std::move(pack)) {
     auto rig =
-        sim::Rig::Open({.folder = house_.links(), .screen_period = kPeriod, .wakes_by_timer = true}, clock_);
+        sim::Rig::Open({.folder = system_.links(), .screen_period = kPeriod, .wakes_by_timer = true}, clock_);
     if (!rig) throw std::runtime_error(rig.error().message());
     rig_ = std::move(*rig);
-    house_.Start("kaori-input", {"--board", house_.board(), "--links", house_.links()});
+    system_.Start("kaori-input", {"--board", system_.board(), "--links", system_.links()});
   }
 
   void StartStage() {
-    house_.Start("kaori-stage", {"--board", house_.board(), "--pack", pack_, "--links", house_.links()});
+    system_.Start("kaori-stage", {"--board", system_.board(), "--pack", pack_, "--links", system_.links()});
   }
-  void KillStage() { house_.Kill("kaori-stage"); }
-  int stage_pid() const { return house_.PidOf("kaori-stage"); }
-  std::string board() const { return house_.board(); }
+  void KillStage() { system_.Kill("kaori-stage"); }
+  int stage_pid() const { return system_.PidOf("kaori-stage"); }
+  std::string board() const { return system_.board(); }
   Time now() const { return clock_.now(); }
   sim::Rig& rig() { return *rig_; }
 
@@ -52,10 +52,11 @@ class Bench {
     const Time late = now() + 30s;
     while (!done()) {
       if (now() > late)
-        throw std::runtime_error("the house did not answer within 30 s:\n" + house_.LogOf("kaori-stage"));
+        throw std::runtime_error("the system did not answer within 30 s:\n" + system_.LogOf("kaori-stage"));
       rig_->Pump();
       pollfd waiting{rig_->pollable(), POLLIN, 0};
-      const timespec nap{0, 1'000'000};  // Rare looks: the programs need both cores, and times are read from the board.
+      const timespec nap{
+          0, 1'000'000};  // Rare looks: the programs need both cores, and times are read from the board.
       ::ppoll(&waiting, 1, &nap, nullptr);
     }
     rig_->Pump();
@@ -73,37 +74,37 @@ class Bench {
 
  private:
   SteadyClock clock_;
-  test::House house_;
+  test::House system_;
   std::string pack_;
   std::unique_ptr<sim::Rig> rig_;
 };
 
 // One turn of a dial: from the report's arrival to the end of the frame that was drawn with it.
-Duration OneReport(Bench& bench, const board::Board& board) {
+Duration OneReport(SystemUnderTest& system, const board::Board& board) {
   const auto counts = [&] { return board.Read<board::Surface>().value.counts[kDial]; };
   const auto before = counts();
-  bench.rig().dial_box().Turn(kDial, 0.01);
-  bench.Until([&] { return counts() != before; });
+  system.rig().dial_box().Turn(kDial, 0.01);
+  system.Until([&] { return counts() != before; });
   const auto surface = board.Read<board::Surface>();
   std::uint32_t frames = 0;
-  bench.Until([&] {
+  system.Until([&] {
     frames = board.Read<board::StageStatus>().value.frames;
     const auto state = board::Restore<performance::State>(board.Read<board::Performance>().value);
     return state && state->seen.dials[kDial] == surface.value.counts[kDial];
   });
-  bench.Until([&] { return board.Read<board::StageStatus>().value.frames > frames; });
+  system.Until([&] { return board.Read<board::StageStatus>().value.frames > frames; });
   return board.Read<board::StageStatus>().at - surface.at;
 }
 
-std::vector<Metric> ReportToFrame(Bench& bench, bool quick) {
-  const auto board = board::Board::Open(bench.board());
+std::vector<Metric> ReportToFrame(SystemUnderTest& system, bool quick) {
+  const auto board = board::Board::Open(system.board());
   if (!board) throw std::runtime_error(board.error().message());
   std::mt19937 random(3);
   std::vector<double> ms;
   for (int i = 0; i < (quick ? 30 : 300); ++i) {
     // Anywhere within a refresh, for the end of the last trial is tied to one.
-    bench.Wait(std::chrono::milliseconds(40) + std::chrono::nanoseconds(random() % kPeriod.count()));
-    ms.push_back(Milliseconds(OneReport(bench, *board)));
+    system.Wait(std::chrono::milliseconds(40) + std::chrono::nanoseconds(random() % kPeriod.count()));
+    ms.push_back(Milliseconds(OneReport(system, *board)));
   }
   std::vector<double> frames(ms);
   for (double& f : frames) f /= Milliseconds(kPeriod);
@@ -120,28 +121,28 @@ double ResidentMb(int pid) {
 
 }  // namespace
 
-std::vector<Metric> MeasureHouse(const std::string& pack, bool quick) {
+std::vector<Metric> MeasureSystem(const std::string& pack, bool quick) {
   const int rounds = quick ? 3 : 12;
-  Bench bench(pack);
+  SystemUnderTest system(pack);
   std::vector<double> start_ms, restart_ms;
   for (int i = 0; i < rounds; ++i) {
-    Time begun = bench.now();
-    bench.StartStage();
-    bench.TimeToNextFrame();
-    start_ms.push_back(Milliseconds(bench.now() - begun));
-    bench.Wait(300ms);
-    begun = bench.now();
-    bench.KillStage();
-    bench.StartStage();
-    bench.TimeToNextFrame();
-    restart_ms.push_back(Milliseconds(bench.now() - begun));
-    bench.Wait(300ms);
-    if (i + 1 < rounds) bench.KillStage();
+    Time begun = system.now();
+    system.StartStage();
+    system.TimeToNextFrame();
+    start_ms.push_back(Milliseconds(system.now() - begun));
+    system.Wait(300ms);
+    begun = system.now();
+    system.KillStage();
+    system.StartStage();
+    system.TimeToNextFrame();
+    restart_ms.push_back(Milliseconds(system.now() - begun));
+    system.Wait(300ms);
+    if (i + 1 < rounds) system.KillStage();
   }
   std::vector<Metric> metrics{Figure("stage.start_ms", "ms", start_ms),
                               Figure("stage.restart_ms", "ms", restart_ms)};
-  for (const Metric& metric : ReportToFrame(bench, quick)) metrics.push_back(metric);
-  metrics.push_back(Figure("memory.rss_mb", "MB", {ResidentMb(bench.stage_pid())}));
+  for (const Metric& metric : ReportToFrame(system, quick)) metrics.push_back(metric);
+  metrics.push_back(Figure("memory.rss_mb", "MB", {ResidentMb(system.stage_pid())}));
   return metrics;
 }
 

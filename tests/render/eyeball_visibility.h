@@ -14,12 +14,12 @@ struct Surface {
   std::span<const face::Triangle> triangles;
 };
 
-struct Sight {
+struct ViewAngle {
   float yaw_rad = 0;    // Positive: the face is turned to the character's left.
   float pitch_rad = 0;  // Positive: the face looks up.
 };
 
 // Square metres of the ball's outline that no part of the surface hides, seen along Z from far away.
-float BallSeen_m2(const face::EyeBall& ball, const Surface& surface, const Sight& sight);
+float BallSeen_m2(const face::EyeBall& ball, const Surface& surface, const ViewAngle& angle);
 
 }  // namespace kaori::testing

@@ -1,4 +1,4 @@
-#include "tests/benchmark/lips_bench.h"
+#include "tests/benchmark/lips_benchmark.h"
 
 #include <algorithm>
 #include <random>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kRounds = 60;
 constexpr int kCalls =
-    64;  // A turn is long enough to have its own code and pictures at hand, not the neighbour's.
+    64;  // A turn is long enough to have its own code and pictures in the cache, not the other arm's.
 constexpr std::size_t kPictures = 8;  // Different mouths and noise, drawn before the clock runs.
 constexpr int kTruthFrames = 60;
 
@@ -28,8 +28,8 @@ using Picture = std::vector<std::uint8_t>;
 
 std::vector<Picture> Shoot(ports::CameraFormat format) {
   const SteadyClock clock;
-  const sim::Workbench bench{clock, {}};
-  sim::LipCamera camera(format, bench);
+  const sim::Workbench workbench{clock, {}};
+  sim::LipCamera camera(format, workbench);
   std::vector<Picture> pictures(kPictures);
   for (std::uint32_t n = 0; n < kPictures; ++n) {
     camera.SetMouth(0.25 + 0.1 * n, 1.2 - 0.1 * n);

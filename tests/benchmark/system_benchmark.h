@@ -1,4 +1,4 @@
-// Measures a whole house of real processes: how soon the stage plays, and how soon a hand is seen.
+// Measures a whole system of real processes: how soon the stage plays, and how soon an input is seen.
 #pragma once
 
 #include <string>
@@ -14,6 +14,6 @@ namespace kaori::benchmark {
 //   report_to_frame.frames  arrival of a HID report to the finished frame that shows it, in refreshes
 //   report_to_frame.ms      the same in milliseconds
 //   memory.rss_mb           resident memory of the stage while it plays
-std::vector<Metric> MeasureHouse(const std::string& pack, bool quick);
+std::vector<Metric> MeasureSystem(const std::string& pack, bool quick);
 
 }  // namespace kaori::benchmark

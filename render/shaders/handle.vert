@@ -1,9 +1,9 @@
-// One of the needles: a thin cone whose tip sticks in the skin, and a ball at its end.
+// One of the handles: a thin cone whose tip sticks in the skin, and a ball at its end.
 #include "frame.glsl"
-layout(location = 0) in vec3 outwards;  // Unit, along the needle's axes: z from the tip to the head.
+layout(location = 0) in vec3 outwards;  // Unit, along the handle's axes: z from the tip to the head.
 layout(location = 1) in vec2 along;     // x: 0 the tip .. 1 the middle of the head; y: 1 on the head.
-uniform sampler2D needles;              // For each: root and length, axis and the head's radius, paint and how much of it.
-uniform int first;                      // The needle with which to begin.
+uniform sampler2D handles;              // For each: root and length, axis and the head's radius, paint and how much of it.
+uniform int first;                      // The handle with which to begin.
 uniform vec3 plain;                     // Of heads without paint; linear.
 out vec3 normal;      // Camera's frame.
 flat out vec3 paint;  // Linear.
@@ -11,7 +11,7 @@ flat out float tint;  // How much of it is on the shaft.
 out float on_head;
 const float kThick_m = 0.00034;  // The shaft's radius below the head.
 
-vec4 Texel(int which) { return texelFetch(needles, ivec2(which, first + gl_InstanceID), 0); }
+vec4 Texel(int which) { return texelFetch(handles, ivec2(which, first + gl_InstanceID), 0); }
 
 // Any two directions across the axis.
 mat3 Axes(vec3 axis) {

@@ -1,4 +1,4 @@
-#include "tests/render/ball_sight.h"
+#include "tests/render/eyeball_visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kPixels = 160;  // Across the ball.
 
-glm::vec3 Turned(const glm::vec3& p, const Sight& sight) {
-  const float cy = std::cos(sight.yaw_rad);
-  const float sy = std::sin(sight.yaw_rad);
-  const float cp = std::cos(-sight.pitch_rad);
-  const float sp = std::sin(-sight.pitch_rad);
+glm::vec3 Turned(const glm::vec3& p, const ViewAngle& angle) {
+  const float cy = std::cos(angle.yaw_rad);
+  const float sy = std::sin(angle.yaw_rad);
+  const float cp = std::cos(-angle.pitch_rad);
+  const float sp = std::sin(-angle.pitch_rad);
   const glm::vec3 q{cy * p.x + sy * p.z, p.y, cy * p.z - sy * p.x};
   return {q.x, cp * q.y - sp * q.z, sp * q.y + cp * q.z};
 }
@@ -66,11 +66,11 @@ class DepthMap {
 
 }  // namespace
 
-float BallSeen_m2(const face::EyeBall& ball, const Surface& surface, const Sight& sight) {
-  const glm::vec3 centre = Turned(ball.centre, sight);
+float BallSeen_m2(const face::EyeBall& ball, const Surface& surface, const ViewAngle& angle) {
+  const glm::vec3 centre = Turned(ball.centre, angle);
   DepthMap map(centre, ball.radius_m);
   std::vector<glm::vec3> turned;
-  for (const glm::vec3& p : surface.positions) turned.push_back(Turned(p, sight));
+  for (const glm::vec3& p : surface.positions) turned.push_back(Turned(p, angle));
   for (const face::Triangle& t : surface.triangles) map.Draw(turned[t[0]], turned[t[1]], turned[t[2]]);
   int seen = 0;
   for (int y = 0; y < kPixels; ++y) {
