@@ -28,13 +28,13 @@ constexpr std::string_view kHelp =
   --size 960x540       of the screen
   --hz 60              of the screen
   --play FILE          a scenario; with --loop again and again
-  --record FILE        writes what hands do, as a scenario
+  --record FILE        writes what the operator does, as a scenario
   --console PORT       a page with dials, sticks, keys, lips and the picture; 0 takes any free port
   --labels FILE        what is written on the page's dials, buttons, sticks and keys
   --address-file FILE  where the page's address is written
 )";
 
-constexpr kaori::Duration kHandsPeriod = 4ms;  // Slow hands of a scenario move in steps of this.
+constexpr kaori::Duration kActionPeriod = 4ms;  // Slow actions of a scenario advance in steps of this.
 constexpr double kMostHz = 1000;
 
 struct Settings {
@@ -68,7 +68,7 @@ kaori::Result<kaori::sim::RigOptions> RigOptionsOf(const Settings& settings) {
 }
 
 // What plays and what writes down, beside the devices themselves.
-struct Bench {
+struct Simulation {
   kaori::sim::Rig& rig;
   kaori::EventLoop& loop;
   const kaori::Clock& clock;
@@ -78,23 +78,23 @@ struct Bench {
   std::unique_ptr<kaori::console::Console> console;
 };
 
-kaori::Result<void> Play(kaori::sim::Scenario scenario, bool again, Bench& bench) {
-  bench.player.emplace(std::move(scenario), bench.rig, bench.clock.now());
-  return bench.loop.Every(kHandsPeriod, [&bench, again] {
-    if (bench.player->finished() && again) bench.player->Restart(bench.clock.now());
-    if (bench.player->finished()) return;
-    bench.player->Perform(bench.clock.now());
-    bench.rig.Pump();
+kaori::Result<void> Play(kaori::sim::Scenario scenario, bool again, Simulation& simulation) {
+  simulation.player.emplace(std::move(scenario), simulation.rig, simulation.clock.now());
+  return simulation.loop.Every(kActionPeriod, [&simulation, again] {
+    if (simulation.player->finished() && again) simulation.player->Restart(simulation.clock.now());
+    if (simulation.player->finished()) return;
+    simulation.player->Perform(simulation.clock.now());
+    simulation.rig.Pump();
   });
 }
 
-// Each line is on the disk before the next hand moves: a simulator that is killed loses none.
-kaori::Result<void> Record(const Settings& settings, Bench& bench) {
+// Each line is on the disk before the next action is done: a simulator that is killed loses none.
+kaori::Result<void> Record(const Settings& settings, Simulation& simulation) {
   if (settings.record.empty()) return {};
-  bench.record.open(settings.record);
-  if (!bench.record) return kaori::FailErrno("write " + settings.record);
-  bench.recorder.emplace(bench.rig, [&bench](const kaori::sim::Action& action) {
-    bench.record << kaori::sim::WriteAction(action) << std::endl;
+  simulation.record.open(settings.record);
+  if (!simulation.record) return kaori::FailErrno("write " + settings.record);
+  simulation.recorder.emplace(simulation.rig, [&simulation](const kaori::sim::TimedAction& timed) {
+    simulation.record << kaori::sim::WriteAction(timed) << std::endl;
   });
   return {};
 }
@@ -111,27 +111,29 @@ kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings) {
   return page;
 }
 
-kaori::Result<void> OpenConsole(const Settings& settings, Bench& bench) {
+kaori::Result<void> OpenConsole(const Settings& settings, Simulation& simulation) {
   if (settings.console.empty()) return {};
   auto page = PageOf(settings);
   if (!page) return tl::unexpected(page.error());
-  auto console = kaori::console::Console::Open(std::move(*page), bench.rig, bench.loop);
+  auto console = kaori::console::Console::Open(std::move(*page), simulation.rig, simulation.loop);
   if (!console) return tl::unexpected(console.error());
-  bench.console = std::move(*console);
-  kaori::Log("console at {}", bench.console->address());
+  simulation.console = std::move(*console);
+  kaori::Log("console at {}", simulation.console->address());
   if (settings.address_file.empty()) return {};
   std::ofstream file(settings.address_file);
-  file << bench.console->address() << '\n';
+  file << simulation.console->address() << '\n';
   if (!file.flush()) return kaori::FailErrno("write " + settings.address_file);
   return {};
 }
 
-// Records first, so that a scenario's hands are recorded too; plays last, when all else stands.
-kaori::Result<void> SetUp(const Settings& settings, kaori::sim::Scenario scenario, Bench& bench) {
-  if (auto ok = Record(settings, bench); !ok) return ok;
-  if (auto ok = OpenConsole(settings, bench); !ok) return ok;
-  if (auto ok = bench.loop.Watch(bench.rig.pollable(), [&bench] { bench.rig.Pump(); }); !ok) return ok;
-  return settings.play.empty() ? kaori::Result<void>{} : Play(std::move(scenario), settings.loop, bench);
+// Records first, so that a scenario's actions are recorded too; plays last, when all else stands.
+kaori::Result<void> SetUp(const Settings& settings, kaori::sim::Scenario scenario, Simulation& simulation) {
+  if (auto ok = Record(settings, simulation); !ok) return ok;
+  if (auto ok = OpenConsole(settings, simulation); !ok) return ok;
+  if (auto ok = simulation.loop.Watch(simulation.rig.pollable(), [&simulation] { simulation.rig.Pump(); });
+      !ok)
+    return ok;
+  return settings.play.empty() ? kaori::Result<void>{} : Play(std::move(scenario), settings.loop, simulation);
 }
 
 int Simulate(const Settings& settings, kaori::EventLoop& loop) {
@@ -142,10 +144,10 @@ int Simulate(const Settings& settings, kaori::EventLoop& loop) {
   if (!scenario) return Complain(scenario.error());
   auto rig = kaori::sim::Rig::Open(std::move(*options), clock);
   if (!rig) return Complain(rig.error());
-  for (int n = 0; n < kaori::sim::kPlaceCount; ++n)
-    kaori::Log("plugged in: {}", kaori::sim::PortName(static_cast<kaori::sim::Place>(n)));
-  Bench bench{**rig, loop, clock, {}, {}, {}, {}};
-  if (auto ok = SetUp(settings, std::move(*scenario), bench); !ok) return Complain(ok.error());
+  for (int n = 0; n < kaori::sim::kDevicePortCount; ++n)
+    kaori::Log("plugged in: {}", kaori::sim::PortName(static_cast<kaori::sim::DevicePort>(n)));
+  Simulation simulation{**rig, loop, clock, {}, {}, {}, {}};
+  if (auto ok = SetUp(settings, std::move(*scenario), simulation); !ok) return Complain(ok.error());
   if (auto ok = loop.Run(); !ok) return Complain(ok.error());
   return 0;
 }

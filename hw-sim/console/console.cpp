@@ -6,7 +6,7 @@
 
 #include "drivers/base/log.h"
 #include "hw-sim/console/guard.h"
-#include "hw-sim/console/hands.h"
+#include "hw-sim/console/input.h"
 #include "hw-sim/console/json.h"
 #include "hw-sim/console/page.h"
 
@@ -80,10 +80,10 @@ void Console::Tick() {
   (void)!::read(ticks_.get(), &passed, sizeof(passed));
   const Time now = clock_.now();
   values_.Follow(rig_.dial_box(), rig_.keyboard());
-  needles_.Follow({.tab_held = rig_.keyboard().held(NeedlesWatch::kTab),
-                   .keyboard_heard = rig_.connected("keyboard"),
-                   .screen_drawn = rig_.connected("screen"),
-                   .screen_plugged = rig_.plugged("screen")});
+  editor_watch_.Follow({.tab_held = rig_.keyboard().held(EditorWatch::kTab),
+                        .keyboard_heard = rig_.connected("keyboard"),
+                        .screen_drawn = rig_.connected("screen"),
+                        .screen_plugged = rig_.plugged("screen")});
   shown_.See(rig_.screen().frames_shown(), now);
   ShowPicture(now);
   TellState(now);
@@ -107,7 +107,7 @@ void Console::ShowPicture(Time now) {
 
 void Console::TellState(Time now) {
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
-  auto state = StateJson(rig_, values_, needles_, shown_.per_s());
+  auto state = StateJson(rig_, values_, editor_watch_, shown_.per_s());
   if (state == state_ && now - state_at_ < kSignOfLife) return;
   state_ = std::move(state);
   state_at_ = now;
@@ -116,7 +116,7 @@ void Console::TellState(Time now) {
 
 web::HttpServer::Answer Console::Answer(const Request& request) {
   if (request.method == "POST") {
-    if (request.path == "/hands") return MoveHands(request.body);
+    if (request.path == "/input") return AcceptInput(request.body);
     return NotFound(request.path);
   }
   if (request.method != "GET" && request.method != "HEAD") return Reply{405, kText, "GET and POST only\n"};
@@ -124,24 +124,24 @@ web::HttpServer::Answer Console::Answer(const Request& request) {
   if (request.path == "/events") return &states_;
   if (request.path == "/frame.jpg") return OnePicture();
   if (request.path == "/state")
-    return Reply{200, "application/json", StateJson(rig_, values_, needles_, shown_.per_s())};
+    return Reply{200, "application/json", StateJson(rig_, values_, editor_watch_, shown_.per_s())};
   if (request.path == "/labels") return Reply{200, "application/json", LabelsJson(options_.labels)};
   if (const auto* file = FindPageFile(request.path))
     return Reply{200, std::string(file->content_type), std::string(file->bytes)};
   return NotFound(request.path);
 }
 
-Reply Console::MoveHands(const std::string& lines) {
-  const auto hands = ReadHands(lines);
-  if (!hands) return {400, kText, hands.error().attempt + "\n"};
-  for (const auto& hand : *hands) held_.Note(hand);
-  if (auto done = Do(*hands); !done) return {503, kText, done.error().message() + "\n"};
+Reply Console::AcceptInput(const std::string& lines) {
+  const auto actions = ReadInput(lines);
+  if (!actions) return {400, kText, actions.error().attempt + "\n"};
+  for (const auto& action : *actions) held_.Note(action);
+  if (auto done = Do(*actions); !done) return {503, kText, done.error().message() + "\n"};
   return {204, kText, {}};
 }
 
-Result<void> Console::Do(const std::vector<sim::Hand>& hands) {
-  for (const auto& hand : hands)
-    if (auto done = rig_.Do(hand); !done) return done;
+Result<void> Console::Do(const std::vector<sim::OperatorAction>& actions) {
+  for (const auto& action : actions)
+    if (auto done = rig_.Do(action); !done) return done;
   rig_.Pump();
   return {};
 }

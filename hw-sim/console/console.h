@@ -12,9 +12,9 @@
 #include "drivers/web/http_server.h"
 #include "drivers/web/jpeg.h"
 #include "hw-sim/console/dial_values.h"
+#include "hw-sim/console/editor_watch.h"
 #include "hw-sim/console/held.h"
 #include "hw-sim/console/labels.h"
-#include "hw-sim/console/needles_watch.h"
 #include "hw-sim/console/rate.h"
 #include "hw-sim/links/local/rig.h"
 
@@ -45,8 +45,8 @@ class Console {
   void ShowPicture(Time now);
   void TellState(Time now);
   web::HttpServer::Answer Answer(const web::Request& request);
-  web::Reply MoveHands(const std::string& lines);
-  Result<void> Do(const std::vector<sim::Hand>& hands);
+  web::Reply AcceptInput(const std::string& lines);
+  Result<void> Do(const std::vector<sim::OperatorAction>& actions);
   void LetGoAlone();
   web::Reply OnePicture();
   Result<std::string> EncodeLatest();
@@ -57,7 +57,7 @@ class Console {
   SteadyClock clock_;  // The page lives in real time, whatever the rig's clock does.
   web::JpegEncoder jpeg_;
   DialValues values_;
-  NeedlesWatch needles_;
+  EditorWatch editor_watch_;
   Rate shown_;                    // Frames the screen has shown.
   std::uint64_t sent_frame_ = 0;  // frames_shown() of the last picture that was sent.
   Time picture_at_{};

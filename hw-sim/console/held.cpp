@@ -6,7 +6,7 @@
 namespace kaori::console {
 namespace {
 
-using sim::Hand;
+using sim::OperatorAction;
 using sim::Verb;
 
 // Lips as the camera sees them when nobody speaks.
@@ -15,22 +15,22 @@ constexpr double kRestWidth = 1;
 
 // The hand that undoes `hand`; nothing for what stays as it is put: dials, sliders, the pointer, lens,
 // cables.
-std::optional<Hand> Undoing(const Hand& hand) {
-  switch (hand.verb) {
+std::optional<OperatorAction> Undoing(const OperatorAction& action) {
+  switch (action.verb) {
     case Verb::kPush:
     case Verb::kRelease:
-      return Hand{hand.place, Verb::kRelease, hand.index};
+      return OperatorAction{action.port, Verb::kRelease, action.index};
     case Verb::kMove:
-      if (hand.place == sim::Place::kPointer) return std::nullopt;
+      if (action.port == sim::DevicePort::kPointer) return std::nullopt;
       [[fallthrough]];
     case Verb::kTwist:
-      return Hand{hand.place, hand.verb};
+      return OperatorAction{action.port, action.verb};
     case Verb::kHat:
-      return Hand{hand.place, Verb::kHat, -1};
+      return OperatorAction{action.port, Verb::kHat, -1};
     case Verb::kLips:
-      return Hand{hand.place, Verb::kLips, 0, kShutHeight, kRestWidth};
+      return OperatorAction{action.port, Verb::kLips, 0, kShutHeight, kRestWidth};
     case Verb::kVoice:
-      return Hand{hand.place, Verb::kVoice};
+      return OperatorAction{action.port, Verb::kVoice};
     default:
       return std::nullopt;
   }
@@ -38,14 +38,14 @@ std::optional<Hand> Undoing(const Hand& hand) {
 
 }  // namespace
 
-void Held::Note(const Hand& hand) {
-  const auto undoing = Undoing(hand);
+void Held::Note(const OperatorAction& action) {
+  const auto undoing = Undoing(action);
   if (!undoing) return;
   std::erase(releases_, *undoing);
-  if (hand != *undoing) releases_.push_back(*undoing);
+  if (action != *undoing) releases_.push_back(*undoing);
 }
 
-std::vector<Hand> Held::LetGo() {
+std::vector<OperatorAction> Held::LetGo() {
   return std::exchange(releases_, {});
 }
 

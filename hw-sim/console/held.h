@@ -3,20 +3,20 @@
 
 #include <vector>
 
-#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/operator_action.h"
 
 namespace kaori::console {
 
 // Pure. Knows only what it was told: buttons and keys that a scenario holds stay held.
 class Held {
  public:
-  void Note(const sim::Hand& hand);
+  void Note(const sim::OperatorAction& action);
 
   // The hands that let everything go: buttons and keys up, sticks and lips at rest. Then nothing is held.
-  std::vector<sim::Hand> LetGo();
+  std::vector<sim::OperatorAction> LetGo();
 
  private:
-  std::vector<sim::Hand> releases_;  // One for each thing that is held.
+  std::vector<sim::OperatorAction> releases_;  // One for each thing that is held.
 };
 
 }  // namespace kaori::console

@@ -25,8 +25,8 @@ Json PointerJson(const sim::Pointer& pointer) {
 
 Json PortsJson(const sim::Rig& rig) {
   Json ports = Json::object();
-  for (int place = 0; place < sim::kPlaceCount; ++place) {
-    const auto name = sim::PortName(static_cast<sim::Place>(place));
+  for (int port = 0; port < sim::kDevicePortCount; ++port) {
+    const auto name = sim::PortName(static_cast<sim::DevicePort>(port));
     ports[std::string(name)] = {{"plugged", rig.plugged(name)}, {"connected", rig.connected(name)}};
   }
   return ports;
@@ -43,7 +43,7 @@ Json ValuesJson(const DialValues& values) {
 
 }  // namespace
 
-std::string StateJson(sim::Rig& rig, const DialValues& values, const NeedlesWatch& needles,
+std::string StateJson(sim::Rig& rig, const DialValues& values, const EditorWatch& needles,
                       double frames_per_s) {
   Json dials = Json::array();
   for (int dial = 0; dial < kDialCount; ++dial) dials.push_back(Rounded(rig.dial_box().turned(dial)));

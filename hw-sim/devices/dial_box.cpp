@@ -25,7 +25,7 @@ void DialBox::Turn(int dial, double turns) {
   const auto counted = static_cast<std::int64_t>(std::llround(shaft.turns * wire::kDialCountsPerTurn));
   AddCounts(dial, counted - shaft.reported);
   shaft.reported = counted;
-  bench_.Saw({Place::kDialBox, Verb::kTurn, dial, turns, 0});
+  context_.Notify({DevicePort::kDialBox, Verb::kTurn, dial, turns, 0});
 }
 
 // A report carries 16 bits for each dial: what does not fit goes into the next one.
@@ -33,7 +33,7 @@ void DialBox::AddCounts(int dial, std::int64_t counts) {
   using Limits = std::numeric_limits<std::int16_t>;
   const auto n = static_cast<std::size_t>(dial);
   while (counts != 0) {
-    auto& report = waiting_.Change(bench_.clock.now(), [&](const auto&, const auto& back) {
+    auto& report = waiting_.Change(context_.clock.now(), [&](const auto&, const auto& back) {
       return back.turned[n] == Limits::max() || back.turned[n] == Limits::min();
     });
     const std::int64_t before = report.turned[n];
@@ -55,11 +55,11 @@ void DialBox::SetButton(int button, bool down) {
   if (button < 0 || button >= static_cast<int>(wire::kDialBoxButtons)) return;
   const std::uint32_t bit = std::uint32_t{1} << button;
   if (((buttons_down() & bit) != 0) == down) return;
-  auto& report = waiting_.Change(bench_.clock.now(), [bit](const auto& before, const auto& back) {
+  auto& report = waiting_.Change(context_.clock.now(), [bit](const auto& before, const auto& back) {
     return ((before.buttons_down ^ back.buttons_down) & bit) != 0;
   });
   report.buttons_down ^= bit;
-  bench_.Saw({Place::kDialBox, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
+  context_.Notify({DevicePort::kDialBox, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
 }
 
 double DialBox::turned(int dial) const {
@@ -89,7 +89,7 @@ void DialBox::HandleOutput(std::span<const std::uint8_t> report) {
 void DialBox::HostCame() {
   waiting_.set_hosted(true);
   if (!waiting_.next_due() && buttons_down() != 0) {
-    waiting_.Change(bench_.clock.now(), [](const auto&, const auto&) { return false; });
+    waiting_.Change(context_.clock.now(), [](const auto&, const auto&) { return false; });
   }
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "firmware/wire/dial_box.h"
-#include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/report_queue.h"
 
 namespace kaori::sim {
@@ -13,8 +13,8 @@ namespace kaori::sim {
 // Dials 0..7 and buttons 0..31, from the upper left; other numbers are ignored.
 class DialBox final : public HidDevice {
  public:
-  // Borrows the bench.
-  explicit DialBox(const Workbench& bench) : bench_(bench) {}
+  // Borrows the context.
+  explicit DialBox(const DeviceContext& context) : context_(context) {}
 
   // Test's side: the operator's hands. Clockwise is positive; parts of a count are kept for the next turn.
   void Turn(int dial, double turns);
@@ -43,7 +43,7 @@ class DialBox final : public HidDevice {
   void SetButton(int button, bool down);
   void AddCounts(int dial, std::int64_t counts);
 
-  const Workbench& bench_;
+  const DeviceContext& context_;
   ReportQueue<wire::DialBoxReport> waiting_{&Next};
   std::array<Dial, wire::kDials> dials_{};
   std::uint32_t lamps_ = 0;

@@ -1,6 +1,6 @@
 #include "hw-sim/devices/gpio_bridge.h"
 
-#include "hw-sim/devices/usb_plate.h"
+#include "hw-sim/devices/usb_descriptors.h"
 
 namespace kaori::sim {
 namespace {
@@ -66,11 +66,11 @@ std::uint8_t Bit(int line) {
 }  // namespace
 
 GpioBridge::GpioBridge() {
-  plate_.vendor = kVendor;
-  plate_.product = kProduct;
-  plate_.maker = "Silicon Laboratories";
-  plate_.name = "CP2112 HID USB-to-SMBus Bridge";
-  plate_.configuration = Configuration();
+  descriptors_.vendor = kVendor;
+  descriptors_.product = kProduct;
+  descriptors_.maker = "Silicon Laboratories";
+  descriptors_.name = "CP2112 HID USB-to-SMBus Bridge";
+  descriptors_.configuration = Configuration();
 }
 
 void GpioBridge::Pull(int line, bool down) {

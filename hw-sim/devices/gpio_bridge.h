@@ -22,7 +22,7 @@ class GpioBridge final : public UsbDevice {
   bool high(int line) const;                  // and what is on the line now.
 
   // Appliance's side.
-  const UsbPlate& plate() const override { return plate_; }
+  const UsbDescriptors& descriptors() const override { return descriptors_; }
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
   void HandleOut(std::uint8_t, std::span<const std::uint8_t>) override {}
   std::optional<UsbBytes> NextIn(std::uint8_t, std::size_t, Time) override { return std::nullopt; }
@@ -37,7 +37,7 @@ class GpioBridge final : public UsbDevice {
   std::optional<UsbBytes> Feature(std::uint8_t report) const;
   bool SetFeature(std::span<const std::uint8_t> report);
 
-  UsbPlate plate_;
+  UsbDescriptors descriptors_;
   std::uint8_t outputs_ = 0;      // Bit n: line n is driven by the host,
   std::uint8_t push_pull_ = 0;    // both ways,
   std::uint8_t driven_ = 0xFF;    // to this.

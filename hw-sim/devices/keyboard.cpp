@@ -17,11 +17,11 @@ Report KeyboardBytes(const wire::KeyboardReport& report) {
 
 void Keyboard::Set(std::uint8_t usage, bool down) {
   if (usage < wire::kFirstKeyUsage || usage > kLastUsage || held(usage) == down) return;
-  auto& report = waiting_.Change(bench_.clock.now(), [usage](const auto& before, const auto& back) {
+  auto& report = waiting_.Change(context_.clock.now(), [usage](const auto& before, const auto& back) {
     return before.held(usage) != back.held(usage);
   });
   report.Hold(usage, down);
-  bench_.Saw({Place::kKeyboard, down ? Verb::kPush : Verb::kRelease, usage, 0, 0});
+  context_.Notify({DevicePort::kKeyboard, down ? Verb::kPush : Verb::kRelease, usage, 0, 0});
 }
 
 HidDeviceName Keyboard::device_name() const {
@@ -46,7 +46,7 @@ void Keyboard::HostCame() {
   waiting_.set_hosted(true);
   const auto& down = waiting_.newest().down;
   if (waiting_.next_due() || std::ranges::all_of(down, [](std::uint32_t word) { return word == 0; })) return;
-  waiting_.Change(bench_.clock.now(), [](const auto&, const auto&) { return false; });
+  waiting_.Change(context_.clock.now(), [](const auto&, const auto&) { return false; });
 }
 
 void Keyboard::PowerCycle() {

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "firmware/wire/keyboard.h"
-#include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/report_queue.h"
 
 namespace kaori::sim {
 
 class Keyboard final : public HidDevice {
  public:
-  // Borrows the bench.
-  explicit Keyboard(const Workbench& bench) : bench_(bench) {}
+  // Borrows the context.
+  explicit Keyboard(const DeviceContext& context) : context_(context) {}
 
   // Test's side. `usage` is of HID page 7: 0x04..0xDF keys, 0xE0..0xE7 modifiers; others are ignored.
   void Press(std::uint8_t usage) { Set(usage, true); }
@@ -33,7 +33,7 @@ class Keyboard final : public HidDevice {
   static wire::KeyboardReport Next(const wire::KeyboardReport& last) { return last; }
   void Set(std::uint8_t usage, bool down);
 
-  const Workbench& bench_;
+  const DeviceContext& context_;
   ReportQueue<wire::KeyboardReport> waiting_{&Next};
   std::uint8_t lights_ = 0;
 };

@@ -29,7 +29,7 @@ double Held(double value, double low, double high, double otherwise) {
 
 }  // namespace
 
-LipCamera::LipCamera(ports::CameraFormat format, const Workbench& bench) : bench_(bench) {
+LipCamera::LipCamera(ports::CameraFormat format, const DeviceContext& context) : context_(context) {
   if (!CanShoot(format)) format = {640, 480, ports::PixelFormat::kYuyv};
   SetFormat(format);
 }
@@ -38,17 +38,17 @@ void LipCamera::SetMouth(double height, double width) {
   const Mouth mouth{Held(height, 0.02, 2, mouth_.height), Held(width, 0.1, 2, mouth_.width)};
   if (mouth == mouth_) return;
   mouth_ = mouth;
-  bench_.Saw({Place::kCamera, Verb::kLips, 0, mouth.height, mouth.width});
+  context_.Notify({DevicePort::kCamera, Verb::kLips, 0, mouth.height, mouth.width});
 }
 
 void LipCamera::CoverLens(bool covered) {
   if (std::exchange(covered_, covered) != covered)
-    bench_.Saw({Place::kCamera, Verb::kCoverLens, covered ? 1 : 0, 0, 0});
+    context_.Notify({DevicePort::kCamera, Verb::kCoverLens, covered ? 1 : 0, 0, 0});
 }
 
 void LipCamera::Stall(bool stalled) {
   if (std::exchange(stalled_, stalled) != stalled)
-    bench_.Saw({Place::kCamera, Verb::kStall, stalled ? 1 : 0, 0, 0});
+    context_.Notify({DevicePort::kCamera, Verb::kStall, stalled ? 1 : 0, 0, 0});
 }
 
 void LipCamera::SetFormat(ports::CameraFormat format) {

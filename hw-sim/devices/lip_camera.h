@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "drivers/ports/camera.h"
-#include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/lip_picture.h"
+#include "hw-sim/devices/operator_action.h"
 
 namespace kaori::sim {
 
@@ -17,8 +17,8 @@ enum class Spoil : std::uint8_t { kNothing, kMessage, kPixels };
 
 class LipCamera {
  public:
-  // Borrows the bench.
-  LipCamera(ports::CameraFormat format, const Workbench& bench);
+  // Borrows the context.
+  LipCamera(ports::CameraFormat format, const DeviceContext& context);
 
   // Test's side. Sizes are held within 0.02 .. 2 (height) and 0.1 .. 2 (width).
   void SetMouth(double height, double width);
@@ -46,7 +46,7 @@ class LipCamera {
  private:
   void Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv);
 
-  const Workbench& bench_;
+  const DeviceContext& context_;
   ports::CameraFormat format_{};
   Mouth mouth_;
   bool covered_ = false;

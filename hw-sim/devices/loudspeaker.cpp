@@ -20,9 +20,9 @@ std::vector<Loudspeaker::Heard> Loudspeaker::DrainHeard() {
 
 void Loudspeaker::Stall(bool stalled) {
   if (std::exchange(stalled_, stalled) == stalled) return;
-  if (stalled) PlayUntil(bench_.clock.now());
+  if (stalled) PlayUntil(context_.clock.now());
   playing_ = false;
-  bench_.Saw({Place::kLoudspeaker, Verb::kStall, stalled ? 1 : 0, 0, 0});
+  context_.Notify({DevicePort::kLoudspeaker, Verb::kStall, stalled ? 1 : 0, 0, 0});
 }
 
 // What came while the simulator was busy came in time: it is played before anything is called dry.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drivers/ports/loudspeaker.h"
-#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/operator_action.h"
 
 namespace kaori::sim {
 
@@ -17,8 +17,8 @@ class Loudspeaker {
   static constexpr int kChannels = 2;
   static constexpr std::size_t kRoomFrames = 2880;  // 60 ms.
 
-  // Borrows the bench.
-  explicit Loudspeaker(const Workbench& bench) : bench_(bench) {}
+  // Borrows the context.
+  explicit Loudspeaker(const DeviceContext& context) : context_(context) {}
 
   // Sound that was heard without a break.
   struct Heard {
@@ -49,7 +49,7 @@ class Loudspeaker {
   std::size_t Due(Time now) const;
   void Remember(std::size_t frames);
 
-  const Workbench& bench_;
+  const DeviceContext& context_;
   std::deque<std::int16_t> waiting_;
   std::deque<Heard> heard_;
   bool playing_ = false;

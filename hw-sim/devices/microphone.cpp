@@ -12,22 +12,22 @@ constexpr std::int64_t kMostAtOnce = kSynthRate_hz;  // Of a longer sleep only t
 
 // What was heard before is heard with the voice that it had.
 void Microphone::Say(int vowel, double loudness) {
-  HearUntil(bench_.clock.now());
+  HearUntil(context_.clock.now());
   const int vowel_before = synth_.vowel();
   const double loudness_before = synth_.loudness();
   synth_.Say(vowel, loudness);
   if (synth_.vowel() != vowel_before || synth_.loudness() != loudness_before)
-    bench_.Saw({Place::kMicrophone, Verb::kVoice, synth_.vowel(), synth_.loudness(), 0});
+    context_.Notify({DevicePort::kMicrophone, Verb::kVoice, synth_.vowel(), synth_.loudness(), 0});
 }
 
 void Microphone::Stall(bool stalled) {
   if (std::exchange(stalled_, stalled) == stalled) return;
-  if (!stalled) Drop(bench_.clock.now());
-  bench_.Saw({Place::kMicrophone, Verb::kStall, stalled ? 1 : 0, 0, 0});
+  if (!stalled) Drop(context_.clock.now());
+  context_.Notify({DevicePort::kMicrophone, Verb::kStall, stalled ? 1 : 0, 0, 0});
 }
 
 void Microphone::SetDrift(double ppm) {
-  HearUntil(bench_.clock.now());
+  HearUntil(context_.clock.now());
   start_ = TimeOf(heard_);
   first_ = heard_;
   ppm_ = ppm;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drivers/ports/microphone.h"
-#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/voice_synth.h"
 
 namespace kaori::sim {
@@ -16,7 +16,7 @@ class Microphone {
   static constexpr int kBlockFrames = 240;
 
   // Begins to hear at the bench's present time. Borrows the bench.
-  explicit Microphone(const Workbench& bench) : bench_(bench), start_(bench.clock.now()) {}
+  explicit Microphone(const DeviceContext& context) : context_(context), start_(context.clock.now()) {}
 
   // Test's side. The voice from now on; vowels are a, i, u, e, o.
   void Say(int vowel, double loudness);
@@ -44,7 +44,7 @@ class Microphone {
   Time TimeOf(std::int64_t frame) const;
   void HearUntil(Time now);
 
-  const Workbench& bench_;
+  const DeviceContext& context_;
   VoiceSynth synth_;
   Time start_;              // When frame `first_` was heard,
   std::int64_t first_ = 0;  // since which the crystal is what it is.

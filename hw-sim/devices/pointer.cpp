@@ -14,8 +14,8 @@ Report PointerBytes(const wire::PointerReport& report) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::uint16_t Counts(double place) {
-  return static_cast<std::uint16_t>(std::lround(place * wire::kPointerEnd));
+std::uint16_t Counts(double port) {
+  return static_cast<std::uint16_t>(std::lround(port * wire::kPointerEnd));
 }
 
 // A number that is none leaves the pen where it is.
@@ -40,12 +40,12 @@ void Pointer::Move(double x, double y) {
   if (x == x_ && y == y_) return;
   x_ = x;
   y_ = y;
-  auto& report = waiting_.Change(bench_.clock.now(), [](const auto& before, const auto& back) {
+  auto& report = waiting_.Change(context_.clock.now(), [](const auto& before, const auto& back) {
     return before.buttons_down != back.buttons_down;
   });
   report.x = Counts(x);
   report.y = Counts(y);
-  bench_.Saw({Place::kPointer, Verb::kMove, 0, x, y});
+  context_.Notify({DevicePort::kPointer, Verb::kMove, 0, x, y});
 }
 
 void Pointer::Push(int button) {
@@ -59,11 +59,11 @@ void Pointer::SetButton(int button, bool down) {
   if (button < 0 || button >= static_cast<int>(wire::kPointerButtons)) return;
   const auto bit = static_cast<std::uint8_t>(1U << button);
   if (((buttons_down() & bit) != 0) == down) return;
-  auto& report = waiting_.Change(bench_.clock.now(), [bit](const auto& before, const auto& back) {
+  auto& report = waiting_.Change(context_.clock.now(), [bit](const auto& before, const auto& back) {
     return ((before.buttons_down ^ back.buttons_down) & bit) != 0;
   });
   report.buttons_down = static_cast<std::uint8_t>(report.buttons_down ^ bit);
-  bench_.Saw({Place::kPointer, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
+  context_.Notify({DevicePort::kPointer, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
 }
 
 void Pointer::Roll(double notches) {
@@ -72,15 +72,16 @@ void Pointer::Roll(double notches) {
   const double whole = std::trunc(unrolled_);
   unrolled_ -= whole;
   AddNotches(static_cast<int>(whole));
-  bench_.Saw({Place::kPointer, Verb::kRoll, 0, notches, 0});
+  context_.Notify({DevicePort::kPointer, Verb::kRoll, 0, notches, 0});
 }
 
 // A report carries so many notches: what does not fit goes into the next one.
 void Pointer::AddNotches(int notches) {
   constexpr int kMost = wire::kPointerMostNotches;
   while (notches != 0) {
-    auto& report = waiting_.Change(
-        bench_.clock.now(), [](const auto&, const auto& back) { return std::abs(int{back.wheel}) == kMost; });
+    auto& report = waiting_.Change(context_.clock.now(), [](const auto&, const auto& back) {
+      return std::abs(int{back.wheel}) == kMost;
+    });
     const int after = std::clamp(report.wheel + notches, -kMost, kMost);
     if (after == report.wheel) return;  // Nobody listens and the report is full: the rest is lost.
     notches -= after - report.wheel;
@@ -104,7 +105,8 @@ Report Pointer::Standing() const {
 
 void Pointer::HostCame() {
   waiting_.set_hosted(true);
-  if (!waiting_.next_due() && Standing() != PointerBytes({})) waiting_.Change(bench_.clock.now(), MergesAlways);
+  if (!waiting_.next_due() && Standing() != PointerBytes({}))
+    waiting_.Change(context_.clock.now(), MergesAlways);
 }
 
 }  // namespace kaori::sim

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "firmware/wire/pointer.h"
-#include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/report_queue.h"
 
 namespace kaori::sim {
 
 class Pointer final : public HidDevice {
  public:
-  // Borrows the bench.
-  explicit Pointer(const Workbench& bench) : bench_(bench) {}
+  // Borrows the context.
+  explicit Pointer(const DeviceContext& context) : context_(context) {}
 
   // Test's side. The pen begins in the middle. Values beyond the edges are held at the edges.
   void Move(double x, double y);  // 0 left .. 1 right; 0 above .. 1 below.
@@ -37,7 +37,7 @@ class Pointer final : public HidDevice {
   void SetButton(int button, bool down);
   void AddNotches(int notches);
 
-  const Workbench& bench_;
+  const DeviceContext& context_;
   ReportQueue<wire::PointerReport> waiting_{&Next};
   double x_ = 0.5;
   double y_ = 0.5;

@@ -27,7 +27,7 @@ float Held(float value, float low, float high, float otherwise) {
 
 // Positions may share a report: the newest one counts.
 wire::StickPodReport& StickPod::Change() {
-  return waiting_.Change(bench_.clock.now(), [](const auto&, const auto&) { return false; });
+  return waiting_.Change(context_.clock.now(), [](const auto&, const auto&) { return false; });
 }
 
 void StickPod::Move(float x, float y) {
@@ -39,7 +39,7 @@ void StickPod::Move(float x, float y) {
   auto& report = Change();
   report.x = AxisCounts(x);
   report.y = AxisCounts(-y);  // On the wire Y grows towards the operator.
-  bench_.Saw({place_, Verb::kMove, 0, x, y});
+  context_.Notify({port_, Verb::kMove, 0, x, y});
 }
 
 void StickPod::Twist(float twist) {
@@ -47,7 +47,7 @@ void StickPod::Twist(float twist) {
   if (twist == twist_) return;
   twist_ = twist;
   Change().twist = AxisCounts(twist);
-  bench_.Saw({place_, Verb::kTwist, 0, twist, 0});
+  context_.Notify({port_, Verb::kTwist, 0, twist, 0});
 }
 
 void StickPod::Slide(float slider) {
@@ -55,7 +55,7 @@ void StickPod::Slide(float slider) {
   if (slider == slider_) return;
   slider_ = slider;
   Change().slider = static_cast<std::uint16_t>(std::lround(slider * kSliderEnd));
-  bench_.Saw({place_, Verb::kSlide, 0, slider, 0});
+  context_.Notify({port_, Verb::kSlide, 0, slider, 0});
 }
 
 int StickPod::hat() const {
@@ -65,10 +65,10 @@ int StickPod::hat() const {
 
 void StickPod::Hat(int direction) {
   if (direction < -1 || direction > 7 || direction == hat()) return;
-  auto& report = waiting_.Change(bench_.clock.now(),
+  auto& report = waiting_.Change(context_.clock.now(),
                                  [](const auto& before, const auto& back) { return before.hat != back.hat; });
   report.hat = direction < 0 ? wire::kHatCentred : static_cast<std::uint8_t>(direction);
-  bench_.Saw({place_, Verb::kHat, direction, 0, 0});
+  context_.Notify({port_, Verb::kHat, direction, 0, 0});
 }
 
 void StickPod::Push(int button) {
@@ -82,11 +82,11 @@ void StickPod::SetButton(int button, bool down) {
   if (button < 0 || button >= static_cast<int>(wire::kStickPodButtons)) return;
   const auto bit = static_cast<std::uint16_t>(1u << button);
   if (((buttons_down() & bit) != 0) == down) return;
-  auto& report = waiting_.Change(bench_.clock.now(), [bit](const auto& before, const auto& back) {
+  auto& report = waiting_.Change(context_.clock.now(), [bit](const auto& before, const auto& back) {
     return ((before.buttons_down ^ back.buttons_down) & bit) != 0;
   });
   report.buttons_down = static_cast<std::uint16_t>(report.buttons_down ^ bit);
-  bench_.Saw({place_, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
+  context_.Notify({port_, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
 }
 
 HidDeviceName StickPod::device_name() const {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "firmware/wire/stick_pod.h"
-#include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/hid_device.h"
+#include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/report_queue.h"
 
 namespace kaori::sim {
@@ -11,7 +11,7 @@ namespace kaori::sim {
 class StickPod final : public HidDevice {
  public:
   // `place` is kStickLeft or kStickRight. Borrows the bench.
-  StickPod(Place place, const Workbench& bench) : place_(place), bench_(bench) {}
+  StickPod(DevicePort port, const DeviceContext& context) : port_(port), context_(context) {}
 
   // Test's side. Values beyond the stops are held at the stops.
   void Move(float x, float y);  // x: -1 left .. 1 right; y: -1 pulled back .. 1 pushed forwards.
@@ -42,8 +42,8 @@ class StickPod final : public HidDevice {
   wire::StickPodReport& Change();
   void SetButton(int button, bool down);
 
-  Place place_;
-  const Workbench& bench_;
+  DevicePort port_;
+  const DeviceContext& context_;
   ReportQueue<wire::StickPodReport> waiting_{&Next};
   float x_ = 0;
   float y_ = 0;

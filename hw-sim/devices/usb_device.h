@@ -26,7 +26,7 @@ struct UsbSetup {
 };
 
 // What a host reads first. One configuration, as every device of ours has.
-struct UsbPlate {
+struct UsbDescriptors {
   UsbSpeed speed = UsbSpeed::kHigh;
   std::uint8_t device_class = 0;  // 0: said by each interface.
   std::uint8_t device_subclass = 0;
@@ -40,13 +40,13 @@ struct UsbPlate {
 };
 
 // One thread; no call blocks. A link asks for transfers, and answers by itself what every device answers
-// alike (see usb_plate.h).
+// alike (see usb_descriptors.h).
 class UsbDevice {
  public:
   virtual ~UsbDevice() = default;
 
   // Does not change.
-  virtual const UsbPlate& plate() const = 0;
+  virtual const UsbDescriptors& descriptors() const = 0;
 
   // A control request that is not of every device. Gives the data that goes back, empty for one without; or
   // nothing: the request stalls.

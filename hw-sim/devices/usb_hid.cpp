@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "hw-sim/devices/usb_plate.h"
+#include "hw-sim/devices/usb_descriptors.h"
 
 namespace kaori::sim {
 namespace {
@@ -15,7 +15,8 @@ constexpr std::uint16_t kPacketBytes = 64;
 constexpr std::uint8_t kEveryMicroframe = 1;
 
 // Requests (7.2 of the class definition), and the standard one that asks for HID's own descriptors.
-constexpr std::uint8_t kUsbHidToInterface = 0x21, kUsbHidFromInterface = 0xA1, kUsbHidStandardFromInterface = 0x81;
+constexpr std::uint8_t kUsbHidToInterface = 0x21, kUsbHidFromInterface = 0xA1,
+                       kUsbHidStandardFromInterface = 0x81;
 constexpr std::uint8_t kUsbHidGetDescriptor = 0x06;
 constexpr std::uint8_t kUsbHidGetReport = 0x01, kGetIdle = 0x02, kGetProtocol = 0x03;
 constexpr std::uint8_t kUsbHidSetReport = 0x09, kUsbHidSetIdle = 0x0A, kSetProtocol = 0x0B;
@@ -45,7 +46,8 @@ UsbBytes HidDescriptor(std::size_t report_descriptor_bytes) {
 // A keyboard says so outside its reports too, for hosts that start (4.2 and 4.3 of the class definition).
 UsbBytes Configuration(std::size_t report_descriptor_bytes, const HidShape& shape) {
   UsbInterface interface { .kind = kUsbHidHidClass };
-  if (shape.is_keyboard) interface = {.kind = kUsbHidHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
+  if (shape.is_keyboard)
+    interface = {.kind = kUsbHidHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
   UsbBytes bytes = InterfaceDescriptor(interface, shape.takes_output ? 2 : 1);
   Add(HidDescriptor(report_descriptor_bytes), bytes);
   Add(EndpointDescriptor({UsbHid::kIn, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
@@ -73,11 +75,11 @@ HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor) {
 UsbHid::UsbHid(HidDevice& device) : device_(device) {
   const HidDeviceName device_name = device.device_name();
   shape_ = ShapeOf(device_name.descriptor);
-  plate_.vendor = device_name.vendor;
-  plate_.product = device_name.product;
-  plate_.maker = "Kaori";
-  plate_.name = device_name.name;
-  plate_.configuration = Configuration(device_name.descriptor.size(), shape_);
+  descriptors_.vendor = device_name.vendor;
+  descriptors_.product = device_name.product;
+  descriptors_.maker = "Kaori";
+  descriptors_.name = device_name.name;
+  descriptors_.configuration = Configuration(device_name.descriptor.size(), shape_);
 }
 
 std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {
@@ -89,7 +91,8 @@ std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {
 
 std::optional<UsbBytes> UsbHid::Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) {
   const auto kind = static_cast<std::uint8_t>(setup.value >> 8);
-  if (setup.type == kUsbHidStandardFromInterface && setup.request == kUsbHidGetDescriptor) return Descriptor(kind);
+  if (setup.type == kUsbHidStandardFromInterface && setup.request == kUsbHidGetDescriptor)
+    return Descriptor(kind);
   if (setup.type == kUsbHidFromInterface) {
     if (setup.request == kUsbHidGetReport && kind == kInputReport) return device_.Standing();
     if (setup.request == kGetIdle) return UsbBytes{0};

@@ -27,7 +27,7 @@ class UsbHid final : public UsbDevice {
   // Borrows the device.
   explicit UsbHid(HidDevice& device);
 
-  const UsbPlate& plate() const override { return plate_; }
+  const UsbDescriptors& descriptors() const override { return descriptors_; }
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
   void HandleOut(std::uint8_t endpoint, std::span<const std::uint8_t> data) override;
   std::optional<UsbBytes> NextIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
@@ -42,7 +42,7 @@ class UsbHid final : public UsbDevice {
   HidDevice& device_;
   bool host_is_new_ = false;  // It came since NextIn was last called, and something is not at rest.
   HidShape shape_;
-  UsbPlate plate_;
+  UsbDescriptors descriptors_;
 };
 
 }  // namespace kaori::sim

@@ -8,10 +8,12 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::uint16_t kUvcCameraVendor = 0x1209, kUvcCameraProduct = 0x0005;  // A pid.codes test id: for development only.
+constexpr std::uint16_t kUvcCameraVendor = 0x1209,
+                        kUvcCameraProduct = 0x0005;  // A pid.codes test id: for development only.
 
 // Class requests (4.2 of the class), and the standard one that a host sends when it ends a stream.
-constexpr std::uint8_t kUvcCameraToInterface = 0x21, kUvcCameraFromInterface = 0xA1, kToEndpoint = 0x02, kUvcCameraClearFeature = 0x01;
+constexpr std::uint8_t kUvcCameraToInterface = 0x21, kUvcCameraFromInterface = 0xA1, kToEndpoint = 0x02,
+                       kUvcCameraClearFeature = 0x01;
 constexpr std::uint8_t kSetCur = 0x01, kGetLen = 0x85, kGetInfo = 0x86;
 constexpr std::uint8_t kStreamingInterface = 1, kProbeControl = 1, kCommitControl = 2;
 constexpr std::uint8_t kCanGetAndSet = 3;
@@ -46,14 +48,14 @@ void Cut(std::span<const std::uint8_t> frame, bool parity, UsbBytes& into) {
 }  // namespace
 
 UvcCamera::UvcCamera(LipCamera& camera, Duration period) : camera_(camera), period_(period) {
-  plate_.device_class = 0xEF;  // Interfaces that belong together are said so by an association.
-  plate_.device_subclass = 0x02;
-  plate_.device_protocol = 0x01;
-  plate_.vendor = kUvcCameraVendor;
-  plate_.product = kUvcCameraProduct;
-  plate_.maker = "Kaori";
-  plate_.name = "Simulated lip camera";
-  plate_.configuration = UvcConfiguration(ModeOf(camera, period));
+  descriptors_.device_class = 0xEF;  // Interfaces that belong together are said so by an association.
+  descriptors_.device_subclass = 0x02;
+  descriptors_.device_protocol = 0x01;
+  descriptors_.vendor = kUvcCameraVendor;
+  descriptors_.product = kUvcCameraProduct;
+  descriptors_.maker = "Kaori";
+  descriptors_.name = "Simulated lip camera";
+  descriptors_.configuration = UvcConfiguration(ModeOf(camera, period));
   picture_.resize(camera.frame_bytes());
 }
 

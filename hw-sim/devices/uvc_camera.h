@@ -19,7 +19,7 @@ class UvcCamera final : public UsbDevice {
 
   std::uint64_t frames_begun() const { return frames_begun_; }
 
-  const UsbPlate& plate() const override { return plate_; }
+  const UsbDescriptors& descriptors() const override { return descriptors_; }
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
   void HandleOut(std::uint8_t, std::span<const std::uint8_t>) override {}
   std::optional<UsbBytes> NextIn(std::uint8_t endpoint, std::size_t room_bytes, Time now) override;
@@ -34,7 +34,7 @@ class UvcCamera final : public UsbDevice {
 
   LipCamera& camera_;
   Duration period_;
-  UsbPlate plate_;
+  UsbDescriptors descriptors_;
   UsbBytes picture_;
   UsbBytes payloads_;     // The frame that is under way, cut into payloads.
   std::size_t sent_ = 0;  // How much of it has left.

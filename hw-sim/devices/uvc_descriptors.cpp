@@ -2,7 +2,7 @@
 
 #include <initializer_list>
 
-#include "hw-sim/devices/usb_plate.h"
+#include "hw-sim/devices/usb_descriptors.h"
 
 namespace kaori::sim {
 namespace {
@@ -54,7 +54,8 @@ UvcBytes Control() {
                       .U16(0)
                       .U16(0)
                       .U8({2, 0, 0}));
-  terminals.Sized(UvcBytes().U8({kClassInterface, 3, kOutputTerminal}).U16(0x0101).U8({0, kCameraTerminal, 0}));
+  terminals.Sized(
+      UvcBytes().U8({kClassInterface, 3, kOutputTerminal}).U16(0x0101).U8({0, kCameraTerminal, 0}));
   constexpr std::uint16_t kHeaderBytes = 13;
   const auto total = static_cast<std::uint16_t>(kHeaderBytes + terminals.size());
   UvcBytes all;
@@ -67,31 +68,31 @@ UvcBytes Control() {
 // YUY2 as a GUID: its four letters, and the tail that all such formats share.
 UvcBytes Format() {
   return UvcBytes().U8({kClassInterface,
-                     4,
-                     1,
-                     1,
-                     'Y',
-                     'U',
-                     'Y',
-                     '2',
-                     0x00,
-                     0x00,
-                     0x10,
-                     0x00,
-                     0x80,
-                     0x00,
-                     0x00,
-                     0xAA,
-                     0x00,
-                     0x38,
-                     0x9B,
-                     0x71,
-                     16,
-                     1,
-                     0,
-                     0,
-                     0,
-                     0});
+                        4,
+                        1,
+                        1,
+                        'Y',
+                        'U',
+                        'Y',
+                        '2',
+                        0x00,
+                        0x00,
+                        0x10,
+                        0x00,
+                        0x80,
+                        0x00,
+                        0x00,
+                        0xAA,
+                        0x00,
+                        0x38,
+                        0x9B,
+                        0x71,
+                        16,
+                        1,
+                        0,
+                        0,
+                        0,
+                        0});
 }
 
 UvcBytes Frame(const UvcMode& mode) {
@@ -118,8 +119,10 @@ UvcBytes Streaming(const UvcMode& mode) {
   const auto total = static_cast<std::uint16_t>(kHeaderBytes + formats.size());
   UvcBytes all;
   all.All(InterfaceDescriptor({kStreamInterface, kVideoClass, kStreamingSubclass, 0}, 1));
-  all.Sized(
-      UvcBytes().U8({kClassInterface, 1, 1}).U16(total).U8({mode.endpoint, 0, kOutputTerminal, 0, 0, 0, 1, 0}));
+  all.Sized(UvcBytes()
+                .U8({kClassInterface, 1, 1})
+                .U16(total)
+                .U8({mode.endpoint, 0, kOutputTerminal, 0, 0, 0, 1, 0}));
   all.All(formats.bytes());
   return all.All(
       EndpointDescriptor({mode.endpoint, UsbTransfer::kBulk, kBulkPacketBytes, 0, kStreamInterface}));

@@ -48,7 +48,7 @@ class HeldSticks {
   }
 
  private:
-  sim::Instruments& hands() { return scene_.place.rig().instruments(); }
+  sim::InputDevices& hands() { return scene_.place.rig().devices(); }
   Scene& scene_;
   bool up_ = false;
 };
@@ -162,7 +162,7 @@ Result<void> PulledBox(Scene& scene) {
   static_cast<void>(scene.place.rig().Plug("dial-box"));
   const auto back = [&](const BoardView& b) {
     return b.surface_live && b.counts == before->counts &&
-           scene.place.rig().instruments().dial_box.lamps() == b.lamps;
+           scene.place.rig().devices().dial_box.lamps() == b.lamps;
   };
   scene.finding.said = "counts stand, lamps are lit again";
   if (auto ok = scene.place.UntilBoard(back, kLongest, "see the box back with its lamps"); !ok)

@@ -23,8 +23,7 @@ Result<void> Ok(const Result<BoardView>& board) {
 Result<void> Dials(Scene& scene) {
   const auto before = scene.place.Board();
   if (!before) return Ok(before);
-  for (int dial = 0; dial < 8; ++dial)
-    scene.place.rig().instruments().dial_box.Turn(dial, 0.125 * (dial + 1));
+  for (int dial = 0; dial < 8; ++dial) scene.place.rig().devices().dial_box.Turn(dial, 0.125 * (dial + 1));
   const auto turned = [&](const BoardView& board) {
     for (std::size_t n = 0; n < 8; ++n)
       if (board.counts[n] - before->counts[n] != kCountsPerTurn / 8 * static_cast<int>(n + 1)) return false;
@@ -35,7 +34,7 @@ Result<void> Dials(Scene& scene) {
 }
 
 Result<void> ButtonsAndLamps(Scene& scene) {
-  sim::DialBox& box = scene.place.rig().instruments().dial_box;
+  sim::DialBox& box = scene.place.rig().devices().dial_box;
   int lamps_seen = 0;
   for (const int button : {11, 12, 13, 21}) {
     const auto before = scene.place.Board();
@@ -59,7 +58,7 @@ Result<void> ButtonsAndLamps(Scene& scene) {
 }
 
 Result<void> Sticks(Scene& scene) {
-  sim::Instruments& hands = scene.place.rig().instruments();
+  sim::InputDevices& hands = scene.place.rig().devices();
   hands.left_stick.Move(0.8F, -0.6F);
   hands.right_stick.Move(-0.7F, 0.9F);
   const auto moved = [](const BoardView& board) {
@@ -76,7 +75,7 @@ Result<void> Sticks(Scene& scene) {
 }
 
 Result<void> KeysAndPointer(Scene& scene) {
-  sim::Instruments& hands = scene.place.rig().instruments();
+  sim::InputDevices& hands = scene.place.rig().devices();
   hands.keyboard.Press(kKeyA);
   hands.pointer.Move(0.25, 0.75);
   const auto down = [](const BoardView& board) {

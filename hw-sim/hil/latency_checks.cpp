@@ -56,7 +56,7 @@ Result<std::int64_t> ClockAhead(Scene& scene) {
 Result<Moments> Shake(Scene& scene, int watch_ms) {
   const auto ahead_ns = ClockAhead(scene);
   if (!ahead_ns) return tl::unexpected(ahead_ns.error());
-  sim::StickPod& stick = scene.place.rig().instruments().left_stick;
+  sim::StickPod& stick = scene.place.rig().devices().left_stick;
   Moments moments;
   Time next = scene.place.clock().now();
   bool right = false;
@@ -106,15 +106,16 @@ double LatencyPart(std::vector<double> values, double part) {
 void Tell(const Moments& moments, const Ways& ways, Finding& finding) {
   const double frame_ms = static_cast<double>(moments.flips.back().second - moments.flips.front().second) /
                           1e6 / static_cast<double>(moments.flips.size() - 1);
-  const double median = LatencyPart(ways.to_light_ms, 0.5) / frame_ms, p99 = LatencyPart(ways.to_light_ms, 0.99) / frame_ms;
+  const double median = LatencyPart(ways.to_light_ms, 0.5) / frame_ms,
+               p99 = LatencyPart(ways.to_light_ms, 0.99) / frame_ms;
   finding.figures["event_to_flip_frames_median"] = median;
   finding.figures["event_to_flip_frames_p99"] = p99;
   finding.figures["event_to_board_ms_median"] = LatencyPart(ways.to_board_ms, 0.5);
   finding.said = fmt::format(
       "{} events: to the board {:.1f} ms (median), {:.1f} ms (p99); to the light {:.2f} frames (median), "
       "{:.2f} (p99), of {:.0f} ms",
-      ways.to_light_ms.size(), LatencyPart(ways.to_board_ms, 0.5), LatencyPart(ways.to_board_ms, 0.99), median, p99,
-      frame_ms);
+      ways.to_light_ms.size(), LatencyPart(ways.to_board_ms, 0.5), LatencyPart(ways.to_board_ms, 0.99),
+      median, p99, frame_ms);
 }
 
 // Watches until enough frames came: a busy machine draws one in many seconds.

@@ -26,7 +26,7 @@ Result<double> FramesPerSecond(Scene& scene) {
 }
 
 Result<void> WatchLips(Scene& scene) {
-  sim::LipCamera& camera = scene.place.rig().instruments().camera;
+  sim::LipCamera& camera = scene.place.rig().devices().camera;
   const auto seen = [](const BoardView& board) { return board.lips_live && board.lips_quality > 0.5; };
   camera.SetMouth(0.3, 1);
   const auto shut = scene.place.UntilBoard(seen, kPluginLongest, "see the lips through libcamera");

@@ -12,7 +12,7 @@ constexpr Duration kSourceLongest = seconds(90);  // For machines that have litt
 
 Result<void> Camera(Scene& scene) {
   constexpr double kSeconds = 10;
-  sim::LipCamera& camera = scene.place.rig().instruments().camera;
+  sim::LipCamera& camera = scene.place.rig().devices().camera;
   camera.SetMouth(0.3, 1);
   const auto seen = [](const BoardView& board) {
     return board.lips_live && board.lips_frames > 0 && board.lips_quality > 0.5;

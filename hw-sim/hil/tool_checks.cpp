@@ -41,7 +41,7 @@ void Evtest(Scene& scene) {
   const auto devices = scene.place.witness().Ask("read /proc/bus/input/devices", kToolLongest);
   const std::string file = devices ? EventFile(*devices, "stick pod") : "";
   if (file.empty()) return;
-  sim::Instruments& hands = scene.place.rig().instruments();
+  sim::InputDevices& hands = scene.place.rig().devices();
   float x = 0;
   scene.place.SetHands([&](Time) {
     x = x > 0.9F ? -0.9F : x + 0.01F;

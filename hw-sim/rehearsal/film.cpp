@@ -56,8 +56,8 @@ std::vector<std::string> Arguments(const FilmOptions& o) {
           "file:" + o.file};  // A name may hold a colon.
 }
 
-// The child reads its standard input from `from` and writes what it says to `words`.
-Result<pid_t> Spawn(std::vector<std::string> arguments, int from, int words) {
+// The child reads its standard input from `from` and writes what it says to `messages`.
+Result<pid_t> Spawn(std::vector<std::string> arguments, int from, int messages) {
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -65,7 +65,7 @@ Result<pid_t> Spawn(std::vector<std::string> arguments, int from, int words) {
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, from, STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, words, STDERR_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, messages, STDERR_FILENO);
   pid_t child = -1;
   const int error = ::posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
@@ -73,9 +73,9 @@ Result<pid_t> Spawn(std::vector<std::string> arguments, int from, int words) {
   return child;
 }
 
-std::string FirstLine(int words) {
+std::string FirstLine(int messages) {
   std::array<char, 300> text{};
-  const ssize_t got = ::pread(words, text.data(), text.size(), 0);
+  const ssize_t got = ::pread(messages, text.data(), text.size(), 0);
   const std::string_view said(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
   return std::string(said.substr(0, said.find('\n')));
 }
@@ -87,22 +87,22 @@ Result<Film> Film::Start(const FilmOptions& options) {
       options.height_px % 2 != 0)
     return FailInput(fmt::format("film {} of {}x{}: its sides must be even", options.file, options.width_px,
                                  options.height_px));
-  UniqueFd words(::memfd_create("ffmpeg", MFD_CLOEXEC));
-  if (!words.valid()) return FailErrno("make room for what ffmpeg says");
+  UniqueFd messages(::memfd_create("ffmpeg", MFD_CLOEXEC));
+  if (!messages.valid()) return FailErrno("make room for what ffmpeg says");
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) < 0) return FailErrno("make a pipe");
   const UniqueFd read_end(ends[0]);
   UniqueFd write_end(ends[1]);
   ::signal(SIGPIPE, SIG_IGN);  // An ffmpeg that gives up is an error of Add, not the end of us.
-  const auto ffmpeg = Spawn(Arguments(options), read_end.get(), words.get());
+  const auto ffmpeg = Spawn(Arguments(options), read_end.get(), messages.get());
   if (!ffmpeg) return tl::unexpected(ffmpeg.error());
-  return Film(options.file, std::move(write_end), std::move(words), *ffmpeg);
+  return Film(options.file, std::move(write_end), std::move(messages), *ffmpeg);
 }
 
 Film::Film(Film&& other) noexcept
     : file_(std::move(other.file_)),
       pipe_(std::move(other.pipe_)),
-      words_(std::move(other.words_)),
+      messages_(std::move(other.messages_)),
       ffmpeg_(std::exchange(other.ffmpeg_, -1)) {}
 
 Film::~Film() {
@@ -128,7 +128,7 @@ Result<void> Film::Finish() {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file_, ignored)) std::filesystem::remove(file_, ignored);
-  const std::string said = FirstLine(words_.get());
+  const std::string said = FirstLine(messages_.get());
   return Fail(std::errc::io_error,
               "write the film " + file_ + (said.empty() ? "" : " (ffmpeg: " + said + ")"));
 }

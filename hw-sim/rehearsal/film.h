@@ -28,7 +28,7 @@ class Film {
   ~Film();
 
   // One picture: R, G, B, X, bottom row first. Blocks while ffmpeg is busy. Errors: io_error (ffmpeg gave up;
-  // with its first words: the disk is full, the folder is not there), and then the film cannot be gone on
+  // with its first messages: the disk is full, the folder is not there), and then the film cannot be gone on
   // with.
   Result<void> Add(std::span<const std::uint8_t> rgbx);
 
@@ -36,13 +36,13 @@ class Film {
   Result<void> Finish();
 
  private:
-  Film(std::string file, UniqueFd pipe, UniqueFd words, pid_t ffmpeg)
-      : file_(std::move(file)), pipe_(std::move(pipe)), words_(std::move(words)), ffmpeg_(ffmpeg) {}
+  Film(std::string file, UniqueFd pipe, UniqueFd messages, pid_t ffmpeg)
+      : file_(std::move(file)), pipe_(std::move(pipe)), messages_(std::move(messages)), ffmpeg_(ffmpeg) {}
   Result<void> GaveUp();
 
   std::string file_;
   UniqueFd pipe_;
-  UniqueFd words_;  // What ffmpeg said.
+  UniqueFd messages_;  // What ffmpeg said.
   pid_t ffmpeg_;
 };
 

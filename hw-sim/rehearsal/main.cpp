@@ -1,4 +1,4 @@
-// kaori-rehearsal: plays a scenario in a whole house on a simulated clock, into a film or pictures.
+// kaori-rehearsal: plays a scenario in the whole system on a simulated clock, into a film or pictures.
 #include <unistd.h>
 
 #include <cstdio>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "appliance/programs/editor/expression_editor.h"
 #include "appliance/core/show/pack.h"
+#include "appliance/programs/editor/expression_editor.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "hw-sim/rehearsal/film.h"
@@ -20,7 +20,8 @@ namespace {
 
 using kaori::Result;
 
-constexpr std::string_view kHelp = R"(kaori-rehearsal: plays a scenario in a whole house on a simulated clock
+constexpr std::string_view kHelp =
+    R"(kaori-rehearsal: plays a scenario in the whole system on a simulated clock
 
   --pack FILE        the show (needed)
   --play FILE        the scenario (needed)
@@ -62,13 +63,13 @@ void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
              100 * position_s / length_s, pictures_per_s, player.beat());
 }
 
-Result<void> PlayThrough(kaori::sim::Rehearsal& house, kaori::sim::Scenario scenario, Outputs& outputs) {
+Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario scenario, Outputs& outputs) {
   const kaori::SteadyClock wall;
   const auto begun = wall.now();
-  kaori::sim::Player player(std::move(scenario), house.rig(), house.began());
+  kaori::sim::Player player(std::move(scenario), rehearsal.rig(), rehearsal.began());
   int number = 0;
   for (; !player.finished(); ++number) {
-    const auto shown = house.NextPicture([&](kaori::Time now) { player.Perform(now); });
+    const auto shown = rehearsal.NextPicture([&](kaori::Time now) { player.Perform(now); });
     auto taken = shown ? outputs.Write(*shown, number) : tl::unexpected(shown.error());
     if (!taken) {
       fmt::print(stderr, "\n");  // The progress stays on a line of its own.
@@ -102,20 +103,20 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   if (!scenario) return Complain(scenario.error());
   auto show = kaori::show::LoadPack(settings.pack);
   if (!show) return Complain(show.error());
-  auto needles =
-      kaori::editor::ExpressionEditor::Open(folder + "/own", *show);  // What is saved goes with the rehearsal.
+  auto needles = kaori::editor::ExpressionEditor::Open(folder + "/own",
+                                                       *show);  // What is saved goes with the rehearsal.
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return Complain(studio.error());
-  const auto house = kaori::sim::Rehearsal::Open({.folder = folder,
-                                                  .width_px = size.width_px,
-                                                  .height_px = size.height_px,
-                                                  .hz = static_cast<double>(hz)},
-                                                 **studio);
-  if (!house) return Complain(house.error());
-  (*house)->Bring(std::move(needles));
+  const auto rehearsal = kaori::sim::Rehearsal::Open({.folder = folder,
+                                                      .width_px = size.width_px,
+                                                      .height_px = size.height_px,
+                                                      .hz = static_cast<double>(hz)},
+                                                     **studio);
+  if (!rehearsal) return Complain(rehearsal.error());
+  (*rehearsal)->Bring(std::move(needles));
   auto outputs = OpenOutputs(settings, size, hz);
   if (!outputs) return Complain(outputs.error());
-  if (auto ok = PlayThrough(**house, std::move(*scenario), *outputs); !ok) return Complain(ok.error());
+  if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs); !ok) return Complain(ok.error());
   if (outputs->film)
     if (auto ok = outputs->film->Finish(); !ok) return Complain(ok.error());
   if (!settings.film.empty()) fmt::print("{}\n", settings.film);

@@ -37,12 +37,12 @@ Result<std::unique_ptr<Rehearsal>> Rehearsal::Open(const RehearsalOptions& optio
   auto bus = hid::LocalHidBus::Watch(options.folder + "/links");
   if (!bus) return tl::unexpected(bus.error());
   std::unique_ptr<Rehearsal> rehearsal(new Rehearsal(std::move(*board), std::move(*bus)));
-  if (auto ok = rehearsal->Furnish(options, studio); !ok) return tl::unexpected(ok.error());
+  if (auto ok = rehearsal->OpenParts(options, studio); !ok) return tl::unexpected(ok.error());
   if (auto ok = rehearsal->Settle(); !ok) return tl::unexpected(ok.error());
   return rehearsal;
 }
 
-Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& studio) {
+Result<void> Rehearsal::OpenParts(const RehearsalOptions& options, stage::Studio& studio) {
   links_ = options.folder + "/links";
   auto rig = Rig::Open({.folder = links_,
                         .screen_width_px = options.width_px,
@@ -61,19 +61,19 @@ Result<void> Rehearsal::Furnish(const RehearsalOptions& options, stage::Studio& 
   if (!lip_writer) return tl::unexpected(lip_writer.error());
   lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); },
                                             board_, std::move(*lip_writer), lips::LipSettings{}, clock_);
-  if (auto ok = SeatVoice(options, studio.show()); !ok) return ok;
+  if (auto ok = OpenVoice(options, studio.show()); !ok) return ok;
   auto stage_writers = stage::StageWriters::Acquire(board_);
   if (!stage_writers) return tl::unexpected(stage_writers.error());
   stage_ = std::make_unique<stage::Stage>(board_, std::move(*stage_writers), studio, clock_);
   return {};
 }
 
-Result<void> Rehearsal::SeatVoice(const RehearsalOptions& options, const show::Show& show) {
+Result<void> Rehearsal::OpenVoice(const RehearsalOptions& options, const show::Show& show) {
   voice::VoiceSeatSettings settings{{}, {options.sound_delay, {}}};
-  for (const show::Motion& take : show.motions) settings.speaker.clips.push_back(take.sound);
+  for (const show::Motion& motion : show.motions) settings.speaker.clips.push_back(motion.sound);
   auto seat = voice::VoiceSeat::Acquire({[this] { return audio::LocalMicrophone::Open(links_); },
-                                      [this] { return audio::LocalLoudspeaker::Open(links_, clock_); }},
-                                     std::move(settings), board_, clock_);
+                                         [this] { return audio::LocalLoudspeaker::Open(links_, clock_); }},
+                                        std::move(settings), board_, clock_);
   if (!seat) return tl::unexpected(seat.error());
   voice_ = std::move(*seat);
   return {};
@@ -93,18 +93,18 @@ Result<void> Rehearsal::Settle() {
   return {};
 }
 
-Result<Shown> Rehearsal::NextPicture(const Hands& hands) {
+Result<Shown> Rehearsal::NextPicture(const Input& input) {
   const auto before = rig_->screen().frames_shown();
   for (int i = 0; i < kPatience; ++i) {
-    Tick(hands);
+    Tick(input);
     if (rig_->screen().frames_shown() != before && rig_->screen().latest()) return *rig_->screen().latest();
   }
   return Fail(std::errc::timed_out, "wait for a picture");
 }
 
-void Rehearsal::Tick(const Hands& hands) {
+void Rehearsal::Tick(const Input& input) {
   clock_.Advance(kTick);
-  if (hands) hands(clock_.now());
+  if (input) input(clock_.now());
   rig_->Pump();
   desk_->Step();
   lips_->Step();

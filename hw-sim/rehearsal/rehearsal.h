@@ -37,11 +37,11 @@ class Rehearsal {
   ~Rehearsal();
 
   // What hands do at each moment; called once a millisecond of simulated time, before the devices speak.
-  using Hands = std::function<void(Time now)>;
+  using Input = std::function<void(Time now)>;
 
   // Moves time to the next vertical blank at which a new picture comes to light, and gives that picture.
   // Errors: timed_out when no picture came within a simulated second.
-  Result<Shown> NextPicture(const Hands& hands = {});
+  Result<Shown> NextPicture(const Input& input = {});
 
   // Lets hands make expressions. They were opened on the studio's show.
   void Bring(std::unique_ptr<editor::ExpressionEditor> needles) { stage_->Bring(std::move(needles)); }
@@ -55,10 +55,10 @@ class Rehearsal {
  private:
   Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus)
       : board_(std::move(board)), bus_(std::move(bus)) {}
-  Result<void> Furnish(const RehearsalOptions& options, stage::Studio& studio);
-  Result<void> SeatVoice(const RehearsalOptions& options, const show::Show& show);
+  Result<void> OpenParts(const RehearsalOptions& options, stage::Studio& studio);
+  Result<void> OpenVoice(const RehearsalOptions& options, const show::Show& show);
   Result<void> Settle();
-  void Tick(const Hands& hands);
+  void Tick(const Input& input);
 
   ManualClock clock_;
   board::Board board_;

@@ -13,8 +13,8 @@ double Eased(double part) {
   return part * part * (3 - 2 * part);
 }
 
-bool SameLimb(const Hand& a, const Hand& b) {
-  return a.place == b.place && a.verb == b.verb && a.index == b.index;
+bool SameLimb(const OperatorAction& a, const OperatorAction& b) {
+  return a.port == b.port && a.verb == b.verb && a.index == b.index;
 }
 
 struct Values {
@@ -23,19 +23,19 @@ struct Values {
 };
 
 // Where the hand's control stands now; a dial has no place, only a way that it goes.
-Values Standing(Instruments& on, const Hand& hand) {
-  if (hand.place == Place::kCamera) return {on.camera.mouth().height, on.camera.mouth().width};
-  if (hand.place == Place::kPointer) return {on.pointer.x(), on.pointer.y()};
-  if (hand.place != Place::kStickLeft && hand.place != Place::kStickRight) return {};
-  const StickPod& stick = on.stick(hand.place);
-  if (hand.verb == Verb::kMove) return {stick.x(), stick.y()};
-  return {hand.verb == Verb::kTwist ? stick.twist() : stick.slider(), 0};
+Values Standing(InputDevices& on, const OperatorAction& action) {
+  if (action.port == DevicePort::kCamera) return {on.camera.mouth().height, on.camera.mouth().width};
+  if (action.port == DevicePort::kPointer) return {on.pointer.x(), on.pointer.y()};
+  if (action.port != DevicePort::kStickLeft && action.port != DevicePort::kStickRight) return {};
+  const StickPod& stick = on.stick(action.port);
+  if (action.verb == Verb::kMove) return {stick.x(), stick.y()};
+  return {action.verb == Verb::kTwist ? stick.twist() : stick.slider(), 0};
 }
 
 }  // namespace
 
-Player::Player(Scenario scenario, Playground& playground, Time start)
-    : scenario_(std::move(scenario)), playground_(playground), start_(start) {}
+Player::Player(Scenario scenario, DeviceRig& rig, Time start)
+    : scenario_(std::move(scenario)), rig_(rig), start_(start) {}
 
 void Player::Restart(Time start) {
   start_ = start;
@@ -50,46 +50,47 @@ void Player::Perform(Time now) {
   if (to < Duration::zero()) return;
   began_ = true;
   while (next_ < scenario_.actions.size() && scenario_.actions[next_].at <= to) {
-    const Action& action = scenario_.actions[next_++];
-    MoveAll(action.at);
-    Begin(action);
+    const TimedAction& timed = scenario_.actions[next_++];
+    MoveAll(timed.at);
+    Begin(timed);
   }
   MoveAll(to);
   position_ = to;
 }
 
-void Player::Begin(const Action& action) {
+void Player::Begin(const TimedAction& timed) {
   // Who grips a control takes it over from a hand that is still on its way; turns of a dial add up.
-  if (action.hand.verb != Verb::kTurn)
-    std::erase_if(motions_, [&](const Motion& motion) { return SameLimb(motion.action->hand, action.hand); });
-  if (action.over == Duration::zero()) {
+  if (timed.action.verb != Verb::kTurn)
+    std::erase_if(motions_,
+                  [&](const Motion& motion) { return SameLimb(motion.timed->action, timed.action); });
+  if (timed.over == Duration::zero()) {
     static_cast<void>(
-        playground_.Do(action.hand));  // A socket that cannot be made is seen as a device that is not there.
+        rig_.Do(timed.action));  // A socket that cannot be made is seen as a device that is not there.
     return;
   }
-  const Values from = Standing(playground_.instruments(), action.hand);
-  motions_.push_back({&action, from.a, from.b});
+  const Values from = Standing(rig_.devices(), timed.action);
+  motions_.push_back({&timed, from.a, from.b});
 }
 
 void Player::MoveAll(Duration to) {
   for (Motion& motion : motions_) Move(motion, to);
-  std::erase_if(motions_, [to](const Motion& m) { return to >= m.action->at + m.action->over; });
+  std::erase_if(motions_, [to](const Motion& m) { return to >= m.timed->at + m.timed->over; });
 }
 
 void Player::Move(Motion& motion, Duration to) {
-  const Action& action = *motion.action;
-  const bool arrived = to >= action.at + action.over;
-  const double way = arrived ? 1 : Eased(Seconds(to - action.at) / Seconds(action.over));
-  Hand hand = action.hand;
-  if (hand.verb == Verb::kTurn) {
-    hand.a = action.hand.a * way - motion.from_a;
-    if (!arrived && std::abs(hand.a) < kLeastTurn) return;
-    motion.from_a += hand.a;
+  const TimedAction& timed = *motion.timed;
+  const bool arrived = to >= timed.at + timed.over;
+  const double way = arrived ? 1 : Eased(Seconds(to - timed.at) / Seconds(timed.over));
+  OperatorAction action = timed.action;
+  if (action.verb == Verb::kTurn) {
+    action.a = timed.action.a * way - motion.from_a;
+    if (!arrived && std::abs(action.a) < kLeastTurn) return;
+    motion.from_a += action.a;
   } else if (!arrived) {
-    hand.a = motion.from_a + (hand.a - motion.from_a) * way;
-    hand.b = motion.from_b + (hand.b - motion.from_b) * way;
+    action.a = motion.from_a + (action.a - motion.from_a) * way;
+    action.b = motion.from_b + (action.b - motion.from_b) * way;
   }
-  static_cast<void>(playground_.Do(hand));
+  static_cast<void>(rig_.Do(action));
 }
 
 std::string_view Player::beat() const {

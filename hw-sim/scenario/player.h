@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/input_devices.h"
 #include "hw-sim/scenario/scenario.h"
 
 namespace kaori::sim {
@@ -14,7 +14,7 @@ namespace kaori::sim {
 class Player {
  public:
   // The scenario begins at `start`.
-  Player(Scenario scenario, Playground& playground, Time start);
+  Player(Scenario scenario, DeviceRig& rig, Time start);
 
   // Does everything up to and including `now`, in order; slow hands move as far as they are by then. Does not
   // pump a link.
@@ -31,17 +31,17 @@ class Player {
  private:
   // A hand on its way. Values are what `a` and `b` were when it began; a dial's are what was turned so far.
   struct Motion {
-    const Action* action;
+    const TimedAction* timed;
     double from_a;
     double from_b;
   };
 
-  void Begin(const Action& action);
+  void Begin(const TimedAction& timed);
   void MoveAll(Duration to);
   void Move(Motion& motion, Duration to);
 
   Scenario scenario_;
-  Playground& playground_;
+  DeviceRig& rig_;
   Time start_;
   Duration position_{};
   bool began_ = false;

@@ -16,43 +16,46 @@ constexpr std::size_t kMostBytes = 64u << 20;
 // A file that is no scenario is wrong in every line: nobody reads on.
 constexpr std::size_t kMostProblems = 100;
 
-bool ReadTimes(Words& words, Statement& statement) {
+bool ReadTimes(Tokenizer& tokens, Statement& statement) {
   for (;;) {
-    auto* const time = words.Accept("at") ? &statement.at : words.Accept("over") ? &statement.over : nullptr;
-    if (time == nullptr) return !words.bad();
-    const int column = words.last_column();
+    auto* const time = tokens.Accept("at")     ? &statement.at
+                       : tokens.Accept("over") ? &statement.over
+                                               : nullptr;
+    if (time == nullptr) return !tokens.bad();
+    const int column = tokens.last_column();
     if (*time) {
-      words.Complain(column, "a second time of the same kind in one line");
+      tokens.Complain(column, "a second time of the same kind in one line");
       return false;
     }
-    *time = words.TimeSpan();
+    *time = tokens.TimeSpan();
   }
 }
 
-bool TimesFit(Words& words, const Statement& statement, int column) {
+bool TimesFit(Tokenizer& tokens, const Statement& statement, int column) {
   const bool takes_time =
-      statement.say || (!statement.steps.empty() && MayTakeTime(statement.steps[0].hand.verb));
+      statement.say || (!statement.steps.empty() && MayTakeTime(statement.steps[0].action.verb));
   if (!statement.at && !statement.scene)
-    words.Complain(column, "when? A line begins with its time, such as at 2.5s");
+    tokens.Complain(column, "when? A line begins with its time, such as at 2.5s");
   if (statement.over && !takes_time)
-    words.Complain(column,
-                   "this happens at once: over is for dial, move, twist, slide, pointer, lips and say");
+    tokens.Complain(column,
+                    "this happens at once: over is for dial, move, twist, slide, pointer, lips and say");
   if (statement.say && (!statement.over || *statement.over == Duration::zero()))
-    words.Complain(column, "say wants a time to speak in, such as over 2s");
-  return !words.bad();
+    tokens.Complain(column, "say wants a time to speak in, such as over 2s");
+  return !tokens.bad();
 }
 
 class Script {
  public:
   void ReadLine(std::string_view line, int number) {
-    Words words(line, number, reading_.problems);
-    if (words.AtEnd()) return;
+    Tokenizer tokens(line, number, reading_.problems);
+    if (tokens.AtEnd()) return;
     Statement statement;
-    if (!ReadTimes(words, statement)) return;
-    const int column = words.next_column();
-    if (!ReadStatement(words, statement) || !ReadTimes(words, statement)) return;
-    if (!words.AtEnd()) return words.Complain(words.next_column(), "nothing more is expected in this line");
-    if (TimesFit(words, statement, column)) Add(statement);
+    if (!ReadTimes(tokens, statement)) return;
+    const int column = tokens.next_column();
+    if (!ReadStatement(tokens, statement) || !ReadTimes(tokens, statement)) return;
+    if (!tokens.AtEnd())
+      return tokens.Complain(tokens.next_column(), "nothing more is expected in this line");
+    if (TimesFit(tokens, statement, column)) Add(statement);
   }
 
   bool lost() const { return reading_.problems.size() >= kMostProblems; }
@@ -74,7 +77,7 @@ class Script {
     if (statement.scene) reading_.scenario.beats.push_back({last_at_, *statement.scene});
     auto& actions = reading_.scenario.actions;
     for (const Step& step : statement.steps)
-      actions.push_back({last_at_ + step.after, statement.over.value_or(Duration{}), step.hand});
+      actions.push_back({last_at_ + step.after, statement.over.value_or(Duration{}), step.action});
     if (!statement.say) return;
     const auto spoken = Speak(*statement.say, last_at_, *statement.over);
     actions.insert(actions.end(), spoken.begin(), spoken.end());

@@ -25,7 +25,7 @@
 
 #include "drivers/base/result.h"
 #include "hw-sim/scenario/scenario.h"
-#include "hw-sim/scenario/words.h"
+#include "hw-sim/scenario/tokenizer.h"
 
 namespace kaori::sim {
 

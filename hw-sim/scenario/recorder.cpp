@@ -2,17 +2,17 @@
 
 namespace kaori::sim {
 
-Recorder::Recorder(Rig& rig, std::function<void(const Action&)> note)
+Recorder::Recorder(Rig& rig, std::function<void(const TimedAction&)> note)
     : rig_(rig), start_(rig.clock().now()), note_(std::move(note)) {
-  rig_.Watch([this](const Hand& hand) { Saw(hand); });
+  rig_.Watch([this](const OperatorAction& action) { Notify(action); });
 }
 
-void Recorder::Saw(const Hand& hand) {
-  const Action action{rig_.clock().now() - start_, {}, hand};
+void Recorder::Notify(const OperatorAction& action) {
+  const TimedAction timed{rig_.clock().now() - start_, {}, action};
   if (note_)
-    note_(action);
+    note_(timed);
   else
-    actions_.push_back(action);
+    actions_.push_back(timed);
 }
 
 Scenario Recorder::scenario() const {

@@ -14,7 +14,7 @@ namespace kaori::sim {
 class Recorder {
  public:
   // `note`, if given, is called for each action as it happens.
-  explicit Recorder(Rig& rig, std::function<void(const Action&)> note = {});
+  explicit Recorder(Rig& rig, std::function<void(const TimedAction&)> note = {});
   ~Recorder() { rig_.Watch({}); }
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -23,12 +23,12 @@ class Recorder {
   Scenario scenario() const;
 
  private:
-  void Saw(const Hand& hand);
+  void Notify(const OperatorAction& action);
 
   Rig& rig_;
   Time start_;
-  std::function<void(const Action&)> note_;
-  std::vector<Action> actions_;
+  std::function<void(const TimedAction&)> note_;
+  std::vector<TimedAction> actions_;
 };
 
 }  // namespace kaori::sim

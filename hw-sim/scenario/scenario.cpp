@@ -5,11 +5,11 @@
 namespace kaori::sim {
 
 void PutInOrder(Scenario& scenario) {
-  std::ranges::stable_sort(scenario.actions, {}, &Action::at);
+  std::ranges::stable_sort(scenario.actions, {}, &TimedAction::at);
   std::ranges::stable_sort(scenario.beats, {}, &Beat::at);
   scenario.length = scenario.beats.empty() ? Duration{} : scenario.beats.back().at;
-  for (const Action& action : scenario.actions)
-    scenario.length = std::max(scenario.length, action.at + action.over);
+  for (const TimedAction& timed : scenario.actions)
+    scenario.length = std::max(scenario.length, timed.at + timed.over);
 }
 
 bool MayTakeTime(Verb verb) {

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "drivers/base/clock.h"
-#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/operator_action.h"
 
 namespace kaori::sim {
 
-struct Action {
+struct TimedAction {
   Duration at{};    // After the beginning.
   Duration over{};  // Zero: at once; else the hand moves there, easing in and out.
-  Hand hand;
-  friend bool operator==(const Action&, const Action&) = default;
+  OperatorAction action;
+  friend bool operator==(const TimedAction&, const TimedAction&) = default;
 };
 
 // A named part of the play; it lasts until the next one.
@@ -24,9 +24,9 @@ struct Beat {
 };
 
 struct Scenario {
-  std::vector<Action> actions;  // By time; equal times in the order in which they were written.
-  std::vector<Beat> beats;      // By time.
-  Duration length{};            // When the last action has ended and the last beat has begun.
+  std::vector<TimedAction> actions;  // By time; equal times in the order in which they were written.
+  std::vector<Beat> beats;           // By time.
+  Duration length{};                 // When the last action has ended and the last beat has begun.
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 

@@ -63,12 +63,12 @@ std::vector<Syllable> Syllables(std::string_view text) {
   return syllables;
 }
 
-Action Shape(Duration at, Duration over, const Mouth& mouth) {
-  return {at, over, {Place::kCamera, Verb::kLips, 0, mouth.height, mouth.width}};
+TimedAction Shape(Duration at, Duration over, const Mouth& mouth) {
+  return {at, over, {DevicePort::kCamera, Verb::kLips, 0, mouth.height, mouth.width}};
 }
 
-Action Sound(Duration at, int vowel, double loudness) {
-  return {at, {}, {Place::kMicrophone, Verb::kVoice, vowel, loudness, 0}};
+TimedAction Sound(Duration at, int vowel, double loudness) {
+  return {at, {}, {DevicePort::kMicrophone, Verb::kVoice, vowel, loudness, 0}};
 }
 
 }  // namespace
@@ -78,12 +78,12 @@ bool CanSay(std::string_view text) {
   return std::ranges::all_of(text, sayable) && !Syllables(text).empty();
 }
 
-std::vector<Action> Speak(std::string_view text, Duration at, Duration over) {
+std::vector<TimedAction> Speak(std::string_view text, Duration at, Duration over) {
   const auto syllables = Syllables(text);
   // The way back to rest takes as long as half a syllable.
   const auto part = over / static_cast<double>(static_cast<double>(syllables.size()) + 0.5);
   const auto after = [&](double parts) { return at + std::chrono::duration_cast<Duration>(part * parts); };
-  std::vector<Action> actions;
+  std::vector<TimedAction> actions;
   for (std::size_t n = 0; n < syllables.size(); ++n) {
     const auto start = static_cast<double>(n);
     double open = start;

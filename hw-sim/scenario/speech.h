@@ -17,6 +17,6 @@ bool CanSay(std::string_view text);
 // Movements of the lips and of the voice from `at` on; the last of them brings the lips back to rest, `over`
 // after the beginning. The voice sounds from the moment at which the lips begin to open. Every syllable (a
 // vowel with what comes before it, or an n that ends a word) gets an equal part of the time.
-std::vector<Action> Speak(std::string_view text, Duration at, Duration over);
+std::vector<TimedAction> Speak(std::string_view text, Duration at, Duration over);
 
 }  // namespace kaori::sim

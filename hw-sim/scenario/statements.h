@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "hw-sim/scenario/scenario.h"
-#include "hw-sim/scenario/words.h"
+#include "hw-sim/scenario/tokenizer.h"
 
 namespace kaori::sim {
 
 struct Step {
   Duration after{};  // The line's time.
-  Hand hand;
+  OperatorAction action;
 };
 
 // One line: its times and exactly one of the others.
@@ -25,6 +25,6 @@ struct Statement {
 };
 
 // Reads from the statement's first word to its last one. False: a problem was told.
-bool ReadStatement(Words& words, Statement& into);
+bool ReadStatement(Tokenizer& tokens, Statement& into);
 
 }  // namespace kaori::sim

@@ -26,66 +26,67 @@ std::string ButtonVerb(Verb verb) {
   return verb == Verb::kPush ? "hold" : "release";
 }
 
-std::string OnBox(const Hand& hand) {
-  if (hand.verb == Verb::kTurn) return fmt::format("dial {} turn {}", hand.index + 1, hand.a);
-  return fmt::format("{} {}", ButtonVerb(hand.verb), hand.index + 1);
+std::string OnBox(const OperatorAction& action) {
+  if (action.verb == Verb::kTurn) return fmt::format("dial {} turn {}", action.index + 1, action.a);
+  return fmt::format("{} {}", ButtonVerb(action.verb), action.index + 1);
 }
 
-std::string OnStick(const Hand& hand) {
-  const char* side = hand.place == Place::kStickLeft ? "left" : "right";
-  switch (hand.verb) {
+std::string OnStick(const OperatorAction& action) {
+  const char* side = action.port == DevicePort::kStickLeft ? "left" : "right";
+  switch (action.verb) {
     case Verb::kMove:
-      return fmt::format("{} move {} {}", side, Short(hand.a), Short(hand.b));
+      return fmt::format("{} move {} {}", side, Short(action.a), Short(action.b));
     case Verb::kTwist:
-      return fmt::format("{} twist {}", side, Short(hand.a));
+      return fmt::format("{} twist {}", side, Short(action.a));
     case Verb::kSlide:
-      return fmt::format("{} slide {}", side, Short(hand.a));
+      return fmt::format("{} slide {}", side, Short(action.a));
     case Verb::kHat:
-      return fmt::format("{} hat {}", side, HatName(hand.index));
+      return fmt::format("{} hat {}", side, HatName(action.index));
     default:
-      return fmt::format("{} {} {}", side, ButtonVerb(hand.verb), hand.index + 1);
+      return fmt::format("{} {} {}", side, ButtonVerb(action.verb), action.index + 1);
   }
 }
 
-std::string OnKeyboard(const Hand& hand) {
-  return fmt::format("key {} {}", KeyName(static_cast<std::uint8_t>(hand.index)),
-                     hand.verb == Verb::kPush ? "press" : "release");
+std::string OnKeyboard(const OperatorAction& action) {
+  return fmt::format("key {} {}", KeyName(static_cast<std::uint8_t>(action.index)),
+                     action.verb == Verb::kPush ? "press" : "release");
 }
 
-std::string OnCamera(const Hand& hand) {
-  if (hand.verb == Verb::kCoverLens) return hand.index != 0 ? "lens cover" : "lens uncover";
-  if (hand.verb == Verb::kStall) return hand.index != 0 ? "camera stall" : "camera run";
-  return fmt::format("lips {} {}", hand.a, hand.b);
+std::string OnCamera(const OperatorAction& action) {
+  if (action.verb == Verb::kCoverLens) return action.index != 0 ? "lens cover" : "lens uncover";
+  if (action.verb == Verb::kStall) return action.index != 0 ? "camera stall" : "camera run";
+  return fmt::format("lips {} {}", action.a, action.b);
 }
 
-std::string OnSound(const Hand& hand) {
-  if (hand.verb == Verb::kStall)
-    return fmt::format("{} {}", PortName(hand.place), hand.index != 0 ? "stall" : "run");
-  const auto vowel = static_cast<std::size_t>(hand.index) % kVowelLetters.size();
-  return hand.a > 0 ? fmt::format("voice {} {}", kVowelLetters[vowel], hand.a) : "voice off";
+std::string OnSound(const OperatorAction& action) {
+  if (action.verb == Verb::kStall)
+    return fmt::format("{} {}", PortName(action.port), action.index != 0 ? "stall" : "run");
+  const auto vowel = static_cast<std::size_t>(action.index) % kVowelLetters.size();
+  return action.a > 0 ? fmt::format("voice {} {}", kVowelLetters[vowel], action.a) : "voice off";
 }
 
-std::string OnPointer(const Hand& hand) {
-  if (hand.verb == Verb::kMove) return fmt::format("pointer {} {}", hand.a, hand.b);
-  if (hand.verb == Verb::kRoll) return fmt::format("roll pointer {}", hand.a);
-  return fmt::format("{} pointer {}", hand.verb == Verb::kPush ? "press" : "release", hand.index + 1);
+std::string OnPointer(const OperatorAction& action) {
+  if (action.verb == Verb::kMove) return fmt::format("pointer {} {}", action.a, action.b);
+  if (action.verb == Verb::kRoll) return fmt::format("roll pointer {}", action.a);
+  return fmt::format("{} pointer {}", action.verb == Verb::kPush ? "press" : "release", action.index + 1);
 }
 
-std::string Words(const Hand& hand) {
-  if (hand.verb == Verb::kPlug) return fmt::format("plug {}", PortName(hand.place));
-  if (hand.verb == Verb::kUnplug) return fmt::format("unplug {}", PortName(hand.place));
-  if (hand.place == Place::kDialBox) return OnBox(hand);
-  if (hand.place == Place::kKeyboard) return OnKeyboard(hand);
-  if (hand.place == Place::kPointer) return OnPointer(hand);
-  if (hand.place == Place::kMicrophone || hand.place == Place::kLoudspeaker) return OnSound(hand);
-  return hand.place == Place::kCamera ? OnCamera(hand) : OnStick(hand);
+std::string Text(const OperatorAction& action) {
+  if (action.verb == Verb::kPlug) return fmt::format("plug {}", PortName(action.port));
+  if (action.verb == Verb::kUnplug) return fmt::format("unplug {}", PortName(action.port));
+  if (action.port == DevicePort::kDialBox) return OnBox(action);
+  if (action.port == DevicePort::kKeyboard) return OnKeyboard(action);
+  if (action.port == DevicePort::kPointer) return OnPointer(action);
+  if (action.port == DevicePort::kMicrophone || action.port == DevicePort::kLoudspeaker)
+    return OnSound(action);
+  return action.port == DevicePort::kCamera ? OnCamera(action) : OnStick(action);
 }
 
 }  // namespace
 
-std::string WriteAction(const Action& action) {
-  if (action.over == Duration::zero()) return fmt::format("at {} {}", Span(action.at), Words(action.hand));
-  return fmt::format("at {} over {} {}", Span(action.at), Span(action.over), Words(action.hand));
+std::string WriteAction(const TimedAction& timed) {
+  if (timed.over == Duration::zero()) return fmt::format("at {} {}", Span(timed.at), Text(timed.action));
+  return fmt::format("at {} over {} {}", Span(timed.at), Span(timed.over), Text(timed.action));
 }
 
 std::string WriteBeat(const Beat& beat) {
@@ -98,9 +99,9 @@ std::string WriteScenario(const Scenario& scenario) {
   const auto write_beats_until = [&](Duration at) {
     for (; beat != scenario.beats.end() && beat->at <= at; ++beat) text += WriteBeat(*beat) + "\n";
   };
-  for (const Action& action : scenario.actions) {
-    write_beats_until(action.at);
-    text += WriteAction(action) + "\n";
+  for (const TimedAction& timed : scenario.actions) {
+    write_beats_until(timed.at);
+    text += WriteAction(timed) + "\n";
   }
   write_beats_until(Duration::max());
   return text;

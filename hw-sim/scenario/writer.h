@@ -9,7 +9,7 @@ namespace kaori::sim {
 
 // One line, without its end: "at 2.5s over 800ms left move 0.25 0.05". Reading it gives the same action, to
 // the last bit of what reaches a report.
-std::string WriteAction(const Action& action);
+std::string WriteAction(const TimedAction& timed);
 std::string WriteBeat(const Beat& beat);
 
 // Everything by time, a line each.

@@ -28,8 +28,8 @@ using Picture = std::vector<std::uint8_t>;
 
 std::vector<Picture> Shoot(ports::CameraFormat format) {
   const SteadyClock clock;
-  const sim::Workbench workbench{clock, {}};
-  sim::LipCamera camera(format, workbench);
+  const sim::DeviceContext context{clock, {}};
+  sim::LipCamera camera(format, context);
   std::vector<Picture> pictures(kPictures);
   for (std::uint32_t n = 0; n < kPictures; ++n) {
     camera.SetMouth(0.25 + 0.1 * n, 1.2 - 0.1 * n);

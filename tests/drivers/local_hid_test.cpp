@@ -9,7 +9,7 @@
 #include "drivers/hid/local_channel.h"
 #include "firmware/wire/link_packets.h"
 #include "tests/drivers/liar.h"
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori {
 namespace {

@@ -12,7 +12,7 @@
 #include "drivers/scanout/local_screen.h"
 #include "firmware/wire/link_packets.h"
 #include "tests/drivers/liar.h"
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hw-sim/console/needles_watch.h"
+#include "hw-sim/console/editor_watch.h"
 #include "hw-sim/console/page.h"
 
 namespace kaori::console {
@@ -45,14 +45,14 @@ class ConsoleNeedles : public ::testing::Test {
     Look({.tab_held = true});
     Look({});
   }
-  void Look(NeedlesWatch::Seen seen) {
+  void Look(EditorWatch::Seen seen) {
     seen.keyboard_heard = heard_;
     seen.screen_drawn = drawn_;
     seen.screen_plugged = plugged_;
     watch_.Follow(seen);
   }
 
-  NeedlesWatch watch_;
+  EditorWatch watch_;
   bool heard_ = true, drawn_ = true, plugged_ = true;
 };
 

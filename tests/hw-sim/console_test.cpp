@@ -12,48 +12,52 @@
 #include "drivers/web/jpeg.h"
 #include "hw-sim/console/dial_values.h"
 #include "hw-sim/console/guard.h"
-#include "hw-sim/console/hands.h"
 #include "hw-sim/console/held.h"
+#include "hw-sim/console/input.h"
 #include "hw-sim/console/labels.h"
 #include "hw-sim/console/rate.h"
 
 namespace kaori::console {
 namespace {
 
-using sim::Hand;
-using sim::Place;
+using sim::DevicePort;
+using sim::OperatorAction;
 using sim::Verb;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 std::string Refused(std::string_view lines) {
-  const auto hands = ReadHands(lines);
-  return hands ? "taken" : hands.error().attempt;
+  const auto actions = ReadInput(lines);
+  return actions ? "taken" : actions.error().attempt;
 }
 
 TEST(ConsoleHands, AreReadFromLines) {
-  const auto hands = ReadHands(
+  const auto actions = ReadInput(
       "dial 1 turn 0.25\nhold 32\n\nleft move -1 0.5\nright twist 1\nleft slide 0.75\nright hat right\n"
       "key usage-44 press\nkey usage-44 release\npointer 0.25 1\npress pointer\nroll pointer -0.5\nlips 0.9 "
       "1.2\nlens cover\nunplug camera\n");
-  ASSERT_TRUE(hands) << hands.error().message();
-  EXPECT_THAT(
-      *hands,
-      ElementsAre(Hand{Place::kDialBox, Verb::kTurn, 0, 0.25}, Hand{Place::kDialBox, Verb::kPush, 31},
-                  Hand{Place::kStickLeft, Verb::kMove, 0, -1, 0.5},
-                  Hand{Place::kStickRight, Verb::kTwist, 0, 1},
-                  Hand{Place::kStickLeft, Verb::kSlide, 0, 0.75}, Hand{Place::kStickRight, Verb::kHat, 2},
-                  Hand{Place::kKeyboard, Verb::kPush, 44}, Hand{Place::kKeyboard, Verb::kRelease, 44},
-                  Hand{Place::kPointer, Verb::kMove, 0, 0.25, 1}, Hand{Place::kPointer, Verb::kPush},
-                  Hand{Place::kPointer, Verb::kRoll, 0, -0.5}, Hand{Place::kCamera, Verb::kLips, 0, 0.9, 1.2},
-                  Hand{Place::kCamera, Verb::kCoverLens, 1}, Hand{Place::kCamera, Verb::kUnplug}));
+  ASSERT_TRUE(actions) << actions.error().message();
+  EXPECT_THAT(*actions, ElementsAre(OperatorAction{DevicePort::kDialBox, Verb::kTurn, 0, 0.25},
+                                    OperatorAction{DevicePort::kDialBox, Verb::kPush, 31},
+                                    OperatorAction{DevicePort::kStickLeft, Verb::kMove, 0, -1, 0.5},
+                                    OperatorAction{DevicePort::kStickRight, Verb::kTwist, 0, 1},
+                                    OperatorAction{DevicePort::kStickLeft, Verb::kSlide, 0, 0.75},
+                                    OperatorAction{DevicePort::kStickRight, Verb::kHat, 2},
+                                    OperatorAction{DevicePort::kKeyboard, Verb::kPush, 44},
+                                    OperatorAction{DevicePort::kKeyboard, Verb::kRelease, 44},
+                                    OperatorAction{DevicePort::kPointer, Verb::kMove, 0, 0.25, 1},
+                                    OperatorAction{DevicePort::kPointer, Verb::kPush},
+                                    OperatorAction{DevicePort::kPointer, Verb::kRoll, 0, -0.5},
+                                    OperatorAction{DevicePort::kCamera, Verb::kLips, 0, 0.9, 1.2},
+                                    OperatorAction{DevicePort::kCamera, Verb::kCoverLens, 1},
+                                    OperatorAction{DevicePort::kCamera, Verb::kUnplug}));
 }
 
 TEST(ConsoleHands, AreNoneInAnEmptyMessage) {
-  const auto hands = ReadHands("\n  \n");
-  ASSERT_TRUE(hands);
-  EXPECT_THAT(*hands, IsEmpty());
+  const auto actions = ReadInput("\n  \n");
+  ASSERT_TRUE(actions);
+  EXPECT_THAT(*actions, IsEmpty());
 }
 
 TEST(ConsoleHands, NameLineAndColumnOfABadOne) {
@@ -78,21 +82,22 @@ TEST(ConsoleHands, AreNeverNumbersThatAreNone) {
 }
 
 TEST(ConsoleHands, AllStayStillWhenOneLineIsWrong) {
-  EXPECT_FALSE(ReadHands("dial 1 turn 1\nhold 40\ndial 2 turn 1"));
+  EXPECT_FALSE(ReadInput("dial 1 turn 1\nhold 40\ndial 2 turn 1"));
 }
 
 TEST(ConsoleHeld, LetsGoOfWhatIsHeldAndOfNothingElse) {
   Held held;
-  const auto lines = ReadHands(
+  const auto lines = ReadInput(
       "hold 3\nhold 4\nrelease 3\nleft move 1 0\nleft move 0.5 0\nright twist 1\nright twist 0\n"
       "left slide 1\nkey usage-44 press\npointer 0.3 0.4\npress pointer\nroll pointer 2\nlips 1 1\ndial 1 "
       "turn 1\nunplug screen");
   ASSERT_TRUE(lines) << lines.error().message();
-  for (const Hand& hand : *lines) held.Note(hand);
-  EXPECT_THAT(held.LetGo(),
-              ElementsAre(Hand{Place::kDialBox, Verb::kRelease, 3}, Hand{Place::kStickLeft, Verb::kMove},
-                          Hand{Place::kKeyboard, Verb::kRelease, 44}, Hand{Place::kPointer, Verb::kRelease},
-                          Hand{Place::kCamera, Verb::kLips, 0, 0.25, 1}));
+  for (const OperatorAction& action : *lines) held.Note(action);
+  EXPECT_THAT(held.LetGo(), ElementsAre(OperatorAction{DevicePort::kDialBox, Verb::kRelease, 3},
+                                        OperatorAction{DevicePort::kStickLeft, Verb::kMove},
+                                        OperatorAction{DevicePort::kKeyboard, Verb::kRelease, 44},
+                                        OperatorAction{DevicePort::kPointer, Verb::kRelease},
+                                        OperatorAction{DevicePort::kCamera, Verb::kLips, 0, 0.25, 1}));
   EXPECT_THAT(held.LetGo(), IsEmpty());
 }
 
@@ -225,9 +230,9 @@ class ConsoleDialValues : public ::testing::Test {
   }
 
   ManualClock clock_;
-  sim::Workbench bench_{clock_, {}};
-  sim::DialBox box_{bench_};
-  sim::Keyboard keyboard_{bench_};
+  sim::DeviceContext context_{clock_, {}};
+  sim::DialBox box_{context_};
+  sim::Keyboard keyboard_{context_};
   DialValues values_{OneDial()};
 };
 

@@ -45,8 +45,8 @@ class LipCameraTest : public ::testing::Test {
   }
 
   ManualClock clock;
-  Workbench bench{clock, {}};
-  LipCamera camera{{640, 480, ports::PixelFormat::kYuyv}, bench};
+  DeviceContext context{clock, {}};
+  LipCamera camera{{640, 480, ports::PixelFormat::kYuyv}, context};
 };
 
 TEST_F(LipCameraTest, ShowsAMouthOfTheSizeThatWasSet) {

@@ -33,12 +33,12 @@ class SimulatedDevices : public ::testing::Test {
   }
 
   ManualClock clock;
-  std::vector<Hand> seen;
-  Workbench bench{clock, [this](const Hand& hand) { seen.push_back(hand); }};
+  std::vector<OperatorAction> seen;
+  DeviceContext context{clock, [this](const OperatorAction& action) { seen.push_back(action); }};
 };
 
 TEST_F(SimulatedDevices, ADialKeepsPartsOfACountForTheNextTurn) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HostCame();
   int counts = 0;
   for (int n = 0; n < 1000; ++n) {
@@ -49,7 +49,7 @@ TEST_F(SimulatedDevices, ADialKeepsPartsOfACountForTheNextTurn) {
 }
 
 TEST_F(SimulatedDevices, TurnsWithinAMillisecondShareAReport) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HostCame();
   box.Turn(0, 0.25);
   box.Turn(0, 0.25);
@@ -61,7 +61,7 @@ TEST_F(SimulatedDevices, TurnsWithinAMillisecondShareAReport) {
 }
 
 TEST_F(SimulatedDevices, AWildTurnIsSplitSoThatNoCountIsLost) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HostCame();
   box.Turn(0, 300);
   std::int64_t counts = 0;
@@ -70,7 +70,7 @@ TEST_F(SimulatedDevices, AWildTurnIsSplitSoThatNoCountIsLost) {
 }
 
 TEST_F(SimulatedDevices, AButtonThatGoesDownAndUpAtOnceMakesTwoReportsAMillisecondApart) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HostCame();
   box.Push(8);
   box.Release(8);
@@ -87,7 +87,7 @@ TEST_F(SimulatedDevices, AButtonThatGoesDownAndUpAtOnceMakesTwoReportsAMilliseco
 }
 
 TEST_F(SimulatedDevices, ButtonsOfAChordShareAReport) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HostCame();
   box.Push(1);
   box.Push(2);
@@ -97,9 +97,9 @@ TEST_F(SimulatedDevices, ButtonsOfAChordShareAReport) {
 }
 
 TEST_F(SimulatedDevices, NothingChangedMeansNoReport) {
-  DialBox box(bench);
-  StickPod stick(Place::kStickLeft, bench);
-  Keyboard keyboard(bench);
+  DialBox box(context);
+  StickPod stick(DevicePort::kStickLeft, context);
+  Keyboard keyboard(context);
   for (HidDevice* device : std::initializer_list<HidDevice*>{&box, &stick, &keyboard}) device->HostCame();
   box.Release(3);
   stick.Move(0, 0);
@@ -110,8 +110,8 @@ TEST_F(SimulatedDevices, NothingChangedMeansNoReport) {
 }
 
 TEST_F(SimulatedDevices, NumbersThatNoHandCanDoAreIgnored) {
-  DialBox box(bench);
-  StickPod stick(Place::kStickLeft, bench);
+  DialBox box(context);
+  StickPod stick(DevicePort::kStickLeft, context);
   box.Turn(8, 1);
   box.Turn(-1, 1);
   box.Turn(0, std::numeric_limits<double>::quiet_NaN());
@@ -125,7 +125,7 @@ TEST_F(SimulatedDevices, NumbersThatNoHandCanDoAreIgnored) {
 }
 
 TEST_F(SimulatedDevices, LampsAreWhatTheLastOutputReportSaid) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HandleOutput(std::array<std::uint8_t, 5>{0, 0x01, 0, 0, 0x80});
   EXPECT_EQ(box.lamps(), 0x80000001u);
   box.HandleOutput(std::array<std::uint8_t, 3>{0, 0xFF, 0xFF});           // Short,
@@ -136,7 +136,7 @@ TEST_F(SimulatedDevices, LampsAreWhatTheLastOutputReportSaid) {
 }
 
 TEST_F(SimulatedDevices, AKeyboardsLightsAreWhatTheLastOutputReportSaid) {
-  Keyboard keyboard(bench);
+  Keyboard keyboard(context);
   keyboard.HandleOutput(std::array<std::uint8_t, 2>{0, 0xE2});
   EXPECT_EQ(keyboard.lights(), 0x02u) << "caps lock, and no padding";
   keyboard.HandleOutput(std::array<std::uint8_t, 1>{0});
@@ -147,7 +147,7 @@ TEST_F(SimulatedDevices, AKeyboardsLightsAreWhatTheLastOutputReportSaid) {
 }
 
 TEST_F(SimulatedDevices, AStickPushedForwardsIsNegativeYOnTheWire) {
-  StickPod stick(Place::kStickRight, bench);
+  StickPod stick(DevicePort::kStickRight, context);
   stick.HostCame();
   stick.Move(0.5F, 1);
   stick.Slide(1);
@@ -159,14 +159,14 @@ TEST_F(SimulatedDevices, AStickPushedForwardsIsNegativeYOnTheWire) {
 }
 
 TEST_F(SimulatedDevices, AStickStopsAtItsStops) {
-  StickPod stick(Place::kStickLeft, bench);
+  StickPod stick(DevicePort::kStickLeft, context);
   stick.Move(7, -7);
   EXPECT_EQ(stick.x(), 1);
   EXPECT_EQ(stick.y(), -1);
 }
 
 TEST_F(SimulatedDevices, AHostThatComesHearsWhatIsHeld) {
-  StickPod stick(Place::kStickLeft, bench);
+  StickPod stick(DevicePort::kStickLeft, context);
   stick.Move(0.4F, 0);
   stick.Push(3);
   stick.Release(3);
@@ -180,7 +180,7 @@ TEST_F(SimulatedDevices, AHostThatComesHearsWhatIsHeld) {
 }
 
 TEST_F(SimulatedDevices, WithoutPowerTurnsAreLostButHeldButtonsAreHeld) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HostCame();
   box.Turn(0, 1);
   box.Push(5);
@@ -194,7 +194,7 @@ TEST_F(SimulatedDevices, WithoutPowerTurnsAreLostButHeldButtonsAreHeld) {
 }
 
 TEST_F(SimulatedDevices, AHostThatNeverReadsDoesNotEatMemory) {
-  DialBox box(bench);
+  DialBox box(context);
   box.HostCame();
   for (int n = 0; n < 100'000; ++n) {
     box.Push(0);
@@ -204,7 +204,7 @@ TEST_F(SimulatedDevices, AHostThatNeverReadsDoesNotEatMemory) {
 }
 
 TEST_F(SimulatedDevices, EveryKeyOfTenIsReported) {
-  Keyboard keyboard(bench);
+  Keyboard keyboard(context);
   keyboard.HostCame();
   for (std::uint8_t usage = 0x04; usage < 0x0E; ++usage) keyboard.Press(usage);
   const auto reports = Drain(keyboard);
@@ -215,12 +215,12 @@ TEST_F(SimulatedDevices, EveryKeyOfTenIsReported) {
 }
 
 TEST_F(SimulatedDevices, TheWatcherSeesEveryHandThatChangesSomething) {
-  DialBox box(bench);
+  DialBox box(context);
   box.Turn(1, 0.4);
   box.Push(9);
   box.Push(9);
-  EXPECT_EQ(seen, (std::vector<Hand>{{Place::kDialBox, Verb::kTurn, 1, 0.4, 0},
-                                     {Place::kDialBox, Verb::kPush, 9, 0, 0}}));
+  EXPECT_EQ(seen, (std::vector<OperatorAction>{{DevicePort::kDialBox, Verb::kTurn, 1, 0.4, 0},
+                                               {DevicePort::kDialBox, Verb::kPush, 9, 0, 0}}));
 }
 
 }  // namespace

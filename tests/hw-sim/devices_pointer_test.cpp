@@ -26,9 +26,9 @@ class SimulatedPointer : public ::testing::Test {
   }
 
   ManualClock clock;
-  std::vector<Hand> seen;
-  Workbench bench{clock, [this](const Hand& hand) { seen.push_back(hand); }};
-  Pointer pointer{bench};
+  std::vector<OperatorAction> seen;
+  DeviceContext context{clock, [this](const OperatorAction& action) { seen.push_back(action); }};
+  Pointer pointer{context};
 };
 
 using Reports = std::vector<wire::PointerReport>;
@@ -99,9 +99,9 @@ TEST_F(SimulatedPointer, TheWatcherSeesEveryHandThatChangesSomething) {
   pointer.Push(1);
   pointer.Push(1);
   pointer.Roll(-2);
-  EXPECT_EQ(seen, (std::vector<Hand>{{Place::kPointer, Verb::kMove, 0, 0.25, 0.75},
-                                     {Place::kPointer, Verb::kPush, 1, 0, 0},
-                                     {Place::kPointer, Verb::kRoll, 0, -2, 0}}));
+  EXPECT_EQ(seen, (std::vector<OperatorAction>{{DevicePort::kPointer, Verb::kMove, 0, 0.25, 0.75},
+                                               {DevicePort::kPointer, Verb::kPush, 1, 0, 0},
+                                               {DevicePort::kPointer, Verb::kRoll, 0, -2, 0}}));
 }
 
 }  // namespace

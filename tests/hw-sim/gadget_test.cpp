@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "firmware/wire/dial_box.h"
-#include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/input_devices.h"
 #include "hw-sim/links/gadget/gadget_port.h"
 
 namespace kaori::sim {
@@ -38,8 +38,7 @@ class Gadget : public ::testing::Test {
   ~Gadget() override { std::filesystem::remove_all(folder_); }
 
   Result<HidGadget> Make() {
-    return HidGadget::Make({folder_ + "/gadgets", folder_ + "/dev"}, "box",
-                           instruments_.dial_box.device_name());
+    return HidGadget::Make({folder_ + "/gadgets", folder_ + "/dev"}, "box", devices_.dial_box.device_name());
   }
   std::string Said(const std::string& file) const {
     std::ostringstream text;
@@ -48,8 +47,8 @@ class Gadget : public ::testing::Test {
   }
 
   ManualClock clock_;
-  Workbench bench_{clock_, {}};
-  Instruments instruments_{bench_, {64, 48, ports::PixelFormat::kYuyv}};
+  DeviceContext context_{clock_, {}};
+  InputDevices devices_{context_, {64, 48, ports::PixelFormat::kYuyv}};
   std::string folder_;
   UniqueFd host_;
 };
@@ -71,10 +70,10 @@ TEST_F(Gadget, IsMadeAgainOverWhatADeadSimulatorLeft) {
 }
 
 TEST_F(Gadget, SendsReportsAndTakesLamps) {
-  GadgetPort port(std::move(*Make()), "dummy_udc.0", instruments_.dial_box);
+  GadgetPort port(std::move(*Make()), "dummy_udc.0", devices_.dial_box);
   ASSERT_TRUE(port.Plug());
   EXPECT_EQ(Said("UDC"), "dummy_udc.0");
-  instruments_.dial_box.Push(3);
+  devices_.dial_box.Push(3);
   clock_.Advance(1ms);
   port.Pump(clock_.now());
   std::array<std::uint8_t, 64> report{};
@@ -84,11 +83,11 @@ TEST_F(Gadget, SendsReportsAndTakesLamps) {
   const std::array<std::uint8_t, 4> lamps{0x21, 0, 0, 0x80};
   ASSERT_EQ(::write(host_.get(), lamps.data(), lamps.size()), 4);
   port.Pump(clock_.now());
-  EXPECT_EQ(instruments_.dial_box.lamps(), 0x80000021U);
+  EXPECT_EQ(devices_.dial_box.lamps(), 0x80000021U);
 }
 
 TEST_F(Gadget, IsPulledByItsCable) {
-  GadgetPort port(std::move(*Make()), "dummy_udc.0", instruments_.dial_box);
+  GadgetPort port(std::move(*Make()), "dummy_udc.0", devices_.dial_box);
   ASSERT_TRUE(port.Plug());
   port.Unplug();
   EXPECT_EQ(Said("UDC"), "\n");
@@ -98,7 +97,7 @@ TEST_F(Gadget, IsPulledByItsCable) {
 }
 
 TEST_F(Gadget, NamesTheFolderThatAKernelWithoutGadgetsLacks) {
-  const auto made = HidGadget::Make({"/proc/no-gadgets", "/dev"}, "box", instruments_.dial_box.device_name());
+  const auto made = HidGadget::Make({"/proc/no-gadgets", "/dev"}, "box", devices_.dial_box.device_name());
   ASSERT_FALSE(made);
   EXPECT_THAT(made.error().message(), ::testing::HasSubstr("/proc/no-gadgets/box"));
 }

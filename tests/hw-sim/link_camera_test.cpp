@@ -1,6 +1,6 @@
 // The rig's camera through its real socket and shared memory.
 #include "drivers/camera/local_camera.h"
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::sim {
 namespace {
@@ -9,10 +9,10 @@ using namespace std::chrono_literals;
 
 constexpr Duration kPeriod = 33'333'333ns;
 
-class LinkCamera : public LinkBench {
+class LinkCamera : public LinkFixture {
  protected:
   void SetUp() override {
-    LinkBench::SetUp();
+    LinkFixture::SetUp();
     start = clock.now();
     auto opened = camera::LocalCamera::Open(folder.path());
     ASSERT_TRUE(opened) << opened.error().message();

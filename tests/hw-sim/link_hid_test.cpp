@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::sim {
 namespace {
 
 using namespace std::chrono_literals;
 
-using LinkHid = LinkBench;
+using LinkHid = LinkFixture;
 
 TEST_F(LinkHid, ListsWhatIsPluggedInOnceItHasSaidHello) {
   EXPECT_EQ(bus->Ports()->size(), 0u);  // Called, and not yet answered.

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "drivers/scanout/local_screen.h"
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::sim {
 namespace {
@@ -11,10 +11,10 @@ using namespace std::chrono_literals;
 
 constexpr Duration kScreenPeriod = 16'666'667ns;
 
-class LinkScreen : public LinkBench {
+class LinkScreen : public LinkFixture {
  protected:
   void SetUp() override {
-    LinkBench::SetUp();
+    LinkFixture::SetUp();
     start = clock.now();
     Reopen();
   }

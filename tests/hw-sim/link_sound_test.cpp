@@ -5,7 +5,7 @@
 #include "drivers/audio/local_loudspeaker.h"
 #include "drivers/audio/local_microphone.h"
 #include "drivers/base/packet_socket.h"
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::sim {
 namespace {
@@ -18,10 +18,10 @@ double Level_db(std::span<const std::int16_t> samples) {
   return 10 * std::log10(power / static_cast<double>(samples.size()) / 32768 / 32768);
 }
 
-class SoundLink : public LinkBench {
+class SoundLink : public LinkFixture {
  protected:
   void SetUp() override {
-    LinkBench::SetUp();
+    LinkFixture::SetUp();
     microphone = audio::LocalMicrophone::Open(folder.path()).value();
     loudspeaker = audio::LocalLoudspeaker::Open(folder.path(), clock).value();
     rig->Pump();

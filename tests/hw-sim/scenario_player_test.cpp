@@ -5,7 +5,7 @@
 #include "hw-sim/scenario/reader.h"
 #include "hw-sim/scenario/recorder.h"
 #include "hw-sim/scenario/writer.h"
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::sim {
 namespace {
@@ -23,7 +23,7 @@ struct Performance {
 };
 
 // A bench on which one scenario is played from the first to the last moment.
-class Hall : public LinkBench {
+class Hall : public LinkFixture {
  public:
   void TestBody() override {}
 
@@ -83,34 +83,38 @@ TEST(Scenario, RandomHandsRecordedAndReplayedGiveTheSameBytes) {
   const auto real = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() % 100003) / 100003.0;
   };
-  Scenario hands;
+  Scenario scenario;
   for (Duration at{}; at < 4s; at += Duration(random() % 7'000'000)) {
-    const auto stick = random() % 2 == 0 ? Place::kStickLeft : Place::kStickRight;
+    const auto stick = random() % 2 == 0 ? DevicePort::kStickLeft : DevicePort::kStickRight;
     const int kind = static_cast<int>(random() % 10);
     const Verb down = random() % 2 == 0 ? Verb::kPush : Verb::kRelease;
     if (kind == 0)
-      hands.actions.push_back(
-          {at, {}, {Place::kDialBox, Verb::kTurn, static_cast<int>(random() % 8), real(-1, 1), 0}});
+      scenario.actions.push_back(
+          {at, {}, {DevicePort::kDialBox, Verb::kTurn, static_cast<int>(random() % 8), real(-1, 1), 0}});
     if (kind == 1)
-      hands.actions.push_back({at, {}, {Place::kDialBox, down, static_cast<int>(random() % 32), 0, 0}});
-    if (kind == 2) hands.actions.push_back({at, {}, {stick, Verb::kMove, 0, real(-1, 1), real(-1, 1)}});
+      scenario.actions.push_back(
+          {at, {}, {DevicePort::kDialBox, down, static_cast<int>(random() % 32), 0, 0}});
+    if (kind == 2) scenario.actions.push_back({at, {}, {stick, Verb::kMove, 0, real(-1, 1), real(-1, 1)}});
     if (kind == 3)
-      hands.actions.push_back({at, {}, {stick, Verb::kHat, static_cast<int>(random() % 9) - 1, 0, 0}});
-    if (kind == 4) hands.actions.push_back({at, {}, {stick, down, static_cast<int>(random() % 12), 0, 0}});
+      scenario.actions.push_back({at, {}, {stick, Verb::kHat, static_cast<int>(random() % 9) - 1, 0, 0}});
+    if (kind == 4) scenario.actions.push_back({at, {}, {stick, down, static_cast<int>(random() % 12), 0, 0}});
     if (kind == 5)
-      hands.actions.push_back({at, {}, {Place::kKeyboard, down, static_cast<int>(4 + random() % 100), 0, 0}});
+      scenario.actions.push_back(
+          {at, {}, {DevicePort::kKeyboard, down, static_cast<int>(4 + random() % 100), 0, 0}});
     if (kind == 6)
-      hands.actions.push_back({at, {}, {Place::kCamera, Verb::kLips, 0, real(0, 1), real(0.5, 1.5)}});
+      scenario.actions.push_back({at, {}, {DevicePort::kCamera, Verb::kLips, 0, real(0, 1), real(0.5, 1.5)}});
     if (kind == 7)
-      hands.actions.push_back({at, {}, {Place::kPointer, Verb::kMove, 0, real(0, 1), real(0, 1)}});
-    if (kind == 8) hands.actions.push_back({at, {}, {Place::kPointer, Verb::kRoll, 0, real(-9, 9), 0}});
+      scenario.actions.push_back({at, {}, {DevicePort::kPointer, Verb::kMove, 0, real(0, 1), real(0, 1)}});
+    if (kind == 8)
+      scenario.actions.push_back({at, {}, {DevicePort::kPointer, Verb::kRoll, 0, real(-9, 9), 0}});
     if (kind == 9)
-      hands.actions.push_back({at, {}, {Place::kPointer, down, static_cast<int>(random() % 3), 0, 0}});
+      scenario.actions.push_back(
+          {at, {}, {DevicePort::kPointer, down, static_cast<int>(random() % 3), 0, 0}});
   }
-  PutInOrder(hands);
-  const Performance first = Hall().Play(hands);
+  PutInOrder(scenario);
+  const Performance first = Hall().Play(scenario);
   Scenario recorded = ReadScenario(first.recording).scenario;
-  recorded.length = hands.length;  // The last hands may have changed nothing, and were not recorded.
+  recorded.length = scenario.length;  // The last actions may have changed nothing, and were not recorded.
   const Performance again = Hall().Play(recorded);
   EXPECT_GT(first.reports[0].size(), 100u);
   EXPECT_EQ(first.recording, again.recording);
@@ -118,7 +122,7 @@ TEST(Scenario, RandomHandsRecordedAndReplayedGiveTheSameBytes) {
   EXPECT_EQ(first.mouths, again.mouths);
 }
 
-class PlayerTest : public LinkBench {
+class PlayerTest : public LinkFixture {
  protected:
   void Play(std::string_view text) {
     Reading reading = ReadScenario(text);

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 
 // The actions of a text that is right.
-std::vector<Action> Actions(std::string_view text) {
+std::vector<TimedAction> Actions(std::string_view text) {
   const Reading reading = ReadScenario(text);
   EXPECT_EQ(Describe(reading.problems, "t"), "");
   return reading.scenario.actions;
@@ -29,37 +29,38 @@ std::string Complaint(std::string_view text) {
 TEST(ScenarioReader, KnowsEveryHand) {
   const auto one = [](const char* line) {
     const auto actions = Actions(line);
-    return actions.size() == 1 ? actions[0].hand : Hand{};
+    return actions.size() == 1 ? actions[0].action : OperatorAction{};
   };
-  EXPECT_EQ(one("at 1s dial 1 turn 0.4"), (Hand{Place::kDialBox, Verb::kTurn, 0, 0.4, 0}));
-  EXPECT_EQ(one("at 1s hold 9"), (Hand{Place::kDialBox, Verb::kPush, 8, 0, 0}));
-  EXPECT_EQ(one("at 1s release 32"), (Hand{Place::kDialBox, Verb::kRelease, 31, 0, 0}));
-  EXPECT_EQ(one("at 1s left move 0.5 -1"), (Hand{Place::kStickLeft, Verb::kMove, 0, 0.5, -1}));
-  EXPECT_EQ(one("at 1s right twist -.5"), (Hand{Place::kStickRight, Verb::kTwist, 0, -0.5, 0}));
-  EXPECT_EQ(one("at 1s right slide +1"), (Hand{Place::kStickRight, Verb::kSlide, 0, 1, 0}));
-  EXPECT_EQ(one("at 1s left hat up-left"), (Hand{Place::kStickLeft, Verb::kHat, 7, 0, 0}));
-  EXPECT_EQ(one("at 1s left hat centre"), (Hand{Place::kStickLeft, Verb::kHat, -1, 0, 0}));
-  EXPECT_EQ(one("at 1s left hold 12"), (Hand{Place::kStickLeft, Verb::kPush, 11, 0, 0}));
-  EXPECT_EQ(one("at 1s key F1 press"), (Hand{Place::kKeyboard, Verb::kPush, 0x3A, 0, 0}));
-  EXPECT_EQ(one("at 1s key a release"), (Hand{Place::kKeyboard, Verb::kRelease, 0x04, 0, 0}));
-  EXPECT_EQ(one("at 1s pointer 0.4 0.5"), (Hand{Place::kPointer, Verb::kMove, 0, 0.4, 0.5}));
-  EXPECT_EQ(one("at 1s press pointer"), (Hand{Place::kPointer, Verb::kPush, 0, 0, 0}));
-  EXPECT_EQ(one("at 1s release pointer 3"), (Hand{Place::kPointer, Verb::kRelease, 2, 0, 0}));
-  EXPECT_EQ(one("at 1s roll pointer -2"), (Hand{Place::kPointer, Verb::kRoll, 0, -2, 0}));
-  EXPECT_EQ(one("at 1s unplug pointer"), (Hand{Place::kPointer, Verb::kUnplug, 0, 0, 0}));
-  EXPECT_EQ(one("at 1s lips 0.6 1.1"), (Hand{Place::kCamera, Verb::kLips, 0, 0.6, 1.1}));
-  EXPECT_EQ(one("at 1s lens cover"), (Hand{Place::kCamera, Verb::kCoverLens, 1, 0, 0}));
-  EXPECT_EQ(one("at 1s camera run"), (Hand{Place::kCamera, Verb::kStall, 0, 0, 0}));
-  EXPECT_EQ(one("at 1s unplug stick-left"), (Hand{Place::kStickLeft, Verb::kUnplug, 0, 0, 0}));
-  EXPECT_EQ(one("at 1s plug screen"), (Hand{Place::kScreen, Verb::kPlug, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s dial 1 turn 0.4"), (OperatorAction{DevicePort::kDialBox, Verb::kTurn, 0, 0.4, 0}));
+  EXPECT_EQ(one("at 1s hold 9"), (OperatorAction{DevicePort::kDialBox, Verb::kPush, 8, 0, 0}));
+  EXPECT_EQ(one("at 1s release 32"), (OperatorAction{DevicePort::kDialBox, Verb::kRelease, 31, 0, 0}));
+  EXPECT_EQ(one("at 1s left move 0.5 -1"), (OperatorAction{DevicePort::kStickLeft, Verb::kMove, 0, 0.5, -1}));
+  EXPECT_EQ(one("at 1s right twist -.5"),
+            (OperatorAction{DevicePort::kStickRight, Verb::kTwist, 0, -0.5, 0}));
+  EXPECT_EQ(one("at 1s right slide +1"), (OperatorAction{DevicePort::kStickRight, Verb::kSlide, 0, 1, 0}));
+  EXPECT_EQ(one("at 1s left hat up-left"), (OperatorAction{DevicePort::kStickLeft, Verb::kHat, 7, 0, 0}));
+  EXPECT_EQ(one("at 1s left hat centre"), (OperatorAction{DevicePort::kStickLeft, Verb::kHat, -1, 0, 0}));
+  EXPECT_EQ(one("at 1s left hold 12"), (OperatorAction{DevicePort::kStickLeft, Verb::kPush, 11, 0, 0}));
+  EXPECT_EQ(one("at 1s key F1 press"), (OperatorAction{DevicePort::kKeyboard, Verb::kPush, 0x3A, 0, 0}));
+  EXPECT_EQ(one("at 1s key a release"), (OperatorAction{DevicePort::kKeyboard, Verb::kRelease, 0x04, 0, 0}));
+  EXPECT_EQ(one("at 1s pointer 0.4 0.5"), (OperatorAction{DevicePort::kPointer, Verb::kMove, 0, 0.4, 0.5}));
+  EXPECT_EQ(one("at 1s press pointer"), (OperatorAction{DevicePort::kPointer, Verb::kPush, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s release pointer 3"), (OperatorAction{DevicePort::kPointer, Verb::kRelease, 2, 0, 0}));
+  EXPECT_EQ(one("at 1s roll pointer -2"), (OperatorAction{DevicePort::kPointer, Verb::kRoll, 0, -2, 0}));
+  EXPECT_EQ(one("at 1s unplug pointer"), (OperatorAction{DevicePort::kPointer, Verb::kUnplug, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s lips 0.6 1.1"), (OperatorAction{DevicePort::kCamera, Verb::kLips, 0, 0.6, 1.1}));
+  EXPECT_EQ(one("at 1s lens cover"), (OperatorAction{DevicePort::kCamera, Verb::kCoverLens, 1, 0, 0}));
+  EXPECT_EQ(one("at 1s camera run"), (OperatorAction{DevicePort::kCamera, Verb::kStall, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s unplug stick-left"), (OperatorAction{DevicePort::kStickLeft, Verb::kUnplug, 0, 0, 0}));
+  EXPECT_EQ(one("at 1s plug screen"), (OperatorAction{DevicePort::kScreen, Verb::kPlug, 0, 0, 0}));
 }
 
 TEST(ScenarioReader, APushIsDownAndUpAgain) {
   const auto actions = Actions("at 2s push 9\nat 2.05s key space tap");
   ASSERT_EQ(actions.size(), 4u);
-  EXPECT_EQ(actions[0], (Action{2s, {}, {Place::kDialBox, Verb::kPush, 8, 0, 0}}));
-  EXPECT_EQ(actions[1], (Action{2050ms, {}, {Place::kKeyboard, Verb::kPush, 0x2C, 0, 0}}));
-  EXPECT_EQ(actions[2], (Action{2s + kTap, {}, {Place::kDialBox, Verb::kRelease, 8, 0, 0}}));
+  EXPECT_EQ(actions[0], (TimedAction{2s, {}, {DevicePort::kDialBox, Verb::kPush, 8, 0, 0}}));
+  EXPECT_EQ(actions[1], (TimedAction{2050ms, {}, {DevicePort::kKeyboard, Verb::kPush, 0x2C, 0, 0}}));
+  EXPECT_EQ(actions[2], (TimedAction{2s + kTap, {}, {DevicePort::kDialBox, Verb::kRelease, 8, 0, 0}}));
 }
 
 TEST(ScenarioReader, TimesStandBeforeOrAfter) {
@@ -73,9 +74,9 @@ TEST(ScenarioReader, TimesStandBeforeOrAfter) {
 TEST(ScenarioReader, OrdersByTimeAndKeepsTheOrderOfEqualTimes) {
   const auto actions = Actions("at 2s hold 1\nat 1s hold 2\nat 2s release 1");
   ASSERT_EQ(actions.size(), 3u);
-  EXPECT_EQ(actions[0].hand.index, 1);
-  EXPECT_EQ(actions[1].hand.verb, Verb::kPush);
-  EXPECT_EQ(actions[2].hand.verb, Verb::kRelease);
+  EXPECT_EQ(actions[0].action.index, 1);
+  EXPECT_EQ(actions[1].action.verb, Verb::kPush);
+  EXPECT_EQ(actions[2].action.verb, Verb::kRelease);
 }
 
 TEST(ScenarioReader, ASceneBeginsWithWhatFollowsIt) {
@@ -86,50 +87,50 @@ TEST(ScenarioReader, ASceneBeginsWithWhatFollowsIt) {
 }
 
 // Of the lips, or of the voice alone.
-std::vector<Action> Of(Place place, std::vector<Action> actions) {
-  std::erase_if(actions, [place](const Action& action) { return action.hand.place != place; });
+std::vector<TimedAction> Of(DevicePort port, std::vector<TimedAction> actions) {
+  std::erase_if(actions, [port](const TimedAction& timed) { return timed.action.port != port; });
   return actions;
 }
 
 TEST(ScenarioReader, SpeechEndsAtRestWithinItsTime) {
-  const auto actions = Of(Place::kCamera, Actions("at 1s say \"a i u e o\" over 2s"));
+  const auto actions = Of(DevicePort::kCamera, Actions("at 1s say \"a i u e o\" over 2s"));
   ASSERT_EQ(actions.size(), 6u);
   EXPECT_EQ(actions.front().at, 1s);
   EXPECT_EQ(actions.back().at + actions.back().over, 3s);
-  EXPECT_EQ(actions.back().hand.a, Mouth{}.height);
-  EXPECT_GT(actions[0].hand.a, actions[1].hand.a);  // a is higher than i,
-  EXPECT_GT(actions[1].hand.b, actions[2].hand.b);  // i wider than u.
+  EXPECT_EQ(actions.back().action.a, Mouth{}.height);
+  EXPECT_GT(actions[0].action.a, actions[1].action.a);  // a is higher than i,
+  EXPECT_GT(actions[1].action.b, actions[2].action.b);  // i wider than u.
 }
 
 TEST(ScenarioReader, LipsMeetBeforeM) {
-  const auto actions = Of(Place::kCamera, Actions("at 0s say \"ma\" over 1s"));
+  const auto actions = Of(DevicePort::kCamera, Actions("at 0s say \"ma\" over 1s"));
   ASSERT_EQ(actions.size(), 3u);
-  EXPECT_LT(actions[0].hand.a, Mouth{}.height);
-  EXPECT_GT(actions[1].hand.a, 0.5);
+  EXPECT_LT(actions[0].action.a, Mouth{}.height);
+  EXPECT_GT(actions[1].action.a, 0.5);
 }
 
 TEST(ScenarioReader, TheVoiceSoundsWhenTheLipsBeginToOpen) {
   const auto all = Actions("at 1s say \"ka mo n\" over 3s");
-  const auto lips = Of(Place::kCamera, all), voice = Of(Place::kMicrophone, all);
+  const auto lips = Of(DevicePort::kCamera, all), voice = Of(DevicePort::kMicrophone, all);
   ASSERT_EQ(lips.size(), 5u);
   ASSERT_EQ(voice.size(), 5u);  // a, silence while the lips meet, o, a hum, silence.
   EXPECT_EQ(voice[0].at, lips[0].at);
-  EXPECT_EQ(voice[0].hand.index, 0);
+  EXPECT_EQ(voice[0].action.index, 0);
   EXPECT_EQ(voice[1].at, lips[1].at);
-  EXPECT_EQ(voice[1].hand.a, 0);
+  EXPECT_EQ(voice[1].action.a, 0);
   EXPECT_EQ(voice[2].at, lips[2].at);
-  EXPECT_EQ(voice[2].hand.index, 4);
-  EXPECT_LT(voice[3].hand.a, voice[2].hand.a);
-  EXPECT_EQ(voice[4].hand.a, 0);
+  EXPECT_EQ(voice[2].action.index, 4);
+  EXPECT_LT(voice[3].action.a, voice[2].action.a);
+  EXPECT_EQ(voice[4].action.a, 0);
   EXPECT_EQ(voice[4].at, lips[4].at);
 }
 
 TEST(ScenarioReader, AVoiceMaySoundWithoutLips) {
   const auto actions = Actions("at 1s voice e 0.5\nat 2s voice off\nat 3s loudspeaker stall");
   ASSERT_EQ(actions.size(), 3u);
-  EXPECT_EQ(actions[0].hand, (Hand{Place::kMicrophone, Verb::kVoice, 3, 0.5, 0}));
-  EXPECT_EQ(actions[1].hand.a, 0);
-  EXPECT_EQ(actions[2].hand, (Hand{Place::kLoudspeaker, Verb::kStall, 1, 0, 0}));
+  EXPECT_EQ(actions[0].action, (OperatorAction{DevicePort::kMicrophone, Verb::kVoice, 3, 0.5, 0}));
+  EXPECT_EQ(actions[1].action.a, 0);
+  EXPECT_EQ(actions[2].action, (OperatorAction{DevicePort::kLoudspeaker, Verb::kStall, 1, 0, 0}));
   EXPECT_EQ(Complaint("at 1s voice y 1"), "play.txt:1:13: no vowel \"y\"; vowels are a, i, u, e, o, or off");
   EXPECT_THAT(Complaint("at 1s microphone break"), HasSubstr("expected stall or run"));
 }
@@ -192,9 +193,9 @@ TEST(ScenarioReader, LeavesAFileThatIsNoScenarioSoon) {
   const Reading endless = ReadScenario(std::string(8u << 20, '?') + "\nat 1s push 1\n");
   ASSERT_EQ(endless.problems.size(), 1u);
   EXPECT_EQ(endless.problems[0].line, 1);
-  std::string words;
-  for (int n = 0; n < 2'000'000; ++n) words += "a ";
-  EXPECT_EQ(ReadScenario(words).problems.size(), 1u);
+  std::string text;
+  for (int n = 0; n < 2'000'000; ++n) text += "a ";
+  EXPECT_EQ(ReadScenario(text).problems.size(), 1u);
 }
 
 TEST(ScenarioReader, RefusesNumbersThatAreNone) {

@@ -7,9 +7,9 @@
 #include "firmware/wire/bytes.h"
 #include "firmware/wire/keyboard.h"
 #include "hw-sim/devices/gpio_bridge.h"
-#include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/input_devices.h"
+#include "hw-sim/devices/usb_descriptors.h"
 #include "hw-sim/devices/usb_hid.h"
-#include "hw-sim/devices/usb_plate.h"
 #include "hw-sim/devices/uvc_camera.h"
 #include "hw-sim/devices/uvc_descriptors.h"
 
@@ -23,8 +23,8 @@ constexpr Duration kPeriod = 33'333'300ns;
 
 struct Desk {
   ManualClock clock;
-  Workbench bench{clock, {}};
-  Instruments instruments{bench, {64, 48, ports::PixelFormat::kYuyv}};
+  DeviceContext context{clock, {}};
+  InputDevices devices{context, {64, 48, ports::PixelFormat::kYuyv}};
 };
 
 // Every descriptor in it is whole, and the header tells the length of all.
@@ -38,26 +38,26 @@ void ExpectWhole(const UsbBytes& configuration) {
 
 TEST(UsbDevices, HaveWholeDescriptors) {
   Desk desk;
-  ExpectWhole(UsbHid(desk.instruments.dial_box).plate().configuration);
-  ExpectWhole(UsbHid(desk.instruments.left_stick).plate().configuration);
-  ExpectWhole(UvcCamera(desk.instruments.camera, kPeriod).plate().configuration);
-  ExpectWhole(GpioBridge().plate().configuration);
+  ExpectWhole(UsbHid(desk.devices.dial_box).descriptors().configuration);
+  ExpectWhole(UsbHid(desk.devices.left_stick).descriptors().configuration);
+  ExpectWhole(UvcCamera(desk.devices.camera, kPeriod).descriptors().configuration);
+  ExpectWhole(GpioBridge().descriptors().configuration);
 }
 
 TEST(UsbDevices, SayTheirNameInUtf16AndHaveNoSerialNumber) {
   Desk desk;
-  const UsbHid stick(desk.instruments.left_stick);
-  const auto device = AnswerStandard(stick.plate(), {0x80, 6, 0x0100, 0, 18});
+  const UsbHid stick(desk.devices.left_stick);
+  const auto device = AnswerStandard(stick.descriptors(), {0x80, 6, 0x0100, 0, 18});
   ASSERT_TRUE(device);
   EXPECT_EQ(device->size(), 18U);
   EXPECT_EQ((*device)[16], 0) << "two equal pods are told apart by their ports alone";
-  const auto maker = AnswerStandard(stick.plate(), {0x80, 6, 0x0301, 0x0409, 255});
+  const auto maker = AnswerStandard(stick.descriptors(), {0x80, 6, 0x0301, 0x0409, 255});
   EXPECT_THAT(*maker, ElementsAre(12, 3, 'K', 0, 'a', 0, 'o', 0, 'r', 0, 'i', 0));
 }
 
 TEST(UsbDevices, TornConfigurationsAreReadAsFarAsTheyAreWhole) {
   Desk desk;
-  UsbBytes configuration = UsbHid(desk.instruments.dial_box).plate().configuration;
+  UsbBytes configuration = UsbHid(desk.devices.dial_box).descriptors().configuration;
   configuration.resize(configuration.size() - 3);
   const UsbContents contents = ContentsOf(configuration);
   EXPECT_EQ(contents.interfaces.size(), 1U);
@@ -66,24 +66,24 @@ TEST(UsbDevices, TornConfigurationsAreReadAsFarAsTheyAreWhole) {
 
 TEST(UsbHid, HasAnEndpointOutOnlyForDevicesThatTakeReports) {
   Desk desk;
-  EXPECT_EQ(ContentsOf(UsbHid(desk.instruments.keyboard).plate().configuration).endpoints.size(), 2U);
-  EXPECT_EQ(ContentsOf(UsbHid(desk.instruments.pointer).plate().configuration).endpoints.size(), 1U);
+  EXPECT_EQ(ContentsOf(UsbHid(desk.devices.keyboard).descriptors().configuration).endpoints.size(), 2U);
+  EXPECT_EQ(ContentsOf(UsbHid(desk.devices.pointer).descriptors().configuration).endpoints.size(), 1U);
 }
 
 TEST(UsbHid, SaysOfAKeyboardAloneThatItIsOne) {
   Desk desk;
   const auto protocol = [](HidDevice& device) {
-    return ContentsOf(UsbHid(device).plate().configuration).interfaces.at(0).protocol;
+    return ContentsOf(UsbHid(device).descriptors().configuration).interfaces.at(0).protocol;
   };
-  EXPECT_EQ(protocol(desk.instruments.keyboard), 1);
-  EXPECT_EQ(protocol(desk.instruments.dial_box), 0);
-  EXPECT_EQ(protocol(desk.instruments.pointer), 0);
+  EXPECT_EQ(protocol(desk.devices.keyboard), 1);
+  EXPECT_EQ(protocol(desk.devices.dial_box), 0);
+  EXPECT_EQ(protocol(desk.devices.pointer), 0);
 }
 
 TEST(UsbHid, GivesTheStandingReportWhenItIsAskedFor) {
   Desk desk;
-  UsbHid keyboard(desk.instruments.keyboard);
-  desk.instruments.keyboard.Press(0x04);
+  UsbHid keyboard(desk.devices.keyboard);
+  desk.devices.keyboard.Press(0x04);
   const auto report = keyboard.Answer({0xA1, 0x01, 0x0100, 0, 64}, {});
   ASSERT_TRUE(report);
   EXPECT_EQ(report->size(), wire::kKeyboardReportBytes);
@@ -121,15 +121,15 @@ struct Viewer {
 
 TEST(UvcCamera, StreamsThePicturesThatTheCameraShoots) {
   Desk desk;
-  UvcCamera camera(desk.instruments.camera, kPeriod);
+  UvcCamera camera(desk.devices.camera, kPeriod);
   Viewer viewer{camera};
   for (int n = 0; n < 3; ++n) {
     viewer.Watch(desk.clock.now());
     desk.clock.Advance(kPeriod);
   }
   ASSERT_EQ(viewer.frames.size(), 3U);
-  UsbBytes expected(desk.instruments.camera.frame_bytes());
-  desk.instruments.camera.Shoot(2, expected);
+  UsbBytes expected(desk.devices.camera.frame_bytes());
+  desk.devices.camera.Shoot(2, expected);
   EXPECT_EQ(viewer.frames[2], expected);
   EXPECT_NE(viewer.parities[0], viewer.parities[1]);
   EXPECT_NE(viewer.parities[1], viewer.parities[2]);
@@ -137,8 +137,8 @@ TEST(UvcCamera, StreamsThePicturesThatTheCameraShoots) {
 
 TEST(UvcCamera, CutsALargePictureIntoPayloads) {
   ManualClock clock;
-  const Workbench bench{clock, {}};
-  LipCamera large({640, 480, ports::PixelFormat::kYuyv}, bench);
+  const DeviceContext context{clock, {}};
+  LipCamera large({640, 480, ports::PixelFormat::kYuyv}, context);
   UvcCamera camera(large, kPeriod);
   Viewer viewer{camera};
   viewer.Watch(clock.now());
@@ -148,16 +148,16 @@ TEST(UvcCamera, CutsALargePictureIntoPayloads) {
 
 TEST(UvcCamera, EndsAPayloadThatFillsItsLastTransferWithAnEmptyOne) {
   Desk desk;
-  UvcCamera camera(desk.instruments.camera, kPeriod);
-  Viewer viewer{camera, desk.instruments.camera.frame_bytes() + 2};
+  UvcCamera camera(desk.devices.camera, kPeriod);
+  Viewer viewer{camera, desk.devices.camera.frame_bytes() + 2};
   viewer.Watch(desk.clock.now());
   ASSERT_EQ(viewer.frames.size(), 1U);
-  EXPECT_EQ(viewer.frames[0].size(), desk.instruments.camera.frame_bytes());
+  EXPECT_EQ(viewer.frames[0].size(), desk.devices.camera.frame_bytes());
 }
 
 TEST(UvcCamera, DoesNotCatchUpWithWhatWasNotFetched) {
   Desk desk;
-  UvcCamera camera(desk.instruments.camera, kPeriod);
+  UvcCamera camera(desk.devices.camera, kPeriod);
   Viewer viewer{camera};
   viewer.Watch(desk.clock.now());
   desk.clock.Advance(10 * kPeriod);
@@ -167,7 +167,7 @@ TEST(UvcCamera, DoesNotCatchUpWithWhatWasNotFetched) {
 
 TEST(UvcCamera, StartsAnewWhenTheHostEndedTheStream) {
   Desk desk;
-  UvcCamera camera(desk.instruments.camera, kPeriod);
+  UvcCamera camera(desk.devices.camera, kPeriod);
   ASSERT_TRUE(camera.NextIn(UvcCamera::kIn, 512, desk.clock.now()));
   ASSERT_TRUE(camera.Answer({0x02, 0x01, 0, UvcCamera::kIn, 0}, {}));
   Viewer viewer{camera};
@@ -177,15 +177,15 @@ TEST(UvcCamera, StartsAnewWhenTheHostEndedTheStream) {
 
 TEST(UvcCamera, SendsNothingWhileItStalls) {
   Desk desk;
-  UvcCamera camera(desk.instruments.camera, kPeriod);
-  desk.instruments.camera.Stall(true);
+  UvcCamera camera(desk.devices.camera, kPeriod);
+  desk.devices.camera.Stall(true);
   EXPECT_FALSE(camera.NextIn(UvcCamera::kIn, 512, desk.clock.now()));
   EXPECT_FALSE(camera.next_due(desk.clock.now()));
 }
 
 TEST(UvcCamera, OffersTheOneWayInWhichItStreams) {
   Desk desk;
-  UvcCamera camera(desk.instruments.camera, kPeriod);
+  UvcCamera camera(desk.devices.camera, kPeriod);
   const auto probe = camera.Answer({0xA1, 0x81, 0x0100, 1, 34}, {});
   ASSERT_TRUE(probe);
   ASSERT_EQ(probe->size(), 34U);

@@ -138,19 +138,19 @@ TEST_F(UsbLink, StallsWhatNobodyKnows) {
 TEST_F(UsbLink, SendsReportsToWhoListensAndToNobodyElse) {
   UsbMachine machine(Path("stick-left"));
   Enumerate("stick-left", machine);
-  rig_->instruments().left_stick.Move(0.5F, 0);
+  rig_->devices().left_stick.Move(0.5F, 0);
   Later(1ms, machine);
   ASSERT_EQ(machine.reports.size(), 1U);
   machine.StopListening(UsbHid::kIn);
   Talk(machine);
-  rig_->instruments().left_stick.Move(0.7F, 0);
+  rig_->devices().left_stick.Move(0.7F, 0);
   Later(10ms, machine);
   EXPECT_EQ(machine.reports.size(), 1U);
 }
 
 TEST_F(UsbLink, TellsANewHostOnceWhatIsNotAtRest) {
   UsbMachine machine(Path("stick-left"));
-  rig_->instruments().left_stick.Move(0.5F, 0);
+  rig_->devices().left_stick.Move(0.5F, 0);
   Enumerate("stick-left", machine);
   Later(1ms, machine);
   ASSERT_EQ(machine.reports.size(), 1U);
@@ -170,7 +170,7 @@ TEST_F(UsbLink, LightsTheLampsThatTheMachineSends) {
   Enumerate("dial-box", machine);
   const auto id = machine.SendInterrupt(UsbHid::kOut, {0x05, 0, 0, 0x80});
   Talk(machine);
-  EXPECT_EQ(rig_->instruments().dial_box.lamps(), 0x80000005U);
+  EXPECT_EQ(rig_->devices().dial_box.lamps(), 0x80000005U);
   EXPECT_THAT(machine.interrupts_done, ElementsAre(id));
 }
 
@@ -180,7 +180,7 @@ TEST_F(UsbLink, LightsTheLampsOfAControlTransferToo) {
   const auto id = machine.Ask({0x21, 0x09, 0x0200, 0, 4}, {1, 2, 0, 0});
   Talk(machine);
   EXPECT_EQ(machine.answers.at(id).status, usb_redir_success);
-  EXPECT_EQ(rig_->instruments().dial_box.lamps(), 0x0201U);
+  EXPECT_EQ(rig_->devices().dial_box.lamps(), 0x0201U);
 }
 
 TEST_F(UsbLink, IsPulledAndPluggedByTheTestAndStartsDark) {
@@ -191,7 +191,7 @@ TEST_F(UsbLink, IsPulledAndPluggedByTheTestAndStartsDark) {
   ASSERT_TRUE(rig_->Unplug("dial-box"));
   Talk(machine);
   EXPECT_EQ(machine.order.back(), "disconnect");
-  EXPECT_EQ(rig_->instruments().dial_box.lamps(), 0U);
+  EXPECT_EQ(rig_->devices().dial_box.lamps(), 0U);
   ASSERT_TRUE(rig_->Plug("dial-box"));
   Talk(machine);
   EXPECT_EQ(machine.order.back(), "connect");
@@ -212,7 +212,7 @@ TEST_F(UsbLink, CrossesTheSticksForAControlOfTheBench) {
   UsbMachine machine(Path("stick-left"));
   rig_->CrossSticks(true);
   Enumerate("stick-left", machine);
-  rig_->instruments().right_stick.Move(-1, 0);
+  rig_->devices().right_stick.Move(-1, 0);
   Later(1ms, machine);
   ASSERT_EQ(machine.reports.size(), 1U);
   const std::span<const std::uint8_t, wire::kStickPodReportBytes> report(machine.reports[0]);
@@ -222,7 +222,7 @@ TEST_F(UsbLink, CrossesTheSticksForAControlOfTheBench) {
 TEST_F(UsbLink, CancelsABulkTransferThatWaits) {
   UsbMachine machine(Path("camera"));
   ASSERT_TRUE(rig_->Plug("camera"));
-  rig_->instruments().camera.Stall(true);
+  rig_->devices().camera.Stall(true);
   Talk(machine);
   machine.Configure(1);
   const auto id = machine.AskBulk(UvcCamera::kIn, 16384);

@@ -5,7 +5,7 @@ import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {createInterface} from 'node:readline';
 
-import {end, until} from '../hw-sim/browser/bench.mjs';
+import {end, until} from '../hw-sim/browser/harness.mjs';
 
 export class DeskBench {
   constructor() {

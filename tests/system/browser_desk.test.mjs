@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {after, afterEach, before, test} from 'node:test';
 
-import {openBrowser, until} from '../hw-sim/browser/bench.mjs';
+import {openBrowser, until} from '../hw-sim/browser/harness.mjs';
 import {DeskBench, pair, partOf, stateOf, visit} from './browser_desk.mjs';
 
 const kPhone = {viewport: {width: 360, height: 640}, isMobile: true, hasTouch: true};

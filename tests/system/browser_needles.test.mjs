@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import {existsSync, readdirSync, readFileSync} from 'node:fs';
 import {after, afterEach, before, test} from 'node:test';
 
-import {middle, openBrowser, openPage, pull, until} from '../hw-sim/browser/bench.mjs';
-import {House} from './browser_house.mjs';
+import {middle, openBrowser, openPage, pull, until} from '../hw-sim/browser/harness.mjs';
+import {BoxSystem} from './browser_system.mjs';
 import {kEyes, kMouth, kStill, kWhole, Sight} from './browser_sight.mjs';
 
 const kFace = [0.36, 0.3, 0.64, 0.8];
@@ -16,7 +16,7 @@ const kBack = kStill * 3;  // JPEG blurs what lies beside a change.
 const kCorner = [0.541, 0.671];
 const kHigher = [0.56, 0.60];
 
-let house;
+let box;
 let browser;
 let page;
 let sight;
@@ -25,11 +25,11 @@ let opened;  // With needles, nothing pulled.
 let pulled;  // And with one pulled.
 
 before(async () => {
-  house = new House();
+  box = new BoxSystem();
   browser = await openBrowser();
-  page = await openPage(browser, await house.address());
+  page = await openPage(browser, await box.address());
   sight = new Sight(page);
-  await until('every device heard', async () => Object.values((await house.state()).ports).every((p) => p.connected));
+  await until('every device heard', async () => Object.values((await box.state()).ports).every((p) => p.connected));
   await pull(page, page.getByRole('slider', {name: /^Dial \d: Life$/}), 0, 200);
   await page.mouse.up();
   shut = await sight.atRest();
@@ -37,11 +37,11 @@ before(async () => {
 
 after(async () => {
   await browser?.close();
-  await house?.close();
+  await box?.close();
 });
 
 afterEach((test) => {
-  if (test.passed === false) console.log(house.logs());
+  if (test.passed === false) console.log(box.logs());
 });
 
 const needles = () => page.getByRole('button', {name: 'Needles', exact: true});
@@ -64,7 +64,7 @@ async function type(name) {
 
 test('the switch opens the needles on her face, and says how to use them', async () => {
   await needles().click();
-  await until('open', async () => (await house.state()).needles);
+  await until('open', async () => (await box.state()).needles);
   await sight.untilMoved('a plate with words', shut, kCaption, 8);
   opened = await sight.atRest();
   assert.ok(await sight.difference(shut, opened, kFace) > 1, 'needles');
@@ -101,13 +101,13 @@ test('it is named, saved as readable text, and the needles are shut', async () =
   await sight.untilMoved('the question for a name', pulled, kCaption, 2);
   await type('grin');
   await page.keyboard.press('Enter', {delay: 120});
-  const own = house.file('kaori/own');
+  const own = box.file('kaori/own');
   const text = () => (existsSync(own) ? readdirSync(own) : []).filter((file) => file.endsWith('.toml'))
       .map((file) => readFileSync(`${own}/${file}`, 'utf8')).join();
   await until('a file that holds it', () => text().includes('grin'));
   assert.match(text(), /\[expression\.both\]\n\w+ = \[/, 'a pull of both sides');
   await needles().click();
-  await until('shut', async () => !(await house.state()).needles);
+  await until('shut', async () => !(await box.state()).needles);
   await sight.untilBack('no plate', shut, kCaption, 2);
 });
 

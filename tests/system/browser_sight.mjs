@@ -1,5 +1,5 @@
 // The live picture of a page, looked at: how much two pictures differ, and whether she has come to rest.
-import {until} from '../hw-sim/browser/bench.mjs';
+import {until} from '../hw-sim/browser/harness.mjs';
 
 // Parts of the picture: left, top, right, bottom.
 export const kWhole = [0, 0, 1, 1];

@@ -1,7 +1,7 @@
 // The keyboard: caps on the page, and the real one, both as usages of HID page 7.
 import {caption} from './buttons.js';
 import {make, onHold} from './drag.js';
-import {lastWords, tell} from './wire.js';
+import {sendLast, tell} from './wire.js';
 
 // KeyboardEvent.code -> usage (HID Usage Tables, keyboard page).
 const kUsages = new Map();
@@ -78,7 +78,7 @@ function listenToKeyboard() {
     if (usage !== undefined) holdKey(usage, false);
   });
   window.addEventListener('blur', releaseAll);
-  window.addEventListener('pagehide', () => lastWords([...held].map((usage) => `key usage-${usage} release`)));
+  window.addEventListener('pagehide', () => sendLast([...held].map((usage) => `key usage-${usage} release`)));
 }
 
 function makeCap({usage, text, group}) {

@@ -2,7 +2,7 @@
 // keys that make an expression. Whether they are open is the simulator's word: who pressed Tab, and is the stage there.
 import {clamp, make, onHold, placeIn} from './drag.js';
 import {holdKey, makeTypingField, tapKey} from './keys.js';
-import {add, lastWords, onState, set, tell} from './wire.js';
+import {add, sendLast, onState, set, tell} from './wire.js';
 
 const kTab = 0x2b, kEscape = 0x29, kShift = 0xe1;
 
@@ -47,7 +47,7 @@ function edge(...lines) {
 // For onDrag: the first button of the pointer, by mouse or finger.
 export function pointing(picture) {
   let held = false;
-  window.addEventListener('pagehide', () => lastWords(held ? ['release pointer'] : []));
+  window.addEventListener('pagehide', () => sendLast(held ? ['release pointer'] : []));
   return {
     begin: (event) => {
       held = true;

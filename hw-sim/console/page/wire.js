@@ -14,7 +14,7 @@ function text(slot, value) {
   return typeof value === 'number' ? `${slot} ${value.toFixed(5)}` : value;
 }
 
-function take() {
+function drain() {
   const slots = [...waiting].slice(0, kMostLines);
   for (const [slot] of slots) waiting.delete(slot);
   return slots.map(([slot, value]) => text(slot, value)).join('\n');
@@ -26,7 +26,7 @@ async function flush() {
   sending = true;
   while (waiting.size > 0) {
     try {
-      const reply = await fetch('/hands', {method: 'POST', body: take()});
+      const reply = await fetch('/input', {method: 'POST', body: drain()});
       if (!reply.ok) console.warn(await reply.text());
     } catch {
       waiting.clear();  // The simulator is gone; old hands must not fall on a new one.
@@ -59,8 +59,8 @@ export function turn(dial, turns) {
 }
 
 // The page is going: sent even though nobody waits for it any more.
-export function lastWords(lines) {
-  if (lines.length > 0) navigator.sendBeacon('/hands', lines.join('\n'));
+export function sendLast(lines) {
+  if (lines.length > 0) navigator.sendBeacon('/input', lines.join('\n'));
 }
 
 export function onState(listener) {

@@ -37,7 +37,7 @@ kaori::Result<void> PutAll(const std::string& text, kaori::sim::GadgetRig& rig) 
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string one = text.substr(begin, end - begin);
     const std::size_t sign = one.find('=');
-    const auto place = kaori::sim::PlaceNamed(one.substr(0, sign));
+    const auto place = kaori::sim::DevicePortNamed(one.substr(0, sign));
     if (sign == std::string::npos || !place)
       return kaori::FailInput("--put " + one + ": expected such as dial-box=dummy_udc.0");
     if (auto ok = rig.Put(*place, one.substr(sign + 1)); !ok) return ok;

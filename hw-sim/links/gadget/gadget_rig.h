@@ -7,36 +7,36 @@
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
-#include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/input_devices.h"
 #include "hw-sim/links/gadget/gadget_port.h"
 
 namespace kaori::sim {
 
 // One thread; nothing blocks.
-class GadgetRig final : public Playground {
+class GadgetRig final : public DeviceRig {
  public:
   // The clock outlives the rig.
   GadgetRig(GadgetRoom room, const Clock& clock);
 
   // Puts the device of `place` at a controller, the cable in. Errors: invalid_argument (a place without a HID
   // device), and those of HidGadget and GadgetPort.
-  Result<void> Put(Place place, const std::string& controller);
+  Result<void> Put(DevicePort port, const std::string& controller);
 
   // Reads, answers and sends what is due at clock.now(). Call it every few milliseconds.
   void Pump();
 
-  Instruments& instruments() override { return instruments_; }
+  InputDevices& devices() override { return devices_; }
 
   // Cables of places that have no controller are ignored. Errors: as Put.
-  Result<void> Do(const Hand& hand) override;
+  Result<void> Do(const OperatorAction& action) override;
 
  private:
-  HidDevice* DeviceAt(Place place);
+  HidDevice* DeviceAt(DevicePort port);
 
   GadgetRoom room_;
-  Workbench bench_;
-  Instruments instruments_;
-  std::map<Place, std::unique_ptr<GadgetPort>> ports_;
+  DeviceContext context_;
+  InputDevices devices_;
+  std::map<DevicePort, std::unique_ptr<GadgetPort>> ports_;
 };
 
 }  // namespace kaori::sim

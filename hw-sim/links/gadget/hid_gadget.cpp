@@ -42,26 +42,26 @@ std::string Hex(std::uint16_t value) {
 
 }  // namespace
 
-Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, const HidDeviceName& plate) {
+Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, const HidDeviceName& identity) {
   const std::string path = room.gadgets + "/" + name;
   for (const std::string_view folder : {std::string_view(), kEnglish, kFunction, kConfiguration})
     if (auto ok = MakeFolder(path + std::string(folder)); !ok) return tl::unexpected(ok.error());
   HidGadget gadget(std::move(room), path);
   gadget.Unbind();
-  if (auto ok = gadget.Describe(plate); !ok) return tl::unexpected(ok.error());
+  if (auto ok = gadget.Describe(identity); !ok) return tl::unexpected(ok.error());
   return gadget;
 }
 
-Result<void> HidGadget::Describe(const HidDeviceName& plate) const {
+Result<void> HidGadget::Describe(const HidDeviceName& identity) const {
   const std::string function = path_ + std::string(kFunction);
   const std::string english = path_ + std::string(kEnglish);
-  const std::string_view descriptor(reinterpret_cast<const char*>(plate.descriptor.data()),
-                                    plate.descriptor.size());
+  const std::string_view descriptor(reinterpret_cast<const char*>(identity.descriptor.data()),
+                                    identity.descriptor.size());
   const std::pair<std::string, std::string> values[] = {
-      {path_ + "/idVendor", Hex(plate.vendor)},
-      {path_ + "/idProduct", Hex(plate.product)},
+      {path_ + "/idVendor", Hex(identity.vendor)},
+      {path_ + "/idProduct", Hex(identity.product)},
       {english + "/manufacturer", "Kaori"},
-      {english + "/product", plate.name},
+      {english + "/product", identity.name},
       {function + "/protocol", "0"},
       {function + "/subclass", "0"},
       {function + "/report_length", std::to_string(kHidGadgetLongestReport)},

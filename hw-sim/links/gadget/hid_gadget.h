@@ -20,7 +20,7 @@ class HidGadget {
  public:
   // Makes it, not yet bound; what a dead simulator left under that name is used again. Errors: those of the
   // files.
-  static Result<HidGadget> Make(GadgetRoom room, const std::string& name, const HidDeviceName& plate);
+  static Result<HidGadget> Make(GadgetRoom room, const std::string& name, const HidDeviceName& identity);
   HidGadget(HidGadget&& other) noexcept
       : room_(std::move(other.room_)), path_(std::exchange(other.path_, {})) {}
   HidGadget& operator=(HidGadget&&) = delete;
@@ -37,7 +37,7 @@ class HidGadget {
 
  private:
   HidGadget(GadgetRoom room, std::string path) : room_(std::move(room)), path_(std::move(path)) {}
-  Result<void> Describe(const HidDeviceName& plate) const;
+  Result<void> Describe(const HidDeviceName& identity) const;
 
   GadgetRoom room_;
   std::string path_;

@@ -14,13 +14,13 @@ std::optional<Time> HidPort::next_due() const {
 }
 
 bool HidPort::Greet() {
-  const HidDeviceName plate = device_.device_name();
-  const auto head =
-      wire::Encode(wire::HidHello{plate.vendor, plate.product, static_cast<std::uint16_t>(plate.name.size()),
-                                  static_cast<std::uint16_t>(plate.descriptor.size())});
+  const HidDeviceName identity = device_.device_name();
+  const auto head = wire::Encode(wire::HidHello{identity.vendor, identity.product,
+                                                static_cast<std::uint16_t>(identity.name.size()),
+                                                static_cast<std::uint16_t>(identity.descriptor.size())});
   std::vector<std::uint8_t> hello(head.begin(), head.end());
-  hello.insert(hello.end(), plate.name.begin(), plate.name.end());
-  hello.insert(hello.end(), plate.descriptor.begin(), plate.descriptor.end());
+  hello.insert(hello.end(), identity.name.begin(), identity.name.end());
+  hello.insert(hello.end(), identity.descriptor.begin(), identity.descriptor.end());
   if (!Send(hello)) return false;
   device_.HostCame();
   return true;

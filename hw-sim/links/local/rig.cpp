@@ -17,10 +17,10 @@
 namespace kaori::sim {
 namespace {
 
-std::string PathOf(const std::string& folder, Place place) {
-  const std::string name(PortName(place));
-  const bool of_its_own_kind = place == Place::kCamera || place == Place::kScreen ||
-                               place == Place::kMicrophone || place == Place::kLoudspeaker;
+std::string PathOf(const std::string& folder, DevicePort port) {
+  const std::string name(PortName(port));
+  const bool of_its_own_kind = port == DevicePort::kCamera || port == DevicePort::kScreen ||
+                               port == DevicePort::kMicrophone || port == DevicePort::kLoudspeaker;
   return folder + "/" + (of_its_own_kind ? name : "hid") + "." + name;
 }
 
@@ -56,10 +56,10 @@ Result<UniqueFd> MakeTimer(int epoll) {
 
 Rig::Rig(RigOptions options, const Clock& clock)
     : options_(std::move(options)),
-      bench_{clock, {}},
-      instruments_(bench_, {options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}),
+      context_{clock, {}},
+      devices_(context_, {options_.camera_width_px, options_.camera_height_px, ports::PixelFormat::kYuyv}),
       screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()),
-      loudspeaker_(bench_) {}
+      loudspeaker_(context_) {}
 
 Rig::~Rig() {
   for (auto& port : ports_) {
@@ -87,25 +87,27 @@ Result<std::unique_ptr<Rig>> Rig::Open(RigOptions options, const Clock& clock) {
 }
 
 Result<void> Rig::PlugAll() {
-  const auto path = [this](Place place) { return PathOf(options_.folder, place); };
-  const auto add = [this](Place place, std::unique_ptr<LinkPort> port) {
-    ports_[static_cast<std::size_t>(place)] = std::move(port);
+  const auto path = [this](DevicePort port) { return PathOf(options_.folder, port); };
+  const auto add = [this](DevicePort at, std::unique_ptr<LinkPort> port) {
+    ports_[static_cast<std::size_t>(at)] = std::move(port);
   };
-  const auto add_hid = [&](Place place, HidDevice& device) {
-    add(place, std::make_unique<HidPort>(path(place), epoll_.get(), device, bench_.clock));
+  const auto add_hid = [&](DevicePort port, HidDevice& device) {
+    add(port, std::make_unique<HidPort>(path(port), epoll_.get(), device, context_.clock));
   };
-  add_hid(Place::kDialBox, instruments_.dial_box);
-  add_hid(Place::kStickLeft, instruments_.left_stick);
-  add_hid(Place::kStickRight, instruments_.right_stick);
-  add_hid(Place::kKeyboard, instruments_.keyboard);
-  add_hid(Place::kPointer, instruments_.pointer);
-  add(Place::kCamera, std::make_unique<CameraPort>(path(Place::kCamera), epoll_.get(), instruments_.camera,
-                                                   CameraTiming{bench_.clock.now(), options_.camera_period}));
-  add(Place::kScreen, std::make_unique<ScreenPort>(path(Place::kScreen), epoll_.get(), screen_));
-  add(Place::kMicrophone, std::make_unique<MicrophonePort>(path(Place::kMicrophone), epoll_.get(),
-                                                           instruments_.microphone, bench_.clock));
-  add(Place::kLoudspeaker,
-      std::make_unique<LoudspeakerPort>(path(Place::kLoudspeaker), epoll_.get(), loudspeaker_, bench_.clock));
+  add_hid(DevicePort::kDialBox, devices_.dial_box);
+  add_hid(DevicePort::kStickLeft, devices_.left_stick);
+  add_hid(DevicePort::kStickRight, devices_.right_stick);
+  add_hid(DevicePort::kKeyboard, devices_.keyboard);
+  add_hid(DevicePort::kPointer, devices_.pointer);
+  add(DevicePort::kCamera,
+      std::make_unique<CameraPort>(path(DevicePort::kCamera), epoll_.get(), devices_.camera,
+                                   CameraTiming{context_.clock.now(), options_.camera_period}));
+  add(DevicePort::kScreen, std::make_unique<ScreenPort>(path(DevicePort::kScreen), epoll_.get(), screen_));
+  add(DevicePort::kMicrophone, std::make_unique<MicrophonePort>(path(DevicePort::kMicrophone), epoll_.get(),
+                                                                devices_.microphone, context_.clock));
+  add(DevicePort::kLoudspeaker,
+      std::make_unique<LoudspeakerPort>(path(DevicePort::kLoudspeaker), epoll_.get(), loudspeaker_,
+                                        context_.clock));
   for (auto& port : ports_) {
     if (auto plugged = port->Plug(); !plugged) return plugged;
   }
@@ -113,7 +115,7 @@ Result<void> Rig::PlugAll() {
 }
 
 void Rig::Pump() {
-  const Time now = bench_.clock.now();
+  const Time now = context_.clock.now();
   for (auto& port : ports_) port->Pump(now);
   ArmTimer();
 }
@@ -140,8 +142,8 @@ void Rig::ArmTimer() {
 }
 
 LinkPort* Rig::port(std::string_view name) const {
-  const auto place = PlaceNamed(name);
-  return place ? ports_[static_cast<std::size_t>(*place)].get() : nullptr;
+  const auto known = DevicePortNamed(name);
+  return known ? ports_[static_cast<std::size_t>(*known)].get() : nullptr;
 }
 
 Result<void> Rig::Plug(std::string_view name) {
@@ -150,7 +152,7 @@ Result<void> Rig::Plug(std::string_view name) {
   if (found->plugged()) return {};
   if (auto made = MakeFolder(options_.folder); !made) return made;
   if (auto plugged_in = found->Plug(); !plugged_in) return plugged_in;
-  bench_.Saw({*PlaceNamed(name), Verb::kPlug, 0, 0, 0});
+  context_.Notify({*DevicePortNamed(name), Verb::kPlug, 0, 0, 0});
   return {};
 }
 
@@ -159,15 +161,16 @@ Result<void> Rig::Unplug(std::string_view name) {
   if (found == nullptr) return FailInput("no port is called " + std::string(name));
   if (!found->plugged()) return {};
   found->Unplug();
-  bench_.Saw({*PlaceNamed(name), Verb::kUnplug, 0, 0, 0});
+  context_.Notify({*DevicePortNamed(name), Verb::kUnplug, 0, 0, 0});
   return {};
 }
 
-Result<void> Rig::Do(const Hand& hand) {
-  if (hand.verb == Verb::kPlug) return Plug(PortName(hand.place));
-  if (hand.verb == Verb::kUnplug) return Unplug(PortName(hand.place));
-  if (hand.place == Place::kLoudspeaker && hand.verb == Verb::kStall) loudspeaker_.Stall(hand.index != 0);
-  instruments_.Do(hand);
+Result<void> Rig::Do(const OperatorAction& action) {
+  if (action.verb == Verb::kPlug) return Plug(PortName(action.port));
+  if (action.verb == Verb::kUnplug) return Unplug(PortName(action.port));
+  if (action.port == DevicePort::kLoudspeaker && action.verb == Verb::kStall)
+    loudspeaker_.Stall(action.index != 0);
+  devices_.Do(action);
   return {};
 }
 

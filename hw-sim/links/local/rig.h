@@ -13,9 +13,9 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/base/unique_fd.h"
-#include "hw-sim/devices/hand.h"
-#include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/input_devices.h"
 #include "hw-sim/devices/loudspeaker.h"
+#include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/screen.h"
 
 namespace kaori::sim {
@@ -35,7 +35,7 @@ class LinkPort;
 class HidPort;
 
 // One thread. Time comes from the clock alone: the same hands at the same times give the same bytes.
-class Rig final : public Playground {
+class Rig final : public DeviceRig {
  public:
   // Everything is plugged in at once. The clock outlives the rig. Errors: those of the folder and its
   // sockets.
@@ -53,18 +53,18 @@ class Rig final : public Playground {
   // When Pump is next needed though no socket speaks; Time::max() while nothing waits.
   Time next_due() const;
 
-  DialBox& dial_box() { return instruments_.dial_box; }
-  StickPod& left_stick() { return instruments_.left_stick; }
-  StickPod& right_stick() { return instruments_.right_stick; }
-  StickPod& stick(Place place) { return instruments_.stick(place); }
-  Instruments& instruments() override { return instruments_; }
-  Keyboard& keyboard() { return instruments_.keyboard; }
-  Pointer& pointer() { return instruments_.pointer; }
-  LipCamera& camera() { return instruments_.camera; }
+  DialBox& dial_box() { return devices_.dial_box; }
+  StickPod& left_stick() { return devices_.left_stick; }
+  StickPod& right_stick() { return devices_.right_stick; }
+  StickPod& stick(DevicePort port) { return devices_.stick(port); }
+  InputDevices& devices() override { return devices_; }
+  Keyboard& keyboard() { return devices_.keyboard; }
+  Pointer& pointer() { return devices_.pointer; }
+  LipCamera& camera() { return devices_.camera; }
   Screen& screen() { return screen_; }
-  Microphone& microphone() { return instruments_.microphone; }
+  Microphone& microphone() { return devices_.microphone; }
   Loudspeaker& loudspeaker() { return loudspeaker_; }
-  const Clock& clock() const { return bench_.clock; }
+  const Clock& clock() const { return context_.clock; }
 
   // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen, pointer,
   // microphone, loudspeaker. Plugging what is plugged, or unplugging what is not, does nothing. Errors:
@@ -75,10 +75,10 @@ class Rig final : public Playground {
   bool connected(std::string_view name) const;  // A program has the device open.
 
   // Does one hand: any verb, any place. Verbs that the place does not have are ignored. Errors: as Plug.
-  Result<void> Do(const Hand& hand) override;
+  Result<void> Do(const OperatorAction& action) override;
 
   // Who watches the hands that change something, Plug and Unplug included; replaces the last watcher.
-  void Watch(std::function<void(const Hand&)> watcher) { bench_.watcher = std::move(watcher); }
+  void Watch(std::function<void(const OperatorAction&)> watcher) { context_.watcher = std::move(watcher); }
 
   // Faults of HID devices, sent at once. Errors: invalid_argument (no HID device of that name),
   // not_connected.
@@ -94,14 +94,14 @@ class Rig final : public Playground {
   void ArmTimer();
 
   RigOptions options_;
-  Workbench bench_;
-  Instruments instruments_;
+  DeviceContext context_;
+  InputDevices devices_;
   Screen screen_;
   Loudspeaker loudspeaker_;
   UniqueFd lock_;  // On the folder.
   UniqueFd epoll_;
   UniqueFd timer_;
-  std::array<std::unique_ptr<LinkPort>, kPlaceCount> ports_;
+  std::array<std::unique_ptr<LinkPort>, kDevicePortCount> ports_;
 };
 
 }  // namespace kaori::sim

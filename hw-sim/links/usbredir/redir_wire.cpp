@@ -7,7 +7,7 @@
 #include <cerrno>
 
 #include "drivers/base/log.h"
-#include "hw-sim/devices/usb_plate.h"
+#include "hw-sim/devices/usb_descriptors.h"
 
 namespace kaori::sim {
 namespace {
@@ -195,22 +195,22 @@ bool RedirWire::has_to_write() const {
   return usbredirparser_has_data_to_write(parser_.get()) > 0;
 }
 
-void RedirWire::Describe(const UsbPlate& plate) {
-  const UsbContents contents = ContentsOf(plate.configuration);
+void RedirWire::Describe(const UsbDescriptors& descriptors) {
+  const UsbContents contents = ContentsOf(descriptors.configuration);
   auto interfaces = InterfacesOf(contents);
   usbredirparser_send_interface_info(parser_.get(), &interfaces);
-  auto endpoints = EndpointsOf(contents, plate.speed);
+  auto endpoints = EndpointsOf(contents, descriptors.speed);
   usbredirparser_send_ep_info(parser_.get(), &endpoints);
 }
 
-void RedirWire::Connect(const UsbPlate& plate) {
-  usb_redir_device_connect_header header{static_cast<std::uint8_t>(plate.speed),
-                                         plate.device_class,
-                                         plate.device_subclass,
-                                         plate.device_protocol,
-                                         plate.vendor,
-                                         plate.product,
-                                         plate.release_bcd};
+void RedirWire::Connect(const UsbDescriptors& descriptors) {
+  usb_redir_device_connect_header header{static_cast<std::uint8_t>(descriptors.speed),
+                                         descriptors.device_class,
+                                         descriptors.device_subclass,
+                                         descriptors.device_protocol,
+                                         descriptors.vendor,
+                                         descriptors.product,
+                                         descriptors.release_bcd};
   usbredirparser_send_device_connect(parser_.get(), &header);
 }
 

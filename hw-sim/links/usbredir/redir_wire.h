@@ -58,8 +58,8 @@ class RedirWire {
   bool has_to_write() const;
 
   // What lies behind the cable; said before it is connected, and anew before each answer to a configuration.
-  void Describe(const UsbPlate& plate);
-  void Connect(const UsbPlate& plate);
+  void Describe(const UsbDescriptors& descriptors);
+  void Connect(const UsbDescriptors& descriptors);
   void Disconnect();
 
   void ConfigurationStatus(std::uint64_t id, RedirStatus status, std::uint8_t number);

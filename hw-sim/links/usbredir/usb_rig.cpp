@@ -27,14 +27,14 @@ std::string UsbSocketPath(const std::string& folder, std::string_view name) {
 }
 
 UsbRig::UsbRig(const std::string& folder, const Clock& clock, UniqueFd epoll)
-    : bench_{clock, {}},
-      instruments_(bench_, kCameraFormat),
-      dial_box_(instruments_.dial_box),
-      left_stick_(instruments_.left_stick),
-      right_stick_(instruments_.right_stick),
-      keyboard_(instruments_.keyboard),
-      pointer_(instruments_.pointer),
-      camera_(instruments_.camera, kCameraPeriod),
+    : context_{clock, {}},
+      devices_(context_, kCameraFormat),
+      dial_box_(devices_.dial_box),
+      left_stick_(devices_.left_stick),
+      right_stick_(devices_.right_stick),
+      keyboard_(devices_.keyboard),
+      pointer_(devices_.pointer),
+      camera_(devices_.camera, kCameraPeriod),
       epoll_(std::move(epoll)) {
   const std::array<UsbDevice*, kUsbSockets.size()> devices{
       &dial_box_, &left_stick_, &right_stick_, &keyboard_, &pointer_, &camera_, &gpio_};
@@ -50,12 +50,12 @@ Result<std::unique_ptr<UsbRig>> UsbRig::Open(const std::string& folder, const Cl
 }
 
 void UsbRig::Pump() {
-  const Time now = bench_.clock.now();
+  const Time now = context_.clock.now();
   for (auto& port : ports_) port->Pump(now);
 }
 
 Time UsbRig::next_due() const {
-  const Time now = bench_.clock.now();
+  const Time now = context_.clock.now();
   Time soonest = Time::max();
   for (const auto& port : ports_)
     if (const auto due = port->next_due(now)) soonest = std::min(soonest, *due);
@@ -86,10 +86,10 @@ void UsbRig::CrossSticks(bool crossed) {
   ports_[2]->Hold(crossed ? left_stick_ : right_stick_);
 }
 
-Result<void> UsbRig::Do(const Hand& hand) {
-  if (hand.verb == Verb::kPlug) return Plug(PortName(hand.place));
-  if (hand.verb == Verb::kUnplug) return Unplug(PortName(hand.place));
-  instruments_.Do(hand);
+Result<void> UsbRig::Do(const OperatorAction& action) {
+  if (action.verb == Verb::kPlug) return Plug(PortName(action.port));
+  if (action.verb == Verb::kUnplug) return Unplug(PortName(action.port));
+  devices_.Do(action);
   return {};
 }
 

@@ -11,7 +11,7 @@
 #include "drivers/base/result.h"
 #include "drivers/base/unique_fd.h"
 #include "hw-sim/devices/gpio_bridge.h"
-#include "hw-sim/devices/instruments.h"
+#include "hw-sim/devices/input_devices.h"
 #include "hw-sim/devices/usb_hid.h"
 #include "hw-sim/devices/uvc_camera.h"
 #include "hw-sim/links/usbredir/usbredir_port.h"
@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 7> kUsbSockets{
 std::string UsbSocketPath(const std::string& folder, std::string_view name);
 
 // One thread; nothing blocks. Everything is unplugged at first.
-class UsbRig final : public Playground {
+class UsbRig final : public DeviceRig {
  public:
   // The clock outlives the rig. Errors: those of epoll.
   static Result<std::unique_ptr<UsbRig>> Open(const std::string& folder, const Clock& clock);
@@ -37,7 +37,7 @@ class UsbRig final : public Playground {
   int pollable() const { return epoll_.get(); }
   Time next_due() const;  // Time::max() while nothing waits.
 
-  Instruments& instruments() override { return instruments_; }
+  InputDevices& devices() override { return devices_; }
   GpioBridge& gpio() { return gpio_; }
   UvcCamera& camera() { return camera_; }
 
@@ -50,13 +50,13 @@ class UsbRig final : public Playground {
   void CrossSticks(bool crossed);
 
   // Verbs of places without a USB socket are ignored. Errors: as Plug.
-  Result<void> Do(const Hand& hand) override;
+  Result<void> Do(const OperatorAction& action) override;
 
  private:
   UsbRig(const std::string& folder, const Clock& clock, UniqueFd epoll);
 
-  Workbench bench_;
-  Instruments instruments_;
+  DeviceContext context_;
+  InputDevices devices_;
   UsbHid dial_box_, left_stick_, right_stick_, keyboard_, pointer_;
   UvcCamera camera_;
   GpioBridge gpio_;

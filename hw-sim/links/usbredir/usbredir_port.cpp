@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "drivers/base/stream_socket.h"
-#include "hw-sim/devices/usb_plate.h"
+#include "hw-sim/devices/usb_descriptors.h"
 
 namespace kaori::sim {
 namespace {
@@ -109,8 +109,8 @@ bool UsbredirPort::FillFirst(Time now) {
 
 void UsbredirPort::Announce() {
   announced_ = true;
-  wire_->Describe(device_->plate());
-  wire_->Connect(device_->plate());
+  wire_->Describe(device_->descriptors());
+  wire_->Connect(device_->descriptors());
 }
 
 void UsbredirPort::Greeted() {
@@ -120,7 +120,7 @@ void UsbredirPort::Greeted() {
 
 void UsbredirPort::SetConfiguration(std::uint64_t id, std::uint8_t number) {
   configured_ = number == 1;
-  wire_->Describe(device_->plate());
+  wire_->Describe(device_->descriptors());
   wire_->ConfigurationStatus(id, number <= 1 ? RedirStatus::kDone : RedirStatus::kStalled, number);
 }
 
@@ -129,7 +129,7 @@ void UsbredirPort::GetConfiguration(std::uint64_t id) {
 }
 
 void UsbredirPort::SetAlternate(std::uint64_t id, std::uint8_t interface, std::uint8_t number) {
-  wire_->Describe(device_->plate());
+  wire_->Describe(device_->descriptors());
   wire_->AlternateStatus(id, number == 0 ? RedirStatus::kDone : RedirStatus::kStalled, interface);
 }
 
@@ -139,7 +139,7 @@ void UsbredirPort::GetAlternate(std::uint64_t id, std::uint8_t interface) {
 
 void UsbredirPort::Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) {
   auto answer = announced_ ? device_->Answer(setup, data) : std::nullopt;
-  if (!answer && announced_) answer = AnswerStandard(device_->plate(), setup);
+  if (!answer && announced_) answer = AnswerStandard(device_->descriptors(), setup);
   wire_->Control(id, setup, answer ? RedirStatus::kDone : RedirStatus::kStalled, answer.value_or(UsbBytes{}));
 }
 

@@ -90,7 +90,7 @@ class SpoiltV4l2Camera final : public SpoiltCamera {
   const Clock& clock_;
   tests::FakeV4l2 kernel_;
   camera::V4l2Source source_;
-  const sim::Workbench bench_{clock_, {}};
+  const sim::DeviceContext bench_{clock_, {}};
   sim::LipCamera lens_{{640, 480, ports::PixelFormat::kYuyv}, bench_};
   std::map<std::pair<int, std::uint32_t>, std::vector<std::uint8_t>> pictures_;  // By width and noise.
   std::vector<std::uint8_t> spoilt_;

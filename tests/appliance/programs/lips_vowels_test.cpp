@@ -117,7 +117,7 @@ class Vowels : public ::testing::Test {
   // The mouth that an operator makes for a vowel.
   static sim::Mouth MouthOf(char vowel) {
     const auto actions = sim::Speak(std::string(1, vowel), {}, std::chrono::seconds(1));
-    return {actions.front().hand.a, actions.front().hand.b};
+    return {actions.front().action.a, actions.front().action.b};
   }
 
   std::filesystem::path folder_;

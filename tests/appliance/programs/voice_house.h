@@ -11,7 +11,7 @@
 #include "appliance/programs/lips/voice/voice_seat.h"
 #include "drivers/audio/local_loudspeaker.h"
 #include "drivers/audio/local_microphone.h"
-#include "tests/hw-sim/link_bench.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::voice {
 
@@ -25,8 +25,8 @@ class VoiceHouse : public ::testing::Test {
     rig_ = sim::Rig::Open({.folder = links_.path(), .screen_width_px = 64, .screen_height_px = 48}, clock_)
                .value();
     seat_ = VoiceSeat::Acquire({[this] { return audio::LocalMicrophone::Open(links_.path()); },
-                             [this] { return audio::LocalLoudspeaker::Open(links_.path(), clock_); }},
-                            {{}, {delay, std::move(clips)}}, board_, clock_)
+                                [this] { return audio::LocalLoudspeaker::Open(links_.path(), clock_); }},
+                               {{}, {delay, std::move(clips)}}, board_, clock_)
                 .value();
   }
 

@@ -1,4 +1,4 @@
-#include "hw-sim/scenario/words.h"
+#include "hw-sim/scenario/tokenizer.h"
 
 #include <charconv>
 #include <cmath>
@@ -32,12 +32,12 @@ std::optional<double> WholeNumber(std::string_view text) {
 
 }  // namespace
 
-Words::Words(std::string_view line, int number, std::vector<Problem>& problems)
+Tokenizer::Tokenizer(std::string_view line, int number, std::vector<Problem>& problems)
     : number_(number), problems_(problems) {
   Split(line);
 }
 
-void Words::Split(std::string_view line) {
+void Tokenizer::Split(std::string_view line) {
   if (line.size() > kLongestLine_bytes) return Complain(1, "a line of more than 1000 bytes");
   std::size_t at = 0;
   while (at < line.size()) {
@@ -54,62 +54,63 @@ void Words::Split(std::string_view line) {
     const std::size_t quote = line.substr(0, end).find('"', at + 1);
     if (!quoted && quote != line.npos)
       return Complain(ColumnAt(line, quote), "a quote within a word; put the whole word into quotes");
-    words_.push_back({quoted ? line.substr(at + 1, end - at - 1) : line.substr(at, end - at), column});
+    tokens_.push_back({quoted ? line.substr(at + 1, end - at - 1) : line.substr(at, end - at), column});
     at = quoted ? end + 1 : end;
     end_column_ = ColumnAt(line, at);
   }
 }
 
-int Words::next_column() const {
-  return next_ < words_.size() ? words_[next_].column : end_column_;
+int Tokenizer::next_column() const {
+  return next_ < tokens_.size() ? tokens_[next_].column : end_column_;
 }
 
-bool Words::Accept(std::string_view word) {
-  if (AtEnd() || words_[next_].text != word) return false;
-  last_column_ = words_[next_++].column;
+bool Tokenizer::Accept(std::string_view token) {
+  if (AtEnd() || tokens_[next_].text != token) return false;
+  last_column_ = tokens_[next_++].column;
   return true;
 }
 
-bool Words::NumberFollows() const {
+bool Tokenizer::NumberFollows() const {
   if (AtEnd()) return false;
-  const char first = words_[next_].text.empty() ? ' ' : words_[next_].text.front();
+  const char first = tokens_[next_].text.empty() ? ' ' : tokens_[next_].text.front();
   return (first >= '0' && first <= '9') || first == '-' || first == '+';
 }
 
-std::optional<Word> Words::Next(std::string_view expected) {
+std::optional<Token> Tokenizer::Next(std::string_view expected) {
   if (bad_) return std::nullopt;
   if (AtEnd()) {
     Complain(end_column_, fmt::format("the line ends where {} is expected", expected));
     return std::nullopt;
   }
-  last_column_ = words_[next_].column;
-  return words_[next_++];
+  last_column_ = tokens_[next_].column;
+  return tokens_[next_++];
 }
 
-std::optional<double> Words::Number(std::string_view expected, double low, double high) {
-  const auto word = Next(expected);
-  if (!word) return std::nullopt;
-  const auto value = WholeNumber(word->text);
+std::optional<double> Tokenizer::Number(std::string_view expected, double low, double high) {
+  const auto token = Next(expected);
+  if (!token) return std::nullopt;
+  const auto value = WholeNumber(token->text);
   if (value && *value >= low && *value <= high) return value;
-  Complain(word->column, fmt::format("\"{}\" is not {} ({} to {})", word->text, expected, low, high));
+  Complain(token->column, fmt::format("\"{}\" is not {} ({} to {})", token->text, expected, low, high));
   return std::nullopt;
 }
 
-std::optional<int> Words::Numbered(std::string_view thing, int last) {
-  const auto word = Next(fmt::format("the number of a {}", thing));
-  if (!word) return std::nullopt;
+std::optional<int> Tokenizer::Numbered(std::string_view thing, int last) {
+  const auto token = Next(fmt::format("the number of a {}", thing));
+  if (!token) return std::nullopt;
   int value = 0;
-  const auto [end, error] = std::from_chars(word->text.data(), word->text.data() + word->text.size(), value);
-  const bool whole = error == std::errc{} && end == word->text.data() + word->text.size();
+  const auto [end, error] =
+      std::from_chars(token->text.data(), token->text.data() + token->text.size(), value);
+  const bool whole = error == std::errc{} && end == token->text.data() + token->text.size();
   if (whole && value >= 1 && value <= last) return value;
-  Complain(word->column, fmt::format("no {0} {1}; {0}s are 1 to {2}", thing, word->text, last));
+  Complain(token->column, fmt::format("no {0} {1}; {0}s are 1 to {2}", thing, token->text, last));
   return std::nullopt;
 }
 
-std::optional<Duration> Words::TimeSpan() {
-  const auto word = Next("a time such as 2.5s or 800ms");
-  if (!word) return std::nullopt;
-  std::string_view text = word->text;
+std::optional<Duration> Tokenizer::TimeSpan() {
+  const auto token = Next("a time such as 2.5s or 800ms");
+  if (!token) return std::nullopt;
+  std::string_view text = token->text;
   const bool milli = text.ends_with("ms");
   if (milli || text.ends_with('s')) {
     text.remove_suffix(milli ? 2 : 1);
@@ -118,12 +119,12 @@ std::optional<Duration> Words::TimeSpan() {
     if (seconds >= 0 && seconds <= kLongestTime_s)
       return Duration(static_cast<Duration::rep>(std::llround(seconds * 1e9)));
   }
-  Complain(word->column,
-           fmt::format("\"{}\" is no time; times are such as 2.5s or 800ms, up to 24 hours", word->text));
+  Complain(token->column,
+           fmt::format("\"{}\" is no time; times are such as 2.5s or 800ms, up to 24 hours", token->text));
   return std::nullopt;
 }
 
-void Words::Complain(int column, std::string what) {
+void Tokenizer::Complain(int column, std::string what) {
   if (bad_) return;
   bad_ = true;
   problems_.push_back({number_, column, std::move(what)});

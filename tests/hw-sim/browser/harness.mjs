@@ -1,4 +1,4 @@
-// What each browser test plays on: a console-bench process, a browser with its page, and patient questions.
+// What each browser test plays on: a console-harness process, a browser with its page, and patient questions.
 import {spawn} from 'node:child_process';
 import {mkdtempSync, rmSync} from 'node:fs';
 import {createRequire} from 'node:module';
@@ -30,10 +30,10 @@ export async function end(child, signal) {
 }
 
 // The simulator and the toy stage, in a process of their own.
-export class Bench {
+export class Harness {
   constructor() {
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-console-'));
-    this.process = spawn(join(process.env.KAORI_PROGRAMS, 'console-bench'), [join(this.folder, 'link')],
+    this.process = spawn(join(process.env.KAORI_PROGRAMS, 'console-harness'), [join(this.folder, 'link')],
                          {stdio: ['ignore', 'pipe', 'inherit']});
     this.lines = [];
     createInterface({input: this.process.stdout}).on('line', (line) => this.lines.push(line));

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "drivers/base/result.h"
-#include "hw-sim/devices/hand.h"
+#include "hw-sim/devices/operator_action.h"
 
 namespace kaori::console {
 
 // Reads every line of `text` as hw-sim/scenario/reader.h has it, without times: what is done at once. Empty
 // lines are none. All or nothing: a wrong line gives only an Error (invalid_argument) whose attempt names
 // line, column and fault of the first one.
-Result<std::vector<sim::Hand>> ReadHands(std::string_view text);
+Result<std::vector<sim::OperatorAction>> ReadInput(std::string_view text);
 
 }  // namespace kaori::console

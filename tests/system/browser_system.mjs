@@ -1,16 +1,16 @@
-// A house of real programs for a browser: the simulator with its page, and the three programs of the box.
+// The real programs for a browser: the simulator with its page, and the three programs of the box.
 import {spawn} from 'node:child_process';
 import {existsSync, mkdtempSync, openSync, closeSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 
-import {end, until} from '../hw-sim/browser/bench.mjs';
+import {end, until} from '../hw-sim/browser/harness.mjs';
 
 const kPrograms = process.env.KAORI_PROGRAMS;
 const kShows = join(kPrograms, '..', 'shows');
 const kBoxPrograms = ['kaori-input', 'kaori-lips', 'kaori-stage'];
 
-export class House {
+export class BoxSystem {
   constructor() {
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-browser-'));
     this.running = new Map();

@@ -1,4 +1,4 @@
-#include "hw-sim/devices/usb_plate.h"
+#include "hw-sim/devices/usb_descriptors.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +14,7 @@ constexpr std::size_t kConfigurationHeaderBytes = 9;
 constexpr std::uint8_t kMakerString = 1, kNameString = 2;  // No serial number: two equal devices are equal.
 
 // Standard requests.
-constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kUsbPlateGetDescriptor = 6;
+constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kDescriptorsGetDescriptor = 6;
 constexpr std::uint8_t kFromDevice = 0x80, kTypeMask = 0x60;
 
 std::uint8_t Low(std::uint16_t value) {
@@ -24,21 +24,21 @@ std::uint8_t High(std::uint16_t value) {
   return static_cast<std::uint8_t>(value >> 8);
 }
 
-UsbBytes DeviceDescriptor(const UsbPlate& plate) {
+UsbBytes DeviceDescriptor(const UsbDescriptors& descriptors) {
   return {18,
           kDeviceKind,
           0x00,
           0x02,  // USB 2.0
-          plate.device_class,
-          plate.device_subclass,
-          plate.device_protocol,
+          descriptors.device_class,
+          descriptors.device_subclass,
+          descriptors.device_protocol,
           64,
-          Low(plate.vendor),
-          High(plate.vendor),
-          Low(plate.product),
-          High(plate.product),
-          Low(plate.release_bcd),
-          High(plate.release_bcd),
+          Low(descriptors.vendor),
+          High(descriptors.vendor),
+          Low(descriptors.product),
+          High(descriptors.product),
+          Low(descriptors.release_bcd),
+          High(descriptors.release_bcd),
           kMakerString,
           kNameString,
           0,
@@ -55,21 +55,21 @@ UsbBytes StringDescriptor(std::string_view text) {
   return bytes;
 }
 
-std::optional<UsbBytes> StringNumber(const UsbPlate& plate, std::uint8_t index) {
+std::optional<UsbBytes> StringNumber(const UsbDescriptors& descriptors, std::uint8_t index) {
   if (index == 0) return UsbBytes{4, kStringKind, 0x09, 0x04};  // English (United States) is all we speak.
-  if (index == kMakerString) return StringDescriptor(plate.maker);
-  if (index == kNameString) return StringDescriptor(plate.name);
+  if (index == kMakerString) return StringDescriptor(descriptors.maker);
+  if (index == kNameString) return StringDescriptor(descriptors.name);
   return std::nullopt;
 }
 
-std::optional<UsbBytes> Descriptor(const UsbPlate& plate, const UsbSetup& setup) {
+std::optional<UsbBytes> Descriptor(const UsbDescriptors& descriptors, const UsbSetup& setup) {
   switch (High(setup.value)) {
     case kDeviceKind:
-      return DeviceDescriptor(plate);
+      return DeviceDescriptor(descriptors);
     case kConfigurationKind:
-      return plate.configuration;
+      return descriptors.configuration;
     case kStringKind:
-      return StringNumber(plate, Low(setup.value));
+      return StringNumber(descriptors, Low(setup.value));
     default:
       return std::nullopt;
   }
@@ -119,10 +119,10 @@ UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint) {
           endpoint.interval};
 }
 
-std::optional<UsbBytes> AnswerStandard(const UsbPlate& plate, const UsbSetup& setup) {
+std::optional<UsbBytes> AnswerStandard(const UsbDescriptors& descriptors, const UsbSetup& setup) {
   if ((setup.type & kTypeMask) != 0) return std::nullopt;
   const bool asks = (setup.type & kFromDevice) != 0;
-  if (asks && setup.request == kUsbPlateGetDescriptor) return Descriptor(plate, setup);
+  if (asks && setup.request == kDescriptorsGetDescriptor) return Descriptor(descriptors, setup);
   if (asks && setup.request == kGetStatus) return UsbBytes{0, 0};
   if (!asks && (setup.request == kClearFeature || setup.request == kSetFeature)) return UsbBytes{};
   return std::nullopt;

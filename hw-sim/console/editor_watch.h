@@ -6,7 +6,7 @@
 namespace kaori::console {
 
 // A stage begins with its needles shut; it died when the screen lost it with the cable still in.
-class NeedlesWatch {
+class EditorWatch {
  public:
   static constexpr std::uint8_t kTab = 0x2B;  // Usage of HID page 7.
 

@@ -1,33 +1,33 @@
-// The main job, from a hand on the page to the picture on the page: report bytes and camera frames on their way
-// in, four processes between, and her face.
+// The main job, from a control on the page to the picture on the page: report bytes and camera frames on their way
+// in, four processes between, and the face that they draw.
 import assert from 'node:assert/strict';
 import {after, afterEach, before, test} from 'node:test';
 
-import {openBrowser, openPage, pull, until} from '../hw-sim/browser/bench.mjs';
-import {House} from './browser_house.mjs';
+import {openBrowser, openPage, pull, until} from '../hw-sim/browser/harness.mjs';
+import {BoxSystem} from './browser_system.mjs';
 import {kEyes, kMouth, kOther, kWhole, Sight} from './browser_sight.mjs';
 
-let house;
+let box;
 let browser;
 let page;
 let sight;
 
 before(async () => {
-  house = new House();
+  box = new BoxSystem();
   browser = await openBrowser();
-  page = await openPage(browser, await house.address());
+  page = await openPage(browser, await box.address());
   sight = new Sight(page);
-  await until('every device heard', async () => Object.values((await house.state()).ports).every((p) => p.connected));
+  await until('every device heard', async () => Object.values((await box.state()).ports).every((p) => p.connected));
   await beStill();
 });
 
 after(async () => {
   await browser?.close();
-  await house?.close();
+  await box?.close();
 });
 
 afterEach((test) => {
-  if (test.passed === false) console.log(house.logs());
+  if (test.passed === false) console.log(box.logs());
 });
 
 const dial = (name) => page.getByRole('slider', {name: new RegExp(`^Dial \\d: ${name}$`)});
@@ -82,7 +82,7 @@ test('the head stick turns her head while it is held', async () => {
 test('her face is a handle', async () => {
   const ahead = await atRest();
   await pull(page, page.locator('#picture'), -200, 40);
-  await until('both sticks to the left', async () => (await house.state()).sticks.every(({x}) => x < -0.3));
+  await until('both sticks to the left', async () => (await box.state()).sticks.every(({x}) => x < -0.3));
   await untilMoved('a turned head', ahead, kEyes);
   await page.mouse.up();
   await untilBack('a head that looks ahead', ahead);
@@ -108,10 +108,10 @@ test('a stage that dies and comes back goes on with the same face', async () => 
   await button('Kettle').click();
   await until('the lamp', async () => await button('Kettle').getAttribute('aria-pressed') === 'true');
   const kettle = await atRest();
-  await house.kill('kaori-stage');
-  await until('that nobody draws', async () => !(await house.state()).ports.screen.connected);
-  house.start('kaori-stage');
-  await until('a stage', async () => (await house.state()).ports.screen.connected);
+  await box.kill('kaori-stage');
+  await until('that nobody draws', async () => !(await box.state()).ports.screen.connected);
+  box.start('kaori-stage');
+  await until('a stage', async () => (await box.state()).ports.screen.connected);
   await untilBack('the same face', kettle);
   await button('Kaori').click();
   await untilMoved('another face', kettle, kWhole, kOther);
@@ -120,11 +120,11 @@ test('a stage that dies and comes back goes on with the same face', async () => 
 test('the page goes on when the simulator has died and come back', async () => {
   const link = () => page.evaluate(() => document.body.dataset.link);
   const kaori = await atRest();
-  await house.kill('kaori-sim');
+  await box.kill('kaori-sim');
   await until('a page that says so', async () => await link() === 'lost');
-  house.start('kaori-sim');
+  box.start('kaori-sim');
   await until('a page that listens', async () => await link() === 'live');
-  await until('every device heard', async () => Object.values((await house.state()).ports).every((p) => p.connected));
+  await until('every device heard', async () => Object.values((await box.state()).ports).every((p) => p.connected));
   await button('Dog').click();
   await untilMoved('another face', kaori, kWhole, kOther);
 });

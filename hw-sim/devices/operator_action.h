@@ -11,7 +11,7 @@
 namespace kaori::sim {
 
 // Where a simulated device is plugged in; the names are the ports of the link.
-enum class Place : std::uint8_t {
+enum class DevicePort : std::uint8_t {
   kDialBox,
   kStickLeft,
   kStickRight,
@@ -22,12 +22,12 @@ enum class Place : std::uint8_t {
   kMicrophone,
   kLoudspeaker
 };
-inline constexpr int kPlaceCount = 9;
+inline constexpr int kDevicePortCount = 9;
 
 // "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer", "microphone",
 // "loudspeaker".
-std::string_view PortName(Place place);
-std::optional<Place> PlaceNamed(std::string_view port);
+std::string_view PortName(DevicePort port);
+std::optional<DevicePort> DevicePortNamed(std::string_view port);
 
 enum class Verb : std::uint8_t {
   kTurn,       // Dial `index` by `a` turns, clockwise is positive.
@@ -46,22 +46,23 @@ enum class Verb : std::uint8_t {
   kUnplug,
 };
 
-struct Hand {
-  Place place = Place::kDialBox;
+struct OperatorAction {
+  DevicePort port = DevicePort::kDialBox;
   Verb verb = Verb::kTurn;
   int index = 0;
   double a = 0;
   double b = 0;
-  friend bool operator==(const Hand&, const Hand&) = default;
+  friend bool operator==(const OperatorAction&, const OperatorAction&) = default;
 };
 
 // What all simulated devices share: the time, and someone who watches the hands.
-struct Workbench {
+struct DeviceContext {
   const Clock& clock;
-  std::function<void(const Hand&)> watcher;  // May be empty. Called for every hand that changes something.
+  std::function<void(const OperatorAction&)>
+      watcher;  // May be empty. Called for every hand that changes something.
 
-  void Saw(const Hand& hand) const {
-    if (watcher) watcher(hand);
+  void Notify(const OperatorAction& action) const {
+    if (watcher) watcher(action);
   }
 };
 

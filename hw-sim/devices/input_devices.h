@@ -3,23 +3,23 @@
 
 #include "drivers/base/result.h"
 #include "hw-sim/devices/dial_box.h"
-#include "hw-sim/devices/hand.h"
 #include "hw-sim/devices/keyboard.h"
 #include "hw-sim/devices/lip_camera.h"
 #include "hw-sim/devices/microphone.h"
+#include "hw-sim/devices/operator_action.h"
 #include "hw-sim/devices/pointer.h"
 #include "hw-sim/devices/stick_pod.h"
 
 namespace kaori::sim {
 
-struct Instruments {
-  // Borrows the bench.
-  Instruments(const Workbench& bench, ports::CameraFormat camera_format);
+struct InputDevices {
+  // Borrows the context.
+  InputDevices(const DeviceContext& context, ports::CameraFormat camera_format);
 
-  StickPod& stick(Place place) { return place == Place::kStickRight ? right_stick : left_stick; }
+  StickPod& stick(DevicePort port) { return port == DevicePort::kStickRight ? right_stick : left_stick; }
 
   // Verbs that the place does not have, and cables, are ignored.
-  void Do(const Hand& hand);
+  void Do(const OperatorAction& action);
 
   DialBox dial_box;
   StickPod left_stick;
@@ -31,13 +31,13 @@ struct Instruments {
 };
 
 // Devices with their cables, wherever these lead: what a scenario is played on.
-class Playground {
+class DeviceRig {
  public:
-  virtual ~Playground() = default;
-  virtual Instruments& instruments() = 0;
+  virtual ~DeviceRig() = default;
+  virtual InputDevices& devices() = 0;
 
   // Does one hand, cables included. Errors: those of the cables.
-  virtual Result<void> Do(const Hand& hand) = 0;
+  virtual Result<void> Do(const OperatorAction& action) = 0;
 };
 
 }  // namespace kaori::sim

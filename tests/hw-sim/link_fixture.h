@@ -59,7 +59,7 @@ inline std::vector<StampedReport> ReadAll(ports::HidChannel& channel) {
   return reports;
 }
 
-class LinkBench : public ::testing::Test {
+class LinkFixture : public ::testing::Test {
  protected:
   void SetUp() override {
     auto opened = Rig::Open({.folder = folder.path(), .screen_width_px = 64, .screen_height_px = 48}, clock);

@@ -46,6 +46,6 @@ UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint);
 
 // The answer to a standard request to the device, an interface or an endpoint; nothing where it is none that
 // every device answers (SET_ADDRESS, configurations and alternate settings are the link's business).
-std::optional<UsbBytes> AnswerStandard(const UsbPlate& plate, const UsbSetup& setup);
+std::optional<UsbBytes> AnswerStandard(const UsbDescriptors& descriptors, const UsbSetup& setup);
 
 }  // namespace kaori::sim

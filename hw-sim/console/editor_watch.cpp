@@ -1,10 +1,10 @@
-#include "hw-sim/console/needles_watch.h"
+#include "hw-sim/console/editor_watch.h"
 
 #include <utility>
 
 namespace kaori::console {
 
-void NeedlesWatch::Follow(const Seen& now) {
+void EditorWatch::Follow(const Seen& now) {
   const Seen before = std::exchange(before_, now);
   const bool died = before.screen_drawn && !now.screen_drawn && now.screen_plugged;
   const bool pushed = now.tab_held && !before.tab_held && now.keyboard_heard;

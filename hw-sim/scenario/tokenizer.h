@@ -16,19 +16,19 @@ struct Problem {
   std::string what;
 };
 
-struct Word {
+struct Token {
   std::string_view text;  // Without its quotes.
   int column = 0;
 };
 
 // Reads the words of one line; a comment begins with #, quotes hold spaces. After the first problem of a line
 // every question gets no answer, so that a line complains once.
-class Words {
+class Tokenizer {
  public:
   // Borrows the line and the problems.
-  Words(std::string_view line, int number, std::vector<Problem>& problems);
+  Tokenizer(std::string_view line, int number, std::vector<Problem>& problems);
 
-  bool AtEnd() const { return bad_ || next_ >= words_.size(); }
+  bool AtEnd() const { return bad_ || next_ >= tokens_.size(); }
   bool bad() const { return bad_; }
   // Whether the next word is `word`; takes it if so.
   bool Accept(std::string_view word);
@@ -37,7 +37,7 @@ class Words {
   bool NumberFollows() const;
 
   // The next word. `expected` says what should be there: "a number of turns".
-  std::optional<Word> Next(std::string_view expected);
+  std::optional<Token> Next(std::string_view expected);
   std::optional<double> Number(std::string_view expected, double low, double high);
   // "no dial 9; dials are 1 to 8".
   std::optional<int> Numbered(std::string_view thing, int last);
@@ -50,7 +50,7 @@ class Words {
  private:
   void Split(std::string_view line);
 
-  std::vector<Word> words_;
+  std::vector<Token> tokens_;
   std::size_t next_ = 0;
   int number_;
   int end_column_ = 1;

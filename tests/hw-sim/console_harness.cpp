@@ -1,5 +1,5 @@
 // A rig, a console and a toy stage in one program: what the browser test plays on, without the appliance.
-// Usage: console-bench FOLDER [PORT]     prints the page's address, then what the drivers decode.
+// Usage: console-harness FOLDER [PORT]     prints the page's address, then what the drivers decode.
 
 #include <cstdio>
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Duration kStep = std::chrono::milliseconds(4);
 
-Labels BenchLabels() {
+Labels HarnessLabels() {
   Labels labels;
   for (std::size_t dial = 0; const char* text : {"Amount", "Speed", "Idle life", "Light"})
     labels.dials[dial++].text = text;
@@ -34,7 +34,7 @@ Result<void> Play(const std::string& folder, std::uint16_t port) {
   if (!loop) return tl::unexpected(loop.error());
   auto rig = sim::Rig::Open({.folder = folder, .wakes_by_timer = true}, clock);
   if (!rig) return tl::unexpected(rig.error());
-  auto console = Console::Open({.port = port, .labels = BenchLabels()}, **rig, *loop);
+  auto console = Console::Open({.port = port, .labels = HarnessLabels()}, **rig, *loop);
   if (!console) return tl::unexpected(console.error());
   auto stage = ToyStage::Open(folder);
   if (!stage) return tl::unexpected(stage.error());
@@ -49,9 +49,9 @@ Result<void> Play(const std::string& folder, std::uint16_t port) {
 }  // namespace kaori::console
 
 int main(int count, char** words) {
-  kaori::SetLogName("console-bench");
+  kaori::SetLogName("console-harness");
   if (count < 2) {
-    kaori::LogLine("usage: console-bench FOLDER [PORT]");
+    kaori::LogLine("usage: console-harness FOLDER [PORT]");
     return EXIT_FAILURE;
   }
   const auto port = static_cast<std::uint16_t>(count > 2 ? std::atoi(words[2]) : 0);
