@@ -10,6 +10,8 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
+#include "drivers/base/whole_file.h"
 #include "hw-sim/console/console.h"
 #include "hw-sim/links/local/rig.h"
 #include "hw-sim/scenario/player.h"
@@ -41,12 +43,6 @@ struct Settings {
   std::string links, size = "960x540", hz = "60", play, record, console, labels, address_file;
   bool loop = false;
 };
-
-int Complain(const kaori::Error& error) {
-  // What people wrote wrongly is told in words of its own; errno's would not help.
-  kaori::Log("{}", error.cause == std::errc::invalid_argument ? error.attempt : error.message());
-  return 1;
-}
 
 kaori::Result<double> Number(const std::string& name, const std::string& text, double low, double high) {
   char* end = nullptr;
@@ -92,7 +88,7 @@ kaori::Result<void> Play(kaori::sim::Scenario scenario, bool again, Simulation& 
 kaori::Result<void> Record(const Settings& settings, Simulation& simulation) {
   if (settings.record.empty()) return {};
   simulation.record.open(settings.record);
-  if (!simulation.record) return kaori::FailErrno("write " + settings.record);
+  if (!simulation.record) return kaori::FailInput("--record " + settings.record + ": it cannot be written");
   simulation.recorder.emplace(simulation.rig, [&simulation](const kaori::sim::TimedAction& timed) {
     simulation.record << kaori::sim::WriteAction(timed) << std::endl;
   });
@@ -120,10 +116,7 @@ kaori::Result<void> OpenConsole(const Settings& settings, Simulation& simulation
   simulation.console = std::move(*console);
   kaori::Log("console at {}", simulation.console->address());
   if (settings.address_file.empty()) return {};
-  std::ofstream file(settings.address_file);
-  file << simulation.console->address() << '\n';
-  if (!file.flush()) return kaori::FailErrno("write " + settings.address_file);
-  return {};
+  return kaori::WriteWholeFile(settings.address_file, {kaori::AsBytes(simulation.console->address() + "\n")});
 }
 
 // Records first, so that a scenario's actions are recorded too; plays last, when all else stands.
@@ -139,23 +132,23 @@ kaori::Result<void> SetUp(const Settings& settings, kaori::sim::Scenario scenari
 int Simulate(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   auto options = RigOptionsOf(settings);
-  if (!options) return Complain(options.error());
+  if (!options) return kaori::ExitWithError(options.error());
   auto scenario = settings.play.empty() ? kaori::sim::Scenario{} : kaori::sim::LoadScenario(settings.play);
-  if (!scenario) return Complain(scenario.error());
+  if (!scenario) return kaori::ExitWithError(scenario.error());
   auto rig = kaori::sim::Rig::Open(std::move(*options), clock);
-  if (!rig) return Complain(rig.error());
+  if (!rig) return kaori::ExitWithError(rig.error());
   for (int n = 0; n < kaori::sim::kDevicePortCount; ++n)
     kaori::Log("plugged in: {}", kaori::sim::PortName(static_cast<kaori::sim::DevicePort>(n)));
   Simulation simulation{**rig, loop, clock, {}, {}, {}, {}};
-  if (auto ok = SetUp(settings, std::move(*scenario), simulation); !ok) return Complain(ok.error());
-  if (auto ok = loop.Run(); !ok) return Complain(ok.error());
+  if (auto ok = SetUp(settings, std::move(*scenario), simulation); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = loop.Run(); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-sim");
+  kaori::BeginProgram("kaori-sim");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--links", settings.links, true).Text("--size", settings.size).Text("--hz", settings.hz);
@@ -165,6 +158,6 @@ int main(int argc, char** argv) {
       .Text("--address-file", settings.address_file);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return Complain(loop.error());
+  if (!loop) return kaori::ExitWithError(loop.error());
   return Simulate(settings, *loop);
 }

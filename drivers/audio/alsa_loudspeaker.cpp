@@ -19,7 +19,7 @@ Result<ports::Playout> AlsaLoudspeaker::Write(std::span<const std::int16_t> samp
   if (broken_) return tl::unexpected(*broken_);
   const auto channels = static_cast<std::size_t>(pcm_->format().channels);
   if (samples.empty() || samples.size() % channels != 0)
-    return Fail(std::errc::invalid_argument, "play whole frames on " + name_);
+    return FailInput("play whole frames on " + name_);
   Time at = HeardNext();
   bool xrun = false;
   const auto frames = Queue(samples, xrun);

@@ -144,7 +144,7 @@ Result<std::unique_ptr<AlsaPcm>> OpenAlsaPcm(const std::string& name, Direction 
   Handle handle(raw);
   if (opened < 0) return Fail(CauseOf(opened), "open sound device " + name);
   auto pcm = Prepared(std::move(handle), wish);
-  if (!pcm) return Fail(pcm.error().cause, "sound device " + name + ": " + pcm.error().attempt);
+  if (!pcm) return FailAs(pcm.error(), "sound device " + name + ": " + pcm.error().attempt);
   return pcm;
 }
 

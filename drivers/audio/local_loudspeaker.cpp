@@ -30,7 +30,7 @@ Result<ports::Playout> LocalLoudspeaker::Write(std::span<const std::int16_t> sam
   if (auto ok = ReadNotes(); !ok) return tl::unexpected(ok.error());
   const auto channels = static_cast<std::size_t>(format_.channels);
   if (samples.empty() || samples.size() % channels != 0)
-    return Fail(std::errc::invalid_argument, "play whole frames on " + name_);
+    return FailInput("play whole frames on " + name_);
   const Time now = clock_.now();
   const double waiting = Waiting(now);
   const auto room = static_cast<std::size_t>(std::max(0.0, room_frames_ - waiting));

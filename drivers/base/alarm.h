@@ -1,4 +1,4 @@
-// A timer that rings once, at a time.
+// A timer that expires once, at an absolute time (timerfd).
 #pragma once
 
 #include "drivers/base/clock.h"
@@ -7,19 +7,19 @@
 
 namespace kaori {
 
-// One thread. Rings on the real clock.
+// Runs on CLOCK_MONOTONIC. One thread. No call blocks.
 class Alarm {
  public:
   // Errors: those of timerfd_create(2).
   static Result<Alarm> Make();
 
-  // Readable from the time it is set for until it is set again or taken.
+  // Readable from the time it is set for until the next Set or Acknowledge. Lives as long as the alarm.
   int pollable() const { return timer_.get(); }
 
-  // In place of the time it was set for before; at once, where that has passed.
+  // Replaces the time that was set before. A time that has passed expires at once.
   void Set(Time at);
 
-  // To be called when it rang: it is silent until it is set again.
+  // Called after it expired: it stays unreadable until it is set again.
   void Acknowledge();
 
  private:

@@ -1,4 +1,4 @@
-// Time on CLOCK_MONOTONIC, and clocks that are handed in: a real one, and one that tests turn by hand.
+// Time on CLOCK_MONOTONIC, and clocks that are passed in: the real one, and one that tests advance.
 #pragma once
 
 #include <chrono>
@@ -9,6 +9,7 @@ namespace kaori {
 using Duration = std::chrono::nanoseconds;
 using Time = std::chrono::time_point<std::chrono::steady_clock, Duration>;
 
+// Any thread may call a SteadyClock; a ManualClock belongs to one thread.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -20,7 +21,7 @@ class SteadyClock final : public Clock {
   Time now() const override { return std::chrono::steady_clock::now(); }
 };
 
-// Moves only when told to: the same hands give the same show.
+// Advances only when told to, so that the same input gives the same show.
 class ManualClock final : public Clock {
  public:
   explicit ManualClock(Time start = Time{} + std::chrono::seconds(1000)) : now_(start) {}
@@ -31,6 +32,7 @@ class ManualClock final : public Clock {
   Time now_;
 };
 
+// Durations as seconds, and back; the latter rounds toward zero to whole nanoseconds.
 inline double Seconds(Duration d) { return std::chrono::duration<double>(d).count(); }
 inline Duration FromSeconds(double s) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s));

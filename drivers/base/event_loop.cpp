@@ -41,7 +41,7 @@ Result<EventLoop> EventLoop::Open() {
   EventLoop loop(std::move(epoll));
   const int fd = signals.get();
   loop.owned_.push_back(std::move(signals));
-  // No handler: Run() itself stops on the signal descriptor, which survives a move of the loop.
+  // Without a handler Run() itself stops on the signal descriptor, which survives a move of the loop.
   if (auto ok = loop.Watch(fd, nullptr); !ok) return tl::unexpected(ok.error());
   return loop;
 }
@@ -87,6 +87,10 @@ Result<void> EventLoop::Run() {
     forgotten_.clear();
   }
   return {};
+}
+
+Result<void> EventLoop::RunEvery(Duration period, Handler handler) {
+  return Every(period, std::move(handler)).and_then([this] { return Run(); });
 }
 
 void EventLoop::Dispatch(int fd) {

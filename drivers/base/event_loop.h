@@ -11,25 +11,33 @@
 
 namespace kaori {
 
-// Single-threaded. Call-backs run inside Run(), one at a time, and may call every member.
+// One thread. Handlers run inside Run(), one at a time, and may call every member, Forget of their own descriptor
+// included.
 class EventLoop {
  public:
   using Handler = std::function<void()>;
 
-  // Blocks SIGINT and SIGTERM for the process: from here on they end Run(). Ignores SIGPIPE: a reader of the
-  // log that is gone must not end the show.
+  // Blocks SIGINT and SIGTERM for this thread and those it starts later: from here on they end Run(). Ignores
+  // SIGPIPE: a reader of the log that is gone must not end the show. Errors: those of epoll_create1(2) and
+  // signalfd(2).
   static Result<EventLoop> Open();
 
-  // Calls `handler` whenever `fd` is readable or hung up. Borrows fd: Forget it before it closes.
+  // Calls `handler` whenever `fd` is readable or hung up. Borrows `fd`, which must be forgotten before it closes.
+  // Errors: those of epoll_ctl(2): file_exists (it is watched already), operation_not_permitted (a regular file).
   Result<void> Watch(int fd, Handler handler);
+  // Does nothing where `fd` is not watched.
   void Forget(int fd);
 
-  // Calls `handler` every `period`, first after one period; late calls are not made up for.
+  // Calls `handler` every `period`, first after one period; calls that came too late are left out. Errors: those of
+  // timerfd_create(2) and of Watch.
   Result<void> Every(Duration period, Handler handler);
 
-  // Returns after Stop() or a signal. Blocks in epoll_wait only.
+  // Returns after Stop() or a signal. Blocks in epoll_wait only. Errors: those of epoll_wait(2).
   Result<void> Run();
   void Stop() { running_ = false; }
+
+  // Every, then Run; does not run where the timer cannot be made. Errors: those of both.
+  Result<void> RunEvery(Duration period, Handler handler);
 
  private:
   struct Watched {

@@ -10,37 +10,36 @@
 namespace kaori::service {
 namespace {
 
-// A packet is one byte: what its sender wants or brings.
-using Word = std::array<std::uint8_t, 1>;
-constexpr Word kHold{'h'};  // With the descriptor.
-constexpr Word kGive{'g'};
-constexpr Word kHere{'y'};  // With the descriptor.
-constexpr Word kNone{'n'};
+using Request = std::array<std::uint8_t, 1>;
+constexpr Request kHold{'h'};  // With the descriptor.
+constexpr Request kGive{'g'};
+constexpr Request kHere{'y'};  // With the descriptor.
+constexpr Request kNone{'n'};
 
 constexpr int kLongestWait_ms = 5000;
-constexpr std::size_t kMostCallers = 16;  // Of whom each has one thing to say.
+constexpr std::size_t kMostClients = 16;  // Each sends one request.
 
 }  // namespace
 
 Result<void> GiveToKeeper(int fd, const std::string& socket) {
   if (socket.empty()) return {};
-  const auto holder = ConnectToPeer(socket);
-  if (!holder) return tl::unexpected(holder.error());
-  return SendPacket(holder->get(), kHold, fd);
+  const auto keeper = ConnectToPeer(socket);
+  if (!keeper) return tl::unexpected(keeper.error());
+  return SendPacket(keeper->get(), kHold, fd);
 }
 
 Result<UniqueFd> RetrieveFromKeeper(const std::string& socket) {
-  const std::string attempt = "take what is held";
+  const std::string attempt = "retrieve what the fd keeper holds";
   if (socket.empty()) return Fail(std::errc::no_such_device, attempt);
-  const auto holder = ConnectToPeer(socket);
-  if (!holder) return tl::unexpected(holder.error());
-  if (auto asked = SendPacket(holder->get(), kGive); !asked) return tl::unexpected(asked.error());
-  pollfd look{holder->get(), POLLIN, 0};
-  if (::poll(&look, 1, kLongestWait_ms) != 1) return Fail(std::errc::timed_out, attempt);
-  Word word{};
-  auto answer = ReceivePacket(holder->get(), word);
+  const auto keeper = ConnectToPeer(socket);
+  if (!keeper) return tl::unexpected(keeper.error());
+  if (auto asked = SendPacket(keeper->get(), kGive); !asked) return tl::unexpected(asked.error());
+  pollfd readable{keeper->get(), POLLIN, 0};
+  if (::poll(&readable, 1, kLongestWait_ms) != 1) return Fail(std::errc::timed_out, attempt);
+  Request request{};
+  auto answer = ReceivePacket(keeper->get(), request);
   if (!answer) return tl::unexpected(answer.error());
-  if (word != kHere || !answer->descriptor.valid()) return Fail(std::errc::no_such_device, attempt);
+  if (request != kHere || !answer->descriptor.valid()) return Fail(std::errc::no_such_device, attempt);
   return std::move(answer->descriptor);
 }
 
@@ -49,31 +48,31 @@ Result<void> FdKeeper::Open() {
 }
 
 void FdKeeper::Accept() {
-  auto caller = AcceptPeer(listener_.get());
-  if (!caller) return;
-  if (callers_.size() >= kMostCallers) {  // The one that has been silent for longest.
-    loop_.Forget(callers_.front().get());
-    callers_.erase(callers_.begin());
+  auto client = AcceptPeer(listener_.get());
+  if (!client) return;
+  if (clients_.size() >= kMostClients) {  // It has been silent for longest.
+    loop_.Forget(clients_.front().get());
+    clients_.erase(clients_.begin());
   }
-  const int fd = caller->get();
-  callers_.push_back(std::move(*caller));
-  if (!loop_.Watch(fd, [this, fd] { Answer(fd); })) callers_.pop_back();
+  const int fd = client->get();
+  clients_.push_back(std::move(*client));
+  if (!loop_.Watch(fd, [this, fd] { Answer(fd); })) clients_.pop_back();
 }
 
-// Then the call is over.
-void FdKeeper::Answer(int caller) {
-  Word word{};
-  auto packet = ReceivePacket(caller, word);
-  if (packet && word == kHold && packet->descriptor.valid()) {
+// The connection ends after one request.
+void FdKeeper::Answer(int client) {
+  Request request{};
+  auto packet = ReceivePacket(client, request);
+  if (packet && request == kHold && packet->descriptor.valid()) {
     held_ = std::move(packet->descriptor);
-    taken_(held_->get());
-  } else if (packet && word == kGive) {
-    // A caller that did not wait for it is gone: nothing is lost.
+    received_(held_->get());
+  } else if (packet && request == kGive) {
+    // A client that did not wait for the answer is gone: nothing is lost.
     [[maybe_unused]] const auto given =
-        held_ ? SendPacket(caller, kHere, held_->get()) : SendPacket(caller, kNone);
+        held_ ? SendPacket(client, kHere, held_->get()) : SendPacket(client, kNone);
   }
-  loop_.Forget(caller);
-  std::erase_if(callers_, [caller](const UniqueFd& fd) { return fd.get() == caller; });
+  loop_.Forget(client);
+  std::erase_if(clients_, [client](const UniqueFd& fd) { return fd.get() == client; });
 }
 
 }  // namespace kaori::service

@@ -1,5 +1,11 @@
-// A descriptor in other hands: who gives it away gets it back after its end, also where the service manager
-// forgot it because it was stopped.
+// Keeps one file descriptor in another process: the program that gave it gets it back after its own end, also where
+// the service manager dropped its copy because the program was stopped.
+//
+// One packet is one request: a single byte, with the descriptor beside it (SCM_RIGHTS) where one is passed.
+//   'h'   client to keeper, with a descriptor: hold this in place of what is held
+//   'g'   client to keeper: give me a copy of what is held
+//   'y'   keeper to client, with a descriptor: the answer to 'g'
+//   'n'   keeper to client: nothing is held
 #pragma once
 
 #include <functional>
@@ -13,34 +19,35 @@
 
 namespace kaori::service {
 
-// Gives a copy of `fd` to the holder that listens at `socket`, in place of what it holds; does not wait. Does
+// Gives a copy of `fd` to the keeper that listens at `socket`, in place of what it holds; does not wait. Does
 // nothing where `socket` is empty. Errors: those of ConnectToPeer and SendPacket.
 Result<void> GiveToKeeper(int fd, const std::string& socket);
 
-// A copy of what the holder holds; waits for its answer, 5 s at most. Errors: those of ConnectToPeer;
-// no_such_device (there is no holder, or it holds nothing); timed_out.
+// Returns a copy of what the keeper holds; waits 5 s at most for its answer. Errors: those of ConnectToPeer;
+// no_such_device (no keeper is named, or it holds nothing); timed_out.
 Result<UniqueFd> RetrieveFromKeeper(const std::string& socket);
 
-// The holder's end: takes and gives one descriptor. One thread, that of the loop, which must outlive it.
+// The keeper's end. One thread, that of the loop, which must outlive it. It serves at most 16 clients at once; one
+// more displaces the client that has been silent for longest.
 class FdKeeper {
  public:
-  // `listener` is a socket of packets. `held` is what an earlier holder held, if any. `taken` is told of each
-  // descriptor that comes.
-  FdKeeper(EventLoop& loop, UniqueFd listener, std::optional<UniqueFd> held, std::function<void(int)> taken)
-      : loop_(loop), listener_(std::move(listener)), held_(std::move(held)), taken_(std::move(taken)) {}
+  // `listener` is a listening socket of packets. `held` is what an earlier keeper held, if any. `received` is called
+  // with each descriptor that comes; it borrows it.
+  FdKeeper(EventLoop& loop, UniqueFd listener, std::optional<UniqueFd> held, std::function<void(int)> received)
+      : loop_(loop), listener_(std::move(listener)), held_(std::move(held)), received_(std::move(received)) {}
 
-  // From now on the loop answers who calls. Errors: those of the loop.
+  // Starts to serve clients from the loop. Errors: those of EventLoop::Watch.
   Result<void> Open();
 
  private:
   void Accept();
-  void Answer(int caller);
+  void Answer(int client);
 
   EventLoop& loop_;
   UniqueFd listener_;
   std::optional<UniqueFd> held_;
-  std::function<void(int)> taken_;
-  std::vector<UniqueFd> callers_;
+  std::function<void(int)> received_;
+  std::vector<UniqueFd> clients_;
 };
 
 }  // namespace kaori::service

@@ -1,4 +1,4 @@
-// One line to standard error for each decision a program takes; the journal stamps it.
+// One line to standard error for each decision of a program, with its severity where the journal reads it.
 #pragma once
 
 #include <string_view>
@@ -7,13 +7,35 @@
 
 namespace kaori {
 
-// Writes "name: line" in one write; `name` is the program's (set once in main). Any thread.
+// Priorities of syslog(3), as sd-daemon(3) writes them before a line: "<4>".
+enum class Severity : int {
+  kError = 3,    // The program ends, or a part of the show is missing until somebody acts.
+  kWarning = 4,  // Something failed; the show goes on without it, or it is tried again.
+  kInfo = 6,     // An expected change of state.
+};
+
+// Sets the name that stands before every line. Called once, by main, before any thread starts.
 void SetLogName(std::string_view name);
-void LogLine(std::string_view line);
+
+// Writes "name: line" for each line of `lines`, all of them in one write(2). Where standard error is the
+// journal (JOURNAL_STREAM names its device and inode), each line begins with "<severity>"; on a terminal, in a
+// pipe or in a file it does not. Any thread; blocks only as long as the reader of standard error does. What
+// cannot be written is lost: nobody is left to be told.
+void LogLines(Severity severity, std::string_view lines);
 
 template <class... Args>
 void Log(fmt::format_string<Args...> format, Args&&... args) {
-  LogLine(fmt::format(format, std::forward<Args>(args)...));
+  LogLines(Severity::kInfo, fmt::format(format, std::forward<Args>(args)...));
+}
+
+template <class... Args>
+void LogWarning(fmt::format_string<Args...> format, Args&&... args) {
+  LogLines(Severity::kWarning, fmt::format(format, std::forward<Args>(args)...));
+}
+
+template <class... Args>
+void LogError(fmt::format_string<Args...> format, Args&&... args) {
+  LogLines(Severity::kError, fmt::format(format, std::forward<Args>(args)...));
 }
 
 }  // namespace kaori

@@ -9,7 +9,7 @@
 namespace kaori {
 namespace {
 
-std::optional<int> Complain(std::string_view what, std::string_view name) {
+std::optional<int> Misused(std::string_view what, std::string_view name) {
   fmt::print(stderr, "{} {}; --help tells the rest\n", what, name);
   return 2;
 }
@@ -40,17 +40,17 @@ std::optional<int> Options::Parse(int argc, char** argv) {
       return 0;
     }
     const Option* option = Find(name);
-    if (option == nullptr) return Complain("there is no option", name);
+    if (option == nullptr) return Misused("there is no option", name);
     if (option->flag != nullptr) {
       *option->flag = true;
     } else if (i + 1 < args.size()) {
       *option->text = args[++i];
     } else {
-      return Complain("a value is missing after", name);
+      return Misused("a value is missing after", name);
     }
   }
   for (const Option& option : options_)
-    if (option.needed && option.text->empty()) return Complain("this option is needed:", option.name);
+    if (option.needed && option.text->empty()) return Misused("this option is needed:", option.name);
   return std::nullopt;
 }
 
@@ -59,8 +59,8 @@ std::optional<Size> ParseSize(const std::string& text) {
   Size size;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%5dx%5d%c", &size.width_px, &size.height_px, &rest) != 2) return std::nullopt;
-  const auto sound = [](int side) { return side >= kSmallest && side <= kLargest; };
-  if (!sound(size.width_px) || !sound(size.height_px)) return std::nullopt;
+  const auto fits = [](int side) { return side >= kSmallest && side <= kLargest; };
+  if (!fits(size.width_px) || !fits(size.height_px)) return std::nullopt;
   return size;
 }
 

@@ -1,4 +1,4 @@
-// The options of a program: "--name VALUE" and "--switch"; a bad one is named in one line.
+// The options of a program: "--name VALUE" and "--switch". A wrong one is named in one line on standard error.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,13 @@ namespace kaori {
 
 class Options {
  public:
-  // `help` is the page that --help prints. The values borrowed below outlive Parse.
+  // `help` is the page that --help prints. All that is passed by reference must outlive Parse.
   explicit Options(std::string_view help) : help_(help) {}
 
+  // Declares an option with a value, which stays as it is where the option is not given; `needed`: it must not be
+  // empty after Parse.
   Options& Text(std::string_view name, std::string& value, bool needed = false);
+  // Declares an option without a value; it sets `value` to true.
   Options& Switch(std::string_view name, bool& value);
 
   // Sets the values. Returns the exit status when the program is to end: 0 after --help, 2 after an unknown

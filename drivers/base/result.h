@@ -1,7 +1,8 @@
-// What can fail returns Result<T>: a value, or an Error that names the attempt and its cause.
+// What can fail returns Result<T>: a value, or an Error that names the attempt, its cause and its kind.
 #pragma once
 
 #include <cerrno>
+#include <cstdint>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -10,15 +11,22 @@
 
 namespace kaori {
 
-// `attempt` names what was tried and on which object: "open /dev/hidraw0".
+// Who can mend it, which decides what a person is told.
+enum class ErrorKind : std::uint8_t {
+  kSystem,       // The kernel, a library or a device refused: the cause belongs to the message.
+  kUnavailable,  // Nothing is there yet (EAGAIN): the same call can succeed later without any change.
+  kInput,        // A file, a message or an option is wrong: the attempt itself says where and why.
+};
+
+// Describes one failure. `cause` is the errno of a system call, or the one that fits best.
 struct [[nodiscard]] Error {
   std::errc cause{};
-  std::string attempt;
+  std::string attempt;  // What was tried and on which object: "open /dev/hidraw0".
+  ErrorKind kind = ErrorKind::kSystem;
 
-  // For people: "open /dev/hidraw0: No such device". What was wrong with an argument, a file or a message is
-  // said by the attempt itself.
+  // The line for people: "open /dev/hidraw0: No such device"; for kInput the attempt alone.
   std::string message() const {
-    if (cause == std::errc::invalid_argument) return attempt;
+    if (kind == ErrorKind::kInput) return attempt;
     return attempt + ": " + std::make_error_code(cause).message();
   }
 };
@@ -26,18 +34,33 @@ struct [[nodiscard]] Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
+// Fails with the errno of a system call, or with a cause of our own choice. The kind follows from the cause:
+// resource_unavailable_try_again is kUnavailable, all others are kSystem.
 inline tl::unexpected<Error> Fail(std::errc cause, std::string attempt) {
-  return tl::unexpected<Error>(Error{cause, std::move(attempt)});
+  const bool later = cause == std::errc::resource_unavailable_try_again;
+  return tl::unexpected<Error>(
+      Error{cause, std::move(attempt), later ? ErrorKind::kUnavailable : ErrorKind::kSystem});
 }
 
-// Takes the cause from errno: call it on the line after the system call.
+// Reads the cause from errno: it must be called before anything else can change errno, and never after
+// iostreams, which do not say that they set it.
 inline tl::unexpected<Error> FailErrno(std::string attempt) {
   return Fail(static_cast<std::errc>(errno), std::move(attempt));
 }
 
-// A file or message that people wrote is wrong: `what` says where and why, in words; no errno text helps.
-inline tl::unexpected<Error> FailInput(std::string what) {
-  return Fail(std::errc::invalid_argument, std::move(what));
+// Reads the cause from a std::error_code, as std::filesystem gives it.
+inline tl::unexpected<Error> FailCode(const std::error_code& code, std::string attempt) {
+  return Fail(static_cast<std::errc>(code.default_error_condition().value()), std::move(attempt));
+}
+
+// A file, a message or an option that people wrote is wrong: `what` says where and why in words.
+inline tl::unexpected<Error> FailInput(std::string what, std::errc cause = std::errc::invalid_argument) {
+  return tl::unexpected<Error>(Error{cause, std::move(what), ErrorKind::kInput});
+}
+
+// The same cause and kind under another attempt, as when a caller knows the object's name and the callee does not.
+inline tl::unexpected<Error> FailAs(const Error& error, std::string attempt) {
+  return tl::unexpected<Error>(Error{error.cause, std::move(attempt), error.kind});
 }
 
 }  // namespace kaori

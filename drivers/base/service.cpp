@@ -50,13 +50,13 @@ std::optional<sockaddr_un> ManagerAddress(std::string_view name) {
   return address;
 }
 
-// Sends `words`, with a descriptor where `fd` is one.
-Result<void> Send(std::string_view words, int fd) {
+// Sends `assignments`, with a descriptor where `fd` is one.
+Result<void> Send(std::string_view assignments, int fd) {
   const auto name = Variable("NOTIFY_SOCKET");
   auto address = ManagerAddress(name);
   if (!address) return {};
   const UniqueFd socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  iovec text{const_cast<char*>(words.data()), words.size()};
+  iovec text{const_cast<char*>(assignments.data()), assignments.size()};
   alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
   msghdr message{};
   message.msg_name = &*address;
@@ -84,15 +84,15 @@ Result<void> AwaitManager() {
   UniqueFd theirs(ends[1]);
   if (auto sent = Send("BARRIER=1", theirs.get()); !sent) return sent;
   theirs.reset();
-  pollfd look{ours.get(), POLLIN, 0};
-  if (::poll(&look, 1, kServiceLongestWait_ms) != 1) return Fail(std::errc::timed_out, "await the service manager");
+  pollfd closed{ours.get(), POLLIN, 0};
+  if (::poll(&closed, 1, kServiceLongestWait_ms) != 1) return Fail(std::errc::timed_out, "await the service manager");
   return {};
 }
 
 }  // namespace
 
-Result<void> Tell(std::string_view words) {
-  return Send(words, -1);
+Result<void> Tell(std::string_view assignments) {
+  return Send(assignments, -1);
 }
 
 Result<void> StoreFd(int fd, std::string_view name) {
@@ -127,7 +127,7 @@ Result<void> Watchdog::Beat(Duration turn) {
   const Duration wanted =
       turn <= Duration() ? longest_
                          : std::clamp(turn * kPatientTurns, std::min(kShortestSilence, longest_), longest_);
-  // Small changes are not worth a word.
+  // Small changes are not worth a message.
   if (wanted <= limit_ && wanted * 4 > limit_ * 3) return Tell("WATCHDOG=1");
   limit_ = wanted;
   return Tell(fmt::format("WATCHDOG_USEC={}\nWATCHDOG=1",

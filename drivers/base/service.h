@@ -1,5 +1,5 @@
-// What a program says to the service manager that started it, and the file descriptors that are kept for it
-// there.
+// What a program tells the service manager that started it, and the file descriptors that the manager keeps for it:
+// the protocols of sd_notify(3) and sd_listen_fds(3), without libsystemd.
 #pragma once
 
 #include <optional>
@@ -12,33 +12,35 @@
 
 namespace kaori::service {
 
-// All of it does nothing, and succeeds, where no manager listens: on a desk, in a test. The protocol is that
-// of systemd's sd_notify(3) and its fd store.
+// Every call does nothing, and succeeds, where no manager listens (NOTIFY_SOCKET is not set): on a workstation, in a
+// test. Any thread.
 
-// Says it, as in "READY=1". Does not wait. Errors: those of sendto(2).
-Result<void> Tell(std::string_view words);
+// Sends one assignment a line, as in "READY=1". Does not wait. Errors: those of sendmsg(2).
+Result<void> Tell(std::string_view assignments);
 
-// Gives the manager a copy of `fd` to keep beyond this program's end, and waits (5 s at most) until it has
-// it. Errors: those of sendmsg(2); timed_out.
+// Gives the manager a copy of `fd` to keep beyond this program's end, and waits 5 s at most until it has it. Errors:
+// those of pipe2(2) and sendmsg(2); timed_out.
 Result<void> StoreFd(int fd, std::string_view name);
 
-// The descriptor that was kept under this name, once; none on the first start.
+// The descriptor that was kept, or passed by a socket unit, under this name. Each may be retrieved once, since the
+// caller owns it then; none on the first start.
 std::optional<UniqueFd> RetrieveFd(std::string_view name);
 
-// Tells a manager that watches this program that it lives, and how soon its silence means that it hangs: a
-// machine that draws fast is given up on fast, a slow one is not killed for being slow.
+// Tells a manager that watches this program (WatchdogSec=) that it lives, and how long a silence means that it hangs:
+// a hung program on a fast machine is replaced fast, a slow machine is not killed for being slow. One thread.
 class Watchdog {
  public:
-  // None where no manager watches. What the manager says itself is how long it ever waits.
+  // None where no manager watches. WATCHDOG_USEC is the longest silence that it ever allows.
   static std::optional<Watchdog> Wanted();
 
-  // To be called from the loop, every kPeriod or as often as it gets round. `turn` is how long a turn of the
-  // loop usually takes; 0: not yet known. Errors: those of Tell.
+  // Called from the loop every kPeriod, or as often as the loop gets round. `turn` is how long a turn of the loop
+  // usually takes, 0 where that is not yet known: 30 turns may be silent, but never less than 250 ms. Errors: those of
+  // Tell.
   Result<void> Beat(Duration turn);
 
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);
 
-  // After so much silence the manager kills.
+  // After this silence the manager kills the program.
   Duration limit() const { return limit_; }
 
  private:

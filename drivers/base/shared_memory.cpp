@@ -28,10 +28,10 @@ Result<SharedMemory> SharedMemory::Adopt(UniqueFd descriptor, std::size_t bytes)
   struct stat status {};
   if (::fstat(descriptor.get(), &status) < 0) return FailErrno("look at the peer's shared memory");
   if (bytes == 0 || static_cast<std::size_t>(status.st_size) < bytes)
-    return Fail(std::errc::invalid_argument, "adopt the peer's shared memory: too small");
+    return FailInput("adopt the peer's shared memory: too small");
   const int seals = ::fcntl(descriptor.get(), F_GET_SEALS);
   if (seals < 0 || (seals & F_SEAL_SHRINK) == 0)
-    return Fail(std::errc::invalid_argument, "adopt the peer's shared memory: it may shrink");
+    return FailInput("adopt the peer's shared memory: it may shrink");
   return Map(std::move(descriptor), bytes);
 }
 

@@ -1,4 +1,4 @@
-// Memory that two processes share by handing a descriptor over, and that neither can shrink under the other.
+// Memory that two processes share by passing a descriptor (memfd), sealed so that neither can shrink it.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@
 
 namespace kaori {
 
-// A mapping with one owner.
+// A writable mapping with one owner. The bytes are shared with the peer, which may change them at any time: what is
+// read twice may differ.
 class SharedMemory {
  public:
   SharedMemory() = default;
@@ -21,12 +22,15 @@ class SharedMemory {
   SharedMemory& operator=(SharedMemory&& other) noexcept;
   ~SharedMemory() { Unmap(); }
 
-  // New, zeroed and sealed at its size. `name` is for /proc only. Errors: those of memfd_create and mmap.
+  // Makes memory of zeroes, sealed at its size. `name` is seen in /proc only. Errors: those of memfd_create(2),
+  // ftruncate(2) and mmap(2).
   static Result<SharedMemory> Make(const std::string& name, std::size_t bytes);
 
-  // What a peer made and handed over. Errors: invalid_argument (it holds less than `bytes`, or may shrink).
+  // Maps what a peer made and passed. Errors: invalid_argument (it holds less than `bytes`, or could shrink), those of
+  // fstat(2) and mmap(2).
   static Result<SharedMemory> Adopt(UniqueFd descriptor, std::size_t bytes);
 
+  // False before Make or Adopt, and after a move.
   bool valid() const { return !bytes_.empty(); }
   int descriptor() const { return descriptor_.get(); }
   std::span<std::uint8_t> bytes() const { return bytes_; }

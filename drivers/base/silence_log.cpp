@@ -20,7 +20,8 @@ void SilenceLog::Silent(Duration length, Time now) {
   quiet_until_ = now + kQuiet;
   const int more = std::exchange(unsaid_, 0);
   const std::string often = more > 0 ? fmt::format(", as {} times since it was said last", more) : "";
-  Log("{}: silent for {} ms{}; {}", source_, length / std::chrono::milliseconds(1), often, consequence_);
+  LogWarning("{}: silent for {} ms{}; {}", source_, length / std::chrono::milliseconds(1), often,
+             consequence_);
 }
 
 void SilenceLog::Speaks() {

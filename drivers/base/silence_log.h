@@ -1,4 +1,4 @@
-// Says in the log that a source fell silent and that it speaks again, however often it does.
+// Logs that a source of samples fell silent and that it delivers again, without filling the log where it flickers.
 #pragma once
 
 #include <string>
@@ -7,25 +7,26 @@
 
 namespace kaori {
 
-// At most one silence in a minute is said, with the number of those that were not; its end is said as well.
-// Pure but for the log: time is in the arguments.
+// Logs at most one silence a minute, with the number of those it left out, and the end of each silence that it logged.
+// Asks no clock: time is an argument. One thread.
 class SilenceLog {
  public:
-  // Of the log's lines: "lip camera", "the lips are stale".
+  // The words of its lines: "lip camera", "the lips are stale".
   SilenceLog(std::string source, std::string consequence)
       : source_(std::move(source)), consequence_(std::move(consequence)) {}
 
+  // Called when the source has been silent for `length`, and when it delivers again.
   void Silent(Duration length, Time now);
   void Speaks();
 
-  // It was lost in a way that the log told: that it speaks again is said in any case.
+  // Called when the loss was logged by another line: that it delivers again is logged in any case.
   void Lost() { said_ = true; }
 
  private:
   std::string source_, consequence_;
   Time quiet_until_{};
   int unsaid_ = 0;
-  bool said_ = true;  // That it does not speak.
+  bool said_ = true;  // The silence is in the log, and so will be its end.
 };
 
 }  // namespace kaori

@@ -1,4 +1,4 @@
-// What every reader of a device's stream does: it opens the device until it is there, and doubts its stamps.
+// What every reader of a device's stream does: it opens the device until it is there, and checks its stamps.
 #pragma once
 
 #include <functional>
@@ -11,10 +11,10 @@
 
 namespace kaori {
 
-// Nothing where it cannot be opened now: that is logged, once for each cause, however often it is tried.
-// `logged` is the cause that was logged last.
+// Opens a device, or returns null and logs why: once for each cause, however often it is tried. `logged` is the cause
+// that was logged last; the caller keeps it.
 template <class Device>
-std::unique_ptr<Device> OpenOrSay(const std::function<Result<std::unique_ptr<Device>>()>& open,
+std::unique_ptr<Device> OpenOrLog(const std::function<Result<std::unique_ptr<Device>>()>& open,
                                   std::errc& logged) {
   auto device = open();
   if (device) return std::move(*device);
@@ -23,8 +23,9 @@ std::unique_ptr<Device> OpenOrSay(const std::function<Result<std::unique_ptr<Dev
   return nullptr;
 }
 
-// Some sources stamp with another clock, or leap: then the arrival is the better guess.
-inline Time Believable(Time stamp, Time now, Duration oldest) {
+// Some sources stamp with another clock, or leap. A stamp in the future, or more than `oldest` before `now`, is
+// replaced by the time of arrival.
+inline Time PlausibleStamp(Time stamp, Time now, Duration oldest) {
   return stamp > now || stamp < now - oldest ? now : stamp;
 }
 

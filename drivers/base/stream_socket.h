@@ -1,4 +1,4 @@
-// Unix sockets that carry a stream of bytes, as a virtual machine speaks them.
+// Unix sockets that carry a stream of bytes, as QEMU's monitors and serial lines do.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace kaori {
 
-// Close-on-exec, and never blocks. Errors: filename_too_long (sun_path holds 107 bytes), those of connect.
+// Connects to a listening socket; the result is close-on-exec and non-blocking. Errors: filename_too_long (sun_path
+// holds 107 bytes), those of connect(2).
 Result<UniqueFd> ConnectToStream(const std::string& path);
 
 }  // namespace kaori

@@ -7,6 +7,7 @@
 
 namespace kaori {
 
+// Movable, not copyable. -1 is no descriptor. A failed close(2) is ignored: Linux releases the descriptor anyway.
 class UniqueFd {
  public:
   UniqueFd() = default;

@@ -34,7 +34,7 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::Open(const std::string& path, co
   camera->fd_ = calls.Open(path);
   if (!camera->fd_.valid()) return Fail(CauseOfOpen(errno), "open " + path);
   auto format = Negotiate(calls, camera->fd_.get(), wish);
-  if (!format) return Fail(format.error().cause, path + ": " + format.error().attempt);
+  if (!format) return FailAs(format.error(), path + ": " + format.error().attempt);
   camera->format_ = *format;
   if (auto ok = camera->Start(); !ok) return tl::unexpected(ok.error());
   return camera;

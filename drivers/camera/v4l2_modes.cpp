@@ -186,7 +186,7 @@ Result<std::string> ModesText(const std::string& path, const V4l2Wish& wish, V4l
   const UniqueFd fd = calls.Open(path);
   if (!fd.valid()) return FailErrno("open " + path);
   const auto modes = ListModes(calls, fd.get());
-  if (!modes) return Fail(modes.error().cause, path + ": " + modes.error().attempt);
+  if (!modes) return FailAs(modes.error(), path + ": " + modes.error().attempt);
   const auto ladder = LadderOf(*modes, wish);
   std::string text;
   for (const V4l2Mode& mode : *modes) text += fmt::format("  {}\n", NameOf(mode));

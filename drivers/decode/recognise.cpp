@@ -54,7 +54,7 @@ Result<ReportLayout> LayoutOf(const ports::HidIdentity& identity) {
   const auto known = KnownDescriptor(identity.vendor, identity.product);
   auto layout = ReadReportLayout(known.empty() ? std::span(identity.descriptor) : known);
   if (layout) return layout;
-  return Fail(layout.error().cause, fmt::format("{}: {}", identity.port, layout.error().attempt));
+  return FailAs(layout.error(), fmt::format("{}: {}", identity.port, layout.error().attempt));
 }
 
 }  // namespace kaori::decode

@@ -61,7 +61,7 @@ Result<HidInput> HidrawChannel::Read(std::span<std::uint8_t> into) {
 
 Result<void> HidrawChannel::Write(std::span<const std::uint8_t> report) {
   if (gone_) return Gone();
-  if (report.empty()) return Fail(std::errc::invalid_argument, "write an empty report to " + identity_.port);
+  if (report.empty()) return FailInput("write an empty report to " + identity_.port);
   const ssize_t bytes = ::write(node_.get(), report.data(), report.size());
   if (bytes < 0) return Failed(errno, "write ");
   if (static_cast<std::size_t>(bytes) != report.size())

@@ -208,7 +208,7 @@ Result<HidInput> LibusbChannel::Read(std::span<std::uint8_t> into) {
 }
 
 Result<void> LibusbChannel::Write(std::span<const std::uint8_t> report) {
-  if (report.empty()) return Fail(std::errc::invalid_argument, "write an empty report to " + interface_.port);
+  if (report.empty()) return FailInput("write an empty report to " + interface_.port);
   if (auto ok = session_->Handle(); !ok) return ok;
   if (gone_) return Gone();
   const auto idle = std::ranges::find(writes_, Flight::State::kIdle, &Flight::state);

@@ -39,7 +39,7 @@ Result<ports::HidInput> LocalHidChannel::Read(std::span<std::uint8_t> into) {
 }
 
 Result<void> LocalHidChannel::Write(std::span<const std::uint8_t> report) {
-  if (report.empty()) return Fail(std::errc::invalid_argument, "write an empty report to " + identity_.port);
+  if (report.empty()) return FailInput("write an empty report to " + identity_.port);
   if (auto sent = SendPacket(socket_.get(), report); !sent)
     return Fail(sent.error().cause, "write a report to " + identity_.port);
   return {};

@@ -148,7 +148,7 @@ Result<void> KmsScreen::LookAt(Panel& panel) {
 }
 
 Result<void> KmsScreen::Present(std::uint64_t frame) {
-  if (!std::exchange(acquired_, false)) return Fail(std::errc::invalid_argument, "present without a buffer");
+  if (!std::exchange(acquired_, false)) return FailInput("present without a buffer");
   const auto framebuffer = pictures_->LockFront();
   if (!framebuffer) {
     if (framebuffer.error().cause != std::errc::io_error) Refuse(Largest(wall_), clock_.now(), wishes_);

@@ -54,7 +54,7 @@ void KmsStatusDisplay::Write(std::span<const std::uint8_t> rgbx, int row) {
 Result<void> KmsStatusDisplay::Show(std::span<const std::uint8_t> rgbx, int first, int end) {
   const auto whole = static_cast<std::size_t>(width_px()) * static_cast<std::size_t>(height_px()) * kBytes;
   if (rgbx.size() != whole || first < 0 || first > end || end > height_px())
-    return Fail(std::errc::invalid_argument, "show a picture of another size on the sign");
+    return FailInput("show a picture of another size on the sign");
   for (int row = first; row < end; ++row) Write(rgbx, row);
   settings_.clear();
   if (lit_)  // The same picture again: the card looks at it anew.

@@ -76,7 +76,7 @@ Result<ports::PixelBuffer> LocalScreen::Acquire() {
 }
 
 Result<void> LocalScreen::Present(std::uint64_t frame) {
-  if (!acquired_) return Fail(std::errc::invalid_argument, "present without a buffer");
+  if (!acquired_) return FailInput("present without a buffer");
   if (gone_ || !SendPacket(socket_.get(), wire::Encode(wire::ScreenPresent{frame, next_slot_}))) {
     gone_ = true;
     return Fail(std::errc::no_such_device, "present a frame on the local screen");

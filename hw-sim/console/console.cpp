@@ -153,7 +153,7 @@ void Console::LetGoAlone() {
     return;
   }
   if (!std::exchange(played_, false)) return;
-  if (auto done = Do(held_.LetGo()); !done) Log("let go of the devices: {}", done.error().message());
+  if (auto done = Do(held_.LetGo()); !done) LogWarning("let go of the devices: {}", done.error().message());
 }
 
 Reply Console::OnePicture() {

@@ -1,12 +1,12 @@
 #include "hw-sim/console/labels.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "drivers/base/read_file.h"
 
 namespace kaori::console {
 namespace {
@@ -104,11 +104,10 @@ Json DialJson(const DialLabel& dial) {
 }  // namespace
 
 Result<Labels> LoadLabels(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return FailErrno("open labels " + path);
-  const std::string text(std::istreambuf_iterator<char>(file), {});
+  const auto text = ReadFile(path, {.most_levels = kMostLevels});
+  if (!text) return tl::unexpected(text.error());
   Labels labels;
-  if (auto fault = TakeLabels(Json::parse(text, nullptr, false), labels))
+  if (auto fault = TakeLabels(Json::parse(*text, nullptr, false), labels))
     return FailInput(fmt::format("labels {}: {}", path, *fault));
   return labels;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 #include "hw-sim/devices/voice_synth.h"
 
 namespace kaori::sim {
@@ -17,6 +17,7 @@ constexpr double kLoudness = 1.5;
 // The head of a WAV file, as all programs write it: its places in bytes.
 constexpr std::size_t kHeadBytes = 44, kChannelsAt = 22, kRateAt = 24, kBitsAt = 34;
 constexpr std::uint32_t kSampleBytes = 2;
+constexpr std::size_t kMostWav_bytes = std::size_t{256} << 20U;  // More than half an hour.
 
 // Compared are means of so many samples: 8 kHz tell a voice as well.
 constexpr std::size_t kTogether = 6;
@@ -79,15 +80,13 @@ Result<void> WriteWav(const std::string& path, std::span<const std::int16_t> sam
   file += "data";
   Put(file, bytes, 4);
   for (const std::int16_t sample : samples) Put(file, static_cast<std::uint16_t>(sample), 2);
-  std::ofstream stream(path, std::ios::binary);
-  if (!(stream << file).flush()) return FailErrno("write " + path);
-  return {};
+  return WriteWholeFile(path, {AsBytes(file)});
 }
 
 Result<std::vector<std::int16_t>> ReadWav(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return FailErrno("open " + path);
-  const std::string file(std::istreambuf_iterator<char>(stream), {});
+  const auto read = ReadFile(path, {.most_bytes = kMostWav_bytes});
+  if (!read) return tl::unexpected(read.error());
+  const std::string& file = *read;
   const bool sound = file.size() >= kHeadBytes && file.starts_with("RIFF") &&
                      LittleEndian(file, kChannelsAt, 2) > 0 && LittleEndian(file, kRateAt, 4) == kSynthRate_hz &&
                      LittleEndian(file, kBitsAt, 2) == 8 * kSampleBytes;

@@ -11,6 +11,7 @@
 
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/report.h"
 #include "hw-sim/hil/trial.h"
@@ -41,10 +42,7 @@ struct Settings {
   bool chosen = false, list = false;
 };
 
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 2;
-}
+constexpr int kNotTried = 2;  // The exit status where no check could be run at all.
 
 bool Wanted(const kaori::hil::Check& check, const Settings& settings) {
   if (!settings.only.empty())
@@ -86,13 +84,13 @@ void Tell(const kaori::hil::ReportedCheck& check) {
 int TryAll(const Settings& settings, const std::string& sockets, const kaori::Size& size) {
   const kaori::SteadyClock clock;
   auto place = kaori::hil::Place::Open({.image = settings.image,
-                                          .bench_disk = settings.bench_disk,
-                                          .bench_kernel = settings.bench_kernel,
-                                          .folder = sockets,
-                                          .width_px = size.width_px,
-                                          .height_px = size.height_px},
-                                         clock);
-  if (!place) return Complain(place.error());
+                                        .bench_disk = settings.bench_disk,
+                                        .bench_kernel = settings.bench_kernel,
+                                        .folder = sockets,
+                                        .width_px = size.width_px,
+                                        .height_px = size.height_px},
+                                       clock);
+  if (!place) return kaori::ExitWithError(place.error(), kNotTried);
   kaori::hil::Trial trial(
       {.report = settings.report,
        .play = settings.play,
@@ -105,11 +103,13 @@ int TryAll(const Settings& settings, const std::string& sockets, const kaori::Si
     report.checks.push_back(trial.Try(check));
     Tell(report.checks.back());
     report.boot_s = trial.boot_s();
-    if (auto ok = kaori::hil::WriteReport(report, settings.report); !ok) return Complain(ok.error());
+    if (auto ok = kaori::hil::WriteReport(report, settings.report); !ok)
+      return kaori::ExitWithError(ok.error(), kNotTried);
   }
   trial.End();
   if (!settings.figures.empty())
-    if (auto ok = kaori::hil::MergeFigures(report, settings.figures); !ok) return Complain(ok.error());
+    if (auto ok = kaori::hil::MergeFigures(report, settings.figures); !ok)
+      return kaori::ExitWithError(ok.error(), kNotTried);
   fmt::print("{} passed, {} failed, {} skipped; see {}/report.html\n",
              report.count(kaori::hil::Verdict::kPassed), report.count(kaori::hil::Verdict::kFailed),
              report.count(kaori::hil::Verdict::kSkipped), settings.report);
@@ -125,7 +125,7 @@ int List() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-bench");
+  kaori::BeginProgram("kaori-bench");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--image", settings.image)
@@ -142,13 +142,14 @@ int main(int argc, char** argv) {
   if (settings.list) return List();
   const auto size = kaori::ParseSize(settings.size);
   if (!size)
-    return Complain({std::errc::invalid_argument, "--size " + settings.size + ": expected such as 960x540"});
+    return kaori::ExitWithError(
+        kaori::FailInput("--size " + settings.size + ": expected such as 960x540").value(), kNotTried);
   if (WantedChecks(settings).empty())
-    return Complain({std::errc::invalid_argument, "no check is called " + settings.only});
+    return kaori::ExitWithError(kaori::FailInput("no check is called " + settings.only).value(), kNotTried);
   std::filesystem::create_directories(settings.report);
   settings.report = std::filesystem::absolute(settings.report);  // QEMU writes pictures there.
   const auto sockets = MakeFolder();
-  if (!sockets) return Complain(sockets.error());
+  if (!sockets) return kaori::ExitWithError(sockets.error(), kNotTried);
   const int status = TryAll(settings, *sockets, *size);
   std::filesystem::remove_all(*sockets);
   return status;

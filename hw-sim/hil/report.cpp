@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 #include "hw-sim/hil/markup.h"
 
 namespace kaori::hil {
 namespace {
-
-Result<void> WriteFile(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) return FailErrno("write " + path);
-  return {};
-}
 
 std::string Case(const ReportedCheck& check) {
   const std::string head = fmt::format(R"(    <testcase classname="bench" name="{}: {}" time="{:.1f}")",
@@ -67,18 +61,21 @@ std::string TextFile(const std::string& check, const std::string& text) {
 Result<void> WriteReport(const Report& report, const std::string& folder) {
   for (const ReportedCheck& check : report.checks)
     for (const auto& [name, text] : check.finding.texts)
-      if (auto ok = WriteFile(folder + "/" + TextFile(check.name, name), text); !ok) return ok;
-  if (auto ok = WriteFile(folder + "/report.xml", AsJUnit(report)); !ok) return ok;
-  return WriteFile(folder + "/report.html", AsPage(report));
+      if (auto ok = WriteWholeFile(folder + "/" + TextFile(check.name, name), {AsBytes(text)}); !ok) return ok;
+  if (auto ok = WriteWholeFile(folder + "/report.xml", {AsBytes(AsJUnit(report))}); !ok) return ok;
+  return WriteWholeFile(folder + "/report.html", {AsBytes(AsPage(report))});
 }
 
 Result<void> MergeFigures(const Report& report, const std::string& path) {
   auto figures = nlohmann::json::object();
-  if (std::ifstream file(path); file) figures = nlohmann::json::parse(file, nullptr, false);
+  if (const auto text = ReadFile(path, {.most_levels = kMostLevels}))
+    figures = nlohmann::json::parse(*text, nullptr, false);
+  else if (text.error().cause != std::errc::no_such_file_or_directory)
+    return tl::unexpected(text.error());
   if (!figures.is_object()) return FailInput(path + " is not a JSON object");
   for (const ReportedCheck& check : report.checks)
     for (const auto& [name, value] : check.finding.figures) figures[name] = value;
-  return WriteFile(path, figures.dump(2) + "\n");
+  return WriteWholeFile(path, {AsBytes(figures.dump(2) + "\n")});
 }
 
 }  // namespace kaori::hil

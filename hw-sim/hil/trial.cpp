@@ -48,7 +48,7 @@ Result<void> Trial::Run(const Check& check, Finding& finding) {
 Result<void> Trial::StartBox(const Setup& setup) {
   const auto before = std::ranges::find(dead_, setup, &std::pair<Setup, Error>::first);
   if (before != dead_.end())
-    return Fail(before->second.cause, "not tried: the box did not start before; " + before->second.attempt);
+    return FailAs(before->second, "not tried: the box did not start before; " + before->second.attempt);
   auto ok = strategy_.Play(setup);
   if (!ok) dead_.emplace_back(setup, ok.error());
   if (boot_s_ == 0) boot_s_ = strategy_.boot_s();

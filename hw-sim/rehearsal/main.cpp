@@ -10,6 +10,7 @@
 #include "appliance/programs/editor/expression_editor.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
 #include "hw-sim/rehearsal/film.h"
 #include "hw-sim/rehearsal/rehearsal.h"
 #include "hw-sim/scenario/player.h"
@@ -50,11 +51,6 @@ struct Outputs {
     return kaori::image::WritePng(fmt::format("{}/{:04}.png", pictures, number / hz), picture);
   }
 };
-
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
 
 void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
   const double position_s = kaori::Seconds(player.position());
@@ -100,25 +96,25 @@ Result<Outputs> OpenOutputs(const Settings& settings, kaori::Size size, int hz) 
 
 int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::string& folder) {
   auto scenario = kaori::sim::LoadScenario(settings.play);
-  if (!scenario) return Complain(scenario.error());
+  if (!scenario) return kaori::ExitWithError(scenario.error());
   auto show = kaori::show::LoadPack(settings.pack);
-  if (!show) return Complain(show.error());
+  if (!show) return kaori::ExitWithError(show.error());
   auto needles = kaori::editor::ExpressionEditor::Open(folder + "/own",
                                                        *show);  // What is saved goes with the rehearsal.
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
-  if (!studio) return Complain(studio.error());
+  if (!studio) return kaori::ExitWithError(studio.error());
   const auto rehearsal = kaori::sim::Rehearsal::Open({.folder = folder,
                                                       .width_px = size.width_px,
                                                       .height_px = size.height_px,
                                                       .hz = static_cast<double>(hz)},
                                                      **studio);
-  if (!rehearsal) return Complain(rehearsal.error());
+  if (!rehearsal) return kaori::ExitWithError(rehearsal.error());
   (*rehearsal)->Bring(std::move(needles));
   auto outputs = OpenOutputs(settings, size, hz);
-  if (!outputs) return Complain(outputs.error());
-  if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs); !ok) return Complain(ok.error());
+  if (!outputs) return kaori::ExitWithError(outputs.error());
+  if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs); !ok) return kaori::ExitWithError(ok.error());
   if (outputs->film)
-    if (auto ok = outputs->film->Finish(); !ok) return Complain(ok.error());
+    if (auto ok = outputs->film->Finish(); !ok) return kaori::ExitWithError(ok.error());
   if (!settings.film.empty()) fmt::print("{}\n", settings.film);
   return 0;
 }
@@ -126,7 +122,7 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-rehearsal");
+  kaori::BeginProgram("kaori-rehearsal");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--pack", settings.pack, true)
@@ -137,13 +133,13 @@ int main(int argc, char** argv) {
   const auto size = kaori::ParseSize(settings.size);
   const int hz = std::atoi(settings.hz.c_str());
   if (!size || hz < 1 || hz > 240 || size->width_px % 2 != 0 || size->height_px % 2 != 0) {
-    kaori::Log("--size is two even numbers such as 960x540, --hz 1 to 240");
+    kaori::LogError("--size is two even numbers such as 960x540, --hz 1 to 240");
     return 2;
   }
   std::error_code none;
   const auto passing = std::filesystem::temp_directory_path(none);
   if (none)
-    return Complain(
+    return kaori::ExitWithError(
         kaori::Fail(static_cast<std::errc>(none.value()), "find a folder for passing files").value());
   const std::string folder = passing / fmt::format("kaori-rehearsal-{}", ::getpid());
   const int status = Rehearse(settings, *size, hz, folder);

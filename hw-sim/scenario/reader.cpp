@@ -1,10 +1,10 @@
 #include "hw-sim/scenario/reader.h"
 
-#include <fstream>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
 #include "hw-sim/scenario/speech.h"
 #include "hw-sim/scenario/statements.h"
 
@@ -116,16 +116,9 @@ std::string Describe(const std::vector<Problem>& problems, std::string_view file
 }
 
 Result<Scenario> LoadScenario(const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) return FailErrno("open scenario " + path);
-  const auto bytes = file.tellg();
-  if (bytes < 0) return Fail(std::errc::io_error, "read scenario " + path);
-  if (static_cast<std::size_t>(bytes) > kMostBytes)
-    return Fail(std::errc::file_too_large, "read scenario " + path);
-  file.seekg(0);
-  std::string text(static_cast<std::size_t>(bytes), '\0');
-  if (!file.read(text.data(), bytes)) return Fail(std::errc::io_error, "read scenario " + path);
-  Reading reading = ReadScenario(text);
+  const auto text = ReadFile(path, {.most_bytes = kMostBytes});
+  if (!text) return tl::unexpected(text.error());
+  Reading reading = ReadScenario(*text);
   if (!reading.problems.empty()) return FailInput(Describe(reading.problems, path));
   return std::move(reading.scenario);
 }

@@ -85,7 +85,7 @@ void ForgetDepth() {
 
 Result<Canvas> Canvas::Make(const CanvasOptions& options) {
   const auto attempt = fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px);
-  if (!Sane(options)) return Fail(std::errc::invalid_argument, attempt);
+  if (!Sane(options)) return FailInput(attempt);
   Canvas canvas(options);
   canvas.options_.samples = options.samples < 2 ? 0 : kSamples;
   const bool made = canvas.MakePicture() && canvas.MakeLayer(Context::ReadsSamples());

@@ -73,7 +73,7 @@ constexpr bool kDebug = false;
 
 void GL_APIENTRY LogMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* text,
                             const void*) {
-  if (severity != GL_DEBUG_SEVERITY_NOTIFICATION) Log("GL: {}", text);
+  if (severity != GL_DEBUG_SEVERITY_NOTIFICATION) LogWarning("GL: {}", text);
 }
 
 // Debug output is GLES 3.2 or KHR_debug; without either the driver keeps its remarks to itself.

@@ -5,8 +5,12 @@
 #include <cstring>
 #include <string>
 
+#include "drivers/base/read_file.h"
+
 namespace kaori::image {
 namespace {
+
+constexpr std::size_t kMostPng_bytes = std::size_t{64} << 20U;
 
 // libpng's simple interface: version set, everything else zero.
 png_image Blank() {
@@ -61,8 +65,10 @@ Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture) {
 }
 
 Result<Picture> ReadPng(const std::filesystem::path& file) {
+  const auto bytes = ReadFile(file, {.most_bytes = kMostPng_bytes});
+  if (!bytes) return tl::unexpected(bytes.error());
   png_image image = Blank();
-  if (png_image_begin_read_from_file(&image, file.c_str()) == 0)
+  if (png_image_begin_read_from_memory(&image, bytes->data(), bytes->size()) == 0)
     return FailInput("read " + file.string() + ": " + image.message);
   image.format = PNG_FORMAT_RGBA;
   Picture picture = Picture::Blank(static_cast<int>(image.width), static_cast<int>(image.height));

@@ -28,10 +28,10 @@ class FdKeeperTest : public ::testing::Test {
   ~FdKeeperTest() override { std::filesystem::remove(path_); }
 
   void Start(std::optional<UniqueFd> held) {
-    holder_.emplace(loop_, ListenForPackets(path_).value(), std::move(held), [this](int) { ++taken_; });
-    ASSERT_TRUE(holder_->Open());
+    keeper_.emplace(loop_, ListenForPackets(path_).value(), std::move(held), [this](int) { ++received_; });
+    ASSERT_TRUE(keeper_->Open());
   }
-  // What a program does, in a thread of its own, while the holder's loop runs.
+  // What a program does, in a thread of its own, while the keeper's loop runs.
   template <class Program>
   void While(Program program) {
     done_ = false;
@@ -43,7 +43,7 @@ class FdKeeperTest : public ::testing::Test {
     thread.join();
   }
 
-  // Until the holder's queue has room.
+  // Until the keeper's queue has room.
   UniqueFd Call() {
     auto call = ConnectToPeer(path_);
     while (!call && call.error().cause == std::errc::resource_unavailable_try_again)
@@ -61,9 +61,9 @@ class FdKeeperTest : public ::testing::Test {
   const std::string path_ =
       (std::filesystem::temp_directory_path() / ("kaori-fdkeeper-" + std::to_string(::getpid()))).string();
   EventLoop loop_;
-  std::optional<FdKeeper> holder_;
+  std::optional<FdKeeper> keeper_;
   std::atomic<bool> done_ = false;
-  int taken_ = 0;
+  int received_ = 0;
 };
 
 TEST_F(FdKeeperTest, GivesBackWhatWasEntrustedThoughItsOwnerIsGone) {
@@ -73,7 +73,7 @@ TEST_F(FdKeeperTest, GivesBackWhatWasEntrustedThoughItsOwnerIsGone) {
     ASSERT_TRUE(back) << back.error().message();
     EXPECT_EQ(Count(back->get()), 7U);
   });
-  EXPECT_EQ(taken_, 1);
+  EXPECT_EQ(received_, 1);
 }
 
 TEST_F(FdKeeperTest, GivesItAsOftenAsItIsAsked) {
@@ -95,11 +95,11 @@ TEST_F(FdKeeperTest, SaysThatItHoldsNothing) {
   While([&] { EXPECT_EQ(RetrieveFromKeeper(path_).error().cause, std::errc::no_such_device); });
 }
 
-TEST_F(FdKeeperTest, GoesOnWithWhatAnEarlierHolderHeld) {
-  holder_.reset();
+TEST_F(FdKeeperTest, GoesOnWithWhatAnEarlierKeeperHeld) {
+  keeper_.reset();
   Start(Counter(5));
   While([&] { EXPECT_EQ(Count(RetrieveFromKeeper(path_).value().get()), 5U); });
-  EXPECT_EQ(taken_, 0);
+  EXPECT_EQ(received_, 0);
 }
 
 TEST_F(FdKeeperTest, CallersWithNothingSensibleToSayAreHungUpOn) {
@@ -120,7 +120,7 @@ TEST_F(FdKeeperTest, CallersWithNothingSensibleToSayAreHungUpOn) {
   });
 }
 
-TEST(WithoutAHolder, NothingIsEntrustedAndNothingFound) {
+TEST(WithoutAKeeper, NothingIsEntrustedAndNothingFound) {
   EXPECT_TRUE(GiveToKeeper(0, ""));
   EXPECT_EQ(RetrieveFromKeeper("").error().cause, std::errc::no_such_device);
   EXPECT_FALSE(GiveToKeeper(0, "/nowhere/at/all"));

@@ -156,7 +156,7 @@ class FakeCard final : public scanout::KmsDevice {
       if (std::string_view(property) != "MODE_ID" || value == 0) continue;
       ++lit;
       if (modes_told.at(std::uint32_t(value)).hdisplay > most_px)
-        return Fail(std::errc::invalid_argument, "show a picture");
+        return FailInput("show a picture");
     }
     if (lit > most_lit) return Fail(std::errc::no_space_on_device, "show a picture");
     return {};

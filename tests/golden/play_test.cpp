@@ -9,6 +9,7 @@
 
 #include "appliance/core/board/snapshot.h"
 #include "appliance/core/show/pack.h"
+#include "drivers/base/checksum.h"
 #include "hw-sim/rehearsal/rehearsal.h"
 #include "hw-sim/scenario/player.h"
 #include "hw-sim/scenario/reader.h"
@@ -85,15 +86,9 @@ struct Trace {
   friend bool operator==(const Trace&, const Trace&) = default;
 };
 
-std::uint64_t Hash(std::span<const std::uint8_t> bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325U;  // FNV-1a.
-  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001B3U;
-  return hash;
-}
-
 template <class T>
 std::uint64_t HashOf(const T& value) {
-  return Hash({reinterpret_cast<const std::uint8_t*>(&value), sizeof(value)});
+  return Fnv1a(std::span(reinterpret_cast<const std::uint8_t*>(&value), sizeof(value)));
 }
 
 TEST_F(PlayTest, TheSameScenarioGivesTheSameBoardAndTheSamePictures) {
@@ -102,7 +97,7 @@ TEST_F(PlayTest, TheSameScenarioGivesTheSameBoardAndTheSamePictures) {
     Open(160, 90);
     ASSERT_FALSE(HasFatalFailure());
     while (player_->position() < std::chrono::seconds(20)) {
-      trace.pictures.push_back(Hash(Next().rgbx));
+      trace.pictures.push_back(Fnv1a(Next().rgbx));
       const auto board = board::ReadAll(rehearsal_->board());
       trace.boards.push_back(HashOf(board.surface.value) ^ HashOf(board.sticks[0].value) ^
                              HashOf(board.keys.value) ^ HashOf(board.lips.value) ^ HashOf(board.lamps.value));
@@ -118,12 +113,12 @@ TEST_F(PlayTest, AHandOnADialIsSeenInThePicture) {
   Open(160, 90);
   rehearsal_->rig().dial_box().Turn(6, -1);  // Life off: the face holds still.
   for (int i = 0; i < 20; ++i) Next();
-  const auto before = Hash(Next().rgbx);
-  EXPECT_EQ(Hash(Next().rgbx), before) << "a still face is drawn the same";
+  const auto before = Fnv1a(Next().rgbx);
+  EXPECT_EQ(Fnv1a(Next().rgbx), before) << "a still face is drawn the same";
   rehearsal_->rig().dial_box().Turn(4, 0.5);  // The mouth opens.
   Next();
   Next();
-  EXPECT_NE(Hash(Next().rgbx), before);
+  EXPECT_NE(Fnv1a(Next().rgbx), before);
 }
 
 }  // namespace

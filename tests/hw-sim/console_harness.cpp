@@ -51,12 +51,12 @@ Result<void> Play(const std::string& folder, std::uint16_t port) {
 int main(int count, char** words) {
   kaori::SetLogName("console-harness");
   if (count < 2) {
-    kaori::LogLine("usage: console-harness FOLDER [PORT]");
+    kaori::LogError("usage: console-harness FOLDER [PORT]");
     return EXIT_FAILURE;
   }
   const auto port = static_cast<std::uint16_t>(count > 2 ? std::atoi(words[2]) : 0);
   if (auto played = kaori::console::Play(words[1], port); !played) {
-    kaori::LogLine(played.error().message());
+    kaori::LogError("{}", played.error().message());
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -211,7 +211,7 @@ TEST(ScenarioReader, ReadsLinesOfOtherSystems) {
 
 TEST(ScenarioReader, NamesTheFileThatIsNotThere) {
   const auto loaded = LoadScenario("/nowhere/x.play");
-  EXPECT_EQ(loaded.error().message(), "open scenario /nowhere/x.play: No such file or directory");
+  EXPECT_EQ(loaded.error().message(), "read /nowhere/x.play: No such file or directory");
 }
 
 TEST(ScenarioReader, ReadsThePlaysThatComeWithTheHouse) {

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -9,18 +7,15 @@
 #include "appliance/authoring/import/import.h"
 #include "appliance/authoring/import/mesh_check.h"
 #include "appliance/authoring/import/obj_file.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori::import {
 namespace {
 
-std::optional<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error || size > kMostFile_bytes) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  return in.gcount() == static_cast<std::streamsize>(size) ? std::optional(std::move(bytes)) : std::nullopt;
+Result<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& file) {
+  return ReadFile(file, {.most_bytes = kMostFile_bytes}).map([](const std::string& bytes) {
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+  });
 }
 
 std::string Ending(const std::filesystem::path& file) {
@@ -42,7 +37,8 @@ std::optional<Model> Decode(const std::filesystem::path& file, const std::vector
   if (ending == ".obj") return ReadObj(name, bytes, findings);
   const ReadBeside beside = [&](const std::string& other) -> std::optional<std::vector<std::uint8_t>> {
     if (!StaysBeside(other)) return std::nullopt;
-    return ReadBytes(file.parent_path() / other);
+    auto read = ReadBytes(file.parent_path() / other);
+    return read ? std::optional(std::move(*read)) : std::nullopt;
   };
   if (ending == ".glb" || ending == ".gltf") return ReadGltf(name, bytes, beside, findings);
   findings.Add(name, "", "is none of .glb, .gltf, .obj");
@@ -54,8 +50,7 @@ std::optional<Model> Decode(const std::filesystem::path& file, const std::vector
 std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& findings) {
   const auto bytes = ReadBytes(file);
   if (!bytes) {
-    findings.Add(file.string(), "",
-                 fmt::format("cannot be read, or is larger than {} MiB", kMostFile_bytes >> 20U));
+    findings.Add(file.string(), "", bytes.error().message());
     return std::nullopt;
   }
   const std::size_t before = findings.size();

@@ -11,7 +11,8 @@
 #include "appliance/authoring/pack/progress.h"
 #include "appliance/authoring/sheet/sheet.h"
 #include "appliance/core/show/pack.h"
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/program.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::authoring {
 namespace {
@@ -103,7 +104,7 @@ class Writing {
 
   Result<void> Save(const std::string& text, const std::filesystem::path& file) {
     written_.push_back(file.string());
-    return show::WriteWholeFile(file, {show::AsBytes(text)});
+    return WriteWholeFile(file, {AsBytes(text)});
   }
 
   Result<void> Draw(show::Show show, const std::filesystem::path& folder) {
@@ -150,7 +151,7 @@ Result<void> RunImport(const Arguments& arguments) {
 
 int Run(const Arguments& arguments) {
   const auto ok = RunImport(arguments);
-  return ok ? 0 : Complain(ok.error());
+  return ok ? 0 : ExitWithError(ok.error());
 }
 
 }  // namespace

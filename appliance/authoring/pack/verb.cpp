@@ -91,16 +91,6 @@ Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args) 
   return arguments;
 }
 
-int Complain(const Error& error) {
-  const std::string message = error.message();
-  for (std::string_view rest = message; !rest.empty();) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    fmt::print(stderr, "kaori-atelier: {}\n", line);
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-  }
-  return 1;
-}
-
 int Dispatch(std::span<const Verb> verbs, std::span<char* const> args) {
   if (args.empty()) {
     fmt::print(stderr, "{}", HelpPage(verbs));

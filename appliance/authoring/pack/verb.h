@@ -39,9 +39,6 @@ std::string UsageOf(const Verb& verb);
 // Errors: invalid_argument (a word too few or too many, an unknown option, one without its value).
 Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args);
 
-// Says on standard error what failed, one line for each line of the error; returns 1.
-int Complain(const Error& error);
-
 // Runs the verb that the command line names, or prints the page it asks for. Returns the exit status; 2 where
 // the command line makes no sense.
 int Dispatch(std::span<const Verb> verbs, std::span<char* const> args);

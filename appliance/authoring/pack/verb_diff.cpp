@@ -3,15 +3,16 @@
 #include "appliance/authoring/pack/difference.h"
 #include "appliance/authoring/pack/verbs.h"
 #include "appliance/core/show/pack.h"
+#include "drivers/base/program.h"
 
 namespace kaori::authoring {
 namespace {
 
 int RunDiff(const Arguments& arguments) {
   const auto before = show::LoadPack(arguments.words[0]);
-  if (!before) return Complain(before.error());
+  if (!before) return ExitWithError(before.error());
   const auto after = show::LoadPack(arguments.words[1]);
-  if (!after) return Complain(after.error());
+  if (!after) return ExitWithError(after.error());
   const auto differences = Differences(*before, *after);
   for (const std::string& line : differences) fmt::print("{}\n", line);
   if (differences.empty()) fmt::print("the two play alike\n");

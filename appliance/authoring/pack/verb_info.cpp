@@ -5,6 +5,7 @@
 #include "appliance/authoring/pack/facts.h"
 #include "appliance/authoring/pack/progress.h"
 #include "appliance/authoring/pack/verbs.h"
+#include "drivers/base/program.h"
 
 namespace kaori::authoring {
 namespace {
@@ -16,7 +17,7 @@ Result<Facts> Gather(const std::string& file) {
 
 int RunInfo(const Arguments& arguments) {
   const auto facts = Gather(arguments.words[0]);
-  if (!facts) return Complain(facts.error());
+  if (!facts) return ExitWithError(facts.error());
   fmt::print("{}", arguments.Has("--json") ? FactsJson(*facts) : FactsPage(*facts));
   return 0;
 }

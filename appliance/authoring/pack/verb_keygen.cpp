@@ -2,6 +2,7 @@
 
 #include "appliance/authoring/pack/verbs.h"
 #include "appliance/core/show/pack_key.h"
+#include "drivers/base/program.h"
 
 namespace kaori::authoring {
 namespace {
@@ -9,8 +10,8 @@ namespace {
 int RunKeygen(const Arguments& arguments) {
   const std::string& file = arguments.words[0];
   const auto key = show::MakeKey();
-  if (!key) return Complain(key.error());
-  if (const auto ok = show::SaveKey(*key, file); !ok) return Complain(ok.error());
+  if (!key) return ExitWithError(key.error());
+  if (const auto ok = show::SaveKey(*key, file); !ok) return ExitWithError(ok.error());
   fmt::print("{}: signs packs; keep it to yourself\n{}.pub: for the boxes that are to play them\n", file,
              file);
   return 0;

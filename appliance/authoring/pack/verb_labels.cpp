@@ -1,17 +1,18 @@
 #include "appliance/authoring/pack/verbs.h"
 #include "appliance/authoring/script/labels.h"
 #include "appliance/core/show/pack.h"
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/program.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::authoring {
 namespace {
 
 int RunLabels(const Arguments& arguments) {
   const auto show = show::LoadPack(arguments.words[0]);
-  if (!show) return Complain(show.error());
+  if (!show) return ExitWithError(show.error());
   const std::string json = LabelsJson(*show);
-  if (const auto ok = show::WriteWholeFile(arguments.words[1], {show::AsBytes(json)}); !ok)
-    return Complain(ok.error());
+  if (const auto ok = WriteWholeFile(arguments.words[1], {AsBytes(json)}); !ok)
+    return ExitWithError(ok.error());
   return 0;
 }
 

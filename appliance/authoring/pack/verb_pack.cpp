@@ -8,6 +8,7 @@
 #include "appliance/authoring/pack/progress.h"
 #include "appliance/authoring/pack/verbs.h"
 #include "appliance/core/show/pack.h"
+#include "drivers/base/program.h"
 
 namespace kaori::authoring {
 namespace {
@@ -33,7 +34,7 @@ Result<void> MakePack(const std::filesystem::path& folder, const std::filesystem
 
 int RunPack(const Arguments& arguments) {
   const auto signer = ReadSigner(arguments);
-  if (!signer) return Complain(signer.error());
+  if (!signer) return ExitWithError(signer.error());
   const std::filesystem::path file = arguments.words[1];
   Result<void> made;
   double took_s = 0;
@@ -42,7 +43,7 @@ int RunPack(const Arguments& arguments) {
     made = MakePack(arguments.words[0], file, *signer ? &**signer : nullptr, progress);
     took_s = progress.seconds();
   }
-  if (!made) return Complain(made.error());
+  if (!made) return ExitWithError(made.error());
   std::error_code error;
   fmt::print("{}: {:.1f} MB{}, made in {:.1f} s\n", file.string(),
              static_cast<double>(std::filesystem::file_size(file, error)) * 1e-6, *signer ? ", signed" : "",

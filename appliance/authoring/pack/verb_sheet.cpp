@@ -4,6 +4,7 @@
 #include "appliance/authoring/pack/verbs.h"
 #include "appliance/authoring/sheet/sheet.h"
 #include "appliance/core/show/pack.h"
+#include "drivers/base/program.h"
 
 namespace kaori::authoring {
 namespace {
@@ -21,7 +22,7 @@ Result<void> WriteSheets(const Arguments& arguments) {
 
 int RunSheet(const Arguments& arguments) {
   const auto ok = WriteSheets(arguments);
-  return ok ? 0 : Complain(ok.error());
+  return ok ? 0 : ExitWithError(ok.error());
 }
 
 }  // namespace

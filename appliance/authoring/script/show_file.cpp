@@ -14,6 +14,7 @@
 #include "appliance/authoring/script/key_names.h"
 #include "appliance/authoring/script/wave_file.h"
 #include "appliance/authoring/sculpt/value.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori::authoring {
 namespace {
@@ -275,7 +276,7 @@ class ShowFileReader {
 }  // namespace
 
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show) {
-  const auto text = sculpt::ReadText(file);
+  const auto text = ReadFile(file, {.most_levels = kMostLevels});
   if (!text) return {text.error().message()};
   const toml::parse_result parsed = toml::parse(*text, file.string());
   if (!parsed) {

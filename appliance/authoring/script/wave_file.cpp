@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <iterator>
 #include <numbers>
 #include <numeric>
@@ -15,10 +14,13 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
+
 namespace kaori::authoring {
 namespace {
 
-constexpr std::uintmax_t kMost_bytes = std::uintmax_t{512} << 20U;
+constexpr std::size_t kMost_bytes = std::size_t{512} << 20U;
 constexpr long kRate_hz = show::kSoundRate_hz;
 constexpr std::size_t kRiffHead_bytes = 12, kChunkHead_bytes = 8, kFormat_bytes = 16;
 constexpr std::uint32_t kPcm = 1, kExtensible = 0xFFFE;
@@ -153,14 +155,9 @@ Result<show::Sound> Decode(Bytes file) {
 }  // namespace
 
 Result<show::Sound> ReadWave(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (!stream || error) return Fail(std::errc::no_such_file_or_directory, "open the sound " + file.string());
-  if (size > kMost_bytes) return FailInput(fmt::format("the sound {} is larger than 512 MB", file.string()));
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream),
-                                        std::istreambuf_iterator<char>()};
-  auto sound = Decode(bytes);
+  const auto bytes = ReadFile(file, {.most_bytes = kMost_bytes});
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto sound = Decode(AsBytes(*bytes));
   if (!sound) return FailInput(fmt::format("the sound {} {}", file.string(), sound.error().attempt));
   return sound;
 }

@@ -1,18 +1,16 @@
 #include "appliance/authoring/sculpt/value.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
+#include "drivers/base/read_file.h"
+
 namespace kaori::sculpt {
 namespace {
-
-constexpr std::uintmax_t kMostText_bytes = 16U << 20U;  // Far more than anybody writes.
 
 Result<Value> Convert(const toml::node& node, const std::string& file);
 
@@ -60,23 +58,8 @@ Result<Value> Convert(const toml::node& node, const std::string& file) {
 
 }  // namespace
 
-Result<std::string> ReadText(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto kind = std::filesystem::status(file, error).type();
-  if (kind == std::filesystem::file_type::directory)
-    return Fail(std::errc::is_a_directory, "read " + file.string());  // It would read as if it were empty.
-  if (!error && kind != std::filesystem::file_type::regular) return FailInput(file.string() + ": is no file");
-  const std::ifstream stream(file);
-  if (!stream) return FailErrno("read " + file.string());
-  if (std::filesystem::file_size(file, error) > kMostText_bytes)
-    return FailInput(fmt::format("{}: is larger than {} MiB", file.string(), kMostText_bytes >> 20U));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 Result<Value> ReadToml(const std::filesystem::path& file) {
-  const auto text = ReadText(file);
+  const auto text = ReadFile(file, {.most_levels = kMostLevels});
   if (!text) return tl::unexpected(text.error());
   const toml::parse_result parsed = toml::parse(*text, file.string());
   if (!parsed) {

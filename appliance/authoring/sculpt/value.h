@@ -20,11 +20,7 @@ struct Value {
   std::vector<std::pair<std::string, Value>> table{};  // In the order of their names.
 };
 
-// Reads a file of text. Errors: as open(2); is_a_directory; invalid_argument where it is no file (a device
-// would never end) or too large for one that people write.
-Result<std::string> ReadText(const std::filesystem::path& file);
-
-// Reads a TOML file into a table. Errors: as ReadText, and
+// Reads a TOML file into a table. Errors: those of ReadFile, and
 //   invalid_argument           it is no TOML, or holds a number that is not finite, or a date: file and line
 //   are named
 Result<Value> ReadToml(const std::filesystem::path& file);

@@ -9,7 +9,7 @@
 
 #include "appliance/authoring/inspect/inspect.h"
 #include "appliance/authoring/sheet/page.h"
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
 #include "render/image/text.h"
 
 namespace kaori::authoring {
@@ -151,7 +151,7 @@ Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& fold
   auto made = NewFolder::Make(folder);
   if (!made) return tl::unexpected(made.error());
   for (const File& file : *files)
-    if (auto ok = show::WriteWholeFile(folder / file.name, {file.bytes}); !ok) return ok;
+    if (auto ok = WriteWholeFile(folder / file.name, {file.bytes}); !ok) return ok;
   made->Keep();
   for (const File& file : *files) wrote((folder / file.name).string());
   return {};

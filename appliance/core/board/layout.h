@@ -9,6 +9,7 @@
 
 #include "appliance/core/board/sections.h"
 #include "appliance/core/board/slots.h"
+#include "drivers/base/checksum.h"
 
 namespace kaori::board {
 
@@ -87,14 +88,13 @@ constexpr const SectionPlace& Place(Section section) {
   return kPlaces[static_cast<std::size_t>(section)];
 }
 
-// FNV-1a over names and sizes: two programs built from different sections never share a board.
+// A sum over names and sizes: two programs built from different sections never share a board.
 constexpr std::uint64_t LayoutHash() {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  const auto mix = [&hash](std::uint64_t byte) { hash = (hash ^ byte) * 0x100000001B3ULL; };
+  std::uint64_t hash = kFnvBasis;
   for (const SectionPlace& place : kPlaces) {
-    for (const char letter : place.name) mix(static_cast<unsigned char>(letter));
-    mix(place.value_words & 0xFF);
-    mix(place.value_words >> 8);
+    const std::array<std::uint8_t, 2> words{static_cast<std::uint8_t>(place.value_words),
+                                            static_cast<std::uint8_t>(place.value_words >> 8)};
+    hash = Fnv1a(words, Fnv1a(place.name, hash));
   }
   return hash;
 }

@@ -12,7 +12,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/core/show/pack_container.h"
 #include "appliance/core/show/pack_content.h"
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori::show {
@@ -55,7 +55,7 @@ struct OpenFile {
 
 // What stands in a header is said of the file.
 tl::unexpected<Error> Refuse(const std::string& name, const Error& error) {
-  return Fail(error.cause, name + " " + error.attempt);
+  return FailAs(error, name + " " + error.attempt);
 }
 
 Result<OpenFile> Open(const std::string& name) {

@@ -3,12 +3,12 @@
 #include <sodium.h>
 
 #include <algorithm>
-#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::show {
 namespace {
@@ -19,6 +19,7 @@ static_assert(sizeof(PublicKey) == crypto_sign_PUBLICKEYBYTES);
 // The first word of a key's line says what it is, so that nobody hands out the wrong file.
 constexpr std::string_view kSecretMark = "kaori-secret-key ";
 constexpr std::string_view kPublicMark = "kaori-public-key ";
+constexpr std::size_t kMostKeyFile_bytes = 4096;  // A line, and room for remarks behind it.
 
 std::string Line(std::string_view mark, std::span<const std::uint8_t> bytes) {
   std::string hex(2 * bytes.size() + 1, '\0');
@@ -30,16 +31,15 @@ std::string Line(std::string_view mark, std::span<const std::uint8_t> bytes) {
 // Fills `bytes` from a line as Line writes it.
 Result<void> ReadLine(const std::filesystem::path& file, std::string_view mark,
                       std::span<std::uint8_t> bytes) {
-  std::ifstream in(file);
-  std::string line;
-  if (!in) return FailErrno("read the key " + file.string());
-  std::getline(in, line);
+  auto text = ReadFile(file, {.most_bytes = kMostKeyFile_bytes});
+  if (!text) return tl::unexpected(text.error());
+  const std::string_view line = std::string_view(*text).substr(0, text->find('\n'));
   std::size_t read = 0;
   const bool whole = line.starts_with(mark) && line.size() == mark.size() + 2 * bytes.size() &&
                      sodium_hex2bin(bytes.data(), bytes.size(), line.data() + mark.size(),
                                     line.size() - mark.size(), nullptr, &read, nullptr) == 0 &&
                      read == bytes.size();
-  sodium_memzero(line.data(), line.size());
+  sodium_memzero(text->data(), text->size());
   if (whole) return {};
   return FailInput(file.string() + ": holds no \"" + std::string(mark.substr(0, mark.size() - 1)) + "\" of " +
                    std::to_string(bytes.size()) + " bytes");

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "appliance/programs/desk/chance.h"
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
 #include "drivers/base/log.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori::desk {
 namespace {
@@ -20,6 +19,7 @@ constexpr std::int64_t kDay_s = 86'400;
 constexpr std::int64_t kFirst_s = 1'767'225'600;  // 2026-01-01: no box is older.
 constexpr std::int64_t kLasts_s = 825 * kDay_s;   // What browsers let a certificate last at most.
 constexpr std::int64_t kRenew_s = 30 * kDay_s;
+constexpr std::size_t kMostPem_bytes = 65536;
 constexpr std::string_view kBegin = "-----BEGIN CERTIFICATE-----";
 
 struct CloseKey {
@@ -126,15 +126,16 @@ Result<std::string> Make(const CertificateFor& whom) {
 Result<OwnCertificate> KeptCertificate(const std::filesystem::path& folder, const CertificateFor& whom) {
   const std::filesystem::path file = folder / "desk.pem";
   const std::int64_t now_s = std::max(whom.now_s, kFirst_s);
-  std::ostringstream kept;
-  if (std::ifstream stream(file); stream) kept << stream.rdbuf();
-  if (const auto own = Read(kept.str(), now_s)) return *own;
+  const auto kept = ReadFile(file, {.most_bytes = kMostPem_bytes});
+  if (!kept && kept.error().cause != std::errc::no_such_file_or_directory)
+    LogWarning("{}; another certificate is made", kept.error().message());
+  if (const auto own = Read(kept.value_or(""), now_s)) return *own;
   const auto made = Make(whom);
   if (!made) return tl::unexpected(made.error());
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
-  if (auto written = show::WriteWholeFile(file, {show::AsBytes(*made)}, 0600); !written)
+  if (auto written = WriteWholeFile(file, {AsBytes(*made)}, 0600); !written)
     return tl::unexpected(written.error());
   Log("a certificate of the box's own was made: {}", file.string());
   const auto own = Read(*made, now_s);

@@ -10,7 +10,7 @@ namespace kaori::desk {
 
 void FillByChance(std::span<std::uint8_t> bytes) {
   if (::getrandom(bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size())) return;
-  Log("the kernel gives no random numbers");
+  LogError("the kernel gives no random numbers");
   std::abort();
 }
 

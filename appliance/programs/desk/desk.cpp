@@ -217,7 +217,7 @@ Reply Desk::Pair(const Request& request) {
     case Verdict::kWrong:
       break;
   }
-  Log("a wrong code was tried");
+  LogWarning("a wrong code was tried");
   return {403, kText, "this is not the code\n"};
 }
 

@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -13,7 +12,9 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
 #include "drivers/base/service.h"
+#include "drivers/base/whole_file.h"
 
 namespace {
 
@@ -37,11 +38,6 @@ struct Settings {
   std::string board = "/dev/shm/kaori-board", port = "8443", data, address_file;
   bool service = false, plain = false, local = false;
 };
-
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
 
 std::filesystem::path FolderOf(const Settings& settings) {
   if (!settings.data.empty()) return settings.data;
@@ -72,33 +68,30 @@ kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
 
 kaori::Result<void> TellAddress(const std::string& file, const std::string& address) {
   kaori::Log("the desk is at {}; the code is on the box's screen", address);
-  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::Log("{}", told.error().message());
+  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
   if (file.empty()) return {};
-  std::ofstream out(file);
-  out << address << '\n';
-  if (!out.flush()) return kaori::FailErrno("write " + file);
-  return {};
+  return kaori::WriteWholeFile(file, {kaori::AsBytes(address + "\n")});
 }
 
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
   auto options = OptionsOf(settings);
-  if (!options) return Complain(options.error());
+  if (!options) return kaori::ExitWithError(options.error());
   const auto board = kaori::board::Board::Create(settings.board);
-  if (!board) return Complain(board.error());
+  if (!board) return kaori::ExitWithError(board.error());
   const kaori::SteadyClock clock;
   const auto desk = kaori::desk::Desk::Open(std::move(*options), *board, loop, clock);
-  if (!desk) return Complain(desk.error());
+  if (!desk) return kaori::ExitWithError(desk.error());
   if (auto told = TellAddress(settings.address_file, (*desk)->address()); !told)
-    return Complain(told.error());
-  for (const auto& ok : {loop.Every(kTick, [&desk] { (*desk)->Step(); }), loop.Run()})
-    if (!ok) return Complain(ok.error());
+    return kaori::ExitWithError(told.error());
+  if (auto ok = loop.RunEvery(kTick, [&desk] { (*desk)->Step(); }); !ok)
+    return kaori::ExitWithError(ok.error());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-desk");
+  kaori::BeginProgram("kaori-desk");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--board", settings.board).Text("--port", settings.port).Text("--data", settings.data);
@@ -108,10 +101,10 @@ int main(int argc, char** argv) {
       .Switch("--local", settings.local);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (!settings.service) {
-    kaori::Log("a box that plays has no desk; --service says that it is in service");
+    kaori::LogError("a box that plays has no desk; --service says that it is in service");
     return 2;
   }
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return Complain(loop.error());
+  if (!loop) return kaori::ExitWithError(loop.error());
   return Serve(settings, *loop);
 }

@@ -70,7 +70,7 @@ void ExpressionEditor::HearNews() {
         Log("expression {} is deleted", news.work.name);
         break;
       case News::Kind::kFailing:
-        Log("the needles cannot keep their work: {}; it goes on in memory and is tried again", news.text);
+        LogWarning("the needles cannot keep their work: {}; it goes on in memory and is tried again", news.text);
         trouble_ = news.text;
         break;
       case News::Kind::kWorking:

@@ -51,11 +51,11 @@ std::optional<Journal> TakeUpJournal(const std::filesystem::path& folder, Sessio
       [&] { return Journal::Open(folder / kJournalName, Fingerprint(session.points())); });
   if (!opened) {
     trouble = opened.error().message();
-    Log("the needles keep no journal: {}", trouble);
+    LogWarning("the needles keep no journal: {}", trouble);
     return std::nullopt;
   }
   if (opened->put_aside) Log("a needles' journal of another cast is kept aside in {}", folder.string());
-  if (opened->torn_bytes > 0) Log("the needles' journal ended in a torn record, which is left out");
+  if (opened->torn_bytes > 0) LogWarning("the needles' journal ended in a torn record, which is left out");
   Replay(opened->records, session);
   return std::move(opened->journal);
 }
@@ -75,7 +75,7 @@ std::unique_ptr<ExpressionEditor> ExpressionEditor::Open(const std::filesystem::
   kept.journal = TakeUpJournal(folder, kept.session, kept.trouble);
   if (!folder.empty()) {
     Stored stored = ReadStore(folder, kept.session.points(), show.cast);
-    for (const std::string& complaint : stored.complaints) Log("{}", complaint);
+    for (const std::string& complaint : stored.complaints) LogWarning("{}", complaint);
     kept.places = std::move(stored.places);
   }
   const std::vector<std::string> names = NamesOf(show.cast);

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "appliance/programs/editor/checksum.h"
+#include "drivers/base/checksum.h"
 
 namespace kaori::editor {
 namespace {
@@ -101,7 +101,7 @@ Points PointsOf(const face::ControlNet& net) {
 std::uint64_t Fingerprint(const Points& points) {
   std::string all;
   for (const std::string& name : points.names) all += name + '\n';
-  return Checksum({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()});
+  return Fnv1a(all);
 }
 
 }  // namespace kaori::editor

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "appliance/programs/editor/checksum.h"
+#include "drivers/base/checksum.h"
 
 namespace kaori::editor {
 namespace {
@@ -104,7 +104,7 @@ void Encode(const Record& record, std::vector<std::uint8_t>& into) {
   Put(body, static_cast<std::uint8_t>(record.change));
   if (CarriesWork(record.change)) PutWork(body, record.work);
   Put(into, static_cast<std::uint32_t>(body.size()));
-  Put(into, Checksum(body));
+  Put(into, Fnv1a(body));
   into.insert(into.end(), body.begin(), body.end());
 }
 
@@ -117,7 +117,7 @@ Decoded Decode(std::span<const std::uint8_t> bytes) {
     if (length > kRecordMostBytes || length > parser.left()) break;
     const auto body = parser.TakeBytes(length);
     auto record = DecodeOne(body);
-    if (Checksum(body) != checksum || !record) break;
+    if (Fnv1a(body) != checksum || !record) break;
     decoded.records.push_back(std::move(*record));
     decoded.sound_bytes += kRecordHeadBytes + length;
   }

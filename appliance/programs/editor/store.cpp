@@ -1,20 +1,19 @@
 #include "appliance/programs/editor/store.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::editor {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kStoreMostBytes = 1U << 20U;
+constexpr std::size_t kStoreMost_bytes = 1U << 20U;
 constexpr std::string_view kStoreAside = ".faulty";
 
 // "03-": the keys count from one.
@@ -64,15 +63,10 @@ std::vector<fs::path> AsidesOf(const fs::path& folder) {
   return files;
 }
 
-Result<Work> ReadFile(const fs::path& file, const Points& points, const face::Cast& cast) {
-  std::error_code error;
-  if (fs::file_size(file, error) > kStoreMostBytes || error)
-    return FailInput(file.string() + ": cannot be so large");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return FailErrno("read " + file.string());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return ReadOwn(text.str(), file.string(), points, cast);
+Result<Work> ReadWork(const fs::path& file, const Points& points, const face::Cast& cast) {
+  const auto text = ReadFile(file, {.most_bytes = kStoreMost_bytes, .most_levels = kMostLevels});
+  if (!text) return tl::unexpected(text.error());
+  return ReadOwn(*text, file.string(), points, cast);
 }
 
 bool HasName(const Places& places, const std::string& name) {
@@ -82,7 +76,7 @@ bool HasName(const Places& places, const std::string& name) {
 // `named` is what it is called, or was before it was kept aside.
 Result<void> ReadInto(const fs::path& file, const fs::path& named, Places& places, const Points& points,
                       const face::Cast& cast) {
-  auto work = ReadFile(file, points, cast);
+  auto work = ReadWork(file, points, cast);
   if (!work) return tl::unexpected(work.error());
   work->place = PlaceOf(named);
   auto& place = places[static_cast<std::size_t>(work->place)];
@@ -132,7 +126,7 @@ Result<void> WriteToStore(const fs::path& folder, const Work& work, const Points
   fs::create_directories(folder, error);
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
   const fs::path file = folder / (PrefixOf(work.place) + work.name + ".toml");
-  auto written = show::WriteWholeFile(file, {show::AsBytes(WriteOwn(work, points))});
+  auto written = WriteWholeFile(file, {AsBytes(WriteOwn(work, points))});
   if (!written) return written;
   return RemoveAllBut(folder, work.place, file);
 }

@@ -26,7 +26,7 @@ struct Stored {
 Stored ReadStore(const std::filesystem::path& folder, const Points& points, const face::Cast& cast);
 
 // Writes the file of work.place whole or not at all, and removes others of the same place; blocks for the
-// disk. Makes the folder. Errors: as mkdir(2) and show::WriteWholeFile.
+// disk. Makes the folder. Errors: as mkdir(2) and WriteWholeFile.
 Result<void> WriteToStore(const std::filesystem::path& folder, const Work& work, const Points& points);
 
 // Removes the files of a place. Errors: as unlink(2).

@@ -1,49 +1,49 @@
-// kaori-fdkeeper: holds the graphics card while no stage runs, so that the last picture stays on the screen.
+// kaori-fdkeeper: keeps the graphics card's file open while no stage runs, so that the last picture stays on the
+// screen: the kernel clears a screen when the last file of its card is closed.
 #include "drivers/base/event_loop.h"
 #include "drivers/base/fd_keeper.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/packet_socket.h"
+#include "drivers/base/program.h"
 #include "drivers/base/service.h"
 
 namespace {
 
-constexpr std::string_view kHelp = R"(kaori-fdkeeper: holds the graphics card while no stage runs
+constexpr std::string_view kHelp = R"(kaori-fdkeeper: keeps the graphics card open while no stage runs
 
-  --socket PATH   where the stage calls; none where the service manager listens for it
+  --socket PATH   the socket at which it listens; not given where the service manager passes one
 )";
 
-constexpr const char* kHeld = "card";  // In the service manager's store: it outlives this program too.
-
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
+// The names of the descriptors in the service manager's store, which outlives this program too, and of its socket.
+constexpr const char* kHeld = "card";
+constexpr const char* kPassed = "fdkeeper";
 
 kaori::Result<kaori::UniqueFd> Listener(const std::string& path) {
   if (!path.empty()) return kaori::ListenForPackets(path);
-  if (auto passed = kaori::service::RetrieveFd("holder")) return std::move(*passed);
-  return kaori::FailInput("where to listen? Give --socket");
+  if (auto passed = kaori::service::RetrieveFd(kPassed)) return std::move(*passed);
+  return kaori::FailInput("no socket to listen at: give --socket");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-fdkeeper");
+  kaori::BeginProgram("kaori-fdkeeper");
   std::string socket;
   kaori::Options options(kHelp);
   options.Text("--socket", socket);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return Complain(loop.error());
+  if (!loop) return kaori::ExitWithError(loop.error());
   auto listener = Listener(socket);
-  if (!listener) return Complain(listener.error());
+  if (!listener) return kaori::ExitWithError(listener.error());
   const auto keep = [](int fd) {
-    if (auto kept = kaori::service::StoreFd(fd, kHeld); !kept) Complain(kept.error());
+    if (auto kept = kaori::service::StoreFd(fd, kHeld); !kept)
+      kaori::LogWarning("{}", kept.error().message());
   };
-  kaori::service::FdKeeper holder(*loop, std::move(*listener), kaori::service::RetrieveFd(kHeld), keep);
-  if (auto open = holder.Open(); !open) return Complain(open.error());
-  if (auto told = kaori::service::Tell("READY=1"); !told) Complain(told.error());
-  if (auto held = loop->Run(); !held) return Complain(held.error());
+  kaori::service::FdKeeper keeper(*loop, std::move(*listener), kaori::service::RetrieveFd(kHeld), keep);
+  if (auto open = keeper.Open(); !open) return kaori::ExitWithError(open.error());
+  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
+  if (auto held = loop->Run(); !held) return kaori::ExitWithError(held.error());
   return 0;
 }

@@ -81,7 +81,7 @@ void DialSeat::ShowLamps(Time now, ports::HidChannel& device) {
   if (told || told.error().cause == std::errc::resource_unavailable_try_again) return;
   lamps_after_ = now + kLampRetry;
   if (++lamp_failures_ == kMostLampFailures)
-    Log("{}; its lamps stay as they are until it is plugged in anew", told.error().message());
+    LogWarning("{}; its lamps stay as they are until it is plugged in anew", told.error().message());
 }
 
 void DialSeat::Write() {

@@ -132,7 +132,7 @@ void InputDesk::ScanBus(std::size_t bus, Time now) {
 
 void InputDesk::HandleFailure(Bus& bus, const Error& error) {
   if (std::exchange(bus.trouble, error.cause) == error.cause) return;
-  Log("{}; looking again", error.message());
+  LogWarning("{}; looking again", error.message());
   ++generation_;
 }
 
@@ -178,14 +178,14 @@ InputDesk::Place* InputDesk::StickPlace(const Socket& socket) {
 }
 
 void InputDesk::PassBy(const Socket& socket, decode::DeviceKind kind, const std::string& why) {
-  Log("port {}: {}", socket.port, why);
+  LogWarning("port {}: {}", socket.port, why);
   passed_.push_back({.socket = socket, .kind = kind});
 }
 
 void InputDesk::TryLater(const Socket& socket, const Error& error) {
   const auto known = std::ranges::find(passed_, socket, &Passed::socket);
   if (known != passed_.end() && known->cause == error.cause) return;
-  Log("{}; trying again", error.message());
+  LogWarning("{}; trying again", error.message());
   std::erase_if(passed_, [&](const Passed& passed) { return passed.socket == socket; });
   passed_.push_back({.socket = socket, .try_again = true, .cause = error.cause});
 }
@@ -202,7 +202,7 @@ void InputDesk::Listen(Place& place, Time now) {
     const auto report = std::span(bytes).first(std::min(input->bytes, bytes.size()));
     const auto taken = place.seat->Accept(report, std::clamp(input->at, now - kOldest, now));
     if (taken || std::exchange(place.complained, true)) continue;
-    Log("{}: {}; such reports are ignored from here on", place.seat->name(), taken.error().message());
+    LogWarning("{}: {}; such reports are ignored from here on", place.seat->name(), taken.error().message());
   }
   place.seat->Publish();
 }
@@ -214,7 +214,7 @@ void InputDesk::HandleFault(Place& place, const Error& error, Time now) {
 }
 
 void InputDesk::Leave(Place& place, const Error& error, Time now) {
-  Log("{}: {}; waiting for it", place.seat->name(), error.message());
+  LogWarning("{}: {}; waiting for it", place.seat->name(), error.message());
   place.device.reset();
   place.seat->Unplug(now);
   ++generation_;

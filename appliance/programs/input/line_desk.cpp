@@ -31,7 +31,7 @@ void LineDesk::Open(Time now) {
   auto lines = open_();
   if (!lines) {
     if (std::exchange(logged_, lines.error().cause) != lines.error().cause)
-      Log("{}; playing without these lines, and trying again", lines.error().message());
+      LogWarning("{}; playing without these lines, and trying again", lines.error().message());
     return;
   }
   logged_ = {};
@@ -96,7 +96,7 @@ void LineDesk::Light(bool tally) {
 }
 
 void LineDesk::Lose(const Error& error, Time now) {
-  Log("{}; the lines are released", error.message());
+  LogWarning("{}; the lines are released", error.message());
   lines_.reset();
   ++generation_;
   retry_at_ = now + kLineDeskRetry;

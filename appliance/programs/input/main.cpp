@@ -9,6 +9,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
 #include "drivers/gpio/chip_lines.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "drivers/hid/libusb_bus.h"
@@ -39,11 +40,6 @@ struct Settings {
   bool hidraw = false, usb = false;
 };
 
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
-
 // Wakes the desk when anything that it listens to speaks.
 class DeskWatch {
  public:
@@ -60,7 +56,7 @@ class DeskWatch {
     watched_ = desk_.pollables();
     generation_ = desk_.generation();
     for (const int fd : watched_)
-      if (auto ok = loop_.Watch(fd, [this] { Step(); }); !ok) kaori::Log("{}", ok.error().message());
+      if (auto ok = loop_.Watch(fd, [this] { Step(); }); !ok) kaori::LogWarning("{}", ok.error().message());
   }
 
   kaori::input::InputDesk& desk_;
@@ -115,31 +111,31 @@ kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path)
 
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto input_settings = ReadSettings(settings.file);
-  if (!input_settings) return Complain(input_settings.error());
+  if (!input_settings) return kaori::ExitWithError(input_settings.error());
   const auto board = kaori::board::Board::Create(settings.board);
-  if (!board) return Complain(board.error());
+  if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::input::DeskWriters::Acquire(*board);
-  if (!writers) return Complain(writers.error());
+  if (!writers) return kaori::ExitWithError(writers.error());
   const kaori::SteadyClock clock;
   const auto buses = OpenBuses(settings, clock);
-  if (!buses) return Complain(buses.error());
+  if (!buses) return kaori::ExitWithError(buses.error());
   auto lines = LinesOpener(settings);
-  if (!lines) kaori::Log("{}; playing without lines", lines.error().message());
+  if (!lines) kaori::LogWarning("{}; playing without lines", lines.error().message());
   kaori::input::DeskSources sources;
   if (lines) sources.lines = std::move(*lines);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
   kaori::input::InputDesk desk(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   DeskWatch watch(desk, loop);
   watch.Step();
-  for (const auto& ok : {loop.Every(kTick, [&watch] { watch.Step(); }), loop.Run()})
-    if (!ok) return Complain(ok.error());
+  if (auto ok = loop.RunEvery(kTick, [&watch] { watch.Step(); }); !ok)
+    return kaori::ExitWithError(ok.error());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-input");
+  kaori::BeginProgram("kaori-input");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--board", settings.board)
@@ -151,6 +147,6 @@ int main(int argc, char** argv) {
       .Text("--settings", settings.file);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return Complain(loop.error());
+  if (!loop) return kaori::ExitWithError(loop.error());
   return Play(settings, *loop);
 }

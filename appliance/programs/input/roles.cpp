@@ -3,6 +3,8 @@
 #include <cctype>
 #include <cstddef>
 
+#include "drivers/base/checksum.h"
+
 namespace kaori::input {
 namespace {
 
@@ -32,8 +34,7 @@ bool PartBefore(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::uint32_t HashOfPort(std::string_view port) {
-  std::uint32_t hash = 0x811C9DC5U;  // FNV-1a.
-  for (const char letter : port) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x01000193U;
+  const auto hash = static_cast<std::uint32_t>(Fnv1a(port));
   return hash == 0 ? 1 : hash;
 }
 

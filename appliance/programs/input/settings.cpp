@@ -1,12 +1,12 @@
 #include "appliance/programs/input/settings.h"
 
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
+
+#include "drivers/base/read_file.h"
 
 namespace kaori::input {
 namespace {
@@ -101,10 +101,9 @@ void ReadStick(Reading& reading, std::size_t which, InputSettings& settings) {
 }  // namespace
 
 Result<InputSettings> ReadSettings(const std::string& path) {
-  errno = 0;
-  std::ifstream file(path);
-  if (!file) return FailErrno("read settings " + path);
-  toml::parse_result parsed = toml::parse(file, path);
+  const auto text = ReadFile(path, {.most_levels = kMostLevels});
+  if (!text) return tl::unexpected(text.error());
+  toml::parse_result parsed = toml::parse(*text, path);
   if (!parsed) {
     const auto at = parsed.error().source().begin;
     return FailInput(

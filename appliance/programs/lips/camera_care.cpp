@@ -59,11 +59,11 @@ bool CameraCare::Judge(const decode::Planes& planes, Time now) {
   const bool exposes_more = tuning_->exposure().value_or(1) < kFullyExposed;
   if (exposes_more && now - *finding_since_ < kPatience) return false;
   if (tuning_->Slower()) {
-    Log("lip camera: too dark at {}; slower", mode_);
+    LogWarning("lip camera: too dark at {}; slower", mode_);
     return true;
   }
   if (!std::exchange(told_dark_, true))
-    Log("lip camera: too dark, and none of its rates is slower: light the lips");
+    LogWarning("lip camera: too dark, and none of its rates is slower: light the lips");
   Found();
   return false;
 }
@@ -86,7 +86,7 @@ void CameraCare::Hold() {
   if (tuning_ == nullptr) return;
   const auto lacks = tuning_->Set(ports::CameraHold::kHeld);
   Log("lip camera: held as it is");
-  if (lacks != lacks_ && !lacks.empty()) Log("lip camera: cannot be held: {}", fmt::join(lacks, ", "));
+  if (lacks != lacks_ && !lacks.empty()) LogWarning("lip camera: cannot be held: {}", fmt::join(lacks, ", "));
   lacks_ = lacks;
 }
 

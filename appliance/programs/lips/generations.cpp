@@ -1,33 +1,26 @@
 #include "appliance/programs/lips/generations.h"
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
+#include "drivers/base/checksum.h"
 #include "drivers/base/log.h"
+#include "drivers/base/read_file.h"
 
 namespace kaori::lips {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 65536;
+constexpr std::size_t kMostLipSettings_bytes = 65536;
 // The first line: a file that was cut short has it too.
 constexpr std::string_view kSum = "# sum ";
 constexpr std::string_view kAdvice = " of all below; who changes that by hand removes this line.\n";
 
-// FNV-1a: finds what a disk has spoilt. No defence against people.
-std::uint64_t SumOf(std::string_view text) {
-  std::uint64_t sum = 0xCBF29CE484222325U;
-  for (const char letter : text) sum = (sum ^ static_cast<unsigned char>(letter)) * 0x100000001B3U;
-  return sum;
-}
-
 std::string SumLine(std::string_view text) {
-  return fmt::format("{}{:016x}{}", kSum, SumOf(text), kAdvice);
+  return fmt::format("{}{:016x}{}", kSum, Fnv1a(text), kAdvice);
 }
 
 std::string WithSum(const LipSettings& settings) {
@@ -49,14 +42,11 @@ fs::path BeforeOf(const fs::path& file) {
 Result<std::optional<LipSettings>> ReadOne(const fs::path& file) {
   std::error_code none;
   if (!fs::exists(file, none)) return std::nullopt;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return FailErrno("open " + file.string());
-  std::string text(kMostBytes, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.find('=') == std::string::npos) return FailInput(file.string() + ": says nothing");
-  if (!SumFits(text)) return FailInput(file.string() + ": its sum does not fit its lines");
-  return ParseLipSettings(text, file.string()).map([](const LipSettings& read) {
+  const auto text = ReadFile(file, {.most_bytes = kMostLipSettings_bytes});
+  if (!text) return tl::unexpected(text.error());
+  if (text->find('=') == std::string::npos) return FailInput(file.string() + ": says nothing");
+  if (!SumFits(*text)) return FailInput(file.string() + ": its sum does not fit its lines");
+  return ParseLipSettings(*text, file.string()).map([](const LipSettings& read) {
     return std::optional(read);
   });
 }
@@ -81,7 +71,7 @@ Kept ReadGenerations(const fs::path& file) {
 LipSettings SettingsFrom(const fs::path& file) {
   const Kept kept = ReadGenerations(file);
   if (!kept.complaint.empty())
-    Log("{}; {}", kept.complaint,
+    LogWarning("{}; {}", kept.complaint,
         kept.now || !kept.before ? "going on without it" : "what was kept before that is taken");
   if (kept.now) return *kept.now;
   return kept.before.value_or(LipSettings{});
@@ -93,10 +83,10 @@ Result<void> WriteGeneration(const fs::path& file, const LipSettings& settings) 
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder of " + file.string());
   const auto now = ReadOne(file);
   if (now && *now && **now != settings) {
-    auto kept = show::WriteWholeFile(BeforeOf(file), {show::AsBytes(WithSum(**now))});
+    auto kept = WriteWholeFile(BeforeOf(file), {AsBytes(WithSum(**now))});
     if (!kept) return kept;
   }
-  return show::WriteWholeFile(file, {show::AsBytes(WithSum(settings))});
+  return WriteWholeFile(file, {AsBytes(WithSum(settings))});
 }
 
 }  // namespace kaori::lips

@@ -26,7 +26,7 @@ LipSettings SettingsFrom(const std::filesystem::path& file);
 
 // What stands in FILE becomes FILE.before, unless it cannot be read or is the same as `settings`; then FILE
 // is written, each whole or not at all. Makes the folder. Blocks for the disk. Errors: as mkdir(2) and
-// show::WriteWholeFile.
+// WriteWholeFile.
 Result<void> WriteGeneration(const std::filesystem::path& file, const LipSettings& settings);
 
 }  // namespace kaori::lips

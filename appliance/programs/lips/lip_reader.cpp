@@ -38,7 +38,7 @@ void LipReader::Step() {
 
 void LipReader::TryOpen(Time now) {
   retry_at_ = now + kRetry;
-  camera_ = OpenOrSay(open_, logged_);
+  camera_ = OpenOrLog(open_, logged_);
   if (!camera_) return;
   last_sign_ = opened_at_ = now;
   ++opened_;
@@ -65,7 +65,7 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   if (frame.format != format_)
     Log("lip camera: frames of {} x {}", frame.format.width_px, frame.format.height_px);
   format_ = frame.format;
-  const Time at = Believable(frame.at, now, kOldest);
+  const Time at = PlausibleStamp(frame.at, now, kOldest);
   const bool knew_rest = meter_.lips().rest_width > 0;
   meter_.Measure(*planes, at);
   if (!knew_rest && meter_.lips().rest_width > 0)
@@ -83,14 +83,14 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
 void LipReader::Drop(const Error& error, Time now) {
   if (now < quiet_until_) return;
   quiet_until_ = now + kQuiet;
-  Log("{}; frame dropped", error.message());
+  LogWarning("{}; frame dropped", error.message());
 }
 
 // A camera that was good is opened anew at once, one that breaks at its opening after a while.
 void LipReader::Close(Time now, std::string_view why) {
   camera_.reset();
   retry_at_ = last_frame_ > opened_at_ ? now : now + kRetry;
-  Log("{}; opening the lip camera anew", why);
+  LogWarning("{}; opening the lip camera anew", why);
   silence_log_.Lost();
   logged_ = std::errc::no_such_device;
   if (source_ == board::SourceState::kLive) Write(last_frame_, board::SourceState::kStale);
@@ -103,7 +103,7 @@ void LipReader::CheckSilence(Time now) {
   }
   if (!camera_ || now - last_sign_ < kGiveUp) return;
   if (logged_ != std::errc::timed_out)
-    Log("lip camera: silent for {} s; opening it anew", kGiveUp / milliseconds(1000));
+    LogWarning("lip camera: silent for {} s; opening it anew", kGiveUp / milliseconds(1000));
   logged_ = std::errc::timed_out;
   camera_.reset();
   retry_at_ = now;

@@ -3,12 +3,11 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::lips {
 namespace {
@@ -134,15 +133,13 @@ Result<LipSettings> ParseLipSettings(std::string_view text, const std::string& n
 }
 
 Result<LipSettings> ReadLipSettings(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) return FailErrno("open " + file.string());
-  std::ostringstream text;
-  text << in.rdbuf();
-  return ParseLipSettings(text.str(), file.string());
+  const auto text = ReadFile(file);
+  if (!text) return tl::unexpected(text.error());
+  return ParseLipSettings(*text, file.string());
 }
 
 Result<void> WriteLipSettings(const std::filesystem::path& file, const LipSettings& settings) {
-  return show::WriteWholeFile(file, {show::AsBytes(LipSettingsText(settings))});
+  return WriteWholeFile(file, {AsBytes(LipSettingsText(settings))});
 }
 
 }  // namespace kaori::lips

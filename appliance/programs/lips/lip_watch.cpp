@@ -11,7 +11,7 @@ void LipWatch::Step() {
   watched_ = reader_.pollable();
   opened_ = reader_.opened();
   if (watched_ < 0) return;
-  if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) Log("{}", ok.error().message());
+  if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) LogWarning("{}", ok.error().message());
 }
 
 }  // namespace kaori::lips

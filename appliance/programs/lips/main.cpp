@@ -13,6 +13,7 @@
 #include "drivers/audio/local_microphone.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/program.h"
 #include "drivers/camera/local_camera.h"
 #include "drivers/camera/named_camera.h"
 
@@ -23,15 +24,10 @@ using kaori::lips::LipOptions;
 
 constexpr kaori::Duration kTick = 25ms;  // Silence and re-opening; frames wake by themselves.
 
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
-
 int SayModes(const LipOptions& options) {
   const kaori::SteadyClock clock;
   const auto text = kaori::camera::NamedCamera(options.device, clock).ModesText();
-  if (!text) return Complain(text.error());
+  if (!text) return kaori::ExitWithError(text.error());
   std::fputs(text->c_str(), stdout);
   return 0;
 }
@@ -60,11 +56,11 @@ kaori::ports::CameraOpener SimulatedCamera(const LipOptions& options) {
 
 int Play(const LipOptions& options, kaori::EventLoop& loop) {
   const auto lips = kaori::lips::SettingsOf(options);
-  if (!lips) return Complain(lips.error());
+  if (!lips) return kaori::ExitWithError(lips.error());
   const auto board = kaori::board::Board::Create(options.board);
-  if (!board) return Complain(board.error());
+  if (!board) return kaori::ExitWithError(board.error());
   auto writer = board->AcquireWriter<kaori::board::Lips>();
-  if (!writer) return Complain(writer.error());
+  if (!writer) return kaori::ExitWithError(writer.error());
   const kaori::SteadyClock clock;
   kaori::camera::NamedCamera device(options.device, clock);
   const bool simulated = options.device.empty();
@@ -72,12 +68,12 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
                                 std::move(*writer), *lips, clock, simulated ? nullptr : device.tuning());
   const auto service = kaori::lips::LipService::Open(
       {.service = options.service, .file = options.settings, .now = *lips}, reader, *board, clock);
-  if (!service) return Complain(service.error());
+  if (!service) return kaori::ExitWithError(service.error());
   auto sound_settings = kaori::lips::SoundSettingsOf(options, *lips);
-  if (!sound_settings) return Complain(sound_settings.error());
+  if (!sound_settings) return kaori::ExitWithError(sound_settings.error());
   const auto voice =
       kaori::voice::VoiceSeat::Acquire(SoundOf(options, clock), std::move(*sound_settings), *board, clock);
-  if (!voice) return Complain(voice.error());
+  if (!voice) return kaori::ExitWithError(voice.error());
   kaori::lips::LipWatch watch(reader, loop);
   watch.Step();
   const auto tick = [&] {
@@ -86,19 +82,19 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
     const auto& now = (*service)->tuning().settings().voice;
     (*voice)->Use(kaori::lips::GateOf(now), kaori::lips::DelayOf(options, now));
   };
-  for (const auto& ok : {(*voice)->Join(loop), loop.Every(kTick, tick), loop.Run()})
-    if (!ok) return Complain(ok.error());
+  if (auto ok = (*voice)->Join(loop); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = loop.RunEvery(kTick, tick); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-lips");
+  kaori::BeginProgram("kaori-lips");
   LipOptions options;
   if (const auto status = kaori::lips::ParseOptions(argc, argv, options)) return *status;
   if (options.modes) return SayModes(options);
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return Complain(loop.error());
+  if (!loop) return kaori::ExitWithError(loop.error());
   return Play(options, *loop);
 }

@@ -88,7 +88,7 @@ std::optional<performance::State> ResumeLastFace(const LastFacePlace& place, con
   if (board.Read<board::Performance>().source != board::SourceState::kAbsent) return std::nullopt;
   const auto state = RecallLastFace(place, show, board::ReadAll(board), light);
   if (!state) {
-    if (state.error().cause != std::errc::no_such_file_or_directory) Log("{}", state.error().message());
+    if (state.error().cause != std::errc::no_such_file_or_directory) LogWarning("{}", state.error().message());
     return std::nullopt;
   }
   writer.Write(board::Hold(*state), light, board::SourceState::kLive);

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
 #include "drivers/base/log.h"
 #include "firmware/wire/last_face.h"
 
@@ -62,7 +62,7 @@ void LastFace::Writer::Run() {
     lock.unlock();
     const auto written = WriteOut();
     const std::error_code cause = written ? std::error_code() : std::make_error_code(written.error().cause);
-    if (cause && cause != logged_) Log("the last face is not kept: {}", written.error().message());
+    if (cause && cause != logged_) LogWarning("the last face is not kept: {}", written.error().message());
     logged_ = cause;
     failed_.store(!written, std::memory_order_release);
     lock.lock();
@@ -75,7 +75,7 @@ Result<void> LastFace::Writer::WriteOut() {
   MakePpm(image_, picture_);
   MakeState(performance_, state_);
   const auto end = wire::EndOf({.show = place_.show, .picture = picture_, .state = state_});
-  return show::WriteWholeFile(place_.file, {picture_, state_, end});
+  return WriteWholeFile(place_.file, {picture_, state_, end});
 }
 
 }  // namespace kaori::stage

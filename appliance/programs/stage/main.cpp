@@ -2,8 +2,8 @@
 #include <future>
 
 #include "appliance/core/board/board.h"
-#include "appliance/programs/editor/expression_editor.h"
 #include "appliance/core/show/pack.h"
+#include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/last_face.h"
 #include "appliance/programs/stage/seat.h"
 #include "appliance/programs/stage/stage.h"
@@ -14,6 +14,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
 #include "drivers/base/service.h"
 #include "drivers/scanout/kms_card.h"
 #include "drivers/scanout/kms_mode.h"
@@ -47,17 +48,12 @@ struct Settings {
   bool early = false, verified = false;
 };
 
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
-
 // None on a desk, where the simulator's screen is looked for, and none in a box that has none.
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
   auto card = kaori::scanout::KmsCard::Open(settings.card, settings.holder);
   if (!card && card.error().cause == std::errc::no_such_file_or_directory) {
-    kaori::Log("there is no graphics card ({}): playing on unseen", card.error().message());
+    kaori::LogWarning("there is no graphics card ({}): playing on unseen", card.error().message());
     return nullptr;
   }
   if (card)
@@ -122,17 +118,17 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   // The show beside Mesa, which takes about as long.
   auto loading = std::async(std::launch::async, [&] { return LoadShow(settings); });
   const auto card = CardOf(settings);
-  if (!card) return Complain(card.error());
+  if (!card) return kaori::ExitWithError(card.error());
   if (*card) kaori::Log("the graphics card is open");
   auto loaded = loading.get();
-  if (!loaded) return Complain(loaded.error());
+  if (!loaded) return kaori::ExitWithError(loaded.error());
   const auto board = kaori::board::Board::Create(settings.board);
-  if (!board) return Complain(board.error());
+  if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::stage::StageWriters::Acquire(*board);
-  if (!writers) return Complain(writers.error());
+  if (!writers) return kaori::ExitWithError(writers.error());
   const auto studio =
       kaori::stage::Studio::Open(std::move(loaded->show), *card ? (*card)->device() : nullptr);
-  if (!studio) return Complain(studio.error());
+  if (!studio) return kaori::ExitWithError(studio.error());
   kaori::stage::StillClock clock(!settings.still.empty());
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
@@ -142,42 +138,45 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer());
   auto alarm = kaori::Alarm::Make();
-  if (!alarm) return Complain(alarm.error());
+  if (!alarm) return kaori::ExitWithError(alarm.error());
   if (!settings.early) stage.DrawLate();
   kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
     if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
     return *card ? OpenScreen(**card, clock) : AwaitCard(settings.card, loop);
   });
-  if (auto seated = seat.Take(); !seated) return Complain(seated.error());
+  if (auto seated = seat.Take(); !seated) return kaori::ExitWithError(seated.error());
   kaori::Log("the first picture is drawn");
   clock.LetGo();
   if (!settings.still.empty())
     if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
-      return Complain(written.error());
+      return kaori::ExitWithError(written.error());
   if (*card)
     if (auto held = (*card)->Hold(); !held)
-      kaori::Log("the last picture will not stay when the stage ends ({})", held.error().message());
-  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::Log("{}", told.error().message());
+      kaori::LogWarning("the last picture will not stay when the stage ends ({})", held.error().message());
+  if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
   auto watchdog = kaori::service::Watchdog::Wanted();
   const auto beat = [&] {
     if (!watchdog) return;
-    if (auto told = watchdog->Beat(stage.usual_turn()); !told) kaori::Log("{}", told.error().message());
+    if (auto told = watchdog->Beat(stage.usual_turn()); !told)
+      kaori::LogWarning("{}", told.error().message());
   };
-  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok) return Complain(ok.error());
+  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok)
+    return kaori::ExitWithError(ok.error());
   kaori::stage::StageStatusDisplay sign(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
   const auto tell = [&] { sign.Step(stage.screen()); };
-  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok) return Complain(ok.error());
+  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok)
+    return kaori::ExitWithError(ok.error());
   auto played = loop.Run();
   if (last_face) last_face->End();
-  if (!played) return Complain(played.error());
+  if (!played) return kaori::ExitWithError(played.error());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-stage");
+  kaori::BeginProgram("kaori-stage");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--board", settings.board, true)
@@ -195,14 +194,14 @@ int main(int argc, char** argv) {
       .Switch("--verified", settings.verified);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.card.empty() == settings.links.empty()) {
-    kaori::Log("where is the screen? Give one of --links and --card");
+    kaori::LogError("where is the screen? Give one of --links and --card");
     return 2;
   }
   if (!settings.mode.empty() && !kaori::scanout::ParseMode(settings.mode)) {
-    kaori::Log("--mode {}: expected width, height and rate, as in 1280x720@50", settings.mode);
+    kaori::LogError("--mode {}: expected width, height and rate, as in 1280x720@50", settings.mode);
     return 2;
   }
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return Complain(loop.error());
+  if (!loop) return kaori::ExitWithError(loop.error());
   return Play(settings, *loop);
 }

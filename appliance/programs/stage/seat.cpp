@@ -39,7 +39,7 @@ void Seat::Watch(std::unique_ptr<ports::Scanout> screen) {
   Log("a screen is plugged in");
   watched_ = screen->pollable();
   stage_.SetScreen(std::move(screen));
-  if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) Log("{}", ok.error().message());
+  if (auto ok = loop_.Watch(watched_, [this] { Step(); }); !ok) LogWarning("{}", ok.error().message());
   Step();
 }
 

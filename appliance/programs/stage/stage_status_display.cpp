@@ -33,7 +33,7 @@ void StageStatusDisplay::Step(ports::Scanout* screen) {
   const auto shown = ShowNext(*sign);
   owed_ = !shown && shown.error().cause == std::errc::device_or_resource_busy;
   if (shown || owed_) return;
-  Log("the status cannot be shown ({})", shown.error().message());
+  LogWarning("the status cannot be shown ({})", shown.error().message());
   silent_until_ = clock_.now() + kGivenUp;
 }
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::stage {
 namespace {
@@ -27,7 +27,7 @@ Result<void> WriteStill(Studio& studio, const std::filesystem::path& file) {
   if (!studio.ReadSmall(kMostWidth_px, image)) return Fail(std::errc::no_such_device, "draw a still");
   const std::string head = fmt::format("P6\n{} {}\n255\n", image.width_px, image.height_px);
   const std::vector<std::uint8_t> first(head.begin(), head.end()), rest = WithoutFourth(image.pixels);
-  return show::WriteWholeFile(file, {first, rest});
+  return WriteWholeFile(file, {first, rest});
 }
 
 }  // namespace kaori::stage

@@ -1,7 +1,9 @@
 #include "appliance/programs/status/facts.h"
 
-#include <fstream>
+#include <sstream>
 #include <system_error>
+
+#include "drivers/base/read_file.h"
 
 namespace kaori::status {
 namespace {
@@ -11,7 +13,7 @@ constexpr std::size_t kMostLines = 64;  // Of any file.
 
 std::vector<std::string> LinesOf(const std::filesystem::path& path) {
   std::vector<std::string> lines;
-  std::ifstream file(path);
+  std::istringstream file(ReadFile(path).value_or(""));
   for (std::string line; lines.size() < kMostLines && std::getline(file, line);)
     if (!line.empty()) lines.push_back(line);
   return lines;

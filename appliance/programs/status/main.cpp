@@ -6,6 +6,7 @@
 #include "appliance/programs/status/sheet.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
 
 namespace {
 
@@ -21,37 +22,32 @@ struct Settings {
   std::string board = "/run/kaori/board", settings = "/run/kaori-profile", picture, size = "1280x720";
 };
 
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
-
 int Tell(const Settings& settings, kaori::Size size) {
   namespace status = kaori::status;
   const auto board = kaori::board::Board::Open(settings.board);
-  if (!board) return Complain(board.error());
+  if (!board) return kaori::ExitWithError(board.error());
   const std::filesystem::path screens = std::filesystem::path(settings.board).parent_path() / "screens";
   const auto facts = status::ReadFacts({settings.settings, screens});
   const auto lines = status::Describe(status::Look(*board, facts, kaori::SteadyClock().now()));
   std::fputs(status::TextOf(lines).c_str(), stdout);
   if (settings.picture.empty()) return 0;
   const auto picture = status::DrawAll(lines, size.width_px, size.height_px);
-  if (!picture) return Complain(picture.error());
+  if (!picture) return kaori::ExitWithError(picture.error());
   if (auto written = kaori::image::WritePng(settings.picture, *picture); !written)
-    return Complain(written.error());
+    return kaori::ExitWithError(written.error());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-status");
+  kaori::BeginProgram("kaori-status");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--board", settings.board).Text("--settings", settings.settings);
   options.Text("--picture", settings.picture).Text("--size", settings.size);
   if (const auto status = options.Parse(argc, argv)) return *status;
   const auto size = kaori::ParseSize(settings.size);
-  if (!size) return kaori::Log("--size {}: expected width and height, as in 1280x720", settings.size), 2;
+  if (!size) return kaori::LogError("--size {}: expected width and height, as in 1280x720", settings.size), 2;
   return Tell(settings, *size);
 }

@@ -5,6 +5,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
+#include "drivers/base/program.h"
 #include "hw-sim/links/gadget/gadget_rig.h"
 #include "hw-sim/scenario/player.h"
 #include "hw-sim/scenario/reader.h"
@@ -26,11 +27,6 @@ struct Settings {
   bool loop = false;
 };
 
-int Complain(const kaori::Error& error) {
-  kaori::Log("{}", error.message());
-  return 1;
-}
-
 // "dial-box=dummy_udc.0,keyboard=dummy_udc.1"
 kaori::Result<void> PutAll(const std::string& text, kaori::sim::GadgetRig& rig) {
   for (std::size_t begin = 0; begin < text.size();) {
@@ -50,29 +46,28 @@ kaori::Result<void> PutAll(const std::string& text, kaori::sim::GadgetRig& rig) 
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   auto scenario = settings.play.empty() ? kaori::sim::Scenario{} : kaori::sim::LoadScenario(settings.play);
-  if (!scenario) return Complain(scenario.error());
+  if (!scenario) return kaori::ExitWithError(scenario.error());
   kaori::sim::GadgetRig rig({}, clock);
-  if (auto ok = PutAll(settings.put, rig); !ok) return Complain(ok.error());
+  if (auto ok = PutAll(settings.put, rig); !ok) return kaori::ExitWithError(ok.error());
   kaori::sim::Player player(std::move(*scenario), rig, clock.now());
   const auto step = [&] {
     if (player.finished() && settings.loop) player.Restart(clock.now());
     if (!player.finished()) player.Perform(clock.now());
     rig.Pump();
   };
-  for (const auto& ok : {loop.Every(kStep, step), loop.Run()})
-    if (!ok) return Complain(ok.error());
+  if (auto ok = loop.RunEvery(kStep, step); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  kaori::SetLogName("kaori-gadget");
+  kaori::BeginProgram("kaori-gadget");
   Settings settings;
   kaori::Options options(kHelp);
   options.Text("--put", settings.put, true).Text("--play", settings.play).Switch("--loop", settings.loop);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
-  if (!loop) return Complain(loop.error());
+  if (!loop) return kaori::ExitWithError(loop.error());
   return Play(settings, *loop);
 }

@@ -40,7 +40,7 @@ TEST(ShowFiles, AFolderOrADeviceInPlaceOfAFileIsNamed) {
   EXPECT_THAT(show.Complaint(), ContainsRegex("dog.toml: Is a directory"));
   std::filesystem::remove(dog);
   std::filesystem::create_symlink("/dev/zero", dog);
-  EXPECT_THAT(show.Complaint(), ContainsRegex("dog.toml: is no file"));
+  EXPECT_THAT(show.Complaint(), ContainsRegex("dog.toml: it is a device, not a file"));
 }
 
 TEST(ShowFiles, BrokenTomlIsNamedWithItsLine) {

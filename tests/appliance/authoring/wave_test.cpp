@@ -143,7 +143,7 @@ TEST_F(WaveTest, EveryFileThatIsCutOffOrFlippedIsReadOrRefused) {
 TEST_F(WaveTest, AMissingFileIsNamed) {
   const auto sound = ReadWave("/nowhere/hello.wav");
   ASSERT_FALSE(sound);
-  EXPECT_EQ(sound.error().message(), "open the sound /nowhere/hello.wav: No such file or directory");
+  EXPECT_EQ(sound.error().message(), "read /nowhere/hello.wav: No such file or directory");
 }
 
 TEST_F(WaveTest, BelongsToItsMotion) {
@@ -167,7 +167,7 @@ TEST_F(WaveTest, BelongsToItsMotion) {
   EXPECT_EQ(fault, "");
   EXPECT_EQ(sound.samples.size(), 2U) << "a motion may be of sound alone";
   EXPECT_THAT(read("[[motion]]\nname = \"hello\"\nkey = \"1\"\nsound = \"none.wav\"\n").second,
-              HasSubstr("motion \"hello\": open the sound"));
+              HasSubstr("motion \"hello\": read "));
   EXPECT_THAT(read("[[motion]]\nname = \"hello\"\nkey = \"1\"\nsound = 3\n").second,
               HasSubstr("sound wants the name of a WAV file"));
   std::remove(script.c_str());

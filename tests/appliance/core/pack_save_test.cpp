@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "appliance/core/show/pack.h"
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
 #include "tests/appliance/core/pack_fixture.h"
 #include "tests/appliance/core/small_disk.h"
 
@@ -87,7 +87,7 @@ TEST_F(SavedPack, IsReadableByTheProgramsThatPlayIt) {
 }
 
 TEST_F(SavedPack, IsMadeOfItsPiecesInTheirOrder) {
-  ASSERT_TRUE(show::WriteWholeFile(file_, {show::AsBytes("one "), {}, show::AsBytes("two")}));
+  ASSERT_TRUE(WriteWholeFile(file_, {AsBytes("one "), {}, AsBytes("two")}));
   std::ifstream in(file_);
   const std::string text(std::istreambuf_iterator<char>(in), {});
   EXPECT_EQ(text, "one two");

@@ -142,11 +142,11 @@ Result<void> Play(const std::string& folder, bool plain) {
 int main(int count, char** words) {
   kaori::SetLogName("desk-bench");
   if (count < 2) {
-    kaori::LogLine("usage: desk-bench FOLDER [--plain]");
+    kaori::LogError("usage: desk-bench FOLDER [--plain]");
     return EXIT_FAILURE;
   }
   if (auto played = kaori::testing::Play(words[1], count > 2); !played) {
-    kaori::LogLine(played.error().message());
+    kaori::LogError("{}", played.error().message());
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -32,7 +32,7 @@ void Outlet::Accept() {
   auto peer = AcceptPeer(listener_.get());
   if (!peer) return;
   auto pictures = SharedMemory::Make("kaori-lips", std::size_t{kPictureSlots} * kPictureSlotBytes);
-  if (!pictures) return Log("{}; a desk is refused", pictures.error().message());
+  if (!pictures) return LogWarning("{}; a desk is refused", pictures.error().message());
   peer_ = std::move(*peer);
   pictures_ = std::move(*pictures);
   lent_.fill(false);

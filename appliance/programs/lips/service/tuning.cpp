@@ -182,7 +182,7 @@ void Tuning::LookAtFile(Time now) {
   if (at == file_at_) return;
   file_at_ = at;
   kept_ = ReadGenerations(file_);
-  if (!kept_.complaint.empty()) Log("{}; playing on as before", kept_.complaint);
+  if (!kept_.complaint.empty()) LogWarning("{}; playing on as before", kept_.complaint);
   if (!kept_.now || *kept_.now == calibration_.settings()) return;
   Log("lips: {} was changed, and is taken", file_.string());
   calibration_.Set(*kept_.now);

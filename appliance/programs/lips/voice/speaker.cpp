@@ -57,7 +57,7 @@ void Speaker::Step() {
 
 void Speaker::TryOpen(Time now) {
   retry_at_ = now + kRetry;
-  loudspeaker_ = OpenOrSay(open_, logged_);
+  loudspeaker_ = OpenOrLog(open_, logged_);
   if (!loudspeaker_) return;
   heard_next_.reset();
   chunk_.clear();
@@ -141,7 +141,7 @@ void Speaker::NotePlayout(const ports::Playout& playout) {
 void Speaker::Close(Time now, std::string_view why) {
   loudspeaker_.reset();
   retry_at_ = now + kRetry;
-  Log("{}; opening the loudspeaker anew", why);
+  LogWarning("{}; opening the loudspeaker anew", why);
   logged_ = std::errc::no_such_device;
   if (source_ != board::SourceState::kLive) return;
   source_ = board::SourceState::kStale;

@@ -38,7 +38,7 @@ void VoiceReader::Step() {
 
 void VoiceReader::TryOpen(Time now) {
   retry_at_ = now + kVoiceReaderRetry;
-  microphone_ = OpenOrSay(open_, logged_);
+  microphone_ = OpenOrLog(open_, logged_);
   if (!microphone_) return;
   last_block_ = now;
   ++opened_;
@@ -61,7 +61,7 @@ void VoiceReader::ReadBlocks(Time now) {
 
 void VoiceReader::Hear(const ports::SoundBlock& heard, Time now) {
   ports::SoundBlock block = heard;
-  block.at = Believable(block.at, now, kOldest);
+  block.at = PlausibleStamp(block.at, now, kOldest);
   const Voice& voice = listener_.Hear(block, microphone_->format());
   if (ear_) ear_(block, microphone_->format());
   if (source_ != board::SourceState::kLive) silence_log_.Speaks();
@@ -75,7 +75,7 @@ void VoiceReader::Hear(const ports::SoundBlock& heard, Time now) {
 void VoiceReader::Close(Time now, std::string_view why) {
   microphone_.reset();
   retry_at_ = now + kVoiceReaderRetry;
-  Log("{}; opening the microphone anew", why);
+  LogWarning("{}; opening the microphone anew", why);
   silence_log_.Lost();
   logged_ = std::errc::no_such_device;
   if (source_ != board::SourceState::kLive) return;
@@ -91,7 +91,7 @@ void VoiceReader::CheckSilence(Time now) {
   }
   if (!microphone_ || now - last_block_ < kGiveUp) return;
   if (logged_ != std::errc::timed_out)
-    Log("microphone: nothing for {} s; opening it anew", kGiveUp / milliseconds(1000));
+    LogWarning("microphone: nothing for {} s; opening it anew", kGiveUp / milliseconds(1000));
   logged_ = std::errc::timed_out;
   microphone_.reset();
   retry_at_ = now;

@@ -58,7 +58,7 @@ void VoiceSeat::Watch() {
   watched_ = reader_->pollable();
   opened_ = reader_->opened();
   if (watched_ < 0) return;
-  if (auto ok = loop_->Watch(watched_, [this] { Step(); }); !ok) Log("{}", ok.error().message());
+  if (auto ok = loop_->Watch(watched_, [this] { Step(); }); !ok) LogWarning("{}", ok.error().message());
 }
 
 }  // namespace kaori::voice

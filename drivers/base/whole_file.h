@@ -1,4 +1,4 @@
-// Files that are there whole or not at all: what is half written is never seen under their name.
+// Files that are there whole or not at all: nobody sees a half-written one under its name.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,21 @@
 
 #include "drivers/base/result.h"
 
-namespace kaori::show {
+namespace kaori {
 
+// Borrows the text.
 inline std::span<const std::uint8_t> AsBytes(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// Writes the pieces one after the other to a file without a name in the same folder, and gives it its name
-// when all of it is on the disk; blocks for the disk, file and folder. What stood there before is replaced in
-// one step, or kept where anything fails; nothing else is left behind, not even by a process that is killed
-// half way. Where the file system knows no files without a name, a killed process leaves `file`.XXXXXX.
+// Writes the pieces one after the other to a file without a name (O_TMPFILE) in the same folder, and gives it its name
+// when all of it is on the disk; blocks for the disk, file and folder. What stood there before is replaced in one
+// step, or kept where anything fails; nothing else is left behind, not even by a process that is killed half way.
+// Where the file system has no files without a name, a killed process leaves `file`.XXXXXX. Wants /proc. Any thread.
 // Errors: as open(2), write(2) and rename(2): no_space_on_device, file_too_large, permission_denied ...
 // A process that limits the size of its files ignores SIGXFSZ, or the kernel ends it.
 Result<void> WriteWholeFile(const std::filesystem::path& file,
                             std::initializer_list<std::span<const std::uint8_t>> pieces,
                             unsigned mode = 0644);
 
-}  // namespace kaori::show
+}  // namespace kaori

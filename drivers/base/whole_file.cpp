@@ -1,4 +1,4 @@
-#include "appliance/core/show/pack_whole_file.h"
+#include "drivers/base/whole_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,7 +10,7 @@
 
 #include "drivers/base/unique_fd.h"
 
-namespace kaori::show {
+namespace kaori {
 namespace {
 
 // A file that is being written: without a name, or under a name that nobody looks for.
@@ -61,8 +61,8 @@ Result<void> Append(int fd, std::span<const std::uint8_t> bytes, const std::stri
   return {};
 }
 
-// Links cannot replace a file, so a draft gets a name of its own first.
-Result<void> Name(Draft& draft, const std::filesystem::path& file) {
+// linkat(2) cannot replace a file, so a draft gets a name of its own first.
+Result<void> GiveName(Draft& draft, const std::filesystem::path& file) {
   if (draft.name.empty()) {
     std::string name = FreshName(file.string());
     const std::string open_file = "/proc/self/fd/" + std::to_string(draft.fd.get());
@@ -75,11 +75,11 @@ Result<void> Name(Draft& draft, const std::filesystem::path& file) {
   return {};
 }
 
-// The name too has to outlive a cut of the power.
+// A loss of power must not lose the name either.
 Result<void> KeepFolder(const std::filesystem::path& file) {
   const std::string folder = FolderOf(file);
   const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("keep the folder " + folder);
+  if (!fd.valid() || ::fsync(fd.get()) < 0) return FailErrno("write the folder " + folder);
   return {};
 }
 
@@ -92,8 +92,8 @@ Result<void> WriteWholeFile(const std::filesystem::path& file,
   for (const auto& piece : pieces)
     if (auto ok = Append(draft->fd.get(), piece, file.string()); !ok) return ok;
   if (::fsync(draft->fd.get()) < 0) return FailErrno("write " + file.string());
-  if (auto ok = Name(*draft, file); !ok) return ok;
+  if (auto ok = GiveName(*draft, file); !ok) return ok;
   return KeepFolder(file);
 }
 
-}  // namespace kaori::show
+}  // namespace kaori

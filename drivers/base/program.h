@@ -1,0 +1,18 @@
+// How every program begins and how it ends with an error.
+#pragma once
+
+#include <string_view>
+
+#include "drivers/base/result.h"
+
+namespace kaori {
+
+// Called first by main. Sets the log's name, and makes the two exceptions that a program cannot prevent
+// (std::bad_alloc, and std::system_error where no thread can be started) end it with one line and status 1.
+// Every other exception is our own bug and still aborts.
+void BeginProgram(std::string_view name);
+
+// Logs the error with severity kError, a line for each of its lines, and returns `status` for main to return.
+[[nodiscard]] int ExitWithError(const Error& error, int status = 1);
+
+}  // namespace kaori

@@ -1,0 +1,36 @@
+// The one reader for files that a person names: regular files only, bounded in size and in nesting.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "drivers/base/result.h"
+
+namespace kaori {
+
+// More levels than any file of this project has, and few enough for every parser.
+inline constexpr int kMostLevels = 32;
+
+struct ReadLimits {
+  std::size_t most_bytes = std::size_t{16} << 20U;  // Far more than anybody writes by hand.
+  // Levels of brackets, braces and dotted keys of TOML or JSON; 0: the text is neither and is not looked at. Parsers
+  // and destructors of trees call themselves once a level, so that the stack is the real limit.
+  int most_levels = 0;
+};
+
+// Reads a whole file; blocks for the disk, never for a peer: it is opened with O_NONBLOCK, and its kind and its
+// size are asked before a byte is read or allocated. Files of /proc and /sys, whose size is 0, are read as far as
+// they go. Errors, in one line that names the file:
+//   those of open(2) and read(2): no_such_file_or_directory, permission_denied ...
+//   is_a_directory     a folder
+//   invalid_argument   a pipe, a socket or a device (kInput)
+//   file_too_large     more than `most_bytes` (kInput)
+//   bad_message        more than `most_levels`; the line is named (kInput)
+Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits& limits = {});
+
+// As ReadFile does, for a text that is there already. `name` is what the error says of it. Errors: bad_message.
+Result<void> CheckLevels(std::string_view text, int most_levels, const std::string& name);
+
+}  // namespace kaori
