@@ -1,4 +1,6 @@
-// Little-endian numbers in reports, byte by byte: no casts, no alignment, no operating system.
+// Little-endian numbers in reports and packets, byte by byte: no casts, no alignment, no operating system.
+//
+// `at` is an offset in bytes. The caller makes sure that the span holds the number: nothing is checked here.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,20 @@
-// Our dial-and-button box on the wire: 8 relative dials, 32 buttons, 32 lamps, who it is.
+// The bytes of our dial-and-button box: 8 relative dials, 32 buttons, 32 lamps, version and serial number.
 //
-// No report ids, so a report is its bytes alone (hidraw puts a 0 before an output report).
+// The reports have no report ids (HID 1.11, 5.6), so a report is its bytes alone; hidraw wants a 0 before an output or
+// a feature report. All numbers are little-endian.
+//
+//   input report, 20 bytes, whenever something changed
+//      0  u32     bit n: button n is held (usages Button 1..32)
+//      4  i16[8]  counts that each dial turned since the last report; clockwise is positive
+//   output report, 4 bytes
+//      0  u32     bit n: lamp n is lit
+//   feature report, 8 bytes
+//      0  u16     firmware version, major
+//      2  u16     firmware version, minor
+//      4  u32     serial number
+//
+// Source of the descriptor's items: HID 1.11, 6.2.2; of its usages: HID Usage Tables 1.3, pages 01 (Generic Desktop)
+// and 09 (Button).
 #pragma once
 
 #include <array>
@@ -11,18 +25,18 @@
 
 namespace kaori::wire {
 
-// A pid.codes test id: for development only, never on a box that leaves the house.
+// A test id of https://pid.codes/1209/0001/: for development only, never on a device that is sold.
 inline constexpr std::uint16_t kDialBoxVendor = 0x1209;
 inline constexpr std::uint16_t kDialBoxProduct = 0x0001;
 
 inline constexpr std::size_t kDials = 8;
 inline constexpr std::size_t kDialBoxButtons = 32;
-inline constexpr std::size_t kDialBoxReportBytes = 20;  // u32 buttons, 8 x i16 dials.
-inline constexpr std::size_t kDialBoxLampBytes = 4;     // u32, bit n lights lamp n.
-inline constexpr std::size_t kDialBoxFeatureBytes = 8;  // u16 major, u16 minor, u32 serial.
-inline constexpr int kDialCountsPerTurn = 256;
+inline constexpr std::size_t kDialBoxReportBytes = 20;
+inline constexpr std::size_t kDialBoxLampBytes = 4;
+inline constexpr std::size_t kDialBoxFeatureBytes = 8;
+inline constexpr int kDialCountsPerTurn = 256;  // Of our encoders.
 
-// The lamps are on a vendor page: on the LED page a kernel would switch them as caps and num lock.
+// The lamps are on a vendor page: on the LED page Linux would switch them as Caps Lock and Num Lock.
 inline constexpr auto kDialBoxDescriptor = std::to_array<std::uint8_t>({
     0x05, 0x01,                                      // Usage page: Generic Desktop
     0x09, 0x08,                                      // Usage: Multi-axis Controller

@@ -1,7 +1,17 @@
-// A keyboard on the wire that a BIOS reads as boot protocol and everyone else with n-key rollover.
+// The bytes of a keyboard that a BIOS reads by the boot protocol and everyone else with n-key rollover.
 //
-// A report begins with the 8 bytes of the boot protocol, which the descriptor shows as modifiers and padding,
-// and goes on with one bit for each key.
+// A report begins with the 8 bytes of the boot protocol (HID 1.11, B.1), which the descriptor declares as modifiers and
+// padding, and goes on with one bit for each key.
+//
+//   input report, 36 bytes, whenever a key changed
+//      0  u8       modifiers: bit n is the key of usage E0 + n (left control .. right GUI)
+//      1  u8       0
+//      2  u8[6]    usages of the held keys in rising order, then 0; six times 01 (ErrorRollOver) for more than six
+//      8  u8[28]   bit u % 8 of byte 8 + u / 8: the key of usage u is held (00..DF)
+//   output report, 1 byte
+//      0  u8       bits 0..4: Num Lock, Caps Lock, Scroll Lock, Compose, Kana
+//
+// Usages: HID Usage Tables 1.3, pages 07 (Keyboard) and 08 (LED).
 #pragma once
 
 #include <array>
@@ -12,14 +22,14 @@
 
 namespace kaori::wire {
 
-// A pid.codes test id: for development only.
+// A test id of https://pid.codes/1209/0003/: for development only.
 inline constexpr std::uint16_t kKeyboardVendor = 0x1209;
 inline constexpr std::uint16_t kKeyboardProduct = 0x0003;
 
 inline constexpr std::size_t kBootKeyboardBytes = 8;
-inline constexpr std::size_t kKeyboardReportBytes = 36;  // 8 boot bytes, bits for the usages 00..DF.
+inline constexpr std::size_t kKeyboardReportBytes = 36;
 inline constexpr std::uint8_t kFirstKeyUsage = 0x04;     // 00..03 are "no key" and error codes.
-inline constexpr std::uint8_t kFirstModifier = 0xE0;     // E0..E7 live in byte 0.
+inline constexpr std::uint8_t kFirstModifier = 0xE0;     // E0..E7 are byte 0.
 inline constexpr std::uint8_t kErrorRollOver = 0x01;
 
 inline constexpr auto kKeyboardDescriptor = std::to_array<std::uint8_t>({
@@ -56,7 +66,7 @@ struct KeyboardReport {
   }
 };
 
-// The boot protocol's bytes: modifiers, 0, six usages; all six are ErrorRollOver when more keys are held.
+// The first 8 bytes of the report, which are the whole report in the boot protocol.
 constexpr std::array<std::uint8_t, kBootKeyboardBytes> EncodeBoot(const KeyboardReport& report) {
   std::array<std::uint8_t, kBootKeyboardBytes> bytes{};
   bytes[0] = static_cast<std::uint8_t>(report.down[7] & 0xFFu);

@@ -1,35 +1,41 @@
-// The local link: how a device plugged in on this machine by the simulator talks to the drivers.
+// The local link: how the simulator's devices on this machine talk to the drivers.
 //
-// A link folder holds one Unix socket for each device, and the socket's file name is its port: "hid.<port>"
-// (SOCK_SEQPACKET), "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>"
-// (SOCK_SEQPACKET as well; pixels lie in shared memory whose descriptor comes with the hello). The device
-// listens and the driver connects; unplugging closes and unlinks. A newer driver connection replaces an older
-// one. All numbers are little-endian; time is CLOCK_MONOTONIC in ns.
+// A link folder holds one Unix socket (SOCK_SEQPACKET) for each device, named by its kind and its port: "hid.<port>",
+// "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>". The device listens and the driver
+// connects; to unplug the device closes and unlinks. A newer connection of a driver replaces an older one. The device
+// greets first, with a hello whose first word names the kind. Pixels lie in shared memory, whose descriptor comes
+// beside the hello. All numbers are little-endian; a time is CLOCK_MONOTONIC in ns (u64). The format is our own.
 //
-//   HID     device -> driver   hello: u32 'KHID', u16 vendor, u16 product, u16 name bytes, u16 descriptor
-//   bytes,
-//                              name, descriptor; then one packet for each input report: u64 time, report
-//           driver -> device   one packet for each output report, as hidraw takes it (byte 0 is the report
-//           id)
-//   camera  device -> driver   hello: u32 'KCAM', u32 slots, u32 slot bytes, + descriptor of slots * slot
-//   bytes;
-//                              then for each frame: u64 time, u32 sequence, u32 slot, u32 width, u32 height,
-//                              u32 stride bytes, u32 pixels (ports::PixelFormat), u32 bytes
-//           driver -> device   u32 slot, when a slot is free again
-//   screen  device -> driver   hello: u32 'KSCR', u32 slots, u32 width, u32 height, u64 period ns, +
-//   descriptor
-//                              of slots * width * height * 4 bytes; then for each flip: u64 time, u64 frame,
-//                              u32 slot that was shown
-//           driver -> device   u64 frame, u32 slot: show it at the next vertical blank
-//   microphone
-//           device -> driver   hello: u32 'KMIC', u32 rate Hz, u32 channels; then for each block: u64 time of
-//           its
-//                              first frame, u32 1 if frames were lost before it, samples of 16 bit
-//   loudspeaker
-//           device -> driver   hello: u32 'KSPK', u32 rate Hz, u32 channels, u32 frames that may wait; then
-//           now and
-//                              then: u64 time, u64 frames played by then, u32 how often it ran dry
-//           driver -> device   samples of 16 bit, whole frames, to be played behind those that wait
+//   HID, device to driver
+//     hello     0  u32 'KHID'   4  u16 vendor   6  u16 product   8  u16 bytes of the name   10  u16 bytes of the
+//               descriptor   12  the name, then the report descriptor
+//     report    0  u64 time     8  the input report
+//   HID, driver to device
+//     report    0  u8 report id (0: none)   1  the output report
+//
+//   camera, device to driver
+//     hello     0  u32 'KCAM'   4  u32 slots    8  u32 bytes of a slot; beside it the memory of all slots
+//     frame     0  u64 time     8  u32 sequence number   12  u32 slot   16  u32 width   20  u32 height
+//               24  u32 bytes of a row   28  u32 ports::PixelFormat   32  u32 bytes of the frame
+//   camera, driver to device
+//     return    0  u32 slot that is free again
+//
+//   screen, device to driver
+//     hello     0  u32 'KSCR'   4  u32 slots    8  u32 width   12  u32 height   16  u64 period in ns; beside it the
+//               memory of all slots, each width * height * 4 bytes
+//     flip      0  u64 time     8  u64 frame    16  u32 slot that is scanned out now
+//   screen, driver to device
+//     present   0  u64 frame    8  u32 slot to scan out at the next vertical blank
+//
+//   microphone, device to driver
+//     hello     0  u32 'KMIC'   4  u32 rate in Hz   8  u32 channels
+//     block     0  u64 time of its first frame   8  u32 1 where frames were lost before it   12  i16 samples
+//
+//   loudspeaker, device to driver
+//     hello     0  u32 'KSPK'   4  u32 rate in Hz   8  u32 channels   12  u32 frames that may be queued
+//     played    0  u64 time     8  u64 frames played by then   16  u32 how often the queue ran dry
+//   loudspeaker, driver to device
+//     block     0  i16 samples, whole frames, to be played behind those in the queue
 #pragma once
 
 #include <cstddef>
@@ -42,6 +48,6 @@ inline constexpr std::uint32_t kCameraHello = 0x4D41434B;       // "KCAM"
 inline constexpr std::uint32_t kScreenHello = 0x5243534B;       // "KSCR"
 inline constexpr std::uint32_t kMicrophoneHello = 0x43494D4B;   // "KMIC"
 inline constexpr std::uint32_t kLoudspeakerHello = 0x4B50534B;  // "KSPK"
-inline constexpr std::size_t kMaxLinkPacket = 8192;
+inline constexpr std::size_t kMaxLinkPacket = 8192;  // Bytes; a longer packet is refused.
 
 }  // namespace kaori::wire

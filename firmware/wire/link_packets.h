@@ -1,4 +1,4 @@
-// The local link's packets as structs, and their bytes: what link.h says in words. No operating system.
+// The local link's packets as structs, encoded and decoded. The byte tables are in link.h. No operating system.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace kaori::wire {
 
-// Of every hello the first word is what it greets as. Decoding looks at that word and at the length; whether
-// the numbers make sense is for the reader to say.
+// Decoding checks the length and the first word of a hello. Whether the numbers make sense (sizes, slots, formats) is
+// for the caller to check.
 inline constexpr std::size_t kHidHelloBytes = 12;  // The name and the descriptor follow.
 inline constexpr std::size_t kHidStampBytes = 8;   // Before each input report.
 inline constexpr std::size_t kCameraHelloBytes = 12;
@@ -81,7 +81,7 @@ constexpr std::array<std::uint8_t, kHidHelloBytes> Encode(const HidHello& hello)
   return bytes;
 }
 
-// Nothing unless the name and the descriptor fill the rest exactly.
+// None unless the name and the descriptor fill the rest exactly.
 constexpr std::optional<HidHello> DecodeHidHello(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHidHelloBytes || GetU32(bytes, 0) != kHidHello) return std::nullopt;
   const HidHello hello{GetU16(bytes, 4), GetU16(bytes, 6), GetU16(bytes, 8), GetU16(bytes, 10)};

@@ -1,4 +1,4 @@
-// The local link's packets of sound as structs, and their bytes: what link.h says in words.
+// The local link's packets of sound as structs, encoded and decoded. The byte tables are in link.h.
 #pragma once
 
 #include <array>
@@ -23,17 +23,17 @@ struct MicrophoneHello {
 };
 struct SoundBlockNote {
   std::int64_t at_ns = 0;
-  std::uint32_t lost = 0;
+  std::uint32_t lost = 0;  // 1: frames were lost before this block.
 };
 struct LoudspeakerHello {
   std::uint32_t rate_hz = 0;
   std::uint32_t channels = 0;
-  std::uint32_t room_frames = 0;
+  std::uint32_t room_frames = 0;  // As many may be queued.
 };
 struct PlayedNote {
   std::int64_t at_ns = 0;
   std::uint64_t frames = 0;
-  std::uint32_t dry = 0;
+  std::uint32_t dry = 0;  // How often the queue ran dry.
 };
 
 constexpr std::array<std::uint8_t, kMicrophoneHelloBytes> Encode(const MicrophoneHello& hello) {
@@ -56,7 +56,7 @@ constexpr std::array<std::uint8_t, kSoundBlockBytes> Encode(const SoundBlockNote
   return bytes;
 }
 
-// The samples follow; whether they are whole frames is for the reader to say.
+// The samples follow; whether they are whole frames is for the caller to check.
 constexpr std::optional<SoundBlockNote> DecodeSoundBlock(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kSoundBlockBytes) return std::nullopt;
   return SoundBlockNote{GetI64(bytes, 0), GetU32(bytes, 8)};

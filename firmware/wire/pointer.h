@@ -1,6 +1,14 @@
-// Our simulated tablet on the wire: a place on the picture, three buttons and a wheel.
+// The bytes of our simulated tablet: a position on the picture, three buttons and a wheel.
 //
-// X runs to the right and Y down, as HID has them: 0 is the left, upper edge and 65535 the other one.
+// X runs to the right and Y down, as HID has them: 0 is the left or upper edge, 65535 the right or lower one.
+//
+//   input report, 6 bytes, whenever something changed
+//      0  u8   bits 0, 1, 2: the left, right and middle button are held
+//      1  u16  x
+//      3  u16  y
+//      5  i8   notches of the wheel since the last report; away from the user is positive
+//
+// Usages: HID Usage Tables 1.3, pages 01 (Generic Desktop) and 09 (Button).
 #pragma once
 
 #include <array>
@@ -11,12 +19,12 @@
 
 namespace kaori::wire {
 
-// A pid.codes test id: for development only.
+// A test id of https://pid.codes/1209/0004/: for development only.
 inline constexpr std::uint16_t kPointerVendor = 0x1209;
 inline constexpr std::uint16_t kPointerProduct = 0x0004;
 
 inline constexpr std::size_t kPointerButtons = 3;
-inline constexpr std::size_t kPointerReportBytes = 6;  // u8 buttons, u16 x, u16 y, i8 wheel.
+inline constexpr std::size_t kPointerReportBytes = 6;
 inline constexpr std::uint16_t kPointerEnd = 0xFFFF;
 inline constexpr std::uint16_t kPointerMiddle = 0x8000;
 inline constexpr std::int8_t kPointerMostNotches = 127;  // In one report, either way.
@@ -51,7 +59,7 @@ struct PointerReport {
   std::uint8_t buttons_down = 0;  // Bit 0: the left one, 1: the right, 2: the middle.
   std::uint16_t x = kPointerMiddle;
   std::uint16_t y = kPointerMiddle;
-  std::int8_t wheel = 0;  // Notches since the last report; away from the hand is positive.
+  std::int8_t wheel = 0;  // Notches since the last report; away from the user is positive.
   friend bool operator==(const PointerReport&, const PointerReport&) = default;
 };
 

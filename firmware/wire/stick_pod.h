@@ -1,6 +1,16 @@
-// Our stick pod on the wire: two axes, twist, slider, a hat and 12 buttons.
+// The bytes of our joystick: two axes, twist, slider, a hat switch and 12 buttons.
 //
 // Axes run as HID has them: X to the right, Y towards the operator, Rz clockwise seen from above.
+//
+//   input report, 10 bytes, whenever something changed
+//      0  i16  x, -32767 (left) to 32767 (right)
+//      2  i16  y, -32767 (pushed away) to 32767 (pulled back)
+//      4  i16  twist, -32767 (counter-clockwise) to 32767 (clockwise)
+//      6  u16  slider, 0 to 65535
+//      8  u16  bits 0..3: the hat, 0 (up) to 7 clockwise in steps of 45 degrees, 15 centred;
+//              bits 4..15: buttons 1..12 are held
+//
+// Usages: HID Usage Tables 1.3, pages 01 (Generic Desktop) and 09 (Button).
 #pragma once
 
 #include <array>
@@ -11,14 +21,13 @@
 
 namespace kaori::wire {
 
-// A pid.codes test id: for development only, never on a pod that leaves the house.
+// A test id of https://pid.codes/1209/0002/: for development only, never on a device that is sold.
 inline constexpr std::uint16_t kStickPodVendor = 0x1209;
 inline constexpr std::uint16_t kStickPodProduct = 0x0002;
 
 inline constexpr std::size_t kStickPodButtons = 12;
-inline constexpr std::size_t kStickPodReportBytes =
-    10;                                          // i16 x, y, twist; u16 slider; 4 bits hat, 12 buttons.
-inline constexpr std::uint8_t kHatCentred = 15;  // Outside 0..7: the null state.
+inline constexpr std::size_t kStickPodReportBytes = 10;
+inline constexpr std::uint8_t kHatCentred = 15;  // Outside 0..7: HID's null state.
 
 inline constexpr auto kStickPodDescriptor = std::to_array<std::uint8_t>({
     0x05, 0x01,                          // Usage page: Generic Desktop

@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <string>
+#include <string_view>
+
+#include "drivers/base/read_file.h"
+#include "drivers/base/unique_fd.h"
 
 namespace kaori::boot {
 namespace {
@@ -33,14 +36,14 @@ bool Bring(int fd, std::size_t bytes) {
 }  // namespace
 
 std::size_t ReadAhead(const char* list, std::size_t most_bytes) {
-  std::ifstream lines(list);
+  const std::string text = ReadFile(list).value_or("");
   std::size_t bytes = 0;
-  for (std::string path; std::getline(lines, path);) {
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (fd < 0) continue;
-    const std::size_t size = SizeOf(fd);
-    if (size <= most_bytes - bytes && Bring(fd, size)) bytes += size;
-    ::close(fd);
+  for (std::string_view rest = text; !rest.empty();) {
+    const auto end = std::min(rest.find('\n'), rest.size());
+    const UniqueFd fd(::open(std::string(rest.substr(0, end)).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::size_t size = fd.valid() ? SizeOf(fd.get()) : 0;
+    if (size <= most_bytes - bytes && Bring(fd.get(), size)) bytes += size;
   }
   return bytes;
 }

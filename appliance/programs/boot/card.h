@@ -1,40 +1,40 @@
-// A graphics card as the first program finds it: lights its screens with one picture, by the kernel's
-// plainest calls.
+// A graphics card as the first program finds it: shows one picture on all its screens by dumb buffers and the
+// kernel's oldest mode-setting calls, without any library.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "appliance/programs/boot/still.h"
+#include "drivers/base/unique_fd.h"
 
 namespace kaori::boot {
 
-// A screen that is lit: which of the card's controllers shows it, and the picture.
-struct Lit {
-  unsigned controller = 0;
-  unsigned framebuffer = 0;
+// One screen that shows the boot splash: the CRTC that scans out, and the framebuffer.
+struct Splash {
+  std::uint32_t crtc = 0;
+  std::uint32_t framebuffer = 0;
 };
 
-// One card's open file; the pictures stay on its screens for as long as it is open and nothing else is shown.
+// One card's open file. The kernel keeps the pictures on the screens for as long as the file is open and no other
+// program shows its own. One thread; every call blocks for the kernel's mode setting only.
 class Card {
  public:
-  // None, as a number below 0, where it cannot be opened.
+  // Opens `path`; where that fails every other call does nothing.
   explicit Card(const char* path);
-  ~Card();
-  Card(const Card&) = delete;
-  Card& operator=(const Card&) = delete;
 
-  // Shows the still on every screen that is plugged in, in the mode that the screen prefers. What fails stays
-  // dark.
-  std::vector<Lit> Light(const Still& still) const;
+  // Shows `still` on every screen that is plugged in, in the mode that the screen prefers. A screen for which any
+  // step fails stays dark. Borrows the still's bytes during the call. Returns what is shown.
+  std::vector<Splash> ShowOnAll(const Still& still) const;
 
-  // Lets the next program that opens the card show pictures. Ours stay until it does.
-  void GiveWay() const;
+  // Gives up DRM master, so that the next program that opens the card becomes it. The pictures stay until then.
+  void DropMaster() const;
 
-  // Whether any of the pictures is still shown.
-  bool Shows(const std::vector<Lit>& pictures) const;
+  // Whether any of the pictures is still scanned out.
+  bool IsShown(const std::vector<Splash>& pictures) const;
 
  private:
-  int fd_;
+  UniqueFd fd_;
 };
 
 }  // namespace kaori::boot

@@ -1,6 +1,8 @@
 #include "appliance/programs/boot/data_partition.h"
 
-#include <fstream>
+#include <string_view>
+
+#include "drivers/base/read_file.h"
 
 namespace kaori::boot {
 namespace {
@@ -8,13 +10,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kRoot = "dm-0";
-constexpr const char* kNamed = "PARTNAME=data";
+constexpr std::string_view kNamed = "\nPARTNAME=data\n";  // A whole line.
 
 bool IsNamedData(const fs::path& partition) {
-  std::ifstream facts(partition / "uevent");
-  for (std::string line; std::getline(facts, line);)
-    if (line == kNamed) return true;
-  return false;
+  const std::string facts = "\n" + ReadFile(partition / "uevent").value_or("") + "\n";
+  return facts.find(kNamed) != std::string::npos;
 }
 
 // A partition's folder lies in its disk's.

@@ -1,12 +1,19 @@
 #include "appliance/programs/boot/known_shaders.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+
+#include "drivers/base/read_file.h"
+#include "drivers/base/unique_fd.h"
 
 namespace kaori::boot {
 namespace {
@@ -17,7 +24,7 @@ constexpr std::size_t kPlaces = std::size_t{1} << 16U;
 
 using Name = std::array<char, kName_bytes>;
 
-std::optional<Name> ParseName(const std::string& digits) {
+std::optional<Name> ParseName(std::string_view digits) {
   if (digits.size() != 2 * kName_bytes) return std::nullopt;
   Name name{};
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -29,33 +36,42 @@ std::optional<Name> ParseName(const std::string& digits) {
   return name;
 }
 
-std::streamoff PlaceOf(const Name& name) {
+off_t OffsetOf(const Name& name) {
   const std::size_t place =
       static_cast<std::uint8_t>(name[0]) | std::size_t{static_cast<std::uint8_t>(name[1])} << 8U;
-  return static_cast<std::streamoff>(kHead_bytes + place * kName_bytes);
+  return static_cast<off_t>(kHead_bytes + place * kName_bytes);
+}
+
+// Cuts the first line off a text, without its end.
+std::string_view CutLine(std::string_view& text) {
+  const auto end = std::min(text.find('\n'), text.size());
+  const auto line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+bool IsBelowRoot(std::string_view folder) {
+  return !folder.empty() && folder.front() != '/' && folder.find("..") == std::string_view::npos;
 }
 
 }  // namespace
 
 bool TellKnownShaders(const std::filesystem::path& list, const std::filesystem::path& root) {
+  const auto text = ReadFile(list);
+  if (!text) return text.error().cause == std::errc::no_such_file_or_directory;
+  std::string_view rest = *text;
+  const std::string_view folder = CutLine(rest);
+  if (!IsBelowRoot(folder)) return false;
   std::error_code failed;
-  if (!std::filesystem::exists(list, failed)) return !failed;
-  std::ifstream lines(list);
-  std::string line;
-  // Below the root: a path that leads out of it is none.
-  if (!std::getline(lines, line) || line.empty() || line.front() == '/' || line.find("..") != std::string::npos)
-    return false;
-  const std::filesystem::path folder = root / line;
-  std::filesystem::create_directories(folder, failed);
-  std::ofstream known(folder / "index", std::ios::binary);
-  while (known && std::getline(lines, line)) {
-    const auto name = ParseName(line);
-    if (!name) return false;
-    known.seekp(PlaceOf(*name)).write(name->data(), name->size());
+  std::filesystem::create_directories(root / folder, failed);
+  const UniqueFd index(
+      ::open((root / folder / "index").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  while (!rest.empty()) {
+    const auto name = ParseName(CutLine(rest));
+    if (!name || ::pwrite(index.get(), name->data(), name->size(), OffsetOf(*name)) != ssize_t{kName_bytes})
+      return false;
   }
-  known.close();
-  std::filesystem::resize_file(folder / "index", kHead_bytes + kPlaces * kName_bytes, failed);
-  return known.good() && !failed;
+  return ::ftruncate(index.get(), kHead_bytes + kPlaces * kName_bytes) == 0;  // Holes take no memory.
 }
 
 }  // namespace kaori::boot

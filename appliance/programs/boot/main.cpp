@@ -1,8 +1,8 @@
-// kaori-boot: the first program of the box. Lights its screens with the picture of her last face, or of the
-// show's first one, makes ready what the stage needs at once, and becomes the system's own first program.
+// kaori-boot: process 1 of the box. Shows the boot splash (the picture of the last face, or of the show's first
+// one), mounts what is kept, applies the settings, and then becomes systemd.
 //
-// It says nothing, whatever fails: a box that cannot show a still starts all the same, and a moment later the
-// stage says what is wrong.
+// Nothing stops it: a box that cannot show a splash starts all the same, and a moment later the stage says what is
+// wrong. What it has to say itself goes to the kernel's log.
 #include <fcntl.h>
 #include <poll.h>
 #include <sched.h>
@@ -24,9 +24,19 @@
 #include "appliance/programs/boot/profile.h"
 #include "appliance/programs/boot/root_hash.h"
 #include "appliance/programs/boot/still.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 #include "firmware/wire/last_face.h"
 
 namespace {
+
+using kaori::UniqueFd;
+
+constexpr std::string_view kHelp = R"(kaori-boot: the first program of the box
+
+It shows the boot splash, mounts the data partition, /proc, /sys and /run, applies the settings, and becomes systemd.
+It has no options, and does nothing unless it is process 1, as the kernel starts it (init=/usr/bin/kaori-boot).
+)";
 
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kLastFace = "/var/lib/kaori/own/last-face";
@@ -39,29 +49,47 @@ constexpr const char* kData = "/var/lib/kaori";
 constexpr const char* kProfiles = "/run/kaori-profile";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
-constexpr int kLongestMount_ms = 1000;  // A disk that takes longer is not waited for, and
-constexpr int kLongestLight_ms = 2500;  // neither is a card.
-constexpr unsigned kLook_us = 200'000;  // How often the light looks whether it is still needed,
-constexpr int kMostLooks = 5 * 60 * 5;  // and how often at most: five minutes.
+constexpr pid_t kFirstProcess = 1;
+constexpr int kMisused = 2;
+constexpr int kLongestMount_ms = 1000;         // A disk that takes longer is not waited for, and
+constexpr int kLongestSplash_ms = 2500;        // neither is a card.
+constexpr unsigned kCheckPeriod_us = 200'000;  // How often the splash asks whether it is still shown,
+constexpr int kMostChecks = 5 * 60 * 5;        // and how often at most: for five minutes.
 
-// A whole file, or as much of its beginning, mapped for as long as the program lives.
+// Maps a whole file, or as much of its beginning, for as long as the program lives: the splash waits for no copy.
 std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX) {
-  const int fd = ::open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  const UniqueFd fd(::open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat status {};
-  if (fd < 0 || ::fstat(fd, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return {};
+  if (!fd.valid() || ::fstat(fd.get(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0)
+    return {};
   const auto bytes = std::min(static_cast<std::size_t>(status.st_size), most);
-  void* const at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_POPULATE, fd, 0);
-  ::close(fd);
+  void* const at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_POPULATE, fd.get(), 0);
   if (at == MAP_FAILED) return {};
   return {static_cast<const std::uint8_t*>(at), bytes};
 }
 
-// Ends once the stage shows its own pictures: before, the screens would go dark with this program.
-void KeepLit(const kaori::boot::Card& card, const std::vector<kaori::boot::Lit>& lit) {
-  for (int looks = 0; looks < kMostLooks && card.Shows(lit); ++looks) ::usleep(kLook_us);
+// Two ends by which one process tells another that it has come so far: it closes `write_end`.
+struct Pipe {
+  UniqueFd read_end, write_end;
+};
+
+std::optional<Pipe> MakePipe() {
+  std::array<int, 2> ends{-1, -1};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
+  return Pipe{UniqueFd(ends[0]), UniqueFd(ends[1])};
 }
 
-// Her last face is shown only to be gone on with: not without the disk from which the stage will take it.
+void AwaitClose(const UniqueFd& read_end, int longest_ms) {
+  pollfd closed{.fd = read_end.get(), .events = POLLIN, .revents = 0};
+  ::poll(&closed, 1, longest_ms);
+}
+
+// Returns once the stage shows its own pictures: before, the screens would go dark with this program.
+void AwaitStage(const kaori::boot::Card& card, const std::vector<kaori::boot::Splash>& shown) {
+  for (int checks = 0; checks < kMostChecks && card.IsShown(shown); ++checks) ::usleep(kCheckPeriod_us);
+}
+
+// The last face is shown only where the stage will resume it: not without the disk on which its state lies.
 std::optional<kaori::boot::Still> ChooseStill() {
   namespace wire = kaori::wire;
   const auto last = kaori::boot::ReadLastStill(Map(kLastFace, wire::kLargestLastFace_bytes + 1),
@@ -69,57 +97,53 @@ std::optional<kaori::boot::Still> ChooseStill() {
   return last ? last : kaori::boot::ReadStill(Map(kStill));
 }
 
-void Await(int closed, int longest_ms) {
-  pollfd look{.fd = closed, .events = POLLIN, .revents = 0};
-  ::poll(&look, 1, longest_ms);
-}
-
-// `mounted` is closed when the data partition is there, `done` when the card is free for the next program.
-void Light(int mounted, int done) {
-  Await(mounted, kLongestMount_ms);
+// `mounted` is closed when the data partition is there; `done` is closed when the card is free for the stage.
+void ShowSplash(const UniqueFd& mounted, UniqueFd done) {
+  AwaitClose(mounted, kLongestMount_ms);
   const auto still = ChooseStill();
   if (!still) return;
   const kaori::boot::Card card(kCard);
-  const auto lit = card.Light(*still);
-  card.GiveWay();
-  ::close(done);
-  KeepLit(card, lit);
+  const auto shown = card.ShowOnAll(*still);
+  card.DropMaster();
+  done.reset();
+  AwaitStage(card, shown);
 }
 
-// Cards are the stage's before udev, which runs later, says the same.
+// Lets the stage's groups use the cards before udev, which runs later, does the same.
 void GiveCards() {
   constexpr gid_t kVideo = 44;  // As the root's etc/group has them.
   constexpr gid_t kRender = 102;
   constexpr mode_t kGroupsToo = 0660;
-  constexpr const char* kDraws = "/dev/dri/renderD128";
+  constexpr const char* kRenderNode = "/dev/dri/renderD128";
   if (::chown(kCard, 0, kVideo) == 0) ::chmod(kCard, kGroupsToo);
-  if (::chown(kDraws, 0, kRender) == 0) ::chmod(kDraws, kGroupsToo);
+  if (::chown(kRenderNode, 0, kRender) == 0) ::chmod(kRenderNode, kGroupsToo);
 }
 
-// What it said, for whoever looks at the box's status.
+// What it reported, for whoever reads the box's status.
 std::string g_faults;
 
-// Into the kernel's log, which the journal reads. Nothing of it comes to the show's screens.
-void Say(const std::string& words) {
-  g_faults += words + "\n";
-  const std::string line = "<4>kaori-boot: " + words + "\n";
-  const int fd = ::open("/dev/kmsg", O_WRONLY | O_CLOEXEC);
-  if (::write(fd, line.data(), line.size()) < 0) return;
-  ::close(fd);
+// Writes to the kernel's log, as a warning, which the journal reads. Nothing of it comes to the show's screens.
+void Report(const std::string& line) {
+  g_faults += line + "\n";
+  const std::string record = "<4>kaori-boot: " + line + "\n";
+  const UniqueFd log(::open("/dev/kmsg", O_WRONLY | O_CLOEXEC));
+  [[maybe_unused]] const auto written = ::write(log.get(), record.data(), record.size());
 }
 
-// What a show keeps. Where this fails the system tries once more, and the show plays without.
+constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
+
+// Mounts what a show keeps. Where this fails systemd tries once more, and the show plays without.
 void MountData() {
-  constexpr unsigned long kPlain = MS_NODEV | MS_NOSUID | MS_NOEXEC;
-  ::mount("sysfs", "/sys", "sysfs", kPlain, nullptr);
+  ::mount("proc", "/proc", "proc", kPlainMount, nullptr);
+  ::mount("sysfs", "/sys", "sysfs", kPlainMount, nullptr);
   const auto partition = kaori::boot::FindDataPartition("/sys/class/block");
-  if (!partition) return Say("there is no data partition beside the root: nothing is kept");
+  if (!partition) return Report("there is no data partition beside the root: nothing is kept");
   const std::string device = "/dev/" + *partition;
-  if (::mount(device.c_str(), kData, "ext4", kPlain, nullptr) != 0)
-    Say("the data partition " + device + " cannot be mounted: nothing is kept");
+  if (::mount(device.c_str(), kData, "ext4", kPlainMount, nullptr) != 0)
+    Report("the data partition " + device + " cannot be mounted: nothing is kept");
 }
 
-// Meanwhile, while a processor has nothing else to do; but not more than half of the memory that is left.
+// Reads ahead in a process of its own, while a processor has nothing else to do; at most half of the free memory.
 void StartReadingAhead() {
   struct sysinfo now {};
   if (::sysinfo(&now) != 0 || ::fork() != 0) return;
@@ -129,59 +153,67 @@ void StartReadingAhead() {
   ::_exit(0);
 }
 
-void WriteFile(const std::string& path, const std::string& text) {
-  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0444);
-  if (::write(fd, text.data(), text.size()) < 0) return;
-  ::close(fd);
+void WriteSetting(const std::string& name, std::string_view text) {
+  constexpr unsigned kReadOnly = 0444;
+  const std::string file = std::string(kProfiles) + "/" + name;
+  if (auto written = kaori::WriteWholeFile(file, {kaori::AsBytes(text)}, kReadOnly); !written)
+    Report(written.error().message());
 }
 
-// The hash at the root of the tree that the kernel checks the box's root against; empty where it checks none.
-std::string RootHash() {
-  ::mount("proc", "/proc", "proc", MS_NODEV | MS_NOSUID | MS_NOEXEC, nullptr);
-  std::array<char, 4096> line{};
-  const int fd = ::open("/proc/cmdline", O_RDONLY | O_CLOEXEC);
-  if (fd < 0) return {};
-  const ssize_t bytes = ::read(fd, line.data(), line.size());
-  ::close(fd);
-  return kaori::boot::RootHashOf({line.data(), bytes < 0 ? 0 : static_cast<std::size_t>(bytes)});
-}
-
-// In a folder that is there before everything else: for udev's rules a file named after the profile, for
-// kaori-input what its lines are, for kaori-stage which screen is people's, and what its status says.
+// Leaves in a folder that is there before everything else: for udev's rules a file that is named after the profile,
+// for kaori-input which lines are what, for kaori-stage which screen is the operators', and what its status says.
 void ApplySettings() {
   const auto profile = kaori::boot::ChooseProfile(std::string(kData) + "/settings");
-  if (!profile.fault.empty()) Say(profile.fault);
+  if (!profile.fault.empty()) Report(profile.fault);
   ::mount("tmpfs", "/run", "tmpfs", MS_NODEV | MS_NOSUID | MS_STRICTATIME, "mode=755,size=20%");
   ::mkdir(kProfiles, 0755);
-  WriteFile(std::string(kProfiles) + "/" + profile.name, {});
-  WriteFile(std::string(kProfiles) + "/lines", EnvironmentOf(profile.wiring));
-  WriteFile(std::string(kProfiles) + "/status_screen", profile.status_screen);
-  WriteFile(std::string(kProfiles) + "/root_hash", RootHash());
-  WriteFile(std::string(kProfiles) + "/faults", g_faults);
+  WriteSetting(profile.name, {});
+  WriteSetting("lines", EnvironmentOf(profile.wiring));
+  WriteSetting("status_screen", profile.status_screen);
+  WriteSetting("root_hash", kaori::boot::RootHashOf(kaori::ReadFile("/proc/cmdline").value_or("")));
+  WriteSetting("faults", g_faults);
+}
+
+// Everything before systemd. The splash has a process of its own, so that a slow card holds nothing up.
+void Boot() {
+  auto mounted = MakePipe();
+  auto done = MakePipe();
+  if (!mounted || !done) return;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    mounted->write_end.reset();
+    done->read_end.reset();
+    ShowSplash(mounted->read_end, std::move(done->write_end));
+    ::_exit(0);
+  }
+  mounted->read_end.reset();
+  done->write_end.reset();
+  MountData();
+  mounted->write_end.reset();
+  GiveCards();
+  ApplySettings();
+  if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder))
+    Report("Mesa cannot be told which shaders it has");
+  if (child > 0) AwaitClose(done->read_end, kLongestSplash_ms);
+  StartReadingAhead();
+}
+
+// As any other process it would mount over a running system's /proc, /sys and /run.
+int Refuse(int argc, char** argv) {
+  const bool asks_for_help =
+      argc == 2 && (std::string_view(argv[1]) == "--help" || std::string_view(argv[1]) == "-h");
+  const std::string_view text =
+      asks_for_help ? kHelp : "kaori-boot: this is the first program of a box; it runs as process 1 only\n";
+  const int to = asks_for_help ? STDOUT_FILENO : STDERR_FILENO;
+  [[maybe_unused]] const auto written = ::write(to, text.data(), text.size());
+  return asks_for_help ? 0 : kMisused;
 }
 
 }  // namespace
 
-int main(int, char** argv) {
-  std::array<int, 2> mounted{-1, -1}, done{-1, -1};
-  if (::pipe2(mounted.data(), O_CLOEXEC) == 0 && ::pipe2(done.data(), O_CLOEXEC) == 0) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::close(mounted[1]);
-      ::close(done[0]);
-      Light(mounted[0], done[1]);
-      ::_exit(0);
-    }
-    ::close(mounted[0]);
-    ::close(done[1]);
-    MountData();
-    ::close(mounted[1]);
-    GiveCards();
-    ApplySettings();
-    if (!kaori::boot::TellKnownShaders(kKnownShaders, kStageFolder)) Say("Mesa is not told which shaders it has");
-    if (child > 0) Await(done[0], kLongestLight_ms);
-    StartReadingAhead();
-  }
+int main(int argc, char** argv) {
+  if (::getpid() != kFirstProcess) return Refuse(argc, argv);
+  Boot();
   ::execv(kSystem, argv);
   return 1;
 }

@@ -1,14 +1,10 @@
 #include "appliance/programs/boot/profile.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
-#include <optional>
+
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::boot {
 namespace {
@@ -17,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kNames{"stage", "kiosk", "bench"};
 constexpr std::string_view kBlank = " \t\r";
-constexpr std::size_t kLongest_bytes = 1 << 16;
+constexpr std::size_t kMostProfile_bytes = 1 << 16;
 
 std::string_view Trim(std::string_view words) {
   const auto first = words.find_first_not_of(kBlank);
@@ -38,7 +34,7 @@ bool IsQuoted(std::string_view value) {
   return value.size() >= 2 && value.front() == '"' && value.back() == '"';
 }
 
-std::string TakeName(std::string_view value, std::string& name) {
+std::string ParseProfileName(std::string_view value, std::string& name) {
   if (!IsQuoted(value)) return "expected a value in quotes";
   const auto wanted = value.substr(1, value.size() - 2);
   if (std::ranges::find(kNames, wanted) == kNames.end())
@@ -53,7 +49,7 @@ bool IsOfScreenName(char letter) {
 }
 
 // Sockets of a card have short names; what has none of that kind is a slip of somebody's hand.
-std::string TakeScreen(std::string_view value, std::string& screen) {
+std::string ParseScreen(std::string_view value, std::string& screen) {
   constexpr std::size_t kLongestName = 32, kLongestNumber = 2;
   const auto wanted = IsQuoted(value) ? value.substr(1, value.size() - 2) : value;
   const bool is_number = !wanted.empty() && wanted.size() <= kLongestNumber && wanted.front() != '0' &&
@@ -73,7 +69,7 @@ class Reading {
     if (line.starts_with('[')) section_ = line;
     const bool ours = section_.empty() || section_ == kLines;
     if (line.empty() || line.starts_with('[') || !ours) return;
-    if (const auto wrong = TakeSetting(line); !wrong.empty()) Blame(wrong);
+    if (const auto wrong = ParseSetting(line); !wrong.empty()) Blame(wrong);
     if (!section_.empty()) wired_at_ = number_;
   }
   bool ended() const { return !profile_.fault.empty(); }
@@ -89,14 +85,14 @@ class Reading {
  private:
   static constexpr std::string_view kLines = "[lines]";
 
-  std::string TakeSetting(std::string_view line) {
+  std::string ParseSetting(std::string_view line) {
     const auto equals = line.find('=');
     if (equals == std::string_view::npos) return "expected a name, = and a value";
     const auto key = Trim(line.substr(0, equals));
     const auto value = Trim(line.substr(equals + 1));
     if (!section_.empty()) return ParseWire(key, value, profile_.wiring);
-    if (key == "profile") return TakeName(value, profile_.name);
-    if (key == "status_screen") return TakeScreen(value, profile_.status_screen);
+    if (key == "profile") return ParseProfileName(value, profile_.name);
+    if (key == "status_screen") return ParseScreen(value, profile_.status_screen);
     return "there is no setting " + std::string(key);
   }
   // Half a file is not believed.
@@ -109,30 +105,6 @@ class Reading {
   int number_ = 0;
   int wired_at_ = 0;
 };
-
-std::optional<std::string> TextOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::string text(kLongest_bytes, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
-
-bool WriteWhole(int fd, std::string_view text) {
-  const ssize_t written = ::write(fd, text.data(), text.size());
-  return written >= 0 && static_cast<std::size_t>(written) == text.size() && ::fsync(fd) == 0;
-}
-
-// A draft that was cut short by the power is never looked at.
-void Keep(const fs::path& path, std::string_view text) {
-  const std::string draft = path.string() + ".draft";
-  const int fd = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (fd < 0) return;
-  const bool whole = WriteWhole(fd, text);
-  ::close(fd);
-  if (whole) std::rename(draft.c_str(), path.c_str());
-}
 
 }  // namespace
 
@@ -149,17 +121,18 @@ Profile ReadProfile(std::string_view text) {
 Profile ChooseProfile(const fs::path& folder) {
   const fs::path file = folder / "box.toml";
   const fs::path last_good = folder / "box.last-good.toml";
-  const auto text = TextOf(file);
-  if (!text) return {};
-  const Profile chosen = ReadProfile(*text);
-  const auto before = TextOf(last_good);
+  const auto text = ReadFile(file, {.most_bytes = kMostProfile_bytes});
+  if (!text && text.error().cause == std::errc::no_such_file_or_directory) return {};
+  const Profile chosen = text ? ReadProfile(*text) : Profile{.fault = text.error().message()};
+  const auto before = ReadFile(last_good, {.most_bytes = kMostProfile_bytes});
   if (chosen.fault.empty()) {
-    if (before != text) Keep(last_good, *text);
+    // A disk that is full or broken changes nothing now: the box only has no last good settings next time.
+    if (!before || *before != *text) static_cast<void>(WriteWholeFile(last_good, {AsBytes(*text)}));
     return chosen;
   }
-  Profile sound = before ? ReadProfile(*before) : Profile();
-  sound.fault = "box.toml, " + chosen.fault + "; the profile is " + sound.name;
-  return sound;
+  Profile valid = before ? ReadProfile(*before) : Profile();
+  valid.fault = (text ? "box.toml, " : "") + chosen.fault + "; the profile is " + valid.name;
+  return valid;
 }
 
 }  // namespace kaori::boot

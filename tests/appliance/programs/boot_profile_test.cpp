@@ -145,6 +145,15 @@ TEST_F(SettingsFolder, AFaultyFileAtTheFirstStartMeansTheStage) {
   EXPECT_THAT(ChooseProfile(folder()).fault, HasSubstr("the profile is stage"));
 }
 
+TEST_F(SettingsFolder, WhatIsNoFileIsNamedAndTheStageIsMeant) {
+  fs::create_directories(folder() / "box.toml");
+  EXPECT_EQ(ChooseProfile(folder()).name, "stage");
+  EXPECT_THAT(ChooseProfile(folder()).fault, HasSubstr("box.toml: Is a directory; the profile is stage"));
+  fs::remove(folder() / "box.toml");
+  fs::create_symlink("/dev/zero", folder() / "box.toml");
+  EXPECT_THAT(ChooseProfile(folder()).fault, HasSubstr("it is a device, not a file; the profile is stage"));
+}
+
 TEST_F(SettingsFolder, ADraftThatWasCutShortIsNotLookedAt) {
   Write("profile = \"kiosk\"\n");
   ChooseProfile(folder());
