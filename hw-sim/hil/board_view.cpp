@@ -26,7 +26,7 @@ StageView Stage(const json& section) {
           .read_ns = section.at("read_ns")};
 }
 
-void TakeHands(const json& board, BoardView& view) {
+void ParseInput(const json& board, BoardView& view) {
   const json& surface = board.at("surface");
   view.surface_live = Live(surface);
   view.counts = surface.at("counts");
@@ -41,7 +41,7 @@ void TakeHands(const json& board, BoardView& view) {
   view.pointer_y = board.at("pointer").at("y");
 }
 
-void TakeTheRest(const json& board, BoardView& view) {
+void ParseRest(const json& board, BoardView& view) {
   view.now_ns = board.at("now_ns");
   view.lines_live = Live(board.at("lines"));
   view.lines_active = board.at("lines").at("active");
@@ -67,10 +67,10 @@ Result<BoardView> ReadBoardView(const std::string& text) {
   BoardView view;
   try {
     const json board = json::parse(text);
-    TakeHands(board, view);
-    TakeTheRest(board, view);
+    ParseInput(board, view);
+    ParseRest(board, view);
   } catch (const json::exception& fault) {
-    return FailInput(std::string("the witness's board: ") + fault.what());
+    return FailInput(std::string("the agent's board: ") + fault.what());
   }
   return view;
 }

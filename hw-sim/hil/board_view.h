@@ -1,4 +1,4 @@
-// The box's board as the bench reads it: what the witness told, as plain values.
+// The box's board as the bench reads it: what the in-guest agent sent, as plain values.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct StageView {
   std::uint32_t expression = 0;
   std::uint32_t scene = 0;
   std::int64_t read_ns =
-      0;  // When the hands were read for the frame that is on the screen, by the machine's clock.
+      0;  // When input was sampled for the frame that is on the screen, by the guest's clock.
 };
 
 struct BoardView {
@@ -58,7 +58,7 @@ struct BoardView {
   bool key_down(std::uint8_t usage) const { return (keys_down[usage / 32U] >> (usage % 32U) & 1U) != 0; }
 };
 
-// Errors: invalid_argument (not what a witness says).
+// Errors: invalid_argument (not what an agent sends).
 Result<BoardView> ReadBoardView(const std::string& json);
 
 }  // namespace kaori::hil

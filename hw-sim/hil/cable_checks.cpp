@@ -19,14 +19,14 @@ int Between(std::mt19937& chance, int low, int high) {
 }
 
 // Each pod is held still to its own side, which tells them apart; up or down changes with every plug, so that
-// what the board showed before cannot be taken for what it shows now. Nobody trembles: what is held still
+// what the board showed before differs from what it shows now. The sticks do not tremble: what is held still
 // must be asked for by the box.
 class HeldSticks {
  public:
   explicit HeldSticks(Scene& scene) : scene_(scene) { Turn(); }
   ~HeldSticks() {
-    hands().left_stick.Move(0, 0);
-    hands().right_stick.Move(0, 0);
+    devices().left_stick.Move(0, 0);
+    devices().right_stick.Move(0, 0);
   }
   HeldSticks(const HeldSticks&) = delete;
   HeldSticks& operator=(const HeldSticks&) = delete;
@@ -34,8 +34,8 @@ class HeldSticks {
   void Turn() {
     up_ = !up_;
     const float y = up_ ? 0.8F : -0.8F;
-    hands().left_stick.Move(0.8F, y);
-    hands().right_stick.Move(-0.8F, y);
+    devices().left_stick.Move(0.8F, y);
+    devices().right_stick.Move(-0.8F, y);
   }
   bool new_on(const StickView& stick) const {
     return stick.live && (up_ ? stick.y > kHeld : stick.y < -kHeld);
@@ -48,7 +48,7 @@ class HeldSticks {
   }
 
  private:
-  sim::InputDevices& hands() { return scene_.place.rig().devices(); }
+  sim::InputDevices& devices() { return scene_.target.rig().devices(); }
   Scene& scene_;
   bool up_ = false;
 };
@@ -63,15 +63,15 @@ std::vector<std::string> Chosen(std::mt19937& chance) {
 // Pulls some devices one after another, and plugs them in another order.
 void Replug(Scene& scene, std::vector<std::string> names, HeldSticks& sticks) {
   for (const std::string& name : names) {
-    static_cast<void>(scene.place.rig().Unplug(name));
-    scene.place.For(milliseconds(Between(scene.chance, 0, 60)));
+    static_cast<void>(scene.target.rig().Unplug(name));
+    scene.target.For(milliseconds(Between(scene.chance, 0, 60)));
   }
-  scene.place.For(milliseconds(Between(scene.chance, 20, 500)));
+  scene.target.For(milliseconds(Between(scene.chance, 20, 500)));
   sticks.Turn();
   std::ranges::shuffle(names, scene.chance);
   for (const std::string& name : names) {
-    static_cast<void>(scene.place.rig().Plug(name));
-    scene.place.For(milliseconds(Between(scene.chance, 0, 200)));
+    static_cast<void>(scene.target.rig().Plug(name));
+    scene.target.For(milliseconds(Between(scene.chance, 0, 200)));
   }
 }
 
@@ -84,17 +84,17 @@ struct Tally {
 Result<void> OneRound(Scene& scene, HeldSticks& sticks, Tally& tally) {
   const auto names = Chosen(scene.chance);
   Replug(scene, names, sticks);
-  const Time plugged = scene.place.clock().now();
+  const Time plugged = scene.target.clock().now();
   tally.replugs += static_cast<int>(names.size());
   bool swapped = false;
   const auto found = [&](const BoardView& board) {
     swapped |= sticks.swapped(board);
     return swapped || (sticks.right(board) && board.surface_live && board.keys_live && board.pointer_live);
   };
-  const auto board = scene.place.UntilBoard(
+  const auto board = scene.target.UntilBoard(
       found, kLongest, fmt::format("find what was plugged in: {}", fmt::join(names, ", ")));
   tally.swaps += swapped ? 1 : 0;
-  tally.found_s.push_back(Seconds(scene.place.clock().now() - plugged));
+  tally.found_s.push_back(Seconds(scene.target.clock().now() - plugged));
   if (!board) return tl::unexpected(board.error());
   return {};
 }
@@ -106,8 +106,8 @@ double Part(std::vector<double> values, double part) {
 
 Result<void> Replugs(Scene& scene) {
   HeldSticks sticks(scene);
-  const auto first = scene.place.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
-                                            "see both sticks held");
+  const auto first = scene.target.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
+                                             "see both sticks held");
   if (!first) return tl::unexpected(first.error());
   Tally tally;
   Result<void> ok;
@@ -118,7 +118,7 @@ Result<void> Replugs(Scene& scene) {
       "{} re-plugs in random order, {} swaps; found again after {:.2f} s (median), {:.2f} s at most",
       tally.replugs, tally.swaps, Part(tally.found_s, 0.5), Part(tally.found_s, 1));
   if (!ok) return FailInput(ok.error().message() + "; " + scene.finding.said);
-  const auto last = scene.place.Board();
+  const auto last = scene.target.Board();
   if (!last) return tl::unexpected(last.error());
   if (last->left.port != first->left.port || last->right.port != first->right.port)
     return FailInput("a role changed its port");
@@ -126,10 +126,10 @@ Result<void> Replugs(Scene& scene) {
 }
 
 void Recable(Scene& scene, bool crossed) {
-  for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.place.rig().Unplug(name));
-  scene.place.For(milliseconds(300));
-  scene.place.rig().CrossSticks(crossed);
-  for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.place.rig().Plug(name));
+  for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.target.rig().Unplug(name));
+  scene.target.For(milliseconds(300));
+  scene.target.rig().CrossSticks(crossed);
+  for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.target.rig().Plug(name));
 }
 
 // The control of the check before: what it would call a swap, it must see where there is one.
@@ -140,50 +140,51 @@ Result<void> Crossed(Scene& scene) {
   const auto swapped = [&](const BoardView& b) {
     return sticks.new_on(b.left) && sticks.new_on(b.right) && sticks.swapped(b);
   };
-  const auto seen = scene.place.UntilBoard(swapped, kLongest, "see that the cables are crossed");
+  const auto seen = scene.target.UntilBoard(swapped, kLongest, "see that the cables are crossed");
   Recable(scene, false);
   sticks.Turn();
   if (!seen) return tl::unexpected(seen.error());
   scene.finding.said =
       "two equal joysticks with their cables crossed are seen swapped, and right again afterwards";
-  const auto right = scene.place.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
-                                            "see them right again");
+  const auto right = scene.target.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
+                                             "see them right again");
   if (!right) return tl::unexpected(right.error());
   return {};
 }
 
 Result<void> PulledBox(Scene& scene) {
-  const auto before = scene.place.Board();
+  const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
-  static_cast<void>(scene.place.rig().Unplug("dial-box"));
+  static_cast<void>(scene.target.rig().Unplug("dial-box"));
   const auto gone = [&](const BoardView& b) { return !b.surface_live && b.counts == before->counts; };
-  if (auto ok = scene.place.UntilBoard(gone, kLongest, "see the box gone and its dials where they were"); !ok)
+  if (auto ok = scene.target.UntilBoard(gone, kLongest, "see the box gone and its dials where they were");
+      !ok)
     return tl::unexpected(ok.error());
-  static_cast<void>(scene.place.rig().Plug("dial-box"));
+  static_cast<void>(scene.target.rig().Plug("dial-box"));
   const auto back = [&](const BoardView& b) {
     return b.surface_live && b.counts == before->counts &&
-           scene.place.rig().devices().dial_box.lamps() == b.lamps;
+           scene.target.rig().devices().dial_box.lamps() == b.lamps;
   };
   scene.finding.said = "counts stand, lamps are lit again";
-  if (auto ok = scene.place.UntilBoard(back, kLongest, "see the box back with its lamps"); !ok)
+  if (auto ok = scene.target.UntilBoard(back, kLongest, "see the box back with its lamps"); !ok)
     return tl::unexpected(ok.error());
   return {};
 }
 
 Result<void> InputKilled(Scene& scene) {
   HeldSticks sticks(scene);
-  const auto before = scene.place.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
-                                             "see both sticks held");
+  const auto before = scene.target.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
+                                              "see both sticks held");
   if (!before) return tl::unexpected(before.error());
-  if (const auto found = scene.place.witness().Ask("signal kaori-input 9", seconds(60));
+  if (const auto found = scene.target.agent().Ask("signal kaori-input 9", seconds(60));
       !found || *found != "1")
-    return FailInput("the program of the hands could not be killed");
+    return FailInput("kaori-input could not be killed");
   sticks.Turn();
   const auto back = [&](const BoardView& b) {
     return sticks.right(b) && b.counts == before->counts && b.left.port == before->left.port;
   };
   scene.finding.said = "roles, counts and ports as before";
-  if (auto ok = scene.place.UntilBoard(back, kLongest, "see the hands again"); !ok)
+  if (auto ok = scene.target.UntilBoard(back, kLongest, "see the input devices again"); !ok)
     return tl::unexpected(ok.error());
   return {};
 }
@@ -191,12 +192,30 @@ Result<void> InputKilled(Scene& scene) {
 }  // namespace
 
 std::vector<Check> CableChecks() {
-  return {
-      {"pulled-box", "The dial box is pulled: its dials stay, its lamps come back with it", true, PulledBox},
-      {"replugs", "Two equal joysticks never swap their roles, however they are plugged in again", true,
-       Replugs},
-      {"crossed", "Crossed cables are seen: the check before can fail", true, Crossed},
-      {"input-killed", "The program of the hands is killed: roles and dials stay", true, InputKilled}};
+  return {{"pulled-box",
+           "The dial box is pulled: its dials stay, its lamps come back with it",
+           true,
+           PulledBox,
+           {},
+           "kaori-input.service"},
+          {"replugs",
+           "Two equal joysticks never swap their roles, however they are plugged in again",
+           true,
+           Replugs,
+           {},
+           "kaori-input.service"},
+          {"crossed",
+           "Crossed cables are seen: the check before can fail",
+           true,
+           Crossed,
+           {},
+           "kaori-input.service"},
+          {"input-killed",
+           "The input program is killed: roles and dials stay",
+           true,
+           InputKilled,
+           {},
+           "kaori-input.service"}};
 }
 
 }  // namespace kaori::hil

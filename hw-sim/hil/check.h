@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "drivers/base/result.h"
-#include "hw-sim/hil/place.h"
 #include "hw-sim/hil/setup.h"
+#include "hw-sim/hil/target.h"
 
 namespace kaori::hil {
 
@@ -32,7 +32,7 @@ struct Finding {
 
 // What a check works with.
 struct Scene {
-  Place& place;
+  Target& target;
   Finding& finding;
   std::string folder;  // Of the report.
   int replugs = 20;
@@ -40,7 +40,7 @@ struct Scene {
   std::mt19937& chance;
   std::string play;  // The scenario that is played.
 
-  // Takes a picture of the screen into the finding. Errors: as VideoProtocol::Shoot.
+  // Adds a picture of the screen to the finding. Errors: as VideoProtocol::Shoot.
   Result<void> Shoot(const std::string& name, const std::string& caption);
 
   // The same, of a picture that must show a face. Errors: also invalid_argument (it does not).
@@ -51,12 +51,18 @@ struct Scene {
 };
 
 struct Check {
-  std::string name;      // One word, for people who choose.
+  std::string name;      // One word, for --only.
   std::string sentence;  // What is shown.
   bool chosen = false;   // Of the part that runs each time.
   // Errors become failures. A check that cannot run says so by Skip.
   std::function<Result<void>(Scene&)> run;
   Setup setup{};  // Of the box that it finds playing.
+  // The negative control, which the long mode tries after the check has passed: the check must fail while this unit of
+  // the box is stopped ("kaori-input.service"), or this simulated device is unplugged ("camera").
+  std::string fails_without{};
+  // The control of a check that needs another one: passes when what is wrong is seen to be wrong.
+  std::function<Result<void>(Scene&)> control{};
+  bool powers = false;  // It switches the box on and off by itself; it finds it without power.
 };
 
 // In the order in which they are run.
@@ -65,18 +71,21 @@ std::vector<Check> AllChecks();
 // The parts of it.
 std::vector<Check> ScreenChecks();
 std::vector<Check> PlayChecks();
-std::vector<Check> HandChecks();
+std::vector<Check> InputChecks();
 std::vector<Check> CableChecks();
-std::vector<Check> SourceChecks();
+std::vector<Check> CameraChecks();
 std::vector<Check> LineChecks();
 std::vector<Check> SoundChecks();
-std::vector<Check> PluginChecks();
+std::vector<Check> LibcameraChecks();
 std::vector<Check> LoopChecks();
 std::vector<Check> GadgetChecks();
 std::vector<Check> LatencyChecks();
 std::vector<Check> ToolChecks();
-std::vector<Check> StrangerChecks();
+std::vector<Check> AuthorisationChecks();
 std::vector<Check> SpeedChecks();
 std::vector<Check> AloneChecks();
+std::vector<Check> DiskChecks();
+std::vector<Check> RecoveryChecks();
+std::vector<Check> StartChecks();
 
 }  // namespace kaori::hil

@@ -7,7 +7,7 @@ namespace kaori::hil {
 
 Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
   const std::string file = fmt::format("{}-{}.png", name, finding.pictures.size());
-  if (auto ok = place.machine().Shoot(0, folder + "/" + file); !ok) return ok;
+  if (auto ok = target.machine().Shoot(0, folder + "/" + file); !ok) return ok;
   finding.pictures.push_back({file, caption});
   return {};
 }
@@ -16,7 +16,7 @@ Result<void> Scene::ShootFace(const std::string& name, const std::string& captio
   if (auto ok = Shoot(name, caption); !ok) return ok;
   const auto picture = LookAt(folder + "/" + finding.pictures.back().file);
   if (!picture) return tl::unexpected(picture.error());
-  if (!ShowsAFace(*picture)) return FailInput("no face is on the screen: " + Words(*picture));
+  if (!ShowsAFace(*picture)) return FailInput("no face is on the screen: " + Describe(*picture));
   return {};
 }
 
@@ -29,9 +29,10 @@ Result<void> Scene::Skip(std::string why) {
 // Those that want the same setup stand together: another one is a box started anew.
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
-  for (auto& part : {ScreenChecks(), PlayChecks(), HandChecks(), LatencyChecks(), SourceChecks(),
-                     LineChecks(), SoundChecks(), PluginChecks(), CableChecks(), ToolChecks(),
-                     StrangerChecks(), AloneChecks(), SpeedChecks(), GadgetChecks(), LoopChecks()})
+  for (auto& part :
+       {ScreenChecks(), PlayChecks(), InputChecks(), LatencyChecks(), CameraChecks(), LineChecks(),
+        SoundChecks(), LibcameraChecks(), CableChecks(), ToolChecks(), AuthorisationChecks(), AloneChecks(),
+        SpeedChecks(), GadgetChecks(), LoopChecks(), RecoveryChecks(), DiskChecks(), StartChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -15,10 +15,10 @@ constexpr std::string_view kGadget =
     "kaori-gadget --put dial-box=dummy_udc.0,stick-left=dummy_udc.1,stick-right=dummy_udc.2 --play "
     "/usr/share/kaori/kaori.play --loop";
 
-// The rig's own devices leave their seats to the gadgets.
+// The rig's own devices are unplugged, so that the gadgets have their roles.
 void PlugRigs(Scene& scene, bool plugged) {
   for (const char* name : {"dial-box", "stick-left", "stick-right"})
-    static_cast<void>(plugged ? scene.place.rig().Plug(name) : scene.place.rig().Unplug(name));
+    static_cast<void>(plugged ? scene.target.rig().Plug(name) : scene.target.rig().Unplug(name));
 }
 
 Result<void> WantPlayed(Scene& scene, const BoardView& before) {
@@ -27,25 +27,25 @@ Result<void> WantPlayed(Scene& scene, const BoardView& before) {
     return board.surface_live && board.left.live && board.right.live && board.pushes != before.pushes &&
            moved;
   };
-  const auto seen = scene.place.UntilBoard(played, kGadgetLongest, "see the gadgets play");
+  const auto seen = scene.target.UntilBoard(played, kGadgetLongest, "see the gadgets play");
   if (!seen) return tl::unexpected(seen.error());
   return {};
 }
 
 Result<void> Gadgets(Scene& scene) {
-  WitnessProtocol& witness = scene.place.witness();
-  if (!witness.Ask("read /sys/class/udc/dummy_udc.2/state", kAnswer))
+  AgentProtocol& agent = scene.target.agent();
+  if (!agent.Ask("read /sys/class/udc/dummy_udc.2/state", kAnswer))
     return scene.Skip("this kernel has no USB device controller dummy_udc.2");
   PlugRigs(scene, false);
   const auto gone = [](const BoardView& board) {
     return !board.surface_live && !board.left.live && !board.right.live;
   };
-  const auto before = scene.place.UntilBoard(gone, kGadgetLongest, "see the other devices gone");
+  const auto before = scene.target.UntilBoard(gone, kGadgetLongest, "see the other devices gone");
   if (!before) return tl::unexpected(before.error());
-  const auto program = witness.Ask(fmt::format("start-tool {}", kGadget), kAnswer);
+  const auto program = agent.Ask(fmt::format("start-tool {}", kGadget), kAnswer);
   if (!program) return tl::unexpected(program.error());
   auto played = WantPlayed(scene, *before);
-  const auto said = witness.Ask("end " + *program, kAnswer);
+  const auto said = agent.Ask("end " + *program, kAnswer);
   scene.finding.texts.emplace_back("kaori-gadget", said ? *said : said.error().message());
   PlugRigs(scene, true);
   scene.finding.said = "dial box and two sticks played a scenario through dummy_hcd";
@@ -55,7 +55,12 @@ Result<void> Gadgets(Scene& scene) {
 }  // namespace
 
 std::vector<Check> GadgetChecks() {
-  return {{"gadget", "The same devices by a USB gadget", false, Gadgets, {.bench_kernel = true}}};
+  return {{"gadget",
+           "The same devices by a USB gadget",
+           false,
+           Gadgets,
+           {.bench_kernel = true},
+           "kaori-input.service"}};
 }
 
 }  // namespace kaori::hil

@@ -1,4 +1,4 @@
-// The way of an event from the cable to the light.
+// The latency from an event on the cable to the scan-out of the frame that shows it.
 #include <algorithm>
 #include <sstream>
 
@@ -17,14 +17,14 @@ constexpr Duration kBetween = milliseconds(90);
 constexpr std::int64_t kClockDoubt_ns = 3'000'000;  // The two clocks agree no better than a question takes.
 
 // All by the machine's clock.
-struct Moments {
-  std::vector<std::int64_t> sent_ns;     // When the simulated hand moved,
+struct EventTimes {
+  std::vector<std::int64_t> sent_ns;     // When the simulated stick moved,
   std::vector<std::int64_t> arrived_ns;  // when the board had it,
   std::vector<std::pair<std::int64_t, std::int64_t>>
-      flips;  // when hands were read for a frame, and its light.
+      flips;  // when input was sampled for a frame, and when the frame was presented.
 };
 
-void ReadMoments(const std::string& told, Moments& moments) {
+void ReadMoments(const std::string& told, EventTimes& moments) {
   std::istringstream lines(told);
   std::string kind;
   for (std::int64_t a = 0; lines >> kind >> a;) {
@@ -41,10 +41,10 @@ Result<std::int64_t> ClockAhead(Scene& scene) {
   Duration soonest = Duration::max();
   std::int64_t ahead_ns = 0;
   for (int n = 0; n < kQuestions; ++n) {
-    const Time asked = scene.place.clock().now();
-    const auto told = scene.place.witness().Ask("clock", kLatencyAnswer);
+    const Time asked = scene.target.clock().now();
+    const auto told = scene.target.agent().Ask("clock", kLatencyAnswer);
     if (!told) return tl::unexpected(told.error());
-    const Duration took = scene.place.clock().now() - asked;
+    const Duration took = scene.target.clock().now() - asked;
     if (took >= soonest) continue;
     soonest = took;
     ahead_ns = std::strtoll(told->c_str(), nullptr, 10) - (asked + took / 2).time_since_epoch().count();
@@ -52,15 +52,15 @@ Result<std::int64_t> ClockAhead(Scene& scene) {
   return ahead_ns;
 }
 
-// Shakes the left stick for so long, and tells what the witness saw of it.
-Result<Moments> Shake(Scene& scene, int watch_ms) {
+// Shakes the left stick for so long, and returns what the in-guest agent saw of it.
+Result<EventTimes> Shake(Scene& scene, int watch_ms) {
   const auto ahead_ns = ClockAhead(scene);
   if (!ahead_ns) return tl::unexpected(ahead_ns.error());
-  sim::StickPod& stick = scene.place.rig().devices().left_stick;
-  Moments moments;
-  Time next = scene.place.clock().now();
+  sim::StickPod& stick = scene.target.rig().devices().left_stick;
+  EventTimes moments;
+  Time next = scene.target.clock().now();
   bool right = false;
-  scene.place.SetHands([&](Time now) {
+  scene.target.SetInput([&](Time now) {
     if (now < next) return;
     next = now + kBetween;
     right = !right;
@@ -68,22 +68,22 @@ Result<Moments> Shake(Scene& scene, int watch_ms) {
     moments.sent_ns.push_back(now.time_since_epoch().count() + *ahead_ns);
   });
   const auto told =
-      scene.place.witness().Ask(fmt::format("events {}", watch_ms), milliseconds(watch_ms) + kLatencyAnswer);
-  scene.place.SetHands({});
+      scene.target.agent().Ask(fmt::format("events {}", watch_ms), milliseconds(watch_ms) + kLatencyAnswer);
+  scene.target.SetInput({});
   stick.Move(0, 0);
   if (!told) return tl::unexpected(told.error());
   ReadMoments(*told, moments);
   return moments;
 }
 
-struct Ways {
+struct Latencies {
   std::vector<double> to_board_ms;
-  std::vector<double> to_light_ms;
+  std::vector<double> to_flip_ms;
 };
 
 // Of each event that was not overtaken by the next one before the board had it.
-Ways WaysOf(const Moments& moments) {
-  Ways ways;
+Latencies LatenciesOf(const EventTimes& moments) {
+  Latencies ways;
   for (std::size_t n = 0; n + 1 < moments.sent_ns.size(); ++n) {
     const std::int64_t sent = moments.sent_ns[n];
     const auto arrived = std::ranges::lower_bound(moments.arrived_ns, sent - kClockDoubt_ns);
@@ -92,7 +92,7 @@ Ways WaysOf(const Moments& moments) {
         std::ranges::find_if(moments.flips, [&](const auto& flip) { return flip.first >= *arrived; });
     ways.to_board_ms.push_back(static_cast<double>(*arrived - sent) / 1e6);
     if (shown != moments.flips.end())
-      ways.to_light_ms.push_back(static_cast<double>(shown->second - sent) / 1e6);
+      ways.to_flip_ms.push_back(static_cast<double>(shown->second - sent) / 1e6);
   }
   return ways;
 }
@@ -103,26 +103,26 @@ double LatencyPart(std::vector<double> values, double part) {
 }
 
 // In frames of the screen as it ran meanwhile: an emulated machine's milliseconds say little.
-void Tell(const Moments& moments, const Ways& ways, Finding& finding) {
+void Tell(const EventTimes& moments, const Latencies& ways, Finding& finding) {
   const double frame_ms = static_cast<double>(moments.flips.back().second - moments.flips.front().second) /
                           1e6 / static_cast<double>(moments.flips.size() - 1);
-  const double median = LatencyPart(ways.to_light_ms, 0.5) / frame_ms,
-               p99 = LatencyPart(ways.to_light_ms, 0.99) / frame_ms;
+  const double median = LatencyPart(ways.to_flip_ms, 0.5) / frame_ms,
+               p99 = LatencyPart(ways.to_flip_ms, 0.99) / frame_ms;
   finding.figures["event_to_flip_frames_median"] = median;
   finding.figures["event_to_flip_frames_p99"] = p99;
   finding.figures["event_to_board_ms_median"] = LatencyPart(ways.to_board_ms, 0.5);
   finding.said = fmt::format(
-      "{} events: to the board {:.1f} ms (median), {:.1f} ms (p99); to the light {:.2f} frames (median), "
+      "{} events: to the board {:.1f} ms (median), {:.1f} ms (p99); to the flip {:.2f} frames (median), "
       "{:.2f} (p99), of {:.0f} ms",
-      ways.to_light_ms.size(), LatencyPart(ways.to_board_ms, 0.5), LatencyPart(ways.to_board_ms, 0.99),
-      median, p99, frame_ms);
+      ways.to_flip_ms.size(), LatencyPart(ways.to_board_ms, 0.5), LatencyPart(ways.to_board_ms, 0.99), median,
+      p99, frame_ms);
 }
 
 // Watches until enough frames came: a busy machine draws one in many seconds.
-Result<Moments> ShakeUntilSeen(Scene& scene) {
+Result<EventTimes> ShakeUntilSeen(Scene& scene) {
   constexpr int kWatchMs = 20'000, kMostWatches = 6;
   constexpr std::size_t kWantedFlips = 8;
-  Moments all;
+  EventTimes all;
   for (int n = 0; n < kMostWatches && all.flips.size() < kWantedFlips; ++n) {
     const auto moments = Shake(scene, kWatchMs);
     if (!moments) return moments;
@@ -135,14 +135,14 @@ Result<Moments> ShakeUntilSeen(Scene& scene) {
 
 Result<void> Latency(Scene& scene) {
   constexpr std::size_t kLeastFlips = 4;
-  static_cast<void>(scene.place.rig().Unplug("camera"));  // Its pictures cost an emulated machine much.
-  scene.place.For(seconds(5));
+  static_cast<void>(scene.target.rig().Unplug("camera"));  // Its pictures cost an emulated machine much.
+  scene.target.For(seconds(5));
   const auto moments = ShakeUntilSeen(scene);
-  static_cast<void>(scene.place.rig().Plug("camera"));
+  static_cast<void>(scene.target.rig().Plug("camera"));
   if (!moments) return tl::unexpected(moments.error());
   if (moments->arrived_ns.empty()) return FailInput("no event came to the board");
-  const Ways ways = WaysOf(*moments);
-  if (moments->flips.size() >= kLeastFlips && !ways.to_light_ms.empty())
+  const Latencies ways = LatenciesOf(*moments);
+  if (moments->flips.size() >= kLeastFlips && !ways.to_flip_ms.empty())
     return Tell(*moments, ways, scene.finding), Result<void>{};
   return scene.Skip(fmt::format("{} frames came: too few to measure by", moments->flips.size()));
 }
@@ -150,7 +150,12 @@ Result<void> Latency(Scene& scene) {
 }  // namespace
 
 std::vector<Check> LatencyChecks() {
-  return {{"latency", "From an event on the cable to the flip that shows it", true, Latency}};
+  return {{"latency",
+           "From an event on the cable to the flip that shows it",
+           true,
+           Latency,
+           {},
+           "kaori-input.service"}};
 }
 
 }  // namespace kaori::hil

@@ -21,7 +21,7 @@ enum Line { kGo = 0, kBlackout = 1, kService = 2, kPresence = 3, kTally = 4 };
 // The box's own program has the lines. Without the kernel's chip there is nothing to try.
 bool HasLines(Scene& scene) {
   const auto live = [](const BoardView& board) { return board.lines_live; };
-  return scene.place.UntilBoard(live, kLineLongest, "see the lines").has_value();
+  return scene.target.UntilBoard(live, kLineLongest, "see the lines").has_value();
 }
 
 Result<void> WantLine(Scene& scene, int line, bool on) {
@@ -29,21 +29,21 @@ Result<void> WantLine(Scene& scene, int line, bool on) {
     return (board.lines_active >> static_cast<unsigned>(line) & 1U) == (on ? 1U : 0U);
   };
   const auto seen =
-      scene.place.UntilBoard(stands, kLineLongest, fmt::format("see line {} {}", line, on ? "on" : "off"));
+      scene.target.UntilBoard(stands, kLineLongest, fmt::format("see line {} {}", line, on ? "on" : "off"));
   if (!seen) return tl::unexpected(seen.error());
   return {};
 }
 
 Result<void> Switch(Scene& scene, int line, bool on) {
-  sim::GpioBridge& bridge = scene.place.rig().gpio();
+  sim::GpioBridge& bridge = scene.target.rig().gpio();
   on ? bridge.Close(line) : bridge.Open(line);
   return WantLine(scene, line, on);
 }
 
 Result<void> WantTally(Scene& scene, bool lit) {
-  sim::GpioBridge& bridge = scene.place.rig().gpio();
+  sim::GpioBridge& bridge = scene.target.rig().gpio();
   const auto shows = [&] { return bridge.drives(kTally) && bridge.high(kTally) == lit; };
-  if (scene.place.Until(shows, kLineLongest)) return {};
+  if (scene.target.Until(shows, kLineLongest)) return {};
   return FailInput(fmt::format("the tally lamp is not {}", lit ? "lit" : "dark"));
 }
 
@@ -55,12 +55,12 @@ Result<void> AllSwitches(Scene& scene) {
 }
 
 Result<void> Go(Scene& scene) {
-  const auto before = scene.place.Board();
+  const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
   if (auto ok = Switch(scene, kGo, true); !ok) return ok;
   // After the last one comes the first.
   const auto next = [&](const BoardView& board) { return board.stage.scene != before->stage.scene; };
-  const auto called = scene.place.UntilBoard(next, kLineLongest, "see the next scene");
+  const auto called = scene.target.UntilBoard(next, kLineLongest, "see the next scene");
   if (!called) return tl::unexpected(called.error());
   return Switch(scene, kGo, false);
 }
@@ -68,11 +68,11 @@ Result<void> Go(Scene& scene) {
 // The picture goes black, or shows a face again: looked at until it does. It fades from frame to frame, so
 // that a machine which draws slowly is given frames, not seconds.
 Result<void> WantPicture(Scene& scene, const std::string& name, bool black) {
-  const Time until = scene.place.clock().now() + kLineLongest, latest = until + kLongestFade;
-  const auto before = scene.place.Board();
+  const Time until = scene.target.clock().now() + kLineLongest, latest = until + kLongestFade;
+  const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
   const auto faded = [&] {
-    const auto board = scene.place.Board();
+    const auto board = scene.target.Board();
     return board && board->stage.frames - before->stage.frames >= kFade;
   };
   while (true) {
@@ -80,10 +80,10 @@ Result<void> WantPicture(Scene& scene, const std::string& name, bool black) {
     const auto picture = LookAt(scene.folder + "/" + scene.finding.pictures.back().file);
     if (!picture) return tl::unexpected(picture.error());
     if (black ? picture->lit < kBlack : ShowsAFace(*picture)) return {};
-    if (const Time now = scene.place.clock().now(); now > latest || (now > until && faded()))
-      return FailInput(fmt::format("the picture is not {}: {}", black ? "black" : "lit", Words(*picture)));
+    if (const Time now = scene.target.clock().now(); now > latest || (now > until && faded()))
+      return FailInput(fmt::format("the picture is not {}: {}", black ? "black" : "lit", Describe(*picture)));
     scene.finding.pictures.pop_back();
-    scene.place.For(milliseconds(200));
+    scene.target.For(milliseconds(200));
   }
 }
 
@@ -106,29 +106,29 @@ Result<void> Lines(Scene& scene) {
   return {};
 }
 
-// A cable of its own is pulled and plugged: the lines are taken again, and the lamp.
+// A cable of its own is pulled and plugged: the lines are requested again, and the lamp.
 Result<void> LinesPulled(Scene& scene) {
   if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
-  static_cast<void>(scene.place.rig().Unplug("gpio"));
+  static_cast<void>(scene.target.rig().Unplug("gpio"));
   const auto gone = [](const BoardView& board) { return !board.lines_live; };
-  if (auto ok = scene.place.UntilBoard(gone, kLineLongest, "see the bridge gone"); !ok)
+  if (auto ok = scene.target.UntilBoard(gone, kLineLongest, "see the bridge gone"); !ok)
     return tl::unexpected(ok.error());
-  static_cast<void>(scene.place.rig().Plug("gpio"));
-  const Time plugged = scene.place.clock().now();
+  static_cast<void>(scene.target.rig().Plug("gpio"));
+  const Time plugged = scene.target.clock().now();
   const auto back = [](const BoardView& board) { return board.lines_live; };
-  if (auto ok = scene.place.UntilBoard(back, kLineLongest, "see the bridge again"); !ok)
+  if (auto ok = scene.target.UntilBoard(back, kLineLongest, "see the bridge again"); !ok)
     return tl::unexpected(ok.error());
   scene.finding.said =
-      fmt::format("lines again {:.1f} s after the plug", Seconds(scene.place.clock().now() - plugged));
+      fmt::format("lines again {:.1f} s after the plug", Seconds(scene.target.clock().now() - plugged));
   if (auto ok = WantTally(scene, true); !ok) return ok;
   return Go(scene);
 }
 
-Result<void> TallyOfADeadStage(Scene& scene) {
+Result<void> TallyWithoutStage(Scene& scene) {
   if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
-  const auto own = [&](const char* deed) {
-    return scene.place.witness().Ask(std::string("own /usr/bin/systemctl ") + deed + " kaori-stage.service",
-                                     kLineLongest);
+  const auto own = [&](const char* verb) {
+    return scene.target.agent().Ask(std::string("own /usr/bin/systemctl ") + verb + " kaori-stage.service",
+                                    kLineLongest);
   };
   if (auto ok = own("stop"); !ok) return tl::unexpected(ok.error());
   auto dark = WantTally(scene, false);
@@ -141,9 +141,24 @@ Result<void> TallyOfADeadStage(Scene& scene) {
 }  // namespace
 
 std::vector<Check> LineChecks() {
-  return {{"lines", "Switches on GPIO lines play the show, and a lamp follows it", true, Lines},
-          {"lines-pulled", "The bridge is pulled and plugged: its lines are taken again", false, LinesPulled},
-          {"tally", "The tally lamp is dark while the stage is away", false, TallyOfADeadStage}};
+  return {{"lines",
+           "Switches on GPIO lines play the show, and a lamp follows it",
+           true,
+           Lines,
+           {},
+           "kaori-input.service"},
+          {"lines-pulled",
+           "The bridge is pulled and plugged: its lines are requested again",
+           false,
+           LinesPulled,
+           {},
+           "kaori-input.service"},
+          {"tally",
+           "The tally lamp is dark while the stage is away",
+           false,
+           TallyWithoutStage,
+           {},
+           "kaori-input.service"}};
 }
 
 }  // namespace kaori::hil

@@ -1,7 +1,8 @@
-// kaori-bench: starts the box's image in a virtual machine, plugs in simulated devices, and tries what it
-// must do.
+// kaori-bench: starts the box's image in a virtual machine, plugs in simulated devices, and runs checks. It also starts the
+// image for a person to look at (--boot), and prints QEMU's command line for other programs (--command).
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -12,9 +13,10 @@
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
+#include "hw-sim/hil/boot_command.h"
 #include "hw-sim/hil/check.h"
+#include "hw-sim/hil/check_runner.h"
 #include "hw-sim/hil/report.h"
-#include "hw-sim/hil/trial.h"
 
 namespace {
 
@@ -22,7 +24,7 @@ constexpr std::string_view kHelp =
     R"(kaori-bench: the box's image in a virtual machine, with simulated devices, tried and reported
 
   --image FOLDER        bzImage, cmdline and kaori.disk (out/image)
-  --bench-disk FILE     the disk with the witness and tools
+  --bench-disk FILE     the disk with the in-guest agent and tools
   --bench-kernel FILE   a kernel with simulated hardware of its own, for the checks that want it
   --report FOLDER       where report.html, report.xml and pictures go
   --figures FILE        a JSON object that gets the figures
@@ -33,16 +35,36 @@ constexpr std::string_view kHelp =
   --scenes 0            of the scenario, from its beginning; 0 plays all
   --replugs 200         how often cables are pulled and plugged
   --seed 1              of their order
+  --controls            each check is followed by its negative control
+  --usual-image FILE    the program that makes an image which starts in the usual way (tests/hil/usual_image)
   --size 480x270        of the screen
+  --memory 512          of the machine, in MiB
+
+kaori-bench --boot: starts the image, with a window where there is a display
+  --trace               prints where the time goes until the first face, and ends
+  --shot FILE.png       writes a picture of the screen once the first face is there, and ends
+
+kaori-bench --command FOLDER: prints QEMU's program and arguments, one a line, for a machine without a graphics card. Its
+log and its monitor are FOLDER/console.log and FOLDER/qmp
+  --disk FILE           another disk than the image's
+  --keep-disk           what the machine writes to its disk is kept
+  --count-instructions  the machine's time is that of its instructions
 )";
 
 struct Settings {
   std::string image = "out/image", bench_disk, bench_kernel, report = "out/bench", figures, play, only;
-  std::string scenes = "0", replugs = "200", seed = "1", size = "480x270";
-  bool chosen = false, list = false;
+  std::string scenes = "0", replugs = "200", seed = "1", size = "480x270", memory = "512",
+              usual_image = "tests/hil/usual_image";
+  std::string shot, command, disk;
+  bool chosen = false, list = false, controls = false, boot = false, trace = false;
+  bool keep_disk = false, count_instructions = false;
 };
 
 constexpr int kNotTried = 2;  // The exit status where no check could be run at all.
+
+int Exit(const kaori::Error& error) {
+  return kaori::ExitWithError(error, kNotTried);
+}
 
 bool Wanted(const kaori::hil::Check& check, const Settings& settings) {
   if (!settings.only.empty())
@@ -56,12 +78,12 @@ std::vector<kaori::hil::Check> WantedChecks(const Settings& settings) {
   return checks;
 }
 
-std::string_view Sign(kaori::hil::Verdict verdict) {
+std::string_view Mark(kaori::hil::Verdict verdict) {
   if (verdict == kaori::hil::Verdict::kPassed) return "ok  ";
   return verdict == kaori::hil::Verdict::kFailed ? "FAIL" : "skip";
 }
 
-// The hash of the root, which stands on the command line before its salt.
+// The hash of the root, which is on the command line before its salt.
 std::string RootHash(const std::string& image) {
   std::ifstream file(image + "/cmdline");
   for (std::string word, hash; file >> word; hash = word)
@@ -77,39 +99,68 @@ kaori::Result<std::string> MakeFolder() {
 
 void Tell(const kaori::hil::ReportedCheck& check) {
   const auto& [verdict, said, pictures, figures, texts, took_s] = check.finding;
-  fmt::print("{}  {:6.1f} s  {}: {}\n", Sign(verdict), took_s, check.name, said);
+  fmt::print("{}  {:6.1f} s  {}: {}\n", Mark(verdict), took_s, check.name, said);
   std::fflush(stdout);
 }
 
-int TryAll(const Settings& settings, const std::string& sockets, const kaori::Size& size) {
+kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& folder,
+                                  const kaori::Size& size) {
+  return {.image = settings.image,
+          .bench_disk = settings.bench_disk,
+          .bench_kernel = settings.bench_kernel,
+          .usual_image = settings.usual_image,
+          .folder = folder,
+          .width_px = size.width_px,
+          .height_px = size.height_px,
+          .memory_mib = std::max(64, std::atoi(settings.memory.c_str())),
+          .window = settings.boot && settings.shot.empty() && std::getenv("DISPLAY") != nullptr,
+          .counts_instructions = settings.count_instructions};
+}
+
+int PrintCommand(const Settings& settings, const kaori::Size& size) {
+  std::ifstream file(settings.image + "/cmdline");
+  std::string line;
+  if (!std::getline(file, line))
+    return Exit(kaori::Fail(std::errc::no_such_file_or_directory, "read " + settings.image + "/cmdline").value());
+  const std::string disk = settings.disk.empty() ? settings.image + "/kaori.disk" : settings.disk;
+  const kaori::hil::Setup setup{
+      .agent = false, .keeps_disk = settings.keep_disk, .graphics = kaori::hil::Graphics::kNone};
+  for (const std::string& word : kaori::hil::QemuCommand(MachineOf(settings, settings.command, size), setup,
+                                                         kaori::hil::LoggedCommandLine(line), disk))
+    fmt::print("{}\n", word);
+  return 0;
+}
+
+int BootImage(const Settings& settings, const std::string& folder, const kaori::Size& size) {
   const kaori::SteadyClock clock;
-  auto place = kaori::hil::Place::Open({.image = settings.image,
-                                        .bench_disk = settings.bench_disk,
-                                        .bench_kernel = settings.bench_kernel,
-                                        .folder = sockets,
-                                        .width_px = size.width_px,
-                                        .height_px = size.height_px},
-                                       clock);
-  if (!place) return kaori::ExitWithError(place.error(), kNotTried);
-  kaori::hil::Trial trial(
+  const std::string shot = settings.shot.empty() ? "" : std::filesystem::absolute(settings.shot).string();
+  const auto ok =
+      kaori::hil::Boot(MachineOf(settings, folder, size), {.trace = settings.trace, .shot = shot}, clock);
+  return ok ? 0 : Exit(ok.error());
+}
+
+int RunChecks(const Settings& settings, const std::string& sockets, const kaori::Size& size) {
+  const kaori::SteadyClock clock;
+  auto target = kaori::hil::Target::Open(MachineOf(settings, sockets, size), clock);
+  if (!target) return Exit(target.error());
+  kaori::hil::CheckRunner runner(
       {.report = settings.report,
        .play = settings.play,
        .replugs = std::atoi(settings.replugs.c_str()),
        .scenes = std::atoi(settings.scenes.c_str()),
-       .seed = static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10))},
-      **place);
+       .seed = static_cast<std::mt19937::result_type>(std::strtoul(settings.seed.c_str(), nullptr, 10)),
+       .controls = settings.controls},
+      **target);
   kaori::hil::Report report{.image = settings.image, .root_hash = RootHash(settings.image), .checks = {}};
   for (const auto& check : WantedChecks(settings)) {
-    report.checks.push_back(trial.Try(check));
+    report.checks.push_back(runner.Run(check));
     Tell(report.checks.back());
-    report.boot_s = trial.boot_s();
-    if (auto ok = kaori::hil::WriteReport(report, settings.report); !ok)
-      return kaori::ExitWithError(ok.error(), kNotTried);
+    report.boot_s = runner.boot_s();
+    if (auto ok = kaori::hil::WriteReport(report, settings.report); !ok) return Exit(ok.error());
   }
-  trial.End();
+  runner.End();
   if (!settings.figures.empty())
-    if (auto ok = kaori::hil::MergeFigures(report, settings.figures); !ok)
-      return kaori::ExitWithError(ok.error(), kNotTried);
+    if (auto ok = kaori::hil::MergeFigures(report, settings.figures); !ok) return Exit(ok.error());
   fmt::print("{} passed, {} failed, {} skipped; see {}/report.html\n",
              report.count(kaori::hil::Verdict::kPassed), report.count(kaori::hil::Verdict::kFailed),
              report.count(kaori::hil::Verdict::kSkipped), settings.report);
@@ -137,20 +188,27 @@ int main(int argc, char** argv) {
       .Switch("--list", settings.list)
       .Text("--replugs", settings.replugs);
   options.Text("--seed", settings.seed).Text("--size", settings.size);
-  options.Text("--scenes", settings.scenes);
+  options.Text("--scenes", settings.scenes).Switch("--controls", settings.controls);
+  options.Text("--usual-image", settings.usual_image).Text("--memory", settings.memory);
+  options.Switch("--boot", settings.boot).Switch("--trace", settings.trace).Text("--shot", settings.shot);
+  options.Text("--command", settings.command).Text("--disk", settings.disk);
+  options.Switch("--keep-disk", settings.keep_disk)
+      .Switch("--count-instructions", settings.count_instructions);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.list) return List();
   const auto size = kaori::ParseSize(settings.size);
   if (!size)
-    return kaori::ExitWithError(
-        kaori::FailInput("--size " + settings.size + ": expected such as 960x540").value(), kNotTried);
+    return Exit(kaori::FailInput("--size " + settings.size + ": expected such as 960x540").value());
+  if (!settings.command.empty()) return PrintCommand(settings, *size);
   if (WantedChecks(settings).empty())
-    return kaori::ExitWithError(kaori::FailInput("no check is called " + settings.only).value(), kNotTried);
-  std::filesystem::create_directories(settings.report);
+    return Exit(kaori::FailInput("no check is called " + settings.only).value());
+  settings.image = std::filesystem::absolute(settings.image);
   settings.report = std::filesystem::absolute(settings.report);  // QEMU writes pictures there.
-  const auto sockets = MakeFolder();
-  if (!sockets) return kaori::ExitWithError(sockets.error(), kNotTried);
-  const int status = TryAll(settings, *sockets, *size);
-  std::filesystem::remove_all(*sockets);
+  if (!settings.boot) std::filesystem::create_directories(settings.report);
+  const auto folder = MakeFolder();
+  if (!folder) return Exit(folder.error());
+  const int status =
+      settings.boot ? BootImage(settings, *folder, *size) : RunChecks(settings, *folder, *size);
+  std::filesystem::remove_all(*folder);
   return status;
 }

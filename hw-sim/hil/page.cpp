@@ -37,7 +37,7 @@ details a { font-size: .8rem; color: var(--soft); } details { margin-top: .6rem;
 pre { overflow: auto; max-height: 24rem; background: var(--paper); border-radius: .4rem; padding: .7rem; font-size: .78rem; }
 )css";
 
-std::string_view Word(Verdict verdict) {
+std::string_view NameOf(Verdict verdict) {
   if (verdict == Verdict::kPassed) return "passed";
   return verdict == Verdict::kFailed ? "failed" : "skipped";
 }
@@ -73,7 +73,7 @@ std::string Texts(const ReportedCheck& check) {
 }
 
 std::string Article(const ReportedCheck& check) {
-  const std::string_view word = Word(check.finding.verdict);
+  const std::string_view word = NameOf(check.finding.verdict);
   return fmt::format(
       "<article class=\"{0}\" id=\"{1}\"><header><h2>{2}</h2><span class=\"took\">{3:.1f} s</span><span "
       "class=\"verdict\">{0}</span></header>\n<p class=\"said\">{4}</p>\n{5}{6}</article>\n",

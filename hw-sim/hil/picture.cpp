@@ -2,9 +2,11 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <bitset>
 #include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,7 +29,27 @@ struct Points {
   std::vector<std::uint8_t> rgb;
 };
 
+// A binary PPM with one line for its kind, one for its size and one for its range, as QEMU and the stage write it.
+Result<Points> ReadPpm(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string kind;
+  Points points;
+  int range = 0;
+  file >> kind >> points.width_px >> points.height_px >> range;
+  constexpr int kMost_px = 16384;
+  const bool valid = file && kind == "P6" && range == 255 && points.width_px > 0 && points.height_px > 0 &&
+                     points.width_px <= kMost_px && points.height_px <= kMost_px;
+  if (!valid) return Fail(std::errc::io_error, "read " + path);
+  file.get();
+  points.rgb.resize(std::size_t(3) * static_cast<std::size_t>(points.width_px) *
+                    static_cast<std::size_t>(points.height_px));
+  file.read(reinterpret_cast<char*>(points.rgb.data()), static_cast<std::streamsize>(points.rgb.size()));
+  if (!file) return Fail(std::errc::io_error, "read " + path);
+  return points;
+}
+
 Result<Points> Read(const std::string& png) {
+  if (png.ends_with(".ppm")) return ReadPpm(png);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_file(&image, png.c_str()) == 0)
@@ -38,6 +60,24 @@ Result<Points> Read(const std::string& png) {
   if (points.rgb.empty() || png_image_finish_read(&image, nullptr, points.rgb.data(), 0, nullptr) == 0)
     return Fail(std::errc::io_error, "read " + png);
   return points;
+}
+
+Result<void> Write(const Points& points, const std::string& png) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(points.width_px);
+  image.height = static_cast<png_uint_32>(points.height_px);
+  image.format = PNG_FORMAT_RGB;
+  if (png_image_write_to_file(&image, png.c_str(), 0, points.rgb.data(), 0, nullptr) != 0) return {};
+  return Fail(std::errc::io_error, "write " + png);
+}
+
+// The pixel in the middle of that row of a grid; columns count from the middle and are as wide as rows are high.
+const std::uint8_t* PixelAt(const Points& points, int column, int row, int rows) {
+  const int y = (2 * row + 1) * points.height_px / (2 * rows);
+  const int x = std::clamp(points.width_px / 2 + column * points.height_px / rows, 0, points.width_px - 1);
+  return &points.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(points.width_px) +
+                          static_cast<std::size_t>(x))];
 }
 
 PictureView Measure(const Points& points) {
@@ -69,19 +109,50 @@ Result<PictureView> LookAt(const std::string& png) {
   return Measure(*picture);
 }
 
-std::string Words(const PictureView& picture) {
+std::string Describe(const PictureView& picture) {
   return fmt::format("{}x{}, {:.0f} % lit, {} shades", picture.width_px, picture.height_px, 100 * picture.lit,
                      picture.colours);
 }
 
-Result<double> Difference(const std::string& png, const std::string& other_png) {
-  const auto one = Read(png), other = Read(other_png);
+Result<double> ChangedPart(const std::string& file, const std::string& other_file) {
+  const auto one = Read(file), other = Read(other_file);
   if (!one || !other) return tl::unexpected(one ? other.error() : one.error());
   if (one->width_px != other->width_px || one->height_px != other->height_px) return 1;
   std::size_t differ = 0;
   for (std::size_t at = 0; at < one->rgb.size(); at += 3)
     differ += std::abs(Luma(&one->rgb[at]) - Luma(&other->rgb[at])) > kShade ? 1 : 0;
   return static_cast<double>(differ) * 3 / static_cast<double>(one->rgb.size());
+}
+
+Result<double> MeanDifference(const std::string& file, const std::string& other_file) {
+  const auto one = Read(file), other = Read(other_file);
+  if (!one || !other) return tl::unexpected(one ? other.error() : one.error());
+  constexpr int kColumns = 90, kRows = 60;
+  int sum = 0;
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      const std::uint8_t *a = PixelAt(*one, column - kColumns / 2, row, kRows),
+                         *b = PixelAt(*other, column - kColumns / 2, row, kRows);
+      for (int n = 0; n < 3; ++n) sum += std::abs(a[n] - b[n]);
+    }
+  return sum / (255.0 * 3 * kColumns * kRows);
+}
+
+Result<void> WriteUpsideDown(const std::string& file, const std::string& target) {
+  auto points = Read(file);
+  if (!points) return tl::unexpected(points.error());
+  const auto line = static_cast<std::ptrdiff_t>(points->width_px) * 3;
+  for (int y = 0; y < points->height_px / 2; ++y)
+    std::swap_ranges(points->rgb.begin() + y * line, points->rgb.begin() + (y + 1) * line,
+                     points->rgb.begin() + (points->height_px - 1 - y) * line);
+  return Write(*points, target);
+}
+
+Result<void> WriteBlack(const std::string& file, const std::string& target) {
+  auto points = Read(file);
+  if (!points) return tl::unexpected(points.error());
+  std::ranges::fill(points->rgb, std::uint8_t{0});
+  return Write(*points, target);
 }
 
 bool ShowsAFace(const PictureView& picture) {

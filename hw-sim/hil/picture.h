@@ -10,21 +10,31 @@ namespace kaori::hil {
 struct PictureView {
   int width_px = 0;
   int height_px = 0;
-  double lit = 0;          // Part of the points that are brighter than a dark room.
+  double lit = 0;          // Part of the pixels that are brighter than near black, 0..1.
   int colours = 0;         // Different ones, of 4096.
   double middle_luma = 0;  // Mean of the middle ninth, 0..1.
 };
 
-// Errors: io_error (not a PNG).
+// Errors: io_error (neither PNG nor binary PPM).
 Result<PictureView> LookAt(const std::string& png);
 
-// For people: its size, its light and its shades.
-std::string Words(const PictureView& picture);
+// Describes its size, its lit part and its number of colours in one line.
+std::string Describe(const PictureView& picture);
 
-// The part of the points that differ by more than a shade; 1 where sizes do. Errors: as LookAt.
-Result<double> Difference(const std::string& png, const std::string& other_png);
+// How far two pictures differ: the mean over their pixels and colours, 0 (equal) to 1 (black against white). Sizes may
+// differ: both are sampled on a grid by their height, from the middle, as a still is laid over a screen. Files are PNG or
+// binary PPM. Errors: io_error (not such a picture).
+Result<double> MeanDifference(const std::string& file, const std::string& other);
 
-// A face has light on it and many shades; a console, a cursor or nothing has neither.
+// The part of the pixels that differ by more than a shade, 0..1; 1 where sizes differ. Errors: as MeanDifference.
+Result<double> ChangedPart(const std::string& file, const std::string& other);
+
+// Writes one picture upside down, and one that is black, of the size of `file`, as PNG: controls of a comparison. Errors:
+// as MeanDifference, and those of writing.
+Result<void> WriteUpsideDown(const std::string& file, const std::string& target);
+Result<void> WriteBlack(const std::string& file, const std::string& target);
+
+// A face has lit pixels and many colours; a console, a cursor or a blank screen has not.
 bool ShowsAFace(const PictureView& picture);
 
 }  // namespace kaori::hil

@@ -1,4 +1,4 @@
-// Scenarios of hands and of faults, played through the box's own drivers.
+// Scenarios of input and of faults, played through the box's own drivers.
 #include <algorithm>
 #include <filesystem>
 
@@ -15,21 +15,21 @@ using std::chrono::seconds;
 
 constexpr Duration kLongestFrame = seconds(300);  // With a new style's shaders, on a busy machine.
 
-// A scenario on the bench: its time stands still while a slow machine draws.
+// A scenario on the bench: its time is paused while a slow machine draws.
 class HeldPlay {
  public:
-  HeldPlay(sim::Scenario scenario, std::string name, Place& place)
+  HeldPlay(sim::Scenario scenario, std::string name, Target& target)
       : name_(std::move(name)),
-        place_(place),
-        last_(place.clock().now()),
-        player_(std::move(scenario), place.rig(), last_) {
-    place.SetHands([this](Time now) {
+        target_(target),
+        last_(target.clock().now()),
+        player_(std::move(scenario), target.rig(), last_) {
+    target.SetInput([this](Time now) {
       if (now > last_ && !held_) played_ += now - last_;
       last_ = now;
       player_.Perform(start_ + played_);
     });
   }
-  ~HeldPlay() { place_.SetHands({}); }
+  ~HeldPlay() { target_.SetInput({}); }
   HeldPlay(const HeldPlay&) = delete;
   HeldPlay& operator=(const HeldPlay&) = delete;
 
@@ -37,22 +37,22 @@ class HeldPlay {
   const sim::Scenario& scenario() const { return player_.scenario(); }
   void PlayUntil(Duration at) {
     held_ = false;
-    place_.Until([&] { return player_.position() >= at; }, at + seconds(1));
+    target_.Until([&] { return player_.position() >= at; }, at + seconds(1));
     held_ = true;
   }
-  // Until the screen shows hands as they are now. Errors: timed_out.
+  // Until the screen shows a frame that has sampled the current input. Errors: timed_out.
   Result<void> AwaitFrame(const std::string& scene) {
-    const auto now = place_.Board();
+    const auto now = target_.Board();
     if (!now) return tl::unexpected(now.error());
     const auto drawn = [&](const BoardView& board) { return board.stage.read_ns >= now->now_ns; };
-    if (auto ok = place_.UntilBoard(drawn, kLongestFrame, "wait for a frame of scene " + scene); !ok)
+    if (auto ok = target_.UntilBoard(drawn, kLongestFrame, "wait for a frame of scene " + scene); !ok)
       return tl::unexpected(ok.error());
     return {};
   }
 
  private:
   std::string name_;
-  Place& place_;
+  Target& target_;
   Time last_;
   Time start_ = last_;
   Duration played_{};
@@ -73,15 +73,15 @@ Result<void> ShootScene(Scene& scene, HeldPlay& play, std::size_t beat) {
 Result<std::uint32_t> PlayFile(Scene& scene, const std::string& file, int most) {
   auto scenario = sim::LoadScenario(file);
   if (!scenario) return tl::unexpected(scenario.error());
-  const auto before = scene.place.Board();
+  const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
-  HeldPlay play(std::move(*scenario), std::filesystem::path(file).stem(), scene.place);
+  HeldPlay play(std::move(*scenario), std::filesystem::path(file).stem(), scene.target);
   const std::size_t all = play.scenario().beats.size();
   const std::size_t scenes = most > 0 ? std::min(all, static_cast<std::size_t>(most)) : all;
   for (std::size_t n = 0; n < scenes; ++n)
     if (auto ok = ShootScene(scene, play, n); !ok) return tl::unexpected(ok.error());
   if (scenes == all) play.PlayUntil(play.scenario().length);
-  const auto after = scene.place.Board();
+  const auto after = scene.target.Board();
   if (!after) return tl::unexpected(after.error());
   return after->stage.frames - before->stage.frames;
 }
@@ -103,7 +103,7 @@ Result<void> Faults(Scene& scene) {
     return board.surface_live && board.left.live && board.right.live && board.keys_live &&
            board.pointer_live && board.lips_live && board.lips_quality > 0.5;
   };
-  if (auto ok = scene.place.UntilBoard(well, kLongestFrame, "see all devices again"); !ok)
+  if (auto ok = scene.target.UntilBoard(well, kLongestFrame, "see all devices again"); !ok)
     return tl::unexpected(ok.error());
   scene.finding.said = fmt::format("{} scenes of faults, a face in each; {} frames; all devices are back",
                                    scene.finding.pictures.size(), *frames);
@@ -113,9 +113,13 @@ Result<void> Faults(Scene& scene) {
 }  // namespace
 
 std::vector<Check> PlayChecks() {
-  return {
-      {"play", "A scenario plays through the box's own drivers", true, Play},
-      {"faults", "A scenario of faults: cables pulled, the lens covered, the camera hung", false, Faults}};
+  return {{"play", "A scenario plays through the box's own drivers", true, Play, {}, "kaori-stage.service"},
+          {"faults",
+           "A scenario of faults: cables pulled, the lens covered, the camera hung",
+           false,
+           Faults,
+           {},
+           "kaori-stage.service"}};
 }
 
 }  // namespace kaori::hil

@@ -19,27 +19,27 @@ class PowerProtocol {
 class VideoProtocol {
  public:
   virtual ~VideoProtocol() = default;
-  // Writes what stands on screen `head` as PNG. Errors: no_such_device (no such head, or no power),
+  // Writes the picture of screen `head` as PNG. Errors: no_such_device (no such head, or no power),
   // timed_out.
   virtual Result<void> Shoot(int head, const std::string& file) = 0;
 };
 
-// What a stranger might plug in.
-enum class Stranger { kStorage, kNetwork, kKeyboard };
+// USB devices that no profile, or not every profile, authorises.
+enum class UnauthorisedDevice { kStorage, kNetwork, kKeyboard };
 
 // One at a time.
-class StrangerProtocol {
+class UnauthorisedDeviceProtocol {
  public:
-  virtual ~StrangerProtocol() = default;
-  // Errors: no_such_device (no power), invalid_argument (in the machine's own words).
-  virtual Result<void> PlugStranger(Stranger stranger) = 0;
-  virtual Result<void> PullStranger() = 0;
+  virtual ~UnauthorisedDeviceProtocol() = default;
+  // Errors: no_such_device (no power), invalid_argument (QEMU's own message).
+  virtual Result<void> PlugUnauthorised(UnauthorisedDevice device) = 0;
+  virtual Result<void> PullUnauthorised() = 0;
 };
 
-class WitnessProtocol {
+class AgentProtocol {
  public:
-  virtual ~WitnessProtocol() = default;
-  // Asks the witness in the machine; see kaori-hil-agent. Errors: invalid_argument (what it said no with),
+  virtual ~AgentProtocol() = default;
+  // Asks the agent in the guest; see kaori-hil-agent. Errors: invalid_argument (its own error message),
   // timed_out, no_such_device.
   virtual Result<std::string> Ask(const std::string& question, Duration longest) = 0;
 };

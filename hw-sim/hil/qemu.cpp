@@ -1,5 +1,6 @@
 #include "hw-sim/hil/qemu.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -14,16 +15,21 @@ namespace {
 constexpr const char* kControllers = " dummy_hcd.num=3";
 
 // As QEMU calls it, on the port that the rig leaves free.
-std::string DeviceOf(Stranger stranger) {
-  constexpr const char* kPort = R"("id":"stranger","bus":"xhci.0","port":"8")";
-  switch (stranger) {
-    case Stranger::kStorage:
+std::string DeviceOf(UnauthorisedDevice device) {
+  constexpr const char* kPort = R"("id":"unauthorised","bus":"xhci.0","port":"8")";
+  switch (device) {
+    case UnauthorisedDevice::kStorage:
       return fmt::format(R"({{"driver":"usb-storage","drive":"stick",{}}})", kPort);
-    case Stranger::kNetwork:
+    case UnauthorisedDevice::kNetwork:
       return fmt::format(R"({{"driver":"usb-net","netdev":"net",{}}})", kPort);
     default:
       return fmt::format(R"({{"driver":"usb-kbd",{}}})", kPort);
   }
+}
+
+std::string TextOf(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -31,7 +37,7 @@ std::string DeviceOf(Stranger stranger) {
 Result<void> QemuDriver::On() {
   if (setup_.bench_kernel && options_.bench_kernel.empty())
     return Fail(std::errc::not_supported, "start a kernel of the bench (none was named)");
-  if (setup_.drawn_outside) {
+  if (setup_.graphics == Graphics::kVirgl) {
     auto window =
         XScreen::Open({options_.folder, WidthOf(options_, setup_), HeightOf(options_, setup_)}, waiter_);
     if (!window) return tl::unexpected(window.error());
@@ -44,21 +50,27 @@ Result<void> QemuDriver::On() {
   return {};
 }
 
+Result<std::string> QemuDriver::Disk() {
+  const std::string disk = setup_.disk.empty() ? options_.image + "/kaori.disk" : setup_.disk;
+  if (setup_.settings.empty()) return disk;
+  return CopyWithSettings(disk, setup_, options_.folder);
+}
+
 Result<void> QemuDriver::Start() {
-  std::ifstream file(options_.image + "/cmdline");
+  const std::string path = ImageOf(options_, setup_) + "/cmdline";
+  std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line)) return FailErrno("read " + options_.image + "/cmdline");
-  std::string disk = options_.image + "/kaori.disk";
-  if (!setup_.settings.empty()) {
-    auto copy = CopyWithSettings(disk, setup_, options_.folder);
-    if (!copy) return tl::unexpected(copy.error());
-    disk = std::move(*copy);
-  }
-  line = BenchCommandLine(line) + (setup_.bench_kernel ? kControllers : "");
+  if (!std::getline(file, line)) return Fail(std::errc::no_such_file_or_directory, "read " + path);
+  const auto disk = Disk();
+  if (!disk) return tl::unexpected(disk.error());
+  line = setup_.agent ? BenchCommandLine(line) + (setup_.bench_kernel ? kControllers : "")
+                      : LoggedCommandLine(line, options_.log_level);
+  std::error_code ignored;
+  std::filesystem::remove(ConsolePath(options_), ignored);  // Of the machine before.
   std::vector<std::string> variables;
   if (window_) variables = {"DISPLAY=" + window_->name(), "SDL_VIDEODRIVER=x11"};
   auto process =
-      Process::Start(QemuCommand(options_, setup_, line, disk), options_.folder + "/qemu.log", variables);
+      Process::Start(QemuCommand(options_, setup_, line, *disk), options_.folder + "/qemu.log", variables);
   if (!process) return tl::unexpected(process.error());
   process_.emplace(std::move(*process));
   return {};
@@ -78,19 +90,22 @@ Result<void> QemuDriver::Shoot(int head, const std::string& file) {
       fmt::format(R"({{"filename":"{}","format":"png","device":"screens","head":{}}})", file, head));
 }
 
-Result<void> QemuDriver::PlugStranger(Stranger stranger) {
-  if (!qmp_) return Fail(std::errc::no_such_device, "plug in a stranger");
-  return qmp_->Do("device_add", DeviceOf(stranger));
+Result<void> QemuDriver::PlugUnauthorised(UnauthorisedDevice device) {
+  if (!qmp_) return Fail(std::errc::no_such_device, "plug in an unauthorised device");
+  return qmp_->Do("device_add", DeviceOf(device));
 }
 
-Result<void> QemuDriver::PullStranger() {
-  if (!qmp_) return Fail(std::errc::no_such_device, "pull a stranger");
-  return qmp_->Do("device_del", R"({"id":"stranger"})");
+Result<void> QemuDriver::PullUnauthorised() {
+  if (!qmp_) return Fail(std::errc::no_such_device, "unplug the unauthorised device");
+  return qmp_->Do("device_del", R"({"id":"unauthorised"})");
 }
 
 std::string QemuDriver::log() const {
-  std::ifstream file(options_.folder + "/qemu.log");
-  return {std::istreambuf_iterator<char>(file), {}};
+  return TextOf(options_.folder + "/qemu.log");
+}
+
+std::string QemuDriver::console() const {
+  return TextOf(ConsolePath(options_));
 }
 
 }  // namespace kaori::hil

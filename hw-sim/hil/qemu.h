@@ -1,4 +1,4 @@
-// A box in QEMU, without acceleration: the image as it ships, with a bench's disk beside it.
+// A box in QEMU, without acceleration: the image as it ships; with the in-guest agent the bench's disk is beside it.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace kaori::hil {
 
-class QemuDriver final : public PowerProtocol, public VideoProtocol, public StrangerProtocol {
+class QemuDriver final : public PowerProtocol, public VideoProtocol, public UnauthorisedDeviceProtocol {
  public:
   // The waiter outlives the driver.
   QemuDriver(QemuOptions options, Waiter& waiter) : options_(std::move(options)), waiter_(waiter) {}
@@ -28,16 +28,18 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Stra
   Result<void> On() override;
   void Off() override;
   Result<void> Shoot(int head, const std::string& file) override;
-  Result<void> PlugStranger(Stranger stranger) override;
-  Result<void> PullStranger() override;
+  Result<void> PlugUnauthorised(UnauthorisedDevice device) override;
+  Result<void> PullUnauthorised() override;
 
   Duration worked() const { return process_ ? process_->worked() : Duration{}; }
   bool runs() const { return process_ && process_->runs(); }
   const QemuOptions& options() const { return options_; }
-  std::string log() const;  // What QEMU complained of.
+  std::string log() const;      // What QEMU complained of.
+  std::string console() const;  // What a machine without an agent has said on its serial line so far.
 
  private:
   Result<void> Start();
+  Result<std::string> Disk();
 
   QemuOptions options_;
   Waiter& waiter_;

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@ namespace kaori::hil {
 namespace {
 
 constexpr int kUsbPorts = 8;
+constexpr const char* kFirmware = "/usr/share/ovmf/OVMF.fd";
 
 // The value of the last word "name=value"; empty where there is none.
 std::string WordOf(const std::string& line, const std::string& name) {
@@ -28,13 +30,42 @@ void Add(std::vector<std::string>& command, std::initializer_list<std::string> w
 void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
   const std::string size =
       fmt::format("id=screens,xres={},yres={}", WidthOf(options, setup), HeightOf(options, setup));
-  if (setup.drawn_outside)
+  if (setup.graphics == Graphics::kVirgl)
     return Add(command, {"-display", "sdl,gl=on", "-device", "virtio-gpu-gl-pci," + size});
-  Add(command,
-      {"-display", "none", "-device", fmt::format("virtio-gpu-pci,{},max_outputs={}", size, options.heads)});
+  Add(command, {"-display", options.window ? "gtk" : "none"});
+  if (setup.graphics == Graphics::kVirtio)
+    Add(command, {"-device", fmt::format("virtio-gpu-pci,{},max_outputs={}", size, options.heads)});
+  if (setup.graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
 }
 
-// The seventh socket is followed by a free port, for what a stranger brings.
+void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::string>& command) {
+  Add(command, {"-drive", fmt::format("file={},if=none,id=disk,format=raw,{}", disk,
+                                      setup.keeps_disk ? "cache=writethrough" : "snapshot=on")});
+  if (setup.disk_bus == DiskBus::kSata) return Add(command, {"-device", "ide-hd,drive=disk"});
+  if (setup.disk_bus == DiskBus::kNvme) return Add(command, {"-device", "nvme,drive=disk,serial=1"});
+  Add(command, {"-device", "virtio-blk-pci,drive=disk"});
+}
+
+// With a newer processor's instructions emulation is many times slower; the guest draws by itself.
+void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
+  if (options.counts_instructions)
+    Add(command, {"-accel", "tcg,thread=single", "-icount", "shift=0,sleep=off"});
+  else
+    Add(command, {"-accel", "tcg,thread=multi"});
+  constexpr int kStock_mib = 2048;
+  Add(command, {"-cpu", setup.stock ? "max" : "Nehalem", "-smp", "2", "-m",
+                std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
+}
+
+void AddKernel(const QemuOptions& options, const Setup& setup, const std::string& command_line,
+               std::vector<std::string>& command) {
+  if (setup.firmware) return Add(command, {"-bios", kFirmware});
+  Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : ImageOf(options, setup) + "/bzImage"});
+  if (!setup.initramfs.empty()) Add(command, {"-initrd", setup.initramfs});
+  Add(command, {"-append", command_line});
+}
+
+// The port after the last socket is free, for an unauthorised device.
 void AddUsb(const QemuOptions& options, std::vector<std::string>& command) {
   Add(command, {"-device", fmt::format("qemu-xhci,id=xhci,p2={0},p3={0}", kUsbPorts)});
   for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n) {
@@ -65,8 +96,26 @@ int HeightOf(const QemuOptions& options, const Setup& setup) {
   return setup.height_px > 0 ? setup.height_px : options.height_px;
 }
 
+const std::string& ImageOf(const QemuOptions& options, const Setup& setup) {
+  return setup.image.empty() ? options.image : setup.image;
+}
+
 std::string SoundPath(const QemuOptions& options) {
   return options.folder + "/loudspeaker.wav";
+}
+
+std::string ConsolePath(const QemuOptions& options) {
+  return options.folder + "/console.log";
+}
+
+std::string LoggedCommandLine(const std::string& of_the_image, int level) {
+  constexpr std::string_view kQuiet = " quiet loglevel=3";
+  std::string line = of_the_image;
+  if (const std::size_t at = line.find(kQuiet); at != std::string::npos) line.erase(at, kQuiet.size());
+  return fmt::format(
+      "{} console=ttyS0 loglevel={} systemd.log_target=console systemd.journald.forward_to_console=1 "
+      "systemd.show_status=1",
+      line, level);
 }
 
 std::string BenchCommandLine(const std::string& of_the_image) {
@@ -82,19 +131,25 @@ std::string BenchCommandLine(const std::string& of_the_image) {
       or_else("init", "/usr/lib/systemd/systemd"));
 }
 
-// The guest draws by itself: with a newer processor's instructions emulation is many times slower.
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk) {
   std::vector<std::string> command{"qemu-system-x86_64", "-M", "q35", "-name", "box,debug-threads=on"};
-  Add(command, {"-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2"});
-  Add(command, {"-no-reboot", "-vga", "none", "-m", std::to_string(options.memory_mib)});
-  Add(command, {"-kernel", setup.bench_kernel ? options.bench_kernel : options.image + "/bzImage"});
-  Add(command, {"-append", command_line});
-  Add(command, {"-drive", fmt::format("file={},if=virtio,format=raw,snapshot=on", disk)});
-  Add(command, {"-drive", fmt::format("file={},if=virtio,format=raw,readonly=on", options.bench_disk)});
-  Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
-  Add(command, {"-qmp", fmt::format("unix:{}/qmp,server=on,wait=off", options.folder)});
+  Add(command, {"-no-reboot", "-vga", "none", "-net", "none"});
+  AddProcessors(options, setup, command);
+  AddKernel(options, setup, command_line, command);
+  AddDisk(setup, disk, command);
   AddScreens(options, setup, command);
+  Add(command, {"-qmp", fmt::format("unix:{}/qmp,server=on,wait=off", options.folder)});
+  // QEMU's chip set is strapped so that its watchdog resets nothing, unless it is told.
+  if (setup.watchdog_resets) Add(command, {"-global", "ICH9-LPC.noreboot=off"});
+  if (!setup.agent) {
+    Add(command, {"-serial", "file:" + ConsolePath(options), "-device", "qemu-xhci"});
+    return command;
+  }
+  Add(command,
+      {"-drive", fmt::format("file={},if=none,id=bench,format=raw,readonly=on", options.bench_disk)});
+  Add(command, {"-device", "virtio-blk-pci,drive=bench"});  // /dev/vdb, since it comes second.
+  Add(command, {"-serial", fmt::format("unix:{}/serial,server=on,wait=off", options.folder)});
   AddUsb(options, command);
   if (setup.sound) AddSound(options, command);
   return command;

@@ -1,4 +1,5 @@
-// The words with which QEMU is started for a place on the bench.
+// QEMU's command line. Every machine of this project is started with it: those of checks, of `./box boot`, of the image's
+// builder, and of what asks for it with `kaori-bench --command`.
 #pragma once
 
 #include <string>
@@ -12,26 +13,42 @@ struct QemuOptions {
   std::string image;           // The folder with bzImage, cmdline and kaori.disk; nothing in it is written.
   std::string bench_disk{};    // See tests/hil/bench_disk.
   std::string bench_kernel{};  // Empty: there is none.
-  std::string folder;          // For sockets; the devices' are named as UsbSocketPath does.
+  std::string
+      usual_image{};  // The program that makes an image which starts in the usual way: tests/hil/usual_image.
+  std::string folder;  // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
   int width_px = 960;
   int height_px = 540;
   int heads = 1;
   int memory_mib = 512;
+  int log_level = 6;    // Of the kernel, on the serial line of a machine without an agent; 7 shows all.
+  bool window = false;  // The screen is shown in a window; otherwise nowhere.
+  // Each instruction takes a nanosecond of the guest's time, whatever else this computer does meanwhile.
+  bool counts_instructions = false;
 };
 
-// The kernel's command line for the bench: that of the image, but a witness is started first, and becomes
-// what the image names after it; and the serial line is the witness's.
+// The kernel's command line for the bench: that of the image, but the in-guest agent is started first and then
+// becomes what the image names; the serial line is the agent's.
 std::string BenchCommandLine(const std::string& of_the_image);
 
-// `disk` is the image's, or a copy of it.
+// The same for a machine without an agent: kernel, systemd and journal write their log to the serial line. `level` is the
+// kernel's loglevel.
+std::string LoggedCommandLine(const std::string& of_the_image, int level = 6);
+
+// The program and its arguments. `command_line` is the kernel's; `disk` is the image's, or a copy of it.
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk);
 
-// Of the screen.
+// Of the screen, in pixels.
 int WidthOf(const QemuOptions& options, const Setup& setup);
 int HeightOf(const QemuOptions& options, const Setup& setup);
 
+// The folder with the kernel.
+const std::string& ImageOf(const QemuOptions& options, const Setup& setup);
+
 // What the loudspeaker of the machine's sound card played, as a WAV file.
 std::string SoundPath(const QemuOptions& options);
+
+// What a machine without an agent said on its serial line.
+std::string ConsolePath(const QemuOptions& options);
 
 }  // namespace kaori::hil

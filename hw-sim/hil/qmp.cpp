@@ -6,8 +6,7 @@
 namespace kaori::hil {
 namespace {
 
-constexpr Duration kQmpLongest =
-    std::chrono::seconds(60);  // A machine that is emulated on a busy one takes its time.
+constexpr Duration kQmpLongest = std::chrono::seconds(60);  // An emulated machine on a busy computer is slow.
 
 }  // namespace
 

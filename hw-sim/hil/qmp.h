@@ -13,7 +13,7 @@ class Qmp {
   // Calls and greets. Errors: timed_out, no_such_device.
   static Result<Qmp> Call(const std::string& path, Waiter& waiter);
 
-  // `arguments` is JSON, an object. Errors: invalid_argument (QEMU's own words), timed_out, no_such_device.
+  // `arguments` is JSON, an object. Errors: invalid_argument (QEMU's own message), timed_out, no_such_device.
   Result<void> Do(const std::string& command, const std::string& arguments = "{}");
 
  private:

@@ -27,7 +27,7 @@ struct Report {
 std::string AsJUnit(const Report& report);
 std::string AsPage(const Report& report);
 
-// Where a text of a check stands in the report's folder: "tools-v4l2-compliance.txt".
+// The file name of a check's text in the report's folder: "tools-v4l2-compliance.txt".
 std::string TextFile(const std::string& check, const std::string& text);
 
 // Writes report.xml and report.html into the folder, and what tools and logs said beside them. Errors: those

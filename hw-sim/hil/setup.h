@@ -1,18 +1,35 @@
-// What a place is made of for a check: another kernel, other graphics, other settings on its data partition.
+// What a check wants of its target: another kernel, other graphics, other settings on its data partition.
 #pragma once
 
 #include <string>
 
 namespace kaori::hil {
 
+// The graphics card of the machine. kVirgl: a virtio card whose GLES is drawn on the bench, in a window under Xvfb.
+enum class Graphics { kVirtio, kVirgl, kVga, kNone };
+
+// Where the image's disk is attached.
+enum class DiskBus { kVirtio, kSata, kNvme };
+
 struct Setup {
-  bool plugged = true;         // The simulated devices are plugged in before power comes.
-  bool sound = true;           // It has sound cards.
-  bool drawn_outside = false;  // The machine's GLES is drawn on the bench (virgl), in a window under Xvfb.
-  bool keyboards = true;       // The profile lets them in.
-  bool bench_kernel = false;   // The box's own settings, and simulated hardware besides.
-  int width_px = 0;            // Of the screen; 0: as for the other checks.
+  bool plugged = true;    // The simulated devices are plugged in before power comes.
+  bool sound = true;      // It has sound cards.
+  bool keyboards = true;  // The profile authorises them.
+  // The in-guest agent and the simulated devices are there. Without it the image runs alone, and the serial line is the
+  // log of kernel and systemd, a file that QemuDriver::console reads.
+  bool agent = true;
+  bool firmware = false;         // UEFI starts the disk by itself; otherwise QEMU loads the image's kernel.
+  bool watchdog_resets = false;  // The chip set's watchdog resets the machine, as on a PC.
+  bool keeps_disk = false;       // What the machine writes to its disk is kept.
+  bool bench_kernel = false;     // The box's own settings, and simulated hardware besides.
+  bool stock = false;  // A processor with every instruction that QEMU emulates, and 2 GiB of memory.
+  Graphics graphics = Graphics::kVirtio;
+  DiskBus disk_bus = DiskBus::kVirtio;
+  int width_px = 0;  // Of the screen; 0: as for the other checks.
   int height_px = 0;
+  std::string image{};          // Another folder with bzImage and cmdline; empty: the bench's.
+  std::string initramfs{};      // Empty: none.
+  std::string disk{};           // Another disk; empty: the image's.
   std::string settings{};       // box.toml; empty: as the image has it.
   std::string last_settings{};  // That which was good before; empty: none.
   friend bool operator==(const Setup&, const Setup&) = default;

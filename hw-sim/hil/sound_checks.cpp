@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "hw-sim/hil/check.h"
-#include "hw-sim/hil/lull.h"
 #include "hw-sim/devices/voice_file.h"
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/paused_unit.h"
 
 namespace kaori::hil {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kLike = 0.6;   // Of a voice that is heard; what is none stays 
 constexpr double kOpen = 0.25;  // How far a mouth must move.
 
 Result<void> Ask(Scene& scene, const std::string& question) {
-  const auto told = scene.place.witness().Ask(question, kSoundAnswer);
+  const auto told = scene.target.agent().Ask(question, kSoundAnswer);
   if (!told) return tl::unexpected(told.error());
   return {};
 }
@@ -31,7 +31,7 @@ Result<void> Ask(Scene& scene, const std::string& question) {
 // The numbers of the lines such as " 0 [Intel          ]: HDA-Intel - HDA Intel".
 std::vector<std::string> CardsOf(Scene& scene, const std::string& kind) {
   std::vector<std::string> numbers;
-  const auto cards = scene.place.witness().Ask("read /proc/asound/cards", kSoundAnswer);
+  const auto cards = scene.target.agent().Ask("read /proc/asound/cards", kSoundAnswer);
   std::istringstream lines(cards ? *cards : "");
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -42,7 +42,7 @@ std::vector<std::string> CardsOf(Scene& scene, const std::string& kind) {
 }
 
 double HeardVoice(Scene& scene) {
-  const auto heard = sim::ReadWav(SoundPath(scene.place.machine().options()));
+  const auto heard = sim::ReadWav(SoundPath(scene.target.machine().options()));
   return heard ? sim::Likeness(sim::SayVowels(seconds(kVoiceSeconds)), *heard) : 0;
 }
 
@@ -50,9 +50,9 @@ Result<void> Sound(Scene& scene) {
   const auto cards = CardsOf(scene, "HDA-Intel");  // As QemuCommand has them: loudspeaker, microphone.
   if (cards.size() < 2) return scene.Skip("the kernel does not show both sound cards");
   const auto hears = [](const BoardView& board) { return board.voice_live && board.voice_blocks > 0; };
-  if (auto ok = scene.place.UntilBoard(hears, kSoundLongest, "see that the box hears its microphone"); !ok)
+  if (auto ok = scene.target.UntilBoard(hears, kSoundLongest, "see that the box hears its microphone"); !ok)
     return tl::unexpected(ok.error());
-  const Lull others(scene, "kaori-lips.service");
+  const PausedUnit others(scene, "kaori-lips.service");
   if (auto ok = Ask(
           scene,
           fmt::format("tool arecord -q -D hw:{},0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav", cards[1]));
@@ -88,10 +88,10 @@ struct Mouth {
 
 Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
   const auto hears = [](const BoardView& board) { return board.voice_live; };
-  if (auto ok = scene.place.UntilBoard(hears, kSoundLongest, "see that the microphone is heard"); !ok)
+  if (auto ok = scene.target.UntilBoard(hears, kSoundLongest, "see that the microphone is heard"); !ok)
     return tl::unexpected(ok.error());
   if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
-  const auto speaker = scene.place.witness().Ask(
+  const auto speaker = scene.target.agent().Ask(
       fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice), kSoundAnswer);
   if (!speaker) return tl::unexpected(speaker.error());
   Mouth mouth;
@@ -99,7 +99,8 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
     mouth.See(board);
     return mouth.spoke && mouth.most - mouth.least >= kOpen && HeardVoice(scene) >= kLike;
   };
-  const auto heard = scene.place.UntilBoard(moved, kSoundLongest, "see the mouth follow the voice, and hear it");
+  const auto heard =
+      scene.target.UntilBoard(moved, kSoundLongest, "see the mouth follow the voice, and hear it");
   static_cast<void>(scene.Shoot("voice", "It speaks"));
   scene.finding.figures["voice_heard_likeness"] = HeardVoice(scene);
   scene.finding.said =
@@ -114,10 +115,10 @@ Result<void> Voice(Scene& scene) {
   const auto cards = CardsOf(scene, "HDA-Intel"), loops = CardsOf(scene, "Loopback");
   if (cards.empty() || loops.empty())
     return scene.Skip("this kernel has no loop of sound (snd-aloop) beside its card");
-  const Lull others(scene, "kaori-lips.service");
+  const PausedUnit others(scene, "kaori-lips.service");
   if (auto ok = Ask(scene, fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
   static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
-  const auto program = scene.place.witness().Ask(
+  const auto program = scene.target.agent().Ask(
       fmt::format(
           "start /usr/bin/kaori-lips --microphone hw:{},1,0 --loudspeaker hw:{},0 --sound-delay 60 --board "
           "/run/kaori/board",
@@ -125,7 +126,7 @@ Result<void> Voice(Scene& scene) {
       kSoundAnswer);
   if (!program) return tl::unexpected(program.error());
   auto spoken = SpeakAndWatch(scene, loops[0]);
-  const auto said = scene.place.witness().Ask("end " + *program, kSoundAnswer);
+  const auto said = scene.target.agent().Ask("end " + *program, kSoundAnswer);
   scene.finding.texts.emplace_back("kaori-lips", said ? *said : said.error().message());
   return spoken;
 }
@@ -133,7 +134,7 @@ Result<void> Voice(Scene& scene) {
 }  // namespace
 
 std::vector<Check> SoundChecks() {
-  return {{"sound", "Sound goes in, and what is played is heard", true, Sound}};
+  return {{"sound", "Sound goes in, and what is played is heard", true, Sound, {}, "kaori-lips.service"}};
 }
 
 std::vector<Check> LoopChecks() {
@@ -141,7 +142,8 @@ std::vector<Check> LoopChecks() {
            "A voice moves the mouth, and comes from the loudspeaker",
            false,
            Voice,
-           {.bench_kernel = true}}};
+           {.bench_kernel = true},
+           "kaori-lips.service"}};
 }
 
 }  // namespace kaori::hil

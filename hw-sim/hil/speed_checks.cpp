@@ -11,7 +11,7 @@ namespace {
 using std::chrono::seconds;
 
 constexpr Setup kWindow{
-    .plugged = false, .sound = false, .drawn_outside = true, .width_px = 960, .height_px = 540};
+    .plugged = false, .sound = false, .graphics = Graphics::kVirgl, .width_px = 960, .height_px = 540};
 constexpr double kLeast_hz = 15;
 constexpr int kWindows = 4;  // The best of them counts: neighbours may have had the processors in others.
 constexpr Duration kOfAWindow = seconds(8);
@@ -24,28 +24,28 @@ struct Pace {
 };
 
 Result<Pace> Measure(Scene& scene) {
-  const auto before = scene.place.Board();
-  const Duration worked = scene.place.machine().worked();
+  const auto before = scene.target.Board();
+  const Duration worked = scene.target.machine().worked();
   if (!before) return tl::unexpected(before.error());
-  scene.place.For(kOfAWindow);
-  const auto after = scene.place.Board();
+  scene.target.For(kOfAWindow);
+  const auto after = scene.target.Board();
   if (!after) return tl::unexpected(after.error());
   const double frames = after->stage.frames - before->stage.frames;
   return Pace{frames / (static_cast<double>(after->now_ns - before->now_ns) / 1e9),
-              1e3 * Seconds(scene.place.machine().worked() - worked) / std::max(1.0, frames)};
+              1e3 * Seconds(scene.target.machine().worked() - worked) / std::max(1.0, frames)};
 }
 
 // Who in the machine had its processors.
 void AddShares(Scene& scene, const std::string& when) {
   constexpr const char* kShares =
       "own /usr/bin/systemctl show -p Id,CPUUsageNSec kaori-stage kaori-lips kaori-input systemd-journald";
-  const auto told = scene.place.witness().Ask(kShares, seconds(60));
+  const auto told = scene.target.agent().Ask(kShares, seconds(60));
   scene.finding.texts.emplace_back("the processors' time " + when, told ? *told : told.error().message());
 }
 
 Result<void> Virgl(Scene& scene) {
   const auto warm = [](const BoardView& board) { return board.stage.frames >= kWarm; };
-  if (auto ok = scene.place.UntilBoard(warm, kLongestWarm, "see its first frames"); !ok)
+  if (auto ok = scene.target.UntilBoard(warm, kLongestWarm, "see its first frames"); !ok)
     return tl::unexpected(ok.error());
   if (auto ok = scene.ShootFace("virgl", "Drawn by the bench for the box"); !ok) return ok;
   AddShares(scene, "before");
@@ -65,7 +65,7 @@ Result<void> Virgl(Scene& scene) {
 }  // namespace
 
 std::vector<Check> SpeedChecks() {
-  return {{"virgl", "Drawn through virgl it is smooth", false, Virgl, kWindow}};
+  return {{"virgl", "Drawn through virgl it is smooth", false, Virgl, kWindow, "kaori-stage.service"}};
 }
 
 }  // namespace kaori::hil

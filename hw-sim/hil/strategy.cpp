@@ -11,47 +11,54 @@ constexpr std::uint32_t kFirstFrames = 3;
 }  // namespace
 
 Result<void> PlayStrategy::Play(const Setup& setup) {
-  if (plays_ && place_.machine().setup() == setup && place_.machine().runs()) return {};
+  if (plays_ && target_.machine().setup() == setup && target_.machine().runs()) return {};
   Off();
-  place_.machine().SetUp(setup);
+  target_.machine().SetUp(setup);
   if (auto ok = SwitchOn(); !ok) return ok;
   plays_ = true;
   return {};
 }
 
 void PlayStrategy::Off() {
-  place_.witness().Lose();
-  place_.machine().Off();
+  target_.agent().Lose();
+  target_.machine().Off();
   plays_ = false;
 }
 
+void PlayStrategy::Recover() {
+  if (!plays_) return;
+  auto ok = AwaitFrames();
+  if (ok && target_.machine().setup().plugged) ok = AwaitInputDevices();
+  if (!ok) Off();
+}
+
 Result<void> PlayStrategy::SwitchOn() {
-  const Time began = place_.clock().now();
-  const bool plugged = place_.machine().setup().plugged;
-  if (auto ok = plugged ? place_.PlugAll() : place_.PullAll(); !ok) return ok;
-  if (auto ok = place_.machine().On(); !ok) return ok;
-  if (auto ok = place_.witness().Find(kLongestBoot); !ok) return ok;
+  const Time began = target_.clock().now();
+  const bool plugged = target_.machine().setup().plugged;
+  if (auto ok = plugged ? target_.PlugAll() : target_.PullAll(); !ok) return ok;
+  if (auto ok = target_.machine().On(); !ok) return ok;
+  if (auto ok = target_.agent().Find(kLongestBoot); !ok) return ok;
   if (auto ok = AwaitFrames(); !ok) return ok;
-  boot_s_ = Seconds(place_.clock().now() - began);
-  return plugged ? AwaitHands() : Result<void>{};
+  boot_s_ = Seconds(target_.clock().now() - began);
+  return plugged ? AwaitInputDevices() : Result<void>{};
 }
 
 Result<void> PlayStrategy::AwaitFrames() {
   const auto plays = [](const BoardView& board) {
     return board.stage.live && board.stage.frames >= kFirstFrames;
   };
-  if (auto ok = place_.UntilBoard(plays, kLongestBoot, "wait for the first face"); !ok)
+  if (auto ok = target_.UntilBoard(plays, kLongestBoot, "wait for the first face"); !ok)
     return tl::unexpected(ok.error());
   return {};
 }
 
-Result<void> PlayStrategy::AwaitHands() {
-  const bool keys = place_.machine().setup().keyboards;
+Result<void> PlayStrategy::AwaitInputDevices() {
+  const bool keys = target_.machine().setup().keyboards;
   const auto found = [&](const BoardView& board) {
     return board.surface_live && board.left.live && board.right.live && (board.keys_live || !keys) &&
            board.pointer_live;
   };
-  if (auto ok = place_.UntilBoard(found, kStrategyLongestFind, "wait for the hands' devices"); !ok)
+  if (auto ok = target_.UntilBoard(found, kStrategyLongestFind, "wait for the input devices"); !ok)
     return tl::unexpected(ok.error());
   return {};
 }

@@ -2,30 +2,34 @@
 #pragma once
 
 #include "drivers/base/result.h"
-#include "hw-sim/hil/place.h"
 #include "hw-sim/hil/setup.h"
+#include "hw-sim/hil/target.h"
 
 namespace kaori::hil {
 
 // A playing box has power, set up as wanted, and shows frames; where the devices are plugged in, those of the
-// hands were found.
+// input devices were found.
 class PlayStrategy {
  public:
-  explicit PlayStrategy(Place& place) : place_(place) {}
+  explicit PlayStrategy(Target& target) : target_(target) {}
 
   // A box that plays with that setup is left as it is. Errors: timed_out, named by what did not come;
   // not_supported (the bench lacks what the setup wants).
   Result<void> Play(const Setup& setup);
   void Off();
 
+  // After something was withdrawn from a playing box: waits until it plays as its setup says, and switches it off where it
+  // does not, so that the next Play starts it anew.
+  void Recover();
+
   double boot_s() const { return boot_s_; }  // From power to the first frames, of the last time.
 
  private:
   Result<void> SwitchOn();
   Result<void> AwaitFrames();
-  Result<void> AwaitHands();
+  Result<void> AwaitInputDevices();
 
-  Place& place_;
+  Target& target_;
   bool plays_ = false;
   double boot_s_ = 0;
 };

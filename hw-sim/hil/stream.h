@@ -17,12 +17,12 @@ class Stream {
 
   int pollable() const { return socket_.get(); }
 
-  // Takes what waits. False: the other end is gone.
+  // Reads what has arrived, without waiting. False: the other end is gone.
   bool Read();
   const std::string& waiting() const { return waiting_; }
   void Drop(std::size_t bytes) { waiting_.erase(0, bytes); }
 
-  // Short texts only: the socket's own room must hold them. Errors: no_such_device.
+  // Short texts only: the socket's buffer must hold them. Errors: no_such_device.
   Result<void> Say(std::string_view text);
 
  private:

@@ -18,13 +18,14 @@ constexpr std::array kTools{
     Tool{"gpiodetect", "tool gpiodetect"},
     Tool{"gpioinfo", "tool gpioinfo"},
     Tool{"v4l2-ctl", "tool v4l2-ctl -d /dev/video0 --all"},
-    Tool{"the lips let go of the camera", "own /usr/bin/systemctl stop kaori-lips.service"},
+    Tool{"kaori-lips releases the camera", "own /usr/bin/systemctl stop kaori-lips.service"},
     Tool{"v4l2-compliance", "tool v4l2-compliance -d /dev/video0"},
-    Tool{"and take it again", "own /usr/bin/systemctl start kaori-lips.service"},
+    Tool{"kaori-lips opens it again", "own /usr/bin/systemctl start kaori-lips.service"},
     Tool{"input devices", "read /proc/bus/input/devices"},
     Tool{"the kernel's log", "own /usr/bin/journalctl -k --no-pager -o short-monotonic -n 200"},
     Tool{"the stage's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-stage"},
-    Tool{"the hands' log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-input"},
+    Tool{"the input program's log",
+         "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-input"},
     Tool{"the lips' log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 60 -u kaori-lips"},
 };
 
@@ -38,21 +39,21 @@ std::string EventFile(const std::string& devices, const std::string& name) {
 
 // evtest stays until it is ended; meanwhile both sticks move: which of them the kernel lists first is chance.
 void Evtest(Scene& scene) {
-  const auto devices = scene.place.witness().Ask("read /proc/bus/input/devices", kToolLongest);
+  const auto devices = scene.target.agent().Ask("read /proc/bus/input/devices", kToolLongest);
   const std::string file = devices ? EventFile(*devices, "stick pod") : "";
   if (file.empty()) return;
-  sim::InputDevices& hands = scene.place.rig().devices();
+  sim::InputDevices& devices = scene.target.rig().devices();
   float x = 0;
-  scene.place.SetHands([&](Time) {
+  scene.target.SetInput([&](Time) {
     x = x > 0.9F ? -0.9F : x + 0.01F;
-    hands.left_stick.Move(x, 0);
-    hands.right_stick.Move(x, 0);
+    devices.left_stick.Move(x, 0);
+    devices.right_stick.Move(x, 0);
   });
   const auto said =
-      scene.place.witness().Ask("tool timeout -s INT --preserve-status 3 evtest " + file, kToolLongest);
-  scene.place.SetHands({});
-  hands.left_stick.Move(0, 0);
-  hands.right_stick.Move(0, 0);
+      scene.target.agent().Ask("tool timeout -s INT --preserve-status 3 evtest " + file, kToolLongest);
+  scene.target.SetInput({});
+  devices.left_stick.Move(0, 0);
+  devices.right_stick.Move(0, 0);
   scene.finding.texts.emplace_back("evtest", said ? *said : said.error().message());
 }
 
@@ -60,9 +61,10 @@ Result<void> Tools(Scene& scene) {
   int answered = 0;
   Evtest(scene);
   for (const Tool& tool : kTools) {
-    const auto said = scene.place.witness().Ask(tool.question, kToolLongest);
+    const auto said = scene.target.agent().Ask(tool.question, kToolLongest);
     scene.finding.texts.emplace_back(tool.name, said ? *said : said.error().message());
     answered += said.has_value() ? 1 : 0;
+    if (!said && std::string_view(tool.name) == "v4l2-ctl") return FailInput("v4l2-ctl sees no camera");
   }
   scene.finding.said = fmt::format("{} outputs, {} without complaint", scene.finding.texts.size(), answered);
   return {};
@@ -71,7 +73,7 @@ Result<void> Tools(Scene& scene) {
 }  // namespace
 
 std::vector<Check> ToolChecks() {
-  return {{"tools", "What evtest, v4l2-compliance, gpiodetect and others say", false, Tools}};
+  return {{"tools", "What evtest, v4l2-compliance, gpiodetect and others say", false, Tools, {}, "camera"}};
 }
 
 }  // namespace kaori::hil

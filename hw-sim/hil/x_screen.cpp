@@ -21,7 +21,7 @@ constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;  // Of QEMU's
 constexpr int kFirstNumber = 100;                                   // People's own screens have small ones.
 constexpr int kNumbers = 10'000;
 
-// Big-endian words of the dump's head, by their place (X11/XWDFile.h).
+// Big-endian 32-bit words of the dump's head, by their index (X11/XWDFile.h).
 constexpr std::size_t kHeadBytes = 0, kWidth = 4, kHeight = 5, kByteOrder = 7, kBitsOfPoint = 11,
                       kLineBytes = 12, kColours = 19, kHeadWords = 25;
 constexpr std::size_t kColourBytes = 12, kPointBytes = 4;
@@ -40,7 +40,7 @@ std::optional<Dump> Understand(std::span<const std::uint8_t> bytes) {
   };
   const std::size_t before = word(kHeadBytes) + word(kColours) * kColourBytes;
   Dump dump{word(kWidth), word(kHeight), word(kLineBytes), {}};
-  const bool sound = word(kBitsOfPoint) == 8 * kPointBytes && word(kByteOrder) == 0 &&
+  const bool valid = word(kBitsOfPoint) == 8 * kPointBytes && word(kByteOrder) == 0 &&
                      dump.line_bytes >= dump.width_px * kPointBytes &&
                      bytes.size() >= before + dump.line_bytes * dump.height_px;
   if (!sound || dump.width_px == 0) return std::nullopt;

@@ -31,7 +31,7 @@ class XScreen {
 
   const std::string& name() const { return name_; }  // ":7", for DISPLAY.
 
-  // What stands in the machine's window, as PNG. Errors: io_error.
+  // The picture in the machine's window, as PNG. Errors: io_error.
   Result<void> Shoot(const std::string& file) const;
 
  private:

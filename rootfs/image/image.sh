@@ -16,7 +16,7 @@ image() {
     shift 2
   done
   need "${BUILD_PACKAGES[@]}" "${IMAGE_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
-  [ -n "$programs" ] || build release programs
+  [ -n "$programs" ] || build release programs kaori-bench
   rootfs/image/build --out "$out" --programs "${programs:-$BIN}" --kept out/image ${disk:+--disk "$disk"} ||
     fail "the image could not be built; the reason stands above"
 }
@@ -25,20 +25,19 @@ boot() {
   local -a options=()
   local folder=out/image
   while [ $# -gt 0 ]; do
-    if [[ $1 == --image && $# -gt 1 ]]; then
-      folder=$(from_caller "$2")
-      [ -f "$folder/kaori.disk" ] || fail "there is no image in $folder"
-      shift 2
-      continue
-    fi
-    options+=("$1")
-    if [[ $1 == --shot && $# -gt 1 ]]; then
-      options+=("$(from_caller "$2")")
-      shift
-    fi
-    shift
+    case $1 in
+      --image) folder=$(from_caller "${2:-}") ;;
+      --shot) options+=(--shot "$(from_caller "${2:-}")") ;;
+      --size | --memory) options+=("$1" "${2:-}") ;;
+      --trace) options+=(--trace); shift; continue ;;
+      *) fail "boot knows no $1; see ./box help" ;;
+    esac
+    [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
+    shift 2
   done
-  need "${BOOT_PACKAGES[@]}"
+  [ "$folder" = out/image ] || [ -f "$folder/kaori.disk" ] || fail "there is no image in $folder"
+  need "${BUILD_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
   [ -f "$folder/kaori.disk" ] || image
-  exec rootfs/image/boot.py "$folder" "${options[@]}"
+  build release kaori-bench
+  exec $BIN/kaori-bench --boot --size 960x540 --image "$folder" "${options[@]}"
 }

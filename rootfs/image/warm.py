@@ -1,8 +1,8 @@
 #!/usr/bin/env -S python3 -B
 """Lets the stage compile its shaders once, in QEMU, and keeps them, and the picture of the first face: warm.py OUT
-PACKAGES. Results: OUT/shaders/*.foz, shaders.known and still.ppm
+PACKAGES BENCH. Results: OUT/shaders/*.foz, shaders.known and still.ppm
 
-Starts a copy of the image that writes both to its data partition, and waits until every drawing of the show was rehearsed.
+BENCH is the program kaori-bench. Starts a copy of the image that writes both to its data partition, and waits until every drawing of the show was rehearsed.
 They are for a box that draws without a graphics card, on any processor since 2008. Made twice they are the same: the still
 is the show's first moment, and the shaders stand in the order of their names. Does nothing where stage, show and packages
 are those of the shaders that lie there.
@@ -27,8 +27,7 @@ LOOKS_ALIKE = 3  # Mesa writes what it has compiled whenever nothing else is to 
 UNIT, OWN = "usr/lib/systemd/system/kaori-stage.service", "/var/lib/kaori/own"
 WANTED = "usr/lib/systemd/system/kaori.target.wants"
 STILL, STORE, INDEX = "still.ppm", "foz_cache.foz", "foz_cache_idx.foz"
-TOLD = "console=ttyS0 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=0 " \
-       "sysctl.vm.dirty_writeback_centisecs=100 sysctl.vm.dirty_expire_centisecs=100"
+TOLD = "sysctl.vm.dirty_writeback_centisecs=100 sysctl.vm.dirty_expire_centisecs=100"
 
 
 def stamp(out, packages):
@@ -54,14 +53,13 @@ def writing_copy(out, packages, folder):
     subprocess.run(packing, check=True)
 
 
-def started(folder):
-    return subprocess.Popen(
-        ["qemu-system-x86_64", "-M", "q35", "-accel", "tcg,thread=multi", "-cpu", "Nehalem", "-smp", "2", "-m", "512",
-         "-vga", "none", "-display", "none", "-no-reboot", "-kernel", folder / "bzImage",
-         "-append", (folder / "cmdline").read_text().strip() + " " + TOLD,
-         "-drive", f"file={folder / 'kaori.disk'},if=virtio,format=raw,cache=writethrough",
-         "-device", "virtio-gpu-pci,xres=960,yres=540", "-serial", f"file:{folder / 'serial'}"],
-        stderr=subprocess.DEVNULL)
+def started(folder, bench):
+    """QEMU, with the command line that kaori-bench has for all machines; what is said goes into FOLDER/console.log."""
+    command = subprocess.run([bench, "--image", folder, "--command", folder, "--keep-disk"], check=True, capture_output=True,
+                             text=True).stdout.splitlines()
+    line = command.index("-append") + 1
+    command[line] += " " + TOLD
+    return subprocess.Popen([*command, "-device", "virtio-gpu-pci,xres=960,yres=540"], stderr=subprocess.DEVNULL)
 
 
 def written(folder):
@@ -84,13 +82,13 @@ def written(folder):
     return still, store, "".join(f"{line}\n" for line in (place.relative_to(own), *(name.hex() for name in names)))
 
 
-def play(folder):
+def play(folder, bench):
     """Until nothing more is written; what there is then."""
     alike, last, until = 0, None, time.monotonic() + LONGEST_S
-    with started(folder) as machine:
+    with started(folder, bench) as machine:
         while machine.poll() is None and time.monotonic() < until and alike < LOOKS_ALIKE:
             time.sleep(LOOK_S)
-            said = (folder / "serial").read_text(errors="replace") if (folder / "serial").exists() else ""
+            said = (folder / "console.log").read_text(errors="replace") if (folder / "console.log").exists() else ""
             if not REHEARSED.search(said):
                 continue
             now = written(folder)
@@ -98,7 +96,7 @@ def play(folder):
             last = now
         machine.kill()
     if alike < LOOKS_ALIKE:
-        said = (folder / "serial").read_text(errors="replace")
+        said = (folder / "console.log").read_text(errors="replace")
         sys.exit(f"warm: the stage did not rehearse to its end:\n{said[-1500:]}")
     return last
 
@@ -113,7 +111,7 @@ def main():
     shaders.mkdir()
     with tempfile.TemporaryDirectory(dir=out) as folder:
         writing_copy(out, packages, Path(folder))
-        still, store, known = play(Path(folder))
+        still, store, known = play(Path(folder), sys.argv[3])
     store, index = shader_store.in_order(store)
     for name, content in ((STILL, still), ("shaders.foz", store), ("shaders_idx.foz", index), ("shaders.known", known.encode())):
         (shaders / name).write_bytes(content)

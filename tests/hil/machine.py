@@ -1,43 +1,36 @@
-"""The box's image in QEMU, as a test holds it: its serial line, and its screen."""
+"""The box's image in QEMU, as a test holds it: its serial line, and its screen. The command line is that of kaori-bench."""
 
+import os
 import re
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "rootfs/image"))
-from qmp import Qmp  # noqa: E402  The image's own.
+from qmp import Qmp
 
-# The guest draws by itself; with newer processors' instructions emulation is many times slower.
-BOARD = ("-M", "q35", "-cpu", "Nehalem", "-smp", "2", "-m", "512", "-no-reboot",
-         "-vga", "none", "-display", "none", "-device", "qemu-xhci")
-FAST = ("-accel", "tcg,thread=multi")
+BENCH = Path(os.environ.get("KAORI_BENCH", Path(__file__).resolve().parents[2] / "out/build/release/bin/kaori-bench"))
+FAST = ()
 # Each instruction takes a nanosecond of the machine's own time, whatever else this computer does meanwhile; waiting
 # takes none of ours.
-STEADY = ("-accel", "tcg,thread=single", "-icount", "shift=0,sleep=off")
+STEADY = ("--count-instructions",)
 SCREEN = ("-device", "virtio-gpu-pci,id=card,xres=960,yres=540")
-TOLD = "console=ttyS0 loglevel=6 systemd.log_target=console systemd.journald.forward_to_console=1 systemd.show_status=1"
 FACE = r"Started .*kaori-stage"
 
 
 class Machine:
-    """Runs from construction to the end of a `with`. `disk` may be another than the image's; nothing is
+    """Runs from construction to the end of a `with` statement. `disk` may be another than the image's; nothing is
     written to it, unless the machine `keeps` what it writes.
-    `screen` is QEMU's words for the graphics card; those may name {folder}, where sockets lie. `pace` is FAST, or
+    `screen` is QEMU's arguments for the graphics card; those may name {folder}, where sockets lie. `pace` is FAST, or
     STEADY where times in the machine are measured."""
 
     def __init__(self, image, disk=None, screen=SCREEN, keeps=False, pace=FAST):
-        image = Path(image)
         self.folder = tempfile.TemporaryDirectory()
-        self.serial = Path(self.folder.name) / "serial"
-        told = (image / "cmdline").read_text().strip().replace(" quiet loglevel=3", "") + " " + TOLD
-        self.process = subprocess.Popen(
-            ["qemu-system-x86_64", *BOARD, *pace, *(word.format(folder=self.folder.name) for word in screen),
-             "-kernel", str(image / "bzImage"), "-append", told,
-             "-drive", f"file={disk or image / 'kaori.disk'},if=virtio,format=raw,snapshot={'off' if keeps else 'on'}",
-             "-serial", f"file:{self.serial}", "-qmp", f"unix:{self.folder.name}/qmp,server=on,wait=off"])
+        self.serial = Path(self.folder.name) / "console.log"
+        asked = [BENCH, "--image", image, "--command", self.folder.name, *pace,
+                 *(("--disk", disk) if disk else ()), *(("--keep-disk",) if keeps else ())]
+        command = subprocess.run(asked, check=True, capture_output=True, text=True).stdout.splitlines()
+        self.process = subprocess.Popen([*command, *(word.format(folder=self.folder.name) for word in screen)])
         self.link = None
 
     def __enter__(self):

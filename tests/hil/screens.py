@@ -195,7 +195,7 @@ def is_picture(pixels):
 
 
 def is_dark(pixels, unlit):
-    """Of one colour, or QEMU's own words for a screen that nobody has lit."""
+    """Of one colour, or QEMU's own message for a screen that nobody has lit."""
     return pixels == unlit or len({pixels[at:at + 3] for at in range(0, len(pixels), 3 * 17)}) <= FLAT
 
 

@@ -10,13 +10,13 @@
 #include <random>
 #include <string>
 
+#include "hw-sim/devices/voice_file.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/picture.h"
 #include "hw-sim/hil/process.h"
 #include "hw-sim/hil/qemu_command.h"
 #include "hw-sim/hil/report.h"
 #include "hw-sim/hil/x_screen.h"
-#include "hw-sim/devices/voice_file.h"
 #include "tests/hil/agent/usb_view.h"
 
 namespace kaori::hil {
@@ -84,7 +84,7 @@ TEST(QemuCommand, DrawsInsideUnlessTheBenchShallDraw) {
   EXPECT_THAT(QemuCommand(options, {}, "line", "disk"),
               Contains("virtio-gpu-pci,id=screens,xres=480,yres=270,max_outputs=1"));
   const auto outside =
-      QemuCommand(options, {.drawn_outside = true, .width_px = 960, .height_px = 540}, "line", "disk");
+      QemuCommand(options, {.graphics = Graphics::kVirgl, .width_px = 960, .height_px = 540}, "line", "disk");
   EXPECT_THAT(outside, Contains("virtio-gpu-gl-pci,id=screens,xres=960,yres=540"));
   EXPECT_THAT(outside, Contains("sdl,gl=on"));
 }
@@ -93,6 +93,30 @@ TEST(QemuCommand, TakesAnotherKernelOnlyWhereACheckWantsIt) {
   const QemuOptions options{.image = "i", .bench_kernel = "more", .folder = "/f"};
   EXPECT_THAT(QemuCommand(options, {}, "line", "disk"), Contains("i/bzImage"));
   EXPECT_THAT(QemuCommand(options, {.bench_kernel = true}, "line", "disk"), Contains("more"));
+}
+
+TEST(QemuCommand, StartsTheDiskByItselfWhereTheFirmwareShall) {
+  const QemuOptions options{.image = "i", .folder = "/f"};
+  const auto pc = QemuCommand(
+      options, {.agent = false, .firmware = true, .graphics = Graphics::kVga, .disk_bus = DiskBus::kNvme},
+      "line", "d");
+  EXPECT_THAT(pc, Contains("nvme,drive=disk,serial=1"));
+  EXPECT_THAT(pc, Contains("-bios"));
+  EXPECT_THAT(pc, Not(Contains("-kernel")));
+  EXPECT_THAT(pc, Contains("file:/f/console.log")) << "without an agent the serial line is a log";
+}
+
+TEST(QemuCommand, KeepsWhatIsWrittenOnlyWhereACheckWantsIt) {
+  const QemuOptions options{.image = "i", .folder = "/f"};
+  EXPECT_THAT(QemuCommand(options, {}, "line", "d"), Contains(HasSubstr("snapshot=on")));
+  EXPECT_THAT(QemuCommand(options, {.keeps_disk = true}, "line", "d"),
+              Not(Contains(HasSubstr("snapshot=on"))));
+}
+
+TEST(LoggedCommandLine, LetsTheLogBeRead) {
+  const std::string line = LoggedCommandLine("root=a quiet loglevel=3 panic=5");
+  EXPECT_THAT(line, Not(HasSubstr("quiet")));
+  EXPECT_THAT(line, HasSubstr("root=a panic=5 console=ttyS0"));
 }
 
 using Dumps = PartsFolder;
@@ -149,9 +173,39 @@ TEST_F(Dumps, AreComparedPointByPoint) {
   Write("other", other);
   ASSERT_TRUE(WriteDumpAsPng(Path("dump"), kAll, Path("dump.png")));
   ASSERT_TRUE(WriteDumpAsPng(Path("other"), kAll, Path("other.png")));
-  EXPECT_EQ(Difference(Path("dump.png"), Path("dump.png")), 0);
-  EXPECT_EQ(Difference(Path("dump.png"), Path("other.png")), 0.5);
-  EXPECT_FALSE(Difference(Path("dump.png"), Path("missing.png")));
+  EXPECT_EQ(ChangedPart(Path("dump.png"), Path("dump.png")), 0);
+  EXPECT_EQ(ChangedPart(Path("dump.png"), Path("other.png")), 0.5);
+  EXPECT_FALSE(ChangedPart(Path("dump.png"), Path("missing.png")));
+}
+
+using Comparison = PartsFolder;
+
+// A PPM of one colour above and another below.
+std::string Ppm(int width_px, int height_px, unsigned char above, unsigned char below) {
+  std::string ppm = "P6\n" + std::to_string(width_px) + " " + std::to_string(height_px) + "\n255\n";
+  for (int y = 0; y < height_px; ++y)
+    ppm += std::string(3 * static_cast<std::size_t>(width_px),
+                       static_cast<char>(y < height_px / 2 ? above : below));
+  return ppm;
+}
+
+TEST_F(Comparison, IsZeroForOnePictureInTwoSizesAndOneForBlackAgainstWhite) {
+  Write("small.ppm", Ppm(60, 40, 10, 200));
+  Write("large.ppm", Ppm(480, 240, 10, 200));
+  Write("black.ppm", Ppm(60, 40, 0, 0));
+  Write("white.ppm", Ppm(60, 40, 255, 255));
+  EXPECT_EQ(MeanDifference(Path("small.ppm"), Path("large.ppm")), 0);
+  EXPECT_EQ(MeanDifference(Path("black.ppm"), Path("white.ppm")), 1);
+  Write("torn.ppm", Ppm(60, 40, 0, 0).substr(0, 600));
+  EXPECT_FALSE(MeanDifference(Path("black.ppm"), Path("torn.ppm")));
+}
+
+TEST_F(Comparison, HasControlsThatItFindsWrong) {
+  Write("face.ppm", Ppm(60, 40, 10, 200));
+  ASSERT_TRUE(WriteUpsideDown(Path("face.ppm"), Path("down.png")));
+  ASSERT_TRUE(WriteBlack(Path("face.ppm"), Path("black.png")));
+  EXPECT_GT(*MeanDifference(Path("face.ppm"), Path("down.png")), 0.5);
+  EXPECT_GT(*MeanDifference(Path("face.ppm"), Path("black.png")), 0.3);
 }
 
 using Disks = PartsFolder;
@@ -195,10 +249,10 @@ TEST_F(Disks, WithoutATableAreRefused) {
 using UsbView = PartsFolder;
 
 TEST_F(UsbView, TellsWhichDevicesWereLetIn) {
-  for (const auto& [port, let_in] : {std::pair{"1-8", "0"}, {"1-2.1", "1"}, {"usb1", "1"}}) {
+  for (const auto& [port, authorised] : {std::pair{"1-8", "0"}, {"1-2.1", "1"}, {"usb1", "1"}}) {
     Write(std::string(port) + "/idVendor", "46f4\n");
     Write(std::string(port) + "/idProduct", "0001\n");
-    Write(std::string(port) + "/authorized", std::string(let_in) + "\n");
+    Write(std::string(port) + "/authorized", std::string(authorised) + "\n");
   }
   Write("1-2.1:1.0/authorized", "1\n");
   EXPECT_EQ(agent::UsbDevices(folder_), "1-2.1 46f4:0001 1\n1-8 46f4:0001 0\n");

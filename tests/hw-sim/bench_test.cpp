@@ -1,5 +1,5 @@
 // The bench without a machine: what it says to one, understands of it, and reports.
-#include "hw-sim/hil/serial_witness.h"
+#include "hw-sim/hil/serial_agent.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -17,9 +17,9 @@
 #include "hw-sim/hil/qemu_command.h"
 #include "hw-sim/hil/report.h"
 #include "hw-sim/links/usbredir/usb_rig.h"
-#include "tests/hil/agent/deeds.h"
+#include "tests/hil/agent/actions.h"
+#include "tests/hil/agent/board_json.h"
 #include "tests/hil/agent/first_program.h"
-#include "tests/hil/agent/sight.h"
 
 namespace kaori::hil {
 namespace {
@@ -31,7 +31,7 @@ using ::testing::Not;
 constexpr const char* kShipped =
     R"(dm-mod.create="root,,,ro,0 8 verity 1 a b" root=/dev/dm-0 rootfstype=erofs ro init=/usr/lib/systemd/systemd quiet)";
 
-TEST(BenchCommandLine, StartsTheWitnessWhichBecomesWhatTheImageNames) {
+TEST(BenchCommandLine, StartsTheAgentWhichBecomesWhatTheImageNames) {
   const std::string line = BenchCommandLine(kShipped);
   EXPECT_THAT(line, ::testing::StartsWith(kShipped)) << "what ships is kept; the last word of a name counts";
   EXPECT_EQ(agent::OnCommandLine(line, "kaori.root"), "/dev/dm-0");
@@ -50,10 +50,10 @@ TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
       QemuCommand({.image = "i", .bench_disk = "b", .folder = "/f"}, {}, "line", "i/kaori.disk");
   for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n)
     EXPECT_THAT(command, ::testing::Contains("usb-redir,chardev=usb" + std::to_string(n) +
-                                           ",bus=xhci.0,port=" + std::to_string(n + 1)));
-  EXPECT_THAT(command, ::testing::Contains("file=i/kaori.disk,if=virtio,format=raw,snapshot=on"))
+                                             ",bus=xhci.0,port=" + std::to_string(n + 1)));
+  EXPECT_THAT(command, ::testing::Contains("file=i/kaori.disk,if=none,id=disk,format=raw,snapshot=on"))
       << "nothing is written to it";
-  EXPECT_THAT(command, ::testing::Contains("file=b,if=virtio,format=raw,readonly=on"));
+  EXPECT_THAT(command, ::testing::Contains("file=b,if=none,id=bench,format=raw,readonly=on"));
 }
 
 TEST(ParseAnswer, WaitsForAllOfIt) {
@@ -92,9 +92,9 @@ class Folder : public ::testing::Test {
   std::string folder_;
 };
 
-using WitnessSight = Folder;
+using AgentBoard = Folder;
 
-TEST_F(WitnessSight, IsWhatTheBenchReads) {
+TEST_F(AgentBoard, IsWhatTheBenchReads) {
   const auto board = board::Board::Create(Path("board"));
   ASSERT_TRUE(board);
   const ManualClock clock;
@@ -103,7 +103,7 @@ TEST_F(WitnessSight, IsWhatTheBenchReads) {
   surface.pushes[31] = 7;
   board->AcquireWriter<board::Surface>()->Write(surface, clock.now(), board::SourceState::kLive);
   board->AcquireWriter<board::Stick>(1)->Write({.x = -0.5F, .y = 0.25F, .port = 99}, clock.now(),
-                                            board::SourceState::kStale);
+                                               board::SourceState::kStale);
   board::StageStatus stage;
   stage.frames = 12;
   board->AcquireWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
@@ -120,24 +120,32 @@ TEST_F(WitnessSight, IsWhatTheBenchReads) {
   EXPECT_EQ(view->now_ns, clock.now().time_since_epoch().count());
 }
 
-TEST(BoardView, RefusesWhatNoWitnessSays) {
+TEST(BoardView, RefusesWhatNoAgentSays) {
   EXPECT_FALSE(ReadBoardView(""));
   EXPECT_FALSE(ReadBoardView("{}"));
   EXPECT_FALSE(ReadBoardView(R"({"surface":7})"));
 }
 
-using WitnessDeeds = Folder;
+using AgentActions = Folder;
 
-TEST_F(WitnessDeeds, ReadFilesOfTheRoomTheyAreIn) {
+TEST_F(AgentActions, ReadFilesOfTheRootTheyAreGiven) {
   std::ofstream(Path("serial")) << "7\n";
-  const UniqueFd room(::open(folder_.c_str(), O_PATH | O_DIRECTORY));
-  EXPECT_EQ(agent::ReadIn(room.get(), "/serial"), "7\n");
-  const auto missing = agent::ReadIn(room.get(), "/nothing");
+  const UniqueFd root(::open(folder_.c_str(), O_PATH | O_DIRECTORY));
+  EXPECT_EQ(agent::ReadIn(root.get(), "/serial"), "7\n");
+  const auto missing = agent::ReadIn(root.get(), "/nothing");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().cause, std::errc::no_such_file_or_directory);
 }
 
-TEST_F(WitnessDeeds, SignalNobodyWhereNobodyHasTheName) {
+TEST_F(AgentActions, WriteIntoFilesThatAreThereAndMakeNone) {
+  std::ofstream(Path("freeze")) << "0";
+  const UniqueFd root(::open(folder_.c_str(), O_PATH | O_DIRECTORY));
+  EXPECT_TRUE(agent::WriteIn(root.get(), "/freeze", "1"));
+  EXPECT_EQ(agent::ReadIn(root.get(), "/freeze"), "1");
+  EXPECT_FALSE(agent::WriteIn(root.get(), "/nothing", "1"));
+}
+
+TEST_F(AgentActions, SignalNobodyWhereNobodyHasTheName) {
   EXPECT_EQ(agent::SignalAll("no-such-program", "15"), "0");
   EXPECT_FALSE(agent::SignalAll("no-such-program", "hard"));
 }
@@ -233,6 +241,11 @@ TEST(BenchChecks, HaveNamesOfTheirOwnAndAChosenPart) {
   EXPECT_GE(chosen, 8);
 }
 
+TEST(BenchChecks, HaveANegativeControl) {
+  for (const Check& check : AllChecks())
+    EXPECT_NE(check.fails_without.empty(), !check.control) << check.name << " has none, or two";
+}
+
 TEST(BenchChecks, OfOneSetupStandTogether) {
   std::vector<hil::Setup> setups;
   for (const Check& check : AllChecks())
@@ -242,7 +255,8 @@ TEST(BenchChecks, OfOneSetupStandTogether) {
 }
 
 TEST(BenchChecks, OfTheChosenPartWantTheImageAndNothingElse) {
-  for (const Check& check : AllChecks()) EXPECT_TRUE(!check.chosen || check.setup == hil::Setup{}) << check.name;
+  for (const Check& check : AllChecks())
+    EXPECT_TRUE(!check.chosen || check.setup == hil::Setup{}) << check.name;
 }
 
 }  // namespace

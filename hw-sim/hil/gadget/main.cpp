@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kHelp = R"(kaori-gadget: simulated devices at this machine's own USB sockets
 
-  --put PLACE=CONTROLLER,...   dial-box, stick-left, stick-right, keyboard or pointer, each at a controller of
+  --put DEVICE=CONTROLLER,...   dial-box, stick-left, stick-right, keyboard or pointer, each at a controller of
                                /sys/class/udc
   --play FILE                  a scenario; without one the devices are at rest
   --loop                       again and again
@@ -33,10 +33,10 @@ kaori::Result<void> PutAll(const std::string& text, kaori::sim::GadgetRig& rig) 
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string one = text.substr(begin, end - begin);
     const std::size_t sign = one.find('=');
-    const auto place = kaori::sim::DevicePortNamed(one.substr(0, sign));
-    if (sign == std::string::npos || !place)
+    const auto port = kaori::sim::DevicePortNamed(one.substr(0, sign));
+    if (sign == std::string::npos || !port)
       return kaori::FailInput("--put " + one + ": expected such as dial-box=dummy_udc.0");
-    if (auto ok = rig.Put(*place, one.substr(sign + 1)); !ok) return ok;
+    if (auto ok = rig.Put(*port, one.substr(sign + 1)); !ok) return ok;
     kaori::Log("plugged in: {}", one);
     begin = end + 1;
   }

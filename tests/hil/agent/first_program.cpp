@@ -53,7 +53,7 @@ std::string OnCommandLine(const std::string& command_line, const std::string& na
   return {};
 }
 
-Result<Rooms> StartTheBox() {
+Result<Roots> StartTheBox() {
   OpenStandardFiles();
   const auto line = MountOwn();
   if (!line) return tl::unexpected(line.error());
@@ -62,14 +62,14 @@ Result<Rooms> StartTheBox() {
     return tl::unexpected(ok.error());
   // What the kernel does for the first program of a root that it mounts itself.
   if (auto ok = Mount("devtmpfs", kBoxDevices, "devtmpfs"); !ok) return tl::unexpected(ok.error());
-  Rooms rooms{UniqueFd(::open(kBox, O_PATH | O_DIRECTORY | O_CLOEXEC)),
+  Roots roots{UniqueFd(::open(kBox, O_PATH | O_DIRECTORY | O_CLOEXEC)),
               UniqueFd(::open("/", O_PATH | O_DIRECTORY | O_CLOEXEC))};
-  if (!rooms.box.valid() || !rooms.bench.valid()) return FailErrno("open the roots");
-  const pid_t witness = ::fork();
-  if (witness < 0) return FailErrno("fork");
-  if (witness > 0) BecomeTheBox(OnCommandLine(*line, "kaori.init"));
+  if (!roots.box.valid() || !roots.bench.valid()) return FailErrno("open the roots");
+  const pid_t agent = ::fork();
+  if (agent < 0) return FailErrno("fork");
+  if (agent > 0) BecomeTheBox(OnCommandLine(*line, "kaori.init"));
   ::setsid();
-  return rooms;
+  return roots;
 }
 
 }  // namespace kaori::agent

@@ -1,4 +1,4 @@
-// kaori-hil-agent: stands in the machine beside the box's own programs and tells the bench what it sees.
+// kaori-hil-agent: runs in the guest beside the box's own programs and answers the bench.
 //
 // Questions, one a line:
 //   hello                        "kaori-hil-agent"
@@ -6,15 +6,16 @@
 //   board                        the board as JSON
 //   events MS                    what changed on it meanwhile
 //   read PATH                    a file of the box
+//   write PATH TEXT              into a file of the box that is there
 //   tool WORDS...                a program of the bench's disk
 //   own WORDS...                 a program of the box
 //   start WORDS...               the same, left running; its number
 //   start-tool WORDS...          a program of the bench's disk, left running
 //   end NUMBER                   of a program that was started; what it said
-//   usb                          its devices, and whether each was let in
+//   usb                          its devices, and whether each is authorised
 //   voice PATH SECONDS           writes a voice as a WAV file of the bench's disk
 //   signal NAME NUMBER           to every process of that name
-//   lines take CHIP IN,IN OUT,OUT    GPIO lines, by the box's own driver
+//   lines request CHIP IN,IN OUT,OUT GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
 //   lines drive N 0|1            output number N
 #include <memory>
@@ -29,10 +30,10 @@
 #include "drivers/base/log.h"
 #include "drivers/gpio/chip_lines.h"
 #include "hw-sim/devices/voice_file.h"
-#include "tests/hil/agent/deeds.h"
+#include "tests/hil/agent/actions.h"
+#include "tests/hil/agent/board_json.h"
 #include "tests/hil/agent/first_program.h"
 #include "tests/hil/agent/serial_line.h"
-#include "tests/hil/agent/sight.h"
 #include "tests/hil/agent/usb_view.h"
 
 namespace {
@@ -51,9 +52,9 @@ Words Split(const std::string& text, char by) {
   return words;
 }
 
-class Witness {
+class Agent {
  public:
-  explicit Witness(const kaori::agent::Rooms& rooms) : rooms_(rooms) {}
+  explicit Agent(const kaori::agent::Roots& roots) : roots_(roots) {}
 
   Result<std::string> Answer(const std::string& question) {
     Words words = Split(question, ' ');
@@ -64,14 +65,16 @@ class Witness {
     if (verb == "clock") return std::to_string(clock_.now().time_since_epoch().count());
     if (verb == "voice" && words.size() == 2) return Voice(words);
     if (verb == "usb") return kaori::agent::UsbDevices("/sys/bus/usb/devices");
-    if (verb == "tool") return kaori::agent::RunIn(rooms_.bench.get(), words, kLongestTool);
-    if (verb == "own") return kaori::agent::RunIn(rooms_.box.get(), words, kLongestTool);
-    if (verb == "start") return started_.Start(rooms_.box.get(), words);
-    if (verb == "start-tool") return started_.Start(rooms_.bench.get(), words);
+    if (verb == "tool") return kaori::agent::RunIn(roots_.bench.get(), words, kLongestTool);
+    if (verb == "own") return kaori::agent::RunIn(roots_.box.get(), words, kLongestTool);
+    if (verb == "start") return started_.Start(roots_.box.get(), words);
+    if (verb == "start-tool") return started_.Start(roots_.bench.get(), words);
     if (verb == "end" && words.size() == 1) return started_.End(words[0]);
     if (verb == "lines") return Lines(words);
     if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
-    if (verb == "read" && words.size() == 1) return kaori::agent::ReadIn(rooms_.box.get(), words[0]);
+    if (verb == "read" && words.size() == 1) return kaori::agent::ReadIn(roots_.box.get(), words[0]);
+    if (verb == "write" && words.size() == 2)
+      return kaori::agent::WriteIn(roots_.box.get(), words[0], words[1]);
     if (verb == "signal" && words.size() == 2) return kaori::agent::SignalAll(words[0], words[1]);
     return kaori::FailInput("not understood: " + question);
   }
@@ -80,7 +83,7 @@ class Witness {
   // Opened for each question: the file comes with the first program that plays.
   Result<std::string> Board(const Words& words) const {
     const auto board =
-        kaori::board::Board::Open(fmt::format("/proc/self/fd/{}/run/kaori/board", rooms_.box.get()));
+        kaori::board::Board::Open(fmt::format("/proc/self/fd/{}/run/kaori/board", roots_.box.get()));
     if (!board) return tl::unexpected(board.error());
     if (words.empty()) return kaori::agent::BoardAsJson(*board, clock_);
     return kaori::agent::WatchEvents(*board, clock_, std::chrono::milliseconds(std::atoi(words[0].c_str())));
@@ -92,8 +95,8 @@ class Witness {
   }
 
   Result<std::string> Lines(const Words& words) {
-    if (words.size() >= 3 && words[0] == "take") return HandleLines(words);
-    if (!lines_) return kaori::FailInput("no lines were taken");
+    if (words.size() >= 3 && words[0] == "request") return RequestLines(words);
+    if (!lines_) return kaori::FailInput("no lines were requested");
     if (words.size() == 3 && words[0] == "drive")
       return lines_->Drive(static_cast<std::uint32_t>(std::atoi(words[1].c_str())), words[2] == "1").map([] {
         return std::string();
@@ -101,10 +104,10 @@ class Witness {
     if (words.size() == 1 && words[0] == "levels")
       return lines_->Levels().map([](std::uint32_t levels) { return std::to_string(levels); });
     if (words.size() == 1 && words[0] == "edges") return Edges();
-    return kaori::FailInput("lines take, edges, levels or drive");
+    return kaori::FailInput("lines request, edges, levels or drive");
   }
 
-  Result<std::string> HandleLines(const Words& words) {
+  Result<std::string> RequestLines(const Words& words) {
     kaori::gpio::Wiring wiring;
     for (const std::string& number : Split(words[2], ','))
       wiring.inputs.push_back({.offset = static_cast<std::uint32_t>(std::atoi(number.c_str()))});
@@ -112,9 +115,9 @@ class Witness {
       wiring.outputs.push_back(
           {.offset = static_cast<std::uint32_t>(std::atoi(number.c_str())), .active_low = false});
     lines_.reset();
-    auto taken = kaori::gpio::OpenLines(words[1], wiring);
-    if (!taken) return tl::unexpected(taken.error());
-    lines_ = std::move(*taken);
+    auto requested = kaori::gpio::OpenLines(words[1], wiring);
+    if (!requested) return tl::unexpected(requested.error());
+    lines_ = std::move(*requested);
     return std::string();
   }
 
@@ -130,7 +133,7 @@ class Witness {
     }
   }
 
-  const kaori::agent::Rooms& rooms_;
+  const kaori::agent::Roots& roots_;
   kaori::SteadyClock clock_;
   kaori::agent::Started started_;
   std::unique_ptr<kaori::ports::GpioLines> lines_;
@@ -144,11 +147,11 @@ int main() {
     kaori::Log("is the first program of a machine on the bench; see kaori-bench");
     return 2;
   }
-  const auto rooms = kaori::agent::StartTheBox();
+  const auto roots = kaori::agent::StartTheBox();
   auto line = kaori::agent::SerialLine::Open(kLine);
   if (!line) return 1;
-  if (!rooms) return line->Answer(tl::unexpected(rooms.error())), 1;
-  Witness witness(*rooms);
-  while (const auto question = line->Next()) line->Answer(witness.Answer(*question));
+  if (!roots) return line->Answer(tl::unexpected(roots.error())), 1;
+  Agent agent(*roots);
+  while (const auto question = line->Next()) line->Answer(agent.Answer(*question));
   return 0;
 }

@@ -1,4 +1,4 @@
-// The witness's end of the serial line: questions of one line each come in, answers of any length go out.
+// The agent's end of the serial line: questions of one line each come in, answers of any length go out.
 #pragma once
 
 #include <optional>

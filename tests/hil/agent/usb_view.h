@@ -1,4 +1,4 @@
-// The USB devices of a machine, and whether they were let in.
+// The USB devices of a machine, and whether they are authorised.
 #pragma once
 
 #include <string>

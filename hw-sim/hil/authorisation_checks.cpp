@@ -1,0 +1,140 @@
+// USB devices without a role stay unauthorised; the profile says which roles there are.
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr Duration kAuthorisationAnswer = seconds(120);
+constexpr Duration kAuthorisationLongest = seconds(120);
+constexpr std::uint32_t kPlayedOn = 2;  // Frames.
+
+const Setup kKiosk{.keyboards = false, .settings = "profile = \"kiosk\"\n"};
+const Setup kFaulty{.settings = "# tonight\nprofile = \"open house\"\n",
+                    .last_settings = "profile = \"bench\"\n"};
+constexpr std::string_view kFault = "box.toml, line 2: there is no profile \"open house\"";
+
+struct Kind {
+  UnauthorisedDevice device;
+  const char* name;
+  const char* number;  // QEMU's vendor and product.
+};
+
+constexpr Kind kStorage{UnauthorisedDevice::kStorage, "a storage stick", "46f4:0001"};
+constexpr Kind kNetwork{UnauthorisedDevice::kNetwork, "a network adapter", "0525:a4a2"};
+constexpr Kind kKeyboard{UnauthorisedDevice::kKeyboard, "a keyboard", "0627:0001"};
+
+// Whether the device with that vendor and product is authorised; nothing: it is not plugged in.
+std::optional<bool> IsAuthorised(Scene& scene, const char* number) {
+  const auto devices = scene.target.agent().Ask("usb", kAuthorisationAnswer);
+  std::istringstream lines(devices ? *devices : "");
+  std::string port, numbers;
+  for (int authorized = 0; lines >> port >> numbers >> authorized;)
+    if (numbers == number) return authorized == 1;
+  return std::nullopt;
+}
+
+Result<void> AwaitFrames(Scene& scene) {
+  const auto before = scene.target.Board();
+  if (!before) return tl::unexpected(before.error());
+  const auto on = [&](const BoardView& board) {
+    return board.stage.live && board.left.live && board.stage.frames >= before->stage.frames + kPlayedOn;
+  };
+  if (auto ok = scene.target.UntilBoard(on, kAuthorisationLongest, "see the box play on"); !ok)
+    return tl::unexpected(ok.error());
+  return {};
+}
+
+// Plugs it in, waits until udev has handled it, and unplugs it.
+Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
+  if (auto ok = scene.target.machine().PlugUnauthorised(kind.device); !ok) return ok;
+  const auto there = [&] { return IsAuthorised(scene, kind.number).has_value(); };
+  if (!scene.target.Until(there, kAuthorisationLongest))
+    return Fail(std::errc::timed_out, fmt::format("see {} in the machine", kind.name));
+  if (auto ok = scene.target.agent().Ask("own /usr/bin/udevadm settle --timeout=90", kAuthorisationAnswer);
+      !ok)
+    return tl::unexpected(ok.error());
+  auto played = AwaitFrames(scene);
+  const auto authorised = IsAuthorised(scene, kind.number);
+  if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
+  if (!scene.target.Until([&] { return !IsAuthorised(scene, kind.number); }, kAuthorisationLongest))
+    return Fail(std::errc::timed_out, fmt::format("see {} gone", kind.name));
+  if (!played) return played;
+  if (authorised == wanted) return {};
+  return FailInput(fmt::format("{} {}", kind.name, wanted ? "was not authorised" : "was authorised"));
+}
+
+// The control: what is not so is refused.
+template <const Kind& kind, bool wrong>
+Result<void> Refuses(Scene& scene) {
+  if (WantAuthorised(scene, kind, wrong)) return FailInput(fmt::format("{} passes either way", kind.name));
+  return {};
+}
+
+Result<void> OnStage(Scene& scene) {
+  for (const auto& [kind, wanted] : {std::pair{kStorage, false}, {kNetwork, false}, {kKeyboard, true}})
+    if (auto ok = WantAuthorised(scene, kind, wanted); !ok) return ok;
+  scene.finding.said =
+      "a storage stick and a network adapter stayed unauthorised, a keyboard was authorised; the box played "
+      "on";
+  return {};
+}
+
+Result<void> InAKiosk(Scene& scene) {
+  for (const auto& [kind, wanted] : {std::pair{kKeyboard, false}, {kStorage, false}})
+    if (auto ok = WantAuthorised(scene, kind, wanted); !ok) return ok;
+  const auto board = scene.target.Board();
+  if (!board) return tl::unexpected(board.error());
+  if (board->keys_live) return FailInput("the keyboard that was plugged in before power came is alive");
+  scene.finding.said =
+      "keyboards stayed unauthorised, plugged in before power came and after; dials and sticks are live";
+  return {};
+}
+
+// The file names a profile that does not exist; the one before it, which authorised everything, counts.
+Result<void> WithAFault(Scene& scene) {
+  const auto log =
+      scene.target.agent().Ask("own /usr/bin/journalctl -k -b --no-pager -o cat", kAuthorisationAnswer);
+  if (!log) return tl::unexpected(log.error());
+  const std::size_t at = log->find(kFault);
+  if (at == std::string::npos) return FailInput("the fault is not named in the box's log");
+  scene.finding.texts.emplace_back("the box's log", log->substr(at, log->find('\n', at) - at));
+  for (const Kind& kind : {kStorage, kNetwork, kKeyboard})
+    if (auto ok = WantAuthorised(scene, kind, true); !ok) return ok;
+  scene.finding.said = fmt::format("the log says: {}; the profile before, bench, authorised everything",
+                                   scene.finding.texts[0].second);
+  return {};
+}
+
+}  // namespace
+
+std::vector<Check> AuthorisationChecks() {
+  return {{"unauthorised",
+           "Storage and networks stay unauthorised, and the box plays on",
+           false,
+           OnStage,
+           {},
+           {},
+           Refuses<kStorage, true>},
+          {"kiosk",
+           "In a kiosk keyboards stay unauthorised",
+           false,
+           InAKiosk,
+           kKiosk,
+           {},
+           Refuses<kKeyboard, true>},
+          {"faulty-settings",
+           "A settings file with a mistake: the last good one counts, the mistake is named",
+           false,
+           WithAFault,
+           kFaulty,
+           {},
+           Refuses<kStorage, false>}};
+}
+
+}  // namespace kaori::hil

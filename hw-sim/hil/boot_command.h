@@ -1,0 +1,23 @@
+// `kaori-bench --boot`: the image in QEMU for a person to look at, as `./box boot` starts it.
+#pragma once
+
+#include <string>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/result.h"
+#include "hw-sim/hil/qemu_command.h"
+
+namespace kaori::hil {
+
+struct BootOptions {
+  bool trace =
+      false;  // Prints on the way where the time goes, from the start of QEMU to the first face, and ends.
+  std::string
+      shot{};  // Writes a picture of the screen (PNG) once the first face is there, and ends. Empty: none.
+};
+
+// Runs the machine until it has shown what was asked for, or until it ends by itself. Errors: those of QemuDriver::On;
+// timed_out and no_such_device, where the face does not come.
+Result<void> Boot(QemuOptions machine, const BootOptions& options, const Clock& clock);
+
+}  // namespace kaori::hil

@@ -1,0 +1,132 @@
+#include "hw-sim/hil/check_runner.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <variant>
+
+#include "hw-sim/hil/paused_unit.h"
+
+namespace kaori::hil {
+namespace {
+
+constexpr Duration kLongestTrace = std::chrono::seconds(60);
+
+// What helps to find out why.
+constexpr std::pair<const char*, const char*> kTraces[] = {
+    {"the board", "board"},
+    {"the box's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 300"},
+    {"its devices", "usb"}};
+
+constexpr Duration kControlPatience = std::chrono::seconds(20);
+
+// Plugs a device in again when it goes.
+class UnpluggedDevice {
+ public:
+  UnpluggedDevice(Scene& scene, std::string name) : scene_(scene), name_(std::move(name)) {
+    static_cast<void>(scene_.target.rig().Unplug(name_));
+    scene_.target.For(std::chrono::seconds(2));
+  }
+  ~UnpluggedDevice() { static_cast<void>(scene_.target.rig().Plug(name_)); }
+  UnpluggedDevice(const UnpluggedDevice&) = delete;
+  UnpluggedDevice& operator=(const UnpluggedDevice&) = delete;
+
+ private:
+  Scene& scene_;
+  std::string name_;
+};
+
+using Withdrawn = std::variant<std::monostate, PausedUnit, UnpluggedDevice>;
+
+// Stops a unit or unplugs a device until the result goes.
+Withdrawn Withdraw(Scene& scene, const std::string& what) {
+  if (what.ends_with(".service")) return Withdrawn(std::in_place_type<PausedUnit>, scene, what);
+  return Withdrawn(std::in_place_type<UnpluggedDevice>, scene, what);
+}
+
+}  // namespace
+
+ReportedCheck CheckRunner::Run(const Check& check) {
+  ReportedCheck reported{check.name, check.sentence, {}};
+  Finding& finding = reported.finding;
+  auto ok = Prepare(check);
+  const Time began = target_.clock().now();
+  Scene scene = SceneOf(finding);
+  if (!ok && ok.error().cause == std::errc::not_supported) {
+    finding.verdict = Verdict::kSkipped;
+    finding.said = ok.error().message();
+    return reported;
+  }
+  if (ok) ok = check.run(scene);
+  if (ok && options_.controls && finding.verdict == Verdict::kPassed) ok = Control(check, finding);
+  finding.took_s = Seconds(target_.clock().now() - began);
+  if (ok) return reported;
+  finding.verdict = Verdict::kFailed;
+  finding.said = ok.error().message();
+  AddTraces(check.name, finding);
+  return reported;
+}
+
+Scene CheckRunner::SceneOf(Finding& finding) {
+  return {.target = target_,
+          .finding = finding,
+          .folder = options_.report,
+          .replugs = options_.replugs,
+          .scenes = options_.scenes,
+          .chance = chance_,
+          .play = options_.play};
+}
+
+Result<void> CheckRunner::Prepare(const Check& check) {
+  if (!check.powers) return StartBox(check.setup);
+  strategy_.Off();
+  return {};
+}
+
+Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
+  Finding unseen;
+  Scene scene = SceneOf(unseen);
+  scene.folder += "/control";  // Its pictures are not those of the check.
+  std::filesystem::create_directories(scene.folder);
+  auto ok = check.control ? check.control(scene) : FailsWithout(check, scene);
+  if (!ok) return FailInput("the negative control: " + ok.error().message());
+  finding.said +=
+      check.control ? "; the control was found wrong" : "; it fails without " + check.fails_without;
+  return {};
+}
+
+// What was withdrawn is there again afterwards; where the box does not recover the next check starts a new one.
+Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
+  const bool passed = [&] {
+    const auto away = Withdraw(scene, check.fails_without);
+    target_.SetPatience(kControlPatience);
+    const auto ok = check.run(scene);
+    target_.ResetPatience();
+    return ok && scene.finding.verdict == Verdict::kPassed;
+  }();
+  strategy_.Recover();
+  if (passed) return FailInput("the check passes without " + check.fails_without);
+  return {};
+}
+
+Result<void> CheckRunner::StartBox(const Setup& setup) {
+  const auto before = std::ranges::find(failed_setups_, setup, &std::pair<Setup, Error>::first);
+  if (before != failed_setups_.end())
+    return FailAs(before->second, "not tried: the box did not start before; " + before->second.attempt);
+  auto ok = strategy_.Play(setup);
+  if (!ok) failed_setups_.emplace_back(setup, ok.error());
+  if (boot_s_ == 0) boot_s_ = strategy_.boot_s();
+  return ok;
+}
+
+void CheckRunner::AddTraces(const std::string& check, Finding& finding) {
+  const std::string file = check + "-failed.png";
+  if (target_.machine().Shoot(0, options_.report + "/" + file))
+    finding.pictures.push_back({file, "When it failed"});
+  finding.texts.emplace_back("QEMU's log", target_.machine().log());
+  for (const auto& [name, question] : kTraces)
+    if (const auto told = target_.agent().Ask(question, kLongestTrace))
+      finding.texts.emplace_back(name, *told);
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,174 @@
+// The image's disk by itself: a changed root is refused, and a PC with UEFI starts from it.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/picture.h"
+#include "hw-sim/hil/process.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr Duration kLongestStart = std::chrono::minutes(6);
+constexpr double kNearStill =
+    0.05;  // Mean difference between the still and the face on a screen of another size.
+
+const Setup kAlone{.plugged = false, .sound = false, .agent = false};
+
+std::string BytesOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A copy of the image's disk with one bit flipped so many bytes after the beginning of its root.
+Result<std::string> WithFlippedBit(Scene& scene, std::uint64_t offset_bytes) {
+  const QemuOptions& options = scene.target.machine().options();
+  const std::string disk = options.image + "/kaori.disk", copy = options.folder + "/flipped.disk";
+  const auto root = PartitionStart_bytes(disk, "root-a");
+  if (!root) return tl::unexpected(root.error());
+  if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, options.folder + "/cp.log"); !ok)
+    return tl::unexpected(ok.error());
+  std::fstream file(copy, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(*root + offset_bytes));
+  const int byte = file.get();
+  file.seekp(static_cast<std::streamoff>(*root + offset_bytes));
+  file.put(static_cast<char>(byte ^ 1));
+  if (!file.flush()) return Fail(std::errc::io_error, "write " + copy);
+  return copy;
+}
+
+// Where the stage's program is in the root, by its first block.
+Result<std::uint64_t> StageInRoot_bytes(const std::string& image) {
+  constexpr std::size_t kBlock_bytes = 4096;
+  const std::string program = BytesOf(image + "/root/usr/bin/kaori-stage").substr(0, kBlock_bytes);
+  const std::size_t at = BytesOf(image + "/root.erofs").find(program);
+  if (program.size() < kBlock_bytes || at == std::string::npos)
+    return FailInput("the root of " + image + " has no kaori-stage");
+  return at;
+}
+
+Result<void> StartAlone(Scene& scene, const Setup& setup) {
+  scene.target.machine().SetUp(setup);
+  return scene.target.machine().On();
+}
+
+bool FaceComes(Scene& scene, Duration longest) {
+  return scene.target.UntilConsole({"Started ", "kaori-stage"}, longest);
+}
+
+Result<void> WantRefused(Scene& scene, const char* what, std::uint64_t offset_bytes) {
+  const auto disk = WithFlippedBit(scene, offset_bytes);
+  if (!disk) return tl::unexpected(disk.error());
+  Setup setup = kAlone;
+  setup.disk = *disk;
+  if (auto ok = StartAlone(scene, setup); !ok) return ok;
+  const bool refused = scene.target.UntilConsole({"data block", "is corrupted"}, kLongestStart);
+  const bool played = FaceComes(scene, seconds(5));
+  scene.finding.texts.emplace_back(fmt::format("the log with {} changed", what),
+                                   scene.target.machine().console());
+  scene.target.machine().Off();
+  std::filesystem::remove(*disk);
+  if (!refused) return FailInput(fmt::format("the kernel does not refuse a flipped bit in {}", what));
+  return played ? FailInput(fmt::format("the box plays with a flipped bit in {}", what)) : Result<void>{};
+}
+
+Result<void> Verity(Scene& scene) {
+  constexpr std::uint64_t kSuperBlock_bytes = 1024 + 64, kInProgram_bytes = 100;
+  const auto stage = StageInRoot_bytes(scene.target.machine().options().image);
+  if (!stage) return tl::unexpected(stage.error());
+  if (auto ok = WantRefused(scene, "the root's first block", kSuperBlock_bytes); !ok) return ok;
+  scene.finding.said = "one flipped bit in the root's first block, or in the stage's program, is refused";
+  return WantRefused(scene, "the stage's program", *stage + kInProgram_bytes);
+}
+
+Result<void> UnchangedPlays(Scene& scene) {
+  if (auto ok = StartAlone(scene, kAlone); !ok) return ok;
+  const bool plays = FaceComes(scene, kLongestStart);
+  scene.target.machine().Off();
+  return plays ? Result<void>{} : FailInput("the unchanged root does not play either");
+}
+
+struct Pc {
+  const char* name;
+  DiskBus disk_bus;
+  Graphics graphics;
+};
+
+constexpr std::array kPcs{Pc{"virtio disk and graphics", DiskBus::kVirtio, Graphics::kVirtio},
+                          Pc{"SATA disk and VGA", DiskBus::kSata, Graphics::kVga},
+                          Pc{"NVMe disk, virtio graphics", DiskBus::kNvme, Graphics::kVirtio}};
+
+// Looks at the screen until `right`; the last picture is in the file.
+bool UntilPicture(Scene& scene, const std::string& file, const std::function<bool()>& right,
+                  Duration longest) {
+  const Time until = scene.target.clock().now() + longest;
+  while (scene.target.clock().now() < until) {
+    if (scene.target.machine().Shoot(0, file) && right()) return true;
+    scene.target.For(milliseconds(300));
+  }
+  return false;
+}
+
+// Nothing is said on any line, so the screen is looked at: first the still comes, then it moves.
+Result<void> WantFaceByFirmware(Scene& scene, const Pc& pc, const std::string& disk, Duration longest) {
+  Setup setup = kAlone;
+  setup.firmware = true;
+  setup.disk_bus = pc.disk_bus;
+  setup.graphics = pc.graphics;
+  setup.disk = disk;
+  if (auto ok = StartAlone(scene, setup); !ok) return ok;
+  const std::string still = scene.target.machine().options().image + "/root/usr/share/kaori/still.ppm";
+  const std::string shot = scene.folder + "/uefi-shot.png", lit = scene.folder + "/uefi-still.png";
+  const auto near = [&] {
+    const auto apart = MeanDifference(shot, still);
+    return apart && *apart < kNearStill;
+  };
+  const auto moves = [&] {
+    const auto changed = ChangedPart(shot, lit);
+    return changed && *changed > 0;
+  };
+  Result<void> ok;
+  if (!UntilPicture(scene, shot, near, longest))
+    ok = FailInput(fmt::format("{}: the still did not come", pc.name));
+  if (ok) std::filesystem::copy_file(shot, lit, std::filesystem::copy_options::overwrite_existing);
+  if (ok && !UntilPicture(scene, shot, moves, longest))
+    ok = FailInput(fmt::format("{}: nothing moves", pc.name));
+  if (ok && !near()) ok = FailInput(fmt::format("{}: the face differs from the still", pc.name));
+  if (ok) ok = scene.ShootFace("uefi", pc.name);
+  scene.target.machine().Off();
+  return ok;
+}
+
+Result<void> Uefi(Scene& scene) {
+  for (const Pc& pc : kPcs)
+    if (auto ok = WantFaceByFirmware(scene, pc, "", kLongestStart); !ok) return ok;
+  scene.finding.said = fmt::format("still and face on {} kinds of PC", kPcs.size());
+  return {};
+}
+
+// The control: from an empty disk no still comes.
+Result<void> EmptyDiskStartsNothing(Scene& scene) {
+  const std::string disk = scene.target.machine().options().folder + "/empty.disk";
+  std::ofstream(disk).flush();
+  std::filesystem::resize_file(disk, 64U << 20U);
+  const bool played = WantFaceByFirmware(scene, kPcs[0], disk, seconds(60)).has_value();
+  std::filesystem::remove(disk);
+  return played ? FailInput("a face is seen although the disk is empty") : Result<void>{};
+}
+
+}  // namespace
+
+std::vector<Check> DiskChecks() {
+  return {
+      {"verity", "A changed root is not played", false, Verity, kAlone, {}, UnchangedPlays, true},
+      {"uefi", "The disk starts on PCs with UEFI", false, Uefi, kAlone, {}, EmptyDiskStartsNothing, true}};
+}
+
+}  // namespace kaori::hil

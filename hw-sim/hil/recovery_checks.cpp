@@ -1,0 +1,164 @@
+// The last picture stays while the stage is away, and a box that hangs as a whole starts again.
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/picture.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+// Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
+constexpr double kMovedByItself = 0.06;
+constexpr Duration kRecoveryAnswer = seconds(120);
+
+// A small screen, so that the stage is back sooner; no devices, whose drivers would need time.
+const Setup kSmall{.plugged = false, .sound = false, .width_px = 480, .height_px = 270};
+const Setup kWatched{
+    .plugged = false, .sound = false, .watchdog_resets = true, .width_px = 320, .height_px = 180};
+
+// How the stage is made to end. A stage that hangs before it knows its pace has two minutes, as its unit says.
+struct Death {
+  const char* name;
+  const char* question;  // To the agent.
+  int times;
+  Duration longest;  // Until the stage draws again.
+};
+
+constexpr std::array kDeaths{
+    Death{"killed", "signal kaori-stage 9", 40, seconds(120)},
+    Death{"stopped", "start /usr/bin/systemctl restart kaori-stage.service", 20, seconds(180)},
+    Death{"frozen", "signal kaori-stage 19", 2, seconds(360)}};
+
+struct Watch {
+  std::string face;  // The picture before.
+  int pictures = 0;
+  int wrong = 0;
+  double largest = 0;
+};
+
+Result<void> Look(Scene& scene, Watch& watch) {
+  const std::string file = scene.folder + "/held-now.png";
+  if (auto ok = scene.target.machine().Shoot(0, file); !ok) return ok;
+  const auto apart = MeanDifference(watch.face, file);
+  if (!apart) return tl::unexpected(apart.error());
+  ++watch.pictures;
+  watch.wrong += *apart > kMovedByItself ? 1 : 0;
+  watch.largest = std::max(watch.largest, *apart);
+  return {};
+}
+
+// Looks at the screen without a pause until the stage, which has just been made to end, draws new frames.
+Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
+  const auto before = scene.target.Board();
+  if (!before) return tl::unexpected(before.error());
+  if (const auto told = scene.target.agent().Ask(death.question, kRecoveryAnswer); !told)
+    return tl::unexpected(told.error());
+  const Time until = scene.target.clock().now() + death.longest;
+  while (scene.target.clock().now() < until) {
+    if (auto ok = Look(scene, watch); !ok) return ok;
+    const auto board = scene.target.Board();
+    // A new stage counts its frames from the beginning.
+    if (board && board->stage.live && board->stage.frames > 0 && board->stage.frames < before->stage.frames)
+      return {};
+    scene.target.For(milliseconds(20));
+  }
+  return Fail(std::errc::timed_out, fmt::format("see the stage again that was {}", death.name));
+}
+
+// A new stage must have drawn more frames than its successor needs to be recognised.
+Result<void> AwaitSomeFrames(Scene& scene) {
+  constexpr std::uint32_t kSome = 8;
+  const auto some = [](const BoardView& board) { return board.stage.live && board.stage.frames >= kSome; };
+  const auto seen = scene.target.UntilBoard(some, seconds(120), "see some frames");
+  if (!seen) return tl::unexpected(seen.error());
+  return {};
+}
+
+Result<void> Held(Scene& scene) {
+  if (auto ok = scene.ShootFace("held", "Before the stage ends for the first time"); !ok) return ok;
+  Watch watch{.face = scene.folder + "/" + scene.finding.pictures.back().file};
+  int deaths = 0;
+  for (const Death& death : kDeaths)
+    for (int n = 0; n < death.times; ++n, ++deaths) {
+      if (auto ok = AwaitSomeFrames(scene); !ok) return ok;
+      if (auto ok = WatchOneDeath(scene, death, watch); !ok) return ok;
+    }
+  scene.finding.figures["held_frames_wrong"] = watch.wrong;
+  scene.finding.figures["held_pictures"] = watch.pictures;
+  scene.finding.figures["held_deaths"] = deaths;
+  scene.finding.said =
+      fmt::format("the stage ended {} times; {} pictures, {} wrong; largest difference {:.3f} of {}", deaths,
+                  watch.pictures, watch.wrong, watch.largest, kMovedByItself);
+  return watch.wrong == 0 ? Result<void>{} : FailInput(scene.finding.said);
+}
+
+// A black picture and the face upside down are found wrong.
+Result<void> WrongPicturesAreFound(Scene& scene) {
+  if (auto ok = scene.ShootFace("held-control", "The face"); !ok) return ok;
+  const std::string face = scene.folder + "/" + scene.finding.pictures.back().file;
+  const std::string other = scene.folder + "/held-control-other.png";
+  for (const auto write : {WriteBlack, WriteUpsideDown}) {
+    if (auto ok = write(face, other); !ok) return ok;
+    const auto apart = MeanDifference(face, other);
+    if (!apart) return tl::unexpected(apart.error());
+    if (*apart <= kMovedByItself)
+      return FailInput(fmt::format("another picture differs by {:.3f} only", *apart));
+  }
+  return {};
+}
+
+Result<void> WantArmed(Scene& scene) {
+  const auto log =
+      scene.target.agent().Ask("own /usr/bin/journalctl -b --no-pager -o cat _PID=1", kRecoveryAnswer);
+  if (!log) return tl::unexpected(log.error());
+  for (const char* armed : {"Watchdog running with a timeout of", "Using hardware watchdog"})
+    if (log->find(armed) != std::string::npos) return {};
+  return FailInput("systemd does not use the hardware watchdog");
+}
+
+// The system's first program is frozen: the machine must reset by itself, which ends QEMU.
+Result<void> Restart(Scene& scene) {
+  if (auto ok = WantArmed(scene); !ok) return ok;
+  const Time frozen = scene.target.clock().now();
+  // The agent is in the same group and freezes too: no answer is expected.
+  static_cast<void>(scene.target.agent().Ask("write /sys/fs/cgroup/init.scope/cgroup.freeze 1", seconds(2)));
+  const bool ended = scene.target.Until([&] { return !scene.target.machine().runs(); }, seconds(400));
+  const double after_s = Seconds(scene.target.clock().now() - frozen);
+  scene.finding.figures["watchdog_restart_s"] = after_s;
+  scene.finding.said = fmt::format("reset {:.0f} s after the first program was frozen", after_s);
+  return ended ? Result<void>{} : FailInput("a box whose first program is frozen does not reset");
+}
+
+// The control: a box whose first program runs is not reset in twice the watchdog's time.
+Result<void> RunningIsNotReset(Scene& scene) {
+  scene.target.agent().Lose();
+  scene.target.machine().Off();
+  if (auto ok = scene.target.machine().On(); !ok) return ok;
+  const bool ended = scene.target.Until([&] { return !scene.target.machine().runs(); }, seconds(240));
+  scene.target.machine().Off();
+  return ended ? FailInput("a box that runs is reset too") : Result<void>{};
+}
+
+}  // namespace
+
+std::vector<Check> RecoveryChecks() {
+  return {{"held",
+           "The last picture stays while the stage is killed, stopped and hangs",
+           false,
+           Held,
+           kSmall,
+           {},
+           WrongPicturesAreFound},
+          {"restart",
+           "A box whose first program hangs is started again by its watchdog",
+           false,
+           Restart,
+           kWatched,
+           {},
+           RunningIsNotReset}};
+}
+
+}  // namespace kaori::hil

@@ -1,0 +1,103 @@
+#include "hw-sim/hil/target.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr Duration kLookAgain = milliseconds(20);
+constexpr Duration kInputStep = milliseconds(4);  // Simulated input moves in steps of this.
+constexpr Duration kAskAgain = milliseconds(100);
+constexpr Duration kLongestAnswer = std::chrono::seconds(90);
+
+std::string DescribeSticks(const BoardView& board) {
+  const auto one = [](const StickView& stick) {
+    return fmt::format("{} {:.2f} {:.2f}", stick.live ? "live" : "away", stick.x, stick.y);
+  };
+  return fmt::format("left {}, right {}", one(board.left), one(board.right));
+}
+
+bool HasLine(const std::string& text, std::initializer_list<std::string_view> parts) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (std::ranges::all_of(parts, [&](std::string_view part) { return line.find(part) != line.npos; }))
+      return true;
+  return false;
+}
+
+}  // namespace
+
+Target::Target(QemuOptions options, std::unique_ptr<sim::UsbRig> rig, const Clock& clock)
+    : clock_(clock),
+      rig_(std::move(rig)),
+      machine_(options, *this),
+      agent_(options.folder + "/serial", *this) {}
+
+Result<std::unique_ptr<Target>> Target::Open(QemuOptions options, const Clock& clock) {
+  auto rig = sim::UsbRig::Open(options.folder, clock);
+  if (!rig) return tl::unexpected(rig.error());
+  return std::unique_ptr<Target>(new Target(std::move(options), std::move(*rig), clock));
+}
+
+bool Target::Until(const std::function<bool()>& done, Duration longest, int fd) {
+  const Time until = clock_.now() + longest;
+  const auto wake_at = [&](Time now) {
+    return std::min({until, now + (input_ ? kInputStep : kLookAgain), rig_->next_due()});
+  };
+  while (true) {
+    if (input_) input_(clock_.now());
+    rig_->Pump();
+    if (done()) return true;
+    const Time now = clock_.now();
+    if (now >= until) return false;
+    const auto wait = std::chrono::ceil<milliseconds>(std::max(wake_at(now) - now, Duration::zero()));
+    std::array<pollfd, 2> fds{{{rig_->pollable(), POLLIN, 0}, {fd, POLLIN, 0}}};
+    ::poll(fds.data(), fds.size(), static_cast<int>(wait.count()));
+  }
+}
+
+Result<BoardView> Target::Board() {
+  const auto json = agent_.Ask("board", kLongestAnswer);
+  if (!json) return tl::unexpected(json.error());
+  return ReadBoardView(*json);
+}
+
+Result<BoardView> Target::UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
+                                     const std::string& what) {
+  const Time until = clock_.now() + std::min(longest, patience_);
+  while (true) {
+    auto board = Board();
+    if (board && right(*board)) return board;
+    if (clock_.now() >= until)
+      return Fail(std::errc::timed_out,
+                  what + " (" + (board ? DescribeSticks(*board) : board.error().message()) + ")");
+    For(kAskAgain);
+  }
+}
+
+bool Target::UntilConsole(std::initializer_list<std::string_view> parts, Duration longest) {
+  const auto said = [&] { return HasLine(machine_.console(), parts); };
+  return Until([&] { return said() || !machine_.runs(); }, longest) && said();
+}
+
+Result<void> Target::PlugAll() {
+  for (const std::string_view name : sim::kUsbSockets)
+    if (auto ok = rig_->Plug(name); !ok) return ok;
+  return {};
+}
+
+Result<void> Target::PullAll() {
+  for (const std::string_view name : sim::kUsbSockets)
+    if (auto ok = rig_->Unplug(name); !ok) return ok;
+  return {};
+}
+
+}  // namespace kaori::hil

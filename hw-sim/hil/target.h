@@ -1,0 +1,64 @@
+// A target of the bench: a box, the simulated devices that are plugged into it, and the in-guest agent.
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "hw-sim/hil/board_view.h"
+#include "hw-sim/hil/qemu.h"
+#include "hw-sim/hil/serial_agent.h"
+#include "hw-sim/hil/waiter.h"
+#include "hw-sim/links/usbredir/usb_rig.h"
+
+namespace kaori::hil {
+
+// One thread: devices are played on while anything waits.
+class Target final : public Waiter {
+ public:
+  // Errors: those of the folder for sockets and of the simulator.
+  static Result<std::unique_ptr<Target>> Open(QemuOptions options, const Clock& clock);
+
+  bool Until(const std::function<bool()>& done, Duration longest, int fd = -1) override;
+
+  sim::UsbRig& rig() { return *rig_; }
+  QemuDriver& machine() { return machine_; }
+  SerialAgentDriver& agent() { return agent_; }
+  const Clock& clock() const { return clock_; }
+
+  // The board as it is now. Errors: as AgentProtocol::Ask, and of a board that is not there yet.
+  Result<BoardView> Board();
+
+  // Looks at the board until `right`; gives the last view. Errors: timed_out, named by `what`.
+  Result<BoardView> UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
+                               const std::string& what);
+
+  // Waits until one line of the log of a machine without an agent has all of `parts`. False: it did not come in time, or
+  // the machine ended before.
+  bool UntilConsole(std::initializer_list<std::string_view> parts, Duration longest);
+
+  // UntilBoard waits no longer than this: in the control of a check nothing is expected to come.
+  void SetPatience(Duration patience) { patience_ = patience; }
+  void ResetPatience() { patience_ = Duration::max(); }
+
+  // Whoever moves while anything waits: called before each look at the devices. Empty: nobody.
+  void SetInput(std::function<void(Time)> input) { input_ = std::move(input); }
+
+  // Plugs in everything that a box has. Errors: none but of our own.
+  Result<void> PlugAll();
+  Result<void> PullAll();
+
+ private:
+  Target(QemuOptions options, std::unique_ptr<sim::UsbRig> rig, const Clock& clock);
+
+  const Clock& clock_;
+  std::unique_ptr<sim::UsbRig> rig_;
+  QemuDriver machine_;
+  SerialAgentDriver agent_;
+  std::function<void(Time)> input_;
+  Duration patience_ = Duration::max();
+};
+
+}  // namespace kaori::hil

@@ -1,0 +1,135 @@
+#include "tests/hil/agent/actions.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace kaori::agent {
+namespace {
+
+constexpr std::size_t kMostText = 64 * 1024;
+
+[[noreturn]] void Become(int root, const std::vector<std::string>& words, int output) {
+  ::dup2(output, STDOUT_FILENO);
+  ::dup2(output, STDERR_FILENO);
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  ::setenv("PATH", "/usr/bin:/usr/sbin:/bin", 1);
+  if (::fchdir(root) == 0 && ::chroot(".") == 0) ::execvp(argv[0], argv.data());
+  ::_exit(127);
+}
+
+// What comes until the writer has closed its end, or the time is over.
+std::string ReadAll(int fd, Time until) {
+  std::string text;
+  std::array<char, 4096> part;
+  while (true) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - SteadyClock().now()).count();
+    pollfd poll{fd, POLLIN, 0};
+    if (left <= 0 || ::poll(&poll, 1, static_cast<int>(left)) <= 0) return text;
+    const ssize_t got = ::read(fd, part.data(), part.size());
+    if (got <= 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(got));
+  }
+}
+
+bool IsNumber(const std::string& text) {
+  return !text.empty() && std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+}  // namespace
+
+Result<std::string> RunIn(int root, const std::vector<std::string>& words, Duration longest) {
+  if (words.empty()) return FailInput("no program is named");
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) < 0) return FailErrno("make a pipe");
+  const UniqueFd reading(ends[0]);
+  UniqueFd writing(ends[1]);
+  const pid_t child = ::fork();
+  if (child < 0) return FailErrno("fork");
+  if (child == 0) Become(root, words, writing.get());
+  writing.reset();
+  const Time until = SteadyClock().now() + longest;
+  std::string said = ReadAll(reading.get(), until);
+  if (SteadyClock().now() >= until) ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (said.size() > kMostText) said.resize(kMostText);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return said;
+  return FailInput(words[0] + " ended with " + std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1) +
+                   "\n" + said);
+}
+
+Result<std::string> Started::Start(int root, const std::vector<std::string>& words) {
+  if (words.empty()) return FailInput("no program is named");
+  UniqueFd said(::memfd_create("said", MFD_CLOEXEC));
+  if (!said.valid()) return FailErrno("make a file for the output of " + words[0] + " says");
+  const pid_t child = ::fork();
+  if (child < 0) return FailErrno("fork");
+  if (child == 0) Become(root, words, said.get());
+  said_[child] = std::move(said);
+  return std::to_string(child);
+}
+
+Result<std::string> Started::End(const std::string& number) {
+  const auto child = said_.find(IsNumber(number) ? std::atoi(number.c_str()) : -1);
+  if (child == said_.end()) return FailInput("nothing was started as " + number);
+  ::kill(child->first, SIGTERM);
+  ::waitpid(child->first, nullptr, 0);
+  std::string text(kMostText, '\0');
+  const ssize_t got = ::pread(child->second.get(), text.data(), text.size(), 0);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  said_.erase(child);
+  return text;
+}
+
+Result<std::string> ReadIn(int root, const std::string& path) {
+  const auto from = path.find_first_not_of('/');
+  const UniqueFd fd(
+      ::openat(root, path.c_str() + (from == std::string::npos ? 0 : from), O_RDONLY | O_CLOEXEC));
+  if (!fd.valid()) return FailErrno("open " + path);
+  std::string text(kMostText, '\0');
+  std::size_t bytes = 0;
+  for (ssize_t got = 1; got > 0 && bytes < kMostText;
+       bytes += static_cast<std::size_t>(std::max<ssize_t>(got, 0)))
+    got = ::read(fd.get(), text.data() + bytes, kMostText - bytes);
+  text.resize(bytes);
+  return text;
+}
+
+Result<std::string> WriteIn(int root, const std::string& path, const std::string& text) {
+  const auto from = path.find_first_not_of('/');
+  const UniqueFd fd(
+      ::openat(root, path.c_str() + (from == std::string::npos ? 0 : from), O_WRONLY | O_CLOEXEC));
+  if (!fd.valid()) return FailErrno("open " + path);
+  if (::write(fd.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+    return FailErrno("write " + path);
+  return std::string();
+}
+
+Result<std::string> SignalAll(const std::string& name, const std::string& signal) {
+  if (!IsNumber(signal)) return FailInput("a signal is a number, not " + signal);
+  int found = 0;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
+    const std::string process = entry.path().filename();
+    if (!IsNumber(process)) continue;
+    std::string comm;
+    std::getline(std::ifstream(entry.path() / "comm"), comm);
+    if (comm == name && ::kill(std::atoi(process.c_str()), std::atoi(signal.c_str())) == 0) ++found;
+  }
+  return std::to_string(found);
+}
+
+}  // namespace kaori::agent

@@ -1,0 +1,44 @@
+// What the agent does in the guest when it is asked: runs tools, reads files, kills programs.
+#pragma once
+
+#include <sys/types.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::agent {
+
+// Runs a program to its end with the root folder `root`, and gives what it said, errors too; one that stays longer
+// than `longest` is killed. Errors: io_error (it ended with a status other than 0; the attempt holds what it
+// said), those of fork and pipe.
+Result<std::string> RunIn(int root, const std::vector<std::string>& words, Duration longest);
+
+// Programs that run on beside the questions.
+class Started {
+ public:
+  // Starts one below the root folder `root`; gives its number. Errors: those of fork and of memory for its words.
+  Result<std::string> Start(int root, const std::vector<std::string>& words);
+
+  // Ends it, waits for it, and gives what it said. Errors: invalid_argument (no such number).
+  Result<std::string> End(const std::string& number);
+
+ private:
+  std::map<pid_t, UniqueFd> said_;
+};
+
+// The first 64 KiB of a file below the root folder `root`. Errors: those of the file.
+Result<std::string> ReadIn(int root, const std::string& path);
+
+// Writes `text` into a file that is there, below the root folder `root`. Errors: those of the file.
+Result<std::string> WriteIn(int root, const std::string& path, const std::string& text);
+
+// Sends `signal` to every process of that name; gives how many there were. Errors: invalid_argument (a bad
+// number).
+Result<std::string> SignalAll(const std::string& name, const std::string& signal);
+
+}  // namespace kaori::agent

@@ -1,0 +1,102 @@
+#include "tests/hil/agent/board_json.h"
+
+#include <array>
+#include <thread>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace kaori::agent {
+namespace {
+
+constexpr Duration kLook = std::chrono::microseconds(500);
+constexpr std::size_t kMostEventText = 256 * 1024;
+
+constexpr std::array<const char*, 3> kStates{"absent", "live", "stale"};
+
+std::int64_t Nanoseconds(Time at) {
+  return at.time_since_epoch().count();
+}
+
+std::int64_t Joined(const std::array<std::uint32_t, 2>& words) {
+  return static_cast<std::int64_t>(words[0] | (std::uint64_t{words[1]} << 32));
+}
+
+template <class T>
+std::string Head(const board::Stamped<T>& section) {
+  return fmt::format(R"("source":"{}","at_ns":{})", kStates[static_cast<std::size_t>(section.source)],
+                     Nanoseconds(section.at));
+}
+
+std::string StickAsJson(const board::Stamped<board::Stick>& stick) {
+  const auto& value = stick.value;
+  return fmt::format(R"({{{},"x":{},"y":{},"twist":{},"slider":{},"buttons":{},"port":{}}})", Head(stick),
+                     value.x, value.y, value.twist, value.slider, value.buttons_down, value.port);
+}
+
+std::string SurfaceAsJson(const board::Stamped<board::Surface>& surface) {
+  return fmt::format(R"({{{},"counts":[{}],"buttons":{},"pushes":[{}]}})", Head(surface),
+                     fmt::join(surface.value.counts, ","), surface.value.buttons_down,
+                     fmt::join(surface.value.pushes, ","));
+}
+
+std::string LinesAsJson(const board::Stamped<board::Lines>& lines) {
+  return fmt::format(R"({{{},"active":{},"pushes":[{}]}})", Head(lines), lines.value.active,
+                     fmt::join(lines.value.pushes, ","));
+}
+
+std::string LipsAsJson(const board::Stamped<board::Lips>& lips) {
+  return fmt::format(R"({{{},"height":{},"width":{},"quality":{},"frames":{}}})", Head(lips),
+                     lips.value.height, lips.value.width, lips.value.quality, lips.value.frames);
+}
+
+std::string VoiceAsJson(const board::Stamped<board::Voice>& voice) {
+  return fmt::format(R"({{{},"level_db":{},"speaking":{},"height":{},"width":{},"blocks":{}}})", Head(voice),
+                     voice.value.level_db, voice.value.speaking, voice.value.height, voice.value.width,
+                     voice.value.blocks);
+}
+
+std::string StageAsJson(const board::Stamped<board::StageStatus>& stage) {
+  const auto& value = stage.value;
+  return fmt::format(
+      R"({{{},"frames":{},"missed_flips":{},"frames_per_s":{},"face":{},"expression":{},"scene":{},"input_age_us":{},)"
+      R"("read_ns":{},"flip_ns":{},"draw_us":{},"margin_us":{}}})",
+      Head(stage), value.frames, value.missed_flips, value.frames_per_s, value.face, value.expression,
+      value.scene, value.input_age_us, Joined(value.read_ns), Joined(value.flip_ns), value.draw_us,
+      value.margin_us);
+}
+
+}  // namespace
+
+std::string BoardAsJson(const board::Board& board, const Clock& clock) {
+  const auto keys = board.Read<board::Keys>();
+  const auto pointer = board.Read<board::Pointer>();
+  return fmt::format(
+      R"({{"now_ns":{},"surface":{},"left":{},"right":{},"keys":{{{},"down":[{}]}},"pointer":{{{},"x":{},"y":{}}},)"
+      R"("lines":{},"lips":{},"voice":{},"lamps":{},"stage":{}}})",
+      Nanoseconds(clock.now()), SurfaceAsJson(board.Read<board::Surface>()),
+      StickAsJson(board.Read<board::Stick>(0)), StickAsJson(board.Read<board::Stick>(1)), Head(keys),
+      fmt::join(keys.value.down, ","), Head(pointer), pointer.value.x, pointer.value.y,
+      LinesAsJson(board.Read<board::Lines>()), LipsAsJson(board.Read<board::Lips>()),
+      VoiceAsJson(board.Read<board::Voice>()), board.Read<board::Lamps>().value.lit,
+      StageAsJson(board.Read<board::StageStatus>()));
+}
+
+std::string WatchEvents(const board::Board& board, const Clock& clock, Duration length) {
+  std::string told;
+  Time stick_before = board.Read<board::Stick>(0).at;
+  std::int64_t flip_before = 0;
+  for (const Time until = clock.now() + length; clock.now() < until && told.size() < kMostEventText;) {
+    const auto stick = board.Read<board::Stick>(0);
+    if (stick.at != stick_before) told += fmt::format("stick {} {}\n", Nanoseconds(stick.at), stick.value.x);
+    stick_before = stick.at;
+    const auto stage = board.Read<board::StageStatus>().value;
+    const std::int64_t flip = Joined(stage.flip_ns);
+    if (flip != flip_before) told += fmt::format("flip {} {}\n", Joined(stage.read_ns), flip);
+    flip_before = flip;
+    std::this_thread::sleep_for(kLook);
+  }
+  return told;
+}
+
+}  // namespace kaori::agent

@@ -1,0 +1,33 @@
+// A program that runs beside this one until its object goes.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drivers/base/result.h"
+
+namespace kaori::latency {
+
+class Child {
+ public:
+  // `niceness` is as nice(2) counts; where less than 0 is not allowed, it stays what it is. Errors: those of
+  // fork(2).
+  static Result<Child> Start(const std::vector<std::string>& words, int niceness);
+  // A process that does nothing but keep a processor busy.
+  static Result<Child> Burn();
+
+  Child(Child&& other) noexcept : process_(std::exchange(other.process_, -1)) {}
+  Child& operator=(Child&&) = delete;
+  ~Child();  // Kills it and waits for its end.
+
+  bool Runs() const;
+
+ private:
+  explicit Child(pid_t process) : process_(process) {}
+  pid_t process_;
+};
+
+}  // namespace kaori::latency

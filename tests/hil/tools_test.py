@@ -1,0 +1,143 @@
+#!/usr/bin/env -S python3 -B
+"""Every tool that a script or a check calls is in a package that ./box installs: tools_test.py REPOSITORY
+
+Reads what shell scripts run in command position, what Python gives to subprocess, and what the bench's C++ starts. Each name
+must be in TOOLS with its package, and the package in one of the lists of ./box (NAME_PACKAGES=(...)) or part of every
+Debian. The control: a script with a tool that no list has is found.
+"""
+
+import ast
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ESSENTIAL = "part of every Debian"
+# Tool -> package.
+TOOLS = {
+    **dict.fromkeys("awk basename cat chmod comm cp cut date dd dirname find flock grep head id install kill ln ls mkdir mktemp "
+                    "mv nice nproc paste printf realpath rm sed seq setsid sha256sum sleep sort stat tail tar tee timeout touch "
+                    "tr truncate true uname uniq wc xargs bash sh dpkg-deb dpkg-query apt-get apt-cache env ldd sudo "
+                    "unshare mount su perl gzip hostname cmp setpriv apt nohup du expr".split(), ESSENTIAL),
+    "systemd-analyze": "systemd", "python3": "python3", "git": "git",
+    "cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "make": "make", "gcc": "gcc", "g++": "g++", "ccache": "ccache",
+    "clang-14": "clang-14", "clang++-14": "clang-14", "clang-tidy-14": "clang-tidy-14", "clang-format-14": "clang-format-14",
+    "chromium": "chromium", "node": "nodejs", "npm": "npm", "ffmpeg": "ffmpeg", "shellcheck": "shellcheck",
+    "mmdebstrap": "mmdebstrap", "mkfs.erofs": "erofs-utils", "mke2fs": "e2fsprogs", "e2fsck": "e2fsprogs",
+    "debugfs": "e2fsprogs", "veritysetup": "cryptsetup-bin", "sgdisk": "gdisk", "mkfs.vfat": "dosfstools", "mcopy": "mtools",
+    "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
+    "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
+    "qemu-system-x86_64": "qemu-system-x86", "Xvfb": "xvfb",
+}
+ALWAYS = {ESSENTIAL, "systemd", "git"}  # git: without it there is no repository to run in.
+BUILTINS = set("[ [[ ]] : . source exit return local declare readonly export set shift trap eval exec cd echo read mapfile unset "
+               "command type wait times let pushd popd builtin getopts ulimit umask printf kill test true false "
+               "break continue if then else elif fi for while until do done case esac in function select time { } ! coproc".split())
+SHELL = ("box", "*.sh", "rootfs/image/build", "rootfs/image/progress", "rootfs/image/kernel/build", "tests/hil/bench_disk",
+         "tests/hil/usual_image")
+PYTHON = ("rootfs/image/*.py", "tests/hil/*.py")
+CPP = "hw-sim/hil/*.cpp"
+PREFIXES = ("exec", "nice", "time", "command", "!", "if", "while", "until", "then", "else", "elif", "do", "env", "timeout", "sudo")
+
+
+def without_texts(script):
+    """The script without here-documents, comments, quoted texts, arrays and what `case` matches."""
+    script = re.sub(r"<<-?\s*'?(\w+)'?[^\n]*\n.*?\n\s*\1\n", "\n", script, flags=re.DOTALL)
+    script = re.sub(r"\\\n", " ", script)
+    script = re.sub(r"(?m)(^|\s)#[^\n]*", r"\1", script)
+    # Of quoted text only the commands in it are left.
+    script = re.sub(r"""'[^']*'|"((?:[^"\\]|\\.)*)\"""",
+                    lambda text: '""' + " ".join(re.findall(r"\$\([^()]*\)", text[1] or "")), script)
+    script = re.sub(r"\[\[.*?\]\]|\$\(\([^)]*\)\)|\$\{[^{}]*\}", "true", script)
+    script = re.sub(r"(?m)^\s*[^\s()]*(?:\s*\|\s*[^\s()]*)*\)", "", script)  # Patterns of `case`.
+    return re.sub(r"(?m)^[^\n()]*=\((?:[^()]|\([^()]*\))*\)", "true", script)
+
+
+def shell_tools(script):
+    """Names in command position that are neither builtins nor functions of the script."""
+    script = without_texts(script)
+    functions = set(re.findall(r"(?m)^\s*([\w-]+)\(\)", script))
+    found = set()
+    for piece in re.split(r"\$\(|<\(|\|\||&&|[;|&\n({]", script):
+        words = piece.strip().split()
+        while words and (words[0] in PREFIXES or re.match(r"\w+\+?=", words[0])):
+            words.pop(0)
+        if words and re.fullmatch(r"[a-z][\w.+-]*", words[0]) and words[0] not in BUILTINS | functions:
+            found.add(words[0].rstrip(")"))
+    return found, functions
+
+
+def python_tools(source):
+    """The first word of each literal command that subprocess or a function named run gets."""
+    found = set()
+    for call in ast.walk(ast.parse(source)):
+        if not isinstance(call, ast.Call) or not call.args:
+            continue
+        name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+        if name not in ("run", "Popen", "check_output", "check_call"):
+            continue
+        first = call.args[0]
+        if isinstance(first, (ast.List, ast.Tuple)) and first.elts:
+            first = first.elts[0]
+        if isinstance(first, ast.Constant) and isinstance(first.value, str):
+            found.add(first.value)
+    return found
+
+
+def cpp_tools(source):
+    return set(re.findall(r'(?:RunToEnd|Process::Start)\(\s*\{"([^"]+)"', source)) | set(re.findall(r'command\{"([^"]+)"', source))
+
+
+def installed(repository):
+    """All packages that one of ./box's lists names."""
+    packages = set()
+    for script in [repository / "box", *repository.glob("*/*.sh"), *repository.glob("*/*/*.sh")]:
+        text = re.sub(r"(?m)#[^\n]*", "", script.read_text())
+        for listed in re.findall(r"\w*PACKAGES=\(([^)]*)\)", text):
+            packages.update(listed.split())
+        for listed in re.findall(r"(?m)\bneed ([a-z][^\n;&|]*)", text):
+            packages.update(listed.split())
+    return packages
+
+
+def tracked(repository, *patterns):
+    listed = subprocess.run(["git", "-C", repository, "ls-files", *patterns], capture_output=True, text=True, check=True).stdout
+    return [repository / name for name in listed.split()]
+
+
+def calls(repository):
+    """(file, tool) for all that is called."""
+    scripts = {path: shell_tools(path.read_text()) for path in tracked(repository, *SHELL)}
+    shared = set().union(*(functions for _, functions in scripts.values()))  # ./box reads the others' functions.
+    for path, (found, _) in scripts.items():
+        yield from ((path, tool) for tool in sorted(found - shared))
+    for path in tracked(repository, *PYTHON):
+        yield from ((path, tool) for tool in sorted(python_tools(path.read_text())))
+    for path in tracked(repository, CPP):
+        yield from ((path, tool) for tool in sorted(cpp_tools(path.read_text())))
+
+
+def faults(found, packages):
+    for path, tool in found:
+        package = TOOLS.get(tool)
+        if package is None:
+            yield f"{path}: {tool}: no package is known for it; name it in tools_test.py"
+        elif package not in packages | ALWAYS:
+            yield f"{path}: {tool}: no list of ./box has its package, {package}"
+
+
+def main():
+    repository = Path(sys.argv[1])
+    packages = installed(repository)
+    found = list(calls(repository))
+    wrong = list(faults(found, packages))
+    missing = list(faults([(Path("control"), tool) for tool in shell_tools("ls | cpio -o\nfrobnicate x\n")[0]],
+                          packages - {"cpio"}))
+    if len(missing) != 2:
+        wrong.append(f"the control: {missing}: a tool without a package, and one that nobody knows, are not both found")
+    print(f"{len({tool for _, tool in found})} tools in {len({path for path, _ in found})} files")
+    if wrong:
+        sys.exit("\n".join(wrong))
+
+
+main()
