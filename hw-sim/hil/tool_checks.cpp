@@ -39,8 +39,8 @@ std::string EventFile(const std::string& devices, const std::string& name) {
 
 // evtest stays until it is ended; meanwhile both sticks move: which of them the kernel lists first is chance.
 void Evtest(Scene& scene) {
-  const auto devices = scene.target.agent().Ask("read /proc/bus/input/devices", kToolLongest);
-  const std::string file = devices ? EventFile(*devices, "stick pod") : "";
+  const auto listed = scene.target.agent().Ask("read /proc/bus/input/devices", kToolLongest);
+  const std::string file = listed ? EventFile(*listed, "stick pod") : "";
   if (file.empty()) return;
   sim::InputDevices& devices = scene.target.rig().devices();
   float x = 0;

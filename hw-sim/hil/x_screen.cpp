@@ -43,7 +43,7 @@ std::optional<Dump> Understand(std::span<const std::uint8_t> bytes) {
   const bool valid = word(kBitsOfPoint) == 8 * kPointBytes && word(kByteOrder) == 0 &&
                      dump.line_bytes >= dump.width_px * kPointBytes &&
                      bytes.size() >= before + dump.line_bytes * dump.height_px;
-  if (!sound || dump.width_px == 0) return std::nullopt;
+  if (!valid || dump.width_px == 0) return std::nullopt;
   dump.points = bytes.subspan(before);
   return dump;
 }
