@@ -1,8 +1,8 @@
 // The local link: how the simulator's devices on this machine talk to the drivers.
 //
 // A link folder holds one Unix socket (SOCK_SEQPACKET) for each device, named by its kind and its port: "hid.<port>",
-// "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>". The device listens and the driver
-// connects; to unplug the device closes and unlinks. A newer connection of a driver replaces an older one. The device
+// "camera.<port>", "screen.<port>", "microphone.<port>", "loudspeaker.<port>", "lines.<port>". The device listens and the
+// driver connects; to unplug the device closes and unlinks. A newer connection of a driver replaces an older one. The device
 // greets first, with a hello whose first word names the kind. Pixels lie in shared memory, whose descriptor comes
 // beside the hello. All numbers are little-endian; a time is CLOCK_MONOTONIC in ns (u64). The format is our own.
 //
@@ -36,6 +36,12 @@
 //     played    0  u64 time     8  u64 frames played by then   16  u32 how often the queue ran dry
 //   loudspeaker, driver to device
 //     block     0  i16 samples, whole frames, to be played behind those in the queue
+//
+//   lines, device to driver
+//     hello     0  u32 'KLIN'   4  u32 input lines   8  u32 output lines   12  u32 active, bit n for input n
+//     edge      0  u64 time     8  u32 input line    12  u32 1 active, 0 not
+//   lines, driver to device
+//     drive     0  u32 output line   4  u32 1 active, 0 not
 #pragma once
 
 #include <cstddef>
@@ -48,6 +54,7 @@ inline constexpr std::uint32_t kCameraHello = 0x4D41434B;       // "KCAM"
 inline constexpr std::uint32_t kScreenHello = 0x5243534B;       // "KSCR"
 inline constexpr std::uint32_t kMicrophoneHello = 0x43494D4B;   // "KMIC"
 inline constexpr std::uint32_t kLoudspeakerHello = 0x4B50534B;  // "KSPK"
+inline constexpr std::uint32_t kLinesHello = 0x4E494C4B;        // "KLIN"
 inline constexpr std::size_t kMaxLinkPacket = 8192;  // Bytes; a longer packet is refused.
 
 }  // namespace kaori::wire

@@ -19,6 +19,7 @@ std::optional<OperatorAction> Undoing(const OperatorAction& action) {
   switch (action.verb) {
     case Verb::kPush:
     case Verb::kRelease:
+      if (action.port == sim::DevicePort::kLines && action.index != 0) return std::nullopt;  // It latches.
       return OperatorAction{action.port, Verb::kRelease, action.index};
     case Verb::kMove:
       if (action.port == sim::DevicePort::kPointer) return std::nullopt;

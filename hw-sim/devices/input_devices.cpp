@@ -44,6 +44,11 @@ void DoOnMicrophone(Microphone& microphone, const OperatorAction& action) {
   if (action.verb == Verb::kStall) microphone.Stall(action.index != 0);
 }
 
+void DoOnLines(LinePanel& lines, const OperatorAction& action) {
+  if (action.verb == Verb::kPush) lines.Close(action.index);
+  if (action.verb == Verb::kRelease) lines.Open(action.index);
+}
+
 }  // namespace
 
 InputDevices::InputDevices(const DeviceContext& context, ports::CameraFormat camera_format)
@@ -53,7 +58,8 @@ InputDevices::InputDevices(const DeviceContext& context, ports::CameraFormat cam
       keyboard(context),
       pointer(context),
       camera(camera_format, context),
-      microphone(context) {}
+      microphone(context),
+      lines(context) {}
 
 void InputDevices::Do(const OperatorAction& action) {
   if (action.port == DevicePort::kDialBox) DoOnBox(dial_box, action);
@@ -63,6 +69,7 @@ void InputDevices::Do(const OperatorAction& action) {
   if (action.port == DevicePort::kPointer) DoOnPointer(pointer, action);
   if (action.port == DevicePort::kCamera) DoOnCamera(camera, action);
   if (action.port == DevicePort::kMicrophone) DoOnMicrophone(microphone, action);
+  if (action.port == DevicePort::kLines) DoOnLines(lines, action);
 }
 
 }  // namespace kaori::sim

@@ -4,6 +4,7 @@
 #include "drivers/base/result.h"
 #include "hw-sim/devices/dial_box.h"
 #include "hw-sim/devices/keyboard.h"
+#include "hw-sim/devices/line_panel.h"
 #include "hw-sim/devices/lip_camera.h"
 #include "hw-sim/devices/microphone.h"
 #include "hw-sim/devices/operator_action.h"
@@ -28,6 +29,7 @@ struct InputDevices {
   Pointer pointer;
   LipCamera camera;
   Microphone microphone;
+  LinePanel lines;
 };
 
 // Devices with their cables, wherever these lead: what a scenario is played on.

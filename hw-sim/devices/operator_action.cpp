@@ -5,9 +5,9 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::array<std::string_view, kDevicePortCount> kPortNames{"dial-box", "stick-left", "stick-right",
-                                                                    "keyboard", "camera",     "screen",
-                                                                    "pointer",  "microphone", "loudspeaker"};
+constexpr std::array<std::string_view, kDevicePortCount> kPortNames{
+    "dial-box", "stick-left", "stick-right", "keyboard",    "camera",
+    "screen",   "pointer",    "microphone",  "loudspeaker", "lines"};
 
 }  // namespace
 

@@ -20,9 +20,10 @@ enum class DevicePort : std::uint8_t {
   kScreen,
   kPointer,
   kMicrophone,
-  kLoudspeaker
+  kLoudspeaker,
+  kLines
 };
-inline constexpr int kDevicePortCount = 9;
+inline constexpr int kDevicePortCount = 10;
 
 // "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer", "microphone",
 // "loudspeaker".

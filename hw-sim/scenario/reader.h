@@ -15,6 +15,7 @@
 //   at 3s over 1.4s say "kon ni ti wa"
 //   at 4s lens cover                        or uncover
 //   at 4s camera stall                      or run
+//   at 4s line go tap                       or on, off; of go, blackout, service, presence
 //   at 5s unplug stick-left                 or plug
 // clang-format on
 #pragma once

@@ -8,6 +8,7 @@
 #include "firmware/wire/dial_box.h"
 #include "firmware/wire/pointer.h"
 #include "firmware/wire/stick_pod.h"
+#include "hw-sim/devices/line_panel.h"
 #include "hw-sim/scenario/key_names.h"
 #include "hw-sim/scenario/reader.h"
 #include "hw-sim/scenario/speech.h"
@@ -184,8 +185,23 @@ void ReadCable(Tokenizer& tokens, std::string_view verb, Statement& into) {
   if (port) return AddOne({*port, verb == "plug" ? Verb::kPlug : Verb::kUnplug, 0, 0, 0}, into);
   tokens.Complain(name->column,
                   fmt::format("no device \"{}\"; devices are dial-box, stick-left, stick-right, keyboard, "
-                              "camera, screen, pointer, microphone, loudspeaker",
+                              "camera, screen, pointer, microphone, loudspeaker, lines",
                               name->text));
+}
+
+// line go on, line blackout off, line go tap.
+void ReadLine(Tokenizer& tokens, std::string_view, Statement& into) {
+  const auto name = tokens.Next("the name of a line");
+  if (!name) return;
+  const auto* const known = std::ranges::find(kLineNames, name->text);
+  if (known == kLineNames.end())
+    return tokens.Complain(
+        name->column, fmt::format("no line \"{}\"; lines are go, blackout, service, presence", name->text));
+  const auto line = static_cast<int>(known - kLineNames.begin());
+  if (tokens.Accept("tap")) return AddTap(DevicePort::kLines, line, into);
+  if (tokens.Accept("on")) return AddOne({DevicePort::kLines, Verb::kPush, line, 0, 0}, into);
+  if (tokens.Accept("off")) return AddOne({DevicePort::kLines, Verb::kRelease, line, 0, 0}, into);
+  tokens.Complain(tokens.next_column(), "expected on, off or tap");
 }
 
 void ReadScene(Tokenizer& tokens, std::string_view, Statement& into) {
@@ -201,17 +217,18 @@ struct StatementForm {
   void (*read)(Tokenizer&, std::string_view token, Statement&);
 };
 constexpr auto kForms = std::to_array<StatementForm>({
-    {"dial", ReadDial},         {"push", ReadBoxButton},   {"hold", ReadBoxButton},
-    {"release", ReadBoxButton}, {"left", ReadStick},       {"right", ReadStick},
-    {"key", ReadKey},           {"pointer", ReadPointer},  {"press", ReadAtPointer},
-    {"click", ReadAtPointer},   {"roll", ReadAtPointer},   {"lips", ReadLips},
-    {"voice", ReadVoice},       {"say", ReadSay},          {"lens", ReadCamera},
-    {"camera", ReadCamera},     {"microphone", ReadSound}, {"loudspeaker", ReadSound},
-    {"plug", ReadCable},        {"unplug", ReadCable},     {"scene", ReadScene},
+    {"dial", ReadDial},         {"push", ReadBoxButton},  {"hold", ReadBoxButton},
+    {"release", ReadBoxButton}, {"left", ReadStick},      {"right", ReadStick},
+    {"key", ReadKey},           {"pointer", ReadPointer}, {"press", ReadAtPointer},
+    {"click", ReadAtPointer},   {"roll", ReadAtPointer},  {"lips", ReadLips},
+    {"voice", ReadVoice},       {"say", ReadSay},         {"lens", ReadCamera},
+    {"line", ReadLine},         {"camera", ReadCamera},   {"microphone", ReadSound},
+    {"loudspeaker", ReadSound}, {"plug", ReadCable},      {"unplug", ReadCable},
+    {"scene", ReadScene},
 });
 constexpr std::string_view kStatementWords =
     "dial, push, hold, release, left, right, key, pointer, press, click, roll, lips, voice, say, "
-    "lens, camera, microphone, loudspeaker, plug, unplug or scene";
+    "lens, camera, microphone, loudspeaker, line, plug, unplug or scene";
 
 }  // namespace
 

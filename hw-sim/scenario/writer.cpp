@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "hw-sim/devices/line_panel.h"
 #include "hw-sim/scenario/key_names.h"
 #include "hw-sim/scenario/speech.h"
 
@@ -71,6 +72,11 @@ std::string OnPointer(const OperatorAction& action) {
   return fmt::format("{} pointer {}", action.verb == Verb::kPush ? "press" : "release", action.index + 1);
 }
 
+std::string OnLines(const OperatorAction& action) {
+  const auto line = static_cast<std::size_t>(action.index) % kLineNames.size();
+  return fmt::format("line {} {}", kLineNames[line], action.verb == Verb::kPush ? "on" : "off");
+}
+
 std::string Text(const OperatorAction& action) {
   if (action.verb == Verb::kPlug) return fmt::format("plug {}", PortName(action.port));
   if (action.verb == Verb::kUnplug) return fmt::format("unplug {}", PortName(action.port));
@@ -79,6 +85,7 @@ std::string Text(const OperatorAction& action) {
   if (action.port == DevicePort::kPointer) return OnPointer(action);
   if (action.port == DevicePort::kMicrophone || action.port == DevicePort::kLoudspeaker)
     return OnSound(action);
+  if (action.port == DevicePort::kLines) return OnLines(action);
   return action.port == DevicePort::kCamera ? OnCamera(action) : OnStick(action);
 }
 

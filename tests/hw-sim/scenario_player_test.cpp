@@ -78,7 +78,7 @@ TEST(Scenario, ARecordingReplayedGivesTheSameBytes) {
   for (std::size_t n = 0; n < kPorts.size(); ++n) EXPECT_EQ(first.reports[n], again.reports[n]) << kPorts[n];
 }
 
-TEST(Scenario, RandomHandsRecordedAndReplayedGiveTheSameBytes) {
+TEST(Scenario, RandomActionsRecordedAndReplayedGiveTheSameBytes) {
   std::mt19937 random(2026);
   const auto real = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() % 100003) / 100003.0;
@@ -86,7 +86,7 @@ TEST(Scenario, RandomHandsRecordedAndReplayedGiveTheSameBytes) {
   Scenario scenario;
   for (Duration at{}; at < 4s; at += Duration(random() % 7'000'000)) {
     const auto stick = random() % 2 == 0 ? DevicePort::kStickLeft : DevicePort::kStickRight;
-    const int kind = static_cast<int>(random() % 10);
+    const int kind = static_cast<int>(random() % 11);
     const Verb down = random() % 2 == 0 ? Verb::kPush : Verb::kRelease;
     if (kind == 0)
       scenario.actions.push_back(
@@ -110,6 +110,8 @@ TEST(Scenario, RandomHandsRecordedAndReplayedGiveTheSameBytes) {
     if (kind == 9)
       scenario.actions.push_back(
           {at, {}, {DevicePort::kPointer, down, static_cast<int>(random() % 3), 0, 0}});
+    if (kind == 10)
+      scenario.actions.push_back({at, {}, {DevicePort::kLines, down, static_cast<int>(random() % 4), 0, 0}});
   }
   PutInOrder(scenario);
   const Performance first = Hall().Play(scenario);

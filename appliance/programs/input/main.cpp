@@ -11,6 +11,7 @@
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/gpio/chip_lines.h"
+#include "drivers/gpio/local_lines.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "drivers/hid/libusb_bus.h"
 #include "drivers/hid/local_bus.h"
@@ -24,7 +25,7 @@ constexpr std::string_view kHelp = R"(kaori-input: what the operators' hands do,
   --board FILE     the board, shared with the other programs
   --hidraw         HID devices, by the kernel's driver
   --usb            HID devices on USB, without it
-  --links FOLDER   devices of the simulator, plugged in there
+  --links FOLDER   devices of the simulator, plugged in there; its switches too, where no chip is named
   --gpiochip NAME  the chip of the foot and service switches: gpiochip0, or its label
   --lines go=0,blackout=1,service=2,presence=3,tally=4
                    which line of that chip is what, or some of them: switches to ground, and a lamp that is lit
@@ -96,9 +97,10 @@ kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
   return wiring;
 }
 
-// Empty where no chip is asked for.
+// Empty where neither a chip nor the simulator is asked for.
 kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings) {
-  if (settings.chip.empty()) return kaori::ports::GpioOpener{};
+  if (settings.chip.empty() && settings.links.empty()) return kaori::ports::GpioOpener{};
+  if (settings.chip.empty()) return [links = settings.links] { return kaori::gpio::OpenLocalLines(links); };
   const auto roles = kaori::input::ParseLineRoles(settings.lines);
   if (!roles) return tl::unexpected(roles.error());
   return [chip = settings.chip, wiring = WiringOf(*roles)] { return kaori::gpio::OpenLines(chip, wiring); };

@@ -10,6 +10,7 @@
 
 #include "hw-sim/links/local/camera_port.h"
 #include "hw-sim/links/local/hid_port.h"
+#include "hw-sim/links/local/lines_port.h"
 #include "hw-sim/links/local/loudspeaker_port.h"
 #include "hw-sim/links/local/microphone_port.h"
 #include "hw-sim/links/local/screen_port.h"
@@ -20,7 +21,8 @@ namespace {
 std::string PathOf(const std::string& folder, DevicePort port) {
   const std::string name(PortName(port));
   const bool of_its_own_kind = port == DevicePort::kCamera || port == DevicePort::kScreen ||
-                               port == DevicePort::kMicrophone || port == DevicePort::kLoudspeaker;
+                               port == DevicePort::kMicrophone || port == DevicePort::kLoudspeaker ||
+                               port == DevicePort::kLines;
   return folder + "/" + (of_its_own_kind ? name : "hid") + "." + name;
 }
 
@@ -108,6 +110,8 @@ Result<void> Rig::PlugAll() {
   add(DevicePort::kLoudspeaker,
       std::make_unique<LoudspeakerPort>(path(DevicePort::kLoudspeaker), epoll_.get(), loudspeaker_,
                                         context_.clock));
+  add(DevicePort::kLines,
+      std::make_unique<LinesPort>(path(DevicePort::kLines), epoll_.get(), devices_.lines));
   for (auto& port : ports_) {
     if (auto plugged = port->Plug(); !plugged) return plugged;
   }

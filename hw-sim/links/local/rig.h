@@ -62,6 +62,7 @@ class Rig final : public DeviceRig {
   Pointer& pointer() { return devices_.pointer; }
   LipCamera& camera() { return devices_.camera; }
   Screen& screen() { return screen_; }
+  LinePanel& lines() { return devices_.lines; }
   Microphone& microphone() { return devices_.microphone; }
   Loudspeaker& loudspeaker() { return loudspeaker_; }
   const Clock& clock() const { return context_.clock; }

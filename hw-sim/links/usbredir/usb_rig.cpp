@@ -90,6 +90,9 @@ Result<void> UsbRig::Do(const OperatorAction& action) {
   if (action.verb == Verb::kPlug) return Plug(PortName(action.port));
   if (action.verb == Verb::kUnplug) return Unplug(PortName(action.port));
   devices_.Do(action);
+  // Switches on USB hang on the bridge, in the order of its lines.
+  if (action.port == DevicePort::kLines && action.verb == Verb::kPush) gpio_.Close(action.index);
+  if (action.port == DevicePort::kLines && action.verb == Verb::kRelease) gpio_.Open(action.index);
   return {};
 }
 

@@ -1,0 +1,84 @@
+#include "drivers/gpio/local_lines.h"
+
+#include <poll.h>
+
+#include <array>
+#include <utility>
+
+#include "drivers/base/packet_socket.h"
+#include "firmware/wire/link_lines.h"
+
+namespace kaori::gpio {
+namespace {
+
+constexpr Duration kPanelPatience = std::chrono::milliseconds(100);
+constexpr std::uint32_t kMostLines = 32;  // The bits of a level.
+
+}  // namespace
+
+Result<std::unique_ptr<LocalLines>> LocalLines::Connect(const std::string& folder, const std::string& port) {
+  const std::string path = folder + "/lines." + port;
+  auto socket = ConnectToPeer(path);
+  if (socket) return std::make_unique<LocalLines>(std::move(*socket), path);
+  const bool denied = socket.error().cause == std::errc::permission_denied;
+  return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
+}
+
+Result<void> LocalLines::Greet(Duration patience) {
+  const auto patience_ms = std::chrono::duration_cast<std::chrono::milliseconds>(patience).count();
+  pollfd waiting{socket_.get(), POLLIN, 0};
+  if (::poll(&waiting, 1, static_cast<int>(patience_ms)) <= 0)
+    return Fail(std::errc::timed_out, "wait for the lines of " + name_);
+  std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
+  const auto packet = ReceivePacket(socket_.get(), buffer);
+  if (!packet) return Fail(packet.error().cause, "read the lines of " + name_);
+  const auto hello = wire::DecodeLinesHello(std::span(buffer).first(packet->bytes));
+  if (!hello || hello->inputs > kMostLines || hello->outputs > kMostLines) return Broken();
+  inputs_ = hello->inputs;
+  outputs_ = hello->outputs;
+  active_ = hello->active;
+  return {};
+}
+
+Result<std::uint32_t> LocalLines::Levels() {
+  if (broken_) return Broken();
+  return active_;
+}
+
+Result<ports::GpioEdge> LocalLines::ReadEdge() {
+  if (broken_) return Broken();
+  std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
+  const auto packet = ReceivePacket(socket_.get(), buffer);
+  if (!packet) {
+    const auto cause = packet.error().cause;
+    const bool of_the_port =
+        cause == std::errc::resource_unavailable_try_again || cause == std::errc::no_such_device;
+    return Fail(of_the_port ? cause : std::errc::io_error, "read an edge of " + name_);
+  }
+  const auto edge = wire::DecodeLineEdge(std::span(buffer).first(packet->bytes));
+  if (!edge || edge->line >= inputs_) return Broken();
+  const std::uint32_t bit = 1U << edge->line;
+  active_ = edge->active != 0 ? active_ | bit : active_ & ~bit;
+  return ports::GpioEdge{Time(Duration(edge->at_ns)), edge->line, edge->active != 0};
+}
+
+Result<void> LocalLines::Drive(std::uint32_t line, bool active) {
+  if (line >= outputs_) return FailInput("drive an output that " + name_ + " has not");
+  const auto sent = SendPacket(socket_.get(), wire::Encode(wire::LineDrive{line, active ? 1U : 0U}));
+  if (!sent) return Fail(std::errc::no_such_device, "drive an output of " + name_);
+  return {};
+}
+
+tl::unexpected<Error> LocalLines::Broken() {
+  broken_ = true;
+  return Fail(std::errc::io_error, "make sense of the lines of " + name_);
+}
+
+Result<std::unique_ptr<ports::GpioLines>> OpenLocalLines(const std::string& folder) {
+  auto lines = LocalLines::Connect(folder);
+  if (!lines) return tl::unexpected(lines.error());
+  if (auto ok = (*lines)->Greet(kPanelPatience); !ok) return tl::unexpected(ok.error());
+  return std::move(*lines);
+}
+
+}  // namespace kaori::gpio

@@ -1,0 +1,57 @@
+// The simulated panel of switches on GPIO lines, and its tally lamp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string_view>
+
+#include "hw-sim/devices/operator_action.h"
+
+namespace kaori::sim {
+
+// The input lines in the order in which the box expects them (appliance/core/board/lines.h).
+inline constexpr std::array<std::string_view, 4> kLineNames{"go", "blackout", "service", "presence"};
+
+// Switches without bounce: a contact that chatters is made by two calls.
+class LinePanel {
+ public:
+  static constexpr int kInputs = static_cast<int>(kLineNames.size());
+  static constexpr int kOutputs = 1;  // Line 0: the tally lamp.
+
+  // An input that changed, and when.
+  struct Edge {
+    Time at{};
+    int line = 0;
+    bool closed = false;
+  };
+
+  // Borrows the context.
+  explicit LinePanel(const DeviceContext& context) : context_(context) {}
+
+  // Test's side. Numbers outside of 0 to 3 are ignored.
+  void Close(int line) { Set(line, true); }  // The switch is on,
+  void Open(int line) { Set(line, false); }  // and off.
+  bool tally() const { return tally_; }      // The lamp is lit.
+
+  // Appliance's side. Bit n: the switch of line n is closed.
+  std::uint32_t closed() const { return closed_; }
+  // The oldest edge that has not been asked for; nothing: none waits.
+  std::optional<Edge> NextEdge();
+  bool has_edge() const { return !edges_.empty(); }
+  // A host came: it reads the levels, and older edges are gone. A host that left drives nothing.
+  void HostCame() { edges_.clear(); }
+  void HostLeft() { tally_ = false; }
+  void Drive(int output, bool active);
+
+ private:
+  void Set(int line, bool closed);
+
+  const DeviceContext& context_;
+  std::uint32_t closed_ = 0;
+  std::deque<Edge> edges_;
+  bool tally_ = false;
+};
+
+}  // namespace kaori::sim
