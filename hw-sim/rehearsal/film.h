@@ -1,13 +1,12 @@
 // Writes pictures into a film by ffmpeg, a process at the other end of a pipe.
 #pragma once
 
-#include <sys/types.h>
-
+#include <cstdint>
 #include <span>
 #include <string>
 
 #include "drivers/base/result.h"
-#include "drivers/base/unique_fd.h"
+#include "hw-sim/rehearsal/ffmpeg.h"
 
 namespace kaori::sim {
 
@@ -18,32 +17,22 @@ struct FilmOptions {
   double hz = 30;
 };
 
+// Pictures without sound; JoinSound of film_sound.h adds that. One thread.
 class Film {
  public:
-  // Errors: those of starting a process: no_such_file_or_directory (there is no ffmpeg); invalid_argument (a
-  // side is odd: H.264 stores colours for pairs of pixels).
+  // Errors: as of Ffmpeg::Start; invalid_argument (a side is odd: H.264 stores colours for pairs of pixels).
   static Result<Film> Start(const FilmOptions& options);
-  Film(Film&& other) noexcept;
-  Film& operator=(Film&&) = delete;
-  ~Film();
 
-  // One picture: R, G, B, X, bottom row first. Blocks while ffmpeg is busy. Errors: io_error (ffmpeg gave up;
-  // with its first messages: the disk is full, the folder is not there), and then the film cannot be gone on
-  // with.
-  Result<void> Add(std::span<const std::uint8_t> rgbx);
+  // One picture: R, G, B, X, bottom row first. Blocks while ffmpeg is busy. Errors: io_error, as of Ffmpeg::Write.
+  Result<void> Add(std::span<const std::uint8_t> rgbx) { return ffmpeg_.Write(rgbx); }
 
-  // Closes the film and waits for ffmpeg. Half a film is removed. Errors: io_error, as of Add.
-  Result<void> Finish();
+  // Closes the film and waits for ffmpeg. Half a film is removed. Errors: io_error, as of Ffmpeg::Write.
+  Result<void> Finish() { return ffmpeg_.Finish(); }
 
  private:
-  Film(std::string file, UniqueFd pipe, UniqueFd messages, pid_t ffmpeg)
-      : file_(std::move(file)), pipe_(std::move(pipe)), messages_(std::move(messages)), ffmpeg_(ffmpeg) {}
-  Result<void> GaveUp();
+  explicit Film(Ffmpeg ffmpeg) : ffmpeg_(std::move(ffmpeg)) {}
 
-  std::string file_;
-  UniqueFd pipe_;
-  UniqueFd messages_;  // What ffmpeg said.
-  pid_t ffmpeg_;
+  Ffmpeg ffmpeg_;
 };
 
 }  // namespace kaori::sim

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "hw-sim/rehearsal/film.h"
+#include "hw-sim/rehearsal/film_sound.h"
 #include "hw-sim/rehearsal/rehearsal.h"
 #include "hw-sim/scenario/player.h"
 #include "hw-sim/scenario/reader.h"
@@ -26,7 +29,7 @@ constexpr std::string_view kHelp =
 
   --pack FILE        the show (needed)
   --play FILE        the scenario (needed)
-  --film FILE        write a film (.mp4) by ffmpeg
+  --film FILE        write a film (.mp4) by ffmpeg, with the sound of the loudspeaker
   --pictures FOLDER  write a PNG once a second
   --size 960x540     of the picture
   --hz 30            pictures a second
@@ -36,15 +39,39 @@ struct Settings {
   std::string pack, play, film, pictures, size = "960x540", hz = "30";
 };
 
+// A film in the making: its pictures and its sound lie in the folder for passing files until they are joined.
+struct FilmInTheMaking {
+  std::string file, pictures_file, sound_file;
+  kaori::sim::Film pictures;
+  std::optional<kaori::sim::FilmSound> sound{};  // Since the first picture.
+
+  Result<void> Add(const kaori::sim::Shown& shown, const std::vector<kaori::sim::Loudspeaker::Heard>& heard) {
+    if (!sound) {
+      auto started = kaori::sim::FilmSound::Start(sound_file, shown.at);
+      if (!started) return tl::unexpected(started.error());
+      sound.emplace(std::move(*started));
+    }
+    sound->Add(heard);
+    return pictures.Add(shown.rgbx);
+  }
+
+  Result<void> Finish(kaori::Duration length) {
+    if (auto ok = pictures.Finish(); !ok || !sound) return ok;
+    if (auto ok = sound->Finish(length); !ok) return ok;
+    return kaori::sim::JoinSound(pictures_file, sound_file, file);
+  }
+};
+
 // Where the pictures go.
 struct Outputs {
-  std::unique_ptr<kaori::sim::Film> film;
+  std::unique_ptr<FilmInTheMaking> film;
   std::string pictures;
   int hz = 30;
 
-  Result<void> Write(const kaori::sim::Shown& shown, int number) {
+  Result<void> Write(const kaori::sim::Shown& shown, const std::vector<kaori::sim::Loudspeaker::Heard>& heard,
+                     int number) {
     if (film)
-      if (auto ok = film->Add(shown.rgbx); !ok) return ok;
+      if (auto ok = film->Add(shown, heard); !ok) return ok;
     if (pictures.empty() || number % hz != 0) return {};
     const kaori::image::Picture picture{
         shown.width_px, shown.height_px, {shown.rgbx.begin(), shown.rgbx.end()}};
@@ -66,31 +93,45 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario 
   int number = 0;
   for (; !player.finished(); ++number) {
     const auto shown = rehearsal.NextPicture([&](kaori::Time now) { player.Perform(now); });
-    auto taken = shown ? outputs.Write(*shown, number) : tl::unexpected(shown.error());
-    if (!taken) {
+    auto written = shown ? outputs.Write(*shown, rehearsal.rig().loudspeaker().DrainHeard(), number)
+                         : tl::unexpected(shown.error());
+    if (!written) {
       fmt::print(stderr, "\n");  // The progress stays on a line of its own.
-      return taken;
+      return written;
     }
     if (number % 10 == 0) ShowProgress(player, number / std::max(1e-3, kaori::Seconds(wall.now() - begun)));
   }
   ShowProgress(player, number / std::max(1e-3, kaori::Seconds(wall.now() - begun)));
   fmt::print(stderr, "\n");
+  if (!outputs.film) return {};
+  return outputs.film->Finish(kaori::FromSeconds(static_cast<double>(number) / outputs.hz));
+}
+
+// A film that cannot be written is told before it is played, not behind its last picture.
+Result<void> CheckWritable(const std::string& file) {
+  std::error_code ignored;
+  const bool was_there = std::filesystem::exists(file, ignored);
+  if (!std::ofstream(file, std::ios::app)) return kaori::FailErrno("write the film " + file);
+  if (!was_there) std::filesystem::remove(file, ignored);
   return {};
 }
 
-Result<Outputs> OpenOutputs(const Settings& settings, kaori::Size size, int hz) {
+Result<Outputs> OpenOutputs(const Settings& settings, kaori::Size size, int hz, const std::string& folder) {
   Outputs outputs{nullptr, settings.pictures, hz};
   std::error_code error;
   if (!settings.pictures.empty()) std::filesystem::create_directories(settings.pictures, error);
   if (error)
     return kaori::Fail(static_cast<std::errc>(error.value()), "make the folder " + settings.pictures);
   if (settings.film.empty()) return outputs;
-  auto film = kaori::sim::Film::Start({.file = settings.film,
+  if (auto ok = CheckWritable(settings.film); !ok) return tl::unexpected(ok.error());
+  const std::string pictures_file = folder + "/pictures.mp4";
+  auto film = kaori::sim::Film::Start({.file = pictures_file,
                                        .width_px = size.width_px,
                                        .height_px = size.height_px,
                                        .hz = static_cast<double>(hz)});
   if (!film) return tl::unexpected(film.error());
-  outputs.film = std::make_unique<kaori::sim::Film>(std::move(*film));
+  outputs.film = std::make_unique<FilmInTheMaking>(
+      FilmInTheMaking{settings.film, pictures_file, folder + "/sound.wav", std::move(*film)});
   return outputs;
 }
 
@@ -99,8 +140,8 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   if (!scenario) return kaori::ExitWithError(scenario.error());
   auto show = kaori::show::LoadPack(settings.pack);
   if (!show) return kaori::ExitWithError(show.error());
-  auto needles = kaori::editor::ExpressionEditor::Open(folder + "/own",
-                                                       *show);  // What is saved goes with the rehearsal.
+  // What is saved goes with the rehearsal.
+  auto expression_editor = kaori::editor::ExpressionEditor::Open(folder + "/own", *show);
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return kaori::ExitWithError(studio.error());
   const auto rehearsal = kaori::sim::Rehearsal::Open({.folder = folder,
@@ -109,12 +150,10 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
                                                       .hz = static_cast<double>(hz)},
                                                      **studio);
   if (!rehearsal) return kaori::ExitWithError(rehearsal.error());
-  (*rehearsal)->Bring(std::move(needles));
-  auto outputs = OpenOutputs(settings, size, hz);
+  (*rehearsal)->Bring(std::move(expression_editor));
+  auto outputs = OpenOutputs(settings, size, hz, folder);
   if (!outputs) return kaori::ExitWithError(outputs.error());
   if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs); !ok) return kaori::ExitWithError(ok.error());
-  if (outputs->film)
-    if (auto ok = outputs->film->Finish(); !ok) return kaori::ExitWithError(ok.error());
   if (!settings.film.empty()) fmt::print("{}\n", settings.film);
   return 0;
 }

@@ -5,6 +5,7 @@
 #include "drivers/audio/local_loudspeaker.h"
 #include "drivers/audio/local_microphone.h"
 #include "drivers/camera/local_camera.h"
+#include "drivers/gpio/local_lines.h"
 #include "drivers/scanout/local_screen.h"
 
 namespace kaori::sim {
@@ -55,7 +56,7 @@ Result<void> Rehearsal::OpenParts(const RehearsalOptions& options, stage::Studio
   auto desk_writers = input::DeskWriters::Acquire(board_);
   if (!desk_writers) return tl::unexpected(desk_writers.error());
   desk_ = std::make_unique<input::InputDesk>(board_, std::move(*desk_writers),
-                                             input::DeskSources{{bus_.get()}, nullptr},
+                                             input::DeskSources{{bus_.get()}, [this] { return OpenLines(); }},
                                              input::InputSettings{}, clock_);
   auto lip_writer = board_.AcquireWriter<board::Lips>();
   if (!lip_writer) return tl::unexpected(lip_writer.error());
@@ -66,6 +67,15 @@ Result<void> Rehearsal::OpenParts(const RehearsalOptions& options, stage::Studio
   if (!stage_writers) return tl::unexpected(stage_writers.error());
   stage_ = std::make_unique<stage::Stage>(board_, std::move(*stage_writers), studio, clock_);
   return {};
+}
+
+// The panel answers in this thread, so that it is asked between connecting and greeting.
+Result<std::unique_ptr<ports::GpioLines>> Rehearsal::OpenLines() {
+  auto lines = gpio::LocalLines::Connect(links_);
+  if (!lines) return tl::unexpected(lines.error());
+  rig_->Pump();
+  if (auto ok = (*lines)->Greet({}); !ok) return tl::unexpected(ok.error());
+  return std::move(*lines);
 }
 
 Result<void> Rehearsal::OpenVoice(const RehearsalOptions& options, const show::Show& show) {

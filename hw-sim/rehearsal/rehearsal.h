@@ -44,7 +44,7 @@ class Rehearsal {
   Result<Shown> NextPicture(const Input& input = {});
 
   // Lets hands make expressions. They were opened on the studio's show.
-  void Bring(std::unique_ptr<editor::ExpressionEditor> needles) { stage_->Bring(std::move(needles)); }
+  void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->Bring(std::move(editor)); }
 
   Rig& rig() { return *rig_; }
   const board::Board& board() const { return board_; }
@@ -56,6 +56,7 @@ class Rehearsal {
   Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus)
       : board_(std::move(board)), bus_(std::move(bus)) {}
   Result<void> OpenParts(const RehearsalOptions& options, stage::Studio& studio);
+  Result<std::unique_ptr<ports::GpioLines>> OpenLines();
   Result<void> OpenVoice(const RehearsalOptions& options, const show::Show& show);
   Result<void> Settle();
   void Tick(const Input& input);
