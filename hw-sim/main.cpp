@@ -14,6 +14,7 @@
 #include "drivers/base/whole_file.h"
 #include "hw-sim/console/console.h"
 #include "hw-sim/links/local/rig.h"
+#include "hw-sim/monitor/stage_monitor.h"
 #include "hw-sim/scenario/player.h"
 #include "hw-sim/scenario/reader.h"
 #include "hw-sim/scenario/recorder.h"
@@ -24,7 +25,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::string_view kHelp =
-    R"(kaori-sim: simulated dial box, joysticks, keyboard, lip camera and screen
+    R"(kaori-sim: simulated dial box, joysticks, keyboard, switches, lip camera and screen
 
   --links FOLDER       where the devices are plugged in
   --size 960x540       of the screen
@@ -32,6 +33,8 @@ constexpr std::string_view kHelp =
   --play FILE          a scenario; with --loop again and again
   --record FILE        writes what the operator does, as a scenario
   --console PORT       a page with dials, sticks, keys, lips and the picture; 0 takes any free port
+  --listen ADDRESS     serve the page on this IPv4 address instead of 127.0.0.1; whoever reaches it plays
+  --board FILE         the box's board: the page says which scene and which way of drawing are on
   --labels FILE        what is written on the page's dials, buttons, sticks and keys
   --address-file FILE  where the page's address is written
 )";
@@ -40,7 +43,7 @@ constexpr kaori::Duration kActionPeriod = 4ms;  // Slow actions of a scenario ad
 constexpr double kMostHz = 1000;
 
 struct Settings {
-  std::string links, size = "960x540", hz = "60", play, record, console, labels, address_file;
+  std::string links, size = "960x540", hz = "60", play, record, console, listen, board, labels, address_file;
   bool loop = false;
 };
 
@@ -68,10 +71,11 @@ struct Simulation {
   kaori::sim::Rig& rig;
   kaori::EventLoop& loop;
   const kaori::Clock& clock;
-  std::optional<kaori::sim::Player> player;
-  std::ofstream record;
-  std::optional<kaori::sim::Recorder> recorder;
-  std::unique_ptr<kaori::console::Console> console;
+  std::optional<kaori::sim::StageMonitor> monitor{};
+  std::optional<kaori::sim::Player> player{};
+  std::ofstream record{};
+  std::optional<kaori::sim::Recorder> recorder{};
+  std::unique_ptr<kaori::console::Console> console{};
 };
 
 kaori::Result<void> Play(kaori::sim::Scenario scenario, bool again, Simulation& simulation) {
@@ -95,11 +99,20 @@ kaori::Result<void> Record(const Settings& settings, Simulation& simulation) {
   return {};
 }
 
-kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings) {
+kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings, Simulation& simulation) {
   const auto port = Number("--console", settings.console, 0, 65535);
   if (!port) return tl::unexpected(port.error());
   kaori::console::ConsoleOptions page;
   page.port = static_cast<std::uint16_t>(*port);
+  page.listen = settings.listen;
+  if (!settings.board.empty()) {
+    simulation.monitor.emplace(settings.board, simulation.clock);
+    page.on_stage = [&monitor = *simulation.monitor]() -> std::optional<kaori::console::OnStage> {
+      const auto now = monitor.Read();
+      if (!now) return std::nullopt;
+      return kaori::console::OnStage{now->scene, now->style};
+    };
+  }
   if (settings.labels.empty()) return page;
   auto labels = kaori::console::LoadLabels(settings.labels);
   if (!labels) return tl::unexpected(labels.error());
@@ -109,7 +122,7 @@ kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings) {
 
 kaori::Result<void> OpenConsole(const Settings& settings, Simulation& simulation) {
   if (settings.console.empty()) return {};
-  auto page = PageOf(settings);
+  auto page = PageOf(settings, simulation);
   if (!page) return tl::unexpected(page.error());
   auto console = kaori::console::Console::Open(std::move(*page), simulation.rig, simulation.loop);
   if (!console) return tl::unexpected(console.error());
@@ -139,7 +152,7 @@ int Simulate(const Settings& settings, kaori::EventLoop& loop) {
   if (!rig) return kaori::ExitWithError(rig.error());
   for (int n = 0; n < kaori::sim::kDevicePortCount; ++n)
     kaori::Log("plugged in: {}", kaori::sim::PortName(static_cast<kaori::sim::DevicePort>(n)));
-  Simulation simulation{**rig, loop, clock, {}, {}, {}, {}};
+  Simulation simulation{**rig, loop, clock};
   if (auto ok = SetUp(settings, std::move(*scenario), simulation); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.Run(); !ok) return kaori::ExitWithError(ok.error());
   return 0;
@@ -154,6 +167,8 @@ int main(int argc, char** argv) {
   options.Text("--links", settings.links, true).Text("--size", settings.size).Text("--hz", settings.hz);
   options.Text("--play", settings.play).Switch("--loop", settings.loop).Text("--record", settings.record);
   options.Text("--console", settings.console)
+      .Text("--listen", settings.listen)
+      .Text("--board", settings.board)
       .Text("--labels", settings.labels)
       .Text("--address-file", settings.address_file);
   if (const auto status = options.Parse(argc, argv)) return *status;

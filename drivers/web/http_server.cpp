@@ -147,7 +147,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::Open(ServerOptions options, Even
 }
 
 Result<void> HttpServer::Start() {
-  auto listener = ListenForVisitors(options_.port, options_.reach);
+  auto listener = ListenForVisitors(options_.port, options_.reach, options_.address);
   if (!listener) return tl::unexpected(listener.error());
   constexpr MHD_OptionItem kEnd{MHD_OPTION_END, 0, nullptr};
   std::array<MHD_OptionItem, 3> secure{kEnd, kEnd, kEnd};

@@ -23,7 +23,7 @@ struct MHD_Response;
 
 namespace kaori::web {
 
-// Headers by which a visitor is let in or not; empty where the request has none.
+// Headers by which a visitor is admitted or refused; empty where the request has none.
 struct Visitor {
   std::string_view method{};
   std::string_view host{};
@@ -60,6 +60,7 @@ using Guard = std::function<std::optional<std::string>(const Visitor&)>;
 struct ServerOptions {
   std::uint16_t port = 0;  // 0: any free one.
   Reach reach = Reach::kThisMachine;
+  std::string address{};                     // One IPv4 address of this machine; empty: as `reach` says.
   std::optional<Certificate> certificate{};  // HTTPS with it, HTTP without.
   unsigned most_connections = 64;
   unsigned most_of_one_address = 64;

@@ -8,18 +8,20 @@
 
 namespace kaori::web {
 
-Result<UniqueFd> ListenForVisitors(std::uint16_t port, Reach reach) {
-  const bool here = reach == Reach::kThisMachine;
-  const std::string attempt = fmt::format("listen on {}:{}", here ? "127.0.0.1" : "0.0.0.0", port);
+Result<UniqueFd> ListenForVisitors(std::uint16_t port, Reach reach, const std::string& address) {
+  const std::string of_reach = reach == Reach::kThisMachine ? "127.0.0.1" : "0.0.0.0";
+  const std::string& at = address.empty() ? of_reach : address;
+  const std::string attempt = fmt::format("listen on {}:{}", at, port);
+  sockaddr_in socket_address{};
+  socket_address.sin_family = AF_INET;
+  socket_address.sin_port = htons(port);
+  if (::inet_pton(AF_INET, at.c_str(), &socket_address.sin_addr) != 1)
+    return FailInput(attempt + ": expected an IPv4 address such as 192.168.0.7");
   UniqueFd listener(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!listener.valid()) return FailErrno(attempt);
   const int yes = 1;
   ::setsockopt(listener.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(here ? INADDR_LOOPBACK : INADDR_ANY);
-  if (::bind(listener.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) < 0)
+  if (::bind(listener.get(), reinterpret_cast<const sockaddr*>(&socket_address), sizeof(socket_address)) < 0)
     return FailErrno(attempt);
   if (::listen(listener.get(), SOMAXCONN) < 0) return FailErrno(attempt);
   return listener;

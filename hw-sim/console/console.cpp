@@ -44,13 +44,17 @@ Console::Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop)
       loop_(loop),
       values_(options_.labels),
       pictures_("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary)),
-      states_("text/event-stream", "retry: 500\n\n") {}
+      states_("text/event-stream", "retry: 500\n\n"),
+      sounds_("application/octet-stream", "") {}
 
 Result<std::unique_ptr<Console>> Console::Open(ConsoleOptions options, sim::Rig& rig, EventLoop& loop) {
   std::unique_ptr<Console> console(new Console(std::move(options), rig, loop));
-  auto server =
-      web::HttpServer::Open({.port = console->options_.port, .guard = Refusal}, loop, console->clock_,
-                            [self = console.get()](const Request& request) { return self->Answer(request); });
+  auto server = web::HttpServer::Open({.port = console->options_.port,
+                                       .address = console->options_.listen,
+                                       .guard = GuardFor(console->options_.listen)},
+                                      loop, console->clock_, [self = console.get()](const Request& request) {
+                                        return self->Answer(request);
+                                      });
   if (!server) return tl::unexpected(server.error());
   console->server_ = std::move(*server);
   if (auto ticking = console->StartTicking(); !ticking) return tl::unexpected(ticking.error());
@@ -62,7 +66,7 @@ Console::~Console() {
 }
 
 std::string Console::address() const {
-  return fmt::format("http://127.0.0.1:{}/", server_->port());
+  return fmt::format("http://{}:{}/", HostFor(options_.listen), server_->port());
 }
 
 // A timer of our own: EventLoop::Every has no end, and a console may end before its loop.
@@ -86,6 +90,7 @@ void Console::Tick() {
                         .screen_plugged = rig_.plugged("screen")});
   shown_.See(rig_.screen().frames_shown(), now);
   ShowPicture(now);
+  PassSoundOn();
   TellState(now);
   server_->Run();
   LetGoAlone();
@@ -105,9 +110,22 @@ void Console::ShowPicture(Time now) {
   pictures_.Publish(PicturePart(*jpeg));
 }
 
+// What nobody listens to is forgotten: a page that asks for sound hears what is played from then on.
+void Console::PassSoundOn() {
+  const auto heard = rig_.loudspeaker().DrainHeard();
+  if (sounds_.listeners() == 0) return packets_.Clear();
+  packets_.Add(heard);
+  if (packets_.ready() && sounds_.awaited()) sounds_.Publish(packets_.Next());
+}
+
+std::string Console::StateNow() {
+  const auto on_stage = options_.on_stage ? options_.on_stage() : std::nullopt;
+  return StateJson(rig_, values_, editor_watch_, on_stage, shown_.per_s());
+}
+
 void Console::TellState(Time now) {
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
-  auto state = StateJson(rig_, values_, editor_watch_, shown_.per_s());
+  auto state = StateNow();
   if (state == state_ && now - state_at_ < kSignOfLife) return;
   state_ = std::move(state);
   state_at_ = now;
@@ -123,8 +141,8 @@ web::HttpServer::Answer Console::Answer(const Request& request) {
   if (request.path == "/picture") return &pictures_;
   if (request.path == "/events") return &states_;
   if (request.path == "/frame.jpg") return OnePicture();
-  if (request.path == "/state")
-    return Reply{200, "application/json", StateJson(rig_, values_, editor_watch_, shown_.per_s())};
+  if (request.path == "/sound") return &sounds_;
+  if (request.path == "/state") return Reply{200, "application/json", StateNow()};
   if (request.path == "/labels") return Reply{200, "application/json", LabelsJson(options_.labels)};
   if (const auto* file = FindPageFile(request.path))
     return Reply{200, std::string(file->content_type), std::string(file->bytes)};

@@ -1,17 +1,46 @@
 #include "hw-sim/console/guard.h"
 
+#include <arpa/inet.h>
+#include <unistd.h>
+
+#include <array>
 #include <string_view>
 
 namespace kaori::console {
 namespace {
 
-// "127.0.0.1:8080" names this machine; "127.0.0.1.example.org" does not.
-bool IsLoopback(std::string_view host) {
+constexpr const char* kEverywhere = "0.0.0.0";
+
+std::string MachineName() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
+}
+
+// The name before the port; nothing where what stands there is no port.
+std::optional<std::string> NameIn(std::string_view host) {
   const auto colon = host.find(':');
   if (colon != std::string_view::npos && host.find_first_not_of("0123456789", colon + 1) != host.npos)
-    return false;
-  const auto name = host.substr(0, colon);
+    return std::nullopt;
+  return std::string(host.substr(0, colon));
+}
+
+// "127.0.0.1:8080" names this machine; "127.0.0.1.example.org" does not.
+bool IsLoopback(const std::string& name) {
   return name == "127.0.0.1" || name == "localhost";
+}
+
+bool IsAddress(const std::string& name) {
+  in_addr parsed{};
+  return ::inet_pton(AF_INET, name.c_str(), &parsed) == 1;
+}
+
+bool NamesThisMachine(std::string_view host, bool on_network) {
+  const auto name = NameIn(host);
+  if (!name) return false;
+  if (IsLoopback(*name)) return true;
+  if (!on_network) return false;
+  const std::string machine = MachineName();
+  return IsAddress(*name) || (!machine.empty() && (*name == machine || *name == machine + ".local"));
 }
 
 bool IsSameOrigin(std::string_view origin, std::string_view host) {
@@ -19,16 +48,30 @@ bool IsSameOrigin(std::string_view origin, std::string_view host) {
   return origin.starts_with(kScheme) && origin.substr(kScheme.size()) == host;
 }
 
-}  // namespace
-
-std::optional<std::string> Refusal(const web::Visitor& visitor) {
-  if (!IsLoopback(visitor.host)) return "the console answers only to 127.0.0.1 and localhost";
+std::optional<std::string> Refusal(const web::Visitor& visitor, bool on_network) {
+  if (!NamesThisMachine(visitor.host, on_network))
+    return on_network ? "the console answers only to this machine's address and name"
+                      : "the console answers only to 127.0.0.1 and localhost";
   if (!visitor.origin.empty() && !IsSameOrigin(visitor.origin, visitor.host))
-    return "the console takes no hands from pages of other sites";
+    return "the console accepts no input from pages of other sites";
   const auto site = visitor.fetch_site;
   if (!site.empty() && site != "same-origin" && site != "none")
     return "the console cannot be embedded by other sites";
   return std::nullopt;
+}
+
+}  // namespace
+
+web::Guard GuardFor(const std::string& address) {
+  const bool on_network = !address.empty() && !IsLoopback(address);
+  return [on_network](const web::Visitor& visitor) { return Refusal(visitor, on_network); };
+}
+
+std::string HostFor(const std::string& address) {
+  if (address.empty()) return "127.0.0.1";
+  if (address != kEverywhere) return address;
+  const std::string name = MachineName();
+  return name.empty() ? address : name;
 }
 
 }  // namespace kaori::console

@@ -41,10 +41,15 @@ Json ValuesJson(const DialValues& values) {
   return json;
 }
 
+Json OnStageJson(const std::optional<OnStage>& on_stage) {
+  if (!on_stage) return {};
+  return {{"scene", on_stage->scene}, {"style", on_stage->style}};
+}
+
 }  // namespace
 
-std::string StateJson(sim::Rig& rig, const DialValues& values, const EditorWatch& needles,
-                      double frames_per_s) {
+std::string StateJson(sim::Rig& rig, const DialValues& values, const EditorWatch& editor,
+                      const std::optional<OnStage>& on_stage, double frames_per_s) {
   Json dials = Json::array();
   for (int dial = 0; dial < kDialCount; ++dial) dials.push_back(Rounded(rig.dial_box().turned(dial)));
   const auto mouth = rig.camera().mouth();
@@ -59,7 +64,9 @@ std::string StateJson(sim::Rig& rig, const DialValues& values, const EditorWatch
                 {{"vowel", rig.microphone().vowel()}, {"loudness", Rounded(rig.microphone().loudness())}}},
                {"loudspeaker_db", std::round(rig.loudspeaker().level_db())},
                {"pointer", PointerJson(rig.pointer())},
-               {"needles", needles.open()},
+               {"editor_open", editor.open()},
+               {"lines", {{"closed", rig.lines().closed()}, {"tally", rig.lines().tally()}}},
+               {"on_stage", OnStageJson(on_stage)},
                {"ports", PortsJson(rig)},
                {"fps", std::round(frames_per_s)}})
       .dump();

@@ -1,6 +1,8 @@
 // What the console tells its page about how things stand, as JSON, many times a second.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "hw-sim/console/dial_values.h"
@@ -9,11 +11,18 @@
 
 namespace kaori::console {
 
+// What the stage shows: numbers as the show counts its scenes and ways of drawing, from 0. Labels has their names.
+struct OnStage {
+  std::uint32_t scene = 0;
+  std::uint32_t style = 0;
+};
+
 // {"dials":[turns..], "values":[number or null..], "buttons":bits, "lamps":bits,
 //  "sticks":[{"x","y","twist","slider"}..], "lips":{"height","width"}, "covered":bool,
 //  "pointer":{"x","y","buttons"}, "voice":{"vowel","loudness"}, "loudspeaker_db":number,
-//  "needles":bool, "ports":{"dial-box":{"plugged","connected"}..}, "fps":number}
-std::string StateJson(sim::Rig& rig, const DialValues& values, const EditorWatch& needles,
-                      double frames_per_s);
+//  "editor_open":bool, "lines":{"closed":bits,"tally":bool}, "on_stage":{"scene","style"} or null,
+//  "ports":{"dial-box":{"plugged","connected"}..}, "fps":number}
+std::string StateJson(sim::Rig& rig, const DialValues& values, const EditorWatch& editor,
+                      const std::optional<OnStage>& on_stage, double frames_per_s);
 
 }  // namespace kaori::console

@@ -18,21 +18,21 @@ constexpr std::uint64_t kLastUsage = 0xE7;
 constexpr std::size_t kMostKeys = 64;
 
 // An entry that is left out is empty; one of another kind is not.
-bool TakeText(const Json& json, const char* name, std::string& into) {
+bool ReadText(const Json& json, const char* name, std::string& into) {
   if (!json.is_object() || !json.contains(name)) return json.is_object();
   if (!json[name].is_string()) return false;
   into = json[name].get<std::string>();
   return true;
 }
 
-bool TakeNumber(const Json& json, const char* name, double& into) {
+bool ReadNumber(const Json& json, const char* name, double& into) {
   if (!json.contains(name)) return true;
   if (!json[name].is_number()) return false;
   into = json[name].get<double>();
   return true;
 }
 
-bool TakeTexts(const Json& json, const char* name, std::vector<std::string>& into) {
+bool ReadTexts(const Json& json, const char* name, std::vector<std::string>& into) {
   if (!json.contains(name)) return true;
   if (!json[name].is_array()) return false;
   for (const Json& text : json[name]) {
@@ -43,56 +43,58 @@ bool TakeTexts(const Json& json, const char* name, std::vector<std::string>& int
 }
 
 // The short form: a text alone.
-bool TakeTextAlone(const Json& json, std::string& into) {
+bool ReadTextAlone(const Json& json, std::string& into) {
   if (json.is_string()) into = json.get<std::string>();
   return json.is_string();
 }
 
-bool TakeDial(const Json& json, DialLabel& into) {
-  if (TakeTextAlone(json, into.text)) return true;
-  return TakeText(json, "text", into.text) && TakeText(json, "unit", into.unit) &&
-         TakeNumber(json, "low", into.low) && TakeNumber(json, "high", into.high) &&
-         TakeNumber(json, "per_turn", into.per_turn) && TakeNumber(json, "start", into.start) &&
-         TakeTexts(json, "filled_by", into.filled_by);
+bool ReadDial(const Json& json, DialLabel& into) {
+  if (ReadTextAlone(json, into.text)) return true;
+  return ReadText(json, "text", into.text) && ReadText(json, "unit", into.unit) &&
+         ReadNumber(json, "low", into.low) && ReadNumber(json, "high", into.high) &&
+         ReadNumber(json, "per_turn", into.per_turn) && ReadNumber(json, "start", into.start) &&
+         ReadTexts(json, "filled_by", into.filled_by);
 }
 
-bool TakeStick(const Json& json, StickLabel& into) {
-  if (TakeTextAlone(json, into.text)) return true;
-  return TakeText(json, "text", into.text) && TakeText(json, "twist", into.twist) &&
-         TakeText(json, "slide", into.slide);
+bool ReadStick(const Json& json, StickLabel& into) {
+  if (ReadTextAlone(json, into.text)) return true;
+  return ReadText(json, "text", into.text) && ReadText(json, "twist", into.twist) &&
+         ReadText(json, "slide", into.slide);
 }
 
-bool MotionKey(const Json& json, KeyLabel& into) {
+bool ReadKey(const Json& json, KeyLabel& into) {
   if (!json.is_object() || !json.contains("usage") || !json["usage"].is_number_unsigned()) return false;
   const auto usage = json["usage"].get<std::uint64_t>();
   into.usage = static_cast<std::uint8_t>(usage);
-  return usage >= kFirstUsage && usage <= kLastUsage && TakeText(json, "text", into.text) &&
-         TakeText(json, "group", into.group);
+  return usage >= kFirstUsage && usage <= kLastUsage && ReadText(json, "text", into.text) &&
+         ReadText(json, "group", into.group);
 }
 
-bool TakeButton(const Json& json, ButtonLabel& into) {
-  return TakeText(json, "text", into.text) && TakeText(json, "group", into.group);
+bool ReadButton(const Json& json, ButtonLabel& into) {
+  return ReadText(json, "text", into.text) && ReadText(json, "group", into.group);
 }
 
 // The array `name` of `json`, entry by entry into `into`; nothing, or the entry that is wrong.
-template <class Row, class Take>
-std::optional<std::string> TakeRow(const Json& json, const char* name, Row& into, Take take) {
+template <class Row, class Read>
+std::optional<std::string> ReadRow(const Json& json, const char* name, Row& into, Read read) {
   if (!json.contains(name)) return std::nullopt;
   const Json& row = json[name];
   if (!row.is_array() || row.size() > into.size()) return fmt::format("{} are {} at most", name, into.size());
   for (std::size_t n = 0; n < row.size(); ++n)
-    if (!take(row[n], into[n])) return fmt::format("{}, entry {}", name, n + 1);
+    if (!read(row[n], into[n])) return fmt::format("{}, entry {}", name, n + 1);
   return std::nullopt;
 }
 
-std::optional<std::string> TakeLabels(const Json& json, Labels& into) {
+std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (!json.is_object()) return "no JSON object";
-  if (!TakeText(json, "show", into.show)) return "show";
+  if (!ReadText(json, "show", into.show)) return "show";
+  if (!ReadTexts(json, "scenes", into.scenes)) return "scenes";
+  if (!ReadTexts(json, "styles", into.styles)) return "styles";
   if (json.contains("keys")) into.keys.assign(std::min(json["keys"].size(), kMostKeys), {});
-  if (auto fault = TakeRow(json, "dials", into.dials, TakeDial)) return fault;
-  if (auto fault = TakeRow(json, "buttons", into.buttons, TakeButton)) return fault;
-  if (auto fault = TakeRow(json, "sticks", into.sticks, TakeStick)) return fault;
-  return TakeRow(json, "keys", into.keys, MotionKey);
+  if (auto fault = ReadRow(json, "dials", into.dials, ReadDial)) return fault;
+  if (auto fault = ReadRow(json, "buttons", into.buttons, ReadButton)) return fault;
+  if (auto fault = ReadRow(json, "sticks", into.sticks, ReadStick)) return fault;
+  return ReadRow(json, "keys", into.keys, ReadKey);
 }
 
 Json DialJson(const DialLabel& dial) {
@@ -107,16 +109,14 @@ Result<Labels> LoadLabels(const std::string& path) {
   const auto text = ReadFile(path, {.most_levels = kMostLevels});
   if (!text) return tl::unexpected(text.error());
   Labels labels;
-  if (auto fault = TakeLabels(Json::parse(*text, nullptr, false), labels))
+  if (auto fault = ReadLabels(Json::parse(*text, nullptr, false), labels))
     return FailInput(fmt::format("labels {}: {}", path, *fault));
   return labels;
 }
 
 std::string LabelsJson(const Labels& labels) {
-  Json json{{"show", labels.show},
-            {"dials", Json::array()},
-            {"buttons", Json::array()},
-            {"sticks", Json::array()},
+  Json json{{"show", labels.show},     {"dials", Json::array()},  {"buttons", Json::array()},
+            {"sticks", Json::array()}, {"scenes", labels.scenes}, {"styles", labels.styles},
             {"keys", Json::array()}};
   for (const auto& dial : labels.dials) json["dials"].push_back(DialJson(dial));
   for (const auto& button : labels.buttons)

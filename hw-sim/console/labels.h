@@ -48,6 +48,8 @@ struct Labels {
   std::array<ButtonLabel, 32> buttons;
   std::array<StickLabel, 2> sticks;  // Left, right.
   // In the order in which the page shows them. What every show has, until it says more.
+  std::vector<std::string> scenes{};  // Names by the show's numbers, which OnStage uses;
+  std::vector<std::string> styles{};  // of the ways of drawing too.
   std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
 };
 
@@ -58,7 +60,7 @@ Result<Labels> LoadLabels(const std::string& path);
 
 // {"show":text, "dials":[{"text","unit","low","high","per_turn","start","filled_by":[..]}..],
 //  "buttons":[{"text","group"}..], "sticks":[{"text","twist","slide"}..],
-//  "keys":[{"usage","text","group"}..]}
+//  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..]}
 std::string LabelsJson(const Labels& labels);
 
 }  // namespace kaori::console

@@ -56,7 +56,7 @@ TEST(ScenarioDocs, HaveExamplesThatCanBePlayed) {
   EXPECT_GE(examples, 4);
 }
 
-TEST(ScenarioDocs, HaveTablesOfWhatHandsCanDo) {
+TEST(ScenarioDocs, HaveTablesOfWhatAnOperatorCanDo) {
   int statements = 0;
   for (const std::string& line : Lines())
     for (const std::string& statement : Statements(line)) {

@@ -24,7 +24,10 @@ Labels HarnessLabels() {
   labels.buttons[8] = {"Smile", "expression"};
   labels.buttons[24] = {"Wireframe", "style"};
   labels.sticks = {{{"Head", "Tilt", "Lean in"}, {"Gaze and brows"}}};
-  labels.keys = {{0x2C, "Blink", "blink"}, {0x1E, "Nod", "motion"}, {0x3A, "Poster", "scene"}};
+  labels.keys = {{0x2C, "Blink", "blink"}, {0x1E, "Nod", "motion"},      {0x3A, "Poster", "scene"},
+                 {0x15, "Hair", "style"},  {0x14, "Wireframe", "style"}, {0x1A, "Flat", "style"}};
+  labels.scenes = {"Studio", "Poster"};
+  labels.styles = {"Wireframe", "Flat"};
   return labels;
 }
 
@@ -34,7 +37,13 @@ Result<void> Play(const std::string& folder, std::uint16_t port) {
   if (!loop) return tl::unexpected(loop.error());
   auto rig = sim::Rig::Open({.folder = folder, .wakes_by_timer = true}, clock);
   if (!rig) return tl::unexpected(rig.error());
-  auto console = Console::Open({.port = port, .labels = HarnessLabels()}, **rig, *loop);
+  auto console = Console::Open({.port = port,
+                                .labels = HarnessLabels(),
+                                .on_stage =
+                                    [] {
+                                      return OnStage{1, 0};
+                                    }},
+                               **rig, *loop);
   if (!console) return tl::unexpected(console.error());
   auto stage = ToyStage::Open(folder);
   if (!stage) return tl::unexpected(stage.error());

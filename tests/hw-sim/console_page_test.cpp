@@ -20,7 +20,7 @@ TEST(ConsolePage, CarriesItsFilesAndNothingElse) {
 }
 
 TEST(ConsolePage, AsksNobodyElseForAnything) {
-  for (const char* path : {"/", "/style.css", "/main.js", "/wire.js", "/needles.js"}) {
+  for (const char* path : {"/", "/style.css", "/main.js", "/wire.js", "/editor.js"}) {
     const std::string text(FindPageFile(path)->bytes);
     EXPECT_EQ(text.find("://"), std::string::npos) << path << " has an address of another machine";
   }
@@ -28,9 +28,9 @@ TEST(ConsolePage, AsksNobodyElseForAnything) {
 
 TEST(ConsolePage, IsSmall) {
   std::size_t bytes = 0;
-  for (const char* path :
-       {"/", "/style.css", "/icon.svg", "/main.js", "/wire.js", "/drag.js", "/face.js", "/dials.js",
-        "/buttons.js", "/sticks.js", "/keys.js", "/lips.js", "/cables.js", "/needles.js"}) {
+  for (const char* path : {"/", "/style.css", "/icon.svg", "/main.js", "/wire.js", "/drag.js", "/face.js",
+                           "/dials.js", "/buttons.js", "/sticks.js", "/keys.js", "/lips.js", "/cables.js",
+                           "/editor.js", "/arrows.js", "/sound.js", "/switches.js"}) {
     ASSERT_NE(FindPageFile(path), nullptr) << path;
     bytes += FindPageFile(path)->bytes.size();
   }
@@ -38,7 +38,7 @@ TEST(ConsolePage, IsSmall) {
 }
 
 // Somebody at the keyboard, and a stage at the screen.
-class ConsoleNeedles : public ::testing::Test {
+class ConsoleEditorWatch : public ::testing::Test {
  protected:
   void PressTab() {
     Look({.tab_held = true});
@@ -56,7 +56,7 @@ class ConsoleNeedles : public ::testing::Test {
   bool heard_ = true, drawn_ = true, plugged_ = true;
 };
 
-TEST_F(ConsoleNeedles, AreOpenedAndShutByTab) {
+TEST_F(ConsoleEditorWatch, AreOpenedAndShutByTab) {
   EXPECT_FALSE(watch_.open());
   PressTab();
   EXPECT_TRUE(watch_.open());
@@ -64,20 +64,20 @@ TEST_F(ConsoleNeedles, AreOpenedAndShutByTab) {
   EXPECT_FALSE(watch_.open());
 }
 
-TEST_F(ConsoleNeedles, StayShutWhenNobodyHearsTheKeyboard) {
+TEST_F(ConsoleEditorWatch, StayShutWhenNobodyHearsTheKeyboard) {
   heard_ = false;
   PressTab();
   EXPECT_FALSE(watch_.open());
 }
 
-TEST_F(ConsoleNeedles, AreShutWithANewStage) {
+TEST_F(ConsoleEditorWatch, AreShutWithANewStage) {
   PressTab();
   drawn_ = false;
   Look({});
   EXPECT_FALSE(watch_.open());
 }
 
-TEST_F(ConsoleNeedles, StayOpenWhenOnlyTheScreensCableIsPulled) {
+TEST_F(ConsoleEditorWatch, StayOpenWhenOnlyTheScreensCableIsPulled) {
   PressTab();
   drawn_ = plugged_ = false;
   Look({});

@@ -11,7 +11,6 @@
 #include "drivers/base/clock.h"
 #include "drivers/web/jpeg.h"
 #include "hw-sim/console/dial_values.h"
-#include "hw-sim/console/guard.h"
 #include "hw-sim/console/held.h"
 #include "hw-sim/console/input.h"
 #include "hw-sim/console/labels.h"
@@ -32,7 +31,7 @@ std::string Refused(std::string_view lines) {
   return actions ? "taken" : actions.error().attempt;
 }
 
-TEST(ConsoleHands, AreReadFromLines) {
+TEST(ConsoleInput, AreReadFromLines) {
   const auto actions = ReadInput(
       "dial 1 turn 0.25\nhold 32\n\nleft move -1 0.5\nright twist 1\nleft slide 0.75\nright hat right\n"
       "key usage-44 press\nkey usage-44 release\npointer 0.25 1\npress pointer\nroll pointer -0.5\nlips 0.9 "
@@ -54,13 +53,13 @@ TEST(ConsoleHands, AreReadFromLines) {
                                     OperatorAction{DevicePort::kCamera, Verb::kUnplug}));
 }
 
-TEST(ConsoleHands, AreNoneInAnEmptyMessage) {
+TEST(ConsoleInput, AreNoneInAnEmptyMessage) {
   const auto actions = ReadInput("\n  \n");
   ASSERT_TRUE(actions);
   EXPECT_THAT(*actions, IsEmpty());
 }
 
-TEST(ConsoleHands, NameLineAndColumnOfABadOne) {
+TEST(ConsoleInput, NameLineAndColumnOfABadOne) {
   EXPECT_EQ(Refused("dial 1 turn 0\ndial 9 turn 1"), "2:6: no dial 9; dials are 1 to 8");
   EXPECT_THAT(Refused("hold 33"), HasSubstr("buttons are 1 to 32"));
   EXPECT_THAT(Refused("left move 0 1.01"), HasSubstr("1:13: \"1.01\""));
@@ -68,7 +67,7 @@ TEST(ConsoleHands, NameLineAndColumnOfABadOne) {
   EXPECT_THAT(Refused("lens cover twice"), HasSubstr("1:12: nothing more is expected"));
 }
 
-TEST(ConsoleHands, TakeNoTime) {
+TEST(ConsoleInput, TakeNoTime) {
   for (const char* line :
        {"push 3", "left push 1", "key space tap", "click pointer", "say \"ka\"", "scene poster"})
     EXPECT_THAT(Refused(line), HasSubstr("this takes time")) << line;
@@ -76,12 +75,12 @@ TEST(ConsoleHands, TakeNoTime) {
     EXPECT_NE(Refused(line), "taken") << line;
 }
 
-TEST(ConsoleHands, AreNeverNumbersThatAreNone) {
+TEST(ConsoleInput, AreNeverNumbersThatAreNone) {
   for (const char* number : {"nan", "inf", "-inf", "1e999", "0x1", "1,5", "", "--1", "1 1"})
     EXPECT_NE(Refused(std::string("dial 1 turn ") + number), "taken") << number;
 }
 
-TEST(ConsoleHands, AllStayStillWhenOneLineIsWrong) {
+TEST(ConsoleInput, AllStayStillWhenOneLineIsWrong) {
   EXPECT_FALSE(ReadInput("dial 1 turn 1\nhold 40\ndial 2 turn 1"));
 }
 
@@ -101,26 +100,12 @@ TEST(ConsoleHeld, LetsGoOfWhatIsHeldAndOfNothingElse) {
   EXPECT_THAT(held.LetGo(), IsEmpty());
 }
 
-TEST(ConsoleGuard, LetsInThePagesItServed) {
-  EXPECT_FALSE(Refusal({.host = "127.0.0.1:8080"}));
-  EXPECT_FALSE(
-      Refusal({.host = "localhost:8080", .origin = "http://localhost:8080", .fetch_site = "same-origin"}));
-  EXPECT_FALSE(Refusal({.host = "127.0.0.1", .fetch_site = "none"}));
-}
-
-TEST(ConsoleGuard, KeepsOutNamesThatAreNotThisMachine) {
-  for (const char* host : {"", "example.org", "127.0.0.1.example.org", "localhost.example.org:80",
-                           "127.0.0.1:80@x", "192.168.0.2:8080", "0.0.0.0:8080", "[::1]:8080"})
-    EXPECT_TRUE(Refusal({.host = host})) << host;
-}
-
-TEST(ConsoleGuard, KeepsOutPagesOfOtherSites) {
-  const std::string_view host = "127.0.0.1:8080";
-  for (const char* origin : {"http://example.org", "http://127.0.0.1:8081", "https://127.0.0.1:8080", "null",
-                             "http://127.0.0.1:8080.example.org", "http://localhost:8080"})
-    EXPECT_TRUE(Refusal({.host = host, .origin = origin})) << origin;
-  for (const char* site : {"cross-site", "same-site"})
-    EXPECT_TRUE(Refusal({.host = host, .fetch_site = site})) << site;
+TEST(ConsoleHeld, LeavesSwitchesThatStayAsTheyWerePut) {
+  Held held;
+  const auto lines = ReadInput("line go on\nline blackout on\nline service on");
+  ASSERT_TRUE(lines) << lines.error().message();
+  for (const OperatorAction& action : *lines) held.Note(action);
+  EXPECT_THAT(held.LetGo(), ElementsAre(OperatorAction{DevicePort::kLines, Verb::kRelease, 0}));
 }
 
 // Two rows: the lower one red, the upper one blue; 16 columns and rows a colour, so that JPEG keeps them

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/audio/local_loudspeaker.h"
 #include "drivers/hid/local_bus.h"
 #include "drivers/scanout/local_screen.h"
 #include "firmware/wire/dial_box.h"
@@ -52,11 +53,11 @@ void DrawDot(const ports::PixelBuffer& into, int x_px, int y_px) {
   }
 }
 
-// Every report that waits goes to `take`.
-template <class Take>
-void ReadAll(ports::HidChannel& channel, Take take) {
+// Every report that waits goes to `handle`.
+template <class Handler>
+void ReadAll(ports::HidChannel& channel, Handler handle) {
   std::array<std::uint8_t, 64> report{};
-  while (const auto input = channel.Read(report)) take(std::span(report).first(input->bytes), input->at);
+  while (const auto input = channel.Read(report)) handle(std::span(report).first(input->bytes), input->at);
 }
 
 }  // namespace
@@ -78,6 +79,8 @@ void ToyStage::Step() {
     if (port == "keyboard") ReadKeyboard(*channel);
     if (port == "pointer") ReadPointer(*channel);
   }
+  ReadLines();
+  Sound();
   Draw();
 }
 
@@ -154,6 +157,44 @@ void ToyStage::ReadPointer(ports::HidChannel& channel) {
     if (const auto now = pointer_->Decode(report, at))
       Say(fmt::format("pointer {:.3f} {:.3f} {} {}", now->x, now->y, now->buttons.down[0], now->wheel));
   });
+}
+
+// The panel is in this program's own loop: it is connected in one step and greeted in a later one.
+void ToyStage::ReadLines() {
+  if (!lines_) {
+    auto connected = gpio::LocalLines::Connect(folder_);
+    if (!connected) return;
+    lines_ = std::move(*connected);
+    lines_greeted_ = false;
+    return;
+  }
+  if (!lines_greeted_) {
+    if (!lines_->Greet({})) return;
+    lines_greeted_ = true;
+    (void)lines_->Drive(0, true);
+  }
+  while (const auto edge = lines_->ReadEdge()) {
+    Say(fmt::format("line {} {}", edge->line, edge->active ? 1 : 0));
+    if (edge->line == 1) (void)lines_->Drive(0, !edge->active);
+  }
+}
+
+// As much as the loudspeaker has room for.
+void ToyStage::Sound() {
+  if (!loudspeaker_) {
+    auto opened = audio::LocalLoudspeaker::Open(folder_, clock_);
+    if (!opened) return;
+    loudspeaker_ = std::move(*opened);
+  }
+  std::array<std::int16_t, 2 * 480> block{};
+  for (std::size_t frame = 0; frame < block.size() / 2; ++frame) {
+    const double time_s = static_cast<double>(played_frames_ + frame) / 48000;
+    block[2 * frame] = block[2 * frame + 1] =
+        static_cast<std::int16_t>(8000 * std::sin(2 * kPi * 440 * time_s));
+  }
+  const auto played = loudspeaker_->Write(block);
+  if (played) played_frames_ += played->frames;
+  if (!played && played.error().cause == std::errc::no_such_device) loudspeaker_.reset();
 }
 
 // Eight clock hands, one for each dial; the space bar turns the light out.

@@ -9,19 +9,23 @@
 #include <string>
 #include <vector>
 
+#include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/decode/dial_box.h"
 #include "drivers/decode/joystick.h"
 #include "drivers/decode/keyboard.h"
 #include "drivers/decode/pointer.h"
+#include "drivers/gpio/local_lines.h"
 #include "drivers/ports/hid_channel.h"
+#include "drivers/ports/loudspeaker.h"
 #include "drivers/ports/scanout.h"
 
 namespace kaori::console {
 
 // Pushing a button switches its lamp. What the drivers decode goes to standard output, one line for each
 // change: "dial 1 64" (counts), "button 3 1", "key 44 1", "stick-left 0.50 0.00 0.00 0.00" (x, y, twist,
-// slider), "pointer 0.25 0.75 1 0" (x, y, buttons, wheel).
+// slider), "pointer 0.25 0.75 1 0" (x, y, buttons, wheel), "line 0 1". The tally lamp is lit while line 1 is off; the
+// loudspeaker plays a tone of 440 Hz without end.
 class ToyStage {
  public:
   static Result<std::unique_ptr<ToyStage>> Open(const std::string& folder);
@@ -36,7 +40,10 @@ class ToyStage {
   void ReadStick(ports::HidChannel& channel);
   void ReadKeyboard(ports::HidChannel& channel);
   void ReadPointer(ports::HidChannel& channel);
-  void TellDialBox(const decode::DialSample& before, const decode::DialSample& now, ports::HidChannel& channel);
+  void TellDialBox(const decode::DialSample& before, const decode::DialSample& now,
+                   ports::HidChannel& channel);
+  void ReadLines();
+  void Sound();
   void Draw();
   void DrawHand(const ports::PixelBuffer& into, std::size_t dial) const;
 
@@ -48,6 +55,11 @@ class ToyStage {
   std::optional<decode::KeyboardDecoder> keyboard_;
   std::optional<decode::PointerDecoder> pointer_;
   std::uint32_t lamps_ = 0;
+  std::unique_ptr<gpio::LocalLines> lines_;
+  bool lines_greeted_ = false;
+  std::unique_ptr<ports::Loudspeaker> loudspeaker_;
+  SteadyClock clock_;
+  std::uint64_t played_frames_ = 0;
   std::unique_ptr<ports::Scanout> screen_;
   std::uint64_t frame_ = 0;
   std::vector<std::uint8_t> backdrop_;  // RGBX, as large as the screen.

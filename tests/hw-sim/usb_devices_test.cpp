@@ -101,9 +101,9 @@ struct Viewer {
   bool ends = false;
 
   void Watch(Time now) {
-    while (const auto transfer = camera.NextIn(UvcCamera::kIn, room, now)) Take(*transfer);
+    while (const auto transfer = camera.NextIn(UvcCamera::kIn, room, now)) Collect(*transfer);
   }
-  void Take(std::span<const std::uint8_t> transfer) {
+  void Collect(std::span<const std::uint8_t> transfer) {
     auto data = transfer;
     if (in_payload == 0 && !data.empty()) {
       ASSERT_EQ(data[0], 2);

@@ -59,6 +59,7 @@ AGAINST = (
     ("hw-sim/links/a.cpp", '"hw-sim/scenario/player.h"', "hw-sim/links/ may include only"),
     ("hw-sim/scenario/a.cpp", '"hw-sim/console/console.h"', "hw-sim/scenario/ may include only"),
     ("hw-sim/hil/a.cpp", '"hw-sim/rehearsal/film.h"', "hw-sim/hil/ may include only"),
+    ("hw-sim/monitor/a.cpp", '"hw-sim/console/console.h"', "hw-sim/monitor/ may include only"),
     ("hw-sim/main.cpp", '"appliance/core/board/board.h"', "hw-sim/main.cpp may include only"),
     ("appliance/programs/stage/a.cpp", '"stage.h"', "starts at the root"),
     ("appliance/programs/stage/a.cpp", '"appliance/programs/stage/../../hw-sim/devices/screen.h"', "starts at the root"),

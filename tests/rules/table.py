@@ -44,7 +44,8 @@ MAY_INCLUDE = (
     ("hw-sim/scenario/", _PORTS + ("hw-sim/devices/", "hw-sim/links/")),
     ("hw-sim/console/", _PORTS + ("drivers/web/", "hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/")),
     ("hw-sim/hil/", _SIMULATOR),
-    ("hw-sim/main.cpp", _SIMULATOR),
+    ("hw-sim/monitor/", _BASE + ("appliance/core/board/",)),  # What the page for people says of the stage.
+    ("hw-sim/main.cpp", _SIMULATOR + ("hw-sim/monitor/",)),
     ("tests/", EVERYTHING),
 )
 

@@ -21,6 +21,10 @@ expect "demo knows no --loud" demo --loud
 expect "--record wants a value" demo --record
 expect "name of a file is empty" demo --record ""
 expect "--port wants a value" demo --port
+expect "--listen wants a value" demo --listen
+expect "expected an IPv4 address of this machine" demo --listen nowhere
+expect "expected an IPv4 address of this machine" demo --listen 192.168.0.256
+expect "pictures knows no --loud" pictures --loud
 expect "fuzz takes --seconds and a number" fuzz --seconds
 expect "fuzz takes --seconds and a number" fuzz --seconds soon
 expect "fuzz takes --seconds and a number" fuzz 60
@@ -31,6 +35,7 @@ expect "test --bench takes --chosen" test --bench --loud
 expect "image knows no --loud" image --loud
 
 "$BOX" help | grep -q -e '--service' || { echo "box help does not tell of the desk"; failures=$((failures + 1)); }
+"$BOX" help | grep -q -e '--listen ADDRESS' || { echo "box help does not tell of --listen"; failures=$((failures + 1)); }
 "$BOX" help | grep -q './box demo --record' || { echo "box help does not tell of films"; failures=$((failures + 1)); }
 
 # What ./box fuzz starts are the targets that there are, each with the inputs that are kept for it.

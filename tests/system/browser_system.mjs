@@ -11,7 +11,9 @@ const kShows = join(kPrograms, '..', 'shows');
 const kBoxPrograms = ['kaori-input', 'kaori-lips', 'kaori-stage'];
 
 export class BoxSystem {
-  constructor() {
+  // `size` is that of the screen. A machine without a GPU draws the usual one four times as often as that of a demo.
+  constructor({size = '480x270'} = {}) {
+    this.size = size;
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-browser-'));
     this.running = new Map();
     this.port = '0';
@@ -28,8 +30,7 @@ export class BoxSystem {
     const board = ['--board', this.file('board')];
     switch (program) {
       case 'kaori-sim':
-        // Half the size of a demo: a machine without a GPU draws four times as often.
-        return [...links, '--size', '480x270', '--hz', '30', '--console', this.port, '--address-file', this.file('address'),
+        return [...links, '--size', this.size, '--board', this.file('board'), '--hz', '30', '--console', this.port, '--address-file', this.file('address'),
                 '--labels', join(kShows, 'kaori.labels.json')];
       case 'kaori-stage': return [...links, ...board, '--pack', join(kShows, 'kaori.kaori')];
       default: return [...links, ...board];

@@ -3,20 +3,20 @@
 import assert from 'node:assert/strict';
 import {after, afterEach, before, test} from 'node:test';
 
-import {openBrowser, openPage, pull, until} from '../hw-sim/browser/harness.mjs';
+import {middle, openBrowser, openPage, pull, until} from '../hw-sim/browser/harness.mjs';
 import {BoxSystem} from './browser_system.mjs';
-import {kEyes, kMouth, kOther, kWhole, Sight} from './browser_sight.mjs';
+import {kEyes, kMouth, kOther, kWhole, View} from './browser_view.mjs';
 
 let box;
 let browser;
 let page;
-let sight;
+let view;
 
 before(async () => {
   box = new BoxSystem();
   browser = await openBrowser();
   page = await openPage(browser, await box.address());
-  sight = new Sight(page);
+  view = new View(page);
   await until('every device heard', async () => Object.values((await box.state()).ports).every((p) => p.connected));
   await beStill();
 });
@@ -33,9 +33,9 @@ afterEach((test) => {
 const dial = (name) => page.getByRole('slider', {name: new RegExp(`^Dial \\d: ${name}$`)});
 const button = (name) => page.getByRole('button', {name: new RegExp(`^Button \\d+: ${name}$`)});
 
-const atRest = () => sight.atRest();
-const untilMoved = (...question) => sight.untilMoved(...question);
-const untilBack = (...question) => sight.untilBack(...question);
+const atRest = () => view.atRest();
+const untilMoved = (...question) => view.untilMoved(...question);
+const untilBack = (...question) => view.untilBack(...question);
 
 // Without the life that the box gives her, every change is a hand's.
 async function beStill() {
@@ -102,6 +102,44 @@ test('the lip pad opens her mouth through the camera', async () => {
   await untilMoved('an open mouth', shut, kMouth);
   await page.mouse.up();
   await untilBack('a shut mouth', shut, kMouth);
+});
+
+const onStage = (text) => until(text, async () => (await page.locator('#now').textContent()).includes(text));
+
+test('GO calls the next scene, and the page says which scene and which way of drawing are on', async () => {
+  await onStage('Scene: Studio');
+  await page.getByRole('button', {name: /^GO/}).click({delay: 150});
+  await onStage('Scene: Poster');
+  await page.keyboard.press('w', {delay: 150});
+  await onStage('Drawn as: Flat');
+  await page.keyboard.press('F1', {delay: 150});
+  await onStage('Scene: Studio');
+});
+
+test('blackout makes the picture black, and the tally lamp dark', async () => {
+  const lamp = (text) => until(`a ${text} lamp`, async () =>
+      await page.locator('.tally').getAttribute('aria-label') === `Tally lamp: ${text}`);
+  await lamp('lit');
+  const face = await atRest();
+  const blackout = page.getByRole('button', {name: /^Blackout/});
+  await blackout.click();
+  await untilMoved('a black picture', face, kWhole, kOther);
+  await lamp('dark');
+  await blackout.click();
+  await untilBack('the face', face);
+  await lamp('lit');
+});
+
+test('a voice in the microphone is heard from the loudspeaker in the browser', async () => {
+  const sound = page.locator('#sound');
+  await sound.click();
+  const {x, y} = await middle(page.getByRole('button', {name: /^Say a/}));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await until('the voice in the page', async () => Number(await sound.getAttribute('data-peak')) > -40);
+  await page.mouse.up();
+  await until('silence', async () => Number(await sound.getAttribute('data-peak')) < -60);
+  await sound.click();
 });
 
 test('a stage that dies and comes back goes on with the same face', async () => {

@@ -99,8 +99,7 @@ Json KeysJson(const show::Show& show) {
   add(kSpace, "Blink", "blink");
   add(kZ, "Wink left", "blink");  // As the audience sees her.
   add(kX, "Wink right", "blink");
-  for (const show::Motion& motion : show.motions)
-    add(motion.key_usage, Readable(motion.name), "motion");
+  for (const show::Motion& motion : show.motions) add(motion.key_usage, Readable(motion.name), "motion");
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
   for (const show::KeyCall& key : show.keys) {
     const Label label = LabelOf(key.call, show);
@@ -120,10 +119,10 @@ std::string Readable(std::string name) {
 std::string LabelsJson(const show::Show& show) {
   Json buttons = Json::array();
   for (const show::Call& call : show.buttons) buttons.push_back(ButtonJson(call, show));
-  const Json labels{{"show", show.name},
-                    {"dials", DialsJson()},
-                    {"buttons", buttons},
-                    {"sticks", SticksJson()},
+  Json scenes = Json::array();
+  for (const show::StageScene& scene : show.scenes) scenes.push_back(Readable(scene.name));
+  const Json labels{{"show", show.name},      {"dials", DialsJson()}, {"buttons", buttons},
+                    {"sticks", SticksJson()}, {"scenes", scenes},     {"styles", kStyles},
                     {"keys", KeysJson(show)}};
   // A name that is not UTF-8 is shown with replacement signs.
   return labels.dump(1, ' ', false, nlohmann::detail::error_handler_t::replace) + '\n';

@@ -5,7 +5,7 @@ import {onState, tell} from './wire.js';
 const kColumns = 8;
 const kCaptions = new Map([
   ['face', 'Faces'], ['expression', 'Expressions'], ['style', 'Drawing styles'], ['scene', 'Scenes'],
-  ['blink', 'Eyes'], ['take', 'Motions'],
+  ['blink', 'Eyes'], ['motion', 'Motions'],
 ]);
 
 // What stands above the first button of each run of one group.
@@ -27,9 +27,9 @@ function makeButton({text, group}, number) {
 
 function makeRow(buttons, captions) {
   const row = make('div', {class: 'row'}, ...buttons.map((button, n) => {
-    const place = make('div', {class: 'place'}, button);
-    if (captions[n]) place.prepend(make('span', {class: 'caption', 'data-group': button.dataset.group}, captions[n]));
-    return place;
+    const cell = make('div', {class: 'cell'}, button);
+    if (captions[n]) cell.prepend(make('span', {class: 'caption', 'data-group': button.dataset.group}, captions[n]));
+    return cell;
   }));
   if (captions.some((text) => text)) row.classList.add('captioned');
   return row;

@@ -10,11 +10,12 @@ const kDrawing = `
 const kNames = new Map([
   ['dial-box', 'the dial box'], ['stick-left', 'the left stick'], ['stick-right', 'the right stick'],
   ['keyboard', 'the keyboard'], ['camera', 'the lip camera'], ['screen', 'the screen'], ['pointer', 'the mouse'],
+  ['lines', 'the switches'],
 ]);
 
 function say(cable, name, {plugged, connected}) {
   const how = !plugged ? 'Plug in' : 'Unplug';
-  const what = `${how} ${name}${plugged && !connected ? ' (nobody listens to it)' : ''}`;
+  const what = `${how} ${name}${plugged && !connected ? ' (no program listens to it)' : ''}`;
   cable.title = what;
   cable.setAttribute('aria-label', what);
   cable.setAttribute('aria-pressed', String(plugged));

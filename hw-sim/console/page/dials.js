@@ -1,6 +1,6 @@
 // Eight dials without an end: drag the cap up and down or the rim round, turn the wheel, press the arrow keys.
 // Where a dial plays a value that has an end, the cap points to it, and a double click puts it back.
-import {clamp, make, onDrag, placeIn} from './drag.js';
+import {clamp, make, onDrag, positionIn} from './drag.js';
 import {onState, turn} from './wire.js';
 
 const kTurnPixels = 180;         // Drag for one whole turn.
@@ -67,12 +67,12 @@ class Dial {
   }
 
   angle_turns(event) {
-    const {x, y} = placeIn(this.knob, event);
+    const {x, y} = positionIn(this.knob, event);
     return Math.atan2(x, y) / (2 * Math.PI);
   }
 
   grip(event) {
-    const {x, y} = placeIn(this.knob, event);
+    const {x, y} = positionIn(this.knob, event);
     this.goesRound = Math.hypot(x, y) > kRimRadius;
     this.last = {x: event.clientX, y: event.clientY, angle_turns: this.angle_turns(event)};
   }

@@ -3,23 +3,23 @@
 // Calls begin(event), move(event), end() while a pointer holds `element`. Focus stays where it was, so that the
 // space bar still blinks after a click.
 export function onDrag(element, {begin, move, end}) {
-  let holder = null;
+  let pointer = null;
   element.addEventListener('pointerdown', (event) => {
-    if (holder !== null || event.button !== 0) return;
+    if (pointer !== null || event.button !== 0) return;
     event.preventDefault();
-    holder = event.pointerId;
-    element.setPointerCapture(holder);
+    pointer = event.pointerId;
+    element.setPointerCapture(pointer);
     element.classList.add('held');
     begin?.(event);
   });
   element.addEventListener('mousedown', (event) => event.preventDefault());
   element.addEventListener('contextmenu', (event) => event.preventDefault());
   element.addEventListener('pointermove', (event) => {
-    if (event.pointerId === holder) move?.(event);
+    if (event.pointerId === pointer) move?.(event);
   });
   const finish = (event) => {
-    if (event.pointerId !== holder) return;
-    holder = null;
+    if (event.pointerId !== pointer) return;
+    pointer = null;
     element.classList.remove('held');
     end?.();
   };
@@ -48,7 +48,7 @@ export function onHold(element, {push, release}) {
 }
 
 // Where the pointer is in the element: -1..1 to the right and upwards.
-export function placeIn(element, event) {
+export function positionIn(element, event) {
   const box = element.getBoundingClientRect();
   return {
     x: ((event.clientX - box.left) / box.width) * 2 - 1,

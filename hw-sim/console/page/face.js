@@ -1,6 +1,6 @@
-// The picture as a handle: she turns and looks to where it is dragged. Both sticks move, as one operator with
-// two hands would move them.
-import {clamp, placeIn, springBack} from './drag.js';
+// The picture as a handle: the face turns and looks to where it is dragged. Both sticks move, as one operator with two
+// hands would move them.
+import {clamp, positionIn, springBack} from './drag.js';
 import {set} from './wire.js';
 
 const kHead = 0.85;  // Of a stick's way, at the edge of the picture;
@@ -18,10 +18,10 @@ export function steering(picture) {
     set('left move', line('left', value, kHead));
     set('right move', line('right', value, kGaze));
   };
-  const take = (event) => {
-    const {x, y} = placeIn(picture, event);
+  const follow = (event) => {
+    const {x, y} = positionIn(picture, event);
     stop();
     put([clamp(x * 1.6, -1, 1), clamp(y * 1.3, -1, 1)]);
   };
-  return {begin: take, move: take, end: () => { stop = springBack(value, kRest, put); }};
+  return {begin: follow, move: follow, end: () => { stop = springBack(value, kRest, put); }};
 }

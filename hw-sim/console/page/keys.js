@@ -67,9 +67,9 @@ function releaseAll() {
 function listenToKeyboard() {
   window.addEventListener('keydown', (event) => {
     const usage = kUsages.get(event.code);
-    // What a focused control took (arrows of a dial, Enter of a button) is its own.
-    const taken = event.defaultPrevented || (event.target !== document.body && event.target.matches('button, input'));
-    if (usage === undefined || isBrowsers(event) || taken) return;
+    // What a focused control uses (arrows of a dial, Enter of a button) is its own.
+    const used = event.defaultPrevented || (event.target !== document.body && event.target.matches('button, input'));
+    if (usage === undefined || isBrowsers(event) || used) return;
     event.preventDefault();
     if (!event.repeat) holdKey(usage, true);
   });
@@ -125,9 +125,19 @@ export function makeTypingField() {
   return {element: field, offer};
 }
 
+// Keys of one group stand together; the ways of drawing in the order of their keys on the keyboard, the others as the
+// labels have them.
+function inOrder(labels) {
+  const rows = 'QWERTYUIOPASDFGHJKLZXCVBNM';
+  const position = ({usage}) => rows.indexOf(kNames.get(usage) ?? ' ');
+  const styles = labels.filter(({group}) => group === 'style').sort((a, b) => position(a) - position(b));
+  return [...labels.filter(({group}) => group !== 'style'), ...styles];
+}
+
 export function makeKeys(parent, labels) {
-  labels.forEach((label, n) => {
-    const text = caption(label.group, labels[n - 1]?.group);
+  const ordered = inOrder(labels);
+  ordered.forEach((label, n) => {
+    const text = caption(label.group, ordered[n - 1]?.group);
     if (text) parent.append(make('span', {class: 'caption', 'data-group': label.group}, text));
     parent.append(makeCap(label));
   });

@@ -1,11 +1,15 @@
-// The operator's lips before the camera: drag down to open, sideways to narrow and widen; they spring shut.
-import {clamp, make, onDrag, placeIn, springBack} from './drag.js';
+// The operator's lips before the camera: drag down to open, sideways to narrow and widen, or hold the arrow keys; they
+// spring shut.
+import {onArrows} from './arrows.js';
+import {clamp, make, onDrag, positionIn, springBack} from './drag.js';
 import {onState, set} from './wire.js';
 
 const kRest = [0, 0];          // Shut, at rest width.
 const kShutHeight = 0.25;      // Painted lips have a height even when shut; in widths of the mouth at rest.
 const kOpenHeight = 0.85;      // Added when wide open.
 const kWidthSpan = 0.4;        // Added or taken at the sides of the pad.
+const kKeyOpen = 0.8;          // Of wide open, while the arrow key down is held;
+const kKeyWide = 0.8;          // of the way sideways, while left or right is held.
 const kLocalTime_ms = 400;
 
 const kDrawing = `
@@ -43,13 +47,13 @@ function send([open, wide]) {
 
 // The upper quarter of the pad is shut, its lower edge wide open.
 function read(element, event) {
-  const {x, y} = placeIn(element, event);
+  const {x, y} = positionIn(element, event);
   return [clamp((0.5 - y) / 1.3, 0, 1), clamp(x * 1.15, -1, 1)];
 }
 
 export function makeLips(parent) {
-  const element = make('div', {class: 'lips', role: 'application',
-                               'aria-label': 'Lips: drag down to open, sideways to widen'});
+  const element = make('div', {class: 'lips', tabindex: '0', role: 'application',
+                               'aria-label': 'Lips: drag down to open, sideways to widen, or hold the arrow keys'});
   element.innerHTML = kDrawing;
   parent.append(make('h2', {}, 'Lips'), element,
                 make('span', {class: 'name'}, 'Drag down to open, sideways to widen'));
@@ -62,11 +66,18 @@ export function makeLips(parent) {
     draw(element, value);
     send(value);
   };
-  const take = (event) => {
+  const follow = (event) => {
     stop();
     put(read(element, event));
   };
-  onDrag(element, {begin: take, move: take, end: () => { stop = springBack(value, kRest, put); }});
+  const letGo = () => { stop = springBack(value, kRest, put); };
+  onDrag(element, {begin: follow, move: follow, end: letGo});
+  onArrows(element, (direction) => {
+    if (direction === null) return letGo();
+    const [x, y] = direction;
+    stop();
+    return put([y < 0 ? kKeyOpen : 0, x * kKeyWide]);
+  });
   draw(element, kRest);
   onState(({lips}) => {
     if (performance.now() - touched_ms < kLocalTime_ms) return;

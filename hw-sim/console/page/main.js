@@ -3,11 +3,13 @@ import {makeButtons} from './buttons.js';
 import {makeCables} from './cables.js';
 import {makeDials} from './dials.js';
 import {onDrag} from './drag.js';
+import {editorIsOpen, makeEditor, pointing} from './editor.js';
 import {steering} from './face.js';
 import {makeKeys} from './keys.js';
 import {makeLips} from './lips.js';
-import {makeNeedles, needlesAreOpen, pointing} from './needles.js';
+import {makeSound} from './sound.js';
 import {makeStick} from './sticks.js';
+import {makeSwitches} from './switches.js';
 import {makeVoice} from './voice.js';
 import {connect, onState} from './wire.js';
 
@@ -36,24 +38,33 @@ function notice(state) {
   return '';
 }
 
-function showState(state) {
+// Which scene and which way of drawing are on, by the names of the labels; nothing while the box does not say.
+function onStage({scenes, styles}, now) {
+  if (!now) return '';
+  return [scenes[now.scene] && `Scene: ${scenes[now.scene]}`, styles[now.style] && `Drawn as: ${styles[now.style]}`]
+      .filter(Boolean).join(' \u00b7 ');
+}
+
+function showState(state, labels) {
   $('fps').textContent = state.fps > 0 ? state.fps : '–';
   $('notice').textContent = notice(state);
+  const now = onStage(labels, state.on_stage);
+  if ($('now').textContent !== now) $('now').textContent = now;  // A screen reader speaks of changes only.
   $('mouth').classList.toggle('covered', state.covered);
 }
 
-// A hand on the picture drags her face, or is the pointer of the needles.
+// The mouse on the picture drags the face, or is the pointer of the needles.
 function makePicture(picture) {
   const steer = steering(picture);
   const point = pointing(picture);
-  let hand = steer;
+  let tool = steer;
   onDrag(picture, {
     begin: (event) => {
-      hand = needlesAreOpen() ? point : steer;
-      hand.begin(event);
+      tool = editorIsOpen() ? point : steer;
+      tool.begin(event);
     },
-    move: (event) => hand.move(event),
-    end: () => hand.end(),
+    move: (event) => tool.move(event),
+    end: () => tool.end(),
   });
 }
 
@@ -65,12 +76,14 @@ async function begin() {
   makeStick($('right'), 'right', labels.sticks[1]);
   makeLips($('mouth'));
   makeVoice($('mouth'));
+  makeSwitches($('lines'));
+  $('rate').before(makeSound());
   makeKeys($('keys'), labels.keys);
-  makeNeedles($('stage'), $('picture'));
+  makeEditor($('stage'), $('picture'));
   makePicture($('picture'));
   makeCables();
   showHint();
-  onState(showState);
+  onState((state) => showState(state, labels));
   connect($('picture'));
 }
 

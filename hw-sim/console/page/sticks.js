@@ -1,8 +1,10 @@
 // Two joysticks seen from above: a pad that springs back, a twist that springs back, a slider that stays.
-import {clamp, make, onDrag, placeIn, springBack} from './drag.js';
+// Each of them can be dragged, and can be moved by the arrow keys while it has the focus.
+import {onArrows} from './arrows.js';
+import {clamp, make, onDrag, positionIn, springBack} from './drag.js';
 import {onState, set} from './wire.js';
 
-const kKeys = new Map([['ArrowLeft', [-1, 0]], ['ArrowRight', [1, 0]], ['ArrowUp', [0, 1]], ['ArrowDown', [0, -1]]]);
+const kKeyPart = 0.8;  // Of a control's way, while its arrow key is held.
 const kLocalTime_ms = 400;
 
 // A control that is dragged within -1..1 on each axis and says where it stands.
@@ -11,14 +13,14 @@ class Pad {
     Object.assign(this, {element, springs, send, draw, touched_ms: -Infinity});
     this.stop = () => {};
     onDrag(element, {
-      begin: (event) => this.take(event),
-      move: (event) => this.take(event),
+      begin: (event) => this.follow(event),
+      move: (event) => this.follow(event),
       end: () => this.letGo(),
     });
   }
 
-  take(event) {
-    const {x, y} = placeIn(this.element, event);
+  follow(event) {
+    const {x, y} = positionIn(this.element, event);
     this.stop();
     this.put([clamp(x * 1.15, -1, 1), clamp(y * 1.15, -1, 1)]);
   }
@@ -30,11 +32,19 @@ class Pad {
     this.send(value);
   }
 
+  // Arrow keys hold the control in this direction, or let it go where it is null.
+  lean(direction) {
+    if (direction === null) return this.letGo();
+    this.stop();
+    return this.put(direction.map((value) => value * kKeyPart));
+  }
+
   letGo() {
     if (this.springs) this.stop = springBack(this.value, [0, 0], (value) => this.put(value));
   }
 
-  follow(value) {
+  // The simulator's word, unless this page has moved the control just now.
+  update(value) {
     if (performance.now() - this.touched_ms > kLocalTime_ms) this.draw(value);
   }
 }
@@ -59,70 +69,54 @@ function makePad(side, name) {
       knob.style.transform = `translate(${x * 100}%, ${-y * 100}%)`;
     },
   });
-  listenToArrows(element, pad);
+  onArrows(element, (direction) => pad.lean(direction));
   return pad;
 }
 
-function listenToArrows(element, pad) {
-  const held = new Set();
-  const lean = () => {
-    if (held.size === 0) return pad.letGo();
-    const sum = [...held].map((code) => kKeys.get(code)).reduce((a, b) => [a[0] + b[0], a[1] + b[1]], [0, 0]);
-    pad.stop();
-    return pad.put(sum.map((v) => clamp(v, -1, 1) * 0.8));
-  };
-  element.addEventListener('keydown', (event) => {
-    if (!kKeys.has(event.code)) return;
-    event.preventDefault();
-    held.add(event.code);
-    if (!event.repeat) lean();
-  });
-  element.addEventListener('keyup', (event) => {
-    if (held.delete(event.code)) lean();
-  });
-  element.addEventListener('blur', () => {
-    if (held.size === 0) return;
-    held.clear();
-    lean();
-  });
-}
-
-function makeTwist(side, name) {
+function makeTwist(side, name, text) {
   const knob = make('span', {class: 'thumb'});
-  const element = make('div', {class: 'twist', role: 'application', 'aria-label': `${name}: twist`}, knob);
-  return new Pad(element, {
+  const element = make('div', {class: 'twist', tabindex: '0', role: 'slider', 'aria-orientation': 'horizontal',
+                               'aria-valuemin': '-100', 'aria-valuemax': '100', 'aria-valuenow': '0',
+                               'aria-label': `${name}: ${text}, the twist`,
+                               title: 'Drag sideways, or hold the left or the right arrow key'}, knob);
+  const pad = new Pad(element, {
     springs: true,
     send: ([x]) => set(`${side} twist`, `${side} twist ${number(x)}`),
-    draw: ([x]) => { knob.style.left = `${50 + x * 50}%`; },
+    draw: ([x]) => {
+      knob.style.left = `${50 + x * 50}%`;
+      element.setAttribute('aria-valuenow', Math.round(x * 100));
+    },
   });
+  onArrows(element, (direction) => pad.lean(direction));
+  return pad;
 }
 
-function makeSlider(side, name) {
+function makeSlider(side, name, text) {
   const input = make('input', {type: 'range', min: '0', max: '1', step: '0.005', value: '0', class: 'slide',
-                               'aria-label': `${name}: slider`});
+                               'aria-label': `${name}: ${text}, the slider`});
   let touched_ms = -Infinity;
   input.addEventListener('input', () => {
     touched_ms = performance.now();
     set(`${side} slide`, `${side} slide ${number(input.valueAsNumber)}`);
   });
-  const follow = (value) => {
+  const update = (value) => {
     if (performance.now() - touched_ms > kLocalTime_ms) input.value = value;
   };
-  return {element: input, follow};
+  return {element: input, update};
 }
 
 export function makeStick(parent, side, label) {
   const name = label.text || (side === 'left' ? 'Left stick' : 'Right stick');
   const pad = makePad(side, name);
-  const twist = makeTwist(side, name);
-  const slider = makeSlider(side, name);
+  const twist = makeTwist(side, name, label.twist || 'Twist');
+  const slider = makeSlider(side, name, label.slide || 'Slider');
   parent.append(make('h2', {}, name), pad.element, slider.element, twist.element,
                 make('span', {class: 'name of-twist'}, label.twist || 'Twist'),
                 make('span', {class: 'name of-slide'}, label.slide || 'Slider'));
   onState(({sticks}) => {
     const stick = sticks[side === 'left' ? 0 : 1];
-    pad.follow([stick.x, stick.y]);
-    twist.follow([stick.twist, 0]);
-    slider.follow(stick.slider);
+    pad.update([stick.x, stick.y]);
+    twist.update([stick.twist, 0]);
+    slider.update(stick.slider);
   });
 }

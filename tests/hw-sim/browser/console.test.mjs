@@ -1,4 +1,4 @@
-// The console's page in a real browser: hands on the page become report bytes, and what the show draws comes back.
+// The console's page in a real browser: input on the page becomes report bytes, and what the show draws comes back.
 import assert from 'node:assert/strict';
 import {request} from 'node:http';
 import {after, before, test} from 'node:test';
@@ -121,6 +121,86 @@ test('the lip pad opens the lips before the camera, and they spring shut', async
   await until('a shut mouth', async () => (await harness.state()).lips.height === 0.25);
 });
 
+test('a twist and the lips are moved by the arrow keys, and spring back', async () => {
+  const twist = page.getByRole('slider', {name: /the twist$/}).first();
+  await twist.focus();
+  await page.keyboard.down('ArrowRight');
+  await until('a twist to the right', () => harness.heard('stick-left')?.[2] > 0.7);
+  assert.equal(await twist.getAttribute('aria-valuenow'), '80');
+  await page.keyboard.up('ArrowRight');
+  await until('a twist at rest', () => harness.heard('stick-left')[2] === 0);
+  const lips = page.locator('.lips');
+  await lips.focus();
+  await page.keyboard.down('ArrowDown');
+  await page.keyboard.down('ArrowRight');
+  await until('an open, wide mouth', async () => {
+    const {height, width} = (await harness.state()).lips;
+    return height > 0.9 && width > 1.3;
+  });
+  await page.keyboard.up('ArrowDown');
+  await page.keyboard.up('ArrowRight');
+  await until('a shut mouth', async () => (await harness.state()).lips.height === 0.25);
+  assert.equal(harness.heard('key 79'), undefined, 'the arrows are those of the control that has the focus');
+  await lips.blur();
+});
+
+test('every control can be reached by keys and has a name', async () => {
+  const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, [role="slider"], [role="application"]')]
+      .filter((element) => element.offsetParent)
+      .filter((element) => element.tabIndex < 0 || !(element.getAttribute('aria-label') || element.textContent.trim()))
+      .map((element) => element.outerHTML.slice(0, 80)));
+  assert.deepEqual(nameless, []);
+  const vowels = await page.locator('.voice button').evaluateAll((all) => all.map((button) => button.title));
+  assert.deepEqual(vowels.map((title) => title.startsWith('Hold it to say')), Array(5).fill(true));
+});
+
+test('ways of drawing stand in the order of their keys', async () => {
+  const keys = await page.locator('#keys .cap[data-group="style"] kbd').allTextContents();
+  assert.deepEqual(keys, ['Q', 'W', 'R']);
+});
+
+test('the page says which scene and which way of drawing are on', async () => {
+  await until('both names', async () => await page.locator('#now').textContent() === 'Scene: Poster \u00b7 Drawn as: Wireframe');
+});
+
+test('switches reach the drivers as lines, and the tally lamp is what the box says', async () => {
+  const tally = page.locator('.tally');
+  await until('a lit lamp', async () => await tally.getAttribute('aria-label') === 'Tally lamp: lit');
+  const go = page.getByRole('button', {name: /^GO/});
+  const {x, y} = await middle(go);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await until('GO down', () => harness.heard('line 0')?.[0] === 1);
+  await page.mouse.up();
+  await until('GO up', () => harness.heard('line 0')[0] === 0);
+  const blackout = page.getByRole('button', {name: /^Blackout/});
+  await blackout.click();
+  await until('a latched switch', async () => harness.heard('line 1')?.[0] === 1 && await blackout.getAttribute('aria-pressed') === 'true');
+  await until('a dark lamp', async () => await tally.getAttribute('aria-label') === 'Tally lamp: dark');
+  await blackout.click();
+  await until('blackout off', () => harness.heard('line 1')[0] === 0);
+  for (const [name, line] of [['Service', 2], ['Presence', 3]]) {
+    const button = page.getByRole('button', {name: new RegExp(`^${name}`)});
+    await button.click();
+    await until(`${name} on`, () => harness.heard(`line ${line}`)?.[0] === 1);
+    await button.click();
+    await until(`${name} off`, () => harness.heard(`line ${line}`)[0] === 0);
+  }
+});
+
+test('the sound of the loudspeaker is played when it is asked for, and not before', async () => {
+  const sound = page.locator('#sound');
+  assert.equal(page.asked.some((url) => url.endsWith('/sound')), false, 'nobody asked for it');
+  await sound.click();
+  await until('a second of sound', async () => Number(await sound.getAttribute('data-frames')) > 48000);
+  // The toy stage plays 8000 of 32768: -12 dB. The analyser hears what leaves the page.
+  await until('the tone in the page', async () => Math.abs(Number(await sound.getAttribute('data-peak')) + 12.2) < 1);
+  await sound.click();
+  const frames = await sound.getAttribute('data-frames');
+  await new Promise((done) => setTimeout(done, 300));
+  assert.equal(await sound.getAttribute('data-frames'), frames, 'it is off again');
+});
+
 test('a cable that is pulled takes the device away, and back', async () => {
   await page.getByRole('button', {name: 'Unplug the dial box'}).click();
   await until('an unplugged box', async () => (await harness.state()).ports['dial-box'].plugged === false);
@@ -166,11 +246,11 @@ const needles = () => page.getByRole('button', {name: 'Needles', exact: true});
 async function openNeedles() {
   await needles().click();
   await until('Tab down and up', () => harness.lines.includes('key 43 1') && harness.heard('key 43')?.[0] === 0);
-  await until('open needles', async () => (await harness.state()).needles);
+  await until('open needles', async () => (await harness.state()).editor_open);
   await until('a switch that is lit', async () => await needles().getAttribute('aria-pressed') === 'true');
 }
 
-test('with the needles open the mouse over the picture is the pointer, and not a hand on her face', async () => {
+test('with the needles open the mouse over the picture is the pointer, and not a drag of the face', async () => {
   await openNeedles();
   const sticks = harness.lines.filter((line) => line.startsWith('stick-')).length;
   const {x, y, width, height} = await middle(page.locator('#picture'));
@@ -181,7 +261,7 @@ test('with the needles open the mouse over the picture is the pointer, and not a
   await page.mouse.up();
   await until('the middle', () => harness.heard('pointer')?.every((v, n) => Math.abs(v - [0.5, 0.5, 0, 0][n]) < 0.01));
   const pushed = harness.lines.filter((line) => /^pointer \S+ \S+ 1/.test(line));
-  assert.match(pushed[0], /^pointer 0.25\d 0.25/, 'it went down where the hand was');
+  assert.match(pushed[0], /^pointer 0.25\d 0.25/, 'it went down where the mouse was');
   await page.mouse.wheel(0, -200);
   await until('two notches', () => harness.heard('pointer')?.[3] === 2);
   await page.mouse.down({button: 'right'});
@@ -228,9 +308,9 @@ test('a finger points, too, and writes a name without a keyboard', async () => {
   await touched.context().close();
 });
 
-test('the needles are shut by the same switch, and her face is a handle again', async () => {
+test('the needles are shut by the same switch, and the face is a handle again', async () => {
   await needles().click();
-  await until('shut needles', async () => !(await harness.state()).needles);
+  await until('shut needles', async () => !(await harness.state()).editor_open);
   const {x, y, width} = await middle(page.locator('#picture'));
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -304,7 +384,7 @@ test('only the page itself may play', async () => {
   assert.equal((await harness.state()).dials[7], 1);
 });
 
-test('a bad hand is refused in one clear line, and a long one unread', async () => {
+test('bad input is refused in one clear line, and a long one unread', async () => {
   const reply = await fetch(new URL('input', await harness.address()), {method: 'POST', body: 'dial 9 turn 1'});
   assert.equal(reply.status, 400);
   assert.equal(await reply.text(), '1:6: no dial 9; dials are 1 to 8\n');

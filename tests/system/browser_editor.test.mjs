@@ -6,7 +6,7 @@ import {after, afterEach, before, test} from 'node:test';
 
 import {middle, openBrowser, openPage, pull, until} from '../hw-sim/browser/harness.mjs';
 import {BoxSystem} from './browser_system.mjs';
-import {kEyes, kMouth, kStill, kWhole, Sight} from './browser_sight.mjs';
+import {kEyes, kMouth, kStill, kWhole, View} from './browser_view.mjs';
 
 const kFace = [0.36, 0.3, 0.64, 0.8];
 const kCaption = [0, 0.5, 0.3, 1];
@@ -19,7 +19,7 @@ const kHigher = [0.56, 0.60];
 let box;
 let browser;
 let page;
-let sight;
+let view;
 let shut;    // Her picture before all this.
 let opened;  // With needles, nothing pulled.
 let pulled;  // And with one pulled.
@@ -28,11 +28,11 @@ before(async () => {
   box = new BoxSystem();
   browser = await openBrowser();
   page = await openPage(browser, await box.address());
-  sight = new Sight(page);
+  view = new View(page);
   await until('every device heard', async () => Object.values((await box.state()).ports).every((p) => p.connected));
   await pull(page, page.getByRole('slider', {name: /^Dial \d: Life$/}), 0, 200);
   await page.mouse.up();
-  shut = await sight.atRest();
+  shut = await view.atRest();
 });
 
 after(async () => {
@@ -64,10 +64,10 @@ async function type(name) {
 
 test('the switch opens the needles on her face, and says how to use them', async () => {
   await needles().click();
-  await until('open', async () => (await box.state()).needles);
-  await sight.untilMoved('a plate with words', shut, kCaption, 8);
-  opened = await sight.atRest();
-  assert.ok(await sight.difference(shut, opened, kFace) > 1, 'needles');
+  await until('open', async () => (await box.state()).editor_open);
+  await view.untilMoved('a plate with words', shut, kCaption, 8);
+  opened = await view.atRest();
+  assert.ok(await view.difference(shut, opened, kFace) > 1, 'needles');
 });
 
 test('a needle that the mouse drags takes the mouth along, on both sides', async () => {
@@ -76,29 +76,29 @@ test('a needle that the mouse drags takes the mouth along, on both sides', async
   await new Promise((done) => setTimeout(done, 300));
   await page.mouse.move(...await at(kHigher), {steps: 10});
   await page.mouse.up();
-  await sight.untilMoved('another mouth', opened, kMouth);
-  pulled = await sight.atRest();
+  await view.untilMoved('another mouth', opened, kMouth);
+  pulled = await view.atRest();
   const [left, top, right, bottom] = kMouth;
   for (const half of [[left, top, 0.5, bottom], [0.5, top, right, bottom]])
-    assert.ok(await sight.difference(opened, pulled, half) > 2, 'mirrored');
-  assert.ok(await sight.difference(opened, pulled, kEyes) < await sight.difference(opened, pulled, kMouth) / 3);
+    assert.ok(await view.difference(opened, pulled, half) > 2, 'mirrored');
+  assert.ok(await view.difference(opened, pulled, kEyes) < await view.difference(opened, pulled, kMouth) / 3);
 });
 
 test('undo takes it back, redo brings it again, and Compare shows both', async () => {
   await tool('Undo').click();
-  await sight.untilBack('the mouth from before', opened, kMouth, 2);
+  await view.untilBack('the mouth from before', opened, kMouth, 2);
   await tool('Redo').click();
-  await sight.untilBack('the pulled mouth', pulled, kMouth, kBack);
+  await view.untilBack('the pulled mouth', pulled, kMouth, kBack);
   await page.mouse.move(...Object.values(await middle(tool('Compare'))).slice(0, 2));
   await page.mouse.down();
-  await sight.untilMoved('the mouth from before', pulled, kMouth, 2);
+  await view.untilMoved('the mouth from before', pulled, kMouth, 2);
   await page.mouse.up();
-  await sight.untilBack('the pulled mouth again', pulled, kMouth, kBack);
+  await view.untilBack('the pulled mouth again', pulled, kMouth, kBack);
 });
 
 test('it is named, saved as readable text, and the needles are shut', async () => {
   await tool('Save').click();
-  await sight.untilMoved('the question for a name', pulled, kCaption, 2);
+  await view.untilMoved('the question for a name', pulled, kCaption, 2);
   await type('grin');
   await page.keyboard.press('Enter', {delay: 120});
   const own = box.file('kaori/own');
@@ -107,23 +107,23 @@ test('it is named, saved as readable text, and the needles are shut', async () =
   await until('a file that holds it', () => text().includes('grin'));
   assert.match(text(), /\[expression\.both\]\n\w+ = \[/, 'a pull of both sides');
   await needles().click();
-  await until('shut', async () => !(await box.state()).needles);
-  await sight.untilBack('no plate', shut, kCaption, 2);
+  await until('shut', async () => !(await box.state()).editor_open);
+  await view.untilBack('no plate', shut, kCaption, 2);
 });
 
 test('it is called on her, and on another face, by Shift and a digit', async () => {
   await button('Neutral').click();
-  await sight.untilBack('her own mouth', shut, kMouth, kBack);
+  await view.untilBack('her own mouth', shut, kMouth, kBack);
   await page.keyboard.down('Shift');
   await page.keyboard.press('1', {delay: 200});
   await page.keyboard.up('Shift');
-  await sight.untilMoved('the grin', shut, kMouth, 1.5);
-  const grinning = await sight.atRest();
+  await view.untilMoved('the grin', shut, kMouth, 1.5);
+  const grinning = await view.atRest();
   await button('Round').click();
-  await sight.untilMoved('another face', grinning, kWhole, 2);
-  const round = await sight.atRest();
+  await view.untilMoved('another face', grinning, kWhole, 2);
+  const round = await view.atRest();
   await button('Neutral').click();
-  await sight.untilMoved('a round face that does not grin', round, kMouth, 1);
+  await view.untilMoved('a round face that does not grin', round, kMouth, 1);
 });
 
 test('no script of the page failed', () => assert.deepEqual(page.faults, []));

@@ -1,6 +1,6 @@
 // The needles: in this mode the mouse over the picture is the show's own pointer, and a row of tools presses the
 // keys that make an expression. Whether they are open is the simulator's word: who pressed Tab, and is the stage there.
-import {clamp, make, onHold, placeIn} from './drag.js';
+import {clamp, make, onHold, positionIn} from './drag.js';
 import {holdKey, makeTypingField, tapKey} from './keys.js';
 import {add, sendLast, onState, set, tell} from './wire.js';
 
@@ -31,10 +31,10 @@ const kButtons = [1, 3, 2];  // Of a mouse event: left, middle, right; the point
 let open = false;
 let edges = 0;  // A move must not overtake the push before it: after each edge moves begin a new slot.
 
-export const needlesAreOpen = () => open;
+export const editorIsOpen = () => open;
 
-function place(picture, event) {
-  const {x, y} = placeIn(picture, event);
+function pointerLine(picture, event) {
+  const {x, y} = positionIn(picture, event);
   const part = (value) => clamp((value + 1) / 2, 0, 1).toFixed(5);
   return `pointer ${part(x)} ${part(-y)}`;
 }
@@ -51,9 +51,9 @@ export function pointing(picture) {
   return {
     begin: (event) => {
       held = true;
-      edge(place(picture, event), 'press pointer');
+      edge(pointerLine(picture, event), 'press pointer');
     },
-    move: (event) => set(`pointer ${edges}`, place(picture, event)),
+    move: (event) => set(`pointer ${edges}`, pointerLine(picture, event)),
     end: () => {
       held = false;
       edge('release pointer');
@@ -65,12 +65,12 @@ export function pointing(picture) {
 function hover(picture) {
   const others = new Map();
   picture.addEventListener('pointermove', (event) => {
-    if (open && event.pointerType === 'mouse') set(`pointer ${edges}`, place(picture, event));
+    if (open && event.pointerType === 'mouse') set(`pointer ${edges}`, pointerLine(picture, event));
   });
   picture.addEventListener('mousedown', (event) => {
     if (!open || event.button === 0 || !(event.button in kButtons)) return;
     others.set(event.button, kButtons[event.button]);
-    edge(place(picture, event), `press pointer ${kButtons[event.button]}`);
+    edge(pointerLine(picture, event), `press pointer ${kButtons[event.button]}`);
   });
   window.addEventListener('mouseup', (event) => {
     const button = others.get(event.button);
@@ -114,20 +114,20 @@ async function toggle() {
   await tapKey(kTab);
 }
 
-export function makeNeedles(stage, picture) {
+export function makeEditor(stage, picture) {
   const typing = makeTypingField();
   const tools = make('div', {class: 'tools'}, ...kTools.map((tool) => makeTool(tool, typing)), typing.element);
   const mouse = make('div', {class: 'mouse', 'data-port': 'pointer'}, makeRoll('Out', 'The needle outwards', 1),
                      makeRoll('In', 'The needle inwards', -1));
-  const needles = make('button', {type: 'button', class: 'tool switch', 'aria-pressed': 'false'}, 'Needles');
-  needles.addEventListener('click', toggle);
-  needles.addEventListener('mousedown', (event) => event.preventDefault());
+  const toggle_button = make('button', {type: 'button', class: 'tool switch', 'aria-pressed': 'false'}, 'Needles');
+  toggle_button.addEventListener('click', toggle);
+  toggle_button.addEventListener('mousedown', (event) => event.preventDefault());
   tools.append(mouse);
-  stage.append(make('div', {id: 'needles', role: 'toolbar', 'aria-label': 'Needles'}, tools, needles));
+  stage.append(make('div', {id: 'needles', role: 'toolbar', 'aria-label': 'Needles'}, tools, toggle_button));
   hover(picture);
   onState((state) => {
-    open = state.needles;
+    open = state.editor_open;
     document.body.dataset.needles = open ? 'open' : 'shut';
-    needles.setAttribute('aria-pressed', String(open));
+    toggle_button.setAttribute('aria-pressed', String(open));
   });
 }

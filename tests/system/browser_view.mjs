@@ -12,7 +12,7 @@ export const kStill = 0.4;   // Two pictures of one pose.
 export const kMoved = 3;     // Another pose, in the part that moves.
 export const kOther = 6;     // Another face, in the whole picture.
 
-export class Sight {
+export class View {
   constructor(page) {
     this.page = page;
   }

@@ -1,0 +1,37 @@
+// Which scene and which way of drawing are on stage, read from the box's board. For the page that people look at: no
+// simulated device knows of it, as no real one would.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "appliance/core/board/board.h"
+#include "drivers/base/clock.h"
+
+namespace kaori::sim {
+
+// Both count as the show does, from 0; the labels have their names.
+struct OnStage {
+  std::uint32_t scene = 0;
+  std::uint32_t style = 0;
+};
+
+// One thread. Reads only: the board is neither made nor changed.
+class StageMonitor {
+ public:
+  // `board` is the file that the box's programs share; it need not be there yet. Borrows the clock.
+  StageMonitor(std::string board, const Clock& clock) : path_(std::move(board)), clock_(clock) {}
+
+  // Nothing while no stage draws. Does not block; where there is no board, or a stage that has been silent for two
+  // seconds, the file is looked for anew once a second.
+  std::optional<OnStage> Read();
+
+ private:
+  std::string path_;
+  const Clock& clock_;
+  std::optional<board::Board> board_;
+  Time look_at_{};  // When the file is looked for again.
+};
+
+}  // namespace kaori::sim
