@@ -57,18 +57,18 @@ class NeedlesInAHouse : public ::testing::Test {
   }
 
   void Strike(std::uint8_t usage) {
-    const auto pushes = [&] { return board_.Read<board::Keys>().value.pushes[usage]; };
-    const std::uint32_t before = pushes();
+    const auto presses = [&] { return board_.Read<board::Keys>().value.log.count; };
+    const std::uint32_t before = presses();
     rig_->keyboard().Press(usage);
-    ASSERT_TRUE(Until([&] { return pushes() != before && Seen().keys[usage] == pushes(); }));
+    ASSERT_TRUE(Until([&] { return presses() != before && Seen().key_presses == presses(); }));
     rig_->keyboard().Release(usage);
     ASSERT_TRUE(Until([&] { return !editor::IsDown(board_.Read<board::Keys>().value, usage); }));
   }
 
   // What the stage has taken in.
-  performance::Seen Seen() const {
+  performance::SeenInput Seen() const {
     const auto state = board::Restore<performance::State>(board_.Read<board::Performance>().value);
-    return state ? state->seen : performance::Seen{};
+    return state ? state->seen : performance::SeenInput{};
   }
 
   // How far the journal has the pulled needle, in counts of the dial.

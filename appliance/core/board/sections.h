@@ -14,6 +14,20 @@ namespace kaori::board {
 enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
 
 // Values are plain 32-bit words so that they cross the shared memory without tearing types apart.
+
+// The newest presses of a section's buttons or keys, so that a reader that looks seldom still learns which came
+// first. Counters alone say how often, but not in which order.
+struct PressLog {
+  static constexpr std::size_t kKept = 32;  // A power of two, so that `count` may wrap.
+  struct Press {
+    std::uint32_t code = 0;   // Bits 0 to 7: the button's number or the key's usage; 8 to 15: of a key, which of
+                              // the modifiers E0 to E7 were held with it.
+    std::uint32_t at_us = 0;  // When it happened, on CLOCK_MONOTONIC; wraps after 71 minutes.
+  };
+  std::uint32_t count = 0;  // Presses since the board began; wraps.
+  std::array<Press, kKept> newest{};  // Press n, counted from 0, lies in newest[n % kKept].
+};
+
 // Written by kaori-input.
 struct Surface {
   static constexpr const char* kName = "surface";
@@ -21,6 +35,7 @@ struct Surface {
   std::int32_t counts_per_turn = 256;
   std::uint32_t buttons_down = 0;          // Bit n: button n is held.
   std::array<std::uint32_t, 32> pushes{};  // How often each button went down since the board began.
+  PressLog log{};                          // Of the same pushes.
 };
 
 // Written by kaori-input; [0] is the left stick (head), [1] the right one (gaze and brows).
@@ -45,6 +60,7 @@ struct Keys {
   static constexpr const char* kName = "keys";
   std::array<std::uint32_t, 8> down{};      // Bit u % 32 of word u / 32: the key with usage u is held.
   std::array<std::uint32_t, 256> pushes{};  // How often each went down since the board began.
+  PressLog log{};                           // Of the same keys.
 };
 
 // Written by kaori-input. A mouse or a tablet: the place on the stage's picture, 0..1 from the left top.

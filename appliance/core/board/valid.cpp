@@ -20,10 +20,15 @@ bool Within(float value, float low, float high) {
   return value >= low && value <= high;
 }
 
+bool HasCodes(const PressLog& log, std::uint32_t end) {
+  return std::ranges::all_of(log.newest, [end](const PressLog::Press& press) { return press.code < end; });
+}
+
 }  // namespace
 
 bool Valid(const Surface& surface) {
-  return surface.counts_per_turn > 0 && surface.counts_per_turn <= kMaxCountsPerTurn;
+  return surface.counts_per_turn > 0 && surface.counts_per_turn <= kMaxCountsPerTurn &&
+         HasCodes(surface.log, static_cast<std::uint32_t>(surface.pushes.size()));
 }
 
 bool Valid(const Stick& stick) {
@@ -32,8 +37,8 @@ bool Valid(const Stick& stick) {
          std::ranges::all_of(stick.centres, [](float centre) { return Within(centre, -1, 1); });
 }
 
-bool Valid(const Keys& /*any bits are keys*/) {
-  return true;
+bool Valid(const Keys& keys) {
+  return HasCodes(keys.log, 0x10000);
 }
 
 bool Valid(const Lines& /*any bits are lines*/) {

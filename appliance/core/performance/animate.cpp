@@ -4,18 +4,18 @@
 #include <cmath>
 
 #include "appliance/core/performance/blink.h"
-#include "appliance/core/performance/hands.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
-#include "appliance/core/performance/mouth.h"
 #include "appliance/core/performance/motions.h"
+#include "appliance/core/performance/mouth.h"
+#include "appliance/core/performance/operator_input.h"
 #include "render/face/jaw.h"
 
 namespace kaori::performance {
 namespace {
 
 constexpr Duration kLongestStep = std::chrono::milliseconds(100);
-constexpr Duration kClockBegan = std::chrono::seconds(1);  // A light this far back is of another clock.
+constexpr Duration kClockBegan = std::chrono::seconds(1);  // A time this far back is of another clock.
 constexpr float kLidFollow_rad =
     0.38F;  // The lids have followed wholly when the gaze is this far up or down.
 
@@ -75,30 +75,22 @@ std::uint32_t Lamps(const State& state, const show::Show& show) {
   return lamps;
 }
 
-// Moves the state's time to `light` and gives the seconds in between. A light that comes a little before the
-// one before it (the screen was pulled) takes no time, and what it went back is not played twice.
-float StepTo(State& state, Time light) {
+// Moves the state's time to `presented_at` and gives the seconds in between. A frame that is presented a little
+// before the one before it (the screen was pulled) takes no time, and what it went back is not played twice.
+float StepTo(State& state, Time presented_at) {
   const Time before = state.last;
-  if (light > before || before - light > kClockBegan) state.last = light;
-  if (light <= before) return 0;
-  if (before <= light - kLongestStep) return static_cast<float>(Seconds(kLongestStep));
-  return static_cast<float>(Seconds(light - before));
+  if (presented_at > before || before - presented_at > kClockBegan) state.last = presented_at;
+  if (presented_at <= before) return 0;
+  if (before <= presented_at - kLongestStep) return static_cast<float>(Seconds(kLongestStep));
+  return static_cast<float>(Seconds(presented_at - before));
 }
 
-// A section that nobody has written, or that cannot be read, says nothing: its counters are not those of a
-// hand.
-void PlayHands(State& state, const board::Snapshot& board, const show::Show& show) {
-  if (board.surface.source != board::SourceState::kAbsent) {
-    PushButtons(state, board.surface.value, show);
-    TurnKnobs(state, board.surface.value);
-  }
-  if (board.keys.source != board::SourceState::kAbsent) StrikeKeys(state, board.keys.value, show);
-}
-
-void MoveOn(State& state, const board::Snapshot& board, const show::Show& show, float dt_s) {
+void MoveOn(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
+            float dt_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
-  PlayHands(state, board, show);
-  HandleLines(state, board.lines, show, dt_s);
+  PlayPresses(state, events, show);
+  TurnKnobs(state, events, board.surface.value.counts_per_turn);
+  HandleLines(state, board.lines, events.go, show, dt_s);
   FollowKnobs(state, dt_s);
   MoveSticks(state, board, dt_s);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
@@ -137,10 +129,10 @@ void HangBackdrops(const Mixture& backdrops, const show::Show& show, scene::Scen
 
 }  // namespace
 
-State Opening(const show::Show& show, const board::Snapshot& board, Time light) {
+State Opening(const show::Show& show, const board::Snapshot& board, Time presented_at) {
   State state;
-  state.last = light;
-  state.seen = {board.surface.value.counts, board.surface.value.pushes, board.keys.value.pushes};
+  state.last = presented_at;
+  state.seen = SeenOn(board);
   state.styles.to = static_cast<std::uint16_t>(scene::Style::kSoft);
   if (!show.scenes.empty()) EnterScene(state, show, 0, 0);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
@@ -149,11 +141,12 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time light) 
   return state;
 }
 
-Performed Animate(const State& previous, const board::Snapshot& board, const show::Show& show, Time light) {
+Performed Animate(const State& previous, const board::Snapshot& board, const InputEvents& events,
+                  const show::Show& show, Time presented_at) {
   Performed performed{previous, {}, 0};
   State& state = performed.state;
-  const float dt_s = StepTo(state, light);
-  MoveOn(state, board, show, dt_s);
+  const float dt_s = StepTo(state, presented_at);
+  MoveOn(state, board, events, show, dt_s);
 
   scene::Scene& scene = performed.scene;
   const Idle idle = Live(state, At(state.shown, Knob::kLife), dt_s);

@@ -4,7 +4,7 @@
 
 #include "appliance/core/board/lines.h"
 #include "appliance/core/performance/ease.h"
-#include "appliance/core/performance/hands.h"
+#include "appliance/core/performance/operator_input.h"
 
 namespace kaori::performance {
 namespace {
@@ -35,19 +35,15 @@ void Want(State& state, const board::Stamped<board::Lines>& lines) {
 }  // namespace
 
 void BeginLines(State& state, const board::Stamped<board::Lines>& lines) {
-  state.seen.lines = lines.value.pushes;
   state.black_scene = state.scene;
   Want(state, lines);
   state.blackout = state.black_wanted != 0 ? 1.0F : 0.0F;
 }
 
-void HandleLines(State& state, const board::Stamped<board::Lines>& lines, const show::Show& show, float dt_s) {
+void HandleLines(State& state, const board::Stamped<board::Lines>& lines, bool go, const show::Show& show,
+                 float dt_s) {
   state.go_quiet_s = std::min(kGoLongAgo_s, state.go_quiet_s + dt_s);
-  constexpr auto kGo = static_cast<std::size_t>(Line::kGo);
-  if (lines.source != SourceState::kAbsent) {
-    if (lines.value.pushes[kGo] != state.seen.lines[kGo]) Go(state, show);
-    state.seen.lines = lines.value.pushes;
-  }
+  if (go) Go(state, show);
   Want(state, lines);
   state.blackout = Travel(state.blackout, state.black_wanted != 0 ? 1.0F : 0.0F, dt_s, 1 / kBlackoutFade_s);
 }

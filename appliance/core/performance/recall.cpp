@@ -7,10 +7,7 @@ namespace kaori::performance {
 State Recalled(const State& kept, const board::Snapshot& board, Time light) {
   State state = kept;
   state.last = light;
-  state.seen = {.dials = board.surface.value.counts,
-                .buttons = board.surface.value.pushes,
-                .keys = board.keys.value.pushes,
-                .lines = board.lines.value.pushes};
+  state.seen = SeenOn(board);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
     mixture->progress = 1;
   state.backstage.progress = 1;

@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "appliance/core/performance/input_events.h"
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/mixture.h"
 #include "appliance/core/show/show.h"
@@ -15,14 +16,6 @@
 #include "render/scene/scene.h"
 
 namespace kaori::performance {
-
-// Counters of the board as they stood at the last frame: a difference is a push that happened since.
-struct Seen {
-  std::array<std::int32_t, 8> dials{};
-  std::array<std::uint32_t, 32> buttons{};
-  std::array<std::uint32_t, 256> keys{};
-  std::array<std::uint32_t, 16> lines{};
-};
 
 struct Backstage {  // The scene's light on its way.
   float exposure_from = 1, exposure_to = 1;
@@ -61,10 +54,10 @@ struct Sway {
 };
 
 struct State {
-  static constexpr std::uint32_t kLayout = 6;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 7;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // For which light the last frame was made.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
-  Seen seen;
+  SeenInput seen;
   Mixture faces, expressions, styles;
   Mixture backdrops;  // Of scenes, by their numbers.
   Backstage backstage;

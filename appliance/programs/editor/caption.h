@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "appliance/programs/editor/hands.h"
+#include "appliance/programs/editor/input.h"
 #include "appliance/programs/editor/session.h"
 
 namespace kaori::editor {

@@ -35,36 +35,41 @@ struct ExpressionEditor::Situation {
   Time light;
 };
 
-const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, const show::Show& show,
-                                     performance::State& state, Time light) {
-  const auto dt_s = static_cast<float>(std::max(0.0, Seconds(light - now_)));
-  now_ = light;
+const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, performance::InputEvents& events,
+                                              const show::Show& show, performance::State& state,
+                                              Time presented_at) {
+  const auto dt_s = static_cast<float>(std::max(0.0, Seconds(presented_at - now_)));
+  now_ = presented_at;
   shown_ = performance::Travel(shown_, open_ ? 1.0F : 0.0F, std::min(dt_s, kLongestStep_s), kShow_per_s);
   renewed_.clear();
   const bool was_open = open_;
-  const bool was_typing = hands_.typing().has_value();
-  Situation situation{show, state, light};
-  for (const Command& command : hands_.Read(board, state.seen, show, open_, light)) Obey(command, situation);
+  Situation situation{show, state, presented_at};
+  events.Consume([&](const performance::Press& press) { return HandlePress(press, situation); });
+  for (const Command& command : input_.ReadMotion(board, events, open_, now_)) Obey(command, situation);
   if (scribe_.has_news()) HearNews();
   ShowDraft();
-  const bool keys = board.keys.source != board::SourceState::kAbsent;
-  if (!was_open && !open_) {
-    if (keys) ConsumeFewKeys(board.keys.value, state);
-    return board;
-  }
-  if (keys) ConsumeKeys(board.keys.value, show, was_typing || hands_.typing(), state);
-  ConsumeInput(board, show, state);
-  return rest_;
+  if (!was_open && !open_) return board;
+  return TakeOut(board, events);
+}
+
+// Gives whether the press was the editor's. Each is judged by what it was pressed into: a press that closes the
+// editor is the editor's, and the next one is not.
+bool ExpressionEditor::HandlePress(const performance::Press& press, Situation& now) {
+  const bool was_open = open_, was_typing = input_.typing().has_value();
+  for (const Command& command : input_.ReadPress(press, now.show, open_, now_)) Obey(command, now);
+  if (!was_open && !open_)
+    return press.IsKey() && (press.code == key::kTab || (press.shift && SlotOfDigit(press.code) >= 0));
+  return !PlaysOn(press, now.show, was_typing || input_.typing());
 }
 
 void ExpressionEditor::Obey(const Command& command, Situation& now) {
   if (command.verb == Verb::kToggle) return open_ ? Leave(now) : Start(now);
   if (!open_) return CallPlace(command.index, now);
-  if (!ObeyHand(command) && !ObeyChoice(command)) ObeyKeeping(command, now);
+  if (!ObeyPull(command) && !ObeyChoice(command)) ObeyKeeping(command, now);
 }
 
 // What pulls.
-bool ExpressionEditor::ObeyHand(const Command& command) {
+bool ExpressionEditor::ObeyPull(const Command& command) {
   const auto needle = static_cast<std::size_t>(chosen_);  // -1 is beyond all needles: nothing is pulled.
   switch (command.verb) {
     case Verb::kPull:
@@ -128,18 +133,18 @@ bool ExpressionEditor::ObeyChoice(const Command& command) {
 // Where it comes from, and where it is kept.
 void ExpressionEditor::ObeyKeeping(const Command& command, Situation& now) {
   switch (command.verb) {
-    case Verb::kTake:
+    case Verb::kBeginFrom:
       return BeginFrom(static_cast<std::uint16_t>(command.index), now.show);
-    case Verb::kTakeInPlay:
+    case Verb::kBeginFromPlay:
       return BeginFrom(in_play_, now.show);
-    case Verb::kPlace:
+    case Verb::kOwn:
       return BeginWith(shelf_.at(command.index));
     case Verb::kSave:
       return Save(false);
     case Verb::kSaveAsNew:
       return Save(true);
     case Verb::kAskName:
-      return hands_.AskForName(Typing::For::kName, session_.work().name);
+      return input_.AskForName(Typing::For::kName, session_.work().name);
     case Verb::kName:
       return Name(command.text);
     case Verb::kNameAndSave:
@@ -216,46 +221,36 @@ void ExpressionEditor::Say(std::string message) {
 }
 
 void ExpressionEditor::ShowDraft() {
-  if (hands_.comparing() != compared_) draft_outdated_ = true;
-  compared_ = hands_.comparing();
+  if (input_.comparing() != compared_) draft_outdated_ = true;
+  compared_ = input_.comparing();
   if (!draft_outdated_) return;
   draft_outdated_ = false;
   renewed_.push_back({draft(), compared_ ? &session_.before() : &session_.work()});
 }
 
-// Keys that are the needles' are as if they had not been struck. With the needles shut these are few.
-void ExpressionEditor::ConsumeFewKeys(const board::Keys& keys, performance::State& state) {
-  state.seen.keys[key::kTab] = keys.pushes[key::kTab];
-  if (!ShiftIsDown(keys)) return;
-  for (std::size_t digit = key::k1; digit <= key::k0; ++digit) state.seen.keys[digit] = keys.pushes[digit];
+// While the editor is open buttons and keys that call faces and styles are the performance's still, unless a name
+// is typed or the editor has a use for the key.
+bool ExpressionEditor::PlaysOn(const performance::Press& press, const show::Show& show, bool typing) {
+  const auto stays = [](show::CallKind kind) {
+    return kind == show::CallKind::kFace || kind == show::CallKind::kStyle;
+  };
+  if (!press.IsKey()) return stays(show.buttons[press.code].kind);
+  if (typing || IsForEditor(press.code)) return false;
+  return std::ranges::any_of(show.keys, [&](const show::KeyCall& call) {
+    return call.key_usage == press.code && stays(call.call.kind);
+  });
 }
 
-// With the needles open it is all of them, but for those that call faces and styles while nothing is typed.
-void ExpressionEditor::ConsumeKeys(const board::Keys& keys, const show::Show& show, bool typing,
-                       performance::State& state) {
-  const auto before = std::exchange(state.seen.keys, keys.pushes);
-  if (typing) return;
-  for (const show::KeyCall& call : show.keys) {
-    const bool plays_on = call.call.kind == show::CallKind::kFace || call.call.kind == show::CallKind::kStyle;
-    if (plays_on && !IsForNeedles(static_cast<std::uint8_t>(call.key_usage)))
-      state.seen.keys[call.key_usage] = before[call.key_usage];
-  }
-}
-
-void ExpressionEditor::ConsumeInput(const board::Snapshot& board, const show::Show& show, performance::State& state) {
+// Dials, keys that are held and the right stick are the editor's while it is open.
+const board::Snapshot& ExpressionEditor::TakeOut(const board::Snapshot& board, performance::InputEvents& events) {
+  for (const std::size_t dial : kEditorDials) events.turned[dial] = 0;
+  events.pointer = {};
   rest_ = board;
   rest_.keys.value.down = {};
   board::Stick& stick = rest_.sticks[1].value;
   stick.x = stick.y = stick.twist = stick.slider = 0;
   stick.hat = -1;
-  if (board.surface.source == board::SourceState::kAbsent) return;
-  const board::Surface& surface = board.surface.value;
-  for (const std::size_t dial : kTakenDials) state.seen.dials[dial] = surface.counts[dial];
-  for (std::size_t i = 0; i < show.buttons.size(); ++i) {
-    const show::CallKind kind = show.buttons[i].kind;
-    if (kind == show::CallKind::kExpression || kind == show::CallKind::kScene)
-      state.seen.buttons[i] = surface.pushes[i];
-  }
+  return rest_;
 }
 
 void ExpressionEditor::Describe(scene::Scene& scene) const {
@@ -270,7 +265,7 @@ void ExpressionEditor::Describe(scene::Scene& scene) const {
   scene.caption.shown = shown;
   scene.caption.lines = CaptionLines({.session = session_,
                                       .chosen = chosen_,
-                                      .typing = hands_.typing(),
+                                      .typing = input_.typing(),
                                       .comparing = compared_,
                                       .help = help_,
                                       .own = shelf_.Contents(),

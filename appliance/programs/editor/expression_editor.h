@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "appliance/core/board/snapshot.h"
-#include "appliance/programs/editor/hands.h"
+#include "appliance/programs/editor/input.h"
 #include "appliance/programs/editor/scribe.h"
 #include "appliance/programs/editor/session.h"
 #include "appliance/programs/editor/shelf.h"
@@ -30,11 +30,12 @@ class ExpressionEditor {
   static std::unique_ptr<ExpressionEditor> Open(const std::filesystem::path& folder, show::Show& show);
   ~ExpressionEditor();
 
-  // Does what the author's hands ask for since the last frame, and gives what is left of the board for the
-  // performance: with the needles open, hands that pull them do not play. `show` is the one that Open saw.
-  // Allocates only where a hand moved, or while the needles are open.
-  const board::Snapshot& Play(const board::Snapshot& board, const show::Show& show, performance::State& state,
-                              Time light);
+  // Does what the author asks for by `events`, takes out of them what was the editor's, and gives what is left of
+  // the board for the performance: while the editor is open, controls that pull do not play. What it gives holds
+  // until the next call. `show` is the one that Open saw. Allocates only where something was pressed or moved, or
+  // while the editor is open.
+  const board::Snapshot& Play(const board::Snapshot& board, performance::InputEvents& events,
+                              const show::Show& show, performance::State& state, Time presented_at);
 
   // What the frame shows of them.
   void Describe(scene::Scene& scene) const;
@@ -66,7 +67,7 @@ class ExpressionEditor {
 
   struct Situation;
   void Obey(const Command& command, Situation& now);
-  bool ObeyHand(const Command& command);
+  bool ObeyPull(const Command& command);
   void Drag(const Command& command);
   bool ObeyChoice(const Command& command);
   void ObeyKeeping(const Command& command, Situation& now);
@@ -87,16 +88,15 @@ class ExpressionEditor {
   void Say(std::string message);
   void HearNews();
   void ShowDraft();
-  static void ConsumeFewKeys(const board::Keys& keys, performance::State& state);
-  static void ConsumeKeys(const board::Keys& keys, const show::Show& show, bool typing,
-                       performance::State& state);
-  void ConsumeInput(const board::Snapshot& board, const show::Show& show, performance::State& state);
+  bool HandlePress(const performance::Press& press, Situation& now);
+  static bool PlaysOn(const performance::Press& press, const show::Show& show, bool typing);
+  const board::Snapshot& TakeOut(const board::Snapshot& board, performance::InputEvents& events);
 
   std::size_t first_;  // Index of the first own expression in the cast.
   Session session_;
   Shelf shelf_;
   Sight sight_;
-  Hands hands_;
+  EditorInput input_;
   bool open_ = false;
   float shown_ = 0;
   int chosen_ = -1;

@@ -16,8 +16,8 @@ constexpr Duration kSure = std::chrono::seconds(3);  // Within which Delete is p
 
 void ExpressionEditor::Save(bool as_new) {
   const Work& work = session_.work();
-  if (as_new) return hands_.AskForName(Typing::For::kSaveAsNew, "");
-  if (work.name.empty()) return hands_.AskForName(Typing::For::kSave, "");
+  if (as_new) return input_.AskForName(Typing::For::kSaveAsNew, "");
+  if (work.name.empty()) return input_.AskForName(Typing::For::kSave, "");
   NameAndSave(work.name, false);
 }
 
@@ -26,7 +26,7 @@ void ExpressionEditor::NameAndSave(const std::string& name, bool as_new) {
   const auto purpose = as_new ? Typing::For::kSaveAsNew : Typing::For::kSave;
   if (std::string against = shelf_.Against(name, own); !against.empty()) {
     Say("not saved: " + against);
-    return hands_.AskForName(purpose, name);
+    return input_.AskForName(purpose, name);
   }
   const int place = own >= 0 ? own : shelf_.free_place();
   if (place < 0) return Say("not saved: all ten places are taken; delete one");
@@ -40,7 +40,7 @@ void ExpressionEditor::NameAndSave(const std::string& name, bool as_new) {
 void ExpressionEditor::Name(const std::string& name) {
   if (std::string against = shelf_.Against(name, session_.work().place); !against.empty()) {
     Say("not named: " + against);
-    return hands_.AskForName(Typing::For::kName, name);
+    return input_.AskForName(Typing::For::kName, name);
   }
   Did(session_.Rename(name, session_.work().place));
 }

@@ -1,4 +1,4 @@
-// The keys of the needles: usages of HID page 7, where a US keyboard has them.
+// The keys of the editor: usages of HID page 7, where a US keyboard has them.
 #pragma once
 
 #include <cstdint>
@@ -20,19 +20,15 @@ inline bool IsDown(const board::Keys& keys, std::uint8_t usage) {
   return ((keys.down[usage / 32U] >> (usage % 32U)) & 1U) != 0;
 }
 
-inline bool ShiftIsDown(const board::Keys& keys) {
-  return IsDown(keys, key::kLeftShift) || IsDown(keys, key::kRightShift);
-}
-
-// Whether the needles have a use for the key while they are open.
-constexpr bool IsForNeedles(std::uint8_t usage) {
+// Whether the editor has a use for the key while it is open.
+constexpr bool IsForEditor(std::uint8_t usage) {
   for (const std::uint8_t ours : {key::kC, key::kH, key::kM, key::kN, key::kP, key::kS, key::kY, key::kZ})
     if (usage == ours) return true;
   return usage >= key::k1 && usage < key::kFirstFunction;
 }
 
-// The place of an own expression that a digit calls: 1 to 9, then 0; -1: no digit.
-constexpr int PlaceOfDigit(std::uint8_t usage) {
+// The slot of an own expression that a digit calls: 1 to 9, then 0; -1: no digit.
+constexpr int SlotOfDigit(std::uint8_t usage) {
   return usage >= key::k1 && usage <= key::k0 ? usage - key::k1 : -1;
 }
 

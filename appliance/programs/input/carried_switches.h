@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "drivers/decode/switches.h"
 
@@ -23,15 +24,22 @@ class CarriedSwitches {
     fresh_ = false;
   }
 
-  void Accept(const decode::Switches<kWords>& now) {
+  // Calls `pressed(n)` for each switch n that went down with these reports, with `down` as it is now.
+  template <class Pressed>
+  void Accept(const decode::Switches<kWords>& now, Pressed pressed) {
+    const Down before = std::exchange(down, now.down);
     for (std::size_t n = 0; n < pushes.size(); ++n) {
-      const bool carried = !fresh_ && ((down[n / 32] & now.down[n / 32]) >> (n % 32) & 1U) != 0;
-      const std::uint32_t more = now.pushes[n] - seen_[n];
-      pushes[n] += carried && more > 0 ? more - 1 : more;
+      const bool carried = !fresh_ && ((before[n / 32] & now.down[n / 32]) >> (n % 32) & 1U) != 0;
+      const std::uint32_t counted = now.pushes[n] - seen_[n];
+      const std::uint32_t more = carried && counted > 0 ? counted - 1 : counted;
+      pushes[n] += more;
+      for (std::uint32_t i = 0; i < more; ++i) pressed(n);
     }
     seen_ = now.pushes;
-    down = now.down;
     fresh_ = true;
+  }
+  void Accept(const decode::Switches<kWords>& now) {
+    Accept(now, [](std::size_t) {});
   }
 
   void Release() { down = {}; }

@@ -1,5 +1,6 @@
 #include "appliance/programs/input/dial_seat.h"
 
+#include "appliance/core/board/press_log.h"
 #include "drivers/base/log.h"
 
 namespace kaori::input {
@@ -43,7 +44,9 @@ Result<void> DialSeat::Accept(std::span<const std::uint8_t> report, Time at) {
   if (!sample) return tl::unexpected(sample.error());
   surface_.value.counts = sample->counts;
   surface_.at = at;
-  buttons_.Accept(sample->buttons);
+  buttons_.Accept(sample->buttons, [&](std::size_t button) {
+    board::Append(surface_.value.log, static_cast<std::uint32_t>(button), at);
+  });
   proven_ = changed_ = true;
   return {};
 }

@@ -1,5 +1,7 @@
 #include "appliance/programs/input/key_seat.h"
 
+#include "appliance/core/board/press_log.h"
+
 namespace kaori::input {
 
 using board::SourceState;
@@ -8,6 +10,7 @@ KeySeat::KeySeat(const board::Board& board, board::Writer<board::Keys> writer) :
   const board::Stamped<board::Keys> before = board.Read<board::Keys>();
   keys_.down = before.value.down;
   keys_.pushes = before.value.pushes;
+  log_ = before.value.log;
   source_ = before.source;
 }
 
@@ -26,7 +29,7 @@ Result<void> KeySeat::Plug(const ports::HidIdentity& identity, Time now) {
 Result<void> KeySeat::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());
-  keys_.Accept(sample->keys);
+  keys_.Accept(sample->keys, [&](std::size_t usage) { board::Append(log_, board::CodeOf(keys_.down, usage), at); });
   at_ = at;
   proven_ = changed_ = true;
   return {};
@@ -52,7 +55,7 @@ void KeySeat::Tick(Time now, ports::HidChannel* device) {
 }
 
 void KeySeat::Write(Time at) {
-  writer_.Write({.down = keys_.down, .pushes = keys_.pushes}, at, source_);
+  writer_.Write({.down = keys_.down, .pushes = keys_.pushes, .log = log_}, at, source_);
 }
 
 }  // namespace kaori::input

@@ -26,6 +26,7 @@ class KeySeat final : public Seat {
 
   board::Writer<board::Keys> writer_;
   CarriedSwitches<8> keys_;
+  board::PressLog log_;
   std::optional<decode::KeyboardDecoder> decoder_;
   board::SourceState source_;
   Time at_{};

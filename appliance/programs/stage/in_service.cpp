@@ -16,7 +16,7 @@ constexpr Duration kDeskSilence = milliseconds(3000);
 constexpr Duration kBlink = milliseconds(800);
 constexpr Duration kFastBlink = milliseconds(200);
 constexpr std::uint32_t kPoses = 4;
-constexpr std::size_t kEnter = 0x28, kEscape = 0x29, kPadEnter = 0x58;  // HID page 7.
+constexpr std::uint8_t kEnter = 0x28, kEscape = 0x29, kPadEnter = 0x58;  // HID page 7.
 
 bool IsOn(Time now, Duration period) {
   return now.time_since_epoch() % period < period / 2;
@@ -65,10 +65,10 @@ bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now) {
   return guide.source == board::SourceState::kLive && now - guide.at < kGuideSilence;
 }
 
-void ConsumeGuideInput(const board::Snapshot& board, performance::State& state) {
-  for (const std::size_t usage : {kEnter, kEscape, kPadEnter})
-    state.seen.keys[usage] = board.keys.value.pushes[usage];
-  state.seen.buttons = board.surface.value.pushes;
+void ConsumeGuideInput(performance::InputEvents& events) {
+  events.Consume([](const performance::Press& press) {
+    return !press.IsKey() || press.code == kEnter || press.code == kEscape || press.code == kPadEnter;
+  });
 }
 
 std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now) {

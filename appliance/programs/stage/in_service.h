@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "appliance/core/board/snapshot.h"
-#include "appliance/core/performance/state.h"
+#include "appliance/core/performance/input_events.h"
 #include "drivers/base/clock.h"
 #include "render/scene/scene.h"
 
@@ -14,8 +14,9 @@ namespace kaori::stage {
 // A calibration is under way at the box; one whose program is silent for half a second is none.
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now);
 
-// While it is, pushes of buttons, Enter and Escape are the calibration's: nobody is called by them.
-void ConsumeGuideInput(const board::Snapshot& board, performance::State& state);
+// While it is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board itself:
+// takes them out of `events`, so that nobody is called by them.
+void ConsumeGuideInput(performance::InputEvents& events);
 
 // The lamps of buttons 1 to 4 are shut, open, wide, narrow: those that are taken are lit, the one that is
 // asked for blinks, and faster while it is taken. When all are taken all four blink.

@@ -148,20 +148,22 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   return {};
 }
 
-// The needles take their hands first; what is left plays.
-performance::Performed Stage::Animate(const board::Snapshot& snapshot, Time light) {
-  if (!needles_) return performance::Animate(state_, snapshot, studio_.show(), light);
-  const board::Snapshot& rest = needles_->Play(snapshot, studio_.show(), state_, light);
+// The editor takes its events first; what is left plays.
+performance::Performed Stage::Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
+                                      Time light) {
+  if (!needles_) return performance::Animate(state_, snapshot, events, studio_.show(), light);
+  const board::Snapshot& rest = needles_->Play(snapshot, events, studio_.show(), state_, light);
   for (const auto& [index, work] : needles_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
-  auto performed = performance::Animate(state_, rest, studio_.show(), light);
+  auto performed = performance::Animate(state_, rest, events, studio_.show(), light);
   needles_->Describe(performed.scene);
   return performed;
 }
 
 scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
+  performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);
   const bool guiding = IsGuiding(snapshot.lips_guide, light);
-  if (guiding) ConsumeGuideInput(snapshot, state_);
-  auto performed = Animate(snapshot, light);
+  if (guiding) ConsumeGuideInput(events);
+  auto performed = Animate(snapshot, events, light);
   if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, light);
   SayService(snapshot, light, performed.scene);
   state_ = performed.state;

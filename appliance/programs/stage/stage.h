@@ -74,7 +74,8 @@ class Stage {
   void NoteFlip(const ports::Flip& flip);
   Result<void> DrawWhenDue();
   Result<void> Draw(const ports::PixelBuffer& picture);
-  performance::Performed Animate(const board::Snapshot& snapshot, Time light);
+  performance::Performed Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
+                                 Time presented_at);
   scene::Scene Perform(const board::Snapshot& snapshot, Time light);
   void TellTake(Time light);
   void LogLipsAge(Time now);

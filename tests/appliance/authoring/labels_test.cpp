@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "appliance/core/performance/hands.h"
+#include "appliance/core/performance/operator_input.h"
 #include "hw-sim/console/labels.h"
 #include "tests/appliance/core/performance_fixture.h"
 
@@ -42,10 +42,9 @@ class AtelierLabels : public ::testing::Test {
   // The stage's knob after so many turns of its dial.
   float Turned(std::size_t dial, double turns) const {
     State state = performance::Opening(show_, {}, Time{});
-    board::Surface surface;
-    surface.counts_per_turn = 256;
-    surface.counts[dial] = static_cast<std::int32_t>(turns * 256);
-    performance::TurnKnobs(state, surface);
+    performance::InputEvents events;
+    events.turned[dial] = static_cast<std::int32_t>(turns * 256);
+    performance::TurnKnobs(state, events, 256);
     return state.knobs[dial];
   }
 
@@ -68,9 +67,9 @@ TEST_F(AtelierLabels, TellTheValuesThatThePerformancePlays) {
 TEST_F(AtelierLabels, TellWhichDialsACallFills) {
   State state = performance::Opening(show_, {}, Time{});
   state.knobs.fill(0);
-  board::Surface surface;
-  ++surface.pushes[1];  // A face.
-  performance::PushButtons(state, surface, show_);
+  board::Snapshot board{.surface = {.source = board::SourceState::kLive}};
+  board::NotePress(board.surface.value, 1, Time{});  // A face.
+  performance::PlayPresses(state, performance::ReadEvents(state.seen, board), show_);
   for (std::size_t n = 0; n < labels_.dials.size(); ++n)
     EXPECT_EQ(state.knobs[n] == 1, std::ranges::count(labels_.dials[n].filled_by, "face") == 1)
         << labels_.dials[n].text;

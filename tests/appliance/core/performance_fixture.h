@@ -1,8 +1,9 @@
-// A performance whose hands a test moves.
+// A performance whose input a test moves.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include "appliance/core/board/press_log.h"
 #include "appliance/core/performance/animate.h"
 
 namespace kaori::performance {
@@ -34,7 +35,7 @@ inline show::Show SmallShow() {
   return show;
 }
 
-// A performance whose hands a test moves; life is quiet unless asked for.
+// A performance whose input a test moves; life is quiet unless asked for.
 class PerformanceTest : public ::testing::Test {
  protected:
   PerformanceTest() : state_(Opening(show_, board_, now_)) {
@@ -45,14 +46,15 @@ class PerformanceTest : public ::testing::Test {
   void SetKnob(Knob knob, float value) {
     state_.knobs[static_cast<std::size_t>(knob)] = state_.shown[static_cast<std::size_t>(knob)] = value;
   }
-  void Push(int button) { ++board_.surface.value.pushes[static_cast<std::size_t>(button)]; }
-  void Strike(std::uint8_t usage) { ++board_.keys.value.pushes[usage]; }
+  void Push(int button) { board::NotePress(board_.surface.value, static_cast<std::size_t>(button), now_); }
+  void Strike(std::uint8_t usage) { board::NotePress(board_.keys.value, usage, now_); }
   void Live() {
     for (auto& stick : board_.sticks) stick.source = board::SourceState::kLive;
   }
   const scene::Scene& Step(Duration by = kFrame) {
     now_ += by;
-    performed_ = Animate(state_, board_, show_, now_);
+    const InputEvents events = ReadEvents(state_.seen, board_);
+    performed_ = Animate(state_, board_, events, show_, now_);
     state_ = performed_.state;
     return performed_.scene;
   }

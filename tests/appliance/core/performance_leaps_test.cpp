@@ -197,10 +197,9 @@ TEST_F(Leaps, AreNotMadeWhenAHandTakesTheMouthFromTheLips) {
 }
 
 TEST_F(Leaps, AreNotMadeByASectionThatCannotBeRead) {
-  for (int button = 0; button < 32; ++button)
-    board_.surface.value.pushes[static_cast<std::size_t>(button)] = 7;
+  for (int button = 0; button < 32; ++button) Push(button);
   board_.surface.value.counts.fill(5000);
-  board_.keys.value.pushes.fill(3);
+  for (const std::uint8_t usage : {kSpace, kKey1, kF1}) Strike(usage);
   state_ = Opening(show_, board_, now_);
   SetKnob(Knob::kLife, 0);
   Step();

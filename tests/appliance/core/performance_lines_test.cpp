@@ -126,6 +126,19 @@ TEST_F(LinesTest, ASecondGoWithinThreeTenthsOfASecondIsASlip) {
   EXPECT_EQ(state_.scene, 2);
 }
 
+TEST_F(LinesTest, AGoAfterAQuarterOfASecondIsASlipAndAfterAThirdIsNone) {
+  const auto go_after = [this](int frames) {
+    Switch(Line::kGo, false);
+    for (int i = 1; i < frames; ++i) Step();
+    Switch(Line::kGo, true);
+    Step();
+    return state_.scene;
+  };
+  ASSERT_EQ(go_after(1), 1);
+  EXPECT_EQ(go_after(15), 1) << "0.25 s";
+  EXPECT_EQ(go_after(5), 2) << "0.33 s since the one that called";
+}
+
 TEST_F(LinesTest, LettingGoOfTheFootSwitchCallsNothing) {
   Switch(Line::kGo, true);
   Run(2s);

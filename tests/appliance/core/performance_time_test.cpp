@@ -74,11 +74,12 @@ TEST(AShowWithoutScenes, OpensWithItsFirstFaceAndAnswersItsButtons) {
   Time now = Time{} + 5s;
   State state = Opening(show, board, now);
   board.surface.source = board.keys.source = board::SourceState::kLive;
-  ++board.surface.value.pushes[2];
-  board.keys.value.pushes.fill(1);
+  board::NotePress(board.surface.value, 2, now);
+  for (std::size_t usage = 0; usage < 256; usage += 9) board::NotePress(board.keys.value, usage, now);
   Performed performed;
   for (int i = 0; i < 90; ++i) {
-    performed = Animate(state, board, show, now += kFrame);
+    const InputEvents events = ReadEvents(state.seen, board);
+    performed = Animate(state, board, events, show, now += kFrame);
     state = performed.state;
   }
   EXPECT_EQ(performed.lamps & 0x1FU, 1U << 2U);

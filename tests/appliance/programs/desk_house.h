@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "appliance/core/board/press_log.h"
 #include "appliance/core/board/board.h"
 #include "appliance/programs/lips/service/lip_service.h"
 #include "tests/appliance/core/board_file.h"
@@ -54,7 +55,7 @@ class LipHouse {
     const std::uint32_t bit = 1U << (usage % 32);
     std::uint32_t& word = hands_.down[usage / 32];
     word = down ? word | bit : word & ~bit;
-    if (down) ++hands_.pushes[usage];
+    if (down) board::NotePress(hands_, usage, clock.now());
     Touch();
   }
   void Strike(std::size_t usage) {
@@ -63,7 +64,7 @@ class LipHouse {
     Hold(usage, false);
   }
   void Push(std::size_t button) {
-    ++buttons_.pushes[button];
+    board::NotePress(buttons_, button, clock.now());
     Touch();
   }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "appliance/core/board/press_log.h"
 #include "appliance/programs/editor/keys.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/core/performance/animate.h"
@@ -62,13 +63,14 @@ class NeedlePlay : public ::testing::Test {
 
   void Frame() {
     now_ += kNeedleFrame;
-    const board::Snapshot& rest = needles_->Play(board_, show_, state_, now_);
+    performance::InputEvents events = performance::ReadEvents(state_.seen, board_);
+    const board::Snapshot& rest = needles_->Play(board_, events, show_, state_, now_);
     for (const auto& [index, work] : needles_->renewed()) {
       show_.cast.expressions[index].displacement = work->pulls_m;
       show_.cast.expressions[index].lids = work->lids;
       composer_->Renew(index);
     }
-    auto performed = performance::Animate(state_, rest, show_, now_);
+    auto performed = performance::Animate(state_, rest, events, show_, now_);
     state_ = performed.state;
     needles_->Describe(performed.scene);
     scene_ = std::move(performed.scene);
@@ -81,7 +83,7 @@ class NeedlePlay : public ::testing::Test {
   void Hold(std::uint8_t usage, bool down) {
     auto& word = board_.keys.value.down[usage / 32U];
     word = down ? word | (1U << (usage % 32U)) : word & ~(1U << (usage % 32U));
-    if (down) ++board_.keys.value.pushes[usage];
+    if (down) board::NotePress(board_.keys.value, usage, now_);
   }
   void Strike(std::uint8_t usage) {
     Hold(usage, true);
@@ -98,7 +100,7 @@ class NeedlePlay : public ::testing::Test {
     for (const char c : text) Strike(static_cast<std::uint8_t>(key::kA + (c - 'a')));
   }
   void Push(std::size_t button) {
-    ++board_.surface.value.pushes[button];
+    board::NotePress(board_.surface.value, button, now_);
     Frame();
   }
   void Turn(std::size_t dial, float turns) {

@@ -219,6 +219,22 @@ TEST_F(Keyboard, ReleasesHeldKeysWhenTheCableIsPulled) {
   EXPECT_EQ(Board().keys.source, SourceState::kStale);
 }
 
+TEST_F(Keyboard, TellsInWhichOrderKeysWentDownBetweenTwoLooks) {
+  constexpr std::uint8_t kY = 0x1C, kLeftShift = 0xE1;
+  for (const std::uint8_t usage : {kY, kLeftShift, kA}) {
+    rig_->keyboard().Press(usage);
+    clock_.Advance(milliseconds(10));
+    rig_->Pump();
+  }
+  rig_->keyboard().Release(kLeftShift);
+  Play(milliseconds(5));
+  const board::PressLog& log = Board().keys.value.log;
+  ASSERT_EQ(log.count, 3U);
+  EXPECT_EQ(log.newest[0].code, kY);
+  EXPECT_EQ(log.newest[1].code, kLeftShift | 2U << 8U);
+  EXPECT_EQ(log.newest[2].code, kA | 2U << 8U) << "with the Shift key that was held then";
+}
+
 TEST_F(Keyboard, KeepsAHeldKeyHeldWhenTheProgramIsKilled) {
   rig_->keyboard().Press(kSpace);
   Play(milliseconds(5));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "appliance/core/board/press_log.h"
 #include "appliance/programs/editor/keys.h"
 #include "appliance/programs/stage/stage.h"
 #include "tests/appliance/core/pack_fixture.h"
@@ -47,7 +48,7 @@ class StageNeedles : public PackTest {
     for (int i = 0; i < count; ++i) Frame();
   }
   void Strike(std::uint8_t usage) {
-    ++typed_.pushes[usage];
+    board::NotePress(typed_, usage, clock_.now());
     Frame();
   }
 

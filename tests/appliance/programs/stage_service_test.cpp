@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "appliance/core/board/press_log.h"
 #include "appliance/programs/stage/in_service.h"
 #include "appliance/programs/stage/stage.h"
 #include "tests/appliance/core/pack_fixture.h"
@@ -122,7 +123,7 @@ class StageInService : public PackTest {
         std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_, clock_);
   }
   void Push(std::size_t button) {
-    ++hands_.pushes[button];
+    board::NotePress(hands_, button, clock_.now());
     surface_.Write(hands_, clock_.now(), SourceState::kLive);
   }
   void Frame() {

@@ -1,5 +1,6 @@
 // The stage: screens that come, go and change, a second stage, a stage that takes over, and no heap on the
 // way.
+#include "appliance/core/board/press_log.h"
 #include "appliance/programs/stage/stage.h"
 
 #include <gmock/gmock.h>
@@ -68,7 +69,7 @@ TEST_F(StageTest, TakesNothingFromTheHeapOnItsFramePath) {
   stage->SetScreen(std::make_unique<HeldScreen>(screen_));
   const auto play = [&](int frames) {
     for (int frame = 0; frame < frames; ++frame) {
-      if (frame % 7 == 0) ++hands_.pushes[static_cast<std::size_t>(frame / 7 % 13)];
+      if (frame % 7 == 0) board::NotePress(hands_, static_cast<std::size_t>(frame / 7 % 13), clock_.now());
       hands_.counts[static_cast<std::size_t>(frame % 8)] += frame % 5 - 2;
       Touch();
       Frame(*stage);
@@ -105,7 +106,7 @@ TEST_F(StageTest, PlaysOnWithoutItsScreenAndShowsAgainWhenItReturns) {
   Frame(*stage);
   EXPECT_FALSE(stage->has_screen());
   stage->Step();  // Without a screen: nothing.
-  ++hands_.pushes[2];
+  board::NotePress(hands_, 2, clock_.now());
   Touch();
   for (int i = 0; i < 30; ++i) {
     clock_.Advance(33ms);
@@ -123,7 +124,7 @@ TEST_F(StageTest, PlaysOnWithoutItsScreenAndShowsAgainWhenItReturns) {
 TEST_F(StageTest, IsNotCarriedAwayByAScreenWhoseClockIsWrong) {
   const auto stage = Open();
   stage->SetScreen(std::make_unique<HeldScreen>(screen_));
-  ++hands_.pushes[2];
+  board::NotePress(hands_, 2, clock_.now());
   Touch();
   for (int i = 0; i < 120; ++i) {
     clock_.Advance(kStageFrame);
@@ -147,7 +148,7 @@ TEST_F(StageTest, ReadsTheHandsJustBeforeTheFlipWhenItIsToldTo) {
   EXPECT_GT(*stage->wakes_at(), clock_.now() + kStageFrame / 2);
   EXPECT_LT(*stage->wakes_at(), clock_.now() + kStageFrame);
   clock_.Advance(*stage->wakes_at() - clock_.now());
-  ++hands_.pushes[2];
+  board::NotePress(hands_, 2, clock_.now());
   Touch();
   stage->Step();
   EXPECT_EQ(screen_.presented, 2U);
@@ -191,7 +192,7 @@ TEST_F(StageTest, RefusesASecondStageOnOneBoard) {
 TEST_F(StageTest, GoesOnWhereAStageThatDiedLeftOff) {
   auto stage = Open();
   EXPECT_FALSE(stage->resumed());
-  ++hands_.pushes[3];
+  board::NotePress(hands_, 3, clock_.now());
   Touch();
   for (int i = 0; i < 12; ++i) {
     clock_.Advance(33ms);
@@ -255,7 +256,7 @@ TEST_F(StageTest, TellsWhichMotionPlaysAndWhenItBegan) {
   for (int i = 0; i < 3; ++i) Frame(*stage);
   EXPECT_EQ(board_.Read<board::MotionNow>().source, board::SourceState::kAbsent);
   const show::Motion& take = studio_->show().motions.at(0);
-  ++struck.pushes[take.key_usage];
+  board::NotePress(struck, take.key_usage, clock_.now());
   keys.Write(struck, clock_.now(), board::SourceState::kLive);
   std::optional<Time> began;
   for (int i = 0; i < 10; ++i) {

@@ -1,4 +1,4 @@
-#include "appliance/core/performance/hands.h"
+#include "appliance/core/performance/operator_input.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +16,7 @@ constexpr std::uint8_t kKeySpace = 0x2C, kKeyZ = 0x1D, kKeyX = 0x1B;  // HID usa
 constexpr float kHeadYaw_rad = 0.62F, kHeadPitch_rad = 0.40F, kHeadRoll_rad = 0.35F, kLean_m = 0.12F;
 constexpr float kGazeYaw_rad = 0.55F, kGazePitch_rad = 0.38F;
 constexpr float kHeadHalfLife_s = 0.05F, kGazeHalfLife_s = 0.012F, kBrowHalfLife_s = 0.03F;
-constexpr float kHoldLost_s = 0.25F;  // A stick that is pulled counts for this long,
+constexpr float kHoldLost_s = 0.25F;  // A stick that is unplugged counts for this long,
 constexpr float kEaseLost_s = 1.0F;   // then eases to neutral in this time.
 constexpr float kEaseFound_s = 0.3F;
 
@@ -83,17 +83,13 @@ float HatBrow(std::int32_t hat) {
 
 }  // namespace
 
-void TurnKnobs(State& state, const board::Surface& surface) {
-  const auto per_turn = static_cast<float>(std::max(1, surface.counts_per_turn));
+void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_turn) {
+  const auto per_turn = static_cast<float>(std::max(1, counts_per_turn));
   for (std::size_t i = 0; i < kKnobRanges.size(); ++i) {
-    // Unsigned: counts wrap after years of turning, and the difference is right all the same.
-    const auto moved = static_cast<std::int32_t>(static_cast<std::uint32_t>(surface.counts[i]) -
-                                                 static_cast<std::uint32_t>(state.seen.dials[i]));
-    const float turns = static_cast<float>(moved) / per_turn;
     const KnobRange& range = kKnobRanges[i];
+    const float turns = static_cast<float>(events.turned[i]) / per_turn;
     state.knobs[i] = std::clamp(state.knobs[i] + turns * range.per_turn, range.low, range.high);
   }
-  state.seen.dials = surface.counts;
 }
 
 void FollowKnobs(State& state, float dt_s) {
@@ -101,16 +97,12 @@ void FollowKnobs(State& state, float dt_s) {
     state.shown[i] = Approach(state.shown[i], state.knobs[i], dt_s, kKnobHalfLife_s);
 }
 
-void PushButtons(State& state, const board::Surface& surface, const show::Show& show) {
-  for (std::size_t i = 0; i < surface.pushes.size(); ++i)
-    if (surface.pushes[i] != state.seen.buttons[i]) Obey(state, show.buttons[i], show);
-  state.seen.buttons = surface.pushes;
-}
-
-void StrikeKeys(State& state, const board::Keys& keys, const show::Show& show) {
-  for (std::size_t usage = 0; usage < keys.pushes.size(); ++usage)
-    if (keys.pushes[usage] != state.seen.keys[usage]) Struck(state, static_cast<std::uint16_t>(usage), show);
-  state.seen.keys = keys.pushes;
+void PlayPresses(State& state, const InputEvents& events, const show::Show& show) {
+  for (const Press& press : events.presses())
+    if (press.IsKey())
+      Struck(state, press.code, show);
+    else
+      Obey(state, show.buttons[press.code], show);
 }
 
 void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {

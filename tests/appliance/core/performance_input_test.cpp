@@ -46,6 +46,18 @@ TEST_F(PerformanceTest, AStickThatIsPulledHoldsAMomentThenEasesToNeutral) {
   EXPECT_NEAR(before, 0, 0.01F);
 }
 
+TEST_F(PerformanceTest, AStickThatIsUnpluggedHoldsForNoMoreThanAQuarterOfASecond) {
+  Live();
+  board_.sticks[0].value.x = 1;
+  Run(1s);
+  const float held = performed_.scene.head.yaw_rad;
+  board_.sticks[0].source = board::SourceState::kStale;
+  Run(240ms);
+  EXPECT_NEAR(performed_.scene.head.yaw_rad, held, 0.001F);
+  Run(200ms);
+  EXPECT_LT(performed_.scene.head.yaw_rad, held * 0.97F);
+}
+
 TEST_F(PerformanceTest, ATapOnSpaceBlinksOnceAndOpensAgain) {
   Strike(kSpace);  // Down and up between two frames: the key is no longer held.
   float most = 0;
@@ -142,8 +154,8 @@ TEST_F(PerformanceTest, APauseOfTheProgramMakesNoLeap) {
 }
 
 TEST_F(PerformanceTest, OldPushesOnTheBoardCallNothingAtTheStart) {
-  board_.surface.value.pushes[3] = 12;
-  board_.keys.value.pushes[kF1] = 4;
+  for (int i = 0; i < 12; ++i) Push(3);
+  for (int i = 0; i < 4; ++i) Strike(kF1);
   state_ = Opening(show_, board_, now_);
   Run(1s);
   EXPECT_FLOAT_EQ(Weight(performed_.scene.weights.faces, 0), 1);

@@ -1,23 +1,22 @@
-// The operators' hands: dials to knobs, buttons and keys to calls, sticks to head, gaze and brows.
+// What the operators' input does: dials move knobs, buttons and keys call, sticks move head, gaze and brows.
 #pragma once
 
 #include "appliance/core/board/snapshot.h"
+#include "appliance/core/performance/input_events.h"
 #include "appliance/core/performance/state.h"
 #include "appliance/core/show/show.h"
 
 namespace kaori::performance {
 
-// Turns of the dials since the last frame move the knobs, each within its range.
-void TurnKnobs(State& state, const board::Surface& surface);
+// Turns of the dials move the knobs, each within its range.
+void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_turn);
 
 // What the knobs do follows them softly: a detent is not seen.
 void FollowKnobs(State& state, float dt_s);
 
-// Buttons that went down since the last frame call faces, expressions, styles and scenes.
-void PushButtons(State& state, const board::Surface& surface, const show::Show& show);
-
-// Keys that went down since the last frame: blink and winks, registered motions, scenes.
-void StrikeKeys(State& state, const board::Keys& keys, const show::Show& show);
+// Presses, in their order: buttons call faces, expressions, styles and scenes; keys too, and they blink, wink and
+// play registered motions.
+void PlayPresses(State& state, const InputEvents& events, const show::Show& show);
 
 // Sets face, expression, style, light and backdrop of a scene on their way.
 void EnterScene(State& state, const show::Show& show, std::uint16_t scene, float fade_s);

@@ -80,6 +80,40 @@ TEST_F(NeedlePlay, TypingANamePlaysNoMotionAndNoScene) {
   EXPECT_TRUE(needles_->open());
 }
 
+TEST_F(NeedlePlay, ANameTypedAtFiveFramesASecondIsSavedAsItWasTyped) {
+  constexpr std::uint8_t kL = 0x0F, kO = 0x12, kK = 0x0E;
+  const auto frame_of = [this](std::initializer_list<std::uint8_t> keys) {
+    for (const std::uint8_t usage : keys) {
+      Hold(usage, true);
+      Hold(usage, false);
+    }
+    Frame();
+  };
+  Strike(key::kTab);
+  Turn(3, 0.5F);
+  frame_of({key::kEnter, key::kM, key::kY});  // What asks for the name, and its first letters.
+  frame_of({key::kMinus, kL, kO});
+  frame_of({kO, kK, key::kEnter});
+  needles_->Finish();
+  Frame();
+  EXPECT_EQ(work().name, "my_look");
+  EXPECT_GE(work().place, 0) << "and it is saved";
+}
+
+TEST_F(NeedlePlay, KeysAfterTheOneThatClosesTheEditorPlayWithinTheSameFrame) {
+  Strike(key::kTab);
+  Hold(kB, true);  // Struck while the editor is open: no motion.
+  Hold(key::kTab, true);
+  Frame();
+  EXPECT_FALSE(PlaysAMotion());
+  EXPECT_FALSE(needles_->open());
+  Hold(key::kTab, true);
+  Hold(key::kTab, true);
+  Hold(kB, true);
+  Frame();
+  EXPECT_TRUE(PlaysAMotion());
+}
+
 TEST_F(NeedlePlay, KeysThatWereStruckWithTheNeedlesOpenArePlayedNoLater) {
   Strike(key::kTab);
   Strike(key::k1);

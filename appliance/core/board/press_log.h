@@ -1,0 +1,38 @@
+// How a press gets into a section: its counter and its log.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+#include "appliance/core/board/sections.h"
+
+namespace kaori::board {
+
+// Adds a press at `at` to a log. `code` is as PressLog::Press says.
+inline void Append(PressLog& log, std::uint32_t code, Time at) {
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(at.time_since_epoch()).count();
+  log.newest[log.count % PressLog::kKept] = {code, static_cast<std::uint32_t>(us)};
+  ++log.count;
+}
+
+// The code of a key that goes down while these keys are held. `usage` is below 256.
+inline std::uint32_t CodeOf(const std::array<std::uint32_t, 8>& down, std::size_t usage) {
+  constexpr std::size_t kModifiersWord = 0xE0 / 32;
+  return static_cast<std::uint32_t>(usage) | (down[kModifiersWord] & 0xFFU) << 8U;
+}
+
+// Counts a button of the control surface that went down at `at`. `button` is below 32.
+inline void NotePress(Surface& surface, std::size_t button, Time at) {
+  ++surface.pushes[button];
+  Append(surface.log, static_cast<std::uint32_t>(button), at);
+}
+
+// Counts a key that went down at `at` while the keys of `keys.down` were held. `usage` is below 256.
+inline void NotePress(Keys& keys, std::size_t usage, Time at) {
+  ++keys.pushes[usage];
+  Append(keys.log, CodeOf(keys.down, usage), at);
+}
+
+}  // namespace kaori::board

@@ -1,0 +1,83 @@
+// What the operators did between two looks at the board, in the order in which they did it.
+//
+// Events are made once a frame and handed from consumer to consumer: a calibration at the box, the expression
+// editor, the performance. Whoever uses an event takes it out, so that nothing that an operator does is used
+// twice.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <glm/vec2.hpp>
+
+#include "appliance/core/board/snapshot.h"
+
+namespace kaori::performance {
+
+// A button of the control surface or a key that went down.
+struct Press {
+  enum class Source : std::uint8_t { kButton, kKey } source = Source::kButton;
+  std::uint8_t code = 0;  // The button's number, or the key's usage of HID page 7.
+  bool shift = false;     // Of a key: a Shift key was held with it.
+
+  bool IsKey() const { return source == Source::kKey; }
+};
+
+// The board's counters as they stood at the last frame; events are the differences. Plain bytes, kept with the
+// performance's state over a restart of the stage.
+struct SeenInput {
+  std::array<std::int32_t, 8> dials{};
+  std::uint32_t button_presses = 0;
+  std::uint32_t key_presses = 0;
+  std::uint32_t gos = 0;
+  board::Pointer pointer;
+  // 1: the counters above are of another board. What the section shows next is taken as seen.
+  std::uint8_t surface_unknown = 0, keys_unknown = 0, lines_unknown = 0, pointer_unknown = 0;
+};
+
+class InputEvents {
+ public:
+  static constexpr std::size_t kMostPresses = 2 * board::PressLog::kKept;
+
+  // In the order of time. Of more than PressLog::kKept presses of one section the newest are here.
+  std::span<const Press> presses() const { return std::span(presses_).first(count_); }
+
+  // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of time.
+  template <class Predicate>
+  void Consume(Predicate consumes) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (const Press press = presses_[i]; !consumes(press)) presses_[kept++] = press;
+    count_ = kept;
+  }
+
+  std::array<std::int32_t, 8> turned{};  // Counts of each dial; clockwise is positive.
+  bool go = false;                       // The foot switch was trodden.
+  struct Pointer {
+    std::optional<glm::vec2> pressed{};  // Where the left button went down, 0..1 from the left top.
+    glm::vec2 moved{};                   // Right and down, in parts of the picture.
+    std::int32_t notches = 0;            // Of the wheel; away from the hand is positive.
+  } pointer;
+
+ private:
+  friend InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board);
+  void AddPresses(SeenInput& seen, const board::Snapshot& board);
+
+  std::array<Press, kMostPresses> presses_{};
+  std::size_t count_ = 0;
+};
+
+// The board's counters as they stand: nothing before them is an event.
+SeenInput SeenOn(const board::Snapshot& board);
+
+// What happened since `seen`, which is brought up to the board. A section that is absent says nothing: its
+// counters are nobody's. Pure, and allocates nothing.
+InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board);
+
+// The board is another one than that of `seen`: its counters are taken as they are found.
+void ForgetCounters(SeenInput& seen);
+
+}  // namespace kaori::performance
