@@ -7,11 +7,17 @@
 #pragma once
 
 #include <array>
+#include <chrono>
+#include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "appliance/core/board/layout.h"
+#include "appliance/core/board/mapping.h"
 #include "appliance/core/board/sections.h"
 #include "appliance/core/board/valid.h"
 #include "drivers/base/result.h"
@@ -19,37 +25,18 @@
 
 namespace kaori::board {
 
-// Shared pages of the board's file; unmapped when the owner goes.
-class Mapping {
- public:
-  static Result<Mapping> Map(int fd, bool writable, const std::string& path);
-  Mapping(Mapping&& other) noexcept : words_(std::exchange(other.words_, nullptr)) {}
-  Mapping& operator=(Mapping&& other) noexcept {
-    std::swap(words_, other.words_);
-    return *this;
-  }
-  ~Mapping();
-  Word* words() const { return words_; }
-
- private:
-  explicit Mapping(Word* words) : words_(words) {}
-  Word* words_ = nullptr;
-};
-
-// The right to write one section, held until it is destroyed or its process ends in whatever way. Untyped;
-// see Writer<T>. One thread.
-class SectionWriter {
- public:
-  SectionWriter(Section section, UniqueFd lock, Mapping mapping);
-  void Publish(std::span<const std::uint32_t> value);
-
- private:
-  Section section_;
-  UniqueFd lock_;  // An open file description of its own, which owns the byte-range lock.
-  Mapping mapping_;
-};
-
 namespace internal {
+
+class OwnSection;
+
+// The sections that this process writes by one board object; the board moves them with itself.
+struct OwnSections {
+  OwnSections() = default;
+  OwnSections(const OwnSections&) = delete;
+  OwnSections& operator=(const OwnSections&) = delete;
+  ~OwnSections();
+  std::vector<OwnSection*> members;
+};
 
 template <class T>
 using ValueArray = std::array<std::uint32_t, ValueWords<T>()>;
@@ -77,6 +64,20 @@ Stamped<T> FromWords(const ValueArray<T>& words) {
 
 }  // namespace internal
 
+// The right to write one section, held until it is destroyed or its process ends in whatever way. Untyped; see
+// Writer<T>. One thread, that of its board.
+class SectionWriter {
+ public:
+  explicit SectionWriter(std::unique_ptr<internal::OwnSection> section);
+  SectionWriter(SectionWriter&&) noexcept;
+  SectionWriter& operator=(SectionWriter&&) noexcept;
+  ~SectionWriter();
+  void Publish(std::span<const std::uint32_t> value);
+
+ private:
+  std::unique_ptr<internal::OwnSection> section_;
+};
+
 template <class T>
 class Writer {
  public:
@@ -95,17 +96,29 @@ class Writer {
 // One thread for each object; any number of objects on one file, in any number of processes.
 class Board {
  public:
-  // Opens the board at `path`, and makes it first where there is none, so that programs may start in any
-  // order. The file appears whole or not at all. Errors: as Open, and those of the file system.
+  // Opens the board at `path`, and makes it first where there is none or a spoilt one, so that programs may start in
+  // any order. Blocks for the file system. Errors: as OpenOrMakeFile and Mapping::Map.
   static Result<Board> Create(const std::string& path);
 
-  // Errors:
-  //   no_such_file_or_directory  there is no board
-  //   invalid_argument           not a board, or one of another version, layout or size: the attempt says
-  //   which permission_denied
+  // Makes nothing: for those that only look. Errors: as OpenFile and Mapping::Map.
   static Result<Board> Open(const std::string& path);
 
-  // Takes the section of T (of the two sticks, number `which`). The writer may outlive the board. Errors:
+  // Looks whether the file at the path is still this board, whole and sound, and moves to the one that is there,
+  // made anew where it is missing or spoilt. Writers move too, and what each wrote last is on the new board at
+  // once. True: the board is another one than before. To be called every kHealPeriod, by the loop's thread; takes
+  // three system calls where all is well, and two for each writer. Errors:
+  //   those of OpenOrMakeFile and Mapping::Map   the board stays as it was, for the next try
+  //   device_or_resource_busy                    the board has moved, but another process writes a section of ours
+  Result<bool> Heal();
+  static constexpr Duration kHealPeriod = std::chrono::milliseconds(250);
+
+  // False: the file was cut short beneath us, and everything reads as absent until Heal.
+  bool intact() const;
+  // How often Heal has moved to another board.
+  std::uint32_t moves() const { return moves_; }
+
+  // Acquires the right to write the section of T (of the two sticks, number `which`). The writer may outlive the
+  // board object, and does not move any more then. Errors:
   //   device_or_resource_busy    another writer holds it; names the section and the holder's process
   //   no_such_file_or_directory  the board's file was removed or replaced meanwhile
   //   permission_denied
@@ -132,12 +145,15 @@ class Board {
  private:
   Board(std::string path, UniqueFd file, Mapping mapping)
       : path_(std::move(path)), file_(std::move(file)), mapping_(std::move(mapping)) {}
+  static Result<Board> Over(const std::string& path, UniqueFd file);
   Result<SectionWriter> AcquireSection(Section section) const;
   bool Fetch(Section section, std::uint32_t age, std::span<std::uint32_t> value) const;
 
   std::string path_;
   UniqueFd file_;
   Mapping mapping_;  // Read only: a reader cannot spoil the board.
+  std::uint32_t moves_ = 0;
+  std::unique_ptr<internal::OwnSections> own_ = std::make_unique<internal::OwnSections>();
 };
 
 }  // namespace kaori::board

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <type_traits>
 
@@ -32,10 +33,19 @@ enum class Section : std::uint32_t {
 };
 inline constexpr std::size_t kSectionCount = 15;
 
-// The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes; the rest is zero.
+// The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of these; the
+// rest is zero. The sum tells a board of another build from one that is spoilt.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::size_t kHeadWords = 16;
+inline constexpr std::size_t kHeadSumAt = 5;
+
+// FNV-1a over the words in front of the sum.
+constexpr std::uint32_t HeadSum(std::span<const std::uint32_t, kHeadSumAt> words) {
+  std::uint32_t sum = 0x811C9DC5U;
+  for (const std::uint32_t word : words) sum = (sum ^ word) * 0x01000193U;
+  return sum;
+}
 
 struct SectionPlace {
   std::string_view name;

@@ -1,6 +1,33 @@
 #include "appliance/core/board/snapshot.h"
 
+#include <chrono>
+#include <utility>
+
 namespace kaori::board {
+namespace {
+
+constexpr Duration kSettling = std::chrono::seconds(1);  // Four periods of Board::Heal.
+
+template <class T>
+void KeepAbsent(Stamped<T>& now, const Stamped<T>& before) {
+  if (now.source == SourceState::kAbsent) now = before;
+}
+
+void KeepAbsent(Snapshot& now, const Snapshot& before) {
+  KeepAbsent(now.surface, before.surface);
+  for (std::size_t i = 0; i < now.sticks.size(); ++i) KeepAbsent(now.sticks[i], before.sticks[i]);
+  KeepAbsent(now.keys, before.keys);
+  KeepAbsent(now.lines, before.lines);
+  KeepAbsent(now.pointer, before.pointer);
+  KeepAbsent(now.lips, before.lips);
+  KeepAbsent(now.voice, before.voice);
+  KeepAbsent(now.lips_guide, before.lips_guide);
+  KeepAbsent(now.desk, before.desk);
+  KeepAbsent(now.lamps, before.lamps);
+  KeepAbsent(now.stage_status, before.stage_status);
+}
+
+}  // namespace
 
 Snapshot ReadAll(const Board& board) {
   return {.surface = board.Read<Surface>(),
@@ -14,6 +41,17 @@ Snapshot ReadAll(const Board& board) {
           .desk = board.Read<Desk>(),
           .lamps = board.Read<Lamps>(),
           .stage_status = board.Read<StageStatus>()};
+}
+
+// The check comes after the reading: pages may vanish in the middle of it.
+const Snapshot& SnapshotReader::Read(Time now) {
+  Snapshot read = ReadAll(board_);
+  if (!board_.intact()) return last_;
+  if (std::exchange(moves_, board_.moves()) != board_.moves()) settled_at_ = now + kSettling;
+  settling_ = now < settled_at_;
+  if (settling_) KeepAbsent(read, last_);
+  last_ = read;
+  return last_;
 }
 
 }  // namespace kaori::board

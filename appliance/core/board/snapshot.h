@@ -25,4 +25,25 @@ struct Snapshot {
 // waits. `performance` is not among them: its owner reads it once, at its start.
 Snapshot ReadAll(const Board& board);
 
+// Snapshots that do not blink while the board is replaced beneath their reader. One thread; the board must outlive it.
+class SnapshotReader {
+ public:
+  explicit SnapshotReader(const Board& board) : board_(board), moves_(board.moves()) {}
+
+  // As ReadAll. While the board is spoilt everything stays as it was; for a second after it was replaced so does
+  // each section that nobody has written on the new one, until its writer has moved there too. After that an absent
+  // section has no writer. What it gives holds until the next call.
+  const Snapshot& Read(Time now);
+
+  // True in that second: counters of the new board are no difference to those of the one before.
+  bool settling() const { return settling_; }
+
+ private:
+  const Board& board_;
+  Snapshot last_;
+  std::uint32_t moves_;
+  bool settling_ = false;
+  Time settled_at_{};
+};
+
 }  // namespace kaori::board

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "appliance/core/board/board.h"
+#include "appliance/core/board/watch.h"
 #include "appliance/programs/desk/certificate.h"
 #include "appliance/programs/desk/desk.h"
 #include "drivers/base/event_loop.h"
@@ -76,13 +76,14 @@ kaori::Result<void> TellAddress(const std::string& file, const std::string& addr
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
   auto options = OptionsOf(settings);
   if (!options) return kaori::ExitWithError(options.error());
-  const auto board = kaori::board::Board::Create(settings.board);
+  auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   const kaori::SteadyClock clock;
   const auto desk = kaori::desk::Desk::Open(std::move(*options), *board, loop, clock);
   if (!desk) return kaori::ExitWithError(desk.error());
   if (auto told = TellAddress(settings.address_file, (*desk)->address()); !told)
     return kaori::ExitWithError(told.error());
+  if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, [&desk] { (*desk)->Step(); }); !ok)
     return kaori::ExitWithError(ok.error());
   return 0;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "appliance/core/board/board.h"
+#include "appliance/core/board/watch.h"
 #include "appliance/programs/input/input_desk.h"
 #include "appliance/programs/input/line_roles.h"
 #include "drivers/base/event_loop.h"
@@ -114,7 +114,7 @@ kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path)
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto input_settings = ReadSettings(settings.file);
   if (!input_settings) return kaori::ExitWithError(input_settings.error());
-  const auto board = kaori::board::Board::Create(settings.board);
+  auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::input::DeskWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
@@ -129,6 +129,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   kaori::input::InputDesk desk(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   DeskWatch watch(desk, loop);
   watch.Step();
+  if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, [&watch] { watch.Step(); }); !ok)
     return kaori::ExitWithError(ok.error());
   return 0;

@@ -1,7 +1,7 @@
 // kaori-lips: the operator's painted lips, from the camera to the board.
 #include <cstdio>
 
-#include "appliance/core/board/board.h"
+#include "appliance/core/board/watch.h"
 #include "appliance/programs/lips/lip_options.h"
 #include "appliance/programs/lips/lip_reader.h"
 #include "appliance/programs/lips/lip_watch.h"
@@ -57,7 +57,7 @@ kaori::ports::CameraOpener SimulatedCamera(const LipOptions& options) {
 int Play(const LipOptions& options, kaori::EventLoop& loop) {
   const auto lips = kaori::lips::SettingsOf(options);
   if (!lips) return kaori::ExitWithError(lips.error());
-  const auto board = kaori::board::Board::Create(options.board);
+  auto board = kaori::board::Board::Create(options.board);
   if (!board) return kaori::ExitWithError(board.error());
   auto writer = board->AcquireWriter<kaori::board::Lips>();
   if (!writer) return kaori::ExitWithError(writer.error());
@@ -82,6 +82,7 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
     const auto& now = (*service)->tuning().settings().voice;
     (*voice)->Use(kaori::lips::GateOf(now), kaori::lips::DelayOf(options, now));
   };
+  if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = (*voice)->Join(loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, tick); !ok) return kaori::ExitWithError(ok.error());
   return 0;

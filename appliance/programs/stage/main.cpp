@@ -1,7 +1,7 @@
 // kaori-stage: draws the face that the board describes.
 #include <future>
 
-#include "appliance/core/board/board.h"
+#include "appliance/core/board/watch.h"
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/last_face.h"
@@ -122,7 +122,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (*card) kaori::Log("the graphics card is open");
   auto loaded = loading.get();
   if (!loaded) return kaori::ExitWithError(loaded.error());
-  const auto board = kaori::board::Board::Create(settings.board);
+  auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::stage::StageWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
@@ -167,6 +167,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto tell = [&] { sign.Step(stage.screen()); };
   if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok)
     return kaori::ExitWithError(ok.error());
+  if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   auto played = loop.Run();
   if (last_face) last_face->End();
   if (!played) return kaori::ExitWithError(played.error());

@@ -60,7 +60,7 @@ Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
 }
 
 Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
-    : board_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
+    : board_(board), snapshots_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
   const auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
   resumed_ = kept && performance::IsValid(*kept, studio.show());
   state_ = resumed_ ? *kept : performance::Opening(studio.show(), board::ReadAll(board), clock.now());
@@ -86,8 +86,14 @@ void Stage::Step() {
 }
 
 void Stage::StepUnseen() {
-  const board::Snapshot snapshot = board::ReadAll(board_);
-  Perform(snapshot, clock_.now());
+  const Time now = clock_.now();
+  Perform(ReadBoard(now), now);
+}
+
+const board::Snapshot& Stage::ReadBoard(Time now) {
+  const board::Snapshot& snapshot = snapshots_.Read(now);
+  if (snapshots_.settling()) performance::ForgetCounters(state_.seen);
+  return snapshot;
 }
 
 Result<void> Stage::HandleFlips() {
@@ -133,7 +139,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   const Time now = clock_.now();
   const Time light = std::clamp(plan.light, now, now + kFarthestLight);
   read_ = now;
-  const board::Snapshot snapshot = board::ReadAll(board_);
+  const board::Snapshot& snapshot = ReadBoard(now);
   const scene::Scene scene = Perform(snapshot, light);
   if (auto drawn = studio_.Draw(scene, picture); !drawn) return drawn;
   if (needles_)

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "appliance/core/board/board.h"
+#include "appliance/core/board/snapshot.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/core/performance/animate.h"
 #include "appliance/programs/stage/frame_pacer.h"
@@ -74,6 +75,7 @@ class Stage {
   void NoteFlip(const ports::Flip& flip);
   Result<void> DrawWhenDue();
   Result<void> Draw(const ports::PixelBuffer& picture);
+  const board::Snapshot& ReadBoard(Time now);
   performance::Performed Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
                                  Time presented_at);
   scene::Scene Perform(const board::Snapshot& snapshot, Time light);
@@ -82,6 +84,7 @@ class Stage {
   void Report(const board::Snapshot& snapshot, Duration cpu);
 
   const board::Board& board_;
+  board::SnapshotReader snapshots_;
   StageWriters writers_;
   Studio& studio_;
   const Clock& clock_;

@@ -1,0 +1,80 @@
+#include "appliance/core/board/mapping.h"
+
+#include <signal.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "appliance/core/board/layout.h"
+
+namespace kaori::board {
+namespace {
+
+// Where boards are mapped, for the handler, which may take no lock. 0: a free entry.
+constexpr std::size_t kMostMappings = 256;
+std::array<std::atomic<std::uintptr_t>, kMostMappings> mapped;
+struct sigaction earlier {};
+
+std::uintptr_t MappingAround(std::uintptr_t address) {
+  for (const auto& entry : mapped) {
+    const std::uintptr_t begin = entry.load(std::memory_order_relaxed);
+    if (begin != 0 && address >= begin && address - begin < kBoardBytes) return begin;
+  }
+  return 0;
+}
+
+// mmap is a bare system call: it may be called here. The touch that brought us here is done again.
+void ReplaceVanishedPages(int /*signal*/, siginfo_t* info, void* /*context*/) {
+  const int cause = errno;
+  const std::uintptr_t begin = MappingAround(reinterpret_cast<std::uintptr_t>(info->si_addr));
+  const bool replaced = begin != 0 && ::mmap(reinterpret_cast<void*>(begin), kBoardBytes, PROT_READ | PROT_WRITE,
+                                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
+  if (!replaced) ::sigaction(SIGBUS, &earlier, nullptr);  // It is raised again, for whom it concerns.
+  errno = cause;
+}
+
+bool CatchVanishedPages() {
+  struct sigaction action {};
+  action.sa_sigaction = ReplaceVanishedPages;
+  action.sa_flags = SA_SIGINFO;
+  return ::sigaction(SIGBUS, &action, &earlier) == 0;
+}
+
+bool Enter(std::uintptr_t begin) {
+  return std::ranges::any_of(mapped, [begin](auto& entry) {
+    std::uintptr_t none = 0;
+    return entry.compare_exchange_strong(none, begin);
+  });
+}
+
+void Leave(std::uintptr_t begin) {
+  for (auto& entry : mapped) {
+    std::uintptr_t same = begin;
+    if (entry.compare_exchange_strong(same, 0)) return;
+  }
+}
+
+}  // namespace
+
+Result<Mapping> Mapping::Map(int fd, bool writable, const std::string& path) {
+  static const bool catches = CatchVanishedPages();
+  if (!catches) return FailErrno("catch SIGBUS for board " + path);
+  const int protection = writable ? PROT_READ | PROT_WRITE : PROT_READ;
+  void* at = ::mmap(nullptr, kBoardBytes, protection, MAP_SHARED, fd, 0);
+  if (at == MAP_FAILED) return FailErrno("map board " + path);
+  Mapping mapping(static_cast<Word*>(at));
+  if (!Enter(reinterpret_cast<std::uintptr_t>(at))) return Fail(std::errc::too_many_files_open, "map board " + path);
+  return mapping;
+}
+
+// Entries go first: another mapping may get these addresses at once.
+Mapping::~Mapping() {
+  if (words_ == nullptr) return;
+  Leave(reinterpret_cast<std::uintptr_t>(words_));
+  ::munmap(words_, kBoardBytes);
+}
+
+}  // namespace kaori::board

@@ -1,0 +1,20 @@
+#include "appliance/core/board/watch.h"
+
+#include <string>
+#include <utility>
+
+#include "drivers/base/log.h"
+
+namespace kaori::board {
+
+Result<void> Watch(Board& board, EventLoop& loop) {
+  return loop.Every(Board::kHealPeriod, [&board, trouble = std::string()]() mutable {
+    const auto healed = board.Heal();
+    const std::string now = healed ? std::string() : healed.error().message();
+    if (healed && *healed) Log("board {} was lost; playing on with the one that is there now", board.path());
+    if (!now.empty() && now != trouble) Log("{}; it is tried again", now);
+    trouble = now;
+  });
+}
+
+}  // namespace kaori::board
