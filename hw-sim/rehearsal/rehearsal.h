@@ -44,7 +44,7 @@ class Rehearsal {
   Result<Shown> NextPicture(const Input& input = {});
 
   // Lets hands make expressions. They were opened on the studio's show.
-  void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->Bring(std::move(editor)); }
+  void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->SetEditor(std::move(editor)); }
 
   Rig& rig() { return *rig_; }
   const board::Board& board() const { return board_; }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "appliance/core/board/press_log.h"
 #include "appliance/core/performance/animate.h"
 #include "appliance/core/show/check.h"
 #include "appliance/core/show/pack_container.h"
@@ -44,17 +45,19 @@ void CheckCalls(const show::Show& show) {
   }
 }
 
-// Every button and every key at once, and what comes of it for a few frames.
+// Every button at once, every key within a few frames, and what comes of it.
 void Play(const show::Show& show) {
   face::Composer composer(show.cast);
   board::Snapshot board;
   Time now = Time{} + std::chrono::seconds(1);
   performance::State state = performance::Opening(show, board, now);
   board.surface.source = board.keys.source = board::SourceState::kLive;
-  board.surface.value.pushes.fill(1);
-  board.keys.value.pushes.fill(1);
-  for (int frame = 0; frame < 4; ++frame) {
-    const auto performed = performance::Animate(state, board, show, now += std::chrono::milliseconds(90));
+  for (std::size_t button = 0; button < 32; ++button) board::NotePress(board.surface.value, button, now);
+  for (std::size_t usage = 0; usage < 256; usage += board::PressLog::kKept) {
+    for (std::size_t i = 0; i < board::PressLog::kKept; ++i) board::NotePress(board.keys.value, usage + i, now);
+    const auto events = performance::ReadEvents(state.seen, board);
+    const auto performed =
+        performance::Animate(state, board, events, show, now += std::chrono::milliseconds(90));
     state = performed.state;
     Promise(performance::IsValid(state, show), "a sound show is performed soundly");
     Promise(std::isfinite(performed.scene.head.yaw_rad + performed.scene.light.exposure), "and in numbers");

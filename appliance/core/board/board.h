@@ -1,4 +1,5 @@
-// The board: shared memory in which every input stands as it is now, one writer for each section.
+// The board: shared memory in which every input stands as it is now, one writer for each section. Programs meet nowhere
+// else, and none ever waits for another.
 //
 //   auto board = Board::Create("/dev/shm/kaori-board");
 //   auto surface = board->AcquireWriter<Surface>();            // One writer at a time, on the whole machine.

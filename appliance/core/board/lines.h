@@ -10,7 +10,7 @@ namespace kaori::board {
 
 enum class Line : std::uint8_t {
   kGo,        // The foot switch: calls the next scene.
-  kBlackout,  // Latches: while it is on the picture is black.
+  kBlackout,  // A switch that stays: while it is on the picture is black.
   kService,   // The key switch: while it is on the screen may speak to whoever works at the box.
   kPresence,  // Somebody stands before the box.
 };

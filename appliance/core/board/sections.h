@@ -1,4 +1,9 @@
-// The board's sections: what each input is now. One program writes each; everyone reads.
+// The board's sections: what each input is now, and what the programs tell each other. One program writes each; any
+// program may read each, at any time and as often as it likes.
+//
+// Each value is stamped with the time at which it became true and with the state of its source. Counters count on from
+// the board's beginning, over restarts of their writers, and wrap: readers look at differences. valid.h says which
+// values are possible; readers pass over others.
 #pragma once
 
 #include <array>
@@ -13,7 +18,7 @@ namespace kaori::board {
 // A source that was never there, is there, or was there and is silent or gone.
 enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
 
-// Values are plain 32-bit words so that they cross the shared memory without tearing types apart.
+// Values are plain words without pointers, so that they mean the same in every process.
 
 // The newest presses of a section's buttons or keys, so that a reader that looks seldom still learns which came
 // first. Counters alone say how often, but not in which order.
@@ -28,7 +33,9 @@ struct PressLog {
   std::array<Press, kKept> newest{};  // Press n, counted from 0, lies in newest[n % kKept].
 };
 
-// Written by kaori-input.
+// The control surface: eight dials and 32 buttons.
+//   writer   kaori-input, at each report of the device, up to 1000 times a second; at once when it is plugged in or out
+//   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
 struct Surface {
   static constexpr const char* kName = "surface";
   std::array<std::int32_t, 8> counts{};  // Dials, accumulated; clockwise is positive.
@@ -38,7 +45,9 @@ struct Surface {
   PressLog log{};                          // Of the same pushes.
 };
 
-// Written by kaori-input; [0] is the left stick (head), [1] the right one (gaze and brows).
+// A stick: [0] is the left one, which moves the head, [1] the right one, which moves gaze and brows.
+//   writer   kaori-input, at each report of the device
+//   readers  kaori-stage at each frame; kaori-input itself when it starts
 struct Stick {
   static constexpr const char* kName = "stick";
   float x = 0;            // -1 left .. 1 right, after dead zone, centre and curve.
@@ -55,7 +64,9 @@ struct Stick {
   std::array<float, 3> centres{};
 };
 
-// Written by kaori-input. Usages of HID page 7.
+// The keyboard, by usages of HID page 7.
+//   writer   kaori-input, at each report of the device
+//   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
 struct Keys {
   static constexpr const char* kName = "keys";
   std::array<std::uint32_t, 8> down{};      // Bit u % 32 of word u / 32: the key with usage u is held.
@@ -63,31 +74,37 @@ struct Keys {
   PressLog log{};                           // Of the same keys.
 };
 
-// Written by kaori-input. A mouse or a tablet: the place on the stage's picture, 0..1 from the left top.
+// A mouse or a tablet: its position on the stage's picture, 0..1 from the left top.
+//   writer   kaori-input, at each report of the device
+//   readers  kaori-stage at each frame, for the expression editor
 struct Pointer {
   static constexpr const char* kName = "pointer";
   float x = 0.5F;
   float y = 0.5F;
-  std::int32_t wheel = 0;                 // Notches since the board began; away from the hand is positive.
+  std::int32_t wheel = 0;                 // Notches since the board began; away from the operator is positive.
   std::uint32_t buttons_down = 0;         // Bit 0: the left one, 1: the right, 2: the middle.
   std::array<std::uint32_t, 3> pushes{};  // How often each button went down since the board began.
 };
 
-// Written by kaori-input. GPIO lines.
+// GPIO lines, numbered as in lines.h.
+//   writer   kaori-input, at each edge of a line, once it no longer bounces
+//   readers  kaori-stage at each frame; kaori-lips every 25 ms; kaori-input itself, for the tally lamp
 struct Lines {
   static constexpr const char* kName = "lines";
-  std::uint32_t active = 0;
-  std::array<std::uint32_t, 16> pushes{};
+  std::uint32_t active = 0;                // Bit n: line n is active.
+  std::array<std::uint32_t, 16> pushes{};  // How often each became active since the board began.
 };
 
-// Written by kaori-lips. Sizes are of the paint's outline, as fractions of the mouth's width at rest: a mouth
-// at rest is 1 wide and, shut, about a quarter high.
+// The operator's painted lips before the camera. Sizes are of the paint's outline, as fractions of the mouth's width at
+// rest: a mouth at rest is 1 wide and, shut, about a quarter high. The stamp is the middle of the exposure.
+//   writer   kaori-lips, at each picture of the camera, 30 to 120 times a second
+//   readers  kaori-stage at each frame; kaori-desk and kaori-status for people; kaori-lips itself when it starts
 struct Lips {
   static constexpr const char* kName = "lips";
   float height = 0;
   float width = 1;
-  float quality = 0;  // 0 no paint found .. 1 a clean mouth.
-  std::uint32_t frames = 0;
+  float quality = 0;         // 0 no paint found .. 1 a clean mouth.
+  std::uint32_t frames = 0;  // Pictures that were read since the program began.
   float rest_width = 0;  // In widths of the picture; 0: not yet known. A restart measures on with it.
   float opening = 0;     // Between the lips, inside the paint.
   // How far the operator's left, right corner lies above the mouth's middle. Without a marker a head that
@@ -98,7 +115,9 @@ struct Lips {
   float shut = 0.28F, open = 0.85F, narrow = 0.65F, wide = 1.35F;
 };
 
-// Written by kaori-lips: the voice in the microphone, and the mouth that it would make.
+// The voice in the microphone, and the mouth that it would make.
+//   writer   kaori-lips, at each block of sound that was read
+//   readers  kaori-stage at each frame
 struct Voice {
   static constexpr const char* kName = "voice";
   float level_db = -100;       // Of full scale, smoothed; -100 is silence.
@@ -109,39 +128,44 @@ struct Voice {
   std::uint32_t blocks = 0;    // Heard since the program began.
 };
 
-// Written by kaori-lips: the voice on its way to the loudspeaker, whose state is the section's source.
+// The voice on its way to the loudspeaker, whose state is the section's source.
+//   writer   kaori-lips
+//   readers  kaori-status for people; kaori-lips itself when it starts
 struct Sound {
   static constexpr const char* kName = "sound";
   float delay_ms = 0;           // From the microphone to the loudspeaker, as it is in use.
-  float asked_ms = 0;           // What a hand or the measurement asks for.
+  float asked_ms = 0;           // What a person or the measurement asks for.
   std::uint32_t automatic = 0;  // 1: it is the measurement that asks.
   std::uint32_t xruns = 0;      // How often the loudspeaker ran dry,
   std::uint32_t leaps = 0;      // and how often the voice's place was found anew, with a cross-fade.
   float drift_ppm = 0;          // How much faster the voice is read than it is heard, now.
 };
 
-// Written by kaori-stage: the motion that was struck last, for its sound. At the stamp, which is a time of
-// light, it stands at `at_s`.
+// The motion that was called last, for its sound. At the stamp, which is when a frame is presented, it stands at `at_s`.
+//   writer   kaori-stage at each frame while one plays, and once when it has ended
+//   readers  kaori-lips, which plays its sound; kaori-stage itself when it starts
 struct MotionNow {
   static constexpr const char* kName = "motion_now";
-  std::int32_t take = -1;    // Of the show's takes; -1: none plays.
+  std::int32_t motion = -1;  // Of the show's motions; -1: none plays.
   float at_s = 0;            // From its beginning.
   std::uint32_t starts = 0;  // Counts the motions that began.
 };
 
-// Written by kaori-lips: the calibration that is taken at the box, for the stage's lamps and captions. Live
-// while it is under way.
+// The calibration of the lips that is under way at the box. Absent while there is none.
+//   writer   kaori-lips every 25 ms while it is under way, so that a silent one is seen to be over
+//   readers  kaori-stage at each frame, for its lamps and captions
 struct LipsGuide {
   static constexpr const char* kName = "lips_guide";
-  std::uint32_t step = 0;      // 0 to 3: shut, open, wide, narrow; 4: all are taken, keep them?
+  std::uint32_t step = 0;      // 0 to 3: shut, open, wide, narrow; 4: all are measured, shall they be kept?
   std::uint32_t taking = 0;    // 1: the operator holds the pose and is measured.
   float progress = 0;          // Of the measurement.
   std::uint32_t seen = 0;      // 1: a good mouth is seen now.
   std::uint32_t captions = 0;  // 1: the screen is for whoever works at the box, and may say it in words.
 };
 
-// Written by kaori-desk: where its page is, and the code that lets a visitor in. Live while the code is to be
-// shown.
+// Where the desk's page is, and the code by which a visitor is authorised. Live while the code is to be shown.
+//   writer   kaori-desk, about once a second while it is
+//   readers  kaori-stage at each frame, for its caption
 struct Desk {
   static constexpr const char* kName = "desk";
   std::uint32_t code = 0;         // Six digits.
@@ -152,13 +176,17 @@ struct Desk {
   std::uint32_t certificate = 0;  // The first four bytes of its SHA-256, big-endian; 0 without HTTPS.
 };
 
-// Written by kaori-stage; kaori-input lights the lamps from it.
+// The lamps in the buttons of the control surface.
+//   writer   kaori-stage, when they change
+//   readers  kaori-input every 5 ms, which lights them
 struct Lamps {
   static constexpr const char* kName = "lamps";
-  std::uint32_t lit = 0;
+  std::uint32_t lit = 0;  // Bit n: the lamp of button n is lit.
 };
 
-// Written by kaori-stage, for people and tests.
+// How the stage does.
+//   writer   kaori-stage at each frame; means once a second
+//   readers  kaori-status, kaori-desk and tests; kaori-lips for the delay of the voice; kaori-input for the tally lamp
 struct StageStatus {
   static constexpr const char* kName = "stage_status";
   std::uint32_t frames = 0;
@@ -169,23 +197,25 @@ struct StageStatus {
   std::uint32_t expression = 0;
   std::uint32_t style = 0;
   std::uint32_t scene = 0;
-  std::uint32_t input_age_us = 0;  // Age of the newest input at the last frame's light.
+  std::uint32_t input_age_us = 0;  // Age of the newest input when the last frame is presented.
   // Measured at the flips of the last second, means; 0: there was nothing to measure.
-  std::uint32_t lips_age_us = 0;   // Age of the lips at the moment of light.
-  std::uint32_t voice_age_us = 0;  // Age of the voice at the moment of light.
-  // From what the camera sees to the light of a mouth that does the same: the age, half the time that a frame
+  std::uint32_t lips_age_us = 0;   // Age of the lips when they are presented.
+  std::uint32_t voice_age_us = 0;  // Age of the voice when it is presented.
+  // From what the camera sees until the screen shows a mouth that does the same: the age, half the time that a frame
   // stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
   std::uint32_t mouth_lag_us = 0;
-  // Of the last frame that came to light: the flip, and the moment at which the hands were read for it; on
-  // CLOCK_MONOTONIC in ns, low word and high word.
+  // Of the last frame that was presented: the flip, and when the input was sampled for it; on CLOCK_MONOTONIC in ns, low
+  // word and high word.
   std::array<std::uint32_t, 2> flip_ns{};
   std::array<std::uint32_t, 2> read_ns{};
   std::uint32_t draw_us = 0;    // The usual time of a frame, from its beginning until the screen has it.
   std::uint32_t margin_us = 0;  // How much earlier than that a frame begins.
 };
 
-// Written by kaori-stage for itself: what it needs to go on after a restart without a jump. Opaque to the
-// board; see Hold and Restore in performance_state.h.
+// What the stage needs to go on after a restart without a jump. Opaque to the board; see Hold and Restore in
+// performance_state.h.
+//   writer   kaori-stage at each frame
+//   readers  kaori-stage when it starts; tests
 struct Performance {
   static constexpr const char* kName = "performance";
   static constexpr std::size_t kCapacityBytes = 8192 - 2 * sizeof(std::uint32_t);

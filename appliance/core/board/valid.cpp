@@ -67,8 +67,8 @@ bool Valid(const Sound& sound) {
          sound.automatic <= 1 && Within(sound.drift_ppm, -kMostDrift_ppm, kMostDrift_ppm);
 }
 
-bool Valid(const MotionNow& take) {
-  return take.take >= -1 && Within(take.at_s, 0, kLongestMotion_s);
+bool Valid(const MotionNow& motion) {
+  return motion.motion >= -1 && Within(motion.at_s, 0, kLongestMotion_s);
 }
 
 bool Valid(const LipsGuide& guide) {

@@ -14,7 +14,7 @@ bool Valid(const Pointer& pointer);
 bool Valid(const Lips& lips);
 bool Valid(const Voice& voice);
 bool Valid(const Sound& sound);
-bool Valid(const MotionNow& take);
+bool Valid(const MotionNow& motion);
 bool Valid(const LipsGuide& guide);
 bool Valid(const Desk& desk);
 bool Valid(const Lamps& lamps);

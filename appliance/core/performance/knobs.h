@@ -19,8 +19,8 @@ inline constexpr std::array<KnobRange, kKnobCount> kKnobRanges{{
     {0, 1, 1},     // Expression: how much of the called expression.
     {0, 1.4F, 1},  // Strength: 1 as authored.
     {0, 4, 2},     // Fade, seconds.
-    {0, 1, 1},     // Mouth, opened by hand.
-    {0, 1, 1},     // Mouth width by hand.
+    {0, 1, 1},     // Mouth: how far the dial opens it.
+    {0, 1, 1},     // Mouth width, by the dial.
     {0, 1, 1},     // Life: what the box plays by itself.
     {0, 1.2F, 1},  // Light.
 }};

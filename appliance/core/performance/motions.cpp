@@ -43,10 +43,10 @@ void Add(Motion& motion, const show::MotionCurve& curve, float value) {
   }
 }
 
-float End(const show::Motion& take) {
-  const auto frames = static_cast<float>(take.sound.samples.size()) / static_cast<float>(take.sound.channels);
+float End(const show::Motion& played) {
+  const auto frames = static_cast<float>(played.sound.samples.size()) / static_cast<float>(played.sound.channels);
   float end_s = frames / static_cast<float>(show::kSoundRate_hz);
-  for (const auto& curve : take.curves) end_s = std::max(end_s, curve.keys.back().at_s);
+  for (const auto& curve : played.curves) end_s = std::max(end_s, curve.keys.back().at_s);
   return end_s;
 }
 
@@ -55,22 +55,22 @@ float End(const show::Motion& take) {
 const Playing* Youngest(const State& state) {
   const Playing* youngest = nullptr;
   for (const Playing& voice : state.voices)
-    if (voice.take >= 0 && (youngest == nullptr || voice.at_s < youngest->at_s)) youngest = &voice;
+    if (voice.motion >= 0 && (youngest == nullptr || voice.at_s < youngest->at_s)) youngest = &voice;
   return youngest;
 }
 
 Motion PlayMotions(State& state, const show::Show& show, float dt_s) {
-  Motion motion;
+  Motion sum;
   const Playing* youngest = Youngest(state);
   for (Playing& voice : state.voices) {
-    if (voice.take < 0 || voice.take >= static_cast<int>(show.motions.size())) continue;
-    const show::Motion& take = show.motions[static_cast<std::size_t>(voice.take)];
+    if (voice.motion < 0 || voice.motion >= static_cast<int>(show.motions.size())) continue;
+    const show::Motion& played = show.motions[static_cast<std::size_t>(voice.motion)];
     voice.at_s += dt_s;
     if (&voice != youngest || voice.gain < 1) voice.gain = Travel(voice.gain, 0, dt_s, 1 / kFadeOut_s);
-    for (const auto& curve : take.curves) Add(motion, curve, voice.gain * At(curve, voice.at_s));
-    if (voice.gain <= 0 || voice.at_s >= End(take)) voice.take = -1;
+    for (const auto& curve : played.curves) Add(sum, curve, voice.gain * At(curve, voice.at_s));
+    if (voice.gain <= 0 || voice.at_s >= End(played)) voice.motion = -1;
   }
-  return motion;
+  return sum;
 }
 
 }  // namespace kaori::performance

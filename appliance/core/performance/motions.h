@@ -1,4 +1,4 @@
-// Registered motions: curves that are added on top of the hands.
+// Registered motions: curves that are added to what the operators move.
 #pragma once
 
 #include "appliance/core/performance/state.h"
@@ -6,18 +6,19 @@
 
 namespace kaori::performance {
 
+// What all motions that play add to the face at one moment.
 struct Motion {
   scene::Head head;
   scene::Gaze gaze;
-  float lids = 0;
+  float lids = 0;  // 0 open .. 1 shut, of both eyes.
   face::Terms channels;
 };
 
-// Moves the playing takes on by dt_s and gives their sum. When a take is struck while others play, those fade
-// out in 0.25 s.
+// Moves the playing motions on by dt_s and gives their sum. When a motion is called while others play, those fade out
+// in 0.25 s.
 Motion PlayMotions(State& state, const show::Show& show, float dt_s);
 
-// The take that was struck last, which keeps its full gain; none: nothing plays.
+// The motion that was called last, which keeps its full gain; null: nothing plays. Borrowed from `state`.
 const Playing* Youngest(const State& state);
 
 }  // namespace kaori::performance

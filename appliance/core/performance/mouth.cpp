@@ -8,13 +8,13 @@
 namespace kaori::performance {
 namespace {
 
-constexpr float kHandFrom = 0.01F;  // A dial turned this far takes the mouth.
+constexpr float kDialFrom = 0.01F;  // A dial turned this far takes the mouth.
 constexpr float kGoodLips = 0.3F;
 constexpr float kFollowLips_s = 0.012F;   // Lips are in time with a voice: hardly any smoothing.
 constexpr float kFollowVoice_s = 0.025F;  // What is heard is a guess, and trembles.
-constexpr float kFollowHand_s = 0.04F;
+constexpr float kFollowDial_s = 0.04F;
 constexpr float kFastest_per_s =
-    15;  // No mouth opens faster; where one hand takes over from another, it would.
+    15;  // No mouth opens faster; where one source takes over from another, it would.
 constexpr float kSpeaking = 0.08F;  // Lips that move further than this from rest are speaking,
 constexpr float kPause_s = 0.7F;    // and stay so in pauses of this length.
 // Half of the 200 ms within which the voice shall move a mouth whose lips are lost; a camera of 15 frames a
@@ -95,7 +95,7 @@ Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
   const float hand = At(state.shown, Knob::kMouth);
   const float width = At(state.shown, Knob::kMouthWidth);
   const Goal from_operator = FromOperator(state, board, dt_s);
-  if (hand > kHandFrom || std::abs(width - 0.5F) > kHandFrom) return {hand, width, kFollowHand_s, true};
+  if (hand > kDialFrom || std::abs(width - 0.5F) > kDialFrom) return {hand, width, kFollowDial_s, true};
   return from_operator;
 }
 
@@ -110,11 +110,11 @@ void MoveMouth(State& state, const board::Snapshot& board, const show::Channels&
   };
   follow(state.mouth_open, goal.open);
   follow(state.mouth_wide, goal.wide);
-  const auto take = [&](float& share, float speed_per_s) {
+  const auto move_share = [&](float& share, float speed_per_s) {
     share = Travel(share, goal.drives ? 1.0F : 0.0F, dt_s, goal.drives ? speed_per_s : kGivenBack_per_s);
   };
-  take(state.mouth_drive, kGivesWay_per_s);
-  take(state.mouth_said, kGivesWay_per_s / std::max(state.mouth_open, kGivesWay_per_s / kOpens_per_s));
+  move_share(state.mouth_drive, kGivesWay_per_s);
+  move_share(state.mouth_said, kGivesWay_per_s / std::max(state.mouth_open, kGivesWay_per_s / kOpens_per_s));
   const float drive = SmoothStep(state.mouth_drive);
   weights.mouth_given_away = drive;
   const float open = state.mouth_open, wide = state.mouth_wide;

@@ -1,5 +1,4 @@
-// Who moves the mouth: a hand on its dial, else the lips before the camera, else the voice, else the
-// expression itself.
+// What moves the mouth: its dials, else the operator's lips before the camera, else the voice, else the expression.
 #pragma once
 
 #include "appliance/core/board/snapshot.h"

@@ -52,9 +52,9 @@ void Obey(State& state, const show::Call& call, const show::Show& show) {
 
 // No playing voice is cut off for it: that would be a jump. Eight keys within a quarter of a second are no
 // playing, the ninth is not heard.
-void PlayMotion(State& state, int take) {
-  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.take < 0; });
-  if (free != state.voices.end()) *free = {take, 0, 1};
+void PlayMotion(State& state, int motion) {
+  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.motion < 0; });
+  if (free != state.voices.end()) *free = {motion, 0, 1};
 }
 
 void Struck(State& state, std::uint16_t usage, const show::Show& show) {

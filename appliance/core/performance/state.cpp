@@ -71,7 +71,7 @@ bool IsValidClocks(const State& s) {
 
 bool IsValidVoices(const State& s, const show::Show& show) {
   return std::ranges::all_of(s.voices, [&show](const Playing& v) {
-    return v.take < static_cast<int>(show.motions.size()) && Within({v.at_s}, 0, show::kLongestMotion_s + 1) &&
+    return v.motion < static_cast<int>(show.motions.size()) && Within({v.at_s}, 0, show::kLongestMotion_s + 1) &&
            Within({v.gain}, 0, 1);
   });
 }

@@ -23,13 +23,13 @@ struct Backstage {  // The scene's light on its way.
 };
 
 struct StickNow {
-  float presence = 1;  // 1: its hand counts; eases to 0 when the device is lost.
+  float presence = 1;  // 1: what it says counts; eases to 0 when the device is lost.
   float lost_s = 0;    // For how long it has been gone.
 };
 
 // A registered motion that is playing.
 struct Playing {
-  std::int32_t take = -1;  // -1: nothing.
+  std::int32_t motion = -1;  // Of the show's motions; -1: nothing.
   float at_s = 0;
   float gain = 1;  // Falls to 0 from the moment at which another motion takes over.
 };
@@ -55,7 +55,7 @@ struct Sway {
 
 struct State {
   static constexpr std::uint32_t kLayout = 7;  // Raise it when a field changes: see board::Hold.
-  Time last{};                                 // For which light the last frame was made.
+  Time last{};                                 // When the last frame was to be presented.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   SeenInput seen;
   Mixture faces, expressions, styles;
@@ -74,7 +74,7 @@ struct State {
   float brow = 0;  // -1 frown .. 1 raised.
   float mouth_open = 0;
   float mouth_wide = 0.5F;
-  float mouth_drive = 0;  // 0: the expression's mouth .. 1: the hand's or the lips'.
+  float mouth_drive = 0;  // 0: the expression's mouth .. 1: the dial's, the lips' or the voice's.
   float mouth_said = 0;   // The same of its opening, which does not wait.
   float mouth_quiet_s = 10;
   float mouth_voice = 0;           // 0: the lips have the mouth .. 1: the voice has it.

@@ -17,7 +17,7 @@ constexpr const char* kHelp[] = {"arrows choose   dials 2-6 pull", "M mirror  S 
 constexpr const char* kLittleHelp = "H help   Tab close";
 
 // As written in files: outwards from the middle is positive u on both sides.
-std::string NeedleLine(const Session& session, int chosen) {
+std::string HandleLine(const Session& session, int chosen) {
   if (chosen < 0) return "no needle is chosen";
   const auto point = static_cast<std::size_t>(chosen);
   const float side = session.points().OnTheRight(point) ? -1.0F : 1.0F;
@@ -59,7 +59,7 @@ std::vector<std::string> CaptionLines(const CaptionFacts& facts) {
     lines.emplace_back("Enter takes it   Esc leaves it");
     return lines;
   }
-  lines.push_back(NeedleLine(facts.session, facts.chosen));
+  lines.push_back(HandleLine(facts.session, facts.chosen));
   lines.push_back(SpreadLine(facts.session));
   lines.push_back(WorkLine(facts.session, facts.comparing));
   if (!facts.own.empty()) lines.push_back("own: " + facts.own);

@@ -1,4 +1,4 @@
-// What the needles say in the picture's lower left corner.
+// What the editor writes into the picture's lower left corner.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct CaptionFacts {
   const std::optional<Typing>& typing;
   bool comparing = false;
   bool help = true;     // All keys, or how to see them.
-  std::string own;      // What stands on the shelf.
+  std::string own;      // The own expressions and their keys.
   std::string message;  // Of the last seconds; empty: none.
   std::string trouble;  // With the disk; empty: none.
 };

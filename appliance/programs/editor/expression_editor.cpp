@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 using performance::Knob;
 
-constexpr float kShow_per_s = 4;    // ExpressionEditor come and go in a quarter of a second.
+constexpr float kShow_per_s = 4;    // The handles come and go in a quarter of a second.
 constexpr float kChange_s = 0.25F;  // An expression that opening or closing calls.
 constexpr Duration kMessage = 4s;   // How long a message stands.
 constexpr float kLongestStep_s = 0.1F;
@@ -32,7 +32,7 @@ void CallWhole(performance::State& state, std::uint16_t expression, float fade_s
 struct ExpressionEditor::Situation {
   const show::Show& show;
   performance::State& state;
-  Time light;
+  Time presented_at;
 };
 
 const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, performance::InputEvents& events,
@@ -46,7 +46,7 @@ const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, perf
   Situation situation{show, state, presented_at};
   events.Consume([&](const performance::Press& press) { return HandlePress(press, situation); });
   for (const Command& command : input_.ReadMotion(board, events, open_, now_)) Obey(command, situation);
-  if (scribe_.has_news()) HearNews();
+  if (writer_.has_outcomes()) HandleOutcomes();
   ShowDraft();
   if (!was_open && !open_) return board;
   return TakeOut(board, events);
@@ -64,16 +64,16 @@ bool ExpressionEditor::HandlePress(const performance::Press& press, Situation& n
 
 void ExpressionEditor::Obey(const Command& command, Situation& now) {
   if (command.verb == Verb::kToggle) return open_ ? Leave(now) : Start(now);
-  if (!open_) return CallPlace(command.index, now);
+  if (!open_) return CallOwn(command.index, now);
   if (!ObeyPull(command) && !ObeyChoice(command)) ObeyKeeping(command, now);
 }
 
-// What pulls.
+// Commands that pull. Gives whether this was one.
 bool ExpressionEditor::ObeyPull(const Command& command) {
-  const auto needle = static_cast<std::size_t>(chosen_);  // -1 is beyond all needles: nothing is pulled.
+  const auto handle = static_cast<std::size_t>(chosen_);  // -1 is beyond all handles: nothing is pulled.
   switch (command.verb) {
     case Verb::kPull:
-      Did(session_.Pull(needle, command.by_m, command.gesture));
+      Did(session_.Pull(handle, command.by_m, command.gesture));
       return true;
     case Verb::kDrag:
       Drag(command);
@@ -85,7 +85,7 @@ bool ExpressionEditor::ObeyPull(const Command& command) {
       Did(session_.ShutLids(command.amount, command.gesture));
       return true;
     case Verb::kZero:
-      Did(session_.Zero(needle));
+      Did(session_.Zero(handle));
       return true;
     case Verb::kUndo:
       Did(session_.Undo());
@@ -101,20 +101,20 @@ bool ExpressionEditor::ObeyPull(const Command& command) {
 // The skin goes where the pointer goes, though it gives way to its neighbours.
 void ExpressionEditor::Drag(const Command& command) {
   if (chosen_ < 0) return;
-  const auto needle = static_cast<std::size_t>(chosen_);
-  const float yield = std::max(session_.Yield(needle), kLeastYield);
-  Did(session_.Pull(needle, sight_.PullAlong(needle, command.a) / yield, command.gesture));
+  const auto handle = static_cast<std::size_t>(chosen_);
+  const float yield = std::max(session_.Yield(handle), kLeastYield);
+  Did(session_.Pull(handle, picker_.PullAlong(handle, command.a) / yield, command.gesture));
 }
 
-// What is pulled, and how it spreads.
+// Commands that say what is pulled and how it spreads. Gives whether this was one.
 bool ExpressionEditor::ObeyChoice(const Command& command) {
   switch (command.verb) {
     case Verb::kGo:
-      if (chosen_ >= 0) Choose(sight_.Next(static_cast<std::size_t>(chosen_), command.a));
-      if (chosen_ < 0) Choose(sight_.Nearest(kPictureMiddle));
+      if (chosen_ >= 0) Choose(picker_.Next(static_cast<std::size_t>(chosen_), command.a));
+      if (chosen_ < 0) Choose(picker_.Nearest(kPictureMiddle));
       return true;
     case Verb::kPress:
-      Choose(sight_.Nearest(command.a));
+      Choose(picker_.Nearest(command.a));
       return true;
     case Verb::kMirror:
       session_.spread.mirror = !session_.spread.mirror;
@@ -130,7 +130,7 @@ bool ExpressionEditor::ObeyChoice(const Command& command) {
   }
 }
 
-// Where it comes from, and where it is kept.
+// Commands that say where the work comes from, and where it is kept.
 void ExpressionEditor::ObeyKeeping(const Command& command, Situation& now) {
   switch (command.verb) {
     case Verb::kBeginFrom:
@@ -138,7 +138,7 @@ void ExpressionEditor::ObeyKeeping(const Command& command, Situation& now) {
     case Verb::kBeginFromPlay:
       return BeginFrom(in_play_, now.show);
     case Verb::kOwn:
-      return BeginWith(shelf_.at(command.index));
+      return BeginWith(own_.at(command.index));
     case Verb::kSave:
       return Save(false);
     case Verb::kSaveAsNew:
@@ -150,13 +150,13 @@ void ExpressionEditor::ObeyKeeping(const Command& command, Situation& now) {
     case Verb::kNameAndSave:
       return NameAndSave(command.text, command.index == 1);
     case Verb::kDelete:
-      return Delete(now.light);
+      return Delete(now.presented_at);
     default:
       return;
   }
 }
 
-// Work that is not saved is taken up again; else the expression in play is begun with.
+// Work that is not saved goes on; else the expression in play is begun with.
 void ExpressionEditor::Start(Situation& now) {
   const std::uint16_t called = now.state.expressions.to;
   if (called != draft()) in_play_ = called;
@@ -169,25 +169,25 @@ void ExpressionEditor::Start(Situation& now) {
   open_ = true;
   CallWhole(now.state, draft(), kChange_s);
   At(now.state.knobs, Knob::kStrength) = 1;  // Pulls are seen as they are written.
-  if (chosen_ < 0) Choose(sight_.Nearest(kPictureMiddle));
+  if (chosen_ < 0) Choose(picker_.Nearest(kPictureMiddle));
 }
 
-// What is saved is played from its own place, so that the next work does not change it.
+// What is saved is played from its own slot, so that the next work does not change it.
 void ExpressionEditor::Leave(Situation& now) {
   open_ = false;
-  const int place = session_.work().place;
+  const int slot = session_.work().slot;
   if (session_.unsaved()) return;
-  CallWhole(now.state, place >= 0 && shelf_.at(place) ? own(place) : in_play_, kChange_s);
+  CallWhole(now.state, slot >= 0 && own_.at(slot) ? own(slot) : in_play_, kChange_s);
 }
 
-void ExpressionEditor::CallPlace(int place, Situation& now) {
-  if (shelf_.at(place)) CallWhole(now.state, own(place), At(now.state.knobs, Knob::kFade));
+void ExpressionEditor::CallOwn(int slot, Situation& now) {
+  if (own_.at(slot)) CallWhole(now.state, own(slot), At(now.state.knobs, Knob::kFade));
 }
 
 void ExpressionEditor::Did(Change change) {
   if (change == Change::kNone) return;
   draft_outdated_ = true;
-  scribe_.Note(change, session_.work());
+  writer_.Note(change, session_.work());
 }
 
 void ExpressionEditor::BeginWith(const std::optional<Work>& work) {
@@ -206,13 +206,13 @@ void ExpressionEditor::WarnOfResidual(std::uint16_t expression, const show::Show
 
 // Nothing for one that is no expression, or that no key calls any more.
 std::optional<Work> ExpressionEditor::WorkOf(std::uint16_t index, const show::Show& show) const {
-  if (index >= first_) return index < draft() ? shelf_.at(static_cast<int>(index - first_)) : std::nullopt;
+  if (index >= first_) return index < draft() ? own_.at(static_cast<int>(index - first_)) : std::nullopt;
   const face::Expression& expression = show.cast.expressions[index];
   return Work{expression.displacement, expression.lids, "", expression.name, -1};
 }
 
-void ExpressionEditor::Choose(std::optional<std::size_t> needle) {
-  if (needle) chosen_ = static_cast<int>(*needle);
+void ExpressionEditor::Choose(std::optional<std::size_t> handle) {
+  if (handle) chosen_ = static_cast<int>(*handle);
 }
 
 void ExpressionEditor::Say(std::string message) {
@@ -268,14 +268,14 @@ void ExpressionEditor::Describe(scene::Scene& scene) const {
                                       .typing = input_.typing(),
                                       .comparing = compared_,
                                       .help = help_,
-                                      .own = shelf_.Contents(),
+                                      .own = own_.Contents(),
                                       .message = now_ < message_until_ ? message_ : "",
                                       .trouble = trouble_});
 }
 
 void ExpressionEditor::Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene,
                    float aspect) {
-  sight_.Look(cast, shape, scene, aspect);
+  picker_.Look(cast, shape, scene, aspect);
 }
 
 }  // namespace kaori::editor

@@ -1,4 +1,5 @@
-// The needles: an expression is made on the box, while she plays.
+// The expression editor: an author makes an expression on the box, while the show plays. For people its handles, which
+// stand on the face, are called needles.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +11,10 @@
 
 #include "appliance/core/board/snapshot.h"
 #include "appliance/programs/editor/input.h"
-#include "appliance/programs/editor/scribe.h"
+#include "appliance/programs/editor/work_writer.h"
 #include "appliance/programs/editor/session.h"
-#include "appliance/programs/editor/shelf.h"
-#include "appliance/programs/editor/sight.h"
+#include "appliance/programs/editor/own_expressions.h"
+#include "appliance/programs/editor/handle_picker.h"
 #include "appliance/core/performance/state.h"
 #include "appliance/core/show/show.h"
 #include "render/scene/scene.h"
@@ -23,10 +24,9 @@ namespace kaori::editor {
 // One thread, that of the stage; the disk is left to another one.
 class ExpressionEditor {
  public:
-  // Appends the box's own expressions, and the one in work, to the show's cast: kPlaces + 1 of them, empty or
+  // Appends the box's own expressions, and the one in work, to the show's cast: kSlots + 1 of them, empty or
   // not, so that their number never changes. Takes up the work that an earlier session left in the journal.
-  // Says in the log what was found and what could not be read; without its folder the needles work in memory.
-  // Blocks for the disk.
+  // Logs what was found and what could not be read; without its folder the editor works in memory. Blocks for the disk.
   static std::unique_ptr<ExpressionEditor> Open(const std::filesystem::path& folder, show::Show& show);
   ~ExpressionEditor();
 
@@ -37,10 +37,11 @@ class ExpressionEditor {
   const board::Snapshot& Play(const board::Snapshot& board, performance::InputEvents& events,
                               const show::Show& show, performance::State& state, Time presented_at);
 
-  // What the frame shows of them.
+  // Writes what the frame shows of the editor: its handles and its caption.
   void Describe(scene::Scene& scene) const;
 
-  // The face as it was drawn: what the author sees and points at.
+  // To be called after each frame with the face as it was drawn: what the author sees and points at. `aspect` is the
+  // picture's width over its height.
   void Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene, float aspect);
 
   // Expressions of the cast that Play has made anew, each with what it is now. Cleared by the next Play.
@@ -54,12 +55,12 @@ class ExpressionEditor {
   const Session& session() const { return session_; }
   int chosen() const { return chosen_; }
   std::uint16_t draft() const {
-    return static_cast<std::uint16_t>(first_ + kPlaces);
+    return static_cast<std::uint16_t>(first_ + kSlots);
   }  // The work's expression.
-  std::uint16_t own(int place) const { return static_cast<std::uint16_t>(first_ + place); }
+  std::uint16_t own(int slot) const { return static_cast<std::uint16_t>(first_ + slot); }
 
-  // Waits for the disk. For tests and an orderly end.
-  void Finish() { scribe_.Finish(); }
+  // Waits until all that was asked for was written, or was refused. For tests and an orderly end.
+  void Finish() { writer_.Finish(); }
 
  private:
   struct Kept;  // What an earlier session left on the disk.
@@ -74,7 +75,7 @@ class ExpressionEditor {
   void Toggle(Situation& now);
   void Start(Situation& now);
   void Leave(Situation& now);
-  void CallPlace(int place, Situation& now);
+  void CallOwn(int slot, Situation& now);
   void Did(Change change);
   void BeginWith(const std::optional<Work>& work);
   void BeginFrom(std::uint16_t expression, const show::Show& show);
@@ -84,9 +85,9 @@ class ExpressionEditor {
   void NameAndSave(const std::string& name, bool as_new);
   void Name(const std::string& name);
   void Delete(Time now);
-  void Choose(std::optional<std::size_t> needle);
+  void Choose(std::optional<std::size_t> handle);
   void Say(std::string message);
-  void HearNews();
+  void HandleOutcomes();
   void ShowDraft();
   bool HandlePress(const performance::Press& press, Situation& now);
   static bool PlaysOn(const performance::Press& press, const show::Show& show, bool typing);
@@ -94,13 +95,13 @@ class ExpressionEditor {
 
   std::size_t first_;  // Index of the first own expression in the cast.
   Session session_;
-  Shelf shelf_;
-  Sight sight_;
+  OwnExpressions own_;
+  HandlePicker picker_;
   EditorInput input_;
   bool open_ = false;
   float shown_ = 0;
   int chosen_ = -1;
-  std::uint16_t in_play_ = 0;  // Before the needles were opened.
+  std::uint16_t in_play_ = 0;  // Before the editor was opened.
   bool compared_ = false;
   bool help_ = true;
   bool draft_outdated_ = false;
@@ -111,11 +112,10 @@ class ExpressionEditor {
   std::string trouble_;
   std::vector<Renewed> renewed_;
   board::Snapshot rest_;
-  Scribe scribe_;
+  WorkWriter writer_;
 };
 
-// Where a box keeps its own expressions: /var/lib/kaori/own where it is there, else in the home of whoever
-// plays
+// Where a box keeps its own expressions: /var/lib/kaori/own where that folder exists, else in the home of whoever plays
 // ($XDG_STATE_HOME/kaori/own). Empty: nowhere.
 std::filesystem::path UsualFolder();
 

@@ -37,7 +37,7 @@ void History::Rename(const Work& like) {
   while (end < steps_.size() && !steps_[end].fresh) ++end;
   for (std::size_t i = Start(); i < end; ++i) {
     steps_[i].work.name = like.name;
-    steps_[i].work.place = like.place;
+    steps_[i].work.slot = like.slot;
   }
 }
 

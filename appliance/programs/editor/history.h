@@ -1,4 +1,4 @@
-// Every step of a session, to go back and forth over.
+// Every step of a session, to go back and forth over. Pure; steps are held whole.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ class History {
   // Forgets all and begins with `work`.
   void Begin(Work work);
 
-  // A new step after the one in work; what was undone is gone. A `fresh` one was taken from elsewhere: Before
-  // does not look behind it.
+  // A new step after the one in work; what was undone is gone. A `fresh` one came from elsewhere: before() does
+  // not look behind it.
   void Push(Work work, bool fresh = false);
 
   // The newest step goes on.
@@ -23,11 +23,11 @@ class History {
   bool Undo();  // False: there is nothing to undo.
   bool Redo();
 
-  // Gives all steps since the work was taken another name and place: neither is a step.
+  // Gives all steps since the work was begun another name and slot: neither is a step.
   void Rename(const Work& like);
 
   const Work& now() const { return steps_[at_].work; }
-  const Work& before() const;  // The work as it was taken.
+  const Work& before() const;  // The work as it was begun.
   std::size_t undoable() const { return at_; }
   std::size_t redoable() const { return steps_.size() - 1 - at_; }
 

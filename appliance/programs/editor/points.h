@@ -1,4 +1,4 @@
-// What the needles know of a cast's control points: their names, their partners, and who is near whom.
+// What the editor knows of a cast's control points: their names, their partners, and how far each is from each.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ struct Points {
   std::vector<std::string> names;
   std::vector<int> partners;   // The point of the same name on the other side (".l", ".r"); -1 in the middle.
   std::vector<float> apart_m;  // All pairs: the way between two points along the skin, round the slits.
-  std::vector<float> follows;  // All pairs: how far the skin at the first goes with the needle of the second.
+  std::vector<float> follows;  // All pairs: how far the skin at the first goes with the handle of the second.
 
   std::size_t size() const { return names.size(); }
   float Apart_m(std::size_t a, std::size_t b) const { return apart_m[a * size() + b]; }
-  float Follows(std::size_t skin, std::size_t needle) const { return follows[skin * size() + needle]; }
+  float Follows(std::size_t skin, std::size_t handle) const { return follows[skin * size() + handle]; }
   bool OnTheRight(std::size_t point) const { return partners[point] >= 0 && names[point].ends_with(".r"); }
 };
 

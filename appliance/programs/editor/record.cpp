@@ -31,7 +31,7 @@ void PutText(std::vector<std::uint8_t>& into, const std::string& text) {
 }
 
 void PutWork(std::vector<std::uint8_t>& into, const Work& work) {
-  Put(into, static_cast<std::int32_t>(work.place));
+  Put(into, static_cast<std::int32_t>(work.slot));
   Put(into, work.lids);
   PutText(into, work.name);
   PutText(into, work.origin);
@@ -47,17 +47,17 @@ class RecordParser {
   template <class T>
   T Parse() {
     T value{};
-    const auto taken = TakeBytes(sizeof value);
+    const auto taken = ParseBytes(sizeof value);
     if (!taken.empty()) std::memcpy(&value, taken.data(), sizeof value);
     return value;
   }
 
-  std::string TakeText() {
-    const auto taken = TakeBytes(Parse<std::uint16_t>());
+  std::string ParseText() {
+    const auto taken = ParseBytes(Parse<std::uint16_t>());
     return {reinterpret_cast<const char*>(taken.data()), taken.size()};
   }
 
-  std::span<const std::uint8_t> TakeBytes(std::size_t count) {
+  std::span<const std::uint8_t> ParseBytes(std::size_t count) {
     if (count > bytes_.size()) {
       short_ = true;
       bytes_ = {};
@@ -76,12 +76,12 @@ class RecordParser {
   bool short_ = false;
 };
 
-Work TakeWork(RecordParser& parser) {
+Work ParseWork(RecordParser& parser) {
   Work work;
-  work.place = parser.Parse<std::int32_t>();
+  work.slot = parser.Parse<std::int32_t>();
   work.lids = parser.Parse<std::array<float, 2>>();
-  work.name = parser.TakeText();
-  work.origin = parser.TakeText();
+  work.name = parser.ParseText();
+  work.origin = parser.ParseText();
   const auto count = parser.Parse<std::uint32_t>();
   for (std::uint32_t i = 0; i < count && parser.whole(); ++i) work.pulls_m.push_back(parser.Parse<glm::vec3>());
   return work;
@@ -92,7 +92,7 @@ std::optional<Record> DecodeOne(std::span<const std::uint8_t> bytes) {
   const auto kind = parser.Parse<std::uint8_t>();
   if (!parser.whole() || kind > static_cast<std::uint8_t>(kLastChange)) return std::nullopt;
   Record record{static_cast<Change>(kind), {}};
-  if (CarriesWork(record.change)) record.work = TakeWork(parser);
+  if (CarriesWork(record.change)) record.work = ParseWork(parser);
   if (!parser.whole() || parser.left() > 0) return std::nullopt;
   return record;
 }
@@ -115,7 +115,7 @@ Decoded Decode(std::span<const std::uint8_t> bytes) {
     const auto length = parser.Parse<std::uint32_t>();
     const auto checksum = parser.Parse<std::uint64_t>();
     if (length > kRecordMostBytes || length > parser.left()) break;
-    const auto body = parser.TakeBytes(length);
+    const auto body = parser.ParseBytes(length);
     auto record = DecodeOne(body);
     if (Fnv1a(body) != checksum || !record) break;
     decoded.records.push_back(std::move(*record));

@@ -1,7 +1,7 @@
 // The journal's records as bytes.
 //
 //   record   length of what follows the checksum (u32), checksum of it (u64), kind (u8), and for a kind that
-//            carries work: place (i32), lids (2 f32), name and origin (each u16 and its bytes), how many
+//            carries work: slot (i32), lids (2 f32), name and origin (each u16 and its bytes), how many
 //            pulls (u32), each pull (3 f32). Little-endian.
 #pragma once
 

@@ -9,7 +9,7 @@
 namespace kaori::editor {
 namespace {
 
-constexpr float kFarthest_m = 0.05F;  // No needle is pulled further: what is beyond is no face.
+constexpr float kFarthest_m = 0.05F;  // No handle is pulled further: what is beyond is no face.
 constexpr float kReach_m = 0.012F;    // Of a smooth pull: half a cheek.
 constexpr float kLeastShare = 0.02F;
 constexpr glm::vec3 kMirrored{-1, 1, 1};
@@ -20,13 +20,13 @@ float ShareAt(float apart_m, bool smooth) {
   return share < kLeastShare ? 0.0F : share;
 }
 
-// What a pull of `point` does to one needle of the face. A mirrored pull moves the middle nowhere sideways.
-glm::vec3 PullOn(const Points& points, std::size_t needle, std::size_t point, glm::vec3 by_m, Spread spread) {
-  const float apart_m = points.Apart_m(needle, point);
+// What a pull of `point` does to one handle of the face. A mirrored pull moves the middle nowhere sideways.
+glm::vec3 PullOn(const Points& points, std::size_t handle, std::size_t point, glm::vec3 by_m, Spread spread) {
+  const float apart_m = points.Apart_m(handle, point);
   if (!spread.mirror) return by_m * ShareAt(apart_m, spread.smooth);
   const int partner = points.partners[point];
-  const float mirrored_m = partner < 0 ? apart_m : points.Apart_m(needle, static_cast<std::size_t>(partner));
-  const bool middle = partner < 0 || points.partners[needle] < 0 || mirrored_m == apart_m;
+  const float mirrored_m = partner < 0 ? apart_m : points.Apart_m(handle, static_cast<std::size_t>(partner));
+  const bool middle = partner < 0 || points.partners[handle] < 0 || mirrored_m == apart_m;
   const glm::vec3 way = middle ? glm::vec3(0, 1, 1) : mirrored_m < apart_m ? kMirrored : glm::vec3(1);
   return by_m * way * ShareAt(std::min(apart_m, mirrored_m), spread.smooth);
 }
@@ -101,10 +101,10 @@ Change Session::Redo() {
   return history_.Redo() ? Change::kRedone : Change::kNone;
 }
 
-Change Session::Rename(std::string name, int place) {
+Change Session::Rename(std::string name, int slot) {
   Work like = history_.now();
   like.name = std::move(name);
-  like.place = place;
+  like.slot = slot;
   history_.Rename(like);
   return Change::kRenamed;
 }
@@ -115,7 +115,7 @@ Change Session::Keep(const Work& saved) {
   return Change::kKept;
 }
 
-// A step that changes nothing is none: a dial at its end, a needle that is zero already.
+// A step that changes nothing is none: a dial at its end, a handle that is zero already.
 Change Session::Step(Work work, Gesture gesture) {
   if (work == history_.now()) return Change::kNone;
   const bool goes_on = gesture != 0 && gesture == gesture_ && history_.redoable() == 0;
@@ -137,7 +137,7 @@ void Session::Replay(Change change, const Work& work) {
   if (change == Change::kAdopted) Replace(work);
   if (change == Change::kPushed) history_.Push(work);
   if (change == Change::kReplaced) history_.Replace(work);
-  if (change == Change::kRenamed) Rename(work.name, work.place);
+  if (change == Change::kRenamed) Rename(work.name, work.slot);
   if (change == Change::kKept) Keep(work);
 }
 
@@ -151,7 +151,7 @@ float Session::Yield(std::size_t point) const {
 bool Session::Fits(const Work& work) const {
   const auto within = [](float lid) { return lid >= 0 && lid <= 1; };
   return work.pulls_m.size() == points_.size() && std::ranges::all_of(work.pulls_m, Finite) &&
-         std::ranges::all_of(work.lids, within) && work.place >= -1 && work.place < kPlaces;
+         std::ranges::all_of(work.lids, within) && work.slot >= -1 && work.slot < kSlots;
 }
 
 }  // namespace kaori::editor

@@ -1,4 +1,4 @@
-// One author at work on one expression: what a hand does to it, and the way back.
+// One author at work on one expression: what the author does to it, and the way back.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ namespace kaori::editor {
 enum class Change : std::uint8_t {
   kNone,
   kBegun,     // All before is forgotten.
-  kAdopted,   // A step: another expression was taken into work.
+  kAdopted,   // A step: the work is a copy of another expression.
   kPushed,    // A step.
   kReplaced,  // The newest step went on.
   kUndone,
   kRedone,
-  kRenamed,  // The work has another name or place.
+  kRenamed,  // The work has another name or slot.
   kKept,     // The work was saved.
 };
 inline constexpr Change kLastChange = Change::kKept;
@@ -30,7 +30,7 @@ using Gesture = std::uint32_t;
 
 // How pulls spread.
 struct Spread {
-  bool mirror = true;   // To the same needle of the other side.
+  bool mirror = true;   // To the same handle of the other side.
   bool smooth = false;  // To the neighbours, the nearer the more.
 };
 
@@ -47,13 +47,13 @@ class Session {
   Change ShutLids(float by, Gesture gesture = 0);
   Change Undo();
   Change Redo();
-  Change Rename(std::string name, int place);
+  Change Rename(std::string name, int slot);
   Change Keep(const Work& saved);
 
   // A change of an earlier session. Where `work` does not fit the control points, nothing happens.
   void Replay(Change change, const Work& work);
 
-  // How far the skin at the point goes with a pull of its needle, as pulls spread now: 1 is as far.
+  // How far the skin at the point goes with a pull of its handle, as pulls spread now: 1 is as far.
   float Yield(std::size_t point) const;
 
   const Work& work() const { return history_.now(); }

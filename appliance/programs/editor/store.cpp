@@ -17,8 +17,8 @@ constexpr std::size_t kStoreMost_bytes = 1U << 20U;
 constexpr std::string_view kStoreAside = ".faulty";
 
 // "03-": the keys count from one.
-std::string PrefixOf(int place) {
-  return fmt::format("{:02}-", place + 1);
+std::string PrefixOf(int slot) {
+  return fmt::format("{:02}-", slot + 1);
 }
 
 // One that was kept aside before is not written over.
@@ -36,12 +36,12 @@ fs::path BeforeAside(const fs::path& file) {
   return at == std::string::npos ? fs::path() : fs::path(path.substr(0, at));
 }
 
-// -1: it names no place.
-int PlaceOf(const fs::path& file) {
+// -1: it names no slot.
+int SlotOf(const fs::path& file) {
   const std::string name = file.filename().string();
   if (file.extension() != ".toml") return -1;
-  for (int place = 0; place < kPlaces; ++place)
-    if (name.starts_with(PrefixOf(place))) return place;
+  for (int slot = 0; slot < kSlots; ++slot)
+    if (name.starts_with(PrefixOf(slot))) return slot;
   return -1;
 }
 
@@ -49,7 +49,7 @@ std::vector<fs::path> FilesOf(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code none;  // A folder that is not there holds nothing.
   for (const auto& entry : fs::directory_iterator(folder, none))
-    if (PlaceOf(entry.path()) >= 0) files.push_back(entry.path());
+    if (SlotOf(entry.path()) >= 0) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
@@ -58,7 +58,7 @@ std::vector<fs::path> AsidesOf(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none))
-    if (PlaceOf(BeforeAside(entry.path())) >= 0) files.push_back(entry.path());
+    if (SlotOf(BeforeAside(entry.path())) >= 0) files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
@@ -69,21 +69,21 @@ Result<Work> ReadWork(const fs::path& file, const Points& points, const face::Ca
   return ReadOwn(*text, file.string(), points, cast);
 }
 
-bool HasName(const Places& places, const std::string& name) {
-  return std::ranges::any_of(places, [&](const auto& own) { return own && own->name == name; });
+bool HasName(const Slots& slots, const std::string& name) {
+  return std::ranges::any_of(slots, [&](const auto& own) { return own && own->name == name; });
 }
 
 // `named` is what it is called, or was before it was kept aside.
-Result<void> ReadInto(const fs::path& file, const fs::path& named, Places& places, const Points& points,
+Result<void> ReadInto(const fs::path& file, const fs::path& named, Slots& slots, const Points& points,
                       const face::Cast& cast) {
   auto work = ReadWork(file, points, cast);
   if (!work) return tl::unexpected(work.error());
-  work->place = PlaceOf(named);
-  auto& place = places[static_cast<std::size_t>(work->place)];
-  if (place) return FailInput(fmt::format("{}: its place is taken by \"{}\"", file.string(), place->name));
-  if (HasName(places, work->name))
+  work->slot = SlotOf(named);
+  auto& slot = slots[static_cast<std::size_t>(work->slot)];
+  if (slot) return FailInput(fmt::format("{}: its place is taken by \"{}\"", file.string(), slot->name));
+  if (HasName(slots, work->name))
     return FailInput(fmt::format("{}: another one is named \"{}\"", file.string(), work->name));
-  place = std::move(*work);
+  slot = std::move(*work);
   return {};
 }
 
@@ -94,10 +94,10 @@ Result<void> Remove(const fs::path& file) {
   return {};
 }
 
-Result<void> RemoveAllBut(const fs::path& folder, int place, const fs::path& kept) {
+Result<void> RemoveAllBut(const fs::path& folder, int slot, const fs::path& kept) {
   Result<void> outcome;
   for (const fs::path& file : FilesOf(folder)) {
-    if (PlaceOf(file) != place || file == kept) continue;
+    if (SlotOf(file) != slot || file == kept) continue;
     if (auto removed = Remove(file); !removed) outcome = removed;
   }
   return outcome;
@@ -110,13 +110,13 @@ Stored ReadStore(const fs::path& folder, const Points& points, const face::Cast&
   std::error_code ignored;  // A file that cannot be renamed was named; it stays where it is.
   const auto before = AsidesOf(folder);
   for (const fs::path& file : FilesOf(folder)) {
-    const auto read = ReadInto(file, file, stored.places, points, cast);
+    const auto read = ReadInto(file, file, stored.slots, points, cast);
     if (read) continue;
     stored.complaints.push_back(read.error().message() + "; it is kept aside");
     fs::rename(file, AsideOf(file), ignored);
   }
   for (const fs::path& aside : before)
-    if (ReadInto(aside, BeforeAside(aside), stored.places, points, cast))
+    if (ReadInto(aside, BeforeAside(aside), stored.slots, points, cast))
       fs::rename(aside, BeforeAside(aside), ignored);
   return stored;
 }
@@ -125,14 +125,14 @@ Result<void> WriteToStore(const fs::path& folder, const Work& work, const Points
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
-  const fs::path file = folder / (PrefixOf(work.place) + work.name + ".toml");
+  const fs::path file = folder / (PrefixOf(work.slot) + work.name + ".toml");
   auto written = WriteWholeFile(file, {AsBytes(WriteOwn(work, points))});
   if (!written) return written;
-  return RemoveAllBut(folder, work.place, file);
+  return RemoveAllBut(folder, work.slot, file);
 }
 
-Result<void> RemoveFromStore(const fs::path& folder, int place) {
-  return RemoveAllBut(folder, place, {});
+Result<void> RemoveFromStore(const fs::path& folder, int slot) {
+  return RemoveAllBut(folder, slot, {});
 }
 
 }  // namespace kaori::editor

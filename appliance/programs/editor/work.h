@@ -10,14 +10,14 @@
 namespace kaori::editor {
 
 // How many expressions of its own a box keeps; each has a key.
-inline constexpr int kPlaces = 10;
+inline constexpr int kSlots = 10;
 
 struct Work {
   std::vector<glm::vec3> pulls_m{};  // As face::Expression::displacement.
   std::array<float, 2> lids{};       // Shut by this much: the character's left, right.
   std::string name{};                // Empty: it has none yet.
   std::string origin{};              // The expression that it was begun from.
-  int place = -1;                    // Of the own expression that saving replaces; -1: none yet.
+  int slot = -1;                    // Of the own expression that saving replaces; -1: none yet.
 
   friend bool operator==(const Work&, const Work&) = default;
 };

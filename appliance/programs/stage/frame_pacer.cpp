@@ -47,8 +47,8 @@ void FramePacer::Flipped(const ports::Flip& flip) {
 void FramePacer::Drawn(const Plan& plan, Time done) {
   spent_[drawn_++ % kRemembered] = std::max(done - plan.begin, Duration());
   if (!last_) return;
-  aimed_ = plan.light;
-  if (plan.light - done < last_->period / kTooClose)
+  aimed_ = plan.presented_at;
+  if (plan.presented_at - done < last_->period / kTooClose)
     Widen();
   else
     Narrow();
@@ -58,8 +58,8 @@ FramePacer::Plan FramePacer::Next(Time now) const {
   if (!last_ || last_->period <= Duration()) return {now, now};
   if (!late_) return {now, BlankAfter(now)};
   // The first blank that a frame begun now would usually reach. The margin never skips a blank.
-  const Time light = BlankAfter(now + usual() + last_->period / kLeastMargin);
-  return {std::max(now, light - usual() - margin_), light};
+  const Time presented_at = BlankAfter(now + usual() + last_->period / kLeastMargin);
+  return {std::max(now, presented_at - usual() - margin_), presented_at};
 }
 
 // At or after `at`, and after the last one.

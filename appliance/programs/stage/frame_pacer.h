@@ -1,5 +1,5 @@
-// When to begin a frame: so late that its hands are as fresh as drawing allows, so early that its flip is not
-// missed.
+// When to begin a frame: so late that its input is as fresh as drawing allows, so early that its flip is not missed.
+// "Late latching" of input is the same idea.
 #pragma once
 
 #include <array>
@@ -12,33 +12,33 @@
 
 namespace kaori::stage {
 
-// Pure: told of flips and of drawing, asked for plans; reads no clock. All its lengths are fractions of the
-// screen's period, so that it holds for any screen.
+// Pure: it is told of flips and of drawing and asked for plans, and reads no clock. All its lengths are fractions of
+// the screen's period, so that it holds for any screen.
 class FramePacer {
  public:
   struct Plan {
-    Time begin{};  // Read the hands and draw then.
-    Time light{};  // The vertical blank at which the frame will be seen.
+    Time begin{};         // When to sample the input and to draw.
+    Time presented_at{};  // The vertical blank at which the frame's scan-out begins.
   };
 
   // Off: each frame begins right after the flip before it.
   void Set(bool late) { late_ = late; }
 
-  // Another screen: what was learnt is forgotten but for the count of missed flips.
+  // To be called for another screen: all that was learnt is forgotten but for the count of missed flips.
   void Forget();
 
-  // A frame came to light.
+  // To be called when a frame is presented.
   void Flipped(const ports::Flip& flip);
 
-  // The frame of `plan` was handed to the screen at `done`.
+  // To be called when the frame of `plan` has been handed to the screen, at `done`.
   void Drawn(const Plan& plan, Time done);
 
-  // For the next frame, of which nothing was begun yet. At once, where no flip was seen so far.
+  // The plan for the next frame, of which nothing was begun yet: at once, where no flip was seen so far.
   Plan Next(Time now) const;
 
-  // Flips that came later than was aimed at.
+  // How many flips came later than was aimed at.
   std::uint32_t missed() const { return missed_; }
-  // What is held ready beyond the usual time of drawing.
+  // What is kept in hand beyond the usual time of drawing.
   Duration margin() const { return margin_; }
   // The usual time from the beginning of a frame until the screen has it: the median of the newest frames.
   Duration usual() const;
@@ -52,7 +52,7 @@ class FramePacer {
   static constexpr std::size_t kRemembered = 31;
   bool late_ = true;
   std::optional<ports::Flip> last_;
-  std::optional<Time> aimed_;  // At which blank the frame should be seen that the screen has.
+  std::optional<Time> aimed_;  // The blank at which the frame that the screen has should be presented.
   std::array<Duration, kRemembered> spent_{};
   std::size_t drawn_ = 0;
   Duration margin_{};

@@ -46,9 +46,9 @@ bool Done(const performance::State& state) {
          (state.backstage.duration_s <= 0 || state.backstage.progress >= 1);
 }
 
-// A picture that one likes to look at for a second: nothing is on its way, and her eyes are open.
+// A picture that one likes to look at for a second: nothing is on its way, and the eyes are open.
 bool IsCalm(const performance::State& state, const scene::Scene& scene) {
-  const auto plays = [](const performance::Playing& voice) { return voice.take >= 0; };
+  const auto plays = [](const performance::Playing& voice) { return voice.motion >= 0; };
   const auto shut = [](float lids) { return lids > kOpenLids; };
   return Done(state) && std::ranges::none_of(state.voices, plays) &&
          std::ranges::min(state.blink_s) > kBlinkOver_s &&
@@ -67,36 +67,36 @@ Result<std::uint64_t> ShowMark(const std::filesystem::path& pack) {
   return wire::AddSum(wire::kEmptySum, *bytes);
 }
 
-Result<performance::State> RecallLastFace(const LastFacePlace& place, const show::Show& show,
-                                          const board::Snapshot& board, Time light) {
-  const auto bytes = ReadBytes(place.file, wire::kLargestLastFace_bytes + 1);
+Result<performance::State> RecallLastFace(const LastFaceFile& where, const show::Show& show,
+                                          const board::Snapshot& board, Time presented_at) {
+  const auto bytes = ReadBytes(where.file, wire::kLargestLastFace_bytes + 1);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto refuse = [&](const char* why) {
-    return FailInput("go on from " + place.file.string() + ": " + why);
+    return FailInput("go on from " + where.file.string() + ": " + why);
   };
   const auto face = wire::ReadLastFace(*bytes);
   if (!face) return refuse("it is torn");
-  if (face->show != place.show) return refuse("it is of another show");
+  if (face->show != where.show) return refuse("it is of another show");
   const auto state = StateIn(face->state);
   if (!state || !performance::IsValid(*state, show)) return refuse("it is of another version");
-  return performance::Recalled(*state, board, light);
+  return performance::Recalled(*state, board, presented_at);
 }
 
-std::optional<performance::State> ResumeLastFace(const LastFacePlace& place, const show::Show& show,
+std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, const show::Show& show,
                                                  const board::Board& board,
-                                                 board::Writer<board::Performance>& writer, Time light) {
+                                                 board::Writer<board::Performance>& writer, Time presented_at) {
   if (board.Read<board::Performance>().source != board::SourceState::kAbsent) return std::nullopt;
-  const auto state = RecallLastFace(place, show, board::ReadAll(board), light);
+  const auto state = RecallLastFace(where, show, board::ReadAll(board), presented_at);
   if (!state) {
     if (state.error().cause != std::errc::no_such_file_or_directory) LogWarning("{}", state.error().message());
     return std::nullopt;
   }
-  writer.Write(board::Hold(*state), light, board::SourceState::kLive);
+  writer.Write(board::Hold(*state), presented_at, board::SourceState::kLive);
   return *state;
 }
 
-LastFace::LastFace(LastFacePlace place, Look look, const std::optional<performance::State>& recalled)
-    : look_(std::move(look)), writer_(std::make_unique<Writer>(std::move(place))) {
+LastFace::LastFace(LastFaceFile where, Look look, const std::optional<performance::State>& recalled)
+    : look_(std::move(look)), writer_(std::make_unique<Writer>(std::move(where))) {
   if (recalled) kept_ = CalledOf(*recalled);
 }
 
@@ -107,10 +107,10 @@ LastFace::Called LastFace::CalledOf(const performance::State& state) {
           .knobs = state.knobs};
 }
 
-void LastFace::See(const performance::State& state, const scene::Scene& scene, Time now) {
+void LastFace::Observe(const performance::State& state, const scene::Scene& scene, Time now) {
   seen_ = state;
   fit_ = IsFit(state, scene);
-  if (std::exchange(first_, false)) return;  // It should be seen soon: looking at it comes after.
+  if (std::exchange(first_, false)) return;  // It must be on the screen soon: copying it out comes after.
   if (now < not_before_ || !fit_ || !IsCalm(state, scene)) return;
   if (writer_->failed()) kept_.reset();
   if (kept_ == CalledOf(state) || !Keep()) return;
@@ -129,7 +129,7 @@ void LastFace::Finish() {
   writer_->Finish();
 }
 
-void LastFace::End() {
+void LastFace::KeepNow() {
   if (!fit_) return;
   Finish();
   Keep();

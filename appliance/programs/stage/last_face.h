@@ -1,5 +1,6 @@
-// Her last face, kept over the night: a small picture, which the box shows at once when it is switched on,
-// and the state from which the stage then plays on, so that nothing jumps between the two.
+// The last face of a show, kept while the box is off: a small picture, which the box shows at once when it is switched
+// on, and the state from which the stage then plays on, so that nothing jumps between the two. The file's format is in
+// firmware/wire/last_face.h.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@
 namespace kaori::stage {
 
 // Where it is kept, and of which show (ShowMark).
-struct LastFacePlace {
+struct LastFaceFile {
   std::filesystem::path file;
   std::uint64_t show = 0;
 };
@@ -28,46 +29,47 @@ struct LastFacePlace {
 // Tells one show's pack from another by how it begins. Errors: those of open(2) and read(2).
 Result<std::uint64_t> ShowMark(const std::filesystem::path& pack);
 
-// The state that was kept, on this board, for a first frame at `light`. Blocks for the disk. Errors:
+// The state that was kept, on this board, for a first frame that is presented at `presented_at`. Blocks for the disk.
+// Errors:
 //   no_such_file_or_directory  none was kept
 //   invalid_argument           a torn file, one of another show or another version
-Result<performance::State> RecallLastFace(const LastFacePlace& place, const show::Show& show,
-                                          const board::Snapshot& board, Time light);
+Result<performance::State> RecallLastFace(const LastFaceFile& where, const show::Show& show,
+                                          const board::Snapshot& board, Time presented_at);
 
 // Puts the state that was kept onto a board that has none yet, and gives it: a stage that starts then goes on
 // from there. Why it cannot be had is one line in the log, but for a box that never kept one.
-std::optional<performance::State> ResumeLastFace(const LastFacePlace& place, const show::Show& show,
+std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, const show::Show& show,
                                                  const board::Board& board,
-                                                 board::Writer<board::Performance>& writer, Time light);
+                                                 board::Writer<board::Performance>& writer, Time presented_at);
 
-// Called by the stage's thread; a thread of its own writes. A face is kept within half a minute after a call
-// or a dial changed it, once no fade, motion or blink is under way; not in a blackout, nor with words on the
-// screen.
+// Called by the stage's thread; a thread of its own writes. A face is kept within half a minute after a call or a dial
+// changed it, once no fade, motion or blink is under way; not in a blackout, nor with words on the screen. Of the disk's
+// errors each kind is logged once, and the show goes on.
 class LastFace {
  public:
   // Copies out what is on the screen; false where there is nothing.
   using Look = std::function<bool(SmallImage&)>;
 
   // `recalled` is what lies there already.
-  LastFace(LastFacePlace place, Look look, const std::optional<performance::State>& recalled);
+  LastFace(LastFaceFile where, Look look, const std::optional<performance::State>& recalled);
   // Waits for the disk.
   ~LastFace();
   LastFace(const LastFace&) = delete;
   LastFace& operator=(const LastFace&) = delete;
 
-  // After each frame. Allocates the first time only; waits for no disk, and for the picture twice in a minute
-  // at most.
-  void See(const performance::State& state, const scene::Scene& scene, Time now);
+  // To be called after each frame, with what it showed. Allocates the first time only; waits for no disk, and for the
+  // picture twice a minute at most.
+  void Observe(const performance::State& state, const scene::Scene& scene, Time now);
 
-  // At an orderly end: keeps what was seen last, however new.
-  void End();
+  // Keeps what was observed last, however new, and waits for the disk: for an orderly end.
+  void KeepNow();
 
-  // Waits until what was taken is on the disk, or was refused.
+  // Waits until what was copied out is on the disk, or was refused.
   void Finish();
 
  private:
   class Writer;
-  // What hands have set, and no more: she breathes all the time.
+  // What operators have set, and no more: the face breathes all the time.
   struct Called {
     std::array<std::uint16_t, 5> items{};
     std::array<float, performance::kKnobCount> knobs{};
@@ -80,7 +82,7 @@ class LastFace {
   std::unique_ptr<Writer> writer_;
   std::optional<Called> kept_;
   performance::State seen_;
-  bool fit_ = false;  // The frame that was seen last is one to keep.
+  bool fit_ = false;  // The frame that was observed last is one to keep.
   bool first_ = true;
   Time not_before_{};
 };

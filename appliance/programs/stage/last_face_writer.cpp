@@ -29,7 +29,7 @@ void MakeState(const board::Performance& performance, std::vector<std::uint8_t>&
 
 }  // namespace
 
-LastFace::Writer::Writer(LastFacePlace place) : place_(std::move(place)), thread_([this] { Run(); }) {}
+LastFace::Writer::Writer(LastFaceFile where) : where_(std::move(where)), thread_([this] { Run(); }) {}
 
 LastFace::Writer::~Writer() {
   {
@@ -74,8 +74,8 @@ void LastFace::Writer::Run() {
 Result<void> LastFace::Writer::WriteOut() {
   MakePpm(image_, picture_);
   MakeState(performance_, state_);
-  const auto end = wire::EndOf({.show = place_.show, .picture = picture_, .state = state_});
-  return WriteWholeFile(place_.file, {picture_, state_, end});
+  const auto end = wire::EndOf({.show = where_.show, .picture = picture_, .state = state_});
+  return WriteWholeFile(where_.file, {picture_, state_, end});
 }
 
 }  // namespace kaori::stage

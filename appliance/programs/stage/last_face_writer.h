@@ -11,11 +11,11 @@
 
 namespace kaori::stage {
 
-// Called by one thread. What cannot be written is said in one line for each cause, and is over.
+// Called by one thread. What cannot be written is logged in one line for each cause, and dropped.
 class LastFace::Writer {
  public:
-  explicit Writer(LastFacePlace place);
-  // Writes what it was given.
+  explicit Writer(LastFaceFile where);
+  // Waits until what it was given is written, or was refused.
   ~Writer();
 
   // To be filled for the next Write; null while one is under way.
@@ -32,7 +32,7 @@ class LastFace::Writer {
   void Run();
   Result<void> WriteOut();
 
-  LastFacePlace place_;
+  LastFaceFile where_;
   SmallImage image_;  // Its owner changes with busy_.
   board::Performance performance_;
   std::vector<std::uint8_t> picture_, state_;  // Of the thread.

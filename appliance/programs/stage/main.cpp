@@ -5,7 +5,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/last_face.h"
-#include "appliance/programs/stage/seat.h"
+#include "appliance/programs/stage/screen_session.h"
 #include "appliance/programs/stage/stage.h"
 #include "appliance/programs/stage/stage_status_display.h"
 #include "appliance/programs/stage/still.h"
@@ -30,14 +30,14 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --verified      the show lies on a root whose every block the kernel checks: its checksum is not made again
   --own FOLDER    where expressions made with the needles are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
-  --last-face FILE  her last face is kept there, and she goes on with it when the box is switched on
+  --last-face FILE  the last face is kept there, and the show goes on with it when the box is switched on
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
   --settings FOLDER what the box was told when it started (/run/kaori-profile)
   --holder SOCKET where the card is held while no stage runs
   --still FILE    writes the show's first moment there, as a PPM
-  --early         read the hands right after each flip, not as late as drawing allows: to compare
+  --early         sample the input right after each flip, not as late as drawing allows: to compare
 )";
 
 constexpr int kStillWidth_px = 480;
@@ -79,7 +79,7 @@ kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop)
 }
 
 struct Loaded {
-  std::unique_ptr<kaori::editor::ExpressionEditor> needles;
+  std::unique_ptr<kaori::editor::ExpressionEditor> editor;
   std::unique_ptr<kaori::stage::PreparedShow> show;
 };
 
@@ -93,9 +93,9 @@ kaori::Result<Loaded> LoadShow(const Settings& settings) {
   auto show = kaori::show::LoadPack(settings.pack, options);
   if (!show) return tl::unexpected(show.error());
   kaori::Log("{} is read", show->name);
-  auto needles = kaori::editor::ExpressionEditor::Open(
+  auto editor = kaori::editor::ExpressionEditor::Open(
       settings.own.empty() ? kaori::editor::UsualFolder() : std::filesystem::path(settings.own), *show);
-  return Loaded{std::move(needles), std::make_unique<kaori::stage::PreparedShow>(std::move(*show))};
+  return Loaded{std::move(editor), std::make_unique<kaori::stage::PreparedShow>(std::move(*show))};
 }
 
 // None where nobody says where; else what was kept there before is taken up.
@@ -104,14 +104,14 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
                                                    kaori::stage::StageWriters& writers,
                                                    const kaori::Clock& clock) {
   if (settings.last_face.empty()) return nullptr;
-  const kaori::stage::LastFacePlace place{settings.last_face,
+  const kaori::stage::LastFaceFile where{settings.last_face,
                                           kaori::stage::ShowMark(settings.pack).value_or(0)};
   const auto taken_up =
-      kaori::stage::ResumeLastFace(place, studio.show(), board, writers.performance, clock.now());
+      kaori::stage::ResumeLastFace(where, studio.show(), board, writers.performance, clock.now());
   const auto look = [&studio](kaori::stage::SmallImage& into) {
     return studio.ReadSmall(kStillWidth_px, into);
   };
-  return std::make_unique<kaori::stage::LastFace>(place, look, taken_up);
+  return std::make_unique<kaori::stage::LastFace>(where, look, taken_up);
 }
 
 int Play(const Settings& settings, kaori::EventLoop& loop) {
@@ -132,19 +132,19 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   kaori::stage::StillClock clock(!settings.still.empty());
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
-  stage.Bring(std::move(loaded->needles));
+  stage.SetEditor(std::move(loaded->editor));
   if (last_face)
-    stage.Tell([&](const auto& state, const auto& scene, auto now) { last_face->See(state, scene, now); });
+    stage.CallAfterFrames([&](const auto& state, const auto& scene, auto now) { last_face->Observe(state, scene, now); });
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer());
   auto alarm = kaori::Alarm::Make();
   if (!alarm) return kaori::ExitWithError(alarm.error());
-  if (!settings.early) stage.DrawLate();
-  kaori::stage::Seat seat(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
+  if (!settings.early) stage.SampleLate();
+  kaori::stage::ScreenSession session(stage, loop, std::move(*alarm), [&]() -> kaori::Result<Screen> {
     if (settings.card.empty()) return kaori::scanout::LocalScreen::Open(settings.links);
     return *card ? OpenScreen(**card, clock) : AwaitCard(settings.card, loop);
   });
-  if (auto seated = seat.Take(); !seated) return kaori::ExitWithError(seated.error());
+  if (auto begun = session.Begin(); !begun) return kaori::ExitWithError(begun.error());
   kaori::Log("the first picture is drawn");
   clock.LetGo();
   if (!settings.still.empty())
@@ -160,16 +160,14 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
     if (auto told = watchdog->Beat(stage.usual_turn()); !told)
       kaori::LogWarning("{}", told.error().message());
   };
-  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok)
-    return kaori::ExitWithError(ok.error());
-  kaori::stage::StageStatusDisplay sign(
+  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok) return kaori::ExitWithError(ok.error());
+  kaori::stage::StageStatusDisplay status_display(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
-  const auto tell = [&] { sign.Step(stage.screen()); };
-  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok)
-    return kaori::ExitWithError(ok.error());
+  const auto tell = [&] { status_display.Step(stage.screen()); };
+  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   auto played = loop.Run();
-  if (last_face) last_face->End();
+  if (last_face) last_face->KeepNow();
   if (!played) return kaori::ExitWithError(played.error());
   return 0;
 }

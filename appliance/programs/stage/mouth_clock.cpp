@@ -28,7 +28,7 @@ void MouthClock::Present(std::uint64_t frame, const board::Snapshot& board, cons
   shown_ = state;
 }
 
-// A picture stands until the next one: in the mean it is half a period older than at its first light.
+// A picture stands until the next one: in the mean it is half a period older than when it was presented.
 void MouthClock::Flip(const ports::Flip& flip) {
   if (flip.frame != frame_) return;
   const auto count = [&flip](Mean& mean, Time at, Duration more) {

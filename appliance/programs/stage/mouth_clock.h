@@ -1,4 +1,4 @@
-// Measures how old the lips and the voice are when the frame that shows them comes to light.
+// Measures how old the lips and the voice are when the frame that shows them is presented.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace kaori::stage {
 // Pure: time is in the arguments. One frame at a time is on its way to the screen.
 class MouthClock {
  public:
-  // Frame `frame` was presented, and shows what stood on the board.
+  // To be called when frame `frame` has been handed to the screen; it shows what stood on `board`.
   void Present(std::uint64_t frame, const board::Snapshot& board, const performance::State& state);
 
-  // It came to light; of other frames nothing is known.
+  // To be called when it is presented; of other frames nothing is known.
   void Flip(const ports::Flip& flip);
 
-  // Writes the means of what came to light since the last call. Call it about once a second.
+  // Writes the means over what was presented since the last call. To be called about once a second.
   void Report(board::StageStatus& into);
 
  private:

@@ -6,7 +6,7 @@
 
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/performance/motions.h"
-#include "appliance/programs/stage/in_service.h"
+#include "appliance/programs/stage/service_display.h"
 #include "drivers/base/log.h"
 
 namespace kaori::stage {
@@ -15,7 +15,7 @@ namespace {
 constexpr Duration kSecond = std::chrono::seconds(1);
 constexpr std::uint32_t kSameAge_us = 5000;
 constexpr Duration kAgeQuiet = std::chrono::seconds(10);
-constexpr Duration kFarthestLight = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
+constexpr Duration kFarthestAhead = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
 
 Duration CpuOfProcess() {
   rusage usage{};
@@ -54,9 +54,9 @@ Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
   if (!lamps) return tl::unexpected(lamps.error());
   auto status = board.AcquireWriter<board::StageStatus>();
   if (!status) return tl::unexpected(status.error());
-  auto take = board.AcquireWriter<board::MotionNow>();
-  if (!take) return tl::unexpected(take.error());
-  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*take)};
+  auto motion_now = board.AcquireWriter<board::MotionNow>();
+  if (!motion_now) return tl::unexpected(motion_now.error());
+  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*motion_now)};
 }
 
 Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
@@ -137,13 +137,13 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   const FramePacer::Plan plan = *std::exchange(plan_, std::nullopt);
   const Duration cpu_before = CpuOfProcess();
   const Time now = clock_.now();
-  const Time light = std::clamp(plan.light, now, now + kFarthestLight);
+  const Time presented_at = std::clamp(plan.presented_at, now, now + kFarthestAhead);
   read_ = now;
   const board::Snapshot& snapshot = ReadBoard(now);
-  const scene::Scene scene = Perform(snapshot, light);
+  const scene::Scene scene = Perform(snapshot, presented_at);
   if (auto drawn = studio_.Draw(scene, picture); !drawn) return drawn;
-  if (needles_)
-    needles_->Look(studio_.show().cast, studio_.shape(), scene,
+  if (editor_)
+    editor_->Look(studio_.show().cast, studio_.shape(), scene,
                    static_cast<float>(picture.width_px) / static_cast<float>(picture.height_px));
   if (auto shown = screen_->Present(++frame_); !shown) return shown;
   mouth_clock_.Present(frame_, snapshot, state_);
@@ -156,49 +156,50 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
 
 // The editor takes its events first; what is left plays.
 performance::Performed Stage::Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
-                                      Time light) {
-  if (!needles_) return performance::Animate(state_, snapshot, events, studio_.show(), light);
-  const board::Snapshot& rest = needles_->Play(snapshot, events, studio_.show(), state_, light);
-  for (const auto& [index, work] : needles_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
-  auto performed = performance::Animate(state_, rest, events, studio_.show(), light);
-  needles_->Describe(performed.scene);
+                                      Time presented_at) {
+  if (!editor_) return performance::Animate(state_, snapshot, events, studio_.show(), presented_at);
+  const board::Snapshot& rest = editor_->Play(snapshot, events, studio_.show(), state_, presented_at);
+  for (const auto& [index, work] : editor_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
+  auto performed = performance::Animate(state_, rest, events, studio_.show(), presented_at);
+  editor_->Describe(performed.scene);
   return performed;
 }
 
-scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time light) {
+scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time presented_at) {
   performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);
-  const bool guiding = IsGuiding(snapshot.lips_guide, light);
+  const bool guiding = IsGuiding(snapshot.lips_guide, presented_at);
   if (guiding) ConsumeGuideInput(events);
-  auto performed = Animate(snapshot, events, light);
-  if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, light);
-  SayService(snapshot, light, performed.scene);
+  auto performed = Animate(snapshot, events, presented_at);
+  if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, presented_at);
+  ShowService(snapshot, presented_at, performed.scene);
   state_ = performed.state;
-  writers_.performance.Write(board::Hold(state_), light, board::SourceState::kLive);
-  TellTake(light);
+  writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);
+  WriteMotionNow(presented_at);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
-    writers_.lamps.Write({performed.lamps}, light, board::SourceState::kLive);
+    writers_.lamps.Write({performed.lamps}, presented_at, board::SourceState::kLive);
   return std::move(performed.scene);
 }
 
 // While a motion plays, and once when none does any more: its sound follows.
-void Stage::TellTake(Time light) {
-  const performance::Playing* take = performance::Youngest(state_);
-  if (take != nullptr && take->gain < 1) take = nullptr;  // Cut off by one that has ended since.
-  if (take == nullptr && motion_now_.take < 0) return;
-  const bool begins = take != nullptr && (take->take != motion_now_.take || take->at_s < motion_now_.at_s);
-  motion_now_ = {take != nullptr ? take->take : -1, take != nullptr ? take->at_s : 0,
-               motion_now_.starts + (begins ? 1 : 0)};
-  writers_.take.Write(motion_now_, light, board::SourceState::kLive);
+void Stage::WriteMotionNow(Time presented_at) {
+  const performance::Playing* plays = performance::Youngest(state_);
+  if (plays != nullptr && plays->gain < 1) plays = nullptr;  // Cut off by one that has ended since.
+  if (plays == nullptr && motion_now_.motion < 0) return;
+  const bool begins =
+      plays != nullptr && (plays->motion != motion_now_.motion || plays->at_s < motion_now_.at_s);
+  motion_now_ = {plays != nullptr ? plays->motion : -1, plays != nullptr ? plays->at_s : 0,
+                 motion_now_.starts + (begins ? 1 : 0)};
+  writers_.motion_now.Write(motion_now_, presented_at, board::SourceState::kLive);
 }
 
-// When it is known, and when it has become another one.
+// When the age is known, and when it has become another one.
 void Stage::LogLipsAge(Time now) {
   const std::uint32_t age_us = status_.lips_age_us, more_us = std::max(age_us, logged_age_us_);
   const bool same = more_us - std::min(age_us, logged_age_us_) < more_us / 4 + kSameAge_us;
   if (age_us == 0 || same || now < age_quiet_until_) return;
   logged_age_us_ = age_us;
   age_quiet_until_ = now + kAgeQuiet;
-  Log("lips are {:.0f} ms old at the moment of light, and the mouth follows {:.0f} ms after them",
+  Log("lips are {:.0f} ms old when they are presented, and the mouth follows {:.0f} ms after them",
       age_us / 1e3, status_.mouth_lag_us / 1e3);
 }
 

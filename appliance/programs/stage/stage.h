@@ -1,4 +1,4 @@
-// The stage: reads the board as late as the frame allows, animates, draws, and shows.
+// The stage: reads the board as late as the frame allows, animates, draws, and presents.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct StageWriters {
   board::Writer<board::Performance> performance;
   board::Writer<board::Lamps> lamps;
   board::Writer<board::StageStatus> status;
-  board::Writer<board::MotionNow> take;
+  board::Writer<board::MotionNow> motion_now;
 
   // Errors: as Board::AcquireWriter; a second stage is refused.
   static Result<StageWriters> Acquire(const board::Board& board);
@@ -34,34 +34,35 @@ struct StageWriters {
 // One thread. The board, the studio and the clock must outlive it.
 class Stage {
  public:
-  // Goes on from the state that an earlier stage left on the board, if that is sound.
+  // Goes on from the state that an earlier stage left on the board, if that is valid.
   Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock);
 
-  // Lets an author make expressions in the show. They were opened on the studio's show.
-  void Bring(std::unique_ptr<editor::ExpressionEditor> needles) { needles_ = std::move(needles); }
-  const editor::ExpressionEditor* needles() const { return needles_.get(); }
+  // Lets an author make expressions in the show. `editor` was opened on the studio's show.
+  void SetEditor(std::unique_ptr<editor::ExpressionEditor> editor) { editor_ = std::move(editor); }
+  const editor::ExpressionEditor* expression_editor() const { return editor_.get(); }
 
-  // Called after each frame that the screen has taken. It holds up the next one.
+  // Called after each frame that the screen has accepted; until it returns the next one waits.
   using AfterFrame = std::function<void(const performance::State&, const scene::Scene&, Time now)>;
-  void Tell(AfterFrame after) { after_frame_ = std::move(after); }
+  void CallAfterFrames(AfterFrame after) { after_frame_ = std::move(after); }
 
   // The screen that shows the frames from now on; none when it was unplugged.
   void SetScreen(std::unique_ptr<ports::Scanout> screen);
   bool has_screen() const { return screen_ != nullptr; }
   ports::Scanout* screen() const { return screen_.get(); }  // Until the next SetScreen or Step.
 
-  // Reads the hands as late as each frame allows, from now on; before, right after the flip. Step is then to
-  // be called at wakes_at() too.
-  void DrawLate() { pacer_.Set(true); }
+  // From now on samples the input as late as each frame allows; before, right after the flip. Step is then to be called
+  // at wakes_at() too.
+  void SampleLate() { pacer_.Set(true); }
 
-  // Takes the flips that happened, and draws the next frame when the screen has room for it and it is time.
-  // Never waits for the screen. A screen that is gone is let go.
+  // Handles the flips that happened, and draws the next frame when the screen has room for it and it is time. Never
+  // waits for the screen. A screen that is gone is let go, with a line in the log.
   void Step();
 
   // When the next frame begins, if the screen waits for one; it may have passed.
   std::optional<Time> wakes_at() const;
 
-  // Without a screen the performance still moves, so that lamps answer and no jump is seen later.
+  // To be called instead while there is no screen: the performance still moves, so that lamps answer and no jump is
+  // seen later.
   void StepUnseen();
 
   // How long a frame usually takes; 0 until many were drawn on this screen.
@@ -78,8 +79,8 @@ class Stage {
   const board::Snapshot& ReadBoard(Time now);
   performance::Performed Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
                                  Time presented_at);
-  scene::Scene Perform(const board::Snapshot& snapshot, Time light);
-  void TellTake(Time light);
+  scene::Scene Perform(const board::Snapshot& snapshot, Time presented_at);
+  void WriteMotionNow(Time presented_at);
   void LogLipsAge(Time now);
   void Report(const board::Snapshot& snapshot, Duration cpu);
 
@@ -89,13 +90,13 @@ class Stage {
   Studio& studio_;
   const Clock& clock_;
   std::unique_ptr<ports::Scanout> screen_;
-  std::unique_ptr<editor::ExpressionEditor> needles_;
+  std::unique_ptr<editor::ExpressionEditor> editor_;
   performance::State state_;
   bool resumed_ = false;
   FramePacer pacer_;
   std::optional<FramePacer::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
   std::uint64_t frame_ = 0;
-  Time read_{};  // When the hands were read for that frame.
+  Time read_{};  // When the input was sampled for that frame.
   MouthClock mouth_clock_;
   AfterFrame after_frame_;
   std::uint32_t logged_age_us_ = 0;

@@ -14,10 +14,10 @@ using namespace std::chrono_literals;
 
 constexpr Duration kFactsPeriod = 1s;  // How often files are looked at.
 constexpr int kShare = 16;             // Of a frame's usual time, for lines that changed.
-constexpr Duration kGivenUp = 60s;     // How long a sign is left alone that cannot show.
+constexpr Duration kGivenUp = 60s;     // How long a display that cannot show is left alone.
 
 // Whole or not at all: others read it.
-void Leave(const std::filesystem::path& path, const std::string& text) {
+void WriteWhole(const std::filesystem::path& path, const std::string& text) {
   const std::filesystem::path draft = path.string() + ".draft";
   if (!(std::ofstream(draft) << text)) return;
   std::error_code none;
@@ -28,9 +28,9 @@ void Leave(const std::filesystem::path& path, const std::string& text) {
 
 void StageStatusDisplay::Step(ports::Scanout* screen) {
   LookAtScreens(screen);
-  ports::StatusDisplay* const sign = screen == nullptr ? nullptr : screen->status_display();
-  if (sign == nullptr || clock_.now() < silent_until_) return;
-  const auto shown = ShowNext(*sign);
+  ports::StatusDisplay* const display = screen == nullptr ? nullptr : screen->status_display();
+  if (display == nullptr || clock_.now() < silent_until_) return;
+  const auto shown = ShowNext(*display);
   owed_ = !shown && shown.error().cause == std::errc::device_or_resource_busy;
   if (shown || owed_) return;
   LogWarning("the status cannot be shown ({})", shown.error().message());
@@ -40,7 +40,7 @@ void StageStatusDisplay::Step(ports::Scanout* screen) {
 void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
   std::string words = screen == nullptr ? std::string() : screen->Words();
   if (screens_ == words) return;
-  Leave(places_.screens, words);
+  WriteWhole(places_.screens, words);
   screens_ = std::move(words);
   facts_read_ = {};
 }
@@ -54,20 +54,20 @@ std::vector<status::Line> StageStatusDisplay::Lines() {
   return status::Describe(status::Look(board_, facts_, now));
 }
 
-Result<void> StageStatusDisplay::ShowNext(ports::StatusDisplay& sign) {
-  const bool anew = sign.fresh() || !sheet_;
-  const auto rows = anew ? DrawAnew(sign) : DrawChanged();
+Result<void> StageStatusDisplay::ShowNext(ports::StatusDisplay& display) {
+  const bool anew = display.fresh() || !sheet_;
+  const auto rows = anew ? DrawAnew(display) : DrawChanged();
   if (!rows) return tl::unexpected(rows.error());
   if (rows->first == rows->end && !owed_) return {};
-  return sign.Show(sheet_->picture().rgbx, rows->first, rows->end);
+  return display.Show(sheet_->picture().rgbx, rows->first, rows->end);
 }
 
 // Its lines come one after the other.
-Result<status::Sheet::Rows> StageStatusDisplay::DrawAnew(const ports::StatusDisplay& sign) {
+Result<status::Sheet::Rows> StageStatusDisplay::DrawAnew(const ports::StatusDisplay& display) {
   auto lettering = image::Lettering::Open();
   if (!lettering) return tl::unexpected(lettering.error());
-  sheet_.emplace(std::move(*lettering), sign.width_px(), sign.height_px());
-  return status::Sheet::Rows{0, sign.height_px()};
+  sheet_.emplace(std::move(*lettering), display.width_px(), display.height_px());
+  return status::Sheet::Rows{0, display.height_px()};
 }
 
 status::Sheet::Rows StageStatusDisplay::DrawChanged() {

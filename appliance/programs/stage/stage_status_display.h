@@ -1,5 +1,5 @@
-// The stage's sign: says how the box does on a screen beside the show's, and leaves for others what screens
-// there are.
+// The stage's status display: shows on a screen beside the show's how the box does, and leaves a file for others that
+// says what screens there are.
 #pragma once
 
 #include <filesystem>
@@ -22,16 +22,17 @@ class StageStatusDisplay {
   StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places)
       : board_(board), clock_(clock), places_(std::move(places)) {}
 
-  // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines
-  // that changed, for a small part of a frame's usual time, and one at least: so no frame is late for it.
+  // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines that changed,
+  // for a small part of a frame's usual time, and one at least: so no frame is late for it. A display that fails is
+  // logged once and left alone for a minute.
   void Step(ports::Scanout* screen);
 
   static constexpr Duration kPeriod = std::chrono::milliseconds(100);
 
  private:
   void LookAtScreens(ports::Scanout* screen);
-  Result<void> ShowNext(ports::StatusDisplay& sign);
-  Result<status::Sheet::Rows> DrawAnew(const ports::StatusDisplay& sign);
+  Result<void> ShowNext(ports::StatusDisplay& display);
+  Result<status::Sheet::Rows> DrawAnew(const ports::StatusDisplay& display);
   status::Sheet::Rows DrawChanged();
   std::vector<status::Line> Lines();
 
@@ -42,7 +43,7 @@ class StageStatusDisplay {
   Time facts_read_{};
   std::optional<std::string> screens_;  // As they were told last.
   std::optional<status::Sheet> sheet_;
-  bool owed_ = false;  // The sign has rows that it has not shown.
+  bool owed_ = false;  // The display has rows that it has not shown.
   Time silent_until_{};
 };
 

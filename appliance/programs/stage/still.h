@@ -1,4 +1,4 @@
-// The picture with which a box lights its screens before the stage runs: made once, with the image.
+// The picture that a box shows on its screens before the stage runs: made once, with the image.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace kaori::stage {
 
-// Stands still until it is let go, so that the first picture is the show's first moment, whenever it is
+// A clock that stands still until it is let go, so that the first picture is the show's first moment, whenever it is
 // drawn.
 class StillClock final : public Clock {
  public:

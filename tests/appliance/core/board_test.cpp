@@ -151,7 +151,7 @@ TEST(Board, ChecksEveryFieldThatCanBeWrong) {
   EXPECT_FALSE(Valid(Sound{.delay_ms = -1}));
   EXPECT_FALSE(Valid(Sound{.asked_ms = nan}));
   EXPECT_FALSE(Valid(Sound{.drift_ppm = nan}));
-  EXPECT_FALSE(Valid(MotionNow{.take = -2}));
+  EXPECT_FALSE(Valid(MotionNow{.motion = -2}));
   EXPECT_FALSE(Valid(MotionNow{.at_s = nan}));
   for (const LipsGuide& bad :
        {LipsGuide{.step = 5}, LipsGuide{.taking = 2}, LipsGuide{.progress = nan}, LipsGuide{.seen = 2}})

@@ -109,7 +109,7 @@ const Spoiled kSpoiled[] = {
      [](State& s) {
        s.voices[0] = {0, -900, 1};
      }},
-    {"ATakeThatDoesNotExist", [](State& s) { s.voices[3].take = 1; }},
+    {"AMotionThatDoesNotExist", [](State& s) { s.voices[3].motion = 1; }},
     {"ATakeTooLoud",
      [](State& s) {
        s.voices[0] = {0, 0, 90};

@@ -1,4 +1,4 @@
-// Where the needles' work comes from, where it is kept, and how it is called.
+// Where the handles' work comes from, where it is kept, and how it is called.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -8,11 +8,11 @@
 namespace kaori::testing {
 namespace {
 
-using NeedleCalls = NeedlePlay;
+using EditorCalls = EditorPlay;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST_F(NeedleCalls, BeginsFromTheExpressionInPlayWithoutALeap) {
+TEST_F(EditorCalls, BeginsFromTheExpressionInPlayWithoutALeap) {
   Push(5);
   Run(2s);
   const auto before = composer_->Compose(scene_.weights, face::Detail::kCage).cage;
@@ -27,13 +27,13 @@ TEST_F(NeedleCalls, BeginsFromTheExpressionInPlayWithoutALeap) {
   EXPECT_THAT(Caption(), HasSubstr("new, from smile   0 undo"));
 }
 
-TEST_F(NeedleCalls, ACalledExpressionIsTakenIntoWorkAndUndoGivesTheOldBack) {
+TEST_F(EditorCalls, ACalledExpressionIsTakenIntoWorkAndUndoGivesTheOldBack) {
   Strike(key::kTab);
   Turn(3, 0.5F);
   const Work pulled = work();
   Push(6);
   EXPECT_EQ(work().pulls_m, show_.cast.expressions[2].displacement);
-  EXPECT_EQ(state_.expressions.to, needles_->draft());
+  EXPECT_EQ(state_.expressions.to, editor_->draft());
   Strike(key::kZ);
   EXPECT_EQ(work(), pulled);
   Strike(key::kY);
@@ -42,7 +42,7 @@ TEST_F(NeedleCalls, ACalledExpressionIsTakenIntoWorkAndUndoGivesTheOldBack) {
   EXPECT_EQ(work().pulls_m, show_.cast.expressions[0].displacement) << "neutral";
 }
 
-TEST_F(NeedleCalls, ComparesWithBeforeAsLongAsTheKeyIsHeld) {
+TEST_F(EditorCalls, ComparesWithBeforeAsLongAsTheKeyIsHeld) {
   Push(5);
   Run(1s);
   Strike(key::kTab);
@@ -50,20 +50,20 @@ TEST_F(NeedleCalls, ComparesWithBeforeAsLongAsTheKeyIsHeld) {
   const Work pulled = work();
   Hold(key::kC, true);
   Frame();
-  EXPECT_EQ(show_.cast.expressions[needles_->draft()].displacement, show_.cast.expressions[1].displacement);
+  EXPECT_EQ(show_.cast.expressions[editor_->draft()].displacement, show_.cast.expressions[1].displacement);
   EXPECT_THAT(Caption(), HasSubstr("as it was before"));
   Hold(key::kC, false);
   Frame();
-  EXPECT_EQ(show_.cast.expressions[needles_->draft()].displacement, pulled.pulls_m);
+  EXPECT_EQ(show_.cast.expressions[editor_->draft()].displacement, pulled.pulls_m);
 }
 
-TEST_F(NeedleCalls, SavesUnderANameAndCallsItAtOnceOnEveryFace) {
+TEST_F(EditorCalls, SavesUnderANameAndCallsItAtOnceOnEveryFace) {
   Strike(key::kTab);
-  ChooseNeedle("B2.l");
+  ChooseHandle("B2.l");
   Turn(2, 0.6F);
   SaveAs("wonder");
   EXPECT_TRUE(std::filesystem::exists(folder_.folder() / "01-wonder.toml"));
-  EXPECT_FALSE(needles_->session().unsaved());
+  EXPECT_FALSE(editor_->session().unsaved());
   EXPECT_THAT(Caption(), HasSubstr("wonder   1 undo"));
   EXPECT_THAT(Caption(), HasSubstr("1 wonder"));
   Strike(key::kTab);
@@ -77,7 +77,7 @@ TEST_F(NeedleCalls, SavesUnderANameAndCallsItAtOnceOnEveryFace) {
     const auto at_rest = composer_->Compose(scene_.weights, face::Detail::kCage).cage;
     const std::vector<glm::vec3> rest(at_rest.begin(), at_rest.end());
     StrikeWithShift(key::k1);
-    EXPECT_EQ(state_.expressions.to, needles_->own(0));
+    EXPECT_EQ(state_.expressions.to, editor_->own(0));
     EXPECT_LT(state_.expressions.progress, 1) << "it fades as others do";
     EXPECT_FALSE(PlaysAMotion()) << "Shift+1 is not 1";
     Run(2s);
@@ -88,20 +88,20 @@ TEST_F(NeedleCalls, SavesUnderANameAndCallsItAtOnceOnEveryFace) {
   }
 }
 
-TEST_F(NeedleCalls, OwnExpressionsAreThereAtTheNextStart) {
+TEST_F(EditorCalls, OwnExpressionsAreThereAtTheNextStart) {
   Strike(key::kTab);
   Turn(3, 0.5F);
   SaveAs("one");
   const Work one = work();
   Enter();
-  EXPECT_FALSE(needles_->session().unsaved());
+  EXPECT_FALSE(editor_->session().unsaved());
   StrikeWithShift(key::k1);
-  EXPECT_EQ(state_.expressions.to, needles_->own(0));
+  EXPECT_EQ(state_.expressions.to, editor_->own(0));
   for (std::size_t i = 0; i < one.pulls_m.size(); ++i)
-    EXPECT_LT(glm::distance(show_.cast.expressions[needles_->own(0)].displacement[i], one.pulls_m[i]), 1e-6F);
+    EXPECT_LT(glm::distance(show_.cast.expressions[editor_->own(0)].displacement[i], one.pulls_m[i]), 1e-6F);
 }
 
-TEST_F(NeedleCalls, UnsavedWorkIsThereAgainWhenTheNeedlesAreOpenedAndAfterARestart) {
+TEST_F(EditorCalls, UnsavedWorkIsThereAgainWhenTheEditorIsOpenedAndAfterARestart) {
   Strike(key::kTab);
   Turn(3, 0.5F);
   const Work pulled = work();
@@ -115,15 +115,15 @@ TEST_F(NeedleCalls, UnsavedWorkIsThereAgainWhenTheNeedlesAreOpenedAndAfterAResta
   EXPECT_EQ(work().pulls_m, show_.cast.expressions[1].displacement);
   Strike(key::kZ);
   Enter();
-  EXPECT_FALSE(needles_->open()) << "an audience may be there";
+  EXPECT_FALSE(editor_->open()) << "an audience may be there";
   EXPECT_EQ(work(), pulled);
-  EXPECT_EQ(show_.cast.expressions[needles_->draft()].displacement, pulled.pulls_m);
+  EXPECT_EQ(show_.cast.expressions[editor_->draft()].displacement, pulled.pulls_m);
   Strike(key::kTab);
   Strike(key::kZ);
   EXPECT_EQ(work().pulls_m, show_.cast.expressions[0].displacement) << "and can still be undone";
 }
 
-TEST_F(NeedleCalls, NamesThatAreTakenAreRefusedAndAskedForAgain) {
+TEST_F(EditorCalls, NamesThatAreTakenAreRefusedAndAskedForAgain) {
   Strike(key::kTab);
   Turn(3, 0.5F);
   Strike(key::kEnter);
@@ -133,7 +133,7 @@ TEST_F(NeedleCalls, NamesThatAreTakenAreRefusedAndAskedForAgain) {
   EXPECT_THAT(Caption(), HasSubstr("name: smile|"));
   Type("b");
   Strike(key::kEnter);
-  needles_->Finish();
+  editor_->Finish();
   Frame();
   EXPECT_TRUE(std::filesystem::exists(folder_.folder() / "01-smileb.toml"));
   StrikeWithShift(key::kEnter);
@@ -144,7 +144,7 @@ TEST_F(NeedleCalls, NamesThatAreTakenAreRefusedAndAskedForAgain) {
   EXPECT_THAT(Caption(), Not(HasSubstr("name:")));
 }
 
-TEST_F(NeedleCalls, SavesAsNewBesideTheOldOneAndDeletesOnlyWhenAskedTwice) {
+TEST_F(EditorCalls, SavesAsNewBesideTheOldOneAndDeletesOnlyWhenAskedTwice) {
   Strike(key::kTab);
   Turn(3, 0.5F);
   SaveAs("one");
@@ -152,24 +152,24 @@ TEST_F(NeedleCalls, SavesAsNewBesideTheOldOneAndDeletesOnlyWhenAskedTwice) {
   StrikeWithShift(key::kEnter);
   Type("two");
   Strike(key::kEnter);
-  needles_->Finish();
+  editor_->Finish();
   Frame();
   EXPECT_TRUE(std::filesystem::exists(folder_.folder() / "01-one.toml"));
   EXPECT_TRUE(std::filesystem::exists(folder_.folder() / "02-two.toml"));
   StrikeWithShift(key::k1);
   EXPECT_EQ(work().name, "one") << "while the needles are open it is taken into work";
   Strike(key::kDelete);
-  needles_->Finish();
+  editor_->Finish();
   EXPECT_TRUE(std::filesystem::exists(folder_.folder() / "01-one.toml"));
   EXPECT_THAT(Caption(), HasSubstr("press Delete again"));
   Strike(key::kDelete);
-  needles_->Finish();
+  editor_->Finish();
   EXPECT_FALSE(std::filesystem::exists(folder_.folder() / "01-one.toml"));
-  EXPECT_TRUE(needles_->session().unsaved()) << "it stays in work";
+  EXPECT_TRUE(editor_->session().unsaved()) << "it stays in work";
   EXPECT_TRUE(std::filesystem::exists(folder_.folder() / "02-two.toml"));
 }
 
-TEST_F(NeedleCalls, TheEleventhOwnExpressionFindsNoPlace) {
+TEST_F(EditorCalls, TheEleventhOwnExpressionFindsNoPlace) {
   Strike(key::kTab);
   for (const char* name : {"aa", "bb", "cc", "dd", "ee", "ff", "gg", "hh", "ii", "jj"}) {
     Turn(3, 0.1F);
@@ -177,35 +177,35 @@ TEST_F(NeedleCalls, TheEleventhOwnExpressionFindsNoPlace) {
     Type(name);
     Strike(key::kEnter);
   }
-  needles_->Finish();
+  editor_->Finish();
   Frame();
   EXPECT_TRUE(std::filesystem::exists(folder_.folder() / "10-jj.toml"));
   StrikeWithShift(key::kEnter);
   Type("kk");
   Strike(key::kEnter);
-  EXPECT_THAT(Caption(), HasSubstr("all ten places are taken"));
+  EXPECT_THAT(Caption(), HasSubstr("all ten slots are in use"));
   StrikeWithShift(key::k0);
   EXPECT_EQ(work().name, "jj") << "Shift+0 is the tenth";
 }
 
-TEST_F(NeedleCalls, WorkWithoutItsFolderGoesOnInMemory) {
+TEST_F(EditorCalls, WorkWithoutItsFolderGoesOnInMemory) {
   std::ofstream(folder_.folder() / "file") << "no folder";
-  needles_.reset();
+  editor_.reset();
   show_ = PlayedShow();
-  needles_ = ExpressionEditor::Open(folder_.folder() / "file" / "own", show_);
+  editor_ = ExpressionEditor::Open(folder_.folder() / "file" / "own", show_);
   composer_ = std::make_unique<face::Composer>(show_.cast);
   Frame();
   Strike(key::kTab);
   Turn(3, 0.5F);
-  EXPECT_GT(needles_->session().undoable(), 0U);
+  EXPECT_GT(editor_->session().undoable(), 0U);
   EXPECT_THAT(Caption(), HasSubstr("not on the disk"));
   SaveAs("lost");
   Strike(key::kTab);
   StrikeWithShift(key::k1);
-  EXPECT_EQ(state_.expressions.to, needles_->own(0)) << "and can be called";
+  EXPECT_EQ(state_.expressions.to, editor_->own(0)) << "and can be called";
 }
 
-TEST_F(NeedleCalls, AnEmptyPlaceIsNotCalled) {
+TEST_F(EditorCalls, AnEmptyPlaceIsNotCalled) {
   StrikeWithShift(key::k1);
   EXPECT_EQ(state_.expressions.to, 0);
   EXPECT_FALSE(PlaysAMotion());

@@ -1,4 +1,4 @@
-// The needles in a show without a picture: hands on a board, the performance, and the face as it is composed.
+// The handles in a show without a picture: hands on a board, the performance, and the face as it is composed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using editor::ExpressionEditor;
 using editor::Work;
 namespace key = editor::key;
 
-inline constexpr Duration kNeedleFrame = 16'666'667ns;
+inline constexpr Duration kEditorFrame = 16'666'667ns;
 inline constexpr std::uint8_t kF1 = 0x3A, kKey2 = 0x1F, kB = 0x05, kQ = 0x14, kW = 0x1A, kX = 0x1B;
 
 inline show::Show PlayedShow() {
@@ -42,18 +42,18 @@ inline show::Show PlayedShow() {
 }
 
 // A stage without a picture: the same steps in the same order.
-class NeedlePlay : public ::testing::Test {
+class EditorPlay : public ::testing::Test {
  protected:
-  NeedlePlay() {
+  EditorPlay() {
     board_.surface.source = board_.keys.source = board_.pointer.source = board::SourceState::kLive;
     for (auto& stick : board_.sticks) stick.source = board::SourceState::kLive;
     Enter();
   }
 
   void Enter() {
-    needles_.reset();
+    editor_.reset();
     show_ = PlayedShow();
-    needles_ = ExpressionEditor::Open(folder_.folder(), show_);
+    editor_ = ExpressionEditor::Open(folder_.folder(), show_);
     composer_ = std::make_unique<face::Composer>(show_.cast);
     state_ = performance::Opening(show_, board_, now_);
     At(state_.knobs, performance::Knob::kLife) = At(state_.shown, performance::Knob::kLife) = 0;
@@ -62,19 +62,19 @@ class NeedlePlay : public ::testing::Test {
   }
 
   void Frame() {
-    now_ += kNeedleFrame;
+    now_ += kEditorFrame;
     performance::InputEvents events = performance::ReadEvents(state_.seen, board_);
-    const board::Snapshot& rest = needles_->Play(board_, events, show_, state_, now_);
-    for (const auto& [index, work] : needles_->renewed()) {
+    const board::Snapshot& rest = editor_->Play(board_, events, show_, state_, now_);
+    for (const auto& [index, work] : editor_->renewed()) {
       show_.cast.expressions[index].displacement = work->pulls_m;
       show_.cast.expressions[index].lids = work->lids;
       composer_->Renew(index);
     }
     auto performed = performance::Animate(state_, rest, events, show_, now_);
     state_ = performed.state;
-    needles_->Describe(performed.scene);
+    editor_->Describe(performed.scene);
     scene_ = std::move(performed.scene);
-    needles_->Look(show_.cast, composer_->Compose(scene_.weights, face::Detail::kCage), scene_, 16.0F / 9);
+    editor_->Look(show_.cast, composer_->Compose(scene_.weights, face::Detail::kCage), scene_, 16.0F / 9);
   }
   void Run(Duration time) {
     for (const Time end = now_ + time; now_ < end;) Frame();
@@ -124,25 +124,25 @@ class NeedlePlay : public ::testing::Test {
     Frame();
   }
 
-  // Where the needle stands in the picture, 0..1 from the left top, by the composed face.
-  glm::vec2 PlaceOf(const char* point) {
-    editor::Sight sight(show_.cast);
-    sight.Look(show_.cast, composer_->Compose(scene_.weights, face::Detail::kCage), scene_, 16.0F / 9);
-    return sight.place(PointNamed(show_.cast, point));
+  // Where the handle stands in the picture, 0..1 from the left top, by the composed face.
+  glm::vec2 PositionOf(const char* point) {
+    editor::HandlePicker picker(show_.cast);
+    picker.Look(show_.cast, composer_->Compose(scene_.weights, face::Detail::kCage), scene_, 16.0F / 9);
+    return picker.position(PointNamed(show_.cast, point));
   }
-  void ChooseNeedle(const char* point) {
-    Press(PlaceOf(point));
+  void ChooseHandle(const char* point) {
+    Press(PositionOf(point));
     Release();
     ASSERT_EQ(Chosen(), point);
   }
   std::string Chosen() const {
-    return needles_->chosen() < 0 ? ""
-                                  : show_.cast.net.points[static_cast<std::size_t>(needles_->chosen())].name;
+    return editor_->chosen() < 0 ? ""
+                                  : show_.cast.net.points[static_cast<std::size_t>(editor_->chosen())].name;
   }
-  const Work& work() const { return needles_->session().work(); }
+  const Work& work() const { return editor_->session().work(); }
   glm::vec3 PullOf(const char* point) const { return work().pulls_m[PointNamed(show_.cast, point)]; }
   bool PlaysAMotion() const {
-    return std::ranges::any_of(state_.voices, [](const auto& voice) { return voice.take >= 0; });
+    return std::ranges::any_of(state_.voices, [](const auto& voice) { return voice.motion >= 0; });
   }
   std::string Caption() const {
     std::string all;
@@ -153,7 +153,7 @@ class NeedlePlay : public ::testing::Test {
     Strike(key::kEnter);
     Type(name);
     Strike(key::kEnter);
-    needles_->Finish();
+    editor_->Finish();
     Frame();
   }
 
@@ -161,7 +161,7 @@ class NeedlePlay : public ::testing::Test {
   board::Snapshot board_;
   Time now_ = Time{} + 100s;
   show::Show show_;
-  std::unique_ptr<ExpressionEditor> needles_;
+  std::unique_ptr<ExpressionEditor> editor_;
   std::unique_ptr<face::Composer> composer_;
   performance::State state_;
   scene::Scene scene_;

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST_F(NeedlePlay, TabShowsTheNeedlesAndHidesThemAgain) {
+TEST_F(EditorPlay, TabShowsTheHandlesAndHidesThemAgain) {
   EXPECT_EQ(scene_.handles.shown, 0);
   Strike(key::kTab);
   EXPECT_GT(scene_.handles.shown, 0) << "they ease in";
@@ -26,9 +26,9 @@ TEST_F(NeedlePlay, TabShowsTheNeedlesAndHidesThemAgain) {
   EXPECT_TRUE(scene_.caption.lines.empty());
 }
 
-TEST_F(NeedlePlay, DialsPullTheChosenNeedleScaleAndShutTheLids) {
+TEST_F(EditorPlay, DialsPullTheChosenHandleScaleAndShutTheLids) {
   Strike(key::kTab);
-  ChooseNeedle("MC.l");
+  ChooseHandle("MC.l");
   Turn(1, 0.5F);
   Turn(2, -0.25F);
   Turn(3, 0.125F);
@@ -40,16 +40,16 @@ TEST_F(NeedlePlay, DialsPullTheChosenNeedleScaleAndShutTheLids) {
   EXPECT_NEAR(PullOf("MC.l").x, 0.01F, 1e-6F);
   Turn(5, 0.4F);
   EXPECT_NEAR(work().lids[0], 0.4F, 0.01F);
-  EXPECT_EQ(needles_->session().undoable(), 5U);
+  EXPECT_EQ(editor_->session().undoable(), 5U);
   EXPECT_EQ(At(state_.knobs, performance::Knob::kMouth), 0) << "the dials pull, and do not play";
   Turn(7, -0.5F);
   EXPECT_NEAR(At(state_.knobs, performance::Knob::kLight), 0.5F, 0.01F) << "the light goes on";
 }
 
-TEST_F(NeedlePlay, WhatIsPulledIsSeenInTheSameFrame) {
+TEST_F(EditorPlay, WhatIsPulledIsSeenInTheSameFrame) {
   Strike(key::kTab);
   Run(500ms);
-  ChooseNeedle("MC.l");
+  ChooseHandle("MC.l");
   const std::size_t point = PointNamed(show_.cast, "MC.l");
   const auto at = show_.cast.net.surface.column[show_.cast.net.surface.row_start[point]];
   const glm::vec3 before = composer_->Compose(scene_.weights, face::Detail::kCage).cage[at];
@@ -58,7 +58,7 @@ TEST_F(NeedlePlay, WhatIsPulledIsSeenInTheSameFrame) {
   EXPECT_GT(glm::distance(before, now), 0.001F);
 }
 
-TEST_F(NeedlePlay, TypingANamePlaysNoMotionAndNoScene) {
+TEST_F(EditorPlay, TypingANamePlaysNoMotionAndNoScene) {
   Strike(key::kTab);
   Turn(3, 0.5F);
   Strike(key::kN);
@@ -77,10 +77,10 @@ TEST_F(NeedlePlay, TypingANamePlaysNoMotionAndNoScene) {
   EXPECT_FALSE(PlaysAMotion());
   EXPECT_EQ(state_.scene, 0);
   EXPECT_EQ(state_.blink_s[0], 10) << "nor does the space bar blink";
-  EXPECT_TRUE(needles_->open());
+  EXPECT_TRUE(editor_->open());
 }
 
-TEST_F(NeedlePlay, ANameTypedAtFiveFramesASecondIsSavedAsItWasTyped) {
+TEST_F(EditorPlay, ANameTypedAtFiveFramesASecondIsSavedAsItWasTyped) {
   constexpr std::uint8_t kL = 0x0F, kO = 0x12, kK = 0x0E;
   const auto frame_of = [this](std::initializer_list<std::uint8_t> keys) {
     for (const std::uint8_t usage : keys) {
@@ -94,19 +94,19 @@ TEST_F(NeedlePlay, ANameTypedAtFiveFramesASecondIsSavedAsItWasTyped) {
   frame_of({key::kEnter, key::kM, key::kY});  // What asks for the name, and its first letters.
   frame_of({key::kMinus, kL, kO});
   frame_of({kO, kK, key::kEnter});
-  needles_->Finish();
+  editor_->Finish();
   Frame();
   EXPECT_EQ(work().name, "my_look");
-  EXPECT_GE(work().place, 0) << "and it is saved";
+  EXPECT_GE(work().slot, 0) << "and it is saved";
 }
 
-TEST_F(NeedlePlay, KeysAfterTheOneThatClosesTheEditorPlayWithinTheSameFrame) {
+TEST_F(EditorPlay, KeysAfterTheOneThatClosesTheEditorPlayWithinTheSameFrame) {
   Strike(key::kTab);
   Hold(kB, true);  // Struck while the editor is open: no motion.
   Hold(key::kTab, true);
   Frame();
   EXPECT_FALSE(PlaysAMotion());
-  EXPECT_FALSE(needles_->open());
+  EXPECT_FALSE(editor_->open());
   Hold(key::kTab, true);
   Hold(key::kTab, true);
   Hold(kB, true);
@@ -114,7 +114,7 @@ TEST_F(NeedlePlay, KeysAfterTheOneThatClosesTheEditorPlayWithinTheSameFrame) {
   EXPECT_TRUE(PlaysAMotion());
 }
 
-TEST_F(NeedlePlay, KeysThatWereStruckWithTheNeedlesOpenArePlayedNoLater) {
+TEST_F(EditorPlay, KeysThatWereStruckWithTheEditorOpenArePlayedNoLater) {
   Strike(key::kTab);
   Strike(key::k1);
   Strike(kF1);
@@ -131,14 +131,14 @@ TEST_F(NeedlePlay, KeysThatWereStruckWithTheNeedlesOpenArePlayedNoLater) {
   EXPECT_TRUE(PlaysAMotion()) << "and now they play again";
 }
 
-TEST_F(NeedlePlay, KeysThatCallStylesGoOnUnlessANameIsTyped) {
+TEST_F(EditorPlay, KeysThatCallStylesGoOnUnlessANameIsTyped) {
   Strike(key::kTab);
   Strike(kQ);
   EXPECT_EQ(state_.styles.to, 0);
   Strike(kW);
   EXPECT_EQ(work().pulls_m, show_.cast.expressions[2].displacement)
       << "one that calls an expression takes it";
-  EXPECT_EQ(state_.expressions.to, needles_->draft());
+  EXPECT_EQ(state_.expressions.to, editor_->draft());
   state_.styles.to = 3;
   Strike(key::kN);
   Strike(kQ);
@@ -147,73 +147,73 @@ TEST_F(NeedlePlay, KeysThatCallStylesGoOnUnlessANameIsTyped) {
   EXPECT_THAT(Caption(), HasSubstr("name: qw|"));
 }
 
-TEST_F(NeedlePlay, FacesAreCalledWhileTheNeedlesAreOpen) {
+TEST_F(EditorPlay, FacesAreCalledWhileTheEditorIsOpen) {
   Strike(key::kTab);
   Push(3);
   Run(2s);
   EXPECT_EQ(state_.faces.to, 3);
-  EXPECT_EQ(state_.expressions.to, needles_->draft());
+  EXPECT_EQ(state_.expressions.to, editor_->draft());
   Turn(3, 0.5F);
-  EXPECT_GT(needles_->session().undoable(), 0U);
+  EXPECT_GT(editor_->session().undoable(), 0U);
 }
 
-TEST_F(NeedlePlay, APressChoosesTheNearestNeedleThatIsSeen) {
+TEST_F(EditorPlay, APressChoosesTheNearestHandleThatIsSeen) {
   Strike(key::kTab);
   for (const char* point : {"MC.l", "B2.r", "CH", "N", "T.l"}) {
-    Press(PlaceOf(point) + glm::vec2(0.003F, 0.003F));
+    Press(PositionOf(point) + glm::vec2(0.003F, 0.003F));
     Release();
     EXPECT_EQ(Chosen(), point);
   }
   Press({0.02F, 0.02F});
   Release();
   EXPECT_EQ(Chosen(), "T.l") << "a press into nowhere chooses nothing";
-  EXPECT_EQ(needles_->session().undoable(), 0U) << "choosing pulls nothing";
+  EXPECT_EQ(editor_->session().undoable(), 0U) << "choosing pulls nothing";
 }
 
-TEST_F(NeedlePlay, ANeedleBehindTheHeadIsNotChosen) {
+TEST_F(EditorPlay, AHandleBehindTheHeadIsNotChosen) {
   board_.sticks[0].value.x = 1;
   Strike(key::kTab);
   Run(1s);
   scene_.head.yaw_rad = 1.4F;
   const auto& shape = composer_->Compose(scene_.weights, face::Detail::kCage);
-  editor::Sight sight(show_.cast);
-  sight.Look(show_.cast, shape, scene_, 16.0F / 9);
+  editor::HandlePicker picker(show_.cast);
+  picker.Look(show_.cast, shape, scene_, 16.0F / 9);
   const std::size_t hidden = PointNamed(show_.cast, "T.l");
-  ASSERT_FALSE(sight.seen(hidden)) << "her left side is turned away";
-  ASSERT_TRUE(sight.seen(PointNamed(show_.cast, "T.r")));
-  EXPECT_NE(sight.Nearest(sight.place(hidden)), hidden);
+  ASSERT_FALSE(picker.seen(hidden)) << "her left side is turned away";
+  ASSERT_TRUE(picker.seen(PointNamed(show_.cast, "T.r")));
+  EXPECT_NE(picker.Nearest(picker.position(hidden)), hidden);
 }
 
-TEST_F(NeedlePlay, ADragTakesTheNeedleWhereThePointerGoesAndIsOneStep) {
+TEST_F(EditorPlay, ADragTakesTheHandleWhereThePointerGoesAndIsOneStep) {
   Strike(key::kTab);
   Run(500ms);
   for (const std::size_t face : {0U, 2U}) {
     Push(face);
     Run(2s);
-    const std::size_t steps = needles_->session().undoable();
-    const glm::vec2 before = PlaceOf("CH");
+    const std::size_t steps = editor_->session().undoable();
+    const glm::vec2 before = PositionOf("CH");
     Press(before);
     ASSERT_EQ(Chosen(), "CH");
     for (int i = 0; i < 10; ++i) Drag({0, 0.003F});
     Release();
-    const glm::vec2 moved = PlaceOf("CH") - before;
+    const glm::vec2 moved = PositionOf("CH") - before;
     EXPECT_NEAR(moved.y, 0.03F, 0.002F) << "face " << face;
     EXPECT_NEAR(moved.x, 0, 0.002F);
-    EXPECT_EQ(needles_->session().undoable(), steps + 1);
+    EXPECT_EQ(editor_->session().undoable(), steps + 1);
   }
 }
 
-TEST_F(NeedlePlay, TheWheelPullsOutwards) {
+TEST_F(EditorPlay, TheWheelPullsOutwards) {
   Strike(key::kTab);
-  ChooseNeedle("CH");
+  ChooseHandle("CH");
   board_.pointer.value.wheel += 3;
   Frame();
   EXPECT_NEAR(PullOf("CH").z, 0.0015F, 1e-6F);
 }
 
-TEST_F(NeedlePlay, StickAndArrowsGoToTheNextNeedleInTheirDirection) {
+TEST_F(EditorPlay, StickAndArrowsGoToTheNextHandleInTheirDirection) {
   Strike(key::kTab);
-  ChooseNeedle("N");
+  ChooseHandle("N");
   Strike(key::kDown);
   EXPECT_EQ(Chosen(), "U");
   Strike(key::kUp);
@@ -228,7 +228,7 @@ TEST_F(NeedlePlay, StickAndArrowsGoToTheNextNeedleInTheirDirection) {
   EXPECT_EQ(state_.gaze.pitch_rad, 0) << "her eyes do not follow it";
 }
 
-TEST_F(NeedlePlay, TakeNothingFromTheHeapWhileTheyAreShut) {
+TEST_F(EditorPlay, TakeNothingFromTheHeapWhileTheyAreShut) {
   Strike(key::kTab);
   Turn(3, 0.5F);
   SaveAs("one");

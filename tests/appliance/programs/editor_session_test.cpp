@@ -16,7 +16,7 @@ using editor::Change;
 using editor::Session;
 using editor::Work;
 
-class NeedleSession : public ::testing::Test {
+class HandleSession : public ::testing::Test {
  protected:
   std::size_t Point(const char* name) const { return PointNamed(cast_, name); }
   glm::vec3 PullOf(const char* name) const { return session_.work().pulls_m[Point(name)]; }
@@ -53,7 +53,7 @@ class NeedleSession : public ::testing::Test {
   Session session_{editor::PointsOf(cast_.net)};
 };
 
-TEST_F(NeedleSession, PullsTheNeedleAndItsPartnerTheOtherWayRound) {
+TEST_F(HandleSession, PullsTheHandleAndItsPartnerTheOtherWayRound) {
   session_.Pull(Point("MC.l"), {0.003F, -0.001F, 0.002F});
   EXPECT_EQ(PullOf("MC.l"), glm::vec3(0.003F, -0.001F, 0.002F));
   EXPECT_EQ(PullOf("MC.r"), glm::vec3(-0.003F, -0.001F, 0.002F));
@@ -62,7 +62,7 @@ TEST_F(NeedleSession, PullsTheNeedleAndItsPartnerTheOtherWayRound) {
   EXPECT_EQ(PullOf("MC.l"), glm::vec3(0.003F, -0.001F, 0.002F)) << "one side alone";
 }
 
-TEST_F(NeedleSession, PullsTheMiddleNowhereSidewaysWhileItMirrors) {
+TEST_F(HandleSession, PullsTheMiddleNowhereSidewaysWhileItMirrors) {
   session_.Pull(Point("UC"), {0.003F, 0.002F, 0});
   EXPECT_EQ(PullOf("UC"), glm::vec3(0, 0.002F, 0));
   session_.spread.mirror = false;
@@ -70,7 +70,7 @@ TEST_F(NeedleSession, PullsTheMiddleNowhereSidewaysWhileItMirrors) {
   EXPECT_EQ(PullOf("UC"), glm::vec3(0.003F, 0.002F, 0));
 }
 
-TEST_F(NeedleSession, SmoothPullsTakeNeighboursAlongTheNearerTheMore) {
+TEST_F(HandleSession, SmoothPullsTakeNeighboursAlongTheNearerTheMore) {
   session_.spread = {.mirror = false, .smooth = true};
   session_.Pull(Point("B2.l"), {0, 0.01F, 0});
   EXPECT_FLOAT_EQ(PullOf("B2.l").y, 0.01F);
@@ -79,7 +79,7 @@ TEST_F(NeedleSession, SmoothPullsTakeNeighboursAlongTheNearerTheMore) {
   EXPECT_EQ(PullOf("CH"), glm::vec3(0)) << "the chin is far away";
 }
 
-TEST(NeedlePoints, ASmoothPullOfOneLipLeavesTheOtherWhereItIs) {
+TEST(HandlePoints, ASmoothPullOfOneLipLeavesTheOtherWhereItIs) {
   const face::Cast& cast = DefaultCast();
   Session session(editor::PointsOf(cast.net));
   session.spread = {.mirror = true, .smooth = true};
@@ -91,7 +91,7 @@ TEST(NeedlePoints, ASmoothPullOfOneLipLeavesTheOtherWhereItIs) {
       << "they touch, but no skin joins them: " << session.points().Apart_m(lower, upper);
 }
 
-TEST(NeedlePoints, EveryNeedleOfTheShowHasItsPartnerAndAWayToTheOthers) {
+TEST(HandlePoints, EveryHandleOfTheShowHasItsPartnerAndAWayToTheOthers) {
   const editor::Points points = editor::PointsOf(DefaultCast().net);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string& name = points.names[i];
@@ -100,7 +100,7 @@ TEST(NeedlePoints, EveryNeedleOfTheShowHasItsPartnerAndAWayToTheOthers) {
   }
 }
 
-TEST_F(NeedleSession, MirroredWorkIsTheSameOnBothSidesToTheBit) {
+TEST_F(HandleSession, MirroredWorkIsTheSameOnBothSidesToTheBit) {
   std::mt19937 random(3);
   for (int i = 0; i < 300; ++i) {
     session_.spread = {.mirror = true, .smooth = random() % 2 == 0};
@@ -119,7 +119,7 @@ TEST_F(NeedleSession, MirroredWorkIsTheSameOnBothSidesToTheBit) {
   }
 }
 
-TEST_F(NeedleSession, UndoOfAllGivesTheFirstStateToTheBitAndRedoTheLast) {
+TEST_F(HandleSession, UndoOfAllGivesTheFirstStateToTheBitAndRedoTheLast) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);
     session_.Begin(WorkOf("smile"));
@@ -140,7 +140,7 @@ TEST_F(NeedleSession, UndoOfAllGivesTheFirstStateToTheBitAndRedoTheLast) {
   }
 }
 
-TEST_F(NeedleSession, ChangesPlayedAgainMakeTheSameSession) {
+TEST_F(HandleSession, ChangesPlayedAgainMakeTheSameSession) {
   for (unsigned seed = 100; seed < 120; ++seed) {
     std::mt19937 random(seed);
     std::vector<std::uint8_t> journal;
@@ -164,7 +164,7 @@ TEST_F(NeedleSession, ChangesPlayedAgainMakeTheSameSession) {
   }
 }
 
-TEST_F(NeedleSession, OneGestureIsOneStep) {
+TEST_F(HandleSession, OneGestureIsOneStep) {
   for (int i = 0; i < 50; ++i) session_.Pull(Point("MC.l"), {0, 0.0001F, 0}, 7);
   EXPECT_EQ(session_.undoable(), 1U);
   session_.Pull(Point("MC.l"), {0, 0.0001F, 0}, 8);
@@ -177,7 +177,7 @@ TEST_F(NeedleSession, OneGestureIsOneStep) {
   EXPECT_EQ(PullOf("MC.l"), glm::vec3(0)) << "a gesture does not reach back over what was undone";
 }
 
-TEST_F(NeedleSession, AHandThatChangesNothingIsNoStep) {
+TEST_F(HandleSession, AHandThatChangesNothingIsNoStep) {
   EXPECT_EQ(session_.Zero(Point("MC.l")), Change::kNone);
   EXPECT_EQ(session_.Scale(2), Change::kNone) << "of nothing";
   EXPECT_EQ(session_.ShutLids(-1), Change::kNone);
@@ -186,7 +186,7 @@ TEST_F(NeedleSession, AHandThatChangesNothingIsNoStep) {
   EXPECT_EQ(session_.undoable(), 0U);
 }
 
-TEST_F(NeedleSession, NoNeedleIsPulledOffTheFace) {
+TEST_F(HandleSession, NoHandleIsPulledOffTheFace) {
   for (int i = 0; i < 100; ++i) session_.Pull(Point("MC.l"), {0.01F, -0.01F, 0.01F});
   for (int i = 0; i < 100; ++i) session_.Scale(3);
   EXPECT_EQ(PullOf("MC.l"), glm::vec3(0.05F, -0.05F, 0.05F));
@@ -194,7 +194,7 @@ TEST_F(NeedleSession, NoNeedleIsPulledOffTheFace) {
   EXPECT_EQ(session_.work().lids[0], 1);
 }
 
-TEST_F(NeedleSession, BeforeIsTheExpressionAsItWasTakenIntoWork) {
+TEST_F(HandleSession, BeforeIsTheExpressionAsItWasTakenIntoWork) {
   session_.Begin(WorkOf("smile"));
   session_.Pull(0, {0, 0.001F, 0});
   EXPECT_EQ(session_.before(), WorkOf("smile"));
@@ -206,7 +206,7 @@ TEST_F(NeedleSession, BeforeIsTheExpressionAsItWasTakenIntoWork) {
   EXPECT_EQ(session_.before(), WorkOf("smile"));
 }
 
-TEST_F(NeedleSession, IsSavedUntilTheNextPullAndAgainWhenThatIsUndone) {
+TEST_F(HandleSession, IsSavedUntilTheNextPullAndAgainWhenThatIsUndone) {
   session_.Begin(WorkOf("smile"));
   session_.Pull(0, {0, 0.001F, 0});
   session_.Rename("mine", 2);
@@ -222,13 +222,13 @@ TEST_F(NeedleSession, IsSavedUntilTheNextPullAndAgainWhenThatIsUndone) {
   EXPECT_TRUE(session_.unsaved());
 }
 
-TEST_F(NeedleSession, RefusesWorkThatDoesNotFitTheFace) {
+TEST_F(HandleSession, RefusesWorkThatDoesNotFitTheFace) {
   EXPECT_EQ(session_.Replace({.pulls_m = std::vector<glm::vec3>(3)}), Change::kNone);
   Work broken = WorkOf("smile");
   broken.pulls_m[2].y = NAN;
   EXPECT_EQ(session_.Begin(broken), Change::kNone);
   broken = WorkOf("smile");
-  broken.place = 10;
+  broken.slot = 10;
   EXPECT_EQ(session_.Replace(broken), Change::kNone);
 }
 

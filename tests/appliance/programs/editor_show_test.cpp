@@ -8,7 +8,7 @@
 #include "appliance/authoring/sculpt/sculpt.h"
 #include "appliance/programs/editor/own.h"
 #include "appliance/programs/editor/session.h"
-#include "appliance/programs/editor/sight.h"
+#include "appliance/programs/editor/handle_picker.h"
 #include "render/face/composer.h"
 #include "tests/appliance/core/board_file.h"
 #include "tests/render/default_cast.h"
@@ -48,19 +48,19 @@ TEST(OwnExpression, IsTakenIntoAShowAsItStands) {
           << cast.net.points[i].name << " " << part;
 }
 
-// On a real face a needle's neighbours hold the skin back; a drag makes up for it.
-TEST(Needle, GoesWithThePointerWhereverItSticks) {
+// On a real face a handle's neighbours hold the skin back; a drag makes up for it.
+TEST(Handle, GoesWithThePointerWhereverItSticks) {
   face::Cast cast = DefaultCast();
   face::Composer composer(cast);
   editor::Session session(editor::PointsOf(cast.net));
-  editor::Sight sight(cast);
+  editor::HandlePicker picker(cast);
   scene::Scene scene;
   scene.weights.faces.Push(0, 1);
   scene.weights.expressions.Push(1, 1);
   const auto look = [&] {
     cast.expressions[1].displacement = session.work().pulls_m;
     composer.Renew(1);
-    sight.Look(cast, composer.Compose(scene.weights, face::Detail::kCage), scene, 16.0F / 9);
+    picker.Look(cast, composer.Compose(scene.weights, face::Detail::kCage), scene, 16.0F / 9);
   };
   for (const bool smooth : {false, true})
     for (const char* name : {"B2.l", "K3.r", "MC.l", "NT", "MO.r", "CH"}) {
@@ -68,10 +68,10 @@ TEST(Needle, GoesWithThePointerWhereverItSticks) {
       session.spread = {.mirror = true, .smooth = smooth};
       const std::size_t point = PointNamed(cast, name);
       look();
-      const glm::vec2 before = sight.place(point);
-      session.Pull(point, sight.PullAlong(point, {0, -0.01F}) / session.Yield(point));
+      const glm::vec2 before = picker.position(point);
+      session.Pull(point, picker.PullAlong(point, {0, -0.01F}) / session.Yield(point));
       look();
-      EXPECT_NEAR(sight.place(point).y - before.y, -0.01F, 0.002F) << name << (smooth ? ", smooth" : "");
+      EXPECT_NEAR(picker.position(point).y - before.y, -0.01F, 0.002F) << name << (smooth ? ", smooth" : "");
     }
 }
 

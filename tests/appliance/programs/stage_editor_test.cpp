@@ -1,4 +1,4 @@
-// The stage with its needles: what is pulled is in the picture, and what is shut costs nothing.
+// The stage with its handles: what is pulled is in the picture, and what is shut costs nothing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,20 +17,20 @@ namespace key = editor::key;
 
 constexpr Duration kFrame = 16'666'667ns;
 
-class StageNeedles : public PackTest {
+class StageWithAnEditor : public PackTest {
  protected:
-  StageNeedles()
+  StageWithAnEditor()
       : board_(board::Board::Create((folder_ / "board").string()).value()),
         keys_(board_.AcquireWriter<board::Keys>().value()),
         surface_(board_.AcquireWriter<board::Surface>().value()) {
     clock_.Advance(100s);
     Touch();
     show::Show show = SmallShow();
-    auto needles = editor::ExpressionEditor::Open(folder_ / "own", show);
+    auto author = editor::ExpressionEditor::Open(folder_ / "own", show);
     studio_ = std::move(stage::Studio::Open(std::move(show)).value());
     stage_ =
         std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_, clock_);
-    stage_->Bring(std::move(needles));
+    stage_->SetEditor(std::move(author));
     stage_->SetScreen(std::make_unique<HeldScreen>(screen_));
   }
 
@@ -63,18 +63,18 @@ class StageNeedles : public PackTest {
   std::unique_ptr<stage::Stage> stage_;
 };
 
-TEST_F(StageNeedles, PullWhatThePictureShows) {
+TEST_F(StageWithAnEditor, PullWhatThePictureShows) {
   Frames(3);
   Strike(key::kTab);
   Frames(30);
-  ASSERT_TRUE(stage_->needles()->open());
-  ASSERT_GE(stage_->needles()->chosen(), 0) << "the one nearest to the middle";
-  const auto chosen = static_cast<std::size_t>(stage_->needles()->chosen());
+  ASSERT_TRUE(stage_->expression_editor()->open());
+  ASSERT_GE(stage_->expression_editor()->chosen(), 0) << "the one nearest to the middle";
+  const auto chosen = static_cast<std::size_t>(stage_->expression_editor()->chosen());
   const face::EyeBall eye = studio_->shape().eyes[0];
   const std::vector<glm::vec3> before(studio_->shape().cage.begin(), studio_->shape().cage.end());
   hands_.counts[3] += 128;
   Frame();
-  EXPECT_NEAR(stage_->needles()->session().work().pulls_m[chosen].z, 0.005F, 1e-5F);
+  EXPECT_NEAR(stage_->expression_editor()->session().work().pulls_m[chosen].z, 0.005F, 1e-5F);
   float most_m = 0;
   for (std::size_t v = 0; v < before.size(); ++v)
     most_m = std::max(most_m, glm::distance(before[v], studio_->shape().cage[v]));
@@ -82,13 +82,13 @@ TEST_F(StageNeedles, PullWhatThePictureShows) {
   EXPECT_EQ(studio_->shape().eyes[0].centre, eye.centre);
 }
 
-TEST_F(StageNeedles, TakeNothingFromTheHeapWhileTheyAreShut) {
+TEST_F(StageWithAnEditor, TakeNothingFromTheHeapWhileTheyAreShut) {
   Strike(key::kTab);
   Frames(30);
   hands_.counts[3] += 128;
   Frames(10);
   Strike(key::kTab);
-  Frames(200);  // Shaders are readied, the needles are gone.
+  Frames(200);  // Shaders are readied, the handles are gone.
   const std::size_t before = AllocationCount();
   for (int i = 0; i < 100; ++i) {
     hands_.counts[1] += i % 5 - 2;

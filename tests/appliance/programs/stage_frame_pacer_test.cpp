@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in milliseconds.
 
-// A screen with its blanks, and a program that draws when the latch says.
+// A screen with its blanks, and a program that draws when the pacer says.
 class Play {
  public:
   explicit Play(Duration period = 16'666'667ns) : period_(period) {}
@@ -28,14 +28,14 @@ class Play {
   Tally Frames(int frames, const std::function<Duration()>& cost) {
     Tally tally;
     for (; tally.frames < frames; ++tally.frames) {
-      const FramePacer::Plan plan = latch.Next(now_);
+      const FramePacer::Plan plan = pacer.Next(now_);
       const Time done = std::max(now_, plan.begin) + cost();
-      latch.Drawn(plan, done);
+      pacer.Drawn(plan, done);
       const Time flip = start_ + ((done - start_) / period_ + 1) * period_;
-      if (flip > plan.light + period_ / 2) ++tally.late;
+      if (flip > plan.presented_at + period_ / 2) ++tally.late;
       tally.from_hand += flip - plan.begin;
       now_ = flip + 100us;  // The loop hears of it a little later.
-      latch.Flipped({flip, ++frame_, period_});
+      pacer.Flipped({flip, ++frame_, period_});
     }
     return tally;
   }
@@ -49,7 +49,7 @@ class Play {
     start_ = now_;
   }
 
-  FramePacer latch;
+  FramePacer pacer;
 
  private:
   Duration period_;
@@ -75,7 +75,7 @@ TEST(LateSampling, ReadsTheHandsJustBeforeTheDrawingThatCatchesTheNextFlip) {
 
 TEST(LateSampling, AHandIsSeenSoonerThanByReadingRightAfterTheFlip) {
   Play naive;
-  naive.latch.Set(false);
+  naive.pacer.Set(false);
   Play late;
   const auto cost = [] { return Varied(2ms, 300us); };
   naive.Frames(2000, cost());
@@ -100,10 +100,10 @@ TEST(LateSampling, MissesNoMoreThanOneFlipInTwoHundredThoughDrawingVaries) {
 TEST(LateSampling, ARareLongFrameCostsItsOwnFlipAndNoMore) {
   Play play;
   play.Frames(300, 3ms);
-  const auto before = play.latch.missed();
+  const auto before = play.pacer.missed();
   play.Frames(1, 25ms);
   EXPECT_EQ(play.Frames(300, 3ms).late, 0);
-  EXPECT_EQ(play.latch.missed(), before + 1);
+  EXPECT_EQ(play.pacer.missed(), before + 1);
 }
 
 TEST(LateSampling, FollowsAStepOfTheLoadWithinThirtyFrames) {
@@ -141,9 +141,9 @@ TEST(LateSampling, DrawingThatNeedsMoreThanAPeriodAimsAtTheBlankItCanReach) {
 TEST(LateSampling, AimsAtTheSameBlankHoweverOftenItIsAsked) {
   Play play;
   play.Frames(300, 3ms);
-  const auto plan = play.latch.Next(Time{2000s});
-  EXPECT_EQ(play.latch.Next(Time{2000s}).light, plan.light);
-  EXPECT_EQ(play.latch.Next(plan.begin).light, plan.light);
+  const auto plan = play.pacer.Next(Time{2000s});
+  EXPECT_EQ(play.pacer.Next(Time{2000s}).presented_at, plan.presented_at);
+  EXPECT_EQ(play.pacer.Next(plan.begin).presented_at, plan.presented_at);
 }
 
 TEST(LateSampling, AnotherRateOfTheScreenIsFollowedAtOnce) {
@@ -153,32 +153,32 @@ TEST(LateSampling, AnotherRateOfTheScreenIsFollowedAtOnce) {
     play.SetPeriod(period);
     play.Frames(3, 3ms);
     EXPECT_LE(play.Frames(100, 3ms).late, 1) << Seconds(period) * 1e3 << " ms";
-    EXPECT_LE(play.latch.margin(), period / 2);
+    EXPECT_LE(play.pacer.margin(), period / 2);
   }
 }
 
 TEST(LateSampling, CountsAFlipThatCameABlankTooLate) {
-  FramePacer latch;
-  latch.Flipped({Time{1s}, 1, 10ms});
-  latch.Drawn({Time{1s}, Time{1010ms}}, Time{1005ms});
-  latch.Flipped({Time{1010ms}, 2, 10ms});
-  EXPECT_EQ(latch.missed(), 0U);
-  latch.Drawn({Time{1010ms}, Time{1020ms}}, Time{1015ms});
-  latch.Flipped({Time{1030ms}, 3, 10ms});
-  EXPECT_EQ(latch.missed(), 1U);
+  FramePacer pacer;
+  pacer.Flipped({Time{1s}, 1, 10ms});
+  pacer.Drawn({Time{1s}, Time{1010ms}}, Time{1005ms});
+  pacer.Flipped({Time{1010ms}, 2, 10ms});
+  EXPECT_EQ(pacer.missed(), 0U);
+  pacer.Drawn({Time{1010ms}, Time{1020ms}}, Time{1015ms});
+  pacer.Flipped({Time{1030ms}, 3, 10ms});
+  EXPECT_EQ(pacer.missed(), 1U);
 }
 
 TEST(LateSampling, WithoutAFlipSoFarItDrawsAtOnce) {
-  const FramePacer latch;
-  EXPECT_EQ(latch.Next(Time{5s}).begin, Time{5s});
+  const FramePacer pacer;
+  EXPECT_EQ(pacer.Next(Time{5s}).begin, Time{5s});
 }
 
 TEST(LateSampling, AScreenThatTellsNoPeriodIsDrawnAtOnce) {
-  FramePacer latch;
-  latch.Flipped({Time{1s}, 1, Duration{}});
-  latch.Drawn({Time{1s}, Time{1s}}, Time{1s});
-  latch.Flipped({Time{2s}, 2, Duration{}});
-  EXPECT_EQ(latch.Next(Time{5s}).begin, Time{5s});
+  FramePacer pacer;
+  pacer.Flipped({Time{1s}, 1, Duration{}});
+  pacer.Drawn({Time{1s}, Time{1s}}, Time{1s});
+  pacer.Flipped({Time{2s}, 2, Duration{}});
+  EXPECT_EQ(pacer.Next(Time{5s}).begin, Time{5s});
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ class LastFaceTest : public performance::PerformanceTest {
   void Play(Duration time) {
     for (const Time end = now_ + time; now_ < end;) {
       Step();
-      keeper_->See(state_, performed_.scene, now_);
+      keeper_->Observe(state_, performed_.scene, now_);
       keeper_->Finish();
     }
   }
@@ -60,13 +60,13 @@ class LastFaceTest : public performance::PerformanceTest {
     return {std::istreambuf_iterator<char>(file), {}};
   }
   void Write(const std::string& bytes) const { std::ofstream(place_.file, std::ios::binary) << bytes; }
-  std::string Refusal(const LastFacePlace& place) {
+  std::string Refusal(const LastFaceFile& place) {
     const auto state = RecallLastFace(place, show_, board_, now_);
     return state ? "" : state.error().message();
   }
 
   fs::path folder_;
-  LastFacePlace place_;
+  LastFaceFile place_;
   std::optional<LastFace> keeper_;
   int looks_ = 0;
 };
@@ -76,7 +76,7 @@ TEST_F(LastFaceTest, ComesBackWithFaceExpressionSceneAndDials) {
   Push(8);
   board_.surface.value.counts[2] += board_.surface.value.counts_per_turn / 4;
   Play(2s);
-  keeper_->End();
+  keeper_->KeepNow();
   board_ = {};  // The night: another board, another clock.
   const auto state = RecallLastFace(place_, show_, board_, Time{} + 3s);
   ASSERT_TRUE(state) << state.error().message();
@@ -91,7 +91,7 @@ TEST_F(LastFaceTest, ComesBackWithFaceExpressionSceneAndDials) {
 TEST_F(LastFaceTest, TheFirstFrameOfTheNextNightIsTheLastOfThisOne) {
   Push(3);
   Play(2s);
-  keeper_->End();
+  keeper_->KeepNow();
   const scene::Scene evening = performed_.scene;
   board_ = {};
   now_ = Time{} + 2s;
@@ -107,13 +107,13 @@ TEST_F(LastFaceTest, NoPushOfTheNightBeforeIsPushedAgain) {
   Push(3);
   Strike(performance::kKey1);
   Play(3s);
-  keeper_->End();
+  keeper_->KeepNow();
   board_ = {};
   board_.surface.source = board_.keys.source = board::SourceState::kLive;
   state_ = RecallLastFace(place_, show_, board_, now_).value();
   Step();
   EXPECT_EQ(state_.faces.to, 3);
-  EXPECT_EQ(state_.voices[0].take, -1);
+  EXPECT_EQ(state_.voices[0].motion, -1);
 }
 
 TEST_F(LastFaceTest, IsWrittenWhenHandsChangedItAndNotTwiceInHalfAMinute) {
@@ -152,7 +152,7 @@ TEST_F(LastFaceTest, NoPictureIsTakenInAFadeABlinkAMotionOrABlackout) {
   board_.lines = {.value = {.active = 2}, .at = {}, .source = board::SourceState::kLive};
   Play(3s);
   EXPECT_EQ(looks_, 1) << "a blackout";
-  keeper_->End();
+  keeper_->KeepNow();
   EXPECT_EQ(looks_, 1) << "nor at its end";
   board_.lines.value.active = 0;
   Play(1s);
@@ -164,14 +164,14 @@ TEST_F(LastFaceTest, AnOrderlyEndKeepsWhatIsNew) {
   Push(4);
   Play(2s);
   ASSERT_EQ(looks_, 1);
-  keeper_->End();
+  keeper_->KeepNow();
   EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 4);
 }
 
 TEST_F(LastFaceTest, ATornFileAndOneOfAnotherShowAreRefusedInOneLine) {
   EXPECT_EQ(RecallLastFace(place_, show_, board_, now_).error().cause, std::errc::no_such_file_or_directory);
   Play(1s);
-  keeper_->End();
+  keeper_->KeepNow();
   const std::string whole = File();
   ASSERT_EQ(Refusal(place_), "");
   EXPECT_THAT(Refusal({.file = place_.file, .show = 78}), HasSubstr("it is of another show"));
@@ -187,7 +187,7 @@ TEST_F(LastFaceTest, ATornFileAndOneOfAnotherShowAreRefusedInOneLine) {
 
 TEST_F(LastFaceTest, AStateThatTheShowCannotPlayIsRefused) {
   Play(1s);
-  keeper_->End();
+  keeper_->KeepNow();
   show_.cast.faces.resize(0);
   EXPECT_THAT(Refusal(place_), HasSubstr("another version"));
 }
@@ -197,38 +197,38 @@ TEST_F(LastFaceTest, ADiskThatTakesNothingIsSaidOnceAndTriedAgain) {
   Begin();
   ::testing::internal::CaptureStderr();
   Play(95s);
-  keeper_->End();
+  keeper_->KeepNow();
   const std::string said = ::testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr("the last face is not kept"));
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
   EXPECT_GE(looks_, 3);
   fs::create_directories(folder_ / "away");
   Play(31s);
-  keeper_->End();
+  keeper_->KeepNow();
   EXPECT_EQ(Refusal(place_), "");
 }
 
 TEST_F(LastFaceTest, AFullDiskLeavesTheFaceThatWasKeptBefore) {
   Play(1s);
-  keeper_->End();
+  keeper_->KeepNow();
   Push(3);
   ::testing::internal::CaptureStderr();
   {
     const kaori::testing::SmallDisk full(1000);
     Play(32s);
-    keeper_->End();
+    keeper_->KeepNow();
   }
   EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("the last face is not kept"));
   EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 0);
   Play(31s);
-  keeper_->End();
+  keeper_->KeepNow();
   EXPECT_EQ(RecallLastFace(place_, show_, board_, now_)->faces.to, 3);
 }
 
 TEST_F(LastFaceTest, IsPutOntoABoardThatIsNewAndOnNoOther) {
   Push(3);
   Play(2s);
-  keeper_->End();
+  keeper_->KeepNow();
   const board::BoardFile file;
   const board::Board board = file.Open();
   auto writer = board.AcquireWriter<board::Performance>().value();

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "appliance/core/board/press_log.h"
-#include "appliance/programs/stage/in_service.h"
+#include "appliance/programs/stage/service_display.h"
 #include "appliance/programs/stage/stage.h"
 #include "tests/appliance/core/pack_fixture.h"
 #include "tests/appliance/programs/stage_screen.h"
@@ -32,7 +32,7 @@ board::Snapshot WithDesk(const board::Desk& desk) {
 
 std::vector<std::string> LinesOf(const board::Snapshot& snapshot, Duration later = {}) {
   scene::Scene scene;
-  stage::SayService(snapshot, kNow + later, scene);
+  stage::ShowService(snapshot, kNow + later, scene);
   return scene.caption.shown > 0 ? scene.caption.lines : std::vector<std::string>();
 }
 
@@ -86,7 +86,7 @@ TEST(StageService, SaysNoCodeInTheMiddleOfACalibration) {
 TEST(StageService, KeepsTheLinesOfTheNeedlesBesideItsOwn) {
   scene::Scene scene;
   scene.caption = {1, {"mirror on"}};
-  stage::SayService(WithDesk({.code = 1, .valid_s = 9, .address = 1, .port = 80}), kNow, scene);
+  stage::ShowService(WithDesk({.code = 1, .valid_s = 9, .address = 1, .port = 80}), kNow, scene);
   EXPECT_THAT(scene.caption.lines, ElementsAre("http://0.0.0.1:80", "code 000 001", "mirror on"));
 }
 

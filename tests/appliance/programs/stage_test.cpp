@@ -137,7 +137,7 @@ TEST_F(StageTest, IsNotCarriedAwayByAScreenWhoseClockIsWrong) {
 
 TEST_F(StageTest, ReadsTheHandsJustBeforeTheFlipWhenItIsToldTo) {
   const auto stage = Open();
-  stage->DrawLate();
+  stage->SampleLate();
   stage->SetScreen(std::make_unique<HeldScreen>(screen_));
   stage->Step();
   ASSERT_EQ(screen_.presented, 1U) << "the first picture waits for nothing";
@@ -262,7 +262,7 @@ TEST_F(StageTest, TellsWhichMotionPlaysAndWhenItBegan) {
   for (int i = 0; i < 10; ++i) {
     Frame(*stage);
     const auto now = board_.Read<board::MotionNow>();
-    ASSERT_EQ(now.value.take, 0);
+    ASSERT_EQ(now.value.motion, 0);
     EXPECT_EQ(now.value.starts, 1U);
     const Time begins = now.at - FromSeconds(now.value.at_s);
     if (began) {
@@ -270,8 +270,8 @@ TEST_F(StageTest, TellsWhichMotionPlaysAndWhenItBegan) {
     }
     began = begins;
   }
-  for (int i = 0; i < 1000 && board_.Read<board::MotionNow>().value.take >= 0; ++i) Frame(*stage);
-  EXPECT_EQ(board_.Read<board::MotionNow>().value.take, -1);
+  for (int i = 0; i < 1000 && board_.Read<board::MotionNow>().value.motion >= 0; ++i) Frame(*stage);
+  EXPECT_EQ(board_.Read<board::MotionNow>().value.motion, -1);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ void MotionSound::Follow(const board::Stamped<board::MotionNow>& now) {
     return;
   }
   const bool fresh = known_ && now.value.starts != starts_;
-  if (now.value.take != take_ || fresh) CutOff(now.value.take < 0 && now_.clip != nullptr ? kTakeSoundFade : kCutOff);
-  take_ = now.value.take;
+  if (now.value.motion != take_ || fresh) CutOff(now.value.motion < 0 && now_.clip != nullptr ? kTakeSoundFade : kCutOff);
+  take_ = now.value.motion;
   starts_ = now.value.starts;
   began_ = now.at - FromSeconds(static_cast<double>(now.value.at_s));
   if (fresh)

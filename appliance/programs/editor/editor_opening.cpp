@@ -1,4 +1,4 @@
-// What an earlier session left, taken up again.
+// How the editor opens: with what an earlier session left.
 #include "appliance/programs/editor/expression_editor.h"
 
 #include <cstdlib>
@@ -22,10 +22,10 @@ face::Expression ExpressionOf(const Work& work) {
   return {.name = work.name, .displacement = work.pulls_m, .lids = work.lids};
 }
 
-// A blank where a place is empty.
-void Append(const Places& places, const Work& work, face::Cast& cast) {
+// A blank where a slot is empty.
+void Append(const Slots& slots, const Work& work, face::Cast& cast) {
   const Work blank{.pulls_m = std::vector<glm::vec3>(cast.net.points.size())};
-  for (const auto& own : places) cast.expressions.push_back(ExpressionOf(own ? *own : blank));
+  for (const auto& own : slots) cast.expressions.push_back(ExpressionOf(own ? *own : blank));
   cast.expressions.push_back(ExpressionOf(work));
 }
 
@@ -45,7 +45,7 @@ Result<void> MakeFolder(const std::filesystem::path& folder) {
   return {};
 }
 
-std::optional<Journal> TakeUpJournal(const std::filesystem::path& folder, Session& session,
+std::optional<Journal> ReadJournal(const std::filesystem::path& folder, Session& session,
                                      std::string& trouble) {
   auto opened = MakeFolder(folder).and_then(
       [&] { return Journal::Open(folder / kJournalName, Fingerprint(session.points())); });
@@ -65,31 +65,31 @@ std::optional<Journal> TakeUpJournal(const std::filesystem::path& folder, Sessio
 struct ExpressionEditor::Kept {
   std::filesystem::path folder;
   Session session;
-  Places places{};
+  Slots slots{};
   std::optional<Journal> journal{};
   std::string trouble{};
 };
 
 std::unique_ptr<ExpressionEditor> ExpressionEditor::Open(const std::filesystem::path& folder, show::Show& show) {
   Kept kept{folder, Session(PointsOf(show.cast.net))};
-  kept.journal = TakeUpJournal(folder, kept.session, kept.trouble);
+  kept.journal = ReadJournal(folder, kept.session, kept.trouble);
   if (!folder.empty()) {
     Stored stored = ReadStore(folder, kept.session.points(), show.cast);
     for (const std::string& complaint : stored.complaints) LogWarning("{}", complaint);
-    kept.places = std::move(stored.places);
+    kept.slots = std::move(stored.slots);
   }
   const std::vector<std::string> names = NamesOf(show.cast);
-  Append(kept.places, kept.session.work(), show.cast);
+  Append(kept.slots, kept.session.work(), show.cast);
   return std::unique_ptr<ExpressionEditor>(new ExpressionEditor(std::move(kept), show.cast, names));
 }
 
 ExpressionEditor::ExpressionEditor(Kept kept, const face::Cast& cast, std::vector<std::string> show_names)
     : first_(show_names.size()),
       session_(std::move(kept.session)),
-      shelf_(std::move(kept.places), std::move(show_names)),
-      sight_(cast),
+      own_(std::move(kept.slots), std::move(show_names)),
+      picker_(cast),
       trouble_(std::move(kept.trouble)),
-      scribe_(std::move(kept.journal), std::move(kept.folder), session_.points()) {}
+      writer_(std::move(kept.journal), std::move(kept.folder), session_.points()) {}
 
 ExpressionEditor::~ExpressionEditor() = default;
 

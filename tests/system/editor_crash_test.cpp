@@ -1,4 +1,4 @@
-// An author at work with the needles when the stage dies: nothing older than a second is lost.
+// An author at work with the handles when the stage dies: nothing older than a second is lost.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -25,9 +25,9 @@ constexpr int kOutwards = 3;                     // The dial.
 constexpr float kPullPerCount_m = 0.010F / 256;  // As docs/playing.md says.
 constexpr Duration kNothingOlder = std::chrono::seconds(1);
 
-class NeedlesInAHouse : public ::testing::Test {
+class AnAuthorAtTheBox : public ::testing::Test {
  protected:
-  NeedlesInAHouse() : board_(board::Board::Create(house_.board()).value()) {
+  AnAuthorAtTheBox() : board_(board::Board::Create(house_.board()).value()) {
     rig_ = sim::Rig::Open({.folder = house_.links(),
                            .screen_width_px = 160,
                            .screen_height_px = 90,
@@ -71,7 +71,7 @@ class NeedlesInAHouse : public ::testing::Test {
     return state ? state->seen : performance::SeenInput{};
   }
 
-  // How far the journal has the pulled needle, in counts of the dial.
+  // How far the journal has the pulled handle, in counts of the dial.
   float PulledInJournal() const {
     const show::Show show = show::LoadPack(Pack()).value();
     editor::Session session(editor::PointsOf(show.cast.net));
@@ -91,7 +91,7 @@ class NeedlesInAHouse : public ::testing::Test {
   std::unique_ptr<sim::Rig> rig_;
 };
 
-TEST_F(NeedlesInAHouse, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
+TEST_F(AnAuthorAtTheBox, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
   house_.Start("kaori-input", {"--links", house_.links(), "--board", house_.board()});
   StartStage();
   const auto frames = [&] { return board_.Read<board::StageStatus>().value.frames; };

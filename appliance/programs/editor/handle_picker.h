@@ -1,5 +1,4 @@
-// Where the needles stand in the picture that was seen last: to choose one, and to pull it where a hand
-// points.
+// Where the handles stand in the picture that was shown last: to choose one, and to pull it where a pointer goes.
 #pragma once
 
 #include <optional>
@@ -14,40 +13,40 @@
 
 namespace kaori::editor {
 
-class Sight {
+class HandlePicker {
  public:
-  explicit Sight(const face::Cast& cast);
+  explicit HandlePicker(const face::Cast& cast);
 
   // The face as it was drawn. `aspect` is the picture's width over its height.
   void Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene, float aspect);
 
-  // The visible needle that is nearest to a place of the picture (0..1 from the left top), if one is near
+  // The visible handle that is nearest to a position of the picture (0..1 from the left top), if one is near
   // enough to be meant.
-  std::optional<std::size_t> Nearest(glm::vec2 place) const;
+  std::optional<std::size_t> Nearest(glm::vec2 position) const;
 
-  // The next visible needle from this one in a direction of the picture, right and up; none when there is
+  // The next visible handle from this one in a direction of the picture, right and up; none when there is
   // none.
   std::optional<std::size_t> Next(std::size_t from, glm::vec2 direction) const;
 
-  // The pull that takes the needle through the picture by `step` (parts of its width and height, right and
+  // The pull that takes the handle through the picture by `step` (parts of its width and height, right and
   // down), in the plane of the picture.
-  glm::vec3 PullAlong(std::size_t needle, glm::vec2 step) const;
+  glm::vec3 PullAlong(std::size_t handle, glm::vec2 step) const;
 
-  bool seen(std::size_t needle) const { return pins_[needle].seen; }
-  glm::vec2 place(std::size_t needle) const;  // In the picture, 0..1 from the left top.
+  bool seen(std::size_t handle) const { return handles_[handle].seen; }
+  glm::vec2 position(std::size_t handle) const;  // In the picture, 0..1 from the left top.
 
  private:
-  struct Pin {
+  struct Handle {
     glm::vec3 root_m{};
     glm::vec2 at{};    // Its root, from the picture's middle in halves of its height; right and up.
     glm::vec2 head{};  // The same of its head.
     bool seen = false;
   };
-  glm::mat3 CarrierOf(std::size_t needle) const;
+  glm::mat3 CarrierOf(std::size_t handle) const;
 
   std::vector<std::vector<face::Frame>> frames_;  // Of each face.
   std::vector<float> gains_;
-  std::vector<Pin> pins_;
+  std::vector<Handle> handles_;
   face::Terms faces_;  // Of the face that was seen.
   std::optional<scene::View> view_;
   float aspect_ = 1;

@@ -1,5 +1,4 @@
-// Where the stage's screen is plugged in: looks for one, watches it while it is there, and wakes the stage
-// for each frame.
+// The stage before its screen: looks for one, watches it while it is there, and wakes the stage for each frame.
 #pragma once
 
 #include <functional>
@@ -13,17 +12,17 @@
 namespace kaori::stage {
 
 // One thread, that of the loop; the stage and the loop must outlive it.
-class Seat {
+class ScreenSession {
  public:
-  // Opens the screen that is there now; fails while there is none.
+  // Opens the screen that is there now; fails while there is none, which is expected and not logged.
   using Open = std::function<Result<std::unique_ptr<ports::Scanout>>()>;
 
-  Seat(Stage& stage, EventLoop& loop, Alarm alarm, Open open)
+  ScreenSession(Stage& stage, EventLoop& loop, Alarm alarm, Open open)
       : stage_(stage), loop_(loop), alarm_(std::move(alarm)), open_(std::move(open)) {}
 
-  // From now on the loop plays the stage, with a screen and without. Draws the first picture where a screen
-  // is there. Errors: those of the loop.
-  Result<void> Take();
+  // From now on the loop plays the stage, with a screen and without. Draws the first picture where a screen is there.
+  // Errors: those of EventLoop::Watch and EventLoop::Every.
+  Result<void> Begin();
 
  private:
   void Look();

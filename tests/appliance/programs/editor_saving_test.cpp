@@ -1,10 +1,10 @@
-// What the needles keep: the journal and the folder of own expressions, and disks that are full or torn.
-#include "tests/appliance/programs/editor_keeping_fixture.h"
+// What the handles keep: the journal and the folder of own expressions, and disks that are full or torn.
+#include "tests/appliance/programs/editor_saving_fixture.h"
 
 namespace kaori::testing {
 namespace {
 
-TEST_F(NeedleKeeping, AJournalGivesBackWhatWasWrittenIntoIt) {
+TEST_F(HandleKeeping, AJournalGivesBackWhatWasWrittenIntoIt) {
   Append({{Change::kBegun, Some("", -1)}, {Change::kPushed, Some("a", 3, 2)}});
   Append({{Change::kUndone, {}}});
   const auto opened = Open();
@@ -14,7 +14,7 @@ TEST_F(NeedleKeeping, AJournalGivesBackWhatWasWrittenIntoIt) {
   EXPECT_EQ(opened.torn_bytes, 0U);
 }
 
-TEST_F(NeedleKeeping, ATornJournalKeepsEveryWholeRecord) {
+TEST_F(HandleKeeping, ATornJournalKeepsEveryWholeRecord) {
   Append({{Change::kBegun, Some("", -1)},
           {Change::kPushed, Some("a", 1, 2)},
           {Change::kPushed, Some("a", 1, 3)}});
@@ -37,7 +37,7 @@ TEST_F(NeedleKeeping, ATornJournalKeepsEveryWholeRecord) {
   }
 }
 
-TEST_F(NeedleKeeping, AJournalWithAFlippedBitEndsBeforeIt) {
+TEST_F(HandleKeeping, AJournalWithAFlippedBitEndsBeforeIt) {
   Append({{Change::kBegun, Some("", -1)}, {Change::kPushed, Some("a", 1, 2)}});
   std::fstream file(journal(), std::ios::in | std::ios::out | std::ios::binary);
   file.seekp(-40, std::ios::end);
@@ -46,7 +46,7 @@ TEST_F(NeedleKeeping, AJournalWithAFlippedBitEndsBeforeIt) {
   EXPECT_EQ(Open().records.size(), 1U);
 }
 
-TEST_F(NeedleKeeping, NoDamageToAJournalOrAFileIsMoreThanALoss) {
+TEST_F(HandleKeeping, NoDamageToAJournalOrAFileIsMoreThanALoss) {
   std::vector<std::uint8_t> journal;
   for (unsigned i = 0; i < 4; ++i) editor::Encode({Change::kPushed, Some("a", 1, i)}, journal);
   const std::string text = editor::WriteOwn(Some("a", 1), points_);
@@ -67,7 +67,7 @@ TEST_F(NeedleKeeping, NoDamageToAJournalOrAFileIsMoreThanALoss) {
   }
 }
 
-TEST_F(NeedleKeeping, AJournalOfAnotherCastIsKeptAsideUntilThatCastPlaysAgain) {
+TEST_F(HandleKeeping, AJournalOfAnotherCastIsKeptAsideUntilThatCastPlaysAgain) {
   Append({{Change::kBegun, Some("", -1, 3)}});
   for (int turn = 0; turn < 2; ++turn) {
     auto other = Open(kCast + 1);
@@ -83,14 +83,14 @@ TEST_F(NeedleKeeping, AJournalOfAnotherCastIsKeptAsideUntilThatCastPlaysAgain) {
   }
 }
 
-TEST_F(NeedleKeeping, AJournalIsHeldByOneProgram) {
+TEST_F(HandleKeeping, AJournalIsHeldByOneProgram) {
   const auto opened = Open();
   const auto second = Journal::Open(journal(), kCast);
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().cause, std::errc::device_or_resource_busy);
 }
 
-TEST_F(NeedleKeeping, AFullDiskLeavesTheJournalAsItWasAndTakesItLater) {
+TEST_F(HandleKeeping, AFullDiskLeavesTheJournalAsItWasAndTakesItLater) {
   Append({{Change::kBegun, Some("", -1)}});
   const auto size = std::filesystem::file_size(journal());
   auto opened = Open();
@@ -106,22 +106,22 @@ TEST_F(NeedleKeeping, AFullDiskLeavesTheJournalAsItWasAndTakesItLater) {
   EXPECT_EQ(Open().records.size(), 2U);
 }
 
-TEST_F(NeedleKeeping, AnOwnExpressionIsReadAsItWasWritten) {
+TEST_F(HandleKeeping, AnOwnExpressionIsReadAsItWasWritten) {
   const Work written = Some("my_smile", 2);
   ASSERT_TRUE(editor::WriteToStore(own(), written, points_));
   EXPECT_THAT(FilesOf(own()), ElementsAre("03-my_smile.toml"));
-  const auto read = Read().places[2];
+  const auto read = Read().slots[2];
   ASSERT_TRUE(read);
   EXPECT_EQ(read->name, "my_smile");
-  EXPECT_EQ(read->place, 2);
+  EXPECT_EQ(read->slot, 2);
   EXPECT_EQ(read->lids, written.lids);
   for (std::size_t i = 0; i < points_.size(); ++i)
     for (int part = 0; part < 3; ++part)
       EXPECT_NEAR(read->pulls_m[i][part], written.pulls_m[i][part], 0.6e-6F) << points_.names[i];
 }
 
-TEST_F(NeedleKeeping, AnOwnExpressionSaysOnceWhatIsAlikeOnBothSides) {
-  Work work{.pulls_m = std::vector<glm::vec3>(points_.size()), .name = "plain", .place = 0};
+TEST_F(HandleKeeping, AnOwnExpressionSaysOnceWhatIsAlikeOnBothSides) {
+  Work work{.pulls_m = std::vector<glm::vec3>(points_.size()), .name = "plain", .slot = 0};
   work.pulls_m[PointNamed(cast_, "MC.l")] = {0.005F, 0.001F, 0};
   work.pulls_m[PointNamed(cast_, "MC.r")] = {-0.005F, 0.001F, 0};
   work.pulls_m[PointNamed(cast_, "K.r")] = {-0.002F, 0, 0};
@@ -133,7 +133,7 @@ TEST_F(NeedleKeeping, AnOwnExpressionSaysOnceWhatIsAlikeOnBothSides) {
   EXPECT_THAT(text, ::testing::Not(HasSubstr("CH")));
 }
 
-TEST_F(NeedleKeeping, SavingUnderAnotherNameLeavesOneFileForAPlace) {
+TEST_F(HandleKeeping, SavingUnderAnotherNameLeavesOneFileForAPlace) {
   ASSERT_TRUE(editor::WriteToStore(own(), Some("one", 0), points_));
   ASSERT_TRUE(editor::WriteToStore(own(), Some("two", 1), points_));
   ASSERT_TRUE(editor::WriteToStore(own(), Some("other", 0), points_));
@@ -142,7 +142,7 @@ TEST_F(NeedleKeeping, SavingUnderAnotherNameLeavesOneFileForAPlace) {
   EXPECT_THAT(FilesOf(own()), ElementsAre("01-other.toml"));
 }
 
-TEST_F(NeedleKeeping, AFaultyFileIsNamedAndKeptAsideAndTheRestIsRead) {
+TEST_F(HandleKeeping, AFaultyFileIsNamedAndKeptAsideAndTheRestIsRead) {
   ASSERT_TRUE(editor::WriteToStore(own(), Some("good", 4), points_));
   Put("01-broken.toml", "[[expression]]\nname = \"broken\"\nboth = { MC = [1, 2 }\n");
   Put("02-foreign.toml", "[[expression]]\nname = \"foreign\"\n[expression.both]\nXX = [0.1, 0, 0]\n");
@@ -152,8 +152,8 @@ TEST_F(NeedleKeeping, AFaultyFileIsNamedAndKeptAsideAndTheRestIsRead) {
   Put("07-lids.toml", "[[expression]]\nname = \"lids\"\nlids = [0, nan]\n");
   Put("notes.txt", "not ours");
   const auto stored = Read();
-  EXPECT_TRUE(stored.places[4]);
-  EXPECT_EQ(std::ranges::count_if(stored.places, [](const auto& own) { return own.has_value(); }), 1);
+  EXPECT_TRUE(stored.slots[4]);
+  EXPECT_EQ(std::ranges::count_if(stored.slots, [](const auto& own) { return own.has_value(); }), 1);
   EXPECT_THAT(
       stored.complaints,
       ElementsAre(HasSubstr("01-broken.toml:3"), HasSubstr("02-foreign.toml:4: XX: is no control point"),
@@ -165,29 +165,29 @@ TEST_F(NeedleKeeping, AFaultyFileIsNamedAndKeptAsideAndTheRestIsRead) {
   EXPECT_THAT(Read().complaints, IsEmpty()) << "they are named once";
 }
 
-TEST_F(NeedleKeeping, AFileOfAnotherShowComesBackWithIts) {
+TEST_F(HandleKeeping, AFileOfAnotherShowComesBackWithIts) {
   ASSERT_TRUE(editor::WriteToStore(own(), Some("mine", 2), points_));
   editor::Points others = points_;
   for (std::string& name : others.names) name = "X" + name;
-  EXPECT_FALSE(editor::ReadStore(own(), others, cast_).places[2]);
+  EXPECT_FALSE(editor::ReadStore(own(), others, cast_).slots[2]);
   Work theirs = Some("mine", 2, 5);
   ASSERT_TRUE(editor::WriteToStore(own(), theirs, others));
-  const auto mine = Read().places[2];
+  const auto mine = Read().slots[2];
   ASSERT_TRUE(mine) << "though the other show has one of the same name and place";
   EXPECT_NEAR(mine->pulls_m[0].x, Some("mine", 2).pulls_m[0].x, 0.6e-6F);
-  const auto again = editor::ReadStore(own(), others, cast_).places[2];
+  const auto again = editor::ReadStore(own(), others, cast_).slots[2];
   ASSERT_TRUE(again);
   EXPECT_NEAR(again->pulls_m[0].x, theirs.pulls_m[0].x, 0.6e-6F);
 }
 
-TEST_F(NeedleKeeping, AFaultyFileThatIsMendedComesBackToItsFreePlaceOnly) {
+TEST_F(HandleKeeping, AFaultyFileThatIsMendedComesBackToItsFreePlaceOnly) {
   Put("01-a.toml", "[[expression]]\nname = \"a\"\nlids = [0, 9]\n");
-  EXPECT_FALSE(Read().places[0]);
+  EXPECT_FALSE(Read().slots[0]);
   Put("01-a.toml.faulty", "[[expression]]\nname = \"a\"\nlids = [0, 0.5]\n");
-  EXPECT_TRUE(Read().places[0]);
+  EXPECT_TRUE(Read().slots[0]);
   EXPECT_THAT(FilesOf(own()), ElementsAre("01-a.toml"));
   Put("01-b.toml.faulty", "[[expression]]\nname = \"b\"\n");
-  EXPECT_EQ(Read().places[0]->name, "a");
+  EXPECT_EQ(Read().slots[0]->name, "a");
   EXPECT_THAT(FilesOf(own()), ElementsAre("01-a.toml", "01-b.toml.faulty"));
 }
 

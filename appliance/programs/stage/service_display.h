@@ -1,5 +1,5 @@
-// What the stage does for whoever works at the box: lamps and lines that lead through a calibration, and the
-// code that lets a page in. Nothing of it is seen in a show.
+// What the stage shows to whoever services the box: lamps and lines that lead through a calibration, and the code by
+// which a page is authorised. Nothing of it is seen in a show.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace kaori::stage {
 
-// A calibration is under way at the box; one whose program is silent for half a second is none.
+// True while a calibration is under way at the box; one whose program has been silent for half a second is over.
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now);
 
 // While it is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board itself:
@@ -22,8 +22,8 @@ void ConsumeGuideInput(performance::InputEvents& events);
 // asked for blinks, and faster while it is taken. When all are taken all four blink.
 std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now);
 
-// Adds the lines to the scene's caption: of the calibration where the screen may speak, else the desk's
-// address and code while they hold. A desk that is silent for three seconds is none.
-void SayService(const board::Snapshot& board, Time now, scene::Scene& scene);
+// Adds lines to the scene's caption: those of the calibration where the screen may show captions, else the desk's
+// address and code while they hold. A desk that has been silent for three seconds is gone.
+void ShowService(const board::Snapshot& board, Time now, scene::Scene& scene);
 
 }  // namespace kaori::stage

@@ -1,4 +1,4 @@
-// A folder, a cast and work of chance, for tests of what the needles keep.
+// A folder, a cast and work of chance, for tests of what the handles keep.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "appliance/programs/editor/scribe.h"
+#include "appliance/programs/editor/work_writer.h"
 #include "tests/appliance/core/board_file.h"
 #include "tests/appliance/core/small_disk.h"
 #include "tests/render/synthetic_cast.h"
@@ -17,7 +17,7 @@ namespace kaori::testing {
 
 using editor::Change;
 using editor::Journal;
-using editor::News;
+using editor::Outcome;
 using editor::Work;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -25,12 +25,12 @@ using ::testing::IsEmpty;
 
 inline constexpr std::uint64_t kCast = 77;  // Some fingerprint.
 
-class NeedleKeeping : public ::testing::Test {
+class HandleKeeping : public ::testing::Test {
  protected:
-  Work Some(const std::string& name, int place, unsigned seed = 1) const {
+  Work Some(const std::string& name, int slot, unsigned seed = 1) const {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> part(-0.02F, 0.02F);
-    Work work{.lids = {0.25F, 0.5F}, .name = name, .place = place};
+    Work work{.lids = {0.25F, 0.5F}, .name = name, .slot = slot};
     for (std::size_t i = 0; i < points_.size(); ++i)
       work.pulls_m.push_back({part(random), part(random), part(random)});
     return work;

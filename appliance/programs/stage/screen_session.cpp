@@ -1,4 +1,4 @@
-#include "appliance/programs/stage/seat.h"
+#include "appliance/programs/stage/screen_session.h"
 
 #include <utility>
 
@@ -14,7 +14,7 @@ constexpr Duration kLookPeriod = 250ms;   // How often a screen that is gone is 
 
 }  // namespace
 
-Result<void> Seat::Take() {
+Result<void> ScreenSession::Begin() {
   const auto unseen = [this] {
     if (!stage_.has_screen()) stage_.StepUnseen();
   };
@@ -28,14 +28,14 @@ Result<void> Seat::Take() {
   return loop_.Every(kLookPeriod, [this] { Look(); });
 }
 
-// A screen that is there is asked too: one that was pulled may have no more to tell.
-void Seat::Look() {
+// A screen that is there is asked too: one that was unplugged may send nothing more.
+void ScreenSession::Look() {
   if (stage_.has_screen()) return Step();
   auto screen = open_();
   if (screen) Watch(std::move(*screen));  // None is expected while nobody has plugged one in.
 }
 
-void Seat::Watch(std::unique_ptr<ports::Scanout> screen) {
+void ScreenSession::Watch(std::unique_ptr<ports::Scanout> screen) {
   Log("a screen is plugged in");
   watched_ = screen->pollable();
   stage_.SetScreen(std::move(screen));
@@ -43,7 +43,7 @@ void Seat::Watch(std::unique_ptr<ports::Scanout> screen) {
   Step();
 }
 
-void Seat::Step() {
+void ScreenSession::Step() {
   stage_.Step();
   if (!stage_.has_screen()) return loop_.Forget(watched_);
   if (const auto at = stage_.wakes_at()) alarm_.Set(*at);

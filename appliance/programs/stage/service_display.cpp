@@ -1,4 +1,4 @@
-#include "appliance/programs/stage/in_service.h"
+#include "appliance/programs/stage/service_display.h"
 
 #include <array>
 #include <string>
@@ -77,7 +77,7 @@ std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now) {
   return ((1U << guide.step) - 1) | (on ? 1U << guide.step : 0);
 }
 
-void SayService(const board::Snapshot& board, Time now, scene::Scene& scene) {
+void ShowService(const board::Snapshot& board, Time now, scene::Scene& scene) {
   if (IsGuiding(board.lips_guide, now) && board.lips_guide.value.captions != 0)
     return Say(GuideLines(board.lips_guide.value), scene.caption);
   if (HasCode(board.desk, now)) Say(DeskLines(board.desk.value), scene.caption);

@@ -1,4 +1,4 @@
-// Writes what the needles want kept, on a thread of its own: no frame waits for a disk.
+// Writes what the editor wants kept, on a thread of its own: no frame waits for a disk.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace kaori::editor {
 
 // What became of what was to be kept.
-struct News {
+struct Outcome {
   enum class Kind : std::uint8_t { kSaved, kRemoved, kFailing, kWorking } kind{};
   Work work{};         // kSaved, kRemoved: which.
   std::string text{};  // kFailing: the reason. kWorking: all is on the disk again.
@@ -25,44 +25,44 @@ struct News {
 
 // Called by one thread. Its own thread writes the journal at most every half second, and waits for the disk;
 // files are written at once. What cannot be written stays in memory and is tried again every half second.
-class Scribe {
+class WorkWriter {
  public:
   // Without a journal nothing is noted.
-  Scribe(std::optional<Journal> journal, std::filesystem::path folder, Points points);
+  WorkWriter(std::optional<Journal> journal, std::filesystem::path folder, Points points);
   // Writes what is left, as far as the disk takes it.
-  ~Scribe();
-  Scribe(const Scribe&) = delete;
-  Scribe& operator=(const Scribe&) = delete;
+  ~WorkWriter();
+  WorkWriter(const WorkWriter&) = delete;
+  WorkWriter& operator=(const WorkWriter&) = delete;
 
   void Note(Change change, const Work& work);
-  void Save(const Work& work);  // To its place.
+  void Save(const Work& work);  // To its slot.
   void Remove(const Work& work);
 
-  bool has_news() const { return has_news_.load(std::memory_order_acquire); }
-  std::vector<News> DrainNews();
+  bool has_outcomes() const { return has_outcomes_.load(std::memory_order_acquire); }
+  std::vector<Outcome> DrainOutcomes();
 
   // Waits until all that was asked for has been tried once. For tests, and for an orderly end.
   void Finish();
 
  private:
-  struct Errand {
+  struct FileRequest {
     Work work;
     bool remove = false;
   };
-  struct Duties {
+  struct Requests {
     std::vector<Record> records;
-    std::array<std::optional<Errand>, kPlaces> errands;
+    std::array<std::optional<FileRequest>, kSlots> files;
     bool any() const;
   };
 
   void Run();
-  void Attempt(Duties& duties);
+  void Attempt(Requests& requests);
   Result<void> WriteRecords(std::vector<Record>& records);
-  Result<void> DoErrands(Duties& duties);
-  void GiveBack(Duties& duties);
-  void Tell(News news);
-  void TellOutcome(const Result<void>& outcome);
-  void Demand(Errand errand);
+  Result<void> WriteFiles(Requests& requests);
+  void PutBack(Requests& requests);
+  void Tell(Outcome outcome);
+  void TellWhetherItWorks(const Result<void>& outcome);
+  void Request(FileRequest file);
 
   std::optional<Journal> journal_;
   std::filesystem::path folder_;
@@ -70,9 +70,9 @@ class Scribe {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  Duties asked_;
-  std::vector<News> news_;
-  std::atomic<bool> has_news_ = false;
+  Requests asked_;
+  std::vector<Outcome> outcomes_;
+  std::atomic<bool> has_outcomes_ = false;
   bool urgent_ = false;  // A file, or the end: not to wait for the half second.
   bool busy_ = false;
   bool ending_ = false;

@@ -1,0 +1,35 @@
+// The box's own expressions: ten slots, each with its key, in memory as they are on the disk or will be.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "appliance/programs/editor/store.h"
+#include "render/face/cast.h"
+
+namespace kaori::editor {
+
+class OwnExpressions {
+ public:
+  // `show_expressions` are the cast's before the box's own; their names are theirs.
+  OwnExpressions(Slots slots, std::vector<std::string> show_names)
+      : slots_(std::move(slots)), show_names_(std::move(show_names)) {}
+
+  const std::optional<Work>& at(int slot) const { return slots_[static_cast<std::size_t>(slot)]; }
+  void Put(const Work& work) { slots_[static_cast<std::size_t>(work.slot)] = work; }
+  void Empty(int slot) { slots_[static_cast<std::size_t>(slot)].reset(); }
+  int free_slot() const;  // The first one; -1: none.
+
+  // Why the work of `slot` (-1: none yet) may not have this name; empty: it may.
+  std::string ReasonAgainst(std::string_view name, int slot) const;
+
+  // "1 my_smile  3 wink"; empty: none.
+  std::string Contents() const;
+
+ private:
+  Slots slots_;
+  std::vector<std::string> show_names_;
+};
+
+}  // namespace kaori::editor
