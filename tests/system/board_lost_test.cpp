@@ -20,15 +20,15 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kHealed = seconds(2);
-constexpr std::uint8_t kKeyQ = 0x14, kKeyW = 0x1A;
+constexpr std::uint8_t kHeldKey = 0x14, kNextKey = 0x1A;
 
-struct Harm {
+struct Loss {
   const char* name;
   void (*harm)(const std::string& board);
-  friend void PrintTo(const Harm& h, std::ostream* out) { *out << h.name; }
+  friend void PrintTo(const Loss& h, std::ostream* out) { *out << h.name; }
 };
 
-const Harm kHarms[] = {
+const Loss kLosses[] = {
     {"Removed", [](const std::string& board) { std::filesystem::remove(board); }},
     {"HeadOverwritten",
      [](const std::string& board) {
@@ -38,7 +38,7 @@ const Harm kHarms[] = {
     {"CutToHalf", [](const std::string& board) { std::filesystem::resize_file(board, board::kBoardBytes / 2); }},
 };
 
-class ABoxWhoseBoardWas : public ::testing::TestWithParam<Harm> {
+class ABoxWhoseBoardWas : public ::testing::TestWithParam<Loss> {
  protected:
   ABoxWhoseBoardWas() {
     rig_ = sim::Rig::Open({.folder = house_.links(),
@@ -91,7 +91,7 @@ class ABoxWhoseBoardWas : public ::testing::TestWithParam<Harm> {
   House house_;
   std::unique_ptr<sim::Rig> rig_;
 };
-INSTANTIATE_TEST_SUITE_P(Lost, ABoxWhoseBoardWas, ::testing::ValuesIn(kHarms),
+INSTANTIATE_TEST_SUITE_P(Lost, ABoxWhoseBoardWas, ::testing::ValuesIn(kLosses),
                          [](const auto& of) { return of.param.name; });
 
 TEST_P(ABoxWhoseBoardWas, PlaysOnOneGoodBoardWithinTwoSecondsAndItsPictureStays) {
@@ -100,7 +100,7 @@ TEST_P(ABoxWhoseBoardWas, PlaysOnOneGoodBoardWithinTwoSecondsAndItsPictureStays)
   rig_->left_stick().Move(0.6F, -0.3F);
   rig_->dial_box().Turn(2, -0.2);
   rig_->dial_box().Push(1);
-  rig_->keyboard().Press(kKeyQ);
+  rig_->keyboard().Press(kHeldKey);
   Hold(seconds(2));
   const Pose before = PoseNow();
   ASSERT_GT(before.head_yaw_rad, 0.1F);
@@ -113,24 +113,24 @@ TEST_P(ABoxWhoseBoardWas, PlaysOnOneGoodBoardWithinTwoSecondsAndItsPictureStays)
   EXPECT_EQ(Differs(before, PoseNow()), "");
   Hold(milliseconds(1500));
   EXPECT_EQ(Differs(before, PoseNow()), "") << "nor later, when all have moved";
-  rig_->keyboard().Release(kKeyQ);
+  rig_->keyboard().Release(kHeldKey);
   rig_->left_stick().Move(0, 0);
-  rig_->keyboard().Press(kKeyW);
+  rig_->keyboard().Press(kNextKey);
   EXPECT_TRUE(Until([&] {
     const Pose now = PoseNow();
-    return now.head_yaw_rad < 0.01F && (now.keys_down[0] >> kKeyQ & 1U) == 0 && now.key_pushes[kKeyW] == 1;
+    return now.head_yaw_rad < 0.01F && (now.keys_down[0] >> kHeldKey & 1U) == 0 && now.key_pushes[kNextKey] == 1;
   })) << "and the operators play on";
 }
 
 TEST_P(ABoxWhoseBoardWas, HoldsNothingThatNobodyHolds) {
   StartBox();
   ASSERT_TRUE(Until([&] { return Plays(); })) << house_.LogOf("kaori-stage");
-  rig_->keyboard().Press(kKeyQ);
+  rig_->keyboard().Press(kHeldKey);
   rig_->dial_box().Push(3);
   Hold(seconds(1));
   house_.Kill("kaori-input");
   GetParam().harm(house_.board());
-  rig_->keyboard().Release(kKeyQ);
+  rig_->keyboard().Release(kHeldKey);
   const Pose before = [&] {
     Pose pose;
     Until([&] {
@@ -141,7 +141,7 @@ TEST_P(ABoxWhoseBoardWas, HoldsNothingThatNobodyHolds) {
     });
     return pose;
   }();
-  EXPECT_EQ(before.keys_down[0] >> kKeyQ & 1U, 0U);
+  EXPECT_EQ(before.keys_down[0] >> kHeldKey & 1U, 0U);
   Start("kaori-input");
   ASSERT_TRUE(Until([&] { return Plays(); })) << house_.LogOf("kaori-input");
   Hold(seconds(2));

@@ -49,7 +49,7 @@ const Harm kHarms[] = {
 
 class ABoard : public ::testing::TestWithParam<Harm> {
  protected:
-  void Harm() { GetParam().harm(file_.path()); }
+  void DoHarm() { GetParam().harm(file_.path()); }
 
   const BoardFile file_;
 };
@@ -63,7 +63,7 @@ TEST_P(ABoard, IsOneGoodBoardAgainForAllItsProgramsAndCarriesWhatTheyWrote) {
   auto performance = stage.AcquireWriter<Performance>().value();
   keys.Write({.down = {5}}, kHealNoon, SourceState::kLive);
   performance.Write({.layout = 7}, kHealNoon, SourceState::kLive);
-  Harm();
+  DoHarm();
   EXPECT_TRUE(stage.Heal().value());
   EXPECT_TRUE(input.Heal().value());
   EXPECT_FALSE(stage.Heal().value()) << "it is healed once";
@@ -80,7 +80,7 @@ TEST_P(ABoard, IsOneGoodBoardAgainForAllItsProgramsAndCarriesWhatTheyWrote) {
 TEST_P(ABoard, EndsNobodyWhoReadsOrWritesBeforeItIsHealed) {
   Board board = file_.Open();
   auto status = board.AcquireWriter<StageStatus>().value();
-  Harm();
+  DoHarm();
   status.Write({.frames = 3}, kHealNoon, SourceState::kLive);
   ReadAll(board);
   ASSERT_TRUE(board.Heal());
@@ -95,7 +95,7 @@ TEST_P(ABoard, LeavesThePictureAsItIsUntilItsProgramsHaveMoved) {
   right->Write({.x = 0.25F}, kHealNoon, SourceState::kLive);
   SnapshotReader reader(stage);
   ASSERT_EQ(reader.Read(kHealNoon).sticks[0].value.x, 0.5F);
-  Harm();
+  DoHarm();
   EXPECT_EQ(reader.Read(kHealNoon).sticks[0].value.x, 0.5F);
   ASSERT_TRUE(stage.Heal());
   EXPECT_EQ(reader.Read(kHealNoon + milliseconds(100)).sticks[0].source, SourceState::kLive);
@@ -111,7 +111,7 @@ TEST_P(ABoard, LeavesThePictureAsItIsUntilItsProgramsHaveMoved) {
 
 TEST_P(ABoard, IsThereForAProgramThatStartsAnew) {
   Board stage = file_.Open();
-  Harm();
+  DoHarm();
   ASSERT_TRUE(Board::Create(file_.path()));
   ASSERT_TRUE(stage.Heal());
   auto writer = Board::Create(file_.path())->AcquireWriter<Lamps>().value();
