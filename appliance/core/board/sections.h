@@ -189,27 +189,27 @@ struct Lamps {
 //   readers  kaori-status, kaori-desk and tests; kaori-lips for the delay of the voice; kaori-input for the tally lamp
 struct StageStatus {
   static constexpr const char* kName = "stage_status";
+  // Of the last frame that was presented: the flip, and when the input was sampled for it.
+  Time flipped_at{};
+  Time sampled_at{};
+  Duration input_age{};  // Age of the newest input when the last frame is presented.
+  Duration draw{};       // The usual time of a frame, from its beginning until the screen has it.
+  Duration margin{};     // How much earlier than that a frame begins.
+  Duration frame_cpu{};  // Processor time of a frame: mean of the last second.
+  // Measured at the flips of the last second, means; 0: there was nothing to measure.
+  Duration lips_age{};   // Age of the lips when they are presented.
+  Duration voice_age{};  // Age of the voice when it is presented.
+  // From what the camera sees until the screen shows a mouth that does the same: the age, half the time that a frame
+  // stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
+  Duration mouth_lag{};
   std::uint32_t frames = 0;
   std::uint32_t missed_flips = 0;
-  float frame_cpu_ms = 0;  // Mean of the last second.
   float frames_per_s = 0;
-  std::uint32_t face = 0;  // Called last.
+  std::uint32_t face = 0;  // Called last, as the next three.
   std::uint32_t expression = 0;
   std::uint32_t style = 0;
   std::uint32_t scene = 0;
-  std::uint32_t input_age_us = 0;  // Age of the newest input when the last frame is presented.
-  // Measured at the flips of the last second, means; 0: there was nothing to measure.
-  std::uint32_t lips_age_us = 0;   // Age of the lips when they are presented.
-  std::uint32_t voice_age_us = 0;  // Age of the voice when it is presented.
-  // From what the camera sees until the screen shows a mouth that does the same: the age, half the time that a frame
-  // stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
-  std::uint32_t mouth_lag_us = 0;
-  // Of the last frame that was presented: the flip, and when the input was sampled for it; on CLOCK_MONOTONIC in ns, low
-  // word and high word.
-  std::array<std::uint32_t, 2> flip_ns{};
-  std::array<std::uint32_t, 2> read_ns{};
-  std::uint32_t draw_us = 0;    // The usual time of a frame, from its beginning until the screen has it.
-  std::uint32_t margin_us = 0;  // How much earlier than that a frame begins.
+  std::uint32_t unused = 0;  // No byte of the board is padding.
 };
 
 // What the stage needs to go on after a restart without a jump. Opaque to the board; see Hold and Restore in

@@ -1,6 +1,7 @@
 #include "appliance/core/board/valid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace kaori::board {
 namespace {
@@ -8,6 +9,7 @@ namespace {
 constexpr std::int32_t kMaxCountsPerTurn = 1 << 20;  // The finest optical dials have a tenth of it.
 constexpr float kMaxLip = 8.0F;                      // Mouth widths; no mouth opens so far.
 constexpr float kMaxFigure = 1e9F;
+constexpr Duration kLongestSpan = std::chrono::hours(24 * 365);
 constexpr float kMostLevel_db = 100;
 constexpr float kMostDelay_ms = 2000;  // The box delays by 500 ms; a sound card adds its own.
 constexpr float kMostDrift_ppm = 1e5F;
@@ -86,7 +88,11 @@ bool Valid(const Lamps& /*any bits are lamps*/) {
 }
 
 bool Valid(const StageStatus& status) {
-  return Within(status.frame_cpu_ms, 0, kMaxFigure) && Within(status.frames_per_s, 0, kMaxFigure);
+  const auto possible = [](Duration length) { return length >= Duration{} && length <= kLongestSpan; };
+  return std::ranges::all_of(std::array{status.input_age, status.draw, status.margin, status.frame_cpu,
+                                        status.lips_age, status.voice_age, status.mouth_lag},
+                             possible) &&
+         Valid(status.flipped_at) && Valid(status.sampled_at) && Within(status.frames_per_s, 0, kMaxFigure);
 }
 
 bool Valid(const Performance& performance) {

@@ -91,12 +91,12 @@ double WeightOf(std::string_view entry) {
 std::string StateJson(const DeskFacts& facts) {
   constexpr std::array<const char*, 3> kStates{"absent", "live", "stale"};
   const board::StageStatus& stage = facts.stage.value;
-  const bool lit = facts.stage.source == board::SourceState::kLive && stage.lips_age_us > 0 &&
+  const bool lit = facts.stage.source == board::SourceState::kLive && stage.lips_age > Duration{} &&
                    facts.now - facts.stage.at < std::chrono::seconds(2);
   return Json({{"lips", facts.report.has_value()},
                {"camera", kStates[static_cast<std::size_t>(facts.lips.source)]},
                {"mouth", MouthJson(facts)},
-               {"light_age_ms", lit ? Json(std::round(stage.lips_age_us / 1e3)) : Json()},
+               {"light_age_ms", lit ? Json(std::round(Seconds(stage.lips_age) * 1e3)) : Json()},
                {"picture", facts.picture},
                {"report", facts.report ? ReportJson(*facts.report) : Json()}})
       .dump(-1, ' ', false, Json::error_handler_t::replace);

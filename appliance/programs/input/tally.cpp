@@ -13,8 +13,7 @@ constexpr int kTurns = 4;
 bool TallyLit(const board::Stamped<board::StageStatus>& stage, const board::Stamped<board::Lines>& lines,
               Time now) {
   if (stage.source != board::SourceState::kLive) return false;
-  const Duration usual = std::chrono::microseconds(stage.value.draw_us);
-  if (now - stage.at > kDead + kTurns * usual) return false;
+  if (now - stage.at > kDead + kTurns * stage.value.draw) return false;
   return !board::IsOn(lines.value, board::Line::kBlackout);
 }
 

@@ -9,10 +9,6 @@ namespace {
 
 constexpr Duration kOldest = std::chrono::milliseconds(500);  // Older ones move no mouth.
 
-std::uint32_t MouthMicroseconds(Duration length) {
-  return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(length).count());
-}
-
 }  // namespace
 
 void MouthClock::Mean::Add(Duration age) {
@@ -41,9 +37,9 @@ void MouthClock::Flip(const ports::Flip& flip) {
 }
 
 void MouthClock::Report(board::StageStatus& into) {
-  into.lips_age_us = MouthMicroseconds(lips_.mean());
-  into.voice_age_us = MouthMicroseconds(voice_.mean());
-  into.mouth_lag_us = MouthMicroseconds(mouth_.mean());
+  into.lips_age = lips_.mean();
+  into.voice_age = voice_.mean();
+  into.mouth_lag = mouth_.mean();
   lips_ = voice_ = mouth_ = {};
 }
 

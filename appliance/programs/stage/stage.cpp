@@ -13,8 +13,9 @@ namespace kaori::stage {
 namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
-constexpr std::uint32_t kSameAge_us = 5000;
+constexpr Duration kSameAge = std::chrono::milliseconds(5);
 constexpr Duration kAgeQuiet = std::chrono::seconds(10);
+constexpr Duration kOldestInput = std::chrono::hours(1);  // What is older is as old.
 constexpr Duration kFarthestAhead = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
 
 Duration CpuOfProcess() {
@@ -28,17 +29,6 @@ Duration CpuOfProcess() {
 
 Time NewestInput(const board::Snapshot& s) {
   return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
-}
-
-// For the board: low word, high word.
-std::array<std::uint32_t, 2> Words(Time at) {
-  const auto ns = std::uint64_t(at.time_since_epoch().count());
-  return {std::uint32_t(ns), std::uint32_t(ns >> 32)};
-}
-
-std::uint32_t Microseconds(Duration length) {
-  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(length).count();
-  return std::uint32_t(std::clamp<std::int64_t>(us, 0, UINT32_MAX));
 }
 
 bool Waits(const Error& error) {
@@ -110,8 +100,8 @@ void Stage::NoteFlip(const ports::Flip& flip) {
   mouth_clock_.Flip(flip);
   status_.missed_flips = pacer_.missed();
   if (flip.frame != frame_) return;
-  status_.flip_ns = Words(flip.at);
-  status_.read_ns = Words(read_);
+  status_.flipped_at = flip.at;
+  status_.sampled_at = read_;
 }
 
 std::optional<Time> Stage::wakes_at() const {
@@ -194,13 +184,13 @@ void Stage::WriteMotionNow(Time presented_at) {
 
 // When the age is known, and when it has become another one.
 void Stage::LogLipsAge(Time now) {
-  const std::uint32_t age_us = status_.lips_age_us, more_us = std::max(age_us, logged_age_us_);
-  const bool same = more_us - std::min(age_us, logged_age_us_) < more_us / 4 + kSameAge_us;
-  if (age_us == 0 || same || now < age_quiet_until_) return;
-  logged_age_us_ = age_us;
+  const Duration age = status_.lips_age, more = std::max(age, logged_age_);
+  const bool same = more - std::min(age, logged_age_) < more / 4 + kSameAge;
+  if (age == Duration{} || same || now < age_quiet_until_) return;
+  logged_age_ = age;
   age_quiet_until_ = now + kAgeQuiet;
   Log("lips are {:.0f} ms old when they are presented, and the mouth follows {:.0f} ms after them",
-      age_us / 1e3, status_.mouth_lag_us / 1e3);
+      Seconds(age) * 1e3, Seconds(status_.mouth_lag) * 1e3);
 }
 
 void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
@@ -211,7 +201,7 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   second_.cpu += cpu;
   if (const Duration passed = now - second_.began; passed >= kSecond) {
     status_.frames_per_s = static_cast<float>(second_.frames / Seconds(passed));
-    status_.frame_cpu_ms = static_cast<float>(Seconds(second_.cpu) * 1e3 / second_.frames);
+    status_.frame_cpu = second_.cpu / second_.frames;
     mouth_clock_.Report(status_);
     LogLipsAge(now);
     second_ = {now, 0, {}};
@@ -220,9 +210,9 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   status_.expression = state_.expressions.to;
   status_.style = state_.styles.to;
   status_.scene = state_.scene;
-  status_.input_age_us = Microseconds(state_.last - NewestInput(snapshot));
-  status_.draw_us = Microseconds(pacer_.usual());
-  status_.margin_us = Microseconds(pacer_.margin());
+  status_.input_age = std::clamp(state_.last - NewestInput(snapshot), Duration{}, kOldestInput);
+  status_.draw = pacer_.usual();
+  status_.margin = pacer_.margin();
   writers_.status.Write(status_, now, board::SourceState::kLive);
 }
 

@@ -99,7 +99,7 @@ class Stage {
   Time read_{};  // When the input was sampled for that frame.
   MouthClock mouth_clock_;
   AfterFrame after_frame_;
-  std::uint32_t logged_age_us_ = 0;
+  Duration logged_age_{};
   Time age_quiet_until_{};
   board::MotionNow motion_now_;
   board::StageStatus status_;

@@ -72,7 +72,7 @@ Result<status::Sheet::Rows> StageStatusDisplay::DrawAnew(const ports::StatusDisp
 
 status::Sheet::Rows StageStatusDisplay::DrawChanged() {
   const auto lines = Lines();
-  const auto frame = std::chrono::microseconds(board_.Read<board::StageStatus>().value.draw_us);
+  const auto frame = board_.Read<board::StageStatus>().value.draw;
   const Time until = clock_.now() + frame / kShare;
   status::Sheet::Rows all{sheet_->picture().height_px, 0};
   while (const auto drawn = sheet_->DrawNext(lines)) {

@@ -34,9 +34,8 @@ std::string Length(Duration age) {
 }
 
 // Of a frame.
-std::string Words(std::uint32_t length_us) {
-  constexpr double kPerMs = 1e3, kPerS = 1e6;
-  return length_us < kPerS ? Number(length_us / kPerMs) + " ms" : Number(length_us / kPerS) + " s";
+std::string Words(Duration length) {
+  return length < 1s ? Number(Seconds(length) * 1e3) + " ms" : Number(Seconds(length)) + " s";
 }
 
 Line Title(const Facts& facts) {
@@ -54,7 +53,7 @@ Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time
   const std::string late =
       s.missed_flips == 0 ? "none came late" : fmt::format("{} came late", s.missed_flips);
   return {Mark::kGood, "show",
-          fmt::format("{} pictures a second, {} each; {}", Number(s.frames_per_s), Words(s.draw_us), late)};
+          fmt::format("{} pictures a second, {} each; {}", Number(s.frames_per_s), Words(s.draw), late)};
 }
 
 // A screen's line begins with its name.

@@ -141,7 +141,7 @@ TEST(Board, ChecksEveryFieldThatCanBeWrong) {
   }
   EXPECT_FALSE(Valid(Surface{.counts_per_turn = 0}));
   EXPECT_FALSE(Valid(Surface{.counts_per_turn = -256}));
-  EXPECT_FALSE(Valid(StageStatus{.frame_cpu_ms = nan}));
+  EXPECT_FALSE(Valid(StageStatus{.frame_cpu = -Duration{1}}));
   EXPECT_FALSE(Valid(StageStatus{.frames_per_s = -1}));
   EXPECT_FALSE(Valid(Performance{.bytes = 9000}));
   for (const Voice& bad : {Voice{.level_db = nan}, Voice{.speaking = 2}, Voice{.height = 1.1F},

@@ -206,7 +206,7 @@ TEST_F(TallyLamp, IsLitWhileTheStageShowsFramesAndDarkWithinASecondOfItsDeath) {
 }
 
 TEST_F(TallyLamp, WaitsLongerForAStageThatDrawsSlowly) {
-  stage_.value.draw_us = 2'000'000;
+  stage_.value.draw = std::chrono::seconds(2);
   EXPECT_TRUE(LitAfter(milliseconds(8900)));
   EXPECT_FALSE(LitAfter(milliseconds(9100)));
 }

@@ -148,7 +148,7 @@ Result<ClapReport> ClapIn(const std::string& folder, stage::Studio& studio, cons
   Claps claps(rig, (*house)->now() + 700ms, options.claps);
   if (auto ok = Play(**house, claps, claps.end()); !ok) return tl::unexpected(ok.error());
   const board::Board& board = (*house)->board();
-  return ClapReport{claps.Measured(), board.Read<board::StageStatus>().value.lips_age_us / 1e3,
+  return ClapReport{claps.Measured(), Seconds(board.Read<board::StageStatus>().value.lips_age) * 1e3,
                     static_cast<double>(board.Read<board::Sound>().value.delay_ms)};
 }
 

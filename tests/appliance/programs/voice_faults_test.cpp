@@ -153,7 +153,7 @@ TEST_F(VoiceHouse, TheDelayIsAsMeasuredWhereNoHandSetsIt) {
   Open(std::nullopt, {});
   const auto measure = [&](std::uint32_t lag_us, Duration time) {
     for (Duration passed{}; passed < time; passed += 100ms) {
-      status.Write({.mouth_lag_us = lag_us}, now(), SourceState::kLive);
+      status.Write({.mouth_lag = std::chrono::microseconds(lag_us)}, now(), SourceState::kLive);
       Run(100ms);
     }
   };

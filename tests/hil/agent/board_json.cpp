@@ -18,8 +18,8 @@ std::int64_t Nanoseconds(Time at) {
   return at.time_since_epoch().count();
 }
 
-std::int64_t Joined(const std::array<std::uint32_t, 2>& words) {
-  return static_cast<std::int64_t>(words[0] | (std::uint64_t{words[1]} << 32));
+std::int64_t Microseconds(Duration length) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(length).count();
 }
 
 template <class T>
@@ -62,8 +62,8 @@ std::string StageAsJson(const board::Stamped<board::StageStatus>& stage) {
       R"({{{},"frames":{},"missed_flips":{},"frames_per_s":{},"face":{},"expression":{},"scene":{},"input_age_us":{},)"
       R"("read_ns":{},"flip_ns":{},"draw_us":{},"margin_us":{}}})",
       Head(stage), value.frames, value.missed_flips, value.frames_per_s, value.face, value.expression,
-      value.scene, value.input_age_us, Joined(value.read_ns), Joined(value.flip_ns), value.draw_us,
-      value.margin_us);
+      value.scene, Microseconds(value.input_age), Nanoseconds(value.sampled_at), Nanoseconds(value.flipped_at),
+      Microseconds(value.draw), Microseconds(value.margin));
 }
 
 }  // namespace
@@ -91,8 +91,8 @@ std::string WatchEvents(const board::Board& board, const Clock& clock, Duration 
     if (stick.at != stick_before) told += fmt::format("stick {} {}\n", Nanoseconds(stick.at), stick.value.x);
     stick_before = stick.at;
     const auto stage = board.Read<board::StageStatus>().value;
-    const std::int64_t flip = Joined(stage.flip_ns);
-    if (flip != flip_before) told += fmt::format("flip {} {}\n", Joined(stage.read_ns), flip);
+    const std::int64_t flip = Nanoseconds(stage.flipped_at);
+    if (flip != flip_before) told += fmt::format("flip {} {}\n", Nanoseconds(stage.sampled_at), flip);
     flip_before = flip;
     std::this_thread::sleep_for(kLook);
   }

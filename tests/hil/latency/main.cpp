@@ -56,10 +56,6 @@ struct Arm {
   bool loaded;
 };
 
-Time At(const std::array<std::uint32_t, 2>& words) {
-  return Time{} + Duration(std::int64_t(words[0] | std::uint64_t{words[1]} << 32));
-}
-
 // 4 where the text is no mode.
 unsigned RateOf_hz(const std::string& mode) {
   constexpr int kUsual = 4, kMost = 1000;
@@ -128,8 +124,8 @@ unsigned LatencyBench::Pause_ms(const std::string& mode) {
 // The first frames compile shaders, and the margin that they widened needs some more to be what it usually
 // is.
 bool LatencyBench::HasBegun(std::uint32_t frames, const std::string& mode) const {
-  const std::uint32_t widest_us = 1'000'000 / RateOf_hz(mode) / kSettled;
-  return frames >= kFirstFrames && (Status().margin_us < widest_us || frames >= kMostFrames);
+  const Duration widest = FromSeconds(1.0 / (RateOf_hz(mode) * kSettled));
+  return frames >= kFirstFrames && (Status().margin < widest || frames >= kMostFrames);
 }
 
 Result<LatencyBench::Seen> LatencyBench::Event() {
@@ -139,9 +135,9 @@ Result<LatencyBench::Seen> LatencyBench::Event() {
     return Fail(std::errc::timed_out, "see the input on the board");
   const Time known = board_.Read<board::Surface>().at;
   board::StageStatus seen;
-  if (!Until([&] { return At((seen = Status()).read_ns) > known; }))
+  if (!Until([&] { return (seen = Status()).sampled_at > known; }))
     return Fail(std::errc::timed_out, "see the input on the screen");
-  return Seen{At(seen.flip_ns) - *at, At(seen.flip_ns) - At(seen.read_ns)};
+  return Seen{seen.flipped_at - *at, seen.flipped_at - seen.sampled_at};
 }
 
 double Milliseconds(Duration length) {
@@ -196,7 +192,7 @@ Result<void> LatencyBench::Round(const Arm& arm, int round) {
   Log("round arm={} round={} {} read_to_flip_ms={:.2f} frames={} missed={} settled={} draw_ms={:.2f} "
       "margin_ms={:.2f}",
       arm.name, round, Describe(waited), Milliseconds(Median(shown)), last.frames - first.frames,
-      last.missed_flips - first.missed_flips, settled_, last.draw_us * 1e-3, last.margin_us * 1e-3);
+      last.missed_flips - first.missed_flips, settled_, Milliseconds(last.draw), Milliseconds(last.margin));
   return {};
 }
 

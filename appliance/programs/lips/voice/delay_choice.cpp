@@ -24,10 +24,9 @@ constexpr Duration kLipsFilterLag = milliseconds(2);
 std::optional<Duration> Measured(const board::Snapshot& board, Time now) {
   const auto& status = board.stage_status;
   if (status.source != board::SourceState::kLive || now - status.at > kFresh) return std::nullopt;
-  if (status.value.mouth_lag_us == 0) return std::nullopt;
+  if (status.value.mouth_lag == Duration{}) return std::nullopt;
   const bool lips = board.lips.source == board::SourceState::kLive && board.lips.value.quality > 0;
-  const Duration lag = std::chrono::microseconds(status.value.mouth_lag_us);
-  return std::clamp<Duration>(lag + (lips ? kLipsFilterLag : kVoiceMouthLag), Duration{}, kLongestDelay);
+  return std::clamp<Duration>(status.value.mouth_lag + (lips ? kLipsFilterLag : kVoiceMouthLag), Duration{}, kLongestDelay);
 }
 
 Duration Milliseconds(float ms) {
