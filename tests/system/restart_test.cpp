@@ -103,10 +103,10 @@ class Programs : public ::testing::Test {
   board::Board board_;
 };
 
-// Here the devices live in the test, so that hands can hold them while programs die.
-class HeldHands : public Programs {
+// Here the devices live in the test, so that it can hold them while programs die.
+class HeldControls : public Programs {
  protected:
-  HeldHands() {
+  HeldControls() {
     rig_ = sim::Rig::Open({.folder = house_.links(),
                            .screen_width_px = 320,
                            .screen_height_px = 180,
@@ -120,7 +120,7 @@ class HeldHands : public Programs {
     return true;
   }
 
-  void PlayHands() {
+  void PlayControls() {
     for (int dial = 0; dial < 8; ++dial) rig_->dial_box().Turn(dial, dial % 2 == 0 ? 0.3 : -0.2);
     rig_->dial_box().Push(1);
     rig_->left_stick().Move(0.6F, -0.3F);
@@ -139,11 +139,11 @@ class HeldHands : public Programs {
   std::unique_ptr<sim::Rig> rig_;
 };
 
-TEST_F(HeldHands, StayWhereTheyAreWhenProgramsAreKilledTwentyTimes) {
+TEST_F(HeldControls, StayWhereTheyAreWhenProgramsAreKilledTwentyTimes) {
   StartBox();
   ASSERT_TRUE(Await([&] { return Between() && AllLive() && frames() > 0; }, std::chrono::seconds(30)))
       << house_.LogOf("kaori-input") << house_.LogOf("kaori-lips") << house_.LogOf("kaori-stage");
-  PlayHands();
+  PlayControls();
   Hold(milliseconds(500));
   Pose pose;
   ASSERT_TRUE(Settle(pose));
@@ -168,7 +168,7 @@ TEST_F(HeldHands, StayWhereTheyAreWhenProgramsAreKilledTwentyTimes) {
 class WholeHouse : public Programs {
  protected:
   void WritePlay() {
-    std::ofstream(house_.File("hands.play")) << "scene hands\n"
+    std::ofstream(house_.File("input.play")) << "scene input\n"
                                                 "at 0.5s dial 1 turn 0.4\n"
                                                 "at 0.5s dial 3 turn -0.25\n"
                                                 "at 0.6s push 2\n";
@@ -181,7 +181,7 @@ class WholeHouse : public Programs {
 
 TEST_F(WholeHouse, KeepsItsPoseWhenAnyProgramIsKilledTwentyTimes) {
   WritePlay();
-  Start("kaori-sim", {"--play", house_.File("hands.play")});
+  Start("kaori-sim", {"--play", house_.File("input.play")});
   StartBox();
   ASSERT_TRUE(Await([&] { return AllLive() && frames() > 0; }, std::chrono::seconds(30)))
       << house_.LogOf("kaori-sim") << house_.LogOf("kaori-stage");

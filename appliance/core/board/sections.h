@@ -97,7 +97,7 @@ struct Lines {
 
 // The operator's painted lips before the camera. Sizes are of the paint's outline, as fractions of the mouth's width at
 // rest: a mouth at rest is 1 wide and, shut, about a quarter high. The stamp is the middle of the exposure.
-//   writer   kaori-lips, at each picture of the camera, 30 to 120 times a second
+//   writer   kaori-lips, at each picture of the camera, 30 or 60 times a second
 //   readers  kaori-stage at each frame; kaori-desk and kaori-status for people; kaori-lips itself when it starts
 struct Lips {
   static constexpr const char* kName = "lips";
@@ -116,7 +116,7 @@ struct Lips {
 };
 
 // The voice in the microphone, and the mouth that it would make.
-//   writer   kaori-lips, at each block of sound that was read
+//   writer   kaori-lips, at each block of sound, every 5 to 10 ms
 //   readers  kaori-stage at each frame
 struct Voice {
   static constexpr const char* kName = "voice";

@@ -4,9 +4,9 @@
 
 namespace kaori::performance {
 
-State Recalled(const State& kept, const board::Snapshot& board, Time light) {
+State Recalled(const State& kept, const board::Snapshot& board, Time presented_at) {
   State state = kept;
-  state.last = light;
+  state.last = presented_at;
   state.seen = SeenOn(board);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
     mixture->progress = 1;

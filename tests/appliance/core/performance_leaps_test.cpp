@@ -193,7 +193,7 @@ TEST_F(Leaps, AreNotMadeWhenAHandTakesTheMouthFromTheLips) {
     open.Look({state_.mouth_open});
   }
   EXPECT_LE(open.largest(), 0.26F);
-  EXPECT_LT(state_.mouth_open, 0.1F) << "the hand has it";
+  EXPECT_LT(state_.mouth_open, 0.1F) << "the dial has it";
 }
 
 TEST_F(Leaps, AreNotMadeByASectionThatCannotBeRead) {

@@ -1,4 +1,4 @@
-// The voice takes a mouth whose lips are lost, gives it back, and never beats a hand.
+// The voice takes a mouth whose lips are lost, gives it back, and never beats the dial.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-// The handles in a show without a picture: hands on a board, the performance, and the face as it is composed.
+// The editor in a show without a picture: input on a board, the performance, and the face as it is composed.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The author's hands: dials, stick, keys and pointer, and what of them plays on.
+// The author's input: dials, stick, keys and pointer, and what of them plays on.
 #include <gmock/gmock.h>
 
 #include "tests/appliance/programs/editor_fixture.h"
@@ -179,7 +179,7 @@ TEST_F(EditorPlay, AHandleBehindTheHeadIsNotChosen) {
   editor::HandlePicker picker(show_.cast);
   picker.Look(show_.cast, shape, scene_, 16.0F / 9);
   const std::size_t hidden = PointNamed(show_.cast, "T.l");
-  ASSERT_FALSE(picker.seen(hidden)) << "her left side is turned away";
+  ASSERT_FALSE(picker.seen(hidden)) << "the left side is turned away";
   ASSERT_TRUE(picker.seen(PointNamed(show_.cast, "T.r")));
   EXPECT_NE(picker.Nearest(picker.position(hidden)), hidden);
 }
@@ -225,7 +225,7 @@ TEST_F(EditorPlay, StickAndArrowsGoToTheNextHandleInTheirDirection) {
   EXPECT_EQ(Chosen(), "U") << "one push, one needle";
   Run(1s);
   EXPECT_NE(Chosen(), "U") << "a stick that is held goes on";
-  EXPECT_EQ(state_.gaze.pitch_rad, 0) << "her eyes do not follow it";
+  EXPECT_EQ(state_.gaze.pitch_rad, 0) << "the eyes do not follow it";
 }
 
 TEST_F(EditorPlay, TakeNothingFromTheHeapWhileTheyAreShut) {

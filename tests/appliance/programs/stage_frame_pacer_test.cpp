@@ -1,4 +1,4 @@
-// When the stage reads the hands: steps and jitter of drawing, missed flips, screens that change; in
+// When the stage samples the input: steps and jitter of drawing, missed flips, screens that change; in
 // simulated time.
 #include "appliance/programs/stage/frame_pacer.h"
 
@@ -20,8 +20,8 @@ class Play {
   struct Tally {
     int frames = 0;
     int late = 0;          // By the screen's own account.
-    Duration from_hand{};  // From reading the hands to the light, the sum of all.
-    double mean_ms() const { return Seconds(from_hand) * 1e3 / frames; }
+    Duration from_input{};  // From sampling the input to the flip, the sum of all.
+    double mean_ms() const { return Seconds(from_input) * 1e3 / frames; }
   };
 
   // Each frame takes what `cost` says.
@@ -33,7 +33,7 @@ class Play {
       pacer.Drawn(plan, done);
       const Time flip = start_ + ((done - start_) / period_ + 1) * period_;
       if (flip > plan.presented_at + period_ / 2) ++tally.late;
-      tally.from_hand += flip - plan.begin;
+      tally.from_input += flip - plan.begin;
       now_ = flip + 100us;  // The loop hears of it a little later.
       pacer.Flipped({flip, ++frame_, period_});
     }
@@ -83,7 +83,7 @@ TEST(LateSampling, AHandIsSeenSoonerThanByReadingRightAfterTheFlip) {
   const auto early = naive.Frames(3000, cost());
   const auto ours = late.Frames(3000, cost());
   constexpr double kHalfPeriod_ms =
-      16.667 / 2;  // A hand moves at any time: half a period until the next reading.
+      16.667 / 2;  // An operator acts at any time: half a period until the next reading.
   EXPECT_NEAR(early.mean_ms(), 16.6, 0.1);
   EXPECT_GE((early.mean_ms() + kHalfPeriod_ms) / (ours.mean_ms() + kHalfPeriod_ms), 1.6);
 }

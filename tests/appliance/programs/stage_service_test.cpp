@@ -1,4 +1,4 @@
-// What the stage does for whoever works at the box: lamps, lines, and hands that are not played.
+// What the stage does for whoever works at the box: lamps, lines, and presses that are not played.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -152,7 +152,7 @@ TEST_F(StageTest, ReadsTheHandsJustBeforeTheFlipWhenItIsToldTo) {
   Touch();
   stage->Step();
   EXPECT_EQ(screen_.presented, 2U);
-  EXPECT_EQ(stage->state().faces.to, 2) << "what the hand did meanwhile is in the picture";
+  EXPECT_EQ(stage->state().faces.to, 2) << "what was pressed meanwhile is in the picture";
 }
 
 TEST_F(StageTest, TellsWhenAFrameWasPresentedAndWhenItsInputWasSampled) {
