@@ -29,6 +29,7 @@ inline float HoldLid(float now, bool held, float dt_s) {
   return Travel(now, held ? 1.0F : 0.0F, dt_s, held ? 12.0F : 7.0F);
 }
 
+// The exposure of this moment, on its way from one scene's to the next one's.
 inline float ExposureNow(const Backstage& b) {
   return Mix(b.exposure_from, b.exposure_to, SmoothStep(b.progress));
 }

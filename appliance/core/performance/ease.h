@@ -1,4 +1,4 @@
-// Curves that start and stop softly.
+// Curves that start and stop softly. All are pure and independent of the frame rate.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +23,7 @@ inline float Travel(float now, float goal, float dt_s, float speed_per_s) {
   return now + std::clamp(goal - now, -step, step);
 }
 
+// a at t = 0, b at t = 1, straight between them and beyond.
 inline float Mix(float a, float b, float t) {
   return a + (b - a) * t;
 }

@@ -43,7 +43,7 @@ bool IsThere(const board::Stamped<T>& section) {
   return section.source != board::SourceState::kAbsent;
 }
 
-// Where a section is seen for the first time on another board, nothing has happened.
+// Where a section is seen for the first time on another board, nothing has happened since.
 void Adopt(SeenInput& seen, const board::Snapshot& board) {
   if (IsThere(board.surface) && std::exchange(seen.surface_unknown, 0) != 0) {
     seen.dials = board.surface.value.counts;

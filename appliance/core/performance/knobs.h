@@ -11,6 +11,7 @@ namespace kaori::performance {
 enum class Knob : std::uint8_t { kFace, kExpression, kStrength, kFade, kMouth, kMouthWidth, kLife, kLight };
 inline constexpr int kKnobCount = 8;
 
+// Between which ends a knob moves, and by how much for one turn of its dial, clockwise.
 struct KnobRange {
   float low, high, per_turn;
 };
@@ -25,6 +26,7 @@ inline constexpr std::array<KnobRange, kKnobCount> kKnobRanges{{
     {0, 1.2F, 1},  // Light.
 }};
 
+// Of an array with a value for each knob.
 inline float& At(std::array<float, kKnobCount>& knobs, Knob knob) {
   return knobs[static_cast<std::size_t>(knob)];
 }

@@ -23,6 +23,7 @@ face::Terms Current(const Mixture& mixture, float amount);
 // Calls `item`. The weights do not change at this moment, unless fade_s is 0: that is an instant change.
 void Call(Mixture& mixture, std::uint16_t item, float fade_s, float amount);
 
+// Moves the fade on by dt_s. One that has run stays where it is.
 void Advance(Mixture& mixture, float dt_s);
 
 }  // namespace kaori::performance

@@ -17,20 +17,24 @@
 
 namespace kaori::performance {
 
-struct Backstage {  // The scene's light on its way.
+// The scene's exposure on its way from one scene to the next; 1 is as the scene was lit, 0 is black. The curve between
+// the two is in blink.h.
+struct Backstage {
   float exposure_from = 1, exposure_to = 1;
-  float progress = 1, duration_s = 0;
+  float progress = 1;  // 0 at the call .. 1 when the fade has run.
+  float duration_s = 0;
 };
 
+// How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to neutral.
 struct StickNow {
   float presence = 1;  // 1: what it says counts; eases to 0 when the device is lost.
   float lost_s = 0;    // For how long it has been gone.
 };
 
-// A registered motion that is playing.
+// A registered motion that is playing. Its curves end where they begin, so that nothing jumps at either end.
 struct Playing {
   std::int32_t motion = -1;  // Of the show's motions; -1: nothing.
-  float at_s = 0;
+  float at_s = 0;  // From its beginning.
   float gain = 1;  // Falls to 0 from the moment at which another motion takes over.
 };
 inline constexpr int kVoices = 8;  // Of which all but one are fading out.
@@ -39,11 +43,12 @@ inline constexpr int kVoices = 8;  // Of which all but one are fading out.
 // that counted on for days could not hold the step of a frame.
 inline constexpr float kLifePeriod_s = 1000;
 
+// What the face does by itself: when it blinks and glances next, and where it looks meanwhile.
 struct Life {
-  std::uint64_t random = 0x9E3779B97F4A7C15U;
+  std::uint64_t random = 0x9E3779B97F4A7C15U;  // The generator's state: the same state gives the same life.
   float to_next_blink_s = 2;
   float to_next_glance_s = 1;
-  glm::vec2 glance_rad{};
+  glm::vec2 glance_rad{};  // Yaw and pitch that a glance adds to the gaze.
 };
 
 // A swinging tip of hair: angle and speed, sideways and forwards.
@@ -53,12 +58,13 @@ struct Sway {
   glm::vec2 head_rad{};  // The head at the last frame.
 };
 
+// All of it; angles are as in render/scene/scene.h.
 struct State {
   static constexpr std::uint32_t kLayout = 7;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // When the last frame was to be presented.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
-  SeenInput seen;
-  Mixture faces, expressions, styles;
+  SeenInput seen;                              // ReadEvents alone changes it.
+  Mixture faces, expressions, styles;  // Indices into the cast, and scene::Style.
   Mixture backdrops;  // Of scenes, by their numbers.
   Backstage backstage;
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
@@ -87,8 +93,8 @@ struct State {
 };
 static_assert(std::is_trivially_copyable_v<State>);
 
-// Whether a state found on the board may be gone on with: every number finite and in range, everything that
-// it calls exists in the show.
+// Whether the show may go on with a state that was found on the board or on the disk: every number is finite and in
+// range, and everything that it calls exists in the show.
 bool IsValid(const State& state, const show::Show& show);
 
 }  // namespace kaori::performance

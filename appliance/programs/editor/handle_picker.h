@@ -13,8 +13,11 @@
 
 namespace kaori::editor {
 
+// One thread. Positions are of the picture, 0..1 from the left top, unless something else is said. Before the first Look
+// no handle is seen.
 class HandlePicker {
  public:
+  // Fits a frame to each handle on each face: takes some milliseconds. The cast is not kept.
   explicit HandlePicker(const face::Cast& cast);
 
   // The face as it was drawn. `aspect` is the picture's width over its height.

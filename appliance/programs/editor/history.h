@@ -8,6 +8,7 @@
 
 namespace kaori::editor {
 
+// There is always a step: undoable() of them lie before it, redoable() after it.
 class History {
  public:
   // Forgets all and begins with `work`.
@@ -21,7 +22,7 @@ class History {
   void Replace(Work work);
 
   bool Undo();  // False: there is nothing to undo.
-  bool Redo();
+  bool Redo();  // False: there is nothing to redo.
 
   // Gives all steps since the work was begun another name and slot: neither is a step.
   void Rename(const Work& like);

@@ -42,6 +42,7 @@ enum class Verb : std::uint8_t {
   kDelete,
 };
 
+// What the author wants, in the editor's own terms. Fields that the verb does not name are unused.
 struct Command {
   Verb verb = Verb::kToggle;
   int index = 0;

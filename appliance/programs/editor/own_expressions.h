@@ -10,9 +10,10 @@
 
 namespace kaori::editor {
 
+// One thread. A slot is 0 to kSlots - 1; its key is one more, and 0 for the last.
 class OwnExpressions {
  public:
-  // `show_expressions` are the cast's before the box's own; their names are theirs.
+  // `show_names` are those of the show's expressions, which no own expression may have.
   OwnExpressions(Slots slots, std::vector<std::string> show_names)
       : slots_(std::move(slots)), show_names_(std::move(show_names)) {}
 

@@ -19,6 +19,7 @@ struct Record {
   Work work;  // As it was after the change.
 };
 
+// Appends the record's bytes. Names longer than 200 bytes are cut off.
 void Encode(const Record& record, std::vector<std::uint8_t>& into);
 
 struct Decoded {

@@ -34,20 +34,26 @@ struct Spread {
   bool smooth = false;  // To the neighbours, the nearer the more.
 };
 
-// No device, no file, no clock. Every command gives what it changed.
+// No device, no file, no clock; one thread. Every command gives what it changed, and kNone where that is nothing: an index
+// that no control point has, a number that is not finite, a dial at its end. No pull goes further than 5 cm.
 class Session {
  public:
   explicit Session(Points points);
 
   Change Begin(Work work);  // As saved; nothing can be undone.
   Change Replace(Work work);
+  // Pulls a control point by u, v and outwards of its own frame on the face; others follow as `spread` says.
   Change Pull(std::size_t point, glm::vec3 by_m, Gesture gesture = 0);
   Change Zero(std::size_t point);  // And its partner, where pulls are mirrored.
+  // All pulls by a factor; lids stay.
   Change Scale(float factor, Gesture gesture = 0);
+  // Both lids by this much, each within 0 open .. 1 shut.
   Change ShutLids(float by, Gesture gesture = 0);
   Change Undo();
   Change Redo();
+  // Of all steps since the work was begun: going back does not bring an old name back.
   Change Rename(std::string name, int slot);
+  // `saved` is on the disk: the work is unsaved from here on where it differs.
   Change Keep(const Work& saved);
 
   // A change of an earlier session. Where `work` does not fit the control points, nothing happens.

@@ -1,4 +1,4 @@
-// An expression that somebody is working on.
+// An expression that an author is working on. A plain value: it is copied into the history, the journal and the files.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace kaori::editor {
 inline constexpr int kSlots = 10;
 
 struct Work {
-  std::vector<glm::vec3> pulls_m{};  // As face::Expression::displacement.
+  std::vector<glm::vec3> pulls_m{};  // As face::Expression::displacement: one for each control point.
   std::array<float, 2> lids{};       // Shut by this much: the character's left, right.
   std::string name{};                // Empty: it has none yet.
   std::string origin{};              // The expression that it was begun from.

@@ -34,10 +34,14 @@ class WorkWriter {
   WorkWriter(const WorkWriter&) = delete;
   WorkWriter& operator=(const WorkWriter&) = delete;
 
+  // For the journal: `change` led to `work`. Changes of one gesture that were not written yet become one record.
   void Note(Change change, const Work& work);
-  void Save(const Work& work);  // To its slot.
+
+  // Writes the file of work.slot, or removes it. A later request for the same slot replaces one that was not done yet.
+  void Save(const Work& work);
   void Remove(const Work& work);
 
+  // What became of requests since the last call; never waits for the disk.
   bool has_outcomes() const { return has_outcomes_.load(std::memory_order_acquire); }
   std::vector<Outcome> DrainOutcomes();
 

@@ -65,9 +65,10 @@ class Stage {
   // seen later.
   void StepUnseen();
 
-  // How long a frame usually takes; 0 until many were drawn on this screen.
+  // How long a frame usually takes, for the watchdog; 0 until 100 were drawn.
   Duration usual_turn() const;
 
+  // True where it goes on from the state of an earlier stage.
   bool resumed() const { return resumed_; }
   const performance::State& state() const { return state_; }
 

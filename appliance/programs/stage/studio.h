@@ -1,5 +1,4 @@
-// Draws a scene of a show into memory: the GL context, the painter and a canvas of the size that is asked
-// for.
+// Draws scenes of a show: owns the GL context, the painter, and a canvas of the size that is asked for.
 #pragma once
 
 #include <array>
@@ -25,7 +24,7 @@
 
 namespace kaori::stage {
 
-// R, G, B, X; the top row first.
+// A copy of what was drawn, for the disk and for pages. R, G, B, X; the top row first.
 struct SmallImage {
   int width_px = 0;
   int height_px = 0;
