@@ -54,7 +54,8 @@ void Play(const show::Show& show) {
   board.surface.source = board.keys.source = board::SourceState::kLive;
   for (std::size_t button = 0; button < 32; ++button) board::NotePress(board.surface.value, button, now);
   for (std::size_t usage = 0; usage < 256; usage += board::PressLog::kKept) {
-    for (std::size_t i = 0; i < board::PressLog::kKept; ++i) board::NotePress(board.keys.value, usage + i, now);
+    for (std::size_t i = 0; i < board::PressLog::kKept; ++i)
+      board::NotePress(board.keys.value, usage + i, now);
     const auto events = performance::ReadEvents(state.seen, board);
     const auto performed =
         performance::Animate(state, board, events, show, now += std::chrono::milliseconds(90));

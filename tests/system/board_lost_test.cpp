@@ -1,5 +1,5 @@
-// The board is removed, overwritten or cut short while the box plays: it is whole again within two seconds, and the
-// picture stays.
+// The board is removed, overwritten or cut short while the box plays: it is whole again within two seconds,
+// and the picture stays.
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -35,7 +35,8 @@ const Loss kLosses[] = {
        std::fstream(board, std::ios::in | std::ios::out | std::ios::binary) << std::string(64, 'x');
      }},
     {"CutToNothing", [](const std::string& board) { std::filesystem::resize_file(board, 0); }},
-    {"CutToHalf", [](const std::string& board) { std::filesystem::resize_file(board, board::kBoardBytes / 2); }},
+    {"CutToHalf",
+     [](const std::string& board) { std::filesystem::resize_file(board, board::kBoardBytes / 2); }},
 };
 
 class ABoxWhoseBoardWas : public ::testing::TestWithParam<Loss> {
@@ -83,7 +84,8 @@ class ABoxWhoseBoardWas : public ::testing::TestWithParam<Loss> {
     return all.surface.source == SourceState::kLive && all.sticks[0].source == SourceState::kLive &&
            all.sticks[1].source == SourceState::kLive && all.keys.source == SourceState::kLive &&
            all.lips.source == SourceState::kLive && all.stage_status.source == SourceState::kLive &&
-           clock_.now() - all.stage_status.at < milliseconds(200) && clock_.now() - all.lips.at < milliseconds(300);
+           clock_.now() - all.stage_status.at < milliseconds(200) &&
+           clock_.now() - all.lips.at < milliseconds(300);
   }
   Pose PoseNow() const { return PoseOn(board::Board::Open(house_.board()).value()); }
 
@@ -118,7 +120,8 @@ TEST_P(ABoxWhoseBoardWas, PlaysOnOneGoodBoardWithinTwoSecondsAndItsPictureStays)
   rig_->keyboard().Press(kNextKey);
   EXPECT_TRUE(Until([&] {
     const Pose now = PoseNow();
-    return now.head_yaw_rad < 0.01F && (now.keys_down[0] >> kHeldKey & 1U) == 0 && now.key_pushes[kNextKey] == 1;
+    return now.head_yaw_rad < 0.01F && (now.keys_down[0] >> kHeldKey & 1U) == 0 &&
+           now.key_pushes[kNextKey] == 1;
   })) << "and the operators play on";
 }
 

@@ -7,10 +7,10 @@
 
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/board/snapshot.h"
-#include "appliance/programs/editor/journal.h"
-#include "appliance/programs/editor/keys.h"
 #include "appliance/core/performance/state.h"
 #include "appliance/core/show/pack.h"
+#include "appliance/programs/editor/journal.h"
+#include "appliance/programs/editor/keys.h"
 #include "hw-sim/links/local/rig.h"
 #include "tests/system/house.h"
 

@@ -208,7 +208,8 @@ TEST_F(WholeHouse, KeepsItsPoseWhenAnyProgramIsKilledTwentyTimes) {
 TEST_F(Programs, RefuseToPlayTwiceOnOneBoard) {
   Start("kaori-input");
   Start("kaori-lips");
-  ASSERT_TRUE(Await([&] { return !board_.AcquireWriter<board::Lines>() && !board_.AcquireWriter<board::Lips>(); }));
+  ASSERT_TRUE(
+      Await([&] { return !board_.AcquireWriter<board::Lines>() && !board_.AcquireWriter<board::Lips>(); }));
   for (const std::string program : {"kaori-input", "kaori-lips"}) {
     House second;
     EXPECT_EQ(second.RunToEnd(program, {"--board", house_.board(), "--links", second.links()}), 1);

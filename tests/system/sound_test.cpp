@@ -85,7 +85,8 @@ TEST_F(SoundInRealTime, MeetsTheMouth) {
   ASSERT_TRUE(Until(move(claps), [&] { return clock_.now() > claps.end(); }));
   const auto status = board.Read<board::StageStatus>().value;
   const auto sound = board.Read<board::Sound>().value;
-  tests::ClapReport report{claps.Measured(), Seconds(status.lips_age) * 1e3, static_cast<double>(sound.delay_ms)};
+  tests::ClapReport report{claps.Measured(), Seconds(status.lips_age) * 1e3,
+                           static_cast<double>(sound.delay_ms)};
   for (const auto& clap : report.claps)
     fmt::print("picture {:5.1f} ms, sound {:5.1f} ms: {:+5.1f} ms\n", clap.picture_ms, clap.sound_ms,
                clap.apart_ms());

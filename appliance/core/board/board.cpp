@@ -27,10 +27,12 @@ bool LockSection(int fd, const SectionPlace& place) {
 
 namespace internal {
 
-// A section that this process writes, wherever the board lies. It stays at its address, so that the board finds it.
+// A section that this process writes, wherever the board lies. It stays at its address, so that the board
+// finds it.
 class OwnSection {
  public:
-  OwnSection(Section section, OwnSections& all) : section_(section), value_(Place(section).value_words), all_(&all) {
+  OwnSection(Section section, OwnSections& all)
+      : section_(section), value_(Place(section).value_words), all_(&all) {
     all_->members.push_back(this);
   }
   OwnSection(const OwnSection&) = delete;
@@ -39,8 +41,8 @@ class OwnSection {
     if (all_ != nullptr) std::erase(all_->members, this);
   }
 
-  // Locks and maps the section in the file at `path`, where that is `board`'s. What was published before is there
-  // at once.
+  // Locks and maps the section in the file at `path`, where that is `board`'s. What was published before is
+  // there at once.
   Result<void> Move(const std::string& path, int board) {
     const std::string attempt = fmt::format("write section {} of board {}", Place(section_).name, path);
     UniqueFd lock(::open(path.c_str(), O_RDWR | O_CLOEXEC));

@@ -1,5 +1,5 @@
-// The board: shared memory in which every input stands as it is now, one writer for each section. Programs meet nowhere
-// else, and none ever waits for another.
+// The board: shared memory in which every input stands as it is now, one writer for each section. Programs
+// meet nowhere else, and none ever waits for another.
 //
 //   auto board = Board::Create("/dev/shm/kaori-board");
 //   auto surface = board->AcquireWriter<Surface>();            // One writer at a time, on the whole machine.
@@ -65,8 +65,8 @@ Stamped<T> FromWords(const ValueArray<T>& words) {
 
 }  // namespace internal
 
-// The right to write one section, held until it is destroyed or its process ends in whatever way. Untyped; see
-// Writer<T>. One thread, that of its board.
+// The right to write one section, held until it is destroyed or its process ends in whatever way. Untyped;
+// see Writer<T>. One thread, that of its board.
 class SectionWriter {
  public:
   explicit SectionWriter(std::unique_ptr<internal::OwnSection> section);
@@ -97,19 +97,19 @@ class Writer {
 // One thread for each object; any number of objects on one file, in any number of processes.
 class Board {
  public:
-  // Opens the board at `path`, and makes it first where there is none or a spoilt one, so that programs may start in
-  // any order. Blocks for the file system. Errors: as OpenOrMakeFile and Mapping::Map.
+  // Opens the board at `path`, and makes it first where there is none or a spoilt one, so that programs may
+  // start in any order. Blocks for the file system. Errors: as OpenOrMakeFile and Mapping::Map.
   static Result<Board> Create(const std::string& path);
 
   // Makes nothing: for those that only look. Errors: as OpenFile and Mapping::Map.
   static Result<Board> Open(const std::string& path);
 
-  // Looks whether the file at the path is still this board, whole and sound, and moves to the one that is there,
-  // made anew where it is missing or spoilt. Writers move too, and what each wrote last is on the new board at
-  // once. True: the board is another one than before. To be called every kHealPeriod, by the loop's thread; takes
-  // three system calls where all is well, and two for each writer. Errors:
-  //   those of OpenOrMakeFile and Mapping::Map   the board stays as it was, for the next try
-  //   device_or_resource_busy                    the board has moved, but another process writes a section of ours
+  // Looks whether the file at the path is still this board, whole and sound, and moves to the one that is
+  // there, made anew where it is missing or spoilt. Writers move too, and what each wrote last is on the new
+  // board at once. True: the board is another one than before. To be called every kHealPeriod, by the loop's
+  // thread; takes three system calls where all is well, and two for each writer. Errors:
+  //   as OpenOrMakeFile and Mapping::Map   the board stays as it was, for the next try
+  //   device_or_resource_busy   the board has moved, but another process writes a section of ours
   Result<bool> Heal();
   static constexpr Duration kHealPeriod = std::chrono::milliseconds(250);
 
@@ -118,8 +118,8 @@ class Board {
   // How often Heal has moved to another board.
   std::uint32_t moves() const { return moves_; }
 
-  // Acquires the right to write the section of T (of the two sticks, number `which`). The writer may outlive the
-  // board object, and does not move any more then. Errors:
+  // Acquires the right to write the section of T (of the two sticks, number `which`). The writer may outlive
+  // the board object, and does not move any more then. Errors:
   //   device_or_resource_busy    another writer holds it; names the section and the holder's process
   //   no_such_file_or_directory  the board's file was removed or replaced meanwhile
   //   permission_denied

@@ -31,8 +31,8 @@ Head MakeHead() {
   return head;
 }
 
-// A file that has neither a board's first word nor its size is somebody's, and not a spoilt board; an empty one is
-// nobody's.
+// A file that has neither a board's first word nor its size is somebody's, and not a spoilt board; an empty
+// one is nobody's.
 bool WasBoard(const Head& head, off_t size) {
   return size == 0 || size == static_cast<off_t>(kBoardBytes) || head[0] == kMagic;
 }
@@ -48,7 +48,8 @@ Result<void> Check(int fd, const std::string& path) {
   if (head[0] != kMagic || head[kHeadSumAt] != HeadSum(std::span(head).first<kHeadSumAt>()))
     return Fail(std::errc::bad_message, "open board " + path + ": its head is spoilt");
   if (head[1] != want[1])
-    return FailInput(fmt::format("open board {}: it has version {}, this program {}", path, head[1], want[1]));
+    return FailInput(
+        fmt::format("open board {}: it has version {}, this program {}", path, head[1], want[1]));
   if (head[2] != want[2] || head[3] != want[3])
     return FailInput("open board " + path + ": its sections are laid out by another build");
   if (status.st_size != static_cast<off_t>(kBoardBytes))
@@ -57,7 +58,8 @@ Result<void> Check(int fd, const std::string& path) {
   return {};
 }
 
-// Gives 0 or an errno. Its blocks are there from the start: a full disk is told here, and not by SIGBUS later.
+// Gives 0 or an errno. Its blocks are there from the start: a full disk is told here, and not by SIGBUS
+// later.
 int Fill(int fd) {
   const Head head = MakeHead();
   // Whatever the umask: the group's other programs write to it.
@@ -89,8 +91,8 @@ Result<UniqueFd> OpenFile(const std::string& path) {
   return file;
 }
 
-// Two programs that find the same spoilt board may both replace it. The one whose board was replaced in turn sees
-// so at its next look, as it would see any other.
+// Two programs that find the same spoilt board may both replace it. The one whose board was replaced in turn
+// sees so at its next look, as it would see any other.
 Result<UniqueFd> OpenOrMakeFile(const std::string& path) {
   auto file = OpenFile(path);
   if (file) return file;

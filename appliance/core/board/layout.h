@@ -33,8 +33,8 @@ enum class Section : std::uint32_t {
 };
 inline constexpr std::size_t kSectionCount = 15;
 
-// The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of these; the
-// rest is zero. The sum tells a board of another build from one that is spoilt.
+// The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
+// these; the rest is zero. The sum tells a board of another build from one that is spoilt.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
 inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::size_t kHeadWords = 16;

@@ -31,8 +31,9 @@ std::uintptr_t MappingAround(std::uintptr_t address) {
 void ReplaceVanishedPages(int /*signal*/, siginfo_t* info, void* /*context*/) {
   const int cause = errno;
   const std::uintptr_t begin = MappingAround(reinterpret_cast<std::uintptr_t>(info->si_addr));
-  const bool replaced = begin != 0 && ::mmap(reinterpret_cast<void*>(begin), kBoardBytes, PROT_READ | PROT_WRITE,
-                                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
+  const bool replaced =
+      begin != 0 && ::mmap(reinterpret_cast<void*>(begin), kBoardBytes, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
   if (!replaced) ::sigaction(SIGBUS, &earlier, nullptr);  // It is raised again, for whom it concerns.
   errno = cause;
 }
@@ -67,7 +68,8 @@ Result<Mapping> Mapping::Map(int fd, bool writable, const std::string& path) {
   void* at = ::mmap(nullptr, kBoardBytes, protection, MAP_SHARED, fd, 0);
   if (at == MAP_FAILED) return FailErrno("map board " + path);
   Mapping mapping(static_cast<Word*>(at));
-  if (!Enter(reinterpret_cast<std::uintptr_t>(at))) return Fail(std::errc::too_many_files_open, "map board " + path);
+  if (!Enter(reinterpret_cast<std::uintptr_t>(at)))
+    return Fail(std::errc::too_many_files_open, "map board " + path);
   return mapping;
 }
 

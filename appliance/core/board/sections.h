@@ -1,9 +1,9 @@
-// The board's sections: what each input is now, and what the programs tell each other. One program writes each; any
-// program may read each, at any time and as often as it likes.
+// The board's sections: what each input is now, and what the programs tell each other. One program writes
+// each; any program may read each, at any time and as often as it likes.
 //
-// Each value is stamped with the time at which it became true and with the state of its source. Counters count on from
-// the board's beginning, over restarts of their writers, and wrap: readers look at differences. valid.h says which
-// values are possible; readers pass over others.
+// Each value is stamped with the time at which it became true and with the state of its source. Counters
+// count on from the board's beginning, over restarts of their writers, and wrap: readers look at differences.
+// valid.h says which values are possible; readers pass over others.
 #pragma once
 
 #include <array>
@@ -20,21 +20,22 @@ enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
 
 // Values are plain words without pointers, so that they mean the same in every process.
 
-// The newest presses of a section's buttons or keys, so that a reader that looks seldom still learns which came
-// first. Counters alone say how often, but not in which order.
+// The newest presses of a section's buttons or keys, so that a reader that looks seldom still learns which
+// came first. Counters alone say how often, but not in which order.
 struct PressLog {
   static constexpr std::size_t kKept = 32;  // A power of two, so that `count` may wrap.
   struct Press {
-    std::uint32_t code = 0;   // Bits 0 to 7: the button's number or the key's usage; 8 to 15: of a key, which of
-                              // the modifiers E0 to E7 were held with it.
+    std::uint32_t code =
+        0;  // Bits 0 to 7: the button's number or the key's usage; 8 to 15: of a key, which of
+            // the modifiers E0 to E7 were held with it.
     std::uint32_t at_us = 0;  // When it happened, on CLOCK_MONOTONIC; wraps after 71 minutes.
   };
-  std::uint32_t count = 0;  // Presses since the board began; wraps.
+  std::uint32_t count = 0;            // Presses since the board began; wraps.
   std::array<Press, kKept> newest{};  // Press n, counted from 0, lies in newest[n % kKept].
 };
 
 // The control surface: eight dials and 32 buttons.
-//   writer   kaori-input, at each report of the device, up to 1000 times a second; at once when it is plugged in or out
+//   writer   kaori-input, at each report of the device, up to 1000 times a second, and when it comes or goes
 //   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
 struct Surface {
   static constexpr const char* kName = "surface";
@@ -81,8 +82,8 @@ struct Pointer {
   static constexpr const char* kName = "pointer";
   float x = 0.5F;
   float y = 0.5F;
-  std::int32_t wheel = 0;                 // Notches since the board began; away from the operator is positive.
-  std::uint32_t buttons_down = 0;         // Bit 0: the left one, 1: the right, 2: the middle.
+  std::int32_t wheel = 0;          // Notches since the board began; away from the operator is positive.
+  std::uint32_t buttons_down = 0;  // Bit 0: the left one, 1: the right, 2: the middle.
   std::array<std::uint32_t, 3> pushes{};  // How often each button went down since the board began.
 };
 
@@ -95,18 +96,19 @@ struct Lines {
   std::array<std::uint32_t, 16> pushes{};  // How often each became active since the board began.
 };
 
-// The operator's painted lips before the camera. Sizes are of the paint's outline, as fractions of the mouth's width at
-// rest: a mouth at rest is 1 wide and, shut, about a quarter high. The stamp is the middle of the exposure.
+// The operator's painted lips before the camera. Sizes are of the paint's outline, as fractions of the
+// mouth's width at rest: a mouth at rest is 1 wide and, shut, about a quarter high. The stamp is the middle
+// of the exposure.
 //   writer   kaori-lips, at each picture of the camera, 30 or 60 times a second
-//   readers  kaori-stage at each frame; kaori-desk and kaori-status for people; kaori-lips itself when it starts
+//   readers  kaori-stage at each frame; kaori-desk and kaori-status; kaori-lips itself when it starts
 struct Lips {
   static constexpr const char* kName = "lips";
   float height = 0;
   float width = 1;
   float quality = 0;         // 0 no paint found .. 1 a clean mouth.
   std::uint32_t frames = 0;  // Pictures that were read since the program began.
-  float rest_width = 0;  // In widths of the picture; 0: not yet known. A restart measures on with it.
-  float opening = 0;     // Between the lips, inside the paint.
+  float rest_width = 0;      // In widths of the picture; 0: not yet known. A restart measures on with it.
+  float opening = 0;         // Between the lips, inside the paint.
   // How far the operator's left, right corner lies above the mouth's middle. Without a marker a head that
   // leans is told from a crooked mouth by time alone.
   std::array<float, 2> corners{};
@@ -141,7 +143,8 @@ struct Sound {
   float drift_ppm = 0;          // How much faster the voice is read than it is heard, now.
 };
 
-// The motion that was called last, for its sound. At the stamp, which is when a frame is presented, it stands at `at_s`.
+// The motion that was called last, for its sound. At the stamp, which is when a frame is presented, it stands
+// at `at_s`.
 //   writer   kaori-stage at each frame while one plays, and once when it has ended
 //   readers  kaori-lips, which plays its sound; kaori-stage itself when it starts
 struct MotionNow {
@@ -163,7 +166,8 @@ struct LipsGuide {
   std::uint32_t captions = 0;  // 1: the screen is for whoever works at the box, and may say it in words.
 };
 
-// Where the desk's page is, and the code by which a visitor is authorised. Live while the code is to be shown.
+// Where the desk's page is, and the code by which a visitor is authorised. Live while the code is to be
+// shown.
 //   writer   kaori-desk, about once a second while it is
 //   readers  kaori-stage at each frame, for its caption
 struct Desk {
@@ -186,7 +190,7 @@ struct Lamps {
 
 // How the stage does.
 //   writer   kaori-stage at each frame; means once a second
-//   readers  kaori-status, kaori-desk and tests; kaori-lips for the delay of the voice; kaori-input for the tally lamp
+//   readers  kaori-status and kaori-desk; kaori-lips for the voice's delay; kaori-input for the tally lamp
 struct StageStatus {
   static constexpr const char* kName = "stage_status";
   // Of the last frame that was presented: the flip, and when the input was sampled for it.
@@ -199,8 +203,8 @@ struct StageStatus {
   // Measured at the flips of the last second, means; 0: there was nothing to measure.
   Duration lips_age{};   // Age of the lips when they are presented.
   Duration voice_age{};  // Age of the voice when it is presented.
-  // From what the camera sees until the screen shows a mouth that does the same: the age, half the time that a frame
-  // stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
+  // From what the camera sees until the screen shows a mouth that does the same: the age, half the time that
+  // a frame stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
   Duration mouth_lag{};
   std::uint32_t frames = 0;
   std::uint32_t missed_flips = 0;

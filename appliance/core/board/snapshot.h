@@ -25,14 +25,15 @@ struct Snapshot {
 // waits. `performance` is not among them: its owner reads it once, at its start.
 Snapshot ReadAll(const Board& board);
 
-// Snapshots that do not blink while the board is replaced beneath their reader. One thread; the board must outlive it.
+// Snapshots that do not blink while the board is replaced beneath their reader. One thread; the board must
+// outlive it.
 class SnapshotReader {
  public:
   explicit SnapshotReader(const Board& board) : board_(board), moves_(board.moves()) {}
 
-  // As ReadAll. While the board is spoilt everything stays as it was; for a second after it was replaced so does
-  // each section that nobody has written on the new one, until its writer has moved there too. After that an absent
-  // section has no writer. What it gives holds until the next call.
+  // As ReadAll. While the board is spoilt everything stays as it was; for a second after it was replaced so
+  // does each section that nobody has written on the new one, until its writer has moved there too. After
+  // that an absent section has no writer. What it gives holds until the next call.
   const Snapshot& Read(Time now);
 
   // True in that second: counters of the new board are no difference to those of the one before.

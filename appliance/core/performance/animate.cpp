@@ -75,8 +75,9 @@ std::uint32_t Lamps(const State& state, const show::Show& show) {
   return lamps;
 }
 
-// Moves the state's time to `presented_at` and gives the seconds in between. A frame that is presented a little
-// before the one before it (the screen was pulled) takes no time, and what it went back is not played twice.
+// Moves the state's time to `presented_at` and gives the seconds in between. A frame that is presented a
+// little before the one before it (the screen was pulled) takes no time, and what it went back is not played
+// twice.
 float StepTo(State& state, Time presented_at) {
   const Time before = state.last;
   if (presented_at > before || before - presented_at > kClockBegan) state.last = presented_at;

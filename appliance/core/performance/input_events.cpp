@@ -53,7 +53,8 @@ void Adopt(SeenInput& seen, const board::Snapshot& board) {
     seen.key_presses = board.keys.value.log.count;
   if (IsThere(board.lines) && std::exchange(seen.lines_unknown, 0) != 0)
     seen.gos = board.lines.value.pushes[kGoLine];
-  if (IsThere(board.pointer) && std::exchange(seen.pointer_unknown, 0) != 0) seen.pointer = board.pointer.value;
+  if (IsThere(board.pointer) && std::exchange(seen.pointer_unknown, 0) != 0)
+    seen.pointer = board.pointer.value;
 }
 
 InputEvents::Pointer PointerEvents(const board::Pointer& before, const board::Pointer& now) {

@@ -26,8 +26,8 @@ struct Press {
   bool IsKey() const { return source == Source::kKey; }
 };
 
-// The board's counters as they stood at the last frame; events are the differences. Plain bytes, kept with the
-// performance's state over a restart of the stage.
+// The board's counters as they stood at the last frame; events are the differences. Plain bytes, kept with
+// the performance's state over a restart of the stage.
 struct SeenInput {
   std::array<std::int32_t, 8> dials{};
   std::uint32_t button_presses = 0;
@@ -45,7 +45,8 @@ class InputEvents {
   // In the order of time. Of more than PressLog::kKept presses of one section the newest are here.
   std::span<const Press> presses() const { return std::span(presses_).first(count_); }
 
-  // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of time.
+  // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of
+  // time.
   template <class Predicate>
   void Consume(Predicate consumes) {
     std::size_t kept = 0;

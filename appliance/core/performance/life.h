@@ -1,4 +1,5 @@
-// What the face does by itself while nobody plays it: blinks, glances, breath and sway, as much as the Life dial says.
+// What the face does by itself while nobody plays it: blinks, glances, breath and sway, as much as the Life
+// dial says.
 #pragma once
 
 #include "appliance/core/performance/state.h"
@@ -11,8 +12,8 @@ struct Idle {
   float breath = 0;  // -1 out .. 1 in.
 };
 
-// `amount` 0..1. Blinks start in state.blink_s; a gaze stick that is moved quiets the glances. Pure: randomness is part
-// of the state.
+// `amount` 0..1. Blinks start in state.blink_s; a gaze stick that is moved quiets the glances. Pure:
+// randomness is part of the state.
 Idle Live(State& state, float amount, float dt_s);
 
 // The hair's tips: a damped spring that lags behind the head.

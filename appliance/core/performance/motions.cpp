@@ -44,7 +44,8 @@ void Add(Motion& motion, const show::MotionCurve& curve, float value) {
 }
 
 float End(const show::Motion& played) {
-  const auto frames = static_cast<float>(played.sound.samples.size()) / static_cast<float>(played.sound.channels);
+  const auto frames =
+      static_cast<float>(played.sound.samples.size()) / static_cast<float>(played.sound.channels);
   float end_s = frames / static_cast<float>(show::kSoundRate_hz);
   for (const auto& curve : played.curves) end_s = std::max(end_s, curve.keys.back().at_s);
   return end_s;

@@ -14,8 +14,8 @@ struct Motion {
   face::Terms channels;
 };
 
-// Moves the playing motions on by dt_s and gives their sum. When a motion is called while others play, those fade out
-// in 0.25 s.
+// Moves the playing motions on by dt_s and gives their sum. When a motion is called while others play, those
+// fade out in 0.25 s.
 Motion PlayMotions(State& state, const show::Show& show, float dt_s);
 
 // The motion that was called last, which keeps its full gain; null: nothing plays. Borrowed from `state`.

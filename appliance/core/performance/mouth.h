@@ -1,4 +1,5 @@
-// What moves the mouth: its dials, else the operator's lips before the camera, else the voice, else the expression.
+// What moves the mouth: its dials, else the operator's lips before the camera, else the voice, else the
+// expression.
 #pragma once
 
 #include "appliance/core/board/snapshot.h"

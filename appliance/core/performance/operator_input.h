@@ -14,16 +14,16 @@ void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_
 // What the knobs do follows them softly, with a half life of 30 ms: a detent is not seen.
 void FollowKnobs(State& state, float dt_s);
 
-// Presses, in their order: buttons call faces, expressions, styles and scenes; keys too, and they blink, wink and
-// play registered motions.
+// Presses, in their order: buttons call faces, expressions, styles and scenes; keys too, and they blink, wink
+// and play registered motions.
 void PlayPresses(State& state, const InputEvents& events, const show::Show& show);
 
-// Sets face, expression, style, exposure and backdrop of a scene on their way, each from what it is at this moment.
-// `scene` is below show.scenes.size(). A fade of 0 changes at once.
+// Sets face, expression, style, exposure and backdrop of a scene on their way, each from what it is at this
+// moment. `scene` is below show.scenes.size(). A fade of 0 changes at once.
 void EnterScene(State& state, const show::Show& show, std::uint16_t scene, float fade_s);
 
-// Head, gaze and brows follow the sticks. A stick that is unplugged or silent holds for a quarter of a second, then eases
-// to neutral within one.
+// Head, gaze and brows follow the sticks. A stick that is unplugged or silent holds for a quarter of a
+// second, then eases to neutral within one.
 void MoveSticks(State& state, const board::Snapshot& board, float dt_s);
 
 // Lids that keys hold shut, and blinks that run: the shut part of the character's left, right eye, 0..1.

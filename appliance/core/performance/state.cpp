@@ -71,8 +71,8 @@ bool IsValidClocks(const State& s) {
 
 bool IsValidVoices(const State& s, const show::Show& show) {
   return std::ranges::all_of(s.voices, [&show](const Playing& v) {
-    return v.motion < static_cast<int>(show.motions.size()) && Within({v.at_s}, 0, show::kLongestMotion_s + 1) &&
-           Within({v.gain}, 0, 1);
+    return v.motion < static_cast<int>(show.motions.size()) &&
+           Within({v.at_s}, 0, show::kLongestMotion_s + 1) && Within({v.gain}, 0, 1);
   });
 }
 
@@ -83,8 +83,9 @@ bool IsValid(const State& state, const show::Show& show) {
          IsValidMixture(state.expressions, show.cast.expressions.size()) &&
          IsValidMixture(state.styles, scene::kStyleCount) &&
          (show.scenes.empty() || IsValidMixture(state.backdrops, show.scenes.size())) &&
-         IsValidBackstage(state.backstage) && IsValidKnobs(state) && IsValidPose(state) && IsValidClocks(state) &&
-         IsValidVoices(state, show) && (show.scenes.empty() || state.scene < show.scenes.size());
+         IsValidBackstage(state.backstage) && IsValidKnobs(state) && IsValidPose(state) &&
+         IsValidClocks(state) && IsValidVoices(state, show) &&
+         (show.scenes.empty() || state.scene < show.scenes.size());
 }
 
 }  // namespace kaori::performance

@@ -17,15 +17,16 @@
 
 namespace kaori::performance {
 
-// The scene's exposure on its way from one scene to the next; 1 is as the scene was lit, 0 is black. The curve between
-// the two is in blink.h.
+// The scene's exposure on its way from one scene to the next; 1 is as the scene was lit, 0 is black. The
+// curve between the two is in blink.h.
 struct Backstage {
   float exposure_from = 1, exposure_to = 1;
   float progress = 1;  // 0 at the call .. 1 when the fade has run.
   float duration_s = 0;
 };
 
-// How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to neutral.
+// How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to
+// neutral.
 struct StickNow {
   float presence = 1;  // 1: what it says counts; eases to 0 when the device is lost.
   float lost_s = 0;    // For how long it has been gone.
@@ -34,8 +35,8 @@ struct StickNow {
 // A registered motion that is playing. Its curves end where they begin, so that nothing jumps at either end.
 struct Playing {
   std::int32_t motion = -1;  // Of the show's motions; -1: nothing.
-  float at_s = 0;  // From its beginning.
-  float gain = 1;  // Falls to 0 from the moment at which another motion takes over.
+  float at_s = 0;            // From its beginning.
+  float gain = 1;            // Falls to 0 from the moment at which another motion takes over.
 };
 inline constexpr int kVoices = 8;  // Of which all but one are fading out.
 
@@ -64,8 +65,8 @@ struct State {
   Time last{};                                 // When the last frame was to be presented.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   SeenInput seen;                              // ReadEvents alone changes it.
-  Mixture faces, expressions, styles;  // Indices into the cast, and scene::Style.
-  Mixture backdrops;  // Of scenes, by their numbers.
+  Mixture faces, expressions, styles;          // Indices into the cast, and scene::Style.
+  Mixture backdrops;                           // Of scenes, by their numbers.
   Backstage backstage;
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
   std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.
@@ -93,8 +94,8 @@ struct State {
 };
 static_assert(std::is_trivially_copyable_v<State>);
 
-// Whether the show may go on with a state that was found on the board or on the disk: every number is finite and in
-// range, and everything that it calls exists in the show.
+// Whether the show may go on with a state that was found on the board or on the disk: every number is finite
+// and in range, and everything that it calls exists in the show.
 bool IsValid(const State& state, const show::Show& show);
 
 }  // namespace kaori::performance

@@ -46,7 +46,7 @@ Result<void> MakeFolder(const std::filesystem::path& folder) {
 }
 
 std::optional<Journal> ReadJournal(const std::filesystem::path& folder, Session& session,
-                                     std::string& trouble) {
+                                   std::string& trouble) {
   auto opened = MakeFolder(folder).and_then(
       [&] { return Journal::Open(folder / kJournalName, Fingerprint(session.points())); });
   if (!opened) {
@@ -70,7 +70,8 @@ struct ExpressionEditor::Kept {
   std::string trouble{};
 };
 
-std::unique_ptr<ExpressionEditor> ExpressionEditor::Open(const std::filesystem::path& folder, show::Show& show) {
+std::unique_ptr<ExpressionEditor> ExpressionEditor::Open(const std::filesystem::path& folder,
+                                                         show::Show& show) {
   Kept kept{folder, Session(PointsOf(show.cast.net))};
   kept.journal = ReadJournal(folder, kept.session, kept.trouble);
   if (!folder.empty()) {

@@ -5,9 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "appliance/core/performance/ease.h"
 #include "appliance/programs/editor/caption.h"
 #include "appliance/programs/editor/keys.h"
-#include "appliance/core/performance/ease.h"
 
 namespace kaori::editor {
 namespace {
@@ -52,8 +52,8 @@ const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, perf
   return TakeOut(board, events);
 }
 
-// Gives whether the press was the editor's. Each is judged by what it was pressed into: a press that closes the
-// editor is the editor's, and the next one is not.
+// Gives whether the press was the editor's. Each is judged by what it was pressed into: a press that closes
+// the editor is the editor's, and the next one is not.
 bool ExpressionEditor::HandlePress(const performance::Press& press, Situation& now) {
   const bool was_open = open_, was_typing = input_.typing().has_value();
   for (const Command& command : input_.ReadPress(press, now.show, open_, now_)) Obey(command, now);
@@ -228,8 +228,8 @@ void ExpressionEditor::ShowDraft() {
   renewed_.push_back({draft(), compared_ ? &session_.before() : &session_.work()});
 }
 
-// While the editor is open buttons and keys that call faces and styles are the performance's still, unless a name
-// is typed or the editor has a use for the key.
+// While the editor is open buttons and keys that call faces and styles are the performance's still, unless a
+// name is typed or the editor has a use for the key.
 bool ExpressionEditor::PlaysOn(const performance::Press& press, const show::Show& show, bool typing) {
   const auto stays = [](show::CallKind kind) {
     return kind == show::CallKind::kFace || kind == show::CallKind::kStyle;
@@ -242,7 +242,8 @@ bool ExpressionEditor::PlaysOn(const performance::Press& press, const show::Show
 }
 
 // Dials, keys that are held and the right stick are the editor's while it is open.
-const board::Snapshot& ExpressionEditor::TakeOut(const board::Snapshot& board, performance::InputEvents& events) {
+const board::Snapshot& ExpressionEditor::TakeOut(const board::Snapshot& board,
+                                                 performance::InputEvents& events) {
   for (const std::size_t dial : kEditorDials) events.turned[dial] = 0;
   events.pointer = {};
   rest_ = board;
@@ -274,7 +275,7 @@ void ExpressionEditor::Describe(scene::Scene& scene) const {
 }
 
 void ExpressionEditor::Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene,
-                   float aspect) {
+                            float aspect) {
   picker_.Look(cast, shape, scene, aspect);
 }
 

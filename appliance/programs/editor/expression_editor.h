@@ -1,5 +1,5 @@
-// The expression editor: an author makes an expression on the box, while the show plays. For people its handles, which
-// stand on the face, are called needles.
+// The expression editor: an author makes an expression on the box, while the show plays. For people its
+// handles, which stand on the face, are called needles.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "appliance/core/board/snapshot.h"
-#include "appliance/programs/editor/input.h"
-#include "appliance/programs/editor/work_writer.h"
-#include "appliance/programs/editor/session.h"
-#include "appliance/programs/editor/own_expressions.h"
-#include "appliance/programs/editor/handle_picker.h"
 #include "appliance/core/performance/state.h"
 #include "appliance/core/show/show.h"
+#include "appliance/programs/editor/handle_picker.h"
+#include "appliance/programs/editor/input.h"
+#include "appliance/programs/editor/own_expressions.h"
+#include "appliance/programs/editor/session.h"
+#include "appliance/programs/editor/work_writer.h"
 #include "render/scene/scene.h"
 
 namespace kaori::editor {
@@ -26,22 +26,23 @@ class ExpressionEditor {
  public:
   // Appends the box's own expressions, and the one in work, to the show's cast: kSlots + 1 of them, empty or
   // not, so that their number never changes. Takes up the work that an earlier session left in the journal.
-  // Logs what was found and what could not be read; without its folder the editor works in memory. Blocks for the disk.
+  // Logs what was found and what could not be read; without its folder the editor works in memory. Blocks for
+  // the disk.
   static std::unique_ptr<ExpressionEditor> Open(const std::filesystem::path& folder, show::Show& show);
   ~ExpressionEditor();
 
-  // Does what the author asks for by `events`, takes out of them what was the editor's, and gives what is left of
-  // the board for the performance: while the editor is open, controls that pull do not play. What it gives holds
-  // until the next call. `show` is the one that Open saw. Allocates only where something was pressed or moved, or
-  // while the editor is open.
+  // Does what the author asks for by `events`, takes out of them what was the editor's, and gives what is
+  // left of the board for the performance: while the editor is open, controls that pull do not play. What it
+  // gives holds until the next call. `show` is the one that Open saw. Allocates only where something was
+  // pressed or moved, or while the editor is open.
   const board::Snapshot& Play(const board::Snapshot& board, performance::InputEvents& events,
                               const show::Show& show, performance::State& state, Time presented_at);
 
   // Writes what the frame shows of the editor: its handles and its caption.
   void Describe(scene::Scene& scene) const;
 
-  // To be called after each frame with the face as it was drawn: what the author sees and points at. `aspect` is the
-  // picture's width over its height.
+  // To be called after each frame with the face as it was drawn: what the author sees and points at. `aspect`
+  // is the picture's width over its height.
   void Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene, float aspect);
 
   // Expressions of the cast that Play has made anew, each with what it is now. Cleared by the next Play.
@@ -115,8 +116,8 @@ class ExpressionEditor {
   WorkWriter writer_;
 };
 
-// Where a box keeps its own expressions: /var/lib/kaori/own where that folder exists, else in the home of whoever plays
-// ($XDG_STATE_HOME/kaori/own). Empty: nowhere.
+// Where a box keeps its own expressions: /var/lib/kaori/own where that folder exists, else in the home of
+// whoever plays ($XDG_STATE_HOME/kaori/own). Empty: nowhere.
 std::filesystem::path UsualFolder();
 
 }  // namespace kaori::editor

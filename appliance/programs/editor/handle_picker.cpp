@@ -10,11 +10,10 @@
 namespace kaori::editor {
 namespace {
 
-constexpr float kMeant =
-    0.1F;                    // A press further away than this part of the half height means no handle.
-constexpr float kAside = 2;  // A handle this much aside of a direction is as far as one straight ahead.
-constexpr float kWidest = 1.2F;      // Tangent of the angle within which a handle lies "in that direction".
-constexpr float kHead_m = 0.008F;    // As far as a handle stands out of the skin (render/passes/handles).
+constexpr float kMeant = 0.1F;     // A press further away than this part of the half height means no handle.
+constexpr float kAside = 2;        // A handle this much aside of a direction is as far as one straight ahead.
+constexpr float kWidest = 1.2F;    // Tangent of the angle within which a handle lies "in that direction".
+constexpr float kHead_m = 0.008F;  // As far as a handle stands out of the skin (render/passes/handles).
 constexpr float kLeastFlat = 1e-9F;  // A carrier with less volume than this turns no way into a pull.
 
 glm::vec3 MeanAt(const face::SparseRows& rows, std::size_t row, std::span<const glm::vec3> values) {
@@ -41,7 +40,8 @@ HandlePicker::HandlePicker(const face::Cast& cast) : handles_(cast.net.points.si
   }
 }
 
-void HandlePicker::Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene, float aspect) {
+void HandlePicker::Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene,
+                        float aspect) {
   view_.emplace(scene, cast.neck_pivot, aspect);
   aspect_ = aspect;
   faces_ = shape.faces;
@@ -79,7 +79,8 @@ std::optional<std::size_t> HandlePicker::Next(std::size_t from, glm::vec2 direct
     const float along = glm::dot(way, ahead);
     const float aside = std::abs(way.x * ahead.y - way.y * ahead.x);
     const float cost = along + kAside * aside;
-    if (i == from || !handles_[i].seen || !(along > 0) || aside > kWidest * along || !(cost < least)) continue;
+    if (i == from || !handles_[i].seen || !(along > 0) || aside > kWidest * along || !(cost < least))
+      continue;
     least = cost;
     next = i;
   }

@@ -1,4 +1,5 @@
-// Where the handles stand in the picture that was shown last: to choose one, and to pull it where a pointer goes.
+// Where the handles stand in the picture that was shown last: to choose one, and to pull it where a pointer
+// goes.
 #pragma once
 
 #include <optional>
@@ -13,8 +14,8 @@
 
 namespace kaori::editor {
 
-// One thread. Positions are of the picture, 0..1 from the left top, unless something else is said. Before the first Look
-// no handle is seen.
+// One thread. Positions are of the picture, 0..1 from the left top, unless something else is said. Before the
+// first Look no handle is seen.
 class HandlePicker {
  public:
   // Fits a frame to each handle on each face: takes some milliseconds. The cast is not kept.

@@ -14,8 +14,8 @@ class History {
   // Forgets all and begins with `work`.
   void Begin(Work work);
 
-  // A new step after the one in work; what was undone is gone. A `fresh` one came from elsewhere: before() does
-  // not look behind it.
+  // A new step after the one in work; what was undone is gone. A `fresh` one came from elsewhere: before()
+  // does not look behind it.
   void Push(Work work, bool fresh = false);
 
   // The newest step goes on.

@@ -45,8 +45,8 @@ struct EditorInput::Reading {
   void Do(Verb verb, int index = 0) { commands.push_back({.verb = verb, .index = index}); }
 };
 
-std::vector<Command> EditorInput::ReadPress(const performance::Press& press, const show::Show& show, bool open,
-                                            Time now) {
+std::vector<Command> EditorInput::ReadPress(const performance::Press& press, const show::Show& show,
+                                            bool open, Time now) {
   Reading reading{&show, open, now};
   if (press.IsKey()) {
     ReadKey(reading, press);

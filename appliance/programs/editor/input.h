@@ -12,8 +12,8 @@
 
 #include "appliance/core/board/snapshot.h"
 #include "appliance/core/performance/input_events.h"
-#include "appliance/programs/editor/session.h"
 #include "appliance/core/show/show.h"
+#include "appliance/programs/editor/session.h"
 
 namespace kaori::editor {
 
@@ -65,15 +65,16 @@ inline constexpr std::array<std::size_t, 5> kEditorDials{1, 2, 3, 4, 5};
 // One thread. Allocates only where something was pressed or moved.
 class EditorInput {
  public:
-  // What one press asks for. Presses come one by one, each after what the one before it asked for was done: a name
-  // may be asked for, typed and kept within one frame. While the editor is closed only Tab and Shift with a digit
-  // mean something.
-  std::vector<Command> ReadPress(const performance::Press& press, const show::Show& show, bool open, Time now);
+  // What one press asks for. Presses come one by one, each after what the one before it asked for was done: a
+  // name may be asked for, typed and kept within one frame. While the editor is closed only Tab and Shift
+  // with a digit mean something.
+  std::vector<Command> ReadPress(const performance::Press& press, const show::Show& show, bool open,
+                                 Time now);
 
-  // What dials, right stick and pointer ask for, after the presses of the frame. What the editor uses of `events`
-  // stays in them.
-  std::vector<Command> ReadMotion(const board::Snapshot& board, const performance::InputEvents& events, bool open,
-                                  Time now);
+  // What dials, right stick and pointer ask for, after the presses of the frame. What the editor uses of
+  // `events` stays in them.
+  std::vector<Command> ReadMotion(const board::Snapshot& board, const performance::InputEvents& events,
+                                  bool open, Time now);
 
   // The name is asked for; keys type until Enter or Escape.
   void AskForName(Typing::For purpose, std::string text);
@@ -87,7 +88,8 @@ class EditorInput {
   void Type(Reading& reading, const performance::Press& press);
   void ReadDials(Reading& reading, const performance::InputEvents& events, std::int32_t counts_per_turn);
   void ReadStick(Reading& reading, const board::Stamped<board::Stick>& stick);
-  void ReadPointer(Reading& reading, const performance::InputEvents::Pointer& moved, const board::Pointer& held);
+  void ReadPointer(Reading& reading, const performance::InputEvents::Pointer& moved,
+                   const board::Pointer& held);
   void Go(Reading& reading, glm::vec2 direction);
   Gesture GestureOf(int kind, Time now);
   void EndGesture() { gesture_kind_ = -1; }

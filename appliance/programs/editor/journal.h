@@ -1,5 +1,6 @@
-// The journal: every change of a session, one after the other in a file, so that a crash loses next to nothing. The
-// file begins with eight bytes of magic and the fingerprint of the control points; record.h has the records.
+// The journal: every change of a session, one after the other in a file, so that a crash loses next to
+// nothing. The file begins with eight bytes of magic and the fingerprint of the control points; record.h has
+// the records.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,8 @@ class Journal {
   struct Opened;
 
   // Opens the file, or makes it, and reads what an earlier session wrote; blocks for the disk. A record that
-  // was torn is cut off. A journal of other control points (`fingerprint`), or a file that is none, is renamed
-  // to FILE.NUMBER, and is read again when its control points are back. Errors:
+  // was torn is cut off. A journal of other control points (`fingerprint`), or a file that is none, is
+  // renamed to FILE.NUMBER, and is read again when its control points are back. Errors:
   //   device_or_resource_busy  another program has it open
   //   as open(2), read(2) and write(2)
   static Result<Opened> Open(const std::filesystem::path& file, std::uint64_t fingerprint);

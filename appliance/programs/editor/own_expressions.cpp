@@ -25,8 +25,7 @@ std::string OwnExpressions::Contents() const {
   std::string contents;
   for (int slot = 0; slot < kSlots; ++slot)
     if (at(slot))
-      contents +=
-          fmt::format("{}{} {}", contents.empty() ? "" : "  ", (slot + 1) % kSlots, at(slot)->name);
+      contents += fmt::format("{}{} {}", contents.empty() ? "" : "  ", (slot + 1) % kSlots, at(slot)->name);
   return contents;
 }
 

@@ -83,7 +83,8 @@ Work ParseWork(RecordParser& parser) {
   work.name = parser.ParseText();
   work.origin = parser.ParseText();
   const auto count = parser.Parse<std::uint32_t>();
-  for (std::uint32_t i = 0; i < count && parser.whole(); ++i) work.pulls_m.push_back(parser.Parse<glm::vec3>());
+  for (std::uint32_t i = 0; i < count && parser.whole(); ++i)
+    work.pulls_m.push_back(parser.Parse<glm::vec3>());
   return work;
 }
 

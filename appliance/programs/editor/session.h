@@ -34,8 +34,9 @@ struct Spread {
   bool smooth = false;  // To the neighbours, the nearer the more.
 };
 
-// No device, no file, no clock; one thread. Every command gives what it changed, and kNone where that is nothing: an index
-// that no control point has, a number that is not finite, a dial at its end. No pull goes further than 5 cm.
+// No device, no file, no clock; one thread. Every command gives what it changed, and kNone where that is
+// nothing: an index that no control point has, a number that is not finite, a dial at its end. No pull goes
+// further than 5 cm.
 class Session {
  public:
   explicit Session(Points points);

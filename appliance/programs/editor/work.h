@@ -1,4 +1,5 @@
-// An expression that an author is working on. A plain value: it is copied into the history, the journal and the files.
+// An expression that an author is working on. A plain value: it is copied into the history, the journal and
+// the files.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@ struct Work {
   std::array<float, 2> lids{};       // Shut by this much: the character's left, right.
   std::string name{};                // Empty: it has none yet.
   std::string origin{};              // The expression that it was begun from.
-  int slot = -1;                    // Of the own expression that saving replaces; -1: none yet.
+  int slot = -1;                     // Of the own expression that saving replaces; -1: none yet.
 
   friend bool operator==(const Work&, const Work&) = default;
 };

@@ -12,8 +12,7 @@ constexpr std::chrono::milliseconds kWriterPause{500};  // Between two writes of
 }  // namespace
 
 bool WorkWriter::Requests::any() const {
-  return !records.empty() ||
-         std::ranges::any_of(files, [](const auto& file) { return file.has_value(); });
+  return !records.empty() || std::ranges::any_of(files, [](const auto& file) { return file.has_value(); });
 }
 
 WorkWriter::WorkWriter(std::optional<Journal> journal, std::filesystem::path folder, Points points)
@@ -121,8 +120,8 @@ Result<void> WorkWriter::WriteFiles(Requests& requests) {
   Result<void> outcome;
   for (auto& file : requests.files) {
     if (!file) continue;
-    auto done = file->remove ? RemoveFromStore(folder_, file->work.slot)
-                               : WriteToStore(folder_, file->work, points_);
+    auto done =
+        file->remove ? RemoveFromStore(folder_, file->work.slot) : WriteToStore(folder_, file->work, points_);
     if (!done) {
       outcome = std::move(done);
       continue;
@@ -150,8 +149,9 @@ void WorkWriter::Tell(Outcome outcome) {
 void WorkWriter::TellWhetherItWorks(const Result<void>& outcome) {
   if (outcome.has_value() != failing_) return;  // As before.
   failing_ = !outcome;
-  Tell(
-      {failing_ ? Outcome::Kind::kFailing : Outcome::Kind::kWorking, {}, outcome ? "" : outcome.error().message()});
+  Tell({failing_ ? Outcome::Kind::kFailing : Outcome::Kind::kWorking,
+        {},
+        outcome ? "" : outcome.error().message()});
 }
 
 }  // namespace kaori::editor

@@ -29,7 +29,8 @@ Result<void> KeySeat::Plug(const ports::HidIdentity& identity, Time now) {
 Result<void> KeySeat::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());
-  keys_.Accept(sample->keys, [&](std::size_t usage) { board::Append(log_, board::CodeOf(keys_.down, usage), at); });
+  keys_.Accept(sample->keys,
+               [&](std::size_t usage) { board::Append(log_, board::CodeOf(keys_.down, usage), at); });
   at_ = at;
   proven_ = changed_ = true;
   return {};

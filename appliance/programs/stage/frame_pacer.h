@@ -1,5 +1,5 @@
-// When to begin a frame: so late that its input is as fresh as drawing allows, so early that its flip is not missed.
-// "Late latching" of input is the same idea.
+// When to begin a frame: so late that its input is as fresh as drawing allows, so early that its flip is not
+// missed. "Late latching" of input is the same idea.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace kaori::stage {
 
-// Pure: it is told of flips and of drawing and asked for plans, and reads no clock. All its lengths are fractions of
-// the screen's period, so that it holds for any screen.
+// Pure: it is told of flips and of drawing and asked for plans, and reads no clock. All its lengths are
+// fractions of the screen's period, so that it holds for any screen.
 class FramePacer {
  public:
   struct Plan {

@@ -84,7 +84,8 @@ Result<performance::State> RecallLastFace(const LastFaceFile& where, const show:
 
 std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, const show::Show& show,
                                                  const board::Board& board,
-                                                 board::Writer<board::Performance>& writer, Time presented_at) {
+                                                 board::Writer<board::Performance>& writer,
+                                                 Time presented_at) {
   if (board.Read<board::Performance>().source != board::SourceState::kAbsent) return std::nullopt;
   const auto state = RecallLastFace(where, show, board::ReadAll(board), presented_at);
   if (!state) {

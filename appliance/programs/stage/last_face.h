@@ -1,6 +1,6 @@
-// The last face of a show, kept while the box is off: a small picture, which the box shows at once when it is switched
-// on, and the state from which the stage then plays on, so that nothing jumps between the two. The file's format is in
-// firmware/wire/last_face.h.
+// The last face of a show, kept while the box is off: a small picture, which the box shows at once when it is
+// switched on, and the state from which the stage then plays on, so that nothing jumps between the two. The
+// file's format is in firmware/wire/last_face.h.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ struct LastFaceFile {
 // Tells one show's pack from another by how it begins. Errors: those of open(2) and read(2).
 Result<std::uint64_t> ShowMark(const std::filesystem::path& pack);
 
-// The state that was kept, on this board, for a first frame that is presented at `presented_at`. Blocks for the disk.
-// Errors:
+// The state that was kept, on this board, for a first frame that is presented at `presented_at`. Blocks for
+// the disk. Errors:
 //   no_such_file_or_directory  none was kept
 //   invalid_argument           a torn file, one of another show or another version
 Result<performance::State> RecallLastFace(const LastFaceFile& where, const show::Show& show,
@@ -40,11 +40,12 @@ Result<performance::State> RecallLastFace(const LastFaceFile& where, const show:
 // from there. Why it cannot be had is one line in the log, but for a box that never kept one.
 std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, const show::Show& show,
                                                  const board::Board& board,
-                                                 board::Writer<board::Performance>& writer, Time presented_at);
+                                                 board::Writer<board::Performance>& writer,
+                                                 Time presented_at);
 
-// Called by the stage's thread; a thread of its own writes. A face is kept within half a minute after a call or a dial
-// changed it, once no fade, motion or blink is under way; not in a blackout, nor with words on the screen. Of the disk's
-// errors each kind is logged once, and the show goes on.
+// Called by the stage's thread; a thread of its own writes. A face is kept within half a minute after a call
+// or a dial changed it, once no fade, motion or blink is under way; not in a blackout, nor with words on the
+// screen. Of the disk's errors each kind is logged once, and the show goes on.
 class LastFace {
  public:
   // Copies out what is on the screen; false where there is nothing.
@@ -57,8 +58,8 @@ class LastFace {
   LastFace(const LastFace&) = delete;
   LastFace& operator=(const LastFace&) = delete;
 
-  // To be called after each frame, with what it showed. Allocates the first time only; waits for no disk, and for the
-  // picture twice a minute at most.
+  // To be called after each frame, with what it showed. Allocates the first time only; waits for no disk, and
+  // for the picture twice a minute at most.
   void Observe(const performance::State& state, const scene::Scene& scene, Time now);
 
   // Keeps what was observed last, however new, and waits for the disk: for an orderly end.

@@ -105,7 +105,7 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
                                                    const kaori::Clock& clock) {
   if (settings.last_face.empty()) return nullptr;
   const kaori::stage::LastFaceFile where{settings.last_face,
-                                          kaori::stage::ShowMark(settings.pack).value_or(0)};
+                                         kaori::stage::ShowMark(settings.pack).value_or(0)};
   const auto taken_up =
       kaori::stage::ResumeLastFace(where, studio.show(), board, writers.performance, clock.now());
   const auto look = [&studio](kaori::stage::SmallImage& into) {
@@ -134,7 +134,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.SetEditor(std::move(loaded->editor));
   if (last_face)
-    stage.CallAfterFrames([&](const auto& state, const auto& scene, auto now) { last_face->Observe(state, scene, now); });
+    stage.CallAfterFrames(
+        [&](const auto& state, const auto& scene, auto now) { last_face->Observe(state, scene, now); });
   kaori::Log("{} is {} on {}", (*studio)->show().name, stage.resumed() ? "resumed" : "opened",
              (*studio)->renderer());
   auto alarm = kaori::Alarm::Make();

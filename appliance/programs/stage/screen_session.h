@@ -1,4 +1,5 @@
-// The stage before its screen: looks for one, watches it while it is there, and wakes the stage for each frame.
+// The stage before its screen: looks for one, watches it while it is there, and wakes the stage for each
+// frame.
 #pragma once
 
 #include <functional>
@@ -20,8 +21,8 @@ class ScreenSession {
   ScreenSession(Stage& stage, EventLoop& loop, Alarm alarm, Open open)
       : stage_(stage), loop_(loop), alarm_(std::move(alarm)), open_(std::move(open)) {}
 
-  // From now on the loop plays the stage, with a screen and without. Draws the first picture where a screen is there.
-  // Errors: those of EventLoop::Watch and EventLoop::Every.
+  // From now on the loop plays the stage, with a screen and without. Draws the first picture where a screen
+  // is there. Errors: those of EventLoop::Watch and EventLoop::Every.
   Result<void> Begin();
 
  private:

@@ -1,5 +1,5 @@
-// What the stage shows to whoever services the box: lamps and lines that lead through a calibration, and the code by
-// which a page is authorised. Nothing of it is seen in a show.
+// What the stage shows to whoever services the box: lamps and lines that lead through a calibration, and the
+// code by which a page is authorised. Nothing of it is seen in a show.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@
 
 namespace kaori::stage {
 
-// True while a calibration is under way at the box; one whose program has been silent for half a second is over.
+// True while a calibration is under way at the box; one whose program has been silent for half a second is
+// over.
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now);
 
-// While it is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board itself:
-// takes them out of `events`, so that nobody is called by them.
+// While it is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board
+// itself: takes them out of `events`, so that nobody is called by them.
 void ConsumeGuideInput(performance::InputEvents& events);
 
 // The lamps of buttons 1 to 4 are shut, open, wide, narrow: those that are taken are lit, the one that is
 // asked for blinks, and faster while it is taken. When all are taken all four blink.
 std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now);
 
-// Adds lines to the scene's caption: those of the calibration where the screen may show captions, else the desk's
-// address and code while they hold. A desk that has been silent for three seconds is gone.
+// Adds lines to the scene's caption: those of the calibration where the screen may show captions, else the
+// desk's address and code while they hold. A desk that has been silent for three seconds is gone.
 void ShowService(const board::Snapshot& board, Time now, scene::Scene& scene);
 
 }  // namespace kaori::stage

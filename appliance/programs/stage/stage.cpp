@@ -15,7 +15,7 @@ namespace {
 constexpr Duration kSecond = std::chrono::seconds(1);
 constexpr Duration kSameAge = std::chrono::milliseconds(5);
 constexpr Duration kAgeQuiet = std::chrono::seconds(10);
-constexpr Duration kOldestInput = std::chrono::hours(1);  // What is older is as old.
+constexpr Duration kOldestInput = std::chrono::hours(1);             // What is older is as old.
 constexpr Duration kFarthestAhead = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
 
 Duration CpuOfProcess() {
@@ -134,7 +134,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   if (auto drawn = studio_.Draw(scene, picture); !drawn) return drawn;
   if (editor_)
     editor_->Look(studio_.show().cast, studio_.shape(), scene,
-                   static_cast<float>(picture.width_px) / static_cast<float>(picture.height_px));
+                  static_cast<float>(picture.width_px) / static_cast<float>(picture.height_px));
   if (auto shown = screen_->Present(++frame_); !shown) return shown;
   mouth_clock_.Present(frame_, snapshot, state_);
   pacer_.Drawn(plan, clock_.now());

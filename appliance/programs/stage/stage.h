@@ -10,8 +10,8 @@
 
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/snapshot.h"
-#include "appliance/programs/editor/expression_editor.h"
 #include "appliance/core/performance/animate.h"
+#include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/frame_pacer.h"
 #include "appliance/programs/stage/mouth_clock.h"
 #include "appliance/programs/stage/studio.h"
@@ -50,19 +50,19 @@ class Stage {
   bool has_screen() const { return screen_ != nullptr; }
   ports::Scanout* screen() const { return screen_.get(); }  // Until the next SetScreen or Step.
 
-  // From now on samples the input as late as each frame allows; before, right after the flip. Step is then to be called
-  // at wakes_at() too.
+  // From now on samples the input as late as each frame allows; before, right after the flip. Step is then to
+  // be called at wakes_at() too.
   void SampleLate() { pacer_.Set(true); }
 
-  // Handles the flips that happened, and draws the next frame when the screen has room for it and it is time. Never
-  // waits for the screen. A screen that is gone is let go, with a line in the log.
+  // Handles the flips that happened, and draws the next frame when the screen has room for it and it is time.
+  // Never waits for the screen. A screen that is gone is let go, with a line in the log.
   void Step();
 
   // When the next frame begins, if the screen waits for one; it may have passed.
   std::optional<Time> wakes_at() const;
 
-  // To be called instead while there is no screen: the performance still moves, so that lamps answer and no jump is
-  // seen later.
+  // To be called instead while there is no screen: the performance still moves, so that lamps answer and no
+  // jump is seen later.
   void StepUnseen();
 
   // How long a frame usually takes, for the watchdog; 0 until 100 were drawn.

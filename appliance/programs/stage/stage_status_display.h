@@ -1,5 +1,5 @@
-// The stage's status display: shows on a screen beside the show's how the box does, and leaves a file for others that
-// says what screens there are.
+// The stage's status display: shows on a screen beside the show's how the box does, and leaves a file for
+// others that says what screens there are.
 #pragma once
 
 #include <filesystem>
@@ -22,9 +22,9 @@ class StageStatusDisplay {
   StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places)
       : board_(board), clock_(clock), places_(std::move(places)) {}
 
-  // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines that changed,
-  // for a small part of a frame's usual time, and one at least: so no frame is late for it. A display that fails is
-  // logged once and left alone for a minute.
+  // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines
+  // that changed, for a small part of a frame's usual time, and one at least: so no frame is late for it. A
+  // display that fails is logged once and left alone for a minute.
   void Step(ports::Scanout* screen);
 
   static constexpr Duration kPeriod = std::chrono::milliseconds(100);

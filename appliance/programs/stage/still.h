@@ -8,8 +8,8 @@
 
 namespace kaori::stage {
 
-// A clock that stands still until it is let go, so that the first picture is the show's first moment, whenever it is
-// drawn.
+// A clock that stands still until it is let go, so that the first picture is the show's first moment,
+// whenever it is drawn.
 class StillClock final : public Clock {
  public:
   explicit StillClock(bool stands) : began_(clock_.now()), stands_(stands) {}

@@ -9,11 +9,14 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr std::uint8_t kP = 0x10, kY = 0x1C, kA = 0x04;  // Typed in this order, which is not that of their codes.
+constexpr std::uint8_t kP = 0x10, kY = 0x1C,
+                       kA = 0x04;  // Typed in this order, which is not that of their codes.
 
 class EventsTest : public ::testing::Test {
  protected:
-  EventsTest() { board_.surface.source = board_.keys.source = board_.lines.source = board::SourceState::kLive; }
+  EventsTest() {
+    board_.surface.source = board_.keys.source = board_.lines.source = board::SourceState::kLive;
+  }
 
   void Strike(std::uint8_t usage) { board::NotePress(board_.keys.value, usage, now_ += 1ms); }
   void Push(std::size_t button) { board::NotePress(board_.surface.value, button, now_ += 1ms); }

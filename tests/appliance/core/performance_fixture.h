@@ -28,8 +28,8 @@ inline show::Show SmallShow() {
   show.scenes[1].style = scene::Style::kFlat;
   show.scenes[1].backdrop = {{0.8F, 0.1F, 0.1F}, {0.2F, 0, 0}, scene::BackdropKind::kCurtain};
   show.motions = {{.name = "nod",
-                 .key_usage = kKey1,
-                 .curves = {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.2F, -0.2F}, {0.6F, 0}}}}}};
+                   .key_usage = kKey1,
+                   .curves = {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.2F, -0.2F}, {0.6F, 0}}}}}};
   show.channels = {
       .brow_up = {16, 17}, .brow_frown = 18, .lids_up = 19, .lids_down = 15, .mouth = {11, 12, 13, 14}};
   return show;

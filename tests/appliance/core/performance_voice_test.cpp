@@ -13,7 +13,7 @@ using board::SourceState;
 
 constexpr float kVoiceFrame_s = 1.0F / 60;
 constexpr float kFastest_per_s = 15;  // No mouth opens faster, and
-constexpr float kMotions_per_s = 18;    // an expression's own mouth gives way so fast.
+constexpr float kMotions_per_s = 18;  // an expression's own mouth gives way so fast.
 
 // An operator whose lips, camera and microphone a test moves. Cameras speak 30 times a second and are 30 ms
 // late, voices 200 times and 12 ms.

@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "appliance/core/board/press_log.h"
 #include "appliance/core/board/board.h"
+#include "appliance/core/board/press_log.h"
 #include "appliance/programs/lips/service/lip_service.h"
 #include "tests/appliance/core/board_file.h"
 #include "tests/appliance/programs/desk_operator.h"

@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "appliance/core/board/press_log.h"
-#include "appliance/programs/editor/keys.h"
-#include "appliance/programs/editor/expression_editor.h"
 #include "appliance/core/performance/animate.h"
+#include "appliance/programs/editor/expression_editor.h"
+#include "appliance/programs/editor/keys.h"
 #include "render/face/composer.h"
 #include "tests/appliance/core/board_file.h"
 #include "tests/render/synthetic_cast.h"
@@ -37,7 +37,7 @@ inline show::Show PlayedShow() {
   show.scenes[1].key_usage = kF1;
   show.scenes[1].face = 2;
   show.motions = {{"nod", key::k1, {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}},
-                {"bee", kB, {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
+                  {"bee", kB, {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
   return show;
 }
 
@@ -137,7 +137,7 @@ class EditorPlay : public ::testing::Test {
   }
   std::string Chosen() const {
     return editor_->chosen() < 0 ? ""
-                                  : show_.cast.net.points[static_cast<std::size_t>(editor_->chosen())].name;
+                                 : show_.cast.net.points[static_cast<std::size_t>(editor_->chosen())].name;
   }
   const Work& work() const { return editor_->session().work(); }
   glm::vec3 PullOf(const char* point) const { return work().pulls_m[PointNamed(show_.cast, point)]; }

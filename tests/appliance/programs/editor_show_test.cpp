@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "appliance/authoring/sculpt/sculpt.h"
+#include "appliance/programs/editor/handle_picker.h"
 #include "appliance/programs/editor/own.h"
 #include "appliance/programs/editor/session.h"
-#include "appliance/programs/editor/handle_picker.h"
 #include "render/face/composer.h"
 #include "tests/appliance/core/board_file.h"
 #include "tests/render/default_cast.h"

@@ -28,8 +28,8 @@ class StageWithAnEditor : public PackTest {
     show::Show show = SmallShow();
     auto author = editor::ExpressionEditor::Open(folder_ / "own", show);
     studio_ = std::move(stage::Studio::Open(std::move(show)).value());
-    stage_ =
-        std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_, clock_);
+    stage_ = std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_,
+                                            clock_);
     stage_->SetEditor(std::move(author));
     stage_->SetScreen(std::make_unique<HeldScreen>(screen_));
   }

@@ -19,7 +19,7 @@ class Play {
 
   struct Tally {
     int frames = 0;
-    int late = 0;          // By the screen's own account.
+    int late = 0;           // By the screen's own account.
     Duration from_input{};  // From sampling the input to the flip, the sum of all.
     double mean_ms() const { return Seconds(from_input) * 1e3 / frames; }
   };

@@ -119,8 +119,8 @@ class StageInService : public PackTest {
     studio_ = stage::Studio::Open(std::move(show)).value();
     clock_.Advance(100s);
     Push(0);
-    stage_ =
-        std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_, clock_);
+    stage_ = std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_,
+                                            clock_);
   }
   void Push(std::size_t button) {
     board::NotePress(hands_, button, clock_.now());

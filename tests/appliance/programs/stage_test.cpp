@@ -1,7 +1,7 @@
 // The stage: screens that come, go and change, a second stage, a stage that takes over, and no heap on the
 // way.
-#include "appliance/core/board/press_log.h"
 #include "appliance/programs/stage/stage.h"
+#include "appliance/core/board/press_log.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

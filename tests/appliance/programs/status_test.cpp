@@ -58,7 +58,9 @@ TEST_F(StatusWords, TheShowSaysItsRateAndWhatCameLate) {
   state_.facts.screens = {"HDMI-A-1 640 x 480 at 60 Hz"};
   EXPECT_THAT(Said("show"), HasSubstr("! no picture yet"));
   state_.board.stage_status = {
-      {.draw = std::chrono::microseconds(6200), .missed_flips = 3, .frames_per_s = 59.9F}, state_.now, SourceState::kLive};
+      {.draw = std::chrono::microseconds(6200), .missed_flips = 3, .frames_per_s = 59.9F},
+      state_.now,
+      SourceState::kLive};
   EXPECT_EQ(Said("show"), "  60 pictures a second, 6.2 ms each; 3 came late");
   state_.now += 30s;
   EXPECT_EQ(Said("show"), "! no picture for less than a minute");

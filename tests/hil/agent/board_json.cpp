@@ -62,8 +62,8 @@ std::string StageAsJson(const board::Stamped<board::StageStatus>& stage) {
       R"({{{},"frames":{},"missed_flips":{},"frames_per_s":{},"face":{},"expression":{},"scene":{},"input_age_us":{},)"
       R"("read_ns":{},"flip_ns":{},"draw_us":{},"margin_us":{}}})",
       Head(stage), value.frames, value.missed_flips, value.frames_per_s, value.face, value.expression,
-      value.scene, Microseconds(value.input_age), Nanoseconds(value.sampled_at), Nanoseconds(value.flipped_at),
-      Microseconds(value.draw), Microseconds(value.margin));
+      value.scene, Microseconds(value.input_age), Nanoseconds(value.sampled_at),
+      Nanoseconds(value.flipped_at), Microseconds(value.draw), Microseconds(value.margin));
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ Guide::Pushes Guide::PushesOf(const board::Keys& keys, const board::Surface& sur
 void Guide::Step(const board::Stamped<board::Keys>& keys, const board::Stamped<board::Surface>& surface,
                  float quality, Tuning& tuning, Time now) {
   // A section that is absent says nothing: while the board is replaced nobody has pushed anything.
-  const bool told = keys.source != board::SourceState::kAbsent || surface.source != board::SourceState::kAbsent;
+  const bool told =
+      keys.source != board::SourceState::kAbsent || surface.source != board::SourceState::kAbsent;
   const Pushes pushes = told ? PushesOf(keys.value, surface.value) : seen_pushes_;
   const Pushes before = std::exchange(seen_pushes_, pushes);
   const bool down =

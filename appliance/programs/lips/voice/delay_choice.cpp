@@ -26,7 +26,8 @@ std::optional<Duration> Measured(const board::Snapshot& board, Time now) {
   if (status.source != board::SourceState::kLive || now - status.at > kFresh) return std::nullopt;
   if (status.value.mouth_lag == Duration{}) return std::nullopt;
   const bool lips = board.lips.source == board::SourceState::kLive && board.lips.value.quality > 0;
-  return std::clamp<Duration>(status.value.mouth_lag + (lips ? kLipsFilterLag : kVoiceMouthLag), Duration{}, kLongestDelay);
+  return std::clamp<Duration>(status.value.mouth_lag + (lips ? kLipsFilterLag : kVoiceMouthLag), Duration{},
+                              kLongestDelay);
 }
 
 Duration Milliseconds(float ms) {
