@@ -25,9 +25,9 @@ enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
 struct PressLog {
   static constexpr std::size_t kKept = 32;  // A power of two, so that `count` may wrap.
   struct Press {
-    std::uint32_t code =
-        0;  // Bits 0 to 7: the button's number or the key's usage; 8 to 15: of a key, which of
-            // the modifiers E0 to E7 were held with it.
+    // Bits 0 to 7: the button's number or the key's usage. Bits 8 to 15, of a key: which of the modifiers E0
+    // to E7 were held with it.
+    std::uint32_t code = 0;
     std::uint32_t at_us = 0;  // When it happened, on CLOCK_MONOTONIC; wraps after 71 minutes.
   };
   std::uint32_t count = 0;            // Presses since the board began; wraps.
