@@ -109,6 +109,7 @@ class Board {
   // board at once. True: the board is another one than before. To be called every kHealPeriod, by the loop's
   // thread; takes three system calls where all is well, and two for each writer. Errors:
   //   as OpenOrMakeFile and Mapping::Map   the board stays as it was, for the next try
+  //                                        (of permission_denied: one who may make files there makes it)
   //   device_or_resource_busy   the board has moved, but another process writes a section of ours
   Result<bool> Heal();
   static constexpr Duration kHealPeriod = std::chrono::milliseconds(250);
