@@ -46,15 +46,15 @@ Result<void> Check(int fd, const std::string& path) {
   if (!S_ISREG(status.st_mode) || !WasBoard(head, status.st_size))
     return FailInput("open board " + path + ": this file is no board");
   if (head[0] != kMagic || head[kHeadSumAt] != HeadSum(std::span(head).first<kHeadSumAt>()))
-    return Fail(std::errc::bad_message, "open board " + path + ": its head is spoilt");
+    return FailInput("open board " + path + ": its head is spoilt", std::errc::bad_message);
   if (head[1] != want[1])
     return FailInput(
         fmt::format("open board {}: it has version {}, this program {}", path, head[1], want[1]));
   if (head[2] != want[2] || head[3] != want[3])
     return FailInput("open board " + path + ": its sections are laid out by another build");
   if (status.st_size != static_cast<off_t>(kBoardBytes))
-    return Fail(std::errc::bad_message,
-                fmt::format("open board {}: it has {} bytes, not {}", path, status.st_size, kBoardBytes));
+    return FailInput(fmt::format("open board {}: it has {} bytes, not {}", path, status.st_size, kBoardBytes),
+                     std::errc::bad_message);
   return {};
 }
 

@@ -40,11 +40,13 @@ inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::size_t kHeadWords = 16;
 inline constexpr std::size_t kHeadSumAt = 5;
 
-// FNV-1a over the words in front of the sum.
+// The lower half of the checksum of the words in front of the sum.
 constexpr std::uint32_t HeadSum(std::span<const std::uint32_t, kHeadSumAt> words) {
-  std::uint32_t sum = 0x811C9DC5U;
-  for (const std::uint32_t word : words) sum = (sum ^ word) * 0x01000193U;
-  return sum;
+  std::uint64_t sum = kFnvBasis;
+  for (const std::uint32_t word : words)
+    for (unsigned shift = 0; shift < 32; shift += 8)
+      sum = Fnv1a(std::array{static_cast<std::uint8_t>(word >> shift)}, sum);
+  return static_cast<std::uint32_t>(sum);
 }
 
 struct SectionPlace {

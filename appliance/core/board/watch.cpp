@@ -11,8 +11,9 @@ Result<void> Watch(Board& board, EventLoop& loop) {
   return loop.Every(Board::kHealPeriod, [&board, trouble = std::string()]() mutable {
     const auto healed = board.Heal();
     const std::string now = healed ? std::string() : healed.error().message();
-    if (healed && *healed) Log("board {} was lost; playing on with the one that is there now", board.path());
-    if (!now.empty() && now != trouble) Log("{}; it is tried again", now);
+    if (healed && *healed)
+      LogWarning("board {} was lost; playing on with the one that is there now", board.path());
+    if (!now.empty() && now != trouble) LogWarning("{}; it is tried again", now);
     trouble = now;
   });
 }

@@ -70,7 +70,8 @@ void ExpressionEditor::HandleOutcomes() {
         Log("expression {} is deleted", outcome.work.name);
         break;
       case Outcome::Kind::kFailing:
-        LogWarning("the needles cannot keep their work: {}; it goes on in memory and is tried again", outcome.text);
+        LogWarning("the needles cannot keep their work: {}; it goes on in memory and is tried again",
+                   outcome.text);
         trouble_ = outcome.text;
         break;
       case Outcome::Kind::kWorking:

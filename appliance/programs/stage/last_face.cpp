@@ -89,7 +89,8 @@ std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, cons
   if (board.Read<board::Performance>().source != board::SourceState::kAbsent) return std::nullopt;
   const auto state = RecallLastFace(where, show, board::ReadAll(board), presented_at);
   if (!state) {
-    if (state.error().cause != std::errc::no_such_file_or_directory) LogWarning("{}", state.error().message());
+    if (state.error().cause != std::errc::no_such_file_or_directory)
+      LogWarning("{}", state.error().message());
     return std::nullopt;
   }
   writer.Write(board::Hold(*state), presented_at, board::SourceState::kLive);

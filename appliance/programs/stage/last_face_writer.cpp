@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "drivers/base/whole_file.h"
 #include "drivers/base/log.h"
+#include "drivers/base/whole_file.h"
 #include "firmware/wire/last_face.h"
 
 namespace kaori::stage {

@@ -161,11 +161,13 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
     if (auto told = watchdog->Beat(stage.usual_turn()); !told)
       kaori::LogWarning("{}", told.error().message());
   };
-  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok)
+    return kaori::ExitWithError(ok.error());
   kaori::stage::StageStatusDisplay status_display(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});
   const auto tell = [&] { status_display.Step(stage.screen()); };
-  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = loop.Every(kaori::stage::StageStatusDisplay::kPeriod, tell); !ok)
+    return kaori::ExitWithError(ok.error());
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   auto played = loop.Run();
   if (last_face) last_face->KeepNow();

@@ -19,7 +19,8 @@ class SmallPictureTest : public PackTest {
   // R, G, B, X, the bottom row first.
   const std::vector<std::uint8_t>& Draw() {
     const auto scene =
-        performance::Animate(performance::Opening(studio_->show(), {}, {}), {}, studio_->show(), {}).scene;
+        performance::Animate(performance::Opening(studio_->show(), {}, {}), {}, {}, studio_->show(), {})
+            .scene;
     EXPECT_TRUE(studio_->Draw(scene, {.width_px = kWidth_px, .height_px = kHeight_px, .bytes = drawn_}));
     return drawn_;
   }
