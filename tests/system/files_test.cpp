@@ -1,0 +1,208 @@
+// Every option that names a file, with everything that is no such file.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/system/house.h"
+
+namespace kaori::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr long kMostMemory_KiB = 400L << 10U;
+constexpr auto kLongest = 10s;
+constexpr auto kPlaysOn = 1s;  // After which a program that was given no fault is asked to end.
+
+// Puts something at `file` that a program should refuse, or should be able to bear.
+struct Offer {
+  std::string name;
+  std::function<void(const fs::path& file)> put;
+};
+
+void Fill(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string Repeated(std::string_view part, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += part;
+  return text;
+}
+
+std::string Noise() {
+  std::string bytes(100'000, '\0');
+  std::uint32_t state = 1;
+  for (char& byte : bytes) byte = static_cast<char>((state = state * 1664525U + 1013904223U) >> 24U);
+  return bytes;
+}
+
+const std::vector<Offer>& Offers() {
+  constexpr int kDeep = 200'000;
+  static const std::vector<Offer> offers{
+      {"missing", [](const fs::path&) {}},
+      {"folder", [](const fs::path& file) { fs::create_directory(file); }},
+      {"zeroes", [](const fs::path& file) { fs::create_symlink("/dev/zero", file); }},
+      {"sparse",
+       [](const fs::path& file) {
+         Fill(file, "");
+         fs::resize_file(file, std::uintmax_t{1} << 30U);
+       }},
+      {"pipe", [](const fs::path& file) { ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0); }},
+      {"deep_tables", [](const fs::path& file) { Fill(file, "[a" + Repeated(".a", kDeep) + "]\nb = 1\n"); }},
+      {"deep_keys", [](const fs::path& file) { Fill(file, "a" + Repeated(".a", kDeep) + " = 1\n"); }},
+      {"deep_lists", [](const fs::path& file) { Fill(file, "a = " + Repeated("[", kDeep)); }},
+      {"deep_json", [](const fs::path& file) { Fill(file, Repeated("{\"keys\":[", kDeep)); }},
+      {"noise", [](const fs::path& file) { Fill(file, Noise()); }},
+      {"empty", [](const fs::path& file) { Fill(file, ""); }},
+  };
+  return offers;
+}
+
+// One option of one program. In `words` "@" stands for the file, "%" for a folder of the test's own.
+struct FileOption {
+  std::string name, program;
+  std::vector<std::string> words;
+  // What this option can bear: then the program plays on.
+  std::vector<std::string> bears{};
+  std::string file = "file";  // Its name in the folder.
+};
+
+std::vector<FileOption> FileOptions() {
+  const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const Offer& offer : Offers()) names.push_back(offer.name);
+    return names;
+  }();
+  std::vector<std::string> all_but_folder = all;  // A file cannot take a folder's name.
+  std::erase(all_but_folder, "folder");
+  return {
+      {"input_settings", "kaori-input", {"--board", "%/board", "--links", "%", "--settings", "@"}, {"empty"}},
+      // Without a certificate that can be used the desk makes another one.
+      {"desk_certificate",
+       "kaori-desk",
+       {"--service", "--board", "%/board", "--port", "0", "--local", "--data", "%"},
+       all_but_folder,
+       "desk.pem"},
+      // What was kept is broken: the lips play on with what is usual, and say so.
+      {"lips_settings", "kaori-lips", {"--board", "%/board", "--links", "%", "--settings", "@"}, all},
+      {"stage_pack", "kaori-stage", {"--board", "%/board", "--links", "%", "--pack", "@"}},
+      {"stage_trust",
+       "kaori-stage",
+       {"--board", "%/board", "--links", "%", "--pack", "%/none", "--trust", "@"}},
+      {"sim_play", "kaori-sim", {"--links", "%/links", "--play", "@"}, {"empty"}},
+      {"sim_labels", "kaori-sim", {"--links", "%/links", "--console", "0", "--labels", "@"}},
+      {"gadget_play", "kaori-gadget", {"--put", "keyboard=none", "--play", "@"}},
+      {"rehearsal_pack", "kaori-rehearsal", {"--play", "%/play", "--pack", "@"}},
+      {"rehearsal_play", "kaori-rehearsal", {"--pack", "%/none", "--play", "@"}},
+      {"status_board", "kaori-status", {"--settings", "%", "--board", "@"}},
+      {"atelier_info", "kaori-atelier", {"info", "@"}},
+      {"atelier_diff", "kaori-atelier", {"diff", "@", "@"}},
+      {"atelier_labels", "kaori-atelier", {"labels", "@", "%/labels.json"}},
+      {"atelier_sign", "kaori-atelier", {"pack", "%", "%/out", "--sign", "@"}},
+      {"atelier_show", "kaori-atelier", {"check", "%"}, {}, "show.toml"},
+      {"atelier_cast", "kaori-atelier", {"check", "%"}, {}, "cast.toml"},
+      {"atelier_import_gltf", "kaori-atelier", {"import", "@", "--out", "%/out"}, {}, "head.gltf"},
+      {"atelier_import_obj", "kaori-atelier", {"import", "@", "--out", "%/out"}, {}, "head.obj"},
+  };
+}
+
+struct End {
+  bool played_on = false;  // It was asked to end.
+  int exit_status = -1;    // -1: a signal ended it.
+  int signal = 0;
+  long memory_KiB = 0;
+};
+
+class NoFile : public ::testing::TestWithParam<std::tuple<FileOption, Offer>> {
+ protected:
+  NoFile() : folder_(fs::path(::testing::TempDir()) / ("no-file-" + std::to_string(::getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    Fill(folder_ / "play", "");
+  }
+  ~NoFile() override { fs::remove_all(folder_); }
+
+  pid_t Start(const FileOption& option) {
+    std::vector<std::string> words{(House::Programs() / option.program).string()};
+    for (std::string word : option.words) {
+      if (word == "@") word = (folder_ / option.file).string();
+      if (word.starts_with('%')) word = folder_.string() + word.substr(1);
+      words.push_back(word);
+    }
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    const int log = ::creat((folder_ / "log").c_str(), 0600);
+    ::dup2(log, STDERR_FILENO);
+    ::dup2(log, STDOUT_FILENO);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+
+  static End AwaitEnd(pid_t child, bool may_play_on) {
+    End end;
+    int status = 0;
+    rusage used{};
+    const auto ended = [&] { return ::wait4(child, &status, WNOHANG, &used) == child; };
+    if (!Await(ended, may_play_on ? Duration(kPlaysOn) : Duration(kLongest))) {
+      end.played_on = true;
+      ::kill(child, SIGTERM);
+      if (!Await(ended, kLongest)) {
+        ::kill(child, SIGKILL);
+        ::wait4(child, &status, 0, &used);
+      }
+    }
+    end.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    end.memory_KiB = used.ru_maxrss;
+    return end;
+  }
+
+  std::string Log() const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / "log").rdbuf();
+    return text.str();
+  }
+
+  fs::path folder_;
+};
+
+TEST_P(NoFile, IsRefusedInALineThatNamesIt) {
+  const auto& [option, offer] = GetParam();
+  if (option.program == "kaori-gadget" && offer.name == "empty")
+    GTEST_SKIP() << "an empty scenario is one, but there is no USB device controller here to play it";
+  offer.put(folder_ / option.file);
+  const bool bears = std::ranges::find(option.bears, offer.name) != option.bears.end();
+  const End end = AwaitEnd(Start(option), bears);
+  const std::string log = Log();
+  EXPECT_EQ(end.signal, 0) << log;
+  EXPECT_LT(end.memory_KiB, kMostMemory_KiB) << log;
+  EXPECT_EQ(end.played_on, bears) << log;
+  if (bears) return;
+  EXPECT_THAT(end.exit_status, ::testing::AnyOf(1, 2)) << log;
+  EXPECT_THAT(log, ::testing::HasSubstr(option.file));
+  EXPECT_THAT(log, ::testing::Not(::testing::HasSubstr("terminate called")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Programs, NoFile, ::testing::Combine(::testing::ValuesIn(FileOptions()), ::testing::ValuesIn(Offers())),
+    [](const auto& info) { return std::get<0>(info.param).name + "_" + std::get<1>(info.param).name; });
+
+}  // namespace
+}  // namespace kaori::test
