@@ -12,7 +12,6 @@
 #include "appliance/core/show/pack.h"
 #include "drivers/base/log.h"
 #include "render/passes/painter.h"
-#include "render/passes/painter_1993.h"
 #include "tests/benchmark/bare_draw.h"
 #include "tests/benchmark/figures.h"
 #include "tests/render/synthetic_cast.h"
@@ -83,11 +82,8 @@ scene::Scene SceneAt(int frame, scene::Style style) {
 
 // A canvas and the memory that its picture is read into.
 struct Screen {
-  explicit Screen(Size size, bool of_1993 = false)
-      : canvas(*gl::Canvas::Make({.width_px = size.width_px,
-                                  .height_px = size.height_px,
-                                  .samples = of_1993 ? 0 : 4,
-                                  .stores_codes = of_1993})),
+  explicit Screen(Size size)
+      : canvas(*gl::Canvas::Make({.width_px = size.width_px, .height_px = size.height_px})),
         bytes(static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px) * 4) {}
   gl::Canvas canvas;
   std::vector<std::uint8_t> bytes;
@@ -106,15 +102,6 @@ void MeasureStyles(passes::Painter& painter, Size size, int frames, std::vector<
     };
     Append(NameOf(kStyleNames[style], size), Measure(draw, frames), metrics);
   }
-}
-
-void MeasurePaper(passes::Painter1993& painter, Size size, int frames, std::vector<Metric>& metrics) {
-  Screen screen(size, true);
-  const auto draw = [&](int frame) {
-    painter.Draw(SceneAt(frame, scene::Style::kBare), screen.canvas);
-    screen.canvas.ReadPixels(screen.bytes);
-  };
-  Append(NameOf("paper1993", size), Measure(draw, frames), metrics);
 }
 
 // CPU time of `ours` over `theirs`, in turns, so that a busy neighbour hurts both.
@@ -180,15 +167,10 @@ std::vector<Metric> MeasureFrames(const std::string& pack, bool quick) {
   if (!Opened(context)) return {};
   const auto painter = passes::Painter::Open(**context, show->cast);
   if (!Opened(painter)) return {};
-  const auto paper = passes::Painter1993::Open(**context, show->cast);
-  if (!Opened(paper)) return {};
   const int frames = quick ? 8 : 80;
   const int rounds = quick ? 3 : 15;
   std::vector<Metric> metrics;
-  for (const Size size : kSizes) {
-    MeasureStyles(**painter, size, frames, metrics);
-    MeasurePaper(**paper, size, frames, metrics);
-  }
+  for (const Size size : kSizes) MeasureStyles(**painter, size, frames, metrics);
   metrics.push_back(OverBareDraw(show->cast, **painter, rounds));
   metrics.push_back(Growth(**context, rounds));
   return metrics;

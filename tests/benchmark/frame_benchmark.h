@@ -1,5 +1,4 @@
-// Frames: each style at two sizes, the paper's load, and what the program costs beside a bare draw (F1, F2,
-// S1).
+// Frames: each style at two sizes, and what the program costs beside a bare draw (F1, F2, S1).
 #pragma once
 
 #include <string>

@@ -27,10 +27,11 @@ constexpr std::string_view kHelp = R"(kaori-benchmark: measures the box
   --quick       a tenth of the time
   --only TEXT   the groups whose names hold TEXT: blend, lips, sound, hid, frame, pack, system
   --json FILE   {"metrics": [{"name", "unit", "median", "p99"}]}
+  --builds FILE what ./box bench --build measured: reported with the rest
 )";
 
 struct Settings {
-  std::string pack, json, only;
+  std::string pack, json, only, builds;
   bool quick = false;
 };
 
@@ -56,6 +57,22 @@ void Print(const Metric& m) {
   fmt::print("{:<44} {:>12.4g} {:>12.4g}  {}\n", m.name, m.median, m.p99, m.unit);
 }
 
+// What builds cost, as `./box bench --build` wrote it; none, and a line in the log, where the file is another.
+std::vector<Metric> ReadBuildCosts(const std::string& file) {
+  std::ifstream in(file);
+  const auto costs = nlohmann::json::parse(in, nullptr, false);
+  std::vector<Metric> metrics;
+  for (const char* build : {"demo", "test", "kernel"}) {
+    const auto cost = costs.is_object() ? costs.find(fmt::format("build_{}_cpu_s", build)) : costs.end();
+    if (cost == costs.end() || !cost->is_number()) {
+      fmt::print(stderr, "kaori-benchmark: {} does not say what the {} build costs\n", file, build);
+      return {};
+    }
+    metrics.push_back({fmt::format("build.{}_cpu_s", build), "s of CPU", *cost, *cost});
+  }
+  return metrics;
+}
+
 bool WriteJson(const std::string& file, const std::vector<Metric>& metrics) {
   nlohmann::json list = nlohmann::json::array();
   for (const Metric& m : metrics)
@@ -67,7 +84,9 @@ bool WriteJson(const std::string& file, const std::vector<Metric>& metrics) {
 
 int Run(const Settings& settings) {
   std::vector<Metric> all;
+  if (!settings.builds.empty()) all = ReadBuildCosts(settings.builds);
   fmt::print("{:<44} {:>12} {:>12}  unit\n", "figure", "median", "p99");
+  for (const Metric& metric : all) Print(metric);
   for (const Group& group : Groups()) {
     if (std::string_view(group.name).find(settings.only) == std::string_view::npos) continue;
     for (const Metric& metric : group.measure(settings)) {
@@ -85,6 +104,7 @@ int Main(int argc, char** argv) {
   Settings settings;
   Options options(kHelp);
   options.Text("--pack", settings.pack, true).Text("--json", settings.json).Text("--only", settings.only);
+  options.Text("--builds", settings.builds);
   options.Switch("--quick", settings.quick);
   if (const auto status = options.Parse(argc, argv)) return *status;
   return Run(settings);

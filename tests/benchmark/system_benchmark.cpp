@@ -40,6 +40,13 @@ class SystemUnderTest {
   void StartStage() {
     system_.Start("kaori-stage", {"--board", system_.board(), "--pack", pack_, "--links", system_.links()});
   }
+  // A program that does no more than EGL asks for, from its start to its first frame.
+  Duration TimeBareEgl() {
+    const Time begun = now();
+    if (system_.RunToEnd("bare-egl", {}) != 0)
+      throw std::runtime_error("bare-egl could not draw:\n" + system_.LogOf("bare-egl"));
+    return now() - begun;
+  }
   void KillStage() { system_.Kill("kaori-stage"); }
   int stage_pid() const { return system_.PidOf("kaori-stage"); }
   std::string board() const { return system_.board(); }
@@ -124,12 +131,14 @@ double ResidentMb(int pid) {
 std::vector<Metric> MeasureSystem(const std::string& pack, bool quick) {
   const int rounds = quick ? 3 : 12;
   SystemUnderTest system(pack);
-  std::vector<double> start_ms, restart_ms;
+  std::vector<double> start_ms, start_over_bare, restart_ms;
   for (int i = 0; i < rounds; ++i) {
+    const double bare_ms = Milliseconds(system.TimeBareEgl());
     Time begun = system.now();
     system.StartStage();
     system.TimeToNextFrame();
     start_ms.push_back(Milliseconds(system.now() - begun));
+    start_over_bare.push_back(start_ms.back() / bare_ms);
     system.Wait(300ms);
     begun = system.now();
     system.KillStage();
@@ -140,6 +149,7 @@ std::vector<Metric> MeasureSystem(const std::string& pack, bool quick) {
     if (i + 1 < rounds) system.KillStage();
   }
   std::vector<Metric> metrics{Figure("stage.start_ms", "ms", start_ms),
+                              Figure("stage.start_over_bare_egl", "ratio", start_over_bare),
                               Figure("stage.restart_ms", "ms", restart_ms)};
   for (const Metric& metric : ReportToFrame(system, quick)) metrics.push_back(metric);
   metrics.push_back(Figure("memory.rss_mb", "MB", {ResidentMb(system.stage_pid())}));
