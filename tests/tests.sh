@@ -3,6 +3,7 @@
 readonly TEST_PACKAGES=(python3 chromium ffmpeg systemd)
 readonly BENCH_PACKAGES=(libopencv-core-dev libopencv-imgproc-dev)  # What the lips are compared with: ten seconds.
 readonly FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev)
+readonly BUILD_COSTS=out/build_cpu.json
 
 run_tests() {
   if [ "${1:-}" = --bench ]; then
@@ -28,8 +29,43 @@ run_tests() {
   ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}"
 }
 
+# The CPU seconds, user and system, of all that the named command runs. What it says goes to the log.
+cpu_seconds() {
+  local log=$1 TIMEFORMAT='%U %S' used
+  shift
+  used=$({ time "$@" >>"$log" 2>&1; } 2>&1) || fail "the measured build failed; see $log"
+  awk '{ print $1 + $2 }' <<<"$used"
+}
+
+# Measures what builds cost from nothing, without the compiler cache, in a folder of their own, and keeps the figures in
+# BUILD_COSTS. Takes a quarter of an hour or more.
+measure_builds() {
+  local folder=out/build/measured log=$LOGS/measured.log demo rest kernel
+  need "${BUILD_PACKAGES[@]}" "${IMAGE_PACKAGES[@]}"
+  local -x CCACHE_DISABLE=1
+  rm -rf $folder
+  mkdir -p $LOGS $folder/kernel
+  : >$log
+  say "building what ./box demo needs, from nothing (minutes)"
+  demo=$(cpu_seconds $log sh -c "cmake --preset release -B $folder && ninja -C $folder programs")
+  say "building the rest of what ./box test needs (minutes)"
+  rest=$(cpu_seconds $log ninja -C $folder)
+  say "building the kernel (minutes)"
+  kernel=$(cpu_seconds $log rootfs/image/kernel/build $folder/kernel)
+  rm -rf $folder
+  awk -v demo="$demo" -v rest="$rest" -v kernel="$kernel" 'BEGIN {
+    printf "{\"build_demo_cpu_s\": %.1f, \"build_test_cpu_s\": %.1f, \"build_kernel_cpu_s\": %.1f}\n", demo, demo + rest, kernel
+  }' >$BUILD_COSTS
+  cat $BUILD_COSTS
+}
+
 bench() {
   local -a options=()
+  if [ "${1:-}" = --build ]; then
+    [ $# = 1 ] || fail "bench --build takes nothing else; see ./box help"
+    measure_builds
+    return
+  fi
   local json
   while [ $# -gt 0 ]; do
     [[ $1 != --json || $# -gt 1 ]] || fail "--json wants the name of a file; see ./box help"
@@ -43,7 +79,13 @@ bench() {
     shift
   done
   need "${BUILD_PACKAGES[@]}" "${BENCH_PACKAGES[@]}"
+  # OpenCV may have come after the build was configured, by another way than this run's `need`.
+  ! grep -qs '^OPENCV_.*-NOTFOUND$' $BUILD/CMakeCache.txt || installed=yes
   build release programs kaori-benchmark
+  if [ -f $BUILD_COSTS ]; then
+    say "figures of builds are those that ./box bench --build measured on $(date -r $BUILD_COSTS '+%F %R')"
+    options+=(--builds $BUILD_COSTS)
+  fi
   exec $BIN/kaori-benchmark --pack $PACK "${options[@]}"
 }
 
