@@ -14,11 +14,12 @@ namespace kaori::face {
 inline constexpr std::size_t kCacheLine_bytes = 64;
 inline constexpr std::size_t kLineFloats = kCacheLine_bytes / sizeof(float);
 
-// Rounds up to whole cache lines.
+// Rounds up to whole cache lines, in floats: Blend reads and writes nothing smaller.
 constexpr std::size_t Padded(std::size_t floats) {
   return (floats + kLineFloats - 1) / kLineFloats * kLineFloats;
 }
 
+// Owns its memory; moves, and does not copy. Pointers into it hold until it is moved from or dropped.
 class AlignedFloats {
  public:
   AlignedFloats() = default;

@@ -16,7 +16,8 @@
 namespace kaori::face {
 namespace {
 
-constexpr std::size_t kGroup = 8;  // Streams that are read side by side; more confuse the prefetcher.
+// Streams that are read side by side; more confuse the prefetcher.
+constexpr std::size_t kGroup = 8;
 constexpr std::size_t kChunk_floats =
     1024;  // Between groups, a chunk of the result stays in the first cache.
 
@@ -106,6 +107,7 @@ Kernels FastestKernels() {
   return BaselineKernels(std::make_index_sequence<kGroup>());
 }
 
+// Asked once: the processor does not change.
 const Kernels& FastestKernelsHere() {
   static const Kernels kernels = FastestKernels();
   return kernels;
@@ -131,6 +133,8 @@ void Blend(std::span<const Stream> streams, std::size_t floats, float* out) {
   Blend(streams, {}, floats, out);
 }
 
+// One group is summed in one go. More streams, or streams that yield, are summed chunk by chunk, so that what
+// lies between two passes stays in the first cache.
 void Blend(std::span<const Stream> streams, const Yielding& yielding, std::size_t floats, float* out) {
   const bool one_pass = yielding.streams.empty() && streams.size() <= kGroup;
   const std::size_t chunk = one_pass ? std::max<std::size_t>(floats, 1) : kChunk_floats;

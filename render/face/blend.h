@@ -1,5 +1,10 @@
-// The sum at the heart of every frame: weighted arrays of floats, added up at the speed of memory.
-// A vertex is three packed floats, so that one loop serves x, y and z and the result needs no rearranging.
+// The sum at the heart of every frame: weighted arrays of floats, added up at the speed of memory. It is what
+// equation 1 of Arai et al. 1994 asks for, once faces and expressions are composed (composites.h). A vertex
+// is three packed floats, so that one loop serves x, y and z and the result needs no rearranging.
+//
+// Both functions are pure, allocate nothing and may run on any thread. On x86-64 they choose the wide units
+// (AVX2 and FMA) at run time where the processor has them; results then differ in the last bits, since FMA
+// rounds once.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +12,20 @@
 
 namespace kaori::face {
 
-// One array of the sum. `values` is aligned to a cache line and readable up to a whole cache line.
+// One array of the sum.
 struct Stream {
+  // Borrowed; aligned to a cache line and readable up to a whole cache line (AlignedFloats).
   const float* values = nullptr;
   float weight = 0;
 };
 
-// Streams that give way where `share` (per float, 0..1) is high: each sum is multiplied by 1 - given_away *
-// share.
+// Streams that give way: their sum is multiplied, float by float, by 1 - given_away * share. By this the
+// mouth of an expression yields to the channels that speak.
 struct Yielding {
   std::span<const Stream> streams;
-  const float* share = nullptr;  // Aligned and padded like a stream.
+  // 0..1 for each float; aligned and padded like a stream. Not looked at where there are no streams.
+  const float* share = nullptr;
+  // 0: nothing .. 1: all that `share` says.
   float given_away = 0;
 };
 

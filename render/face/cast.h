@@ -17,121 +17,169 @@
 
 namespace kaori::face {
 
+// A solid ball that fills the socket; the iris is drawn on it, turned by the gaze.
 struct EyeBall {
   glm::vec3 centre{};
+  // 0: the face shows no ball there.
   float radius_m = 0;
-  float lid_thickness_m = 0;  // The lid's margin rides this far above the ball.
+  // The lid's margin rides this far above the ball.
+  float lid_thickness_m = 0;
 };
 
-// How a face's iris and lashes look.
+// How a face's iris and lashes look. Blended with the face.
 struct EyeLook {
-  glm::vec3 iris{};         // Colour.
-  float iris_radius_m = 0;  // Measured along the ball's surface.
-  float lash_length_m = 0;  // 0: none.
-  float lash_wing_m = 0;    // How far the outer lashes reach out beyond the eye.
+  // The colour of the iris.
+  glm::vec3 iris{};
+  // Measured along the ball's surface, from the pupil's middle.
+  float iris_radius_m = 0;
+  // The longest of the upper lid's lashes; 0: none.
+  float lash_length_m = 0;
+  // How far the outer lashes reach out beyond the eye.
+  float lash_wing_m = 0;
 };
 
-// Where the shared teeth and tongue sit in a face: p -> (p - anchor) * scale + anchor + offset.
+// Where the shared teeth and tongue sit in a face: p -> (p - anchor) * scale + anchor + offset, in metres,
+// with Cast::mouth_anchor. Blended with the face; the shares count 0 hidden .. 1 shown.
 struct MouthFit {
   float scale = 1;
   glm::vec3 offset{};
-  float upper_teeth = 1;  // 0 hides them, 1 shows them.
+  float upper_teeth = 1;
   float lower_teeth = 1;
   float tongue = 1;
 };
 
-// How a face's surface answers light.
+// How a face's surface answers light. Blended with the face, but for the texture, which is cross-faded.
 struct SurfaceLook {
-  float softness = 1;  // 1: skin, light bleeds into shade (red most); 0: hard.
-  float metal = 0;     // 1: a polished kettle.
-  int texture = 0;     // Index into Cast::textures.
-  glm::vec3 flat{};    // The one colour of the flat-shaded style.
-  float print = 0;     // 1: a poster, printed with dots and few inks.
+  // 1: skin, light bleeds into shade (red most); 0: hard.
+  float softness = 1;
+  // 1: a polished kettle.
+  float metal = 0;
+  // Index into Cast::textures.
+  int texture = 0;
+  // The one colour of the flat-shaded style.
+  glm::vec3 flat{};
+  // 0..1; 1: a poster, printed with dots and few inks.
+  float print = 0;
 };
 
-// The global shape: one position for each vertex of the cage.
+// The global shape (the paper's section 3): one position for each vertex of the cage, made in a modelling
+// tool. B_i in equation 1 as Weights writes it.
 struct Face {
+  // Unique in its cast; what operators and files call it by.
   std::string name;
+  // Topology::vertex_count positions, metres.
   std::vector<glm::vec3> positions;
-  std::vector<float> occlusion;   // Per cage vertex: 0 shut in, 1 open to the sky.
-  std::array<EyeBall, 2> eyes{};  // [0] the character's left (+X).
+  // For each cage vertex 0 shut in .. 1 open to the sky; baked. Empty: open everywhere.
+  std::vector<float> occlusion;
+  // [0] the character's left (+X), [1] the right.
+  std::array<EyeBall, 2> eyes{};
   EyeLook eye_look;
   MouthFit mouth;
   SurfaceLook surface;
-  std::vector<int> props;     // Indices into Cast::props: its hair, its clothes.
-  float expression_gain = 1;  // A kettle has to try harder.
+  // Indices into Cast::props: its hair, its clothes, its teeth and tongue.
+  std::vector<int> props;
+  // What displacements are multiplied with on this face: a kettle has to try harder.
+  float expression_gain = 1;
 };
 
-// A control point: its place in the parameter space. Names are per side: "MC.l", "UC".
+// A control point of expressions.
 struct ControlPoint {
+  // Unique in its net, and per side: "MC.l" and "MC.r" are partners, "UC" lies in the middle.
   std::string name;
-  glm::vec2 place{};
+  // Where it lies in the parameter space, within the unit square.
+  glm::vec2 uv{};
 };
 
-// Control points and the interpolant from them to the cage: W in P = B + W d. Rows of vertices at or
-// above Topology::moving_count do not exist; border points hold zero and carry no column.
+// The control points and the interpolant from them to the cage: W in P = B + W d (the paper's section 3).
+// Border points hold zero and carry no column, so a vertex near them simply has rows that sum to less than 1.
 struct ControlNet {
+  // Points that move, in the order of every displacement list.
   std::vector<ControlPoint> points;
-  SparseRows to_cage;         // moving_count rows, |points| columns; smoothed for display.
-  SparseRows to_cage_linear;  // The paper's piecewise linear interpolant; the reference.
-  SparseRows surface;         // |points| rows over cage vertices: where a point lies on a face.
+  // Topology::moving_count rows, |points| columns. The paper interpolates piecewise linearly over a
+  // triangulation of the points in the parameter space; here the same weights are smoothed over the mesh,
+  // which halves the roughness.
+  SparseRows to_cage;
+  // |points| rows over cage vertices: where each point lies on a face. Rows sum to 1.
+  SparseRows surface;
 };
 
 enum class ExpressionKind : std::uint8_t {
-  kExpression,  // One of the faces that an operator calls; their weights sum to 1.
-  kMouth,       // A mouth shape (vowels and the like), played on top.
-  kChannel,     // Brows, gaze lids, jaw; played on top, with a weight of its own.
+  // One of the faces that an operator calls; the weights of these sum to 1 (t_j).
+  kExpression,
+  // A mouth shape (vowels and the like), played on top.
+  kMouth,
+  // Brows, gaze lids, jaw; played on top, with a weight of its own (c_k).
+  kChannel,
 };
 
-// The local shape: for each control point a displacement along u, along v and outwards, in metres on the
-// reference face (Cast::faces[0]). It knows no face.
+// The local shape (the paper's section 3): what the control points do. It knows no face; frame.h says how a
+// face wears it.
 struct Expression {
+  // Unique in its cast.
   std::string name;
   ExpressionKind kind = ExpressionKind::kExpression;
-  std::vector<glm::vec3> displacement;  // One for each control point.
-  std::array<float, 2> lids{};  // Lids shut by this much as part of the expression: left, right, 0..1.
+  // For each control point a displacement along u, along v and outwards, in metres on the reference face
+  // (Cast::faces[0]).
+  std::vector<glm::vec3> displacement;
+  // How far lids are shut as part of the expression: left, right, 0..1.
+  std::array<float, 2> lids{};
   // What the control points cannot say of a shape that came from a modelling tool: one offset for each moving
   // vertex of the reference face, metres along the head's axes. Empty: nothing.
   std::vector<glm::vec3> residual{};
 };
 
+// What a prop is decides how it is drawn, and whether it turns with the head: clothes do not.
 enum class Part : std::uint8_t { kHair, kUpperTeeth, kLowerTeeth, kTongue, kClothes };
 
-// `along` and `across` run 0..1 over a lock of hair; teeth and tongue use `shade` alone.
+// `along` and `across` run 0..1 over a lock of hair, from the root and from one edge; teeth, tongue and
+// clothes use `shade` alone.
 struct PropVertex {
   glm::vec3 position{};
+  // Unit.
   glm::vec3 normal{};
-  glm::vec3 tangent{};  // Along the lock, towards its tip.
+  // Unit, along the lock, towards its tip.
+  glm::vec3 tangent{};
   float along = 0;
   float across = 0;
-  float shade = 1;  // Baked occlusion, 0..1.
+  // Baked occlusion: 0 shut in .. 1 open.
+  float shade = 1;
 };
 
-// A mesh that does not deform. Hair and teeth turn with the head, clothes do not.
+// A mesh that does not deform.
 struct Prop {
   std::string name;
   Part part = Part::kHair;
   glm::vec3 colour{};
   std::vector<PropVertex> vertices;
+  // Of its own vertices.
   std::vector<Triangle> triangles;
 };
 
-// RGBA, 8 bit, sRGB, top row first. Alpha is gloss (0 matt, 255 wet).
+// A skin, or a backdrop's picture: RGBA, 8 bit each, sRGB, top row first. Alpha is gloss (0 matt, 255 wet)
+// and linear.
 struct Texture {
+  // Each 1 to 8192.
   int width_px = 0;
   int height_px = 0;
+  // width * height * 4 bytes.
   Texels rgba;
 };
 
+// Everything that faces are made of. Filled once (by a pack or by the authoring tools), then read by one
+// thread at a time; only an expression in work changes while it plays (Composer::Renew).
 struct Cast {
   Topology topology;
   ControlNet net;
-  std::vector<Face> faces;              // [0] is the reference face, on which expressions are measured.
-  std::vector<Expression> expressions;  // [0] is "neutral"; kinds may be mixed.
+  // [0] is the reference face, on which expressions are measured.
+  std::vector<Face> faces;
+  // [0] is "neutral"; kinds may be mixed.
+  std::vector<Expression> expressions;
   std::vector<Prop> props;
   std::vector<Texture> textures;
-  glm::vec3 neck_pivot{};    // The head turns about this point.
-  glm::vec3 mouth_anchor{};  // See MouthFit.
+  // The head turns about this point.
+  glm::vec3 neck_pivot{};
+  // See MouthFit.
+  glm::vec3 mouth_anchor{};
   // Expressions that shut the left and the right lids of a topology without rings (Topology::lids); -1: none.
   std::array<int, 2> blink{-1, -1};
 };

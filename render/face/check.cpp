@@ -12,27 +12,31 @@
 namespace kaori::face {
 namespace {
 
-constexpr float kFarthest_m = 10;        // A head beyond this was not made in metres.
-constexpr int kWidestTexture_px = 8192;  // The least that graphics units of this time take.
+// A head beyond this was not made in metres.
+constexpr float kFarthest_m = 10;
+// The least that graphics units of this time take.
+constexpr int kWidestTexture_px = 8192;
 
+// False for what is no number, too.
 bool Is0To1(float value) {
   return value >= 0 && value <= 1;
 }
 
+// The interpolant moves exactly the vertices that can move; each point lies on the face and in the unit
+// square.
 void CheckNet(const Cast& cast, Faults& faults) {
   const ControlNet& net = cast.net;
   const std::size_t points = net.points.size();
   const std::size_t moving = cast.topology.moving_count;
   faults.Rows("control points to cage", net.to_cage, moving, points);
-  if (net.to_cage_linear.rows() != 0)
-    faults.Rows("control points to cage, linear", net.to_cage_linear, moving, points);
   faults.Rows("control points on the surface", net.surface, points, cast.topology.vertex_count);
   for (const ControlPoint& point : net.points) {
-    if (Is0To1(point.place.x) && Is0To1(point.place.y)) continue;
+    if (Is0To1(point.uv.x) && Is0To1(point.uv.y)) continue;
     faults.Add(fmt::format("control point \"{}\": lies outside the parameter space", point.name));
   }
 }
 
+// A face without an eye has a ball of radius 0: that is no fault.
 void CheckEyes(const std::string& item, const Face& face, Faults& faults) {
   for (const EyeBall& eye : face.eyes) {
     const bool good = IsFinite(eye.centre) && std::isfinite(eye.radius_m) && eye.radius_m >= 0 &&
@@ -55,6 +59,7 @@ void CheckLook(const std::string& item, const Face& face, Faults& faults) {
   if (!Is0To1(surface.print)) faults.Add(item + ": its print is not within 0 to 1");
 }
 
+// Without textures at all (a cast in work) the index is not looked at.
 void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
   const std::string item = fmt::format("face \"{}\"", face.name);
   const std::size_t vertices = cast.topology.vertex_count;
@@ -82,6 +87,7 @@ void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
   }
 }
 
+// A kind comes from a file as a number, and may be any.
 void CheckExpression(const Cast& cast, const Expression& expression, Faults& faults) {
   const std::string item = fmt::format("expression \"{}\"", expression.name);
   if (expression.kind > ExpressionKind::kChannel) faults.Add(item + ": is of a kind that does not exist");
@@ -93,6 +99,7 @@ void CheckExpression(const Cast& cast, const Expression& expression, Faults& fau
   if (!std::ranges::all_of(expression.lids, Is0To1)) faults.Add(item + ": its lids are not within 0 to 1");
 }
 
+// The first triangle that is wrong is named, and no further one.
 void CheckProp(const Prop& prop, Faults& faults) {
   const std::string item = fmt::format("prop \"{}\"", prop.name);
   if (prop.part > Part::kClothes) faults.Add(item + ": is a part that does not exist");
@@ -140,13 +147,6 @@ std::vector<std::string> FindFaults(const Cast& cast) {
   if (!IsFinite(cast.neck_pivot) || !IsFinite(cast.mouth_anchor))
     faults.Add("cast: the neck or the mouth has no place");
   return faults.Release();
-}
-
-Result<void> CheckCast(const Cast& cast) {
-  const auto faults = FindFaults(cast);
-  if (faults.empty()) return {};
-  if (faults.size() == 1) return FailInput(faults.front());
-  return FailInput(fmt::format("{} (and {} more)", faults.front(), faults.size() - 1));
 }
 
 }  // namespace kaori::face

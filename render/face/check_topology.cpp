@@ -8,15 +8,19 @@
 namespace kaori::face {
 namespace {
 
-constexpr float kNoArea = 1e-9F;  // Of the unit square.
-constexpr float kSliver = 0.02F;  // Of the mean triangle. One that is turned over by less does no harm.
+// Of the unit square.
+constexpr float kNoArea = 1e-9F;
+// Of the mean triangle. One that is turned over by less does no harm.
+constexpr float kSliver = 0.02F;
 
-float Area(const std::vector<glm::vec2>& place, const Triangle& t) {
-  const glm::vec2 a = place[t[1]] - place[t[0]];
-  const glm::vec2 b = place[t[2]] - place[t[0]];
+// Signed: positive while the triangle is counter-clockwise in the parameter space.
+float Area(const std::vector<glm::vec2>& uv, const Triangle& t) {
+  const glm::vec2 a = uv[t[1]] - uv[t[0]];
+  const glm::vec2 b = uv[t[2]] - uv[t[0]];
   return 0.5F * (a.x * b.y - a.y * b.x);
 }
 
+// The corners of all, one after another.
 std::span<const Index> Flat(const std::vector<Triangle>& triangles) {
   return {triangles.empty() ? nullptr : triangles.front().data(), 3 * triangles.size()};
 }
@@ -28,7 +32,7 @@ std::span<const Index> Flat(const std::vector<Line>& lines) {
 // The parameter space must not fold: an expression would be carried to the wrong side of the fold.
 void CheckUnfolding(const Topology& topology, Faults& faults) {
   std::vector<float> areas;
-  for (const Triangle& t : topology.triangles) areas.push_back(Area(topology.place, t));
+  for (const Triangle& t : topology.triangles) areas.push_back(Area(topology.uv, t));
   const float sum =
       std::accumulate(areas.begin(), areas.end(), 0.0F, [](float s, float a) { return s + std::abs(a); });
   const float sliver = kSliver * sum / static_cast<float>(std::max<std::size_t>(areas.size(), 1));
@@ -46,6 +50,7 @@ void CheckTwins(const std::string& item, const std::vector<Index>& twin, std::si
   if (!mutual) faults.Add(item + ": a vertex is not the twin of its twin");
 }
 
+// A topology without rings is whole: its eyes shut by an expression.
 void CheckLids(const std::string& item, const LidRig& rig, std::size_t vertices, Faults& faults) {
   if (rig.columns == 0 && rig.rings == 0) return;
   if (rig.columns < 2 || rig.rings < 1 || rig.margin_ring < 0 || rig.margin_ring >= rig.rings) {
@@ -65,6 +70,7 @@ void CheckLids(const std::string& item, const LidRig& rig, std::size_t vertices,
   faults.Finite(item + ", lower rings' weights", rig.follow_lower);
 }
 
+// A cast without a fine mesh has no rows here, and nothing to check.
 void CheckFine(const FineMesh& fine, std::size_t cage_vertices, Faults& faults) {
   const std::size_t vertices = fine.from_cage.rows();
   faults.Rows("fine mesh, positions", fine.from_cage, vertices, cage_vertices);
@@ -81,8 +87,8 @@ void CheckTopology(const Topology& topology, Faults& faults) {
   const std::size_t vertices = topology.vertex_count;
   if (vertices == 0) faults.Add("topology: has no vertices");
   if (topology.moving_count > vertices) faults.Add("topology: more vertices move than there are");
-  const bool places = faults.Size("parameter space", topology.place.size(), vertices) &&
-                      faults.Finite("parameter space", topology.place);
+  const bool places = faults.Size("parameter space", topology.uv.size(), vertices) &&
+                      faults.Finite("parameter space", topology.uv);
   const bool corners = faults.Indices("triangles", Flat(topology.triangles), vertices);
   if (places && corners) CheckUnfolding(topology, faults);
   faults.Size("texture coordinates", topology.texture.size(), vertices);

@@ -15,6 +15,7 @@
 namespace kaori::face {
 namespace {
 
+// Lists are sized for all the terms that weights can have, so that no frame allocates.
 constexpr std::size_t kTerms = Terms::kCapacity;
 
 // A stream of each face's occlusion; an empty one is open everywhere.
@@ -54,10 +55,14 @@ AlignedFloats MouthShareOfFloats(const Topology& topology, std::size_t floats) {
 struct Composer::Work {
   explicit Work(const Cast& cast);
 
+  // Brings the composites up to date that this frame uses.
   void Refresh(const Cast& cast, const Weights& weights);
+  // Lists the terms of the sum.
   void Gather(const Weights& weights);
   void GatherFace(const Term& face, const Weights& weights);
+  // The sum itself, into `cage`.
   void BlendCage(float mouth_given_away);
+  // From the cage, with lids in place, to the fine mesh.
   void Refine(const Shape& of);
   void ComputeNormals(Detail detail);
   void BlendOcclusion(const Terms& faces);
@@ -115,6 +120,8 @@ void Composer::Work::Gather(const Weights& weights) {
   for (const Term& face : weights.faces) GatherFace(face, weights);
 }
 
+// The weight of a composite is the product of its face's and its expression's weight: equation 1, multiplied
+// out.
 void Composer::Work::GatherFace(const Term& face, const Weights& weights) {
   const auto add = [&](const Terms& terms, std::vector<Stream>& streams) {
     for (const Term& term : terms) {
@@ -165,6 +172,7 @@ void Composer::Work::RefineOcclusion() {
   fine_occlusion_holds = true;
 }
 
+// The arrays without their slack, as spans.
 Shape Composer::Work::View(const Topology& topology, Detail detail) const {
   const std::size_t vertices = topology.vertex_count;
   const std::size_t fine_vertices = detail == Detail::kFine ? mesh.from_cage.rows() : 0;
@@ -204,6 +212,8 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   shape_.lids_shut = MixLids(cast_.expressions, playable);
   shape_.jaw_drop_m = MixJawDrop(work_->composites, playable);
 
+  // Lids are shut on the blended face, whose eyeball is blended too, then kept off the ball; normals come
+  // last of all.
   const auto cage = work_->cage.vertices(topology.vertex_count);
   for (std::size_t side = 0; side < 2; ++side) {
     ShutLids(topology.lids[side], shape_.lids_shut[side], cage);

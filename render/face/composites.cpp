@@ -9,13 +9,15 @@
 namespace kaori::face {
 namespace {
 
-constexpr const char* kJawPoint = "LC";  // The middle of the lower lip's contact line.
+// The middle of the lower lip's contact line.
+constexpr const char* kJawPoint = "LC";
 
 // One float of slack behind the last vertex, see ApplyToVertices.
 std::size_t VertexFloats(Index vertices) {
   return Padded(3 * std::size_t{vertices} + 1);
 }
 
+// Neutral moves nothing, and gets no array.
 bool MovesSomething(const Expression& expression) {
   const auto moves = [](const glm::vec3& d) { return d != glm::vec3{}; };
   return std::ranges::any_of(expression.displacement, moves) ||
@@ -76,6 +78,8 @@ void Composites::CopyBases(const Cast& cast) {
   }
 }
 
+// How far the jaw drops is read off one control point. A cast without it has no drop, and its mouth stays
+// dark.
 void Composites::FindJaw(const Cast& cast) {
   const auto& points = cast.net.points;
   const auto jaw = std::ranges::find(points, kJawPoint, &ControlPoint::name);
@@ -85,6 +89,7 @@ void Composites::FindJaw(const Cast& cast) {
   jaw_mouth_share_ = MeanAt(cast.net.surface, *jaw_point_, cast.topology.mouth_share);
 }
 
+// Frames need a face's positions alone, so each is fitted once for all expressions.
 void Composites::FitFaces(const Cast& cast) {
   const auto reference = FitFrames(cast.net, PointsOnFace(cast.net, cast.faces.front().positions));
   for (const Face& face : cast.faces) {
@@ -94,6 +99,8 @@ void Composites::FitFaces(const Cast& cast) {
   }
 }
 
+// E_ij: the control points moved as the face carries them, spread over the mesh, and what the artist's shape
+// has besides.
 void Composites::ComposeFace(const Cast& cast, std::size_t face, std::size_t j) {
   const float gain = cast.faces[face].expression_gain;
   const std::span<glm::vec3> moved = moved_.vertices(cast.net.points.size());

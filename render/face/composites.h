@@ -1,4 +1,9 @@
 // All composites of a cast, built once: what each expression does to each face, ready to be added up.
+//
+// The paper adds up whole composites P_ij (section 2: they must be composed for each face first, since the
+// sum of deformations is another shape). Here P_ij = B_i + E_ij is kept in two parts, which gives the same
+// sum, as the weights of the expressions sum to 1, with fewer floats to read: E_ij covers the moving vertices
+// alone.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +18,10 @@
 namespace kaori::face {
 
 // Borrows nothing after construction. Every array it gives out is aligned and padded for Blend; three packed
-// floats a vertex.
+// floats a vertex. Refresh and Outdate belong to one thread; arrays hold until the next of either.
 class Composites {
  public:
-  // The cast must have passed CheckCast.
+  // FindFaults (check.h) finds nothing in the cast.
   explicit Composites(const Cast& cast);
 
   std::size_t faces() const { return faces_; }
@@ -46,6 +51,7 @@ class Composites {
 
   // The part of the jaw drop that gives way with the mouth, 0..1.
   float jaw_mouth_share() const { return jaw_mouth_share_; }
+  // What all arrays take in memory.
   std::size_t bytes() const;
 
  private:
@@ -65,12 +71,17 @@ class Composites {
   std::size_t face_floats_ = 0;
   std::size_t moving_floats_ = 0;
   AlignedFloats bases_;
-  std::vector<AlignedFloats> displacements_;  // Per expression, of all faces; empty where it moves nothing.
-  std::vector<Carrier> carriers_;             // Per face.
-  std::vector<std::uint8_t> outdated_;        // Per face and expression.
-  AlignedFloats moved_;                       // The control points of one face with one expression.
+  // Per expression, of all faces; empty where it moves nothing.
+  std::vector<AlignedFloats> displacements_;
+  // Per face.
+  std::vector<Carrier> carriers_;
+  // Per face and expression.
+  std::vector<std::uint8_t> outdated_;
+  // The control points of one face with one expression.
+  AlignedFloats moved_;
   std::vector<float> jaw_drops_m_;
-  std::optional<std::size_t> jaw_point_;  // Of "LC" in the net.
+  // Of "LC" in the net.
+  std::optional<std::size_t> jaw_point_;
   float jaw_mouth_share_ = 0;
 };
 

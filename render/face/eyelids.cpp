@@ -13,7 +13,8 @@ namespace {
 constexpr float kUpperWay = 0.88F;
 constexpr float kUpperWayAtCorner = 0.45F;
 constexpr float kSkinAtCorner = 0.35F;
-constexpr float kNearCorner = 0.36F;  // Of the eye's width.
+// Of the eye's width.
+constexpr float kNearCorner = 0.36F;
 constexpr float kFurtherBehind =
     1.12F;  // Behind the edges the lids overlap: a smoothed edge draws back a little.
 constexpr float kSkinOverMargin =

@@ -1,4 +1,8 @@
-// Lids that ride on the eyeball: they shut along it, and nothing pushes them into it.
+// Lids that ride on the eyeball: they shut along it, and nothing pushes them into it. This goes beyond the
+// paper, whose lids follow control points alone: on animals those did not close, and on a face the closed
+// edge was jagged.
+//
+// All functions are pure, change the cage in place, and do nothing where the rig has no rings.
 #pragma once
 
 #include <span>

@@ -7,6 +7,7 @@
 namespace kaori::face {
 namespace {
 
+// One line for all that are wrong, with their number and where the first stands.
 template <class Range, class Wrong>
 bool NoneIs(Faults& faults, const std::string& item, const Range& range, Wrong wrong, const char* reason) {
   const auto count = std::ranges::count_if(range, wrong);
@@ -36,7 +37,7 @@ bool Faults::Finite(const std::string& item, std::span<const float> values) {
 
 bool Faults::Finite(const std::string& item, std::span<const glm::vec2> values) {
   return NoneIs(
-      *this, item, values, [](const glm::vec2& v) { return !IsFinite(v); }, "places are not numbers");
+      *this, item, values, [](const glm::vec2& v) { return !IsFinite(v); }, "coordinates are not numbers");
 }
 
 bool Faults::Finite(const std::string& item, std::span<const glm::vec3> values) {
@@ -49,6 +50,7 @@ bool Faults::Rows(const std::string& item, const SparseRows& rows, std::size_t w
   if (!Size(item + ", rows", rows.rows(), wanted_rows)) return false;
   if (!Size(item + ", weights", rows.weight.size(), rows.column.size())) return false;
   if (rows.row_start.empty()) return true;
+  // Rows that overlap or run beyond the entries would read foreign memory in every frame.
   const bool in_order = rows.row_start.front() == 0 && std::ranges::is_sorted(rows.row_start) &&
                         rows.row_start.back() == rows.column.size();
   if (!in_order) Add(item + ": rows overlap, or do not end where their entries end");

@@ -22,7 +22,7 @@ class Faults {
   std::vector<std::string> Release() { return std::move(lines_); }
 
   // Each adds a line that begins with `item` where the thing is not as it has to be, and answers whether it
-  // is.
+  // is. Later checks ask the answer, so that none looks beyond the end of what an earlier one refused.
   bool Size(const std::string& item, std::size_t has, std::size_t wanted);
   bool Indices(const std::string& item, std::span<const Index> indices, std::size_t limit);
   bool Finite(const std::string& item, std::span<const float> values);

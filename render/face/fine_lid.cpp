@@ -8,11 +8,14 @@
 namespace kaori::face {
 namespace {
 
-constexpr float kSmoothedEdge = 0.75F;  // Of the lid's thickness: the skin rounds into its edge.
-constexpr float kNearly = 0.25F;        // Fine rings lie half a ring apart.
+// Of the lid's thickness: the skin rounds into its edge.
+constexpr float kSmoothedEdge = 0.75F;
+// Fine rings lie half a ring apart.
+constexpr float kNearly = 0.25F;
 constexpr float kNoRing = -1;
 constexpr int kRelaxSteps = 4;
-constexpr float kRelaxStep = 0.5F;  // Of the way to the middle of the neighbours.
+// Of the way to the middle of the neighbours.
+constexpr float kRelaxStep = 0.5F;
 
 // Which ring each vertex of the cage lies on.
 std::vector<float> RingsOfCage(const LidRig& rig, std::size_t vertices) {

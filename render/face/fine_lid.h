@@ -10,6 +10,7 @@
 
 namespace kaori::face {
 
+// Owns what it has found; borrows nothing after construction.
 class FineLid {
  public:
   // What smoothing has made of the rig's rings from the outermost to the edge. Nothing where a topology has
@@ -24,15 +25,18 @@ class FineLid {
  private:
   struct Vertex {
     Index index = 0;
-    float share = 1;  // Of the lid's thickness, that it keeps from the ball.
+    // Of the lid's thickness, that it keeps from the ball.
+    float share = 1;
   };
 
   void FindNeighbours(const std::vector<float>& ring_of, const LidRig& rig, const FineMesh& mesh);
   void Relax(float shut, std::span<glm::vec3> fine);
 
   std::vector<Vertex> vertices_;
-  std::vector<Index> skin_;           // Of them, those that relaxing moves: neither rim nor edge.
-  std::vector<std::uint32_t> first_;  // Where in neighbours_ each of skin_ begins; and the end.
+  // Of them, those that relaxing moves: neither rim nor edge.
+  std::vector<Index> skin_;
+  // Where in neighbours_ each of skin_ begins; and the end.
+  std::vector<std::uint32_t> first_;
   std::vector<Index> neighbours_;
   std::vector<glm::vec3> relaxed_;
 };

@@ -1,4 +1,5 @@
-// Four floats at once: a packed vertex and the float behind it, which is carried along and ignored.
+// Four floats at once: a packed vertex and the float behind it, which is carried along and ignored. GCC's
+// vector extension makes SSE or NEON of it.
 #pragma once
 
 #include <cstring>
@@ -18,6 +19,7 @@ inline void Store4(float* at, Float4 value) {
   std::memcpy(at, &value, sizeof value);
 }
 
+// The cross product of the first three; the fourth is of no use.
 inline Float4 Cross(Float4 a, Float4 b) {
   const Float4 a_yzx = __builtin_shufflevector(a, a, 1, 2, 0, 3);
   const Float4 b_yzx = __builtin_shufflevector(b, b, 1, 2, 0, 3);

@@ -9,12 +9,14 @@
 namespace kaori::face {
 namespace {
 
-constexpr double kFitRadius_m = 0.016;  // Of the Gaussian weight. Narrower fits follow the folds of the lips.
-constexpr double kFlat = 1e-6;  // A fit this much thinner in one direction than in the other has no frame.
+// Of the Gaussian weight. Narrower fits follow the folds of the lips.
+constexpr double kFitRadius_m = 0.016;
+// A fit this much thinner in one direction than in the other has no frame.
+constexpr double kFlat = 1e-6;
 
-glm::dvec2 InMetres(glm::vec2 place) {
-  return {static_cast<double>(place.x) * static_cast<double>(kParameterWidth_m),
-          static_cast<double>(place.y) * static_cast<double>(kParameterHeight_m)};
+glm::dvec2 InMetres(glm::vec2 uv) {
+  return {static_cast<double>(uv.x) * static_cast<double>(kParameterWidth_m),
+          static_cast<double>(uv.y) * static_cast<double>(kParameterHeight_m)};
 }
 
 // The linear map from parameter space to space, as its two columns.
@@ -23,6 +25,7 @@ struct Slope {
   glm::dvec3 along_v{};
 };
 
+// The determinant against the square of the trace: a measure of how thin that does not depend on the size.
 bool Flat(const glm::dmat2& m) {
   const double trace = m[0][0] + m[1][1];
   return !(glm::determinant(m) > kFlat * kFlat * trace * trace);
@@ -47,6 +50,7 @@ struct Moments {
   }
 };
 
+// The polar decomposition of the slope, by the square root of J^T J (for two columns in closed form).
 // J = R S: R keeps the direction nearest to J, and the two sizes in S are replaced by their geometric mean.
 Frame RotationAndSize(const Slope& slope) {
   const double shear = glm::dot(slope.along_u, slope.along_v);
@@ -62,11 +66,12 @@ Frame RotationAndSize(const Slope& slope) {
   return {glm::vec3(u), glm::vec3(v), glm::vec3(glm::cross(u, v) / std::sqrt(area))};
 }
 
+// Weighted least squares of the slope, about the point itself: nearer points count more.
 Frame FitFrame(const ControlNet& net, std::span<const glm::vec3> on_face, std::size_t at) {
   Moments moments;
-  const glm::dvec2 here = InMetres(net.points[at].place);
+  const glm::dvec2 here = InMetres(net.points[at].uv);
   for (std::size_t i = 0; i < net.points.size(); ++i) {
-    moments.Add(InMetres(net.points[i].place) - here, glm::dvec3(on_face[i]) - glm::dvec3(on_face[at]));
+    moments.Add(InMetres(net.points[i].uv) - here, glm::dvec3(on_face[i]) - glm::dvec3(on_face[at]));
   }
   if (Flat(moments.places)) return {};
   return RotationAndSize(moments.Solve());

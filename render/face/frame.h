@@ -1,4 +1,10 @@
-// Where a control point lies on a face, and how the parameter space sits there: direction and size.
+// Where a control point lies on a face, and how the parameter space sits there: direction and size. By this
+// one smile sits on a woman, a round face, a dog and a kettle (section 3 of Arai et al. 1994: an expression
+// knows no face).
+//
+// A frame for each vertex, taken from the slope of the parameter space there, tears the lips; so one rotation
+// and one size are fitted for each control point. With one topology this is a simple case of deformation
+// transfer (Sumner and Popovic: "Deformation transfer for triangle meshes", 2004).
 #pragma once
 
 #include <span>
@@ -12,15 +18,15 @@
 
 namespace kaori::face {
 
-// Three directions at right angles, all of the same length: the size of the face there, 1 on a face as
-// large as the parameter space says.
+// Three directions at right angles, all of the same length: the size of the face there, 1 on a face as large
+// as the parameter space says (kParameterWidth_m by kParameterHeight_m).
 struct Frame {
   glm::vec3 along_u{1, 0, 0};
   glm::vec3 along_v{0, 1, 0};
   glm::vec3 outwards{0, 0, 1};
 };
 
-// The place of each control point on a face, metres.
+// The position of each control point on a face, metres: net.surface applied to the face's positions.
 std::vector<glm::vec3> PointsOnFace(const ControlNet& net, std::span<const glm::vec3> positions);
 
 // For each control point, the rotation and the one size that fit the face best within some 3 cm: weighted

@@ -5,7 +5,8 @@
 namespace kaori::face {
 namespace {
 
-constexpr float kYields = 0.5F;  // Of the expression's mouth, when a channel opens the jaw all the way.
+// Of the expression's mouth, when a channel opens the jaw all the way.
+constexpr float kYields = 0.5F;
 
 }  // namespace
 

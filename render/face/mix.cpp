@@ -7,6 +7,7 @@
 namespace kaori::face {
 namespace {
 
+// As the blend moves the lip: the expression's part yields, the channels' part does not.
 float JawDropOfFace_m(const Composites& composites, std::size_t face, const Weights& weights) {
   float own_m = 0;
   float channels_m = 0;
@@ -42,6 +43,7 @@ EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights) {
   return mixed;
 }
 
+// Begins at zero everywhere: a MouthFit of its own begins as a mouth that is shown.
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights) {
   MouthFit mixed{.scale = 0, .offset = {}, .upper_teeth = 0, .lower_teeth = 0, .tongue = 0};
   for (const Term& t : weights.faces) {
@@ -55,6 +57,7 @@ MouthFit MixMouth(std::span<const Face> faces, const Weights& weights) {
   return mixed;
 }
 
+// Expressions and channels add up to one way of shutting, the operator's lids are the other.
 std::array<float, 2> MixLids(std::span<const Expression> expressions, const Weights& weights) {
   std::array<float, 2> mixed{};
   for (std::size_t side = 0; side < 2; ++side) {

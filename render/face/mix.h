@@ -1,5 +1,5 @@
 // The few numbers of a face that are blended with it: eyes, their look, the mouth's fit, the jaw and the
-// lids.
+// lids. Each is the weighted mean over the faces, as positions are. Pure; nothing allocates.
 #pragma once
 
 #include <array>
@@ -11,15 +11,17 @@
 
 namespace kaori::face {
 
-// `weights` as from Playable, in all of these.
+// `weights` as from Playable, in all of these: indices exist, faces sum to 1. [0] is the character's left.
 std::array<EyeBall, 2> MixEyes(std::span<const Face> faces, const Weights& weights);
 EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights);
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights);
 
-// By the operator and by the expressions together: left, right, 0..1.
+// By the operator and by the expressions together: left, right, 0 open .. 1 shut. Either shuts what the other
+// left open.
 std::array<float, 2> MixLids(std::span<const Expression> expressions, const Weights& weights);
 
-// Metres, never negative.
+// How far the lower lip's middle goes down, metres, never negative. The part of it that belongs to the mouth
+// yields with mouth_given_away, as the vertices there do.
 float MixJawDrop(const Composites& composites, const Weights& weights);
 
 }  // namespace kaori::face

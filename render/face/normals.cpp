@@ -10,7 +10,8 @@
 namespace kaori::face {
 namespace {
 
-constexpr float kNoArea_m2 = 1e-24F;  // Squared length below which a normal has no direction.
+// Squared length below which a normal has no direction.
+constexpr float kNoArea_m2 = 1e-24F;
 
 using Patch = std::array<Index, 4>;
 
@@ -39,6 +40,7 @@ SurfaceNormals::SurfaceNormals(std::span<const Triangle> triangles, std::span<co
   areas_ = AlignedFloats(4 * patches_.size());
 }
 
+// A quad's diagonal is no wire; two triangles whose common edge is one stay two patches.
 void SurfaceNormals::ListPatches(std::span<const Triangle> triangles, std::span<const Line> wires) {
   std::set<Line> edges;
   for (const Line& wire : wires) edges.insert(Ascending(wire[0], wire[1]));
@@ -79,6 +81,7 @@ void SurfaceNormals::ComputeAreas(const float* positions) {
   }
 }
 
+// Areas first, then sums by vertex: each vertex is written once, and no two sums meet in one place.
 void SurfaceNormals::Compute(const float* positions, float* normals) {
   ComputeAreas(positions);
   const float* areas = areas_.data();

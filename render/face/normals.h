@@ -1,4 +1,5 @@
-// Unit normals of a surface that deforms, the same on both sides of a seam.
+// Unit normals of a surface that deforms, the same on both sides of a seam. They follow the deformed surface:
+// normals that were kept from the face at rest would light a smile as if it were none.
 #pragma once
 
 #include <span>
@@ -16,7 +17,10 @@ class SurfaceNormals {
   SurfaceNormals(std::span<const Triangle> triangles, std::span<const Index> twin,
                  std::span<const Line> wires);
 
-  // Weighted by area. Packed vertices with one float of slack; a vertex whose surface has no area gets +Z.
+  // Each normal is the sum of the area vectors of the patches that meet at the vertex and at its twin, so
+  // large patches weigh more. `positions` and `normals` are packed vertices, three floats each, with one
+  // float of slack behind the last; they do not overlap. A vertex whose surface has no area gets +Z.
+  // Allocates nothing; one thread at a time.
   void Compute(const float* positions, float* normals);
 
   std::size_t patches() const { return patches_.size(); }
@@ -29,9 +33,11 @@ class SurfaceNormals {
   void ComputeAreas(const float* positions);
 
   std::vector<Patch> patches_;
-  std::vector<std::uint32_t> incident_start_;  // Per vertex, into incident_: the patches that meet there.
+  // Per vertex, into incident_: the patches that meet there.
+  std::vector<std::uint32_t> incident_start_;
   std::vector<std::uint32_t> incident_;
-  AlignedFloats areas_;  // Four floats a patch: its normal, as long as its area.
+  // Four floats a patch: its normal, as long as its area.
+  AlignedFloats areas_;
 };
 
 }  // namespace kaori::face

@@ -7,6 +7,8 @@ namespace kaori::face {
 void ApplyToVertices(const SparseRows& rows, const float* in, float* out) {
   const Index* column = rows.column.data();
   const float* weight = rows.weight.data();
+  // Rows are written in ascending order: each overwrites the float behind its vertex, which the next row then
+  // sets.
   for (std::size_t row = 0; row < rows.rows(); ++row) {
     Float4 sum{};
     for (auto i = rows.row_start[row]; i < rows.row_start[row + 1]; ++i) {

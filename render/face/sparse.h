@@ -1,4 +1,5 @@
-// Applies a fixed sparse matrix to the vertices of a mesh, or to one number of each.
+// Applies a fixed sparse matrix to the vertices of a mesh, or to one number of each. Pure; nothing allocates.
+// Columns are not checked here: FindFaults has done so.
 #pragma once
 
 #include "render/face/topology.h"
@@ -9,7 +10,7 @@ namespace kaori::face {
 // the last vertex; `out` is no part of `in`.
 void ApplyToVertices(const SparseRows& rows, const float* in, float* out);
 
-// The same for one float of each vertex.
+// The same for one float of each vertex; no slack is needed.
 void ApplyToValues(const SparseRows& rows, const float* in, float* out);
 
 }  // namespace kaori::face

@@ -12,6 +12,7 @@
 
 namespace kaori::face {
 
+// Copying shares what lies elsewhere and copies what is its own.
 class Texels {
  public:
   Texels() = default;
@@ -26,7 +27,8 @@ class Texels {
   std::size_t size() const { return bytes().size(); }
   std::uint8_t operator[](std::size_t at) const { return bytes()[at]; }
 
-  // To be changed: copied first, where they lie elsewhere.
+  // For changing them: they are copied first where they lie elsewhere. Holds until these texels are changed
+  // or moved.
   std::vector<std::uint8_t>& own() {
     if (keeper_) *this = Texels(std::vector(there_.begin(), there_.end()));
     return own_;

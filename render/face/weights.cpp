@@ -7,8 +7,10 @@
 namespace kaori::face {
 namespace {
 
-constexpr float kCancelledOut = 0.25F;  // A smaller sum of face weights would be blown up by dividing by it.
+// A smaller sum of face weights would be blown up by dividing by it.
+constexpr float kCancelledOut = 0.25F;
 
+// A pack that is newer than the weights, or a board that is older, may name what is not there: such terms go.
 Terms PlayableTerms(const Terms& terms, std::size_t count) {
   Terms kept;
   for (const Term& term : terms) {
@@ -18,6 +20,7 @@ Terms PlayableTerms(const Terms& terms, std::size_t count) {
   return kept;
 }
 
+// Without a sum to speak of (no face, or weights that cancel out) the reference face is shown.
 Terms WithSumOne(const Terms& terms) {
   const float sum = terms.sum();
   Terms scaled;
@@ -29,6 +32,7 @@ Terms WithSumOne(const Terms& terms) {
   return scaled;
 }
 
+// What is no number counts as none of it.
 float PartOf1(float value) {
   return std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 0.0F;
 }

@@ -8,14 +8,17 @@
 
 namespace kaori::gl {
 
+// A hint for the driver: written once, or anew for each frame.
 enum class BufferUse { kStatic, kEachFrame };
 
-// Made for a size; a write may be shorter, never longer.
+// Made for a size; a write may be shorter, never longer. Of the context that is current when it is made, on
+// its thread.
 class Buffer {
  public:
   Buffer() = default;
   Buffer(BufferUse use, std::size_t size_bytes);
 
+  // Holds a copy of `values`.
   template <class T>
   static Buffer Of(std::span<const T> values) {
     Buffer buffer(BufferUse::kStatic, values.size_bytes());

@@ -26,7 +26,7 @@ void DeleteCanvasTexture(unsigned id) {
   glDeleteTextures(1, &id);
 }
 
-// Leaves it bound.
+// A framebuffer without anything attached, which stays bound.
 Handle NewFramebuffer() {
   GLuint id = 0;
   glGenFramebuffers(1, &id);
@@ -38,15 +38,16 @@ Handle NewRenderbuffer(const CanvasOptions& o, GLenum format) {
   GLuint id = 0;
   glGenRenderbuffers(1, &id);
   glBindRenderbuffer(GL_RENDERBUFFER, id);
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, o.samples, format, o.width_px, o.height_px);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, format, o.width_px, o.height_px);
   return Handle(id, DeleteRenderbuffer);
 }
 
+// GLES 3.1. Fixed sample locations, so that every driver smooths edges alike.
 Handle NewSamplesTexture(const CanvasOptions& o) {
   GLuint id = 0;
   glGenTextures(1, &id);
   glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, id);
-  glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, o.samples, GL_RGBA8, o.width_px, o.height_px, GL_TRUE);
+  glTexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_RGBA8, o.width_px, o.height_px, GL_TRUE);
   return Handle(id, DeleteCanvasTexture);
 }
 
@@ -62,6 +63,7 @@ bool Complete() {
   return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
+// Drawing goes to this framebuffer, seen as a picture of the canvas's size, and within `box`.
 void Aim(unsigned framebuffer, const CanvasOptions& options, const Box& box) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, options.width_px, options.height_px);
@@ -69,7 +71,7 @@ void Aim(unsigned framebuffer, const CanvasOptions& options, const Box& box) {
   glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
 }
 
-bool Sane(const CanvasOptions& o) {
+bool IsValid(const CanvasOptions& o) {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
   return o.width_px > 0 && o.height_px > 0 && o.width_px <= limit && o.height_px <= limit;
@@ -85,51 +87,45 @@ void ForgetDepth() {
 
 Result<Canvas> Canvas::Make(const CanvasOptions& options) {
   const auto attempt = fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px);
-  if (!Sane(options)) return FailInput(attempt);
+  if (!IsValid(options)) return FailInput(attempt);
   Canvas canvas(options);
-  canvas.options_.samples = options.samples < 2 ? 0 : kSamples;
   const bool made = canvas.MakePicture() && canvas.MakeLayer(Context::ReadsSamples());
   if (!made) return Fail(std::errc::not_enough_memory, attempt);
   return canvas;
 }
 
+// The picture has no depth: layers are laid on it in order.
 bool Canvas::MakePicture() {
-  const Texels texels = options_.stores_codes ? Texels::kRgba8 : Texels::kSrgb8;
-  picture_ = Texture({.width_px = options_.width_px, .height_px = options_.height_px, .texels = texels}, {});
+  picture_ =
+      Texture({.width_px = options_.width_px, .height_px = options_.height_px, .texels = Texels::kSrgb8}, {});
   picture_frame_ = NewFramebuffer();
   AttachTexture(GL_TEXTURE_2D, picture_.id());
   return Complete();
 }
 
+// Sixteen bits of depth are enough: all that is drawn lies within 0.9 m (scene::ProjectionOf).
 bool Canvas::MakeLayer(bool reads_samples) {
   depth_ = NewRenderbuffer(options_, GL_DEPTH_COMPONENT16);
   layer_frame_ = NewFramebuffer();
   AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
   AttachLayerColour(reads_samples);
-  if (!Complete()) return false;
-  if (options_.samples > 0) return true;
-  glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_.id());
-  AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
   return Complete();
 }
 
 void Canvas::AttachLayerColour(bool reads_samples) {
-  if (options_.samples > 0 && reads_samples) {
+  if (reads_samples) {
     samples_texture_ = NewSamplesTexture(options_);
     AttachTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_texture_.id());
     return;
   }
   layer_ = Texture({.width_px = options_.width_px, .height_px = options_.height_px}, {});
-  if (options_.samples == 0) {
-    AttachTexture(GL_TEXTURE_2D, layer_.id());
-    return;
-  }
   samples_ = NewRenderbuffer(options_, GL_RGBA8);
   AttachRenderbuffer(GL_COLOR_ATTACHMENT0, samples_);
   resolved_frame_ = NewFramebuffer();
   AttachTexture(GL_TEXTURE_2D, layer_.id());
 }
 
+// Only the parts are cleared: what lies outside of them is never read.
 void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
   Aim(layer_frame_.id(), options_, whole);
   glDepthMask(GL_TRUE);
@@ -150,26 +146,15 @@ void Canvas::Within(const Box& box) const {
   glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
 }
 
-void Canvas::BeginPlain(const glm::vec3& background) const {
-  assert(options_.samples == 0);
-  SetStamp({});
-  Aim(picture_frame_.id(), options_, whole());
-  glDisable(GL_SCISSOR_TEST);
-  glDepthMask(GL_TRUE);
-  glClearColor(background.r, background.g, background.b, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
 void Canvas::BindLayer(unsigned unit, const Box& box) const {
   glBindFramebuffer(GL_FRAMEBUFFER, layer_frame_.id());
   ForgetDepth();
   glActiveTexture(GL_TEXTURE0 + unit);
-  if (layer_has_samples()) {
+  if (samples_texture_.id() != 0) {
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_texture_.id());
     return;
   }
   glBindTexture(GL_TEXTURE_2D, layer_.id());
-  if (options_.samples == 0) return;
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_frame_.id());
   glDisable(GL_SCISSOR_TEST);
   const int right = box.left_px + box.width_px;
@@ -178,6 +163,7 @@ void Canvas::BindLayer(unsigned unit, const Box& box) const {
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+// The texture decodes sRGB where it is looked up, unless it is told not to. It is looked up nowhere else.
 void Canvas::BindPictureCodes(unsigned unit) const {
   picture_.Bind(unit);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
@@ -185,6 +171,7 @@ void Canvas::BindPictureCodes(unsigned unit) const {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+// The two y of the target change places, which turns the picture over on its way.
 void Canvas::ShrinkTo(unsigned framebuffer, int width_px, int height_px) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_frame_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);

@@ -4,21 +4,16 @@
 #include <cstdint>
 #include <span>
 
-#include <glm/vec3.hpp>
-
 #include "drivers/base/result.h"
 #include "render/gl/handle.h"
 #include "render/gl/texture.h"
 
 namespace kaori::gl {
 
+// Each 1 up to the driver's limit (GL_MAX_RENDERBUFFER_SIZE).
 struct CanvasOptions {
   int width_px = 0;
   int height_px = 0;
-  // For each pixel of the layer: 4, or 0 for no smooth edges. Other numbers count as the nearer.
-  int samples = 4;
-  // The picture takes sRGB's codes as they are, as in 1993, and not light: less work, and no right blending.
-  bool stores_codes = false;
 };
 
 // Pixels from the left bottom corner.
@@ -30,9 +25,10 @@ struct Box {
   bool empty() const { return width_px <= 0 || height_px <= 0; }
 };
 
-// The picture is sRGB-coded and takes linear light: blending on it is right. A layer holds square roots of
-// linear light, 8 bit, and coverage in alpha. Coding each sample as sRGB costs a software renderer half its
-// time, a square root next to nothing; whoever lays the layer on the picture squares it, sample by sample.
+// The picture is sRGB-coded and is written with linear light: blending on it is right. A layer has four
+// samples a pixel and depth; it holds square roots of linear light, 8 bit, and coverage in alpha. Coding each
+// sample as sRGB costs a software renderer half its time, a square root next to nothing; whoever lays the
+// layer on the picture squares it, sample by sample.
 class Canvas {
  public:
   Canvas() = default;
@@ -45,10 +41,8 @@ class Canvas {
   void BeginLayer(std::span<const Box> parts, const Box& whole) const;
   // Drawing goes to the picture from here on, without depth: nowhere, until Within says where.
   void BeginPicture() const;
+  // Limits drawing to `box` by the scissor test.
   void Within(const Box& box) const;
-  // Drawing goes straight to the picture, which becomes `background` (linear light, or a code), with depth:
-  // for canvases without samples.
-  void BeginPlain(const glm::vec3& background) const;
   // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
   void BindLayer(unsigned unit, const Box& box) const;
 
@@ -62,7 +56,8 @@ class Canvas {
   // Copies the picture onto a framebuffer of another size, upside down: its top row becomes the first.
   void ShrinkTo(unsigned framebuffer, int width_px, int height_px) const;
 
-  // Whoever finds here what they signed with last may count on the picture as they left it.
+  // Who drew the picture last, and as which frame. A pass that finds the stamp that it set last may count on
+  // the picture as it left it; whoever else draws on the picture sets another, or none.
   struct Stamp {
     const void* painter = nullptr;
     std::uint64_t frame = 0;
@@ -73,8 +68,6 @@ class Canvas {
 
   int width_px() const { return options_.width_px; }
   int height_px() const { return options_.height_px; }
-  int samples() const { return options_.samples; }
-  bool layer_has_samples() const { return samples_texture_.id() != 0; }
   Box whole() const { return {0, 0, options_.width_px, options_.height_px}; }
 
  private:
@@ -85,14 +78,16 @@ class Canvas {
 
   CanvasOptions options_;
   Texture picture_;
-  Texture layer_;           // Without samples: drawn to, or resolved into.
-  Handle samples_texture_;  // The samples of the layer, one of the two where it has any.
-  Handle samples_;
+  Handle samples_texture_;  // The layer's samples: a texture where shaders read single samples,
+  Handle samples_;          // else a renderbuffer,
+  Texture layer_;           // which is resolved into this.
   Handle depth_;
   Handle picture_frame_;
-  Handle layer_frame_;  // With the samples and the depth.
+  // With the samples and the depth.
+  Handle layer_frame_;
   Handle resolved_frame_;
-  mutable Stamp stamp_;  // Belongs to the picture, which drawing changes as well.
+  // Belongs to the picture, which drawing changes as well.
+  mutable Stamp stamp_;
 };
 
 }  // namespace kaori::gl

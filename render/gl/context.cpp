@@ -11,6 +11,7 @@
 
 namespace kaori::gl {
 
+// What EGL gave, given back in reverse; whatever is missing was never had.
 struct Context::Egl {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLConfig config = nullptr;
@@ -29,6 +30,7 @@ namespace {
 // Of the pixels that every CRTC scans out; the number is GBM's and DRM's "XR24".
 constexpr EGLint kScreenPixels = 0x34325258;
 
+// EGL_EXT_platform_base: a display of the card, or of no screen (EGL_MESA_platform_surfaceless).
 EGLDisplay DisplayOf(void* gbm) {
   const auto get =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
@@ -53,6 +55,7 @@ EGLConfig ChooseConfig(EGLDisplay display, bool for_card) {
   return nullptr;
 }
 
+// Any GLES 3; drivers give the newest that they have.
 EGLContext NewContext(EGLDisplay display, EGLConfig config, bool debug) {
   // The flag as the extension writes it: EGL 1.4, as on a card without a GPU, does not know EGL 1.5's.
   const std::array context_wish{EGL_CONTEXT_MAJOR_VERSION_KHR,
@@ -102,6 +105,7 @@ void* Context::handle() const {
   return egl_->context;
 }
 
+// GLES 3.1 has textures with samples (GL_TEXTURE_2D_MULTISAMPLE).
 bool Context::ReadsSamples() {
   GLint major = 0;
   GLint minor = 0;

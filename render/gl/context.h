@@ -9,11 +9,12 @@
 
 namespace kaori::gl {
 
-// Current on the thread that opened it; every object of this folder is made, used and dropped there,
-// before the context goes.
+// Current on the thread that opened it; every object of this folder is made, used and dropped there, before
+// the context goes. In a build for debugging the driver's remarks go to the log.
 class Context {
  public:
-  // On the card of `gbm`, a gbm_device that outlives the context; without one, on no screen at all. Errors:
+  // On the card of `gbm`, a gbm_device that outlives the context; without one, on no screen at all (the
+  // extension EGL_MESA_platform_surfaceless). Blocks while the driver loads: some 100 ms. Errors:
   //   no_such_device  EGL has no such platform or no GLES 3
   //   protocol_error  EGL refused to make or use the context
   static Result<std::unique_ptr<Context>> Open(void* gbm = nullptr);

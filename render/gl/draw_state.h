@@ -5,8 +5,11 @@
 
 namespace kaori::gl {
 
+// Triangles that are left out: none, or those that turn their back (clockwise as seen).
 enum class Cull : std::uint8_t { kNone, kBack };
+// Against the layer's depth; the picture has none.
 enum class Depth : std::uint8_t { kOff, kTestAndWrite, kTestOnly };
+// How a fragment meets the colour that is there.
 enum class Blend : std::uint8_t {
   kReplace,
   kOver,       // Colour over what is there, by the fragment's alpha (not premultiplied).
@@ -18,9 +21,11 @@ struct DrawState {
   Cull cull = Cull::kBack;
   Depth depth = Depth::kTestAndWrite;
   Blend blend = Blend::kReplace;
-  bool push_back = false;  // Lets lines that lie on these triangles win against them.
+  // Lets lines that lie on these triangles win against them.
+  bool push_back = false;
 };
 
+// Sets all of it at once for what is drawn next, so that no pass depends on the one before it.
 void Apply(const DrawState& state);
 
 }  // namespace kaori::gl

@@ -5,6 +5,7 @@
 
 namespace kaori::gl {
 
+// A number that GL gave, with the function that gives it back. Moves, and does not copy.
 class Handle {
  public:
   using Delete = void (*)(unsigned);
@@ -23,6 +24,7 @@ class Handle {
     if (id_ != 0) destroy_(id_);
   }
 
+  // 0: no object.
   unsigned id() const { return id_; }
 
  private:

@@ -9,31 +9,15 @@ void DeleteMesh(unsigned id) {
   glDeleteVertexArrays(1, &id);
 }
 
-GLenum TypeOf(Scalar scalar) {
-  switch (scalar) {
-    case Scalar::kFloat:
-      return GL_FLOAT;
-    case Scalar::kByteNorm:
-      return GL_BYTE;
-    case Scalar::kUByteNorm:
-      return GL_UNSIGNED_BYTE;
-    case Scalar::kUShortNorm:
-      return GL_UNSIGNED_SHORT;
-    case Scalar::kUInt:
-      return GL_UNSIGNED_INT;
-  }
-  return GL_FLOAT;
-}
-
 void Describe(const Attribute& a, int stride_bytes) {
   const auto* offset = reinterpret_cast<const void*>(static_cast<std::intptr_t>(a.offset_bytes));
   glEnableVertexAttribArray(a.location);
+  // GLES has a function of its own for integers that are not to become floats.
   if (a.scalar == Scalar::kUInt) {
     glVertexAttribIPointer(a.location, a.components, GL_UNSIGNED_INT, stride_bytes, offset);
-    return;
+  } else {
+    glVertexAttribPointer(a.location, a.components, GL_FLOAT, GL_FALSE, stride_bytes, offset);
   }
-  const GLboolean norm = a.scalar == Scalar::kFloat ? GL_FALSE : GL_TRUE;
-  glVertexAttribPointer(a.location, a.components, TypeOf(a.scalar), norm, stride_bytes, offset);
 }
 
 // Leaves the new array bound.
@@ -54,6 +38,7 @@ Mesh::Mesh(std::initializer_list<VertexStream> streams, std::span<const std::uin
     : array_(NewArray(streams)),
       indices_(Buffer::Of(indices)),
       element_count_(static_cast<int>(indices.size())) {
+  // The vertex array, which NewArray left bound, remembers these as its indices. Unbound, it keeps them.
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
   glBindVertexArray(0);
 }

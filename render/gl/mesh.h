@@ -10,16 +10,19 @@
 
 namespace kaori::gl {
 
-enum class Scalar : std::uint8_t { kFloat, kByteNorm, kUByteNorm, kUShortNorm, kUInt };
+// What one component is in memory: a float, or a 32-bit integer that stays one in the shader.
+enum class Scalar : std::uint8_t { kFloat, kUInt };
 
 // Where a shader's `layout(location = ...)` input lies in each vertex of a buffer.
 struct Attribute {
   unsigned location = 0;
+  // 1 to 4.
   int components = 0;
   Scalar scalar = Scalar::kFloat;
   int offset_bytes = 0;
 };
 
+// One buffer of a mesh: vertex n begins at n * stride_bytes.
 struct VertexStream {
   const Buffer& buffer;
   int stride_bytes = 0;
@@ -34,10 +37,10 @@ class Mesh {
   // Without indices: triangles of consecutive vertices.
   Mesh(std::initializer_list<VertexStream> streams, int vertex_count);
 
+  // All of it, as triangles, with the program and the state that are set.
   void Draw() const;
   // So many times over; shaders know which by gl_InstanceID.
   void DrawInstances(int instances) const;
-  int triangle_count() const { return element_count_ / 3; }
 
  private:
   Handle array_;

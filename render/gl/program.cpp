@@ -16,6 +16,7 @@ void DeleteProgram(unsigned id) {
   glDeleteProgram(id);
 }
 
+// The driver's log of a shader or of a program; GLES has a pair of functions for each.
 template <class GetNumber, class GetText>
 std::string DriversLog(unsigned id, GetNumber get_number, GetText get_text) {
   GLint size = 0;
@@ -71,6 +72,7 @@ void Program::BindBlock(const char* name, unsigned binding) const {
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(handle_.id(), block, binding);
 }
 
+// GLES 3.0 has no layout(binding): samplers and blocks are bound by name, once, after linking.
 void Program::BindSampler(const char* name, int unit) const {
   Use();
   Set(Find(name), unit);

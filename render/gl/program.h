@@ -1,4 +1,5 @@
-// Shaders, compiled and linked; errors name the file and the line.
+// Shaders, compiled and linked; errors name the file and the line. Texts are those of GLES 3 (GLSL ES 3.00),
+// or 3.10 where a program reads samples.
 #pragma once
 
 #include <span>
@@ -15,7 +16,7 @@
 
 namespace kaori::gl {
 
-// A shader's text under its file name.
+// A shader's text under its file name. Borrowed; texts that the program carries live for ever.
 struct ShaderFile {
   std::string_view name;
   std::string_view text;
@@ -26,17 +27,21 @@ struct ProgramSource {
   std::span<const ShaderFile> library;
   std::string_view vertex;
   std::string_view fragment;
-  std::string defines = {};    // Lines such as "#define TEXTURES 4\n", before both texts.
-  bool reads_samples = false;  // Written in the language of GLES 3.1.
+  // Lines such as "#define TEXTURES 4\n", before both texts.
+  std::string defines = {};
+  // Written in the language of GLES 3.1.
+  bool reads_samples = false;
 };
 
 class Program {
  public:
   Program() = default;
-  // Errors: invalid_argument (a text does not compile or link: "skin.frag:12: ..."),
-  // no_such_file_or_directory.
+  // Blocks: a driver may compile for tens of milliseconds now, and more when it first draws with it. Errors:
+  //   invalid_argument           a text does not compile or link: "skin.frag:12: ..."
+  //   no_such_file_or_directory  the library has no file of a name that was asked for
   static Result<Program> Make(const ProgramSource& source);
 
+  // What is drawn from here on is drawn with it.
   void Use() const;
   // Where a uniform lives; -1 where the compiler dropped it, which every Set accepts. Ask once, when opening.
   int Find(const char* name) const;
@@ -44,7 +49,7 @@ class Program {
   void BindBlock(const char* name, unsigned binding) const;
   void BindSampler(const char* name, int unit) const;
 
-  // The program must be in use.
+  // Sets a uniform of the program in use; -1 is accepted and does nothing.
   static void Set(int at, int value);
   static void Set(int at, float value);
   static void Set(int at, const glm::vec2& value);

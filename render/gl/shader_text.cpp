@@ -22,12 +22,15 @@ std::optional<std::string_view> IncludedName(std::string_view line) {
   return line.substr(0, line.find('"'));
 }
 
+// Appends a file and, where they stand, those that it includes. Files are numbered as they come; a file that
+// is there is left out, so circles end.
 Result<void> Append(std::span<const ShaderFile> library, std::string_view name, WholeText& whole) {
   if (std::ranges::find(whole.files, name) != whole.files.end()) return {};
   const ShaderFile* file = FindFile(library, name);
   if (file == nullptr) {
     return Fail(std::errc::no_such_file_or_directory, fmt::format("include shader {}", name));
   }
+  // GLSL ES numbers source strings, and names no files.
   const std::size_t number = whole.files.size();
   whole.files.push_back(file->name);
   whole.text += fmt::format("#line 1 {}\n", number);

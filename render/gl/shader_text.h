@@ -11,12 +11,14 @@
 
 namespace kaori::gl {
 
+// A text without #include lines.
 struct WholeText {
   std::string text;
-  std::vector<std::string_view> files;  // File number n of the #line marks.
+  // File number n of the #line marks.
+  std::vector<std::string_view> files;
 };
 
-// Each file is put in once, at its first #include. Errors: no_such_file_or_directory.
+// Each file is put in once, at its first #include. Errors: no_such_file_or_directory (names the file).
 Result<WholeText> Assemble(const ProgramSource& source, std::string_view file);
 
 // Replaces a driver's "n:line" at the start of each line of its log by "file:line". Understands Mesa's

@@ -11,6 +11,7 @@
 
 namespace kaori::gl {
 
+// For people who look at the box from afar: a few hundred pixels wide. On the thread of its context.
 class SmallPicture {
  public:
   // On the current context. Errors: not_enough_memory.

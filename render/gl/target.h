@@ -7,6 +7,7 @@
 
 namespace kaori::gl {
 
+// Pixels are written as the texture's kind has them; what was there is kept. On the thread of its context.
 class Target {
  public:
   Target() = default;

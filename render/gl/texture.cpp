@@ -10,6 +10,7 @@
 namespace kaori::gl {
 namespace {
 
+// What glTexStorage2D and glTexSubImage2D are told of a kind of texel (GLES 3.0, table 3.2).
 struct Format {
   GLenum internal, format, type;
 };
@@ -22,8 +23,6 @@ Format FormatOf(Texels texels) {
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
     case Texels::kRgb10:
       return {GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV};
-    case Texels::kGrey8:
-      return {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
     case Texels::kFloat4:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
   }
@@ -34,6 +33,7 @@ void DeleteTexture(unsigned id) {
   glDeleteTextures(1, &id);
 }
 
+// The whole picture and, with mipmaps, each half of the one before it down to a single texel.
 int LevelsOf(const TextureOptions& o) {
   if (!o.mipmaps) return 1;
   return std::bit_width(static_cast<unsigned>(std::max(o.width_px, o.height_px)));
@@ -41,11 +41,10 @@ int LevelsOf(const TextureOptions& o) {
 
 // The nearest level, smoothly: the step between levels does not show on skin, and it halves the look-ups.
 void SetSampling(const TextureOptions& o) {
-  const GLint wrap = o.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
   const bool smooth = o.texels != Texels::kFloat4;
   const GLint shrink = o.mipmaps ? GL_LINEAR_MIPMAP_NEAREST : (smooth ? GL_LINEAR : GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, shrink);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, smooth ? GL_LINEAR : GL_NEAREST);
 }

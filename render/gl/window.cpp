@@ -21,6 +21,8 @@ Result<Window> Window::Make(const Context& context, void* native) {
 
 Window::~Window() {
   if (surface_ == nullptr) return;
+  // A surface that is current is destroyed only when it is no longer so; the context stays current without
+  // one.
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
   eglDestroySurface(display_, surface_);
 }
@@ -47,6 +49,7 @@ Result<void> Window::Begin(int width_px, int height_px) const {
 }
 
 Result<void> Window::Show() const {
+  // A software renderer gives the kernel no fence to wait for: the screen would show a picture in work.
   glFinish();
   if (!eglSwapBuffers(display_, surface_))
     return Fail(std::errc::protocol_error, "give the window's picture to the screen");

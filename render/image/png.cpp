@@ -20,6 +20,7 @@ png_image Blank() {
   return image;
 }
 
+// As libpng's simple interface wants to hear of it.
 png_image Described(const Picture& picture) {
   png_image image = Blank();
   image.width = static_cast<png_uint_32>(picture.width_px);
@@ -28,6 +29,7 @@ png_image Described(const Picture& picture) {
   return image;
 }
 
+// Nobody wants a PNG with an alpha that means nothing.
 std::vector<std::uint8_t> WithoutX(const Picture& picture) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(picture.rgbx.size() / 4 * 3);

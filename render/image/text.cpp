@@ -13,14 +13,17 @@
 namespace kaori::image {
 namespace {
 
-constexpr int kUnit = 64;  // FreeType's lengths are in 64ths of a pixel.
+// FreeType's lengths are in 64ths of a pixel.
+constexpr int kUnit = 64;
 
 constexpr const char* kEllipsis = "\u2026";
 
+// C0, DEL and C1.
 bool IsControl(char32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0);
 }
 
+// Glyph 0, the font's box, where it has no such letter.
 FT_UInt GlyphOf(FT_Face face, char32_t code) {
   return FT_Get_Char_Index(face, IsControl(code) ? U' ' : code);
 }
@@ -45,6 +48,7 @@ FT_Pos Walk(FT_Face face, std::string_view text, const Each& each) {
   return x;
 }
 
+// Of codes, not of light: as people expect text on a screen.
 std::uint8_t Mix(std::uint8_t from, std::uint8_t to, unsigned coverage) {
   return static_cast<std::uint8_t>((from * (255U - coverage) + to * coverage + 127U) / 255U);
 }
@@ -73,6 +77,7 @@ int Ceil(FT_Pos length) {
   return static_cast<int>((length + kUnit - 1) / kUnit);
 }
 
+// FreeType counts below the baseline as negative.
 int Descent_px(FT_Face face) {
   return Ceil(-face->size->metrics.descender);
 }
@@ -128,6 +133,8 @@ void Lettering::Draw(std::string_view text, const TextStyle& style, int x_px, in
   });
 }
 
+// Beginnings grow by whole letters, never by half of one; the longest that fits with its ellipsis is found by
+// halving.
 std::string Shorten(Lettering& lettering, std::string_view text, int size_px, int width_px) {
   if (lettering.width_px(text, size_px) <= width_px) return std::string(text);
   std::vector<std::size_t> ends{0};  // Of beginnings, each a letter longer.

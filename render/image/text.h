@@ -16,8 +16,10 @@ struct FT_LibraryRec_;
 namespace kaori::image {
 
 struct TextStyle {
-  int size_px = 16;                                // Of the em square; 1 to kMostTextSize_px, clamped.
-  std::array<std::uint8_t, 3> rgb{255, 255, 255};  // As stored in the picture.
+  // Of the em square; 1 to kMostTextSize_px, clamped.
+  int size_px = 16;
+  // As stored in the picture.
+  std::array<std::uint8_t, 3> rgb{255, 255, 255};
 };
 
 inline constexpr int kMostTextSize_px = 400;
@@ -57,7 +59,8 @@ class Lettering {
 
   void SetSize(int size_px);
 
-  std::unique_ptr<FT_LibraryRec_, EndLibrary> library_;  // Outlives the face.
+  // Outlives the face.
+  std::unique_ptr<FT_LibraryRec_, EndLibrary> library_;
   std::unique_ptr<FT_FaceRec_, EndFace> face_;
   int size_px_ = 0;
 };

@@ -8,7 +8,8 @@ namespace kaori::image {
 
 struct Letter {
   char32_t code = 0;
-  std::size_t bytes = 0;  // How many of the text it took; 1 at least.
+  // How many of the text it is made of; 1 at least.
+  std::size_t bytes = 0;
 };
 
 // The first letter of `text`, which must not be empty. A byte that begins no valid sequence (too short, too

@@ -16,6 +16,7 @@ constexpr int kDropWidth_px = 384;
 constexpr int kDropHeight_px = 216;
 constexpr float kDropAspect = 16.0F / 9;
 
+// By BackdropKind.
 constexpr std::array<const char*, scene::kBackdropKindCount> kShaders{
     "drop_gradient.frag", "drop_studio.frag", "drop_curtain.frag", "drop_night.frag",   "drop_kitchen.frag",
     "drop_pine.frag",     "drop_lights.frag", "drop_rays.frag",    "drop_nursery.frag", "drop_picture.frag"};
@@ -93,6 +94,8 @@ BackdropPass::Mixture BackdropPass::MixtureOf(const scene::Scene& scene) {
   return mixture;
 }
 
+// Makes the whole picture anew where the canvas's size is another; says whether it did. Without memory it has
+// no size.
 bool BackdropPass::FitWhole(int width_px, int height_px) {
   if (whole_.width_px() == width_px && whole_.height_px() == height_px) return false;
   auto target = gl::Target::Make({.width_px = width_px, .height_px = height_px});
@@ -104,6 +107,8 @@ bool BackdropPass::Has(int picture) const {
   return picture >= 0 && static_cast<std::size_t>(picture) < pictures_.size();
 }
 
+// A picture of the show is loaded when it is first drawn, and covers the drop as CSS's `cover` does: cut,
+// never stretched.
 void BackdropPass::SetPicture(const Kind& kind, int picture) {
   const auto index = static_cast<std::size_t>(picture);
   const face::Texture& held = cast_->textures[index];
@@ -113,6 +118,7 @@ void BackdropPass::SetPicture(const Kind& kind, int picture) {
   gl::Program::Set(kind.cover, Cover(kDropAspect, aspect));
 }
 
+// A picture that the show does not have is drawn as a gradient.
 void BackdropPass::Draw(const scene::Backdrop& backdrop, Drop& drop) {
   const bool picture = backdrop.kind == scene::BackdropKind::kPicture && Has(backdrop.picture);
   const bool lost = backdrop.kind == scene::BackdropKind::kPicture && !picture;
@@ -143,6 +149,7 @@ std::size_t BackdropPass::DropOf(const scene::Backdrop& backdrop, const Mixture&
   return static_cast<std::size_t>(drop - drops_.begin());
 }
 
+// The drops of a mixture by their weights; a single one is given as it is.
 const gl::Texture& BackdropPass::MixDrops(const Mixture& mixture) {
   glm::vec4 weights{};
   std::array<std::size_t, kDrops> drops{};
@@ -163,6 +170,7 @@ const gl::Texture& BackdropPass::MixDrops(const Mixture& mixture) {
   return small_.texture();
 }
 
+// Onto the whole picture, with dither, for a gradient of 8 bits shows its steps on a dark stage.
 void BackdropPass::Enlarge(const gl::Texture& drop) {
   const Mix& enlarge = mixes_.front();
   whole_.Begin();
@@ -183,7 +191,7 @@ void BackdropPass::Prepare(const scene::Scene& scene, int width_px, int height_p
   if (whole_.width_px() > 0) Enlarge(MixDrops(mixture));
 }
 
-void BackdropPass::Rehearse(std::size_t number) {
+void BackdropPass::WarmUp(std::size_t number) {
   Drop& drop = drops_.back();
   if (number < kinds_.size()) {
     scene::Backdrop backdrop;

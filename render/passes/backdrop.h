@@ -20,7 +20,8 @@ class BackdropPass {
   // Borrows the cast, whose textures are the pictures. Errors: invalid_argument (a shader).
   static Result<BackdropPass> Open(const face::Cast& cast);
 
-  // Makes the picture of what stands behind `scene`, on a canvas of this size, unless it is there.
+  // Makes the picture of what stands behind `scene`, for a canvas of this size, unless it is there. A new
+  // size allocates on the graphics driver's side; a show keeps one.
   void Prepare(const scene::Scene& scene, int width_px, int height_px);
 
   // That picture: square roots of linear light. Black where there is no memory for it.
@@ -28,14 +29,16 @@ class BackdropPass {
   // Changes whenever the picture does.
   std::uint64_t version() const { return version_; }
 
-  // Draws with one of kRehearsals shaders, unseen, so that it is ready.
-  static constexpr std::size_t kRehearsals = scene::kBackdropKindCount + 2;
-  void Rehearse(std::size_t number);
+  // Draws with one of kWarmUps shaders, unseen, so that the driver has finished it. `number` 0 ..
+  // kWarmUps - 1.
+  static constexpr std::size_t kWarmUps = scene::kBackdropKindCount + 2;
+  void WarmUp(std::size_t number);
 
  private:
   static constexpr std::size_t kDrops = scene::kMostFading + 1;
   using Mixture = std::array<scene::FadingBackdrop, kDrops>;
 
+  // A way of drawing a backdrop, and where its uniforms are.
   struct Kind {
     gl::Program program = {};
     int top = -1, bottom = -1, glow = -1, cover = -1;
@@ -63,11 +66,14 @@ class BackdropPass {
 
   const face::Cast* cast_ = nullptr;
   std::array<Kind, scene::kBackdropKindCount> kinds_;
-  std::array<Mix, 3> mixes_;  // Of 1, 2 and 4 drops; the first enlarges.
+  // Of 1, 2 and 4 drops; the first enlarges.
+  std::array<Mix, 3> mixes_;
   gl::Mesh everywhere_;
   std::array<Drop, kDrops> drops_;
-  std::vector<gl::Texture> pictures_;  // Those of the cast that were asked for.
-  gl::Target small_;                   // Several drops, mixed.
+  // Those of the cast that were asked for.
+  std::vector<gl::Texture> pictures_;
+  // Several drops, mixed.
+  gl::Target small_;
   gl::Target whole_;
   Mixture mixed_{};
   std::uint64_t version_ = 0;

@@ -12,6 +12,7 @@
 namespace kaori::passes {
 namespace {
 
+// As many as body.frag mixes. Of more faces, the lightest lend no colour.
 constexpr int kMostTextures = 4;
 
 // The heaviest faces' textures, each once, and their weights with the sum 1.
@@ -61,6 +62,7 @@ Result<BodyPass> BodyPass::Open(const face::Cast& cast) {
   return pass;
 }
 
+// Three textures are drawn by the shader of four, the fourth without weight.
 const BodyPass::Variant& BodyPass::VariantFor(int textures) const {
   return variants_[static_cast<std::size_t>(textures == 1 ? 0 : (textures == 2 ? 1 : 2))];
 }

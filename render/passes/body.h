@@ -17,7 +17,9 @@ class BodyPass {
   // Borrows the cast. Errors: invalid_argument (a shader).
   static Result<BodyPass> Open(const face::Cast& cast);
 
-  // `dressed`: all hair and clothes of the faces are drawn, so that skin beneath need not be.
+  // Draws the surface's fine mesh (Surface::WriteFine comes before) with the textures of the heaviest four
+  // faces, each by its weight. `dressed`: all hair and clothes of the faces are drawn, so that skin beneath
+  // need not be. A texture that is not loaded yet is loaded now, which stalls the frame: see LoadNext.
   void Draw(const Surface& surface, const face::Shape& shape, bool dressed);
 
   // A skin is loaded when it is first drawn, so that the first face need not wait for the others. This loads
@@ -32,16 +34,20 @@ class BodyPass {
   };
   struct Look {
     int texture = 0;
-    glm::vec2 surface{};  // Softness, metal.
+    // Softness, metal.
+    glm::vec2 surface{};
   };
   Result<void> AddVariant(int textures);
   const Variant& VariantFor(int textures) const;
   const gl::Texture& Skin(int texture);
 
-  std::array<Variant, 3> variants_;  // For 1, 2 and 4 textures.
+  // For 1, 2 and 4 textures.
+  std::array<Variant, 3> variants_;
   const face::Cast* cast_ = nullptr;
-  std::vector<gl::Texture> textures_;  // Of the cast; without an id until they are loaded.
-  std::vector<Look> looks_;            // One for each face.
+  // Of the cast; without an id until they are loaded.
+  std::vector<gl::Texture> textures_;
+  // One for each face.
+  std::vector<Look> looks_;
 };
 
 }  // namespace kaori::passes

@@ -16,7 +16,8 @@ namespace {
 // Parts of the picture's height. Letters are read at 960 x 540 and from across a table at 1920 x 1080.
 constexpr float kLetters = 0.0285F;
 constexpr float kMargin = 0.030F;
-constexpr float kMostHeight = 0.7F;  // Of all lines.
+// Of all lines.
+constexpr float kMostHeight = 0.7F;
 constexpr int kSmallest_px = 10;
 
 // The plate stands beside the face: so much of the picture's width, or space for this many letters.
@@ -33,6 +34,7 @@ int Rounded(float px) {
 
 }  // namespace
 
+// Everything follows the picture's height, so that a caption looks the same on any screen.
 CaptionPass::Measures CaptionPass::MeasuresFor(const gl::Canvas& canvas) {
   const auto height_px = static_cast<float>(canvas.height_px());
   const auto width_px = static_cast<float>(canvas.width_px());
@@ -66,6 +68,8 @@ Result<CaptionPass> CaptionPass::Open() {
   return CaptionPass(std::move(*program), std::move(*lettering));
 }
 
+// The lines as they are drawn: broken, at most as many as fit, and a word that is too long alone cut with an
+// ellipsis.
 std::vector<std::string> CaptionPass::Fitting(const Measures& m, int most_px) {
   std::vector<std::string> lines;
   const auto fits = [&](std::string_view text) { return lettering_.width_px(text, m.letters) <= m.line_px; };
@@ -76,6 +80,7 @@ std::vector<std::string> CaptionPass::Fitting(const Measures& m, int most_px) {
   return lines;
 }
 
+// The texture is as large as the longest line and all lines ask for: its alpha is the letters' mask.
 void CaptionPass::WriteLetters(const std::vector<std::string>& lines, const gl::Canvas& canvas) {
   lines_ = lines;
   canvas_width_px_ = canvas.width_px();

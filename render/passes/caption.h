@@ -15,23 +15,26 @@ namespace kaori::passes {
 
 class CaptionPass {
  public:
-  // Errors: invalid_argument (a shader), not_enough_memory.
+  // Errors: invalid_argument (a shader), not_enough_memory (the font).
   static Result<CaptionPass> Open();
 
   // Onto the picture, over all that stands there, which is then no more what the painters left: the canvas's
-  // signature goes. Letters are as high as the canvas asks for; the plate keeps to the left of the face; lines that are
-  // too long are broken, and of too many the last are left out. Letters are drawn, and memory is taken, only
-  // when the lines or the size of the canvas change. Nothing where nothing is shown.
+  // signature goes. Letters are as high as the canvas asks for; the plate keeps to the left of the face;
+  // lines that are too long are broken, and of too many the last are left out. Letters are drawn, and memory
+  // is taken, only when the lines or the size of the canvas change. Nothing where nothing is shown.
   void Draw(const scene::Caption& caption, const gl::Canvas& canvas);
 
  private:
   // All in pixels.
   struct Measures {
-    int letters = 0;  // Size of the font.
-    int step = 0;     // From line to line.
-    int border = 0;   // Of the plate about the letters,
-    int margin = 0;   // and from the edges of the picture.
-    int line_px = 0;  // The longest line.
+    // Size of the font.
+    int letters = 0;
+    // From line to line.
+    int step = 0;
+    int border = 0;  // Of the plate about the letters,
+    int margin = 0;  // and from the edges of the picture.
+    // The longest line.
+    int line_px = 0;
   };
   static Measures MeasuresFor(const gl::Canvas& canvas);
   std::vector<std::string> Fitting(const Measures& m, int most_px);
@@ -43,7 +46,8 @@ class CaptionPass {
   int plate_, border_, opacity_;
   gl::Mesh everywhere_;
   gl::Texture letters_;
-  std::vector<std::string> lines_;  // As they stand in the texture.
+  // As they stand in the texture.
+  std::vector<std::string> lines_;
   int canvas_width_px_ = 0;
   int canvas_height_px_ = 0;
   int border_px_ = 0;

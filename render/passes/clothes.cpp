@@ -10,6 +10,7 @@ namespace {
 
 // Far enough to leave the picture.
 constexpr float kSunk_m = 0.14F;
+// A face with less weight than this dresses nobody: one step of 8 bits.
 constexpr float kGone = 0.004F;
 
 bool WearsClothes(const Appearance& appearance, std::size_t face) {
@@ -38,6 +39,8 @@ Result<ClothesPass> ClothesPass::Open() {
   return pass;
 }
 
+// Each face's clothes over those before it, by its part of what is laid so far: the mean of all by their
+// weights.
 void ClothesPass::Draw(const Appearance& appearance, const face::Terms& faces) const {
   program_.Use();
   gl::Program::Set(sunk_, kSunk_m * (1 - Dressed(appearance, faces)));

@@ -12,6 +12,7 @@ class ClothesPass {
   // Errors: invalid_argument (a shader).
   static Result<ClothesPass> Open();
 
+  // `faces` as composed, and weighed by the appearance. Clothes breathe, but do not turn with the head.
   void Draw(const Appearance& appearance, const face::Terms& faces) const;
 
  private:

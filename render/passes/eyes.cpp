@@ -18,9 +18,12 @@ constexpr int kRings = 8;
 constexpr int kSpokes = 24;
 constexpr float kOpening_rad = 1.40F;
 
-constexpr int kLidPlaces = 9;      // As eye.vert.
-constexpr float kLidReach = 1.2F;  // In radii.
+// As eye.vert.
+constexpr int kLidPlaces = 9;
+// In radii.
+constexpr float kLidReach = 1.2F;
 
+// Unit directions of a cap about +Z: ring 0 is its middle, kSpokes times over.
 std::vector<glm::vec3> CapDirections() {
   std::vector<glm::vec3> directions;
   for (int ring = 0; ring <= kRings; ++ring) {
@@ -57,6 +60,7 @@ class LidEdge {
       std::reverse(edge_.begin(), edge_.begin() + Count());
   }
 
+  // The margin's height over the centre, in radii, at `x` radii to the character's left.
   float HeightAt(float x) const {
     const float wanted_m = ball_.centre.x + x * ball_.radius_m;
     std::size_t j = 1;
@@ -76,6 +80,7 @@ class LidEdge {
   std::array<glm::vec3, kMost> edge_{};
 };
 
+// At kLidPlaces places from -kLidReach to kLidReach: eye.vert shades the ball below them.
 std::array<float, kLidPlaces> LidHeights(const face::Shape& shape, const face::LidRig& rig,
                                          const face::EyeBall& ball) {
   std::array<float, kLidPlaces> heights;
@@ -89,6 +94,7 @@ std::array<float, kLidPlaces> LidHeights(const face::Shape& shape, const face::L
   return heights;
 }
 
+// The inverse of the gaze's turn: the shader asks where on the iris a point of the ball lies.
 glm::mat3 HeadToIris(const scene::Gaze& gaze) {
   const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
   return glm::transpose(glm::mat3_cast(turn));
@@ -108,8 +114,8 @@ EyesPass::EyesPass(gl::Program program, gl::Program dark, const face::Topology& 
       directions_(gl::Buffer::Of(std::span<const glm::vec3>(CapDirections()))),
       cap_({{directions_, 12, {{0, 3, gl::Scalar::kFloat, 0}}}}, CapTriangles()) {}
 
-Result<EyesPass> EyesPass::Open(const face::Topology& topology, Onto onto) {
-  auto program = MakeProgram("eye.vert", "eye.frag", onto == Onto::kPicture ? "#define ONTO_PICTURE\n" : "");
+Result<EyesPass> EyesPass::Open(const face::Topology& topology) {
+  auto program = MakeProgram("eye.vert", "eye.frag");
   if (!program) return tl::unexpected(program.error());
   auto dark = MakeProgram("eye_dark.vert", "eye_dark.frag");
   if (!dark) return tl::unexpected(dark.error());

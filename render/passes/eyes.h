@@ -11,11 +11,10 @@ namespace kaori::passes {
 
 class EyesPass {
  public:
-  // Borrows the topology. `onto`: a layer, or the picture of a canvas that takes codes. Errors:
-  // invalid_argument (a shader).
-  enum class Onto : std::uint8_t { kLayer, kPicture };
-  static Result<EyesPass> Open(const face::Topology& topology, Onto onto = Onto::kLayer);
+  // Borrows the topology. Errors: invalid_argument (a shader).
+  static Result<EyesPass> Open(const face::Topology& topology);
 
+  // `gaze`: the character's left, right. Lids shade the ball below them; a ball without a radius is left out.
   void Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const;
   // Dark balls that only hide what lies behind them, for the wireframe.
   void DrawDark(const face::Shape& shape) const;

@@ -12,9 +12,11 @@ namespace {
 constexpr float kLashes_m = 0.006F;
 constexpr float kEdgeShare = 0.5F * 1.25F;
 
-constexpr float kSwing_m = 0.11F;  // Tips swing by this much for each radian, as hair.vert.
+// Tips swing by this much for each radian, as hair.vert.
+constexpr float kSwing_m = 0.11F;
 constexpr float kSoftEdge_m = 0.002F;
 
+// Columns [from_px, to_px); nothing where from_px lies beyond.
 struct Span {
   int from_px = 0;
   int to_px = 0;
@@ -86,6 +88,7 @@ class Bands {
   std::array<Span, FigureRegion::kBands> spans_{};
 };
 
+// The slice's prism, with a margin, as the rectangle that encloses its corners in the picture.
 void AddSlice(const FrameBlock& frame, const Slice& slice, bool turns, float margin_m, Bands& bands) {
   const float low_m = slice.low_m - margin_m;
   const float high_m = slice.high_m + margin_m;
@@ -102,6 +105,7 @@ void AddSlice(const FrameBlock& frame, const Slice& slice, bool turns, float mar
   bands.Add(low - margin, high + margin);
 }
 
+// Hair reaches as far beyond its slices as its tips swing; everything as far as breath lifts it.
 void AddProp(const FrameBlock& frame, const PropMesh& prop, Bands& bands) {
   const bool turns = prop.part != face::Part::kClothes;
   const float swing_rad = std::max(std::abs(frame.sway.x), std::abs(frame.sway.y));

@@ -11,11 +11,14 @@
 
 namespace kaori::passes {
 
-// Bands across the picture, from below; in each the figure lies within its box, which may be empty.
+// Bands across the picture, from below, each a twentieth of its height; in each the figure lies within its
+// box, which may be empty. Tighter than one box round all, and on a software renderer every pixel that is
+// left out counts.
 struct FigureRegion {
   static constexpr int kBands = 20;
   std::array<gl::Box, kBands> bands{};
-  gl::Box whole;  // Encloses them all.
+  // Encloses them all.
+  gl::Box whole;
 };
 
 // For each face, the longest edge at each vertex of the cage, metres.
@@ -23,7 +26,8 @@ using LongestEdges = std::vector<std::vector<float>>;
 LongestEdges MeasureEdges(const face::Cast& cast);
 
 // Encloses the face, with what sticks out of it by `reach_m`, and all that is worn in this frame, hair as it
-// swings.
+// swings. Works on the cage: the fine mesh stays within part of an edge of it, which is what `edges` are for.
+// Allocates nothing.
 FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
                         const LongestEdges& edges, float reach_m = 0);
 

@@ -23,6 +23,7 @@ Result<FlatPass> FlatPass::Open(const face::Cast& cast) {
   return FlatPass(std::move(*program), cast);
 }
 
+// Each triangle has corners of its own, for its normal is its own.
 void FlatPass::WriteFacets(const face::Shape& shape) {
   Corner* corner = corners_.data();
   for (const face::Triangle& t : cast_->topology.triangles) {

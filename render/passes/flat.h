@@ -15,6 +15,7 @@ class FlatPass {
   // Borrows the cast. Errors: invalid_argument (a shader).
   static Result<FlatPass> Open(const face::Cast& cast);
 
+  // Needs the cage alone. The colour is the mean of the faces' SurfaceLook::flat by their weights.
   void Draw(const face::Shape& shape);
 
  private:

@@ -16,10 +16,12 @@ constexpr float kTurns_m = 0.062F;
 // Full breath lifts the shoulders by this much.
 constexpr float kBreath_m = 0.004F;
 
+// From the camera's right, low: cool, opposite to the key light.
 constexpr glm::vec3 kFillLight{0.80F, 0.10F, 0.50F};
 
 }  // namespace
 
+// The lower edge of the reference face's neck is the lowest vertex of all.
 Neck NeckOf(const face::Cast& cast) {
   const auto& reference = cast.faces.front().positions;
   const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };

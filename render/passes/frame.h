@@ -1,4 +1,9 @@
 // What all passes of a frame share, in the layout that shaders read (render/shaders/frame.glsl).
+//
+// For all passes of this folder: they are opened once, on the thread of the context that is current, and
+// drawn there; what they borrow outlives them; Open compiles shaders, which blocks for milliseconds each;
+// Draw cannot fail, and allocates nothing but where a header says so. Positions are metres in the head's
+// frame at rest (face/cast.h); shaders turn the head. Colours are linear RGB.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -13,7 +18,7 @@ namespace kaori::passes {
 
 inline constexpr unsigned kFrameBinding = 0;
 
-// std140. The comments stand in frame.glsl.
+// std140: matrices by columns, each vector 16 bytes. What each part means stands in frame.glsl.
 struct FrameBlock {
   glm::mat4 view;
   glm::mat4 projection;
@@ -26,7 +31,8 @@ struct FrameBlock {
   glm::vec4 sway;
 };
 
-// Where the neck starts and ends to follow the head, from the reference face. Heights in metres.
+// Where the neck starts and ends to follow the head, from the reference face. Heights along Y: below the
+// first it stays, above the second it turns with the head, and between them by part.
 struct Neck {
   glm::vec3 pivot{};
   float still_below_m = 0;
@@ -34,13 +40,16 @@ struct Neck {
 };
 Neck NeckOf(const face::Cast& cast);
 
-// `soft_share` as FrameBlock::fill.w.
+// `soft_share` 0..1: how much of the textured styles is today's soft light; the rest is the plain one of
+// 1993. `canvas_px`: width and height, neither 0.
 FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share);
 
-// A point of the head in the picture: x, y from -1 to 1. Follows the whole turn.
+// A point of the head in the picture: x, y from -1 to 1. `turns`: it follows the head's whole turn, else none
+// of it.
 glm::vec2 Project(const FrameBlock& frame, glm::vec3 point, bool turns);
 
-// Compiles a program of the shader library and binds its Frame block.
+// Compiles a program of the shader library and binds its Frame block to kFrameBinding. `defines` are lines
+// such as "#define TEXTURES 4\n". Errors: as gl::Program::Make.
 Result<gl::Program> MakeProgram(std::string_view vertex, std::string_view fragment, std::string defines = {});
 
 }  // namespace kaori::passes

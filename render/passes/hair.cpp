@@ -9,6 +9,7 @@ namespace {
 // The band of light is the hair's own colour and a little of the lamp's.
 constexpr glm::vec3 kGleam{0.16F, 0.10F, 0.065F};
 
+// Hair below this share is not drawn, and above kWhole it is drawn without growth, which is cheaper.
 constexpr float kHairGone = 0.01F;
 constexpr float kWhole = 0.999F;
 

@@ -12,7 +12,8 @@ class HairPass {
   // Errors: invalid_argument (a shader).
   static Result<HairPass> Open();
 
-  // `share` 0..1: how much of the hair the style shows.
+  // `share` 0..1: how much of the hair the style shows. Where a lock has not grown to its whole length,
+  // samples of its pixels are left out instead of blended, so that nothing needs sorting.
   void Draw(const Appearance& appearance, float share) const;
 
  private:

@@ -13,15 +13,20 @@
 namespace kaori::passes {
 namespace {
 
+// From the skin to the middle of the head, as nothing pulls it.
 constexpr float kLength_m = 0.0095F;
-constexpr float kDeepest_m = 0.0016F;  // So far the tip sticks in the skin.
-constexpr float kHead_m = 0.00115F;    // Radius.
+// So far the tip sticks in the skin.
+constexpr float kDeepest_m = 0.0016F;
+// The head's radius.
+constexpr float kHead_m = 0.00115F;
 
 // A pulled handle is longer by so much of its pull, up to this pull.
 constexpr float kPullShown = 0.6F;
 constexpr float kFarthestPull_m = 0.020F;
-constexpr float kWarmPull_m = 0.008F;  // Wholly warm from here on.
+// Wholly warm from here on.
+constexpr float kWarmPull_m = 0.008F;
 
+// How a handle is drawn: larger than the others, and in which colour.
 struct Role {
   float size = 1;
   glm::vec3 paint{};
@@ -36,8 +41,10 @@ constexpr glm::vec3 kPulledPaint{0.900F, 0.330F, 0.030F};
 constexpr glm::vec3 kOnSkin{0.030F, 0.150F, 0.300F};
 constexpr glm::vec3 kOnWires{0.700F, 0.620F, 0.520F};
 
-constexpr float kGlimmer = 0.4F;  // What stays of a handle that is hidden.
+// What stays of a handle that is hidden.
+constexpr float kGlimmer = 0.4F;
 
+// root, axis and paint of HandlesPass::Texels.
 constexpr int kTexelsEach = 3;
 
 // The head is a ball of rings, the shaft a cone without a floor. Seen along +Z from the tip.
@@ -98,6 +105,7 @@ glm::vec3 Mean(const face::SparseRows& rows, std::size_t row, std::span<const gl
 // Lids and lips turn their margins inwards: handles stand as the face does about them, within so far.
 constexpr float kBeside_m = 0.011F;
 
+// For each control point those within three times kBeside_m on the reference face, with a Gaussian's weights.
 face::SparseRows BesideEachOther(const face::Cast& cast) {
   const std::size_t count = cast.net.points.size();
   std::vector<glm::vec3> places(count);
@@ -127,6 +135,7 @@ Role RoleOf(const scene::Handles& handles, std::size_t point) {
   return {kPlainSize, kPulledPaint, std::sqrt(warm)};
 }
 
+// Eased at both ends, so that handles come out of the skin softly.
 float Grown(float shown) {
   const float t = std::isfinite(shown) ? std::clamp(shown, 0.0F, 1.0F) : 0.0F;
   return t * t * (3 - 2 * t);
@@ -176,6 +185,7 @@ HandlesPass::Texels HandlesPass::Place(const scene::Handles& handles, const face
           .paint = {role.paint, role.painted}};
 }
 
+// Each handle stands along the mean normal of the points about it, not of its own vertex alone.
 void HandlesPass::Straighten(const face::Shape& shape) {
   for (std::size_t i = 0; i < normals_.size(); ++i) normals_[i] = Mean(net_->surface, i, shape.cage_normals);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -184,6 +194,7 @@ void HandlesPass::Straighten(const face::Shape& shape) {
   }
 }
 
+// One handle, whatever stands before it.
 void HandlesPass::DrawThrough(int point) const {
   if (point < 0 || point >= static_cast<int>(handles_.size())) return;
   gl::Apply({.depth = gl::Depth::kOff, .blend = gl::Blend::kOver});

@@ -1,4 +1,5 @@
-// The editor's handles: needles that stick in the face at its control points, as in figure 3 of Arai et al. 1994.
+// The editor's handles: needles that stick in the face at its control points, as in figure 3 of Arai et al.
+// 1994.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +44,8 @@ class HandlesPass {
   void DrawThrough(int point) const;
 
   const face::ControlNet* net_;
-  face::SparseRows beside_;         // For each point, the points about it and how near they are.
+  // For each point, the points about it and how near they are.
+  face::SparseRows beside_;
   std::vector<glm::vec3> normals_;  // Of the skin at each point,
   std::vector<glm::vec3> axes_;     // and what the points about it make of them.
   gl::Program program_;

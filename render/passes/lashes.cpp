@@ -12,7 +12,8 @@
 namespace kaori::passes {
 namespace {
 
-constexpr int kSteps = 4;  // Points of the strip for each column of the lid.
+// Points of the strip for each column of the lid.
+constexpr int kSteps = 4;
 constexpr glm::vec3 kPaint{0.0075F, 0.0048F, 0.0042F};
 
 // The vertex of the fine mesh that replaces a cage vertex: the one that leans on it most.
@@ -38,6 +39,7 @@ std::vector<face::Index> MarginOnFineMesh(const face::Topology& topology, const 
   return margin;
 }
 
+// Roots along a margin; each has a tip besides. None where there is no margin.
 std::size_t StripPoints(std::size_t columns) {
   return columns < 2 ? 0 : (columns - 1) * kSteps + 1;
 }
@@ -105,6 +107,7 @@ Result<LashesPass> LashesPass::Open(const face::Topology& topology) {
   return LashesPass(std::move(*program), topology);
 }
 
+// One eye's strip, from the inner corner outwards.
 void LashesPass::Grow(const face::Shape& shape, std::size_t side) {
   const auto& margin = margins_[side];
   const std::size_t count = StripPoints(margin.size());

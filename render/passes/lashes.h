@@ -16,6 +16,8 @@ class LashesPass {
   // Errors: invalid_argument (a shader).
   static Result<LashesPass> Open(const face::Topology& topology);
 
+  // Needs the fine mesh; without it, without lids that have rings, or with lashes too short to be seen, draws
+  // nothing.
   void Draw(const face::Shape& shape);
 
  private:
@@ -24,8 +26,10 @@ class LashesPass {
 
   gl::Program program_;
   int paint_;
-  std::array<std::vector<face::Index>, 2> margins_;  // Vertices of the fine mesh, inner corner first.
-  std::vector<glm::vec3> points_;                    // Root, tip, root, tip ...; the left eye first.
+  // Vertices of the fine mesh, inner corner first.
+  std::array<std::vector<face::Index>, 2> margins_;
+  // Root, tip, root, tip ...; the left eye first.
+  std::vector<glm::vec3> points_;
   gl::Buffer buffer_;
   gl::Mesh strip_;
 };

@@ -16,6 +16,7 @@ namespace {
 constexpr float kDotsHigh = 120;
 constexpr float kLeastPitch_px = 3.5F;
 
+// The layer itself is read from unit 0.
 constexpr int kBehindUnit = 1;
 
 float DotWave_rad_px(const gl::Canvas& canvas) {
@@ -23,6 +24,8 @@ float DotWave_rad_px(const gl::Canvas& canvas) {
   return 2 * std::numbers::pi_v<float> / pitch_px;
 }
 
+// Without single samples the layer is resolved first, and edges are blended before they are squared: a little
+// darker.
 Result<gl::Program> MakeLayer(std::string_view fragment, std::string defines) {
   const bool reads_samples = gl::Context::ReadsSamples();
   if (reads_samples) defines += "#define SAMPLES\n";
@@ -99,14 +102,16 @@ void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const 
   for (const gl::Box& band : figure.bands) Fill(canvas, band);
 }
 
-bool LayerPass::Stands(const gl::Canvas& canvas, const Behind& behind) const {
+bool LayerPass::BackdropIsInPlace(const gl::Canvas& canvas, const Behind& behind) const {
   return canvas.stamp() == gl::Canvas::Stamp{this, frame_} && behind.version == last_version_ &&
          behind.dim == last_dim_;
 }
 
+// Where the backdrop is in place from the frame before, only what the last figure covered and this one does
+// not is drawn.
 void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure,
                                   const Behind& behind) {
-  const bool stands = Stands(canvas, behind);
+  const bool in_place = BackdropIsInPlace(canvas, behind);
   gl::Apply({.depth = gl::Depth::kOff});
   backdrop_.program.Use();
   behind.picture.Bind(kBehindUnit);
@@ -114,7 +119,7 @@ void LayerPass::LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& 
   canvas.BeginPicture();
   for (std::size_t b = 0; b < figure.bands.size(); ++b) {
     const gl::Box whole{0, figure.bands[b].bottom_px, canvas.width_px(), figure.bands[b].height_px};
-    const Sides sides = Beside(figure.bands[b], stands ? last_figure_.bands[b] : whole);
+    const Sides sides = Beside(figure.bands[b], in_place ? last_figure_.bands[b] : whole);
     Fill(canvas, sides.left);
     Fill(canvas, sides.right);
   }

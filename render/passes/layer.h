@@ -15,28 +15,34 @@ class LayerPass {
   // Errors: invalid_argument (a shader).
   static Result<LayerPass> Open();
 
-  // The backdrop: square roots of light, as large as the canvas. Borrowed for the call.
+  // The backdrop: square roots of light, as large as the canvas (BackdropPass::picture). Borrowed for the
+  // call.
   struct Behind {
     const gl::Texture& picture;
-    std::uint64_t version = 0;  // Differs when the picture does.
-    float dim = 1;              // 0: dark.
+    // Differs when the picture does.
+    std::uint64_t version = 0;
+    // 0: dark.
+    float dim = 1;
   };
   struct Laying {
-    float opacity = 1;   // 1 replaces what is there.
-    float print = 0;     // 0..1: how much of the figure is a poster's print.
-    float exposure = 1;  // Of the light on the figure.
+    // 1 replaces what is there.
+    float opacity = 1;
+    // 0..1: how much of the figure is a poster's print.
+    float print = 0;
+    // Of the light on the figure.
+    float exposure = 1;
   };
   // The canvas's layer, where the figure is.
   void Lay(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind,
            const Laying& laying) const;
-  // The backdrop alone, everywhere but there. Called once a frame, before all layers: where it stands
-  // already, from the last frame on this canvas, it is left alone.
+  // The backdrop alone, everywhere but there. Called once a frame, before all layers: where it is
+  // in place from the last frame on this canvas, it is left alone.
   void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind);
 
  private:
   void Fill(const gl::Canvas& canvas, const gl::Box& box) const;
-  // The backdrop stands on all of the canvas but `last_figure_`.
-  bool Stands(const gl::Canvas& canvas, const Behind& behind) const;
+  // The backdrop is on all of the canvas but `last_figure_`, as the last frame left it.
+  bool BackdropIsInPlace(const gl::Canvas& canvas, const Behind& behind) const;
 
   struct Variant {
     gl::Program program;
@@ -46,7 +52,8 @@ class LayerPass {
   };
   static Variant Named(gl::Program program);
 
-  Variant plain_;  // Both read the layer's samples where the context can.
+  // Both read the layer's samples where the context can.
+  Variant plain_;
   Variant printed_;
   Variant backdrop_;
   gl::Mesh everywhere_;

@@ -12,6 +12,7 @@ namespace {
 constexpr float kShut_m = 0.0002F;
 constexpr float kMouthGone = 0.02F;
 
+// How much of a part the face shows; hair and clothes are no part of a mouth.
 float FitPresence(const face::MouthFit& fit, face::Part part) {
   switch (part) {
     case face::Part::kUpperTeeth:
@@ -69,6 +70,7 @@ void MouthPass::Draw(const Appearance& appearance, const face::Shape& shape) con
   }
 }
 
+// An open mouth is lit deeper.
 void MouthPass::DrawPart(const PropMesh& prop, float presence, const face::Shape& shape) const {
   const glm::vec3 offset = shape.mouth.offset + JawMotion(prop.part, shape.jaw_drop_m);
   const float light = 0.45F + 0.55F * std::clamp(shape.jaw_drop_m / 0.010F, 0.0F, 1.0F);

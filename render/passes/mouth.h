@@ -13,6 +13,8 @@ class MouthPass {
   // Errors: invalid_argument (a shader).
   static Result<MouthPass> Open(const face::Cast& cast);
 
+  // Draws nothing while the lips touch. The lower teeth follow the jaw, the tongue nearly so; what the face
+  // hides (MouthFit) shrinks and darkens.
   void Draw(const Appearance& appearance, const face::Shape& shape) const;
 
  private:

@@ -13,6 +13,7 @@ using scene::Style;
 
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
+// A quarter of a step of 8 bits: nobody sees what has less weight.
 constexpr float kPainterUnseen = 1.0F / 1024;
 constexpr float kPainterWhole = 1 - kPainterUnseen;
 
@@ -113,6 +114,7 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
   mouth->Draw(appearance, shape);
 }
 
+// Of 1993: no hair, no lashes; eyes and mouth as ever.
 void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shape) {
   clothes->Draw(appearance, shape.faces);
   flat->Draw(shape);
@@ -120,6 +122,7 @@ void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shap
   mouth->Draw(appearance, shape);
 }
 
+// Dark eyeballs hide the lines behind them.
 void Painter::Parts::DrawWire(const scene::Scene& scene, const face::Shape& shape) {
   surface.WriteCage(shape);
   eyes->DrawDark(shape);
@@ -137,6 +140,7 @@ void Painter::Parts::DrawGroup(Group group, const scene::Scene& scene, const fac
   }
 }
 
+// Writes what all shaders of this frame share, and gives it for what is worked out here.
 FrameBlock Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas& canvas) {
   const FrameBlock block = MakeFrame(scene, neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
   frame.Write(std::as_bytes(std::span(&block, 1)));
@@ -158,6 +162,7 @@ Result<std::unique_ptr<Painter>> Painter::Open(const gl::Context&, const face::C
   return std::unique_ptr<Painter>(new Painter(std::move(parts)));
 }
 
+// Groups are laid over each other by their part of what is laid so far: the mean of all by their weights.
 void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   Parts& p = *parts_;
   Sane(wanted, p.sane);

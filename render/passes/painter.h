@@ -1,4 +1,7 @@
 // Paints a scene: composes the face, draws it in the styles that have weight, and cross-fades them.
+//
+// Styles that share a mesh (the textured ones) are mixed in its shaders; the others are drawn as layers of
+// their own and dissolve as whole pictures. One thread: that of the context.
 #pragma once
 
 #include <memory>
@@ -18,7 +21,7 @@ class Painter {
   // every later call) and the cast; both outlive the painter. Errors: invalid_argument (a shader; names file
   // and line).
   static Result<std::unique_ptr<Painter>> Open(const gl::Context& context, const face::Cast& cast);
-  // Faster: `prepared` is of this cast.
+  // The same, with what needs no driver worked out beforehand: `prepared` is of this cast. Blocks less.
   static Result<std::unique_ptr<Painter>> Open(const gl::Context& context, const face::Cast& cast,
                                                Preparation prepared);
   ~Painter();
@@ -30,7 +33,7 @@ class Painter {
   // The cast's expression of this index is not what it was: see face::Composer::Renew.
   void Renew(std::size_t expression);
 
-  // The face as it was drawn last; holds until the next Draw or RehearseStep.
+  // The face as it was drawn last; holds until the next Draw or WarmUpStep.
   const face::Shape& shape() const;
 
   // Drivers finish a shader when it is first drawn with, and a skin is loaded when it is first shown, which
@@ -38,7 +41,7 @@ class Painter {
   // the default look has not used; call it between frames, once the first is out, while it returns true: more
   // remain. Blocks for 10 to 40 ms. A canvas that cannot be made is
   // no fault: shaders are then finished when they are needed.
-  bool RehearseStep();
+  bool WarmUpStep();
 
  private:
   struct Parts;

@@ -1,4 +1,4 @@
-// What a painter is made of. For painter.cpp and painter_rehearsal.cpp alone.
+// What a painter is made of. For painter.cpp and painter_warm_up.cpp alone.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct Painter::Parts {
   FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
   void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
   // What a fade or a style needs beyond the default look, by shader.
-  enum class Turn : std::uint8_t {
+  enum class Shader : std::uint8_t {
     kMouth,
     kHair,
     kClothes,
@@ -51,16 +51,17 @@ struct Painter::Parts {
     kCaption,
     kBody4
   };
-  static constexpr std::array kRehearsal{Turn::kMouth, Turn::kHair,    Turn::kClothes,  Turn::kLayer,
-                                         Turn::kBody2, Turn::kFlat,    Turn::kDarkEyes, Turn::kWire,
-                                         Turn::kPrint, Turn::kHandles, Turn::kCaption,  Turn::kBody4};
-  void Rehearse(Turn turn);
+  static constexpr std::array kWarmUpOrder{
+      Shader::kMouth,    Shader::kHair, Shader::kClothes, Shader::kLayer,   Shader::kBody2,   Shader::kFlat,
+      Shader::kDarkEyes, Shader::kWire, Shader::kPrint,   Shader::kHandles, Shader::kCaption, Shader::kBody4};
+  void WarmUp(Shader shader);
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
   void DrawWire(const scene::Scene& scene, const face::Shape& shape);
 
   face::Composer composer;
-  std::vector<float> prints;  // Of each face, how much of a poster it is.
+  // Of each face, how much of a poster it is.
+  std::vector<float> prints;
   Neck neck;
   LongestEdges edges;
   Appearance appearance;
@@ -79,8 +80,9 @@ struct Painter::Parts {
   std::optional<CaptionPass> caption;
   std::optional<LayerPass> layer;
   std::optional<gl::Canvas> backstage;
-  std::size_t rehearsed = 0;
-  scene::Scene sane;  // What is drawn.
+  std::size_t warmed_up = 0;
+  // What is drawn.
+  scene::Scene sane;
 };
 
 }  // namespace kaori::passes

@@ -19,8 +19,10 @@ struct Preparation {
 
   face::Composer composer;
   LongestEdges edges;
-  std::vector<PropForm> props;  // In the order of Cast::props.
-  std::vector<Triangles> worn;  // For each face, what is seen of it under its hair and clothes.
+  // In the order of Cast::props.
+  std::vector<PropForm> props;
+  // For each face, what is seen of it under its hair and clothes.
+  std::vector<Triangles> worn;
 };
 
 }  // namespace kaori::passes

@@ -12,6 +12,7 @@
 namespace kaori::passes {
 namespace {
 
+// Hair has a tangent, its position in the lock and the lock's number; all else has its shade alone.
 gl::Mesh MeshOf(const face::Prop& prop, const gl::Buffer& vertices, const gl::Buffer& numbers,
                 std::span<const face::Triangle> triangles) {
   using face::PropVertex;
@@ -57,6 +58,7 @@ struct Prism {
   void Add(const glm::vec3& p) {
     slice.low_m = std::min(slice.low_m, p.y);
     slice.high_m = std::max(slice.high_m, p.y);
+    // How far the points reach along each side's direction: a support function.
     const auto& directions = SideDirections();
     for (std::size_t side = 0; side < kSides; ++side) {
       reach_m[side] = std::max(reach_m[side], glm::dot(directions[side], glm::vec2(p.x, p.z)));
@@ -76,6 +78,8 @@ struct Prism {
   }
 };
 
+// Slices of equal height. A triangle belongs to each slice that it passes through, so no slice is too small;
+// one that it passes through between two of its corners gets all three.
 std::array<Slice, kPropSlices> SlicesOf(const face::Prop& prop) {
   const auto [low, high] =
       std::ranges::minmax_element(prop.vertices, {}, [](const face::PropVertex& v) { return v.position.y; });
@@ -98,6 +102,7 @@ std::array<Slice, kPropSlices> SlicesOf(const face::Prop& prop) {
   return slices;
 }
 
+// Hair is sorted, all else is drawn in the order of its file.
 PropForm FormOf(const face::Prop& prop) {
   PropForm form{.slices = SlicesOf(prop), .numbers = {}, .triangles = prop.triangles};
   if (prop.part != face::Part::kHair) return form;

@@ -24,11 +24,15 @@ inline constexpr int kPropSlices = 20;
 
 // What is worked out of a prop before it goes to the driver.
 struct PropForm {
-  std::array<Slice, kPropSlices> slices;  // From below; together they enclose the prop closely.
-  std::vector<float> numbers;  // Hair: for each vertex a number 0..1 that a lock's vertices share; else none.
-  std::vector<face::Triangle> triangles;  // In the order in which they are drawn.
+  // From below; together they enclose the prop closely.
+  std::array<Slice, kPropSlices> slices;
+  // Hair: for each vertex a number 0..1 that a lock's vertices share; else none.
+  std::vector<float> numbers;
+  // In the order in which they are drawn.
+  std::vector<face::Triangle> triangles;
 };
 
+// One for each prop. Pure; takes milliseconds, on any thread.
 std::vector<PropForm> FormsOf(std::span<const face::Prop> props);
 
 // Attribute locations: 0 position, 1 normal, 2 shade; hair: 2 tangent, 3 along, across, shade, 4 number of
@@ -51,8 +55,10 @@ class Appearance {
  public:
   Appearance(const face::Cast& cast, std::span<const PropForm> forms);
 
+  // Once a frame, before what is worn is drawn. `faces` sum to 1.
   void Weigh(const face::Terms& faces);
 
+  // In the order of Cast::props, as presence counts them.
   std::span<const PropMesh> meshes() const { return meshes_; }
   float presence(std::size_t prop) const { return presence_[prop]; }
   std::span<const int> worn_by(std::size_t face) const { return worn_[face]; }
@@ -60,7 +66,8 @@ class Appearance {
  private:
   std::vector<PropMesh> meshes_;
   std::vector<float> presence_;
-  std::vector<std::vector<int>> worn_;  // For each face, its props.
+  // For each face, its props.
+  std::vector<std::vector<int>> worn_;
 };
 
 }  // namespace kaori::passes

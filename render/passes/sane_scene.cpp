@@ -9,10 +9,12 @@
 namespace kaori::passes {
 namespace {
 
+// Beyond these the head would look backwards, hair would stand on end, and the face would leave the picture.
 constexpr float kTurn_rad = 1.6F;
 constexpr float kSway_rad = 0.6F;
 constexpr float kShift_m = 0.2F;
 
+// The value within its bounds; `fallback` where it is no number.
 float Within(float value, float fallback, float low, float high) {
   return std::isfinite(value) ? std::clamp(value, low, high) : fallback;
 }
@@ -31,6 +33,7 @@ scene::Head Sane(const scene::Head& h) {
   return {Turn(h.yaw_rad), Turn(h.pitch_rad), Turn(h.roll_rad), Within(h.shift_m, {}, -kShift_m, kShift_m)};
 }
 
+// A direction of no length has none: it becomes that of a fresh scene.
 scene::Light Sane(const scene::Light& light) {
   const scene::Light fresh;
   scene::Light l{Within(light.key, fresh.key, -1e6F, 1e6F), Within(light.exposure, fresh.exposure, 0, 4)};
@@ -38,6 +41,7 @@ scene::Light Sane(const scene::Light& light) {
   return l;
 }
 
+// Near enough to see pores, far enough to see shoulders; the camera never stands in the head.
 scene::Camera Sane(const scene::Camera& c) {
   const scene::Camera fresh;
   return {Within(c.target_m, fresh.target_m, -1, 1), Within(c.distance_m, fresh.distance_m, 0.3F, 5),
@@ -45,6 +49,7 @@ scene::Camera Sane(const scene::Camera& c) {
           Within(c.field_of_view_rad, fresh.field_of_view_rad, 0.05F, 2)};
 }
 
+// The picture's index is left: the pass knows which there are.
 scene::Backdrop Sane(const scene::Backdrop& backdrop) {
   const scene::Backdrop fresh;
   scene::Backdrop b = backdrop;

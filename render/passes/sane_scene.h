@@ -9,8 +9,8 @@ namespace kaori::passes {
 // styles are brought to the sum 1, and with none left the default look is shown. Weights are left to the
 // composer.
 scene::Scene Sane(const scene::Scene& scene);
-// The same into `into`, which is reused: its lists allocate only when they grow. Handles and captions are
-// left to their passes.
+// The same into `into`, which is reused from frame to frame: its lists allocate only when they grow. Handles
+// and captions are left to their passes.
 void Sane(const scene::Scene& scene, scene::Scene& into);
 
 }  // namespace kaori::passes

@@ -1,5 +1,6 @@
-// Draws a canvas's picture on a screen's window, bit by bit. A blit does the same, but a software renderer
-// compiles shaders for it anew at each start, and keeps ours.
+// Draws a canvas's picture on a screen's window, bit by bit: the codes of sRGB pass as they are
+// (GL_EXT_texture_sRGB_decode). A blit does the same, but a software renderer compiles shaders for it anew at
+// each start, and keeps ours.
 #pragma once
 
 #include "render/gl/canvas.h"

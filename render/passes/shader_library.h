@@ -7,6 +7,7 @@
 
 namespace kaori::passes {
 
+// Every file of that folder under its name, such as "skin.glsl". Lives as long as the program.
 std::span<const gl::ShaderFile> ShaderLibrary();
 
 }  // namespace kaori::passes

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -11,24 +10,19 @@ namespace {
 
 using Table = std::array<std::uint8_t, 256>;
 
-Table Unchanged() {
-  Table table{};
-  std::iota(table.begin(), table.end(), std::uint8_t{0});
-  return table;
-}
-
 // For each code of sRGB: the square root of its light, 8 bit.
 Table RootsOfLight() {
   Table roots{};
   for (std::size_t code = 0; code < roots.size(); ++code) {
     const float c = static_cast<float>(code) / 255;
+    // The transfer function of IEC 61966-2-1.
     const float light = c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
     roots[code] = static_cast<std::uint8_t>(std::lround(255 * std::sqrt(light)));
   }
   return roots;
 }
 
-// Textures are stored top row first; texture places count from below.
+// Textures are stored top row first; texture coordinates count from below.
 std::vector<std::uint8_t> BottomRowFirst(const face::Texture& t, const Table& table) {
   const std::size_t row = static_cast<std::size_t>(t.width_px) * 4;
   std::vector<std::uint8_t> turned(t.rgba.size());
@@ -47,8 +41,8 @@ std::vector<std::uint8_t> BottomRowFirst(const face::Texture& t, const Table& ta
 
 }  // namespace
 
-gl::Texture LoadSkin(const face::Texture& t, SkinTexels texels) {
-  const auto pixels = BottomRowFirst(t, texels == SkinTexels::kRoots ? RootsOfLight() : Unchanged());
+gl::Texture LoadSkin(const face::Texture& t) {
+  const auto pixels = BottomRowFirst(t, RootsOfLight());
   return gl::Texture(
       {.width_px = t.width_px, .height_px = t.height_px, .texels = gl::Texels::kRgba8, .mipmaps = true},
       std::as_bytes(std::span(pixels)));

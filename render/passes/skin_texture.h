@@ -1,19 +1,14 @@
 // A face's texture in the memory of the graphics driver.
 #pragma once
 
-#include <cstdint>
-
 #include "render/face/cast.h"
 #include "render/gl/texture.h"
 
 namespace kaori::passes {
 
-enum class SkinTexels : std::uint8_t {
-  kRoots,  // Square roots of linear light, to be squared by the shader: a software renderer filters plain
-           // bytes far faster than sRGB.
-  kCodes,  // sRGB's codes, as they are.
-};
-
-gl::Texture LoadSkin(const face::Texture& texture, SkinTexels texels = SkinTexels::kRoots);
+// Holds square roots of linear light, 8 bit, which the shader squares (render/shaders/skin_texture.glsl): a
+// software renderer filters plain bytes far faster than sRGB. Alpha is gloss, as it is. Blocks for some 10
+// ms.
+gl::Texture LoadSkin(const face::Texture& texture);
 
 }  // namespace kaori::passes

@@ -28,6 +28,7 @@ std::vector<bool> RigidVertices(const face::Topology& topology) {
   return rigid;
 }
 
+// As the composer refines it, but of one face as it is.
 std::vector<float> FineOcclusion(const face::Topology& topology, const face::Face& face) {
   const face::SparseRows& rows = topology.fine.attributes_from_cage;
   if (face.occlusion.empty()) return std::vector<float>(rows.rows(), 1.0F);  // Open everywhere.
@@ -40,6 +41,7 @@ std::vector<float> FineOcclusion(const face::Topology& topology, const face::Fac
   return open;
 }
 
+// A triangle is hidden only when all its corners are: at the hair line nothing is missing.
 Triangles SeenOn(const face::Topology& topology, const face::Face& face, const std::vector<bool>& rigid) {
   const std::vector<float> open = FineOcclusion(topology, face);
   const auto hidden = [&](face::Index v) { return rigid[v] && open[v] < kHidden; };
@@ -62,23 +64,24 @@ Surface::Arrays::Arrays(std::size_t vertices)
       normals(gl::BufferUse::kEachFrame, vertices * sizeof(glm::vec3)),
       open(gl::BufferUse::kEachFrame, vertices * sizeof(float)) {}
 
-gl::Mesh Surface::Arrays::Join(const gl::Buffer& places, std::span<const face::Triangle> triangles) const {
+// Locations as body.vert and wire_body.vert read them: position, normal, occlusion, texture coordinates.
+gl::Mesh Surface::Arrays::Join(const gl::Buffer& uv, std::span<const face::Triangle> triangles) const {
   using gl::Scalar;
   return gl::Mesh({{positions, sizeof(glm::vec3), {{0, 3, Scalar::kFloat, 0}}},
                    {normals, sizeof(glm::vec3), {{1, 3, Scalar::kFloat, 0}}},
                    {open, sizeof(float), {{2, 1, Scalar::kFloat, 0}}},
-                   {places, sizeof(glm::vec2), {{3, 2, Scalar::kFloat, 0}}}},
+                   {uv, sizeof(glm::vec2), {{3, 2, Scalar::kFloat, 0}}}},
                   Flatten(triangles));
 }
 
 Surface::Surface(const face::Cast& cast, std::span<const Triangles> worn)
-    : fine_places_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.fine.texture))),
-      cage_places_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.texture))),
+    : fine_uv_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.fine.texture))),
+      cage_uv_(gl::Buffer::Of(std::span<const glm::vec2>(cast.topology.texture))),
       fine_(cast.topology.fine.from_cage.rows()),
       cage_(cast.topology.vertex_count),
-      fine_mesh_(fine_.Join(fine_places_, cast.topology.fine.triangles)),
-      cage_mesh_(cage_.Join(cage_places_, cast.topology.triangles)) {
-  for (const Triangles& seen : worn) worn_meshes_.push_back(fine_.Join(fine_places_, seen));
+      fine_mesh_(fine_.Join(fine_uv_, cast.topology.fine.triangles)),
+      cage_mesh_(cage_.Join(cage_uv_, cast.topology.triangles)) {
+  for (const Triangles& seen : worn) worn_meshes_.push_back(fine_.Join(fine_uv_, seen));
 }
 
 void Surface::WriteFine(const face::Shape& shape) {

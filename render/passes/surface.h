@@ -20,6 +20,8 @@ class Surface {
  public:
   Surface(const face::Cast& cast, std::span<const Triangles> worn);
 
+  // Copies the composed arrays to the driver: positions, normals and occlusion. What is drawn until the next
+  // call has them. The shape must have been composed with Detail::kFine for the first.
   void WriteFine(const face::Shape& shape);
   void WriteCage(const face::Shape& shape);
 
@@ -31,12 +33,12 @@ class Surface {
  private:
   struct Arrays {
     explicit Arrays(std::size_t vertices);
-    gl::Mesh Join(const gl::Buffer& places, std::span<const face::Triangle> triangles) const;
+    gl::Mesh Join(const gl::Buffer& uv, std::span<const face::Triangle> triangles) const;
     gl::Buffer positions, normals, open;
   };
   // Meshes borrow these.
-  gl::Buffer fine_places_;
-  gl::Buffer cage_places_;
+  gl::Buffer fine_uv_;
+  gl::Buffer cage_uv_;
   Arrays fine_;
   Arrays cage_;
   gl::Mesh fine_mesh_;

@@ -13,10 +13,14 @@
 namespace kaori::passes {
 namespace {
 
-constexpr int kTexture_px = 64;  // Width of the texture of points, as wire.vert.
+// Width of the texture of points, as wire.vert.
+constexpr int kTexture_px = 64;
+// Points of a circle.
 constexpr std::size_t kCircle = 40;
-constexpr std::size_t kCircles = 4;     // Iris and pupil of two eyes.
-constexpr float kEyeBrightness = 2.6F;  // Beyond white: cyan pales.
+// Iris and pupil of two eyes.
+constexpr std::size_t kCircles = 4;
+// Beyond white: cyan pales.
+constexpr float kEyeBrightness = 2.6F;
 
 // From the lower edge of the neck upwards lines fade in over this height.
 constexpr float kFade_m = 0.045F;
@@ -32,6 +36,8 @@ std::vector<glm::vec3> GlowsOf(const face::Cast& cast) {
   return glows;
 }
 
+// A line is a ribbon of two triangles that turns to the viewer (wire.vert): GLES draws wide lines on few
+// drivers.
 struct RibbonCorner {
   std::uint32_t ends[2];
   glm::vec2 corner;
@@ -98,6 +104,7 @@ Result<WirePass> WirePass::Open(const face::Cast& cast) {
   return WirePass(std::move(*body), std::move(*lines), cast);
 }
 
+// Two circles: the edge of the iris, and the pupil.
 void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m,
                         glm::vec4* points) const {
   const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
@@ -111,6 +118,8 @@ void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, floa
   }
 }
 
+// Vertices have no index into a buffer of other vertices, so both ends of a line are looked up in a texture
+// of points.
 void WirePass::WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) {
   const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
   const float edge_m = std::ranges::min_element(shape.cage, lower)->y;
@@ -125,6 +134,7 @@ void WirePass::WritePoints(const face::Shape& shape, const std::array<scene::Gaz
   texture_.Write(TextureRows(points_.size()), std::as_bytes(std::span(points_)));
 }
 
+// The mean of the faces' glows by their weights.
 glm::vec3 WirePass::Paint(const face::Terms& faces) const {
   glm::vec3 paint{};
   for (const face::Term& term : faces) paint += term.weight * glows_[term.index];

@@ -18,7 +18,8 @@ class WirePass {
   // Errors: invalid_argument (a shader).
   static Result<WirePass> Open(const face::Cast& cast);
 
-  // The surface's cage must be written.
+  // The surface's cage must be written. Each face's lines glow in a colour of its own; circles stand for iris
+  // and pupil, turned by the gaze.
   void Draw(const Surface& surface, const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze);
 
  private:
@@ -30,9 +31,11 @@ class WirePass {
   gl::Program body_;
   gl::Program lines_;
   int body_paint_, lines_paint_;
-  std::vector<glm::vec3> glows_;  // Of each face: what its lines glow in.
+  // Of each face: what its lines glow in.
+  std::vector<glm::vec3> glows_;
   std::size_t cage_points_;
-  std::vector<glm::vec4> points_;  // The cage's, then two circles for each eye; w: brightness.
+  // The cage's, then two circles for each eye; w: brightness.
+  std::vector<glm::vec4> points_;
   gl::Texture texture_;
   gl::Buffer corners_;
   gl::Mesh ribbons_;

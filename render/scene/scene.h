@@ -14,33 +14,50 @@
 
 namespace kaori::scene {
 
-// The four ways of drawing of 1993, and today's.
+// The four ways of drawing of 1993 (section 5 of Arai et al. 1994), and today's: wireframe, flat shaded,
+// textured without hair, textured with hair, and textured with soft light.
 enum class Style : std::uint8_t { kWire, kFlat, kBare, kHair, kSoft };
 inline constexpr int kStyleCount = 5;
 
+// The pose of the head: a turn about the neck (face::Cast::neck_pivot), roll first, then pitch, then yaw;
+// then a shift.
 struct Head {
-  float yaw_rad = 0;    // Positive turns to the character's left.
-  float pitch_rad = 0;  // Positive looks up.
-  float roll_rad = 0;   // Positive leans to the character's left shoulder.
+  // Positive turns to the character's left.
+  float yaw_rad = 0;
+  // Positive looks up.
+  float pitch_rad = 0;
+  // Positive leans to the character's left shoulder.
+  float roll_rad = 0;
+  // In the cast's frame: +X to the character's left, +Y up, +Z to the audience.
   glm::vec3 shift_m{};
 };
 
+// Where one eye looks, relative to the head.
 struct Gaze {
-  float yaw_rad = 0;  // Relative to the head; positive to the character's left.
+  // Positive to the character's left.
+  float yaw_rad = 0;
+  // Positive looks up.
   float pitch_rad = 0;
 };
 
 struct Light {
-  glm::vec3 key{-0.45F, 0.55F, 0.75F};  // Direction towards the key light, camera frame; need not be a unit.
-  float exposure = 1;                   // 0 is black.
+  // Direction towards the key light, in the camera's frame (+X right, +Y up, +Z to the viewer); need not be a
+  // unit.
+  glm::vec3 key{-0.45F, 0.55F, 0.75F};
+  // Multiplies all light: 0 is black, 1 as the looks are made.
+  float exposure = 1;
 };
 
+// Looks at its target from a distance, always upright.
 struct Camera {
   glm::vec3 target_m{0.0F, -0.004F, 0.0F};
   float distance_m = 0.95F;
-  float yaw_rad = 0;  // Round the target; positive looks from the character's left.
+  // Round the target; positive looks from the character's left.
+  float yaw_rad = 0;
+  // Above the target's level; positive looks down.
   float height_rad = 0;
-  float field_of_view_rad = 0.362F;  // Vertical.
+  // Vertical.
+  float field_of_view_rad = 0.362F;
 };
 
 // What stands behind the character, softly, out of focus.
@@ -63,44 +80,62 @@ struct Backdrop {
   glm::vec3 top{0.053F, 0.080F, 0.144F};
   glm::vec3 bottom{0.011F, 0.014F, 0.030F};
   BackdropKind kind = BackdropKind::kGradient;
-  glm::vec3 glow{1.0F, 0.80F, 0.55F};  // Of lamps, moon and rays; gradients and pictures have none.
-  int picture = -1;                    // kPicture: which one.
+  // Of lamps, moon and rays; gradients and pictures have none.
+  glm::vec3 glow{1.0F, 0.80F, 0.55F};
+  // Index into face::Cast::textures, for kPicture; one that does not exist shows the gradient.
+  int picture = -1;
 
   bool operator==(const Backdrop&) const = default;
 };
 
-// A backdrop that is on its way out; what has no weight is not there.
+// A backdrop that is on its way out. Without weight it is not drawn.
 struct FadingBackdrop {
   Backdrop backdrop;
-  float weight = 0;  // 0..1.
+  // 0..1.
+  float weight = 0;
 };
+// Of more that fade at once, the heaviest are shown.
 inline constexpr std::size_t kMostFading = 3;
 
-// The control points as handles that stick in the face in work (the paper's figure 3).
+// The control points as handles of the editor: needles that stick in the face (figure 3 of Arai et al. 1994).
 struct Handles {
-  float shown = 0;             // 0 none .. 1.
-  int chosen = -1;             // The control point whose handle is pulled; -1: none.
-  int partner = -1;            // The one that moves with it on the other side.
-  std::vector<float> pulls_m;  // For each control point: how far it is pulled; drawn longer and warmer.
+  // 0 none .. 1; in between they grow out of the skin.
+  float shown = 0;
+  // The control point whose handle is pulled; -1: none.
+  int chosen = -1;
+  // The one that moves with it on the other side; -1: none.
+  int partner = -1;
+  // For each control point how far it is pulled; drawn longer and warmer. Missing ones count as 0.
+  std::vector<float> pulls_m;
 };
 
 // Lines of text at the left below, for whoever works at the box: never in a show.
 struct Caption {
-  float shown = 0;                 // 0 none .. 1.
-  std::vector<std::string> lines;  // UTF-8; the last one lowest.
+  // 0 none .. 1.
+  float shown = 0;
+  // UTF-8; the last one lowest.
+  std::vector<std::string> lines;
 };
 
+// All that a painter needs to know besides the cast. Values that are no numbers, or lie far out, are replaced
+// before they are drawn (render/passes/sane_scene.h), so a writer of scenes need not check them.
 struct Scene {
   face::Weights weights;
-  std::array<Gaze, 2> gaze{};  // The character's left, right.
+  // The character's left, right.
+  std::array<Gaze, 2> gaze{};
   Head head;
-  std::array<float, kStyleCount> styles{0, 0, 0, 0, 1};  // Cross-fade; sum 1.
+  // Cross-fade, by Style; sum 1.
+  std::array<float, kStyleCount> styles{0, 0, 0, 0, 1};
   Light light;
   Camera camera;
-  Backdrop backdrop;                               // Has the weight that is left by those that fade.
-  std::array<FadingBackdrop, kMostFading> fading;  // Weights sum to 1 at most.
-  glm::vec2 hair_sway_rad{};                       // Tips swing: sideways, forwards.
-  float breath = 0;                                // -1 out .. 1 in.
+  // Has the weight that is left by those that fade.
+  Backdrop backdrop;
+  // Weights sum to 1 at most.
+  std::array<FadingBackdrop, kMostFading> fading;
+  // How far tips of hair swing: sideways, forwards.
+  glm::vec2 hair_sway_rad{};
+  // -1 out .. 1 in.
+  float breath = 0;
   Handles handles;
   Caption caption;
 };

@@ -11,7 +11,8 @@ namespace {
 // How far before and behind the camera's target anything is drawn.
 constexpr float kReach_m = 0.45F;
 
-constexpr float kNearest = 1e-3F;  // A point this near to the camera's plane, or behind it, has no place.
+// A point this near to the camera's plane, or behind it, has no place.
+constexpr float kNearest = 1e-3F;
 
 }  // namespace
 
@@ -21,6 +22,7 @@ glm::quat TurnOf(const Head& head) {
          glm::angleAxis(-head.roll_rad, glm::vec3(0, 0, 1));
 }
 
+// Spherical coordinates about the target; the camera keeps +Y up.
 glm::mat4 ViewOf(const Camera& camera) {
   const float level = std::cos(camera.height_rad);
   const glm::vec3 away{std::sin(camera.yaw_rad) * level, std::sin(camera.height_rad),
@@ -49,12 +51,15 @@ glm::vec2 View::InPicture(glm::vec3 point_m) const {
   return glm::vec2(clip) / std::max(clip.w, kNearest);
 }
 
+// A step of the picture, made a step in the camera's plane at the point's depth, and turned back into the
+// head's frame.
 glm::vec3 View::AtDepthOf(glm::vec3 point_m, glm::vec2 step) const {
   const float depth_m = std::max(-(view_ * glm::vec4(Turned(point_m), 1)).z, kNearest);
   const glm::vec3 seen{step.x * depth_m / projection_[0][0], step.y * depth_m / projection_[1][1], 0};
   return glm::inverse(turn_) * (glm::transpose(glm::mat3(view_)) * seen);
 }
 
+// Against the ray to the point, not against the camera's axis: at the edge of the picture they differ.
 bool View::Faces(glm::vec3 point_m, glm::vec3 normal) const {
   const glm::mat3 axes(view_);
   const glm::vec3 seen_m(view_ * glm::vec4(Turned(point_m), 1));

@@ -10,22 +10,23 @@
 
 namespace kaori::scene {
 
-// Turns the head about the neck; the way from its rest to its pose.
+// The rotation of a head from its rest to its pose, without its shift. A unit quaternion.
 glm::quat TurnOf(const Head& head);
 
+// World to camera: the camera at the origin, +X right, +Y up, -Z where it looks. Metres.
 glm::mat4 ViewOf(const Camera& camera);
 
-// `aspect` is the picture's width over its height. Nothing nearer to the camera's target than 0.45 m is cut
-// off.
+// Perspective, with OpenGL's clip space. `aspect` is the picture's width over its height. Nothing nearer to
+// the camera's target than 0.45 m is cut off.
 glm::mat4 ProjectionOf(const Camera& camera, float aspect);
 
-// One frame's way from the head at rest to the picture and back.
+// One frame's way from the head at rest to the picture and back. Copies what it needs of the scene; pure.
 class View {
  public:
   // `pivot_m` is the point about which the head turns (face::Cast::neck_pivot).
   View(const Scene& scene, glm::vec3 pivot_m, float aspect);
 
-  // From -1 to 1, right and up, of a point of the head at rest.
+  // Where a point of the head at rest is seen: -1 to 1, right and up, with more outside the picture.
   glm::vec2 InPicture(glm::vec3 point_m) const;
 
   // The way at the depth of `point_m`, along the head's axes at rest, that moves it in the picture by `step`.

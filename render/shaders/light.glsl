@@ -27,12 +27,5 @@ float SkyShare(vec3 n) { return 0.5 + 0.5 * dot(n, up.xyz); }
 // The plain light of 1993: one lamp and a little ambience.
 float PlainLight(vec3 n) { return 0.80 * max(dot(n, key.xyz), 0.0) + 0.17; }
 
-// sRGB's code, nearly.
-vec3 Code(vec3 light) { return pow(light, vec3(1.0 / 2.2)); }
-
-// Layers hold square roots of linear light; the picture of 1993 takes codes.
-#ifdef ONTO_PICTURE
-vec4 Coded(vec3 light) { return vec4(Code(max(light, 0.0)), 1.0); }
-#else
+// Layers hold square roots of linear light.
 vec4 Coded(vec3 light) { return vec4(sqrt(max(light, 0.0)), 1.0); }
-#endif

@@ -24,7 +24,7 @@ ControlNet GridOfPoints() {
 std::vector<glm::vec3> LaidOut(const ControlNet& net, glm::vec3 u, glm::vec3 v) {
   std::vector<glm::vec3> places;
   for (const ControlPoint& p : net.points) {
-    places.push_back(p.place.x * kParameterWidth_m * u + p.place.y * kParameterHeight_m * v);
+    places.push_back(p.uv.x * kParameterWidth_m * u + p.uv.y * kParameterHeight_m * v);
   }
   return places;
 }

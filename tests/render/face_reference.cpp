@@ -19,7 +19,7 @@ struct Columns {
 };
 
 glm::dvec2 PlaceInMetres(const face::ControlPoint& point) {
-  return {static_cast<double>(point.place.x) * 0.42, static_cast<double>(point.place.y) * 0.31};
+  return {static_cast<double>(point.uv.x) * 0.42, static_cast<double>(point.uv.y) * 0.31};
 }
 
 Positions PlacesOnFace(const Cast& cast, std::size_t face) {

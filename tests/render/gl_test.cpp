@@ -1,3 +1,4 @@
+#include <GLES3/gl3.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 #include "render/gl/mesh.h"
 #include "render/gl/program.h"
 #include "render/gl/shader_text.h"
+#include "render/gl/target.h"
 #include "render/gl/texture.h"
 #include "render/passes/screen.h"
 #include "tests/render/pass_studio.h"
@@ -29,6 +31,9 @@ constexpr ShaderFile kFiles[] = {
     {"level.frag",
      "uniform sampler2D picture;\nuniform int level;\nlayout(location = 0) out vec4 colour;\n"
      "void main() { colour = texelFetch(picture, ivec2(gl_FragCoord.xy), level); }\n"},
+    {"plain.frag",
+     "uniform vec3 light;\nlayout(location = 0) out vec4 colour;\nvoid main() { colour = vec4(light, 1.0); "
+     "}\n"},
     {"lost.frag", "#include \"nowhere.glsl\"\n"}};
 
 // The painter's context is current while any test of this program runs.
@@ -73,10 +78,22 @@ TEST_F(Gl, RefusesACanvasOfNoSizeOrOfAnImpossibleOne) {
   }
 }
 
-TEST_F(Gl, CodesTheBackgroundAsSrgb) {
-  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2, .samples = 0});
+// Draws one colour, linear light, on all of the canvas's picture.
+void Fill(const Canvas& canvas, const glm::vec3& light) {
+  const auto program = Program::Make({.library = kFiles, .vertex = "whole.vert", .fragment = "plain.frag"});
+  ASSERT_TRUE(program) << program.error().message();
+  canvas.BeginPicture();
+  canvas.Within(canvas.whole());
+  Apply({.depth = Depth::kOff});
+  program->Use();
+  Program::Set(program->Find("light"), light);
+  Mesh({}, 3).Draw();
+}
+
+TEST_F(Gl, CodesThePictureAsSrgb) {
+  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2});
   ASSERT_TRUE(canvas) << canvas.error().message();
-  canvas->BeginPlain({0.5F, 0, 1});
+  Fill(*canvas, {0.5F, 0, 1});
   std::vector<std::uint8_t> bytes(16);
   canvas->ReadPixels(bytes);
   EXPECT_NEAR(bytes[0], 188, 1);
@@ -84,26 +101,15 @@ TEST_F(Gl, CodesTheBackgroundAsSrgb) {
   EXPECT_EQ(bytes[2], 255);
 }
 
-TEST_F(Gl, StoresCodesAsTheyAreWhereAsked) {
-  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2, .samples = 0, .stores_codes = true});
-  ASSERT_TRUE(canvas) << canvas.error().message();
-  canvas->BeginPlain({0.5F, 0, 1});
-  std::vector<std::uint8_t> bytes(16);
-  canvas->ReadPixels(bytes);
-  EXPECT_NEAR(bytes[0], 128, 1);
-  EXPECT_EQ(bytes[2], 255);
-}
-
-// What the canvas shows, after `draw` on a background of black codes.
+// The bytes that `draw` leaves on a target of bytes, which are stored as they are.
 template <class Draw>
 std::vector<std::uint8_t> Codes(int width_px, int height_px, Draw draw) {
-  const auto canvas =
-      Canvas::Make({.width_px = width_px, .height_px = height_px, .samples = 0, .stores_codes = true});
-  canvas->BeginPlain({});
+  const auto target = Target::Make({.width_px = width_px, .height_px = height_px});
+  target->Begin();
   draw();
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) *
-                                  4);
-  canvas->ReadPixels(bytes);
+  std::vector<std::uint8_t> bytes(4 * static_cast<std::size_t>(width_px) *
+                                  static_cast<std::size_t>(height_px));
+  glReadPixels(0, 0, width_px, height_px, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
   return bytes;
 }
 
@@ -131,10 +137,10 @@ TEST_F(Gl, MakesEachSmallerPictureOfFourTexelsMeans) {
 TEST_F(Gl, ShowsThePictureOnAScreenBitByBit) {
   const auto screen = passes::ScreenPass::Open();
   ASSERT_TRUE(screen) << screen.error().message();
-  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2, .samples = 0});
+  const auto canvas = Canvas::Make({.width_px = 2, .height_px = 2});
   ASSERT_TRUE(canvas) << canvas.error().message();
   for (float light = 0; light <= 1; light += 1.0F / 64) {
-    canvas->BeginPlain({light, light / 2, light / 8});
+    Fill(*canvas, {light, light / 2, light / 8});
     std::vector<std::uint8_t> bytes(16);
     canvas->ReadPixels(bytes);
     const auto shown = Codes(2, 2, [&] { screen->Draw(*canvas); });

@@ -158,13 +158,13 @@ TEST(Painter, SurvivesNumbersThatAreNone) {
   EXPECT_LT(Difference(studio.Draw(scene), good), 3);
 }
 
-TEST(Painter, RehearsesWithoutTouchingThePicture) {
+TEST(Painter, WarmsUpWithoutTouchingThePicture) {
   PassStudio& studio = PassStudio::Shared();
   const Picture before = studio.Draw(PlainScene(Style::kSoft));
   int steps = 1;
-  while (studio.painter().RehearseStep()) ASSERT_LT(++steps, 100);
+  while (studio.painter().WarmUpStep()) ASSERT_LT(++steps, 100);
   EXPECT_GT(steps, 1);
-  EXPECT_FALSE(studio.painter().RehearseStep()) << "once is enough";
+  EXPECT_FALSE(studio.painter().WarmUpStep()) << "once is enough";
   EXPECT_EQ(studio.Draw(PlainScene(Style::kSoft)).bytes, before.bytes);
 }
 

@@ -97,7 +97,6 @@ face::ControlNet MakeNet(const std::vector<HeadVertex>& vertices, Index moving) 
     net.surface.weight.push_back(1);
     net.surface.row_start.push_back(static_cast<std::uint32_t>(net.surface.column.size()));
   }
-  net.to_cage_linear = net.to_cage;
   return net;
 }
 

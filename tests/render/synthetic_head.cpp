@@ -232,7 +232,7 @@ std::vector<HeadVertex> MakeHead(int columns, int rows, face::Topology& topology
   topology.lids = sketch.lids;
   topology.twin = SeamTwins(vertices);
   for (const HeadVertex& v : vertices) {
-    topology.place.push_back(v.place);
+    topology.uv.push_back(v.place);
     topology.texture.push_back(v.place);
     topology.mouth_share.push_back(MouthShare(v));
   }

@@ -87,7 +87,7 @@ face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index mov
   face::Topology topology;
   topology.vertex_count = static_cast<Index>(heads.skin.size());
   topology.moving_count = moving;
-  topology.place = PlacesOf(heads.uv);
+  topology.uv = PlacesOf(heads.uv);
   topology.texture = heads.uv;
   topology.triangles = heads.triangles;
   topology.wires = WiresOf(heads.triangles, graph.welds());
@@ -107,18 +107,17 @@ face::SparseRows FirstRows(const face::SparseRows& rows, Index count) {
 }
 
 face::ControlNet MakeNet(const face::Topology& topology, const PointChoice& choice,
-                         const SurfaceNet& surface) {
+                         const face::SparseRows& to_vertices) {
   face::ControlNet net;
   net.surface.row_start.push_back(0);
   for (const ChosenPoint& point : choice.points) {
     if (!point.moves) continue;
-    net.points.push_back({point.name, topology.place[point.vertex]});
+    net.points.push_back({point.name, topology.uv[point.vertex]});
     net.surface.column.push_back(point.vertex);
     net.surface.weight.push_back(1);
     net.surface.row_start.push_back(static_cast<std::uint32_t>(net.surface.column.size()));
   }
-  net.to_cage_linear = FirstRows(surface.linear, topology.moving_count);
-  net.to_cage = FirstRows(surface.smoothed, topology.moving_count);
+  net.to_cage = FirstRows(to_vertices, topology.moving_count);
   return net;
 }
 
@@ -159,10 +158,10 @@ face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, 
   for (std::size_t v = 0; v < mobility_m.size(); ++v)
     if (heads.part[v] != PartOf::kSkin) mobility_m[v] *= kRigidShare;
   const PointChoice choice = ChoosePoints(graph, head, mobility_m, options);
-  const SurfaceNet surface = MakeSurfaceNet(graph, head.positions, heads.triangles, choice);
+  const face::SparseRows to_vertices = MakeSurfaceNet(graph, head.positions, heads.triangles, choice);
   face::Cast cast;
   cast.topology = MakeTopology(heads, head, moving, graph);
-  cast.net = MakeNet(cast.topology, choice, surface);
+  cast.net = MakeNet(cast.topology, choice, to_vertices);
   for (const Head& one : heads.heads) cast.faces.push_back(MakeFace(one));
   cast.neck_pivot = kNeckPivot_m;
   const std::vector<Landmark> marks = FindLandmarks(head);

@@ -27,15 +27,12 @@ class SurfaceNetBuilder {
         columns_(ColumnsOf(choice)),
         rows_(positions.size()) {}
 
-  SurfaceNet Build(const std::vector<Triangle>& triangles) {
+  face::SparseRows Build(const std::vector<Triangle>& triangles) {
     JoinPoints(triangles);
     for (Index v = 0; v < rows_.size(); ++v)
       if (graph_.weld(v) == v && choice_.owner[v] != MeshGraph::Nearest::kNobody) FillRow(v);
-    SurfaceNet net;
-    net.linear = Sparse();
     for (int step = 0; step < kSurfaceNetSmoothSteps; ++step) Smooth();
-    net.smoothed = Sparse();
-    return net;
+    return Sparse();
   }
 
  private:
@@ -137,7 +134,7 @@ std::vector<int> ColumnsOf(const PointChoice& choice) {
   return columns;
 }
 
-SurfaceNet MakeSurfaceNet(const MeshGraph& graph, const std::vector<glm::vec3>& positions,
+face::SparseRows MakeSurfaceNet(const MeshGraph& graph, const std::vector<glm::vec3>& positions,
                           const std::vector<Triangle>& triangles, const PointChoice& choice) {
   return SurfaceNetBuilder(graph, positions, choice).Build(triangles);
 }

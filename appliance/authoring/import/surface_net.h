@@ -8,16 +8,12 @@
 
 namespace kaori::import {
 
-struct SurfaceNet {
-  face::SparseRows linear;    // Rows by vertex, columns by moving point.
-  face::SparseRows smoothed;  // The same after three steps over the surface.
-};
-
-// Piecewise linear over the triangulation that is dual to the points' regions: three points are joined where
-// their regions meet along the surface, so nothing is joined across a slit between lips or lids, and seams of
-// the texture do not matter. `positions` by vertex; rows for all of them.
-SurfaceNet MakeSurfaceNet(const MeshGraph& graph, const std::vector<glm::vec3>& positions,
-                          const std::vector<Triangle>& triangles, const PointChoice& choice);
+// Rows by vertex, columns by moving point. Piecewise linear over the triangulation that is dual to the points'
+// regions, then smoothed by three steps over the surface: three points are joined where their regions meet
+// along the surface, so nothing is joined across a slit between lips or lids, and seams of the texture do not
+// matter. `positions` by vertex; rows for all of them.
+face::SparseRows MakeSurfaceNet(const MeshGraph& graph, const std::vector<glm::vec3>& positions,
+                                const std::vector<Triangle>& triangles, const PointChoice& choice);
 
 // For each point its column; -1 for those that hold still.
 std::vector<int> ColumnsOf(const PointChoice& choice);

@@ -35,7 +35,7 @@ struct Inspection {
 };
 
 // Composes the fine mesh of each face in each pose (poses.h), a millisecond or two each, on all processors.
-// Calls `face_begun` with each face's name, from one thread at a time. The cast must have passed CheckCast.
+// Calls `face_begun` with each face's name, from one thread at a time. FindFaults (render/face/check.h) finds nothing in the cast.
 Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun);
 
 // "dog, laugh: 3 folded triangles, the first at 12 -30 95 mm".

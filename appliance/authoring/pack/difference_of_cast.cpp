@@ -90,7 +90,7 @@ void CompareTopology(const face::Topology& a, const face::Topology& b, Lines& li
                                 a.triangles.size(), b.vertex_count, b.triangles.size()));
   else if (a.triangles != b.triangles || a.fine.triangles != b.fine.triangles)
     lines.emplace_back("topology: triangles join other vertices");
-  else if (a.place != b.place)
+  else if (a.uv != b.uv)
     lines.emplace_back("topology: vertices lie elsewhere in the parameter space");
 }
 
@@ -147,7 +147,7 @@ void CompareProp(const std::string& item, const face::Prop& a, const face::Prop&
 void ComparePoint(const std::string& item, const face::ControlPoint& a, const face::ControlPoint& b,
                   Lines& lines) {
   const glm::vec2 scale(face::kParameterWidth_m, face::kParameterHeight_m);
-  const float by_m = glm::length((b.place - a.place) * scale);
+  const float by_m = glm::length((b.uv - a.uv) * scale);
   if (by_m > 0) lines.push_back(fmt::format("{}: lies {:.2f} mm elsewhere", item, by_m / kMillimetre_m));
 }
 

@@ -197,7 +197,6 @@ Result<face::ControlNet> MakeControlNet(const Cage& cage, const HalfShape& refer
   if (half.triangles.empty()) return FailInput("control points: they do not span the face");
   Result<WeightTable> table = LinearWeights(cage, reference, half, net.points.size());
   if (!table) return tl::unexpected(table.error());
-  net.to_cage_linear = table->Sparse(cage.moving_count);
   const std::vector<std::vector<Index>> neighbours = Neighbours(cage);
   for (int step = 0; step < kSmoothSteps; ++step) SmoothOnce(cage, neighbours, IsSmoothed, *table);
   for (int step = 0; step < kLipSmoothSteps; ++step) SmoothOnce(cage, neighbours, IsAroundLips, *table);

@@ -10,11 +10,11 @@ namespace kaori::sculpt {
 
 // Points in the order of the file; the left one of a pair (".l") before the right one (".r").
 //
-// to_cage_linear is piecewise linear over the Delaunay triangulation of the left half of the parameter space,
-// mirrored, so that left and right never differ. What lies behind the edges of lips and lids has no place of
-// its own in it and borrows that of the edge, fading into the mouth. to_cage is the same matrix after three
-// smoothing steps over the mesh; the edges themselves stay as they are, so that the slits remain sharp. Fails
-// where points lie on one spot or leave a part of the face without a triangle.
+// The interpolant begins piecewise linear, as the paper's, over the Delaunay triangulation of the left half of
+// the parameter space, mirrored, so that left and right never differ. What lies behind the edges of lips and
+// lids has no position of its own in it and borrows that of the edge, fading into the mouth. to_cage is that
+// matrix after three smoothing steps over the mesh; the edges themselves stay as they are, so that the slits
+// remain sharp. Fails where points lie on one spot or leave a part of the face without a triangle.
 Result<face::ControlNet> MakeControlNet(const Cage& cage, const HalfShape& reference,
                                         const ExpressionFile& file);
 

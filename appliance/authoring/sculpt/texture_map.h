@@ -11,7 +11,7 @@ namespace kaori::sculpt {
 inline constexpr glm::dvec2 kPlaceMin_cm{-21.0, -17.5};
 inline constexpr glm::dvec2 kPlaceMax_cm{21.0, 13.5};
 
-// The unit square of Topology::place, without any stretch.
+// The unit square of Topology::uv, without any stretch.
 glm::dvec2 UnitFromPlace(glm::dvec2 place_cm);
 glm::dvec2 PlaceFromUnit(glm::dvec2 unit);
 

@@ -90,7 +90,7 @@ face::Topology MakeTopology(const Cage& cage, const HalfShape& reference) {
   topology.vertex_count = static_cast<Index>(cage.vertices.size());
   topology.moving_count = cage.moving_count;
   for (Index v = 0; v < topology.vertex_count; ++v) {
-    topology.place.emplace_back(UnitFromPlace(places[v]));
+    topology.uv.emplace_back(UnitFromPlace(places[v]));
     topology.texture.emplace_back(TextureFromPlace(places[v]));
     topology.twin.push_back(cage.vertices[v].twin);
     topology.mouth_share.push_back(MouthShare(cage.key(v), places[v]));

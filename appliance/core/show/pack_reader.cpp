@@ -51,7 +51,7 @@ face::Topology ReadTopology(Copier& from, const pack::Topology* stored) {
   if (stored == nullptr) return {};
   face::Topology topology{.vertex_count = stored->vertex_count(),
                           .moving_count = stored->moving_count(),
-                          .place = from.Structs<glm::vec2>(stored->place()),
+                          .uv = from.Structs<glm::vec2>(stored->uv()),
                           .texture = from.Structs<glm::vec2>(stored->texture()),
                           .triangles = from.Structs<face::Triangle>(stored->triangles()),
                           .wires = from.Structs<face::Line>(stored->wires()),
@@ -68,12 +68,11 @@ face::ControlNet ReadNet(Copier& from, const pack::ControlNet* stored) {
   if (stored == nullptr) return {};
   face::ControlNet net{.points = {},
                        .to_cage = ReadRows(from, stored->to_cage()),
-                       .to_cage_linear = ReadRows(from, stored->to_cage_linear()),
                        .surface = ReadRows(from, stored->surface())};
-  const auto places = from.Structs<glm::vec2>(stored->places());
+  const auto uvs = from.Structs<glm::vec2>(stored->uvs());
   const auto names = stored->names() == nullptr ? 0 : stored->names()->size();
-  for (flatbuffers::uoffset_t i = 0; i < names && i < places.size(); ++i)
-    net.points.push_back({from.Text(stored->names()->Get(i)), places[i]});
+  for (flatbuffers::uoffset_t i = 0; i < names && i < uvs.size(); ++i)
+    net.points.push_back({from.Text(stored->names()->Get(i)), uvs[i]});
   return net;
 }
 

@@ -47,7 +47,7 @@ Offset<pack::LidRig> Write(FlatBufferBuilder& to, const face::LidRig& rig) {
 }
 
 Offset<pack::Topology> Write(FlatBufferBuilder& to, const face::Topology& topology) {
-  const auto place = Structs<pack::Vec2>(to, topology.place);
+  const auto uv = Structs<pack::Vec2>(to, topology.uv);
   const auto texture = Structs<pack::Vec2>(to, topology.texture);
   const auto triangles = Structs<pack::Triangle>(to, topology.triangles);
   const auto wires = Structs<pack::Line>(to, topology.wires);
@@ -55,23 +55,22 @@ Offset<pack::Topology> Write(FlatBufferBuilder& to, const face::Topology& topolo
   const auto mouth_share = to.CreateVector(topology.mouth_share);
   const auto lids = to.CreateVector({Write(to, topology.lids[0]), Write(to, topology.lids[1])});
   const auto fine = Write(to, topology.fine);
-  return pack::CreateTopology(to, topology.vertex_count, topology.moving_count, place, texture, triangles,
+  return pack::CreateTopology(to, topology.vertex_count, topology.moving_count, uv, texture, triangles,
                               wires, twin, mouth_share, lids, fine);
 }
 
 Offset<pack::ControlNet> Write(FlatBufferBuilder& to, const face::ControlNet& net) {
   std::vector<std::string> names;
-  std::vector<glm::vec2> places;
+  std::vector<glm::vec2> uvs;
   for (const auto& point : net.points) {
     names.push_back(point.name);
-    places.push_back(point.place);
+    uvs.push_back(point.uv);
   }
   const auto stored_names = to.CreateVectorOfStrings(names);
-  const auto stored_places = Structs<pack::Vec2>(to, places);
+  const auto stored_uvs = Structs<pack::Vec2>(to, uvs);
   const auto to_cage = Write(to, net.to_cage);
-  const auto linear = Write(to, net.to_cage_linear);
   const auto surface = Write(to, net.surface);
-  return pack::CreateControlNet(to, stored_names, stored_places, to_cage, linear, surface);
+  return pack::CreateControlNet(to, stored_names, stored_uvs, to_cage, surface);
 }
 
 Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {

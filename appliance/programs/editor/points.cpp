@@ -30,7 +30,7 @@ std::vector<int> PartnersOf(const std::vector<std::string>& names) {
 }
 
 float PlacesApart_m(const face::ControlPoint& a, const face::ControlPoint& b) {
-  return glm::length((a.place - b.place) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m));
+  return glm::length((a.uv - b.uv) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m));
 }
 
 // Straight ways between the points that move a vertex together.

@@ -73,7 +73,7 @@ class Studio {
 
   // To be called after a frame is out: readies one more of the drawing's shaders, so that no fade waits for
   // it later. Takes 10 to 40 ms while there is any left, then nothing. True once: when it was the last.
-  bool Prepare() { return unprepared_ && !(unprepared_ = painter_->RehearseStep()); }
+  bool Prepare() { return unprepared_ && !(unprepared_ = painter_->WarmUpStep()); }
 
   // To be called before a window's screen goes.
   void CloseWindow() { window_ = gl::Window(); }

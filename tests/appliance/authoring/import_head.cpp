@@ -81,7 +81,7 @@ Model ExportedHead() {
   Model model;
   model.file = "head";
   model.positions = shape.positions;
-  model.uv = cast.topology.place;
+  model.uv = cast.topology.uv;
   model.triangles = shape.triangles;
   for (const face::EyeBall& eye : shape.eyes) AddBall(eye, model);
   AddTarget("jawOpen", shape.jaw, model);

@@ -56,7 +56,7 @@ TEST(ControlNet, HasAHundredPointsOrSoThatSitOnTheFace) {
       on_face += Net().surface.weight[i] * kaori.positions[Net().surface.column[i]];
     }
     // In front, the unrolled surface is the face seen from the front.
-    const glm::dvec2 place = sculpt::PlaceFromUnit(glm::dvec2(Net().points[p].place));
+    const glm::dvec2 place = sculpt::PlaceFromUnit(glm::dvec2(Net().points[p].uv));
     if (std::abs(place.x) > 3.5 || place.y < -7) continue;
     EXPECT_LT(glm::distance(place, 100.0 * glm::dvec2(on_face)), 0.6) << Net().points[p].name;
   }
@@ -65,9 +65,7 @@ TEST(ControlNet, HasAHundredPointsOrSoThatSitOnTheFace) {
 TEST(ControlNet, TakesAPointExactlyToItsVertexOnTheLid) {
   const Cage cage = sculpt::BuildCage();
   const Index lid = cage.left[cage.half.At(Region::kEye, 7, sculpt::kLidRing)];
-  for (const face::SparseRows* rows : {&Net().to_cage, &Net().to_cage_linear}) {
-    EXPECT_NEAR(WeightAt(*rows, lid, Point("U2.l")), 1, 1e-5);
-  }
+  EXPECT_NEAR(WeightAt(Net().to_cage, lid, Point("U2.l")), 1, 1e-5);
 }
 
 TEST(ControlNet, NeverMixesTheLips) {

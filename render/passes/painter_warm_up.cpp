@@ -10,6 +10,7 @@ face::Weights CrossFade(std::uint16_t faces) {
   return weights;
 }
 
+// A figure that fills the first band: one rectangle is enough to have the driver finish a shader.
 FigureRegion Everywhere(const gl::Box& whole) {
   FigureRegion figure{.whole = whole};
   figure.bands[0] = whole;
@@ -18,9 +19,10 @@ FigureRegion Everywhere(const gl::Box& whole) {
 
 }  // namespace
 
-void Painter::Parts::Rehearse(Turn turn) {
+// Draws with one shader on a tiny canvas that nobody sees, in a state in which the show may ask for it.
+void Painter::Parts::WarmUp(Shader shader) {
   scene::Scene scene;
-  scene.weights = CrossFade(turn == Turn::kBody4 ? 4 : 2);
+  scene.weights = CrossFade(shader == Shader::kBody4 ? 4 : 2);
   face::Shape shape = composer.Compose(scene.weights, face::Detail::kFine);
   shape.jaw_drop_m = 0.01F;
   appearance.Weigh(shape.faces);
@@ -29,52 +31,53 @@ void Painter::Parts::Rehearse(Turn turn) {
   BindFrame(scene, *backstage);
   const gl::Box whole = backstage->whole();
   backstage->BeginLayer({&whole, 1}, whole);
-  switch (turn) {
-    case Turn::kMouth:
+  switch (shader) {
+    case Shader::kMouth:
       return mouth->Draw(appearance, shape);
-    case Turn::kHair:
+    case Shader::kHair:
       return hair->Draw(appearance, 0.5F);
-    case Turn::kClothes:
+    case Shader::kClothes:
       return clothes->Draw(appearance, shape.faces);
-    case Turn::kBody2:
-    case Turn::kBody4:
+    case Shader::kBody2:
+    case Shader::kBody4:
       return body->Draw(surface, shape, false);
-    case Turn::kFlat:
+    case Shader::kFlat:
       return flat->Draw(shape);
-    case Turn::kDarkEyes:
+    case Shader::kDarkEyes:
       return eyes->DrawDark(shape);
-    case Turn::kWire:
+    case Shader::kWire:
       return wire->Draw(surface, shape, scene.gaze);
-    case Turn::kHandles:
+    case Shader::kHandles:
       scene.handles.shown = 1;
       scene.handles.chosen = 0;
       return handles->Draw(scene.handles, shape);
-    case Turn::kCaption:
+    case Shader::kCaption:
       return caption->Draw({.shown = 1, .lines = {" "}}, *backstage);
-    case Turn::kLayer:
+    case Shader::kLayer:
       return layer->Lay(*backstage, Everywhere(whole), {backdrop->picture()}, {.opacity = 0.5F});
-    case Turn::kPrint:
+    case Shader::kPrint:
       return layer->Lay(*backstage, Everywhere(whole), {backdrop->picture()}, {.print = 1});
   }
 }
 
-bool Painter::RehearseStep() {
+// Skins first: they stall longest.
+bool Painter::WarmUpStep() {
   Parts& p = *parts_;
   if (p.body->LoadNext()) return true;
-  constexpr std::size_t kSteps = Parts::kRehearsal.size() + BackdropPass::kRehearsals;
-  if (p.rehearsed >= kSteps) return false;
+  constexpr std::size_t kSteps = Parts::kWarmUpOrder.size() + BackdropPass::kWarmUps;
+  if (p.warmed_up >= kSteps) return false;
   if (!p.backstage) {
     constexpr int kSize_px = 16;
     auto canvas = gl::Canvas::Make({.width_px = kSize_px, .height_px = kSize_px});
     if (!canvas) return false;
     p.backstage = std::move(*canvas);
   }
-  const std::size_t step = p.rehearsed++;
-  if (step < Parts::kRehearsal.size())
-    p.Rehearse(Parts::kRehearsal[step]);
+  const std::size_t step = p.warmed_up++;
+  if (step < Parts::kWarmUpOrder.size())
+    p.WarmUp(Parts::kWarmUpOrder[step]);
   else
-    p.backdrop->Rehearse(step - Parts::kRehearsal.size());
-  if (p.rehearsed < kSteps) return true;
+    p.backdrop->WarmUp(step - Parts::kWarmUpOrder.size());
+  if (p.warmed_up < kSteps) return true;
   p.backstage.reset();
   return false;
 }
