@@ -84,7 +84,7 @@ bench() {
   build release programs kaori-benchmark
   if [ -f $BUILD_COSTS ]; then
     say "figures of builds are those that ./box bench --build measured on $(date -r $BUILD_COSTS '+%F %R')"
-    options+=(--builds $BUILD_COSTS)
+    options+=(--builds "$BUILD_COSTS")
   fi
   exec $BIN/kaori-benchmark --pack $PACK "${options[@]}"
 }
