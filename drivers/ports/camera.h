@@ -1,4 +1,4 @@
-// A camera that streams: the newest frame, borrowed, stamped by its source.
+// A camera that streams: gives the newest frame, stamped by its source.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,11 @@
 
 namespace kaori::ports {
 
+// kYuyv: packed 4:2:2. kNv12: a plane of Y, then a plane of Cb and Cr in turn at half the width and height.
+// kMjpeg: one JPEG a frame.
 enum class PixelFormat : std::uint8_t { kYuyv, kNv12, kMjpeg };
 
+// How a frame's bytes are to be read.
 struct CameraFormat {
   int width_px = 0;
   int height_px = 0;
@@ -20,12 +23,14 @@ struct CameraFormat {
   friend bool operator==(const CameraFormat&, const CameraFormat&) = default;
 };
 
+// One frame, lent by the camera.
 struct CameraFrame {
-  Time at{};                            // When the exposure was read out, by the source's own stamp.
-  std::uint32_t sequence = 0;           // Counts frames at the source; a gap is a lost frame.
-  CameraFormat format;                  // May change between frames: look at it each time.
-  std::uint32_t stride_bytes = 0;       // Of the luma plane; 0 for MJPEG.
-  std::span<const std::uint8_t> bytes;  // Borrowed until the next call of Next or the camera's end.
+  Time at{};                       // When the exposure was read out, by the source's stamp.
+  std::uint32_t sequence = 0;      // The source counts its frames; a gap is a lost frame.
+  CameraFormat format;             // May change from frame to frame.
+  std::uint32_t stride_bytes = 0;  // From row to row of Y, or of YUYV; 0 for MJPEG.
+  std::span<const std::uint8_t>
+      bytes;  // Row 0 is the top row. Valid until the next call of Next or the camera's end.
 };
 
 // No call blocks. One thread.
@@ -33,19 +38,28 @@ class Camera {
  public:
   virtual ~Camera() = default;
 
-  // Readable when Next would give a frame, or the camera is gone.
+  // A descriptor that is readable when Next would give a frame, or when the camera is gone. It belongs to the
+  // camera. A stream that stalls may never become readable: call Next now and then as well, so that it tells.
   virtual int pollable() const = 0;
 
-  // The newest frame; older ones that wait go back unseen. Errors:
-  //   resource_unavailable_try_again  no new frame
-  //   no_such_device                  unplugged; open anew
-  //   io_error                        the stream broke; open anew
-  //   bad_message                     a torn or empty frame was dropped; go on
+  // The newest frame; older ones that nobody read are dropped.
+  // The frame given before ends with this call. Errors:
+  //   resource_unavailable_try_again  there is no new frame
+  //   bad_message                     only torn or empty frames came, and were dropped; go on
+  //   no_such_device                  the camera was unplugged
+  //   io_error                        the stream broke or stalled
+  // After the last two every later call fails as well: open the camera anew.
   virtual Result<CameraFrame> Next() = 0;
 };
 
-// Opens the camera anew after any fault. Errors: no_such_device, permission_denied, device_or_resource_busy,
-// not_supported (no format that we read).
+// Opens the camera; to be called again after a fault. Blocks
+// while the device answers: some tenths of a second. Errors:
+//   no_such_device           it is not plugged in
+//   permission_denied        it may not be opened
+//   device_or_resource_busy  another program uses it
+//   not_supported            it has no format that we read
+//   no_space_on_device       its USB bus has not room for its frames
+//   io_error                 any other fault
 using CameraOpener = std::function<Result<std::unique_ptr<Camera>>()>;
 
 }  // namespace kaori::ports

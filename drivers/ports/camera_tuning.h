@@ -1,4 +1,4 @@
-// What a camera sets by itself, what a show holds still, and how fast it may be in the light that there is.
+// Tunes a camera: what it sets by itself, what a show holds, and its frame rate.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,32 @@
 namespace kaori::ports {
 
 enum class CameraHold : std::uint8_t {
-  kFree,  // The camera finds exposure, gain, white balance and focus by itself, within a frame's time.
-  kHeld,  // They stay as they are now.
+  // The camera finds exposure, gain, white balance and focus
+  // by itself, and exposes for less than a frame's time.
+  kFree,
+  // They stay as they are now.
+  kHeld,
 };
 
-// Of one camera, whichever opening of it; outlives the cameras that it opens. One thread. Calls block no
-// longer than the camera takes to answer a control.
+// The tuning of one camera, over all of its openings. Must outlive the cameras that it opens. One thread. A
+// call blocks no longer than the camera takes to answer its controls: some milliseconds. An unplugged camera
+// is no error: what was set counts for the next opening.
 class CameraTuning {
  public:
   virtual ~CameraTuning() = default;
 
-  // How the camera runs that was opened last, for people: "320 x 240 YUYV at 120 frames/s". Empty before.
+  // The mode of the camera that was opened last, for people: "320 x 240 YUYV at 120 frames/s". Empty before.
   virtual std::string mode() const = 0;
 
-  // How much of a frame's time it exposes, 0 to 1; nothing where the camera does not tell.
+  // The part of a frame's time that is exposed, 0 to 1; none where the camera does not tell.
   virtual std::optional<float> exposure() const = 0;
 
-  // Holds for the camera that is open, and is set anew in each that is opened later. Returns what the camera
-  // does not have or refused, by the names that people know: "focus".
+  // Counts for the camera that is open, and for each that is opened later. Returns what the camera does not
+  // have, or refused to set, by names for people: "focus".
   virtual std::vector<std::string> Set(CameraHold hold) = 0;
 
-  // Has the next opening take the next slower rate. False, and nothing changes, where there is none that is
-  // fast enough for lips.
+  // Has the next opening use the next slower frame rate. False, and
+  // nothing changes, where no slower one is fast enough for lips.
   virtual bool Slower() = 0;
 };
 

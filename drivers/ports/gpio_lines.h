@@ -1,4 +1,4 @@
-// A handful of GPIO lines: foot switches and service switches in, tally lamps out.
+// GPIO lines: foot switches and service switches as inputs, tally lamps as outputs.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,10 @@
 
 namespace kaori::ports {
 
+// An input line that changed.
 struct GpioEdge {
-  Time at{};               // The kernel's stamp.
-  std::uint32_t line = 0;  // Index into the lines that were asked for, 0..31.
+  Time at{};               // CLOCK_MONOTONIC: the kernel's stamp, or when a polled line was read.
+  std::uint32_t line = 0;  // Index into the input lines, 0..31.
   bool active = false;     // After the edge; active-low wiring is already undone.
 };
 
@@ -21,21 +22,29 @@ class GpioLines {
  public:
   virtual ~GpioLines() = default;
 
-  // Readable when ReadEdge would give an edge.
+  // A descriptor that is readable when ReadEdge may give an
+  // edge, or when the chip is gone. It belongs to the lines.
   virtual int pollable() const = 0;
 
-  // Bit n: input line n is active now. Errors: no_such_device, io_error.
+  // Bit n: input line n is active now. Errors:
+  //   no_such_device  the chip was unplugged
+  //   io_error        a line could not be read
   virtual Result<std::uint32_t> Levels() = 0;
 
-  // The oldest edge not yet read. Errors: resource_unavailable_try_again, no_such_device, io_error.
+  // The oldest edge that was not read, of all lines. Errors: as Levels,
+  //   resource_unavailable_try_again  there is none
   virtual Result<GpioEdge> ReadEdge() = 0;
 
-  // Drives output line `line` (index into the output lines). Errors: no_such_device, invalid_argument.
+  // Drives an output line; `line` is an index into the output lines. Errors: as Levels,
+  //   invalid_argument  there is no such output line
   virtual Result<void> Drive(std::uint32_t line, bool active) = 0;
 };
 
-// Takes the lines anew after any fault. Errors: no_such_device, permission_denied, device_or_resource_busy,
-// invalid_argument (the chip has no such line).
+// Requests the lines; to be called again after a fault. Errors:
+//   no_such_device           the chip is not plugged in
+//   permission_denied        the chip may not be opened
+//   device_or_resource_busy  somebody else has one of the lines
+//   invalid_argument         the chip has no such line
 using GpioOpener = std::function<Result<std::unique_ptr<GpioLines>>()>;
 
 }  // namespace kaori::ports

@@ -1,4 +1,4 @@
-// A plugged-in HID device, at its lowest seam: report bytes in, report bytes out.
+// A HID device by its reports' bytes, and the bus that it is plugged into.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,20 @@
 
 namespace kaori::ports {
 
-// `port` is where it is plugged in ("1-4.2": the USB port path; a link's name in the simulator). Two equal
-// devices share everything else, so roles belong to ports.
+// What is known of a device before its first report. Two equal
+// devices differ in `port` alone, so roles belong to ports.
 struct HidIdentity {
-  std::string port;
-  std::uint16_t vendor = 0;
-  std::uint16_t product = 0;
-  std::string name;
+  std::string port;  // Where it is plugged in: the USB port path "1-4.2", or a link's name in the simulator.
+  std::uint16_t vendor = 0;              // USB vendor id.
+  std::uint16_t product = 0;             // USB product id.
+  std::string name;                      // As the device tells it, for people; may be empty.
   std::vector<std::uint8_t> descriptor;  // The report descriptor, as the device sent it.
 };
 
+// An input report that was read.
 struct HidInput {
-  Time at{};               // When the report arrived.
-  std::size_t bytes = 0;   // Length, report id included where the descriptor uses ids.
+  Time at{};              // When the report arrived, as near as the implementation knows.
+  std::size_t bytes = 0;  // Its length, the report id included where the descriptor has ids.
 };
 
 // No call blocks. One thread.
@@ -33,33 +34,46 @@ class HidChannel {
  public:
   virtual ~HidChannel() = default;
 
-  // Readable when Read would give a report, or the device is gone.
+  // A descriptor that is readable when Read would give a report,
+  // or when the device is gone. It belongs to the channel.
   virtual int pollable() const = 0;
+
+  // Does not change, and lives as long as the channel.
   virtual const HidIdentity& identity() const = 0;
 
-  // Reads one whole input report into `into` (64 bytes hold every report of ours). Errors:
-  //   resource_unavailable_try_again  no report is waiting
-  //   no_such_device                  unplugged; every later call says the same
-  //   io_error                        the transfer failed; the device may still be there
+  // Reads the oldest input report into `into`, report id first where the descriptor has ids. What does not
+  // fit is cut off; 64 bytes hold every report of ours. Errors:
+  //   resource_unavailable_try_again  there is no report
+  //   no_such_device                  the device was unplugged; every later call says the same. Reports that
+  //                                   arrived before are given first
+  //   io_error                        a transfer failed; the device may still be there
   virtual Result<HidInput> Read(std::span<std::uint8_t> into) = 0;
 
-  // Sends one output report; byte 0 is the report id, 0 where the descriptor uses none. Errors: as Read,
-  //   invalid_argument                empty report
+  // Sends one output report. Byte 0 is the report id, 0 where the descriptor has none. `report` is not used
+  // after the call. HidrawChannel may block, as its header says. Errors: as Read,
+  //   resource_unavailable_try_again  too many reports are under way
+  //   invalid_argument                `report` is empty
   virtual Result<void> Write(std::span<const std::uint8_t> report) = 0;
 };
 
-// The sockets into which HID devices are plugged: a kernel's (hidraw), libusb's, or the simulator's.
+// Where HID devices are plugged in: the kernel's hidraw, libusb, or the simulator's folder. No call blocks
+// but Open, as the implementations' headers say. One thread. Must outlive its channels.
 class HidBus {
  public:
   virtual ~HidBus() = default;
 
-  // Readable when Ports() may have changed.
+  // A descriptor that is readable when Ports() may have changed. It belongs to the bus.
   virtual int pollable() const = 0;
 
-  // The ports that hold a device now; takes the pending notices with it. Does not block.
+  // The ports that have a device now, sorted by name. Reads the pending notices, so that pollable() is
+  // readable no more. Errors: those of the system calls.
   virtual Result<std::vector<std::string>> Ports() = 0;
 
-  // Errors: no_such_device (pulled meanwhile), permission_denied, device_or_resource_busy.
+  // Opens the device at a port of Ports(). Errors:
+  //   no_such_device           nothing is plugged in there
+  //   permission_denied        the device may not be opened
+  //   device_or_resource_busy  another program uses it, or it has not answered yet; try again
+  //   io_error                 it does not send its descriptors
   virtual Result<std::unique_ptr<HidChannel>> Open(const std::string& port) = 0;
 };
 

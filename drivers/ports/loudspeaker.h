@@ -1,4 +1,4 @@
-// A loudspeaker that plays what it is given, and tells when each part will be heard.
+// A loudspeaker: queues frames of sound, and tells when each will be heard.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,11 @@
 
 namespace kaori::ports {
 
+// What a Write has queued.
 struct Playout {
-  std::size_t frames = 0;  // How many were taken; the rest found no room.
-  Time at{};               // When the first of them is heard, by the device's own count of what waits.
-  bool xrun = false;       // It had run dry before, and was silent meanwhile.
+  std::size_t frames = 0;  // How many were queued, from the first on; there was no room for the rest.
+  Time at{};          // When the first of them is heard, by the device's count of what is queued before it.
+  bool xrun = false;  // The queue had run empty before: nothing was heard meanwhile.
 };
 
 // No call blocks. One thread.
@@ -24,22 +25,24 @@ class Loudspeaker {
  public:
   virtual ~Loudspeaker() = default;
 
-  // Readable when Write would find room, or the loudspeaker is gone. Devices that have no descriptor to wait
-  // for never wake anyone.
+  // A descriptor that is readable when Write would queue frames, or when the loudspeaker is gone. It belongs
+  // to the loudspeaker. Devices without descriptors never make it readable: call Write now and then as well.
   virtual int pollable() const = 0;
 
-  // Does not change.
+  // Does not change once a frame was queued.
   virtual SoundFormat format() const = 0;
 
-  // Queues whole frames behind those that wait. Errors:
-  //   resource_unavailable_try_again  no room for a frame now
-  //   invalid_argument                not whole frames, or none
-  //   no_such_device                  unplugged; every later call says the same, open anew
-  //   io_error                        the stream broke; as above
+  // Queues whole frames of interleaved samples behind those that
+  // are queued. `samples` is not used after the call. Errors:
+  //   resource_unavailable_try_again  there is no room for a frame now
+  //   invalid_argument                `samples` is empty, or no whole number of frames
+  //   no_such_device                  the loudspeaker was unplugged
+  //   io_error                        the stream broke
+  // After the last two every later call says the same: open the loudspeaker anew.
   virtual Result<Playout> Write(std::span<const std::int16_t> samples) = 0;
 };
 
-// Opens the loudspeaker anew after any fault. Errors: as MicrophoneOpener.
+// Opens the loudspeaker; to be called again after a fault. Errors: as MicrophoneOpener.
 using LoudspeakerOpener = std::function<Result<std::unique_ptr<Loudspeaker>>()>;
 
 }  // namespace kaori::ports

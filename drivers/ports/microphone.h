@@ -1,4 +1,4 @@
-// A microphone that streams: frames of sound, in order, stamped with the time at which they were heard.
+// A microphone that streams: gives frames of sound in order, stamped with the time at which they were heard.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,18 @@
 
 namespace kaori::ports {
 
+// Signed 16-bit samples in the machine's byte order.
 struct SoundFormat {
-  int rate_hz = 48000;
-  int channels = 1;  // 1 or 2; the samples of one frame lie side by side, left first.
+  int rate_hz = 48000;  // Frames in a second.
+  int channels = 1;     // 1 or 2; the samples of one frame are interleaved, left first.
   friend bool operator==(const SoundFormat&, const SoundFormat&) = default;
 };
 
+// Frames that were heard one after the other, lent by the microphone.
 struct SoundBlock {
-  Time at{};                              // When the first frame was heard, by the source's own stamp.
+  Time at{};                              // When the first frame was heard, by the source's stamp.
   bool xrun = false;                      // Frames were lost before the first one.
-  std::span<const std::int16_t> samples;  // Whole frames. Borrowed until the next Read or the end.
+  std::span<const std::int16_t> samples;  // Whole frames. Valid until the next Read or the microphone's end.
 };
 
 // No call blocks. One thread.
@@ -28,22 +30,27 @@ class Microphone {
  public:
   virtual ~Microphone() = default;
 
-  // Readable when Read would give a block, or the microphone is gone. Sources that have no descriptor to wait
-  // for never wake anyone: read now and then as well.
+  // A descriptor that is readable when Read would give a block, or when the microphone is gone. It belongs to
+  // the microphone. Devices without descriptors never make it readable: call Read now and then as well.
   virtual int pollable() const = 0;
 
-  // Does not change.
+  // Does not change once a block was read.
   virtual SoundFormat format() const = 0;
 
-  // The oldest frames not yet read; read until there are none. Errors:
-  //   resource_unavailable_try_again  no frame is waiting; a source that overran goes on by itself
-  //   no_such_device                  unplugged; every later call says the same, open anew
-  //   io_error                        the stream broke or stood still; as above
+  // The oldest frames that were not read; call it until there are none. Errors:
+  //   resource_unavailable_try_again  there is no frame; after an overrun the stream goes on by itself
+  //   no_such_device                  the microphone was unplugged
+  //   io_error                        the stream broke or stalled
+  // After the last two every later call says the same: open the microphone anew.
   virtual Result<SoundBlock> Read() = 0;
 };
 
-// Opens the microphone anew after any fault. Errors: no_such_device, permission_denied,
-// device_or_resource_busy, not_supported (no format that we read), io_error.
+// Opens the microphone; to be called again after a fault. Errors:
+//   no_such_device           it is not plugged in
+//   permission_denied        it may not be opened
+//   device_or_resource_busy  another program uses it
+//   not_supported            it has no format that we read
+//   io_error                 any other fault
 using MicrophoneOpener = std::function<Result<std::unique_ptr<Microphone>>()>;
 
 }  // namespace kaori::ports

@@ -1,55 +1,90 @@
-// A screen: memory for the next picture, a flip at its vertical blank, and the time at which it was shown.
+// A screen, or several that show one picture: a buffer for the next frame, a flip at the vertical blank, and
+// the time at which the frame was presented.
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <string>
+#include <variant>
+#include <vector>
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
+#include "drivers/ports/output.h"
 #include "drivers/ports/status_display.h"
+
+struct gbm_surface;  // Of libgbm; only its address passes through this port.
 
 namespace kaori::ports {
 
-// Memory of 8-bit R, G, B, X in memory order, sRGB; row 0 is the bottom row (as GLES reads pixels). Or a
-// window, which EGL draws into by itself; then there is no memory.
+// Memory that the program writes by itself: 8-bit R, G, B, X in this order in memory, sRGB, width_px *
+// height_px * 4 bytes without padding. Row 0 is the bottom row, as glReadPixels delivers it.
+struct PixelMemory {
+  std::span<std::uint8_t> rgbx;
+};
+
+// A surface that EGL draws into and swaps. `surface` is the native window of the EGL display that was made
+// from the same gbm_device as the screen.
+struct EglSurface {
+  gbm_surface* surface = nullptr;
+};
+
+// Where the next frame is drawn.
 struct PixelBuffer {
   int width_px = 0;
   int height_px = 0;
-  std::span<std::uint8_t> bytes;  // width * height * 4, tightly packed; or none.
-  void* window = nullptr;  // EGL's native window, of the display on which the screen was opened; or none.
+  std::variant<PixelMemory, EglSurface> target;
+
+  // The bytes of a PixelMemory; none where EGL draws.
+  std::span<std::uint8_t> memory() const {
+    const auto* pixels = std::get_if<PixelMemory>(&target);
+    return pixels == nullptr ? std::span<std::uint8_t>() : pixels->rgbx;
+  }
 };
 
+// A frame that was presented.
 struct Flip {
-  Time at{};                // The vertical blank at which the frame came to light.
-  std::uint64_t frame = 0;  // The number given to Present.
-  Duration period{};        // To the next vertical blank.
+  Time at{};                // The vertical blank at which the screen began to show the frame.
+  std::uint64_t frame = 0;  // The number that was given to Present.
+  Duration period{};        // From one vertical blank to the next.
 };
 
-// No call blocks. One thread.
+// One frame goes round at a time: Acquire, draw, Present, ReadFlip. No call blocks. One thread.
 class Scanout {
  public:
   virtual ~Scanout() = default;
 
-  // Readable when ReadFlip would give a flip, or the screen is gone.
+  // A descriptor that is readable when ReadFlip would give a flip, or when the screen is gone. It belongs to
+  // the screen and is valid for as long as the screen.
   virtual int pollable() const = 0;
 
-  // The buffer to draw the next frame into; valid until Present. Its size may change between frames. Errors:
-  //   resource_unavailable_try_again  the previous frame waits for its flip
-  //   no_such_device                  the screen was unplugged
+  // The buffer of the next frame. The screen lends it until Present, or until the
+  // screen's own end. A second Acquire before Present lends the same buffer again.
+  // The size and the target may differ from those of the frame before. Errors:
+  //   resource_unavailable_try_again  the frame before has not been presented yet, or a screen that was just
+  //                                   opened has not answered yet
+  //   no_such_device                  the screen was unplugged, or must be opened anew to be used as it is
+  //                                   now; every later call says the same
   virtual Result<PixelBuffer> Acquire() = 0;
 
-  // Shows the acquired buffer at the next vertical blank. Errors: no_such_device,
-  //   invalid_argument  nothing was acquired
+  // Shows the acquired buffer at the next vertical blank, and returns before that. `frame` is the caller's
+  // number; ReadFlip returns it. Errors:
+  //   no_such_device           as Acquire
+  //   invalid_argument         no buffer is acquired
+  //   device_or_resource_busy  the card has a flip pending; the buffer is given back unseen, acquire anew
+  //   any other                the card refuses the picture; open the screen anew
   virtual Result<void> Present(std::uint64_t frame) = 0;
 
-  // Errors: resource_unavailable_try_again, no_such_device.
+  // The frame that was presented last, once. Errors:
+  //   resource_unavailable_try_again  no frame was presented since the last call
+  //   no_such_device                  as Acquire
   virtual Result<Flip> ReadFlip() = 0;
 
-  // The sign beside this screen, for as long as this lives; or none.
+  // The status display beside this screen, or null. It belongs to the screen and ends with it.
   virtual StatusDisplay* status_display() { return nullptr; }
-  // What it is made of, for people, one part a line.
-  virtual std::string Words() const { return {}; }
+
+  // What the card drives, in the order of the picture's parts from the left top; the status display is last.
+  // Empty where the screen knows nothing of connectors, as the simulator's.
+  virtual std::vector<Output> outputs() const { return {}; }
 };
 
 }  // namespace kaori::ports

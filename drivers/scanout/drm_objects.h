@@ -11,6 +11,7 @@
 
 namespace kaori::scanout {
 
+// Calls a libdrm free function: an owner costs no more than the pointer.
 template <auto kFree>
 struct DrmFree {
   template <class T>
@@ -19,6 +20,7 @@ struct DrmFree {
   }
 };
 
+// Each is null where the card did not answer.
 using DrmResources = std::unique_ptr<drmModeRes, DrmFree<drmModeFreeResources>>;
 using DrmConnector = std::unique_ptr<drmModeConnector, DrmFree<drmModeFreeConnector>>;
 using DrmEncoder = std::unique_ptr<drmModeEncoder, DrmFree<drmModeFreeEncoder>>;

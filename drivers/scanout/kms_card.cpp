@@ -8,47 +8,49 @@
 namespace kaori::scanout {
 namespace {
 
-constexpr const char* kName = "card";  // In the manager's store, and at the holder.
+constexpr const char* kName = "card";  // In the service manager's fd store.
 
-struct Taken {
+// The card's file, and whether the service manager has a copy.
+struct CardFile {
   UniqueFd file;
   bool kept = false;  // The service manager has it.
 };
 
-Result<Taken> TakeCard(const std::string& path, const std::string& holder) {
-  if (auto kept = service::RetrieveFd(kName)) return Taken{std::move(*kept), true};
+// A copy that was kept is still DRM master and has the last picture on it: it comes first.
+Result<CardFile> AcquireCardFile(const std::string& path, const std::string& fd_keeper) {
+  if (auto kept = service::RetrieveFd(kName)) return CardFile{std::move(*kept), true};
   auto opened = OpenCardFile(path.c_str());
-  // Whoever opened the card first may show on it: that file is held, or another program has it.
-  if (opened && !MayShow(opened->get())) opened = service::RetrieveFromKeeper(holder);
+  // Another file is the card's master already: the fd keeper holds it, or another program has it.
+  if (opened && !IsMaster(opened->get())) opened = service::RetrieveFromKeeper(fd_keeper);
   if (!opened) return tl::unexpected(opened.error());
-  return Taken{std::move(*opened)};
+  return CardFile{std::move(*opened)};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<KmsCard>> KmsCard::Open(const std::string& path, const std::string& holder) {
-  auto taken = TakeCard(path, holder);
-  if (!taken) return tl::unexpected(taken.error());
-  if (auto ready = PrepareCardFile(taken->file.get()); !ready) return tl::unexpected(ready.error());
-  auto draws = GbmDevice::Open(path.c_str(), taken->file.get());
+Result<std::unique_ptr<KmsCard>> KmsCard::Open(const std::string& path, const std::string& fd_keeper) {
+  auto acquired = AcquireCardFile(path, fd_keeper);
+  if (!acquired) return tl::unexpected(acquired.error());
+  if (auto ready = PrepareCardFile(acquired->file.get()); !ready) return tl::unexpected(ready.error());
+  auto draws = GbmDevice::Open(path.c_str(), acquired->file.get());
   if (!draws) return tl::unexpected(draws.error());
-  std::unique_ptr<KmsCard> card(new KmsCard(std::move(taken->file), std::move(*draws), holder));
-  card->kept_ = taken->kept;
+  std::unique_ptr<KmsCard> card(new KmsCard(std::move(acquired->file), std::move(*draws), fd_keeper));
+  card->kept_ = acquired->kept;
   return card;
 }
 
-Result<void> KmsCard::Hold() {
+Result<void> KmsCard::Preserve() {
   if (!kept_)
     if (auto kept = service::StoreFd(shows_.get(), kName); !kept) return kept;
   kept_ = true;
-  return service::GiveToKeeper(shows_.get(), holder_);
+  return service::GiveToKeeper(shows_.get(), fd_keeper_);
 }
 
 Result<std::unique_ptr<KmsScreen>> KmsCard::OpenScreen(const Clock& clock) {
   const auto make = [this](int width_px, int height_px) {
-    return GbmWindow::Make(device(), shows_.get(), width_px, height_px);
+    return GbmSurface::Make(device(), shows_.get(), width_px, height_px);
   };
-  return KmsScreen::Open(kernel_, make, clock, wishes_);
+  return KmsScreen::Open(kernel_, make, clock, preferences_);
 }
 
 }  // namespace kaori::scanout

@@ -1,5 +1,5 @@
-// A graphics card as a program uses it: the file through which it shows, which outlives the program where
-// somebody holds it, and the one through which it draws.
+// A graphics card as a program uses it: one file through which it shows, and one through which it draws. The
+// first outlives the program where the service manager or the fd keeper holds a copy.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "drivers/base/clock.h"
-#include "drivers/scanout/gbm_window.h"
+#include "drivers/scanout/gbm_surface.h"
 #include "drivers/scanout/kms_kernel.h"
 #include "drivers/scanout/kms_screen.h"
 
@@ -15,38 +15,42 @@ namespace kaori::scanout {
 
 class KmsCard {
  public:
-  // Takes the card's file back from the service manager or from `holder` (a socket, where there is one), else
-  // opens "/dev/dri/card0" or the like anew. Errors: those of open(2); not_supported (no atomic KMS);
-  // no_such_device (another program shows on this card, or no driver draws on it).
-  static Result<std::unique_ptr<KmsCard>> Open(const std::string& path, const std::string& holder);
+  // Retrieves the card's file from the service manager or from the fd keeper, or opens `path`
+  // ("/dev/dri/card0" or the like) anew. `fd_keeper` is a socket's path; empty where there is none. Waits for
+  // the fd keeper, 5 s at most. Errors:
+  //   those of open(2)
+  //   not_supported   the card has no atomic KMS
+  //   no_such_device  another program shows on this card, or Mesa has no driver for it
+  static Result<std::unique_ptr<KmsCard>> Open(const std::string& path, const std::string& fd_keeper);
 
-  // Gives the card's file to both, so that the last picture stays when the program ends. Waits until the
-  // service manager has it, 5 s at most. Errors: those of service::Keep and service::GiveToKeeper.
-  Result<void> Hold();
+  // Gives copies of the card's file to the service manager and to the fd keeper, so that the last picture
+  // stays when the program ends. Waits until the service manager has its copy, 5 s at most. Errors: those of
+  // service::StoreFd and service::GiveToKeeper.
+  Result<void> Preserve();
 
-  // For EGL.
+  // What EGL draws with. Belongs to the card.
   gbm_device* device() const { return draws_.device.get(); }
 
-  // Holds for screens that are opened from now on.
-  void Wish(KmsWishes wishes) { wishes_ = std::move(wishes); }
+  // Counts for screens that are opened from now on. Forgets what the card refused.
+  void SetPreferences(KmsPreferences preferences) { preferences_ = std::move(preferences); }
 
-  // All its screens as one, as KmsScreen::Open says. The card must outlive it.
+  // All of its screens as one; errors as KmsScreen::Open. The card and the clock must outlive it.
   Result<std::unique_ptr<KmsScreen>> OpenScreen(const Clock& clock);
 
  private:
-  KmsCard(UniqueFd shows, GbmDevice draws, std::string holder)
+  KmsCard(UniqueFd shows, GbmDevice draws, std::string fd_keeper)
       : shows_(std::move(shows)),
         draws_(std::move(draws)),
-        holder_(std::move(holder)),
-        // Deaf where a sandbox forbids it: then cards are believed that notice by themselves.
-        kernel_(shows_.get(), Hotplug::Open().value_or(Hotplug())) {}
+        fd_keeper_(std::move(fd_keeper)),
+        // Hears nothing where a sandbox forbids it: then only cards work that notice by themselves.
+        kernel_(shows_.get(), HotplugMonitor::Open().value_or(HotplugMonitor())) {}
 
   UniqueFd shows_;
   GbmDevice draws_;
-  std::string holder_;
-  bool kept_ = false;  // The service manager has the file.
+  std::string fd_keeper_;
+  bool kept_ = false;  // The service manager has a copy of the file.
   KmsKernel kernel_;
-  KmsWishes wishes_;
+  KmsPreferences preferences_;
 };
 
 }  // namespace kaori::scanout

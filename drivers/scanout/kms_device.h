@@ -1,4 +1,4 @@
-// What a graphics card is asked and told about its screens: by the kernel's KMS, or by a test.
+// A graphics card by its KMS calls: the kernel's card, or a fake one in tests.
 #pragma once
 
 #include <xf86drmMode.h>
@@ -12,18 +12,20 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 
+struct gbm_surface;
+
 namespace kaori::scanout {
 
-// A socket of the card, and what is plugged into it.
+// A connector of the card, and the screen that is plugged into it.
 struct KmsConnector {
   std::uint32_t id = 0;
-  std::string name;  // As printed beside the socket, if at all: "HDMI-A-1".
+  std::string name;  // By kind and number, as printed beside the socket, if at all: "HDMI-A-1".
   bool plugged = false;
   std::uint32_t crtcs = 0;  // Bit n: the card's n-th CRTC can drive it.
   std::vector<drmModeModeInfo> modes;
 };
 
-// A plane that holds a CRTC's whole picture.
+// A primary plane: it holds a CRTC's whole picture.
 struct KmsPlane {
   std::uint32_t id = 0;
   std::uint32_t crtcs = 0;  // Bit n: it can lie on the card's n-th CRTC.
@@ -40,81 +42,94 @@ struct KmsSetting {
 struct KmsFlip {
   std::uint32_t crtc = 0;
   std::uint64_t token = 0;  // As the commit gave it.
-  Time at{};
+  Time at{};                // The vertical blank, by the kernel's stamp.
 };
 
-// A picture that programs write into byte by byte: 8-bit B, G, R, X, the top row first. As large as was asked
-// for.
-struct KmsSheet {
+// A buffer that the processor writes: 8-bit B, G, R, X in memory (XRGB8888), the top row first.
+struct KmsDumbBuffer {
   std::uint32_t framebuffer = 0;
-  std::size_t pitch_bytes = 0;  // From row to row.
-  std::span<std::uint8_t> bytes;
+  std::size_t pitch_bytes = 0;    // From row to row; may be more than width * 4.
+  std::span<std::uint8_t> bytes;  // Mapped until UnmapDumbBuffer.
 };
 
-enum class Plug { kEmpty, kUnknown, kPlugged };
+enum class Connection { kDisconnected, kUnknown, kConnected };
 
 // One thread. No call but Probe takes long.
 class KmsDevice {
  public:
   virtual ~KmsDevice() = default;
 
-  virtual int pollable() const = 0;  // Readable when there are flips.
+  // Readable when ReadFlip would give a flip.
+  virtual int pollable() const = 0;
 
-  // All in the card's own order; empty where the card does not answer.
+  // The card's objects in its own order; empty where the card does not answer.
   virtual std::vector<std::uint32_t> Connectors() = 0;
   virtual std::vector<std::uint32_t> Crtcs() = 0;
   virtual std::vector<KmsPlane> PrimaryPlanes() = 0;
-  // Whether the CRTC shows something now, of whatever program.
-  virtual bool IsLit(std::uint32_t crtc) = 0;
 
-  // Whether the kernel said, since this was asked last, that a screen came or went: Probe tells which.
-  virtual bool Stirred() = 0;
-  // What the kernel has seen last; asks nothing of the cable. Some cards see nothing until they are probed.
-  virtual Plug PlugOf(std::uint32_t connector) = 0;
-  // Asks the screen itself, which takes tens of milliseconds. Errors: no_such_device (no such connector).
+  // Whether the CRTC shows a picture now, of whatever program.
+  virtual bool IsActive(std::uint32_t crtc) = 0;
+
+  // Whether the kernel reported, since the last call, that a screen came or went. Probe tells which.
+  virtual bool DrainHotplug() = 0;
+
+  // What the kernel saw last, without asking the screen. Some cards see nothing until they are probed.
+  virtual Connection ConnectionOf(std::uint32_t connector) = 0;
+
+  // Asks the screen itself by reading its EDID, which takes tens of milliseconds. Errors: no_such_device (the
+  // card has no such connector).
   virtual Result<KmsConnector> Probe(std::uint32_t connector) = 0;
 
-  // The mode as the card's object, to be forgotten again; what is shown keeps it. Errors: what the card says.
-  virtual Result<std::uint32_t> TellMode(const drmModeModeInfo& mode) = 0;
-  virtual void ForgetMode(std::uint32_t blob) = 0;
+  // Makes the mode known to the card, as a property blob that commits refer to. To be destroyed; a mode that
+  // is shown stays shown. Errors: what the card says.
+  virtual Result<std::uint32_t> CreateModeBlob(const drmModeModeInfo& mode) = 0;
+  virtual void DestroyModeBlob(std::uint32_t blob) = 0;
 
-  // All of `settings` at the next vertical blank, or none; does not wait. Each CRTC that they touch flips,
-  // with the token. Errors: device_or_resource_busy (a flip is pending), and what the card says.
+  // Applies all of `settings` at the next vertical blank, or none of them, and
+  // returns before that. Each CRTC that they touch flips, with `token`. Errors:
+  // device_or_resource_busy (a flip is pending), and what the card says.
   virtual Result<void> Commit(std::span<const KmsSetting> settings, std::uint64_t token,
                               bool may_set_modes) = 0;
 
-  // Whether the card would take `settings`, modes included; changes nothing. Errors: what the card says.
-  virtual Result<void> Try(std::span<const KmsSetting> settings) = 0;
+  // Whether the card would accept `settings`, modes included. Changes nothing. Errors: what the card says.
+  virtual Result<void> TestCommit(std::span<const KmsSetting> settings) = 0;
 
-  // The next flip that happened; none left. Other events are passed over.
+  // The next flip that happened, or none. Other events are passed over.
   virtual std::optional<KmsFlip> ReadFlip() = 0;
 
-  // Those of the card's file, of whatever program.
+  // The framebuffers of the card's file, of whatever program that held the file.
   virtual std::vector<std::uint32_t> Framebuffers() = 0;
-  virtual void Remove(std::uint32_t framebuffer) = 0;
-  // The framebuffer that lies on the plane now, of whatever program; 0 is none.
-  virtual std::uint32_t PictureOn(std::uint32_t plane) = 0;
+  virtual void RemoveFramebuffer(std::uint32_t framebuffer) = 0;
 
-  // A blank one. Errors: what the card says.
-  virtual Result<KmsSheet> MakeSheet(int width_px, int height_px) = 0;
-  // Its bytes are gone; what is shown of it stays until its framebuffer is removed.
-  virtual void ForgetSheet(const KmsSheet& sheet) = 0;
+  // The framebuffer that lies on the plane now, of whatever program; 0 is none.
+  virtual std::uint32_t FramebufferOn(std::uint32_t plane) = 0;
+
+  // A black buffer with a framebuffer. Errors: what the card says.
+  virtual Result<KmsDumbBuffer> CreateDumbBuffer(int width_px, int height_px) = 0;
+
+  // Unmaps its bytes. What is shown of it stays until its framebuffer is removed.
+  virtual void UnmapDumbBuffer(const KmsDumbBuffer& buffer) = 0;
 };
 
-// What is shown: pictures in the card's memory, all of one size.
-class KmsPictures {
+// The buffers that EGL draws the show into, in the card's memory, all of one size.
+class KmsSurface {
  public:
-  virtual ~KmsPictures() = default;
+  virtual ~KmsSurface() = default;
 
-  // What EGL draws into; or none.
-  virtual void* window() const = 0;
-  // Takes the picture that EGL swapped last, as a framebuffer of the card. To be called once after each swap.
-  // Errors: io_error (nothing was swapped), and what the card says when it takes no more buffers.
+  // The native window for EGL.
+  virtual gbm_surface* native() const = 0;
+
+  // Locks the buffer that EGL swapped last, and returns it as a framebuffer of
+  // the card. To be called once after each swap. Errors: io_error (nothing was
+  // swapped), and what the card says when it accepts no more framebuffers.
   virtual Result<std::uint32_t> LockFront() = 0;
-  // Gives back the picture taken before the last one: the screens have let it go.
+
+  // Gives back to EGL the buffer that was locked before the
+  // last one. To be called once the screens show the last one.
   virtual void ReleasePrevious() = 0;
-  // Whether the framebuffer is one of these.
-  virtual bool Made(std::uint32_t framebuffer) const = 0;
+
+  // Whether the framebuffer is one that LockFront returned.
+  virtual bool Owns(std::uint32_t framebuffer) const = 0;
 };
 
 }  // namespace kaori::scanout

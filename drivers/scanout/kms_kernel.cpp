@@ -12,6 +12,7 @@
 namespace kaori::scanout {
 namespace {
 
+// Of XRGB8888.
 constexpr std::uint32_t kBitsOfPixel = 32;
 
 // The CRTCs as bits, in the card's order, that the connector can be driven by.
@@ -24,25 +25,26 @@ std::uint32_t PossibleCrtcs(int card, const drmModeConnector& connector) {
   return bits;
 }
 
+// As the kernel names connectors in sysfs.
 std::string NameOf(const drmModeConnector& connector) {
   const char* const kind = drmModeGetConnectorTypeName(connector.connector_type);
   return fmt::format("{}-{}", kind == nullptr ? "screen" : kind, connector.connector_type_id);
 }
 
-Plug PlugOf(drmModeConnection connection) {
-  if (connection == DRM_MODE_CONNECTED) return Plug::kPlugged;
-  return connection == DRM_MODE_DISCONNECTED ? Plug::kEmpty : Plug::kUnknown;
+Connection ConnectionOf(drmModeConnection connection) {
+  if (connection == DRM_MODE_CONNECTED) return Connection::kConnected;
+  return connection == DRM_MODE_DISCONNECTED ? Connection::kDisconnected : Connection::kUnknown;
 }
 
 // Without its framebuffer.
-Result<KmsSheet> MapSheet(int card, std::uint32_t handle, std::uint64_t size_bytes) {
+Result<KmsDumbBuffer> MapDumbBuffer(int card, std::uint32_t handle, std::uint64_t size_bytes) {
   std::uint64_t offset = 0;
   void* at = MAP_FAILED;
   if (drmModeMapDumbBuffer(card, handle, &offset) == 0)
     at = ::mmap(nullptr, size_bytes, PROT_READ | PROT_WRITE, MAP_SHARED, card, off_t(offset));
-  if (at == MAP_FAILED) return FailErrno("map a sheet of the graphics card");
+  if (at == MAP_FAILED) return FailErrno("map a dumb buffer of the graphics card");
   std::memset(at, 0, size_bytes);
-  return KmsSheet{.bytes = {static_cast<std::uint8_t*>(at), size_bytes}};
+  return KmsDumbBuffer{.bytes = {static_cast<std::uint8_t*>(at), size_bytes}};
 }
 
 }  // namespace
@@ -53,14 +55,14 @@ Result<UniqueFd> OpenCardFile(const char* path) {
   return card;
 }
 
-bool MayShow(int card) {
+bool IsMaster(int card) {
   return drmIsMaster(card) != 0;
 }
 
 Result<void> PrepareCardFile(int card) {
   for (const auto capability : {DRM_CLIENT_CAP_UNIVERSAL_PLANES, DRM_CLIENT_CAP_ATOMIC})
     if (drmSetClientCap(card, std::uint64_t(capability), 1) != 0)
-      return FailErrno("ask the graphics card for atomic pictures");
+      return FailErrno("enable atomic commits on the graphics card");
   // A flip that a program asked for before it died is of no use now.
   std::array<std::byte, 1024> bytes;
   while (::read(card, bytes.data(), bytes.size()) > 0) {
@@ -86,6 +88,7 @@ std::vector<KmsPlane> KmsKernel::PrimaryPlanes() {
   for (std::uint32_t i = 0; planes && i < planes->count_planes; ++i) {
     const DrmPlane plane(drmModeGetPlane(card_, planes->planes[i]));
     if (!plane) continue;
+    // Overlay and cursor planes are left alone.
     const auto type = FindProperty(card_, {plane->plane_id, DRM_MODE_OBJECT_PLANE}, "type");
     if (type && type->value == DRM_PLANE_TYPE_PRIMARY)
       found.push_back({plane->plane_id, plane->possible_crtcs});
@@ -93,33 +96,33 @@ std::vector<KmsPlane> KmsKernel::PrimaryPlanes() {
   return found;
 }
 
-bool KmsKernel::IsLit(std::uint32_t crtc) {
+bool KmsKernel::IsActive(std::uint32_t crtc) {
   const DrmCrtc now(drmModeGetCrtc(card_, crtc));
   return now && now->mode_valid != 0;
 }
 
-Plug KmsKernel::PlugOf(std::uint32_t connector) {
+Connection KmsKernel::ConnectionOf(std::uint32_t connector) {
   const DrmConnector now(drmModeGetConnectorCurrent(card_, connector));
-  return now ? scanout::PlugOf(now->connection) : Plug::kEmpty;
+  return now ? scanout::ConnectionOf(now->connection) : Connection::kDisconnected;
 }
 
 Result<KmsConnector> KmsKernel::Probe(std::uint32_t connector) {
   const DrmConnector now(drmModeGetConnector(card_, connector));
-  if (!now) return Fail(std::errc::no_such_device, "ask a screen for its modes");
+  if (!now) return Fail(std::errc::no_such_device, "probe a connector of the graphics card");
   KmsConnector found{
       connector, NameOf(*now), now->connection == DRM_MODE_CONNECTED, PossibleCrtcs(card_, *now), {}};
   found.modes.assign(now->modes, now->modes + now->count_modes);
   return found;
 }
 
-Result<std::uint32_t> KmsKernel::TellMode(const drmModeModeInfo& mode) {
+Result<std::uint32_t> KmsKernel::CreateModeBlob(const drmModeModeInfo& mode) {
   std::uint32_t blob = 0;
   if (drmModeCreatePropertyBlob(card_, &mode, sizeof(mode), &blob) != 0)
-    return FailErrno("tell the graphics card the screen's mode");
+    return FailErrno("create a mode on the graphics card");
   return blob;
 }
 
-void KmsKernel::ForgetMode(std::uint32_t blob) {
+void KmsKernel::DestroyModeBlob(std::uint32_t blob) {
   drmModeDestroyPropertyBlob(card_, blob);
 }
 
@@ -129,17 +132,18 @@ Result<DrmAtomic> KmsKernel::RequestOf(std::span<const KmsSetting> settings) {
     const auto id = IdOf(setting);
     if (!id) return tl::unexpected(id.error());
     if (drmModeAtomicAddProperty(request.get(), setting.object, *id, setting.value) < 0)
-      return Fail(std::errc::not_enough_memory, "ask the graphics card for a picture");
+      return Fail(std::errc::not_enough_memory, "build a commit for the graphics card");
   }
   return request;
 }
 
-Result<void> KmsKernel::Try(std::span<const KmsSetting> settings) {
+Result<void> KmsKernel::TestCommit(std::span<const KmsSetting> settings) {
   const auto request = RequestOf(settings);
   if (!request) return tl::unexpected(request.error());
+  // Modes may be set in the test, whether or not this commit would need it.
   constexpr std::uint32_t kFlags = DRM_MODE_ATOMIC_TEST_ONLY | DRM_MODE_ATOMIC_ALLOW_MODESET;
   if (drmModeAtomicCommit(card_, request->get(), kFlags, nullptr) != 0)
-    return FailErrno("ask the graphics card whether it could show a picture");
+    return FailErrno("test a commit on the graphics card");
   return {};
 }
 
@@ -176,6 +180,7 @@ std::optional<KmsFlip> KmsKernel::ReadFlip() {
     }
     drm_event_vblank event{};
     const std::size_t left = until_ - from_;
+    // Events are copied out: the buffer need not be aligned for each.
     std::memcpy(&event, &events_[from_], std::min(left, sizeof(event)));
     if (left < sizeof(drm_event) || event.base.length < sizeof(drm_event) || event.base.length > left) {
       from_ = until_;  // Nothing that can be read.
@@ -183,6 +188,7 @@ std::optional<KmsFlip> KmsKernel::ReadFlip() {
     }
     from_ += event.base.length;
     if (event.base.type != DRM_EVENT_FLIP_COMPLETE || event.base.length < sizeof(event)) continue;
+    // CLOCK_MONOTONIC, by DRM_CAP_TIMESTAMP_MONOTONIC, which every atomic driver has.
     const Time at(std::chrono::seconds(event.tv_sec) + std::chrono::microseconds(event.tv_usec));
     return KmsFlip{event.crtc_id, event.user_data, at};
   }
@@ -194,36 +200,36 @@ std::vector<std::uint32_t> KmsKernel::Framebuffers() {
   return {all->fbs, all->fbs + all->count_fbs};
 }
 
-void KmsKernel::Remove(std::uint32_t framebuffer) {
+void KmsKernel::RemoveFramebuffer(std::uint32_t framebuffer) {
   drmModeRmFB(card_, framebuffer);
 }
 
-std::uint32_t KmsKernel::PictureOn(std::uint32_t plane) {
+std::uint32_t KmsKernel::FramebufferOn(std::uint32_t plane) {
   const DrmPlane now(drmModeGetPlane(card_, plane));
   return now ? now->fb_id : 0;
 }
 
-Result<KmsSheet> KmsKernel::MakeSheet(int width_px, int height_px) {
+Result<KmsDumbBuffer> KmsKernel::CreateDumbBuffer(int width_px, int height_px) {
   const auto width = std::uint32_t(width_px), height = std::uint32_t(height_px);
   std::uint32_t handle = 0, pitch_bytes = 0;
   std::uint64_t size_bytes = 0;
   if (drmModeCreateDumbBuffer(card_, width, height, kBitsOfPixel, 0, &handle, &pitch_bytes, &size_bytes) != 0)
-    return FailErrno("make a sheet on the graphics card");
-  auto sheet = MapSheet(card_, handle, size_bytes);
+    return FailErrno("create a dumb buffer on the graphics card");
+  auto buffer = MapDumbBuffer(card_, handle, size_bytes);
   // The framebuffer and the mapping keep it; a handle would outlive the program.
   const std::uint32_t handles[4]{handle}, pitches[4]{pitch_bytes}, offsets[4]{};
-  if (sheet && drmModeAddFB2(card_, width, height, DRM_FORMAT_XRGB8888, handles, pitches, offsets,
-                             &sheet->framebuffer, 0) != 0) {
-    ForgetSheet(*sheet);
-    sheet = FailErrno("make a framebuffer of a sheet");
+  if (buffer && drmModeAddFB2(card_, width, height, DRM_FORMAT_XRGB8888, handles, pitches, offsets,
+                              &buffer->framebuffer, 0) != 0) {
+    UnmapDumbBuffer(*buffer);
+    buffer = FailErrno("make a framebuffer of a dumb buffer");
   }
   drmCloseBufferHandle(card_, handle);
-  if (sheet) sheet->pitch_bytes = pitch_bytes;
-  return sheet;
+  if (buffer) buffer->pitch_bytes = pitch_bytes;
+  return buffer;
 }
 
-void KmsKernel::ForgetSheet(const KmsSheet& sheet) {
-  ::munmap(sheet.bytes.data(), sheet.bytes.size());
+void KmsKernel::UnmapDumbBuffer(const KmsDumbBuffer& buffer) {
+  ::munmap(buffer.bytes.data(), buffer.bytes.size());
 }
 
 }  // namespace kaori::scanout

@@ -7,7 +7,7 @@
 namespace kaori::scanout {
 namespace {
 
-// What any screen and cable of the last fifteen years takes, when the screen itself is silent.
+// What any screen and cable of the last fifteen years carries, for a screen that prefers no mode.
 constexpr int kSafeWidth_px = 1920;
 constexpr int kSafeHeight_px = 1080;
 constexpr int kFurthest_px = 16384;  // No card shows more in one piece.
@@ -30,15 +30,18 @@ constexpr drmModeModeInfo LastResort() {
   return mode;
 }
 
+// In pixels.
 int Area(const drmModeModeInfo& mode) {
   return mode.hdisplay * mode.vdisplay;
 }
 
-bool IsSound(const drmModeModeInfo& mode) {
+// A broken EDID can claim any size.
+bool IsValid(const drmModeModeInfo& mode) {
   return mode.hdisplay > 0 && mode.vdisplay > 0 && mode.hdisplay <= kFurthest_px &&
          mode.vdisplay <= kFurthest_px;
 }
 
+// Interlaced modes flicker, and some screens refuse them.
 bool IsSafe(const drmModeModeInfo& mode) {
   return mode.hdisplay <= kSafeWidth_px && mode.vdisplay <= kSafeHeight_px &&
          (mode.flags & DRM_MODE_FLAG_INTERLACE) == 0;
@@ -48,6 +51,7 @@ bool IsSafe(const drmModeModeInfo& mode) {
 drmModeModeInfo Timed(int width_px, int height_px, int rate_hz) {
   constexpr double kBlank_s = 460e-6;
   constexpr int kFront = 3, kSync = 4, kLeastBack = 6;
+  // The time of a line, from which the number of blank lines follows.
   const double line_s = (1.0 / rate_hz - kBlank_s) / height_px;
   const int blank = std::max(int(std::ceil(kBlank_s / line_s)) + 1, kFront + kSync + kLeastBack);
   drmModeModeInfo mode{};
@@ -66,13 +70,13 @@ drmModeModeInfo Timed(int width_px, int height_px, int rate_hz) {
   return mode;
 }
 
-// The number that `words` begin with, up to `ends`, which are taken too.
-std::optional<int> TakeNumber(std::string_view& words, std::string_view ends, int most) {
+// The number that `text` begins with, and `ends` behind it; both are removed from `text`.
+std::optional<int> ReadNumber(std::string_view& text, std::string_view ends, int most) {
   int value = 0;
-  const auto read = std::from_chars(words.data(), words.data() + words.size(), value);
-  words.remove_prefix(std::size_t(read.ptr - words.data()));
-  if (read.ec != std::errc() || value < 1 || value > most || !words.starts_with(ends)) return std::nullopt;
-  words.remove_prefix(ends.size());
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  text.remove_prefix(std::size_t(read.ptr - text.data()));
+  if (read.ec != std::errc() || value < 1 || value > most || !text.starts_with(ends)) return std::nullopt;
+  text.remove_prefix(ends.size());
   return value;
 }
 
@@ -82,24 +86,25 @@ ChosenMode ChooseMode(std::span<const drmModeModeInfo> modes) {
   const drmModeModeInfo* safe = nullptr;
   const drmModeModeInfo* any = nullptr;
   for (const auto& mode : modes) {
-    if (!IsSound(mode)) continue;
-    if ((mode.type & DRM_MODE_TYPE_PREFERRED) != 0) return {mode, true};
+    if (!IsValid(mode)) continue;
+    if ((mode.type & DRM_MODE_TYPE_PREFERRED) != 0) return {mode, ports::ModeOrigin::kWanted};
     if (IsSafe(mode) && (safe == nullptr || Area(mode) > Area(*safe))) safe = &mode;
     if (any == nullptr) any = &mode;
   }
   const auto* const best = safe != nullptr ? safe : any;
-  return {best == nullptr ? LastResort() : *best, false};
+  return {best == nullptr ? LastResort() : *best};
 }
 
-std::optional<drmModeModeInfo> ParseMode(std::string_view words) {
-  const auto width_px = TakeNumber(words, "x", kFurthest_px);
-  const auto height_px = width_px ? TakeNumber(words, "@", kFurthest_px) : std::nullopt;
-  const auto rate_hz = height_px ? TakeNumber(words, "", kFastest_hz) : std::nullopt;
-  if (!rate_hz || !words.empty()) return std::nullopt;
+std::optional<drmModeModeInfo> ParseMode(std::string_view text) {
+  const auto width_px = ReadNumber(text, "x", kFurthest_px);
+  const auto height_px = width_px ? ReadNumber(text, "@", kFurthest_px) : std::nullopt;
+  const auto rate_hz = height_px ? ReadNumber(text, "", kFastest_hz) : std::nullopt;
+  if (!rate_hz || !text.empty()) return std::nullopt;
   return Timed(*width_px, *height_px, *rate_hz);
 }
 
 Duration PeriodOf(const drmModeModeInfo& mode) {
+  // Modes of virtual machines have no timings.
   if (mode.clock == 0 || mode.htotal == 0 || mode.vtotal == 0) return FromSeconds(1.0 / 60);
   return FromSeconds(mode.htotal * 1e-3 * mode.vtotal / mode.clock);  // The clock is in kHz.
 }

@@ -1,4 +1,4 @@
-// In which mode a screen is shown.
+// Chooses the mode in which a screen is shown.
 #pragma once
 
 #include <xf86drmMode.h>
@@ -8,25 +8,26 @@
 #include <string_view>
 
 #include "drivers/base/clock.h"
+#include "drivers/ports/output.h"
 
 namespace kaori::scanout {
 
 struct ChosenMode {
   drmModeModeInfo mode{};
-  bool wished = false;   // By the screen, or by people; else it is a safe guess.
-  bool instead = false;  // The card refused a better one.
+  ports::ModeOrigin origin = ports::ModeOrigin::kSafeGuess;
 };
 
-// The mode that the screen asks for by its EDID; of a screen that asks for none (a broken EDID, or none at
-// all) the largest one that every cable carries, up to 1920 x 1080; where there are none at all, 640 x 480,
-// which every screen takes.
+// The mode that the screen's EDID prefers. A screen that prefers none (its EDID is broken or missing) gets
+// the largest progressive mode up to 1920 x 1080, which every cable carries, or else its first mode. A screen
+// without modes gets 640 x 480 at 60 Hz, which every screen shows. Modes without pixels, or beyond 16384
+// pixels a side, are passed over. Pure.
 ChosenMode ChooseMode(std::span<const drmModeModeInfo> modes);
 
-// A mode of people's own, as in "1280x720@50", timed as VESA's CVT does with reduced blanking. None where the
-// words are no mode, or one that no card has.
-std::optional<drmModeModeInfo> ParseMode(std::string_view words);
+// A mode that people ask for, as in "1280x720@50", timed by VESA's CVT 1.2 with reduced blanking. None where
+// `text` is no mode, or is beyond 16384 pixels a side or 1000 Hz. Pure.
+std::optional<drmModeModeInfo> ParseMode(std::string_view text);
 
-// From one vertical blank to the next; 60 Hz where the mode does not say.
+// From one vertical blank to the next; 1/60 s where the mode has no pixel clock.
 Duration PeriodOf(const drmModeModeInfo& mode);
 
 }  // namespace kaori::scanout

@@ -1,26 +1,24 @@
 #include "drivers/scanout/kms_output.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
 namespace kaori::scanout {
 namespace {
 
-// Who drives whom: for each CRTC the connector that it drives, by its place in the list. Kuhn's algorithm: a
-// connector may push another one on to a CRTC that is free.
-class Wiring {
+// Assigns CRTCs to connectors: a maximum matching by Kuhn's algorithm, in which a connector may move another
+// one on to a CRTC that is free. Connectors and CRTCs are indices into the card's order.
+class CrtcMatching {
  public:
-  Wiring(const std::vector<KmsConnector>& connectors, std::uint32_t usable)
+  CrtcMatching(const std::vector<KmsConnector>& connectors, std::uint32_t usable)
       : connectors_(connectors), usable_(usable) {}
 
-  void Wire(std::size_t connector) {
+  void Add(std::size_t connector) {
     tried_ = 0;
-    Find(connector);
+    Assign(connector);
   }
 
-  // The CRTC of the connector, by its place in the card's order.
+  // The index of the connector's CRTC; none where it got none.
   std::optional<std::size_t> CrtcOf(std::size_t connector) const {
     const auto found = std::ranges::find(driven_, std::optional(connector));
     if (found == driven_.end()) return std::nullopt;
@@ -28,22 +26,22 @@ class Wiring {
   }
 
  private:
-  // One that is free is taken first: the others keep theirs.
-  bool Find(std::size_t connector) {
-    for (const bool push : {false, true}) {
+  // Free CRTCs come first, so that the other connectors keep theirs.
+  bool Assign(std::size_t connector) {
+    for (const bool move : {false, true}) {
       for (std::size_t crtc = 0; crtc < driven_.size(); ++crtc) {
         if ((connectors_[connector].crtcs & usable_ & ~tried_) >> crtc == 0) break;
-        if (Assign(connector, crtc, push)) return true;
+        if (AssignTo(connector, crtc, move)) return true;
       }
     }
     return false;
   }
 
-  bool Assign(std::size_t connector, std::size_t crtc, bool push) {
+  bool AssignTo(std::size_t connector, std::size_t crtc, bool move) {
     const bool possible = ((connectors_[connector].crtcs & usable_ & ~tried_) >> crtc & 1) != 0;
-    if (!possible || (driven_[crtc] && !push)) return false;
+    if (!possible || (driven_[crtc] && !move)) return false;
     tried_ |= 1U << crtc;
-    if (driven_[crtc] && !Find(*driven_[crtc])) return false;
+    if (driven_[crtc] && !Assign(*driven_[crtc])) return false;
     driven_[crtc] = connector;
     return true;
   }
@@ -54,30 +52,34 @@ class Wiring {
   std::uint32_t tried_ = 0;
 };
 
+// The connectors that have a screen, with its modes.
 std::vector<KmsConnector> PluggedIn(KmsDevice& card) {
   std::vector<KmsConnector> found;
-  const bool stirred = card.Stirred();
+  const bool hotplug = card.DrainHotplug();
   for (const std::uint32_t id : card.Connectors()) {
-    if (!stirred && card.PlugOf(id) == Plug::kEmpty) continue;
+    if (!hotplug && card.ConnectionOf(id) == Connection::kDisconnected) continue;
     auto connector = card.Probe(id);
     if (connector && connector->plugged) found.push_back(std::move(*connector));
   }
   return found;
 }
 
+// Names and types of modes differ between probes of the same screen: timings count.
 bool IsSame(const drmModeModeInfo& one, const drmModeModeInfo& other) {
   return one.clock == other.clock && one.hdisplay == other.hdisplay && one.vdisplay == other.vdisplay &&
          one.htotal == other.htotal && one.vtotal == other.vtotal && one.flags == other.flags;
 }
 
-bool IsRefused(const KmsWishes& wishes, std::uint32_t connector, const drmModeModeInfo& mode) {
-  return std::ranges::any_of(wishes.refused, [&](const KmsRefusal& refusal) {
+// Whether the card refused this mode on this connector since the screen was plugged in.
+bool IsRefused(const KmsPreferences& preferences, std::uint32_t connector, const drmModeModeInfo& mode) {
+  return std::ranges::any_of(preferences.refused, [&](const KmsRefusal& refusal) {
     return refusal.connector == connector && IsSame(refusal.mode, mode);
   });
 }
 
-void ForgetRefusals(KmsWishes& wishes, const std::vector<KmsConnector>& plugged) {
-  std::erase_if(wishes.refused, [&](const KmsRefusal& refusal) {
+// Another screen may be plugged in next: what was refused was of the one that is gone.
+void ForgetRefusals(KmsPreferences& preferences, const std::vector<KmsConnector>& plugged) {
+  std::erase_if(preferences.refused, [&](const KmsRefusal& refusal) {
     return std::ranges::find(plugged, refusal.connector, &KmsConnector::id) == plugged.end();
   });
 }
@@ -104,27 +106,29 @@ std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs) {
   return planes;
 }
 
-Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsWishes& wishes) {
+Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsPreferences& preferences) {
   auto connectors = PluggedIn(card);
-  ForgetRefusals(wishes, connectors);
+  ForgetRefusals(preferences, connectors);
   if (connectors.empty()) return Fail(std::errc::no_such_device, "find a screen on the graphics card");
-  std::erase_if(connectors, [&](const KmsConnector& connector) { return !ModeFor(connector, wishes); });
+  std::erase_if(connectors, [&](const KmsConnector& connector) { return !ModeFor(connector, preferences); });
   const auto crtcs = card.Crtcs();
   const auto planes = PlanesOf(card, crtcs.size());
-  Wiring wiring(connectors, UsableOf(planes));
-  for (std::size_t i = 0; i < connectors.size(); ++i) wiring.Wire(i);
+  CrtcMatching matching(connectors, UsableOf(planes));
+  for (std::size_t i = 0; i < connectors.size(); ++i) matching.Add(i);
   std::vector<KmsOutput> outputs;
   for (std::size_t i = 0; i < connectors.size(); ++i)
-    if (const auto crtc = wiring.CrtcOf(i))
+    if (const auto crtc = matching.CrtcOf(i))
       outputs.push_back({connectors[i].id, connectors[i].name, crtcs[*crtc], planes[*crtc],
-                         *ModeFor(connectors[i], wishes)});
+                         *ModeFor(connectors[i], preferences)});
   if (outputs.empty()) return Fail(std::errc::not_supported, "show on any screen that is plugged in");
   return outputs;
 }
 
-std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name, std::vector<KmsOutput>& outputs) {
+std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name,
+                                             std::vector<KmsOutput>& outputs) {
   if (name.empty() || outputs.size() < 2) return std::nullopt;
   const auto connectors = card.Connectors();
+  // People count connectors from 1.
   const auto number_of = [&](const KmsOutput& output) {
     return std::ranges::find(connectors, output.connector) - connectors.begin() + 1;
   };
@@ -132,30 +136,31 @@ std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string&
     return output.name == name || std::to_string(number_of(output)) == name;
   });
   if (found == outputs.end()) return std::nullopt;
-  KmsOutput sign = std::move(*found);
+  KmsOutput status = std::move(*found);
   outputs.erase(found);
-  return sign;
+  return status;
 }
 
-std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsWishes& wishes) {
-  if (wishes.mode && !IsRefused(wishes, connector.id, *wishes.mode)) return ChosenMode{*wishes.mode, true};
+std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsPreferences& preferences) {
+  if (preferences.mode && !IsRefused(preferences, connector.id, *preferences.mode))
+    return ChosenMode{*preferences.mode, ports::ModeOrigin::kWanted};
   auto modes = connector.modes;
-  std::erase_if(modes, [&](const auto& mode) { return IsRefused(wishes, connector.id, mode); });
+  std::erase_if(modes, [&](const auto& mode) { return IsRefused(preferences, connector.id, mode); });
   auto chosen = ChooseMode(modes);
-  if (IsRefused(wishes, connector.id, chosen.mode)) return std::nullopt;
-  chosen.instead = wishes.mode || modes.size() < connector.modes.size();
+  if (IsRefused(preferences, connector.id, chosen.mode)) return std::nullopt;
+  if (preferences.mode || modes.size() < connector.modes.size())
+    chosen.origin = ports::ModeOrigin::kSubstitute;
   return chosen;
 }
 
-std::string Describe(const KmsOutput& output) {
+ports::Output PortOutput(const KmsOutput& output, ports::OutputState state) {
   const auto& mode = output.chosen.mode;
-  const char* why = "";
-  if (output.chosen.instead)
-    why = ", in place of what the card refuses";
-  else if (!output.chosen.wished)
-    why = ", which is safe: the screen itself asks for no mode";
-  return fmt::format("{} {} x {} at {:.4g} Hz{}", output.name, mode.hdisplay, mode.vdisplay,
-                     1 / Seconds(PeriodOf(mode)), why);
+  return {.connector = output.name,
+          .width_px = mode.hdisplay,
+          .height_px = mode.vdisplay,
+          .rate_hz = 1 / Seconds(PeriodOf(mode)),
+          .origin = output.chosen.origin,
+          .state = state};
 }
 
 }  // namespace kaori::scanout

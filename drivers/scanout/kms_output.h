@@ -1,4 +1,4 @@
-// Which connectors of a graphics card show a picture, each through which CRTC and plane, in which mode.
+// Finds the screens of a graphics card, and gives each a CRTC, a plane and a mode.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,11 @@
 
 #include "drivers/scanout/kms_device.h"
 #include "drivers/scanout/kms_mode.h"
-#include "drivers/scanout/kms_wishes.h"
+#include "drivers/scanout/kms_preferences.h"
 
 namespace kaori::scanout {
 
+// A connector with a screen, and what it is driven by.
 struct KmsOutput {
   std::uint32_t connector = 0;
   std::string name;
@@ -20,24 +21,27 @@ struct KmsOutput {
   ChosenMode chosen;
 };
 
-// Every screen that is plugged in and can be driven beside the others, in the card's order, each in the first
-// mode that the card has not refused. Where the card cannot drive them all, as many as it can. What was
-// refused is forgotten with a screen that was pulled. Probes no connector that the kernel knows to be empty,
-// but where it says that something changed. Errors: no_such_device (no screen is plugged in), not_supported
-// (the card can show on none of them).
-Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsWishes& wishes);
+// Every screen that is plugged in, in the card's order, each in the first mode that the card has not refused.
+// Where the card cannot drive them all together, as many as it can. Refusals are forgotten with a screen that
+// was pulled. Probes every connector after a hotplug report, and else only those that the kernel does not
+// know to be empty: each takes tens of milliseconds. Errors:
+//   no_such_device  no screen is plugged in
+//   not_supported   the card can show on none of them
+Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsPreferences& preferences);
 
-// Takes the sign out of the outputs: none where nobody wishes for one, where it is not among them, or where
-// it is the only screen, which is the show's.
-std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name, std::vector<KmsOutput>& outputs);
+// Removes the status display from the outputs. `name` is the connector's, or its number on the card from 1.
+// None where `name` is empty or not among the outputs, or where it is the only screen, which is the show's.
+std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name,
+                                             std::vector<KmsOutput>& outputs);
 
 // For each CRTC, in the card's order, a primary plane of its own; 0 where there is none.
 std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs);
 
-// The mode in which the screen is to be shown; none where the card has refused all of them.
-std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsWishes& wishes);
+// The mode that people prefer, else ChooseMode's; without those
+// that the card refused. None where it refused all of them.
+std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsPreferences& preferences);
 
-// For people: "HDMI-A-1 1920 x 1080 at 60 Hz".
-std::string Describe(const KmsOutput& output);
+// The output as the port tells it.
+ports::Output PortOutput(const KmsOutput& output, ports::OutputState state);
 
 }  // namespace kaori::scanout

@@ -12,15 +12,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kLookPeriod = 250ms;  // How often connectors are looked at.
-constexpr Duration kGivenUp = 5s;        // A card that refused everything is asked once more after this.
-constexpr Duration kLongestFlip = 2s;    // A card that takes longer has lost the frame.
+constexpr Duration kCheckPeriod = 250ms;  // How often connectors are checked.
+constexpr Duration kGivenUp = 5s;         // A card that refused everything is tried once more after this.
+constexpr Duration kLongestFlip = 2s;     // A card that takes longer has lost the frame.
 
-// Whose flip an event is: a dead program's comes by through the same file, and is not ours.
+// Marks our flips: those of a program that died come through the same file.
 std::uint64_t TokenOf(std::uint64_t frame) {
   return std::uint64_t(::getpid()) << 32 | (frame & 0xffffffff);
 }
 
+// The screen with the most pixels: where memory is short, its mode is the one to give up.
 const KmsOutput& Largest(const KmsWall& wall) {
   const auto area = [](const KmsPanel& panel) {
     return int{panel.output.chosen.mode.hdisplay} * panel.output.chosen.mode.vdisplay;
@@ -28,151 +29,165 @@ const KmsOutput& Largest(const KmsWall& wall) {
   return std::ranges::max_element(wall.panels, {}, area)->output;
 }
 
-void Refuse(const KmsOutput& output, Time now, KmsWishes& wishes) {
-  wishes.refused.push_back({output.connector, output.chosen.mode});
-  wishes.refused_at = now;
+// Notes that the card refused the output's mode.
+void Refuse(const KmsOutput& output, Time now, KmsPreferences& preferences) {
+  preferences.refused.push_back({output.connector, output.chosen.mode});
+  preferences.refused_at = now;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<KmsScreen>> KmsScreen::Open(KmsDevice& card, const MakePictures& make,
-                                                   const Clock& clock, KmsWishes& wishes) {
-  auto outputs = FindOutputs(card, wishes);
+Result<std::unique_ptr<KmsScreen>> KmsScreen::Open(KmsDevice& card, const MakeSurface& make,
+                                                   const Clock& clock, KmsPreferences& preferences) {
+  auto outputs = FindOutputs(card, preferences);
   if (!outputs) {
-    if (clock.now() - wishes.refused_at > kGivenUp) wishes.refused.clear();
+    // What a card refuses may depend on a screen that has gone meanwhile.
+    if (clock.now() - preferences.refused_at > kGivenUp) preferences.refused.clear();
     return tl::unexpected(outputs.error());
   }
-  auto sign = ExtractStatusOutput(card, wishes.sign, *outputs);
+  auto status = ExtractStatusOutput(card, preferences.status_connector, *outputs);
   KmsWall wall = Arrange(std::move(*outputs));
-  wall.sign = std::move(sign);
-  auto pictures = make(wall.width_px, wall.height_px);
-  if (!pictures) {
-    Refuse(Largest(wall), clock.now(), wishes);
-    return tl::unexpected(pictures.error());
+  wall.status = std::move(status);
+  auto surface = make(wall.width_px, wall.height_px);
+  if (!surface) {
+    Refuse(Largest(wall), clock.now(), preferences);
+    return tl::unexpected(surface.error());
   }
   return std::unique_ptr<KmsScreen>(
-      new KmsScreen(card, std::move(wall), std::move(*pictures), clock, wishes));
+      new KmsScreen(card, std::move(wall), std::move(*surface), clock, preferences));
 }
 
-KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures> pictures, const Clock& clock,
-                     KmsWishes& wishes)
+KmsScreen::KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsSurface> surface, const Clock& clock,
+                     KmsPreferences& preferences)
     : card_(card),
       wall_(std::move(wall)),
-      pictures_(std::move(pictures)),
+      surface_(std::move(surface)),
       clock_(clock),
-      wishes_(wishes),
-      looked_(clock.now()) {
+      preferences_(preferences),
+      checked_at_(clock.now()) {
   for (const KmsPanel& panel : wall_.panels) panels_.push_back({panel});
   for (const std::uint32_t connector : card_.Connectors())
-    if (IsNewcomer(connector) && card_.PlugOf(connector) == Plug::kPlugged) seen_.push_back(connector);
+    if (IsNew(connector) && card_.ConnectionOf(connector) == Connection::kConnected)
+      undriven_.push_back(connector);
+  // AddOutputSettings adds 13.
   constexpr std::size_t kMostSettings = 13;  // Of one screen.
   settings_.reserve(panels_.size() * kMostSettings);
-  // Where there is no memory for one, the show goes on without.
-  if (wall_.sign) status_display_ = KmsStatusDisplay::Open(card_, *wall_.sign).value_or(nullptr);
+  // Where there is no memory for a status display, the show goes on without.
+  if (wall_.status) status_display_ = KmsStatusDisplay::Open(card_, *wall_.status).value_or(nullptr);
 }
 
-// The card keeps a mode for as long as it shows it.
+// The card itself keeps a mode for as long as it shows it.
 KmsScreen::~KmsScreen() {
   for (const Panel& panel : panels_)
-    if (panel.mode != 0) card_.ForgetMode(panel.mode);
+    if (panel.mode != 0) card_.DestroyModeBlob(panel.mode);
 }
 
 Result<ports::PixelBuffer> KmsScreen::Acquire() {
+  if (gone_) return tl::unexpected(*gone_);
   const Time now = clock_.now();
-  if (now - looked_ >= kLookPeriod) {
-    looked_ = now;
-    if (auto looked = Look(); !looked) return tl::unexpected(looked.error());
+  if (now - checked_at_ >= kCheckPeriod) {
+    checked_at_ = now;
+    if (auto checked = CheckConnectors(); !checked) return Gone(checked.error());
   }
-  if (Owes() || shown_) {
+  if (FlipIsPending() || shown_) {
     if (now - presented_at_ > kLongestFlip)
-      return Fail(std::errc::no_such_device, "await a flip of the screen");
+      return Gone({std::errc::no_such_device, "await a flip of the screen"});
     return Fail(std::errc::resource_unavailable_try_again, "draw for the screen");
   }
   acquired_ = true;
-  return ports::PixelBuffer{wall_.width_px, wall_.height_px, {}, pictures_->window()};
+  return ports::PixelBuffer{wall_.width_px, wall_.height_px, ports::EglSurface{surface_->native()}};
 }
 
-// The kernel's own view is that of the last probe; a screen that is lit may have given way to another one.
-Result<void> KmsScreen::Ask() {
+tl::unexpected<Error> KmsScreen::Gone(const Error& error) {
+  gone_ = error;
+  return tl::unexpected(error);
+}
+
+// The kernel knows what the last probe saw: a screen that
+// is shown may have been replaced by another one since.
+Result<void> KmsScreen::ProbeAll() {
   for (const std::uint32_t connector : card_.Connectors()) {
     const auto found = card_.Probe(connector);
     const auto panel =
         std::ranges::find(panels_, connector, [](const Panel& p) { return p.at.output.connector; });
     if (found && found->plugged && panel != panels_.end() && !IsAsBefore(*found, *panel))
-      return Fail(std::errc::no_such_device, "leave the screens as they were: one has another mode");
+      return Fail(std::errc::no_such_device, "keep the screens as they were: one has another mode");
   }
   return {};
 }
 
+// Another mode of the same size would do: the part of the picture stays the same.
 bool KmsScreen::IsAsBefore(const KmsConnector& connector, const Panel& panel) const {
-  const auto now = ModeFor(connector, wishes_);
+  const auto now = ModeFor(connector, preferences_);
   const auto& before = panel.at.output.chosen.mode;
   return now && now->mode.hdisplay == before.hdisplay && now->mode.vdisplay == before.vdisplay;
 }
 
-Result<void> KmsScreen::Look() {
-  if (card_.Stirred())
-    if (auto asked = Ask(); !asked) return asked;
+Result<void> KmsScreen::CheckConnectors() {
+  if (card_.DrainHotplug())
+    if (auto probed = ProbeAll(); !probed) return probed;
   for (const std::uint32_t connector : card_.Connectors()) {
-    const bool plugged = card_.PlugOf(connector) == Plug::kPlugged;
-    if (!plugged) std::erase(seen_, connector);
-    if (plugged && IsNewcomer(connector))
-      return Fail(std::errc::no_such_device, "leave the screens as they were: another one was plugged in");
+    const bool plugged = card_.ConnectionOf(connector) == Connection::kConnected;
+    if (!plugged) std::erase(undriven_, connector);
+    if (plugged && IsNew(connector))
+      return Fail(std::errc::no_such_device, "keep the screens as they were: another one was plugged in");
   }
   for (Panel& panel : panels_)
-    if (auto looked = LookAt(panel); !looked) return looked;
+    if (auto checked = CheckPanel(panel); !checked) return checked;
   if (First() == nullptr) return Fail(std::errc::no_such_device, "draw for the screen");
   return {};
 }
 
-bool KmsScreen::IsNewcomer(std::uint32_t connector) const {
-  return std::ranges::find(seen_, connector) == seen_.end() &&
+bool KmsScreen::IsNew(std::uint32_t connector) const {
+  return std::ranges::find(undriven_, connector) == undriven_.end() &&
          std::ranges::none_of(panels_, [&](const Panel& p) { return p.at.output.connector == connector; });
 }
 
-Result<void> KmsScreen::LookAt(Panel& panel) {
+Result<void> KmsScreen::CheckPanel(Panel& panel) {
   const std::uint32_t connector = panel.at.output.connector;
-  const bool plugged = card_.PlugOf(connector) == Plug::kPlugged;
+  const bool plugged = card_.ConnectionOf(connector) == Connection::kConnected;
   if (!plugged) {
-    panel.light = Light::kDark;
-    panel.flips = false;
+    panel.state = PanelState::kUnplugged;
+    panel.flip_pending = false;
     return {};
   }
-  if (panel.light != Light::kDark) return {};
+  if (panel.state != PanelState::kUnplugged) return {};
   const auto back = card_.Probe(connector);
   if (!back || !back->plugged) return {};
   if (!IsAsBefore(*back, panel))
-    return Fail(std::errc::no_such_device, "leave the screens as they were: one came back with another mode");
-  panel.light = Light::kNew;
+    return Fail(std::errc::no_such_device, "keep the screens as they were: one came back with another mode");
+  panel.state = PanelState::kNew;
   return {};
 }
 
 Result<void> KmsScreen::Present(std::uint64_t frame) {
+  if (gone_) return tl::unexpected(*gone_);
   if (!std::exchange(acquired_, false)) return FailInput("present without a buffer");
-  const auto framebuffer = pictures_->LockFront();
+  const auto framebuffer = surface_->LockFront();
   if (!framebuffer) {
-    if (framebuffer.error().cause != std::errc::io_error) Refuse(Largest(wall_), clock_.now(), wishes_);
+    if (framebuffer.error().cause != std::errc::io_error) Refuse(Largest(wall_), clock_.now(), preferences_);
     return tl::unexpected(framebuffer.error());
   }
+  // Before the commit: its token is made of the frame's number.
   frame_ = frame;
   if (auto shown = Commit(*framebuffer); !shown) return tl::unexpected(Blame(shown.error(), *framebuffer));
   presented_at_ = clock_.now();
-  for (Panel& panel : panels_) panel.flips = panel.light != Light::kDark;
+  for (Panel& panel : panels_) panel.flip_pending = panel.state != PanelState::kUnplugged;
   return {};
 }
 
-// Where a screen shows the same mode already, as after a restart, the kernel changes the picture alone.
+// A screen that is shown already needs the new framebuffer alone.
 Result<void> KmsScreen::Commit(std::uint32_t framebuffer) {
   settings_.clear();
   bool sets_modes = false;
-  if (!alone_) AddOthersOff();
+  if (!others_removed_) AddOthersOff();
   for (Panel& panel : panels_) {
-    if (panel.light == Light::kDark) continue;
-    if (panel.light == Light::kLit) {
+    if (panel.state == PanelState::kUnplugged) continue;
+    if (panel.state == PanelState::kShown) {
       settings_.push_back({panel.at.output.plane, DRM_MODE_OBJECT_PLANE, "FB_ID", framebuffer});
       continue;
     }
-    if (auto added = AddAll(panel, framebuffer); !added) return added;
+    if (auto added = AddPanel(panel, framebuffer); !added) return added;
     sets_modes = true;
   }
   return card_.Commit(settings_, TokenOf(frame_), sets_modes);
@@ -180,39 +195,41 @@ Result<void> KmsScreen::Commit(std::uint32_t framebuffer) {
 
 bool KmsScreen::CouldShow(Panel& panel, std::uint32_t framebuffer) {
   settings_.clear();
-  return AddAll(panel, framebuffer) && card_.Try(settings_);
+  return AddPanel(panel, framebuffer) && card_.TestCommit(settings_);
 }
 
-// Which screen's mode it was that the card refused, it says of each alone. Where each alone would do, they
-// are too much together, and the last one that is new gives way.
+// Finds the screen whose mode the card refused, by a test commit for each new screen alone, and notes the
+// refusal. Where the card would accept each alone they are too many together, and the last new one gives way.
 Error KmsScreen::Blame(const Error& error, std::uint32_t framebuffer) {
   if (error.cause == std::errc::device_or_resource_busy || error.cause == std::errc::permission_denied)
     return error;
   const Panel* blamed = nullptr;
   bool alone = false;
   for (Panel& panel : panels_) {
-    if (panel.light != Light::kNew || alone) continue;
+    if (panel.state != PanelState::kNew || alone) continue;
     alone = !CouldShow(panel, framebuffer);
     blamed = &panel;
   }
   if (blamed == nullptr) return error;
-  Refuse(blamed->at.output, clock_.now(), wishes_);
-  return {error.cause, "show " + Describe(blamed->at.output)};
+  Refuse(blamed->at.output, clock_.now(), preferences_);
+  return {error.cause,
+          "show " + ports::Describe(PortOutput(blamed->at.output, ports::OutputState::kShowsPicture))};
 }
 
-Result<void> KmsScreen::AddAll(Panel& panel, std::uint32_t framebuffer) {
+Result<void> KmsScreen::AddPanel(Panel& panel, std::uint32_t framebuffer) {
   const KmsOutput& output = panel.at.output;
   if (panel.mode == 0) {
-    const auto told = card_.TellMode(output.chosen.mode);
-    if (!told) return tl::unexpected(told.error());
-    panel.mode = *told;
+    const auto blob = card_.CreateModeBlob(output.chosen.mode);
+    if (!blob) return tl::unexpected(blob.error());
+    panel.mode = *blob;
   }
-  AddWhole(output, panel.mode, {framebuffer, panel.at.x_px, panel.at.y_px}, settings_);
+  AddOutputSettings(output, panel.mode, {framebuffer, panel.at.x_px, panel.at.y_px}, settings_);
   return {};
 }
 
-// What an earlier program showed elsewhere, on a screen that has gone since, ends: its CRTC may be needed.
+// Turns off what an earlier program showed on connectors that are not ours: its CRTC may be needed.
 void KmsScreen::AddOthersOff() {
+  // Whether an output of ours, or the status display, has this object.
   const auto is_ours = [this](std::uint32_t KmsOutput::*part, std::uint32_t id) {
     return (status_display_ && status_display_->output().*part == id) ||
            std::ranges::any_of(panels_, [&](const Panel& p) { return p.at.output.*part == id; });
@@ -223,7 +240,8 @@ void KmsScreen::AddOthersOff() {
   const auto crtcs = card_.Crtcs();
   const auto planes = PlanesOf(card_, crtcs.size());
   for (std::size_t i = 0; i < crtcs.size(); ++i) {
-    if (is_ours(&KmsOutput::crtc, crtcs[i]) || !card_.IsLit(crtcs[i])) continue;
+    if (is_ours(&KmsOutput::crtc, crtcs[i]) || !card_.IsActive(crtcs[i])) continue;
+    // A CRTC without a mode must not be active, and its plane must be empty: KMS refuses half of it.
     settings_.push_back({crtcs[i], DRM_MODE_OBJECT_CRTC, "MODE_ID", 0});
     settings_.push_back({crtcs[i], DRM_MODE_OBJECT_CRTC, "ACTIVE", 0});
     if (planes[i] == 0) continue;
@@ -233,11 +251,14 @@ void KmsScreen::AddOthersOff() {
 }
 
 Result<ports::Flip> KmsScreen::ReadFlip() {
+  if (gone_) return tl::unexpected(*gone_);
+  // Flips of an earlier frame, or of a program that died, have another token.
   while (const auto flip = card_.ReadFlip())
     if (flip->token == TokenOf(frame_)) HandleFlip(*flip);
-  if (!shown_ || Owes()) return Fail(std::errc::resource_unavailable_try_again, "read a flip of the screen");
-  if (!std::exchange(alone_, true)) RemoveOldFramebuffers();
-  pictures_->ReleasePrevious();
+  if (!shown_ || FlipIsPending())
+    return Fail(std::errc::resource_unavailable_try_again, "read a flip of the screen");
+  if (!std::exchange(others_removed_, true)) RemoveOldFramebuffers();
+  surface_->ReleasePrevious();
   const Panel* const first = First();
   const Duration period = PeriodOf((first == nullptr ? panels_.front() : *first).at.output.chosen.mode);
   return ports::Flip{*std::exchange(shown_, std::nullopt), frame_, period};
@@ -245,34 +266,40 @@ Result<ports::Flip> KmsScreen::ReadFlip() {
 
 void KmsScreen::HandleFlip(const KmsFlip& flip) {
   for (Panel& panel : panels_) {
-    if (panel.at.output.crtc != flip.crtc || !panel.flips) continue;
-    panel.flips = false;
-    panel.light = Light::kLit;
+    if (panel.at.output.crtc != flip.crtc || !panel.flip_pending) continue;
+    panel.flip_pending = false;
+    panel.state = PanelState::kShown;
     if (!shown_ || &panel == First()) shown_ = flip.at;
   }
 }
 
 KmsScreen::Panel* KmsScreen::First() {
-  const auto first = std::ranges::find_if(panels_, [](const Panel& p) { return p.light != Light::kDark; });
+  const auto first =
+      std::ranges::find_if(panels_, [](const Panel& p) { return p.state != PanelState::kUnplugged; });
   return first == panels_.end() ? nullptr : &*first;
 }
 
-bool KmsScreen::Owes() const {
-  return std::ranges::any_of(panels_, [](const Panel& panel) { return panel.flips; });
+bool KmsScreen::FlipIsPending() const {
+  return std::ranges::any_of(panels_, [](const Panel& panel) { return panel.flip_pending; });
 }
 
-// Only now: removing the picture that is shown blanks the screen.
+// Only after the first flip of ours: removing the framebuffer that is shown blanks the screen.
 void KmsScreen::RemoveOldFramebuffers() {
   for (const std::uint32_t framebuffer : card_.Framebuffers())
-    if (!pictures_->Made(framebuffer) && !(status_display_ && status_display_->Needs(framebuffer))) card_.Remove(framebuffer);
+    if (!surface_->Owns(framebuffer) && !(status_display_ && status_display_->Needs(framebuffer)))
+      card_.RemoveFramebuffer(framebuffer);
 }
 
-std::string KmsScreen::Words() const {
-  std::string words;
-  for (const Panel& panel : panels_)
-    words += Describe(panel.at.output) + (panel.light == Light::kDark ? ", pulled\n" : "\n");
-  if (status_display_) words += Describe(status_display_->output()) + ", shows the status\n";
-  return words;
+std::vector<ports::Output> KmsScreen::outputs() const {
+  std::vector<ports::Output> outputs;
+  for (const Panel& panel : panels_) {
+    const bool plugged = panel.state != PanelState::kUnplugged;
+    const auto state = plugged ? ports::OutputState::kShowsPicture : ports::OutputState::kUnplugged;
+    outputs.push_back(PortOutput(panel.at.output, state));
+  }
+  if (status_display_)
+    outputs.push_back(PortOutput(status_display_->output(), ports::OutputState::kShowsStatus));
+  return outputs;
 }
 
 }  // namespace kaori::scanout

@@ -14,75 +14,94 @@
 
 namespace kaori::scanout {
 
-// Makes room for pictures of this size.
-using MakePictures = std::function<Result<std::unique_ptr<KmsPictures>>(int width_px, int height_px)>;
+// Makes the buffers that EGL draws pictures of this size into.
+using MakeSurface = std::function<Result<std::unique_ptr<KmsSurface>>(int width_px, int height_px)>;
 
 // Never blanks: the picture stays when this object, or its program, ends.
 //
-// A screen that is pulled keeps its place, and the others play on. When it is back it shows again within 0.5
-// s. Once all are pulled, or another one is plugged in, or one comes back with another mode, this screen is
-// gone, and to be opened anew; so too where the card refuses a screen's mode, which is noted in the wishes:
-// the next one is opened in another mode, or without that screen.
+// The part of the picture of a screen that is pulled is kept for it, and
+// the others play on. The screen shows again within 0.5 s after it is back.
+// All calls say no_such_device, and this object is to be opened anew, once
+//   - all screens are pulled,
+//   - another one is plugged in,
+//   - one is back with another mode, or
+//   - the card delivers no flip for 2 s.
+// Where the card refuses a screen's mode, Present fails and the refusal is noted in the preferences: the
+// object that is opened next has another mode there, or goes without that screen.
 class KmsScreen final : public ports::Scanout {
  public:
-  // All screens that are plugged in, as `wishes` say. `card`, `clock` and `wishes` must outlive it. Errors:
-  // those of FindOutputs and of `make`.
-  static Result<std::unique_ptr<KmsScreen>> Open(KmsDevice& card, const MakePictures& make,
-                                                 const Clock& clock, KmsWishes& wishes);
+  // All screens that are plugged in, as `preferences` say. `card`, `clock` and `preferences` must outlive it.
+  // Probes screens, which takes tens of milliseconds each. Errors: those of FindOutputs and of `make`.
+  static Result<std::unique_ptr<KmsScreen>> Open(KmsDevice& card, const MakeSurface& make, const Clock& clock,
+                                                 KmsPreferences& preferences);
   ~KmsScreen() override;
 
   const KmsWall& wall() const { return wall_; }
 
   int pollable() const override { return card_.pollable(); }
-  // The buffer names EGL's window, and has no bytes.
+  // Its target is an EglSurface.
   Result<ports::PixelBuffer> Acquire() override;
-  // As the port says; the picture is the one that EGL swapped last.
+  // Presents the picture that EGL swapped last.
   Result<void> Present(std::uint64_t frame) override;
-  // Once all screens show the frame; the time is that of the first of them.
+  // A frame counts as presented once every screen shows it; the time is that of the first screen.
   Result<ports::Flip> ReadFlip() override;
   ports::StatusDisplay* status_display() override { return status_display_.get(); }
-  std::string Words() const override;
+  std::vector<ports::Output> outputs() const override;
 
  private:
-  enum class Light { kDark, kNew, kLit };  // Pulled; to be shown from the next frame on; shown.
+  // kNew: shows from the next frame on.
+  enum class PanelState { kUnplugged, kNew, kShown };
+  // A screen, and what is known of it since the last check.
   struct Panel {
     KmsPanel at;
-    Light light = Light::kNew;
-    bool flips = false;      // It owes a flip.
-    std::uint32_t mode = 0;  // As the card knows it; none before the first picture.
+    PanelState state = PanelState::kNew;
+    bool flip_pending = false;
+    std::uint32_t mode = 0;  // The mode's blob; 0 before the first picture.
   };
-  KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsPictures> pictures, const Clock& clock,
-            KmsWishes& wishes);
-  Result<void> Look();
-  Result<void> Ask();
+  KmsScreen(KmsDevice& card, KmsWall wall, std::unique_ptr<KmsSurface> surface, const Clock& clock,
+            KmsPreferences& preferences);
+  // Looks for screens that came, went or changed. Errors: no_such_device (this object is to be opened anew).
+  Result<void> CheckConnectors();
+  // Probes every connector after a hotplug report. Errors: as CheckConnectors.
+  Result<void> ProbeAll();
+  // Notes the error that every call says from now on.
+  tl::unexpected<Error> Gone(const Error& error);
+  // Whether a connector's screen would get a mode of the size that its panel has.
   bool IsAsBefore(const KmsConnector& connector, const Panel& panel) const;
-  Result<void> LookAt(Panel& panel);
-  bool IsNewcomer(std::uint32_t connector) const;
+  // Notes whether the panel's screen is plugged in. Errors: as CheckConnectors.
+  Result<void> CheckPanel(Panel& panel);
+  // Whether the connector is no panel's, and was empty before.
+  bool IsNew(std::uint32_t connector) const;
+  // Shows the framebuffer on every screen that is plugged in. Errors: what the card says.
   Result<void> Commit(std::uint32_t framebuffer);
   Error Blame(const Error& error, std::uint32_t framebuffer);
   bool CouldShow(Panel& panel, std::uint32_t framebuffer);
-  Result<void> AddAll(Panel& panel, std::uint32_t framebuffer);
+  Result<void> AddPanel(Panel& panel, std::uint32_t framebuffer);
+  // Settings that free what no panel uses.
   void AddOthersOff();
   void HandleFlip(const KmsFlip& flip);
+  // The first panel whose screen is plugged in: its flips are the frame's. Null: there is none.
   Panel* First();
-  bool Owes() const;
+  bool FlipIsPending() const;
   void RemoveOldFramebuffers();
 
   KmsDevice& card_;
   KmsWall wall_;
-  std::unique_ptr<KmsPictures> pictures_;
+  std::unique_ptr<KmsSurface> surface_;
   const Clock& clock_;
-  KmsWishes& wishes_;
+  KmsPreferences& preferences_;
   std::unique_ptr<KmsStatusDisplay> status_display_;
   std::vector<Panel> panels_;
-  std::vector<std::uint32_t> seen_;   // Connectors with a screen that the card could not drive as well.
-  std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame takes from the heap.
-  Time looked_{};                     // When connectors were looked at last.
+  std::vector<std::uint32_t>
+      undriven_;  // Connectors with a screen that the card cannot drive beside the others.
+  std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame allocates.
+  Time checked_at_{};                 // When connectors were checked last.
   Time presented_at_{};
   std::uint64_t frame_ = 0;    // The one presented last.
-  std::optional<Time> shown_;  // When it came to light; until ReadFlip told.
+  std::optional<Time> shown_;  // When it was presented; until ReadFlip returns it.
   bool acquired_ = false;
-  bool alone_ = false;  // No framebuffer of another program is left.
+  bool others_removed_ = false;  // No framebuffer of another program is left.
+  std::optional<Error> gone_;    // What every call says once the screen is gone.
 };
 
 }  // namespace kaori::scanout

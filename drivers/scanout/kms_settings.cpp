@@ -2,8 +2,9 @@
 
 namespace kaori::scanout {
 
-void AddWhole(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
-              std::vector<KmsSetting>& into) {
+void AddOutputSettings(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
+                       std::vector<KmsSetting>& into) {
+  // Everything is set, whatever an earlier program left: a plane may have had another size or position.
   const auto& size = output.chosen.mode;
   into.push_back({output.connector, DRM_MODE_OBJECT_CONNECTOR, "CRTC_ID", output.crtc});
   into.push_back({output.crtc, DRM_MODE_OBJECT_CRTC, "MODE_ID", mode});
@@ -13,7 +14,7 @@ void AddWhole(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
   };
   plane("FB_ID", part.framebuffer);
   plane("CRTC_ID", output.crtc);
-  // The part of the picture, in 1/65536 of a pixel.
+  // SRC_ values are 16.16 fixed point, CRTC_ values whole pixels.
   plane("SRC_X", std::uint64_t(part.x_px) << 16);
   plane("SRC_Y", std::uint64_t(part.y_px) << 16);
   plane("SRC_W", std::uint64_t{size.hdisplay} << 16);

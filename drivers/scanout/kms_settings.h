@@ -1,4 +1,4 @@
-// What a card is told so that a screen shows a picture, from dark.
+// The properties that a commit sets so that a dark screen shows a picture.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace kaori::scanout {
 
-// The part of a picture that a screen shows: as large as its mode, from the left top.
+// The part of a framebuffer that a screen shows, from its left top; as large as the screen's mode.
 struct KmsPart {
   std::uint32_t framebuffer = 0;
   int x_px = 0;
   int y_px = 0;
 };
 
-// Adds all that the output needs, of whatever state it is in. `mode` is the output's own, as the card knows
-// it.
-void AddWhole(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
-              std::vector<KmsSetting>& into);
+// Adds to `into` every property that the output needs, whatever
+// state it is in. `mode` is the blob of the output's mode.
+void AddOutputSettings(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
+                       std::vector<KmsSetting>& into);
 
 }  // namespace kaori::scanout

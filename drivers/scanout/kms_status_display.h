@@ -1,4 +1,4 @@
-// A screen of a graphics card as a sign: one picture in the card's memory, written row by row.
+// A screen of a graphics card as the status display: one picture in a dumb buffer, written row by row.
 #pragma once
 
 #include <cstdint>
@@ -12,36 +12,37 @@
 
 namespace kaori::scanout {
 
-// Has commits of its own, so that no frame of the show waits for it. Never blanks: what is written stays when
-// this ends.
+// Has commits of its own, so that no frame of the show waits for it. Never blanks: what is shown stays when
+// this object, or its program, ends.
 class KmsStatusDisplay final : public ports::StatusDisplay {
  public:
-  // `card` must outlive it. Errors: what the card says.
+  // Shows nothing yet. `card` must outlive it. Errors: what the card says.
   static Result<std::unique_ptr<KmsStatusDisplay>> Open(KmsDevice& card, KmsOutput output);
   ~KmsStatusDisplay() override;
 
   const KmsOutput& output() const { return output_; }
-  // Whether the framebuffer is this sign's, or what an earlier program shows in its place.
+  // Whether the framebuffer is this display's, or one that an earlier program left on its screen and that
+  // stays until the first Show.
   bool Needs(std::uint32_t framebuffer) const {
-    return framebuffer == sheet_.framebuffer || framebuffer == before_;
+    return framebuffer == buffer_.framebuffer || framebuffer == before_;
   }
 
   int width_px() const override { return output_.chosen.mode.hdisplay; }
   int height_px() const override { return output_.chosen.mode.vdisplay; }
-  bool fresh() const override { return !lit_; }
-  // As the port says. A wrong count of bytes or rows is invalid_argument.
+  bool fresh() const override { return !shown_; }
   Result<void> Show(std::span<const std::uint8_t> rgbx, int first, int end) override;
 
  private:
-  KmsStatusDisplay(KmsDevice& card, KmsOutput output, KmsSheet sheet, std::uint32_t mode);
+  KmsStatusDisplay(KmsDevice& card, KmsOutput output, KmsDumbBuffer buffer, std::uint32_t mode);
+  // Copies one row of the picture into the buffer.
   void Write(std::span<const std::uint8_t> rgbx, int row);
 
   KmsDevice& card_;
   KmsOutput output_;
-  KmsSheet sheet_;
-  std::uint32_t mode_;  // As the card knows it.
-  std::uint32_t before_;
-  bool lit_ = false;
+  KmsDumbBuffer buffer_;
+  std::uint32_t mode_;    // The mode's blob.
+  std::uint32_t before_;  // The framebuffer that an earlier program left on the screen; 0: none, or removed.
+  bool shown_ = false;
   std::vector<KmsSetting> settings_;
 };
 

@@ -6,7 +6,7 @@
 namespace kaori::scanout {
 namespace {
 
-// The least number of columns that is no smaller than that of rows and leaves no place empty.
+// The least number of columns that is no smaller than that of rows and leaves no cell empty.
 std::size_t ColumnsOf(std::size_t screens) {
   std::size_t columns = 1;
   while (columns < screens && (columns * columns < screens || screens % columns != 0)) ++columns;
@@ -24,6 +24,7 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
     widths_px[i % columns] = std::max<int>(widths_px[i % columns], mode.hdisplay);
     heights_px[i / columns] = std::max<int>(heights_px[i / columns], mode.vdisplay);
   }
+  // Where a column or a row begins: behind the widest or highest screens before it.
   const auto sum = [](const std::vector<int>& lengths_px, std::size_t count) {
     return std::accumulate(lengths_px.begin(), lengths_px.begin() + std::ptrdiff_t(count), 0);
   };
@@ -34,10 +35,12 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
 }
 
 std::string Describe(const KmsWall& wall) {
-  std::string words;
-  for (const KmsPanel& panel : wall.panels) words += (words.empty() ? "" : "; ") + Describe(panel.output);
-  if (wall.sign) words += "; " + Describe(*wall.sign) + ", shows the status";
-  return words;
+  std::string text;
+  for (const KmsPanel& panel : wall.panels)
+    text += (text.empty() ? "" : "; ") +
+            ports::Describe(PortOutput(panel.output, ports::OutputState::kShowsPicture));
+  if (wall.status) text += "; " + ports::Describe(PortOutput(*wall.status, ports::OutputState::kShowsStatus));
+  return text;
 }
 
 }  // namespace kaori::scanout

@@ -1,4 +1,4 @@
-// Screens side by side that show one picture together.
+// Arranges screens side by side, so that they show one picture together.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace kaori::scanout {
 
-// A screen's part of the picture, from the left top.
+// A screen, and where its part of the picture begins: pixels from the left top.
 struct KmsPanel {
   KmsOutput output;
   int x_px = 0;
@@ -20,14 +20,15 @@ struct KmsWall {
   std::vector<KmsPanel> panels;
   int width_px = 0;
   int height_px = 0;
-  std::optional<KmsOutput> sign;  // Shows no part of the picture.
+  std::optional<KmsOutput> status;  // The status display: shows no part of the picture.
 };
 
-// Row by row from the left top, in the order given: one beside the other, or in a full rectangle where their
-// number makes one that is wider than high (4, 6, 8, 9 ...). Each stands at the left top of its place.
+// Arranges the screens row by row from the left top, in the order given: one beside the other, or in a full
+// rectangle where their number makes one with at least as many columns as rows (4, 6, 8, 9 ...). A screen
+// that is smaller than its cell stands at the cell's left top. Pure.
 KmsWall Arrange(std::vector<KmsOutput> outputs);
 
-// For people: its screens, one after the other, the sign last.
+// Its screens for people, separated by semicolons, the status display last.
 std::string Describe(const KmsWall& wall);
 
 }  // namespace kaori::scanout

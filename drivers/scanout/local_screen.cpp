@@ -7,16 +7,18 @@
 namespace kaori::scanout {
 namespace {
 
-// Beyond these a hello is nonsense.
+// Bounds of a hello that makes sense.
 constexpr std::uint32_t kMostSlots = 8;
 constexpr std::uint32_t kMostSide = 16384;
 constexpr std::int64_t kLongestPeriod_ns = 1'000'000'000;
-constexpr std::int64_t kLastTime_ns = std::int64_t{1} << 62;  // Room to reckon with it.
+constexpr std::int64_t kLastTime_ns = std::int64_t{1} << 62;  // Sums with it do not overflow.
 
+// Sums with later times must not overflow.
 bool IsTime(std::int64_t at_ns) {
   return at_ns >= 0 && at_ns <= kLastTime_ns;
 }
 
+// Two slots at least: one is shown while the other one is drawn.
 bool MakesSense(const wire::ScreenHello& hello) {
   return hello.slots >= 2 && hello.slots <= kMostSlots && hello.width_px > 0 && hello.width_px <= kMostSide &&
          hello.height_px > 0 && hello.height_px <= kMostSide && hello.period_ns > 0 &&
@@ -33,7 +35,7 @@ Result<std::unique_ptr<ports::Scanout>> LocalScreen::Open(const std::string& fol
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
 }
 
-// Whatever a screen sends that cannot be read makes it a screen that is gone: it is opened anew.
+// A screen that sends what cannot be read counts as gone, and is opened anew.
 Result<std::size_t> LocalScreen::Receive(std::span<std::uint8_t> into, UniqueFd* descriptor) {
   if (gone_) return Fail(std::errc::no_such_device, "read the local screen");
   auto packet = ReceivePacket(socket_.get(), into);
@@ -43,6 +45,7 @@ Result<std::size_t> LocalScreen::Receive(std::span<std::uint8_t> into, UniqueFd*
   }
   if (packet.error().cause == std::errc::resource_unavailable_try_again)
     return tl::unexpected(packet.error());
+  // Until the hello has been understood.
   gone_ = true;
   return Fail(std::errc::no_such_device, "read the local screen");
 }
@@ -71,8 +74,9 @@ Result<ports::PixelBuffer> LocalScreen::Acquire() {
   if (presented_)
     return Fail(std::errc::resource_unavailable_try_again, "acquire a buffer of the local screen");
   acquired_ = true;
-  return ports::PixelBuffer{static_cast<int>(hello_.width_px), static_cast<int>(hello_.height_px),
-                            memory_.bytes().subspan(next_slot_ * picture_bytes(), picture_bytes())};
+  return ports::PixelBuffer{
+      static_cast<int>(hello_.width_px), static_cast<int>(hello_.height_px),
+      ports::PixelMemory{memory_.bytes().subspan(next_slot_ * picture_bytes(), picture_bytes())}};
 }
 
 Result<void> LocalScreen::Present(std::uint64_t frame) {
@@ -95,6 +99,7 @@ Result<ports::Flip> LocalScreen::ReadFlip() {
   const auto bytes = Receive(buffer, &none);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto flip = wire::DecodeScreenFlip(std::span(buffer).first(*bytes));
+  // A flip must be that of the frame that was presented, in the slot that it was drawn into.
   if (!flip || !presented_ || flip->frame != *presented_ || flip->slot != next_slot_ ||
       !IsTime(flip->at_ns)) {
     gone_ = true;

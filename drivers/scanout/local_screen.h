@@ -1,4 +1,4 @@
-// The simulator's screen: pictures in shared memory, flips by packets.
+// The simulator's screen: frames in shared memory, flips by packets.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@ namespace kaori::scanout {
 
 class LocalScreen final : public ports::Scanout {
  public:
-  // Connects to "<folder>/screen.<port>". Until the screen has answered, Acquire says try again; pollable()
-  // wakes when it did, and ReadFlip takes the answer. Errors: no_such_device (nobody is there),
-  // permission_denied.
+  // Connects to the socket "<folder>/screen.<port>". Until the screen has answered, Acquire says
+  // resource_unavailable_try_again; pollable() is readable once it has, and the next call reads the answer.
+  // Errors: no_such_device (nobody listens), permission_denied.
   static Result<std::unique_ptr<ports::Scanout>> Open(const std::string& folder,
                                                       const std::string& port = "screen");
 
@@ -28,14 +28,16 @@ class LocalScreen final : public ports::Scanout {
   Result<ports::Flip> ReadFlip() override;
 
  private:
+  // Reads the hello, and maps the memory that came with it. Errors: as Receive.
   Result<void> ReadHello();
+  // The next packet's length. Errors: resource_unavailable_try_again (there is none), no_such_device.
   Result<std::size_t> Receive(std::span<std::uint8_t> into, UniqueFd* descriptor);
   std::size_t picture_bytes() const { return std::size_t{hello_.width_px} * hello_.height_px * 4; }
 
   UniqueFd socket_;
   wire::ScreenHello hello_;
   SharedMemory memory_;
-  std::uint32_t next_slot_ = 0;  // Not the one that is shown.
+  std::uint32_t next_slot_ = 0;  // The slot to draw into: never the one that is shown.
   bool acquired_ = false;
   std::optional<std::uint64_t> presented_;  // Waits for its flip.
   bool gone_ = false;

@@ -1,8 +1,8 @@
-// What a card does not take: a mode, several screens at a time, a picture of that size. The others play on.
+// What a card refuses: a mode, several screens at a time, a picture of that size. The others play on.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/drivers/scanout_bench.h"
+#include "tests/drivers/scanout_fixture.h"
 
 namespace kaori::scanout {
 namespace {
@@ -51,20 +51,20 @@ TEST_F(RefusedScreens, TheWallStandsWithoutAScreenNoneOfWhoseModesIsTaken) {
   const auto screen = Settle();
   ASSERT_TRUE(screen) << said_;
   EXPECT_EQ(size_px_, std::pair(480, 270));
-  EXPECT_TRUE(Frames(*screen, 3s)) << "the one that is left out is no newcomer";
+  EXPECT_TRUE(Frames(*screen, 3s)) << "the one that is left out is not new";
   EXPECT_EQ(card_.Value(card_.connectors[1].id, "CRTC_ID"), 0U);
 }
 
-TEST_F(RefusedScreens, WhatPeopleWishForGivesWayToo) {
+TEST_F(RefusedScreens, AModeThatPeopleAskForGivesWayToo) {
   card_.most_px = 1000;
   card_.PlugIn(0, {ModeOf(800, 600)});
-  wishes_.mode = ParseMode("1920x1080@60");
+  preferences_.mode = ParseMode("1920x1080@60");
   ASSERT_TRUE(Settle()) << said_;
   EXPECT_EQ(size_px_, std::pair(800, 600));
 }
 
 TEST_F(RefusedScreens, OfScreensThatAreTooManyTogetherTheLastOneGivesWay) {
-  card_.most_lit = 2;
+  card_.most_active = 2;
   for (std::size_t i = 0; i < 3; ++i) card_.PlugIn(i);
   const auto screen = Settle();
   ASSERT_TRUE(screen) << said_;
@@ -102,8 +102,8 @@ TEST_F(RefusedScreens, AFlipThatIsPendingIsNoRefusal) {
   ASSERT_TRUE(screen->Acquire());
   card_.commit_fault = std::errc::device_or_resource_busy;
   EXPECT_FALSE(screen->Present(1));
-  EXPECT_TRUE(wishes_.refused.empty());
-  EXPECT_EQ(card_.tries, 0);
+  EXPECT_TRUE(preferences_.refused.empty());
+  EXPECT_EQ(card_.test_commits, 0);
 }
 
 TEST_F(RefusedScreens, AWallThatIsTooLargeForOnePictureGivesUpItsLargestScreensMode) {

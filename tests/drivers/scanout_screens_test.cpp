@@ -1,10 +1,10 @@
-// The screens of a graphics card: several as one wall, pulled and plugged, silent, and taken over from a
+// The screens of a graphics card: several as one wall, pulled and plugged, without an EDID, and after a
 // program that died.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "drivers/scanout/kms_screen.h"
-#include "tests/drivers/scanout_bench.h"
+#include "tests/drivers/scanout_fixture.h"
 
 namespace kaori::scanout {
 namespace {
@@ -46,7 +46,7 @@ TEST_F(Screens, TwoScreensShowThePictureTogether) {
   EXPECT_EQ(Source(1, "SRC_W"), 1024U);
 }
 
-TEST_F(Screens, AFrameHasComeToLightWhenAllOfThemShowIt) {
+TEST_F(Screens, AFrameIsPresentedWhenAllOfThemShowIt) {
   card_.PlugIn(0);
   card_.PlugIn(1);
   const auto screen = Open();
@@ -77,7 +77,7 @@ TEST_F(Screens, TheOthersPlayOnWhenOneIsPulledAndItShowsAgainWithinASecond) {
   EXPECT_EQ(card_.modesets, 2) << "the one that came back is set up, once";
 }
 
-TEST_F(Screens, AScreenThatIsPulledWhileItOwesAFlipHoldsNobodyUp) {
+TEST_F(Screens, AScreenThatIsPulledBeforeItsFlipHoldsNobodyUp) {
   card_.PlugIn(0);
   card_.PlugIn(1);
   const auto screen = Open();
@@ -86,7 +86,7 @@ TEST_F(Screens, AScreenThatIsPulledWhileItOwesAFlipHoldsNobodyUp) {
   ASSERT_TRUE(screen->Present(++frame_));
   card_.Pull(1);
   clock_.Advance(300ms);
-  EXPECT_FALSE(screen->Acquire()) << "the other one still owes its flip";
+  EXPECT_FALSE(screen->Acquire()) << "the other one's flip is pending";
   card_.Blank(clock_.now());
   ASSERT_TRUE(screen->ReadFlip());
   EXPECT_TRUE(Frames(*screen, 1s));
@@ -129,27 +129,27 @@ TEST_F(Screens, OneThatComesBackWithAnotherModeMakesThemAllBeArrangedAnew) {
   EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device);
 }
 
-TEST_F(Screens, ACardThatNoticesNothingByItselfIsAskedWhenTheKernelSaysSo) {
+TEST_F(Screens, ACardThatNoticesNothingByItselfIsProbedWhenTheKernelReportsAHotplug) {
   card_.blind = true;
   card_.PlugIn(0);
   card_.PlugIn(1);
-  EXPECT_FALSE(TryOpen()) << "nobody has asked yet";
-  card_.stirred = true;
+  EXPECT_FALSE(TryOpen()) << "nobody has probed it yet";
+  card_.hotplug = true;
   const auto screen = Open();
   ASSERT_TRUE(Frames(*screen, 1s));
   card_.Pull(0);
-  card_.stirred = true;
+  card_.hotplug = true;
   ASSERT_TRUE(Frames(*screen, 1s));
   const auto stale = card_.Shows(0);
   ASSERT_TRUE(Frame(*screen));
   EXPECT_EQ(card_.Shows(0), stale);
   card_.PlugIn(0);
-  card_.stirred = true;
+  card_.hotplug = true;
   ASSERT_TRUE(Frames(*screen, 500ms));
   EXPECT_EQ(card_.Shows(0), card_.Shows(1));
   card_.PlugIn(2);
-  card_.stirred = true;
-  EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device) << "a newcomer";
+  card_.hotplug = true;
+  EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device) << "a new screen";
 }
 
 TEST_F(Screens, AScreenThatGivesWayToAnotherWithoutAPauseIsNoticed) {
@@ -157,11 +157,11 @@ TEST_F(Screens, AScreenThatGivesWayToAnotherWithoutAPauseIsNoticed) {
   const auto screen = Open();
   ASSERT_TRUE(Frames(*screen, 1s));
   card_.PlugIn(0, {ModeOf(1280, 720)});
-  card_.stirred = true;
+  card_.hotplug = true;
   EXPECT_EQ(Frames(*screen, 1s).error().cause, std::errc::no_such_device);
 }
 
-TEST_F(Screens, WhileNothingStirsNoScreenIsAsked) {
+TEST_F(Screens, WithoutAHotplugReportNoScreenIsProbed) {
   card_.PlugIn(0);
   const auto screen = Open();
   const int before = card_.probes;
@@ -169,8 +169,8 @@ TEST_F(Screens, WhileNothingStirsNoScreenIsAsked) {
   EXPECT_EQ(card_.probes, before) << "reading an EDID would cost a frame";
 }
 
-TEST_F(Screens, ASocketThatOnlyOneCrtcCanDriveGetsIt) {
-  card_.connectors[1].crtcs = 1;  // The first CRTC alone, which the first socket would take.
+TEST_F(Screens, AConnectorThatOnlyOneCrtcCanDriveGetsIt) {
+  card_.connectors[1].crtcs = 1;  // The first CRTC alone, which the first connector would get.
   card_.PlugIn(0);
   card_.PlugIn(1);
   ASSERT_TRUE(Frame(*Open()));
@@ -178,7 +178,7 @@ TEST_F(Screens, ASocketThatOnlyOneCrtcCanDriveGetsIt) {
   EXPECT_EQ(card_.Value(card_.connectors[0].id, "CRTC_ID"), FakeCard::kFirstCrtc + 1);
 }
 
-TEST_F(Screens, NoSocketThatIsKnownToBeEmptyIsAsked) {
+TEST_F(Screens, NoConnectorThatIsKnownToBeEmptyIsProbed) {
   EXPECT_FALSE(TryOpen());
   EXPECT_EQ(card_.probes, 0);
 }
@@ -204,7 +204,7 @@ TEST_F(Screens, ThePicturesOfAProgramThatDiedGoOnlyWhenOursIsShown) {
   EXPECT_FALSE(card_.framebuffers.contains(8));
 }
 
-TEST_F(Screens, ACrtcThatADeadProgramLeftOnAnotherSocketIsFreedForThisOne) {
+TEST_F(Screens, ACrtcThatADeadProgramLeftOnAnotherConnectorIsFreedForThisOne) {
   card_.state_[{FakeCard::kFirstConnector, "CRTC_ID"}] = FakeCard::kFirstCrtc;
   card_.state_[{FakeCard::kFirstConnector + 1, "CRTC_ID"}] = FakeCard::kFirstCrtc + 1;
   for (std::uint32_t crtc : {FakeCard::kFirstCrtc, FakeCard::kFirstCrtc + 1})
@@ -236,17 +236,17 @@ TEST_F(Screens, WhatTheCardRefusesIsSaid) {
   EXPECT_EQ(screen->Present(2).error().cause, std::errc::invalid_argument) << "nothing was acquired";
 }
 
-TEST_F(Screens, AModeIsForgottenWithItsScreen) {
+TEST_F(Screens, AModesBlobIsDestroyedWithItsScreen) {
   card_.PlugIn(0);
   card_.PlugIn(1);
   auto screen = Open();
   ASSERT_TRUE(Frames(*screen, 1s));
-  EXPECT_EQ(card_.modes_told.size(), 2U);
+  EXPECT_EQ(card_.mode_blobs.size(), 2U);
   screen.reset();
-  EXPECT_TRUE(card_.modes_told.empty());
+  EXPECT_TRUE(card_.mode_blobs.empty());
 }
 
-TEST_F(Screens, ASilentScreenIsSaidToBeSilent) {
+TEST_F(Screens, AScreenThatPrefersNoModeIsReportedAsSuch) {
   card_.PlugIn(0, {ModeOf(1024, 768, DRM_MODE_TYPE_DRIVER)});
   EXPECT_THAT(Describe(Open()->wall()), HasSubstr("HDMI-A-1 1024 x 768 at 60 Hz, which is safe"));
 }

@@ -1,16 +1,15 @@
-// A screen that is a sign: beside the show's screens, and never in their way.
+// A screen that is the status display: beside the show's screens, and never in their way.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "tests/drivers/scanout_bench.h"
+#include "tests/drivers/scanout_fixture.h"
 
 namespace kaori::scanout {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in milliseconds.
-using ::testing::HasSubstr;
 using tests::FakeCard;
 using tests::ModeOf;
 
@@ -19,13 +18,13 @@ constexpr int kWidth_px = 320, kHeight_px = 200;
 class StatusScreen : public tests::Screens {
  protected:
   StatusScreen() {
-    wishes_.sign = "HDMI-A-2";
+    preferences_.status_connector = "HDMI-A-2";
     card_.PlugIn(0);
     card_.PlugIn(1, {ModeOf(kWidth_px, kHeight_px)});
   }
   Result<void> ShowAll(KmsScreen& screen) { return screen.status_display()->Show(picture_, 0, kHeight_px); }
-  const std::vector<std::uint8_t>& sheet() const { return card_.sheets.begin()->second; }
-  std::uint32_t SignPlane() const { return FakeCard::kFirstPlane + 1; }
+  const std::vector<std::uint8_t>& buffer() const { return card_.dumb_buffers.begin()->second; }
+  std::uint32_t StatusPlane() const { return FakeCard::kFirstPlane + 1; }
 
   std::vector<std::uint8_t> picture_ = std::vector<std::uint8_t>(std::size_t{kWidth_px} * kHeight_px * 4);
 };
@@ -36,11 +35,12 @@ TEST_F(StatusScreen, IsNoPartOfThePicture) {
   ASSERT_NE(screen->status_display(), nullptr);
   EXPECT_EQ(screen->status_display()->width_px(), kWidth_px);
   EXPECT_EQ(screen->status_display()->height_px(), kHeight_px);
-  EXPECT_THAT(screen->Words(), HasSubstr("HDMI-A-2 320 x 200 at 60 Hz, shows the status"));
+  ASSERT_EQ(screen->outputs().size(), 2U);
+  EXPECT_EQ(ports::Describe(screen->outputs()[1]), "HDMI-A-2 320 x 200 at 60 Hz, shows the status");
 }
 
 TEST_F(StatusScreen, IsNamedByItsNumberToo) {
-  wishes_.sign = "2";
+  preferences_.status_connector = "2";
   EXPECT_NE(Open()->status_display(), nullptr);
 }
 
@@ -52,7 +52,7 @@ TEST_F(StatusScreen, AloneBelongsToTheShow) {
 }
 
 TEST_F(StatusScreen, WhoseNameNoScreenHasIsNone) {
-  wishes_.sign = "DP-7";
+  preferences_.status_connector = "DP-7";
   const auto screen = Open();
   EXPECT_EQ(screen->status_display(), nullptr);
   EXPECT_EQ(size_px_, std::pair(640 + kWidth_px, 480));
@@ -62,19 +62,19 @@ TEST_F(StatusScreen, ShowsItsRowsAsTheCardWantsThem) {
   const auto screen = Open();
   picture_[0] = 10, picture_[1] = 20, picture_[2] = 30;  // Left below: R, G, B.
   ASSERT_TRUE(ShowAll(*screen));
-  const std::size_t pitch = sheet().size() / kHeight_px;
-  const std::uint8_t* const pixel = sheet().data() + (kHeight_px - 1) * pitch;
+  const std::size_t pitch = buffer().size() / kHeight_px;
+  const std::uint8_t* const pixel = buffer().data() + (kHeight_px - 1) * pitch;
   EXPECT_EQ(pixel[0], 30);
   EXPECT_EQ(pixel[1], 20);
   EXPECT_EQ(pixel[2], 10);
   EXPECT_EQ(card_.Value(card_.connectors[1].id, "CRTC_ID"), FakeCard::kFirstCrtc + 1);
 }
 
-TEST_F(StatusScreen, TakesOnlyTheRowsThatItIsGiven) {
+TEST_F(StatusScreen, CopiesOnlyTheRowsThatItIsGiven) {
   const auto screen = Open();
   std::ranges::fill(picture_, std::uint8_t{9});
   ASSERT_TRUE(screen->status_display()->Show(picture_, 50, 51));
-  EXPECT_EQ(std::ranges::count(sheet(), std::uint8_t{9}), kWidth_px * 3);
+  EXPECT_EQ(std::ranges::count(buffer(), std::uint8_t{9}), kWidth_px * 3);
 }
 
 TEST_F(StatusScreen, APictureOfAnotherSizeIsRefused) {
@@ -82,7 +82,8 @@ TEST_F(StatusScreen, APictureOfAnotherSizeIsRefused) {
   picture_.pop_back();
   EXPECT_EQ(ShowAll(*screen).error().cause, std::errc::invalid_argument);
   picture_.push_back(0);
-  EXPECT_EQ(screen->status_display()->Show(picture_, 0, kHeight_px + 1).error().cause, std::errc::invalid_argument);
+  EXPECT_EQ(screen->status_display()->Show(picture_, 0, kHeight_px + 1).error().cause,
+            std::errc::invalid_argument);
 }
 
 TEST_F(StatusScreen, NoFrameOfTheShowWaitsForIt) {
@@ -101,13 +102,13 @@ TEST_F(StatusScreen, NoFrameOfTheShowWaitsForIt) {
 }
 
 TEST_F(StatusScreen, IsNotTurnedOffByTheFirstPictureOfTheShow) {
-  card_.state_[{SignPlane(), "FB_ID"}] = 7;
+  card_.state_[{StatusPlane(), "FB_ID"}] = 7;
   card_.state_[{FakeCard::kFirstCrtc + 1, "ACTIVE"}] = 1;
   card_.framebuffers = {7};
   const auto screen = Open();
   ASSERT_TRUE(Frame(*screen));
   EXPECT_EQ(card_.Value(FakeCard::kFirstCrtc + 1, "ACTIVE"), 1U);
-  EXPECT_TRUE(card_.framebuffers.contains(7)) << "it stands there until the sign has something to say";
+  EXPECT_TRUE(card_.framebuffers.contains(7)) << "it stands there until the display has something to show";
   ASSERT_TRUE(ShowAll(*screen));
   EXPECT_TRUE(card_.framebuffers.contains(7));
   card_.Blank(clock_.now());
@@ -130,8 +131,8 @@ TEST_F(StatusScreen, LeavesNothingBehindButItsPicture) {
   auto screen = Open();
   ASSERT_TRUE(ShowAll(*screen));
   screen.reset();
-  EXPECT_TRUE(card_.sheets.empty());
-  EXPECT_TRUE(card_.modes_told.empty());
+  EXPECT_TRUE(card_.dumb_buffers.empty());
+  EXPECT_TRUE(card_.mode_blobs.empty());
   EXPECT_EQ(card_.framebuffers.size(), 1U);
 }
 

@@ -1,4 +1,4 @@
-// Where screens stand that show one picture together.
+// How screens are arranged that show one picture together.
 #include "drivers/scanout/kms_wall.h"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@ namespace kaori::scanout {
 namespace {
 
 using tests::FakeCard;
-using tests::FakePictures;
+using tests::FakeSurface;
 using tests::ModeOf;
 
-TEST(Wall, ScreensStandInAFullRectangleWhereTheirNumberMakesOne) {
+TEST(Wall, ScreensFormAFullRectangleWhereTheirNumberMakesOne) {
   const std::vector<std::pair<int, int>> expected_px{{100, 50},  {200, 50}, {300, 50},  {200, 100}, {500, 50},
                                                      {300, 100}, {700, 50}, {400, 100}, {300, 150}};
   for (std::size_t count = 1; count <= expected_px.size(); ++count) {
@@ -36,14 +36,14 @@ TEST(Wall, MoreScreensThanTheCardCanDriveDisturbNobody) {
   FakeCard card(3, 2);
   ManualClock clock;
   for (std::size_t i = 0; i < 3; ++i) card.PlugIn(i);
-  const auto make = [&card](int, int) -> Result<std::unique_ptr<KmsPictures>> {
-    return std::make_unique<FakePictures>(card, 1);
+  const auto make = [&card](int, int) -> Result<std::unique_ptr<KmsSurface>> {
+    return std::make_unique<FakeSurface>(card, 1);
   };
-  KmsWishes wishes;
-  const auto screen = KmsScreen::Open(card, make, clock, wishes).value();
+  KmsPreferences preferences;
+  const auto screen = KmsScreen::Open(card, make, clock, preferences).value();
   EXPECT_EQ(screen->wall().panels.size(), 2U);
   for (int i = 0; i < 100; ++i) {
-    ASSERT_TRUE(screen->Acquire()) << "the third one is no newcomer";
+    ASSERT_TRUE(screen->Acquire()) << "the third one is not new";
     ASSERT_TRUE(screen->Present(std::uint64_t(i)));
     clock.Advance(std::chrono::milliseconds(16));
     card.Blank(clock.now());

@@ -47,8 +47,8 @@ void DrawDot(const ports::PixelBuffer& into, int x_px, int y_px) {
   for (int y = y_px - 3; y < y_px + 3; ++y) {
     for (int x = x_px - 3; x < x_px + 3; ++x) {
       const auto at = static_cast<std::size_t>(y * into.width_px + x) * 4;
-      into.bytes[at] = into.bytes[at + 1] = 255;
-      into.bytes[at + 2] = 0;
+      into.memory()[at] = into.memory()[at + 1] = 255;
+      into.memory()[at + 2] = 0;
     }
   }
 }
@@ -211,12 +211,12 @@ void ToyStage::Draw() {
     if (buffer.error().cause == std::errc::no_such_device) screen_.reset();
     return;
   }
-  if (backdrop_.size() != buffer->bytes.size()) backdrop_ = Backdrop(buffer->width_px, buffer->height_px);
+  if (backdrop_.size() != buffer->memory().size()) backdrop_ = Backdrop(buffer->width_px, buffer->height_px);
   const bool dark = keyboard_ && held(keyboard_->sample(), kSpace);
   if (dark)
-    std::ranges::fill(buffer->bytes, std::uint8_t{0});
+    std::ranges::fill(buffer->memory(), std::uint8_t{0});
   else
-    std::ranges::copy(backdrop_, buffer->bytes.begin());
+    std::ranges::copy(backdrop_, buffer->memory().begin());
   for (std::size_t dial = 0; dial < wire::kDials; ++dial) DrawHand(*buffer, dial);
   (void)screen_->Present(++frame_);
 }

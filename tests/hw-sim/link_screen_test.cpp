@@ -29,7 +29,7 @@ class LinkScreen : public LinkFixture {
   void PresentGrey(std::uint64_t frame, std::uint8_t grey) {
     const auto buffer = screen->Acquire();
     ASSERT_TRUE(buffer) << buffer.error().message();
-    std::ranges::fill(buffer->bytes, grey);
+    std::ranges::fill(buffer->memory(), grey);
     ASSERT_TRUE(screen->Present(frame));
     rig->Pump();
   }
@@ -84,7 +84,7 @@ TEST_F(LinkScreen, DrawingDoesNotTouchThePictureThatStands) {
   PresentGrey(1, 0x11);
   Step(kScreenPeriod);
   ASSERT_TRUE(screen->ReadFlip());
-  std::ranges::fill(screen->Acquire()->bytes, 0x22);
+  std::ranges::fill(screen->Acquire()->memory(), 0x22);
   rig->Pump();
   EXPECT_EQ(rig->screen().latest()->rgbx[0], 0x11);
 }
@@ -96,7 +96,7 @@ TEST_F(LinkScreen, TheLastPictureStandsWhileTheProgramIsRestarted) {
   Step(kScreenPeriod);
   EXPECT_EQ(rig->screen().latest()->rgbx[100], 0x33);
   Reopen();
-  std::ranges::fill(screen->Acquire()->bytes, 0x44);
+  std::ranges::fill(screen->Acquire()->memory(), 0x44);
   Step(kScreenPeriod);
   EXPECT_EQ(rig->screen().latest()->rgbx[100], 0x33);
   PresentGrey(1, 0x44);

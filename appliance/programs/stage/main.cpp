@@ -57,8 +57,8 @@ kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& s
     return nullptr;
   }
   if (card)
-    (*card)->Wish({.mode = kaori::scanout::ParseMode(settings.mode),
-                   .sign = kaori::status::ReadFacts({.settings = settings.settings}).screen});
+    (*card)->SetPreferences({.mode = kaori::scanout::ParseMode(settings.mode),
+                   .status_connector = kaori::status::ReadFacts({.settings = settings.settings}).screen});
   return card;
 }
 
@@ -152,7 +152,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
     if (auto written = kaori::stage::WriteStill(**studio, settings.still); !written)
       return kaori::ExitWithError(written.error());
   if (*card)
-    if (auto held = (*card)->Hold(); !held)
+    if (auto held = (*card)->Preserve(); !held)
       kaori::LogWarning("the last picture will not stay when the stage ends ({})", held.error().message());
   if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
   auto watchdog = kaori::service::Watchdog::Wanted();

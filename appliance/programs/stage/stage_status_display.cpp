@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "appliance/programs/status/screens_file.h"
 #include "drivers/base/log.h"
 
 namespace kaori::stage {
@@ -38,10 +39,10 @@ void StageStatusDisplay::Step(ports::Scanout* screen) {
 }
 
 void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
-  std::string words = screen == nullptr ? std::string() : screen->Words();
-  if (screens_ == words) return;
-  WriteWhole(places_.screens, words);
-  screens_ = std::move(words);
+  auto outputs = screen == nullptr ? std::vector<ports::Output>() : screen->outputs();
+  if (screens_ == outputs) return;
+  WriteWhole(places_.screens, status::FormatScreens(outputs));
+  screens_ = std::move(outputs);
   facts_read_ = {};
 }
 

@@ -41,7 +41,7 @@ class StageStatusDisplay {
   status::Places places_;
   status::Facts facts_;
   Time facts_read_{};
-  std::optional<std::string> screens_;  // As they were told last.
+  std::optional<std::vector<ports::Output>> screens_;  // As they were written last.
   std::optional<status::Sheet> sheet_;
   bool owed_ = false;  // The display has rows that it has not shown.
   Time silent_until_{};

@@ -27,8 +27,8 @@ Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& p
     canvas_ = std::move(*canvas);
   }
   painter_->Draw(scene, canvas_);
-  if (picture.window != nullptr) return ShowIn(picture.window);
-  canvas_.ReadPixels(picture.bytes);
+  if (const auto* egl = std::get_if<ports::EglSurface>(&picture.target)) return ShowIn(egl->surface);
+  canvas_.ReadPixels(picture.memory());
   return {};
 }
 

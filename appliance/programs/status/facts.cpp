@@ -3,6 +3,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "appliance/programs/status/screens_file.h"
 #include "drivers/base/read_file.h"
 
 namespace kaori::status {
@@ -31,7 +32,7 @@ Facts ReadFacts(const Places& places) {
               WordOf(places.settings / "root_hash"),
               WordOf(places.settings / "status_screen"),
               LinesOf(places.settings / "faults"),
-              LinesOf(places.screens)};
+              ParseScreens(ReadFile(places.screens).value_or(""))};
   std::error_code none;
   for (const char* profile : kProfiles)
     if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;

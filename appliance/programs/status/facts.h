@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "drivers/ports/output.h"
+
 namespace kaori::status {
 
 struct Places {
   std::filesystem::path settings = "/run/kaori-profile";  // What kaori-boot leaves there.
-  std::filesystem::path screens = "/run/kaori/screens";   // What kaori-stage leaves there: a line for each.
+  std::filesystem::path screens = "/run/kaori/screens";   // The stage's screens_file.h.
 };
 
 struct Facts {
@@ -17,7 +19,7 @@ struct Facts {
   std::string root_hash;  // 64 digits; empty: the root is not checked.
   std::string screen;     // The one that shows the status, by name or number; empty: none.
   std::vector<std::string> faults;
-  std::vector<std::string> screens;
+  std::vector<ports::Output> screens;  // In the order of their parts of the picture.
 
   friend bool operator==(const Facts&, const Facts&) = default;
 };

@@ -56,12 +56,9 @@ Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time
           fmt::format("{} pictures a second, {} each; {}", Number(s.frames_per_s), Words(s.draw), late)};
 }
 
-// A screen's line begins with its name.
-Line Screen(std::string_view words) {
-  const auto gap = words.find(' ');
-  const bool pulled = words.ends_with(", pulled");
-  return {pulled ? Mark::kMissing : Mark::kGood, std::string(words.substr(0, gap)),
-          std::string(gap == std::string_view::npos ? "" : words.substr(gap + 1))};
+Line Screen(const ports::Output& output) {
+  const bool unplugged = output.state == ports::OutputState::kUnplugged;
+  return {unplugged ? Mark::kMissing : Mark::kGood, output.connector, ports::DescribeMode(output)};
 }
 
 // What a hand's device means to the show when it is not there.
@@ -154,7 +151,7 @@ std::vector<Line> Describe(const State& state) {
   lines.push_back(Show(state.board.stage_status, !state.facts.screens.empty(), state.now));
   if (state.facts.screens.empty())
     lines.push_back({Mark::kFault, "screens", "none is plugged in; the show goes on unseen"});
-  for (const std::string& screen : state.facts.screens) lines.push_back(Screen(screen));
+  for (const ports::Output& screen : state.facts.screens) lines.push_back(Screen(screen));
   AddDevices(state, lines);
   return lines;
 }

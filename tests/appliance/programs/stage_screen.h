@@ -37,7 +37,8 @@ class HeldScreen final : public ports::Scanout {
   Result<ports::PixelBuffer> Acquire() override {
     if (!hand_.plugged) return Gone();
     const auto bytes = static_cast<std::size_t>(hand_.width_px * hand_.height_px) * 4;
-    return ports::PixelBuffer{hand_.width_px, hand_.height_px, std::span(hand_.picture).first(bytes)};
+    return ports::PixelBuffer{hand_.width_px, hand_.height_px,
+                              ports::PixelMemory{std::span(hand_.picture).first(bytes)}};
   }
 
   Result<void> Present(std::uint64_t frame) override {

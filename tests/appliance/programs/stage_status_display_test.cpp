@@ -46,7 +46,9 @@ class SignedScreen final : public ports::Scanout {
   Result<void> Present(std::uint64_t) override { return {}; }
   Result<ports::Flip> ReadFlip() override { return ports::Flip{}; }
   ports::StatusDisplay* status_display() override { return plugged ? &held : nullptr; }
-  std::string Words() const override { return "HDMI-A-1 640 x 480 at 60 Hz\n"; }
+  std::vector<ports::Output> outputs() const override {
+    return {{.connector = "HDMI-A-1", .width_px = 640, .height_px = 480, .rate_hz = 60}};
+  }
 
   HeldSign held;
   bool plugged = true;
@@ -123,7 +125,7 @@ TEST_F(StageSign, ThatCannotShowIsLeftAloneForAMinute) {
 
 TEST_F(StageSign, LeavesTheScreensForOthersToRead) {
   Steps(1);
-  EXPECT_THAT(Left(), HasSubstr("HDMI-A-1 640 x 480"));
+  EXPECT_THAT(Left(), HasSubstr("HDMI-A-1 640x480 60 wanted picture"));
   sign_.Step(nullptr);
   EXPECT_THAT(Left(), IsEmpty());
 }

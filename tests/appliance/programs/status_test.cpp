@@ -7,6 +7,7 @@
 
 #include "appliance/core/board/lines.h"
 #include "appliance/programs/status/lines.h"
+#include "appliance/programs/status/screens_file.h"
 #include "appliance/programs/status/sheet.h"
 #include "tests/appliance/core/board_file.h"
 
@@ -55,7 +56,7 @@ TEST_F(StatusWords, WhatIsThereIsSaidSo) {
 }
 
 TEST_F(StatusWords, TheShowSaysItsRateAndWhatCameLate) {
-  state_.facts.screens = {"HDMI-A-1 640 x 480 at 60 Hz"};
+  state_.facts.screens = {{.connector = "HDMI-A-1", .width_px = 640, .height_px = 480, .rate_hz = 60}};
   EXPECT_THAT(Said("show"), HasSubstr("! no picture yet"));
   state_.board.stage_status = {
       {.draw = std::chrono::microseconds(6200), .missed_flips = 3, .frames_per_s = 59.9F},
@@ -87,7 +88,13 @@ TEST_F(StatusWords, FaultsComeBeforeEverythingElse) {
 }
 
 TEST_F(StatusWords, ScreensAreToldByTheirNames) {
-  state_.facts.screens = {"HDMI-A-1 1920 x 1080 at 60 Hz", "HDMI-A-2 800 x 600 at 60 Hz, pulled"};
+  const ports::Output unplugged{.connector = "HDMI-A-2",
+                                .width_px = 800,
+                                .height_px = 600,
+                                .rate_hz = 60,
+                                .state = ports::OutputState::kUnplugged};
+  state_.facts.screens = {{.connector = "HDMI-A-1", .width_px = 1920, .height_px = 1080, .rate_hz = 60},
+                          unplugged};
   EXPECT_EQ(Said("HDMI-A-1"), "  1920 x 1080 at 60 Hz");
   EXPECT_EQ(Said("HDMI-A-2"), "- 800 x 600 at 60 Hz, pulled");
   EXPECT_THAT(Said("screens"), IsEmpty());
@@ -108,7 +115,7 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
                                    {"root_hash", "abc"},
                                    {"status_screen", "HDMI-A-2"},
                                    {"faults", "one\n\ntwo\n"},
-                                   {"screens", "HDMI-A-1 640 x 480 at 60 Hz\n"}})
+                                   {"screens", "HDMI-A-1 640x480 60 wanted picture\n"}})
     std::ofstream(place.folder() / file) << text;
   const Facts facts = ReadFacts(places);
   EXPECT_EQ(facts.profile, "kiosk");
@@ -116,6 +123,44 @@ TEST(StatusFacts, AreWhatTheBoxWasToldAndNothingWhereItWasToldNothing) {
   EXPECT_EQ(facts.screen, "HDMI-A-2");
   EXPECT_EQ(facts.faults, (std::vector<std::string>{"one", "two"}));
   EXPECT_EQ(facts.screens.size(), 1U);
+}
+
+ports::Output MadeOutput(ports::ModeOrigin origin, ports::OutputState state) {
+  return {.connector = "DP-1",
+          .width_px = 1280,
+          .height_px = 720,
+          .rate_hz = 60000.0 / 1001,
+          .origin = origin,
+          .state = state};
+}
+
+TEST(StatusScreens, EveryStateAndOriginIsReadAsItWasWritten) {
+  std::vector<ports::Output> outputs;
+  for (const auto origin :
+       {ports::ModeOrigin::kWanted, ports::ModeOrigin::kSubstitute, ports::ModeOrigin::kSafeGuess})
+    for (const auto state : {ports::OutputState::kShowsPicture, ports::OutputState::kUnplugged,
+                             ports::OutputState::kShowsStatus})
+      outputs.push_back(MadeOutput(origin, state));
+  EXPECT_EQ(ParseScreens(FormatScreens(outputs)), outputs);
+}
+
+TEST(StatusScreens, AnUnpluggedScreenIsMissingWhateverWordsPeopleReadOfIt) {
+  State state{.board = {}, .sound = {}, .facts = {}, .now = Time{} + 1h};
+  state.facts.screens = {MadeOutput(ports::ModeOrigin::kSubstitute, ports::OutputState::kUnplugged),
+                         MadeOutput(ports::ModeOrigin::kSubstitute, ports::OutputState::kShowsStatus)};
+  std::vector<Mark> marks;
+  for (const Line& line : Describe(state))
+    if (line.what == "DP-1") marks.push_back(line.mark);
+  EXPECT_THAT(marks, ::testing::ElementsAre(Mark::kMissing, Mark::kGood));
+}
+
+TEST(StatusScreens, LinesThatAreNoScreensArePassedOver) {
+  const std::string good =
+      FormatScreens(std::vector{MadeOutput(ports::ModeOrigin::kWanted, ports::OutputState::kUnplugged)});
+  for (const char* bad : {"", "DP-1", "DP-1 1280x720 60 wanted", "DP-1 1280x720 60 wanted pulled",
+                          "DP-1 1280x720 60 lucky picture", "DP-1 1280 x 720 60 wanted picture"})
+    EXPECT_EQ(ParseScreens(std::string(bad) + "\n" + good).size(), 1U) << bad;
+  EXPECT_TRUE(ParseScreens(good.substr(0, good.size() / 2)).empty());
 }
 
 class StatusSheet : public ::testing::Test {

@@ -1,4 +1,4 @@
-// The screens of a card made of memory, and frames on them.
+// The screens of a fake graphics card, and frames on them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,16 +16,16 @@ class Screens : public ::testing::Test {
   using KmsScreen = scanout::KmsScreen;
 
   Result<std::unique_ptr<KmsScreen>> TryOpen() {
-    const auto make = [this](int width_px, int height_px) -> Result<std::unique_ptr<scanout::KmsPictures>> {
-      if (width_px > largest_px_) return Fail(std::errc::not_enough_memory, "make a window");
+    const auto make = [this](int width_px, int height_px) -> Result<std::unique_ptr<scanout::KmsSurface>> {
+      if (width_px > largest_px_) return Fail(std::errc::not_enough_memory, "make a surface");
       size_px_ = {width_px, height_px};
-      return std::make_unique<FakePictures>(card_, next_framebuffer_ += 10);
+      return std::make_unique<FakeSurface>(card_, next_framebuffer_ += 10);
     };
-    return KmsScreen::Open(card_, make, clock_, wishes_);
+    return KmsScreen::Open(card_, make, clock_, preferences_);
   }
   std::unique_ptr<KmsScreen> Open() { return TryOpen().value(); }
 
-  // A whole frame, from drawing to its light.
+  // A whole frame, from Acquire to its flip.
   Result<ports::Flip> Frame(KmsScreen& screen) {
     if (auto drawn = screen.Acquire(); !drawn) return tl::unexpected(drawn.error());
     if (auto shown = screen.Present(++frame_); !shown) return tl::unexpected(shown.error());
@@ -45,11 +45,11 @@ class Screens : public ::testing::Test {
 
   FakeCard card_{3, 3};
   ManualClock clock_;
-  scanout::KmsWishes wishes_;
+  scanout::KmsPreferences preferences_;
   std::pair<int, int> size_px_;
   std::uint32_t next_framebuffer_ = 1000;
   std::uint64_t frame_ = 0;
-  int largest_px_ = 1 << 20;  // What is wider gets no memory.
+  int largest_px_ = 1 << 20;  // A wider surface gets no memory.
 };
 
 }  // namespace kaori::tests

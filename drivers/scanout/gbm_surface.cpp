@@ -1,4 +1,4 @@
-#include "drivers/scanout/gbm_window.h"
+#include "drivers/scanout/gbm_surface.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,14 +13,16 @@
 namespace kaori::scanout {
 namespace {
 
-constexpr std::uint32_t kFormat = GBM_FORMAT_XRGB8888;  // Every display controller scans it out.
+constexpr std::uint32_t kFormat = GBM_FORMAT_XRGB8888;  // Every CRTC scans it out.
 
-// The buffer becomes known to the card's own file only for as long as the framebuffer needs to be made.
+// Imports the buffer into the card's own file only until the
+// framebuffer is made: a handle that stayed would outlive the program.
 Result<std::uint32_t> AddFramebuffer(int card, gbm_bo* buffer) {
   const UniqueFd shared(gbm_bo_get_fd(buffer));
   std::array<std::uint32_t, 4> handles{};
   if (!shared.valid() || drmPrimeFDToHandle(card, shared.get(), handles.data()) != 0)
-    return FailErrno("hand a picture to the graphics card");
+    return FailErrno("import a picture into the graphics card");
+  // One plane: XRGB has its colours side by side.
   const std::array<std::uint32_t, 4> pitches{gbm_bo_get_stride(buffer)};
   const std::array<std::uint32_t, 4> offsets{};
   std::uint32_t id = 0;
@@ -28,56 +30,60 @@ Result<std::uint32_t> AddFramebuffer(int card, gbm_bo* buffer) {
                                     handles.data(), pitches.data(), offsets.data(), &id, 0);
   const int cause = errno;
   drmCloseBufferHandle(card, handles[0]);
+  // The import is undone in any case: the framebuffer keeps the memory.
   if (refused != 0) return Fail(static_cast<std::errc>(cause), "make a framebuffer of a picture");
   return id;
 }
 
 }  // namespace
 
-Result<GbmDevice> GbmDevice::Open(const char* path, int shows) {
+Result<GbmDevice> GbmDevice::Open(const char* path, int master) {
   GbmDevice opened;
   opened.file = UniqueFd(::open(path, O_RDWR | O_CLOEXEC));
   if (!opened.file.valid()) return FailErrno(fmt::format("open {}", path));
   drm_magic_t magic = 0;
-  if (drmGetMagic(opened.file.get(), &magic) != 0 || drmAuthMagic(shows, magic) != 0)
-    return FailErrno(fmt::format("be let draw on {}", path));
+  if (drmGetMagic(opened.file.get(), &magic) != 0 || drmAuthMagic(master, magic) != 0)
+    return FailErrno(fmt::format("authenticate {} for drawing", path));
   opened.device.reset(gbm_create_device(opened.file.get()));
-  if (!opened.device) return Fail(std::errc::no_such_device, fmt::format("draw on {}", path));
+  if (!opened.device)
+    return Fail(std::errc::no_such_device, fmt::format("find a driver that draws on {}", path));
   return opened;
 }
 
-Result<std::unique_ptr<KmsPictures>> GbmWindow::Make(gbm_device* device, int card, int width_px,
+Result<std::unique_ptr<KmsSurface>> GbmSurface::Make(gbm_device* device, int card, int width_px,
                                                      int height_px) {
   std::unique_ptr<gbm_surface, GbmFree> surface(
       gbm_surface_create(device, std::uint32_t(width_px), std::uint32_t(height_px), kFormat,
                          GBM_BO_USE_SCANOUT | GBM_BO_USE_RENDERING));
   if (!surface)
     return Fail(std::errc::not_enough_memory,
-                fmt::format("make a window of {} x {} pixels", width_px, height_px));
-  return std::make_unique<GbmWindow>(std::move(surface), card);
+                fmt::format("make a surface of {} x {} pixels", width_px, height_px));
+  return std::make_unique<GbmSurface>(std::move(surface), card);
 }
 
-Result<std::uint32_t> GbmWindow::FramebufferOf(gbm_bo* buffer) {
-  const auto known = std::ranges::find(pictures_, buffer, &Picture::buffer);
-  if (known != pictures_.end()) return known->framebuffer;
+Result<std::uint32_t> GbmSurface::FramebufferOf(gbm_bo* buffer) {
+  // EGL goes round the same few buffers, so each becomes a framebuffer once.
+  const auto known = std::ranges::find(buffers_, buffer, &Buffer::object);
+  if (known != buffers_.end()) return known->framebuffer;
   const auto made = AddFramebuffer(card_, buffer);
-  if (made) pictures_.push_back({buffer, *made});
+  if (made) buffers_.push_back({buffer, *made});
   return made;
 }
 
-Result<std::uint32_t> GbmWindow::LockFront() {
+Result<std::uint32_t> GbmSurface::LockFront() {
   gbm_bo* const buffer = gbm_surface_lock_front_buffer(surface_.get());
-  if (buffer == nullptr) return Fail(std::errc::io_error, "take the picture that was drawn");
+  // EGL swapped nothing since the last call.
+  if (buffer == nullptr) return Fail(std::errc::io_error, "lock the picture that was drawn");
   ReleasePrevious();
   previous_ = std::exchange(front_, buffer);
   return FramebufferOf(buffer);
 }
 
-bool GbmWindow::Made(std::uint32_t framebuffer) const {
-  return std::ranges::find(pictures_, framebuffer, &Picture::framebuffer) != pictures_.end();
+bool GbmSurface::Owns(std::uint32_t framebuffer) const {
+  return std::ranges::find(buffers_, framebuffer, &Buffer::framebuffer) != buffers_.end();
 }
 
-void GbmWindow::ReleasePrevious() {
+void GbmSurface::ReleasePrevious() {
   if (previous_ != nullptr) gbm_surface_release_buffer(surface_.get(), std::exchange(previous_, nullptr));
 }
 

@@ -1,0 +1,43 @@
+#include "drivers/ports/output.h"
+
+#include <fmt/format.h>
+
+namespace kaori::ports {
+namespace {
+
+const char* Text(ModeOrigin origin) {
+  switch (origin) {
+    case ModeOrigin::kSubstitute:
+      return ", in place of what the card refuses";
+    case ModeOrigin::kSafeGuess:
+      return ", which is safe: the screen itself asks for no mode";
+    case ModeOrigin::kWanted:
+      break;
+  }
+  return "";
+}
+
+const char* Text(OutputState state) {
+  switch (state) {
+    case OutputState::kUnplugged:
+      return ", pulled";
+    case OutputState::kShowsStatus:
+      return ", shows the status";
+    case OutputState::kShowsPicture:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string DescribeMode(const Output& output) {
+  return fmt::format("{} x {} at {:.4g} Hz{}{}", output.width_px, output.height_px, output.rate_hz,
+                     Text(output.origin), Text(output.state));
+}
+
+std::string Describe(const Output& output) {
+  return output.connector + " " + DescribeMode(output);
+}
+
+}  // namespace kaori::ports

@@ -1,0 +1,38 @@
+// What a graphics card drives: a connector, the mode that it shows, and what the screen there is for.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace kaori::ports {
+
+// Why an output has its mode.
+enum class ModeOrigin : std::uint8_t {
+  kWanted,      // The screen's EDID prefers it, or people asked for it.
+  kSubstitute,  // The card refused a better one.
+  kSafeGuess,   // The screen prefers no mode: one that every screen and cable carries.
+};
+
+enum class OutputState : std::uint8_t {
+  kShowsPicture,  // A part of the show's picture is on it.
+  kUnplugged,     // Its part of the picture is kept for it; nothing is on it now.
+  kShowsStatus,   // It is the status display, and no part of the show.
+};
+
+struct Output {
+  std::string connector;  // As KMS names it: "HDMI-A-1". No white space.
+  int width_px = 0;       // Of the visible picture.
+  int height_px = 0;
+  double rate_hz = 0;  // Frames in a second; fields, where the mode is interlaced.
+  ModeOrigin origin = ModeOrigin::kWanted;
+  OutputState state = OutputState::kShowsPicture;
+  friend bool operator==(const Output&, const Output&) = default;
+};
+
+// The mode, its origin and the state, for people: "1920 x 1080 at 60 Hz, pulled".
+std::string DescribeMode(const Output& output);
+
+// The same behind the connector's name: "HDMI-A-1 1920 x 1080 at 60 Hz".
+std::string Describe(const Output& output);
+
+}  // namespace kaori::ports

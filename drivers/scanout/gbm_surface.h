@@ -1,0 +1,68 @@
+// Buffers that EGL draws into and a KMS plane can show: a
+// gbm_surface, whose buffers become framebuffers of the card.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <gbm.h>
+
+#include "drivers/base/result.h"
+#include "drivers/base/unique_fd.h"
+#include "drivers/scanout/kms_device.h"
+
+namespace kaori::scanout {
+
+struct GbmFree {
+  void operator()(gbm_device* device) const { gbm_device_destroy(device); }
+  void operator()(gbm_surface* surface) const { gbm_surface_destroy(surface); }
+};
+
+// The card, opened a second time for EGL to draw with. Its buffers end
+// with the program. The framebuffers that are made of them belong to the
+// card's other file, which the fd keeper holds, and keep the last picture.
+struct GbmDevice {
+  UniqueFd file;
+  std::unique_ptr<gbm_device, GbmFree> device;
+
+  // Opens `path` and has it authenticated by `master`, the card's file that shows the pictures. Errors:
+  //   those of open(2)
+  //   permission_denied  `master` is not the card's DRM master
+  //   no_such_device     Mesa has no driver for this card
+  static Result<GbmDevice> Open(const char* path, int master);
+};
+
+// One thread. The gbm_device and the card's file must outlive it. The framebuffers that it made outlive it,
+// so that the last picture stays on the screen.
+class GbmSurface final : public KmsSurface {
+ public:
+  // A surface of this size in the format XRGB8888. Errors: not_enough_memory.
+  static Result<std::unique_ptr<KmsSurface>> Make(gbm_device* device, int card, int width_px, int height_px);
+
+  GbmSurface(std::unique_ptr<gbm_surface, GbmFree> surface, int card)
+      : surface_(std::move(surface)), card_(card) {}
+
+  gbm_surface* native() const override { return surface_.get(); }
+  Result<std::uint32_t> LockFront() override;
+  void ReleasePrevious() override;
+  bool Owns(std::uint32_t framebuffer) const override;
+
+ private:
+  // A buffer of the surface, and the framebuffer that was made of it.
+  struct Buffer {
+    gbm_bo* object;
+    std::uint32_t framebuffer;
+  };
+  // The buffer's framebuffer, made where it is new. Errors: what the card says.
+  Result<std::uint32_t> FramebufferOf(gbm_bo* buffer);
+
+  std::unique_ptr<gbm_surface, GbmFree> surface_;
+  int card_;
+  std::vector<Buffer> buffers_;  // Every one that was locked so far: a handful.
+  // The buffer that is presented next or shown, and the one before it; null: none.
+  gbm_bo* front_ = nullptr;
+  gbm_bo* previous_ = nullptr;
+};
+
+}  // namespace kaori::scanout
