@@ -1,4 +1,4 @@
-// A loudspeaker through ALSA: never waiting, and telling when each part will be heard.
+// A loudspeaker through ALSA.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace kaori::audio {
 
-// As ports::Loudspeaker. It begins to sound once two periods wait; one that ran dry or slept goes on by
-// itself.
+// As ports::Loudspeaker. Playback starts once two periods are queued. After an underrun, or after the bus was
+// suspended, it goes on by itself.
 class AlsaLoudspeaker final : public ports::Loudspeaker {
  public:
-  // Borrows `clock` for its life. Errors: those of PcmOpener.
-  static Result<std::unique_ptr<AlsaLoudspeaker>> Open(const std::string& name, const AlsaWish& wish,
-                                                       const Clock& clock,
+  // Opens the ALSA device `name`. `clock` must outlive the loudspeaker. Errors: those of PcmOpener.
+  static Result<std::unique_ptr<AlsaLoudspeaker>> Open(const std::string& name,
+                                                       const AlsaPreferences& preferences, const Clock& clock,
                                                        const PcmOpener& open = OpenAlsaPcm);
   int pollable() const override { return pcm_->pollable(); }
   ports::SoundFormat format() const override { return pcm_->format(); }
@@ -26,8 +26,8 @@ class AlsaLoudspeaker final : public ports::Loudspeaker {
   AlsaLoudspeaker(std::string name, const Clock& clock, std::unique_ptr<AlsaPcm> pcm)
       : name_(std::move(name)), clock_(clock), pcm_(std::move(pcm)) {}
   Result<long> Queue(std::span<const std::int16_t> samples, bool& xrun);
-  Time HeardNext();
-  tl::unexpected<Error> Refused(const Error& error);
+  Time PlayoutTime();
+  tl::unexpected<Error> Failed(const Error& error);
 
   std::string name_;
   const Clock& clock_;
@@ -35,8 +35,9 @@ class AlsaLoudspeaker final : public ports::Loudspeaker {
   std::optional<Error> broken_;
 };
 
-// Opens the loudspeaker `name` anew each time; kAnySound is the nearest one (sound_choice.h). Borrows `clock`
-// for its life.
-ports::LoudspeakerOpener AlsaLoudspeakerOpener(std::string name, const AlsaWish& wish, const Clock& clock);
+// Opens the ALSA device `name` at each call; kAnySound opens the nearest one (sound_choice.h). `clock` must
+// outlive the opener and its loudspeakers.
+ports::LoudspeakerOpener AlsaLoudspeakerOpener(std::string name, const AlsaPreferences& preferences,
+                                               const Clock& clock);
 
 }  // namespace kaori::audio

@@ -8,32 +8,38 @@
 namespace kaori::audio {
 namespace {
 
-constexpr std::size_t kMostFrames = 480;  // 10 ms: the caller reads until there are none.
+constexpr std::size_t kMostFrames = 480;  // Of one block: 10 ms.
 
 }  // namespace
 
-Result<std::unique_ptr<AlsaMicrophone>> AlsaMicrophone::Open(const std::string& name, const AlsaWish& wish,
+Result<std::unique_ptr<AlsaMicrophone>> AlsaMicrophone::Open(const std::string& name,
+                                                             const AlsaPreferences& preferences,
                                                              const Clock& clock, const PcmOpener& open) {
-  auto pcm = open(name, Direction::kCapture, wish);
+  auto pcm = open(name, Direction::kCapture, preferences);
   if (!pcm) return tl::unexpected(pcm.error());
   if (const int started = (*pcm)->Start(); started < 0)
     return Fail(CauseOf(started), "start sound device " + name);
-  return std::unique_ptr<AlsaMicrophone>(new AlsaMicrophone(name, wish, clock, std::move(*pcm)));
+  return std::unique_ptr<AlsaMicrophone>(new AlsaMicrophone(name, preferences, clock, std::move(*pcm)));
 }
 
-AlsaMicrophone::AlsaMicrophone(std::string name, const AlsaWish& wish, const Clock& clock,
+AlsaMicrophone::AlsaMicrophone(std::string name, const AlsaPreferences& preferences, const Clock& clock,
                                std::unique_ptr<AlsaPcm> pcm)
-    : name_(std::move(name)), stall_(wish.stall), clock_(clock), pcm_(std::move(pcm)), newest_(clock.now()) {
+    : name_(std::move(name)),
+      stall_(preferences.stall),
+      clock_(clock),
+      pcm_(std::move(pcm)),
+      newest_(clock.now()) {
   samples_.resize(kMostFrames * static_cast<std::size_t>(pcm_->format().channels));
 }
 
 Result<ports::SoundBlock> AlsaMicrophone::Read() {
   if (broken_) return tl::unexpected(*broken_);
-  const Time at = StampOfOldest();
+  // Taken before reading: afterwards other frames are the oldest.
+  const Time at = TimeOfOldest();
   const long frames = pcm_->Read(samples_);
   if (frames == 0 || frames == -EAGAIN) return NothingYet();
   if (frames < 0) {
-    if (auto ok = GoOn(frames); !ok) return tl::unexpected(ok.error());
+    if (auto ok = RecoverStream(frames); !ok) return tl::unexpected(ok.error());
     return NothingYet();
   }
   newest_ = clock_.now();
@@ -41,27 +47,31 @@ Result<ports::SoundBlock> AlsaMicrophone::Read() {
   return ports::SoundBlock{at, std::exchange(xrun_, false), std::span(samples_).first(count)};
 }
 
-// The oldest frame that waits was heard this much before the kernel last looked.
-Time AlsaMicrophone::StampOfOldest() {
+// The kernel's stamp is when it last counted the frames
+// that wait; the oldest of them is older by their length.
+Time AlsaMicrophone::TimeOfOldest() {
   PcmStatus status;
-  if (pcm_->Status(status) < 0) return clock_.now();  // Read tells what is wrong.
+  if (pcm_->Status(status) < 0) return clock_.now();  // Read reports the fault.
   return status.at.value_or(clock_.now()) - Span(pcm_->format(), status.delay_frames);
 }
 
-Result<void> AlsaMicrophone::GoOn(long answer) {
+Result<void> AlsaMicrophone::RecoverStream(long answer) {
+  // The next block follows a gap.
   xrun_ = true;
   const auto recovered = Recover(*pcm_, answer, name_);
   if (!recovered) {
+    // The bus resumes by itself: the next Read tries again.
     if (recovered.error().cause == std::errc::resource_unavailable_try_again) return recovered;
     return Broken(recovered.error());
   }
   const int started = pcm_->Start();
-  if (started < 0 && started != -EBADFD)  // One that resumed runs already.
+  if (started < 0 && started != -EBADFD)  // EBADFD: it resumed, and runs already.
     return Broken({CauseOf(started), "start sound device " + name_});
   return {};
 }
 
 tl::unexpected<Error> AlsaMicrophone::NothingYet() {
+  // Some devices stop without an error: silence in frames tells.
   if (clock_.now() - newest_ > stall_) return Broken({std::errc::io_error, "wait any longer for " + name_});
   return Fail(std::errc::resource_unavailable_try_again, "read " + name_);
 }
@@ -71,10 +81,11 @@ tl::unexpected<Error> AlsaMicrophone::Broken(const Error& error) {
   return tl::unexpected(error);
 }
 
-ports::MicrophoneOpener AlsaMicrophoneOpener(std::string name, const AlsaWish& wish, const Clock& clock) {
-  return [name = std::move(name), wish, &clock,
+ports::MicrophoneOpener AlsaMicrophoneOpener(std::string name, const AlsaPreferences& preferences,
+                                             const Clock& clock) {
+  return [name = std::move(name), preferences, &clock,
           open = ChoosingPcmOpener(clock)]() -> Result<std::unique_ptr<ports::Microphone>> {
-    return AlsaMicrophone::Open(name, wish, clock, open);
+    return AlsaMicrophone::Open(name, preferences, clock, open);
   };
 }
 

@@ -1,4 +1,4 @@
-// A microphone through ALSA: never waiting, every frame with the kernel's time.
+// A microphone through ALSA, stamped by the kernel.
 #pragma once
 
 #include <memory>
@@ -11,22 +11,25 @@
 
 namespace kaori::audio {
 
-// As ports::Microphone. A stream that overran or slept goes on by itself; the next block says xrun.
+// As ports::Microphone. After an overrun, or after the bus was suspended, the stream goes on by itself.
 class AlsaMicrophone final : public ports::Microphone {
  public:
-  // Opens `name` and starts it. Borrows `clock` for its life. Errors: those of PcmOpener.
-  static Result<std::unique_ptr<AlsaMicrophone>> Open(const std::string& name, const AlsaWish& wish,
-                                                      const Clock& clock,
+  // Opens the ALSA device `name` and starts it. `clock` must
+  // outlive the microphone. Errors: those of PcmOpener.
+  static Result<std::unique_ptr<AlsaMicrophone>> Open(const std::string& name,
+                                                      const AlsaPreferences& preferences, const Clock& clock,
                                                       const PcmOpener& open = OpenAlsaPcm);
   int pollable() const override { return pcm_->pollable(); }
   ports::SoundFormat format() const override { return pcm_->format(); }
-  // Beside the port's: a stream without a frame for AlsaWish::stall is an io_error; ask now and then.
+  // A stream without a frame for AlsaPreferences::stall counts as broken. Such a device may not become
+  // readable: Read must be called now and then too.
   Result<ports::SoundBlock> Read() override;
 
  private:
-  AlsaMicrophone(std::string name, const AlsaWish& wish, const Clock& clock, std::unique_ptr<AlsaPcm> pcm);
-  Result<void> GoOn(long answer);
-  Time StampOfOldest();
+  AlsaMicrophone(std::string name, const AlsaPreferences& preferences, const Clock& clock,
+                 std::unique_ptr<AlsaPcm> pcm);
+  Result<void> RecoverStream(long answer);
+  Time TimeOfOldest();
   tl::unexpected<Error> NothingYet();
   tl::unexpected<Error> Broken(const Error& error);
 
@@ -34,14 +37,15 @@ class AlsaMicrophone final : public ports::Microphone {
   Duration stall_;
   const Clock& clock_;
   std::unique_ptr<AlsaPcm> pcm_;
-  std::vector<std::int16_t> samples_;  // What the caller looks at.
+  std::vector<std::int16_t> samples_;  // What the caller reads.
   std::optional<Error> broken_;
   Time newest_;  // When the last frame came, or the stream started.
   bool xrun_ = false;
 };
 
-// Opens the microphone `name` anew each time; kAnySound is the nearest one (sound_choice.h). Borrows `clock`
-// for its life.
-ports::MicrophoneOpener AlsaMicrophoneOpener(std::string name, const AlsaWish& wish, const Clock& clock);
+// Opens the ALSA device `name` at each call; kAnySound opens the nearest one (sound_choice.h). `clock` must
+// outlive the opener and its microphones.
+ports::MicrophoneOpener AlsaMicrophoneOpener(std::string name, const AlsaPreferences& preferences,
+                                             const Clock& clock);
 
 }  // namespace kaori::audio

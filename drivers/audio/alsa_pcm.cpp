@@ -10,9 +10,11 @@
 namespace kaori::audio {
 namespace {
 
+// Every USB microphone and every HDMI output has this rate.
 constexpr unsigned kRate_hz = 48000;
 constexpr std::size_t kMostDescriptors = 8;
 
+// Owns a PCM from the line on that opened it.
 struct CloseHandle {
   void operator()(snd_pcm_t* handle) const { snd_pcm_close(handle); }
 };
@@ -22,36 +24,36 @@ unsigned Microseconds(Duration d) {
   return static_cast<unsigned>(std::chrono::duration_cast<std::chrono::microseconds>(d).count());
 }
 
-// The number of channels that the device has: the one that is wished, or the other one.
-Result<int> ChooseChannels(snd_pcm_t* pcm, snd_pcm_hw_params_t* params, int wished) {
-  for (const int channels : {wished, 3 - wished})
+// The preferred number of channels, or else the other one.
+Result<int> ChooseChannels(snd_pcm_t* pcm, snd_pcm_hw_params_t* params, int preferred) {
+  for (const int channels : {preferred, 3 - preferred})
     if (snd_pcm_hw_params_set_channels(pcm, params, static_cast<unsigned>(channels)) == 0) return channels;
-  return Fail(std::errc::not_supported, "have one channel or two");
+  return Fail(std::errc::not_supported, "find a mode with one channel or two");
 }
 
-Result<ports::SoundFormat> SetHardware(snd_pcm_t* pcm, const AlsaWish& wish) {
+Result<ports::SoundFormat> SetHardware(snd_pcm_t* pcm, const AlsaPreferences& preferences) {
   snd_pcm_hw_params_t* params = nullptr;
   snd_pcm_hw_params_alloca(&params);
   if (const int any = snd_pcm_hw_params_any(pcm, params); any < 0)
-    return Fail(CauseOf(any), "ask for its modes");
+    return Fail(CauseOf(any), "read its modes");
   if (snd_pcm_hw_params_set_access(pcm, params, SND_PCM_ACCESS_RW_INTERLEAVED) < 0 ||
       snd_pcm_hw_params_set_format(pcm, params, SND_PCM_FORMAT_S16) < 0 ||
       snd_pcm_hw_params_set_rate(pcm, params, kRate_hz, 0) < 0)
-    return Fail(std::errc::not_supported, "have 16 bit at 48 kHz");
-  const auto channels = ChooseChannels(pcm, params, wish.channels == 2 ? 2 : 1);
+    return Fail(std::errc::not_supported, "find a mode of 16 bits at 48 kHz");
+  const auto channels = ChooseChannels(pcm, params, preferences.channels == 2 ? 2 : 1);
   if (!channels) return tl::unexpected(channels.error());
-  unsigned period_us = Microseconds(wish.period), buffer_us = Microseconds(wish.buffer);
+  unsigned period_us = Microseconds(preferences.period), buffer_us = Microseconds(preferences.buffer);
   snd_pcm_hw_params_set_period_time_near(pcm, params, &period_us, nullptr);  // As near as the device goes.
   snd_pcm_hw_params_set_buffer_time_near(pcm, params, &buffer_us, nullptr);
-  if (const int set = snd_pcm_hw_params(pcm, params); set < 0) return Fail(CauseOf(set), "take its mode");
+  if (const int set = snd_pcm_hw_params(pcm, params); set < 0) return Fail(CauseOf(set), "set its mode");
   return ports::SoundFormat{static_cast<int>(kRate_hz), *channels};
 }
 
-// Stamps by the monotonic clock; a loudspeaker starts with two periods in hand.
+// Stamps by CLOCK_MONOTONIC; playback starts once two periods are queued.
 Result<void> SetSoftware(snd_pcm_t* pcm) {
   snd_pcm_uframes_t buffer = 0, period = 0;
   if (const int got = snd_pcm_get_params(pcm, &buffer, &period); got < 0)
-    return Fail(CauseOf(got), "tell its buffer");
+    return Fail(CauseOf(got), "read its buffer size");
   snd_pcm_sw_params_t* params = nullptr;
   snd_pcm_sw_params_alloca(&params);
   int set = snd_pcm_sw_params_current(pcm, params);
@@ -60,12 +62,12 @@ Result<void> SetSoftware(snd_pcm_t* pcm) {
   if (set == 0) set = snd_pcm_sw_params_set_avail_min(pcm, params, period);
   if (set == 0) set = snd_pcm_sw_params_set_start_threshold(pcm, params, std::min(2 * period, buffer));
   if (set == 0) set = snd_pcm_sw_params(pcm, params);
-  if (set < 0) return Fail(CauseOf(set), "stamp its frames");
+  if (set < 0) return Fail(CauseOf(set), "set its software parameters");
   return {};
 }
 
-// One descriptor for all of the device's. Those that cannot be waited for (the null device's) are left out.
-Result<UniqueFd> Gather(snd_pcm_t* pcm) {
+// One epoll set for all of the device's descriptors, but for those that epoll refuses (the null device's).
+Result<UniqueFd> MakePollable(snd_pcm_t* pcm) {
   UniqueFd set(::epoll_create1(EPOLL_CLOEXEC));
   if (!set.valid()) return FailErrno("create an epoll set");
   std::array<pollfd, kMostDescriptors> descriptors{};
@@ -80,9 +82,10 @@ Result<UniqueFd> Gather(snd_pcm_t* pcm) {
   return set;
 }
 
-// ALSA writes to standard error by itself, at every try; what went wrong is in its answer as well.
-void Hush(const char*, int, const char*, int, const char*, ...) {}
+// ALSA writes every failure to standard error by itself; the error code that it returns says the same.
+void IgnoreError(const char*, int, const char*, int, const char*, ...) {}
 
+// Each call goes to ALSA as it is.
 class RealPcm final : public AlsaPcm {
  public:
   RealPcm(Handle handle, UniqueFd ready, const ports::SoundFormat& format)
@@ -102,6 +105,7 @@ class RealPcm final : public AlsaPcm {
   }
 
  private:
+  // ALSA counts frames, spans count samples.
   unsigned long Frames(std::size_t samples) const {
     return samples / static_cast<std::size_t>(format_.channels);
   }
@@ -124,11 +128,11 @@ int RealPcm::Status(PcmStatus& into) {
   return 0;
 }
 
-Result<std::unique_ptr<AlsaPcm>> Prepared(Handle handle, const AlsaWish& wish) {
-  const auto format = SetHardware(handle.get(), wish);
+Result<std::unique_ptr<AlsaPcm>> Prepared(Handle handle, const AlsaPreferences& preferences) {
+  const auto format = SetHardware(handle.get(), preferences);
   if (!format) return tl::unexpected(format.error());
   if (auto ok = SetSoftware(handle.get()); !ok) return tl::unexpected(ok.error());
-  auto ready = Gather(handle.get());
+  auto ready = MakePollable(handle.get());
   if (!ready) return tl::unexpected(ready.error());
   return std::make_unique<RealPcm>(std::move(handle), std::move(*ready), *format);
 }
@@ -136,14 +140,14 @@ Result<std::unique_ptr<AlsaPcm>> Prepared(Handle handle, const AlsaWish& wish) {
 }  // namespace
 
 Result<std::unique_ptr<AlsaPcm>> OpenAlsaPcm(const std::string& name, Direction direction,
-                                             const AlsaWish& wish) {
-  snd_lib_error_set_handler(Hush);
+                                             const AlsaPreferences& preferences) {
+  snd_lib_error_set_handler(IgnoreError);
   snd_pcm_t* raw = nullptr;
   const auto stream = direction == Direction::kCapture ? SND_PCM_STREAM_CAPTURE : SND_PCM_STREAM_PLAYBACK;
   const int opened = snd_pcm_open(&raw, name.c_str(), stream, SND_PCM_NONBLOCK);
   Handle handle(raw);
   if (opened < 0) return Fail(CauseOf(opened), "open sound device " + name);
-  auto pcm = Prepared(std::move(handle), wish);
+  auto pcm = Prepared(std::move(handle), preferences);
   if (!pcm) return FailAs(pcm.error(), "sound device " + name + ": " + pcm.error().attempt);
   return pcm;
 }

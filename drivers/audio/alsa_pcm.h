@@ -1,4 +1,4 @@
-// One open sound device by its calls: ALSA's, or a test's.
+// One open sound device by the calls that we need: ALSA's, or those of a fake device in tests.
 #pragma once
 
 #include <cstdint>
@@ -17,49 +17,60 @@ namespace kaori::audio {
 
 enum class Direction : std::uint8_t { kCapture, kPlayback };
 
-struct AlsaWish {
-  int channels = 1;  // Another number is taken where the device has no such mode.
-  Duration period = std::chrono::milliseconds(5);   // How often the device speaks.
-  Duration buffer = std::chrono::milliseconds(60);  // How late we may be.
-  Duration stall = std::chrono::seconds(1);         // A microphone that is silent this long has broken.
+// How a device is set, as near as it can.
+struct AlsaPreferences {
+  int channels = 1;  // 1 or 2; the other number is used where the device has no such mode.
+  Duration period = std::chrono::milliseconds(5);   // From one interrupt of the device to the next.
+  Duration buffer = std::chrono::milliseconds(60);  // How much sound is buffered at most.
+  Duration stall = std::chrono::seconds(1);  // A capture stream without a frame for so long has broken.
 };
 
-// `delay_frames`: from the converter to us (capture), or from us to the converter (playback), at `at`.
 struct PcmStatus {
-  std::optional<Time> at;  // None: the device does not stamp.
+  // When the kernel counted the frames; none: the device has no stamps.
+  std::optional<Time> at;
+  // Frames between the converter and the program: captured and not read, or written and not played.
   long delay_frames = 0;
 };
 
-// As the ALSA calls of the same names: failures are -errno. No call blocks. Ends by closing.
+// As the snd_pcm_ calls of the same names: on failure they return -errno. No call blocks. One thread. The
+// destructor closes the device.
 class AlsaPcm {
  public:
   virtual ~AlsaPcm() = default;
   virtual ports::SoundFormat format() const = 0;
-  virtual int pollable() const = 0;  // Readable when the device is ready.
+  virtual int pollable() const = 0;  // Readable when a period was captured, or can be written.
   virtual int Start() = 0;
   virtual int Prepare() = 0;
   virtual int Resume() = 0;
   virtual int Status(PcmStatus& into) = 0;
-  virtual long Read(std::span<std::int16_t> into) = 0;         // Frames.
-  virtual long Write(std::span<const std::int16_t> from) = 0;  // Frames.
+  // Whole frames of interleaved samples; they return how many frames were read or written.
+  virtual long Read(std::span<std::int16_t> into) = 0;
+  virtual long Write(std::span<const std::int16_t> from) = 0;
 };
 
-// Opens device `name` ("hw:1", "default") in 16 bit at 48 kHz. Errors: no_such_device, permission_denied,
-// device_or_resource_busy, not_supported (other rates or sample formats alone), io_error.
+// Opens the device `name` ("hw:1", "default") with 16-bit samples at 48 kHz. Errors:
+//   no_such_device           there is no such device
+//   permission_denied        it may not be opened
+//   device_or_resource_busy  another program uses it
+//   not_supported            it has other rates or sample formats alone
+//   io_error                 any other failure of ALSA
 using PcmOpener = std::function<Result<std::unique_ptr<AlsaPcm>>(const std::string& name, Direction direction,
-                                                                 const AlsaWish& wish)>;
+                                                                 const AlsaPreferences& preferences)>;
 Result<std::unique_ptr<AlsaPcm>> OpenAlsaPcm(const std::string& name, Direction direction,
-                                             const AlsaWish& wish);
+                                             const AlsaPreferences& preferences);
 
-// What a negative answer of a call means for its stream: no_such_device, device_or_resource_busy,
-// permission_denied, not_supported or io_error.
+// The cause of a call's negative result: no_such_device, device_or_resource_busy, permission_denied,
+// not_supported or io_error.
 std::errc CauseOf(long answer);
 
-// Brings a stream back that overran, ran dry (-EPIPE) or slept (-ESTRPIPE); `answer` is what a call said.
-// Errors: resource_unavailable_try_again (still waking), no_such_device, io_error.
+// Recovers a stream after an overrun or underrun (-EPIPE), or after its bus was suspended (-ESTRPIPE);
+// `answer` is the failed call's result. Errors:
+//   resource_unavailable_try_again  the bus has not resumed yet
+//   no_such_device                  the device was unplugged
+//   io_error                        the stream cannot be recovered
 Result<void> Recover(AlsaPcm& pcm, long answer, const std::string& name);
 
-// How long `frames` sound, at 48 kHz or what the format says.
+// How long so many frames last.
 inline Duration Span(const ports::SoundFormat& format, long frames) {
   return Duration(frames * 1'000'000'000L / format.rate_hz);
 }

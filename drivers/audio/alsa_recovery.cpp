@@ -5,6 +5,7 @@
 namespace kaori::audio {
 
 std::errc CauseOf(long answer) {
+  // ENOENT is ALSA's answer to a name that its configuration does not know.
   switch (-answer) {
     case ENODEV:
     case ENXIO:
@@ -28,9 +29,9 @@ Result<void> Recover(AlsaPcm& pcm, long answer, const std::string& name) {
     return Fail(gone ? std::errc::no_such_device : std::errc::io_error, "stream " + name);
   }
   if (answer == -ESTRPIPE) {
-    const int woken = pcm.Resume();
-    if (woken == 0) return {};
-    if (woken == -EAGAIN) return Fail(std::errc::resource_unavailable_try_again, "wake " + name);
+    const int resumed = pcm.Resume();
+    if (resumed == 0) return {};
+    if (resumed == -EAGAIN) return Fail(std::errc::resource_unavailable_try_again, "resume " + name);
   }
   const int prepared = pcm.Prepare();  // Also where a device cannot resume.
   if (prepared == 0) return {};

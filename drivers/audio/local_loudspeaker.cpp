@@ -9,9 +9,9 @@
 namespace kaori::audio {
 namespace {
 
-constexpr int kNotesAtOnce = 64;           // A loudspeaker that tells without end must not hold us.
+constexpr int kNotesAtOnce = 64;           // In one call: a loudspeaker that never stops must not hold us.
 constexpr std::size_t kMostAtOnce = 2048;  // Frames in one packet.
-constexpr std::uint32_t kMostRoom = 1U << 20U;
+constexpr std::uint32_t kMostRoom_frames = 1U << 20U;
 
 }  // namespace
 
@@ -21,6 +21,7 @@ Result<std::unique_ptr<ports::Loudspeaker>> LocalLoudspeaker::Open(const std::st
   const std::string path = folder + "/loudspeaker." + port;
   auto socket = ConnectToPeer(path);
   if (socket) return std::make_unique<LocalLoudspeaker>(std::move(*socket), path, clock);
+  // A socket that nobody listens at is a loudspeaker that is not plugged in.
   const bool denied = socket.error().cause == std::errc::permission_denied;
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
 }
@@ -29,31 +30,32 @@ Result<ports::Playout> LocalLoudspeaker::Write(std::span<const std::int16_t> sam
   if (broken_) return Broken();
   if (auto ok = ReadNotes(); !ok) return tl::unexpected(ok.error());
   const auto channels = static_cast<std::size_t>(format_.channels);
-  if (samples.empty() || samples.size() % channels != 0)
-    return FailInput("play whole frames on " + name_);
+  if (samples.empty() || samples.size() % channels != 0) return FailInput("play whole frames on " + name_);
   const Time now = clock_.now();
-  const double waiting = Waiting(now);
-  const auto room = static_cast<std::size_t>(std::max(0.0, room_frames_ - waiting));
-  const std::size_t frames = std::min({samples.size() / channels, room, kMostAtOnce});
-  const auto full = Fail(std::errc::resource_unavailable_try_again, "find room in " + name_);
+  const double queued = QueuedFrames(now);
+  const auto room_left = static_cast<std::size_t>(std::max(0.0, room_frames_ - queued));
+  const std::size_t frames = std::min({samples.size() / channels, room_left, kMostAtOnce});
+  const auto full = Fail(std::errc::resource_unavailable_try_again, "queue frames on " + name_);
   if (frames == 0) return full;
   packet_.resize(frames * channels * 2);
   for (std::size_t n = 0; n < frames * channels; ++n)
     wire::PutU16(packet_, 2 * n, static_cast<std::uint16_t>(samples[n]));
   const auto sent = SendPacket(socket_.get(), packet_);
+  // The simulator reads too slowly: as a full buffer.
   if (!sent && sent.error().cause == std::errc::resource_unavailable_try_again) return full;
   if (!sent) return Fail(std::errc::no_such_device, "play on " + name_);
   written_ += frames;
-  const bool xrun = std::exchange(told_dry_, played_.dry) != played_.dry;
-  return ports::Playout{frames, now + FromSeconds(waiting / format_.rate_hz), xrun};
+  const std::uint32_t underruns = played_ ? played_->dry : 0;
+  const bool xrun = std::exchange(reported_underruns_, underruns) != underruns;
+  return ports::Playout{frames, now + FromSeconds(queued / format_.rate_hz), xrun};
 }
 
-// How many frames have not been played by `now`, by the newest note and the rate that it promised.
-double LocalLoudspeaker::Waiting(Time now) const {
-  if (!any_note_) return static_cast<double>(written_);
-  const double since_s = Seconds(now - Time(Duration(played_.at_ns)));
-  const double then = static_cast<double>(written_) - static_cast<double>(played_.frames);
-  return std::clamp(then - since_s * format_.rate_hz, 0.0, static_cast<double>(kMostRoom));
+// How many frames are not played by `now`: those of the newest note, less what the rate has played since.
+double LocalLoudspeaker::QueuedFrames(Time now) const {
+  if (!played_) return static_cast<double>(written_);
+  const double since_s = Seconds(now - Time(Duration(played_->at_ns)));
+  const double then = static_cast<double>(written_) - static_cast<double>(played_->frames);
+  return std::clamp(then - since_s * format_.rate_hz, 0.0, static_cast<double>(kMostRoom_frames));
 }
 
 Result<void> LocalLoudspeaker::ReadNotes() {
@@ -74,25 +76,26 @@ Result<void> LocalLoudspeaker::ReadNotes() {
 }
 
 Result<void> LocalLoudspeaker::HandlePacket(std::span<const std::uint8_t> packet) {
+  // The first packet is the hello.
   if (room_frames_ == 0) {
     const auto hello = wire::DecodeLoudspeakerHello(packet);
     if (!hello || hello->channels < 1 || hello->channels > 2 || hello->rate_hz < 8000 ||
-        hello->rate_hz > 192000 || hello->room_frames == 0 || hello->room_frames > kMostRoom)
+        hello->rate_hz > 192000 || hello->room_frames == 0 || hello->room_frames > kMostRoom_frames)
       return Broken();
     format_ = {static_cast<int>(hello->rate_hz), static_cast<int>(hello->channels)};
     room_frames_ = hello->room_frames;
     return {};
   }
   const auto note = wire::DecodePlayed(packet);
+  // No loudspeaker has played more than it was given.
   if (!note || note->frames > written_) return Broken();
   played_ = *note;
-  any_note_ = true;
   return {};
 }
 
 tl::unexpected<Error> LocalLoudspeaker::Broken() {
   broken_ = true;
-  return Fail(std::errc::io_error, "make sense of " + name_);
+  return Fail(std::errc::io_error, "understand the packets of " + name_);
 }
 
 }  // namespace kaori::audio

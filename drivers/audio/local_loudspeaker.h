@@ -1,7 +1,8 @@
-// The simulator's loudspeaker: sound over packets, and notes of what was played.
+// The simulator's loudspeaker: samples by packets, and packets back that tell what was played.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace kaori::audio {
 
 class LocalLoudspeaker final : public ports::Loudspeaker {
  public:
-  // Connects to "<folder>/loudspeaker.<port>"; until the loudspeaker has answered, Write finds no room.
-  // Borrows `clock` for its life. Errors: no_such_device (nobody is there), permission_denied.
+  // Connects to the socket "<folder>/loudspeaker.<port>". Until the loudspeaker
+  // has answered, Write says resource_unavailable_try_again. `clock` must
+  // outlive it. Errors: no_such_device (nobody listens), permission_denied.
   static Result<std::unique_ptr<ports::Loudspeaker>> Open(const std::string& folder, const Clock& clock,
                                                           const std::string& port = "loudspeaker");
 
@@ -24,24 +26,23 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
 
   int pollable() const override { return socket_.get(); }
   ports::SoundFormat format() const override { return format_; }
-  // Beside the port's: packets that make no sense end the stream as io_error.
+  // Packets that make no sense break the stream.
   Result<ports::Playout> Write(std::span<const std::int16_t> samples) override;
 
  private:
   Result<void> ReadNotes();
   Result<void> HandlePacket(std::span<const std::uint8_t> packet);
-  double Waiting(Time now) const;
+  double QueuedFrames(Time now) const;
   tl::unexpected<Error> Broken();
 
   UniqueFd socket_;
   std::string name_;
   const Clock& clock_;
   ports::SoundFormat format_;
-  double room_frames_ = 0;  // 0: the hello has not come.
+  double room_frames_ = 0;  // 0 before the hello.
   std::uint64_t written_ = 0;
-  wire::PlayedNote played_;  // The newest note,
-  bool any_note_ = false;    // if there was one.
-  std::uint32_t told_dry_ = 0;
+  std::optional<wire::PlayedNote> played_;  // The newest note.
+  std::uint32_t reported_underruns_ = 0;
   std::vector<std::uint8_t> packet_;
   bool broken_ = false;
 };

@@ -9,6 +9,7 @@ Result<std::unique_ptr<ports::Microphone>> LocalMicrophone::Open(const std::stri
   const std::string path = folder + "/microphone." + port;
   auto socket = ConnectToPeer(path);
   if (socket) return std::make_unique<LocalMicrophone>(std::move(*socket), path);
+  // A socket that nobody listens at is a microphone that is not plugged in.
   const bool denied = socket.error().cause == std::errc::permission_denied;
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
 }
@@ -23,6 +24,7 @@ Result<ports::SoundBlock> LocalMicrophone::Read() {
   const auto note = wire::DecodeSoundBlock(*packet);
   if (!note) return Broken();
   const auto bytes = packet->subspan(wire::kSoundBlockBytes);
+  // Whole frames of 16-bit samples, little-endian.
   if (bytes.empty() || bytes.size() % (2 * static_cast<std::size_t>(format_.channels)) != 0) return Broken();
   samples_.resize(bytes.size() / 2);
   for (std::size_t n = 0; n < samples_.size(); ++n)
@@ -34,8 +36,9 @@ Result<std::span<const std::uint8_t>> LocalMicrophone::Receive() {
   const auto packet = ReceivePacket(socket_.get(), packet_);
   if (packet) return std::span<const std::uint8_t>(packet_).first(packet->bytes);
   const auto cause = packet.error().cause;
-  const bool ours = cause == std::errc::resource_unavailable_try_again || cause == std::errc::no_such_device;
-  if (!ours) return Broken();
+  const bool expected =
+      cause == std::errc::resource_unavailable_try_again || cause == std::errc::no_such_device;
+  if (!expected) return Broken();
   return Fail(cause, "read " + name_);
 }
 
@@ -52,7 +55,7 @@ Result<void> LocalMicrophone::ReadHello() {
 
 tl::unexpected<Error> LocalMicrophone::Broken() {
   broken_ = true;
-  return Fail(std::errc::io_error, "make sense of " + name_);
+  return Fail(std::errc::io_error, "understand the packets of " + name_);
 }
 
 }  // namespace kaori::audio

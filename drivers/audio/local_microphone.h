@@ -1,4 +1,4 @@
-// The simulator's microphone: blocks of sound over packets.
+// The simulator's microphone: blocks of samples by packets.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace kaori::audio {
 
 class LocalMicrophone final : public ports::Microphone {
  public:
-  // Connects to "<folder>/microphone.<port>"; until the microphone has answered, Read has no block. Errors:
-  // no_such_device (nobody is there), permission_denied.
+  // Connects to the socket "<folder>/microphone.<port>". Until the microphone has answered, Read says
+  // resource_unavailable_try_again. Errors: no_such_device (nobody listens), permission_denied.
   static Result<std::unique_ptr<ports::Microphone>> Open(const std::string& folder,
                                                          const std::string& port = "microphone");
 
@@ -24,7 +24,7 @@ class LocalMicrophone final : public ports::Microphone {
 
   int pollable() const override { return socket_.get(); }
   ports::SoundFormat format() const override { return format_; }
-  // Beside the port's: packets that make no sense end the stream as io_error.
+  // Packets that make no sense break the stream.
   Result<ports::SoundBlock> Read() override;
 
  private:
@@ -36,7 +36,7 @@ class LocalMicrophone final : public ports::Microphone {
   std::string name_;
   ports::SoundFormat format_;
   std::array<std::uint8_t, wire::kMaxLinkPacket> packet_;
-  std::vector<std::int16_t> samples_;  // What the caller looks at.
+  std::vector<std::int16_t> samples_;  // What the caller reads.
   bool greeted_ = false;
   bool broken_ = false;
 };

@@ -1,4 +1,4 @@
-// The part of the choice that asks ALSA: which devices there are, and whether a card lets itself be heard.
+// The calls of sound_choice.h that go to ALSA.
 #include <alsa/asoundlib.h>
 
 #include <algorithm>
@@ -24,6 +24,7 @@ std::string CardName(int card) {
   return fmt::format("hw:{}", card);
 }
 
+// By the kernel driver's name.
 bool IsUsb(snd_ctl_t* control) {
   snd_ctl_card_info_t* info = nullptr;
   snd_ctl_card_info_alloca(&info);
@@ -38,15 +39,17 @@ void AddDevices(int card, snd_pcm_stream_t stream, std::vector<SoundDevice>& int
   const bool usb = IsUsb(raw);
   snd_pcm_info_t* info = nullptr;
   snd_pcm_info_alloca(&info);
+  // Cards number their devices with gaps.
   for (int device = -1; snd_ctl_pcm_next_device(raw, &device) == 0 && device >= 0;) {
     snd_pcm_info_set_device(info, static_cast<unsigned>(device));
     snd_pcm_info_set_subdevice(info, 0);
     snd_pcm_info_set_stream(info, stream);
     if (snd_ctl_pcm_info(raw, info) < 0) continue;
-    const std::string_view says(snd_pcm_info_get_name(info));
-    into.push_back({.name = fmt::format("hw:{},{}", card, device),
-                    .usb = usb,
-                    .on_screen_cable = says.find("HDMI") != says.npos || says.find("DP") != says.npos});
+    const std::string_view pcm_name(snd_pcm_info_get_name(info));
+    into.push_back(
+        {.name = fmt::format("hw:{},{}", card, device),
+         .usb = usb,
+         .on_screen_cable = pcm_name.find("HDMI") != pcm_name.npos || pcm_name.find("DP") != pcm_name.npos});
   }
 }
 
@@ -59,17 +62,18 @@ std::unique_ptr<snd_mixer_t, CloseMixer> MixerOf(const std::string& card) {
   return loaded ? std::move(mixer) : nullptr;
 }
 
-void LoosenCapture(snd_mixer_elem_t* element) {
+void UnmuteCapture(snd_mixer_elem_t* element) {
   long least = 0, most = 0, now = 0;
   if (snd_mixer_selem_has_capture_switch(element) != 0) snd_mixer_selem_set_capture_switch_all(element, 1);
   if (snd_mixer_selem_get_capture_volume_range(element, &least, &most) < 0 ||
       snd_mixer_selem_get_capture_volume(element, SND_MIXER_SCHN_FRONT_LEFT, &now) < 0 || now > least)
     return;
+  // Cards without a scale in decibels get their highest volume.
   if (snd_mixer_selem_set_capture_dB_all(element, 0, -1) < 0)
     snd_mixer_selem_set_capture_volume_all(element, most);
 }
 
-void LoosenPlayback(snd_mixer_elem_t* element) {
+void UnmutePlayback(snd_mixer_elem_t* element) {
   long least = 0, most = 0, now = 0;
   if (snd_mixer_selem_has_playback_switch(element) != 0) snd_mixer_selem_set_playback_switch_all(element, 1);
   if (snd_mixer_selem_get_playback_volume_range(element, &least, &most) < 0 ||
@@ -79,8 +83,9 @@ void LoosenPlayback(snd_mixer_elem_t* element) {
     snd_mixer_selem_set_playback_volume_all(element, most);
 }
 
-// The way to the sockets. Not "Mic": there it means that the microphone is heard at once, past us.
-bool LeadsOut(std::string_view element) {
+// Playback controls on the way to the connectors. Not "Mic":
+// as a playback control it plays the microphone directly.
+bool IsOutput(std::string_view element) {
   constexpr std::array<std::string_view, 7> kNames{"Master",    "PCM",      "Front",       "Speaker",
                                                    "Headphone", "Line Out", "Headphone+LO"};
   return std::ranges::find(kNames, element) != kNames.end();
@@ -91,6 +96,7 @@ bool LeadsOut(std::string_view element) {
 std::vector<SoundDevice> ListSoundDevices(Direction direction) {
   const auto stream = direction == Direction::kCapture ? SND_PCM_STREAM_CAPTURE : SND_PCM_STREAM_PLAYBACK;
   std::vector<SoundDevice> devices;
+  // The kernel numbers cards with gaps, too.
   for (int card = -1; snd_card_next(&card) == 0 && card >= 0;) AddDevices(card, stream, devices);
   return devices;
 }
@@ -101,9 +107,9 @@ void MakeAudible(const std::string& name, Direction direction) {
   for (auto* element = snd_mixer_first_elem(mixer.get()); element != nullptr;
        element = snd_mixer_elem_next(element)) {
     if (snd_mixer_selem_is_active(element) == 0) continue;
-    if (direction == Direction::kCapture) LoosenCapture(element);
-    if (direction == Direction::kPlayback && LeadsOut(snd_mixer_selem_get_name(element)))
-      LoosenPlayback(element);
+    if (direction == Direction::kCapture) UnmuteCapture(element);
+    if (direction == Direction::kPlayback && IsOutput(snd_mixer_selem_get_name(element)))
+      UnmutePlayback(element);
   }
 }
 

@@ -9,9 +9,9 @@
 namespace kaori::audio {
 namespace {
 
-constexpr Duration kLook = std::chrono::seconds(2);
+constexpr Duration kCheckPeriod = std::chrono::seconds(2);
 
-// The nearest device, until another one is.
+// A device that was the nearest one when it was opened; it fails once another one is.
 class NearestPcm final : public AlsaPcm {
  public:
   NearestPcm(std::unique_ptr<AlsaPcm> pcm, std::string name, const Clock& clock,
@@ -20,7 +20,7 @@ class NearestPcm final : public AlsaPcm {
         name_(std::move(name)),
         clock_(clock),
         nearest_(std::move(nearest)),
-        look_at_(clock.now() + kLook) {}
+        check_at_(clock.now() + kCheckPeriod) {}
 
   ports::SoundFormat format() const override { return pcm_->format(); }
   int pollable() const override { return pcm_->pollable(); }
@@ -34,9 +34,10 @@ class NearestPcm final : public AlsaPcm {
   }
 
  private:
+  // Lists devices every kCheckPeriod only: it opens every card.
   bool IsNearest() {
-    if (clock_.now() < look_at_) return true;
-    look_at_ = clock_.now() + kLook;
+    if (clock_.now() < check_at_) return true;
+    check_at_ = clock_.now() + kCheckPeriod;
     return nearest_() == name_;
   }
 
@@ -44,17 +45,17 @@ class NearestPcm final : public AlsaPcm {
   std::string name_;
   const Clock& clock_;
   std::function<std::string()> nearest_;
-  Time look_at_;
+  Time check_at_;
 };
 
 Result<std::unique_ptr<AlsaPcm>> OpenNearest(const SoundSearch& search, Direction direction,
-                                             const AlsaWish& wish, const Clock& clock) {
+                                             const AlsaPreferences& preferences, const Clock& clock) {
   const auto nearest = [list = search.list, direction] { return Nearest(list(direction)); };
   const std::string name = nearest();
   const char* const kind = direction == Direction::kCapture ? "microphone" : "loudspeaker";
   if (name.empty()) return Fail(std::errc::no_such_device, std::string("find a ") + kind);
-  search.loosen(name, direction);
-  auto pcm = search.open(name, direction, wish);
+  search.make_audible(name, direction);
+  auto pcm = search.open(name, direction, preferences);
   if (!pcm) return pcm;
   Log("{}: {} is the nearest", kind, name);
   return std::make_unique<NearestPcm>(std::move(*pcm), name, clock, nearest);
@@ -73,9 +74,9 @@ std::string Nearest(std::span<const SoundDevice> devices) {
 
 PcmOpener ChoosingPcmOpener(const Clock& clock, SoundSearch search) {
   return [&clock, search = std::move(search)](const std::string& name, Direction direction,
-                                              const AlsaWish& wish) {
-    return name == kAnySound ? OpenNearest(search, direction, wish, clock)
-                             : search.open(name, direction, wish);
+                                              const AlsaPreferences& preferences) {
+    return name == kAnySound ? OpenNearest(search, direction, preferences, clock)
+                             : search.open(name, direction, preferences);
   };
 }
 

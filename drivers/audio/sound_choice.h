@@ -1,4 +1,4 @@
-// Which microphone and which loudspeaker, where nobody named any: the first on USB, else the box's own.
+// Chooses the microphone and the loudspeaker where nobody named any: the first on USB, else the box's own.
 #pragma once
 
 #include <functional>
@@ -10,35 +10,37 @@
 
 namespace kaori::audio {
 
-// A device named so on a command line is chosen here.
+// The name, on a command line, of the nearest device.
 inline constexpr const char* kAnySound = "any";
 
+// A capture or playback device of a sound card.
 struct SoundDevice {
   std::string name;  // As ALSA calls it: "hw:1,0".
   bool usb = false;
   bool on_screen_cable = false;  // HDMI, DisplayPort.
 };
 
-// Those of the kernel's cards that have the direction, in the order of cards. Takes a few system calls for
-// each card.
+// The devices of all cards that have this direction, in the order of cards. Opens each card.
 std::vector<SoundDevice> ListSoundDevices(Direction direction);
 
-// The first on USB, else the first that is no screen's, else the first. Nothing where there is none. Pure.
+// The name of the first device on USB, else of the first that is not a screen's, else of the first. Empty
+// where there is none. Pure.
 std::string Nearest(std::span<const SoundDevice> devices);
 
-// A card that is silent, as many are when the kernel starts, is switched on and turned up to 0 dB; what has
-// been set already stays.
+// Unmutes a card and turns its volume up to 0 dB, if it is at its
+// lowest, as many are when the kernel starts. Other volumes stay.
 void MakeAudible(const std::string& name, Direction direction);
 
-// What the choice asks of the machine.
+// The calls by which a device is chosen: the machine's, or a test's.
 struct SoundSearch {
   std::function<std::vector<SoundDevice>(Direction)> list = ListSoundDevices;
-  std::function<void(const std::string&, Direction)> loosen = MakeAudible;
+  std::function<void(const std::string&, Direction)> make_audible = MakeAudible;
   PcmOpener open = OpenAlsaPcm;
 };
 
-// Opens what is named; of kAnySound the nearest, and says of that one -ENODEV within two seconds after a
-// nearer one came. Borrows `clock` for its life. Errors: as PcmOpener.
+// An opener that opens the device of this name, or for kAnySound the nearest one. That one fails with -ENODEV
+// within two seconds after a nearer one was plugged in, so that it is opened anew. `clock` must outlive the
+// opener and its devices. Errors: those of PcmOpener.
 PcmOpener ChoosingPcmOpener(const Clock& clock, SoundSearch search = {});
 
 }  // namespace kaori::audio

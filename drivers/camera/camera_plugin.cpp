@@ -7,10 +7,12 @@
 namespace kaori::camera {
 namespace {
 
+// One line for whatever is wrong with a file.
 tl::unexpected<Error> Unusable(const std::string& file, const std::string& why) {
   return Fail(std::errc::not_supported, "load the camera plug-in " + file + " (" + why + ")");
 }
 
+// dlerror gives its text once.
 std::string LastError() {
   const char* text = ::dlerror();
   return text != nullptr ? text : "no reason given";
@@ -20,7 +22,7 @@ std::string LastError() {
 
 Result<std::unique_ptr<CameraLibrary>> LoadCameraPlugin(const std::string& file) {
   if (!std::filesystem::exists(file)) return Unusable(file, "it is not there");
-  void* loaded = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // For good: cameras' code lies in it.
+  void* loaded = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // Never closed: the cameras' code is in it.
   if (loaded == nullptr) return Unusable(file, LastError());
   const auto* plugin = static_cast<const CameraPlugin*>(::dlsym(loaded, CameraPlugin::kSymbol));
   if (plugin == nullptr) return Unusable(file, "it is no camera plug-in");
@@ -33,6 +35,7 @@ Result<std::unique_ptr<CameraLibrary>> LoadCameraPlugin(const std::string& file)
 
 std::string PluginFile(const std::string& name) {
   std::error_code error;
+  // Not from the environment: a plug-in is code of this program.
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   return (program.parent_path() / (name + ".so")).string();
 }

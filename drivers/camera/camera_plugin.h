@@ -1,5 +1,5 @@
-// The seam to cameras that come from a library which a box need not have: a shared object of their own,
-// loaded when such a camera is named.
+// The interface of cameras whose library a box need not have:
+// a plug-in, which is loaded when such a camera is named.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +14,36 @@
 
 namespace kaori::camera {
 
-// All cameras of one library; its tuning is that of the camera which was opened last. One thread.
+// All cameras of one library. Its tuning is that of the camera that was opened last. One thread.
 class CameraLibrary : public ports::CameraTuning {
  public:
-  // By the library's own names; empty where it sees none.
+  // The library's own names of its cameras; empty where it sees none.
   virtual std::vector<std::string> Names() = 0;
 
-  // An empty name takes the first. Borrows `clock`; the camera ends before the library. Errors:
-  // no_such_device (says which there are), device_or_resource_busy, not_supported, io_error.
+  // Opens the camera of this name, or the first one where `name` is empty. `clock` must outlive the camera,
+  // and the camera must end before the library. Errors:
+  //   no_such_device           there is no such camera; the attempt says which there are
+  //   device_or_resource_busy  another program uses it
+  //   not_supported            it has no format that we read
+  //   io_error                 any other failure of the library
   virtual Result<std::unique_ptr<ports::Camera>> Open(const std::string& name, const Clock& clock) = 0;
 };
 
-// What a plug-in exports, in C: a struct of this name. Program and plug-in are built together: the number is
-// raised with every change of what passes between them.
+// What a plug-in exports with C linkage under the name kSymbol. Program and plug-in are built together:
+// kVersion is raised with every change of the interface between them.
 struct CameraPlugin {
   static constexpr std::uint32_t kVersion = 1;
   static constexpr const char* kSymbol = "kaori_camera_plugin";
   std::uint32_t version = kVersion;
-  CameraLibrary* (*start)() = nullptr;  // The caller's to delete. Null where the library does not start.
+  CameraLibrary* (*start)() = nullptr;  // The caller owns the result. Null: the library does not start.
 };
 
-// Loads the plug-in `file` and starts its library. What was loaded stays until the program ends. Errors:
-//   not_supported  it cannot be loaded, or is none of ours, or of another version: the attempt says why
+// Loads the plug-in `file` and starts its library. The file stays loaded until the program ends. Errors:
+//   not_supported  it cannot be loaded, is no plug-in of ours, or of another version; the attempt says why
 //   io_error       its library does not start
 Result<std::unique_ptr<CameraLibrary>> LoadCameraPlugin(const std::string& file);
 
-// Where the plug-in `name` lies: beside the program.
+// The path of the plug-in `name`: beside the program's own file.
 std::string PluginFile(const std::string& name);
 
 }  // namespace kaori::camera

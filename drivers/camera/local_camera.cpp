@@ -7,18 +7,19 @@
 namespace kaori::camera {
 namespace {
 
-// More than any camera of ours sends: beyond it a hello is nonsense.
+// Bounds of a hello that makes sense.
 constexpr std::uint32_t kMostSlots = 64;
-constexpr int kNotesAtOnce = 64;  // A camera that tells without end must not hold us.
+constexpr int kNotesAtOnce = 64;  // In one call: a camera that never stops must not hold us.
 constexpr std::uint32_t kMostSlotBytes = 64u << 20;
 constexpr std::uint32_t kMostSide = 16384;
 
+// Bounds that keep products of them within 64 bits.
 bool HasAnyFrameSize(const wire::CameraFrameNote& note) {
   return note.width_px > 0 && note.width_px <= kMostSide && note.height_px > 0 &&
          note.height_px <= kMostSide && note.stride_bytes <= 4 * kMostSide;
 }
 
-// The numbers fit each other, so that a reader who trusts them stays within the bytes.
+// Whether the numbers fit each other, so that a reader who trusts them stays within the bytes.
 bool MakesSense(const wire::CameraFrameNote& note) {
   if (!HasAnyFrameSize(note) || note.bytes == 0) return false;
   const std::uint64_t rows = std::uint64_t{note.stride_bytes} * note.height_px;
@@ -45,7 +46,7 @@ Result<std::unique_ptr<ports::Camera>> LocalCamera::Open(const std::string& fold
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, socket.error().attempt);
 }
 
-// What ReceivePacket said, in the words of the port.
+// An error of ReceivePacket as an error of the port.
 tl::unexpected<Error> LocalCamera::ReceiveError(const Error& error) const {
   const bool waits = error.cause == std::errc::resource_unavailable_try_again;
   const bool gone = error.cause == std::errc::no_such_device;
@@ -54,6 +55,7 @@ tl::unexpected<Error> LocalCamera::ReceiveError(const Error& error) const {
 
 Result<ports::CameraFrame> LocalCamera::Next() {
   if (broken_) return Fail(std::errc::io_error, "read the hello of " + name_);
+  // The caller's frame ends with this call.
   if (borrowed_) GiveBack(*borrowed_);
   borrowed_.reset();
   if (!memory_.valid()) {
@@ -62,13 +64,14 @@ Result<ports::CameraFrame> LocalCamera::Next() {
   const auto note = NewestNote();
   if (!note) return tl::unexpected(note.error());
   if (!*note) return Fail(std::errc::bad_message, "read a frame's note of " + name_);
-  return Look(**note);
+  return Borrow(**note);
 }
 
 Result<void> LocalCamera::ReadHello() {
   std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
   auto packet = ReceivePacket(socket_.get(), buffer);
   if (!packet && packet.error().cause != std::errc::message_size) return ReceiveError(packet.error());
+  // Until the hello has been understood.
   broken_ = true;
   const auto hello = packet ? wire::DecodeCameraHello(std::span(buffer).first(packet->bytes)) : std::nullopt;
   if (!hello || hello->slots == 0 || hello->slots > kMostSlots || hello->slot_bytes > kMostSlotBytes)
@@ -82,7 +85,7 @@ Result<void> LocalCamera::ReadHello() {
   return {};
 }
 
-// The last note that waits; slots of earlier ones go back. No value: the last one was torn.
+// The newest note that was sent; slots of earlier ones go back. None: the newest one was torn.
 Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
   std::optional<wire::CameraFrameNote> newest;
   bool any = false;
@@ -91,22 +94,23 @@ Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
     const auto packet = ReceivePacket(socket_.get(), buffer);
     const bool torn = !packet && packet.error().cause == std::errc::message_size;
     if (!packet && !torn) {
-      if (any) return newest;  // What ended the stream shows again at the next call.
+      if (any) return newest;  // The next call meets the stream's end again.
       return ReceiveError(packet.error());
     }
     any = true;
+    // Only the newest frame is given: the older one's slot goes back at once.
     if (newest) GiveBack(newest->slot);
     newest = torn ? std::nullopt : wire::DecodeCameraFrame(std::span(buffer).first(packet->bytes));
   }
   return newest;
 }
 
-Result<ports::CameraFrame> LocalCamera::Look(const wire::CameraFrameNote& note) {
+Result<ports::CameraFrame> LocalCamera::Borrow(const wire::CameraFrameNote& note) {
   if (note.slot >= hello_.slots)
-    return Fail(std::errc::bad_message, "look at a slot that is not there: " + name_);
+    return Fail(std::errc::bad_message, "read a frame of " + name_ + " from a slot that does not exist");
   if (!MakesSense(note) || note.bytes > hello_.slot_bytes) {
     GiveBack(note.slot);
-    return Fail(std::errc::bad_message, "look at a frame of " + name_);
+    return Fail(std::errc::bad_message, "read a whole frame of " + name_);
   }
   borrowed_ = note.slot;
   const auto slot = memory_.bytes().subspan(std::size_t{note.slot} * hello_.slot_bytes, note.bytes);
@@ -118,7 +122,7 @@ Result<ports::CameraFrame> LocalCamera::Look(const wire::CameraFrameNote& note) 
                             .bytes = slot};
 }
 
-// A camera that is gone wants nothing back.
+// That the camera is gone is no error here: the next call tells.
 void LocalCamera::GiveBack(std::uint32_t slot) {
   std::array<std::uint8_t, wire::kCameraReturnBytes> packet{};
   wire::PutU32(packet, 0, slot);

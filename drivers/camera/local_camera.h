@@ -1,4 +1,4 @@
-// The simulator's camera: frames in shared memory, told of by packets.
+// The simulator's camera: frames in shared memory, announced by packets.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace kaori::camera {
 
 class LocalCamera final : public ports::Camera {
  public:
-  // Connects to "<folder>/camera.<port>"; until the camera has answered, Next has no new frame. Errors:
-  // no_such_device (nobody is there), permission_denied.
+  // Connects to the socket "<folder>/camera.<port>". Until the camera has answered, Next says
+  // resource_unavailable_try_again. Errors: no_such_device (nobody listens), permission_denied.
   static Result<std::unique_ptr<ports::Camera>> Open(const std::string& folder,
                                                      const std::string& port = "camera");
 
@@ -26,9 +26,11 @@ class LocalCamera final : public ports::Camera {
   Result<ports::CameraFrame> Next() override;
 
  private:
+  // Reads the hello, and maps the memory that came with it. Errors: as Next.
   Result<void> ReadHello();
   Result<std::optional<wire::CameraFrameNote>> NewestNote();
-  Result<ports::CameraFrame> Look(const wire::CameraFrameNote& note);
+  // The frame that a note announces, once its numbers were checked. Errors: bad_message.
+  Result<ports::CameraFrame> Borrow(const wire::CameraFrameNote& note);
   void GiveBack(std::uint32_t slot);
   tl::unexpected<Error> ReceiveError(const Error& error) const;
 
@@ -36,8 +38,8 @@ class LocalCamera final : public ports::Camera {
   std::string name_;
   wire::CameraHello hello_;
   SharedMemory memory_;
-  std::optional<std::uint32_t> borrowed_;  // The slot whose bytes the caller holds.
-  bool broken_ = false;                    // The hello made no sense: nothing after it does.
+  std::optional<std::uint32_t> borrowed_;  // The slot whose bytes the caller reads.
+  bool broken_ = false;                    // The hello made no sense.
 };
 
 }  // namespace kaori::camera

@@ -12,10 +12,11 @@ constexpr const char* kLibcameraPlugin = "kaori-camera-libcamera";
 
 NamedCamera::NamedCamera(const std::string& device, const Clock& clock) : device_(device), clock_(clock) {
   if (!device.starts_with(kLibcamera)) {
-    v4l2_ = std::make_unique<V4l2Source>(device, V4l2Wish{}, clock);
+    v4l2_ = std::make_unique<V4l2Source>(device, V4l2Preferences{}, clock);
     return;
   }
   device_.erase(0, kLibcamera.size());
+  // A failure is kept, and told by each opening.
   library_ = LoadCameraPlugin(PluginFile(kLibcameraPlugin));
 }
 

@@ -1,4 +1,4 @@
-// The camera that people name: a device of V4L2, or one of a library that is a plug-in.
+// The camera that people name: one of V4L2, or one of libcamera, which is a plug-in.
 #pragma once
 
 #include <memory>
@@ -9,25 +9,26 @@
 
 namespace kaori::camera {
 
-// "/dev/video0", or "libcamera:NAME", or "libcamera:" for the first that libcamera sees. A plug-in that
-// cannot be loaded is an error of each opening, so that a program goes on without a camera. Outlives its
-// cameras.
+// Names are "/dev/video0" or the like, "libcamera:NAME", or "libcamera:" for the first camera that libcamera
+// sees. A plug-in that cannot be loaded is an error of each opening, so that a program goes on without a
+// camera. Must outlive its cameras. One thread.
 class NamedCamera {
  public:
-  // Borrows `clock` for its life.
+  // `clock` must outlive it.
   NamedCamera(const std::string& device, const Clock& clock);
 
-  // Errors: those of ports::CameraOpener and of LoadCameraPlugin.
+  // Opens the camera. Its errors are those of ports::CameraOpener and of LoadCameraPlugin.
   ports::CameraOpener opener();
-  ports::CameraTuning* tuning();  // Null where there is no camera to tune.
+  // The camera's tuning, which this object owns; null where the plug-in cannot be loaded.
+  ports::CameraTuning* tuning();
 
-  // What the camera can, or which cameras there are, as lines for people. Errors: as above.
+  // The camera's modes, or libcamera's cameras, as lines for people. Errors: as the opener's.
   Result<std::string> ModesText();
 
  private:
   std::string device_;
   const Clock& clock_;
-  std::unique_ptr<V4l2Source> v4l2_;  // Else a plug-in.
+  std::unique_ptr<V4l2Source> v4l2_;  // Null: the camera is one of the plug-in's.
   Result<std::unique_ptr<CameraLibrary>> library_;
 };
 

@@ -1,4 +1,4 @@
-// The system calls by which a V4L2 camera is used: the kernel's, or a test's.
+// The system calls that a V4L2 camera needs: the kernel's, or those of a fake camera in tests.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace kaori::camera {
 
-// As the system calls of the same names: failures are -1 or null, with errno set. No call blocks.
+// As the system calls of the same names: on failure they return -1 or null, and set errno. No call blocks.
 class V4l2Calls {
  public:
   virtual ~V4l2Calls() = default;
@@ -19,7 +19,7 @@ class V4l2Calls {
   virtual void Unmap(std::uint8_t* memory, std::size_t bytes) = 0;
 };
 
-// The kernel's; lives as long as the program.
+// The kernel's calls; they live as long as the program.
 V4l2Calls& KernelCalls();
 
 }  // namespace kaori::camera

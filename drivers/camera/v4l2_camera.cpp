@@ -10,15 +10,17 @@ namespace {
 
 using ports::CameraFrame;
 
-constexpr std::uint32_t kBuffers = 4;       // One looked at, one being filled, two for a busy moment.
+constexpr std::uint32_t kBuffers = 4;  // One that the caller reads, one being filled, two for a busy moment.
 constexpr std::uint32_t kMostBuffers = 32;  // V4L2's own limit.
 
+// A node that vanished meanwhile is no fault, but a camera that was pulled.
 std::errc CauseOfOpen(int error) {
   const bool pulled = error == ENOENT || error == ENXIO || error == ENODEV || error == EIO;
   return pulled ? std::errc::no_such_device : static_cast<std::errc>(error == EPERM ? EACCES : error);
 }
 
-v4l2_buffer Described(std::uint32_t index) {
+// A request about one buffer, as every ioctl on buffers wants it.
+v4l2_buffer BufferRequest(std::uint32_t index) {
   v4l2_buffer buffer{};
   buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   buffer.memory = V4L2_MEMORY_MMAP;
@@ -28,20 +30,22 @@ v4l2_buffer Described(std::uint32_t index) {
 
 }  // namespace
 
-Result<std::unique_ptr<V4l2Camera>> V4l2Camera::Open(const std::string& path, const V4l2Wish& wish,
-                                                     const Clock& clock, V4l2Calls& calls) {
-  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(path, wish, clock, calls));
+Result<std::unique_ptr<V4l2Camera>> V4l2Camera::Open(const std::string& path,
+                                                     const V4l2Preferences& preferences, const Clock& clock,
+                                                     V4l2Calls& calls) {
+  std::unique_ptr<V4l2Camera> camera(new V4l2Camera(path, preferences, clock, calls));
   camera->fd_ = calls.Open(path);
   if (!camera->fd_.valid()) return Fail(CauseOfOpen(errno), "open " + path);
-  auto format = Negotiate(calls, camera->fd_.get(), wish);
+  auto format = Negotiate(calls, camera->fd_.get(), preferences);
   if (!format) return FailAs(format.error(), path + ": " + format.error().attempt);
   camera->format_ = *format;
   if (auto ok = camera->Start(); !ok) return tl::unexpected(ok.error());
   return camera;
 }
 
-V4l2Camera::V4l2Camera(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls)
-    : path_(std::move(path)), wish_(wish), clock_(clock), calls_(calls) {}
+V4l2Camera::V4l2Camera(std::string path, const V4l2Preferences& preferences, const Clock& clock,
+                       V4l2Calls& calls)
+    : path_(std::move(path)), preferences_(preferences), clock_(clock), calls_(calls) {}
 
 V4l2Camera::~V4l2Camera() {
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -68,7 +72,8 @@ Result<void> V4l2Camera::MapBuffers() {
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   request.memory = V4L2_MEMORY_MMAP;
   if (calls_.Ioctl(fd_.get(), VIDIOC_REQBUFS, &request) < 0)
-    return Fail(CauseOfOpen(errno), "ask for buffers of " + path_);
+    return Fail(CauseOfOpen(errno), "request buffers of " + path_);
+  // One buffer alone is with the caller or with the kernel: half of the frames would be lost.
   if (request.count < 2) return Fail(std::errc::io_error, "get two buffers of " + path_);
   for (std::uint32_t n = 0; n < std::min(request.count, kMostBuffers); ++n)
     if (auto ok = MapBuffer(n); !ok) return ok;
@@ -76,11 +81,11 @@ Result<void> V4l2Camera::MapBuffers() {
 }
 
 Result<void> V4l2Camera::MapBuffer(std::uint32_t index) {
-  v4l2_buffer described = Described(index);
-  if (calls_.Ioctl(fd_.get(), VIDIOC_QUERYBUF, &described) < 0) return Broken(errno, "ask for a buffer of ");
-  std::uint8_t* memory = calls_.Map(fd_.get(), described.length, described.m.offset);
+  v4l2_buffer request = BufferRequest(index);
+  if (calls_.Ioctl(fd_.get(), VIDIOC_QUERYBUF, &request) < 0) return Broken(errno, "query a buffer of ");
+  std::uint8_t* memory = calls_.Map(fd_.get(), request.length, request.m.offset);
   if (memory == nullptr) return Broken(errno, "map a buffer of ");
-  buffers_.push_back({memory, described.length});
+  buffers_.push_back({memory, request.length});
   return {};
 }
 
@@ -89,10 +94,12 @@ Result<CameraFrame> V4l2Camera::Next() {
   if (auto ok = GiveBackHeld(); !ok) return tl::unexpected(ok.error());
   bool torn = false;
   if (auto ok = DrainAll(torn); !ok) return tl::unexpected(ok.error());
+  // Frames after it have another size than was negotiated.
   if (HasSourceChanged()) return Broken(EIO, "keep the format of ");
+  // A torn frame shows that the stream is alive.
   if (held_ || torn) newest_ = clock_.now();
   if (!held_ && torn) return Fail(std::errc::bad_message, "read a whole frame of " + path_);
-  if (!held_ && clock_.now() - newest_ > wish_.stall) return Broken(EIO, "wait any longer for ");
+  if (!held_ && clock_.now() - newest_ > preferences_.stall) return Broken(EIO, "wait any longer for ");
   if (!held_) return Fail(std::errc::resource_unavailable_try_again, "read " + path_);
   return CameraFrame{.at = held_->at,
                      .sequence = held_->sequence,
@@ -101,45 +108,47 @@ Result<CameraFrame> V4l2Camera::Next() {
                      .bytes = {buffers_[held_->index].memory, held_->bytes}};
 }
 
-// Takes all that wait and keeps the newest whole one; `torn` tells that another one was dropped for damage.
+// Dequeues all buffers that are filled and keeps the newest
+// whole one; `torn` tells that a damaged one was dropped.
 Result<void> V4l2Camera::DrainAll(bool& torn) {
-  for (std::size_t n = 0; n <= buffers_.size(); ++n) {  // A driver that never runs dry must not hold us.
-    const auto taken = Dequeue();
-    if (!taken) return tl::unexpected(taken.error());
-    if (!*taken) return {};
-    const bool whole = is_whole(**taken);
+  for (std::size_t n = 0; n <= buffers_.size(); ++n) {  // A driver that fills them as fast must not hold us.
+    const auto dequeued = Dequeue();
+    if (!dequeued) return tl::unexpected(dequeued.error());
+    if (!*dequeued) return {};
+    const bool whole = is_whole(**dequeued);
     torn = torn || !whole;
-    if (auto ok = whole ? KeepNewest(**taken) : GiveBack((*taken)->index); !ok) return ok;
+    if (auto ok = whole ? KeepNewest(**dequeued) : GiveBack((*dequeued)->index); !ok) return ok;
   }
   return {};
 }
 
 Result<std::optional<v4l2_buffer>> V4l2Camera::Dequeue() {
-  v4l2_buffer taken = Described(0);
-  if (calls_.Ioctl(fd_.get(), VIDIOC_DQBUF, &taken) < 0) {
+  v4l2_buffer dequeued = BufferRequest(0);
+  if (calls_.Ioctl(fd_.get(), VIDIOC_DQBUF, &dequeued) < 0) {
     if (errno == EAGAIN) return std::nullopt;
     return Broken(errno, "read ");
   }
-  if (taken.index >= buffers_.size()) return Broken(EIO, "read a known buffer of ");
-  return taken;
+  if (dequeued.index >= buffers_.size()) return Broken(EIO, "read a known buffer of ");
+  return dequeued;
 }
 
-bool V4l2Camera::is_whole(const v4l2_buffer& taken) const {
-  const bool fits = taken.bytesused > 0 && taken.bytesused <= buffers_[taken.index].bytes;
-  return fits && (taken.flags & V4L2_BUF_FLAG_ERROR) == 0 && taken.bytesused >= format_.frame_bytes;
+bool V4l2Camera::is_whole(const v4l2_buffer& dequeued) const {
+  const bool fits = dequeued.bytesused > 0 && dequeued.bytesused <= buffers_[dequeued.index].bytes;
+  return fits && (dequeued.flags & V4L2_BUF_FLAG_ERROR) == 0 && dequeued.bytesused >= format_.frame_bytes;
 }
 
-Result<void> V4l2Camera::KeepNewest(const v4l2_buffer& taken) {
+Result<void> V4l2Camera::KeepNewest(const v4l2_buffer& dequeued) {
   if (auto ok = GiveBackHeld(); !ok) return ok;
-  held_ = Filled{taken.index, taken.bytesused, taken.sequence, StampOf(taken)};
+  held_ = Filled{dequeued.index, dequeued.bytesused, dequeued.sequence, StampOf(dequeued)};
   return {};
 }
 
-Time V4l2Camera::StampOf(const v4l2_buffer& taken) const {
-  const bool monotonic = (taken.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+Time V4l2Camera::StampOf(const v4l2_buffer& dequeued) const {
+  const bool monotonic = (dequeued.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+  // Some drivers stamp with the time of day, or not at all.
   if (!monotonic) return clock_.now();
-  return Time{} + std::chrono::seconds(taken.timestamp.tv_sec) +
-         std::chrono::microseconds(taken.timestamp.tv_usec);
+  return Time{} + std::chrono::seconds(dequeued.timestamp.tv_sec) +
+         std::chrono::microseconds(dequeued.timestamp.tv_usec);
 }
 
 Result<void> V4l2Camera::GiveBackHeld() {
@@ -148,11 +157,12 @@ Result<void> V4l2Camera::GiveBackHeld() {
 }
 
 Result<void> V4l2Camera::GiveBack(std::uint32_t index) {
-  v4l2_buffer described = Described(index);
-  if (calls_.Ioctl(fd_.get(), VIDIOC_QBUF, &described) < 0) return Broken(errno, "give a buffer back to ");
+  v4l2_buffer request = BufferRequest(index);
+  if (calls_.Ioctl(fd_.get(), VIDIOC_QBUF, &request) < 0) return Broken(errno, "give a buffer back to ");
   return {};
 }
 
+// HDMI grabbers report a new input signal; webcams have no such event.
 bool V4l2Camera::HasSourceChanged() {
   v4l2_event event{};
   return watches_source_ && calls_.Ioctl(fd_.get(), VIDIOC_DQEVENT, &event) == 0 &&
@@ -162,7 +172,7 @@ bool V4l2Camera::HasSourceChanged() {
 tl::unexpected<Error> V4l2Camera::Broken(int error, const char* verb) {
   const bool gone = error == ENODEV || error == ENXIO;
   const bool busy = error == EBUSY;     // Another program streams already.
-  const bool narrow = error == ENOSPC;  // The cable has not room for so many frames.
+  const bool narrow = error == ENOSPC;  // The USB bus has not room for so many frames.
   const auto cause = gone     ? std::errc::no_such_device
                      : busy   ? std::errc::device_or_resource_busy
                      : narrow ? std::errc::no_space_on_device

@@ -1,4 +1,4 @@
-// A camera through the kernel's V4L2: memory-mapped, never waiting, the newest frame only.
+// A camera through the kernel's V4L2, with memory-mapped buffers.
 #pragma once
 
 #include <memory>
@@ -16,59 +16,71 @@ struct v4l2_buffer;
 
 namespace kaori::camera {
 
-// As ports::Camera. A frame keeps its buffer until the next Next; every other buffer is with the kernel.
-// After no_such_device or io_error every later call says the same: destroy it and open anew.
+// As ports::Camera. A frame keeps its buffer until the next
+// call of Next; every other buffer is with the kernel.
 class V4l2Camera final : public ports::Camera {
  public:
-  // Opens, sets the format, maps the buffers and starts the stream. Borrows `clock` and `calls` for its life.
-  // Errors: no_such_device, permission_denied, device_or_resource_busy, not_supported, io_error,
-  // no_space_on_device (the USB bus has not room for so many frames).
-  static Result<std::unique_ptr<V4l2Camera>> Open(const std::string& path, const V4l2Wish& wish,
+  // Opens the device node, sets the format, maps the buffers and starts the stream. `clock` and `calls` must
+  // outlive the camera. Errors:
+  //   no_such_device           there is no such node, or the camera was unplugged
+  //   permission_denied        the node may not be opened
+  //   device_or_resource_busy  another program streams from the camera
+  //   not_supported            no video capture with streaming, or no format that we read
+  //   no_space_on_device       the USB bus has not room for so many frames
+  //   io_error                 any other failure of the kernel's
+  static Result<std::unique_ptr<V4l2Camera>> Open(const std::string& path, const V4l2Preferences& preferences,
                                                   const Clock& clock, V4l2Calls& calls = KernelCalls());
   V4l2Camera(const V4l2Camera&) = delete;
   V4l2Camera& operator=(const V4l2Camera&) = delete;
   ~V4l2Camera() override;
 
   int pollable() const override { return fd_.get(); }
-  // Beside the port's: a stream without a frame for V4l2Wish::stall is an io_error; ask now and then, since a
-  // stalled camera does not become readable.
+  // A stream without a frame for V4l2Preferences::stall counts as broken. Such a camera does not become
+  // readable: Next must be called now and then too.
   Result<ports::CameraFrame> Next() override;
 
   const V4l2Format& format() const { return format_; }
 
  private:
+  // A mapped buffer.
   struct Buffer {
     std::uint8_t* memory = nullptr;
     std::size_t bytes = 0;
   };
+  // A buffer with a whole frame.
   struct Filled {
     std::uint32_t index = 0;
     std::uint32_t bytes = 0;
     std::uint32_t sequence = 0;
     Time at{};
   };
-  V4l2Camera(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls);
+  V4l2Camera(std::string path, const V4l2Preferences& preferences, const Clock& clock, V4l2Calls& calls);
+  // Maps and queues the buffers, and starts the stream. Errors: those of Open.
   Result<void> Start();
   Result<void> MapBuffers();
   Result<void> MapBuffer(std::uint32_t index);
+  // Queues a buffer for the kernel to fill. Errors: as Next.
   Result<void> GiveBack(std::uint32_t index);
   Result<void> GiveBackHeld();
+  // The oldest buffer that is filled; none waits. Errors: as Next.
   Result<std::optional<v4l2_buffer>> Dequeue();
-  Result<void> KeepNewest(const v4l2_buffer& taken);
+  Result<void> KeepNewest(const v4l2_buffer& dequeued);
+  // Keeps the newest whole frame of those that wait.
   Result<void> DrainAll(bool& torn);
-  bool is_whole(const v4l2_buffer& taken) const;
+  bool is_whole(const v4l2_buffer& dequeued) const;
   bool HasSourceChanged();
-  Time StampOf(const v4l2_buffer& taken) const;
+  Time StampOf(const v4l2_buffer& dequeued) const;
+  // Ends the stream: every later call says the same.
   tl::unexpected<Error> Broken(int error, const char* verb);
 
   std::string path_;
-  V4l2Wish wish_;
+  V4l2Preferences preferences_;
   const Clock& clock_;
   V4l2Calls& calls_;
   UniqueFd fd_;
   V4l2Format format_;
   std::vector<Buffer> buffers_;
-  std::optional<Filled> held_;  // The frame that the caller looks at.
+  std::optional<Filled> held_;  // The frame that the caller reads.
   std::optional<Error> broken_;
   Time newest_{};  // When the last frame came, or the stream started.
   bool watches_source_ = false;

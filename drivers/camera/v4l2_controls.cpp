@@ -36,6 +36,7 @@ constexpr std::array<Automatic, 4> kAutomatics = {{
     {"focus", V4L2_CID_FOCUS_AUTO, {1, 1}, 0, {V4L2_CID_FOCUS_ABSOLUTE, kNoControl}},
 }};
 
+// Whether the camera has the control and accepted the value.
 bool Write(V4l2Calls& calls, int fd, std::uint32_t control, std::int32_t value) {
   v4l2_control request{.id = control, .value = value};
   return calls.Ioctl(fd, VIDIOC_S_CTRL, &request) == 0;
@@ -47,6 +48,7 @@ std::optional<std::int32_t> Read(V4l2Calls& calls, int fd, std::uint32_t control
   return request.value;
 }
 
+// Disabled controls answer queries, and refuse to be set.
 bool Has(V4l2Calls& calls, int fd, std::uint32_t control) {
   v4l2_queryctrl query{};
   query.id = control;
@@ -54,6 +56,7 @@ bool Has(V4l2Calls& calls, int fd, std::uint32_t control) {
          (query.flags & V4L2_CTRL_FLAG_DISABLED) == 0;
 }
 
+// Sets those of the values that belong to this automatic.
 bool WriteAll(V4l2Calls& calls, int fd, const Automatic& of, std::span<const V4l2Value> values) {
   bool done = true;
   for (const V4l2Value& value : values) {

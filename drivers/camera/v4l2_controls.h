@@ -1,4 +1,4 @@
-// What a V4L2 camera sets by itself, let free and held still.
+// The controls of a V4L2 camera that it sets by itself: exposure, gain, white balance and focus.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,30 @@
 
 namespace kaori::camera {
 
-// A control's number in the kernel's list, and what it stands at.
+// A control's V4L2_CID_..., and its value.
 struct V4l2Value {
   std::uint32_t control = 0;
   std::int32_t value = 0;
   friend bool operator==(const V4l2Value&, const V4l2Value&) = default;
 };
 
-// All on the open camera `fd`. Names are what people call a control, "white balance"; one that the camera
-// lacks, or refuses to set, is passed over and named.
+// All functions use the open camera `fd`, and block no longer than it takes to answer a control. They return
+// the names, for people, of controls that the camera lacks or refuses: "white balance".
 
-// The camera finds exposure, gain, white balance and focus by itself, at a frame rate that does not sink.
+// Has the camera find exposure, gain, white balance and focus by itself, without lowering its frame rate.
 std::vector<std::string> FreeControls(V4l2Calls& calls, int fd);
 
-// What the camera has found, of that which can be held.
+// The values that the camera has found, of those that can be held.
 std::vector<V4l2Value> ReadControls(V4l2Calls& calls, int fd);
 
-// Automatics off, and these values.
+// Switches the automatics off and sets these values.
 std::vector<std::string> HoldControls(V4l2Calls& calls, int fd, std::span<const V4l2Value> values);
 
-// Mains light flickers twice a period; a camera that is faster than that cannot fit its exposure to it, and
-// one that tries slows down. Slower ones keep what they are set to.
+// Switches the flicker filter off for frame rates above that of mains light, which flickers twice a period:
+// no exposure fits it then, and a camera that tries slows down. Slower cameras keep their setting.
 void FitMains(V4l2Calls& calls, int fd, double rate_hz);
 
-// How long a frame is exposed; nothing where the camera does not tell.
+// How long a frame is exposed, in seconds; none where the camera does not tell.
 std::optional<double> ExposureSeconds(V4l2Calls& calls, int fd);
 
 }  // namespace kaori::camera

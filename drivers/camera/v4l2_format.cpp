@@ -10,8 +10,10 @@ namespace {
 
 using ports::PixelFormat;
 
+// A bound for sizes that come from a driver.
 constexpr std::uint32_t kLargestSide_px = 16384;
 
+// The formats that PlaneReader reads.
 std::optional<PixelFormat> PixelsOf(std::uint32_t fourcc) {
   switch (fourcc) {
     case V4L2_PIX_FMT_NV12:
@@ -37,7 +39,7 @@ void SetRate(V4l2Calls& calls, int fd, V4l2Mode& mode) {
   mode.interval_denominator = interval.denominator;
 }
 
-std::optional<V4l2Format> Understood(const v4l2_pix_format& given) {
+std::optional<V4l2Format> AcceptedFormat(const v4l2_pix_format& given) {
   const auto pixels = PixelsOf(given.pixelformat);
   const bool sane = given.width >= 2 && given.height >= 2 && given.width <= kLargestSide_px &&
                     given.height <= kLargestSide_px;
@@ -46,6 +48,7 @@ std::optional<V4l2Format> Understood(const v4l2_pix_format& given) {
   format.mode.fourcc = given.pixelformat;
   format.mode.format = {static_cast<int>(given.width), static_cast<int>(given.height), *pixels};
   if (*pixels == PixelFormat::kMjpeg) return format;
+  // Some drivers leave bytesperline at 0.
   const std::uint32_t row = *pixels == PixelFormat::kYuyv ? given.width * 2 : given.width;
   format.stride_bytes = std::max(given.bytesperline, row);
   const std::uint32_t rows = *pixels == PixelFormat::kYuyv ? given.height : given.height + given.height / 2;
@@ -55,19 +58,20 @@ std::optional<V4l2Format> Understood(const v4l2_pix_format& given) {
 
 }  // namespace
 
-Result<V4l2Format> Negotiate(V4l2Calls& calls, int fd, const V4l2Wish& wish) {
+Result<V4l2Format> Negotiate(V4l2Calls& calls, int fd, const V4l2Preferences& preferences) {
   const auto modes = ListModes(calls, fd);
   if (!modes) return tl::unexpected(modes.error());
-  const auto ladder = LadderOf(*modes, wish);
-  const V4l2Mode& mode = ladder[std::min(wish.rung, ladder.size() - 1)];
+  const auto ladder = LadderOf(*modes, preferences);
+  const V4l2Mode& mode = ladder[std::min(preferences.rung, ladder.size() - 1)];
   v4l2_format request{};
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   request.fmt.pix.width = static_cast<std::uint32_t>(mode.format.width_px);
   request.fmt.pix.height = static_cast<std::uint32_t>(mode.format.height_px);
   request.fmt.pix.pixelformat = mode.fourcc;
+  // Progressive: two fields would show two moments of a mouth.
   request.fmt.pix.field = V4L2_FIELD_NONE;
   if (calls.Ioctl(fd, VIDIOC_S_FMT, &request) < 0) return FailErrno("set the format");
-  auto format = Understood(request.fmt.pix);
+  auto format = AcceptedFormat(request.fmt.pix);
   if (!format) return Fail(std::errc::not_supported, "use the format that was given");
   format->mode.interval_numerator = mode.interval_numerator;
   format->mode.interval_denominator = mode.interval_denominator;

@@ -1,4 +1,4 @@
-// Sets a V4L2 camera to one of its modes, and takes what it then gives.
+// Sets a V4L2 camera to one of its modes.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,18 @@
 
 namespace kaori::camera {
 
+// What the camera was set to.
 struct V4l2Format {
-  V4l2Mode mode;                   // As the camera gives it, which may be another than was asked.
+  V4l2Mode mode;                   // As the camera set it, which may be another than was requested.
   std::uint32_t stride_bytes = 0;  // 0 for MJPEG.
   std::uint32_t frame_bytes = 0;   // A whole uncompressed frame; 0 for MJPEG, whose frames vary.
 
   const ports::CameraFormat& format() const { return mode.format; }
 };
 
-// Sets format and rate of the open camera `fd` by the wish. Errors:
+// Sets format and rate of the open camera `fd` by the preferences. Errors:
 //   not_supported   no video capture with streaming, or no format that we read
 //   no_such_device, device_or_resource_busy
-Result<V4l2Format> Negotiate(V4l2Calls& calls, int fd, const V4l2Wish& wish);
+Result<V4l2Format> Negotiate(V4l2Calls& calls, int fd, const V4l2Preferences& preferences);
 
 }  // namespace kaori::camera

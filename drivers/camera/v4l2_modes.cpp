@@ -19,15 +19,15 @@ struct Known {
   std::uint32_t fourcc;
   PixelFormat pixels;
   const char* name;
-  double bytes_per_px;  // On the cable; JPEG is charged for being decoded, and for the colour it blurs.
+  double bytes_per_px;  // On the cable; JPEG is weighted for being decoded, and for the colour that it blurs.
 };
 
 constexpr std::array<Known, 3> kKnown = {{{V4L2_PIX_FMT_NV12, PixelFormat::kNv12, "NV12", 1.5},
                                           {V4L2_PIX_FMT_YUYV, PixelFormat::kYuyv, "YUYV", 2},
                                           {V4L2_PIX_FMT_MJPEG, PixelFormat::kMjpeg, "MJPEG", 4}}};
-constexpr std::uint32_t kMostEntries = 256;  // A driver that never ends its lists is left.
+constexpr std::uint32_t kMostEntries = 256;  // Of one list; some drivers never end theirs.
 constexpr std::size_t kMostModes = 4096;
-constexpr std::array<int, 3> kWidths_px = {320, 640, 1280};  // Asked of a camera that has any size.
+constexpr std::array<int, 3> kWidths_px = {320, 640, 1280};  // For a camera that has any size.
 constexpr double kSameRate = 1.02;                           // 29.97 and 30 are one rate.
 
 struct Size {
@@ -35,11 +35,11 @@ struct Size {
   std::uint32_t height_px;
 };
 
-// What is no camera knows nothing of the question.
+// A device that is no camera does not know the request.
 Result<void> ExpectCapture(V4l2Calls& calls, int fd) {
   v4l2_capability capability{};
   const bool answered = calls.Ioctl(fd, VIDIOC_QUERYCAP, &capability) == 0;
-  if (!answered && errno != ENOTTY && errno != EINVAL) return FailErrno("ask what it can");
+  if (!answered && errno != ENOTTY && errno != EINVAL) return FailErrno("query its capabilities");
   const bool tells_node = (capability.capabilities & V4L2_CAP_DEVICE_CAPS) != 0;
   const std::uint32_t can = tells_node ? capability.device_caps : capability.capabilities;
   const bool streams = (can & V4L2_CAP_VIDEO_CAPTURE) != 0 && (can & V4L2_CAP_STREAMING) != 0;
@@ -47,6 +47,7 @@ Result<void> ExpectCapture(V4l2Calls& calls, int fd) {
   return {};
 }
 
+// In the order of the driver.
 std::vector<Known> KnownFormats(V4l2Calls& calls, int fd) {
   std::vector<Known> found;
   for (std::uint32_t n = 0; n < kMostEntries; ++n) {
@@ -60,7 +61,7 @@ std::vector<Known> KnownFormats(V4l2Calls& calls, int fd) {
   return found;
 }
 
-// Of the sizes in steps those that lips want: 4:3, as near as the camera's steps come.
+// The 4:3 sizes that are good for lips, as near as the camera's steps come.
 std::vector<Size> SomeOf(const v4l2_frmsize_stepwise& steps) {
   const auto stepped = [](std::uint32_t want, std::uint32_t least, std::uint32_t most, std::uint32_t step) {
     const std::uint32_t held = std::clamp(want, least, std::max(least, most));
@@ -75,6 +76,7 @@ std::vector<Size> SomeOf(const v4l2_frmsize_stepwise& steps) {
   return sizes;
 }
 
+// The size that the camera is set to now.
 std::optional<Size> PresentSize(V4l2Calls& calls, int fd) {
   v4l2_format present{};
   present.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -82,6 +84,7 @@ std::optional<Size> PresentSize(V4l2Calls& calls, int fd) {
   return Size{present.fmt.pix.width, present.fmt.pix.height};
 }
 
+// The sizes that the camera has in this format.
 std::vector<Size> SizesOf(V4l2Calls& calls, int fd, std::uint32_t fourcc) {
   std::vector<Size> sizes;
   for (std::uint32_t n = 0; n < kMostEntries; ++n) {
@@ -113,6 +116,7 @@ void AddRates(V4l2Calls& calls, int fd, V4l2Mode mode, std::vector<V4l2Mode>& in
     if (interval.numerator > 0 && interval.denominator > 0) into.push_back(mode);
     if (!discrete) break;
   }
+  // A camera that lists no rates keeps its own.
   if (into.size() > before) return;
   mode.interval_numerator = 0;
   into.push_back(mode);
@@ -122,11 +126,12 @@ const Known& KnownOf(std::uint32_t fourcc) {
   return *std::ranges::find(kKnown, fourcc, &Known::fourcc);
 }
 
+// Bytes of a frame on the cable, weighted: what comes sooner costs less.
 double CostOf(const V4l2Mode& mode) {
   return KnownOf(mode.fourcc).bytes_per_px * mode.format.width_px * mode.format.height_px;
 }
 
-// Those that `is_good` names, or all where it names none.
+// Those that `is_good` accepts, or all where it accepts none.
 template <class Test>
 std::vector<V4l2Mode> PreferThose(std::vector<V4l2Mode> modes, const Test& is_good) {
   std::vector<V4l2Mode> good;
@@ -161,16 +166,17 @@ Result<std::vector<V4l2Mode>> ListModes(V4l2Calls& calls, int fd) {
   return modes;
 }
 
-std::vector<V4l2Mode> LadderOf(std::span<const V4l2Mode> modes, const V4l2Wish& wish) {
+std::vector<V4l2Mode> LadderOf(std::span<const V4l2Mode> modes, const V4l2Preferences& preferences) {
   auto rest = PreferThose({modes.begin(), modes.end()}, [&](const V4l2Mode& mode) {
-    return mode.format.width_px >= wish.least_width_px && mode.format.width_px <= wish.most_width_px;
+    return mode.format.width_px >= preferences.least_width_px &&
+           mode.format.width_px <= preferences.most_width_px;
   });
   rest = PreferThose(std::move(rest),
-                     [&](const V4l2Mode& mode) { return mode.rate_hz() >= wish.least_rate_hz; });
+                     [&](const V4l2Mode& mode) { return mode.rate_hz() >= preferences.least_rate_hz; });
   std::ranges::stable_sort(rest,
                            [](const V4l2Mode& a, const V4l2Mode& b) { return a.rate_hz() > b.rate_hz(); });
   std::vector<V4l2Mode> ladder;
-  double rate_hz = -1;  // Of the rung that is being made: its fastest mode's.
+  double rate_hz = -1;  // The fastest mode's of the newest rung.
   for (const V4l2Mode& mode : rest) {
     if (ladder.empty() || mode.rate_hz() * kSameRate < rate_hz) {
       rate_hz = mode.rate_hz();
@@ -182,15 +188,15 @@ std::vector<V4l2Mode> LadderOf(std::span<const V4l2Mode> modes, const V4l2Wish& 
   return ladder;
 }
 
-Result<std::string> ModesText(const std::string& path, const V4l2Wish& wish, V4l2Calls& calls) {
+Result<std::string> ModesText(const std::string& path, const V4l2Preferences& preferences, V4l2Calls& calls) {
   const UniqueFd fd = calls.Open(path);
   if (!fd.valid()) return FailErrno("open " + path);
   const auto modes = ListModes(calls, fd.get());
   if (!modes) return FailAs(modes.error(), path + ": " + modes.error().attempt);
-  const auto ladder = LadderOf(*modes, wish);
+  const auto ladder = LadderOf(*modes, preferences);
   std::string text;
   for (const V4l2Mode& mode : *modes) text += fmt::format("  {}\n", NameOf(mode));
-  text += "would be taken:\n";
+  text += "chosen for lips:\n";
   for (std::size_t n = 0; n < ladder.size(); ++n)
     text +=
         fmt::format("  {}{}\n", NameOf(ladder[n]), n == 0 ? "" : ", where it is too dark for the one above");

@@ -1,4 +1,4 @@
-// What a V4L2 camera can: formats, sizes and rates; and which of them are good for lips.
+// Lists the formats, sizes and rates of a V4L2 camera, and chooses those that are good for lips.
 #pragma once
 
 #include <cstdint>
@@ -12,39 +12,45 @@
 
 namespace kaori::camera {
 
-struct V4l2Wish {
-  // A mouth is measured to a fiftieth of its width in a picture this wide; a larger one only comes later.
+// Which modes lips want, and when a stream counts as broken.
+struct V4l2Preferences {
+  // In a picture this wide a mouth is measured to a fiftieth of its width; a larger one only arrives later.
   int least_width_px = 320;
   int most_width_px = 1280;
-  double least_rate_hz = 24;  // A slower one is taken only where the camera has none.
-  std::size_t rung = 0;       // So many rates slower than the fastest; the slowest if there are fewer.
-  // Without a frame for so long the stream counts as broken. Longer than the slowest camera's frame.
+  double least_rate_hz = 24;  // Slower modes count only where the camera has none this fast.
+  std::size_t rung = 0;  // Index into LadderOf: 0 is the fastest rate; the last one counts beyond the end.
+  // A stream without a frame for so long counts as broken. Longer than the slowest camera's frame.
   Duration stall = std::chrono::seconds(1);
 };
 
+// A format, a size and a rate that the camera has.
 struct V4l2Mode {
   std::uint32_t fourcc = 0;
   ports::CameraFormat format;
   std::uint32_t interval_numerator = 0;    // Seconds from frame to frame, as a fraction;
   std::uint32_t interval_denominator = 1;  // 0/1 where the camera does not tell: it keeps its own.
 
+  // Frames in a second; 0 where the camera does not tell.
   double rate_hz() const;
 };
 
-// "320 x 240 YUYV at 120 frames/s".
+// For people: "320 x 240 YUYV at 120 frames/s".
 std::string NameOf(const V4l2Mode& mode);
 
-// All modes in formats that we read, of the open camera `fd`. A camera that names no sizes has the one it is
-// set to. Errors: not_supported (no video capture with streaming, or no format that we read), no_such_device.
+// All modes of the open camera `fd` in formats that we read. A
+// camera that lists no sizes has the one that it is set to. Errors:
+//   not_supported   it has no video capture with streaming, or no format that we read
+//   no_such_device  it was unplugged
 Result<std::vector<V4l2Mode>> ListModes(V4l2Calls& calls, int fd);
 
-// For each rate the mode that is with us soonest, the fastest rate first: the fewest bytes for the cable and
-// no JPEG to decode, at a width within the wish if any is.
-std::vector<V4l2Mode> LadderOf(std::span<const V4l2Mode> modes, const V4l2Wish& wish);
+// For each rate the mode that arrives soonest, the fastest rate first: the
+// one with the fewest bytes on the cable and no JPEG to decode, at a width
+// within the preferences if there is any. Pure. Not empty if `modes` is not.
+std::vector<V4l2Mode> LadderOf(std::span<const V4l2Mode> modes, const V4l2Preferences& preferences);
 
-// What the camera at `path` can, as a table for people, with the ladder marked. Errors: those of ListModes,
-// no_such_device, permission_denied.
-Result<std::string> ModesText(const std::string& path, const V4l2Wish& wish,
+// The modes of the camera at `path` as lines for people, and the ladder behind them. Errors: those of
+// ListModes; no_such_device, permission_denied.
+Result<std::string> ModesText(const std::string& path, const V4l2Preferences& preferences,
                               V4l2Calls& calls = KernelCalls());
 
 }  // namespace kaori::camera

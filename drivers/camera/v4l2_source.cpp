@@ -2,8 +2,9 @@
 
 namespace kaori::camera {
 
-V4l2Source::V4l2Source(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls)
-    : path_(std::move(path)), wish_(wish), clock_(clock), calls_(calls) {}
+V4l2Source::V4l2Source(std::string path, const V4l2Preferences& preferences, const Clock& clock,
+                       V4l2Calls& calls)
+    : path_(std::move(path)), preferences_(preferences), clock_(clock), calls_(calls) {}
 
 Result<std::unique_ptr<ports::Camera>> V4l2Source::Open() {
   auto camera = OpenFastest();
@@ -16,12 +17,13 @@ Result<std::unique_ptr<ports::Camera>> V4l2Source::Open() {
 // Every rung tries less of the cable: a camera that shares its USB bus gets what is left.
 Result<std::unique_ptr<V4l2Camera>> V4l2Source::OpenFastest() {
   for (;;) {
-    auto camera = V4l2Camera::Open(path_, wish_, clock_, calls_);
+    auto camera = V4l2Camera::Open(path_, preferences_, clock_, calls_);
     const bool narrow = !camera && camera.error().cause == std::errc::no_space_on_device;
     if (!narrow || !Slower()) return camera;
   }
 }
 
+// Through a descriptor of its own: the stream's belongs to the camera, which may be gone.
 std::vector<std::string> V4l2Source::Apply() {
   const UniqueFd fd = calls_.Open(path_);
   if (!fd.valid()) return {};
@@ -37,6 +39,7 @@ std::optional<float> V4l2Source::exposure() const {
   const UniqueFd fd = calls_.Open(path_);
   const auto exposure_s = fd.valid() ? ExposureSeconds(calls_, fd.get()) : std::nullopt;
   if (!exposure_s || !mode_ || mode_->rate_hz() == 0) return std::nullopt;
+  // The part of a frame's time: both are in seconds and frames a second.
   return static_cast<float>(*exposure_s * mode_->rate_hz());
 }
 
@@ -52,8 +55,8 @@ std::vector<std::string> V4l2Source::Set(ports::CameraHold hold) {
 bool V4l2Source::Slower() {
   const UniqueFd fd = calls_.Open(path_);
   const auto modes = fd.valid() ? ListModes(calls_, fd.get()) : Result<std::vector<V4l2Mode>>();
-  if (!modes || wish_.rung + 1 >= LadderOf(*modes, wish_).size()) return false;
-  ++wish_.rung;
+  if (!modes || preferences_.rung + 1 >= LadderOf(*modes, preferences_).size()) return false;
+  ++preferences_.rung;
   return true;
 }
 

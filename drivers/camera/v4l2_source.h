@@ -1,4 +1,4 @@
-// One V4L2 camera over all its openings: which rate the light allows, and what is held still, stay with it.
+// One V4L2 camera over all of its openings: the rate that the light allows, and what is held, are kept.
 #pragma once
 
 #include <memory>
@@ -12,15 +12,16 @@
 
 namespace kaori::camera {
 
-// Outlives its openers and cameras. Controls go through a file descriptor of their own, so a camera may be
-// gone while they are set: that is no error, the next opening sets them again.
+// Must outlive its openers and cameras. Controls are set through a file descriptor of their own. That the
+// camera is gone meanwhile is no error: the next opening sets them again. One thread.
 class V4l2Source final : public ports::CameraTuning {
  public:
-  // Borrows `clock` and `calls` for its life.
-  V4l2Source(std::string path, const V4l2Wish& wish, const Clock& clock, V4l2Calls& calls = KernelCalls());
+  // `clock` and `calls` must outlive it.
+  V4l2Source(std::string path, const V4l2Preferences& preferences, const Clock& clock,
+             V4l2Calls& calls = KernelCalls());
 
-  // Free, until Set says otherwise. Where the cable is too narrow for a rate, the next slower one is taken.
-  // Errors: those of V4l2Camera::Open.
+  // Opens the camera with its automatics on, or held as Set says. Where the USB bus has not room for a rate,
+  // the next slower one is used. Errors: those of V4l2Camera::Open.
   Result<std::unique_ptr<ports::Camera>> Open();
   ports::CameraOpener opener() {
     return [this] { return Open(); };
@@ -32,11 +33,13 @@ class V4l2Source final : public ports::CameraTuning {
   bool Slower() override;
 
  private:
+  // The camera at the fastest rate that its bus has room for. Errors: those of V4l2Camera::Open.
   Result<std::unique_ptr<V4l2Camera>> OpenFastest();
+  // Sets the controls as they are to be; returns what was refused. Nothing where the camera is gone.
   std::vector<std::string> Apply();
 
   std::string path_;
-  V4l2Wish wish_;
+  V4l2Preferences preferences_;
   const Clock& clock_;
   V4l2Calls& calls_;
   std::optional<V4l2Mode> mode_;

@@ -9,6 +9,7 @@
 namespace kaori::decode {
 namespace {
 
+// HID numbers buttons from 1; button 1 is switch 0 of the sample.
 constexpr std::uint32_t kFirstButton = 1;
 
 // Counts come from a device: they wrap, they do not overflow.
@@ -16,12 +17,14 @@ std::int32_t AddWrapping(std::int32_t a, std::int64_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
 
-// The shorter way round a circle of `span` positions.
+// The shorter way round a circle of `span` positions. Half
+// a circle has no shorter way, and counts as backwards.
 std::int64_t ShortWay(std::int64_t from, std::int64_t to, std::int64_t span) {
   const std::int64_t forwards = ((to - from) % span + span) % span;
   return forwards * 2 < span ? forwards : forwards - span;
 }
 
+// A lamp is a bit that a program sets: LEDs of the LED page and generic outputs alike.
 bool is_lamp(const ReportField& field) {
   return field.kind == ReportKind::kOutput && !field.is_array && field.bits == 1;
 }
@@ -31,6 +34,7 @@ bool is_lamp(const ReportField& field) {
 Result<DialBoxDecoder> DialBoxDecoder::For(const ports::HidIdentity& identity, const DialSample& before) {
   auto layout = LayoutOf(identity);
   if (!layout) return tl::unexpected(layout.error());
+  // The descriptor decides, and not the name: names are what vendors make of them.
   if (Recognise(*layout) != DeviceKind::kDialBox)
     return Fail(std::errc::not_supported, "read " + identity.port + " as a dial box");
   return DialBoxDecoder(std::move(*layout), before);
@@ -44,6 +48,7 @@ DialBoxDecoder::DialBoxDecoder(ReportLayout layout, const DialSample& before)
 Result<DialSample> DialBoxDecoder::Decode(std::span<const std::uint8_t> report, Time at) {
   const auto input = OpenInput(layout_, report);
   if (!input) return tl::unexpected(input.error());
+  // A device may split its dials over several reports: those that are not in this one keep their counts.
   for (std::size_t n = 0; n < dials_.size(); ++n) {
     const auto value = ValueIn(*input, layout_, dials_[n].where);
     if (value) sample_.counts[n] = AddWrapping(sample_.counts[n], Turned(dials_[n], *value));
@@ -57,6 +62,7 @@ std::int32_t DialBoxDecoder::Turned(Dial& dial, std::int64_t value) const {
   const ReportField& field = layout_.fields[dial.where.field];
   if (!in_range(field, value)) return 0;  // HID: outside the logical range is no value.
   if (field.is_relative) return AddWrapping(0, value);
+  // A dial with ends is a knob, and no endless dial.
   if (!field.wraps) return 0;
   const std::int64_t before = std::exchange(dial.position, value).value_or(value);
   return AddWrapping(0, ShortWay(before, value, field.logical_max - field.logical_min + 1));
@@ -69,10 +75,12 @@ void DialBoxDecoder::Release() {
 }
 
 std::vector<std::uint8_t> DialBoxDecoder::LampReport(std::uint32_t lit) const {
+  // All lamps of a box are in one report: that of its first lamp.
   const auto first = std::ranges::find_if(layout_.fields, is_lamp);
   if (first == layout_.fields.end()) return {};
   const ReportShape* shape = layout_.Find(ReportKind::kOutput, first->report_id);
   std::vector<std::uint8_t> report(1 + shape->bytes());
+  // HidChannel::Write expects the id also where the descriptor has none; it is 0 then.
   report[0] = first->report_id;
   std::uint32_t lamp = 0;
   for (const ReportField& field : layout_.fields) {

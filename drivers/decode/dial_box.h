@@ -1,4 +1,4 @@
-// A box of endless dials, buttons and lamps: reports to accumulated values, lamps to a report.
+// Decodes a box of endless dials, buttons and lamps: reports to accumulated counts, lamps to a report.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 
 namespace kaori::decode {
 
+// More dials or lamps of a device are ignored.
 inline constexpr std::size_t kMaxDials = 8;
 inline constexpr std::size_t kMaxLamps = 32;
 
@@ -24,33 +25,40 @@ struct DialSample {
   Switches<1> buttons;
 };
 
-// Pure: no descriptor, no clock. It outlives the device: keep it over a re-plug to keep the counts.
+// Pure: no file descriptor, no clock. Keep its sample over a re-plug to keep the counts.
 class DialBoxDecoder {
  public:
-  // Any device with an endless dial (Recognise says kDialBox). `before` is where the counts go on from.
-  // Errors: invalid_argument (the descriptor), not_supported (no endless dial).
+  // For any device that Recognise calls kDialBox. The counts go on from those of `before`. Errors:
+  //   invalid_argument  the report descriptor is broken
+  //   not_supported     the device has no endless dial
   static Result<DialBoxDecoder> For(const ports::HidIdentity& identity, const DialSample& before = {});
 
-  // Takes one input report. Errors: bad_message  torn, short, long or unknown; the sample stays as it was.
+  // Decodes one input report and returns the new sample. Errors:
+  //   bad_message  the report is torn, short, long or of an unknown id; the sample stays as it was
   Result<DialSample> Decode(std::span<const std::uint8_t> report, Time at);
 
-  // The cable was pulled: buttons go up, counts stay, and the next position of a wrapping dial is a new
-  // start.
+  // To be called when the cable was pulled: buttons go up, counts
+  // stay, and the next position of a wrapping dial counts as no turn.
   void Release();
 
+  // The newest sample, also after Release.
   const DialSample& sample() const { return sample_; }
+  // How many endless dials the device has, kMaxDials at most.
   std::size_t dials() const { return dials_.size(); }
 
-  // The output report that lights the lamps of `lit` (bit n: lamp n), report id first as HidChannel::Write
-  // takes it. Empty for a box without lamps.
+  // The output report that switches on the lamps of `lit` (bit n: lamp n) and switches off the others, report
+  // id first as HidChannel::Write expects it. Empty for a box without lamps.
   std::vector<std::uint8_t> LampReport(std::uint32_t lit) const;
 
  private:
+  // Where the dial is in the reports, and what was read there last.
   struct Dial {
     ElementRef where;
     std::optional<std::int64_t> position;  // Of a wrapping dial, once seen.
   };
+  // `layout` is that of a dial box.
   DialBoxDecoder(ReportLayout layout, const DialSample& before);
+  // The turn of one dial since the last report, clockwise positive; remembers a wrapping dial's position.
   std::int32_t Turned(Dial& dial, std::int64_t value) const;
 
   ReportLayout layout_;

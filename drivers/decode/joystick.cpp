@@ -10,16 +10,22 @@
 namespace kaori::decode {
 namespace {
 
+// HID numbers buttons from 1.
 constexpr std::uint32_t kJoystickFirstButton = 1;
+// A hat is told in eighths of a turn, whatever its number of positions.
 constexpr std::int64_t kHatEighths = 8;
-constexpr float kFarthestRest = 1.0f / 3;  // Of the way to the end: no stick is so worn.
+constexpr float kFarthestRest = 1.0f / 3;  // Of the way to the end; no worn stick rests further off.
 
-float WayFromMiddle(std::int64_t at, std::int64_t middle, std::int64_t max) {
+// A centre as it is kept in files: independent of the logical
+// range, so that a calibration survives another stick.
+float OffsetFromMiddle(std::int64_t at, std::int64_t middle, std::int64_t max) {
   return max == middle ? 0.0f : static_cast<float>(at - middle) / static_cast<float>(max - middle);
 }
 
 }  // namespace
 
+// Bounds keep the response monotonic and finite, whatever a settings file says: the dead zone ends before the
+// reach, and the curve mixes a straight line with a cubic one.
 float Shape(float raw, const StickSettings& settings) {
   const float dead = std::clamp(settings.dead_zone, 0.0f, 0.9f);
   const float reach = std::clamp(settings.reach, dead + 0.05f, 1.0f);
@@ -39,6 +45,7 @@ Result<JoystickDecoder> JoystickDecoder::For(const ports::HidIdentity& identity,
 
 JoystickDecoder::JoystickDecoder(ReportLayout layout, const StickSettings& settings)
     : layout_(std::move(layout)), settings_(settings), buttons_(kButtonPage, kJoystickFirstButton) {
+  // Usages of the Generic Desktop page; a stick without twist or slider has none of these.
   x_ = FindAxis(kUsageX);
   y_ = FindAxis(kUsageY);
   twist_ = FindAxis(kUsageRz);
@@ -65,12 +72,13 @@ std::optional<JoystickDecoder::Axis> JoystickDecoder::FindSlider() const {
   return std::nullopt;
 }
 
+// The report is checked first: a torn one changes nothing.
 Result<StickSample> JoystickDecoder::Decode(std::span<const std::uint8_t> report, Time at) {
   const auto input = OpenInput(layout_, report);
   if (!input) return tl::unexpected(input.error());
   DecodeAxes(*input);
   DecodeHat(*input);
-  Place();
+  UpdateAxes();
   sample_.buttons.Become(buttons_.Read(layout_, *input));
   sample_.at = at;
   return sample_;
@@ -88,6 +96,7 @@ void JoystickDecoder::DecodeAxes(const InputReport& report) {
   }
 }
 
+// A hat of 4 or 8 positions is told in eighths. Its null state, out of the logical range, means centred.
 void JoystickDecoder::DecodeHat(const InputReport& report) {
   if (!hat_) return;
   const auto value = ValueIn(report, layout_, *hat_);
@@ -99,45 +108,49 @@ void JoystickDecoder::DecodeHat(const InputReport& report) {
                     : -1;
 }
 
-float JoystickDecoder::Placed(const std::optional<Axis>& axis) const {
+// The two halves of an axis are scaled each by itself, so that both ends are reached from any centre.
+float JoystickDecoder::Position(const std::optional<Axis>& axis) const {
   if (!axis || !axis->raw) return 0;
   const std::int64_t off = *axis->raw - axis->centre;
   const std::int64_t way = off < 0 ? axis->centre - axis->min : axis->max - axis->centre;
   return way == 0 ? 0.0f : Shape(static_cast<float>(off) / static_cast<float>(way), settings_);
 }
 
-void JoystickDecoder::Place() {
-  sample_.x = Placed(x_);
-  sample_.y = -Placed(y_);  // HID's Y grows towards the operator.
-  sample_.twist = Placed(twist_);
+// Positions are derived from raw values every time: a new centre counts at once, without a report.
+void JoystickDecoder::UpdateAxes() {
+  sample_.x = Position(x_);
+  sample_.y = -Position(y_);  // HID's Y grows towards the operator.
+  sample_.twist = Position(twist_);
   if (!slider_ || !slider_->raw) return;
   const auto up = static_cast<float>(*slider_->raw - slider_->min);
-  const float place = up / static_cast<float>(slider_->max - slider_->min);
-  sample_.slider = settings_.slider_reversed ? 1.0f - place : place;
+  const float position = up / static_cast<float>(slider_->max - slider_->min);
+  sample_.slider = settings_.slider_reversed ? 1.0f - position : position;
 }
 
+// No position is known any more: HID sends none before something moves.
 void JoystickDecoder::Release() {
   for (auto* axis : {&x_, &y_, &twist_, &slider_})
     if (*axis) (*axis)->raw.reset();
   buttons_.Release();
   sample_.buttons.Become({});
   sample_.hat = -1;
-  Place();
+  UpdateAxes();
 }
 
 void JoystickDecoder::CalibrateCentre() {
   for (auto* axis : centred()) {
     if (!*axis || !(*axis)->raw) continue;
-    const float way = WayFromMiddle(*(*axis)->raw, (*axis)->middle, (*axis)->max);
+    const float way = OffsetFromMiddle(*(*axis)->raw, (*axis)->middle, (*axis)->max);
     if (std::abs(way) <= kFarthestRest) (*axis)->centre = *(*axis)->raw;
   }
-  Place();
+  UpdateAxes();
 }
 
 JoystickDecoder::Centres JoystickDecoder::centres() const {
   Centres centres{};
   for (std::size_t n = 0; n < centres.size(); ++n)
-    if (const auto& axis = *centred()[n]) centres[n] = WayFromMiddle(axis->centre, axis->middle, axis->max);
+    if (const auto& axis = *centred()[n])
+      centres[n] = OffsetFromMiddle(axis->centre, axis->middle, axis->max);
   return centres;
 }
 
@@ -148,7 +161,7 @@ void JoystickDecoder::SetCentres(const Centres& centres) {
     const double way = std::abs(centres[n]) <= kFarthestRest ? centres[n] : 0.0;
     axis->centre = axis->middle + std::llround(way * static_cast<double>(axis->max - axis->middle));
   }
-  Place();
+  UpdateAxes();
 }
 
 }  // namespace kaori::decode

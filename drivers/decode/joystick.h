@@ -1,4 +1,4 @@
-// Any HID joystick: reports to axes, hat and buttons, with dead zone, centre and response curve.
+// Decodes any HID joystick: reports to axes, hat and buttons, with dead zone, centre and response curve.
 #pragma once
 
 #include <array>
@@ -31,28 +31,30 @@ struct StickSettings {
   bool slider_reversed = false;
 };
 
-// How one axis answers, for -1 .. 1 before and after. Pure.
+// The response of one axis: -1 .. 1 to -1 .. 1. Pure.
 float Shape(float raw, const StickSettings& settings);
 
-// Pure: no descriptor, no clock. It outlives the device.
+// Pure: no file descriptor, no clock. It may outlive the device.
 class JoystickDecoder {
  public:
-  // Errors: invalid_argument (the descriptor), not_supported (no joystick by its descriptor).
+  // Errors: invalid_argument (the report descriptor is broken), not_supported (the device is no joystick).
   static Result<JoystickDecoder> For(const ports::HidIdentity& identity, const StickSettings& settings = {});
 
-  // Takes one input report. Errors: bad_message  torn, short, long or unknown; the sample stays as it was.
+  // Decodes one input report and returns the new sample. Errors:
+  //   bad_message  the report is torn, short, long or of an unknown id; the sample stays as it was
   Result<StickSample> Decode(std::span<const std::uint8_t> report, Time at);
 
-  // The cable was pulled: X, Y, twist and hat are neutral until a fresh report speaks of them, buttons go up;
-  // the slider, which has no neutral, keeps its place.
+  // To be called when the cable was pulled: X, Y, twist and hat are neutral until a report has them again,
+  // and buttons go up. The slider has no neutral position and keeps its value.
   void Release();
 
-  // Takes where X, Y and twist are now as their centres: hands off the stick. The newest sample follows. An
-  // axis more than a third of the way from its middle is not at rest, and keeps its centre.
+  // Makes the present positions of X, Y and twist their centres, and changes the sample accordingly. Nobody
+  // may touch the stick meanwhile. An axis that is more than a third of the way from its middle is not at
+  // rest, and keeps its centre.
   void CalibrateCentre();
 
-  // Centres of X, Y and twist as the device has them (Y grows towards the operator): 0 the middle, -1 and 1
-  // the ends. What lies outside a third counts as 0.
+  // The centres of X, Y and twist in the device's own frame (Y grows towards the operator), from -1 to 1; 0
+  // is the middle of the logical range. A centre further than a third from the middle counts as 0.
   using Centres = std::array<float, 3>;
   Centres centres() const;
   void SetCentres(const Centres& centres);
@@ -60,20 +62,24 @@ class JoystickDecoder {
   const StickSample& sample() const { return sample_; }
 
  private:
+  // An axis, in the device's logical units. The middle is the descriptor's; the centre is where it rests.
   struct Axis {
     ElementRef where;
     std::int64_t min = 0, middle = 0, centre = 0, max = 0;
-    std::optional<std::int64_t> raw;  // Nothing until the first fresh report.
+    std::optional<std::int64_t> raw;  // None before a report had it.
   };
   JoystickDecoder(ReportLayout layout, const StickSettings& settings);
+  // The first absolute input of this usage; none where the device has no such axis.
   std::optional<Axis> FindAxis(Usage usage) const;
   std::optional<Axis> FindSlider() const;
   std::array<const std::optional<Axis>*, 3> centred() const { return {&x_, &y_, &twist_}; }
   std::array<std::optional<Axis>*, 3> centred() { return {&x_, &y_, &twist_}; }
+  // These read one report into the axes' raw values, and into the sample's hat.
   void DecodeAxes(const InputReport& report);
   void DecodeHat(const InputReport& report);
-  float Placed(const std::optional<Axis>& axis) const;
-  void Place();
+  // The response of an axis at its raw value; 0 where it is not known.
+  float Position(const std::optional<Axis>& axis) const;
+  void UpdateAxes();
 
   ReportLayout layout_;
   StickSettings settings_;

@@ -12,11 +12,13 @@ namespace {
 // Usages 00..03 are no keys: none, roll-over, self-test failed, undefined error.
 constexpr Usage kFirstError = (kKeyboardPage << 16) | 0x01;
 constexpr Usage kLastError = (kKeyboardPage << 16) | 0x03;
+// Bits 0 to 3 of the first word: the usages that are no keys.
 constexpr std::uint32_t kNoKeys = 0x0F;
 
 }  // namespace
 
 Result<KeyboardDecoder> KeyboardDecoder::For(const ports::HidIdentity& identity) {
+  // A keyboard in the boot protocol has a fixed report, and may be without a descriptor here.
   auto layout = identity.descriptor.empty() ? ReadReportLayout(BootKeyboardDescriptor()) : LayoutOf(identity);
   if (!layout) return tl::unexpected(layout.error());
   if (Recognise(*layout) != DeviceKind::kKeyboard)
@@ -29,6 +31,7 @@ KeyboardDecoder::KeyboardDecoder(ReportLayout layout) : layout_(std::move(layout
 Result<KeySample> KeyboardDecoder::Decode(std::span<const std::uint8_t> report, Time at) {
   const auto input = OpenInput(layout_, report);
   if (!input) return tl::unexpected(input.error());
+  // Too many keys at a time: the keyboard cannot tell which, so all stay as they were.
   if (!is_phantom(*input)) {
     auto held = keys_.Read(layout_, *input);
     held[0] &= ~kNoKeys;

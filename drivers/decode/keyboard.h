@@ -1,4 +1,5 @@
-// A keyboard: reports of the boot protocol, of arrays, or with a bit for each key, to keys that are held.
+// Decodes a keyboard: reports of the boot protocol, of
+// arrays, or with a bit for each key, to keys that are held.
 #pragma once
 
 #include <cstdint>
@@ -17,25 +18,26 @@ struct KeySample {
   Switches<8> keys;  // Switch u is the key with usage u of HID page 7; modifiers are E0..E7.
 };
 
-// Pure: no descriptor, no clock. It outlives the device.
+// Pure: no file descriptor, no clock. It may outlive the device.
 class KeyboardDecoder {
  public:
-  // An identity without a descriptor is read in the boot protocol. Errors: invalid_argument (the descriptor),
-  // not_supported (no keyboard by its descriptor).
+  // An identity without a report descriptor counts as a keyboard in the boot protocol. Errors:
+  // invalid_argument (the report descriptor is broken), not_supported (the device is no keyboard).
   static Result<KeyboardDecoder> For(const ports::HidIdentity& identity);
 
-  // Takes one input report. A keyboard that cannot tell which keys are held (roll-over and other error
-  // codes 01..03) leaves the keys as they were. Errors: bad_message  torn, short, long or unknown; the
-  // sample stays as it was.
+  // Decodes one input report and returns the new sample. A report of a keyboard that cannot tell which keys
+  // are held (usages 01..03: roll-over and other errors) leaves the keys as they were. Errors:
+  //   bad_message  the report is torn, short, long or of an unknown id; the sample stays as it was
   Result<KeySample> Decode(std::span<const std::uint8_t> report, Time at);
 
-  // The cable was pulled: no key stays held.
+  // To be called when the cable was pulled: no key stays held.
   void Release();
 
   const KeySample& sample() const { return sample_; }
 
  private:
   explicit KeyboardDecoder(ReportLayout layout);
+  // Whether the report has a usage of an error in place of keys (HID Usage Tables 1.3, section 10).
   bool is_phantom(const InputReport& report) const;
 
   ReportLayout layout_;

@@ -27,6 +27,7 @@ constexpr auto kShuttle = std::to_array<std::uint8_t>({
     0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xC0,              // 16 x 1 bit
 });
 
+// 8 bytes: a bit for each modifier, padding, and the usages of up to six keys.
 constexpr auto kBootKeyboard = std::to_array<std::uint8_t>({
     0x05, 0x01, 0x09, 0x06, 0xA1, 0x01,                          // Keyboard
     0x05, 0x07, 0x19, 0xE0, 0x29, 0xE7, 0x15, 0x00, 0x25, 0x01,  // The eight modifiers
@@ -36,12 +37,14 @@ constexpr auto kBootKeyboard = std::to_array<std::uint8_t>({
     0x95, 0x06, 0x81, 0x00, 0xC0,                                // An array of 6 x 8 bits
 });
 
+// A device, and the descriptor that is used in place of its own.
 struct Known {
   std::uint16_t vendor;
   std::uint16_t product;
   std::span<const std::uint8_t> descriptor;
 };
 
+// PowerMate, and two devices that report as it does; ShuttleXpress, ShuttlePRO and ShuttlePRO v2.
 constexpr std::array<Known, 6> kKnown = {{{0x077D, 0x0410, kPowerMate},
                                           {0x077D, 0x04AA, kPowerMate},
                                           {0x05F3, 0x0240, kPowerMate},

@@ -1,4 +1,4 @@
-// Descriptors of our own for dials that people have and whose descriptors do not say what turns.
+// Report descriptors of our own, for known dials whose own descriptors do not say what turns.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,9 @@
 
 namespace kaori::decode {
 
-// Griffin PowerMate and Contour Shuttle; empty for every other device, which is taken at its word.
-// Bytes of the reports: kernel driver powermate.c, and the Shuttle's public descriptions.
+// For the Griffin PowerMate and the Contour Shuttle; empty for every other
+// device, whose own descriptor counts. Sources of the reports' bytes: the
+// kernel's driver powermate.c, and the Shuttle's public descriptions.
 std::span<const std::uint8_t> KnownDescriptor(std::uint16_t vendor, std::uint16_t product);
 
 // The boot protocol's report (HID 1.11, appendix B.1), for keyboards that are read in it.

@@ -19,11 +19,13 @@ using ports::CameraFrame;
 constexpr int kMostSide_px = 4096;
 constexpr std::size_t kMostJpegBytes = 16u << 20;
 
+// Names the frame's format and length, so that a log line tells what the camera sent.
 tl::unexpected<Error> Torn(const CameraFrame& frame, std::string_view what) {
   return Fail(std::errc::bad_message, fmt::format("read a {}x{} frame of {} bytes: {}", frame.format.width_px,
                                                   frame.format.height_px, frame.bytes.size(), what));
 }
 
+// Both packed formats share colour between two columns, so the width is even.
 bool is_plausible(const CameraFormat& format) {
   return format.width_px > 0 && format.height_px > 0 && format.width_px <= kMostSide_px &&
          format.height_px <= kMostSide_px && format.width_px % 2 == 0;
@@ -67,11 +69,15 @@ class PlaneReader::Jpeg {
   struct Destroy {
     void operator()(void* handle) const { tjDestroy(handle); }
   };
+  // Checks the size and the colours that the JPEG itself claims.
   Result<int> ReadHeader(const CameraFrame& frame) const;
+  // Memory for a component, as large as the subsampling needs.
   Plane MakePlane(int component, const CameraFormat& format, int subsampling);
+  // Whether the last error was a warning about a whole picture.
   bool is_harmless() const;
 
   std::unique_ptr<void, Destroy> decoder_{tjInitDecompress()};
+  // The copy that is decoded, and the planes that a caller reads; both are kept from frame to frame.
   std::vector<std::uint8_t> jpeg_;
   std::array<std::vector<std::uint8_t>, 3> memory_;
 };

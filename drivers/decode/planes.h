@@ -1,4 +1,4 @@
-// Brightness and colour of a camera frame, sample by sample, whatever format it came in.
+// Reads a camera frame of any format as planes of brightness and colour.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace kaori::decode {
 
-// One of Y, Cb, Cr: 8-bit samples, row 0 on top. `at` wants 0 <= x < width_px and 0 <= y < height_px.
+// One of Y, Cb, Cr: 8-bit samples, row 0 on top. The arguments of `at` must satisfy
+// 0 <= x < width_px and 0 <= y < height_px.
 struct Plane {
   std::span<const std::uint8_t> bytes;
   int width_px = 0;
@@ -23,7 +24,8 @@ struct Plane {
   }
 };
 
-// BT.601; neutral colour is 128. Colour planes cover the picture of Y with as many or fewer samples.
+// Y, Cb and Cr of BT.601; 128 is neutral colour. The colour planes
+// cover the same picture as Y, with as many samples or fewer.
 struct Planes {
   Plane y;
   Plane cb;
@@ -31,7 +33,8 @@ struct Planes {
   bool full_range = false;  // Y: true 0..255 (JPEG), false 16..235 (video).
 };
 
-// Looks at frames in place; JPEG is decompressed into its own memory, which it keeps for the next frame.
+// Uncompressed frames are read in place. JPEG is decompressed into the reader's own memory, which it keeps
+// for the next frame. One thread.
 class PlaneReader {
  public:
   PlaneReader();
@@ -39,8 +42,10 @@ class PlaneReader {
   PlaneReader& operator=(PlaneReader&&) noexcept;
   ~PlaneReader();
 
-  // The result borrows from `frame`, or from this reader until its next Read. Errors:
-  //   bad_message  fewer bytes than the format says, or not a JPEG that fits the format; says which
+  // The result borrows from `frame`, or from this reader
+  // until its next Read; so both must outlive it. Errors:
+  //   bad_message  the frame has fewer bytes than its format needs, or is no JPEG of its format's size; the
+  //                attempt says which
   Result<Planes> Read(const ports::CameraFrame& frame);
 
  private:

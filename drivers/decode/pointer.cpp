@@ -10,6 +10,7 @@ namespace kaori::decode {
 namespace {
 
 constexpr std::uint32_t kPointerFirstButton = 1;
+// A bound for settings that make no sense.
 constexpr float kFewestCounts = 1;  // From edge to edge.
 
 // Where an absolute value lies between its ends; beyond them it is at the nearer.
@@ -19,6 +20,7 @@ float PlaceOf(const ReportField& field, std::int64_t value) {
          static_cast<float>(field.logical_max - field.logical_min);
 }
 
+// Whether a value tells a movement or a position.
 bool Means(const ReportField& field, std::int64_t value) {
   // HID: a change outside the logical range is none, and so is a place in a null state.
   if (field.is_relative || field.has_null) return in_range(field, value);
@@ -45,6 +47,7 @@ PointerDecoder::PointerDecoder(ReportLayout layout, const PointerSettings& setti
       wheel_(FindInputs(layout_, kUsageWheel, kMaxFieldsPerReport)),
       buttons_(kButtonPage, kPointerFirstButton),
       sample_(before) {
+  // Pushes before the re-plug were counted by the reader of the earlier sample.
   sample_.buttons = {};
 }
 
@@ -53,6 +56,7 @@ Result<PointerSample> PointerDecoder::Decode(std::span<const std::uint8_t> repor
   if (!input) return tl::unexpected(input.error());
   sample_.x = Moved(*input, x_, sample_.x, settings_.counts_across);
   sample_.y = Moved(*input, y_, sample_.y, settings_.counts_down);
+  // Counts wrap at 32 bits by unsigned arithmetic: signed overflow is undefined.
   for (const ElementRef ref : wheel_) {
     const auto notches = ValueIn(*input, layout_, ref);
     const ReportField& field = layout_.fields[ref.field];
@@ -65,6 +69,7 @@ Result<PointerSample> PointerDecoder::Decode(std::span<const std::uint8_t> repor
   return sample_;
 }
 
+// Where an axis is after the report. A pointer stays on the picture, and turns round at its edges at once.
 float PointerDecoder::Moved(const InputReport& report, std::span<const ElementRef> axis, float from,
                             float counts) const {
   for (const ElementRef ref : axis) {

@@ -1,4 +1,4 @@
-// A mouse or a tablet: reports to a place on the picture, buttons and a wheel.
+// Decodes a mouse or a tablet: reports to a position on the picture, buttons and a wheel.
 #pragma once
 
 #include <array>
@@ -18,39 +18,43 @@ struct PointerSample {
   Time at{};               // When the newest good report arrived.
   float x = 0.5F;          // 0 the left edge of the picture .. 1 the right one.
   float y = 0.5F;          // 0 the upper edge .. 1 the lower one.
-  std::int32_t wheel = 0;  // Notches, accumulated; away from the hand is positive; wraps at 32 bits.
+  std::int32_t wheel = 0;  // Notches, accumulated; away from the operator is positive; wraps at 32 bits.
   Switches<1> buttons;     // 0 the left one, 1 the right, 2 the middle.
 };
 
-// A mouse only says how far it went: so many of its counts lead from edge to edge. A tablet knows its place.
+// How many counts of a mouse lead from edge to edge of the
+// picture. A tablet tells its position and needs none.
 struct PointerSettings {
   float counts_across = 1600;
   float counts_down = 900;
 };
 
-// Pure: no descriptor, no clock. It outlives the device: keep its sample over a re-plug to keep the place.
+// Pure: no file descriptor, no clock. Keep its sample over a re-plug to keep the position.
 class PointerDecoder {
  public:
-  // Any device that Recognise calls kPointer. `before` is where the place and the wheel go on from. Errors:
-  // invalid_argument (the descriptor), not_supported (no mouse, no tablet).
+  // For any device that Recognise calls kPointer. Position and wheel go on from those of `before`. Errors:
+  // invalid_argument (the report descriptor is broken), not_supported (the device is no mouse and no tablet).
   static Result<PointerDecoder> For(const ports::HidIdentity& identity, const PointerSettings& settings = {},
                                     const PointerSample& before = {});
 
-  // Takes one input report. Errors: bad_message  torn, short, long or unknown; the sample stays as it was.
+  // Decodes one input report and returns the new sample. Errors:
+  //   bad_message  the report is torn, short, long or of an unknown id; the sample stays as it was
   Result<PointerSample> Decode(std::span<const std::uint8_t> report, Time at);
 
-  // The cable was pulled: buttons go up, the place stays.
+  // To be called when the cable was pulled: buttons go up, the position stays.
   void Release();
 
   const PointerSample& sample() const { return sample_; }
 
  private:
   PointerDecoder(ReportLayout layout, const PointerSettings& settings, const PointerSample& before);
+  // The position on one axis, 0 to 1, after `report`, which
+  // may not have the axis. `counts` lead from edge to edge.
   float Moved(const InputReport& report, std::span<const ElementRef> axis, float from, float counts) const;
 
   ReportLayout layout_;
   PointerSettings settings_;
-  std::vector<ElementRef> x_, y_, wheel_;  // A device may speak of an axis in several reports.
+  std::vector<ElementRef> x_, y_, wheel_;  // A device may have an axis in several reports.
   SwitchReader<1> buttons_;
   PointerSample sample_;
 };

@@ -1,4 +1,4 @@
-// What a HID device is for, told from its descriptor and not from its name.
+// Tells what a HID device is for, by its report descriptor and not by its name.
 #pragma once
 
 #include "drivers/decode/report_layout.h"
@@ -8,13 +8,16 @@ namespace kaori::decode {
 
 enum class DeviceKind : std::uint8_t { kOther, kDialBox, kJoystick, kKeyboard, kPointer };
 
-// A dial box has a dial that turns without end; a joystick has X and Y and calls itself joystick, game pad or
-// multi-axis controller; a keyboard calls itself so and has keys; a pointer has X and
-// Y and calls itself mouse or pointer. What is several of these is the first.
+// The kind of a device, by its application collections and its inputs. The first one that fits counts:
+//   kDialBox   has a dial that turns without end: relative, or absolute and wrapping
+//   kJoystick  has X and Y, and is a joystick, game pad or multi-axis controller
+//   kKeyboard  has keys, and is a keyboard or keypad
+//   kPointer   has X and Y, and is a mouse or pointer
+// Pure.
 DeviceKind Recognise(const ReportLayout& layout);
 
-// Reads the identity's descriptor, or our own for a device whose descriptor is known to say too little.
-// Errors: as ReadReportLayout, with the port named.
+// The layout of the identity's report descriptor, or of KnownDescriptor's where there is one. Errors: those
+// of ReadReportLayout, with the port's name. Pure.
 Result<ReportLayout> LayoutOf(const ports::HidIdentity& identity);
 
 }  // namespace kaori::decode

@@ -1,4 +1,4 @@
-// The items of a HID report descriptor, one after another (HID 1.11, section 6.2.2).
+// Splits a HID report descriptor into its items (HID 1.11, section 6.2.2).
 #pragma once
 
 #include <cstdint>
@@ -20,24 +20,26 @@ struct Item {
   std::size_t offset_bytes = 0;      // Of the item in the descriptor.
 };
 
-// Walks over a descriptor. Long items, for which HID defines no use, are stepped over.
+// Reads one item after the other. Long items, for which HID defines no use, are skipped. Pure.
 class ItemReader {
  public:
-  // Borrows `descriptor`.
+  // `descriptor` must outlive the reader.
   explicit ItemReader(std::span<const std::uint8_t> descriptor) : descriptor_(descriptor) {}
 
-  // The next item; nothing at the end. Errors: invalid_argument  the descriptor ends inside an item.
+  // The next item; none at the end. Errors: invalid_argument (the descriptor ends inside an item).
   Result<std::optional<Item>> Next();
 
  private:
+  // Steps over the long item at `at_`, and fails where the descriptor ends within it.
   Result<void> SkipLongItem();
+  // The short item at `at_`, whose data were checked to be there; steps over it.
   Item ParseShortItem(std::uint8_t data_bytes);
 
   std::span<const std::uint8_t> descriptor_;
   std::size_t at_ = 0;
 };
 
-// "report descriptor, byte 12: <reason>", with the cause invalid_argument.
+// An invalid_argument with the attempt "report descriptor, byte 12: <reason>".
 tl::unexpected<Error> FailAt(std::size_t offset_bytes, std::string_view reason);
 
 }  // namespace kaori::decode

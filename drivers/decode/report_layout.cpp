@@ -10,11 +10,13 @@ std::span<const UsageRange> ReportLayout::usages_of(const ReportField& field) co
 
 Usage ReportLayout::usage(const ReportField& field, std::uint32_t index) const {
   const auto ranges = usages_of(field);
+  // Ranges are in the order of their first elements: the last one that begins at or before `index`.
   const auto after = std::ranges::upper_bound(ranges, index, {}, &UsageRange::start);
   if (after == ranges.begin()) return 0;
   const UsageRange& range = *(after - 1);
   const std::uint32_t step = index - range.start;
   if (step <= range.last - range.first) return range.first + step;
+  // Beyond the list: a variable field repeats its last usage, an array has none.
   return field.is_array ? 0 : range.last;
 }
 

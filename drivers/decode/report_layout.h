@@ -1,4 +1,4 @@
-// What a HID device's reports hold, read from its report descriptor with every size bounded.
+// The layout of a HID device's reports, read from its report descriptor with every size bounded.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace kaori::decode {
 
-// The bounds of Linux's own parser (include/linux/hid.h), so that what it takes is what we take.
+// The bounds of Linux's parser (include/linux/hid.h): what Linux accepts is accepted here too.
 inline constexpr std::size_t kMaxDescriptorBytes = 4096;
 inline constexpr std::size_t kMaxUsages = 12288;  // For one main item.
 inline constexpr std::size_t kMaxFieldsPerReport = 256;
 inline constexpr std::size_t kMaxGlobalStack = 4;
 inline constexpr std::size_t kMaxReportBytes = 16384;  // Report id included.
-inline constexpr std::uint32_t kMaxFieldBits = 256;    // One element; we read values of up to 32.
+inline constexpr std::uint32_t kMaxFieldBits =
+    256;  // Of one element; values of up to kMaxValueBits are read.
 inline constexpr std::uint32_t kMaxValueBits = 32;
-inline constexpr std::size_t kMaxCollectionDepth = 64;  // Ours: Linux only runs out of memory.
+inline constexpr std::size_t kMaxCollectionDepth = 64;  // Our own: Linux is bounded by its memory alone.
 
 enum class ReportKind : std::uint8_t { kInput, kOutput, kFeature };
 
@@ -32,7 +33,7 @@ struct UsageRange {
 };
 
 // One main item with data: `count` elements of `bits` bits each. Padding and elements of more than
-// kMaxValueBits bits take their room in the report, but have no field.
+// kMaxValueBits bits occupy bits of the report, but have no field.
 struct ReportField {
   ReportKind kind = ReportKind::kInput;
   std::uint8_t report_id = 0;     // 0 where reports have no ids.
@@ -50,6 +51,7 @@ struct ReportField {
   std::uint32_t usages_end = 0;
 };
 
+// One report: its id and its length.
 struct ReportShape {
   ReportKind kind = ReportKind::kInput;
   std::uint8_t id = 0;
@@ -59,14 +61,16 @@ struct ReportShape {
   std::size_t bytes() const { return (bits + 7u) / 8u; }
 };
 
+// All reports of a device.
 struct ReportLayout {
   std::vector<ReportShape> reports;
   std::vector<ReportField> fields;  // In the order of the descriptor.
   std::vector<UsageRange> usages;
 
+  // The usage ranges of `field`, which must be one of `fields`.
   std::span<const UsageRange> usages_of(const ReportField& field) const;
-  // The usage of element `index` (of value logical_min + index in an array). The last one stands for all
-  // elements beyond; beyond an array's last there is none: 0.
+  // The usage of element `index`; in an array, of the value logical_min + index. Elements beyond the last
+  // usage have that last one (HID 1.11, section 6.2.2.8); values beyond an array's last usage have none: 0.
   Usage usage(const ReportField& field, std::uint32_t index) const;
   // Null where the device has no such report.
   const ReportShape* Find(ReportKind kind, std::uint8_t id) const;
@@ -74,8 +78,8 @@ struct ReportLayout {
   bool numbered(ReportKind kind) const;
 };
 
-// Reads a descriptor. Pure; its time and memory are bounded by the limits above. Errors:
-//   invalid_argument  what is wrong and at which byte, in words
+// Parses a report descriptor. Pure; time and memory are bounded by the limits above. Errors:
+//   invalid_argument  the attempt says what is wrong, and at which byte
 Result<ReportLayout> ReadReportLayout(std::span<const std::uint8_t> descriptor);
 
 }  // namespace kaori::decode

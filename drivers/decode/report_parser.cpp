@@ -8,6 +8,7 @@
 namespace kaori::decode {
 namespace {
 
+// Tags of items: HID 1.11, sections 6.2.2.4 and 6.2.2.7.
 enum class MainTag : std::uint8_t {
   kInput = 8,
   kOutput = 9,
@@ -26,10 +27,12 @@ enum class GlobalTag : std::uint8_t {
   kPop = 11
 };
 
+// Bits of an input, output or feature item: HID 1.11, section 6.2.2.5.
 constexpr std::uint32_t kConstant = 1u << 0, kVariable = 1u << 1, kRelative = 1u << 2, kWrap = 1u << 3,
                         kNullState = 1u << 6;
 constexpr std::uint32_t kApplication = 1;  // Kind of collection.
 
+// The global items, which count until they are changed. Push and pop save and restore all of them.
 struct Globals {
   std::uint32_t page = 0;
   std::int64_t logical_min = 0;
@@ -39,26 +42,31 @@ struct Globals {
   std::uint8_t report_id = 0;
 };
 
+// A collection that is open, by its kind and its usage.
 struct Collection {
   std::uint32_t kind = 0;
   Usage usage = 0;
 };
 
+// The state that items build up. Used once for one descriptor.
 class Parser {
  public:
   Result<ReportLayout> Run(std::span<const std::uint8_t> descriptor);
 
  private:
+  // Each applies one item. Their errors are invalid_argument with the item's byte.
   Result<void> Apply(const Item& item);
-  Result<void> TakeMain(const Item& item);
-  Result<void> TakeGlobal(const Item& item);
+  Result<void> ApplyMain(const Item& item);
+  Result<void> ApplyGlobal(const Item& item);
   Result<void> Begin(const Item& item);
   Result<void> End(const Item& item);
   Result<void> AddField(const Item& item, ReportKind kind);
   Result<void> SetReportId(const Item& item);
   Result<void> Push(const Item& item);
   Result<void> Pop(const Item& item);
+  // The report of the present id, made where it is new.
   ReportShape& ShapeOf(ReportKind kind);
+  // The usage of the innermost application collection that is open; 0: none.
   Usage Application() const;
 
   ReportLayout layout_;
@@ -79,6 +87,7 @@ Result<ReportLayout> Parser::Run(std::span<const std::uint8_t> descriptor) {
     if (!*item) break;
     if (auto ok = Apply(**item); !ok) return tl::unexpected(ok.error());
   }
+  // Linux refuses these too: the device means something else than it says.
   if (!collections_.empty()) return FailAt(descriptor.size(), "a collection is not ended");
   if (usages_.delimiter_open()) return FailAt(descriptor.size(), "a delimiter is not closed");
   return std::move(layout_);
@@ -87,9 +96,9 @@ Result<ReportLayout> Parser::Run(std::span<const std::uint8_t> descriptor) {
 Result<void> Parser::Apply(const Item& item) {
   switch (item.type) {
     case ItemType::kMain:
-      return TakeMain(item);
+      return ApplyMain(item);
     case ItemType::kGlobal:
-      return TakeGlobal(item);
+      return ApplyGlobal(item);
     case ItemType::kLocal:
       return usages_.Apply(item);
     case ItemType::kReserved:
@@ -98,7 +107,7 @@ Result<void> Parser::Apply(const Item& item) {
   return {};
 }
 
-Result<void> Parser::TakeMain(const Item& item) {
+Result<void> Parser::ApplyMain(const Item& item) {
   Result<void> done;
   switch (static_cast<MainTag>(item.tag)) {
     case MainTag::kInput:
@@ -119,11 +128,12 @@ Result<void> Parser::TakeMain(const Item& item) {
     default:
       break;  // Reserved: no meaning yet.
   }
+  // Local items count for one main item only.
   usages_ = {};
   return done;
 }
 
-Result<void> Parser::TakeGlobal(const Item& item) {
+Result<void> Parser::ApplyGlobal(const Item& item) {
   switch (static_cast<GlobalTag>(item.tag)) {
     case GlobalTag::kUsagePage:
       globals_.page = item.unsigned_value & 0xFFFFu;
@@ -154,6 +164,7 @@ Result<void> Parser::TakeGlobal(const Item& item) {
   }
 }
 
+// 0 is reserved: HID 1.11, section 6.2.2.7.
 Result<void> Parser::SetReportId(const Item& item) {
   if (item.unsigned_value == 0 || item.unsigned_value > 255)
     return FailAt(item.offset_bytes, "a report id must be 1 to 255");
@@ -161,6 +172,7 @@ Result<void> Parser::SetReportId(const Item& item) {
   return {};
 }
 
+// The stack is bounded, since the descriptor comes from a device.
 Result<void> Parser::Push(const Item& item) {
   if (stack_.size() >= kMaxGlobalStack) return FailAt(item.offset_bytes, "more than 4 pushes");
   stack_.push_back(globals_);
@@ -174,6 +186,7 @@ Result<void> Parser::Pop(const Item& item) {
   return {};
 }
 
+// The kind is the lowest byte; the higher ones are reserved.
 Result<void> Parser::Begin(const Item& item) {
   if (collections_.size() >= kMaxCollectionDepth)
     return FailAt(item.offset_bytes, "collections nest too deep");
@@ -202,12 +215,14 @@ ReportShape& Parser::ShapeOf(ReportKind kind) {
 }
 
 Result<void> Parser::AddField(const Item& item, ReportKind kind) {
+  // No value would be in range: decoders divide by the range.
   if (globals_.logical_max < globals_.logical_min)
     return FailAt(item.offset_bytes, "the logical range is empty");
   ReportShape& shape = ShapeOf(kind);
   const std::uint32_t offset_bits = shape.bits;
   shape.bits += globals_.size_bits * globals_.count;
   if (shape.bits > (kMaxReportBytes - 1) * 8) return FailAt(item.offset_bytes, "a report is too long");
+  // Padding, and fields without a usage, occupy bits and have no values.
   const bool holds_nothing = (item.unsigned_value & kConstant) != 0 || usages_.empty() ||
                              globals_.count == 0 || globals_.size_bits == 0;
   if (holds_nothing || globals_.size_bits > kMaxValueBits) return {};
@@ -224,6 +239,7 @@ Result<void> Parser::AddField(const Item& item, ReportKind kind) {
                     .logical_min = globals_.logical_min,
                     .logical_max = globals_.logical_max,
                     .application = Application()};
+  // Ranges of all fields are in one vector: a field has its first index and its end.
   field.usages_begin = static_cast<std::uint32_t>(layout_.usages.size());
   usages_.AppendTo(layout_.usages, globals_.page);
   field.usages_end = static_cast<std::uint32_t>(layout_.usages.size());

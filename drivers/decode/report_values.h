@@ -1,4 +1,4 @@
-// Values out of a report's bytes, by the layout that the device's descriptor gave.
+// Reads values out of a report's bytes by the device's report layout. All of it is pure.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,15 @@ struct InputReport {
   std::span<const std::uint8_t> payload;  // Without the id. Borrowed.
 };
 
-// Errors: bad_message  empty, of an unknown id, torn, too short or too long; says which.
+// Checks a report as HidChannel::Read gives it. Errors:
+//   bad_message  it is empty, of an unknown id, too short or too long; the attempt says which
 Result<InputReport> OpenInput(const ReportLayout& layout, std::span<const std::uint8_t> bytes);
 
-// Element `element` < field.count; `payload` is that of a checked report of this field.
+// The value of one element, sign-extended where logical_min is negative. `element` must be less than
+// field.count, and `payload` that of an opened report with the field's id.
 std::int64_t Extract(const ReportField& field, std::uint32_t element, std::span<const std::uint8_t> payload);
 
+// Whether the value is within the field's logical range: outside of it HID defines no value.
 inline bool in_range(const ReportField& field, std::int64_t value) {
   return value >= field.logical_min && value <= field.logical_max;
 }
@@ -36,15 +39,15 @@ struct ElementRef {
 // The elements that carry `usage` in variable input fields, in the order of the descriptor, `limit` at most.
 std::vector<ElementRef> FindInputs(const ReportLayout& layout, Usage usage, std::size_t limit);
 
-// Nothing when `report` is another report than the one that holds `ref`.
+// The element's value; none when `report` is not the report that holds it.
 std::optional<std::int64_t> ValueIn(const InputReport& report, const ReportLayout& layout, ElementRef ref);
 
-// Calls visit(usage) for everything of usage page `page` that `report` shows as held: an element that is not
+// Calls visit(usage) for every switch of usage page `page` that is held by `report`: an element that is not
 // 0, or a usage that an array names.
 template <class Visit>
 void VisitHeld(const ReportLayout& layout, const InputReport& report, std::uint32_t page, Visit visit);
 
-// True when `report` holds a field of input data on usage page `page`.
+// Whether a usage of `field` is on usage page `page`.
 bool HoldsPage(const ReportLayout& layout, const ReportField& field, std::uint32_t page);
 
 template <class Visit>

@@ -1,4 +1,4 @@
-// Switches that are held, how often each went down, and how a device's reports say so.
+// Switches that are held, how often each was pressed, and how to read them from a device's reports.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,14 @@
 
 namespace kaori::decode {
 
-// A push that begins and ends between two looks of a reader still shows in `pushes`.
+// The state of kWords * 32 switches. A push that begins and
+// ends between two reads of a sample still counts in `pushes`.
 template <std::size_t kWords>
 struct Switches {
   std::array<std::uint32_t, kWords> down{};         // Bit n % 32 of word n / 32: switch n is held.
   std::array<std::uint32_t, kWords * 32> pushes{};  // Wraps after 2^32.
 
+  // Sets `down`, and counts a push for each switch that was not down before.
   void Become(const std::array<std::uint32_t, kWords>& now) {
     for (std::size_t n = 0; n < pushes.size(); ++n) {
       const std::uint32_t bit = std::uint32_t{1} << (n % 32);
@@ -26,21 +28,22 @@ struct Switches {
   }
 };
 
-// Where a device splits its switches over several reports, a switch is held while any of them says so.
+// Reads switches from reports. Where a device has its switches in several reports, a switch is held while the
+// newest report of any id says so.
 template <std::size_t kWords>
 class SwitchReader {
  public:
   using Mask = std::array<std::uint32_t, kWords>;
 
-  // Usage `first` of usage page `page` is switch 0.
+  // Usage `first` of usage page `page` is switch 0, the next usage switch 1, and so on.
   SwitchReader(std::uint32_t page, std::uint32_t first) : page_(page), first_(first) {}
 
-  // Everything that is held now that `report` has come.
+  // All switches that are held, `report` included.
   Mask Read(const ReportLayout& layout, const InputReport& report) {
     Mask& held = HeldBy(report.id);
     held = {};
     VisitHeld(layout, report, page_, [&](Usage usage) {
-      const std::uint32_t n = (usage & 0xFFFFu) - first_;  // Below `first` it runs around, out of range.
+      const std::uint32_t n = (usage & 0xFFFFu) - first_;  // Usages below `first` wrap, and are out of range.
       if (n < kWords * 32) held[n / 32] |= std::uint32_t{1} << (n % 32);
     });
     Mask all{};
@@ -49,13 +52,16 @@ class SwitchReader {
     return all;
   }
 
+  // No switch is held any more.
   void Release() { reports_.clear(); }
 
  private:
+  // What the newest report of an id said.
   struct ByReport {
     std::uint8_t id;
     Mask held;
   };
+  // The entry of a report's id, made where it is new.
   Mask& HeldBy(std::uint8_t id) {
     const auto it = std::ranges::find(reports_, id, &ByReport::id);
     return it != reports_.end() ? it->held : reports_.emplace_back(ByReport{id, {}}).held;

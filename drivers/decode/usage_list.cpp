@@ -5,8 +5,10 @@
 namespace kaori::decode {
 namespace {
 
+// Tags of local items: HID 1.11, section 6.2.2.8.
 enum class LocalTag : std::uint8_t { kUsage = 0, kUsageMin = 1, kUsageMax = 2, kDelimiter = 10 };
 
+// A usage of four bytes has its own page in the high ones.
 Usage Complete(Usage usage, bool has_page, std::uint32_t page) {
   return has_page ? usage : (page << 16) | usage;
 }
@@ -30,6 +32,7 @@ Result<void> UsageList::Apply(const Item& item) {
   }
 }
 
+// A minimum of two bytes belongs to the page of a maximum of four: vendors write such pairs.
 UsageList::Range UsageList::RangeTo(const Range& maximum) const {
   const bool lends_page = maximum.has_page && !minimum_.has_page;
   const Usage first = lends_page ? (maximum.last & 0xFFFF0000u) | minimum_.first : minimum_.first;
@@ -37,6 +40,7 @@ UsageList::Range UsageList::RangeTo(const Range& maximum) const {
 }
 
 Result<void> UsageList::Add(const Item& item, Range range) {
+  // Of alternative usages within delimiters only the first ones count.
   if (alternatives_ > 1) return {};
   if (range.last < range.first) return FailAt(item.offset_bytes, "a usage range runs backwards");
   if (count_ >= kMaxUsages) return FailAt(item.offset_bytes, "too many usages");
@@ -48,6 +52,7 @@ Result<void> UsageList::Add(const Item& item, Range range) {
   return {};
 }
 
+// HID 1.11, section 6.2.2.8: delimiters open with 1 and close with 0, and do not nest.
 Result<void> UsageList::Delimit(const Item& item) {
   const bool opens = item.unsigned_value != 0;
   if (opens && delimiter_depth_ > 0) return FailAt(item.offset_bytes, "delimiters are nested");

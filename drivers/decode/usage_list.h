@@ -1,4 +1,4 @@
-// The usages that stand before a main item of a report descriptor.
+// Collects the usages that precede a main item of a report descriptor.
 #pragma once
 
 #include <vector>
@@ -8,26 +8,31 @@
 
 namespace kaori::decode {
 
-// Fed with local items; a main item uses it up.
+// Local items are applied in order; the main item that follows reads the list, which then ends.
 class UsageList {
  public:
-  // Errors: invalid_argument  too many usages, a range that runs backwards, delimiters that do not match
+  // Applies a local item. Errors: invalid_argument (too many usages, a range that runs backwards, or
+  // delimiters that do not match).
   Result<void> Apply(const Item& item);
 
   bool empty() const { return usages_.empty(); }
   bool delimiter_open() const { return delimiter_depth_ > 0; }
 
-  // A usage of one or two bytes belongs to the page that holds at the main item, not at the usage: `page`.
-  Usage first(std::uint32_t page) const;  // 0 on `page` when empty.
+  // `page` is the usage page that holds at the main item: a usage of one or two bytes belongs to it, and not
+  // to the page that held at the usage (HID 1.11, section 6.2.2.8). An empty list has the usage 0 on `page`.
+  Usage first(std::uint32_t page) const;
   void AppendTo(std::vector<UsageRange>& into, std::uint32_t page) const;
 
  private:
+  // Usages first..last. Without `has_page` their page is not known before the main item.
   struct Range {
     Usage first = 0;
     Usage last = 0;
     bool has_page = false;
   };
+  // The range from the usage minimum that was applied last to this maximum.
   Range RangeTo(const Range& maximum) const;
+  // Adds a range that `item` ended. Errors: invalid_argument.
   Result<void> Add(const Item& item, Range range);
   Result<void> Delimit(const Item& item);
 

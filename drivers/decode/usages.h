@@ -5,9 +5,11 @@
 
 namespace kaori::decode {
 
+// Usage pages: section 3.
 inline constexpr std::uint32_t kKeyboardPage = 0x07;
 inline constexpr std::uint32_t kButtonPage = 0x09;
 
+// Usages of the Generic Desktop page: section 4; the throttle is of the Simulation Controls page: section 5.
 inline constexpr Usage kUsagePointer = 0x00010001;
 inline constexpr Usage kUsageMouse = 0x00010002;
 inline constexpr Usage kUsageJoystick = 0x00010004;

@@ -13,6 +13,7 @@ using ports::GpioEdge;
 
 constexpr std::size_t kMostInputs = 32;
 
+// Adds a descriptor to the lines' epoll set.
 Result<void> WatchIn(const UniqueFd& epoll, int fd) {
   epoll_event event{};
   event.events = EPOLLIN;
@@ -24,12 +25,12 @@ Result<void> WatchIn(const UniqueFd& epoll, int fd) {
 }  // namespace
 
 Result<std::unique_ptr<ChipLines>> ChipLines::Request(std::unique_ptr<GpioChip> chip, const Wiring& wiring) {
-  if (wiring.inputs.size() > kMostInputs) return FailInput("take more than 32 GPIO inputs");
+  if (wiring.inputs.size() > kMostInputs) return FailInput("request more than 32 GPIO inputs");
   UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
-  UniqueFd kept(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
-  if (!epoll.valid() || !kept.valid()) return FailErrno("watch GPIO lines");
-  if (auto ok = WatchIn(epoll, kept.get()); !ok) return tl::unexpected(ok.error());
-  std::unique_ptr<ChipLines> lines(new ChipLines(std::move(chip), std::move(epoll), std::move(kept)));
+  UniqueFd wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  if (!epoll.valid() || !wake.valid()) return FailErrno("watch GPIO lines");
+  if (auto ok = WatchIn(epoll, wake.get()); !ok) return tl::unexpected(ok.error());
+  std::unique_ptr<ChipLines> lines(new ChipLines(std::move(chip), std::move(epoll), std::move(wake)));
   for (const LineWiring& input : wiring.inputs)
     if (auto ok = lines->AddInput(input); !ok) return tl::unexpected(ok.error());
   for (const LineWiring& output : wiring.outputs) {
@@ -40,10 +41,11 @@ Result<std::unique_ptr<ChipLines>> ChipLines::Request(std::unique_ptr<GpioChip> 
   return lines;
 }
 
-ChipLines::ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd kept)
-    : chip_(std::move(chip)), epoll_(std::move(epoll)), kept_(std::move(kept)) {}
+ChipLines::ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd wake)
+    : chip_(std::move(chip)), epoll_(std::move(epoll)), wake_(std::move(wake)) {}
 
 Result<void> ChipLines::AddInput(const LineWiring& wiring) {
+  // The index stays that of the wiring, so that roles keep their lines.
   if (!wiring.wired) {
     inputs_.emplace_back();
     return {};
@@ -67,19 +69,20 @@ Result<std::uint32_t> ChipLines::Levels() {
 }
 
 Result<GpioEdge> ChipLines::ReadEdge() {
-  if (auto ok = Look(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = ReadAhead(); !ok) return tl::unexpected(ok.error());
+  // Inputs without an edge are later than any with one.
   const auto oldest = std::ranges::min_element(
       inputs_, {}, [](const Input& input) { return input.next ? input.next->at : Time::max(); });
   if (oldest == inputs_.end() || !oldest->next)
     return Fail(std::errc::resource_unavailable_try_again, "read GPIO lines");
   const LineEdge edge = *std::exchange(oldest->next, std::nullopt);
-  ShowWhetherKept();
+  UpdateWake();
   return GpioEdge{
       .at = edge.at, .line = static_cast<std::uint32_t>(oldest - inputs_.begin()), .active = edge.active};
 }
 
-// Every line's next edge: only all of them together tell which is the oldest.
-Result<void> ChipLines::Look() {
+// Reads every line's next edge: only all of them together tell which one is the oldest.
+Result<void> ChipLines::ReadAhead() {
   for (Input& input : inputs_) {
     if (input.next || !input.line) continue;
     const auto edge = input.line->ReadEdge();
@@ -90,13 +93,14 @@ Result<void> ChipLines::Look() {
   return {};
 }
 
-void ChipLines::ShowWhetherKept() {
+void ChipLines::UpdateWake() {
   eventfd_t count = 0;
+  // The kernel no longer knows of an edge that was read ahead: its descriptor would not wake the program.
   const bool any = std::ranges::any_of(inputs_, [](const Input& input) { return input.next.has_value(); });
   if (any)
-    ::eventfd_write(kept_.get(), 1);
+    ::eventfd_write(wake_.get(), 1);
   else
-    ::eventfd_read(kept_.get(), &count);  // Non-blocking: empty is as good.
+    ::eventfd_read(wake_.get(), &count);  // Non-blocking: empty is as good.
 }
 
 Result<void> ChipLines::Drive(std::uint32_t line, bool active) {
@@ -105,8 +109,9 @@ Result<void> ChipLines::Drive(std::uint32_t line, bool active) {
   return outputs_[line]->Drive(active);
 }
 
-Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring) {
-  auto opened = OpenGpioChip(chip);
+Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring,
+                                                    const Clock& clock) {
+  auto opened = OpenGpioChip(chip, clock);
   if (!opened) return tl::unexpected(opened.error());
   return ChipLines::Request(std::move(*opened), wiring);
 }

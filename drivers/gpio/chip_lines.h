@@ -1,4 +1,4 @@
-// The GPIO lines of one chip as a port: edges of all inputs in the order of time, outputs by their index.
+// The GPIO lines of one chip as ports::GpioLines: edges of all inputs in the order of time, outputs by index.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,17 @@
 
 namespace kaori::gpio {
 
+// Which lines of a chip are used, and how.
 struct Wiring {
-  std::vector<LineWiring> inputs{};  // 32 at most; the index here is the line's number in the port.
+  std::vector<LineWiring> inputs{};  // 32 at most; the index is the line's number in the port.
   std::vector<LineWiring> outputs{};
 };
 
-// As ports::GpioLines.
+// As ports::GpioLines. An edge is given once no other line can have an older one.
 class ChipLines final : public ports::GpioLines {
  public:
-  // Takes every line of `wiring`, or none. Errors: invalid_argument (more than 32 inputs), and those of the
-  // chip.
+  // Requests every line of `wiring`, or none of them. Errors:
+  // invalid_argument (more than 32 inputs), and those of GpioChip.
   static Result<std::unique_ptr<ChipLines>> Request(std::unique_ptr<GpioChip> chip, const Wiring& wiring);
 
   int pollable() const override { return epoll_.get(); }
@@ -31,22 +32,24 @@ class ChipLines final : public ports::GpioLines {
 
  private:
   struct Input {
-    std::unique_ptr<InputLine> line;  // None where it is not wired: never active.
-    std::optional<LineEdge> next;     // Read from the kernel, but not yet the oldest.
+    std::unique_ptr<InputLine> line;  // Null where none is wired: it is never active.
+    std::optional<LineEdge> next;     // Read from the kernel, and not yet given.
   };
-  ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd kept);
+  ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd wake);
   Result<void> AddInput(const LineWiring& wiring);
-  Result<void> Look();
-  void ShowWhetherKept();
+  Result<void> ReadAhead();
+  void UpdateWake();
 
-  std::unique_ptr<GpioChip> chip_;  // Before the lines: it must outlive them.
+  std::unique_ptr<GpioChip> chip_;  // Declared before the lines: it must outlive them.
   std::vector<Input> inputs_;
   std::vector<std::unique_ptr<OutputLine>> outputs_;
   UniqueFd epoll_;
-  UniqueFd kept_;  // Readable while an edge waits here and no longer in the kernel.
+  UniqueFd wake_;  // Readable while an input has a `next`, which the kernel knows no more.
 };
 
-// Opens the chip and takes the lines; see OpenGpioChip and ChipLines::Request.
-Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring);
+// Opens the chip and requests its lines. `clock` must outlive
+// them. Errors: those of OpenGpioChip and of ChipLines::Request.
+Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring,
+                                                    const Clock& clock);
 
 }  // namespace kaori::gpio

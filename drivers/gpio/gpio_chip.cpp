@@ -9,6 +9,7 @@
 namespace kaori::gpio {
 namespace {
 
+// The name under which tools such as gpioinfo list our lines.
 constexpr const char* kConsumer = "kaori";
 
 struct CloseChip {
@@ -19,18 +20,20 @@ struct ReleaseLine {
 };
 using Line = std::unique_ptr<gpiod_line, ReleaseLine>;
 
+// What was tried, and on which line, for errors.
 std::string Named(const char* verb, gpiod_line* line) {
   return verb + std::string(" GPIO line ") + std::to_string(gpiod_line_offset(line));
 }
 
+// libgpiod leaves the cause in errno.
 tl::unexpected<Error> Failed(const char* verb, gpiod_line* line) {
   const bool gone = errno == ENODEV || errno == ENXIO;
   return Fail(gone ? std::errc::no_such_device : std::errc::io_error, Named(verb, line));
 }
 
-// A chip without interrupts. One that was pulled says the same, and says so again when the line is taken
-// plainly.
-bool TellsNoEdges(const Error& error) {
+// What the kernel says of a chip without interrupts; and of one that was unplugged, which says it again when
+// the line is requested without edges.
+bool HasNoEdges(const Error& error) {
   return error.cause == std::errc::no_such_device || error.cause == std::errc::no_such_device_or_address;
 }
 
@@ -46,6 +49,7 @@ class Input final : public InputLine {
   }
 
   Result<LineEdge> ReadEdge() override {
+    // libgpiod's reading blocks, so it is asked first whether there is an edge.
     const timespec at_once{};
     const int waiting = gpiod_line_event_wait(line_.get(), &at_once);
     if (waiting == 0) return Fail(std::errc::resource_unavailable_try_again, Named("read", line_.get()));
@@ -74,17 +78,18 @@ class Output final : public OutputLine {
 
 class Chip final : public GpioChip {
  public:
-  explicit Chip(std::unique_ptr<gpiod_chip, CloseChip> chip) : chip_(std::move(chip)) {}
+  Chip(std::unique_ptr<gpiod_chip, CloseChip> chip, const Clock& clock)
+      : chip_(std::move(chip)), clock_(clock) {}
 
   Result<std::unique_ptr<InputLine>> RequestInput(const LineWiring& wiring) override {
     auto line = Request(wiring, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES);
     if (line) return std::make_unique<Input>(std::move(*line));
-    if (!TellsNoEdges(line.error())) return tl::unexpected(line.error());
+    if (!HasNoEdges(line.error())) return tl::unexpected(line.error());
     auto plain = Request(wiring, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
     if (!plain) return tl::unexpected(plain.error());
-    constexpr std::uint32_t kTurns = 4;  // The lines of an MCP2221 look one after the other.
+    constexpr std::uint32_t kTurns = 4;  // An MCP2221 has four lines: each has its own turn.
     constexpr Duration kTurn = std::chrono::milliseconds(10);
-    return PollLine(std::make_unique<Input>(std::move(*plain)), kTurn * (1 + wiring.offset % kTurns));
+    return PollLine(std::make_unique<Input>(std::move(*plain)), kTurn * (1 + wiring.offset % kTurns), clock_);
   }
 
   Result<std::unique_ptr<OutputLine>> RequestOutput(const LineWiring& wiring) override {
@@ -95,9 +100,10 @@ class Chip final : public GpioChip {
 
  private:
   Result<Line> Request(const LineWiring& wiring, int request_type) {
-    const std::string attempt = "take GPIO line " + std::to_string(wiring.offset);
+    const std::string attempt = "request GPIO line " + std::to_string(wiring.offset);
     gpiod_line* line = gpiod_chip_get_line(chip_.get(), wiring.offset);
     if (line == nullptr) return FailErrno(attempt);
+    // Lines keep their wiring's polarity in the kernel: values are logical from here on.
     const int flags = (wiring.active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0) |
                       (wiring.pull_up ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP : 0);
     const gpiod_line_request_config config{
@@ -108,13 +114,15 @@ class Chip final : public GpioChip {
   }
 
   std::unique_ptr<gpiod_chip, CloseChip> chip_;
+  const Clock& clock_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<GpioChip>> OpenGpioChip(const std::string& name) {
+Result<std::unique_ptr<GpioChip>> OpenGpioChip(const std::string& name, const Clock& clock) {
   std::unique_ptr<gpiod_chip, CloseChip> chip(gpiod_chip_open_lookup(name.c_str()));
-  if (chip) return std::make_unique<Chip>(std::move(chip));
+  if (chip) return std::make_unique<Chip>(std::move(chip), clock);
+  // Every other cause means that there is no such chip now.
   const bool denied = errno == EACCES || errno == EPERM;
   return Fail(denied ? std::errc::permission_denied : std::errc::no_such_device, "open GPIO chip " + name);
 }

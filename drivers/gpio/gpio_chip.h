@@ -1,5 +1,5 @@
-// The few things that we ask of a GPIO chip: the seam between our lines and libgpiod 1.6, whose API 2
-// replaces.
+// A GPIO chip by the few calls that we need: an interface over libgpiod 1.6, whose API version 2 replaces,
+// and one that tests implement.
 #pragma once
 
 #include <cstdint>
@@ -11,43 +11,58 @@
 
 namespace kaori::gpio {
 
+// How a line is wired.
 struct LineWiring {
-  std::uint32_t offset = 0;  // Of the line on its chip.
+  std::uint32_t offset = 0;  // The line's number on its chip.
   bool active_low = true;    // A switch to ground.
-  bool pull_up = false;      // Needs a chip that has pull-ups.
-  bool wired = true;         // False: nothing is there, and none is taken.
+  bool pull_up = false;      // Needs a chip with pull-up resistors.
+  bool wired = true;         // False: nothing is wired there, and no line is requested.
 };
 
 struct LineEdge {
-  Time at{};  // The kernel's stamp.
+  Time at{};  // CLOCK_MONOTONIC: the kernel's stamp, or when a polled line was read.
   bool active = false;
 };
 
-// A line that is ours until this ends. No call blocks. Errors: no_such_device, io_error.
+// A line that is requested for us until this object ends. No call blocks. Errors of every call:
+//   no_such_device  the chip was unplugged
+//   io_error        the line could not be read
 class InputLine {
  public:
   virtual ~InputLine() = default;
-  virtual int pollable() const = 0;  // Readable when ReadEdge would give an edge.
+
+  // Readable when ReadEdge may give an edge.
+  virtual int pollable() const = 0;
+
+  // Whether the line is active now; active_low is already undone.
   virtual Result<bool> Level() = 0;
-  virtual Result<LineEdge> ReadEdge() = 0;  // Beside: resource_unavailable_try_again.
+
+  // The oldest edge that was not read. Also: resource_unavailable_try_again (there is none).
+  virtual Result<LineEdge> ReadEdge() = 0;
 };
 
+// As InputLine, to be driven.
 class OutputLine {
  public:
   virtual ~OutputLine() = default;
   virtual Result<void> Drive(bool active) = 0;
 };
 
+// One thread. The lines must end before their chip.
 class GpioChip {
  public:
   virtual ~GpioChip() = default;
-  // Errors: invalid_argument (no such line, or no pull-up), device_or_resource_busy, no_such_device.
+
+  // Requests a line. An output starts inactive. Errors:
+  //   invalid_argument         the chip has no such line, or no pull-up resistors
+  //   device_or_resource_busy  somebody else has the line
+  //   no_such_device           the chip was unplugged
   virtual Result<std::unique_ptr<InputLine>> RequestInput(const LineWiring& wiring) = 0;
-  virtual Result<std::unique_ptr<OutputLine>> RequestOutput(const LineWiring& wiring) = 0;  // Starts inactive.
+  virtual Result<std::unique_ptr<OutputLine>> RequestOutput(const LineWiring& wiring) = 0;
 };
 
-// By name ("gpiochip0", "/dev/gpiochip0") or label. Lines must end before their chip. Errors: no_such_device,
-// permission_denied.
-Result<std::unique_ptr<GpioChip>> OpenGpioChip(const std::string& name);
+// Opens a chip of the kernel by its name ("gpiochip0", "/dev/gpiochip0") or label. `clock` stamps the edges
+// of chips without interrupts, and must outlive the chip. Errors: no_such_device, permission_denied.
+Result<std::unique_ptr<GpioChip>> OpenGpioChip(const std::string& name, const Clock& clock);
 
 }  // namespace kaori::gpio

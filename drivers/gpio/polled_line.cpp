@@ -10,8 +10,9 @@
 namespace kaori::gpio {
 namespace {
 
-constexpr Duration kPeriod = std::chrono::milliseconds(40);  // As Linux looks at a CP2112.
+constexpr Duration kPeriod = std::chrono::milliseconds(40);  // As Linux polls a CP2112.
 
+// timerfd wants seconds and nanoseconds apart.
 timespec Timespec(Duration length) {
   const auto whole = std::chrono::duration_cast<std::chrono::seconds>(length);
   return {.tv_sec = whole.count(), .tv_nsec = (length - whole).count()};
@@ -19,43 +20,47 @@ timespec Timespec(Duration length) {
 
 class PolledInput final : public InputLine {
  public:
-  PolledInput(std::unique_ptr<InputLine> plain, UniqueFd timer)
-      : plain_(std::move(plain)), timer_(std::move(timer)) {}
+  PolledInput(std::unique_ptr<InputLine> plain, UniqueFd timer, const Clock& clock)
+      : plain_(std::move(plain)), timer_(std::move(timer)), clock_(clock) {}
 
   int pollable() const override { return timer_.get(); }
 
   Result<bool> Level() override {
     auto level = plain_->Level();
+    // What the caller has seen is no edge any more.
     if (level) active_ = *level;
     return level;
   }
 
   Result<LineEdge> ReadEdge() override {
     const auto nothing = [] {
-      return Fail(std::errc::resource_unavailable_try_again, "look at a GPIO line");
+      return Fail(std::errc::resource_unavailable_try_again, "read an edge of a polled GPIO line");
     };
+    // Before its turn the line is not read at all: reading a chip behind USB takes milliseconds.
     std::uint64_t ticks = 0;
     if (::read(timer_.get(), &ticks, sizeof ticks) < 0) return nothing();
     const auto level = plain_->Level();
     if (!level) return tl::unexpected(level.error());
     if (std::exchange(active_, *level) == *level) return nothing();
-    return LineEdge{.at = SteadyClock().now(), .active = *level};
+    return LineEdge{.at = clock_.now(), .active = *level};
   }
 
  private:
   std::unique_ptr<InputLine> plain_;
   UniqueFd timer_;
-  bool active_ = false;  // At the last look.
+  const Clock& clock_;
+  bool active_ = false;  // When it was read last.
 };
 
 }  // namespace
 
-Result<std::unique_ptr<InputLine>> PollLine(std::unique_ptr<InputLine> plain, Duration first) {
+Result<std::unique_ptr<InputLine>> PollLine(std::unique_ptr<InputLine> plain, Duration first,
+                                            const Clock& clock) {
   UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
   const itimerspec period{.it_interval = Timespec(kPeriod), .it_value = Timespec(first)};
   if (!timer.valid() || ::timerfd_settime(timer.get(), 0, &period, nullptr) < 0)
-    return FailErrno("look at a GPIO line now and then");
-  return std::make_unique<PolledInput>(std::move(plain), std::move(timer));
+    return FailErrno("make a timer to poll a GPIO line");
+  return std::make_unique<PolledInput>(std::move(plain), std::move(timer), clock);
 }
 
 }  // namespace kaori::gpio

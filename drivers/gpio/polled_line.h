@@ -1,4 +1,4 @@
-// An input of a chip that tells no edges, looked at now and then.
+// An input line of a chip without interrupts, made into one with edges by polling its level.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,10 @@
 
 namespace kaori::gpio {
 
-// Looks every 40 ms, first after `first`: lines of one chip that look at different times hold nobody up for
-// long. Of `plain` only the level is asked. Errors: those of timerfd_create(2).
-Result<std::unique_ptr<InputLine>> PollLine(std::unique_ptr<InputLine> plain, Duration first);
+// Reads the level of `plain` every 40 ms, first after `first`, and stamps an edge by `clock` when it has
+// changed. Lines of one chip should have different `first`: then no call waits for several of them. `clock`
+// must outlive the line. Errors: those of timerfd_create(2).
+Result<std::unique_ptr<InputLine>> PollLine(std::unique_ptr<InputLine> plain, Duration first,
+                                            const Clock& clock);
 
 }  // namespace kaori::gpio

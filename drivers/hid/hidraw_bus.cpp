@@ -8,19 +8,21 @@
 #include <optional>
 #include <string_view>
 
-#include "drivers/hid/hidraw_channel.h"
 #include "drivers/decode/recognise.h"
+#include "drivers/hid/hidraw_channel.h"
 
 namespace kaori::hid {
 namespace {
 
 constexpr const char* kSubsystem = "hidraw";
+// bInterfaceNumber of a device's first interface: it is named by the device's port alone.
 constexpr std::string_view kFirstInterface = "00";
 
 struct EnumerateUnref {
   void operator()(udev_enumerate* handle) const { udev_enumerate_unref(handle); }
 };
 
+// libudev returns null for what a device does not have.
 std::string_view Text(const char* text) {
   return text != nullptr ? text : std::string_view{};
 }
@@ -41,14 +43,16 @@ std::optional<std::string> UsbPort(udev_device* device) {
   return std::string(Text(udev_device_get_sysname(number == kFirstInterface ? usb : interface)));
 }
 
+// The name of the port, as the header says.
 std::string PortOf(udev_device* device, udev_device* hid) {
   if (const auto usb = UsbPort(device)) return *usb;
-  const auto place = Text(udev_device_get_property_value(hid, "HID_PHYS"));
-  const auto own = Text(udev_device_get_property_value(hid, "HID_UNIQ"));
-  if (place.empty()) return std::string(own.empty() ? Text(udev_device_get_sysname(hid)) : own);
-  return std::string(place) + (own.empty() ? "" : "/") + std::string(own);
+  const auto phys = Text(udev_device_get_property_value(hid, "HID_PHYS"));
+  const auto uniq = Text(udev_device_get_property_value(hid, "HID_UNIQ"));
+  if (phys.empty()) return std::string(uniq.empty() ? Text(udev_device_get_sysname(hid)) : uniq);
+  return std::string(phys) + (uniq.empty() ? "" : "/") + std::string(uniq);
 }
 
+// A node that vanished between the listing and its opening is no fault, but a device that was pulled.
 std::errc CauseOfOpen(int error) {
   const bool pulled = error == ENOENT || error == ENXIO || error == ENODEV || error == EIO;
   return pulled ? std::errc::no_such_device : static_cast<std::errc>(error == EPERM ? EACCES : error);
@@ -83,6 +87,7 @@ int HidrawBus::pollable() const {
 }
 
 Result<std::vector<std::string>> HidrawBus::Ports() {
+  // Devices are listed anew only after a notice: a listing reads several files of sysfs for each device.
   if (DrainNotices() || !scanned_) {
     if (auto ok = Scan(); !ok) return tl::unexpected(ok.error());
   }
@@ -91,7 +96,7 @@ Result<std::vector<std::string>> HidrawBus::Ports() {
   return ports;
 }
 
-// A storm of notices may overrun the socket: what is lost shows as something to read, and as no device.
+// Many notices at once may overrun the socket: then it is readable, but gives no device.
 bool HidrawBus::DrainNotices() {
   pollfd notices{.fd = pollable(), .events = POLLIN, .revents = 0};
   const bool any = ::poll(&notices, 1, 0) > 0;
@@ -100,6 +105,7 @@ bool HidrawBus::DrainNotices() {
   return any;
 }
 
+// Lists all devices instead of applying notices one by one, so that lost notices do no harm.
 Result<void> HidrawBus::Scan() {
   const std::unique_ptr<udev_enumerate, EnumerateUnref> found(udev_enumerate_new(udev_.get()));
   if (!found || udev_enumerate_add_match_subsystem(found.get(), kSubsystem) < 0 ||
@@ -119,6 +125,7 @@ Result<void> HidrawBus::Scan() {
 void HidrawBus::Add(udev_device* device) {
   udev_device* hid = udev_device_get_parent_with_subsystem_devtype(device, "hid", nullptr);
   const auto path = Text(udev_device_get_devnode(device));
+  // The device was pulled while it was read.
   if (hid == nullptr || path.empty()) return;
   const auto id = Text(udev_device_get_property_value(hid, "HID_ID"));
   nodes_[PortOf(device, hid)] =
@@ -143,17 +150,17 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
                                                                     .name = node.name,
                                                                     .descriptor = std::move(*descriptor)},
                                                  clock_);
-  Ask(*channel);
+  RequestInitialReports(*channel);
   return channel;
 }
 
-// Once it did not answer, no device of its kind is asked again: the others' hands wait meanwhile.
-void HidrawBus::Ask(HidrawChannel& channel) {
+// A device that does not answer blocks the loop for 5 s: no other one of its kind is asked again.
+void HidrawBus::RequestInitialReports(HidrawChannel& channel) {
   const ports::HidIdentity& identity = channel.identity();
   const auto layout = decode::LayoutOf(identity);
   const std::pair kind(identity.vendor, identity.product);
-  if (!layout || mute_.contains(kind)) return;
-  if (!channel.AskHowItStands(decode::StandingReportsOf(*layout))) mute_.insert(kind);
+  if (!layout || silent_kinds_.contains(kind)) return;
+  if (!channel.RequestInitialReports(decode::InitialReportsOf(*layout))) silent_kinds_.insert(kind);
 }
 
 }  // namespace kaori::hid

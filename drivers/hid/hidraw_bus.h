@@ -19,12 +19,14 @@ namespace kaori::hid {
 
 class HidrawChannel;
 
-// As ports::HidBus. A port is the USB port path, "1-4.2"; an interface after the first of one device adds its
-// name, "1-4.2:1.1". A device without USB goes by its physical place (of Bluetooth the receiver: all of its
-// devices share it) and by its own address where it has one, or else by its kernel name.
+// As ports::HidBus. A port is the USB port path, "1-4.2"; a device's second interface and those after it add
+// the interface's name, "1-4.2:1.1". A device without USB is named by its HID_PHYS and its HID_UNIQ (of
+// Bluetooth these are the receiver, which all of its devices share, and the device's address), or else by its
+// kernel name. Open blocks while a joystick is asked for its position: about 1 ms, and 5 s once for each kind
+// of device that does not answer.
 class HidrawBus final : public ports::HidBus {
  public:
-  // Borrows `clock` for its life. Errors: those of libudev.
+  // `clock` must outlive the bus and its channels. Errors: those of libudev.
   static Result<std::unique_ptr<HidrawBus>> Open(const Clock& clock);
 
   int pollable() const override;
@@ -37,6 +39,7 @@ class HidrawBus final : public ports::HidBus {
     void operator()(udev_monitor* handle) const;
     void operator()(udev_device* handle) const;
   };
+  // A device as udev tells it, before its node is opened.
   struct Node {
     std::string path;
     std::uint16_t vendor = 0;
@@ -44,17 +47,20 @@ class HidrawBus final : public ports::HidBus {
     std::string name;
   };
   explicit HidrawBus(const Clock& clock) : clock_(clock) {}
+  // Reads every notice; true where there was one.
   bool DrainNotices();
+  // Makes `nodes_` anew. Errors: those of libudev.
   Result<void> Scan();
+  // Adds a hidraw device to `nodes_`.
   void Add(udev_device* device);
-  void Ask(HidrawChannel& channel);
+  void RequestInitialReports(HidrawChannel& channel);
 
   const Clock& clock_;
   std::unique_ptr<udev, Unref> udev_;
   std::unique_ptr<udev_monitor, Unref> monitor_;
   std::map<std::string, Node> nodes_;  // By port.
-  std::set<std::pair<std::uint16_t, std::uint16_t>>
-      mute_;  // Vendors and products that do not say how they stand.
+  // Vendors and products that answered no request for initial reports.
+  std::set<std::pair<std::uint16_t, std::uint16_t>> silent_kinds_;
   bool scanned_ = false;
 };
 

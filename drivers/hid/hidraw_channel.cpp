@@ -13,6 +13,7 @@ namespace {
 
 using ports::HidInput;
 
+// The kernel hangs a node up when its device is gone.
 bool is_hung_up(int fd) {
   pollfd state{.fd = fd, .events = POLLOUT, .revents = 0};
   return ::poll(&state, 1, 0) > 0 && (state.revents & (POLLERR | POLLHUP)) != 0;
@@ -23,32 +24,33 @@ bool is_hung_up(int fd) {
 HidrawChannel::HidrawChannel(UniqueFd node, ports::HidIdentity identity, const Clock& clock)
     : node_(std::move(node)), identity_(std::move(identity)), clock_(clock) {}
 
-Result<void> HidrawChannel::AskHowItStands(std::span<const decode::StandingReport> reports) {
-  for (const decode::StandingReport& report : reports)
-    if (auto ok = Ask(report); !ok) return ok;
+Result<void> HidrawChannel::RequestInitialReports(std::span<const decode::InitialReport> reports) {
+  for (const decode::InitialReport& report : reports)
+    if (auto ok = RequestReport(report); !ok) return ok;
   return {};
 }
 
 // The kernel's answer begins with the report's number, or with a 0 that was not on the cable.
-Result<void> HidrawChannel::Ask(const decode::StandingReport& report) {
+Result<void> HidrawChannel::RequestReport(const decode::InitialReport& report) {
   std::vector<std::uint8_t> answer(1 + report.bytes);
   answer[0] = report.id;
   const int got = ::ioctl(node_.get(), HIDIOCGINPUT(answer.size()), answer.data());
   if (got < 0 && errno == ETIMEDOUT)
-    return Fail(std::errc::timed_out, "ask how " + identity_.port + " stands");
+    return Fail(std::errc::timed_out, "request the state of " + identity_.port);
   if (got < 1 || answer[0] != report.id) return {};
   answer.resize(std::min(answer.size(), static_cast<std::size_t>(got)));
-  if (!decode::IsBelievable(report, std::span(answer).subspan(1))) return {};
+  if (!decode::IsPlausible(report, std::span(answer).subspan(1))) return {};
   if (report.id == 0) answer.erase(answer.begin());
-  standing_.push_back(std::move(answer));
+  initial_.push_back(std::move(answer));
   return {};
 }
 
 Result<HidInput> HidrawChannel::Read(std::span<std::uint8_t> into) {
   if (gone_) return Gone();
-  if (!standing_.empty()) {
-    const auto report = std::exchange(standing_.front(), {});
-    standing_.pop_front();
+  // Initial reports come first: they tell the state before any report that was sent since.
+  if (!initial_.empty()) {
+    const auto report = std::exchange(initial_.front(), {});
+    initial_.pop_front();
     const std::size_t bytes = std::min(report.size(), into.size());
     std::copy_n(report.begin(), bytes, into.begin());
     return HidInput{.at = clock_.now(), .bytes = bytes};
@@ -73,6 +75,7 @@ Result<void> HidrawChannel::Write(std::span<const std::uint8_t> report) {
 tl::unexpected<Error> HidrawChannel::Failed(int error, const char* verb) {
   if (error == EAGAIN || error == EINTR)
     return Fail(std::errc::resource_unavailable_try_again, verb + identity_.port);
+  // ESHUTDOWN and EPIPE come from the USB layers below.
   const bool says_gone = error == ENODEV || error == ENXIO || error == EPIPE || error == ESHUTDOWN;
   gone_ = says_gone || is_hung_up(node_.get());
   if (gone_) return Gone();
@@ -86,6 +89,7 @@ tl::unexpected<Error> HidrawChannel::Gone() const {
 Result<std::vector<std::uint8_t>> ReadHidrawDescriptor(int node) {
   int bytes = 0;
   if (::ioctl(node, HIDIOCGRDESCSIZE, &bytes) < 0) return FailErrno("read the size of a report descriptor");
+  // HID_MAX_DESCRIPTOR_SIZE is the size of the kernel's own buffer.
   hidraw_report_descriptor descriptor{};
   descriptor.size = static_cast<std::uint32_t>(std::clamp(bytes, 0, HID_MAX_DESCRIPTOR_SIZE));
   if (::ioctl(node, HIDIOCGRDESC, &descriptor) < 0) return FailErrno("read a report descriptor");

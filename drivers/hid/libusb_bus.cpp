@@ -10,7 +10,7 @@
 namespace kaori::hid {
 namespace {
 
-// Ports() asks anew each time: the event has done its work by waking us.
+// Ports() lists the devices anew each time: the event only makes pollable() readable.
 int OnHotPlug(libusb_context*, libusb_device*, libusb_hotplug_event, void*) {
   return 0;
 }
@@ -23,6 +23,7 @@ Result<std::unique_ptr<LibusbBus>> LibusbBus::Open(const Clock& clock) {
   if (libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) == 0)
     return Fail(std::errc::not_supported, "watch USB for hot-plug");
   std::unique_ptr<LibusbBus> bus(new LibusbBus(std::move(*session), clock));
+  // The call-back itself does nothing: what counts is that an event makes the session's descriptor readable.
   const int code = libusb_hotplug_register_callback(
       bus->session_->context(), LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT, 0,
       LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, LIBUSB_HOTPLUG_MATCH_ANY, OnHotPlug, nullptr,
@@ -39,6 +40,7 @@ LibusbBus::~LibusbBus() {
 }
 
 Result<std::vector<std::string>> LibusbBus::Ports() {
+  // Events are handled first, so that the list is no older than the call.
   if (auto ok = session_->Handle(); !ok) return tl::unexpected(ok.error());
   const auto interfaces = session_->Interfaces();
   if (!interfaces) return tl::unexpected(interfaces.error());

@@ -12,11 +12,11 @@
 
 namespace kaori::hid {
 
-// As ports::HidBus, with the ports of HidrawBus. Opening asks the device for its descriptors, within 250 ms
-// each, and takes its interface from the kernel's driver; closing gives it back.
+// As ports::HidBus, with the port names of HidrawBus. Open blocks while the device sends its descriptors, 250
+// ms at most for each, and claims the interface from the kernel's driver; the channel's end gives it back.
 class LibusbBus final : public ports::HidBus {
  public:
-  // Borrows `clock` for its life. Errors: not_supported (a libusb without hot-plug), io_error.
+  // `clock` must outlive the bus and its channels. Errors: not_supported (libusb has no hot-plug), io_error.
   static Result<std::unique_ptr<LibusbBus>> Open(const Clock& clock);
   ~LibusbBus() override;
 

@@ -1,4 +1,4 @@
-// One HID device through libusb, with interrupt transfers always under way: nothing waits for the device.
+// One HID device through libusb, with interrupt transfers that are always submitted: no call waits for it.
 #pragma once
 
 #include <array>
@@ -14,20 +14,25 @@ struct libusb_transfer;
 
 namespace kaori::hid {
 
-// As ports::HidChannel. Reports that nobody reads stay in their transfers, and the device keeps the rest:
-// none is lost on our side. Write says resource_unavailable_try_again while kWrites reports are still on
-// their way.
+// As ports::HidChannel. Up to kReads reports that nobody reads stay in their
+// transfers, and the device keeps the rest: none is lost on our side. Write
+// says resource_unavailable_try_again while kWrites reports are submitted.
 class LibusbChannel final : public ports::HidChannel {
  public:
   static constexpr std::size_t kReads = 8;
   static constexpr std::size_t kWrites = 4;
 
-  // In a session of its own. Borrows `clock` for its life. Errors: no_such_device, permission_denied,
-  // device_or_resource_busy, io_error (the device does not tell its descriptors).
+  // Opens the HID interface at `port` in a libusb session of its own, and claims
+  // it from the kernel's driver. Blocks while the device sends its descriptors,
+  // 250 ms at most for each. `clock` must outlive the channel. Errors:
+  //   no_such_device           no HID interface is plugged in there
+  //   permission_denied        the device's node may not be opened
+  //   device_or_resource_busy  another program has claimed the interface
+  //   io_error                 the device does not send its descriptors
   static Result<std::unique_ptr<LibusbChannel>> Open(const std::string& port, const Clock& clock);
   LibusbChannel(const LibusbChannel&) = delete;
   LibusbChannel& operator=(const LibusbChannel&) = delete;
-  // Waits up to 100 ms for the transfers to end.
+  // Cancels the transfers, and blocks up to 100 ms until they have ended.
   ~LibusbChannel() override;
 
   int pollable() const override { return session_->pollable(); }
@@ -42,42 +47,46 @@ class LibusbChannel final : public ports::HidChannel {
   struct FreeTransfer {
     void operator()(libusb_transfer* transfer) const;
   };
-  // What a transfer carries; `state` says who has it.
-  struct Flight {
-    enum class State { kIdle, kUnderWay, kArrived };
+  // kSubmitted: libusb owns the bytes; kCompleted: they are a report that Read has not given yet.
+  struct Transfer {
+    enum class State { kIdle, kSubmitted, kCompleted };
     LibusbChannel* channel = nullptr;
-    std::unique_ptr<libusb_transfer, FreeTransfer> transfer;
+    std::unique_ptr<libusb_transfer, FreeTransfer> handle;
     std::vector<std::uint8_t> bytes;
     State state = State::kIdle;
     Time at{};
     std::uint64_t order = 0;  // Of arrival.
   };
   LibusbChannel(std::unique_ptr<LibusbSession> session, UsbHidInterface interface, const Clock& clock);
+  // The steps of Open, in this order.
   Result<void> Claim();
   Result<void> ReadIdentity();
   std::string ReadName(std::uint8_t index);
   Result<void> Prepare();
-  Result<void> Submit(Flight& flight);
-  Result<void> AwaitInput(Flight& flight);
-  void FillWrite(Flight& flight, std::span<const std::uint8_t> report);
-  Flight* Oldest();
-  bool any_under_way() const;
+  // Gives a transfer to libusb. Errors: those of libusb; the transfer is idle then.
+  Result<void> Submit(Transfer& transfer);
+  Result<void> AwaitInput(Transfer& transfer);
+  void FillWrite(Transfer& transfer, std::span<const std::uint8_t> report);
+  // The transfer whose report arrived first; null: none has one.
+  Transfer* Oldest();
+  bool any_submitted() const;
   tl::unexpected<Error> Gone() const;
-  static void OnDone(libusb_transfer* transfer);
-  void Landed(Flight& flight);
+  static void OnDone(libusb_transfer* done);
+  void HandleDone(Transfer& transfer);
 
   std::unique_ptr<LibusbSession> session_;
   UsbHidInterface interface_;
   const Clock& clock_;
   ports::HidIdentity identity_;
-  std::array<Flight, kReads> reads_;
-  std::array<Flight, kWrites> writes_;
-  std::unique_ptr<libusb_device_handle, Close> handle_;  // Closes first: transfers that did not end let go.
+  std::array<Transfer, kReads> reads_;
+  std::array<Transfer, kWrites> writes_;
+  std::unique_ptr<libusb_device_handle, Close>
+      handle_;  // Closes before the transfers are freed: then libusb has let them go.
   std::uint64_t arrivals_ = 0;
   bool claimed_ = false;
   bool closing_ = false;
   bool gone_ = false;
-  bool broken_ = false;  // A transfer failed: told once, by the next Read or Write.
+  bool broken_ = false;  // A transfer failed: told once, by the next Read that has no report.
 };
 
 }  // namespace kaori::hid

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint8_t kHidDescriptor = 0x21;  // HID 1.11, section 6.2.1.
 constexpr std::uint8_t kLibusbSessionReportDescriptor = 0x22;
+// The longest chain of hubs.
 constexpr int kMaxPortDepth = 7;  // USB 3.2, section 10.
 
 struct FreePollfds {
@@ -47,6 +48,7 @@ std::uint16_t ReportDescriptorBytes(std::span<const std::uint8_t> extra) {
   return 0;
 }
 
+// The endpoints and the class descriptor of one interface.
 UsbHidInterface Described(const libusb_interface_descriptor& given) {
   UsbHidInterface described;
   described.number = given.bInterfaceNumber;
@@ -62,6 +64,7 @@ UsbHidInterface Described(const libusb_interface_descriptor& given) {
   return described;
 }
 
+// Devices without a port are root hubs, and devices that are not configured have no interfaces yet.
 void AddInterfaces(libusb_device* device, std::vector<UsbHidInterface>& into) {
   const std::string port = PortOf(device);
   libusb_config_descriptor* raw = nullptr;
@@ -114,8 +117,8 @@ Result<std::unique_ptr<LibusbSession>> LibusbSession::Open() {
 }
 
 LibusbSession::LibusbSession(libusb_context* context, UniqueFd epoll, UniqueFd waiting)
-    : epoll_(std::move(epoll)), waiting_(std::move(waiting)), context_(context) {
-  Watch(waiting_.get(), EPOLLIN);
+    : epoll_(std::move(epoll)), readable_(std::move(waiting)), context_(context) {
+  Watch(readable_.get(), EPOLLIN);
   libusb_set_pollfd_notifiers(context, OnAdded, OnRemoved, this);
   const std::unique_ptr<const libusb_pollfd*, FreePollfds> fds(libusb_get_pollfds(context));
   for (const libusb_pollfd** fd = fds.get(); fd != nullptr && *fd != nullptr; ++fd)
@@ -141,12 +144,12 @@ void LibusbSession::OnRemoved(int fd, void* self) {
   ::epoll_ctl(static_cast<LibusbSession*>(self)->epoll_.get(), EPOLL_CTL_DEL, fd, nullptr);
 }
 
-void LibusbSession::ShowWaiting(bool waiting) {
+void LibusbSession::SetReadable(bool readable) {
   eventfd_t count = 0;
-  if (waiting)
-    ::eventfd_write(waiting_.get(), 1);
+  if (readable)
+    ::eventfd_write(readable_.get(), 1);
   else
-    ::eventfd_read(waiting_.get(), &count);  // Non-blocking: empty is as good.
+    ::eventfd_read(readable_.get(), &count);  // Non-blocking: empty is as good.
 }
 
 Result<void> LibusbSession::Handle() {

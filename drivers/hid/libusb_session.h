@@ -1,4 +1,4 @@
-// One libusb context with its descriptors in one epoll set, and the kernel's errors in our words.
+// One libusb context with its descriptors in one epoll set, and libusb's errors as std::errc.
 #pragma once
 
 #include <memory>
@@ -30,9 +30,10 @@ struct UsbHidInterface {
   std::unique_ptr<libusb_device, Unref> device;
 };
 
-// Single-threaded. Events are handled in Handle(), and nowhere else.
+// One thread. libusb's call-backs run in Handle and HandleFor only.
 class LibusbSession {
  public:
+  // Errors: io_error and those of epoll_create1(2) and eventfd(2).
   static Result<std::unique_ptr<LibusbSession>> Open();
   LibusbSession(const LibusbSession&) = delete;
   LibusbSession& operator=(const LibusbSession&) = delete;
@@ -41,15 +42,15 @@ class LibusbSession {
   int pollable() const { return epoll_.get(); }
   libusb_context* context() const { return context_.get(); }
 
-  // Keeps pollable() readable, whatever USB does, while `waiting`: something lies ready on our side.
-  void ShowWaiting(bool waiting);
+  // While true, pollable() is readable whatever USB does: a completed report waits to be read.
+  void SetReadable(bool readable);
 
   // Runs the call-backs that are due. Does not block.
   Result<void> Handle();
-  // The same, waiting up to `ms` for one to come due: for tearing down.
+  // As Handle, but blocks up to `ms` until one is due: for closing.
   void HandleFor(int ms);
 
-  // Every HID interface with an interrupt IN endpoint. Does not block.
+  // Every HID interface that has an interrupt IN endpoint, of all devices. Does not block. Errors: io_error.
   Result<std::vector<UsbHidInterface>> Interfaces() const;
 
  private:
@@ -62,11 +63,11 @@ class LibusbSession {
   static void OnRemoved(int fd, void* self);
 
   UniqueFd epoll_;
-  UniqueFd waiting_;
+  UniqueFd readable_;
   std::unique_ptr<libusb_context, Exit> context_;
 };
 
-// `code` is a libusb error: "open 1-4.2: No such device".
+// `code` is a negative libusb error code; the message is as "open 1-4.2: No such device".
 tl::unexpected<Error> FailUsb(int code, std::string attempt);
 
 }  // namespace kaori::hid

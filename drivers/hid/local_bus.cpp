@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Sockets of HID devices in the folder are named "hid." and the port.
 constexpr std::string_view kPrefix = "hid.";
 constexpr std::string_view kUnfinished = ".new";  // A socket that does not listen yet.
 constexpr std::uint32_t kChanges =
@@ -27,10 +28,12 @@ std::string PortOf(std::string_view file) {
   return std::string(file.substr(kPrefix.size()));
 }
 
+// The device's queue of connections is full: it is there, but cannot answer now.
 bool IsBusy(const Error& error) {
   return error.cause == std::errc::resource_unavailable_try_again;
 }
 
+// Adds a descriptor to the bus's epoll set.
 Result<void> Join(int epoll, int fd) {
   epoll_event event{};
   event.events = EPOLLIN;
@@ -56,7 +59,7 @@ std::string LocalHidBus::PathOf(const std::string& port) const {
 // Watches first and lists then: what is plugged in between is seen twice, never missed.
 Result<void> LocalHidBus::WatchFolder() {
   watching_ = false;
-  lines_.clear();
+  connections_.clear();
   std::error_code error;
   fs::create_directories(folder_, error);
   UniqueFd watch(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
@@ -67,16 +70,16 @@ Result<void> LocalHidBus::WatchFolder() {
   watch_ = std::move(watch);
   watching_ = true;
   for (const auto& entry : fs::directory_iterator(folder_, error))
-    LookAt(PortOf(entry.path().filename().string()));
+    Refresh(PortOf(entry.path().filename().string()));
   return {};
 }
 
 Result<std::vector<std::string>> LocalHidBus::Ports() {
-  if (auto taken = DrainNotices(); !taken) return tl::unexpected(taken.error());
+  if (auto drained = DrainNotices(); !drained) return tl::unexpected(drained.error());
   std::vector<std::string> ports;
-  for (auto& [port, line] : lines_) {
-    if (line.state == State::kCalling) Answer(port, line);
-    if (line.state != State::kCalling && line.state != State::kRefused) ports.push_back(port);
+  for (auto& [port, connection] : connections_) {
+    if (connection.state == State::kConnecting) ReceiveHello(port, connection);
+    if (connection.state != State::kConnecting && connection.state != State::kRefused) ports.push_back(port);
   }
   return ports;
 }
@@ -84,62 +87,63 @@ Result<std::vector<std::string>> LocalHidBus::Ports() {
 Result<void> LocalHidBus::DrainNotices() {
   alignas(inotify_event) std::array<char, 4096> buffer;
   bool folder_gone = !watching_;
+  // Notices have variable lengths, and are copied out: the buffer need not be aligned for each.
   for (ssize_t bytes = 0; (bytes = ::read(watch_.get(), buffer.data(), buffer.size())) > 0;) {
     for (std::size_t at = 0; at < static_cast<std::size_t>(bytes);) {
       inotify_event event;
       std::memcpy(&event, buffer.data() + at, sizeof(event));
       folder_gone |= (event.mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED | IN_Q_OVERFLOW)) != 0;
-      if (event.len > 0) LookAt(PortOf(buffer.data() + at + sizeof(event)));
+      if (event.len > 0) Refresh(PortOf(buffer.data() + at + sizeof(event)));
       at += sizeof(event) + event.len;
     }
   }
   return folder_gone ? WatchFolder() : Result<void>{};
 }
 
-// Something happened at a port: what was known of it counts no more. (The same inode number may be another
-// device's, so it is called again.)
-void LocalHidBus::LookAt(const std::string& port) {
+// Something happened at a port: connects again, since it may be another device's now.
+void LocalHidBus::Refresh(const std::string& port) {
   if (port.empty()) return;
-  lines_.erase(port);
+  connections_.erase(port);
   std::error_code error;
-  if (fs::is_socket(PathOf(port), error)) Call(port);
+  if (fs::is_socket(PathOf(port), error)) Connect(port);
 }
 
-void LocalHidBus::Call(const std::string& port) {
-  Line line;
+void LocalHidBus::Connect(const std::string& port) {
+  Connection connection;
   auto socket = ConnectToPeer(PathOf(port));
   if (socket && Join(epoll_.get(), socket->get()))
-    line.socket = std::move(*socket);
+    connection.socket = std::move(*socket);
   else
-    line.state = !socket && IsBusy(socket.error()) ? State::kBusy : State::kRefused;
-  lines_.insert_or_assign(port, std::move(line));
+    connection.state = !socket && IsBusy(socket.error()) ? State::kBusy : State::kRefused;
+  connections_.insert_or_assign(port, std::move(connection));
 }
 
-void LocalHidBus::Answer(const std::string& port, Line& line) {
+void LocalHidBus::ReceiveHello(const std::string& port, Connection& connection) {
   std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
-  const auto packet = ReceivePacket(line.socket.get(), buffer);
+  // The hello is the first packet of a connection; nothing else is read here.
+  const auto packet = ReceivePacket(connection.socket.get(), buffer);
   if (!packet && IsBusy(packet.error())) return;
   auto identity = packet ? ReadHello(port, std::span(buffer).first(packet->bytes)) : std::nullopt;
-  // Its reports are for the channel: from here on they do not wake the bus.
-  ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, line.socket.get(), nullptr);
-  line.state = identity ? State::kGreeted : State::kRefused;
+  // Its reports are for the channel: from here on they must not make the bus readable.
+  ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, connection.socket.get(), nullptr);
+  connection.state = identity ? State::kReady : State::kRefused;
   if (identity)
-    line.identity = std::move(*identity);
+    connection.identity = std::move(*identity);
   else
-    line.socket.reset();
+    connection.socket.reset();
 }
 
 Result<std::unique_ptr<ports::HidChannel>> LocalHidBus::Open(const std::string& port) {
-  const auto found = lines_.find(port);
-  if (found == lines_.end()) return Fail(std::errc::no_such_device, "open port " + port);
-  Line& line = found->second;
-  if (line.state == State::kOpened || line.state == State::kBusy) Call(port);
-  if (line.state == State::kCalling) Answer(port, line);
-  if (line.state == State::kRefused) return Fail(std::errc::no_such_device, "open port " + port);
-  if (line.state == State::kCalling || line.state == State::kBusy)
+  const auto found = connections_.find(port);
+  if (found == connections_.end()) return Fail(std::errc::no_such_device, "open port " + port);
+  Connection& connection = found->second;
+  if (connection.state == State::kOpened || connection.state == State::kBusy) Connect(port);
+  if (connection.state == State::kConnecting) ReceiveHello(port, connection);
+  if (connection.state == State::kRefused) return Fail(std::errc::no_such_device, "open port " + port);
+  if (connection.state == State::kConnecting || connection.state == State::kBusy)
     return Fail(std::errc::device_or_resource_busy, "open port " + port + ": it has not answered yet");
-  line.state = State::kOpened;
-  return std::make_unique<LocalHidChannel>(std::move(line.socket), line.identity);
+  connection.state = State::kOpened;
+  return std::make_unique<LocalHidChannel>(std::move(connection.socket), connection.identity);
 }
 
 }  // namespace kaori::hid

@@ -11,42 +11,46 @@
 
 namespace kaori::hid {
 
-// A port is listed once its device has said hello, so pollable() also wakes for that. The folder is made
-// where it is missing, and watched anew after it vanished.
+// As ports::HidBus. A port is listed once its device has sent its hello; pollable() is readable for that too.
+// The folder is made where it is missing, and watched anew after it vanished.
 class LocalHidBus final : public ports::HidBus {
  public:
-  // Errors: those of making and watching the folder.
+  // Errors: those of epoll_create1(2), inotify_init1(2) and inotify_add_watch(2).
   static Result<std::unique_ptr<ports::HidBus>> Watch(const std::string& folder);
 
   int pollable() const override { return epoll_.get(); }
   Result<std::vector<std::string>> Ports() override;
 
-  // Hands the greeted connection over; the port stays listed until it is unplugged. A second Open of a port
-  // calls its device again: device_or_resource_busy until it has answered (pollable() wakes then).
+  // Moves the connection into the channel; the port stays listed until it is unplugged.
+  // A second Open of a port connects again, and says device_or_resource_busy until the
+  // device has sent its hello (pollable() is readable then).
   Result<std::unique_ptr<ports::HidChannel>> Open(const std::string& port) override;
 
  private:
-  // kBusy: too many call it; the next Open calls again.
-  enum class State { kCalling, kBusy, kGreeted, kOpened, kRefused };
-  struct Line {
-    State state = State::kCalling;
+  // kBusy: its queue of connections is full; the next Open connects again.
+  enum class State { kConnecting, kBusy, kReady, kOpened, kRefused };
+  // A connection to the device at a port, until its channel gets it.
+  struct Connection {
+    State state = State::kConnecting;
     UniqueFd socket;
     ports::HidIdentity identity;
   };
 
   LocalHidBus(std::string folder, UniqueFd epoll) : folder_(std::move(folder)), epoll_(std::move(epoll)) {}
+  // Makes and watches the folder, and connects to every device in it.
   Result<void> WatchFolder();
   Result<void> DrainNotices();
-  void LookAt(const std::string& port);
-  void Call(const std::string& port);
-  void Answer(const std::string& port, Line& line);
+  // Drops what is known of a port, and connects anew where its socket exists.
+  void Refresh(const std::string& port);
+  void Connect(const std::string& port);
+  void ReceiveHello(const std::string& port, Connection& connection);
   std::string PathOf(const std::string& port) const;
 
   std::string folder_;
   UniqueFd epoll_;
   UniqueFd watch_;         // inotify on the folder.
   bool watching_ = false;  // The folder was there when it was last looked for.
-  std::map<std::string, Line> lines_;
+  std::map<std::string, Connection> connections_;
 };
 
 }  // namespace kaori::hid

@@ -9,6 +9,7 @@
 namespace kaori::hid {
 
 std::optional<ports::HidIdentity> ReadHello(const std::string& port, std::span<const std::uint8_t> packet) {
+  // The lengths in the hello were checked against the packet by its decoder.
   const auto hello = wire::DecodeHidHello(packet);
   if (!hello) return std::nullopt;
   const auto name = packet.subspan(wire::kHidHelloBytes, hello->name_bytes);
@@ -29,6 +30,7 @@ Result<ports::HidInput> LocalHidChannel::Read(std::span<std::uint8_t> into) {
     return Fail(waits || gone ? packet.error().cause : std::errc::io_error,
                 "read a report from " + identity_.port);
   }
+  // Each report is behind the time at which it left the device.
   if (packet->bytes < wire::kHidStampBytes)
     return Fail(std::errc::io_error, "read a report from " + identity_.port + ": no time stamp");
   const auto report = std::span(buffer).first(packet->bytes).subspan(wire::kHidStampBytes);

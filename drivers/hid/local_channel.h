@@ -9,12 +9,12 @@
 
 namespace kaori::hid {
 
-// A hello's bytes as an identity; nothing if it is torn, too long, or no HID device's.
+// Decodes a hello; nothing if it is torn, too long, or not that of a HID device. Pure.
 std::optional<ports::HidIdentity> ReadHello(const std::string& port, std::span<const std::uint8_t> packet);
 
 class LocalHidChannel final : public ports::HidChannel {
  public:
-  // `socket` is connected and its hello was read.
+  // `socket` is connected, and its hello, which gave `identity`, was read.
   LocalHidChannel(UniqueFd socket, ports::HidIdentity identity)
       : socket_(std::move(socket)), identity_(std::move(identity)) {}
 

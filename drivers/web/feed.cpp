@@ -10,7 +10,7 @@ namespace kaori::web {
 namespace {
 
 constexpr std::size_t kBlockBytes = 32768;
-// What the kernel may hold for one listener: about one picture, so that a slow one sees the present.
+// What the kernel buffers for one listener: about one picture, so that a slow one sees recent pictures.
 constexpr int kSendBufferBytes = 65536;
 
 void KeepSendBufferShort(MHD_Connection* connection) {
@@ -51,7 +51,7 @@ MHD_Response* Feed::Listen(MHD_Connection* connection) {
   MHD_Response* response =
       MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, kBlockBytes, &Read, listener.get(), &Leave);
   if (response == nullptr) return nullptr;
-  // The first to listen waits for a fresh message: the newest may be as old as the last listener.
+  // The first listener waits for a new message: nothing may have been published while nobody listened.
   if (listeners_.empty()) listener->number = number_;
   KeepSendBufferShort(connection);
   MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, content_type_.c_str());
@@ -77,17 +77,19 @@ void Feed::Wake(Listener& listener) {
   MHD_resume_connection(listener.connection);
 }
 
-// MHD's content reader: the next bytes for one listener, 0 after putting it to sleep.
+// MHD's content reader: the next bytes for one listener; 0 after its connection was suspended.
 std::ptrdiff_t Feed::Read(void* context, std::uint64_t, char* into, std::size_t most) {
   auto& listener = *static_cast<Listener*>(context);
   Feed& feed = *listener.feed;
   if (feed.ended_ || listener.dismissed) return MHD_CONTENT_READER_END_OF_STREAM;
   if (listener.sent_bytes == listener.sending.size()) {
+    // Everything was sent: MHD is to ask again only after the next message.
     if (listener.number == feed.number_) {
       listener.asleep = true;
       MHD_suspend_connection(listener.connection);
       return 0;
     }
+    // A copy: the feed may get a newer message while this one is being sent.
     listener.sending = feed.newest_;
     listener.number = feed.number_;
     listener.sent_bytes = 0;

@@ -1,4 +1,5 @@
-// A reply that never ends: each listener gets the newest message, and misses those it was too slow for.
+// An HTTP reply that never ends: each listener gets the
+// newest message, and misses those that it was too slow for.
 #pragma once
 
 #include <cstddef>
@@ -12,31 +13,35 @@ struct MHD_Response;
 
 namespace kaori::web {
 
-// One thread, the event loop's. Must outlive the HttpServer that serves it.
+// One thread, that of the event loop. Must outlive the HttpServer that serves it. No call blocks.
 class Feed {
  public:
-  // `content_type` of the reply; `opening` comes once, before a listener's first message.
+  // `content_type` is the reply's; `opening` is sent once to each listener, before its first message.
   Feed(std::string content_type, std::string opening);
   ~Feed();
 
-  // Makes `message` the newest. A listener that still reads an older one reads that to its end first: nothing
-  // is queued but one message for each. Not from within an HttpServer's handler.
+  // Makes `message` the newest. A listener that still receives an older one receives that to its end first;
+  // nothing else is queued. Not to be called from a handler of the HttpServer.
   void Publish(std::string message);
 
+  // How many connections listen now.
   std::size_t listeners() const { return listeners_.size(); }
-  // Somebody has read everything: a new message would leave at once.
+  // Whether a listener has received everything: a new message would be sent to it at once.
   bool awaited() const;
 
-  // Ends the replies of all who listen now; they may come again. Not from within an HttpServer's handler.
+  // Ends the replies of all present listeners; they may connect
+  // again. Not to be called from a handler of the HttpServer.
   void Dismiss();
 
-  // For HttpServer: a reply that feeds `connection`; nullptr when memory is short.
+  // For HttpServer: a reply that sends this feed to `connection`; null when memory is short.
   MHD_Response* Listen(MHD_Connection* connection);
-  // For HttpServer: ends every reply. Nothing can be published afterwards.
+  // For HttpServer: ends every reply. Nothing is sent afterwards.
   void End();
 
  private:
+  // A connection that listens, and what was sent to it.
   struct Listener;
+  // MHD's call-backs: more bytes for a listener, and its end.
   static std::ptrdiff_t Read(void* listener, std::uint64_t position, char* into, std::size_t most);
   static void Leave(void* listener);
   void Wake(Listener& listener);

@@ -12,11 +12,11 @@ namespace kaori::web {
 namespace {
 
 constexpr unsigned kIdleTimeout_s = 30;
-constexpr Duration kMostToAsk = std::chrono::seconds(10);   // Handshake, headers and body.
-constexpr Duration kMostToTake = std::chrono::seconds(30);  // A reply of one piece.
-constexpr int kRunsAtOnce = 64;  // A visitor who never stops sending must not stop the loop.
+constexpr Duration kRequestLimit = std::chrono::seconds(10);  // Handshake, headers and body.
+constexpr Duration kReplyLimit = std::chrono::seconds(30);    // A reply of one piece.
+constexpr int kRunsAtOnce = 64;  // A client that never stops sending must not hold the loop.
 
-// The page may do nothing but talk to us, and no other page may hold it in a frame.
+// A page of ours may load nothing from elsewhere, and no other page may put it into a frame.
 constexpr std::pair<const char*, const char*> kEveryReply[] = {
     {"Cache-Control", "no-store"},
     {"X-Content-Type-Options", "nosniff"},
@@ -26,6 +26,7 @@ constexpr std::pair<const char*, const char*> kEveryReply[] = {
      "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
 };
 
+// The first header of this name; empty where there is none.
 std::string_view Header(MHD_Connection* connection, const char* name) {
   const char* value = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name);
   return value == nullptr ? std::string_view() : value;
@@ -37,7 +38,7 @@ MHD_Response* Text(std::string_view text) {
   return response;
 }
 
-// Takes `response`; MHD_NO closes the connection.
+// Owns `response`. MHD_NO closes the connection.
 MHD_Result Send(MHD_Connection* connection, unsigned status, MHD_Response* response) {
   if (response == nullptr) return MHD_NO;
   for (const auto& [name, value] : kEveryReply) MHD_add_response_header(response, name, value);
@@ -58,30 +59,31 @@ struct HttpServer::Exchange {
   bool too_long = false;
 };
 
-struct HttpServer::Calls {
-  static Line& LineOf(MHD_Connection* connection) {
-    return *static_cast<Line*>(
+struct HttpServer::Callbacks {
+  static Connection& ConnectionOf(MHD_Connection* connection) {
+    return *static_cast<Connection*>(
         MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT)->socket_context);
   }
 
-  static void Wait(HttpServer& server, MHD_Connection* connection, Duration most) {
-    Line& line = LineOf(connection);
-    line.most = most;
-    line.since = server.clock_.now();
+  static void SetLimit(HttpServer& server, MHD_Connection* connection, Duration limit) {
+    Connection& entry = ConnectionOf(connection);
+    entry.limit = limit;
+    entry.since = server.clock_.now();
   }
 
-  // MHD's news of connections.
-  static void Connect(void* context, MHD_Connection* connection, void** line,
-                      MHD_ConnectionNotificationCode news) {
+  // MHD's notification of connections.
+  static void Connect(void* context, MHD_Connection* connection, void** slot,
+                      MHD_ConnectionNotificationCode notice) {
     auto& server = *static_cast<HttpServer*>(context);
-    if (news == MHD_CONNECTION_NOTIFY_CLOSED) {
-      std::erase_if(server.lines_, [&](const Line& one) { return &one == *line; });
+    if (notice == MHD_CONNECTION_NOTIFY_CLOSED) {
+      std::erase_if(server.connections_, [&](const Connection& each) { return &each == *slot; });
       return;
     }
     const int fd = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
-    *line = &server.lines_.emplace_back(Line{fd, kMostToAsk, server.clock_.now()});
+    *slot = &server.connections_.emplace_back(Connection{fd, kRequestLimit, server.clock_.now()});
   }
 
+  // The guard's answer to a request's headers.
   static std::optional<std::string> Refuse(const HttpServer& server, MHD_Connection* connection,
                                            const char* method) {
     if (!server.options_.guard) return std::nullopt;
@@ -94,10 +96,10 @@ struct HttpServer::Calls {
   static MHD_Result Begin(HttpServer& server, MHD_Connection* connection, const char* path,
                           const char* method, void** exchange) {
     if (const auto refusal = Refuse(server, connection, method)) {
-      Wait(server, connection, kMostToTake);
+      SetLimit(server, connection, kReplyLimit);
       return SendText(connection, MHD_HTTP_FORBIDDEN, *refusal);
     }
-    // Ended by Complete, whatever happens.
+    // Complete deletes it, whatever happens.
     *exchange = new Exchange{{.method = method,
                               .path = path,
                               .body = {},
@@ -107,6 +109,7 @@ struct HttpServer::Calls {
   }
 
   static void Append(Exchange& exchange, std::string_view part) {
+    // The rest of a body that is too long is read and dropped, so that the reply reaches the client.
     exchange.too_long |= exchange.request.body.size() + part.size() > kMostBodyBytes;
     if (!exchange.too_long) exchange.request.body += part;
   }
@@ -123,7 +126,7 @@ struct HttpServer::Calls {
       *part_bytes = 0;
       return MHD_YES;
     }
-    Wait(server, connection, kMostToTake);
+    SetLimit(server, connection, kReplyLimit);
     if (exchange.too_long) return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE, "4096 bytes at most");
     unsigned status = MHD_HTTP_OK;
     MHD_Response* response = server.Respond(exchange.request, connection, &status);
@@ -133,7 +136,7 @@ struct HttpServer::Calls {
   static void Complete(void* context, MHD_Connection* connection, void** slot, MHD_RequestTerminationCode) {
     delete static_cast<Exchange*>(*slot);
     *slot = nullptr;
-    Wait(*static_cast<HttpServer*>(context), connection, kMostToAsk);
+    SetLimit(*static_cast<HttpServer*>(context), connection, kRequestLimit);
   }
 };
 
@@ -157,14 +160,14 @@ Result<void> HttpServer::Start() {
     secure[0] = {MHD_OPTION_HTTPS_MEM_KEY, 0, options_.certificate->key.data()};
     secure[1] = {MHD_OPTION_HTTPS_MEM_CERT, 0, options_.certificate->chain.data()};
   }
-  daemon_ = MHD_start_daemon(flags, 0, nullptr, nullptr, &Calls::Access, this, MHD_OPTION_LISTEN_SOCKET,
+  daemon_ = MHD_start_daemon(flags, 0, nullptr, nullptr, &Callbacks::Access, this, MHD_OPTION_LISTEN_SOCKET,
                              listener->get(), MHD_OPTION_CONNECTION_LIMIT, options_.most_connections,
                              MHD_OPTION_PER_IP_CONNECTION_LIMIT, options_.most_of_one_address,
                              MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s, MHD_OPTION_NOTIFY_COMPLETED,
-                             &Calls::Complete, this, MHD_OPTION_NOTIFY_CONNECTION, &Calls::Connect, this,
-                             MHD_OPTION_ARRAY, secure.data(), MHD_OPTION_END);
+                             &Callbacks::Complete, this, MHD_OPTION_NOTIFY_CONNECTION, &Callbacks::Connect,
+                             this, MHD_OPTION_ARRAY, secure.data(), MHD_OPTION_END);
   if (daemon_ == nullptr && options_.certificate)
-    return FailInput("start the web server: its certificate is none");
+    return FailInput("start the web server: its certificate or key is not valid");
   if (daemon_ == nullptr) return Fail(std::errc::io_error, "start the web server");
   (void)listener->release();  // MHD closes it.
   return {};
@@ -173,7 +176,7 @@ Result<void> HttpServer::Start() {
 HttpServer::~HttpServer() {
   if (daemon_ == nullptr) return;
   loop_.Forget(pollable());
-  for (Feed* feed : feeds_) feed->End();  // MHD refuses to stop while a reply sleeps.
+  for (Feed* feed : feeds_) feed->End();  // MHD must not be stopped while a connection is suspended.
   MHD_run(daemon_);
   MHD_stop_daemon(daemon_);
 }
@@ -187,7 +190,7 @@ int HttpServer::pollable() const {
 }
 
 void HttpServer::Run() {
-  CutSlowOnes();
+  CloseSlowConnections();
   for (int run = 0; run < kRunsAtOnce; ++run) {
     MHD_run(daemon_);
     MHD_UNSIGNED_LONG_LONG wait_ms = 0;
@@ -195,13 +198,13 @@ void HttpServer::Run() {
   }
 }
 
-// MHD's own timeout starts anew with each byte. The end of a socket wakes it; it closes and tells.
-void HttpServer::CutSlowOnes() {
+// MHD's own timeout starts anew with each byte. MHD notices that the socket was shut down, and closes it.
+void HttpServer::CloseSlowConnections() {
   const Time now = clock_.now();
-  for (Line& line : lines_) {
-    if (line.most == Duration{} || now - line.since < line.most) continue;
-    ::shutdown(line.fd, SHUT_RDWR);
-    line.most = {};
+  for (Connection& entry : connections_) {
+    if (entry.limit == Duration{} || now - entry.since < entry.limit) continue;
+    ::shutdown(entry.fd, SHUT_RDWR);
+    entry.limit = {};
   }
 }
 
@@ -209,7 +212,7 @@ MHD_Response* HttpServer::Respond(const Request& request, MHD_Connection* connec
   const Answer answer = handler_(request);
   if (Feed* const* feed = std::get_if<Feed*>(&answer)) {
     if (std::ranges::find(feeds_, *feed) == feeds_.end()) feeds_.push_back(*feed);
-    Calls::LineOf(connection).most = {};
+    Callbacks::ConnectionOf(connection).limit = {};
     return (*feed)->Listen(connection);
   }
   const auto& reply = std::get<Reply>(answer);

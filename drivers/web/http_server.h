@@ -1,4 +1,4 @@
-// A small web server inside the one event loop: plain, or with a certificate.
+// A small web server in the program's event loop: HTTP, or HTTPS with a certificate.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,8 @@ struct MHD_Response;
 
 namespace kaori::web {
 
-// Headers by which a visitor is admitted or refused; empty where the request has none.
+// The headers by which a guard admits or refuses a request; empty
+// where it has none. The views end with the guard's call.
 struct Visitor {
   std::string_view method{};
   std::string_view host{};
@@ -31,30 +32,32 @@ struct Visitor {
   std::string_view fetch_site{};  // Sec-Fetch-Site.
 };
 
+// A whole request.
 struct Request {
   std::string method;
   std::string path;  // Without the query.
   std::string body;  // kMostBodyBytes at most; longer ones are refused unread.
   std::string cookie{};
-  std::string languages{};  // Accept-Language.
+  std::string languages{};  // Its Accept-Language.
 };
 
+// A whole reply.
 struct Reply {
   unsigned status = 200;
   std::string content_type = "text/plain; charset=utf-8";
   std::string body;
-  std::string cookie{};  // To be kept by the visitor.
+  std::string cookie{};  // A Set-Cookie header; empty: none.
 };
 
 inline constexpr std::size_t kMostBodyBytes = 4096;
 
-// PEM, both.
+// A certificate chain and its private key, both as PEM.
 struct Certificate {
   std::string chain;
   std::string key;
 };
 
-// Why a visitor is refused, in one line, or nothing.
+// Why a request is refused, in one line; none: it is accepted.
 using Guard = std::function<std::optional<std::string>(const Visitor&)>;
 
 struct ServerOptions {
@@ -64,11 +67,11 @@ struct ServerOptions {
   std::optional<Certificate> certificate{};  // HTTPS with it, HTTP without.
   unsigned most_connections = 64;
   unsigned most_of_one_address = 64;
-  Guard guard{};  // Asked before anything else of a request is looked at.
+  Guard guard{};  // Called with the headers, before the body is read; null: all are accepted.
 };
 
-// Does not block; one thread, the loop's. A request that is not whole within 10 s, a reply that is not taken
-// within 30 s, and a feed that takes nothing for 30 s are cut off.
+// One thread, that of the loop. No call blocks. A connection is closed whose request is not whole within 10
+// s, whose reply is not received within 30 s, or whose feed receives nothing for 30 s.
 class HttpServer {
  public:
   using Answer = std::variant<Reply, Feed*>;  // A Feed must outlive the server.
@@ -76,32 +79,37 @@ class HttpServer {
 
   // `loop` and `clock` must outlive the server. Errors:
   //   address_in_use    another program listens on the port
-  //   invalid_argument  the certificate and its key are none
+  //   permission_denied the port is below 1024, and this program may not open it
+  //   invalid_argument  the certificate or its key is not valid
+  //   io_error          the server could not be started
   static Result<std::unique_ptr<HttpServer>> Open(ServerOptions options, EventLoop& loop, const Clock& clock,
                                                   Handler handler);
   ~HttpServer();
 
+  // The port that is listened on.
   std::uint16_t port() const;
-  std::size_t connections() const { return lines_.size(); }
+  // How many connections are open.
+  std::size_t connections() const { return connections_.size(); }
 
-  // Sends and receives what can be, and cuts off what is too slow; call it after publishing to a feed and 10
-  // times a second at least.
+  // Sends and receives what is possible now, and closes connections that are too slow. To be called after a
+  // feed was published to, and 10 times a second at least.
   void Run();
 
  private:
+  // A request while it arrives.
   struct Exchange;
-  struct Calls;  // What MHD calls.
-  // A visitor's connection.
-  struct Line {
+  struct Callbacks;  // Those that MHD calls.
+  struct Connection {
     int fd;
-    Duration most;  // For what is under way since `since`; zero: as long as it likes.
+    Duration limit;  // For what has been under way since `since`; zero: none.
     Time since;
   };
   HttpServer(ServerOptions options, EventLoop& loop, const Clock& clock, Handler handler)
       : options_(std::move(options)), loop_(loop), clock_(clock), handler_(std::move(handler)) {}
   Result<void> Start();
+  // The handler's answer as MHD's response; null when memory is short.
   MHD_Response* Respond(const Request& request, MHD_Connection* connection, unsigned* status);
-  void CutSlowOnes();
+  void CloseSlowConnections();
   int pollable() const;
 
   ServerOptions options_;
@@ -109,8 +117,8 @@ class HttpServer {
   const Clock& clock_;
   Handler handler_;
   MHD_Daemon* daemon_ = nullptr;
-  std::vector<Feed*> feeds_;  // Those that were ever answered with.
-  std::list<Line> lines_;
+  std::vector<Feed*> feeds_;  // Every feed that a handler returned so far.
+  std::list<Connection> connections_;
 };
 
 }  // namespace kaori::web

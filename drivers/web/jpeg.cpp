@@ -7,8 +7,10 @@
 namespace kaori::web {
 namespace {
 
+// Larger pictures are no previews.
 constexpr int kMostSide_px = 8192;
 
+// Whether the picture has the bytes that its size needs.
 bool Agrees(const Picture& picture) {
   const auto fits = [](int side_px) { return side_px > 0 && side_px <= kMostSide_px; };
   return fits(picture.width_px) && fits(picture.height_px) &&

@@ -1,4 +1,4 @@
-// Pictures as JPEG, as browsers take them.
+// Encodes pictures as JPEG.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,22 @@
 
 namespace kaori::web {
 
-// 8-bit R, G, B, X; tightly packed.
+// 8-bit R, G, B, X; rows without padding.
 struct Picture {
   int width_px = 0;
   int height_px = 0;
   std::span<const std::uint8_t> rgbx;
-  bool bottom_up = true;  // The bottom row comes first, as the screen has it.
+  bool bottom_up = true;  // The bottom row comes first, as in ports::PixelMemory.
 };
 
-// Keeps its tables from picture to picture. One thread.
+// Keeps its memory from picture to picture. One thread.
 class JpegEncoder {
  public:
   JpegEncoder();
   ~JpegEncoder();
 
-  // `quality` 1..100. Errors: invalid_argument (sizes and bytes do not agree), not_enough_memory.
+  // `quality` is 1..100. Blocks until the picture is encoded. Errors: invalid_argument (sizes and bytes do
+  // not agree), not_enough_memory.
   Result<std::string> Encode(const Picture& picture, int quality);
 
  private:
@@ -32,7 +33,7 @@ class JpegEncoder {
     void operator()(void* handle) const;
   };
   std::unique_ptr<void, Close> handle_;
-  unsigned char* buffer_ = nullptr;  // The library's, grown as needed.
+  unsigned char* buffer_ = nullptr;  // Allocated by the library, and grown as needed.
   unsigned long buffer_bytes_ = 0;
 };
 

@@ -11,6 +11,7 @@ namespace kaori::web {
 Result<UniqueFd> ListenForVisitors(std::uint16_t port, Reach reach, const std::string& address) {
   const std::string of_reach = reach == Reach::kThisMachine ? "127.0.0.1" : "0.0.0.0";
   const std::string& at = address.empty() ? of_reach : address;
+  // The address is named in the error: it decides who is refused.
   const std::string attempt = fmt::format("listen on {}:{}", at, port);
   sockaddr_in socket_address{};
   socket_address.sin_family = AF_INET;

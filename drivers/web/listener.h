@@ -1,4 +1,4 @@
-// A socket that waits for visitors.
+// Opens the socket on which a web server listens.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,12 @@ enum class Reach : std::uint8_t {
   kNetwork,      // Every address of the machine.
 };
 
-// IPv4, TCP; `port` 0 is any free one. `address` is one of this machine's own ("192.168.0.7", "0.0.0.0" for all); empty: as
-// `reach` says. Errors: address_in_use, permission_denied (a port below 1024), invalid_argument (no IPv4 address),
-// address_not_available (not of this machine).
+// A listening, non-blocking TCP socket on IPv4; `port` 0 is any free one. `address` is one of this machine's own
+// ("192.168.0.7", "0.0.0.0" for all); empty: as `reach` says. Errors:
+//   address_in_use         another program listens on the port
+//   permission_denied      the port is below 1024
+//   invalid_argument       `address` is no IPv4 address
+//   address_not_available  `address` is not of this machine
 Result<UniqueFd> ListenForVisitors(std::uint16_t port, Reach reach, const std::string& address = {});
 
 }  // namespace kaori::web

@@ -1,4 +1,4 @@
-// A file of a page, carried inside the program: see embed.cmake.
+// A file of a web page that is compiled into the program by embed.cmake.
 #pragma once
 
 #include <string_view>

@@ -32,9 +32,9 @@ class ChosenSound : public ::testing::Test {
   Result<std::unique_ptr<AlsaPcm>> Open(const std::string& name) {
     const SoundSearch search{
         .list = [this](Direction) { return cards_; },
-        .loosen = [this](const std::string& card, Direction) { loosened_.push_back(card); },
+        .make_audible = [this](const std::string& card, Direction) { made_audible_.push_back(card); },
         .open = [this](const std::string& card, Direction,
-                       const AlsaWish&) -> Result<std::unique_ptr<AlsaPcm>> {
+                       const AlsaPreferences&) -> Result<std::unique_ptr<AlsaPcm>> {
           opened_.push_back(card);
           return std::make_unique<tests::FakePcm>(sound_);
         }};
@@ -49,19 +49,19 @@ class ChosenSound : public ::testing::Test {
   ManualClock clock_;
   tests::FakeSound sound_;
   std::vector<SoundDevice> cards_{kOwn};
-  std::vector<std::string> opened_, loosened_;
+  std::vector<std::string> opened_, made_audible_;
 };
 
 TEST_F(ChosenSound, IsTheNearestAndIsMadeAudible) {
   ASSERT_TRUE(Open(kAnySound));
   EXPECT_THAT(opened_, ElementsAre("hw:0,0"));
-  EXPECT_THAT(loosened_, ElementsAre("hw:0,0"));
+  EXPECT_THAT(made_audible_, ElementsAre("hw:0,0"));
 }
 
 TEST_F(ChosenSound, IsLeftAsItIsWhereSomebodyNamedIt) {
   ASSERT_TRUE(Open("hw:7"));
   EXPECT_THAT(opened_, ElementsAre("hw:7"));
-  EXPECT_TRUE(loosened_.empty());
+  EXPECT_TRUE(made_audible_.empty());
 }
 
 TEST_F(ChosenSound, IsNoneWhereThereIsNoCard) {

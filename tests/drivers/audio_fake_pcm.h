@@ -1,4 +1,4 @@
-// A sound device made of memory: it answers the calls, and does what a test tells it to.
+// A fake sound device: it answers the calls, and does what a test tells it to.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace kaori::tests {
 
-// Outlives the PCM that was opened on it, as a plug does.
+// The test's side. It must outlive the PCMs that are opened on it.
 struct FakeSound {
   ports::SoundFormat format;
   std::deque<std::int16_t> heard;    // Waits to be read.
@@ -65,7 +65,7 @@ class FakePcm final : public audio::AlsaPcm {
 
 inline audio::PcmOpener Opener(FakeSound& sound) {
   return [&sound](const std::string&, audio::Direction,
-                  const audio::AlsaWish&) -> Result<std::unique_ptr<audio::AlsaPcm>> {
+                  const audio::AlsaPreferences&) -> Result<std::unique_ptr<audio::AlsaPcm>> {
     return std::make_unique<FakePcm>(sound);
   };
 }

@@ -1,7 +1,6 @@
-// Cameras that come by requests, and the plug-in that brings libcamera's.
+// What the contract of Camera leaves to cameras by requests, and the plug-in of libcamera's.
 #include <cstring>
 #include <filesystem>
-#include <set>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -11,6 +10,7 @@
 #include "drivers/camera/libcamera/libcamera_choice.h"
 #include "drivers/camera/libcamera/request_camera.h"
 #include "drivers/camera/named_camera.h"
+#include "tests/drivers/camera_fake_requests.h"
 
 namespace kaori::camera {
 namespace {
@@ -19,49 +19,14 @@ using ports::CameraFormat;
 using ports::PixelFormat;
 using ::testing::HasSubstr;
 
-constexpr std::uint32_t kBytes = 320 * 240 * 2;
-
-// A library made of memory: it fills what is queued when a test says so.
-class FakeDevice final : public RequestDevice {
- public:
-  Completions& completions() override { return completions_; }
-  std::uint32_t buffers() const override { return 4; }
-  std::span<const std::uint8_t> memory(std::uint32_t buffer) const override { return memory_[buffer]; }
-  Result<void> Queue(std::uint32_t buffer) override {
-    if (refuses) return Fail(std::errc::no_such_device, "queue");
-    EXPECT_TRUE(queued.insert(buffer).second) << "queued twice";
-    return {};
-  }
-
-  bool Fill(std::uint8_t grey, Time at, bool whole = true, std::uint32_t bytes = kBytes) {
-    ++sequence_;
-    if (queued.empty()) return false;
-    const std::uint32_t buffer = *queued.begin();
-    queued.erase(queued.begin());
-    memory_[buffer].assign(kBytes, grey);
-    completions_.Add({buffer, whole, bytes, sequence_ - 1, at});
-    return true;
-  }
-
-  bool refuses = false;
-  std::set<std::uint32_t> queued;
-
- private:
-  Completions completions_;
-  std::array<std::vector<std::uint8_t>, 4> memory_;
-  std::uint32_t sequence_ = 0;
-};
+using tests::kRequestBytes;
 
 class Requests : public ::testing::Test {
  protected:
   Requests() {
-    auto device = std::make_unique<FakeDevice>();
+    auto device = std::make_unique<tests::FakeRequests>();
     device_ = device.get();
-    const RequestStream stream{.name = "imx219",
-                               .format = {320, 240, PixelFormat::kYuyv},
-                               .stride_bytes = 640,
-                               .frame_bytes = kBytes};
-    camera_ = RequestCamera::Start(std::move(device), stream, clock_).value();
+    camera_ = RequestCamera::Start(std::move(device), tests::FakeStream(), clock_).value();
   }
   std::errc Cause() {
     const auto frame = camera_->Next();
@@ -73,7 +38,7 @@ class Requests : public ::testing::Test {
   }
 
   ManualClock clock_;
-  FakeDevice* device_ = nullptr;
+  tests::FakeRequests* device_ = nullptr;
   std::unique_ptr<RequestCamera> camera_;
 };
 
@@ -96,17 +61,10 @@ TEST_F(Requests, ShowTheNewestFrameWithItsStampAndGiveTheOthersBackAtOnce) {
   EXPECT_EQ(device_->queued.size(), 4u);
 }
 
-TEST_F(Requests, NeverRunOutOfBuffers) {
-  for (int n = 0; n < 1000; ++n) {
-    ASSERT_TRUE(device_->Fill(static_cast<std::uint8_t>(n), clock_.now()));
-    ASSERT_EQ(Cause(), std::errc{});
-  }
-}
-
 TEST_F(Requests, ThatCameBackTornAreDroppedAndQueuedAgain) {
   device_->Fill(1, clock_.now(), false);
   EXPECT_EQ(Cause(), std::errc::bad_message);
-  for (const std::uint32_t bytes : {0U, 1000U, kBytes + 1}) {
+  for (const std::uint32_t bytes : {0U, 1000U, kRequestBytes + 1}) {
     device_->Fill(1, clock_.now(), true, bytes);
     EXPECT_EQ(Cause(), std::errc::bad_message);
   }
@@ -116,14 +74,6 @@ TEST_F(Requests, ThatCameBackTornAreDroppedAndQueuedAgain) {
   EXPECT_EQ(camera_->Next()->bytes[0], 5);
 }
 
-TEST_F(Requests, AreGoneForEverOnceTheCameraWasPulledAndWakeWhoWaits) {
-  device_->completions().Disconnect();
-  EXPECT_TRUE(Readable());
-  EXPECT_EQ(Cause(), std::errc::no_such_device);
-  EXPECT_TRUE(Readable());
-  EXPECT_EQ(Cause(), std::errc::no_such_device);
-}
-
 TEST_F(Requests, BreakWhenTheLibraryRefusesABuffer) {
   device_->Fill(1, clock_.now());
   ASSERT_EQ(Cause(), std::errc{});
@@ -131,13 +81,6 @@ TEST_F(Requests, BreakWhenTheLibraryRefusesABuffer) {
   EXPECT_EQ(Cause(), std::errc::no_such_device);
   device_->refuses = false;
   EXPECT_EQ(Cause(), std::errc::no_such_device);
-}
-
-TEST_F(Requests, HaveADeadline) {
-  clock_.Advance(std::chrono::milliseconds(900));
-  EXPECT_EQ(Cause(), std::errc::resource_unavailable_try_again);
-  clock_.Advance(std::chrono::milliseconds(101));
-  EXPECT_EQ(camera_->Next().error().message(), "wait any longer for imx219: Input/output error");
 }
 
 TEST_F(Requests, CrossFromTheLibrarysThreadWithoutLoss) {

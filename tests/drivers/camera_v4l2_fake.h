@@ -1,4 +1,4 @@
-// A V4L2 camera made of memory: it answers the system calls, and does what a test tells it to.
+// A fake V4L2 camera: it answers the system calls, and does what a test tells it to.
 #pragma once
 
 #include <linux/videodev2.h>
@@ -124,7 +124,7 @@ class FakeV4l2 final : public camera::V4l2Calls {
         queued_.push_back(static_cast<v4l2_buffer*>(argument)->index);
         return 0;
       case VIDIOC_DQBUF:
-        return Hand(*static_cast<v4l2_buffer*>(argument));
+        return Dequeue(*static_cast<v4l2_buffer*>(argument));
       case VIDIOC_DQEVENT:
         return TellEvent(*static_cast<v4l2_event*>(argument));
       case VIDIOC_STREAMOFF:
@@ -198,7 +198,7 @@ class FakeV4l2 final : public camera::V4l2Calls {
     control.value = it->second;
     return 0;
   }
-  // An automatic that is on keeps hands off its values, as in a webcam.
+  // While an automatic is on, its values cannot be set, as in a webcam.
   int WriteControl(const v4l2_control& control) {
     const auto it = controls.find(control.id);
     if (it == controls.end()) return Refuse(EINVAL);
@@ -214,7 +214,7 @@ class FakeV4l2 final : public camera::V4l2Calls {
     buffer.m.offset = buffer.index;
     return 0;
   }
-  int Hand(v4l2_buffer& buffer) {
+  int Dequeue(v4l2_buffer& buffer) {
     if (filled_.empty()) return Refuse(EAGAIN);
     buffer = filled_.front();
     filled_.pop_front();

@@ -60,12 +60,12 @@ TEST_F(V4l2SourceTest, StepsDownRateByRateWhereItIsTooDarkAndStopsWhereLipsWould
   EXPECT_EQ(ModeThatIsOpened(), "320 x 240 YUYV at 30 frames/s");
 }
 
-TEST_F(V4l2SourceTest, NamesWhatTheCameraGivesNotWhatWasAsked) {
+TEST_F(V4l2SourceTest, NamesWhatTheCameraGivesNotWhatWasRequested) {
   kernel_.gives = {kMjpeg, 25, 640, 480};
   EXPECT_EQ(ModeThatIsOpened(), "640 x 480 MJPEG at 25 frames/s");
 }
 
-TEST_F(V4l2SourceTest, TakesASlowerRateWhereTheCableIsTooNarrow) {
+TEST_F(V4l2SourceTest, UsesASlowerRateWhereTheBusHasNotRoom) {
   kernel_.narrow_above_hz = 60;
   EXPECT_EQ(ModeThatIsOpened(), "320 x 240 YUYV at 60 frames/s");
   kernel_.narrow_above_hz = 1;
@@ -84,7 +84,7 @@ TEST_F(V4l2SourceTest, UsesACameraThatNamesNoSizesAndNoRatesAsItIs) {
   EXPECT_EQ(ModeThatIsOpened(), "640 x 480 YUYV at the camera's own rate");
 }
 
-TEST_F(V4l2SourceTest, LetsTheCameraFindItsExposureWithoutSinkingTheRate) {
+TEST_F(V4l2SourceTest, LetsTheCameraFindItsExposureWithoutLoweringTheRate) {
   kernel_.controls[V4L2_CID_EXPOSURE_AUTO] = V4L2_EXPOSURE_MANUAL;
   kernel_.controls[V4L2_CID_AUTO_WHITE_BALANCE] = 0;
   ModeThatIsOpened();
@@ -94,7 +94,7 @@ TEST_F(V4l2SourceTest, LetsTheCameraFindItsExposureWithoutSinkingTheRate) {
   EXPECT_EQ(At(V4L2_CID_POWER_LINE_FREQUENCY), 0) << "120 frames/s cannot fit the mains";
 }
 
-TEST_F(V4l2SourceTest, LeavesTheMainsToASlowCamera) {
+TEST_F(V4l2SourceTest, LeavesTheFlickerFilterOfASlowCameraAlone) {
   kernel_.offers = {{kYuyv, 30, 320, 240}};
   ModeThatIsOpened();
   EXPECT_EQ(At(V4L2_CID_POWER_LINE_FREQUENCY), 1);
@@ -137,7 +137,7 @@ TEST_F(V4l2SourceTest, NamesWhatTheCameraLacksAndWhatItRefuses) {
   EXPECT_EQ(At(V4L2_CID_EXPOSURE_AUTO), V4L2_EXPOSURE_MANUAL) << "the rest is held all the same";
 }
 
-TEST_F(V4l2SourceTest, HoldsNothingOfACameraThatIsGoneAndDoesNotMind) {
+TEST_F(V4l2SourceTest, HoldsNothingOfACameraThatIsGoneWhichIsNoError) {
   const auto camera = source_.Open();
   kernel_.open_error = ENODEV;
   EXPECT_THAT(source_.Set(CameraHold::kHeld), IsEmpty());
@@ -153,11 +153,11 @@ TEST_F(V4l2SourceTest, TellsHowMuchOfAFrameIsExposed) {
   EXPECT_FALSE(source_.exposure());
 }
 
-TEST_F(V4l2SourceTest, ListsForPeopleWhatTheCameraCanAndWhatWouldBeTaken) {
+TEST_F(V4l2SourceTest, ListsForPeopleWhatTheCameraCanAndWhatIsChosen) {
   const auto text = ModesText("/dev/video0", {}, kernel_);
   ASSERT_TRUE(text);
   EXPECT_THAT(*text, HasSubstr("  1920 x 1080 MJPEG at 30 frames/s\n"));
-  EXPECT_THAT(*text, HasSubstr("would be taken:\n  320 x 240 YUYV at 120 frames/s\n"
+  EXPECT_THAT(*text, HasSubstr("chosen for lips:\n  320 x 240 YUYV at 120 frames/s\n"
                                "  320 x 240 YUYV at 60 frames/s, where it is too dark for the one above\n"));
   kernel_.open_error = ENOENT;
   EXPECT_EQ(ModesText("/dev/video0", {}, kernel_).error().message(),
@@ -177,7 +177,7 @@ TEST(Ladder, PrefersFewBytesOverJpegAndBothOverALargePicture) {
   EXPECT_EQ(best({jpeg(640), yuyv(640)}), "640 x 480 YUYV at 60 frames/s");
 }
 
-TEST(Ladder, TakesWhatThereIsWhereNothingFitsTheWish) {
+TEST(Ladder, UsesWhatThereIsWhereNothingFitsThePreferences) {
   const std::vector<V4l2Mode> small{Mode(kYuyv, ports::PixelFormat::kYuyv, 160, 15)};
   ASSERT_EQ(LadderOf(small, {}).size(), 1u);
   const std::vector<V4l2Mode> slow{Mode(kYuyv, ports::PixelFormat::kYuyv, 640, 10),

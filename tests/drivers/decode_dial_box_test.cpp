@@ -75,7 +75,7 @@ TEST(DialBox, RefusesTornShortAndLongReportsAndStaysAsItWas) {
   EXPECT_THAT(box.Decode(Bytes(7), At(2)).error().attempt, HasSubstr("7 bytes where 20 are due"));
 }
 
-TEST(DialBox, LightsItsLamps) {
+TEST(DialBox, SwitchesItsLamps) {
   EXPECT_THAT(Ours().LampReport(0x80000102u), ElementsAre(0x00, 0x02, 0x01, 0x00, 0x80));
 }
 
@@ -100,6 +100,19 @@ TEST(ShuttleXpress, CountsItsJogWheelOverTheWrap) {
     ASSERT_TRUE(shuttle.Decode(Bytes{7, jog, 0, 0x10, 0}, At(1)));
   EXPECT_EQ(shuttle.sample().counts[0], 7);
   EXPECT_EQ(shuttle.sample().buttons.down[0], 0x10u);
+}
+
+// Between two reports the jog wheel may have gone either
+// way to the opposite position: that counts as backwards.
+TEST(ShuttleXpress, HalfATurnIsBackwardsAndOneCountLessIsForwards) {
+  constexpr int kPositions = 256;
+  for (const auto& [moved, counts] :
+       {std::pair{kPositions / 2 - 1, 127}, {kPositions / 2, -128}, {129, -127}}) {
+    auto shuttle = DialBoxDecoder::For(Owned(0x0B33, 0x0020)).value();
+    for (const int jog : {20, 20 + moved})
+      ASSERT_TRUE(shuttle.Decode(Bytes{0, static_cast<std::uint8_t>(jog), 0, 0, 0}, At(1)));
+    EXPECT_EQ(shuttle.sample().counts[0], counts) << moved;
+  }
 }
 
 TEST(ShuttleXpress, DoesNotJumpAfterAReplug) {

@@ -43,7 +43,7 @@ TEST(StickPod, HasACentredHatInTheNullState) {
   EXPECT_EQ(stick.sample().hat, -1);
 }
 
-TEST(StickPod, IsNeutralAfterAReplugUntilItSpeaks) {
+TEST(StickPod, IsNeutralAfterAReplugUntilItsFirstReport) {
   auto stick = Stick(wire::kStickPodDescriptor);
   ASSERT_TRUE(
       stick.Decode(wire::Encode(wire::StickPodReport{
@@ -81,7 +81,7 @@ TEST(StickPod, CalibratesItsCentreAndStillReachesBothEnds) {
   EXPECT_FLOAT_EQ(stick.sample().x, -1);
 }
 
-TEST(StickPod, DoesNotTakeAHandForTheCentre) {
+TEST(StickPod, DoesNotMistakeAHeldStickForItsCentre) {
   auto stick = Stick(wire::kStickPodDescriptor);
   ASSERT_TRUE(stick.Decode(wire::Encode(wire::StickPodReport{.x = 20000, .y = 3000}), At(1)));
   stick.CalibrateCentre();
@@ -178,7 +178,7 @@ TEST(T16000m, IsReadByItsDescriptor) {
 }
 
 // Two reports: an axis in each, and the buttons split between them.
-TEST(Joystick, TakesAxesAndButtonsFromSeveralReports) {
+TEST(Joystick, ReadsAxesAndButtonsOfSeveralReports) {
   const Bytes descriptor = {0x05, 0x01, 0x09, 0x04, 0xA1, 0x01, 0x15, 0x81, 0x25, 0x7F, 0x75, 0x08, 0x95,
                             0x01, 0x85, 0x01, 0x09, 0x30, 0x81, 0x02, 0x85, 0x02, 0x09, 0x31, 0x81, 0x02,  //
                             0x05, 0x09, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x08,                    //

@@ -28,7 +28,7 @@ Bytes Within(const Bytes& inside) {
 
 std::string Refusal(const Bytes& descriptor) {
   const auto layout = ReadReportLayout(descriptor);
-  return layout ? "it was taken" : layout.error().attempt;
+  return layout ? "it was accepted" : layout.error().attempt;
 }
 
 TEST(ReportLayout, ReadsTheDialBox) {
@@ -53,7 +53,7 @@ TEST(ReportLayout, TellsDevicesByTheirUsages) {
   EXPECT_EQ(kind(tests::kT16000m), DeviceKind::kJoystick);
 }
 
-TEST(ReportLayout, DoesNotTakeAMouseForAJoystick) {
+TEST(ReportLayout, DoesNotMistakeAMouseForAJoystick) {
   const Bytes mouse = {0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15,
                        0x81, 0x25, 0x7F, 0x75, 0x08, 0x95, 0x02, 0x81, 0x06, 0xC0};
   EXPECT_EQ(Recognise(*ReadReportLayout(mouse)), DeviceKind::kPointer);
@@ -74,7 +74,7 @@ TEST(ReportLayout, ReadsSignedUnalignedFieldsAcrossBytes) {
   EXPECT_EQ(Extract(layout->fields[1], 0, report), 0xFFFFFFFEll);
 }
 
-TEST(ReportLayout, TakesAMaximumOfFFAs255BesideAnUnsignedMinimum) {
+TEST(ReportLayout, ReadsAMaximumOfFFAs255BesideAnUnsignedMinimum) {
   const auto layout =
       ReadReportLayout(Within({0x09, 0x30, 0x15, 0x00, 0x25, 0xFF, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02}));
   ASSERT_TRUE(layout) << layout.error().message();
@@ -93,14 +93,14 @@ TEST(ReportLayout, PushAndPopKeepTheGlobalItems) {
 }
 
 TEST(ReportLayout, CompletesShortUsagesWithThePageThatHoldsAtTheMainItem) {
-  // Usage X first, then the page changes to Button: Linux takes the last page, and so do we.
+  // Usage X first, then the page changes to Button: Linux uses the last page, and so do we.
   const auto layout = ReadReportLayout(
       Within({0x09, 0x01, 0x05, 0x09, 0x15, 0x00, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02}));
   ASSERT_TRUE(layout);
   EXPECT_EQ(layout->usage(layout->fields[0], 0), 0x00090001u);
 }
 
-TEST(ReportLayout, TakesExtendedUsagesWithTheirOwnPage) {
+TEST(ReportLayout, ReadsExtendedUsagesWithTheirOwnPage) {
   const auto layout =
       ReadReportLayout(Within({0x0B, 0xBB, 0x00, 0x02, 0x00,                                // Throttle
                                0x1B, 0x01, 0x00, 0x09, 0x00, 0x2B, 0x03, 0x00, 0x09, 0x00,  // 1..3

@@ -94,7 +94,7 @@ TEST(Planes, RefuseFramesWithTooFewBytes) {
   EXPECT_FALSE(reader.Read(Frame(PixelFormat::kNv12, 4, 3, 4, bytes)));
 }
 
-TEST(Planes, RefuseGarbageThatCallsItselfJpeg) {
+TEST(Planes, RefuseNonsenseThatIsMarkedAsJpeg) {
   PlaneReader reader;
   EXPECT_FALSE(reader.Read(Frame(PixelFormat::kMjpeg, 36, 18, 0, {})));
   EXPECT_FALSE(reader.Read(Frame(PixelFormat::kMjpeg, 36, 18, 0, Bytes(5000, 0xAB))));
@@ -115,7 +115,7 @@ TEST(Planes, RefuseEveryTornJpegAndReadTheNextWholeOne) {
   EXPECT_TRUE(next) << next.error().attempt;
 }
 
-TEST(Planes, RefuseAPictureThatCallsItselfTooLarge) {
+TEST(Planes, RefuseAPictureThatIsTooLarge) {
   PlaneReader reader;
   Bytes bomb = BlueJpeg(36, 18, TJSAMP_420);
   const Bytes frame_start = {0xFF, 0xC0};  // Then 2 bytes of length, 1 of precision, height, width.
@@ -130,7 +130,7 @@ TEST(Planes, RefuseAPictureThatCallsItselfTooLarge) {
 }
 
 // A camera that shares its memory with us may change the way colour is subsampled after we looked at it.
-TEST(Planes, StandACameraThatRewritesItsPictureMeanwhile) {
+TEST(Planes, SurviveACameraThatRewritesItsPictureMeanwhile) {
   constexpr int kSide_px = 256;
   Bytes jpeg = BlueJpeg(kSide_px, kSide_px, TJSAMP_420);
   const Bytes frame_start = {0xFF, 0xC0};
@@ -155,7 +155,7 @@ TEST(Planes, StandACameraThatRewritesItsPictureMeanwhile) {
   liar.join();
 }
 
-TEST(Planes, TakeAJpegWithPaddingBehindIt) {
+TEST(Planes, ReadAJpegWithPaddingBehindIt) {
   PlaneReader reader;
   Bytes padded = BlueJpeg(36, 18, TJSAMP_420);
   padded.resize(padded.size() + 500);

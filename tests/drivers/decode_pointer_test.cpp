@@ -37,7 +37,7 @@ TEST(Pointer, IsKnownByItsDescriptor) {
   EXPECT_FALSE(PointerDecoder::For(tests::Plugged(tests::kAttack3))) << "a joystick is none";
 }
 
-TEST(Pointer, AMouseAddsUpItsWay) {
+TEST(Pointer, AMouseAddsUpItsMovements) {
   auto mouse = Mouse();
   ASSERT_TRUE(mouse.Decode(Bytes{0, 100, 0, 0}, At(1)));
   ASSERT_TRUE(mouse.Decode(Bytes{0, 100, 0xCE, 0}, At(2)));  // -50.
@@ -57,7 +57,7 @@ TEST(Pointer, AMouseStaysOnThePictureAndTurnsRoundAtOnce) {
   EXPECT_THAT(mouse.sample().y, FloatNear(0.1F, 1e-5F));
 }
 
-TEST(Pointer, ATabletKnowsItsPlaceFromEdgeToEdge) {
+TEST(Pointer, ATabletTellsItsPositionFromEdgeToEdge) {
   auto tablet = Tablet();
   ASSERT_TRUE(tablet.Decode(wire::Encode(wire::PointerReport{.x = 0, .y = wire::kPointerEnd}), At(1)));
   EXPECT_EQ(tablet.sample().x, 0);
@@ -85,7 +85,7 @@ TEST(Pointer, AddsUpTheNotchesOfTheWheel) {
   EXPECT_EQ(mouse.sample().wheel, 2) << "3 on, 1 back; -128 lies outside the logical range and says nothing";
 }
 
-TEST(Pointer, KeepsItsPlaceAndLetsGoWhenTheCableIsPulled) {
+TEST(Pointer, KeepsItsPositionAndReleasesItsButtonsWhenTheCableIsPulled) {
   auto mouse = Mouse();
   ASSERT_TRUE(mouse.Decode(Bytes{1, 100, 100, 2}, At(1)));
   mouse.Release();

@@ -1,4 +1,4 @@
-// A descriptor in other hands: given, given back, and kept through deaths at either end.
+// A descriptor that the fd keeper has: given to it, retrieved from it, and kept when either end dies.
 #include "drivers/base/fd_keeper.h"
 
 #include <gtest/gtest.h>

@@ -100,7 +100,7 @@ std::vector<std::uint8_t> StickDescriptor() {
   return {wire::kStickPodDescriptor.begin(), wire::kStickPodDescriptor.end()};
 }
 
-// As the kernel gives it: before a report without a number stands a 0.
+// As the kernel gives it: a report without a number begins with a 0.
 std::vector<std::uint8_t> Held(const wire::StickPodReport& report) {
   const auto bytes = wire::Encode(report);
   std::vector<std::uint8_t> answer(bytes.begin(), bytes.end());
@@ -124,9 +124,9 @@ class HeldStick : public HidrawBusTest {
   std::array<std::uint8_t, 64> into_{};
 };
 
-TEST_F(HeldStick, IsKnownAtOnceAndWhatItSendsComesAfterwards) {
+TEST_F(HeldStick, HasItsPositionAtOnceAndItsReportsComeAfterwards) {
   const auto held = Held({.x = 1200, .y = -700});
-  stick_.Stand(held);
+  stick_.SetInitialReport(held);
   stick_.Send({1, 2, 3});
   const auto channel = Plug();
   ASSERT_EQ(channel->Read(into_)->bytes, held.size() - 1);
@@ -135,29 +135,29 @@ TEST_F(HeldStick, IsKnownAtOnceAndWhatItSendsComesAfterwards) {
   EXPECT_EQ(Cause(*channel), std::errc::resource_unavailable_try_again);
 }
 
-TEST_F(HeldStick, ThatStallsOrAnswersRubbishHasSaidNothing) {
+TEST_F(HeldStick, ThatStallsOrAnswersNonsenseHasNoInitialReport) {
   const auto whole = Held({.x = 5});
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, whole.size() - 1}) {
-    stick_.Stand({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bytes)});
+    stick_.SetInitialReport({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bytes)});
     const auto channel = Plug();
     EXPECT_EQ(Cause(*channel), std::errc::resource_unavailable_try_again) << bytes;
   }
-  stick_.Stand(std::vector<std::uint8_t>(whole.size()));
+  stick_.SetInitialReport(std::vector<std::uint8_t>(whole.size()));
   EXPECT_EQ(Cause(*Plug()), std::errc::resource_unavailable_try_again) << "zeros";
 }
 
-TEST_F(HeldStick, ThatDoesNotAnswerIsAskedOnceForEver) {
-  stick_.Stand({}, ETIMEDOUT);
+TEST_F(HeldStick, ThatDoesNotAnswerIsNeverAskedAgain) {
+  stick_.SetInitialReport({}, ETIMEDOUT);
   for (int plugs = 0; plugs < 3; ++plugs) EXPECT_TRUE(Plug());
-  EXPECT_EQ(stick_.asked(), 1);
+  EXPECT_EQ(stick_.requests(), 1);
 }
 
 TEST_F(HidrawBusTest, ABoxOfEndlessDialsIsNotAsked) {
-  box_.Stand(std::vector<std::uint8_t>(21, 1));
+  box_.SetInitialReport(std::vector<std::uint8_t>(21, 1));
   kernel_->Plug("1-4", 0, "hidraw0", box_);
   ASSERT_TRUE(bus_->Ports());
   ASSERT_TRUE(bus_->Open("1-4"));
-  EXPECT_EQ(box_.asked(), 0);
+  EXPECT_EQ(box_.requests(), 0);
 }
 
 }  // namespace

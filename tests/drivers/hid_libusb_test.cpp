@@ -87,7 +87,7 @@ TEST_F(LibusbTest, LeavesReportsWithTheDeviceWhenNobodyReads) {
   EXPECT_EQ(box_->waiting(), LibusbChannel::kReads);
 }
 
-TEST_F(LibusbTest, LightsLampsByTheOutEndpoint) {
+TEST_F(LibusbTest, SwitchesLampsByTheOutEndpoint) {
   const auto channel = Opened();
   ASSERT_NE(channel, nullptr);
   ASSERT_TRUE(channel->Write(Bytes{0, 0x81, 0, 0, 0x40}));
@@ -95,21 +95,11 @@ TEST_F(LibusbTest, LightsLampsByTheOutEndpoint) {
   EXPECT_EQ(channel->Write({}).error().cause, std::errc::invalid_argument);
 }
 
-TEST_F(LibusbTest, LightsLampsBySetReportWithoutAnOutEndpoint) {
+TEST_F(LibusbTest, SwitchesLampsBySetReportWithoutAnOutEndpoint) {
   const auto channel = Opened(false);
   ASSERT_NE(channel, nullptr);
   ASSERT_TRUE(channel->Write(Bytes{0, 0x81, 0, 0, 0x40}));
   EXPECT_THAT(box_->received(), ElementsAre(0x21, 0x09, 0x00, 0x02, 0, 0, 4, 0, 0x81, 0, 0, 0x40));
-}
-
-TEST_F(LibusbTest, IsGoneForEverOnceItWasPulled) {
-  const auto channel = Opened();
-  ASSERT_NE(channel, nullptr);
-  box_->Send(Bytes(20, 1));
-  box_->Vanish();
-  EXPECT_TRUE(channel->Read(into_));  // What came before the pull.
-  for (int n = 0; n < 3; ++n) EXPECT_EQ(channel->Read(into_).error().cause, std::errc::no_such_device);
-  EXPECT_EQ(channel->Write(Bytes{0, 1}).error().cause, std::errc::no_such_device);
 }
 
 }  // namespace

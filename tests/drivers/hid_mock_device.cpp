@@ -73,24 +73,24 @@ std::vector<std::uint8_t> MockHidraw::received() const {
   return received_;
 }
 
-void MockHidraw::Stand(std::vector<std::uint8_t> report, int error) {
+void MockHidraw::SetInitialReport(std::vector<std::uint8_t> report, int error) {
   const std::lock_guard lock(mutex_);
-  standing_ = std::move(report);
-  standing_error_ = error;
+  initial_ = std::move(report);
+  initial_error_ = error;
 }
 
-int MockHidraw::asked() const {
+int MockHidraw::requests() const {
   const std::lock_guard lock(mutex_);
-  return asked_;
+  return requests_;
 }
 
 int MockHidraw::AnswerInput(UMockdevIoctlClient* client) {
   const std::lock_guard lock(mutex_);
-  ++asked_;
+  ++requests_;
   const std::size_t room = _IOC_SIZE(umockdev_ioctl_client_get_request(client));
-  const std::span answer = std::span(standing_).first(std::min(room, standing_.size()));
+  const std::span answer = std::span(initial_).first(std::min(room, initial_.size()));
   if (answer.empty()) {
-    umockdev_ioctl_client_complete(client, -1, standing_error_ != 0 ? standing_error_ : EPIPE);
+    umockdev_ioctl_client_complete(client, -1, initial_error_ != 0 ? initial_error_ : EPIPE);
     return 1;
   }
   Put(Argument(client, room), 0, answer);

@@ -1,4 +1,4 @@
-// A made-up kernel for tests: sysfs, udev and hidraw nodes that answer, by umockdev.
+// A fake kernel for tests: sysfs, udev and hidraw nodes that answer, by umockdev.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,9 @@ class MockHidraw {
   MockHidraw& operator=(const MockHidraw&) = delete;
 
   void Send(std::vector<std::uint8_t> report);
-  // What it answers when it is asked how it stands, as the kernel gives it; empty: it stalls. Or the error
-  // that the kernel gives.
-  void Stand(std::vector<std::uint8_t> report, int error = 0);
-  int asked() const;
+  // Its answer to a request for its input report, in the kernel's form; empty: it stalls. Or the error of the kernel.
+  void SetInitialReport(std::vector<std::uint8_t> report, int error = 0);
+  int requests() const;
   std::vector<std::uint8_t> received() const;
   UMockdevIoctlBase* handler() const { return handler_.get(); }
 
@@ -47,13 +46,13 @@ class MockHidraw {
   mutable std::mutex mutex_;
   std::vector<std::vector<std::uint8_t>> waiting_;
   std::vector<std::uint8_t> received_;
-  std::vector<std::uint8_t> standing_;
-  int standing_error_ = 0;
-  int asked_ = 0;
+  std::vector<std::uint8_t> initial_;
+  int initial_error_ = 0;
+  int requests_ = 0;
   std::unique_ptr<UMockdevIoctlBase, Unobject> handler_;
 };
 
-// Plugs and pulls. A place is a USB port path ("1-4.2") and an interface number.
+// Plugs and pulls. A port is a USB port path ("1-4.2") and an interface number.
 class MockKernel {
  public:
   MockKernel();

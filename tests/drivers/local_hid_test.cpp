@@ -1,4 +1,4 @@
-// The drivers' end of the local link's HID devices against a peer that does everything wrong.
+// What the contract of HidChannel leaves to the local link: peers that do everything wrong.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 #include "drivers/hid/local_bus.h"
 #include "drivers/hid/local_channel.h"
 #include "firmware/wire/link_packets.h"
-#include "tests/drivers/liar.h"
+#include "tests/drivers/link_peer.h"
 #include "tests/hw-sim/link_fixture.h"
 
 namespace kaori {
 namespace {
 
-using tests::Liar;
+using tests::LinkPeer;
 using Bytes = std::vector<std::uint8_t>;
 
 Bytes HidHello() {
@@ -42,49 +42,49 @@ TEST(LocalHello, IsReadOnlyWhole) {
 
 TEST(LocalHidBus, DoesNotListADeviceWithATornHello) {
   const sim::TempFolder folder;
-  Liar liar(folder.path() + "/hid.liar");
+  LinkPeer peer(folder.path() + "/hid.peer");
   const auto bus = *hid::LocalHidBus::Watch(folder.path());
-  ASSERT_TRUE(liar.Accept());
+  ASSERT_TRUE(peer.Accept());
   const Bytes hello = HidHello();
-  liar.Say(std::span(hello).first(9));
+  peer.Send(std::span(hello).first(9));
   EXPECT_TRUE(bus->Ports()->empty());
-  EXPECT_EQ(bus->Open("liar").error().cause, std::errc::no_such_device);
-  EXPECT_FALSE(liar.Accept());  // And is not called again and again.
+  EXPECT_EQ(bus->Open("peer").error().cause, std::errc::no_such_device);
+  EXPECT_FALSE(peer.Accept());  // And is not called again and again.
 }
 
 TEST(LocalHidBus, ListsADeviceThatIsPluggedInAnewAfterATornHello) {
   const sim::TempFolder folder;
   const auto bus = *hid::LocalHidBus::Watch(folder.path());
   {
-    Liar liar(folder.path() + "/hid.liar");
+    LinkPeer peer(folder.path() + "/hid.peer");
     EXPECT_TRUE(bus->Ports()->empty());
-    ASSERT_TRUE(liar.Accept());
-    liar.HangUp();
+    ASSERT_TRUE(peer.Accept());
+    peer.HangUp();
     EXPECT_TRUE(bus->Ports()->empty());
   }
-  Liar honest(folder.path() + "/hid.liar");
+  LinkPeer honest(folder.path() + "/hid.peer");
   EXPECT_TRUE(bus->Ports()->empty());
   ASSERT_TRUE(honest.Accept());
-  honest.Say(HidHello());
+  honest.Send(HidHello());
   EXPECT_EQ(bus->Ports()->size(), 1u);
 }
 
 TEST(LocalHidBus, IgnoresWhatIsNoSocketAndWhatItsOwnerLeftBehind) {
   const sim::TempFolder folder;
   std::filesystem::create_directory(folder.path() + "/hid.folder");
-  { Liar dead(folder.path() + "/hid.dead"); }
+  { LinkPeer dead(folder.path() + "/hid.dead"); }
   const auto bus = *hid::LocalHidBus::Watch(folder.path());
   EXPECT_TRUE(bus->Ports()->empty());
   EXPECT_EQ(bus->Open("dead").error().cause, std::errc::no_such_device);
 }
 
-TEST(LocalHidBus, CallsADeviceAgainThatWasTooBusyToAnswer) {
+TEST(LocalHidBus, ConnectsAgainToADeviceThatWasTooBusy) {
   const sim::TempFolder folder;
-  Liar busy(folder.path() + "/hid.busy");
-  std::vector<UniqueFd> crowd;
+  LinkPeer busy(folder.path() + "/hid.busy");
+  std::vector<UniqueFd> connections;
   for (auto one = ConnectToPeer(folder.path() + "/hid.busy"); one;
        one = ConnectToPeer(folder.path() + "/hid.busy"))
-    crowd.push_back(std::move(*one));
+    connections.push_back(std::move(*one));
   const auto bus = *hid::LocalHidBus::Watch(folder.path());
   EXPECT_EQ(*bus->Ports(), std::vector<std::string>{"busy"});
   EXPECT_EQ(bus->Open("busy").error().cause, std::errc::device_or_resource_busy);
@@ -92,7 +92,7 @@ TEST(LocalHidBus, CallsADeviceAgainThatWasTooBusyToAnswer) {
   }
   EXPECT_EQ(bus->Open("busy").error().cause, std::errc::device_or_resource_busy);
   ASSERT_TRUE(busy.Accept());
-  busy.Say(HidHello());
+  busy.Send(HidHello());
   EXPECT_EQ(bus->Ports()->size(), 1u);
   EXPECT_TRUE(bus->Open("busy"));
 }
@@ -106,26 +106,26 @@ TEST(LocalHidBus, LooksForItsFolderUntilItCanBeMadeAgain) {
   for (int n = 0; n < 3; ++n) EXPECT_FALSE(bus->Ports());
   std::filesystem::remove(parent.path() + "/deep");
   ASSERT_TRUE(bus->Ports());
-  Liar liar(folder + "/hid.liar");
+  LinkPeer peer(folder + "/hid.peer");
   ASSERT_TRUE(bus->Ports());
-  ASSERT_TRUE(liar.Accept());
-  liar.Say(HidHello());
+  ASSERT_TRUE(peer.Accept());
+  peer.Send(HidHello());
   EXPECT_EQ(bus->Ports()->size(), 1u);
 }
 
 TEST(LocalHidChannel, CallsAPacketWithoutAStampAnError) {
   const sim::TempFolder folder;
-  Liar liar(folder.path() + "/hid.liar");
+  LinkPeer peer(folder.path() + "/hid.peer");
   const auto bus = *hid::LocalHidBus::Watch(folder.path());
-  ASSERT_TRUE(liar.Accept());
-  liar.Say(HidHello());
+  ASSERT_TRUE(peer.Accept());
+  peer.Send(HidHello());
   ASSERT_TRUE(bus->Ports());
-  const auto channel = *bus->Open("liar");
-  liar.Say(Bytes{1, 2, 3});
+  const auto channel = *bus->Open("peer");
+  peer.Send(Bytes{1, 2, 3});
   std::array<std::uint8_t, 64> buffer;
   EXPECT_EQ(channel->Read(buffer).error().cause, std::errc::io_error);
   EXPECT_EQ(channel->Read(buffer).error().cause, std::errc::resource_unavailable_try_again);
-  liar.HangUp();
+  peer.HangUp();
   EXPECT_EQ(channel->Read(buffer).error().cause, std::errc::no_such_device);
 }
 

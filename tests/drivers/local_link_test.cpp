@@ -1,4 +1,4 @@
-// The drivers' end of the local link's pictures against a peer that does everything wrong.
+// What the contracts of Camera and Scanout leave to the local link: peers that do everything wrong.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -11,26 +11,26 @@
 #include "drivers/camera/local_camera.h"
 #include "drivers/scanout/local_screen.h"
 #include "firmware/wire/link_packets.h"
-#include "tests/drivers/liar.h"
+#include "tests/drivers/link_peer.h"
 #include "tests/hw-sim/link_fixture.h"
 
 namespace kaori {
 namespace {
 
-using tests::Liar;
+using tests::LinkPeer;
 using Bytes = std::vector<std::uint8_t>;
 
 class LocalCameraTest : public ::testing::Test {
  protected:
   void Greet(const wire::CameraHello& hello, const SharedMemory& given) {
     camera = *camera::LocalCamera::Open(folder.path(), "c");
-    ASSERT_TRUE(liar.Accept());
-    liar.Say(wire::Encode(hello), given.descriptor());
+    ASSERT_TRUE(peer.Accept());
+    peer.Send(wire::Encode(hello), given.descriptor());
   }
   std::errc Cause() { return camera->Next().error().cause; }
 
   sim::TempFolder folder;
-  Liar liar{folder.path() + "/camera.c"};
+  LinkPeer peer{folder.path() + "/camera.c"};
   SharedMemory memory = std::move(*SharedMemory::Make("test", 2 * 64));
   std::unique_ptr<ports::Camera> camera;
   wire::CameraFrameNote good{
@@ -56,17 +56,17 @@ TEST_F(LocalCameraTest, RefusesAHelloWithoutMemory) {
   EXPECT_EQ(Cause(), std::errc::io_error);
 }
 
-TEST_F(LocalCameraTest, GivesAFrameAndThenItsSlotBack) {
+TEST_F(LocalCameraTest, GivesAFrameAndThenReturnsItsSlot) {
   Greet({2, 64}, memory);
-  liar.Say(wire::Encode(good));
+  peer.Send(wire::Encode(good));
   const auto frame = camera->Next();
   ASSERT_TRUE(frame) << frame.error().message();
   EXPECT_EQ(frame->at, Time(Duration(5)));
   EXPECT_EQ(frame->bytes.size(), 16u);
   std::array<std::uint8_t, 64> heard;
-  EXPECT_FALSE(liar.Hear(heard));
+  EXPECT_FALSE(peer.Receive(heard));
   EXPECT_EQ(Cause(), std::errc::resource_unavailable_try_again);
-  ASSERT_TRUE(liar.Hear(heard));
+  ASSERT_TRUE(peer.Receive(heard));
   EXPECT_EQ(wire::GetU32(heard, 0), 1u);
 }
 
@@ -75,7 +75,7 @@ TEST_F(LocalCameraTest, DropsEveryFrameWhoseNumbersDoNotFit) {
   const auto bad = [this](auto change) {
     wire::CameraFrameNote note = good;
     change(note);
-    liar.Say(wire::Encode(note));
+    peer.Send(wire::Encode(note));
     EXPECT_EQ(Cause(), std::errc::bad_message);
   };
   bad([](auto& n) { n.slot = 2; });
@@ -89,24 +89,24 @@ TEST_F(LocalCameraTest, DropsEveryFrameWhoseNumbersDoNotFit) {
   bad([](auto& n) { n.stride_bytes = 7; });
   bad([](auto& n) { n.stride_bytes = 0xFFFFFFFF; });
   bad([](auto& n) { n.pixels = 3; });
-  liar.Say(Bytes{1, 2, 3});
+  peer.Send(Bytes{1, 2, 3});
   EXPECT_EQ(Cause(), std::errc::bad_message);
-  liar.Say(wire::Encode(good));
+  peer.Send(wire::Encode(good));
   EXPECT_TRUE(camera->Next());
 }
 
-TEST_F(LocalCameraTest, IsNotHeldByACameraThatTellsWithoutEnd) {
+TEST_F(LocalCameraTest, IsNotBlockedByACameraThatNeverStops) {
   Greet({2, 64}, memory);
   EXPECT_EQ(Cause(), std::errc::resource_unavailable_try_again);
   int waiting = 0;
-  while (liar.TrySay(wire::Encode(good))) ++waiting;
+  while (peer.TrySend(wire::Encode(good))) ++waiting;
   int frames = 0;
   while (camera->Next()) ++frames;
   EXPECT_GE(frames, waiting / 64) << "it comes back now and then";
   EXPECT_GE(frames, 2);
 }
 
-TEST_F(LocalCameraTest, StandsRandomPackets) {
+TEST_F(LocalCameraTest, SurvivesRandomPackets) {
   Greet({2, 64}, memory);
   std::mt19937 random(7);
   for (int n = 0; n < 20'000; ++n) {
@@ -114,26 +114,26 @@ TEST_F(LocalCameraTest, StandsRandomPackets) {
     std::uint32_t* const fields[] = {&note.slot,         &note.width_px, &note.height_px,
                                      &note.stride_bytes, &note.pixels,   &note.bytes};
     *fields[random() % 6] = static_cast<std::uint32_t>(random() >> (random() % 32));
-    liar.Say(wire::Encode(note));
+    peer.Send(wire::Encode(note));
     const auto frame = camera->Next();
     std::uint32_t sum = 0;
     if (frame)
       for (const std::uint8_t byte : frame->bytes) sum += byte;
     ASSERT_EQ(sum, 0u);  // The memory is all zeros: what was read lies in it.
     std::array<std::uint8_t, 8> heard;
-    while (liar.Hear(heard)) {
+    while (peer.Receive(heard)) {
     }
   }
 }
 
 TEST(LocalScreenTest, IsGoneAfterNonsense) {
   const sim::TempFolder folder;
-  Liar liar(folder.path() + "/screen.s");
+  LinkPeer peer(folder.path() + "/screen.s");
   const auto memory = *SharedMemory::Make("test", 2 * 16 * 4);
   const auto open = [&](const wire::ScreenHello& hello) {
     auto screen = *scanout::LocalScreen::Open(folder.path(), "s");
-    EXPECT_TRUE(liar.Accept());
-    liar.Say(wire::Encode(hello), memory.descriptor());
+    EXPECT_TRUE(peer.Accept());
+    peer.Send(wire::Encode(hello), memory.descriptor());
     return screen;
   };
   const wire::ScreenHello good{2, 4, 4, 1000};
@@ -154,13 +154,13 @@ TEST(LocalScreenTest, IsGoneAfterNonsense) {
   screen = open(good);
   ASSERT_TRUE(screen->Acquire());
   ASSERT_TRUE(screen->Present(1));
-  liar.Say(wire::Encode(wire::ScreenFlip{5, 2, 0}));  // Another frame than was presented.
+  peer.Send(wire::Encode(wire::ScreenFlip{5, 2, 0}));  // Another frame than was presented.
   EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::no_such_device);
   for (const std::int64_t never : {std::int64_t{-1}, INT64_MIN, INT64_MAX}) {
     screen = open(good);
     ASSERT_TRUE(screen->Acquire());
     ASSERT_TRUE(screen->Present(1));
-    liar.Say(wire::Encode(wire::ScreenFlip{never, 1, 0}));
+    peer.Send(wire::Encode(wire::ScreenFlip{never, 1, 0}));
     EXPECT_EQ(screen->ReadFlip().error().cause, std::errc::no_such_device) << never;
   }
 }

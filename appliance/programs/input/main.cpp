@@ -98,12 +98,14 @@ kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
 }
 
 // Empty where neither a chip nor the simulator is asked for.
-kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings) {
+kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings, const kaori::Clock& clock) {
   if (settings.chip.empty() && settings.links.empty()) return kaori::ports::GpioOpener{};
   if (settings.chip.empty()) return [links = settings.links] { return kaori::gpio::OpenLocalLines(links); };
   const auto roles = kaori::input::ParseLineRoles(settings.lines);
   if (!roles) return tl::unexpected(roles.error());
-  return [chip = settings.chip, wiring = WiringOf(*roles)] { return kaori::gpio::OpenLines(chip, wiring); };
+  return [chip = settings.chip, wiring = WiringOf(*roles), &clock] {
+    return kaori::gpio::OpenLines(chip, wiring, clock);
+  };
 }
 
 kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path) {
@@ -121,7 +123,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   const auto buses = OpenBuses(settings, clock);
   if (!buses) return kaori::ExitWithError(buses.error());
-  auto lines = LinesOpener(settings);
+  auto lines = LinesOpener(settings, clock);
   if (!lines) kaori::LogWarning("{}; playing without lines", lines.error().message());
   kaori::input::DeskSources sources;
   if (lines) sources.lines = std::move(*lines);

@@ -14,7 +14,7 @@ constexpr std::string_view kHelp =
 
   --board FILE    the board, shared with the other programs
   --device NAME   the camera: /dev/video0, or libcamera:NAME where libcamera is to bring it
-  --modes         say what the camera can and which rates would be taken, and end
+  --modes         say what the camera can and which rates are chosen, and end
   --links FOLDER  the simulator's camera, microphone and loudspeaker, plugged in there
   --microphone NAME   the operator's voice: a sound device of ALSA, say hw:1; any: the first on USB, else the box's own
   --loudspeaker NAME  plays the voice when the mouth comes to light, and the sounds of motions; or any

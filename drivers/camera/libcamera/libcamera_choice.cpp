@@ -13,8 +13,10 @@ using ports::PixelFormat;
 constexpr int kLeastWidth_px = 320;
 constexpr int kMostWidth_px = 1280;
 constexpr double kPenalty = 1e6;  // Of a width that is worse for lips than any other.
+// 60, 30 and 24 frames a second.
 constexpr std::array<std::int64_t, 3> kSlower_us = {16'667, 33'333, 41'667};
 
+// As V4L2's cost of a format: what comes sooner costs less.
 double BytesPerPixel(PixelFormat pixels) {
   switch (pixels) {
     case PixelFormat::kNv12:

@@ -1,4 +1,4 @@
-// Which of the formats and sizes that libcamera offers is taken for lips.
+// Chooses the format, size and rate for lips, of those that libcamera offers.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace kaori::camera {
 
-// The fewest bytes to bring and no JPEG to decode, at a width of 320 to 1280 if any is. Nothing where there
-// is nothing that we read.
+// The format with the fewest bytes to transfer and no JPEG to decode, 320 to 1280 pixels wide if there is
+// any. None where none is one that we read. Pure.
 std::optional<ports::CameraFormat> ChooseFormat(std::span<const ports::CameraFormat> offered);
 
 // For people: "640 x 480 NV12 at 60 frames/s"; a rate of 0 is the camera's own.
 std::string NameOf(const ports::CameraFormat& format, double rate_hz);
 
-// The shortest time between frames of which `rung` rates are faster: the camera's own, then 60, 30 and 24
-// frames a second where it reaches that far. Nothing beyond the slowest.
+// The range of times between frames that the camera has.
 struct FrameTimes {
   std::int64_t shortest_us = 0;
   std::int64_t longest_us = 0;
 };
+// The time between frames, in microseconds, at this rung of the ladder of rates: the camera's fastest, then
+// 60, 30 and 24 frames a second as far as the camera reaches. None beyond the slowest. Pure.
 std::optional<std::int64_t> FrameTimeOf(const FrameTimes& can, std::size_t rung);
 
 }  // namespace kaori::camera

@@ -26,7 +26,7 @@ libcamera::PixelFormat FormatOf(PixelFormat pixels) {
   return pixels == PixelFormat::kNv12 ? libcamera::formats::NV12 : libcamera::formats::MJPEG;
 }
 
-// A pipeline that scales names no sizes: it is asked for the smallest that is good for lips.
+// A pipeline that scales lists no sizes: the smallest one that is good for lips is requested of it.
 std::vector<CameraFormat> FormatsOf(const libcamera::StreamFormats& formats) {
   std::vector<CameraFormat> found;
   for (const auto& format : formats.pixelformats()) {
@@ -90,15 +90,15 @@ void LibcameraHold::Write(const libcamera::ControlInfoMap& has, libcamera::Contr
 }
 
 Result<std::unique_ptr<LibcameraDevice>> LibcameraDevice::Open(std::shared_ptr<libcamera::Camera> camera,
-                                                               const LibcameraWish& wish) {
-  std::unique_ptr<LibcameraDevice> device(new LibcameraDevice(std::move(camera), wish.hold));
+                                                               const LibcameraPreferences& preferences) {
+  std::unique_ptr<LibcameraDevice> device(new LibcameraDevice(std::move(camera), preferences.hold));
   device->stream_.name = device->camera_->id();
   if (const int result = device->camera_->acquire(); result < 0)
     return Fail(CauseOf(result), "acquire " + device->stream_.name);
   device->acquired_ = true;
   if (auto ok = device->Configure(); !ok) return tl::unexpected(ok.error());
   if (auto ok = device->MapBuffers(); !ok) return tl::unexpected(ok.error());
-  if (auto ok = device->Start(wish.rung); !ok) return tl::unexpected(ok.error());
+  if (auto ok = device->Start(preferences.rung); !ok) return tl::unexpected(ok.error());
   return device;
 }
 

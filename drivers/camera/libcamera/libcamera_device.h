@@ -1,4 +1,4 @@
-// One camera of libcamera that streams: its buffers mapped, its requests sent round.
+// One camera of libcamera that streams: its buffers, mapped, and its requests.
 #pragma once
 
 #include <array>
@@ -16,13 +16,14 @@
 
 namespace kaori::camera {
 
-// What a camera finds by itself and a show holds, over all its openings. Found in the library's thread.
+// What the camera finds by itself, and what a show holds, over all
+// of its openings. Any thread: libcamera calls Note in its own.
 class LibcameraHold {
  public:
   void Note(const libcamera::ControlList& metadata);
   void Set(ports::CameraHold hold);
 
-  // Writes what is to be set into `list`, as far as the camera has it.
+  // Adds to `list` the controls that are to be set, of those that the camera has.
   void Write(const libcamera::ControlInfoMap& has, libcamera::ControlList& list) const;
   int changes() const { return changes_; }  // Calls of Set.
 
@@ -38,9 +39,9 @@ class LibcameraHold {
   int changes_ = 0;
 };
 
-struct LibcameraWish {
+struct LibcameraPreferences {
   std::size_t rung = 0;  // As in FrameTimeOf.
-  LibcameraHold& hold;   // Outlives the device.
+  LibcameraHold& hold;   // Must outlive the device.
 };
 
 class LibcameraDevice final : public RequestDevice {
@@ -48,7 +49,7 @@ class LibcameraDevice final : public RequestDevice {
   // Acquires `camera`, configures and starts it. Errors: no_such_device, device_or_resource_busy,
   // not_supported, io_error.
   static Result<std::unique_ptr<LibcameraDevice>> Open(std::shared_ptr<libcamera::Camera> camera,
-                                                       const LibcameraWish& wish);
+                                                       const LibcameraPreferences& preferences);
   LibcameraDevice(const LibcameraDevice&) = delete;
   LibcameraDevice& operator=(const LibcameraDevice&) = delete;
   ~LibcameraDevice() override;
@@ -61,7 +62,7 @@ class LibcameraDevice final : public RequestDevice {
   const RequestStream& stream() const { return stream_; }
   double rate_hz() const { return frame_us_ > 0 ? 1e6 / static_cast<double>(frame_us_) : 0; }
   const FrameTimes& times() const { return times_; }
-  std::vector<std::string> lacks() const { return lacks_; }  // What cannot be held.
+  std::vector<std::string> lacks() const { return lacks_; }  // Names, for people, of what cannot be held.
 
  private:
   LibcameraDevice(std::shared_ptr<libcamera::Camera> camera, LibcameraHold& hold)
@@ -74,7 +75,7 @@ class LibcameraDevice final : public RequestDevice {
 
   std::shared_ptr<libcamera::Camera> camera_;
   LibcameraHold& hold_;
-  int written_ = 0;  // Changes of the hold that the camera was told.
+  int written_ = 0;  // LibcameraHold::changes() when the camera's controls were set last.
   bool acquired_ = false;
   bool streams_ = false;
   std::unique_ptr<libcamera::CameraConfiguration> configuration_;

@@ -65,7 +65,8 @@ class Libcamera final : public CameraLibrary {
 };
 
 CameraLibrary* StartLibcamera() {
-  ::setenv("LIBCAMERA_LOG_LEVELS", "*:ERROR", 0);  // It greets at each start; who wants that says so.
+  // libcamera logs a greeting at each start. What the environment says already counts.
+  ::setenv("LIBCAMERA_LOG_LEVELS", "*:ERROR", 0);
   auto library = std::make_unique<Libcamera>();
   return library->Start() ? library.release() : nullptr;
 }

@@ -24,6 +24,7 @@ void Completions::Disconnect() {
 
 std::vector<CompletedRequest> Completions::DrainAll() {
   const std::lock_guard lock(mutex_);
+  // Under the lock: a completion between the two would wake nobody.
   eventfd_t told = 0;
   ::eventfd_read(wake_.get(), &told);
   if (disconnected_) Wake();  // Stays readable: it is gone.
@@ -62,6 +63,7 @@ Result<CameraFrame> RequestCamera::Next() {
     if (whole) held_ = request;
   }
   if (device_->completions().disconnected()) return Broken(std::errc::no_such_device, "read ");
+  // A torn frame shows that the stream is alive.
   if (held_ || torn) newest_ = clock_.now();
   if (!held_ && torn) return Fail(std::errc::bad_message, "read a whole frame of " + stream_.name);
   if (!held_ && clock_.now() - newest_ > stream_.stall)

@@ -1,5 +1,4 @@
-// A camera that is fed by requests, as libcamera's are: buffers go out, and come back filled in another
-// thread.
+// A camera by requests, as libcamera has them: buffers are queued, and are completed in another thread.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +15,7 @@
 
 namespace kaori::camera {
 
+// A request that the library has completed.
 struct CompletedRequest {
   std::uint32_t buffer = 0;
   bool whole = false;  // Filled without a fault.
@@ -24,16 +24,17 @@ struct CompletedRequest {
   Time at{};
 };
 
-// The one crossing between the library's thread and ours.
+// Where requests pass from the library's thread to ours; nothing else is shared.
 class Completions {
  public:
   Completions();
 
-  // The library's side; any thread.
+  // The library's side; any thread. Disconnect: the camera was unplugged.
   void Add(const CompletedRequest& request);
   void Disconnect();
 
-  // Our side. Readable when something was added.
+  // Our side; one thread. pollable() is readable when a request
+  // was completed, and for ever once the camera is gone.
   int pollable() const { return wake_.get(); }
   std::vector<CompletedRequest> DrainAll();
   bool disconnected() const;
@@ -47,14 +48,15 @@ class Completions {
   UniqueFd wake_;
 };
 
-// What the library does for one streaming camera. Its end ends the stream; nothing is completed after it.
+// One streaming camera of a library. Its destructor ends the stream; nothing is completed after it. One
+// thread, but for its completions.
 class RequestDevice {
  public:
   virtual ~RequestDevice() = default;
   virtual Completions& completions() = 0;
   virtual std::uint32_t buffers() const = 0;
   virtual std::span<const std::uint8_t> memory(std::uint32_t buffer) const = 0;
-  // Has the buffer filled. Errors: no_such_device, io_error.
+  // Queues the buffer for the next frame. Errors: no_such_device, io_error.
   virtual Result<void> Queue(std::uint32_t buffer) = 0;
 };
 
@@ -63,13 +65,14 @@ struct RequestStream {
   ports::CameraFormat format;
   std::uint32_t stride_bytes = 0;                    // 0 for MJPEG.
   std::uint32_t frame_bytes = 0;                     // A whole uncompressed frame; 0 for MJPEG.
-  Duration stall = std::chrono::milliseconds(1000);  // Without a frame for so long the stream is broken.
+  Duration stall = std::chrono::milliseconds(1000);  // A stream without a frame for so long is broken.
 };
 
-// As ports::Camera. A frame keeps its buffer until the next Next; every other buffer is with the library.
+// As ports::Camera. A frame keeps its buffer until the next
+// call of Next; every other buffer is with the library.
 class RequestCamera final : public ports::Camera {
  public:
-  // Queues every buffer. Borrows `clock`. Errors: those of Queue.
+  // Queues every buffer. `clock` must outlive the camera. Errors: those of RequestDevice::Queue.
   static Result<std::unique_ptr<RequestCamera>> Start(std::unique_ptr<RequestDevice> device,
                                                       const RequestStream& stream, const Clock& clock);
 
@@ -78,8 +81,10 @@ class RequestCamera final : public ports::Camera {
 
  private:
   RequestCamera(std::unique_ptr<RequestDevice> device, const RequestStream& stream, const Clock& clock);
+  // Queues a buffer with the library; its failure ends the stream.
   Result<void> Queue(std::uint32_t buffer);
   Result<void> GiveBackHeld();
+  // Whether the request has a frame of the stream's length, within its buffer.
   bool is_whole(const CompletedRequest& request) const;
   tl::unexpected<Error> Broken(std::errc cause, const char* verb);
 

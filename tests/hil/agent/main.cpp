@@ -115,7 +115,7 @@ class Agent {
       wiring.outputs.push_back(
           {.offset = static_cast<std::uint32_t>(std::atoi(number.c_str())), .active_low = false});
     lines_.reset();
-    auto requested = kaori::gpio::OpenLines(words[1], wiring);
+    auto requested = kaori::gpio::OpenLines(words[1], wiring, clock_);
     if (!requested) return tl::unexpected(requested.error());
     lines_ = std::move(*requested);
     return std::string();

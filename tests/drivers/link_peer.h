@@ -1,4 +1,4 @@
-// A device of the local link that is played by a test, and does everything wrong.
+// The device's end of a local link's socket, in a test: it sends whatever the test wants.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,19 +13,19 @@
 
 namespace kaori::tests {
 
-class Liar {
+class LinkPeer {
  public:
-  explicit Liar(const std::string& path) : listener_(std::move(*ListenForPackets(path))) {}
+  explicit LinkPeer(const std::string& path) : listener_(std::move(*ListenForPackets(path))) {}
   bool Accept() {
     auto peer = AcceptPeer(listener_.get());
     if (peer) peer_ = std::move(*peer);
     return peer.has_value();
   }
-  void Say(std::span<const std::uint8_t> packet, int descriptor = -1) {
+  void Send(std::span<const std::uint8_t> packet, int descriptor = -1) {
     ASSERT_TRUE(SendPacket(peer_.get(), packet, descriptor));
   }
-  bool TrySay(std::span<const std::uint8_t> packet) { return SendPacket(peer_.get(), packet).has_value(); }
-  Result<Packet> Hear(std::span<std::uint8_t> into) { return ReceivePacket(peer_.get(), into); }
+  bool TrySend(std::span<const std::uint8_t> packet) { return SendPacket(peer_.get(), packet).has_value(); }
+  Result<Packet> Receive(std::span<std::uint8_t> into) { return ReceivePacket(peer_.get(), into); }
   void HangUp() { peer_.reset(); }
 
  private:
