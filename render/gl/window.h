@@ -16,7 +16,7 @@ class Window {
   Window(Window&& other) noexcept;
   Window& operator=(Window&& other) noexcept;
 
-  // The native window it was made of; none yet.
+  // The native window that it was made of; null where there is none yet.
   void* native() const { return native_; }
 
   // Drawing goes to the window from here on, all of it, and writes codes as they are. Errors: protocol_error.

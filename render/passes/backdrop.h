@@ -55,11 +55,15 @@ class BackdropPass {
 
   Result<void> AddKinds();
   Result<void> AddMixes();
+  // The backdrops of a scene with their weights, the heaviest first; weights sum to 1.
   static Mixture MixtureOf(const scene::Scene& scene);
+  // Whether it had to be made anew.
   bool FitWhole(int width_px, int height_px);
   void Draw(const scene::Backdrop& backdrop, Drop& drop);
+  // Whether the cast has a picture of this index.
   bool Has(int picture) const;
   void SetPicture(const Kind& kind, int picture);
+  // Gives an index of drops_.
   std::size_t DropOf(const scene::Backdrop& backdrop, const Mixture& mixture);
   const gl::Texture& MixDrops(const Mixture& mixture);
   void Enlarge(const gl::Texture& drop);
@@ -75,6 +79,7 @@ class BackdropPass {
   // Several drops, mixed.
   gl::Target small_;
   gl::Target whole_;
+  // What whole_ shows.
   Mixture mixed_{};
   std::uint64_t version_ = 0;
 };

@@ -27,11 +27,13 @@ class BodyPass {
   bool LoadNext();
 
  private:
+  // One shader for each number of textures, and where its uniforms are.
   struct Variant {
     gl::Program program;
     int surface = -1;
     int weights = -1;
   };
+  // What of a face's SurfaceLook the shader needs.
   struct Look {
     int texture = 0;
     // Softness, metal.
@@ -39,6 +41,7 @@ class BodyPass {
   };
   Result<void> AddVariant(int textures);
   const Variant& VariantFor(int textures) const;
+  // The cast's texture of this index, loaded now where it is not there yet.
   const gl::Texture& Skin(int texture);
 
   // For 1, 2 and 4 textures.

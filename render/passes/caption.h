@@ -18,10 +18,10 @@ class CaptionPass {
   // Errors: invalid_argument (a shader), not_enough_memory (the font).
   static Result<CaptionPass> Open();
 
-  // Onto the picture, over all that stands there, which is then no more what the painters left: the canvas's
-  // signature goes. Letters are as high as the canvas asks for; the plate keeps to the left of the face;
-  // lines that are too long are broken, and of too many the last are left out. Letters are drawn, and memory
-  // is taken, only when the lines or the size of the canvas change. Nothing where nothing is shown.
+  // Draws onto the picture, over all that is there, and clears the canvas's stamp: the picture is no longer
+  // as the layers left it. Letters are as high as the canvas asks for; the plate keeps to the left of the
+  // face; lines that are too long are broken, and of too many the last are left out. Letters are drawn, and
+  // memory is taken, only when the lines or the size of the canvas change. Nothing where nothing is shown.
   void Draw(const scene::Caption& caption, const gl::Canvas& canvas);
 
  private:
@@ -31,12 +31,15 @@ class CaptionPass {
     int letters = 0;
     // From line to line.
     int step = 0;
-    int border = 0;  // Of the plate about the letters,
-    int margin = 0;  // and from the edges of the picture.
+    // Of the plate about the letters.
+    int border = 0;
+    // From the plate to the edges of the picture.
+    int margin = 0;
     // The longest line.
     int line_px = 0;
   };
   static Measures MeasuresFor(const gl::Canvas& canvas);
+  // At most `most_px` high.
   std::vector<std::string> Fitting(const Measures& m, int most_px);
   CaptionPass(gl::Program program, image::Lettering lettering);
   void WriteLetters(const std::vector<std::string>& lines, const gl::Canvas& canvas);

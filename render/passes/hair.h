@@ -17,6 +17,7 @@ class HairPass {
   void Draw(const Appearance& appearance, float share) const;
 
  private:
+  // Whole hair, and hair that grows: the latter discards samples, which costs more.
   struct Variant {
     gl::Program program;
     int paint = -1;

@@ -39,7 +39,9 @@ class HandlesPass {
     glm::vec4 paint;  // rgb: of the head, as far as w says; the rest is plain.
   };
   HandlesPass(gl::Program program, const face::Cast& cast);
+  // Sets axes_: unit, out of the face as it is about each point.
   void Straighten(const face::Shape& shape);
+  // Where one handle stands, how long it is and how it is painted.
   Texels Place(const scene::Handles& handles, const face::Shape& shape, std::size_t point) const;
   void DrawThrough(int point) const;
 

@@ -22,6 +22,7 @@ class LashesPass {
 
  private:
   LashesPass(gl::Program program, const face::Topology& topology);
+  // Writes the points of one side: 0 the character's left.
   void Grow(const face::Shape& shape, std::size_t side);
 
   gl::Program program_;

@@ -40,10 +40,12 @@ class LayerPass {
   void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind);
 
  private:
+  // Draws the program in use on this part of the picture.
   void Fill(const gl::Canvas& canvas, const gl::Box& box) const;
   // The backdrop is on all of the canvas but `last_figure_`, as the last frame left it.
   bool BackdropIsInPlace(const gl::Canvas& canvas, const Behind& behind) const;
 
+  // A shader, and where its uniforms are.
   struct Variant {
     gl::Program program;
     int dim = -1;
@@ -52,7 +54,7 @@ class LayerPass {
   };
   static Variant Named(gl::Program program);
 
-  // Both read the layer's samples where the context can.
+  // Of the figure, as it is and as a poster's print. They read the layer's samples where the context can.
   Variant plain_;
   Variant printed_;
   Variant backdrop_;

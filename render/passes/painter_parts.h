@@ -31,6 +31,7 @@ namespace kaori::passes {
 // Styles that share a mesh are mixed in its shaders; the groups are drawn apart, and dissolve as whole
 // pictures.
 enum class Group : std::uint8_t { kTextured, kFlat, kWire };
+// Passes are optional only while Open makes them; afterwards all are there.
 struct Painter::Parts {
   Parts(const face::Cast& cast, Preparation prepared);
   Result<void> Open(const face::Cast& cast);
@@ -55,6 +56,7 @@ struct Painter::Parts {
       Shader::kMouth,    Shader::kHair, Shader::kClothes, Shader::kLayer,   Shader::kBody2,   Shader::kFlat,
       Shader::kDarkEyes, Shader::kWire, Shader::kPrint,   Shader::kHandles, Shader::kCaption, Shader::kBody4};
   void WarmUp(Shader shader);
+  // Into the layer that is begun; the shape is composed with the detail that the group needs.
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
   void DrawWire(const scene::Scene& scene, const face::Shape& shape);

@@ -17,6 +17,7 @@ struct Slice {
   float low_m = 1e9F;
   float high_m = -1e9F;
   std::array<glm::vec2, kSides> outline{};  // x, z.
+  // No triangle passes through it.
   bool empty() const { return low_m > high_m; }
 };
 

@@ -31,6 +31,7 @@ class Surface {
   const gl::Mesh& cage() const { return cage_mesh_; }
 
  private:
+  // What is written anew for each frame, of one of the two meshes.
   struct Arrays {
     explicit Arrays(std::size_t vertices);
     gl::Mesh Join(const gl::Buffer& uv, std::span<const face::Triangle> triangles) const;

@@ -26,6 +26,7 @@ class WirePass {
   WirePass(gl::Program body, gl::Program lines, const face::Cast& cast);
   void WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze);
   glm::vec3 Paint(const face::Terms& faces) const;
+  // `points`: where 2 circles of points go.
   void WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m, glm::vec4* points) const;
 
   gl::Program body_;
