@@ -42,6 +42,7 @@ Result<void> LocalLines::Greet(Duration patience) {
 
 Result<std::uint32_t> LocalLines::Levels() {
   if (broken_) return Broken();
+  if (gone_) return Gone();
   return active_;
 }
 
@@ -51,9 +52,9 @@ Result<ports::GpioEdge> LocalLines::ReadEdge() {
   const auto packet = ReceivePacket(socket_.get(), buffer);
   if (!packet) {
     const auto cause = packet.error().cause;
-    const bool of_the_port =
-        cause == std::errc::resource_unavailable_try_again || cause == std::errc::no_such_device;
-    return Fail(of_the_port ? cause : std::errc::io_error, "read an edge of " + name_);
+    if (cause == std::errc::no_such_device) return Gone();
+    const bool none = cause == std::errc::resource_unavailable_try_again;
+    return Fail(none ? cause : std::errc::io_error, "read an edge of " + name_);
   }
   const auto edge = wire::DecodeLineEdge(std::span(buffer).first(packet->bytes));
   if (!edge || edge->line >= inputs_) return Broken();
@@ -65,13 +66,18 @@ Result<ports::GpioEdge> LocalLines::ReadEdge() {
 Result<void> LocalLines::Drive(std::uint32_t line, bool active) {
   if (line >= outputs_) return FailInput("drive an output that " + name_ + " has not");
   const auto sent = SendPacket(socket_.get(), wire::Encode(wire::LineDrive{line, active ? 1U : 0U}));
-  if (!sent) return Fail(std::errc::no_such_device, "drive an output of " + name_);
+  if (!sent) return Gone();
   return {};
+}
+
+tl::unexpected<Error> LocalLines::Gone() {
+  gone_ = true;
+  return Fail(std::errc::no_such_device, "use the lines of " + name_);
 }
 
 tl::unexpected<Error> LocalLines::Broken() {
   broken_ = true;
-  return Fail(std::errc::io_error, "make sense of the lines of " + name_);
+  return Fail(std::errc::io_error, "understand the packets of " + name_);
 }
 
 Result<std::unique_ptr<ports::GpioLines>> OpenLocalLines(const std::string& folder) {

@@ -39,6 +39,7 @@ class LocalLines final : public ports::GpioLines {
 
  private:
   tl::unexpected<Error> Broken();
+  tl::unexpected<Error> Gone();
 
   UniqueFd socket_;
   std::string name_;
@@ -46,6 +47,7 @@ class LocalLines final : public ports::GpioLines {
   std::uint32_t outputs_ = 0;
   std::uint32_t active_ = 0;  // Bit n: input line n.
   bool broken_ = false;
+  bool gone_ = false;  // The panel was unplugged: every call says so.
 };
 
 // Connects, and waits for the panel for a tenth of a second at most. Errors: those of Connect and Greet.

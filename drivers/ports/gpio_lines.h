@@ -26,8 +26,8 @@ class GpioLines {
   // edge, or when the chip is gone. It belongs to the lines.
   virtual int pollable() const = 0;
 
-  // Bit n: input line n is active now. Errors:
-  //   no_such_device  the chip was unplugged
+  // Bit n: input line n is active now, or was after the last edge that ReadEdge gave. Errors:
+  //   no_such_device  the chip was unplugged; every later call says the same
   //   io_error        a line could not be read
   virtual Result<std::uint32_t> Levels() = 0;
 

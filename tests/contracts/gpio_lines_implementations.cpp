@@ -1,8 +1,12 @@
 // The GPIO lines: those of a fake chip with interrupts, and of one without, whose lines are polled. A chip
 // behind a HID bridge is the kernel's, and is the same implementation as the first.
 #include "drivers/gpio/chip_lines.h"
+#include "drivers/gpio/local_lines.h"
+#include "firmware/wire/link_lines.h"
 #include "tests/contracts/gpio_lines_contract.h"
 #include "tests/drivers/gpio_fake_chip.h"
+#include "tests/drivers/link_peer.h"
+#include "tests/hw-sim/link_fixture.h"
 
 namespace kaori::contracts {
 namespace {
@@ -22,7 +26,7 @@ class ChipSubject final : public GpioSubject {
   void Switch(std::uint32_t line, bool active) override {
     chip_.Switch(line == 0 ? kFirstInput : kSecondInput, active, clock.now());
   }
-  bool lamp() const override { return chip_.lamps.at(kOutput); }
+  bool lamp() override { return chip_.lamps.at(kOutput); }
   void Unplug() override { chip_.unplugged = true; }
 
  private:
@@ -30,11 +34,40 @@ class ChipSubject final : public GpioSubject {
   std::unique_ptr<gpio::ChipLines> lines_;
 };
 
+class LocalLinesSubject final : public GpioSubject {
+ public:
+  LocalLinesSubject() : lines_(gpio::LocalLines::Connect(folder_.path(), "panel").value()) {
+    EXPECT_TRUE(panel_.Accept());
+    panel_.Send(wire::Encode(wire::LinesHello{.inputs = 2, .outputs = 1, .active = 0}));
+    EXPECT_TRUE(lines_->Greet(std::chrono::seconds(1)));
+  }
+  ports::GpioLines& lines() override { return *lines_; }
+  void Switch(std::uint32_t line, bool active) override {
+    panel_.Send(wire::Encode(wire::LineEdge{
+        .at_ns = clock.now().time_since_epoch().count(), .line = line, .active = active ? 1U : 0U}));
+  }
+  bool lamp() override {
+    std::array<std::uint8_t, 64> packet{};
+    while (const auto heard = panel_.Receive(packet))
+      if (const auto drive = wire::DecodeLineDrive(std::span(packet).first(heard->bytes)))
+        lit_ = drive->active != 0;
+    return lit_;
+  }
+  void Unplug() override { panel_.HangUp(); }
+
+ private:
+  sim::TempFolder folder_;
+  tests::LinkPeer panel_{folder_.path() + "/lines.panel"};
+  std::unique_ptr<gpio::LocalLines> lines_;
+  bool lit_ = false;
+};
+
 INSTANTIATE_TEST_SUITE_P(
     GpioChips, GpioLinesContract,
-    ::testing::Values(Implementation<GpioSubject>{"Chip", [] { return std::make_unique<ChipSubject>(true); }},
-                      Implementation<GpioSubject>{"PolledChip",
-                                                  [] { return std::make_unique<ChipSubject>(false); }}),
+    ::testing::Values(
+        Implementation<GpioSubject>{"Chip", [] { return std::make_unique<ChipSubject>(true); }},
+        Implementation<GpioSubject>{"PolledChip", [] { return std::make_unique<ChipSubject>(false); }},
+        Implementation<GpioSubject>{"Local", [] { return std::make_unique<LocalLinesSubject>(); }}),
     NameOf<GpioSubject>);
 
 }  // namespace
