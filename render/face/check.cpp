@@ -41,7 +41,7 @@ void CheckEyes(const std::string& item, const Face& face, Faults& faults) {
   for (const EyeBall& eye : face.eyes) {
     const bool good = IsFinite(eye.centre) && std::isfinite(eye.radius_m) && eye.radius_m >= 0 &&
                       std::isfinite(eye.lid_thickness_m);
-    if (!good) faults.Add(item + ": an eye has no place or size");
+    if (!good) faults.Add(item + ": an eye has no position or size");
   }
 }
 
@@ -145,7 +145,7 @@ std::vector<std::string> FindFaults(const Cast& cast) {
   for (const Prop& prop : cast.props) CheckProp(prop, faults);
   for (std::size_t i = 0; i < cast.textures.size(); ++i) CheckTexture(i, cast.textures[i], faults);
   if (!IsFinite(cast.neck_pivot) || !IsFinite(cast.mouth_anchor))
-    faults.Add("cast: the neck or the mouth has no place");
+    faults.Add("cast: the neck or the mouth has no position");
   return faults.Release();
 }
 

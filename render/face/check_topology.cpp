@@ -87,10 +87,10 @@ void CheckTopology(const Topology& topology, Faults& faults) {
   const std::size_t vertices = topology.vertex_count;
   if (vertices == 0) faults.Add("topology: has no vertices");
   if (topology.moving_count > vertices) faults.Add("topology: more vertices move than there are");
-  const bool places = faults.Size("parameter space", topology.uv.size(), vertices) &&
-                      faults.Finite("parameter space", topology.uv);
+  const bool coordinates = faults.Size("parameter space", topology.uv.size(), vertices) &&
+                           faults.Finite("parameter space", topology.uv);
   const bool corners = faults.Indices("triangles", Flat(topology.triangles), vertices);
-  if (places && corners) CheckUnfolding(topology, faults);
+  if (coordinates && corners) CheckUnfolding(topology, faults);
   faults.Size("texture coordinates", topology.texture.size(), vertices);
   faults.Finite("texture coordinates", topology.texture);
   faults.Indices("wires", Flat(topology.wires), vertices);

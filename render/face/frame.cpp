@@ -31,20 +31,20 @@ bool Flat(const glm::dmat2& m) {
   return !(glm::determinant(m) > kFlat * kFlat * trace * trace);
 }
 
-// Sums of the normal equations: moments of the places, and of the points against the places.
+// Sums of the normal equations: moments of the steps in the parameter space, and of the points against them.
 struct Moments {
-  glm::dmat2 places{0.0};
+  glm::dmat2 steps{0.0};
   Slope points;
 
-  void Add(glm::dvec2 place, glm::dvec3 point) {
-    const double weight = std::exp(-glm::dot(place, place) / (2 * kFitRadius_m * kFitRadius_m));
-    places += weight * glm::outerProduct(place, place);
-    points.along_u += weight * place.x * point;
-    points.along_v += weight * place.y * point;
+  void Add(glm::dvec2 step_m, glm::dvec3 point) {
+    const double weight = std::exp(-glm::dot(step_m, step_m) / (2 * kFitRadius_m * kFitRadius_m));
+    steps += weight * glm::outerProduct(step_m, step_m);
+    points.along_u += weight * step_m.x * point;
+    points.along_v += weight * step_m.y * point;
   }
 
   Slope Solve() const {
-    const glm::dmat2 inverse = glm::inverse(places);
+    const glm::dmat2 inverse = glm::inverse(steps);
     return {points.along_u * inverse[0][0] + points.along_v * inverse[0][1],
             points.along_u * inverse[1][0] + points.along_v * inverse[1][1]};
   }
@@ -73,7 +73,7 @@ Frame FitFrame(const ControlNet& net, std::span<const glm::vec3> on_face, std::s
   for (std::size_t i = 0; i < net.points.size(); ++i) {
     moments.Add(InMetres(net.points[i].uv) - here, glm::dvec3(on_face[i]) - glm::dvec3(on_face[at]));
   }
-  if (Flat(moments.places)) return {};
+  if (Flat(moments.steps)) return {};
   return RotationAndSize(moments.Solve());
 }
 

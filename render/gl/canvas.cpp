@@ -55,8 +55,8 @@ void AttachTexture(GLenum kind, unsigned id) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, id, 0);
 }
 
-void AttachRenderbuffer(GLenum place, const Handle& renderbuffer) {
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, renderbuffer.id());
+void AttachRenderbuffer(GLenum attachment, const Handle& renderbuffer) {
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer.id());
 }
 
 bool Complete() {

@@ -76,11 +76,11 @@ class Bands {
   }
 
  private:
-  static int Pixel(float place, float size_px) {
-    return static_cast<int>((std::clamp(place, -1.0F, 1.0F) * 0.5F + 0.5F) * size_px);
+  static int Pixel(float at, float size_px) {
+    return static_cast<int>((std::clamp(at, -1.0F, 1.0F) * 0.5F + 0.5F) * size_px);
   }
-  static int BandOf(float place) {
-    return std::min(Pixel(place, static_cast<float>(FigureRegion::kBands)), FigureRegion::kBands - 1);
+  static int BandOf(float at) {
+    return std::min(Pixel(at, static_cast<float>(FigureRegion::kBands)), FigureRegion::kBands - 1);
   }
   int Edge(int band) const { return static_cast<int>(canvas_px_.y) * band / FigureRegion::kBands; }
 

@@ -108,12 +108,13 @@ constexpr float kBeside_m = 0.011F;
 // For each control point those within three times kBeside_m on the reference face, with a Gaussian's weights.
 face::SparseRows BesideEachOther(const face::Cast& cast) {
   const std::size_t count = cast.net.points.size();
-  std::vector<glm::vec3> places(count);
-  for (std::size_t i = 0; i < count; ++i) places[i] = Mean(cast.net.surface, i, cast.faces.front().positions);
+  std::vector<glm::vec3> positions(count);
+  for (std::size_t i = 0; i < count; ++i)
+    positions[i] = Mean(cast.net.surface, i, cast.faces.front().positions);
   face::SparseRows rows{{0}, {}, {}};
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      const float away = glm::distance(places[i], places[j]) / kBeside_m;
+      const float away = glm::distance(positions[i], positions[j]) / kBeside_m;
       if (away > 3) continue;
       rows.column.push_back(static_cast<face::Index>(j));
       rows.weight.push_back(std::exp(-0.5F * away * away));

@@ -60,10 +60,10 @@ std::vector<std::uint32_t> Strips(const std::array<std::vector<face::Index>, 2>&
 }
 
 // Catmull-Rom through the fine vertices of a margin.
-glm::vec3 OnCurve(std::span<const glm::vec3> fine, std::span<const face::Index> margin, float place) {
+glm::vec3 OnCurve(std::span<const glm::vec3> fine, std::span<const face::Index> margin, float column) {
   const auto last = static_cast<std::ptrdiff_t>(margin.size()) - 1;
-  const auto j = std::min(static_cast<std::ptrdiff_t>(place), last - 1);
-  const float t = place - static_cast<float>(j);
+  const auto j = std::min(static_cast<std::ptrdiff_t>(column), last - 1);
+  const float t = column - static_cast<float>(j);
   const auto at = [&](std::ptrdiff_t i) {
     return fine[margin[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))]];
   };

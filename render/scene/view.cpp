@@ -11,7 +11,7 @@ namespace {
 // How far before and behind the camera's target anything is drawn.
 constexpr float kReach_m = 0.45F;
 
-// A point this near to the camera's plane, or behind it, has no place.
+// A point this near to the camera's plane, or behind it, has no position in the picture.
 constexpr float kNearest = 1e-3F;
 
 }  // namespace

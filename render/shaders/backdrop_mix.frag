@@ -1,7 +1,7 @@
 // One backdrop, enlarged; or DROPS of them mixed, which are enlarged later. What is mixed are square roots of
 // light, as the eye does: a fade has no dip in its middle.
 #include "dither.glsl"
-in vec2 place;
+in vec2 uv;
 uniform sampler2D drop0;
 #if DROPS > 1
 uniform sampler2D drop1;
@@ -15,12 +15,12 @@ layout(location = 0) out vec4 colour;
 
 void main() {
 #if DROPS == 1
-  vec3 root = DitheredRoot(texture(drop0, place).rgb);
+  vec3 root = DitheredRoot(texture(drop0, uv).rgb);
 #else
-  vec3 root = weights.x * texture(drop0, place).rgb + weights.y * texture(drop1, place).rgb;
+  vec3 root = weights.x * texture(drop0, uv).rgb + weights.y * texture(drop1, uv).rgb;
 #endif
 #if DROPS > 2
-  root += weights.z * texture(drop2, place).rgb + weights.w * texture(drop3, place).rgb;
+  root += weights.z * texture(drop2, uv).rgb + weights.w * texture(drop3, uv).rgb;
 #endif
   colour = vec4(root, 1.0);
 }

@@ -1,2 +1,2 @@
 #include "drop.glsl"
-void main() { colour = vec4(sqrt(mix(bottom, top, place.y * 0.5 + 0.5)), 1.0); }
+void main() { colour = vec4(sqrt(mix(bottom, top, uv.y * 0.5 + 0.5)), 1.0); }

@@ -3,7 +3,7 @@
 const vec2 kWindow = vec2(-1.12, 0.42);
 
 vec3 Tiles() {
-  vec2 cell = place / 0.26;
+  vec2 cell = uv / 0.26;
   vec2 in_cell = abs(fract(cell) - 0.5);
   float joint = smoothstep(0.40, 0.49, max(in_cell.x, in_cell.y));
   float tone = 0.86 + 0.28 * Spread(dot(floor(cell), vec2(7.0, 3.0)) + 200.0).x;
@@ -14,8 +14,8 @@ void main() {
   vec3 light = Tiles();
   float shine = Pool(kWindow, vec2(1.25, 1.1));
   light *= 0.55 + 1.3 * glow * shine + 0.45 * Pool(vec2(0.0), vec2(0.9, 0.8));
-  vec2 pane = abs(place - kWindow - vec2(0.0, 0.0));
-  float bars = smoothstep(0.018, 0.05, min(pane.x, abs(place.y - kWindow.y - 0.06)));
+  vec2 pane = abs(uv - kWindow - vec2(0.0, 0.0));
+  float bars = smoothstep(0.018, 0.05, min(pane.x, abs(uv.y - kWindow.y - 0.06)));
   light = mix(light, bottom * 0.9, Below(OutOfBox(kWindow, vec2(0.42, 0.46)), 0.045, 0.03));
   light = mix(light, mix(bottom, glow * vec3(0.95, 1.0, 1.0), bars), Below(OutOfBox(kWindow, vec2(0.38, 0.42)), 0.02, 0.03));
   light += glow * 0.10 * Pool(kWindow, vec2(0.75));

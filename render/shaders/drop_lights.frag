@@ -1,7 +1,7 @@
 // Many lamps on the racks of a dark laboratory.
 #include "drop.glsl"
 void main() {
-  float rack = 0.5 + 0.5 * cos(place.y * 11.0);
+  float rack = 0.5 + 0.5 * cos(uv.y * 11.0);
   vec3 light = Wall() * (0.70 + 0.30 * rack) + glow * Wall() * Pool(vec2(0.0, 0.1), vec2(1.1, 0.8));
   for (int i = 0; i < 54; ++i) {
     vec2 at = Spread(float(i) + 7.5);

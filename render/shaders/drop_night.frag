@@ -24,13 +24,13 @@ float Stars() {
 }
 
 void main() {
-  vec3 sky = mix(bottom, top, smoothstep(-0.55, 1.0, place.y));
+  vec3 sky = mix(bottom, top, smoothstep(-0.55, 1.0, uv.y));
   sky += glow * (0.060 * Pool(kMoon, vec2(0.85)) + 0.20 * Pool(kMoon, vec2(0.34)));
   sky += 0.16 * Stars();
-  vec2 d = place - kMoon;
+  vec2 d = uv - kMoon;
   float spots = 0.16 * (Disc(kMoon + vec2(-0.05, 0.05), 0.05, 0.04) + Disc(kMoon + vec2(0.06, -0.04), 0.07, 0.05));
   sky = mix(sky, mix(vec3(1.0), glow, 0.4) * (0.80 - spots + 0.10 * d.x), Disc(kMoon, 0.185, 0.014));
-  float ridge = -0.40 + 0.10 * sin(place.x * 1.7 + 0.6) + 0.05 * sin(place.x * 3.9);
-  sky = mix(sky, bottom * 0.55, Below(place.y, ridge, 0.03));
+  float ridge = -0.40 + 0.10 * sin(uv.x * 1.7 + 0.6) + 0.05 * sin(uv.x * 3.9);
+  sky = mix(sky, bottom * 0.55, Below(uv.y, ridge, 0.03));
   Show(sky + Town());
 }

@@ -4,7 +4,7 @@ uniform sampler2D picture;
 uniform vec2 cover;   // How much of the picture is seen, across and up; 1: all.
 
 vec3 At(vec2 offset) {
-  vec3 root = texture(picture, (place / vec2(3.5555556, 2.0) + offset) * cover + 0.5).rgb;
+  vec3 root = texture(picture, (uv / vec2(3.5555556, 2.0) + offset) * cover + 0.5).rgb;
   return root * root;
 }
 

@@ -1,7 +1,7 @@
 // A poster: rays of two inks from behind the head, and a sun.
 #include "drop.glsl"
 void main() {
-  vec2 d = place - vec2(0.0, 0.08);
+  vec2 d = uv - vec2(0.0, 0.08);
   float ray = sin(atan(d.y, d.x) * 14.0);
   float edge = 0.10 + 0.02 / max(length(d), 0.05);
   vec3 light = mix(bottom, top, smoothstep(-edge, edge, ray));

@@ -1,7 +1,7 @@
 // A sweep of paper that comes down from the wall to the floor, and a lamp on it behind the head.
 #include "drop.glsl"
 void main() {
-  float floor_share = Below(place.y, -0.62, 0.22);
+  float floor_share = Below(uv.y, -0.62, 0.22);
   vec3 paper = mix(Wall(), bottom * 1.25, floor_share);
   float pool = Pool(vec2(0.10, 0.12), vec2(1.05, 0.80));
   float on_floor = Pool(vec2(0.15, -1.05), vec2(1.30, 0.40));

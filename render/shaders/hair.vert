@@ -9,7 +9,7 @@ layout(location = 4) in float lock_number; // 0..1, one for each lock.
 #define lock vec4(lock_place, lock_number)
 uniform vec3 paint;
 out vec4 lit;
-out vec2 place;
+out vec2 uv;
 
 // The lower and further along, the more a point swings.
 vec3 Swing(vec3 p) {
@@ -36,6 +36,6 @@ void main() {
   soft += edge * vec3(0.205, 0.162, 0.246) * 0.22 * open * (0.3 + 0.7 * sky);
   float highlight = band * 0.80 * open * (0.25 + 0.75 * diffuse) * fill.w * key.w;
   lit = vec4(mix(paint * 1.25 * PlainLight(n) * key.w, Shoulder(soft * key.w), fill.w), highlight);
-  place = vec2(lock.y + 5.0 * lock.w, lock.x);
+  uv = vec2(lock.y + 5.0 * lock.w, lock.x);
   gl_Position = projection * vec4(p, 1.0);
 }

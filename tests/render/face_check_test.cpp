@@ -82,7 +82,7 @@ const Fault kFaults[] = {
     {"GainIsNoNumber", [](face::Cast& c) { c.faces[2].expression_gain = kNan; },
      "face \"turned\", its look: 1 values"},
     {"EyeWithoutPlace", [](face::Cast& c) { c.faces[0].eyes[1].centre.x = kNan; },
-     "an eye has no place or size"},
+     "an eye has no position or size"},
     {"OcclusionTooShort", [](face::Cast& c) { c.faces[0].occlusion.pop_back(); },
      "face \"reference\", occlusion: has"},
     {"PropMissing", [](face::Cast& c) { c.faces[0].props.push_back(4); }, "prop 4 is missing"},
@@ -132,7 +132,7 @@ const Fault kFaults[] = {
     {"IrisIsNoNumber", [](face::Cast& c) { c.faces[3].eye_look.iris.y = kNan; },
      "face \"long\", its look: 1 values"},
     {"NeckIsNowhere", [](face::Cast& c) { c.neck_pivot.z = kNan; },
-     "cast: the neck or the mouth has no place"},
+     "cast: the neck or the mouth has no position"},
     {"NoFace", [](face::Cast& c) { c.faces.clear(); }, "cast: has no face"},
     {"NoExpression", [](face::Cast& c) { c.expressions.clear(); }, "cast: has no expression"},
 };
