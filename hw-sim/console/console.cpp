@@ -96,7 +96,7 @@ void Console::Tick() {
   LetGoAlone();
 }
 
-// Encodes once for all listeners, and only when one of them can take it.
+// Encodes once for all listeners, and only when one of them has room for it.
 void Console::ShowPicture(Time now) {
   if (!pictures_.awaited()) return;
   const Duration age = now - picture_at_;
@@ -164,7 +164,7 @@ Result<void> Console::Do(const std::vector<sim::OperatorAction>& actions) {
   return {};
 }
 
-// A page that is closed in the middle of a drag lets go like a hand.
+// A page that is closed in the middle of a drag lets go of its controls.
 void Console::LetGoAlone() {
   if (states_.listeners() > 0) {
     played_ = true;

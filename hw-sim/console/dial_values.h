@@ -14,14 +14,14 @@ namespace kaori::console {
 
 inline constexpr int kDialCount = 8;
 
-// Watches the simulated hands from the outside, as somebody who stands by the box, and begins with the values
+// Watches the simulated controls from the outside, as somebody who stands by the box, and begins with the values
 // with which a show opens. No report tells them: a show that went on while the simulator was away knows
 // better.
 class DialValues {
  public:
   explicit DialValues(const Labels& labels);
 
-  // Takes in what hands did since the last call; some 100 times a second sees every push of a hand.
+  // Looks at what was done since the last call; some 100 calls a second see every push.
   void Follow(const sim::DialBox& box, const sim::Keyboard& keyboard);
 
   // Nothing where the label tells of no value.

@@ -17,7 +17,7 @@ class EditorWatch {
     bool screen_plugged = true;
   };
 
-  // Some 100 times a second sees every push of a hand.
+  // Some 100 calls a second see every push.
   void Follow(const Seen& now);
 
   bool open() const { return open_; }

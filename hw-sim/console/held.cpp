@@ -13,7 +13,7 @@ using sim::Verb;
 constexpr double kShutHeight = 0.25;
 constexpr double kRestWidth = 1;
 
-// The hand that undoes `hand`; nothing for what stays as it is put: dials, sliders, the pointer, lens,
+// The action that undoes `action`; nothing for what stays as it is put: dials, sliders, the pointer, lens,
 // cables.
 std::optional<OperatorAction> Undoing(const OperatorAction& action) {
   switch (action.verb) {

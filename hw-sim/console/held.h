@@ -1,4 +1,4 @@
-// What the page holds: let go when the last page leaves, as hands would.
+// What the page holds down or out of the middle: let go when the last page leaves.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,10 @@ namespace kaori::console {
 // Pure. Knows only what it was told: buttons and keys that a scenario holds stay held.
 class Held {
  public:
+  // An action that the page has done.
   void Note(const sim::OperatorAction& action);
 
-  // The hands that let everything go: buttons and keys up, sticks and lips at rest. Then nothing is held.
+  // The actions that let everything go: buttons and keys up, sticks and lips at rest. Then nothing is held.
   std::vector<sim::OperatorAction> LetGo();
 
  private:

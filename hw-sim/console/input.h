@@ -1,4 +1,4 @@
-// What hands do at the console's page, in the words of a scenario: "dial 1 turn 0.4".
+// What is done on the console's page, in the language of a scenario: "dial 1 turn 0.4".
 #pragma once
 
 #include <string_view>

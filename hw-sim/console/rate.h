@@ -9,7 +9,7 @@ namespace kaori::console {
 
 class Rate {
  public:
-  // `count` is a counter that only grows. Looks at it again no sooner than after a second.
+  // `count` is a counter that only grows. It is looked at again after a second at the soonest.
   void See(std::uint64_t count, Time now) {
     const Duration since = now - at_;
     if (since < std::chrono::seconds(1)) return;

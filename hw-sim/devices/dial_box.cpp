@@ -12,7 +12,7 @@ Report Bytes(const wire::DialBoxReport& report) {
   return {bytes.begin(), bytes.end()};
 }
 
-// Beyond this a hand did not turn the dial: a number went wrong.
+// Nobody turns a dial further in one action: beyond this a number went wrong.
 constexpr double kMostTurns = 1000;
 
 }  // namespace

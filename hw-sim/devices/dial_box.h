@@ -10,13 +10,14 @@
 
 namespace kaori::sim {
 
-// Dials 0..7 and buttons 0..31, from the upper left; other numbers are ignored.
+// Dials 0..7 and buttons 0..31, from the upper left; other numbers are ignored. The report is that of
+// firmware/wire/dial_box.h: 256 counts a turn, what was turned since the last report. One thread.
 class DialBox final : public HidDevice {
  public:
   // Borrows the context.
   explicit DialBox(const DeviceContext& context) : context_(context) {}
 
-  // Test's side: the operator's hands. Clockwise is positive; parts of a count are kept for the next turn.
+  // Test's side: what the operator does. Clockwise is positive; parts of a count are kept for the next turn.
   void Turn(int dial, double turns);
   void Push(int button);
   void Release(int button);
@@ -36,8 +37,8 @@ class DialBox final : public HidDevice {
 
  private:
   struct Dial {
-    double turns = 0;           // Where the shaft is,
-    std::int64_t reported = 0;  // and up to which count it has been told.
+    double turns = 0;           // Where the shaft stands, in turns since the start.
+    std::int64_t reported = 0;  // Counts of it that reports have said.
   };
   static wire::DialBoxReport Next(const wire::DialBoxReport& last) { return {last.buttons_down, {}}; }
   void SetButton(int button, bool down);

@@ -16,10 +16,10 @@ class GpioBridge final : public UsbDevice {
   GpioBridge();
 
   // Test's side. Lines are pulled up; a switch pulls its line to ground. Numbers outside 0..7 are ignored.
-  void Close(int line) { Pull(line, true); }  // The switch is pressed,
-  void Open(int line) { Pull(line, false); }  // and let go.
-  bool drives(int line) const;                // The host has made it an output,
-  bool high(int line) const;                  // and what is on the line now.
+  void Close(int line) { Pull(line, true); }  // The switch is pressed.
+  void Open(int line) { Pull(line, false); }  // The switch is let go.
+  bool drives(int line) const;                // The host has made it an output.
+  bool high(int line) const;                  // The level on the line now.
 
   // Appliance's side.
   const UsbDescriptors& descriptors() const override { return descriptors_; }
@@ -38,9 +38,9 @@ class GpioBridge final : public UsbDevice {
   bool SetFeature(std::span<const std::uint8_t> report);
 
   UsbDescriptors descriptors_;
-  std::uint8_t outputs_ = 0;      // Bit n: line n is driven by the host,
-  std::uint8_t push_pull_ = 0;    // both ways,
-  std::uint8_t driven_ = 0xFF;    // to this.
+  std::uint8_t outputs_ = 0;      // Bit n: line n is an output.
+  std::uint8_t push_pull_ = 0;    // Bit n: as an output it drives high too; else it only pulls down.
+  std::uint8_t driven_ = 0xFF;    // Bit n: the level to which the host drives it.
   std::uint8_t pulled_down_ = 0;  // Bit n: the switch at line n is closed.
 };
 

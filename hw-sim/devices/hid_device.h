@@ -1,4 +1,5 @@
-// The appliance's side of a simulated HID device: real report bytes, as they would cross a cable.
+// The appliance's side of a simulated HID device: real report bytes, as they would cross a cable. The verbs of an operator
+// are the devices' own.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,7 @@ namespace kaori::sim {
 
 using Report = std::vector<std::uint8_t>;
 
+// Who the device is, as a host reads it when it is plugged in.
 struct HidDeviceName {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
@@ -44,7 +46,7 @@ class HidDevice {
   virtual void HostCame() = 0;
   virtual void HostLeft() = 0;
 
-  // The power went or came: what was not reported is lost, lamps are dark; hands stay where they are.
+  // The power went or came: what was not reported is lost, lamps are dark; controls stay where they are.
   virtual void PowerCycle() = 0;
 };
 

@@ -1,4 +1,4 @@
-// Every simulated device that hands play, and the one way in which a hand reaches it.
+// Every simulated device that an operator plays, and the one way in which an action reaches it.
 #pragma once
 
 #include "drivers/base/result.h"
@@ -14,12 +14,13 @@
 namespace kaori::sim {
 
 struct InputDevices {
-  // Borrows the context.
+  // Borrows the context, which every device tells of what changed.
   InputDevices(const DeviceContext& context, ports::CameraFormat camera_format);
 
   StickPod& stick(DevicePort port) { return port == DevicePort::kStickRight ? right_stick : left_stick; }
 
-  // Verbs that the place does not have, and cables, are ignored.
+  // Does the action on the device of its port; reports become due, nothing is sent. Verbs that the device does not have,
+  // numbers out of its range, and cables are ignored.
   void Do(const OperatorAction& action);
 
   DialBox dial_box;
@@ -32,13 +33,14 @@ struct InputDevices {
   LinePanel lines;
 };
 
-// Devices with their cables, wherever these lead: what a scenario is played on.
+// Devices with their cables, wherever these lead: to the local link, to a virtual machine, or to real USB sockets. A
+// scenario is played on one of these. One thread.
 class DeviceRig {
  public:
   virtual ~DeviceRig() = default;
   virtual InputDevices& devices() = 0;
 
-  // Does one hand, cables included. Errors: those of the cables.
+  // Does one action, cables included. Errors: those of the cables.
   virtual Result<void> Do(const OperatorAction& action) = 0;
 };
 

@@ -1,4 +1,5 @@
-// A simulated keyboard with n-key rollover.
+// A simulated keyboard with n-key rollover: its report has a bit for each key, in the form of the boot keyboard of HID 1.11
+// behind it (firmware/wire/keyboard.h).
 #pragma once
 
 #include "firmware/wire/keyboard.h"
@@ -8,6 +9,7 @@
 
 namespace kaori::sim {
 
+// One thread.
 class Keyboard final : public HidDevice {
  public:
   // Borrows the context.

@@ -12,15 +12,16 @@
 
 namespace kaori::sim {
 
-// How the next frame is spoilt.
+// How the next frame is spoilt: not at all, in the numbers that come with it, or in its pixels.
 enum class Spoil : std::uint8_t { kNothing, kMessage, kPixels };
 
+// One thread. The same mouth and the same frame numbers give the same bytes.
 class LipCamera {
  public:
   // Borrows the context.
   LipCamera(ports::CameraFormat format, const DeviceContext& context);
 
-  // Test's side. Sizes are held within 0.02 .. 2 (height) and 0.1 .. 2 (width).
+  // Test's side. Sizes are in widths of the mouth at rest, held within 0.02 .. 2 (height) and 0.1 .. 2 (width).
   void SetMouth(double height, double width);
   void CoverLens(bool covered);
   void Stall(bool stalled);                         // No frames while stalled; their numbers go by.

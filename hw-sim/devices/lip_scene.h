@@ -19,7 +19,7 @@ struct Rgb {
 
 // Lengths are in widths of the mouth at rest at the head's usual distance; y runs down.
 struct HeadPose {
-  double x = 0;  // Of the middle of the mouth at rest, from its usual place.
+  double x = 0;  // Of the middle of the mouth at rest, from its usual position.
   double y = 0;
   double scale = 1;     // More is nearer.
   double tilt_rad = 0;  // Positive: clockwise in the picture, about the mouth.
@@ -39,7 +39,7 @@ struct Operator {
 struct StageLight {
   double level = 1;
   Rgb colour{1, 1, 1};
-  std::optional<double> shadow_from;  // To the right of this place on the face, in widths from its middle,
+  std::optional<double> shadow_from;  // To the right of this line on the face, in widths from its middle,
   double shadow_level = 0.4;          // so much of the light is left.
 };
 

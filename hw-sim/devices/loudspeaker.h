@@ -12,6 +12,7 @@
 
 namespace kaori::sim {
 
+// One thread. 16-bit samples at 48 kHz, left and right in turn; a frame is one of each.
 class Loudspeaker {
  public:
   static constexpr int kChannels = 2;
@@ -50,7 +51,7 @@ class Loudspeaker {
   void Remember(std::size_t frames);
 
   const DeviceContext& context_;
-  std::deque<std::int16_t> waiting_;
+  std::deque<std::int16_t> waiting_;  // Given, and not yet played.
   std::deque<Heard> heard_;
   bool playing_ = false;
   Time start_{};  // When frame `start_frame_` was heard.

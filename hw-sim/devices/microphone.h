@@ -11,11 +11,12 @@
 
 namespace kaori::sim {
 
+// One thread. It is a crystal of its own: with a drift its frames come earlier or later than the clock has them.
 class Microphone {
  public:
-  static constexpr int kBlockFrames = 240;
+  static constexpr int kBlockFrames = 240;  // 5 ms.
 
-  // Begins to hear at the bench's present time. Borrows the bench.
+  // Begins to hear at the context's present time. Borrows the context.
   explicit Microphone(const DeviceContext& context) : context_(context), start_(context.clock.now()) {}
 
   // Test's side. The voice from now on; vowels are a, i, u, e, o.
@@ -30,7 +31,7 @@ class Microphone {
   // Appliance's side.
   ports::SoundFormat format() const { return {kSynthRate_hz, 1}; }
   struct Block {
-    Time at{};
+    Time at{};          // When its first frame was heard.
     bool lost = false;  // Frames were lost before it.
     std::vector<std::int16_t> samples;
   };

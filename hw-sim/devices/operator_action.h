@@ -1,4 +1,5 @@
-// One movement of an operator's hand, or of a cable, as a plain value: what scenarios are made of.
+// One action of an operator on a device, or on its cable, as a plain value: scenarios are made of these, and so is what a
+// page sends and what a recording keeps.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace kaori::sim {
 
-// Where a simulated device is plugged in; the names are the ports of the link.
+// Where a simulated device is plugged in. The order is that of kPortNames; new ones go to the end.
 enum class DevicePort : std::uint8_t {
   kDialBox,
   kStickLeft,
@@ -27,18 +28,20 @@ inline constexpr int kDevicePortCount = 10;
 
 // "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer", "microphone",
 // "loudspeaker".
+// They are the ports of the local link, and the words of a scenario's cables.
 std::string_view PortName(DevicePort port);
+// Nothing where no port has that name.
 std::optional<DevicePort> DevicePortNamed(std::string_view port);
 
 enum class Verb : std::uint8_t {
   kTurn,       // Dial `index` by `a` turns, clockwise is positive.
-  kPush,       // Button or key `index` goes down,
-  kRelease,    // and up.
+  kPush,       // Button or key `index` goes down, line `index` is switched on,
+  kRelease,    // and up, and off.
   kMove,       // Stick or pointer to x = `a`, y = `b`.
   kTwist,      // Stick's twist to `a`.
   kSlide,      // Stick's slider to `a`.
   kHat,        // Stick's hat to `index`, -1 is centred.
-  kRoll,       // Pointer's wheel by `a` notches, away from the hand is positive.
+  kRoll,       // Pointer's wheel by `a` notches, away from the operator is positive.
   kLips,       // Mouth to height `a`, width `b`.
   kCoverLens,  // `index` 1 covers, 0 uncovers.
   kStall,      // Camera, microphone or loudspeaker stops (`index` 1) or goes on (0).
@@ -47,6 +50,7 @@ enum class Verb : std::uint8_t {
   kUnplug,
 };
 
+// Indices begin with 0, keys are usages of HID page 7. Values are those of the verb; what a verb does not use is 0.
 struct OperatorAction {
   DevicePort port = DevicePort::kDialBox;
   Verb verb = Verb::kTurn;
@@ -56,11 +60,11 @@ struct OperatorAction {
   friend bool operator==(const OperatorAction&, const OperatorAction&) = default;
 };
 
-// What all simulated devices share: the time, and someone who watches the hands.
+// What all simulated devices share: the time, and who is told of each action. One thread; it outlives the devices.
 struct DeviceContext {
   const Clock& clock;
   std::function<void(const OperatorAction&)>
-      watcher;  // May be empty. Called for every hand that changes something.
+      watcher;  // May be empty. Called after every action that changed something.
 
   void Notify(const OperatorAction& action) const {
     if (watcher) watcher(action);

@@ -6,7 +6,7 @@
 namespace kaori::sim {
 namespace {
 
-// Beyond this a hand did not turn the wheel: a number went wrong.
+// Nobody rolls a wheel further in one action: beyond this a number went wrong.
 constexpr double kMostNotches = 1000;
 
 Report PointerBytes(const wire::PointerReport& report) {
@@ -33,7 +33,7 @@ wire::PointerReport Pointer::Next(const wire::PointerReport& last) {
   return {.buttons_down = last.buttons_down, .x = last.x, .y = last.y};
 }
 
-// What was pressed or let go at a place was so there: a report that waits with an edge is not moved on.
+// What was pressed or let go at a position was so there: a report that waits with an edge is not moved on.
 void Pointer::Move(double x, double y) {
   x = Held(x, x_);
   y = Held(y, y_);

@@ -1,4 +1,4 @@
-// A simulated tablet: an absolute place on the picture, three buttons and a wheel.
+// A simulated tablet: an absolute position on the picture, three buttons and a wheel.
 #pragma once
 
 #include "firmware/wire/pointer.h"
@@ -8,6 +8,7 @@
 
 namespace kaori::sim {
 
+// One thread.
 class Pointer final : public HidDevice {
  public:
   // Borrows the context.
@@ -17,7 +18,8 @@ class Pointer final : public HidDevice {
   void Move(double x, double y);  // 0 left .. 1 right; 0 above .. 1 below.
   void Push(int button);          // 0 the left one, 1 the right, 2 the middle; others are ignored.
   void Release(int button);
-  void Roll(double notches);  // Away from the hand is positive; parts of a notch are kept for the next turn.
+  // Away from the operator is positive; parts of a notch are kept for the next turn.
+  void Roll(double notches);
   double x() const { return x_; }
   double y() const { return y_; }
   std::uint8_t buttons_down() const { return waiting_.newest().buttons_down; }

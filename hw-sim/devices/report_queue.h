@@ -15,7 +15,8 @@ inline constexpr Duration kReportPeriod = std::chrono::milliseconds(1);
 // A host that is stopped for good must not eat memory: beyond this many reports, edges merge after all.
 inline constexpr std::size_t kMaxWaitingReports = 1024;
 
-// State is the report as a struct. `at_rest_next` makes the state from which the next report starts.
+// State is the report as a struct. `at_rest_next` makes the state from which the next report starts: what a report says
+// once, such as turns, is 0 in it, what stands, such as buttons, is kept. One thread.
 template <class State>
 class ReportQueue {
  public:
@@ -23,6 +24,7 @@ class ReportQueue {
 
   // The state to change. `would_merge(last, back)` says whether the change would wipe out one that waits.
   template <class WouldMerge>
+  // The reference holds until the next call.
   State& Change(Time now, WouldMerge would_merge) {
     if (waiting_.empty()) {
       Append(now);
@@ -33,11 +35,13 @@ class ReportQueue {
     return waiting_.back().state;
   }
 
+  // When the next report may leave; nothing while none waits.
   std::optional<Time> next_due() const {
     if (waiting_.empty()) return std::nullopt;
     return waiting_.front().due;
   }
 
+  // The oldest report that is due at `now`; one in kReportPeriod at most.
   std::optional<State> Next(Time now) {
     if (waiting_.empty() || waiting_.front().due > now) return std::nullopt;
     sent_ = waiting_.front().state;
@@ -49,7 +53,9 @@ class ReportQueue {
   // The newest state, sent or not.
   const State& newest() const { return waiting_.empty() ? sent_ : waiting_.back().state; }
 
+  // Whether a host listens: without one all changes share one report.
   void set_hosted(bool hosted) { hosted_ = hosted; }
+  // Drops what waits; what stands, stands.
   void Forget() {
     sent_ = next_from_(newest());
     waiting_.clear();

@@ -1,4 +1,4 @@
-// The simulated screen: what the audience sees, and when it came to light.
+// The simulated screen: what the audience sees, and when it was scanned out.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ScreenMode {
 
 struct Shown {
   std::uint64_t frame = 0;  // The program's number.
-  Time at{};                // The vertical blank at which it came to light.
+  Time at{};                // Its scan-out time: the vertical blank at which it was shown first.
   int width_px = 0;
   int height_px = 0;
   std::span<const std::uint8_t> rgbx;  // Bottom row first, tightly packed. Borrowed until the next Pump.

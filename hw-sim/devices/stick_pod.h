@@ -8,9 +8,10 @@
 
 namespace kaori::sim {
 
+// One thread. It does not spring back by itself: whoever lets it go moves it to the middle.
 class StickPod final : public HidDevice {
  public:
-  // `place` is kStickLeft or kStickRight. Borrows the bench.
+  // `port` is kStickLeft or kStickRight. Borrows the context.
   StickPod(DevicePort port, const DeviceContext& context) : port_(port), context_(context) {}
 
   // Test's side. Values beyond the stops are held at the stops.

@@ -18,14 +18,14 @@ enum class UsbSpeed : std::uint8_t { kLow, kFull, kHigh };
 
 // The eight bytes that begin a control transfer (USB 2.0, 9.3).
 struct UsbSetup {
-  std::uint8_t type = 0;  // Bit 7: the device answers with data.
-  std::uint8_t request = 0;
-  std::uint16_t value = 0;
-  std::uint16_t index = 0;
-  std::uint16_t length = 0;
+  std::uint8_t type = 0;     // bmRequestType. Bit 7: the device answers with data.
+  std::uint8_t request = 0;  // bRequest.
+  std::uint16_t value = 0;   // wValue.
+  std::uint16_t index = 0;   // wIndex: an interface or an endpoint where the request is for one.
+  std::uint16_t length = 0;  // wLength: bytes that follow, or at most so many that come back.
 };
 
-// What a host reads first. One configuration, as every device of ours has.
+// What a host reads first (USB 2.0, 9.6). One configuration, as every device of ours has.
 struct UsbDescriptors {
   UsbSpeed speed = UsbSpeed::kHigh;
   std::uint8_t device_class = 0;  // 0: said by each interface.

@@ -8,7 +8,8 @@
 
 namespace kaori::sim {
 
-// USB Video Class 1.1. One format (YUYV), the size that the camera has when this is made, one rate.
+// USB Video Class 1.1. One format (YUYV), the size that the camera has when this is made, one rate. One thread. A frame
+// begins when a host reads and the frame's time has come; frames that nobody read go by.
 class UvcCamera final : public UsbDevice {
  public:
   static constexpr std::uint8_t kIn = 0x81;

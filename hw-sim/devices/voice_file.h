@@ -21,7 +21,7 @@ Result<void> WriteWav(const std::string& path, std::span<const std::int16_t> sam
 // those of the file, invalid_argument (not 16 bits at that rate).
 Result<std::vector<std::int16_t>> ReadWav(const std::string& path);
 
-// How well the middle tenth of a second of `said` fits the best place in `heard`: 1 exactly, about 0 not at
+// How well the middle tenth of a second of `said` fits the best position in `heard`: 1 exactly, about 0 not at
 // all. Louder or softer makes no difference.
 double Likeness(std::span<const std::int16_t> said, std::span<const std::int16_t> heard);
 

@@ -20,6 +20,7 @@ class VoiceSynth {
   int vowel() const { return vowel_; }
   double loudness() const { return loudness_; }
 
+  // The next sample, at kSynthRate_hz.
   std::int16_t Next();
 
  private:

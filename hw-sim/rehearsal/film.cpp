@@ -8,6 +8,8 @@
 namespace kaori::sim {
 namespace {
 
+// Raw pictures from standard input, bottom row first, to H.264 of good quality; colours as a screen has them (sRGB in
+// BT.709's matrix), and the index at the front, so that a browser can begin at once.
 std::vector<std::string> Arguments(const FilmOptions& o) {
   return {"-f",
           "rawvideo",

@@ -35,6 +35,7 @@ constexpr std::string_view kHelp =
   --hz 30            pictures a second
 )";
 
+// What was asked for on the command line.
 struct Settings {
   std::string pack, play, film, pictures, size = "960x540", hz = "30";
 };
@@ -79,6 +80,7 @@ struct Outputs {
   }
 };
 
+// One line that is written over again and again.
 void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
   const double position_s = kaori::Seconds(player.position());
   const double length_s = kaori::Seconds(player.scenario().length);
@@ -86,6 +88,7 @@ void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
              100 * position_s / length_s, pictures_per_s, player.beat());
 }
 
+// Plays the scenario to its end, picture by picture; a film is whole afterwards.
 Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario scenario, Outputs& outputs) {
   const kaori::SteadyClock wall;
   const auto begun = wall.now();
@@ -116,6 +119,7 @@ Result<void> CheckWritable(const std::string& file) {
   return {};
 }
 
+// `folder` is for passing files. Errors: those of the folder of pictures and of the film.
 Result<Outputs> OpenOutputs(const Settings& settings, kaori::Size size, int hz, const std::string& folder) {
   Outputs outputs{nullptr, settings.pictures, hz};
   std::error_code error;
@@ -135,6 +139,7 @@ Result<Outputs> OpenOutputs(const Settings& settings, kaori::Size size, int hz, 
   return outputs;
 }
 
+// Loads the show and the scenario, and plays one with the other. The exit status.
 int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::string& folder) {
   auto scenario = kaori::sim::LoadScenario(settings.play);
   if (!scenario) return kaori::ExitWithError(scenario.error());
@@ -153,7 +158,8 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   (*rehearsal)->Bring(std::move(expression_editor));
   auto outputs = OpenOutputs(settings, size, hz, folder);
   if (!outputs) return kaori::ExitWithError(outputs.error());
-  if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = PlayThrough(**rehearsal, std::move(*scenario), *outputs); !ok)
+    return kaori::ExitWithError(ok.error());
   if (!settings.film.empty()) fmt::print("{}\n", settings.film);
   return 0;
 }

@@ -13,9 +13,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kTick = 1ms;
+constexpr Duration kTick = 1ms;  // A simulated millisecond: reports leave no more often.
 constexpr int kPatience = 1000;  // Ticks.
-constexpr int kHidDevices = 5;
+constexpr int kHidDevices = 5;   // Dial box, two sticks, keyboard, pointer.
 
 Result<void> MakeFolder(const std::string& folder) {
   std::error_code error;
@@ -43,6 +43,7 @@ Result<std::unique_ptr<Rehearsal>> Rehearsal::Open(const RehearsalOptions& optio
   return rehearsal;
 }
 
+// The programs of the box in this process, each on the same board, as their mains put them together.
 Result<void> Rehearsal::OpenParts(const RehearsalOptions& options, stage::Studio& studio) {
   links_ = options.folder + "/links";
   auto rig = Rig::Open({.folder = links_,
@@ -89,6 +90,7 @@ Result<void> Rehearsal::OpenVoice(const RehearsalOptions& options, const show::S
   return {};
 }
 
+// The stage gets its screen last, so that its first picture is of devices that are there.
 Result<void> Rehearsal::Settle() {
   auto screen = scanout::LocalScreen::Open(links_);
   if (!screen) return tl::unexpected(screen.error());
@@ -99,7 +101,7 @@ Result<void> Rehearsal::Settle() {
   };
   for (int i = 0; i < kPatience && !ready(); ++i) Tick({});
   began_ = clock_.now();
-  if (!ready()) return Fail(std::errc::timed_out, "wait for every device to take its seat");
+  if (!ready()) return Fail(std::errc::timed_out, "wait until every device has its slot");
   return {};
 }
 
@@ -112,6 +114,7 @@ Result<Shown> Rehearsal::NextPicture(const Input& input) {
   return Fail(std::errc::timed_out, "wait for a picture");
 }
 
+// Devices speak first, then the programs in the order in which their values travel.
 void Rehearsal::Tick(const Input& input) {
   clock_.Advance(kTick);
   if (input) input(clock_.now());

@@ -1,5 +1,5 @@
-// A whole house in one process on a simulated clock: simulated devices, real drivers, board, stage. The same
-// hands give the same board and the same pictures every time. For films, golden pictures and tests.
+// The whole system in one process on a simulated clock: simulated devices, real drivers, board, stage. The same input gives
+// the same board and the same pictures every time. For films, golden pictures and tests.
 #pragma once
 
 #include <functional>
@@ -18,50 +18,53 @@
 
 namespace kaori::sim {
 
+// How the simulated system is set up.
 struct RehearsalOptions {
   std::string folder;  // Where the board and the links lie; made if it is not there.
   int width_px = 960;
   int height_px = 540;
-  double hz = 30;
-  double camera_hz = 30;
+  double hz = 30;                  // Of the screen.
+  double camera_hz = 30;           // Of the lip camera.
   voice::DelayWish sound_delay{};  // None: as measured.
 };
 
 // One thread.
 class Rehearsal {
  public:
-  // Plugs every device in and waits, in simulated time, until all are seated. The studio outlives it and may
-  // serve one rehearsal after another. Errors: those of the folder, the board, the sockets; timed_out when a
-  // device was not seated within a simulated second.
+  // Plugs every device in and waits, in simulated time, until each has its slot. The studio outlives it and may serve one
+  // rehearsal after another. Errors: those of the folder, the board, the sockets; timed_out when a device had no slot within
+  // a simulated second.
   static Result<std::unique_ptr<Rehearsal>> Open(const RehearsalOptions& options, stage::Studio& studio);
   ~Rehearsal();
 
-  // What hands do at each moment; called once a millisecond of simulated time, before the devices speak.
+  // What operators do at each moment; called once a millisecond of simulated time, before the devices speak.
   using Input = std::function<void(Time now)>;
 
-  // Moves time to the next vertical blank at which a new picture comes to light, and gives that picture.
+  // Moves time to the next vertical blank at which a new picture is presented, and gives that picture.
   // Errors: timed_out when no picture came within a simulated second.
   Result<Shown> NextPicture(const Input& input = {});
 
-  // Lets hands make expressions. They were opened on the studio's show.
+  // Lets operators make expressions. The editor was opened on the studio's show.
   void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->SetEditor(std::move(editor)); }
 
+  // The test's side of every device.
   Rig& rig() { return *rig_; }
   const board::Board& board() const { return board_; }
   const stage::Stage& stage() const { return *stage_; }
   Time now() const { return clock_.now(); }
-  Time began() const { return began_; }  // When the house stood ready.
+  Time began() const { return began_; }  // When every device had its slot and the first picture was shown.
 
  private:
   Rehearsal(board::Board board, std::unique_ptr<ports::HidBus> bus)
       : board_(std::move(board)), bus_(std::move(bus)) {}
+  // Each opens its part of Open. Errors: as Open.
   Result<void> OpenParts(const RehearsalOptions& options, stage::Studio& studio);
   Result<std::unique_ptr<ports::GpioLines>> OpenLines();
   Result<void> OpenVoice(const RehearsalOptions& options, const show::Show& show);
   Result<void> Settle();
-  void Tick(const Input& input);
+  void Tick(const Input& input);  // One simulated millisecond.
 
-  ManualClock clock_;
+  ManualClock clock_;  // Before all that borrows it.
   board::Board board_;
   std::unique_ptr<ports::HidBus> bus_;
   std::unique_ptr<Rig> rig_;

@@ -9,11 +9,12 @@ namespace {
 // Less of a turn waits until there is more: a quarter of the count that a dial can tell.
 constexpr double kLeastTurn = 1.0 / 1024;
 
+// Smoothstep: 0 to 1, at rest at both ends.
 double Eased(double part) {
   return part * part * (3 - 2 * part);
 }
 
-bool SameLimb(const OperatorAction& a, const OperatorAction& b) {
+bool OnSameControl(const OperatorAction& a, const OperatorAction& b) {
   return a.port == b.port && a.verb == b.verb && a.index == b.index;
 }
 
@@ -22,7 +23,7 @@ struct Values {
   double b = 0;
 };
 
-// Where the hand's control stands now; a dial has no place, only a way that it goes.
+// Where the control stands now; a dial has no position, only the turns that it makes.
 Values Standing(InputDevices& on, const OperatorAction& action) {
   if (action.port == DevicePort::kCamera) return {on.camera.mouth().height, on.camera.mouth().width};
   if (action.port == DevicePort::kPointer) return {on.pointer.x(), on.pointer.y()};
@@ -59,10 +60,10 @@ void Player::Perform(Time now) {
 }
 
 void Player::Begin(const TimedAction& timed) {
-  // Who grips a control takes it over from a hand that is still on its way; turns of a dial add up.
+  // A newer action ends one on the same control that is still under way; turns of a dial add up.
   if (timed.action.verb != Verb::kTurn)
     std::erase_if(motions_,
-                  [&](const Motion& motion) { return SameLimb(motion.timed->action, timed.action); });
+                  [&](const Motion& motion) { return OnSameControl(motion.timed->action, timed.action); });
   if (timed.over == Duration::zero()) {
     static_cast<void>(
         rig_.Do(timed.action));  // A socket that cannot be made is seen as a device that is not there.

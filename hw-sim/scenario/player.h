@@ -1,4 +1,4 @@
-// Plays a scenario on devices: hands move when their time has come.
+// Plays a scenario on devices: each action is done when its time has come.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace kaori::sim {
 
-// One thread. Borrows the playground. The same calls at the same times do the same.
+// One thread. Borrows the rig. The same calls at the same times do the same.
 class Player {
  public:
   // The scenario begins at `start`.
   Player(Scenario scenario, DeviceRig& rig, Time start);
 
-  // Does everything up to and including `now`, in order; slow hands move as far as they are by then. Does not
-  // pump a link.
+  // Does everything up to and including `now`, in order; actions that take time go as far as they are by then. Does
+  // not pump a link.
   void Perform(Time now);
 
-  // Begins again; hands stay where they are.
+  // Begins again; controls stay where they are.
   void Restart(Time start);
 
   bool finished() const { return position_ >= scenario_.length; }
@@ -29,7 +29,7 @@ class Player {
   const Scenario& scenario() const { return scenario_; }
 
  private:
-  // A hand on its way. Values are what `a` and `b` were when it began; a dial's are what was turned so far.
+  // An action that is under way. Values are what `a` and `b` were when it began; a dial's are what was turned so far.
   struct Motion {
     const TimedAction* timed;
     double from_a;

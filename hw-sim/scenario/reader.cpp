@@ -16,6 +16,7 @@ constexpr std::size_t kMostBytes = 64u << 20;
 // A file that is no scenario is wrong in every line: nobody reads on.
 constexpr std::size_t kMostProblems = 100;
 
+// at 2.5s and over 800ms, in any order, before the statement and behind it. False: a problem was added.
 bool ReadTimes(Tokenizer& tokens, Statement& statement) {
   for (;;) {
     auto* const time = tokens.Accept("at")     ? &statement.at
@@ -31,6 +32,7 @@ bool ReadTimes(Tokenizer& tokens, Statement& statement) {
   }
 }
 
+// Whether the statement has the times that it needs, and none that it cannot have.
 bool TimesFit(Tokenizer& tokens, const Statement& statement, int column) {
   const bool takes_time =
       statement.say || (!statement.steps.empty() && MayTakeTime(statement.steps[0].action.verb));
@@ -44,6 +46,7 @@ bool TimesFit(Tokenizer& tokens, const Statement& statement, int column) {
   return !tokens.bad();
 }
 
+// The lines read so far.
 class Script {
  public:
   void ReadLine(std::string_view line, int number) {
@@ -83,6 +86,7 @@ class Script {
     actions.insert(actions.end(), spoken.begin(), spoken.end());
   }
 
+  // Scenes that were named without a time begin at `at`.
   void OpenScenes(Duration at) {
     for (std::string& name : waiting_scenes_) reading_.scenario.beats.push_back({at, std::move(name)});
     waiting_scenes_.clear();

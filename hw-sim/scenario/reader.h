@@ -8,9 +8,9 @@
 //   at 1s over 0.8s left move 0.25 0.05     takes a while; left or right: move X Y, twist A, slide A, hat up, push N,
 //                                           hold N, release N
 //   at 2s key space tap                     or press, release
-//   at 2s over 1s pointer 0.4 0.5           a place on the picture from its left upper corner, 0 to 1
+//   at 2s over 1s pointer 0.4 0.5           a position on the picture from its left upper corner, 0 to 1
 //   at 2s press pointer                     or click, release; a number after it says which button
-//   at 2s roll pointer 3                    notches of its wheel, away from the hand
+//   at 2s roll pointer 3                    notches of its wheel, away from the operator
 //   at 2s lips 0.6 1.1                      height and width, in widths of the mouth at rest
 //   at 3s over 1.4s say "kon ni ti wa"
 //   at 4s lens cover                        or uncover

@@ -1,4 +1,4 @@
-// Writes down what hands do on a rig, as a scenario that does the same again.
+// Writes down what is done on a rig, as a scenario that does the same again.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // Everything so far; nothing where `note` takes it.
+  // Everything so far; nothing where a `note` was given.
   Scenario scenario() const;
 
  private:

@@ -1,4 +1,4 @@
-// A scenario: what hands do at which time. Plain values; reader, writer, player and recorder share them.
+// A scenario: what operators do at which time. Plain values; reader, writer, player and recorder share them.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace kaori::sim {
 
+// An action of a scenario and its time.
 struct TimedAction {
   Duration at{};    // After the beginning.
-  Duration over{};  // Zero: at once; else the hand moves there, easing in and out.
+  Duration over{};  // Zero: at once; else the control moves there, easing in and out.
   OperatorAction action;
   friend bool operator==(const TimedAction&, const TimedAction&) = default;
 };
@@ -23,6 +24,7 @@ struct Beat {
   friend bool operator==(const Beat&, const Beat&) = default;
 };
 
+// What Player plays. PutInOrder makes one from actions and beats in any order.
 struct Scenario {
   std::vector<TimedAction> actions;  // By time; equal times in the order in which they were written.
   std::vector<Beat> beats;           // By time.
@@ -30,7 +32,7 @@ struct Scenario {
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-// Sorts, and works out the length.
+// Sorts actions and beats by time, those of the same time in their order, and works out the length.
 void PutInOrder(Scenario& scenario);
 
 // The verbs that may take time: dial turns, stick moves, twists and slides, the pointer's moves, lips.

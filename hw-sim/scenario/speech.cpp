@@ -10,6 +10,7 @@ namespace {
 
 constexpr Mouth kAtRest{};
 
+// What is said in an equal part of the time.
 struct Syllable {
   bool shuts_first = false;  // m, b, p: the lips meet before it.
   Mouth mouth;
@@ -42,6 +43,7 @@ constexpr std::string_view kLabials = "mbp";
 constexpr double kShutPart = 0.22;
 constexpr double kOpenPart = 0.62;
 
+// A consonant counts with the vowel behind it; an n at the end of a word is a syllable of its own, as in Japanese.
 std::vector<Syllable> Syllables(std::string_view text) {
   std::vector<Syllable> syllables;
   bool shuts = false;

@@ -8,7 +8,7 @@
 
 namespace kaori::sim {
 
-// Of Verb::kVoice, by its number.
+// The vowels of Verb::kVoice, by its number.
 inline constexpr std::string_view kVowelLetters = "aiueo";
 
 // Whether Speak can say it: letters and spaces, with a vowel or an n at least.

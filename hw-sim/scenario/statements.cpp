@@ -24,11 +24,13 @@ constexpr double kMostTurns = 1000;
 constexpr double kMostNotches = 1000;
 constexpr std::size_t kLongestName_bytes = 100;
 
+// Down at the line's time, and up again after kTap.
 void AddTap(DevicePort port, int index, Statement& into) {
   into.steps.push_back({{}, {port, Verb::kPush, index, 0, 0}});
   into.steps.push_back({kTap, {port, Verb::kRelease, index, 0, 0}});
 }
 
+// One action at the line's time.
 void AddOne(const OperatorAction& action, Statement& into) {
   into.steps.push_back({{}, action});
 }
@@ -39,6 +41,7 @@ void AddButton(std::string_view verb, DevicePort port, int index, Statement& int
   AddOne({port, verb == "hold" ? Verb::kPush : Verb::kRelease, index, 0, 0}, into);
 }
 
+// dial 1 turn 0.4.
 void ReadDial(Tokenizer& tokens, std::string_view, Statement& into) {
   const auto dial = tokens.Numbered("dial", kDials);
   if (!dial) return;
@@ -47,6 +50,7 @@ void ReadDial(Tokenizer& tokens, std::string_view, Statement& into) {
   if (turns) AddOne({DevicePort::kDialBox, Verb::kTurn, *dial - 1, *turns, 0}, into);
 }
 
+// pointer 0.4 0.5.
 void ReadPointer(Tokenizer& tokens, std::string_view, Statement& into) {
   const auto x = tokens.Number("x, left to right", 0, 1);
   const auto y = tokens.Number("y, from above", 0, 1);
@@ -69,18 +73,21 @@ void ReadAtPointer(Tokenizer& tokens, std::string_view verb, Statement& into) {
   if (notches) AddOne({DevicePort::kPointer, Verb::kRoll, 0, *notches, 0}, into);
 }
 
+// push 7, hold 7, release 7; and release pointer, which begins with the same word.
 void ReadBoxButton(Tokenizer& tokens, std::string_view verb, Statement& into) {
   if (verb == "release" && tokens.Accept("pointer")) return ReadPointerButton(tokens, verb, into);
   const auto button = tokens.Numbered("button", kBoxButtons);
   if (button) AddButton(verb, DevicePort::kDialBox, *button - 1, into);
 }
 
+// left move 0.25 0.05.
 void ReadMove(Tokenizer& tokens, DevicePort port, Statement& into) {
   const auto x = tokens.Number("x, left to right", -1, 1);
   const auto y = tokens.Number("y, back to forwards", -1, 1);
   if (x && y) AddOne({port, Verb::kMove, 0, *x, *y}, into);
 }
 
+// right hat up.
 void ReadHat(Tokenizer& tokens, DevicePort port, Statement& into) {
   const auto token = tokens.Next("a direction of the hat");
   if (!token) return;
@@ -92,6 +99,7 @@ void ReadHat(Tokenizer& tokens, DevicePort port, Statement& into) {
                               token->text));
 }
 
+// Everything that begins with left or right.
 void ReadStick(Tokenizer& tokens, std::string_view side, Statement& into) {
   const DevicePort port = side == "left" ? DevicePort::kStickLeft : DevicePort::kStickRight;
   const auto verb = tokens.Next("move, twist, slide, hat, push, hold or release");
@@ -115,6 +123,7 @@ void ReadStick(Tokenizer& tokens, std::string_view side, Statement& into) {
                               verb->text));
 }
 
+// key space tap, key z press, key usage-57 release.
 void ReadKey(Tokenizer& tokens, std::string_view, Statement& into) {
   const auto name = tokens.Next("the name of a key");
   if (!name) return;
@@ -134,6 +143,7 @@ void ReadKey(Tokenizer& tokens, std::string_view, Statement& into) {
                   fmt::format("a key does not \"{}\"; it does tap, press and release", verb->text));
 }
 
+// lips 0.6 1.1.
 void ReadLips(Tokenizer& tokens, std::string_view, Statement& into) {
   const auto height = tokens.Number("a height of the mouth", 0, 2);
   const auto width = tokens.Number("a width of the mouth", 0, 2);
@@ -153,6 +163,7 @@ void ReadVoice(Tokenizer& tokens, std::string_view, Statement& into) {
   if (loudness) AddOne({DevicePort::kMicrophone, Verb::kVoice, static_cast<int>(number), *loudness, 0}, into);
 }
 
+// say "ko n ni ti wa".
 void ReadSay(Tokenizer& tokens, std::string_view, Statement& into) {
   const auto text = tokens.Next("syllables in quotes");
   if (!text) return;
@@ -178,6 +189,7 @@ void ReadCamera(Tokenizer& tokens, std::string_view thing, Statement& into) {
   tokens.Complain(tokens.next_column(), lens ? "expected cover or uncover" : "expected stall or run");
 }
 
+// plug dial-box, unplug dial-box.
 void ReadCable(Tokenizer& tokens, std::string_view verb, Statement& into) {
   const auto name = tokens.Next("the name of a device");
   if (!name) return;
@@ -204,6 +216,7 @@ void ReadLine(Tokenizer& tokens, std::string_view, Statement& into) {
   tokens.Complain(tokens.next_column(), "expected on, off or tap");
 }
 
+// scene narrator.
 void ReadScene(Tokenizer& tokens, std::string_view, Statement& into) {
   const auto name = tokens.Next("the name of a scene");
   if (!name) return;
@@ -212,6 +225,7 @@ void ReadScene(Tokenizer& tokens, std::string_view, Statement& into) {
   into.scene = std::string(name->text);
 }
 
+// A statement begins with one of these words, and its reader reads the rest of the line.
 struct StatementForm {
   std::string_view token;
   void (*read)(Tokenizer&, std::string_view token, Statement&);

@@ -1,4 +1,4 @@
-// The statements of a scenario's line: words into hands.
+// The statements of a scenario's line: words into actions.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,9 @@
 
 namespace kaori::sim {
 
+// One action of a statement; a push has two.
 struct Step {
-  Duration after{};  // The line's time.
+  Duration after{};  // After the line's time.
   OperatorAction action;
 };
 
@@ -24,7 +25,7 @@ struct Statement {
   std::optional<std::string> scene;
 };
 
-// Reads from the statement's first word to its last one. False: a problem was told.
+// Reads from the statement's first word to its last one. False: a problem was added to the tokenizer's.
 bool ReadStatement(Tokenizer& tokens, Statement& into);
 
 }  // namespace kaori::sim

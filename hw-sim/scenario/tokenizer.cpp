@@ -22,6 +22,7 @@ bool IsSpace(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
 
+// The whole text as a number; a sign before it is free. Infinities are none.
 std::optional<double> WholeNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
@@ -37,6 +38,7 @@ Tokenizer::Tokenizer(std::string_view line, int number, std::vector<Problem>& pr
   Split(line);
 }
 
+// A word ends at a space or at a comment; one in quotes at the next quote.
 void Tokenizer::Split(std::string_view line) {
   if (line.size() > kLongestLine_bytes) return Complain(1, "a line of more than 1000 bytes");
   std::size_t at = 0;

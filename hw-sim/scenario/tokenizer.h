@@ -10,9 +10,10 @@
 
 namespace kaori::sim {
 
+// What is wrong in a text, and where.
 struct Problem {
-  int line = 0;    // From 1,
-  int column = 0;  // in characters, from 1.
+  int line = 0;    // From 1.
+  int column = 0;  // In characters, from 1.
   std::string what;
 };
 
@@ -30,7 +31,7 @@ class Tokenizer {
 
   bool AtEnd() const { return bad_ || next_ >= tokens_.size(); }
   bool bad() const { return bad_; }
-  // Whether the next word is `word`; takes it if so.
+  // Whether the next word is `word`; goes on to the one behind it if so.
   bool Accept(std::string_view word);
 
   // Whether the next word begins as a number does.
@@ -38,14 +39,16 @@ class Tokenizer {
 
   // The next word. `expected` says what should be there: "a number of turns".
   std::optional<Token> Next(std::string_view expected);
+  // A decimal number from `low` to `high`.
   std::optional<double> Number(std::string_view expected, double low, double high);
-  // "no dial 9; dials are 1 to 8".
+  // The number of a thing, from 1 to `last`; else the problem is such as "no dial 9; dials are 1 to 8".
   std::optional<int> Numbered(std::string_view thing, int last);
   std::optional<Duration> TimeSpan();  // 2.5s or 800ms.
 
+  // Adds a problem of this line, unless it has one.
   void Complain(int column, std::string what);
-  int last_column() const { return last_column_; }  // Of the word taken last,
-  int next_column() const;                          // and of the one to come, or of the line's end.
+  int last_column() const { return last_column_; }  // Of the word that was read last.
+  int next_column() const;                          // Of the word to come, or of the line's end.
 
  private:
   void Split(std::string_view line);

@@ -23,6 +23,7 @@ float Short(double value) {
   return static_cast<float>(value);
 }
 
+// A recording has both halves of a push, never a push.
 std::string ButtonVerb(Verb verb) {
   return verb == Verb::kPush ? "hold" : "release";
 }

@@ -1,4 +1,4 @@
-// The console without a browser: lines of hands, who may come in, pictures, and what the page is told.
+// The console without a browser: lines of input, what is let go of, pictures, and what the page is told.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -199,7 +199,7 @@ TEST_F(ConsoleLabels, NameTheEntryThatIsWrong) {
   EXPECT_FALSE(LoadLabels("/nowhere/labels.json"));
 }
 
-// A dial box and a keyboard in somebody's hands, and one dial that shows a value.
+// A dial box and a keyboard that somebody plays, and one dial that shows a value.
 class ConsoleDialValues : public ::testing::Test {
  protected:
   static Labels OneDial() {

@@ -1,4 +1,4 @@
-// The simulated HID devices, at the wire: which reports their hands make, and when.
+// The simulated HID devices, at the wire: which reports an operator's actions make, and when.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// The simulated tablet, at the wire: which reports its hands make, and when.
+// The simulated tablet, at the wire: which reports an operator's actions make, and when.
 #include <gtest/gtest.h>
 
 #include <limits>

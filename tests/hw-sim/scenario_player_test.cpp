@@ -1,4 +1,4 @@
-// Scenarios on a rig: the same hands give the same bytes, and a recording gives them again.
+// Scenarios on a rig: the same actions give the same bytes, and a recording gives them again.
 #include <random>
 
 #include "hw-sim/scenario/player.h"
@@ -22,7 +22,7 @@ struct Performance {
   friend bool operator==(const Performance&, const Performance&) = default;
 };
 
-// A bench on which one scenario is played from the first to the last moment.
+// A rig on which one scenario is played from the first to the last moment.
 class Hall : public LinkFixture {
  public:
   void TestBody() override {}

@@ -1,4 +1,4 @@
-// An expression made in a browser: needles on her face, one is dragged, the work is named, saved and called, on another
+// An expression made in a browser: needles on the face, one is dragged, the work is named, saved and called, on another
 // face too. From the mouse on the page through report bytes and four processes to the picture, and to the disk.
 import assert from 'node:assert/strict';
 import {existsSync, readdirSync, readFileSync} from 'node:fs';
@@ -12,7 +12,7 @@ const kFace = [0.36, 0.3, 0.64, 0.8];
 const kCaption = [0, 0.5, 0.3, 1];
 const kBack = kStill * 3;  // JPEG blurs what lies beside a change.
 
-// Where the needle in the corner of her mouth stands, on the viewer's right, and where it is dragged to.
+// Where the needle in the corner of the mouth stands, on the viewer's right, and where it is dragged to.
 const kCorner = [0.541, 0.671];
 const kHigher = [0.56, 0.60];
 
@@ -20,7 +20,7 @@ let box;
 let browser;
 let page;
 let view;
-let shut;    // Her picture before all this.
+let shut;    // The picture before all this.
 let opened;  // With needles, nothing pulled.
 let pulled;  // And with one pulled.
 
@@ -62,7 +62,7 @@ async function type(name) {
   }
 }
 
-test('the switch opens the needles on her face, and says how to use them', async () => {
+test('the switch opens the needles on the face, and says how to use them', async () => {
   await needles().click();
   await until('open', async () => (await box.state()).editor_open);
   await view.untilMoved('a plate with words', shut, kCaption, 8);
@@ -111,9 +111,9 @@ test('it is named, saved as readable text, and the needles are shut', async () =
   await view.untilBack('no plate', shut, kCaption, 2);
 });
 
-test('it is called on her, and on another face, by Shift and a digit', async () => {
+test('it is called on Kaori, and on another face, by Shift and a digit', async () => {
   await button('Neutral').click();
-  await view.untilBack('her own mouth', shut, kMouth, kBack);
+  await view.untilBack('the mouth as it was', shut, kMouth, kBack);
   await page.keyboard.down('Shift');
   await page.keyboard.press('1', {delay: 200});
   await page.keyboard.up('Shift');

@@ -37,7 +37,7 @@ const atRest = () => view.atRest();
 const untilMoved = (...question) => view.untilMoved(...question);
 const untilBack = (...question) => view.untilBack(...question);
 
-// Without the life that the box gives her, every change is a hand's.
+// Without the life that the box gives the face, every change is an operator's.
 async function beStill() {
   await pull(page, dial('Life'), 0, 200);
   await page.mouse.up();
@@ -50,7 +50,7 @@ test('the page says what the show calls', async () => {
   assert.equal(await button('Kaori').getAttribute('aria-pressed'), 'true');
 });
 
-test('a dial that the mouse turns opens her mouth, and a double click shuts it', async () => {
+test('a dial that the mouse turns opens the mouth, and a double click shuts it', async () => {
   const shut = await atRest();
   await pull(page, dial('Mouth'), 0, -150);
   await page.mouse.up();
@@ -70,7 +70,7 @@ test('a button calls another face and its lamp is lit', async () => {
   await untilBack('Kaori', kaori);
 });
 
-test('the head stick turns her head while it is held', async () => {
+test('the head stick turns the head while it is held', async () => {
   const ahead = await atRest();
   const pad = page.locator('#left .pad');
   await pull(page, pad, 60, 0);
@@ -79,7 +79,7 @@ test('the head stick turns her head while it is held', async () => {
   await untilBack('a head that looks ahead', ahead);
 });
 
-test('her face is a handle', async () => {
+test('the face is a handle', async () => {
   const ahead = await atRest();
   await pull(page, page.locator('#picture'), -200, 40);
   await until('both sticks to the left', async () => (await box.state()).sticks.every(({x}) => x < -0.3));
@@ -88,7 +88,7 @@ test('her face is a handle', async () => {
   await untilBack('a head that looks ahead', ahead);
 });
 
-test('the space bar shuts her eyes', async () => {
+test('the space bar shuts the eyes', async () => {
   const open = await atRest();
   await page.keyboard.down('Space');
   await untilMoved('shut eyes', open, kEyes);
@@ -96,7 +96,7 @@ test('the space bar shuts her eyes', async () => {
   await untilBack('open eyes', open, kEyes);
 });
 
-test('the lip pad opens her mouth through the camera', async () => {
+test('the lip pad opens the mouth through the camera', async () => {
   const shut = await atRest();
   await pull(page, page.locator('.lips'), 0, 150);
   await untilMoved('an open mouth', shut, kMouth);

@@ -1,4 +1,4 @@
-// The live picture of a page, looked at: how much two pictures differ, and whether she has come to rest.
+// The live picture of a page, looked at: how much two pictures differ, and whether the face has come to rest.
 import {until} from '../hw-sim/browser/harness.mjs';
 
 // Parts of the picture: left, top, right, bottom.
@@ -41,7 +41,7 @@ export class View {
     }, [a, b, part, kColumns, kRows]);
   }
 
-  // Her picture when she has come to rest: so many frames on end are the same.
+  // The picture when the face has come to rest: so many frames on end are the same.
   async atRest() {
     const kFrames = 5;
     let last = await this.look();

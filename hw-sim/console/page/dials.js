@@ -6,7 +6,7 @@ import {onState, turn} from './wire.js';
 const kTurnPixels = 180;         // Drag for one whole turn.
 const kWheelTurns = 1 / 2400;    // For each pixel of wheel.
 const kRimRadius = 0.72;         // Outside of it a drag goes round.
-const kLocalTime_ms = 400;       // How long our own hand is believed before the box's word.
+const kLocalTime_ms = 400;       // How long this page's own turn counts before what the box says.
 const kArc = 0.75;               // Of a circle, from the least value to the most; open below.
 const kKeySteps = new Map([
   ['ArrowUp', 1 / 32], ['ArrowRight', 1 / 32], ['ArrowDown', -1 / 32], ['ArrowLeft', -1 / 32],

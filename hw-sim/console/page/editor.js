@@ -22,7 +22,7 @@ const kTools = [
 ];
 const kTyped = new Set(['Name', 'As new']);
 
-// The show looks at its hands once a frame: a chord must last that long.
+// The show reads its input once a frame: a chord must last that long.
 const kLeastHold_ms = 130;
 
 const kPixelsPerNotch = 100;
@@ -61,7 +61,7 @@ export function pointing(picture) {
   };
 }
 
-// What a hand does that holds nothing: it moves, it pushes the other buttons, it turns the wheel.
+// What the mouse does besides dragging: it moves, it pushes the other buttons, it turns the wheel.
 function hover(picture) {
   const others = new Map();
   picture.addEventListener('pointermove', (event) => {

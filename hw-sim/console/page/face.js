@@ -1,5 +1,5 @@
-// The picture as a handle: the face turns and looks to where it is dragged. Both sticks move, as one operator with two
-// hands would move them.
+// The picture as a handle: the face turns and looks to where it is dragged. Both sticks move, as one operator with one
+// stick on each side would move them.
 import {clamp, positionIn, springBack} from './drag.js';
 import {set} from './wire.js';
 

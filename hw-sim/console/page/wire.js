@@ -1,4 +1,4 @@
-// The line to the simulator: hands go out as lines of text, the state comes in, 20 times a second at most.
+// The connection to the simulator: input goes out as lines of text, the state comes in, 20 times a second at most.
 
 const kMostLines = 80;  // In one message; the simulator takes 4096 bytes.
 
@@ -29,7 +29,7 @@ async function flush() {
       const reply = await fetch('/input', {method: 'POST', body: drain()});
       if (!reply.ok) console.warn(await reply.text());
     } catch {
-      waiting.clear();  // The simulator is gone; old hands must not fall on a new one.
+      waiting.clear();  // The simulator is gone; old input must not reach a new one.
     }
   }
   sending = false;

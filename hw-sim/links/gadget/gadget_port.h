@@ -11,7 +11,7 @@
 
 namespace kaori::sim {
 
-// One thread; nothing blocks.
+// One thread; nothing blocks. Unplugged at first, and when this ends.
 class GadgetPort {
  public:
   // `controller` is the USB device controller that the cable leads to. Borrows the device.
@@ -28,18 +28,19 @@ class GadgetPort {
 
   int pollable() const { return file_.get(); }  // Readable when the host sent a report; -1 while unplugged.
 
-  // Takes what the host sent; sends what is due. A host that fetches too slowly gets later reports later.
+  // Reads what the host sent; sends what is due. A host that fetches too slowly gets later reports later.
   void Pump(Time now);
+  // When Pump has something to send; nothing while it has none.
   std::optional<Time> next_due(Time now) const;
 
  private:
-  bool Send(const Report& report);
+  bool Send(const Report& report);  // False: the host has not fetched the one before.
 
   HidGadget gadget_;
   std::string controller_;
   HidDevice& device_;
-  UniqueFd file_;
-  Report unsent_;
+  UniqueFd file_;  // /dev/hidgN; invalid while unplugged.
+  Report unsent_;  // The host fetches too slowly: it goes first.
 };
 
 }  // namespace kaori::sim

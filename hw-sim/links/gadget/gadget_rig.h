@@ -1,4 +1,5 @@
-// The simulated hands' devices, each at a USB device controller of this machine: the bench for a real box.
+// The simulated input devices, each at a USB device controller of this machine: a real box hangs at the other end of real
+// cables.
 #pragma once
 
 #include <map>
@@ -18,8 +19,8 @@ class GadgetRig final : public DeviceRig {
   // The clock outlives the rig.
   GadgetRig(GadgetRoom room, const Clock& clock);
 
-  // Puts the device of `place` at a controller, the cable in. Errors: invalid_argument (a place without a HID
-  // device), and those of HidGadget and GadgetPort.
+  // Puts the device of `port` at a controller (a name of /sys/class/udc), the cable in. Errors: invalid_argument (no HID
+  // device is at that port), and those of HidGadget and GadgetPort.
   Result<void> Put(DevicePort port, const std::string& controller);
 
   // Reads, answers and sends what is due at clock.now(). Call it every few milliseconds.
@@ -27,11 +28,11 @@ class GadgetRig final : public DeviceRig {
 
   InputDevices& devices() override { return devices_; }
 
-  // Cables of places that have no controller are ignored. Errors: as Put.
+  // Cables of ports that have no controller are ignored. Errors: as Put.
   Result<void> Do(const OperatorAction& action) override;
 
  private:
-  HidDevice* DeviceAt(DevicePort port);
+  HidDevice* DeviceAt(DevicePort port);  // Null: no HID device is at that port.
 
   GadgetRoom room_;
   DeviceContext context_;

@@ -1,4 +1,4 @@
-// A HID device as Linux shows it at its own USB socket: a gadget in configfs, made, bound and taken away.
+// A HID device as Linux shows it at its own USB socket: a gadget in configfs, made, bound and removed.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct GadgetRoom {
 // with this.
 class HidGadget {
  public:
-  // Makes it, not yet bound; what a dead simulator left under that name is used again. Errors: those of the
+  // Makes it, not yet bound; what a simulator that was killed left under that name is used again. Errors: those of the
   // files.
   static Result<HidGadget> Make(GadgetRoom room, const std::string& name, const HidDeviceName& identity);
   HidGadget(HidGadget&& other) noexcept
@@ -40,7 +40,7 @@ class HidGadget {
   Result<void> Describe(const HidDeviceName& identity) const;
 
   GadgetRoom room_;
-  std::string path_;
+  std::string path_;  // The gadget's folder in configfs; empty: it was moved away.
 };
 
 }  // namespace kaori::sim

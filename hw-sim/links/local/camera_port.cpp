@@ -30,6 +30,7 @@ void CameraPort::Handle(std::span<const std::uint8_t> packet) {
   if (slot < lent_.size()) lent_[slot] = false;
 }
 
+// A frame whose time has gone by is not made up for: the newest one counts.
 void CameraPort::SendDue(Time now) {
   const std::int64_t number = (now - timing_.start) / timing_.period;
   if (number <= last_) return;

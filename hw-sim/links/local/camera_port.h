@@ -15,6 +15,7 @@ struct CameraTiming {
   Duration period{};
 };
 
+// As LinkPort. The driver borrows a slot with each frame and gives it back; while it holds all of them, frames go by.
 class CameraPort final : public LinkPort {
  public:
   // One that the driver looks at, one that waits, one being drawn, one to spare.
@@ -37,9 +38,9 @@ class CameraPort final : public LinkPort {
 
   LipCamera& camera_;
   CameraTiming timing_;
-  std::int64_t last_ = -1;  // The newest frame that was read out, sent or not.
-  SharedMemory memory_;
-  std::array<bool, kSlots> lent_{};
+  std::int64_t last_ = -1;           // The newest frame that was read out, sent or not.
+  SharedMemory memory_;              // Of all slots; new for each driver.
+  std::array<bool, kSlots> lent_{};  // The driver looks at slot n.
 };
 
 }  // namespace kaori::sim

@@ -9,6 +9,7 @@ namespace kaori::sim {
 
 std::optional<Time> HidPort::next_due() const {
   if (!connected()) return std::nullopt;
+  // The socket was full: it is tried again after as long as a report takes.
   if (!unsent_.empty()) return clock_.now() + kReportPeriod;
   return device_.next_due();
 }
@@ -38,6 +39,7 @@ void HidPort::SendDue(Time now) {
   }
 }
 
+// The time stamp is that at which the report leaves, as that of a kernel is when it comes in.
 bool HidPort::SendReport(Time at, std::span<const std::uint8_t> report) {
   std::vector<std::uint8_t> packet(wire::kHidStampBytes);
   wire::PutU64(packet, 0, static_cast<std::uint64_t>(at.time_since_epoch().count()));

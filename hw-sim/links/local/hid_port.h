@@ -1,4 +1,4 @@
-// A HID device on the local link.
+// A HID device on the local link: a packet for each report, with the time at which it was due.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 
 namespace kaori::sim {
 
+// As LinkPort. A driver that reads too slowly gets later reports later; none is dropped but by the device's own queue.
 class HidPort final : public LinkPort {
  public:
   // Borrows the device and the clock.
@@ -17,8 +18,8 @@ class HidPort final : public LinkPort {
   std::optional<Time> next_due() const override;
 
   // Faults, sent at once. Errors: not_connected.
-  Result<void> SendRaw(std::span<const std::uint8_t> report);
-  Result<void> SendTorn(std::size_t first_bytes);
+  Result<void> SendRaw(std::span<const std::uint8_t> report);  // Any bytes as a report.
+  Result<void> SendTorn(std::size_t first_bytes);  // The beginning of a report of how things stand.
 
  protected:
   bool Greet() override;

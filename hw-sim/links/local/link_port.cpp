@@ -13,7 +13,7 @@ namespace {
 
 // A driver that talks without end must not hold up the others.
 constexpr int kPacketsAtOnce = 256;
-constexpr int kCallsAtOnce = 16;
+constexpr int kCallsAtOnce = 16;  // Drivers that connect; only the last one stays.
 
 }  // namespace
 

@@ -32,19 +32,25 @@ class LinkPort {
   virtual std::optional<Time> next_due() const = 0;
 
  protected:
-  // `epoll` gets the sockets, and outlives the port.
+  // `path` is that of the socket. `epoll` is a descriptor that gets the sockets, and outlives the port.
   LinkPort(std::string path, int epoll) : path_(std::move(path)), epoll_(epoll) {}
 
   int peer() const { return peer_.get(); }
   const std::string& path() const { return path_; }
+  // Ends the connection; the driver may come again.
   void HangUp();
   // Sends now; a peer that is gone is let go of. False: the packet did not leave.
   bool Send(std::span<const std::uint8_t> packet, int descriptor = -1);
 
-  virtual bool Greet() = 0;  // A driver came: says hello. False: no use.
+  // A driver came: sends the hello. False: that failed, and the connection ends.
+  virtual bool Greet() = 0;
+  // A packet of the driver; the bytes are borrowed for the call.
   virtual void Handle(std::span<const std::uint8_t> packet) = 0;
+  // Sends what is due at `now`. Called while a driver is connected.
   virtual void SendDue(Time now) = 0;
+  // The driver has gone, or was replaced by a newer one.
   virtual void PeerLeft() {}
+  // The cable was put in or pulled.
   virtual void PowerChanged() {}
 
  private:

@@ -1,4 +1,4 @@
-// The loudspeaker on the local link: takes sound, and tells what it has played.
+// The loudspeaker on the local link: accepts sound, and tells every 5 ms what it has played.
 #pragma once
 
 #include "firmware/wire/link_sound.h"
@@ -7,6 +7,7 @@
 
 namespace kaori::sim {
 
+// As LinkPort. The driver sees from the notes how much room there is; what it sends beyond that is lost.
 class LoudspeakerPort final : public LinkPort {
  public:
   // Borrows the loudspeaker and the clock.
@@ -24,7 +25,7 @@ class LoudspeakerPort final : public LinkPort {
  private:
   Loudspeaker& loudspeaker_;
   const Clock& clock_;
-  Time told_at_{};
+  Time told_at_{};  // When the driver was told last, and what.
   std::uint64_t told_frames_ = 0;
   std::uint32_t told_dry_ = 0;
 };

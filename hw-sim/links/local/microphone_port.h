@@ -7,6 +7,7 @@
 
 namespace kaori::sim {
 
+// As LinkPort. What was heard while no driver listened is dropped.
 class MicrophonePort final : public LinkPort {
  public:
   // Borrows the microphone and the clock.

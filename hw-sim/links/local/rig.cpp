@@ -33,7 +33,7 @@ Result<void> MakeFolder(const std::string& folder) {
   return {};
 }
 
-// Two simulators in one folder would take each other's sockets away.
+// Two simulators in one folder would replace each other's sockets.
 Result<UniqueFd> LockFolder(const std::string& folder) {
   UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!fd.valid()) return FailErrno("open the link folder " + folder);
@@ -132,7 +132,7 @@ Time Rig::next_due() const {
   return soonest;
 }
 
-// Setting the timer also takes back that it has rung.
+// Setting the timer also clears that it has expired.
 void Rig::ArmTimer() {
   if (!timer_.valid()) return;
   const Time due = next_due();

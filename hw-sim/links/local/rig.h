@@ -1,4 +1,4 @@
-// All simulated devices, plugged into one folder of the local link: the bench on which the programs play.
+// All simulated devices, plugged into one folder of the local link, where the programs of the box find them.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 namespace kaori::sim {
 
 struct RigOptions {
-  std::string folder;  // Made if it is not there; what a dead simulator left in it is replaced.
+  std::string folder;  // Made if it is not there; what a simulator that was killed left in it is replaced.
   int screen_width_px = 960;
   int screen_height_px = 540;
   Duration screen_period = std::chrono::nanoseconds(16'666'667);
@@ -34,7 +34,7 @@ struct RigOptions {
 class LinkPort;
 class HidPort;
 
-// One thread. Time comes from the clock alone: the same hands at the same times give the same bytes.
+// One thread. Time comes from the clock alone: the same actions at the same times give the same bytes.
 class Rig final : public DeviceRig {
  public:
   // Everything is plugged in at once. The clock outlives the rig. Errors: those of the folder and its
@@ -43,7 +43,7 @@ class Rig final : public DeviceRig {
   ~Rig() override;
 
   // Accepts, receives and sends whatever is due at clock.now(): reports that wait, a camera frame, a flip.
-  // Never blocks. Call it when pollable() is readable, and after hands or time have moved. A frame that was
+  // Never blocks. Call it when pollable() is readable, and after actions were done or time has passed. A frame that was
   // presented before this call and after the last one is shown at a vertical blank between the two, if there
   // is one.
   void Pump();
@@ -68,17 +68,17 @@ class Rig final : public DeviceRig {
   const Clock& clock() const { return context_.clock; }
 
   // Cables. `name` is a port: dial-box, stick-left, stick-right, keyboard, camera, screen, pointer,
-  // microphone, loudspeaker. Plugging what is plugged, or unplugging what is not, does nothing. Errors:
+  // microphone, loudspeaker, lines. Plugging what is plugged, or unplugging what is not, does nothing. Errors:
   // invalid_argument (no such port), those of sockets.
   Result<void> Plug(std::string_view name);
   Result<void> Unplug(std::string_view name);
   bool plugged(std::string_view name) const;
   bool connected(std::string_view name) const;  // A program has the device open.
 
-  // Does one hand: any verb, any place. Verbs that the place does not have are ignored. Errors: as Plug.
+  // Does one action: any verb, any port. Verbs that the device does not have are ignored. Errors: as Plug.
   Result<void> Do(const OperatorAction& action) override;
 
-  // Who watches the hands that change something, Plug and Unplug included; replaces the last watcher.
+  // Who is told of the actions that change something, Plug and Unplug included; replaces the last watcher.
   void Watch(std::function<void(const OperatorAction&)> watcher) { context_.watcher = std::move(watcher); }
 
   // Faults of HID devices, sent at once. Errors: invalid_argument (no HID device of that name),

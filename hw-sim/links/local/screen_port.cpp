@@ -14,7 +14,7 @@ std::optional<Time> ScreenPort::next_due() const {
   return screen_.blank_at(last_blank_ + 1);
 }
 
-// Every driver gets memory of its own: the picture that stands belongs to the one before, dead or alive.
+// Every driver gets memory of its own: the picture that stands belongs to the one before, whether that still runs or not.
 bool ScreenPort::Greet() {
   const ScreenMode mode = screen_.mode();
   auto memory = SharedMemory::Make("kaori-screen", kSlots * PictureBytes(mode));
@@ -35,6 +35,7 @@ void ScreenPort::Handle(std::span<const std::uint8_t> packet) {
 }
 
 void ScreenPort::SendDue(Time now) {
+  // A driver draws in the mode that it was told: on another one it has to come again.
   if (greeted_ != screen_.mode()) return HangUp();
   const std::int64_t blank = screen_.blank_before(now);
   if (waiting_ && blank > last_blank_) {

@@ -8,6 +8,7 @@
 
 namespace kaori::sim {
 
+// As LinkPort. A picture that is presented twice before a vertical blank is shown once, the newer one.
 class ScreenPort final : public LinkPort {
  public:
   // One that is shown, one that is drawn.
@@ -30,11 +31,11 @@ class ScreenPort final : public LinkPort {
   void Flip(const wire::ScreenPresent& present, Time at);
 
   Screen& screen_;
-  ScreenMode greeted_;  // What the driver was told,
-  SharedMemory drawn_;  // and the memory it was given.
-  SharedMemory shown_;  // An earlier driver's, while its last picture still stands.
-  std::optional<wire::ScreenPresent> waiting_;
-  std::int64_t last_blank_ = -1;  // The last vertical blank that Pump has seen.
+  ScreenMode greeted_;                          // The mode that the driver was told.
+  SharedMemory drawn_;                          // The memory that it was given.
+  SharedMemory shown_;                          // An earlier driver's, while its last picture still stands.
+  std::optional<wire::ScreenPresent> waiting_;  // For the next vertical blank.
+  std::int64_t last_blank_ = -1;                // The last vertical blank that Pump has seen.
 };
 
 }  // namespace kaori::sim

@@ -77,7 +77,7 @@ void OnInterrupt(void* priv, std::uint64_t id, usb_redir_interrupt_packet_header
   Requests(priv).InterruptOut(id, header->endpoint, data.span());
 }
 
-// Data that no device of ours takes is given back, too.
+// Data that no device of ours reads is freed, too.
 void OnIsochronous(void* priv, std::uint64_t, usb_redir_iso_packet_header*, std::uint8_t* bytes, int length) {
   const Data data(priv, bytes, length);
 }

@@ -15,11 +15,12 @@ namespace kaori::sim {
 // How a transfer ended; the numbers are those of the protocol.
 enum class RedirStatus : std::uint8_t { kDone, kCancelled, kInvalid, kIoError, kStalled };
 
+// One bulk transfer that the machine asked for.
 struct RedirBulk {
-  std::uint64_t id = 0;
-  std::uint8_t endpoint = 0;
-  std::uint32_t stream = 0;
-  std::uint32_t length_bytes = 0;
+  std::uint64_t id = 0;            // Which request it is; the answer repeats it.
+  std::uint8_t endpoint = 0;       // Bit 7: towards the host.
+  std::uint32_t stream = 0;        // Of USB 3; 0 for ours.
+  std::uint32_t length_bytes = 0;  // What the host has room for, or sends.
 };
 
 // What a machine asks of the device. Called inside RedirWire::Read; data is borrowed for the call. Each id is
@@ -35,15 +36,16 @@ class RedirRequests {
   virtual void Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) = 0;
   virtual void Listen(std::uint64_t id, std::uint8_t endpoint, bool begins) = 0;  // To an interrupt endpoint.
   virtual void InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::span<const std::uint8_t> data) = 0;
-  virtual void Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) = 0;
+  virtual void Bulk(const RedirBulk& request,
+                    std::span<const std::uint8_t> data) = 0;              // Empty: it asks for data.
   virtual void Isochronous(std::uint64_t id, std::uint8_t endpoint) = 0;  // Asked to begin; we have none.
-  virtual void Cancel(std::uint64_t id) = 0;
+  virtual void Cancel(std::uint64_t id) = 0;  // A transfer that may be done already.
 };
 
-// One thread; nothing blocks.
+// One thread; nothing blocks. The protocol is that of usbredir 0.6 and later; what goes out waits in the parser until Write.
 class RedirWire {
  public:
-  // Takes a connected stream socket that does not block; borrows the requests. Says hello.
+  // Owns the socket, a connected stream that does not block; borrows the requests. Says hello.
   RedirWire(UniqueFd socket, RedirRequests& requests);
   ~RedirWire();
   RedirWire(const RedirWire&) = delete;
@@ -51,9 +53,9 @@ class RedirWire {
 
   int pollable() const { return socket_.get(); }
 
-  // Takes everything that waits; sends what the socket has room for. False: the machine is gone, or talks
-  // nonsense.
+  // Reads everything that waits. False: the machine is gone, or breaks the protocol.
   bool Read();
+  // Sends what the socket has room for. False: as Read.
   bool Write();
   bool has_to_write() const;
 
@@ -62,15 +64,18 @@ class RedirWire {
   void Connect(const UsbDescriptors& descriptors);
   void Disconnect();
 
+  // Answers to requests; `id` is the request's.
+
   void ConfigurationStatus(std::uint64_t id, RedirStatus status, std::uint8_t number);
   void AlternateStatus(std::uint64_t id, RedirStatus status, std::uint8_t interface);
   void ListenStatus(std::uint64_t id, std::uint8_t endpoint);
   void IsochronousStatus(std::uint64_t id, std::uint8_t endpoint);
   void Control(std::uint64_t id, const UsbSetup& setup, RedirStatus status,
                std::span<const std::uint8_t> data);
+  // Data that nobody asked for one by one: the machine listens to the endpoint.
   void InterruptIn(std::uint8_t endpoint, std::span<const std::uint8_t> data);
   void InterruptOutDone(std::uint64_t id, std::uint8_t endpoint, std::size_t bytes);
-  // Of an OUT transfer `bytes` are told and none go back.
+  // Of an OUT transfer `bytes` are acknowledged, and no data goes back.
   void Bulk(const RedirBulk& request, RedirStatus status, std::span<const std::uint8_t> data,
             std::size_t bytes);
 

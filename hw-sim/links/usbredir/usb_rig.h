@@ -1,4 +1,4 @@
-// All simulated devices on USB sockets of a virtual machine: the bench on which the box's own kernel plays.
+// All simulated devices on USB sockets of a virtual machine, in which the box's own kernel and programs run.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ class UsbRig final : public DeviceRig {
   // Swaps what hangs on the cables of the two sticks, which must be out.
   void CrossSticks(bool crossed);
 
-  // Verbs of places without a USB socket are ignored. Errors: as Plug.
+  // Lines are those of the GPIO bridge. Verbs of ports without a USB socket are ignored. Errors: as Plug.
   Result<void> Do(const OperatorAction& action) override;
 
  private:
@@ -57,11 +57,12 @@ class UsbRig final : public DeviceRig {
 
   DeviceContext context_;
   InputDevices devices_;
+  // The same devices as a USB host sees them.
   UsbHid dial_box_, left_stick_, right_stick_, keyboard_, pointer_;
   UvcCamera camera_;
   GpioBridge gpio_;
   UniqueFd epoll_;
-  std::array<std::unique_ptr<UsbredirPort>, kUsbSockets.size()> ports_;
+  std::array<std::unique_ptr<UsbredirPort>, kUsbSockets.size()> ports_;  // In the order of kUsbSockets.
 };
 
 }  // namespace kaori::sim

@@ -10,10 +10,11 @@
 namespace kaori::sim {
 namespace {
 
+// A machine that starts takes seconds until its socket listens; one that runs answers at once.
 constexpr Duration kCallAgain = std::chrono::milliseconds(100);
-constexpr std::size_t kInterruptBytes = 64;
-constexpr int kTransfersAtOnce = 256;  // Of one endpoint: the others have their turn.
-constexpr std::uint8_t kUsbredirPortFromDevice = 0x80;
+constexpr std::size_t kInterruptBytes = 64;             // The longest report of a device of ours.
+constexpr int kTransfersAtOnce = 256;                   // Of one endpoint: the others have their turn.
+constexpr std::uint8_t kUsbredirPortFromDevice = 0x80;  // Bit 7 of an endpoint's address (USB 2.0, 9.6.6).
 
 }  // namespace
 
@@ -76,6 +77,7 @@ void UsbredirPort::Forget() {
   configured_ = false;
 }
 
+// The loop wakes for room only while something waits for it: an idle socket always has room.
 void UsbredirPort::WatchForRoom() {
   if (wire_->has_to_write() == waits_for_room_) return;
   waits_for_room_ = !waits_for_room_;
@@ -118,6 +120,8 @@ void UsbredirPort::Greeted() {
   if (plugged_) Announce();
 }
 
+// Configuration 0 is that of a device that was not configured yet; there is no second one. Endpoints are said anew before
+// the answer, since the machine looks at them as it reads that.
 void UsbredirPort::SetConfiguration(std::uint64_t id, std::uint8_t number) {
   configured_ = number == 1;
   wire_->Describe(device_->descriptors());
@@ -137,12 +141,14 @@ void UsbredirPort::GetAlternate(std::uint64_t id, std::uint8_t interface) {
   wire_->AlternateStatus(id, RedirStatus::kDone, interface);
 }
 
+// The device knows best; what it leaves alone may be what every device answers alike. Nothing: the request stalls.
 void UsbredirPort::Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) {
   auto answer = announced_ ? device_->Answer(setup, data) : std::nullopt;
   if (!answer && announced_) answer = AnswerStandard(device_->descriptors(), setup);
   wire_->Control(id, setup, answer ? RedirStatus::kDone : RedirStatus::kStalled, answer.value_or(UsbBytes{}));
 }
 
+// A machine may begin again what it has begun: the device hears of one host only.
 void UsbredirPort::Listen(std::uint64_t id, std::uint8_t endpoint, bool begins) {
   const bool did = std::erase(listened_to_, endpoint) > 0;
   if (begins && announced_) listened_to_.push_back(endpoint);
@@ -156,6 +162,7 @@ void UsbredirPort::InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::sp
   wire_->InterruptOutDone(id, endpoint, data.size());
 }
 
+// A request for data waits until the device has some; data for the device is done at once.
 void UsbredirPort::Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) {
   if ((request.endpoint & kUsbredirPortFromDevice) != 0 && announced_) return bulk_in_.push_back(request);
   if (announced_) device_->HandleOut(request.endpoint, data);

@@ -26,24 +26,27 @@ class UsbredirPort final : private RedirRequests {
   void Unplug();
   bool plugged() const { return plugged_; }
 
-  bool connected() const { return wire_ != nullptr; }      // A machine is there,
-  bool configured() const { return configured_; }          // has enumerated the device,
-  bool listened() const { return !listened_to_.empty(); }  // and a program in it listens.
+  bool connected() const { return wire_ != nullptr; }  // A machine is there.
+  bool configured() const { return configured_; }      // It has enumerated the device.
+  bool listened() const {
+    return !listened_to_.empty();
+  }  // A program in it listens to an interrupt endpoint.
 
   // Another device at the end of the cable, which must be out.
   void Hold(UsbDevice& device) { device_ = &device; }
 
   // Calls, reads, answers, and sends what is due.
   void Pump(Time now);
+  // When Pump has something to send, or calls again; nothing while it only waits for the machine.
   std::optional<Time> next_due(Time now) const;
 
  private:
-  void Call(Time now);
+  void Call(Time now);  // Connects to the machine.
   void HangUp();
-  void Announce();
+  void Announce();  // Says that a device was plugged in.
   void Forget();
   void SendDue(Time now);
-  bool FillFirst(Time now);
+  bool FillFirst(Time now);  // Answers the oldest request for data. False: the device has none.
   void WatchForRoom();
 
   void Greeted() override;
@@ -64,12 +67,12 @@ class UsbredirPort final : private RedirRequests {
   int epoll_;
   UsbDevice* device_;
   std::unique_ptr<RedirWire> wire_;
-  Time call_at_{};
-  bool plugged_ = false;
-  bool greeted_ = false;
-  bool announced_ = false;
-  bool configured_ = false;
-  bool waits_for_room_ = false;
+  Time call_at_{};                         // When the machine is called again.
+  bool plugged_ = false;                   // The cable is in.
+  bool greeted_ = false;                   // The machine said hello.
+  bool announced_ = false;                 // It was told of the device.
+  bool configured_ = false;                // It chose the configuration.
+  bool waits_for_room_ = false;            // The epoll set wakes for room in the socket.
   std::vector<std::uint8_t> listened_to_;  // Interrupt endpoints.
   std::deque<RedirBulk> bulk_in_;          // Requests that wait for data, in their order.
 };
