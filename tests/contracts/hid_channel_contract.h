@@ -66,7 +66,9 @@ TEST_P(HidChannelContract, KnowsWhoItIsFromTheStart) {
 
 TEST_P(HidChannelContract, SaysTryAgainWhileThereIsNoReport) {
   EXPECT_EQ(Cause(channel().Read(into_)), std::errc::resource_unavailable_try_again);
-  EXPECT_FALSE(IsReadable(channel().pollable()));
+  if (subject_->wakes()) {
+    EXPECT_FALSE(IsReadable(channel().pollable()));
+  }
 }
 
 TEST_P(HidChannelContract, GivesReportsWholeInTheirOrderAndStamped) {
