@@ -25,8 +25,11 @@ class AlsaLoudspeaker final : public ports::Loudspeaker {
  private:
   AlsaLoudspeaker(std::string name, const Clock& clock, std::unique_ptr<AlsaPcm> pcm)
       : name_(std::move(name)), clock_(clock), pcm_(std::move(pcm)) {}
+  // Frames that the device accepted; `xrun` tells that it had run empty. Errors: as Write.
   Result<long> Queue(std::span<const std::int16_t> samples, bool& xrun);
+  // When a frame that is written now is heard.
   Time PlayoutTime();
+  // Keeps the error for every later call, unless trying again can help.
   tl::unexpected<Error> Failed(const Error& error);
 
   std::string name_;

@@ -28,8 +28,11 @@ class AlsaMicrophone final : public ports::Microphone {
  private:
   AlsaMicrophone(std::string name, const AlsaPreferences& preferences, const Clock& clock,
                  std::unique_ptr<AlsaPcm> pcm);
+  // Goes on after an overrun or a suspended bus; `answer` is the failed call's result. Errors: as Read.
   Result<void> RecoverStream(long answer);
+  // When the oldest frame that was not read was heard.
   Time TimeOfOldest();
+  // Tells that no frame waits, or that none has come for too long.
   tl::unexpected<Error> NothingYet();
   tl::unexpected<Error> Broken(const Error& error);
 

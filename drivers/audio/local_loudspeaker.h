@@ -30,8 +30,10 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
   Result<ports::Playout> Write(std::span<const std::int16_t> samples) override;
 
  private:
+  // Reads what the loudspeaker has told since the last call. Errors: as Write.
   Result<void> ReadNotes();
   Result<void> HandlePacket(std::span<const std::uint8_t> packet);
+  // Between two notes the queue is reckoned by the rate, so that stamps do not jump.
   double QueuedFrames(Time now) const;
   tl::unexpected<Error> Broken();
 
@@ -40,6 +42,7 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
   const Clock& clock_;
   ports::SoundFormat format_;
   double room_frames_ = 0;  // 0 before the hello.
+  // Frames since the loudspeaker was opened, which its notes count as well.
   std::uint64_t written_ = 0;
   std::optional<wire::PlayedNote> played_;  // The newest note.
   std::uint32_t reported_underruns_ = 0;

@@ -29,6 +29,7 @@ class LocalMicrophone final : public ports::Microphone {
 
  private:
   Result<std::span<const std::uint8_t>> Receive();
+  // Reads the format, which the first packet has. Errors: as Read.
   Result<void> ReadHello();
   tl::unexpected<Error> Broken();
 

@@ -68,7 +68,9 @@ class V4l2Camera final : public ports::Camera {
   // Keeps the newest whole frame of those that wait.
   Result<void> DrainAll(bool& torn);
   bool is_whole(const v4l2_buffer& dequeued) const;
+  // Whether the kernel reported another input signal.
   bool HasSourceChanged();
+  // The kernel's stamp where it is monotonic, else now.
   Time StampOf(const v4l2_buffer& dequeued) const;
   // Ends the stream: every later call says the same.
   tl::unexpected<Error> Broken(int error, const char* verb);

@@ -36,8 +36,10 @@ class ChipLines final : public ports::GpioLines {
     std::optional<LineEdge> next;     // Read from the kernel, and not yet given.
   };
   ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd wake);
+  // Requests an input and watches its descriptor. Errors: those of GpioChip.
   Result<void> AddInput(const LineWiring& wiring);
   Result<void> ReadAhead();
+  // Makes `wake_` readable exactly while an edge was read ahead.
   void UpdateWake();
 
   std::unique_ptr<GpioChip> chip_;  // Declared before the lines: it must outlive them.

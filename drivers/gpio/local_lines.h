@@ -39,6 +39,7 @@ class LocalLines final : public ports::GpioLines {
 
  private:
   tl::unexpected<Error> Broken();
+  // Notes that the panel is gone, and that the protocol was broken; both are told by every later call.
   tl::unexpected<Error> Gone();
 
   UniqueFd socket_;

@@ -55,12 +55,14 @@ class HidrawBus final : public ports::HidBus {
   void Add(udev_device* device);
   void RequestInitialReports(HidrawChannel& channel);
 
+  // Stamps the reports of every channel that this bus opens.
   const Clock& clock_;
   std::unique_ptr<udev, Unref> udev_;
   std::unique_ptr<udev_monitor, Unref> monitor_;
   std::map<std::string, Node> nodes_;  // By port.
   // Vendors and products that answered no request for initial reports.
   std::set<std::pair<std::uint16_t, std::uint16_t>> silent_kinds_;
+  // False until the first Ports: devices that were plugged in before have no notice.
   bool scanned_ = false;
 };
 

@@ -27,8 +27,11 @@ class LibusbBus final : public ports::HidBus {
  private:
   LibusbBus(std::unique_ptr<LibusbSession> session, const Clock& clock);
 
+  // For hot-plug and listings alone: every channel has a session
+  // of its own, so that its descriptor wakes for it alone.
   std::unique_ptr<LibusbSession> session_;
   const Clock& clock_;
+  // The registered call-back of libusb; 0: none.
   int hot_plug_ = 0;
 };
 

@@ -60,8 +60,10 @@ class LibusbChannel final : public ports::HidChannel {
   LibusbChannel(std::unique_ptr<LibusbSession> session, UsbHidInterface interface, const Clock& clock);
   // The steps of Open, in this order.
   Result<void> Claim();
+  // Reads the ids, the name and the report descriptor from the device; blocks as Open says.
   Result<void> ReadIdentity();
   std::string ReadName(std::uint8_t index);
+  // Allocates all transfers and submits those for reading: nothing is allocated afterwards.
   Result<void> Prepare();
   // Gives a transfer to libusb. Errors: those of libusb; the transfer is idle then.
   Result<void> Submit(Transfer& transfer);
@@ -82,8 +84,10 @@ class LibusbChannel final : public ports::HidChannel {
   std::array<Transfer, kWrites> writes_;
   std::unique_ptr<libusb_device_handle, Close>
       handle_;  // Closes before the transfers are freed: then libusb has let them go.
+  // Counts completed reports, so that they are given in their order.
   std::uint64_t arrivals_ = 0;
   bool claimed_ = false;
+  // The destructor runs: call-backs only end their transfers.
   bool closing_ = false;
   bool gone_ = false;
   bool broken_ = false;  // A transfer failed: told once, by the next Read that has no report.

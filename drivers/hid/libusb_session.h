@@ -26,6 +26,7 @@ struct UsbHidInterface {
   std::uint16_t descriptor_bytes = 0;  // Of its report descriptor; 0 where it tells none.
   std::uint8_t in_endpoint = 0;        // Interrupt endpoints; 0 where it has none.
   std::uint8_t out_endpoint = 0;
+  // wMaxPacketSize of the IN endpoint, without the bits for extra transactions.
   std::uint16_t in_packet_bytes = 0;
   std::unique_ptr<libusb_device, Unref> device;
 };
@@ -58,10 +59,12 @@ class LibusbSession {
     void operator()(libusb_context* context) const;
   };
   LibusbSession(libusb_context* context, UniqueFd epoll, UniqueFd waiting);
+  // libusb tells which of its descriptors are to be watched; these keep the epoll set the same.
   void Watch(int fd, short events);
   static void OnAdded(int fd, short events, void* self);
   static void OnRemoved(int fd, void* self);
 
+  // Declared before the context, which must end first.
   UniqueFd epoll_;
   UniqueFd readable_;
   std::unique_ptr<libusb_context, Exit> context_;

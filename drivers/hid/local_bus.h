@@ -39,10 +39,13 @@ class LocalHidBus final : public ports::HidBus {
   LocalHidBus(std::string folder, UniqueFd epoll) : folder_(std::move(folder)), epoll_(std::move(epoll)) {}
   // Makes and watches the folder, and connects to every device in it.
   Result<void> WatchFolder();
+  // Applies the folder's pending notices. Errors: those of watching it anew.
   Result<void> DrainNotices();
   // Drops what is known of a port, and connects anew where its socket exists.
   void Refresh(const std::string& port);
+  // Connects to the port's socket; the hello is awaited without blocking.
   void Connect(const std::string& port);
+  // Reads the hello where it has come, and settles the connection's state by it.
   void ReceiveHello(const std::string& port, Connection& connection);
   std::string PathOf(const std::string& port) const;
 

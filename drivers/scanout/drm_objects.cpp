@@ -7,6 +7,7 @@
 namespace kaori::scanout {
 
 Result<DrmValue> FindProperty(int card, DrmObject object, const char* name) {
+  // Names are compared once for each object and property: KmsKernel keeps the ids.
   const DrmProperties all(drmModeObjectGetProperties(card, object.id, object.kind));
   for (std::uint32_t i = 0; all && i < all->count_props; ++i) {
     const DrmProperty property(drmModeGetProperty(card, all->props[i]));

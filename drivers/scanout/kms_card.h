@@ -45,6 +45,7 @@ class KmsCard {
         // Hears nothing where a sandbox forbids it: then only cards work that notice by themselves.
         kernel_(shows_.get(), HotplugMonitor::Open().value_or(HotplugMonitor())) {}
 
+  // Declared first: the kernel object and screens use it until they end.
   UniqueFd shows_;
   GbmDevice draws_;
   std::string fd_keeper_;

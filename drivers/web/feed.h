@@ -44,10 +44,12 @@ class Feed {
   // MHD's call-backs: more bytes for a listener, and its end.
   static std::ptrdiff_t Read(void* listener, std::uint64_t position, char* into, std::size_t most);
   static void Leave(void* listener);
+  // Resumes a connection that waits for a message.
   void Wake(Listener& listener);
 
   std::string content_type_;
   std::string opening_;
+  // Only this message is kept: late listeners miss the ones before.
   std::string newest_;
   std::uint64_t number_ = 0;  // Of the newest message; 0 before the first.
   bool ended_ = false;

@@ -106,10 +106,12 @@ class HttpServer {
   };
   HttpServer(ServerOptions options, EventLoop& loop, const Clock& clock, Handler handler)
       : options_(std::move(options)), loop_(loop), clock_(clock), handler_(std::move(handler)) {}
+  // Opens the socket and starts MHD on it. Errors: as Open.
   Result<void> Start();
   // The handler's answer as MHD's response; null when memory is short.
   MHD_Response* Respond(const Request& request, MHD_Connection* connection, unsigned* status);
   void CloseSlowConnections();
+  // MHD's epoll descriptor, which the loop watches.
   int pollable() const;
 
   ServerOptions options_;
@@ -118,6 +120,7 @@ class HttpServer {
   Handler handler_;
   MHD_Daemon* daemon_ = nullptr;
   std::vector<Feed*> feeds_;  // Every feed that a handler returned so far.
+  // A list: MHD keeps pointers to its elements.
   std::list<Connection> connections_;
 };
 

@@ -67,6 +67,7 @@ class LibcameraDevice final : public RequestDevice {
  private:
   LibcameraDevice(std::shared_ptr<libcamera::Camera> camera, LibcameraHold& hold)
       : camera_(std::move(camera)), hold_(hold) {}
+  // The steps of Open, in this order.
   Result<void> Configure();
   Result<void> MapBuffers();
   Result<void> MapBuffer(std::uint32_t index, libcamera::FrameBuffer& buffer);
@@ -81,6 +82,7 @@ class LibcameraDevice final : public RequestDevice {
   std::unique_ptr<libcamera::CameraConfiguration> configuration_;
   std::unique_ptr<libcamera::FrameBufferAllocator> allocator_;
   std::vector<std::unique_ptr<libcamera::Request>> requests_;
+  // The mapped bytes of each buffer, with the requests' indices.
   std::vector<std::span<const std::uint8_t>> memory_;
   std::vector<bool> fresh_;  // Requests that were never queued.
   RequestStream stream_;

@@ -91,8 +91,11 @@ class RequestCamera final : public ports::Camera {
   std::unique_ptr<RequestDevice> device_;
   RequestStream stream_;
   const Clock& clock_;
+  // The frame that the caller reads.
   std::optional<CompletedRequest> held_;
+  // What every call says once the stream has ended.
   std::optional<Error> broken_;
+  // When the last frame came, or the stream started.
   Time newest_;
 };
 
