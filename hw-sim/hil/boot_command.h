@@ -1,4 +1,4 @@
-// `kaori-bench --boot`: the image in QEMU for a person to look at, as `./box boot` starts it.
+// Starts the image in QEMU for a person to look at: `kaori-bench --boot`, which is `./box boot`.
 #pragma once
 
 #include <string>

@@ -23,8 +23,7 @@ Result<void> Ok(const Result<BoardView>& board) {
 Result<void> Dials(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return Ok(before);
-  for (int dial = 0; dial < 8; ++dial)
-    scene.target.rig().devices().dial_box.Turn(dial, 0.125 * (dial + 1));
+  for (int dial = 0; dial < 8; ++dial) scene.target.rig().devices().dial_box.Turn(dial, 0.125 * (dial + 1));
   const auto turned = [&](const BoardView& board) {
     for (std::size_t n = 0; n < 8; ++n)
       if (board.counts[n] - before->counts[n] != kCountsPerTurn / 8 * static_cast<int>(n + 1)) return false;

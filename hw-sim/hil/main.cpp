@@ -121,7 +121,8 @@ int PrintCommand(const Settings& settings, const kaori::Size& size) {
   std::ifstream file(settings.image + "/cmdline");
   std::string line;
   if (!std::getline(file, line))
-    return Exit(kaori::Fail(std::errc::no_such_file_or_directory, "read " + settings.image + "/cmdline").value());
+    return Exit(
+        kaori::Fail(std::errc::no_such_file_or_directory, "read " + settings.image + "/cmdline").value());
   const std::string disk = settings.disk.empty() ? settings.image + "/kaori.disk" : settings.disk;
   const kaori::hil::Setup setup{
       .agent = false, .keeps_disk = settings.keep_disk, .graphics = kaori::hil::Graphics::kNone};
@@ -197,8 +198,7 @@ int main(int argc, char** argv) {
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.list) return List();
   const auto size = kaori::ParseSize(settings.size);
-  if (!size)
-    return Exit(kaori::FailInput("--size " + settings.size + ": expected such as 960x540").value());
+  if (!size) return Exit(kaori::FailInput("--size " + settings.size + ": expected such as 960x540").value());
   if (!settings.command.empty()) return PrintCommand(settings, *size);
   if (WantedChecks(settings).empty())
     return Exit(kaori::FailInput("no check is called " + settings.only).value());

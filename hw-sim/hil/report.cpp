@@ -61,7 +61,8 @@ std::string TextFile(const std::string& check, const std::string& text) {
 Result<void> WriteReport(const Report& report, const std::string& folder) {
   for (const ReportedCheck& check : report.checks)
     for (const auto& [name, text] : check.finding.texts)
-      if (auto ok = WriteWholeFile(folder + "/" + TextFile(check.name, name), {AsBytes(text)}); !ok) return ok;
+      if (auto ok = WriteWholeFile(folder + "/" + TextFile(check.name, name), {AsBytes(text)}); !ok)
+        return ok;
   if (auto ok = WriteWholeFile(folder + "/report.xml", {AsBytes(AsJUnit(report))}); !ok) return ok;
   return WriteWholeFile(folder + "/report.html", {AsBytes(AsPage(report))});
 }

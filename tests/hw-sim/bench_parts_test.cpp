@@ -178,36 +178,6 @@ TEST_F(Dumps, AreComparedPointByPoint) {
   EXPECT_FALSE(ChangedPart(Path("dump.png"), Path("missing.png")));
 }
 
-using Comparison = PartsFolder;
-
-// A PPM of one colour above and another below.
-std::string Ppm(int width_px, int height_px, unsigned char above, unsigned char below) {
-  std::string ppm = "P6\n" + std::to_string(width_px) + " " + std::to_string(height_px) + "\n255\n";
-  for (int y = 0; y < height_px; ++y)
-    ppm += std::string(3 * static_cast<std::size_t>(width_px),
-                       static_cast<char>(y < height_px / 2 ? above : below));
-  return ppm;
-}
-
-TEST_F(Comparison, IsZeroForOnePictureInTwoSizesAndOneForBlackAgainstWhite) {
-  Write("small.ppm", Ppm(60, 40, 10, 200));
-  Write("large.ppm", Ppm(480, 240, 10, 200));
-  Write("black.ppm", Ppm(60, 40, 0, 0));
-  Write("white.ppm", Ppm(60, 40, 255, 255));
-  EXPECT_EQ(MeanDifference(Path("small.ppm"), Path("large.ppm")), 0);
-  EXPECT_EQ(MeanDifference(Path("black.ppm"), Path("white.ppm")), 1);
-  Write("torn.ppm", Ppm(60, 40, 0, 0).substr(0, 600));
-  EXPECT_FALSE(MeanDifference(Path("black.ppm"), Path("torn.ppm")));
-}
-
-TEST_F(Comparison, HasControlsThatItFindsWrong) {
-  Write("face.ppm", Ppm(60, 40, 10, 200));
-  ASSERT_TRUE(WriteUpsideDown(Path("face.ppm"), Path("down.png")));
-  ASSERT_TRUE(WriteBlack(Path("face.ppm"), Path("black.png")));
-  EXPECT_GT(*MeanDifference(Path("face.ppm"), Path("down.png")), 0.5);
-  EXPECT_GT(*MeanDifference(Path("face.ppm"), Path("black.png")), 0.3);
-}
-
 using Disks = PartsFolder;
 
 std::string LittleEndian(std::uint64_t number, int bytes) {

@@ -184,6 +184,36 @@ TEST_F(Pictures, OfManyShadesMayShowOne) {
   EXPECT_FALSE(LookAt(Path("none.png")));
 }
 
+using Comparison = Folder;
+
+// A PPM of one colour above and another below.
+std::string Ppm(int width_px, int height_px, unsigned char above, unsigned char below) {
+  std::string ppm = "P6\n" + std::to_string(width_px) + " " + std::to_string(height_px) + "\n255\n";
+  for (int y = 0; y < height_px; ++y)
+    ppm += std::string(3 * static_cast<std::size_t>(width_px),
+                       static_cast<char>(y < height_px / 2 ? above : below));
+  return ppm;
+}
+
+TEST_F(Comparison, IsZeroForOnePictureInTwoSizesAndOneForBlackAgainstWhite) {
+  std::ofstream(Path("small.ppm")) << Ppm(60, 40, 10, 200);
+  std::ofstream(Path("large.ppm")) << Ppm(480, 240, 10, 200);
+  std::ofstream(Path("black.ppm")) << Ppm(60, 40, 0, 0);
+  std::ofstream(Path("white.ppm")) << Ppm(60, 40, 255, 255);
+  EXPECT_EQ(MeanDifference(Path("small.ppm"), Path("large.ppm")), 0);
+  EXPECT_EQ(MeanDifference(Path("black.ppm"), Path("white.ppm")), 1);
+  std::ofstream(Path("torn.ppm")) << Ppm(60, 40, 0, 0).substr(0, 600);
+  EXPECT_FALSE(MeanDifference(Path("black.ppm"), Path("torn.ppm")));
+}
+
+TEST_F(Comparison, HasControlsThatItFindsWrong) {
+  std::ofstream(Path("face.ppm")) << Ppm(60, 40, 10, 200);
+  ASSERT_TRUE(WriteUpsideDown(Path("face.ppm"), Path("down.png")));
+  ASSERT_TRUE(WriteBlack(Path("face.ppm"), Path("black.png")));
+  EXPECT_GT(*MeanDifference(Path("face.ppm"), Path("down.png")), 0.5);
+  EXPECT_GT(*MeanDifference(Path("face.ppm"), Path("black.png")), 0.3);
+}
+
 Report Sample() {
   Report report{.image = "out/image", .root_hash = "ab12", .boot_s = 30, .checks = {}};
   report.checks.push_back(
