@@ -11,6 +11,8 @@
 namespace kaori::hil {
 namespace {
 
+constexpr Duration kLongestBeginning = std::chrono::seconds(60);  // Of QEMU itself, on a busy machine.
+
 // One for each gadget.
 constexpr const char* kControllers = " dummy_hcd.num=3";
 
@@ -44,7 +46,11 @@ Result<void> QemuDriver::On() {
     window_.emplace(std::move(*window));
   }
   if (auto ok = Start(); !ok) return ok;
-  auto qmp = Qmp::Call(options_.folder + "/qmp", waiter_);
+  const std::string monitor = options_.folder + "/qmp";
+  const auto begins = [&] { return !process_->runs() || std::filesystem::exists(monitor); };
+  static_cast<void>(waiter_.Until(begins, kLongestBeginning));
+  if (!process_->runs()) return FailInput("QEMU ended at once; it said: " + log());
+  auto qmp = Qmp::Call(monitor, waiter_);
   if (!qmp) return tl::unexpected(qmp.error());
   qmp_.emplace(std::move(*qmp));
   return {};
@@ -66,7 +72,8 @@ Result<void> QemuDriver::Start() {
   line = setup_.agent ? BenchCommandLine(line) + (setup_.bench_kernel ? kControllers : "")
                       : LoggedCommandLine(line, options_.log_level);
   std::error_code ignored;
-  std::filesystem::remove(ConsolePath(options_), ignored);  // Of the machine before.
+  for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp"})
+    std::filesystem::remove(old, ignored);  // Of the machine before.
   std::vector<std::string> variables;
   if (window_) variables = {"DISPLAY=" + window_->name(), "SDL_VIDEODRIVER=x11"};
   auto process =
