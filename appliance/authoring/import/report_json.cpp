@@ -1,17 +1,15 @@
-#include <nlohmann/json.hpp>
-
 #include "appliance/authoring/import/report.h"
+#include "drivers/base/json.h"
 
 namespace kaori::import {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json OrNull(const std::string& text) {
-  return text.empty() ? Json(nullptr) : Json(text);
+json::Value OrNull(const std::string& text) {
+  return text.empty() ? json::Value() : json::Value(text);
 }
 
-Json ReportJsonRow(const std::string& name, const char* key, const std::string& what, const FitError& error) {
+json::Object ReportJsonRow(const std::string& name, const char* key, const std::string& what,
+                           const FitError& error) {
   return {{"name", name},
           {key, OrNull(what)},
           {"rms_mm", error.rms_mm},
@@ -19,26 +17,26 @@ Json ReportJsonRow(const std::string& name, const char* key, const std::string& 
           {"moves_mm", error.shape_mm}};
 }
 
-Json Shapes(const std::vector<ReportedShape>& shapes) {
-  Json list = Json::array();
+json::List Shapes(const std::vector<ReportedShape>& shapes) {
+  json::List list;
   for (const ReportedShape& shape : shapes)
-    list.push_back(ReportJsonRow(shape.name, "means", shape.meaning, shape.error));
+    list.emplace_back(ReportJsonRow(shape.name, "means", shape.meaning, shape.error));
   return list;
 }
 
 }  // namespace
 
 std::string JsonText(const Report& report) {
-  Json roles = Json::array();
+  json::List roles;
   for (const ReportedRole& role : report.roles)
-    roles.push_back(ReportJsonRow(role.name, "made_of", role.made_of, role.error));
-  const Json json{{"remarks", report.remarks},
-                  {"shapes", Shapes(report.shapes)},
-                  {"roles", std::move(roles)},
-                  {"shapes_on_show", Shapes(report.on_show)},
-                  {"shapes_not_mapped", UnmappedShapes(report)},
-                  {"roles_not_mapped", UnmappedRoles(report)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    roles.emplace_back(ReportJsonRow(role.name, "made_of", role.made_of, role.error));
+  const json::Object page{{"remarks", json::ListOf(report.remarks)},
+                          {"shapes", Shapes(report.shapes)},
+                          {"roles", std::move(roles)},
+                          {"shapes_on_show", Shapes(report.on_show)},
+                          {"shapes_not_mapped", json::ListOf(UnmappedShapes(report))},
+                          {"roles_not_mapped", json::ListOf(UnmappedRoles(report))}};
+  return json::Write(page, 2) + "\n";
 }
 
 }  // namespace kaori::import

@@ -4,15 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/state.h"
+#include "drivers/base/json.h"
 
 namespace kaori::authoring {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::uint16_t kSpace = 0x2C, kZ = 0x1D, kX = 0x1B;  // HID usage page 7.
 
@@ -40,20 +37,20 @@ double Short(float value) {
   return std::round(static_cast<double>(value) * 1e4) / 1e4;
 }
 
-Json DialsJson() {
+json::List DialsJson() {
   const performance::State opening;
-  Json dials = Json::array();
+  json::List dials;
   for (std::size_t n = 0; n < kDials.size(); ++n) {
     const Dial& dial = kDials[n];
     const performance::KnobRange& range = performance::kKnobRanges[n];
-    dials.push_back(
-        {{"text", dial.text},
-         {"unit", dial.unit},
-         {"low", Short(range.low)},
-         {"high", Short(range.high)},
-         {"per_turn", Short(range.per_turn)},
-         {"start", Short(opening.knobs[n])},
-         {"filled_by", dial.called_by == nullptr ? Json::array() : Json{dial.called_by, "scene"}}});
+    dials.push_back(json::Object{
+        {"text", dial.text},
+        {"unit", dial.unit},
+        {"low", Short(range.low)},
+        {"high", Short(range.high)},
+        {"per_turn", Short(range.per_turn)},
+        {"start", Short(opening.knobs[n])},
+        {"filled_by", dial.called_by == nullptr ? json::List{} : json::List{dial.called_by, "scene"}}});
   }
   return dials;
 }
@@ -80,24 +77,24 @@ Label LabelOf(const show::Call& call, const show::Show& show) {
   return {};
 }
 
-Json ButtonJson(const show::Call& call, const show::Show& show) {
+json::Object ButtonJson(const show::Call& call, const show::Show& show) {
   const Label label = LabelOf(call, show);
-  return Json{{"text", label.text}, {"group", label.group}};
+  return {{"text", label.text}, {"group", label.group}};
 }
 
-Json SticksJson() {
-  return Json::array({{{"text", "Head"}, {"twist", "Tilt"}, {"slide", "Lean in"}},
-                      {{"text", "Gaze and brows"}, {"twist", "Brows"}, {"slide", "Brows up"}}});
+json::List SticksJson() {
+  return {json::Object{{"text", "Head"}, {"twist", "Tilt"}, {"slide", "Lean in"}},
+          json::Object{{"text", "Gaze and brows"}, {"twist", "Brows"}, {"slide", "Brows up"}}};
 }
 
 // In the order in which hands find them: blinks, registered motions, scenes, and what else keys call.
-Json KeysJson(const show::Show& show) {
-  Json keys = Json::array();
+json::List KeysJson(const show::Show& show) {
+  json::List keys;
   const auto add = [&keys](std::uint16_t usage, const std::string& text, const char* group) {
-    if (usage != 0) keys.push_back({{"usage", usage}, {"text", text}, {"group", group}});
+    if (usage != 0) keys.push_back(json::Object{{"usage", usage}, {"text", text}, {"group", group}});
   };
   add(kSpace, "Blink", "blink");
-  add(kZ, "Wink left", "blink");  // As the audience sees her.
+  add(kZ, "Wink left", "blink");  // As the audience sees the face.
   add(kX, "Wink right", "blink");
   for (const show::Motion& motion : show.motions) add(motion.key_usage, Readable(motion.name), "motion");
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
@@ -117,15 +114,18 @@ std::string Readable(std::string name) {
 }
 
 std::string LabelsJson(const show::Show& show) {
-  Json buttons = Json::array();
-  for (const show::Call& call : show.buttons) buttons.push_back(ButtonJson(call, show));
-  Json scenes = Json::array();
-  for (const show::StageScene& scene : show.scenes) scenes.push_back(Readable(scene.name));
-  const Json labels{{"show", show.name},      {"dials", DialsJson()}, {"buttons", buttons},
-                    {"sticks", SticksJson()}, {"scenes", scenes},     {"styles", kStyles},
-                    {"keys", KeysJson(show)}};
+  json::List buttons, scenes;
+  for (const show::Call& call : show.buttons) buttons.emplace_back(ButtonJson(call, show));
+  for (const show::StageScene& scene : show.scenes) scenes.emplace_back(Readable(scene.name));
+  const json::Object labels{{"show", show.name},
+                            {"dials", DialsJson()},
+                            {"buttons", buttons},
+                            {"sticks", SticksJson()},
+                            {"scenes", scenes},
+                            {"styles", json::ListOf(kStyles)},
+                            {"keys", KeysJson(show)}};
   // A name that is not UTF-8 is shown with replacement signs.
-  return labels.dump(1, ' ', false, nlohmann::detail::error_handler_t::replace) + '\n';
+  return json::Write(labels, 1) + '\n';
 }
 
 }  // namespace kaori::authoring

@@ -5,12 +5,10 @@
 #include <charconv>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
+#include "drivers/base/json.h"
 
 namespace kaori::desk {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Finer than the page draws; equal states give equal text.
 double Rounded(float value) {
@@ -27,7 +25,7 @@ float Stretch(const board::Lips& lips) {
                         : 0.5F + 0.5F * Fraction(lips.width, 1, lips.wide);
 }
 
-Json MouthJson(const DeskFacts& facts) {
+json::Object MouthJson(const DeskFacts& facts) {
   const board::Lips& lips = facts.lips.value;
   const double age_ms = Seconds(facts.now - facts.lips.at) * 1e3;
   return {{"height", Rounded(lips.height)},
@@ -39,27 +37,29 @@ Json MouthJson(const DeskFacts& facts) {
           {"wide", Rounded(Stretch(lips))}};
 }
 
-Json SettingsJson(const lips::Report& report) {
-  Json json = Json::object();
+json::Object SettingsJson(const lips::Report& report) {
+  json::Object settings;
   for (std::size_t n = 0; n < lips::kSettingCount; ++n) {
     const lips::SettingRange range = lips::RangeOf(n);
-    json[std::string(range.name)] = {
-        {"value", Rounded(report.values[n])}, {"low", Rounded(range.low)}, {"high", Rounded(range.high)}};
+    settings.emplace_back(range.name, json::Object{{"value", Rounded(report.values[n])},
+                                                   {"low", Rounded(range.low)},
+                                                   {"high", Rounded(range.high)}});
   }
-  return json;
+  return settings;
 }
 
-Json ReportJson(const lips::Report& report) {
-  Json taken = Json::array();
+json::Object ReportJson(const lips::Report& report) {
+  json::List taken;
   for (int step = 0; step < lips::kStepCount; ++step)
     if ((report.taken >> step & 1U) != 0)
-      taken.push_back(std::string(lips::NameOf(static_cast<lips::CalibrationStep>(step))));
-  Json box;
+      taken.emplace_back(lips::NameOf(static_cast<lips::CalibrationStep>(step)));
+  json::Value box;
   if (report.box[2] > report.box[0])
-    box = {Rounded(report.box[0]), Rounded(report.box[1]), Rounded(report.box[2]), Rounded(report.box[3])};
+    box = json::ListOf(std::array{Rounded(report.box[0]), Rounded(report.box[1]), Rounded(report.box[2]),
+                                  Rounded(report.box[3])});
   return {{"answered", report.answered},
           {"complaint", report.complaint},
-          {"step", report.step ? Json(std::string(lips::NameOf(*report.step))) : Json()},
+          {"step", report.step ? json::Value(lips::NameOf(*report.step)) : json::Value()},
           {"progress", Rounded(report.progress)},
           {"taken", taken},
           {"changes", report.changes},
@@ -93,13 +93,13 @@ std::string StateJson(const DeskFacts& facts) {
   const board::StageStatus& stage = facts.stage.value;
   const bool lit = facts.stage.source == board::SourceState::kLive && stage.lips_age > Duration{} &&
                    facts.now - facts.stage.at < std::chrono::seconds(2);
-  return Json({{"lips", facts.report.has_value()},
-               {"camera", kStates[static_cast<std::size_t>(facts.lips.source)]},
-               {"mouth", MouthJson(facts)},
-               {"light_age_ms", lit ? Json(std::round(Seconds(stage.lips_age) * 1e3)) : Json()},
-               {"picture", facts.picture},
-               {"report", facts.report ? ReportJson(*facts.report) : Json()}})
-      .dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json::Write(
+      json::Object{{"lips", facts.report.has_value()},
+                   {"camera", kStates[static_cast<std::size_t>(facts.lips.source)]},
+                   {"mouth", MouthJson(facts)},
+                   {"light_age_ms", lit ? json::Value(std::round(Seconds(stage.lips_age) * 1e3)) : json::Value()},
+                   {"picture", facts.picture},
+                   {"report", facts.report ? json::Value(ReportJson(*facts.report)) : json::Value()}});
 }
 
 bool PrefersJapanese(std::string_view accept_language) {
