@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of the guide again, with the tools it tells of: docs/guide/pictures.sh [BUILD_FOLDER]
-# Needs a built house, ffmpeg and chromium.
+# Needs a built tree, ffmpeg and chromium.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 readonly BIN=${1:-out/build/release}/bin

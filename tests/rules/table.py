@@ -7,7 +7,7 @@ _BASE = ("firmware/wire/", "drivers/base/")
 _PORTS = _BASE + ("drivers/ports/",)
 _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "show", "performance"))
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "toml", "show", "performance"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
@@ -27,11 +27,12 @@ MAY_INCLUDE = (
     ("render/gl/", _DRAWING),
     ("render/passes/", _DRAWING + ("render/gl/", "render/image/", "render/shaders/")),
     ("appliance/core/board/", _PORTS),
+    ("appliance/core/toml/", ("drivers/base/",)),
     ("appliance/core/show/", _DRAWING),
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
     ("appliance/programs/boot/", _BASE),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
-    ("appliance/programs/input/", _DECODE + ("appliance/core/board/",)),
+    ("appliance/programs/input/", _DECODE + ("appliance/core/board/", "appliance/core/toml/")),
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
     ("appliance/programs/lips/", _PROGRAM),
@@ -64,14 +65,12 @@ LIBRARIES = (
     (("libusb", "libudev.h", "linux/hidraw.h", "hidapi"), ("drivers/hid/",)),
     (("linux/videodev2.h",), ("drivers/camera/",)),
     (("alsa/",), ("drivers/audio/", "appliance/programs/desk/")),
-    # Settings and the box's own expressions are TOML for people; shows are read by the atelier only.
-    (("toml++/",), ("appliance/authoring/", "appliance/programs/input/settings.cpp",
-                   "appliance/programs/editor/own_reader.cpp")),
+    (("toml++/",), ("appliance/core/toml/value.cpp",)),  # Seconds to compile: everybody else reads its values.
     (("libqhull", "meshoptimizer.h", "tiny_gltf.h", "tiny_obj_loader.h"),
      ("appliance/authoring/",)),
     (("microhttpd.h",), ("drivers/web/",)),
     (("gnutls/",), ("appliance/programs/desk/",)),
-    (("nlohmann/",), ("appliance/authoring/", "appliance/programs/desk/", "hw-sim/")),
+    (("nlohmann/",), ("hw-sim/",)),
     (("usbredir",), ("hw-sim/links/",)),
 )
 

@@ -11,6 +11,8 @@
 
 namespace kaori::appearance {
 
+// Interpolated over the triangle that covers it; lengths in centimetres of the unrolled surface, u positive
+// on the character's left.
 struct Texel {
   glm::vec2 place_cm{};   // Known everywhere, also outside the surface.
   float eye_ring = 0;     // 0 .. 7, never negative: it does not jump through 0 at an eye's corners.
@@ -36,6 +38,7 @@ struct Atlas {
 };
 
 // Rasterises the fine mesh in texture space. `attributes` holds one entry for each vertex of the cage.
+// The texture is `size_px` on a side. Pure.
 Atlas UnrollSurface(const face::Topology& topology, const std::vector<sculpt::PaintAttributes>& attributes,
                     int size_px);
 

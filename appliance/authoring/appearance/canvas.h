@@ -13,6 +13,7 @@
 
 namespace kaori::appearance {
 
+// What a texel holds while it is painted.
 struct Paint {
   glm::vec3 colour{};
   float gloss = 0;  // 0 matt .. 1 wet.
@@ -32,6 +33,7 @@ struct Stroke {
   glm::vec3 colour{};
 };
 
+// Not thread-safe. A place that the texture does not hold is clipped.
 class Canvas {
  public:
   // Borrows the atlas for its own life.
@@ -43,6 +45,7 @@ class Canvas {
   // The colour at a place, for strokes that take after what they lie on.
   glm::vec3 Sample(glm::vec2 place_cm) const;
 
+  // Rasterises the two halves of the stroke with soft edges of one texel; it is laid over what is there.
   void Draw(const Stroke& stroke);
 
   // The texture: what no triangle covers takes the colour of its nearest neighbours, so that neither

@@ -22,6 +22,7 @@ struct Patch {
   std::vector<float> across;  // Per column, 0..1.
 };
 
+// Grows by patches until Finish; not thread-safe. Points are not shared between patches.
 class ClothMesh {
  public:
   // Adds one side of a patch as it is.

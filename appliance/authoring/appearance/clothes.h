@@ -10,6 +10,8 @@
 
 namespace kaori::appearance {
 
+// Each function below makes the props of one cut, named after the face; `neck` is where the garment begins.
+// Pure; lengths of the arguments are centimetres, those of the props metres.
 using Garment = std::vector<face::Prop>;
 
 Garment SewBlouse(const std::string& face, const ClothesLook& look, const Neck& neck);

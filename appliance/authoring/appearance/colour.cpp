@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kSteps = 4096;  // Of the table from the square root of a linear value to its byte.
 
+// The sRGB transfer function of IEC 61966-2-1, decoding.
 float ToLinear(int byte) {
   const float c = static_cast<float>(byte) / 255.0F;
   return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
@@ -22,6 +23,7 @@ std::array<float, 256> MakeLinearTable() {
   return table;
 }
 
+// The same, encoding.
 std::uint8_t Encode(float linear) {
   const float c = linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
   return static_cast<std::uint8_t>(std::lround(c * 255));
@@ -54,6 +56,7 @@ glm::vec3 Hex(std::string_view text) {
   return colour.value_or(glm::vec3(1, 0, 1));
 }
 
+// The table runs over the square root, which spreads the dark end about as evenly as sRGB does itself.
 std::uint8_t ToSrgbByte(float linear) {
   static const auto kTable = MakeTable();
   const float root = std::sqrt(std::clamp(linear, 0.0F, 1.0F));

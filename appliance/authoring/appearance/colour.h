@@ -1,4 +1,4 @@
-// Colours of the wardrobe: linear RGB inside, "#rrggbb" in files and sRGB bytes in textures.
+// Colours: linear RGB inside, "#rrggbb" in files and sRGB bytes in textures.
 #pragma once
 
 #include <cstdint>

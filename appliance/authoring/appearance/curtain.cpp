@@ -16,6 +16,7 @@ constexpr int kCurtainColumns = 65;
 constexpr float kLocksAcross = 14;  // A sheet counts as so many locks, for the stripes on it.
 constexpr float kSheet_cm = 0.35F;  // Thickness of the curtain.
 
+// The part of the way that step i of `count` has come: 0 .. 1.
 float Share(int i, int count) {
   return static_cast<float>(i) / static_cast<float>(count - 1);
 }
@@ -42,6 +43,7 @@ float PartingAt(const HairLook& look, float around_deg) {
   return look.parting_deg + (kWhorl_deg - look.parting_deg) * back;
 }
 
+// What the skull's paths need to know about hair that hangs in the direction `around_deg`.
 Fall FallOf(const HairLook& look, float around_deg) {
   Fall fall;
   fall.end_y_cm = Table(look.ends_cm, FromFront(around_deg));

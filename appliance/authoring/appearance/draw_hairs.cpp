@@ -1,6 +1,5 @@
 // What is drawn hair by hair: brows, a moustache, the hairline; and lines and freckles.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -12,6 +11,7 @@
 namespace kaori::appearance {
 namespace {
 
+// Counter-clockwise, as u runs to the character's left and v up.
 glm::vec2 Turned(glm::vec2 d, float degrees) {
   const float c = std::cos(degrees * kRadPerDeg);
   const float s = std::sin(degrees * kRadPerDeg);
@@ -57,11 +57,11 @@ Stroke BrowHair(const BrowLook& look, Dice& dice) {
 
 // A trimmed moustache: hairs fall from under the nose to both sides.
 Stroke MoustacheHair(const MoustacheLook& look, Dice& dice) {
-  const float u = 0.03F + 2.05F * dice.Unit();
-  const float fall = 0.14F * u * u;
-  const float thick_cm = 0.24F * (1 - 0.7F * u / 2.3F);
-  const glm::vec2 root(u, -4.86F - fall - thick_cm * dice.Unit());
-  const float turn = -62 + 44 * Clamp01(u / 1.4F) + 12 * dice.Spread();
+  const float u = look.from_cm + look.reach_cm * dice.Unit();
+  const float fall = look.fall_per_cm * u * u;
+  const float thick_cm = look.thickness_cm * (1 - 0.7F * u / look.thins_over_cm);
+  const glm::vec2 root(u, look.y_cm - fall - thick_cm * dice.Unit());
+  const float turn = -62 + 44 * Clamp01(u / look.turns_over_cm) + 12 * dice.Spread();
   const float length_cm = dice.Between(0.22F, 0.42F);
   Stroke hair;
   hair.root_cm = root;
@@ -73,6 +73,7 @@ Stroke MoustacheHair(const MoustacheLook& look, Dice& dice) {
   return hair;
 }
 
+// Short hairs that break the edge of a painted scalp, denser than the eye can count: 900 a side.
 Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
   const float u = 12 * dice.Unit();
   const glm::vec2 root(u, Table(look.above_cm, u) + dice.Between(-0.45F, 0.7F));
@@ -86,41 +87,9 @@ Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
           look.colour * dice.Between(0.7F, 1.5F)};
 }
 
-// Soft creases of age: broad strokes of little strength.
-struct Crease {
-  std::array<glm::vec2, 3> points;
-  float half_width_cm;
-  float strength;
-};
+constexpr float kFrecklesFade_cm = 2.6F;  // To either side of their middle.
 
-constexpr std::array<Crease, 7> kCreases{{
-    {{{{1.75F, -3.7F}, {2.75F, -4.4F}, {2.95F, -5.9F}}}, 0.10F, 0.34F},  // From the nose to the mouth.
-    {{{{2.0F, -1.25F}, {3.2F, -2.0F}, {4.6F, -1.4F}}}, 0.07F, 0.24F},    // Under the eye.
-    {{{{5.5F, 0.2F}, {6.0F, 0.3F}, {6.5F, 0.6F}}}, 0.04F, 0.26F},        // Crow's feet.
-    {{{{5.5F, -0.1F}, {6.0F, -0.25F}, {6.4F, -0.45F}}}, 0.04F, 0.26F},
-    {{{{0.55F, 1.6F}, {0.5F, 2.2F}, {0.62F, 2.8F}}}, 0.05F, 0.20F},  // Between the brows.
-    {{{{0.0F, 4.2F}, {2.0F, 4.4F}, {4.2F, 4.0F}}}, 0.05F, 0.16F},    // On the forehead.
-    {{{{0.0F, 5.1F}, {1.8F, 5.3F}, {3.6F, 5.0F}}}, 0.05F, 0.13F},
-}};
-
-constexpr std::array<Crease, 15> kWrinkles{{
-    {{{{0.0F, 3.5F}, {1.9F, 3.65F}, {3.9F, 3.35F}}}, 0.05F, 0.22F},  // More on the forehead.
-    {{{{0.0F, 4.7F}, {2.1F, 4.85F}, {4.4F, 4.4F}}}, 0.06F, 0.26F},
-    {{{{0.0F, 5.7F}, {1.8F, 5.9F}, {3.8F, 5.5F}}}, 0.05F, 0.20F},
-    {{{{5.5F, 0.5F}, {6.1F, 0.8F}, {6.7F, 1.3F}}}, 0.05F, 0.32F},  // Crow's feet.
-    {{{{5.5F, 0.05F}, {6.2F, 0.1F}, {7.0F, 0.3F}}}, 0.05F, 0.32F},
-    {{{{5.4F, -0.4F}, {6.0F, -0.7F}, {6.7F, -1.1F}}}, 0.05F, 0.32F},
-    {{{{1.9F, -1.7F}, {3.2F, -2.5F}, {4.9F, -1.9F}}}, 0.09F, 0.30F},  // Bags under the eyes.
-    {{{{2.2F, -2.1F}, {3.3F, -2.95F}, {4.6F, -2.6F}}}, 0.06F, 0.18F},
-    {{{{1.6F, -3.7F}, {2.9F, -4.6F}, {3.2F, -6.4F}}}, 0.11F, 0.34F},    // From the nose, deep,
-    {{{{2.5F, -6.3F}, {2.75F, -7.2F}, {2.5F, -8.4F}}}, 0.10F, 0.32F},   // and from the mouth to the chin.
-    {{{{3.9F, -4.4F}, {4.5F, -6.0F}, {4.3F, -7.6F}}}, 0.08F, 0.16F},    // The cheek's fold.
-    {{{{0.45F, -4.75F}, {0.5F, -5.0F}, {0.5F, -5.2F}}}, 0.03F, 0.24F},  // Over the lip.
-    {{{{1.0F, -4.8F}, {1.1F, -5.05F}, {1.1F, -5.3F}}}, 0.03F, 0.24F},
-    {{{{0.0F, -12.2F}, {2.0F, -12.0F}, {4.2F, -11.0F}}}, 0.09F, 0.26F},  // The neck's.
-    {{{{0.0F, -13.6F}, {2.0F, -13.4F}, {4.2F, -12.4F}}}, 0.09F, 0.26F},
-}};
-
+// Multiplying the skin by a brownish shade darkens it as blood and shadow do, at every colour of skin.
 void DrawCrease(Canvas& canvas, const Crease& crease, float amount, glm::vec3 base) {
   if (amount <= 0) return;
   constexpr int kLayers = 5;  // From broad and faint to narrow: a soft crease.
@@ -129,7 +98,7 @@ void DrawCrease(Canvas& canvas, const Crease& crease, float amount, glm::vec3 ba
     for (int layer = 0; layer < kLayers; ++layer) {
       const float width = 2.2F - 1.9F * static_cast<float>(layer) / (kLayers - 1);
       DrawOnSide(canvas,
-                 {crease.points[0], crease.points[1], crease.points[2], crease.half_width_cm * width,
+                 {crease.path_cm[0], crease.path_cm[1], crease.path_cm[2], crease.half_width_cm * width,
                   amount * crease.strength / kLayers, shade},
                  side);
     }
@@ -163,10 +132,9 @@ void DrawBrows(Canvas& canvas, const BrowLook& look) {
 
 void DrawMoustache(Canvas& canvas, const MoustacheLook& look) {
   if (look.amount <= 0) return;
-  constexpr int kHairs = 330;
   for (const float side : {1.0F, -1.0F}) {
     Dice dice(side > 0 ? 21 : 22);
-    for (int i = 0; i < kHairs; ++i) DrawOnSide(canvas, MoustacheHair(look, dice), side);
+    for (int i = 0; i < look.hairs; ++i) DrawOnSide(canvas, MoustacheHair(look, dice), side);
   }
 }
 
@@ -180,18 +148,19 @@ void DrawHairline(Canvas& canvas, const ScalpLook& look) {
 }
 
 void DrawLines(Canvas& canvas, const SkinLook& look) {
-  for (const Crease& crease : kCreases) DrawCrease(canvas, crease, look.lines, look.base);
-  for (const Crease& crease : kWrinkles) DrawCrease(canvas, crease, look.wrinkles, look.base);
+  for (const Creases* kind : {&look.lines, &look.wrinkles})
+    for (const Crease& crease : kind->creases) DrawCrease(canvas, crease, kind->amount, look.base);
 }
 
 void DrawFreckles(Canvas& canvas, const SkinLook& look) {
   Dice dice(41);
   const int count = static_cast<int>(look.freckles * 130);
+  const auto& [at, spread] = look.freckles_spot;
   for (int i = 0; i < count; ++i) {
     const float side = dice.Unit() < 0.5F ? -1.0F : 1.0F;
-    const glm::vec2 p(std::abs(2.7F + 2.4F * dice.Spread()), -2.3F + 1.4F * dice.Spread());
+    const glm::vec2 p(std::abs(at.x + spread.x * dice.Spread()), at.y + spread.y * dice.Spread());
     const glm::vec2 size(dice.Between(0.01F, 0.05F), dice.Between(-0.02F, 0.02F));
-    const float opacity = dice.Between(0.12F, 0.4F) * Bell(p.x - 2.7F, 2.6F);
+    const float opacity = dice.Between(0.12F, 0.4F) * Bell(p.x - at.x, kFrecklesFade_cm);
     DrawOnSide(canvas, {p, p + size * 0.5F, p + size, dice.Between(0.03F, 0.06F), opacity, Hex("#a65a3a")},
                side);
   }

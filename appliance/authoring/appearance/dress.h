@@ -1,4 +1,4 @@
-// The wardrobe: paints, combs and dresses a sculpted cast.
+// The appearance of a cast: sculpted faces are painted, combed and dressed.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 
 namespace kaori::appearance {
 
+// Smaller ones make tests quick; packs are made with these.
 struct DressOptions {
   int texture_px = 1024;      // A power of two, 64 .. 4096.
   int shade_directions = 72;  // More are smoother, and slower.

@@ -8,6 +8,7 @@
 
 namespace kaori::appearance {
 
+// Mirrored pieces are added twice, once on each side. Gear has no strands: its shine is even.
 void AddGear(ClothMesh& mesh, const GearLook& look);
 void AddBundles(ClothMesh& mesh, const std::vector<Bundle>& bundles);
 

@@ -9,6 +9,8 @@
 namespace kaori::appearance {
 
 // A bob: a curtain from the temples round the back, a fringe, and locks over both. About 12 000 triangles.
+// Adds the hair to `mesh`, in centimetres; the look must be one that was read without a fault. What varies
+// from lock to lock comes of look.seed, the same on every machine.
 void CutBob(ClothMesh& mesh, const HairLook& look);
 
 // Short hair, combed back from the hairline; the nape as in a bob.

@@ -22,17 +22,21 @@ float RingAt(int ring, int rings) {
   return 0.985F * static_cast<float>(ring) / static_cast<float>(rings - 2);
 }
 
+// Opens from the root to its full width, holds it, and tapers to the tip, which closes in a point at t = 1.
 float WidthAt(const LockShape& s, float t) {
   if (t >= 1) return 0;
   const float opening = s.root + (1 - s.root) * SmoothStep(0, s.full_from, t);
   return s.width_cm * opening * (1 - (1 - s.tip) * SmoothStep(s.tapers_from, 1, t));
 }
 
+// A lock is thinnest at both ends; the numbers are parts of its thickness.
 float ThicknessAt(const LockShape& s, float t) {
   if (t >= 1) return 0;
   return s.thickness_cm * (0.35F + 0.65F * SmoothStep(0, 0.4F, t)) * (1 - 0.8F * SmoothStep(0.7F, 1, t));
 }
 
+// `side` lies across the path in the scalp's tangent plane and `out` stands off it, so that the lens lies
+// flat on the head however the path turns.
 void AddRing(Patch& patch, const Skull& skull, const Path& path, const LockShape& shape, float t) {
   const glm::vec3 p = path(t);
   const glm::vec3 along = glm::normalize(path(std::min(1.0F, t + 0.01F)) - path(std::max(0.0F, t - 0.01F)));

@@ -8,6 +8,7 @@
 
 namespace kaori::appearance {
 
+// Sizes of a lock in the middle, and how it changes along its length, 0 at the root and 1 at the tip.
 struct LockShape {
   float width_cm = 2;
   float thickness_cm = 0.4F;
@@ -20,6 +21,8 @@ struct LockShape {
 
 using Path = std::function<glm::vec3(float t)>;  // t 0 at the root .. 1 at the tip; centimetres.
 
+// Adds shape.rings times eight points. `path` is asked for points a little before and after t, too, always
+// within 0 .. 1; the skull says which way is outwards.
 void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape);
 
 }  // namespace kaori::appearance

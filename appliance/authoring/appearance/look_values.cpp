@@ -3,11 +3,12 @@
 #include <string>
 
 #include "appliance/authoring/appearance/colour.h"
+#include "appliance/core/toml/nearest.h"
 
 namespace kaori::appearance {
 
-using sculpt::Section;
-using sculpt::Value;
+using toml::Section;
+using toml::Value;
 
 float Real(Section& s, std::string_view key) {
   return static_cast<float>(s.Number(key));
@@ -30,7 +31,7 @@ float NotNegative(Section& s, std::string_view key, float otherwise) {
 }
 
 glm::vec3 Colour(Section& s, std::string_view key) {
-  const auto colour = ColourFromHex(s.Word(key));
+  const auto colour = ColourFromHex(s.Text(key));
   if (!colour) s.Fault(key, "must be a colour such as \"#f2cbb3\"");
   return colour.value_or(glm::vec3(0));
 }
@@ -43,6 +44,26 @@ bool IsPair(const Value& v) {
 }
 
 }  // namespace
+
+glm::vec2 Pair(Section& s, std::string_view key) {
+  const Value* value = s.Find(key);
+  if (value != nullptr && IsPair(*value)) return {value->list[0].number, value->list[1].number};
+  s.Fault(key, value == nullptr ? "is missing" : "must be two numbers [x, y]");
+  return {};
+}
+
+std::vector<glm::vec2> Positions(Section& s, std::string_view key) {
+  std::vector<glm::vec2> positions;
+  const Value* value = s.Find(key);
+  if (value == nullptr) s.Fault(key, "is missing");
+  if (value == nullptr) return positions;
+  for (const Value& pair : value->list)
+    if (IsPair(pair))
+      positions.emplace_back(pair.list[0].number, pair.list[1].number);
+    else
+      s.Fault(key, "must be a list of pairs [x, y]");
+  return positions;
+}
 
 Knots Pairs(Section& s, std::string_view key) {
   Knots knots;
@@ -69,13 +90,13 @@ Knots PairsOrNone(Section& s, std::string_view key) {
 }
 
 std::size_t OneOf(Section& s, std::string_view key, std::span<const std::string_view> words) {
-  const std::string word = s.Word(key);
+  const std::string word = s.Text(key);
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (word == words[i]) return i;
     list += (i == 0 ? "\"" : ", \"") + std::string(words[i]) + "\"";
   }
-  s.Fault(key, "must be one of " + list);
+  s.Fault(key, "must be one of " + list + toml::DidYouMean(word, {words.begin(), words.end()}));
   return 0;
 }
 

@@ -21,19 +21,72 @@ using Knots = std::vector<glm::vec2>;  // A table: x ascending.
 // plates.
 enum class Hide { kSkin, kCoat, kMetal, kPaint, kShell };
 
+// A round spot on each cheek, or a pair of nostrils: its middle on the character's left, and how far it
+// reaches.
+struct Spot {
+  glm::vec2 at_cm{};
+  glm::vec2 radii_cm{1, 1};
+};
+
+// A soft crease of age: a broad stroke of little strength through three points, on both sides of the face.
+struct Crease {
+  std::array<glm::vec2, 3> path_cm{};
+  float half_width_cm = 0;
+  float strength = 0;  // 0 .. 1, times the amount of its kind.
+};
+struct Creases {
+  float amount = 0;  // 0: none.
+  std::vector<Crease> creases;
+};
+
+// A dog's coat: where its parts lie. Edges that fade have two numbers, from where to where.
+struct CoatLook {
+  Spot nose, nostrils, dots;  // Dots: light ones over the eyes.
+  glm::vec2 slit_top_cm{}, slit_bottom_cm{};
+  glm::vec2 muzzle_y_cm{}, muzzle_x_cm{};  // Cream from the first to the second; outwards it ends at x.
+  glm::vec2 blaze_x_cm{}, blaze_bottom_cm{}, blaze_top_cm{};
+  glm::vec2 crown_y_cm{}, back_x_cm{};                // Darker fur.
+  glm::vec2 neck_y_cm{}, cheek_x_cm{}, cheek_y_cm{};  // Where fur hangs to the side.
+  std::vector<glm::vec2> whiskers_cm;
+};
+
+// A kettle of metal: heights of its parts.
+struct MetalLook {
+  float lid_groove_cm = 0;
+  float knob_cm = 0;   // The knob's foot.
+  float belly_cm = 0;  // Where soot begins.
+};
+
+// A shell of plates: its seams, as lines of the parameter space.
+struct ShellLook {
+  struct Level {
+    float v_cm, from_cm, to_cm;
+  };
+  std::vector<float> upright_cm;
+  std::vector<Level> level;
+  float rivets_cm = 1.5F;  // From rivet to rivet.
+};
+
 struct SkinLook {
   Hide hide = Hide::kSkin;
   glm::vec3 base{};
   glm::vec3 blush{};
   float blush_amount = 0;
+  Spot blush_spot;     // Of a shell: a disc, whose edge fades from the first to the second radius.
   float freckles = 0;  // 0 none .. 1 many.
+  Spot freckles_spot;
   float stubble = 0;   // A shaved beard's shade.
-  float lines = 0;     // Of age: beside the nose, on the forehead, under the eyes.
-  float wrinkles = 0;  // Of great age: many more of them.
+  Creases lines;       // Of age: beside the nose, on the forehead, under the eyes.
+  Creases wrinkles;    // Of great age: many more of them.
   float gloss = 0.1F;  // 0 matt .. 1 wet.
   float nostrils = 1;
+  Spot nostrils_spot;
+  CoatLook coat;  // Of the hide that is one.
+  MetalLook metal;
+  ShellLook shell;
 };
 
+// Brows are painted first as a soft band, and hairs are drawn over it one by one.
 struct BrowLook {
   glm::vec3 colour{};
   float amount = 0;     // 0: no brows.
@@ -43,6 +96,7 @@ struct BrowLook {
   float smudge = 0;     // Of a solid brow's edge: 0 sharp .. 1 all fading.
 };
 
+// Paint of the lids: shadow up to the fold, and a line along the lashes.
 struct LidLook {
   glm::vec3 shadow{};
   float shadow_amount = 0;
@@ -51,6 +105,7 @@ struct LidLook {
   float flesh = 1;  // The pink of the inner corner and of the rims; 0 on what is no flesh.
 };
 
+// Paint of the lips, and of the mouth behind them.
 struct LipLook {
   glm::vec3 colour{};
   float amount = 0;
@@ -58,9 +113,18 @@ struct LipLook {
   glm::vec3 inside{};  // Of the mouth.
 };
 
+// Hairs fall from a line under the nose to both sides.
 struct MoustacheLook {
   float amount = 0;  // 0: none.
   glm::vec3 colour{};
+  float from_cm = 0;       // From the middle,
+  float reach_cm = 0;      // so far outwards;
+  float y_cm = 0;          // the line's height in the middle,
+  float fall_per_cm = 0;   // by how much it falls: times the square of the distance.
+  float thickness_cm = 0;  // In the middle; 70 % less at thins_over_cm.
+  float thins_over_cm = 1;
+  float turns_over_cm = 1;  // Hairs hang in the middle and lie along the line from here on.
+  int hairs = 0;            // A side.
 };
 
 // Painted skin under the hair, above a line: height over distance from the middle.
@@ -70,6 +134,7 @@ struct ScalpLook {
   float ragged = 1;  // Of its edge: 0 is painted with a brush, 1 grows.
 };
 
+// The iris and its lashes. `lash_wing_cm` is how far the outermost lash sticks out beyond the corner.
 struct EyePaint {
   glm::vec3 iris{};
   float iris_radius_cm = 1;
@@ -86,6 +151,8 @@ struct Bundle {
   bool mirrored = false;           // One on each side.
 };
 
+// A cut, and the skull that it grows on. Angles go round the head in degrees: 0 in front, 180 behind, the
+// same on both sides.
 struct HairLook {
   std::string cut = "none";  // "none", "bob" or "swept".
   glm::vec3 colour{};
@@ -117,6 +184,7 @@ struct GearLook {
   bool mirrored = false;           // One on each side.
 };
 
+// Each cut knows what main, collar and accent are on it.
 struct ClothesLook {
   std::string cut = "none";  // "none", "blouse", "knit", "jacket", "fur", "kimono" or "hull".
   glm::vec3 main{};
@@ -126,6 +194,8 @@ struct ClothesLook {
   float rise_cm = 0;        // All sits so much higher: for a short neck.
 };
 
+// How the renderer lights the face: `softness` 0 .. 1 lets light wrap round it, `metal` 0 .. 1 mirrors the
+// surroundings, `flat` is its one colour in the flat style.
 struct SurfacePaint {
   float softness = 1;
   float metal = 0;
@@ -133,6 +203,7 @@ struct SurfacePaint {
   float print = 0;  // 1: drawn as a poster print.
 };
 
+// Everything that looks/NAME.toml says.
 struct FaceLook {
   SkinLook skin;
   BrowLook brows;

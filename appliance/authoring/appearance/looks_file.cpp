@@ -1,35 +1,53 @@
 #include <array>
 #include <string_view>
 
-#include "appliance/authoring/sculpt/section.h"
+#include <fmt/format.h>
+
 #include "appliance/authoring/appearance/colour.h"
 #include "appliance/authoring/appearance/look_values.h"
 #include "appliance/authoring/appearance/looks.h"
+#include "appliance/authoring/appearance/skin_file.h"
 #include "appliance/authoring/appearance/worn_file.h"
+#include "appliance/core/toml/section.h"
 
 namespace kaori::appearance {
 namespace {
 
-using sculpt::Section;
-using sculpt::Value;
+using toml::Section;
+using toml::Value;
+
+constexpr int kMostHairs = 5000;  // Of a brow or a moustache, a side.
+
+// In centimetres; outside of it a length was meant in metres or in millimetres.
+constexpr toml::Range kIrisRadius_cm{0.1, 8};
+constexpr toml::Range kLash_cm{0, 5};
+constexpr float kLeastBrow_cm = 0.3F, kFarthestBrow_cm = 30;  // How far from the nose a brow ends.
 
 const glm::vec3 kInsideOfAMouth = Hex("#4a1214");
 
 SkinLook ReadSkin(Section s) {
-  s.AllowOnly({"hide", "base", "blush", "blush_amount", "freckles", "stubble", "lines", "wrinkles", "gloss",
-               "nostrils"});
+  s.AllowOnly({"hide", "base", "blush", "blush_amount", "blush_at", "blush_radii", "freckles", "freckles_at",
+               "freckles_spread", "stubble", "lines", "wrinkles", "gloss", "nostrils", "nostrils_at",
+               "nostril_radii", "coat", "metal", "shell"});
   SkinLook skin;
   constexpr std::array<std::string_view, 5> kHides{"skin", "coat", "metal", "paint", "shell"};
   skin.hide = static_cast<Hide>(OneOf(s, "hide", kHides));
   skin.base = Colour(s, "base");
   skin.blush = Colour(s, "blush");
   skin.blush_amount = Share(s, "blush_amount", 0);
+  if (skin.blush_amount > 0) skin.blush_spot = {Pair(s, "blush_at"), Pair(s, "blush_radii")};
   skin.freckles = Share(s, "freckles", 0);
+  if (skin.freckles > 0) skin.freckles_spot = {Pair(s, "freckles_at"), Pair(s, "freckles_spread")};
   skin.stubble = Share(s, "stubble", 0);
-  skin.lines = Share(s, "lines", 0);
-  skin.wrinkles = Share(s, "wrinkles", 0);
+  if (s.Has("lines")) skin.lines = ReadCreases(s.Part("lines"));
+  if (s.Has("wrinkles")) skin.wrinkles = ReadCreases(s.Part("wrinkles"));
   skin.gloss = Share(s, "gloss", 0.1F);
   skin.nostrils = Share(s, "nostrils", 1);
+  const bool has_nostrils = skin.nostrils > 0 && (skin.hide == Hide::kSkin || skin.hide == Hide::kPaint);
+  if (has_nostrils) skin.nostrils_spot = {Pair(s, "nostrils_at"), Pair(s, "nostril_radii")};
+  if (skin.hide == Hide::kCoat) skin.coat = ReadCoat(s.Part("coat"));
+  if (skin.hide == Hide::kMetal) skin.metal = ReadMetal(s.Part("metal"));
+  if (skin.hide == Hide::kShell) skin.shell = ReadShell(s.Part("shell"));
   return skin;
 }
 
@@ -40,9 +58,13 @@ BrowLook ReadBrows(Section s) {
   brows.amount = Share(s, "amount", 1);
   brows.path_cm = Pairs(s, "path");
   brows.half_width_cm = Pairs(s, "half_width");
+  if (const float end_cm = brows.path_cm.empty() ? kLeastBrow_cm : brows.path_cm.back().x;
+      end_cm < kLeastBrow_cm || end_cm > kFarthestBrow_cm)
+    s.Fault("path", fmt::format("ends at x = {}, and must end between {} and {}: lengths are centimetres",
+                                end_cm, kLeastBrow_cm, kFarthestBrow_cm));
   brows.hairs = static_cast<int>(NotNegative(s, "hairs", 0));
   brows.smudge = Share(s, "smudge", 0);
-  if (brows.hairs > 5000) s.Fault("hairs", "must not exceed 5000");
+  if (brows.hairs > kMostHairs) s.Fault("hairs", fmt::format("must not exceed {}", kMostHairs));
   return brows;
 }
 
@@ -60,10 +82,9 @@ LipLook ReadLips(Section s) {
 
 EyePaint ReadEyes(Section s) {
   s.AllowOnly({"iris", "iris_radius", "lash_length", "lash_wing"});
-  EyePaint eyes{Colour(s, "iris"), Real(s, "iris_radius"), NotNegative(s, "lash_length", 0),
-                NotNegative(s, "lash_wing", 0)};
-  if (!(eyes.iris_radius_cm > 0)) s.Fault("iris_radius", "must be greater than 0");
-  return eyes;
+  return {Colour(s, "iris"), static_cast<float>(s.Length_cm("iris_radius", kIrisRadius_cm)),
+          static_cast<float>(s.Length_cmOr("lash_length", 0, kLash_cm)),
+          static_cast<float>(s.Length_cmOr("lash_wing", 0, kLash_cm))};
 }
 
 SurfacePaint ReadSurface(Section s) {
@@ -72,8 +93,17 @@ SurfacePaint ReadSurface(Section s) {
 }
 
 MoustacheLook ReadMoustache(Section s) {
-  s.AllowOnly({"amount", "colour"});
-  return {Share(s, "amount", 1), Colour(s, "colour")};
+  s.AllowOnly(
+      {"amount", "colour", "from", "reach", "y", "fall", "thickness", "thins_over", "turns_over", "hairs"});
+  MoustacheLook look{Share(s, "amount", 1), Colour(s, "colour"),
+                     Real(s, "from"),       Real(s, "reach"),
+                     Real(s, "y"),          Real(s, "fall"),
+                     Real(s, "thickness"),  Real(s, "thins_over"),
+                     Real(s, "turns_over"), static_cast<int>(NotNegative(s, "hairs", 300))};
+  if (!(look.thins_over_cm > 0)) s.Fault("thins_over", "must be greater than 0");
+  if (!(look.turns_over_cm > 0)) s.Fault("turns_over", "must be greater than 0");
+  if (look.hairs > kMostHairs) s.Fault("hairs", fmt::format("must not exceed {}", kMostHairs));
+  return look;
 }
 
 ScalpLook ReadScalp(Section s) {
@@ -84,9 +114,9 @@ ScalpLook ReadScalp(Section s) {
 }  // namespace
 
 Result<FaceLook> ReadLook(const std::filesystem::path& file) {
-  const Result<Value> value = sculpt::ReadToml(file);
+  const Result<Value> value = toml::ReadToml(file);
   if (!value) return tl::unexpected(value.error());
-  sculpt::Faults faults(file.string());
+  toml::Faults faults(file.string());
   Section s(*value, "", faults);
   s.AllowOnly(
       {"skin", "brows", "lids", "lips", "eyes", "surface", "moustache", "scalp", "hair", "gear", "clothes"});

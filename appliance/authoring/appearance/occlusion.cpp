@@ -20,6 +20,8 @@ glm::vec3 SphereDirection(int i, int count) {
 }
 
 // A depth picture seen from far away along -`to_light`; larger is nearer to the light.
+// Orthographic, since the light comes from afar: x and y span the picture, z points to the light. All in
+// metres before Project, in pixels and metres of depth after it.
 class DepthPicture {
  public:
   DepthPicture(glm::vec3 to_light, const OcclusionSettings& settings)
@@ -79,6 +81,7 @@ class DepthPicture {
   std::vector<float> depth_;
 };
 
+// Props reach far below the picture's edge; what lies there costs pixels and shades nothing that is seen.
 bool Inside(const glm::vec3& p, const OcclusionSettings& s) {
   return p.x > s.low_m.x && p.y > s.low_m.y && p.z > s.low_m.z && p.x < s.high_m.x && p.y < s.high_m.y &&
          p.z < s.high_m.z;
@@ -96,6 +99,10 @@ std::vector<face::Triangle> TrianglesInside(const Shell& shell, const OcclusionS
 
 }  // namespace
 
+// The integral of visibility times the cosine over the hemisphere of each normal, divided by that of the
+// cosine alone: ambient occlusion as in Zhukov et al. 1998. Each direction is one depth picture of the whole
+// figure, in which all probes are looked up. A probe is lifted off its surface twice, along the normal and in
+// depth, or surfaces would shade themselves by the picture's pixels.
 std::vector<float> MeasureOpenness(const Shell& shell, const std::vector<Probe>& probes,
                                    const OcclusionSettings& settings) {
   const std::vector<face::Triangle> triangles = TrianglesInside(shell, settings);
@@ -119,6 +126,8 @@ std::vector<float> MeasureOpenness(const Shell& shell, const std::vector<Probe>&
   return seen;
 }
 
+// Half its own value, half the mean of its neighbours over triangles' edges; an edge that two triangles share
+// counts twice.
 void SmoothOver(const std::vector<face::Triangle>& triangles, int steps, std::vector<float>& values) {
   std::vector<float> sum(values.size());
   std::vector<float> count(values.size());
@@ -137,6 +146,8 @@ void SmoothOver(const std::vector<face::Triangle>& triangles, int steps, std::ve
   }
 }
 
+// Weighted by the triangles' areas, as the cross product comes; 1e6 keeps areas of square millimetres away
+// from a float's small end.
 std::vector<glm::vec3> VertexNormals(const std::vector<glm::vec3>& positions,
                                      const std::vector<face::Triangle>& triangles) {
   std::vector<glm::vec3> normals(positions.size());

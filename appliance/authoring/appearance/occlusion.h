@@ -24,6 +24,8 @@ struct Probe {
   float lift_m = 0.0035F;  // Lifted off its own surface by this much; as much again is forgiven.
 };
 
+// The box holds a head and its shoulders, in metres of the cast's frame (+x the character's left, +y up, +z
+// forwards).
 struct OcclusionSettings {
   int directions = 72;
   int picture_px = 192;
@@ -32,6 +34,7 @@ struct OcclusionSettings {
 };
 
 // One value for each probe: 0 shut in .. 1 open to all sides; cosine-weighted.
+// Takes time in proportion to directions times (triangles + probes). Borrows nothing.
 std::vector<float> MeasureOpenness(const Shell& shell, const std::vector<Probe>& probes,
                                    const OcclusionSettings& settings);
 

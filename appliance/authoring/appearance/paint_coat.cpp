@@ -4,74 +4,78 @@
 
 #include <glm/geometric.hpp>
 
-#include "appliance/authoring/sculpt/texture_map.h"
 #include "appliance/authoring/appearance/colour.h"
 #include "appliance/authoring/appearance/painter.h"
 #include "appliance/authoring/appearance/shaping.h"
+#include "appliance/authoring/sculpt/texture_map.h"
 
 namespace kaori::appearance {
 namespace {
 
-constexpr glm::vec2 kNose_cm{0, -3.45F};
+// 0 at the first number of an edge that fades, 1 at the second.
+float Edge(glm::vec2 from_to_cm, float x_cm) {
+  return SmoothStep(from_to_cm.x, from_to_cm.y, x_cm);
+}
 
 // 1 on the nose, 0 off it.
-float Nose(glm::vec2 p) {
-  const glm::vec2 q = (p - kNose_cm) / glm::vec2(1.45F, 0.95F);
+float Nose(glm::vec2 p, const CoatLook& coat) {
+  const glm::vec2 q = (p - coat.nose.at_cm) / coat.nose.radii_cm;
   return SmoothStep(1.12F, 0.88F, glm::length(q));
 }
 
 // Muzzle, throat and blaze.
-float Cream(glm::vec2 p) {
+float Cream(glm::vec2 p, const CoatLook& coat) {
   const float ragged = 0.5F * (Noise(p.x * 1.6F, p.y * 1.6F) - 0.5F);
   const float muzzle =
-      SmoothStep(-1.2F, -3.4F, p.y + 0.25F * p.x + ragged) * SmoothStep(5.8F, 3.2F, p.x + ragged);
-  const float blaze = 0.95F * SmoothStep(1.15F, 0.35F, p.x + 0.12F * std::abs(p.y - 2) + 0.4F * ragged) *
-                      SmoothStep(-2.5F, 0, p.y) * SmoothStep(7.5F, 4, p.y);
+      Edge(coat.muzzle_y_cm, p.y + 0.25F * p.x + ragged) * Edge(coat.muzzle_x_cm, p.x + ragged);
+  const float blaze = 0.95F * Edge(coat.blaze_x_cm, p.x + 0.12F * std::abs(p.y - 2) + 0.4F * ragged) *
+                      Edge(coat.blaze_bottom_cm, p.y) * Edge(coat.blaze_top_cm, p.y);
   return Clamp01(muzzle + blaze);
 }
 
 // The direction in which fur lies, on the character's left.
-glm::vec2 Lie(glm::vec2 p, float ear_ring) {
+glm::vec2 Lie(glm::vec2 p, float ear_ring, const CoatLook& coat) {
   if (ear_ring > 0.1F) return {0.1F, -1};
-  const glm::vec2 from_nose = p - kNose_cm;
+  const glm::vec2 from_nose = p - coat.nose.at_cm;
   const glm::vec2 back = glm::normalize(from_nose + glm::vec2(0.02F, 0));
-  const float neck = SmoothStep(-6, -9, p.y);
+  const float neck = Edge(coat.neck_y_cm, p.y);
   const glm::vec2 side(0.35F, -0.9F);
-  const float cheek = SmoothStep(3.5F, 7, p.x) * SmoothStep(4, 0, p.y);
+  const float cheek = Edge(coat.cheek_x_cm, p.x) * Edge(coat.cheek_y_cm, p.y);
   return glm::normalize(back * (1 - std::max(neck, cheek)) + side * std::max(neck, cheek) +
                         glm::vec2(0, 1e-3F));
 }
 
-bool Bald(const Texel& t) {
-  return !t.covered || t.bag > 0 || t.eye_ring > 3.4F || t.mouth_ring > 4.4F || Nose(t.mirrored()) > 0.1F;
+bool Bald(const Texel& t, const CoatLook& coat) {
+  return !t.covered || t.bag > 0 || t.eye_ring > 3.4F || t.mouth_ring > 4.4F ||
+         Nose(t.mirrored(), coat) > 0.1F;
 }
 
-void PaintWhiskerSpots(glm::vec2 p, Paint& paint) {
-  constexpr glm::vec2 kSpots_cm[] = {
-      {2.2F, -4.5F}, {2.7F, -4.1F}, {1.75F, -4.15F}, {2.3F, -3.75F}, {3.1F, -4.6F}};
-  for (const glm::vec2 spot : kSpots_cm) paint.Mix(0.55F * Bell2(p, spot, {0.09F, 0.08F}), Hex("#4a3626"));
+void PaintWhiskerSpots(glm::vec2 p, const CoatLook& coat, Paint& paint) {
+  for (const glm::vec2 spot : coat.whiskers_cm)
+    paint.Mix(0.55F * Bell2(p, spot, {0.09F, 0.08F}), Hex("#4a3626"));
 }
 
 }  // namespace
 
 void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
+  const CoatLook& coat = look.coat;
   paint = {look.base, look.gloss};
   paint.colour *= 1 + 0.22F * (Noise(p.x * 0.8F + 3, p.y * 0.8F) - 0.5F);
-  paint.Mix(0.30F * SmoothStep(4, 9, p.y), look.base * 0.55F);  // A darker crown
-  paint.Mix(0.35F * SmoothStep(9, 15, p.x), look.base * 0.6F);  // and back.
-  paint.Mix(0.92F * Cream(p), Hex("#f3e3cc"));
+  paint.Mix(0.30F * Edge(coat.crown_y_cm, p.y), look.base * 0.55F);  // A darker crown
+  paint.Mix(0.35F * Edge(coat.back_x_cm, p.x), look.base * 0.6F);    // and back.
+  paint.Mix(0.92F * Cream(p, coat), Hex("#f3e3cc"));
   paint.Mix(0.85F * SmoothStep(0.08F, 0.35F, texel.ear_ring), Hex("#7a4a26"));
-  paint.Mix(0.65F * Bell2(p, {2.7F, 2.7F}, {0.75F, 0.45F}), Hex("#f6dfba"));  // Dots over the eyes.
+  paint.Mix(0.65F * Bell2(p, coat.dots.at_cm, coat.dots.radii_cm), Hex("#f6dfba"));  // Dots over the eyes.
   paint.Mix(0.45F * Bell(texel.eye_ring - 4, 1.6F) * (texel.eye_ring > 0 ? 1.0F : 0.0F), look.base * 0.35F);
-  PaintWhiskerSpots(p, paint);
-  const float nose = Nose(p);
+  PaintWhiskerSpots(p, coat, paint);
+  const float nose = Nose(p, coat);
   const float bumps = 0.75F + 0.5F * Noise(texel.place_cm.x * 14, texel.place_cm.y * 14);
   paint.Mix(0.98F * nose, Hex("#221a19") * bumps);
   paint.MixGloss(nose, 0.75F * bumps);
-  const float slit = Bell(p.x, 0.09F) * SmoothStep(-5.2F, -4.9F, p.y) * SmoothStep(-3.9F, -4.3F, p.y);
+  const float slit = Bell(p.x, 0.09F) * Edge(coat.slit_bottom_cm, p.y) * Edge(coat.slit_top_cm, p.y);
   paint.Mix(0.85F * slit, Hex("#2a1c18"));
-  paint.Mix(0.8F * Bell2(p, {0.55F, -3.75F}, {0.30F, 0.16F}), Hex("#080606"));  // Nostrils.
+  paint.Mix(0.8F * Bell2(p, coat.nostrils.at_cm, coat.nostrils.radii_cm), Hex("#080606"));  // Nostrils.
 }
 
 void PaintMuzzleLips(const Texel& texel, Paint& paint) {
@@ -79,7 +83,9 @@ void PaintMuzzleLips(const Texel& texel, Paint& paint) {
   paint.MixGloss(SmoothStep(4.6F, 5.6F, texel.mouth_ring), 0.4F);
 }
 
-void DrawFur(Canvas& canvas) {
+// Strokes begin anywhere and are dropped where the face is bald, so that their number says how dense fur is,
+// not how many there are. Farther back, where the texture is coarse, they are longer and wider.
+void DrawFur(Canvas& canvas, const CoatLook& coat) {
   constexpr int kStrokes = 22000;
   Dice dice(51);
   const Atlas& atlas = canvas.atlas();
@@ -88,10 +94,11 @@ void DrawFur(Canvas& canvas) {
     const int x = static_cast<int>(dice.Unit() * static_cast<float>(atlas.size_px));
     const int y = static_cast<int>(dice.Unit() * static_cast<float>(atlas.size_px));
     const Texel& texel = atlas.at(std::min(x, atlas.size_px - 1), std::min(y, atlas.size_px - 1));
-    if (Bald(texel)) continue;
+    if (Bald(texel, coat)) continue;
     const float side = texel.place_cm.x < 0 ? -1.0F : 1.0F;
     const float coarse = 1 + 0.8F * SmoothStep(5, 9, texel.mirrored().x);
-    glm::vec2 lie = Lie(texel.mirrored(), texel.ear_ring) + 0.35F * glm::vec2(dice.Spread(), dice.Spread());
+    glm::vec2 lie =
+        Lie(texel.mirrored(), texel.ear_ring, coat) + 0.35F * glm::vec2(dice.Spread(), dice.Spread());
     lie = glm::normalize(lie) * dice.Between(0.25F, 0.6F) * coarse * glm::vec2(side, 1);
     const glm::vec2 bend = texel.place_cm + lie * 0.5F + 0.06F * glm::vec2(dice.Spread(), dice.Spread());
     const glm::vec3 colour = canvas.Sample(texel.place_cm) * dice.Between(0.72F, 1.28F);

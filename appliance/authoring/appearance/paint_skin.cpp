@@ -9,8 +9,6 @@
 namespace kaori::appearance {
 namespace {
 
-constexpr glm::vec2 kPaintSkinBlush_cm{4.2F, -2.6F};  // The cheeks.
-
 // Where blood shows through: nose, chin, beside the eyes, ears.
 float Warmth(const Texel& texel) {
   const glm::vec2 p = texel.mirrored();
@@ -44,8 +42,9 @@ void PaintStubble(const Texel& texel, float amount, Paint& paint) {
   paint.Mix(amount * grain * std::max(beard, 0.7F * sides), Hex("#7d6a66"));
 }
 
-void PaintNostrils(glm::vec2 p, float amount, Paint& paint) {
-  const glm::vec2 q((p.x - 0.52F) / 0.27F, (p.y + 4.13F) / 0.11F);
+void PaintNostrils(glm::vec2 p, const SkinLook& look, Paint& paint) {
+  const float amount = look.nostrils;
+  const glm::vec2 q = (p - look.nostrils_spot.at_cm) / look.nostrils_spot.radii_cm;
   const float hole = std::exp(-std::pow(q.x * q.x + q.y * q.y, 1.5F));
   paint.Mix(0.72F * amount * hole, Hex("#6a2e26"));
   paint.Mix(0.10F * amount * Bell2(p, {1.25F, -3.75F}, {0.18F, 0.5F}), Hex("#a85c4c"));  // The wing's crease.
@@ -58,12 +57,12 @@ void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};
   paint.colour *= 1 + 0.045F * Mottle(texel.place_cm);
-  paint.Mix(look.blush_amount * Bell2(p, kPaintSkinBlush_cm, {1.9F, 1.1F}), look.blush);
+  paint.Mix(look.blush_amount * Bell2(p, look.blush_spot.at_cm, look.blush_spot.radii_cm), look.blush);
   paint.Mix(Warmth(texel), look.blush);
   paint.Mix(Glow(p) * 0.9F, Hex("#ffe6d4") * look.base * 1.35F);
   paint.MixGloss(0.5F * Oil(p), look.gloss * 2.2F);
   if (look.stubble > 0) PaintStubble(texel, look.stubble, paint);
-  PaintNostrils(p, look.nostrils, paint);
+  PaintNostrils(p, look, paint);
 }
 
 void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint) {

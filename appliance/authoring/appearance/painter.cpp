@@ -38,7 +38,7 @@ face::Texture PaintFace(const Atlas& atlas, const FaceLook& look) {
   for (std::size_t i = 0; i < atlas.texels.size(); ++i) {
     if (atlas.texels[i].covered) PaintTexel(atlas.texels[i], look, canvas.at(i));
   }
-  if (look.skin.hide == Hide::kCoat) DrawFur(canvas);
+  if (look.skin.hide == Hide::kCoat) DrawFur(canvas, look.skin.coat);
   DrawLines(canvas, look.skin);
   DrawFreckles(canvas, look.skin);
   DrawHairline(canvas, look.scalp);

@@ -29,6 +29,6 @@ void DrawMoustache(Canvas& canvas, const MoustacheLook& look);
 void DrawLines(Canvas& canvas, const SkinLook& look);
 void DrawFreckles(Canvas& canvas, const SkinLook& look);
 void DrawHairline(Canvas& canvas, const ScalpLook& look);
-void DrawFur(Canvas& canvas);
+void DrawFur(Canvas& canvas, const CoatLook& coat);
 
 }  // namespace kaori::appearance

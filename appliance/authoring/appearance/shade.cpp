@@ -19,6 +19,7 @@ constexpr float kHairFloor = 0.18F;
 constexpr float kSkinLift_m = 0.0035F;
 constexpr float kPropLift_m = 0.0015F;  // Locks lie close to each other.
 
+// Teeth and tongue lie within the mouth, whose darkness is set and not measured.
 bool ThrowsShade(const face::Prop& prop) {
   return prop.part == face::Part::kHair || prop.part == face::Part::kClothes;
 }
@@ -30,6 +31,7 @@ void Append(Shell& shell, const face::Prop& prop) {
     shell.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
+// The figure as it stands: the face at rest, and what it wears.
 Shell ShellOf(const face::Cast& cast, const face::Face& face) {
   Shell shell{face.positions, cast.topology.triangles};
   for (const int p : face.props) {
@@ -53,6 +55,7 @@ void JoinSeams(const std::vector<face::Index>& twin, std::vector<float>& values)
   for (std::size_t i = 0; i < twin.size(); ++i) values[i] = 0.5F * (before[i] + before[twin[i]]);
 }
 
+// Both copies of a seam's vertex are probed along one normal, their sum.
 void AddSkinProbes(const face::Topology& topology, const face::Face& face, std::vector<Probe>& probes) {
   const std::vector<glm::vec3> normals = VertexNormals(face.positions, topology.triangles);
   for (std::size_t i = 0; i < face.positions.size(); ++i) {

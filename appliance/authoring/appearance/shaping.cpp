@@ -5,6 +5,8 @@
 namespace kaori::appearance {
 namespace {
 
+// A hash of two whole numbers to 0 .. 1, in 24 bits, so that a float holds it exactly: two large odd factors
+// and a finish in the manner of MurmurHash2.
 float Hash(std::int32_t x, std::int32_t y) {
   std::uint32_t h = static_cast<std::uint32_t>(x) * 0x8DA6B343U ^ static_cast<std::uint32_t>(y) * 0xD8163841U;
   h = (h ^ (h >> 13U)) * 0x5BD1E995U;
@@ -12,6 +14,7 @@ float Hash(std::int32_t x, std::int32_t y) {
   return static_cast<float>(h & 0xFFFFFFU) / 16777216.0F;
 }
 
+// Rise over run of the interval i.
 float Slope(std::span<const glm::vec2> knots, std::size_t i) {
   return (knots[i + 1].y - knots[i].y) / (knots[i + 1].x - knots[i].x);
 }
@@ -27,6 +30,7 @@ float Tangent(std::span<const glm::vec2> knots, std::size_t i) {
 
 }  // namespace
 
+// Value noise: hashes at the four corners of the cell, mixed by 3t^2 - 2t^3, whose slope is 0 at the corners.
 float Noise(float x, float y) {
   const float fx = std::floor(x);
   const float fy = std::floor(y);
@@ -39,6 +43,7 @@ float Noise(float x, float y) {
   return low * (1 - ty) + high * ty;
 }
 
+// A cubic Hermite between the two knots around x; monotone as long as the tangents are Tangent's.
 float Table(std::span<const glm::vec2> knots, float x) {
   if (knots.empty()) return 0;
   if (x <= knots.front().x || knots.size() == 1) return knots.front().y;
@@ -52,6 +57,7 @@ float Table(std::span<const glm::vec2> knots, float x) {
          width * t * s * (s * Tangent(knots, i) - t * Tangent(knots, i + 1));
 }
 
+// xorshift32 of G. Marsaglia (2003), shifts 13, 17, 5; the upper 24 bits, since the lower ones are weaker.
 float Dice::Unit() {
   state_ ^= state_ << 13U;
   state_ ^= state_ >> 17U;

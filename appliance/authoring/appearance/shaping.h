@@ -12,6 +12,7 @@ namespace kaori::appearance {
 inline constexpr float kPi = 3.14159265F;
 inline constexpr float kRadPerDeg = kPi / 180;
 
+// x held within 0 .. 1; NaN stays NaN.
 inline float Clamp01(float x) {
   return x < 0 ? 0 : x > 1 ? 1 : x;
 }
@@ -28,6 +29,7 @@ inline float Bell(float x, float width) {
   return std::exp(-t * t);
 }
 
+// The same in the plane: an ellipse with the half axes `width`, along x and y.
 inline float Bell2(glm::vec2 p, glm::vec2 centre, glm::vec2 width) {
   const glm::vec2 t = (p - centre) / width;
   return std::exp(-t.x * t.x - t.y * t.y);

@@ -14,6 +14,7 @@ constexpr float kNoStrands = -100;  // Below 0 there are no stripes.
 constexpr float kRidgeDepth = 0.16F;
 constexpr float kStep = 0.01F;
 
+// The path's direction, by the difference of two points 2 % apart; one-sided at the ends.
 glm::vec3 DirectionAt(const TubeShape& shape, float t) {
   return glm::normalize(shape.path(std::min(1.0F, t + kStep)) - shape.path(std::max(0.0F, t - kStep)));
 }
@@ -30,6 +31,7 @@ glm::vec3 NextSide(glm::vec3 side, glm::vec3 along) {
   return glm::normalize(side - along * glm::dot(side, along));
 }
 
+// Any unit vector across `along`, by the axis that is farther from it.
 glm::vec3 AnySide(glm::vec3 along) {
   const glm::vec3 other = std::abs(along.z) < 0.8F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
   return glm::normalize(glm::cross(along, other));
@@ -51,6 +53,8 @@ void AddRing(Patch& patch, const TubeShape& shape, float t, float radius_cm, glm
 
 }  // namespace
 
+// A frame that is carried along the path (parallel transport), rather than Frenet's, which flips where the
+// path is straight.
 void AddTube(ClothMesh& mesh, const TubeShape& shape) {
   Patch patch{shape.rings, shape.columns, true, {}, {}, {}};
   glm::vec3 side = AnySide(DirectionAt(shape, 0));

@@ -1,28 +1,42 @@
 #include "appliance/authoring/appearance/worn_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "appliance/authoring/appearance/look_values.h"
 
 namespace kaori::appearance {
 
-using sculpt::Section;
+using toml::Section;
 
 namespace {
 
 constexpr std::size_t kMostPathPoints = 32;
 
+// In centimetres; outside of it a length was meant in metres or in millimetres.
+constexpr double kFarthest_cm = 60;
+constexpr float kLeastSkull_cm = 1;
+
 Skull ReadSkull(Section& s) {
-  const Skull skull{s.Point("skull_centre"), s.Point("skull_radii")};
+  const Skull skull{s.Point_cm("skull_centre", kFarthest_cm), s.Point_cm("skull_radii", kFarthest_cm)};
   const glm::vec3 r = skull.radii_cm;
-  if (!(r.x > 0 && r.y > 0 && r.z > 0)) s.Fault("skull_radii", "must be greater than 0");
+  if (!(r.x > kLeastSkull_cm && r.y > kLeastSkull_cm && r.z > kLeastSkull_cm))
+    s.Fault("skull_radii", fmt::format("must be greater than {}: lengths are centimetres", kLeastSkull_cm));
   return skull;
 }
 
 std::vector<glm::vec3> ReadPath(Section& s) {
   std::vector<glm::vec3> path;
-  for (const glm::dvec3& p : s.Points("path")) path.emplace_back(p);
+  for (const glm::dvec3& p : s.Points("path")) {
+    path.emplace_back(p);
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_cm)
+      s.Fault("path", fmt::format("a point lies farther than {} from the origin: lengths are centimetres",
+                                  kFarthest_cm));
+  }
   if (path.size() < 2 || path.size() > kMostPathPoints) s.Fault("path", "must have 2 to 32 points");
   return path;
 }
@@ -83,7 +97,7 @@ GearLook ReadGear(Section s) {
   const bool rod = gear.shape == GearLook::Shape::kRod;
   const bool ring = gear.shape == GearLook::Shape::kRing;
   if (rod) gear.path_cm = ReadPath(s);
-  if (!rod) gear.centre_cm = s.Point("centre");
+  if (!rod) gear.centre_cm = s.Point_cm("centre", kFarthest_cm);
   if (ring || gear.shape == GearLook::Shape::kDisc) ReadFacing(s, gear);
   gear.radii_cm = s.Has("radius") ? glm::vec3(Real(s, "radius")) : glm::vec3(s.Point("radii"));
   const glm::vec3 r = gear.radii_cm;
@@ -104,7 +118,7 @@ ClothesLook ReadClothes(Section s) {
   clothes.accent = Colour(s, "accent");
   clothes.shoulders_cm = Real(s, "shoulders");
   if (!(clothes.shoulders_cm > 5 && clothes.shoulders_cm < 25))
-    s.Fault("shoulders", "must lie between 5 and 25");
+    s.Fault("shoulders", "must lie between 5 and 25: lengths are centimetres");
   clothes.rise_cm = RealOr(s, "rise", 0);
   return clothes;
 }

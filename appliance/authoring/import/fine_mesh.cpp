@@ -50,10 +50,10 @@ face::FineMesh MakeFineMesh(const std::vector<Triangle>& triangles, const std::v
                                                            : mesh::Subdivide(PolygonsOf(triangles), weld);
   const face::SparseRows& rows = fine.attributes_from_cage;
   for (std::size_t row = 0; row < rows.rows(); ++row) {
-    glm::vec2 place{};
+    glm::vec2 texture{};
     for (std::uint32_t i = rows.row_start[row]; i < rows.row_start[row + 1]; ++i)
-      place += rows.weight[i] * uv[rows.column[i]];
-    fine.texture.push_back(place);
+      texture += rows.weight[i] * uv[rows.column[i]];
+    fine.texture.push_back(texture);
   }
   return fine;
 }

@@ -128,7 +128,7 @@ void Reorder(const std::vector<Index>& order, std::vector<T>& values) {
 
 }  // namespace
 
-Heads TakeApart(const std::vector<Model>& models, float eyes_z_m, Findings& findings) {
+Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& findings) {
   const Model& first = models.front();
   Heads heads;
   heads.parts = FindParts(first, MeshGraph(first.positions, first.triangles));

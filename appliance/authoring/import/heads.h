@@ -1,4 +1,4 @@
-// Heads of one topology, taken apart into what is skin and what is not, each with its eyes on the origin's
+// Heads of one topology, split into what is skin and what is not, each with its eyes on the origin's
 // level.
 #pragma once
 
@@ -45,7 +45,7 @@ struct Heads {
 };
 
 // `eyes_z_m`: where the middle between the eyes is laid. Models must have passed their checks.
-Heads TakeApart(const std::vector<Model>& models, float eyes_z_m, Findings& findings);
+Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& findings);
 
 // The sum of shapes that a role is; null where the heads have no such role.
 Offsets OffsetsOfRole(const Heads& heads, std::string_view role);

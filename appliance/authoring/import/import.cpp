@@ -277,7 +277,7 @@ Result<Imported> Import(const std::vector<std::filesystem::path>& files, const s
   if (!findings.empty()) return findings.Refuse();
   float eyes_z_m = kEyesZ_m;
   if (show != nullptr) eyes_z_m = show->cast.faces.front().eyes[0].centre.z;
-  Heads heads = TakeApart(models, eyes_z_m, findings);
+  Heads heads = SplitHeads(models, eyes_z_m, findings);
   if (!findings.empty()) return findings.Refuse();
   Imported made = Importing(models, std::move(heads), show, std::move(like)).Run(options);
   for (const show::Show* one :

@@ -1,5 +1,5 @@
-// Faces made in modelling tools become a show: read, checked, taken apart, fitted, and traded with a show's
-// own.
+// Faces made in modelling tools become a show: read, checked, split into parts, fitted, and exchanged with a
+// show's own.
 #pragma once
 
 #include <filesystem>

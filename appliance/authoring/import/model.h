@@ -1,4 +1,5 @@
-// A head as a file from a modelling tool holds it: triangles, places, and shapes given as dense offsets.
+// A head as a file from a modelling tool holds it: triangles, texture coordinates, and shapes given as dense
+// offsets.
 #pragma once
 
 #include <cstdint>

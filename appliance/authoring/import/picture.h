@@ -11,7 +11,7 @@ namespace kaori::import {
 
 inline constexpr int kMostSide_px = 8192;
 
-// As a texture, top row first; alpha becomes the gloss of skin. Errors: invalid_argument (no sound PNG or
+// As a texture, top row first; alpha becomes the gloss of skin. Errors: invalid_argument (no valid PNG or
 // JPEG, or larger than kMostSide_px).
 Result<face::Texture> DecodePicture(std::span<const std::uint8_t> bytes);
 

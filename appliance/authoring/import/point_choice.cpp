@@ -37,10 +37,10 @@ class Chooser {
   PointChoice Choose(const PointOptions& options) {
     for (const Landmark& landmark : FindLandmarks(head_))
       Add(NearestVertex(landmark.at), PointName(landmark.name));
-    while (moving_ < options.moving && TakeFarthest(true)) {
+    while (moving_ < options.moving && ChooseFarthest(true)) {
     }
     std::size_t still = 0;
-    while (still < options.still && TakeFarthest(false)) ++still;
+    while (still < options.still && ChooseFarthest(false)) ++still;
     return {std::move(points_), std::move(nearest_.owner)};
   }
 
@@ -65,7 +65,7 @@ class Chooser {
     points_.push_back({v, std::move(name), Moves(v)});
   }
 
-  bool TakeFarthest(bool moving) {
+  bool ChooseFarthest(bool moving) {
     std::optional<Index> farthest;
     float most = 0;
     for (Index v = 0; v < graph_.vertices(); ++v) {

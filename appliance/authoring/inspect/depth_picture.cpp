@@ -11,17 +11,17 @@ constexpr float kOnTheEdge = -1e-5F;  // Neighbours leave no pixel between them.
 
 }  // namespace
 
-glm::vec3 Turned(const glm::vec3& p, const Sight& sight) {
+glm::vec3 Turned(const glm::vec3& p, const View& view) {
   glm::vec3 turned;
-  TurnAll({&p, 1}, sight, {&turned, 1});
+  TurnAll({&p, 1}, view, {&turned, 1});
   return turned;
 }
 
-void TurnAll(std::span<const glm::vec3> points, const Sight& sight, std::span<glm::vec3> turned) {
-  const float cy = std::cos(sight.yaw_rad);
-  const float sy = std::sin(sight.yaw_rad);
-  const float cp = std::cos(sight.pitch_rad);
-  const float sp = std::sin(sight.pitch_rad);
+void TurnAll(std::span<const glm::vec3> points, const View& view, std::span<glm::vec3> turned) {
+  const float cy = std::cos(view.yaw_rad);
+  const float sy = std::sin(view.yaw_rad);
+  const float cp = std::cos(view.pitch_rad);
+  const float sp = std::sin(view.pitch_rad);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::vec3& p = points[i];
     const glm::vec3 q{cy * p.x - sy * p.z, p.y, cy * p.z + sy * p.x};
@@ -95,16 +95,16 @@ void DepthPicture::DrawBall(const glm::vec3& centre, float radius_m) {
   }
 }
 
-float DepthPicture::At(const glm::vec2& place) const {
-  const glm::vec2 at = (place - window_.low_m) / pixel_m_;
+float DepthPicture::At(const glm::vec2& position) const {
+  const glm::vec2 at = (position - window_.low_m) / pixel_m_;
   const auto last = static_cast<float>(pixels_);
   if (!(at.x >= 0 && at.x < last && at.y >= 0 && at.y < last)) return kNothing_m;
   return depth_[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(pixels_) +
                 static_cast<std::size_t>(at.x)];
 }
 
-bool DepthPicture::Empty(const glm::vec2& place) const {
-  return At(place) == kNothing_m;
+bool DepthPicture::Empty(const glm::vec2& position) const {
+  return At(position) == kNothing_m;
 }
 
 }  // namespace kaori::inspect

@@ -1,4 +1,4 @@
-// What of a head can be seen from one side: how near to the onlooker its surface comes, point by point.
+// What of a head can be seen from one side: how near to the viewer its surface comes, point by point.
 #pragma once
 
 #include <span>
@@ -11,15 +11,16 @@
 
 namespace kaori::inspect {
 
-// Where an onlooker far away sits: positive yaw looks from the character's left, positive pitch from above.
-struct Sight {
+// From where a viewer far away looks: positive yaw looks from the character's left, positive pitch from
+// above.
+struct View {
   float yaw_rad = 0;
   float pitch_rad = 0;
 };
 
-// Into the frame of the sight: +z towards the onlooker.
-glm::vec3 Turned(const glm::vec3& p, const Sight& sight);
-void TurnAll(std::span<const glm::vec3> points, const Sight& sight, std::span<glm::vec3> turned);
+// Into the frame of the view: +z towards the viewer.
+glm::vec3 Turned(const glm::vec3& p, const View& view);
+void TurnAll(std::span<const glm::vec3> points, const View& view, std::span<glm::vec3> turned);
 
 // The square part of the picture's plane that is looked at.
 struct Window {
@@ -34,13 +35,14 @@ class DepthPicture {
  public:
   DepthPicture(const Window& window, int pixels);
 
-  // Points in the frame of the sight.
+  // Points in the frame of the view.
   void Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
   void DrawBall(const glm::vec3& centre, float radius_m);
 
-  // The nearest to the onlooker at a place, metres along z; far behind where nothing was drawn.
-  float At(const glm::vec2& place) const;
-  bool Empty(const glm::vec2& place) const;
+  // The nearest to the viewer at a position of the picture's plane, metres along z; far behind where nothing
+  // was drawn.
+  float At(const glm::vec2& position) const;
+  bool Empty(const glm::vec2& position) const;
 
   int pixels() const { return pixels_; }
   glm::vec2 Middle(int x, int y) const;

@@ -39,11 +39,13 @@ std::vector<bool> FindMoving(const face::Topology& topology) {
 
 class Inspector {
  public:
-  explicit Inspector(const face::Cast& cast)
+  Inspector(const face::Cast& cast, Scope scope)
       : cast_(cast),
+        scope_(scope),
         composer_(cast),
         moving_(FindMoving(cast.topology)),
         poses_(PosesToSee(cast.expressions)) {
+    if (scope == Scope::kFoldsAlone) std::erase_if(poses_, [](const Pose& p) { return p.shut || !p.alone; });
     for (Pose& pose : poses_) face::LimitJaw(cast, pose.weights);
   }
 
@@ -56,6 +58,7 @@ class Inspector {
       const auto& shape = composer_.Compose(pose.weights, face::Detail::kFine);
       if (i == 0) LookForSkin(shape);
       SeekFolds(shape, i == 0 ? skin_ : moving_skin_, face, pose.name);
+      if (scope_ == Scope::kFoldsAlone) continue;
       if (pose.shut) {
         SeekLidGaps(shape, pose.alone ? Sides::kNine : Sides::kThree, face, pose.name);
       } else {
@@ -115,6 +118,7 @@ class Inspector {
   }
 
   const face::Cast& cast_;
+  Scope scope_;
   face::Composer composer_;
   std::vector<bool> moving_;
   std::vector<Pose> poses_;
@@ -135,13 +139,14 @@ Inspection Sum(std::vector<Inspection> parts) {
 
 }  // namespace
 
-Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun) {
+Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun,
+                   Scope scope) {
   if (cast.topology.fine.triangles.empty()) return {};
   std::vector<Inspection> found(cast.faces.size());
   std::atomic<std::size_t> next = 0;
   std::mutex speaking;
   const auto work = [&] {
-    Inspector inspector(cast);
+    Inspector inspector(cast, scope);
     for (std::size_t face = next++; face < found.size(); face = next++) {
       {
         const std::lock_guard alone(speaking);

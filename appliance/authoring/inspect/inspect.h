@@ -34,9 +34,17 @@ struct Inspection {
   std::vector<Finding> findings;
 };
 
+// How much is looked for.
+enum class Scope {
+  kAll,         // Every flaw in every pose.
+  kFoldsAlone,  // Folds, in each expression, mouth shape and channel by itself: a second or two for ten faces.
+};
+
 // Composes the fine mesh of each face in each pose (poses.h), a millisecond or two each, on all processors.
-// Calls `face_begun` with each face's name, from one thread at a time. FindFaults (render/face/check.h) finds nothing in the cast.
-Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun);
+// Calls `face_begun` with each face's name, from one thread at a time. FindFaults (render/face/check.h) finds
+// nothing in the cast.
+Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun,
+                   Scope scope = Scope::kAll);
 
 // "dog, laugh: 3 folded triangles, the first at 12 -30 95 mm".
 std::string Say(const Finding& finding);

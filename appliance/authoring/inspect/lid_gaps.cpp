@@ -22,10 +22,10 @@ float PixelsOfBall(const DepthPicture& picture, const glm::vec3& centre, float r
   int seen = 0;
   for (int y = 0; y < picture.pixels(); ++y) {
     for (int x = 0; x < picture.pixels(); ++x) {
-      const glm::vec2 place = picture.Middle(x, y);
-      const glm::vec2 from = place - glm::vec2(centre);
+      const glm::vec2 position = picture.Middle(x, y);
+      const glm::vec2 from = position - glm::vec2(centre);
       const float square = radius_m * radius_m - from.x * from.x - from.y * from.y;
-      if (square > 0 && centre.z + std::sqrt(square) > picture.At(place)) ++seen;
+      if (square > 0 && centre.z + std::sqrt(square) > picture.At(position)) ++seen;
     }
   }
   return seen <= kGrazing ? 0 : static_cast<float>(seen);
@@ -62,9 +62,9 @@ bool FacesUs(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
 }
 
 struct Look {
-  Sight sight;
+  View view;
   DepthPicture picture;
-  glm::vec3 centre;  // The ball's, in the frame of the sight.
+  glm::vec3 centre;  // The ball's, in the frame of the view.
 };
 
 std::vector<Look> LooksAt(const face::EyeBall& eye, Sides sides) {
@@ -72,10 +72,10 @@ std::vector<Look> LooksAt(const face::EyeBall& eye, Sides sides) {
   for (const float yaw_rad : kYaws_rad) {
     for (const float pitch_rad : kPitches_rad) {
       if (sides == Sides::kThree && pitch_rad != 0) continue;
-      const Sight sight{yaw_rad, pitch_rad};
-      const glm::vec3 centre = Turned(eye.centre, sight);
+      const View view{yaw_rad, pitch_rad};
+      const glm::vec3 centre = Turned(eye.centre, view);
       const Window window{glm::vec2(centre) - eye.radius_m, 2 * eye.radius_m};
-      looks.push_back({sight, DepthPicture(window, sides == Sides::kNine ? kPixels : kFewerPixels), centre});
+      looks.push_back({view, DepthPicture(window, sides == Sides::kNine ? kPixels : kFewerPixels), centre});
     }
   }
   return looks;
@@ -86,7 +86,7 @@ float BallSeen_m2(std::vector<Look>& looks, float radius_m, const Triangles& cor
   float most_m2 = 0;
   Triangles turned(corners.size());
   for (Look& look : looks) {
-    TurnAll(corners, look.sight, turned);
+    TurnAll(corners, look.view, turned);
     for (std::size_t i = 0; i < turned.size(); i += 3) {
       const glm::vec3 &a = turned[i], &b = turned[i + 1], &c = turned[i + 2];
       if (std::max({a.z, b.z, c.z}) < look.centre.z || (front_alone && !FacesUs(a, b, c))) continue;

@@ -12,16 +12,16 @@ namespace {
 constexpr int kSkinPixels = 512;
 constexpr float kBehind_m =
     0.0007F;  // Hardly more than a pixel: what lies this far behind the nearest is seen.
-constexpr std::array<Sight, 7> kSights{
+constexpr std::array<View, 7> kViews{
     {{0, 0}, {-0.7F, 0}, {0.7F, 0}, {-1.4F, 0}, {1.4F, 0}, {0, 0.4F}, {0, -0.4F}}};
 
-void AddSeen(const face::Shape& shape, std::span<const face::Triangle> triangles, const Sight& sight,
+void AddSeen(const face::Shape& shape, std::span<const face::Triangle> triangles, const View& view,
              std::vector<bool>& seen) {
   std::vector<glm::vec3> turned(shape.fine.size());
-  TurnAll(shape.fine, sight, turned);
+  TurnAll(shape.fine, view, turned);
   DepthPicture picture(WindowOver(turned), kSkinPixels);
   for (const face::Triangle& t : triangles) picture.Draw(turned[t[0]], turned[t[1]], turned[t[2]]);
-  for (const face::EyeBall& eye : shape.eyes) picture.DrawBall(Turned(eye.centre, sight), eye.radius_m);
+  for (const face::EyeBall& eye : shape.eyes) picture.DrawBall(Turned(eye.centre, view), eye.radius_m);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [a, b, c] = triangles[i];
     const glm::vec3 middle = (turned[a] + turned[b] + turned[c]) / 3.0F;
@@ -34,7 +34,7 @@ void AddSeen(const face::Shape& shape, std::span<const face::Triangle> triangles
 
 std::vector<bool> FindSkin(const face::Shape& at_rest, std::span<const face::Triangle> triangles) {
   std::vector<bool> seen(triangles.size(), false);
-  for (const Sight& sight : kSights) AddSeen(at_rest, triangles, sight, seen);
+  for (const View& view : kViews) AddSeen(at_rest, triangles, view, seen);
   return seen;
 }
 

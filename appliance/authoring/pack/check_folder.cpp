@@ -1,7 +1,8 @@
 #include "appliance/authoring/pack/check_folder.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -9,39 +10,42 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "appliance/authoring/appearance/looks.h"
+#include "appliance/authoring/inspect/inspect.h"
 #include "appliance/authoring/script/show_file.h"
 #include "appliance/authoring/sculpt/control_net.h"
 #include "appliance/authoring/sculpt/expression_file.h"
 #include "appliance/authoring/sculpt/faces.h"
 #include "appliance/authoring/sculpt/recipe_file.h"
 #include "appliance/authoring/sculpt/sculpt.h"
-#include "appliance/authoring/sculpt/value.h"
-#include "appliance/authoring/appearance/looks.h"
 #include "appliance/core/show/check.h"
-#include "render/face/check.h"
+#include "appliance/core/toml/value.h"
 
 namespace kaori::authoring {
 namespace {
 
-using Names = std::optional<std::vector<std::string>>;  // None: the file cannot tell.
+// Names that a file gives, each with its line; none: the file cannot tell.
+struct NamedLine {
+  std::string name;
+  int line = 0;
+};
+using Names = std::optional<std::vector<NamedLine>>;
 
-const sculpt::Value* Find(const sculpt::Value& table, std::string_view key) {
-  for (const auto& [name, value] : table.table)
-    if (name == key) return &value;
-  return nullptr;
-}
-
-// The words of a list, or what its tables say under "name".
+// The texts of a list, or what its tables say under "name".
 Names NamesIn(const std::filesystem::path& file, std::string_view list) {
-  const auto value = sculpt::ReadToml(file);
-  const sculpt::Value* items = value ? Find(*value, list) : nullptr;
+  const auto value = toml::ReadToml(file);
+  const toml::Value* items = value ? toml::Find(*value, list) : nullptr;
   if (items == nullptr) return std::nullopt;
-  std::vector<std::string> names;
-  for (const sculpt::Value& item : items->list) {
-    const sculpt::Value* name = item.kind == sculpt::Value::Kind::kTable ? Find(item, "name") : &item;
-    if (name != nullptr) names.push_back(name->word);
+  std::vector<NamedLine> names;
+  for (const toml::Value& item : items->list) {
+    const toml::Value* name = item.kind == toml::Value::Kind::kTable ? toml::Find(item, "name") : &item;
+    if (name != nullptr) names.push_back({name->text, name->line});
   }
   return names;
+}
+
+bool Holds(const std::vector<NamedLine>& names, std::string_view name) {
+  return std::ranges::find(names, name, &NamedLine::name) != names.end();
 }
 
 // Where an expression's points would lie on a face that could not be sculpted: somewhere that is allowed, so
@@ -55,9 +59,9 @@ sculpt::HalfShape StandIn(const sculpt::Cage& cage) {
 face::Cast NamedCast(const Names& faces, const Names& expressions) {
   face::Cast cast;
   if (faces)
-    for (const std::string& name : *faces) cast.faces.emplace_back().name = name;
+    for (const NamedLine& face : *faces) cast.faces.emplace_back().name = face.name;
   if (expressions)
-    for (const std::string& name : *expressions) cast.expressions.emplace_back().name = name;
+    for (const NamedLine& expression : *expressions) cast.expressions.emplace_back().name = expression.name;
   return cast;
 }
 
@@ -68,11 +72,16 @@ class Checker {
         faces_(NamesIn(folder_ / "faces" / "cast.toml", "faces")),
         expressions_(NamesIn(folder_ / "expressions.toml", "expression")) {}
 
-  std::vector<std::string> Check() {
+  FolderCheck Check() {
     CheckShapes();
     CheckLooks();
-    CheckScript(faults_.empty() ? Sculpted() : std::nullopt);
-    return std::move(faults_);
+    if (faces_) CheckThatAllAreNamed("faces");
+    if (faces_) CheckThatAllAreNamed("looks");
+    const std::optional<face::Cast> cast = faults_.empty() ? Sculpted() : std::nullopt;
+    CheckScript(cast);
+    FolderCheck check{std::move(faults_), {}};
+    if (check.faults.empty() && cast) check.flaws = FlawsOf(*cast);
+    return check;
   }
 
  private:
@@ -116,8 +125,30 @@ class Checker {
   }
 
   void CheckLooks() {
-    for (const std::string& name : faces_.value_or(std::vector<std::string>{}))
-      Keep(appearance::ReadLook(folder_ / "looks" / (name + ".toml")));
+    for (const NamedLine& face : faces_.value_or(std::vector<NamedLine>{})) {
+      const std::filesystem::path file = folder_ / "looks" / (face.name + ".toml");
+      if (std::filesystem::exists(file))
+        Keep(appearance::ReadLook(file));
+      else
+        faults_.push_back(fmt::format("{}:{}: faces: \"{}\" has no look: {}: No such file", CastFile(),
+                                      face.line, face.name, file.string()));
+    }
+  }
+
+  std::string CastFile() const { return (folder_ / "faces" / "cast.toml").string(); }
+
+  // A file that no name leads to would be passed over in silence.
+  void CheckThatAllAreNamed(const char* kind) {
+    std::vector<std::string> lost;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / kind, error)) {
+      const std::string name = entry.path().stem().string();
+      if (entry.path().extension() == ".toml" && name != "cast" && !Holds(*faces_, name))
+        lost.push_back(fmt::format("{}:{}: faces: does not name \"{}\", though {} is there", CastFile(),
+                                   faces_->empty() ? 1 : faces_->front().line, name, entry.path().string()));
+    }
+    std::ranges::sort(lost);
+    std::ranges::move(lost, std::back_inserter(faults_));
   }
 
   std::optional<face::Cast> Sculpted() {
@@ -127,33 +158,50 @@ class Checker {
   }
 
   // The script is checked beside the cast, or beside its names alone where the cast could not be made.
-  void CheckScript(std::optional<face::Cast> cast) {
+  void CheckScript(const std::optional<face::Cast>& cast) {
     const std::string path = (folder_ / "show.toml").string();
     show::Show show;
-    show.cast = cast ? std::move(*cast) : NamedCast(faces_, expressions_);
+    show.cast = cast ? *cast : NamedCast(faces_, expressions_);
     show.cast.textures = {{1, 1, std::vector<std::uint8_t>(4)}};  // The painter's work is not done yet.
-    for (const std::string& fault : ReadShowFile(path, show)) AddOfScript(fault);
-    const auto of_cast = face::FindFaults(show.cast);
-    const auto all = show::CheckShow(show);  // Those of the cast first.
-    if (cast)
-      for (const std::string& fault : of_cast)
-        faults_.push_back(fmt::format("{}: {}", folder_.string(), fault));
-    for (std::size_t i = of_cast.size(); i < all.size(); ++i)
-      AddOfScript(fmt::format("{}: {}", path, all[i]));
+    const auto of_script =
+        ReadShowFile(path, show, {.faces = faces_.has_value(), .expressions = expressions_.has_value()});
+    std::ranges::copy(of_script, std::back_inserter(faults_));
+    if (!cast || !of_script.empty()) return;
+    for (const std::string& fault : show::CheckShow(show))
+      faults_.push_back(fmt::format("{}: {}", folder_.string(), fault));
   }
 
-  // Where nobody knows which faces or expressions there are, none can be said to be missing.
-  void AddOfScript(const std::string& fault) {
-    const bool unknown_face = !faces_ && Holds(fault, {"there is no face "});
-    const bool unknown_expression =
-        !expressions_ && Holds(fault, {"there is no expression ", "there is no target or channel ",
-                                       "a curve moves nothing that exists"});
-    const bool unknown_number = (!faces_ || !expressions_) && Holds(fault, {": calls number "});
-    if (!unknown_face && !unknown_expression && !unknown_number) faults_.push_back(fault);
-  }
-  static bool Holds(std::string_view fault, std::initializer_list<std::string_view> any_of) {
-    return std::ranges::any_of(any_of,
-                               [fault](auto words) { return fault.find(words) != std::string_view::npos; });
+  // Expressions that fold the skin of any face, with their lines; of a face that folds at rest that alone is
+  // said.
+  std::vector<std::string> FlawsOf(const face::Cast& cast) const {
+    struct Folds {
+      int triangles = 0;
+      std::vector<std::string> faces;
+    };
+    std::map<std::string, Folds> by_pose;
+    std::vector<std::string> flaws, at_rest;
+    const std::string& rest = cast.expressions.front().name;
+    const auto ignore = [](const std::string&) {};
+    const inspect::Inspection inspection = inspect::Inspect(cast, ignore, inspect::Scope::kFoldsAlone);
+    for (const inspect::Finding& f : inspection.findings) {
+      if (std::ranges::find(at_rest, f.face) != at_rest.end()) continue;
+      if (f.pose == rest) {
+        at_rest.push_back(f.face);
+        flaws.push_back(fmt::format("{}: its skin is folded at rest, in {} triangles",
+                                    (folder_ / "faces" / (f.face + ".toml")).string(), f.count));
+        continue;
+      }
+      by_pose[f.pose].triangles += f.count;
+      by_pose[f.pose].faces.push_back(f.face);
+    }
+    for (const NamedLine& expression : expressions_.value_or(std::vector<NamedLine>{}))
+      if (const auto folds = by_pose.find(expression.name); folds != by_pose.end())
+        flaws.push_back(
+            fmt::format("{}:{}: expression \"{}\": folds the skin of {}, in {} triangles: pull the points "
+                        "beside along, or pull less",
+                        (folder_ / "expressions.toml").string(), expression.line, expression.name,
+                        fmt::join(folds->second.faces, ", "), folds->second.triangles));
+    return flaws;
   }
 
   std::filesystem::path folder_;
@@ -164,8 +212,8 @@ class Checker {
 
 }  // namespace
 
-std::vector<std::string> CheckFolder(const std::filesystem::path& folder) {
-  if (!std::filesystem::is_directory(folder)) return {folder.string() + ": there is no such folder"};
+FolderCheck CheckFolder(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) return {{folder.string() + ": there is no such folder"}, {}};
   return Checker(folder).Check();
 }
 

@@ -29,4 +29,8 @@ void ProgressLine::Step(std::string_view what) {
   shown_ = true;
 }
 
+void ProgressLine::Note(std::string_view what) {
+  fmt::print(stderr, "{}{}\n", on_terminal_ && shown_ ? kEraseLine : "", what);
+}
+
 }  // namespace kaori::authoring

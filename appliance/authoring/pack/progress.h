@@ -20,6 +20,9 @@ class ProgressLine {
   // "[  1.2 s] painting the faces".
   void Step(std::string_view what);
 
+  // A line that stays.
+  void Note(std::string_view what);
+
   double seconds() const { return Seconds(clock_.now() - begun_); }
 
  private:

@@ -7,14 +7,20 @@
 namespace kaori::authoring {
 namespace {
 
+std::string Counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 int RunCheck(const Arguments& arguments) {
-  const auto faults = CheckFolder(arguments.words[0]);
-  if (faults.empty()) {
+  const auto [faults, flaws] = CheckFolder(arguments.words[0]);
+  if (faults.empty() && flaws.empty()) {
     fmt::print("{}: no fault\n", arguments.words[0]);
     return 0;
   }
-  for (const std::string& fault : faults) fmt::print("{}\n", fault);
-  fmt::print(stderr, "kaori-atelier: {} {} in {}\n", faults.size(), faults.size() == 1 ? "fault" : "faults",
+  for (const auto* lines : {&faults, &flaws})
+    for (const std::string& line : *lines) fmt::print("{}\n", line);
+  fmt::print(stderr, "kaori-atelier: {} in {}\n",
+             faults.empty() ? Counted(flaws.size(), "flaw") : Counted(faults.size(), "fault"),
              arguments.words[0]);
   return 1;
 }
@@ -25,10 +31,11 @@ Verb CheckVerb() {
   return {.name = "check",
           .words = {"FOLDER"},
           .options = {},
-          .summary = "name every fault of FOLDER's files: file, item, reason",
+          .summary = "name every fault of FOLDER's files: file, line, item, reason",
           .page = R"(
-Reads every file of the show and sculpts its faces, without painting them: a second's work. Faults go to standard
-output, one a line. How the faces look in their expressions (folds, gaps of the lids, teeth through lips) is counted
+Reads every file of the show, sculpts its faces, and looks for skin that an expression folds: two seconds. Faults and
+folds go to standard output, one a line; exit status 1 where there is any. `kaori-atelier pack` refuses faults and names
+folds. How the faces look in all combinations of what is played (folds, gaps of the lids, teeth through lips) is counted
 by `kaori-atelier info` on the pack.
 )",
           .run = RunCheck};

@@ -25,7 +25,9 @@ Result<std::optional<show::SecretKey>> ReadSigner(const Arguments& arguments) {
 Result<void> MakePack(const std::filesystem::path& folder, const std::filesystem::path& file,
                       const show::SecretKey* signer, ProgressLine& progress) {
   progress.Step("checking the files of " + folder.string());
-  if (const auto faults = CheckFolder(folder); !faults.empty()) return FailInput(JoinFaults(faults));
+  const auto [faults, flaws] = CheckFolder(folder);
+  if (!faults.empty()) return FailInput(JoinFaults(faults));
+  for (const std::string& flaw : flaws) progress.Note(flaw);
   const auto show = AuthorShow(folder, [&](std::string_view step) { progress.Step(step); });
   if (!show) return tl::unexpected(show.error());
   progress.Step("writing " + file.string());

@@ -13,9 +13,8 @@ namespace kaori::authoring {
 namespace {
 
 // In the order of scene::BackdropKind.
-constexpr std::array<const char*, scene::kBackdropKindCount> kKinds{
+constexpr std::array<std::string_view, scene::kBackdropKindCount> kKinds{
     "gradient", "studio", "curtain", "night", "kitchen", "pine", "lights", "rays", "nursery", "picture"};
-constexpr std::array<std::string_view, 5> kWords{"kind", "top", "bottom", "glow", "picture"};
 
 // Wider ones would only be made smaller: backdrops are shown out of focus.
 constexpr int kWidestPicture_px = 4096;
@@ -33,85 +32,70 @@ face::Texture TextureOf(const image::Picture& picture) {
   return texture;
 }
 
-class Reader {
- public:
-  Reader(const toml::table& table, std::vector<face::Texture>& textures)
-      : table_(table), textures_(textures) {}
-
-  BackdropReading Read(const std::filesystem::path& folder) {
-    CheckWords();
-    if (table_.contains("picture"))
-      ReadPicture(folder);
-    else
-      ReadKind();
-    const bool picture = reading_.backdrop.kind == scene::BackdropKind::kPicture;
-    ReadColour("top", !picture, reading_.backdrop.top);
-    ReadColour("bottom", !picture, reading_.backdrop.bottom);
-    ReadColour("glow", false, reading_.backdrop.glow);
-    return std::move(reading_);
+scene::BackdropKind ReadKind(toml::Section& section) {
+  const std::string name = section.TextOr("kind", kKinds[0]);
+  const auto known = std::ranges::find(kKinds, name);
+  if (known == kKinds.end()) {
+    section.Fault("kind",
+                  fmt::format("there is no kind \"{}\"; kinds are {}", name, fmt::join(kKinds, ", ")));
+    return {};
   }
+  const auto kind = static_cast<scene::BackdropKind>(known - kKinds.begin());
+  if (kind == scene::BackdropKind::kPicture)
+    section.Fault("kind", "a picture is named by picture = \"file.png\"");
+  return kind;
+}
 
- private:
-  template <class... Values>
-  void Fault(fmt::format_string<Values...> reason, Values&&... values) {
-    reading_.faults.push_back("its backdrop: " + fmt::format(reason, std::forward<Values>(values)...));
+glm::vec3 ReadColour(toml::Section& section, std::string_view key, glm::vec3 otherwise) {
+  const std::string text = section.Text(key);
+  const auto colour = ColourOf(text);
+  if (!colour) section.Fault(key, fmt::format("\"{}\" is no colour; write one as \"#41506a\"", text));
+  return colour.value_or(otherwise);
+}
+
+int ReadPicture(toml::Section& section, const std::filesystem::path& folder,
+                std::vector<face::Texture>& textures) {
+  const std::string name = section.Text("picture");
+  if (name.empty()) {
+    section.Fault("picture", "must name a PNG file");
+    return -1;
   }
-
-  void CheckWords() {
-    for (const auto& [key, node] : table_)
-      if (std::ranges::find(kWords, key.str()) == kWords.end())
-        Fault("line {}: nothing is called \"{}\" here; words are {}", key.source().begin.line, key.str(),
-              fmt::join(kWords, ", "));
+  const auto picture = image::ReadPng(folder / name);
+  if (!picture) {
+    section.Fault("picture", picture.error().message());
+    return -1;
   }
-
-  void ReadKind() {
-    const auto name = table_["kind"].value_or(std::string(kKinds[0]));
-    const auto known = std::ranges::find(kKinds, name);
-    if (known == kKinds.end())
-      return Fault("there is no kind \"{}\"; kinds are {}", name, fmt::join(kKinds, ", "));
-    reading_.backdrop.kind = static_cast<scene::BackdropKind>(known - kKinds.begin());
-    if (reading_.backdrop.kind == scene::BackdropKind::kPicture)
-      Fault("a picture is named by picture = \"file.png\"");
+  if (std::max(picture->width_px, picture->height_px) > kWidestPicture_px) {
+    section.Fault("picture", fmt::format("{} has {} x {} pixels, and {} a side are the most", name,
+                                         picture->width_px, picture->height_px, kWidestPicture_px));
+    return -1;
   }
-
-  void ReadColour(std::string_view word, bool wanted, glm::vec3& colour) {
-    if (!wanted && !table_.contains(word)) return;
-    const auto text = table_[word].value_or(std::string());
-    if (const auto read = ColourOf(text))
-      colour = *read;
-    else
-      Fault("{} = \"{}\" is no colour; write one as \"#41506a\"", word, text);
-  }
-
-  void ReadPicture(const std::filesystem::path& folder) {
-    reading_.backdrop.kind = scene::BackdropKind::kPicture;
-    const auto name = table_["picture"].value_or(std::string());
-    const auto picture = image::ReadPng(folder / name);
-    if (!picture) return Fault("{}", picture.error().message());
-    if (std::max(picture->width_px, picture->height_px) > kWidestPicture_px)
-      return Fault("{} has {} x {} pixels, and {} a side are the most", name, picture->width_px,
-                   picture->height_px, kWidestPicture_px);
-    reading_.backdrop.picture = static_cast<int>(textures_.size());
-    textures_.push_back(TextureOf(*picture));
-  }
-
-  const toml::table& table_;
-  std::vector<face::Texture>& textures_;
-  BackdropReading reading_;
-};
+  textures.push_back(TextureOf(*picture));
+  return static_cast<int>(textures.size()) - 1;
+}
 
 }  // namespace
 
-BackdropReading ReadBackdrop(const toml::node* backdrop, const std::filesystem::path& folder,
+scene::Backdrop ReadBackdrop(toml::Section section, const std::filesystem::path& folder,
                              std::vector<face::Texture>& textures) {
-  const auto* table = backdrop == nullptr ? nullptr : backdrop->as_table();
-  if (table == nullptr)
-    return {{}, {"it wants a backdrop, such as { top = \"#41506a\", bottom = \"#1b2030\" }"}};
-  return Reader(*table, textures).Read(folder);
+  section.AllowOnly({"kind", "top", "bottom", "glow", "picture"});
+  scene::Backdrop backdrop;
+  const bool is_picture = section.Has("picture");
+  if (is_picture) {
+    backdrop.kind = scene::BackdropKind::kPicture;
+    backdrop.picture = ReadPicture(section, folder, textures);
+  } else {
+    backdrop.kind = ReadKind(section);
+  }
+  if (!is_picture || section.Has("top")) backdrop.top = ReadColour(section, "top", backdrop.top);
+  if (!is_picture || section.Has("bottom")) backdrop.bottom = ReadColour(section, "bottom", backdrop.bottom);
+  if (section.Has("glow")) backdrop.glow = ReadColour(section, "glow", backdrop.glow);
+  return backdrop;
 }
 
-const char* NameOf(scene::BackdropKind kind) {
-  return static_cast<std::size_t>(kind) < kKinds.size() ? kKinds[static_cast<std::size_t>(kind)] : "nothing";
+std::string NameOf(scene::BackdropKind kind) {
+  const auto index = static_cast<std::size_t>(kind);
+  return std::string(index < kKinds.size() ? kKinds[index] : "nothing");
 }
 
 }  // namespace kaori::authoring

@@ -5,24 +5,18 @@
 #include <string>
 #include <vector>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
+#include "appliance/core/toml/section.h"
 #include "render/face/cast.h"
 #include "render/scene/scene.h"
 
 namespace kaori::authoring {
 
-struct BackdropReading {
-  scene::Backdrop backdrop;
-  std::vector<std::string> faults;  // Reasons, one line each; the caller says in which scene.
-};
-
-// A picture is a PNG file beside show.toml, in `folder`; it is appended to `textures`.
-BackdropReading ReadBackdrop(const toml::node* backdrop, const std::filesystem::path& folder,
+// Reads the table; faults go to the section. A picture is a PNG file beside show.toml, in `folder`; it is
+// appended to `textures`, top row first.
+scene::Backdrop ReadBackdrop(toml::Section section, const std::filesystem::path& folder,
                              std::vector<face::Texture>& textures);
 
 // "curtain".
-const char* NameOf(scene::BackdropKind kind);
+std::string NameOf(scene::BackdropKind kind);
 
 }  // namespace kaori::authoring

@@ -9,8 +9,18 @@
 
 namespace kaori::authoring {
 
-// Fills buttons, motions, scenes and channels of `show`, whose cast must be there: names are looked up in it.
-// Returns every fault found, one line each: file, item, reason; empty when all is well.
-std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show);
+// Which names of the cast there are to be compared with. Where a file of the cast cannot be read nobody knows
+// which faces or expressions exist, and none is said to be missing.
+struct KnownNames {
+  bool faces = true;
+  bool expressions = true;
+};
+
+// Fills buttons, keys, motions, scenes and channels of `show`, whose cast must be there: names are looked up
+// in it. Pictures of backdrops are appended to the cast's textures. Returns every fault found, one line each:
+// file, line, item, reason; empty when all is well, and then show::CheckShow finds nothing wrong with what
+// was read.
+std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show,
+                                      KnownNames known = {});
 
 }  // namespace kaori::authoring

@@ -10,6 +10,9 @@ namespace kaori::sculpt {
 namespace {
 
 // One coordinate of the table's row `row`, between its columns.
+// The table holds few points, so that a person can write it; all lines of the grid between them are read off
+// monotone curves, first along each row of the table, then up each column of the grid (a tensor product). A
+// curve that never overshoots keeps lines of the mesh from crossing.
 Pchip AlongRow(const AimTable& table, std::size_t row, int axis) {
   std::vector<double> values;
   for (const glm::dvec3& p : table.points[row]) values.push_back(p[axis]);
@@ -34,6 +37,9 @@ double Unit(double x) {
 }
 
 // A point inside the head or the neck, from which the skin is seen outwards.
+// Rows 0 to 5 are the neck, whose axis leans backwards; 5 to 11 lead from the neck through the chin to the
+// face; 11 to 26 are the face, looked at from its own height; above row 26 the axis shrinks to one point (y =
+// 2.5 cm), so that the crown is seen from within like the pole of a sphere.
 glm::dvec3 AxisPoint(int row, glm::dvec3 aimed) {
   if (row <= 5) return {0, aimed.y, -3.2 - 0.15 * (5 - row)};
   if (row < 8) return {0, -8 - 0.3 * (8 - row), 1 - 0.9 * (8 - row)};
@@ -43,6 +49,8 @@ glm::dvec3 AxisPoint(int row, glm::dvec3 aimed) {
   return {0, aimed.y * (1 - t) + 2.5 * t, -0.8};
 }
 
+// 1 in the middle of the face, 0 behind the temples, under the chin and on the crown: there the skin stands
+// across z, and a projection along z would miss it.
 double Frontness(GridPoint at) {
   return Unit(1 - (at.column - 6) / 7.0) * Unit((at.row - 8) / 3.0) * Unit((34 - at.row) / 8.0);
 }

@@ -72,7 +72,7 @@ Result<HalfShape> PullToLandmarks(const Cage& cage, const HalfShape& reference, 
     p = (*warp)(p);
     if (middle) p.x = 0;
   }
-  SeatLids(cage.half, BallOf(recipe, eye), shape);
+  FitLids(cage.half, BallOf(recipe, eye), shape);
   SmoothGrid(cage, recipe.smoothing_steps, shape);
   DrawOutEar(cage.half, recipe.ear, shape);
   return shape;

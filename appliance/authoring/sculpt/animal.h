@@ -2,8 +2,8 @@
 #pragma once
 
 #include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/sculpt/fit_lids.h"
 #include "appliance/authoring/sculpt/recipe.h"
-#include "appliance/authoring/sculpt/seat_lids.h"
 #include "drivers/base/result.h"
 
 namespace kaori::sculpt {

@@ -3,34 +3,55 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace kaori::sculpt {
 namespace {
 
-bool AllPositive(glm::dvec3 v) {
-  return v.x > 0 && v.y > 0 && v.z > 0;
+// Of a body, in centimetres. Outside of it a length was meant in metres or in millimetres.
+constexpr double kFarthestBody_cm = 60;
+constexpr double kLeastRadius_cm = 0.1;  // Of its largest; the grid's cells are coarser.
+
+// Radii of a body, or halves of a box.
+void NeedSizes(toml::Section& section, std::string_view key, glm::dvec3 sizes) {
+  if (!(sizes.x > 0 && sizes.y > 0 && sizes.z > 0)) return section.Fault(key, "must be greater than 0");
+  const double most = std::max({sizes.x, sizes.y, sizes.z});
+  if (most < kLeastRadius_cm || most > kFarthestBody_cm)
+    section.Fault(
+        key, fmt::format("the largest is {}, and must lie between {} and {}: lengths are centimetres", most,
+                         kLeastRadius_cm, kFarthestBody_cm));
 }
 
-Body ReadEllipsoid(Section& section) {
+Body ReadEllipsoid(toml::Section& section) {
   section.AllowOnly({"ellipsoid", "centre", "radii", "mirrored", "blend"});
-  Body body{.shape = Body::Shape::kEllipsoid, .a = section.Point("centre"), .b = section.Point("radii")};
-  if (!AllPositive(body.b)) section.Fault("radii", "must be greater than 0");
+  Body body{.shape = Body::Shape::kEllipsoid,
+            .a = section.Point_cm("centre", kFarthestBody_cm),
+            .b = section.Point("radii")};
+  NeedSizes(section, "radii", body.b);
   return body;
 }
 
-Body ReadCapsule(Section& section) {
+Body ReadCapsule(toml::Section& section) {
   section.AllowOnly({"capsule", "from", "to", "radii", "mirrored", "blend"});
-  Body body{.shape = Body::Shape::kCapsule, .a = section.Point("from"), .b = section.Point("to")};
+  Body body{.shape = Body::Shape::kCapsule,
+            .a = section.Point_cm("from", kFarthestBody_cm),
+            .b = section.Point_cm("to", kFarthestBody_cm)};
   const std::vector<double> radii = section.Numbers("radii");
   if (radii.size() != 2) section.Fault("radii", "must have 2 entries");
-  if (radii.size() == 2) body.radius_a_cm = radii[0], body.radius_b_cm = radii[1];
+  if (radii.size() == 2) {
+    body.radius_a_cm = radii[0], body.radius_b_cm = radii[1];
+    NeedSizes(section, "radii", {radii[0], radii[1], std::max(radii[0], radii[1])});
+  }
   if (body.a == body.b) section.Fault("to", "must differ from 'from'");
   return body;
 }
 
-Body ReadBox(Section& section) {
+Body ReadBox(toml::Section& section) {
   section.AllowOnly({"box", "centre", "half", "rounding", "mirrored", "blend"});
-  Body body{.shape = Body::Shape::kBox, .a = section.Point("centre"), .b = section.Point("half")};
-  if (!AllPositive(body.b)) section.Fault("half", "must be greater than 0");
+  Body body{.shape = Body::Shape::kBox,
+            .a = section.Point_cm("centre", kFarthestBody_cm),
+            .b = section.Point("half")};
+  NeedSizes(section, "half", body.b);
   body.radius_a_cm = section.NumberOr("rounding", 0);
   const double most_cm = std::min({body.b.x, body.b.y, body.b.z});
   if (!(body.radius_a_cm >= 0 && body.radius_a_cm <= most_cm))
@@ -40,11 +61,11 @@ Body ReadBox(Section& section) {
 
 }  // namespace
 
-Body ReadBody(Section section) {
+Body ReadBody(toml::Section section) {
   const std::string_view shape = section.Has("capsule") ? "capsule"
                                  : section.Has("box")   ? "box"
                                                         : "ellipsoid";
-  const std::string join = section.Word(shape);
+  const std::string join = section.Text(shape);
   Body body = shape == "capsule" ? ReadCapsule(section)
               : shape == "box"   ? ReadBox(section)
                                  : ReadEllipsoid(section);

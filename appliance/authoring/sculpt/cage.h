@@ -38,6 +38,7 @@ struct Cage {
   Index Weld(Index vertex) const { return std::min(vertex, vertices[vertex].twin); }
 };
 
+// The same for every cast: no file has a say in it.
 Cage BuildCage();
 
 // The half's values on the whole cage, mirrored.

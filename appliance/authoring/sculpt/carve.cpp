@@ -9,6 +9,8 @@
 namespace kaori::sculpt {
 namespace {
 
+// Vertices in the middle of the face, in the middle of the back and on the crown belong to both halves: they
+// lie on x = 0 exactly, or the halves would gape.
 void PlaceGridVertices(const HalfTopology& half, const AimTable& aim, const Carved& recipe,
                        HalfShape& shape) {
   const std::vector<glm::dvec3> aimed = AimedGrid(aim, recipe.scale);
@@ -32,6 +34,7 @@ void Touch(const HalfTopology& half, const std::vector<Landmark>& touches, HalfS
 
 }  // namespace
 
+// The order matters: rings start from the grid's vertices on their rims, which must lie on the skin by then.
 HalfShape Carve(const HalfTopology& half, const AimTable& aim, const Carved& recipe) {
   HalfShape shape;
   shape.position.resize(half.keys.size());

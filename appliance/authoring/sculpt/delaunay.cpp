@@ -12,8 +12,10 @@ extern "C" {
 namespace kaori::sculpt {
 namespace {
 
+// Shares below it come from rounding.
 constexpr double kDust = 1e-7;
 
+// The z of a cross product: twice the signed area of a triangle, positive counter-clockwise.
 double Cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -87,6 +89,7 @@ std::vector<Corners3> Delaunay(const std::vector<glm::dvec2>& points) {
   return triangles;
 }
 
+// Barycentric coordinates by areas (Cramer's rule).
 std::optional<glm::dvec3> SharesIn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 p) {
   const double area = Cross(b - a, c - a);
   if (area == 0) return std::nullopt;

@@ -14,6 +14,8 @@ namespace kaori::sculpt {
 using Corners3 = std::array<std::size_t, 3>;
 
 // Triangles counter-clockwise. Empty where the points do not span a plane.
+// Indices into `points`. Points on one circle are split in a way that depends on the platform's arithmetic
+// only where they lie on it exactly.
 std::vector<Corners3> Delaunay(const std::vector<glm::dvec2>& points);
 
 // The shares of a triangle's corners in `p`; they sum to 1, one is negative outside. None for a flat

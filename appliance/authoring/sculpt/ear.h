@@ -13,6 +13,7 @@ namespace kaori::sculpt {
 glm::dvec2 OnEarDisc(GridPoint at);
 
 // Sets position and place of all ear rings and of the cap. The rim must lie on the skin already.
+// Rings 1 to 5 lead outwards from the rim and back into the bowl; the cap closes its bottom.
 void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const EarRecipe& ear,
               HalfShape& shape);
 

@@ -1,21 +1,30 @@
 #include "appliance/authoring/sculpt/expression_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
-#include "appliance/authoring/sculpt/section.h"
+#include <fmt/format.h>
+
 #include "appliance/authoring/sculpt/texture_map.h"
+#include "appliance/core/toml/nearest.h"
+#include "appliance/core/toml/section.h"
 
 namespace kaori::sculpt {
 namespace {
 
 constexpr double kExpressionFileOnMiddle_cm = 1e-9;
 
-std::optional<glm::dvec2> AsPlace(const Value& value) {
-  if (value.kind != Value::Kind::kList || value.list.size() != 2) return std::nullopt;
-  for (const Value& item : value.list) {
-    if (item.kind != Value::Kind::kNumber) return std::nullopt;
+// How far an expression may move a point along one axis, as on the box; most move by half a centimetre. One
+// that moves none by kLeastMove_cm is not seen: it was written in metres.
+constexpr double kMostMove_cm = 5;
+constexpr double kLeastMove_cm = 0.02;
+
+std::optional<glm::dvec2> AsPlace(const toml::Value& value) {
+  if (value.kind != toml::Value::Kind::kList || value.list.size() != 2) return std::nullopt;
+  for (const toml::Value& item : value.list) {
+    if (item.kind != toml::Value::Kind::kNumber) return std::nullopt;
   }
   return glm::dvec2(value.list[0].number, value.list[1].number);
 }
@@ -28,11 +37,11 @@ class Reader {
  public:
   Reader(const HalfTopology& half, const HalfShape& reference) : half_(half), reference_(reference) {}
 
-  ExpressionFile Read(Section file) {
+  ExpressionFile Read(toml::Section file) {
     file.AllowOnly({"point", "border", "expression"});
     ReadPoints(file.Part("point"));
     ReadBorder(file);
-    for (const Section& expression : file.Parts("expression")) ReadExpression(expression);
+    for (const toml::Section& expression : file.Parts("expression")) ReadExpression(expression);
     if (file_.expressions.empty() || file_.expressions.front().name != "neutral") {
       file.Fault("expression", "the first one must be \"neutral\"");
     }
@@ -40,12 +49,13 @@ class Reader {
   }
 
  private:
-  void ReadPoints(Section section) {
+  void ReadPoints(toml::Section section) {
     for (const auto& [name, value] : section.table().table) {
-      const std::optional<Key> vertex = AsVertex(value.word);
+      const std::optional<Key> vertex = AsVertex(value.text);
       const std::optional<glm::dvec2> place = vertex ? PlaceOf(*vertex) : AsPlace(value);
       if (!place || !IsOnLeftHalf(*place)) {
-        section.Fault(name, "must be a place [u, v] on the left half of the face, or name a vertex");
+        section.Fault(
+            name, "must be a position [u, v] on the left half of the face, in centimetres, or name a vertex");
         continue;
       }
       file_.points.push_back({name, *place, place->x > kExpressionFileOnMiddle_cm, vertex});
@@ -57,41 +67,56 @@ class Reader {
     return reference_.place[half_.At(vertex.region, vertex.a, vertex.b)];
   }
 
-  void ReadBorder(Section& file) {
-    const Value* border = file.Find("border");
-    if (border == nullptr || border->kind != Value::Kind::kList)
-      return file.Fault("border", "must be a list of places");
-    for (const Value& item : border->list) {
+  void ReadBorder(toml::Section& file) {
+    const toml::Value* border = file.Find("border");
+    if (border == nullptr || border->kind != toml::Value::Kind::kList)
+      return file.Fault("border", "must be a list of positions [u, v]");
+    for (const toml::Value& item : border->list) {
       const std::optional<glm::dvec2> place = AsPlace(item);
       if (!place || !IsOnLeftHalf(*place))
-        return file.Fault("border", "each must be a place [u, v] on the left half");
+        return file.Fault("border", "each must be a position [u, v] on the left half, in centimetres");
       file_.border_cm.push_back(*place);
     }
   }
 
-  void ReadExpression(Section section) {
+  void ReadExpression(toml::Section section) {
     section.AllowOnly({"name", "kind", "lids", "from", "both", "left", "right"});
-    AuthoredExpression expression{.name = section.Word("name")};
+    AuthoredExpression expression{.name = section.Text("name")};
     if (FindExpression(expression.name) != nullptr)
-      section.Fault("name", "another expression has it already");
+      section.Fault("name",
+                    fmt::format("another expression has it already: \"{}\" is given twice", expression.name));
     expression.kind = ReadKind(section);
     if (section.Has("lids")) expression.lids = ReadLids(section);
     if (section.Has("from")) expression.from = ReadFrom(section.Part("from"));
     if (section.Has("both")) expression.both = ReadMoves(section.Part("both"));
     if (section.Has("left")) expression.left = ReadMoves(section.Part("left"));
     if (section.Has("right")) expression.right = ReadMoves(section.Part("right"));
+    CheckThatItMoves(section, expression);
     file_.expressions.push_back(std::move(expression));
   }
 
-  static face::ExpressionKind ReadKind(Section& section) {
-    const std::string kind = section.WordOr("kind", "expression");
+  static void CheckThatItMoves(toml::Section& section, const AuthoredExpression& expression) {
+    double most_cm = 0;
+    for (const Moves* moves : {&expression.both, &expression.left, &expression.right})
+      for (const auto& [name, move] : *moves)
+        most_cm = std::max({most_cm, std::abs(move.x), std::abs(move.y), std::abs(move.z)});
+    if (most_cm > 0 && most_cm < kLeastMove_cm)
+      section.Fault(
+          "", fmt::format("moves no point by more than {} cm, which nobody sees: lengths are centimetres",
+                          most_cm));
+  }
+
+  static face::ExpressionKind ReadKind(toml::Section& section) {
+    const std::string kind = section.TextOr("kind", "expression");
     if (kind == "mouth") return face::ExpressionKind::kMouth;
     if (kind == "channel") return face::ExpressionKind::kChannel;
-    if (kind != "expression") section.Fault("kind", "must be \"expression\", \"mouth\" or \"channel\"");
+    if (kind != "expression")
+      section.Fault("kind", "must be \"expression\", \"mouth\" or \"channel\"" +
+                                toml::DidYouMean(kind, {"expression", "mouth", "channel"}));
     return face::ExpressionKind::kExpression;
   }
 
-  static std::array<double, 2> ReadLids(Section& section) {
+  static std::array<double, 2> ReadLids(toml::Section& section) {
     const std::vector<double> lids = section.Numbers("lids");
     const bool good =
         lids.size() == 2 && std::all_of(lids.begin(), lids.end(), [](double x) { return x >= 0 && x <= 1; });
@@ -102,20 +127,23 @@ class Reader {
     return {lids[0], lids[1]};
   }
 
-  std::map<std::string, double> ReadFrom(Section section) {
+  std::map<std::string, double> ReadFrom(toml::Section section) {
     std::map<std::string, double> from;
     for (const auto& [name, value] : section.table().table) {
-      if (FindExpression(name) == nullptr) section.Fault(name, "is no expression written before this one");
+      if (FindExpression(name) == nullptr)
+        section.Fault(name, "is no expression written before this one" +
+                                toml::DidYouMeanOneOf(name, file_.expressions));
       from[name] = section.Number(name);
     }
     return from;
   }
 
-  Moves ReadMoves(Section section) {
+  Moves ReadMoves(toml::Section section) {
     Moves moves;
     for (const auto& [name, value] : section.table().table) {
-      if (!HasPoint(name)) section.Fault(name, "is no control point");
-      moves[name] = section.Point(name);
+      if (!HasPoint(name))
+        section.Fault(name, "is no control point" + toml::DidYouMeanOneOf(name, file_.points));
+      moves[name] = section.Point_cm(name, kMostMove_cm);
     }
     return moves;
   }
@@ -140,10 +168,10 @@ class Reader {
 
 Result<ExpressionFile> ReadExpressionFile(const std::filesystem::path& path, const HalfTopology& half,
                                           const HalfShape& reference) {
-  const Result<Value> value = ReadToml(path);
+  const Result<toml::Value> value = toml::ReadToml(path);
   if (!value) return tl::unexpected(value.error());
-  Faults faults(path.string());
-  ExpressionFile file = Reader(half, reference).Read(Section(*value, "", faults));
+  toml::Faults faults(path.string());
+  ExpressionFile file = Reader(half, reference).Read(toml::Section(*value, "", faults));
   const Result<void> verdict = faults.Verdict();
   if (!verdict) return tl::unexpected(verdict.error());
   return file;

@@ -15,6 +15,8 @@ constexpr int kHalfRim = kEyeRim / 2;
 constexpr int kSmoothRings = 3;  // The rings of skin; nearer the lid the shape is exact.
 constexpr int kEyeRingsSmoothSteps = 14;
 constexpr double kLiftOverFold_cm = 0.03;
+// How far rings 0 to 5 lie on the way from the square rim in the grid to the lid's edge: closer together near
+// the lid, which bends most when it shuts.
 constexpr std::array<double, kLidRing + 1> kTowardsLid{0, 0.26, 0.50, 0.70, 0.86, 1.0};
 
 using RimRing = std::array<glm::dvec2, kEyeRim>;
@@ -23,9 +25,11 @@ using Rings = std::array<RimRing, kLidRing + 1>;
 bool IsUpper(int j) {
   return j <= kHalfRim;
 }
+// 0 at the inner corner, 1 at the outer one, along the upper lid (j 0 .. 14) and back along the lower one.
 double AlongLid(int j) {
   return static_cast<double>(IsUpper(j) ? j : kEyeRim - j) / kHalfRim;
 }
+// 0 in the corners, 1 in the middle of a lid.
 double Bow(int j) {
   return std::sin(kPi * AlongLid(j));
 }
@@ -75,6 +79,7 @@ glm::dvec3 OnSphere(const EyeRecipe& eye, glm::dvec2 p, double radius) {
   return {p, eye.centre.z + std::sqrt(std::max(radius * radius - dx * dx - dy * dy, 0.02))};
 }
 
+// Ring 3 of the upper lid is sunk into the crease, ring 4 stands over it: the fold from which a lid unrolls.
 glm::dvec3 SkinPoint(const std::vector<Body>& bodies, const EyeRecipe& eye, glm::dvec2 p, int j, int k) {
   glm::dvec3 on_skin = Project(bodies, {p, 6.5}, {0, 0, 1});
   if (k == 3 && IsUpper(j)) on_skin.z -= eye.crease * Bow(j);
@@ -83,6 +88,8 @@ glm::dvec3 SkinPoint(const std::vector<Body>& bodies, const EyeRecipe& eye, glm:
 }
 
 // Rings 6 and 7 close the gap between the lid and the ball.
+// Ring 6 lies on the ball, ring 7 within it, 10 % wider than the lid's opening and 3 mm farther back, so that
+// no light falls through between lid and ball from any side.
 glm::dvec3 BehindLid(const EyeRecipe& eye, glm::dvec2 lid, int k) {
   if (k == kLidRing + 1) return OnSphere(eye, lid, eye.radius);
   const glm::dvec2 centre(eye.centre);
@@ -98,6 +105,7 @@ glm::dvec2 PlaceInHole(const EyeRecipe& eye, glm::dvec2 lid, int k) {
 }  // namespace
 
 glm::dvec2 LidCurve(const EyeRecipe& eye, double s, bool upper) {
+  // s is mixed with its cosine, which puts more vertices into the corners, where the curve turns.
   const double t = 0.55 * s + 0.45 * (1 - std::cos(kPi * s)) / 2;
   const glm::dvec2 inner(eye.inner_x, eye.inner_y);
   const glm::dvec2 outer(eye.outer_x, eye.outer_y);
@@ -105,6 +113,8 @@ glm::dvec2 LidCurve(const EyeRecipe& eye, double s, bool upper) {
   const auto arch = [t](double skew, double bluntness) {
     return std::pow(std::max(std::sin(kPi * std::pow(t, skew)), 0.0), bluntness);
   };
+  // The upper lid is highest a little inwards of its middle (skew 0.92) and nearly flat there (bluntness
+  // below 1); the lower lid is lowest outwards of its middle.
   const double height = upper ? eye.upper_height * arch(0.92, 0.72) : -eye.lower_height * arch(1.12, 0.85);
   return glm::mix(inner, outer, t) + glm::dvec2(0, height);
 }

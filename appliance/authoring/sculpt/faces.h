@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/sculpt/fit_lids.h"
 #include "appliance/authoring/sculpt/recipe.h"
-#include "appliance/authoring/sculpt/seat_lids.h"
 #include "drivers/base/result.h"
 #include "render/face/cast.h"
 
 namespace kaori::sculpt {
 
+// A face as geometry alone, before it is mirrored and turned into metres.
 struct ShapedFace {
   HalfShape shape;  // In centimetres; places are those of the reference face.
   Ball eye;         // The left one.

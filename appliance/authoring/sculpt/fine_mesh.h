@@ -9,6 +9,8 @@
 namespace kaori::sculpt {
 
 // As mesh::Subdivide, with texture places. `places` are the cage's, in centimetres.
+// The rows `from_cage` of the result interpolate any shape of the cage, so that all faces share one fine
+// topology.
 face::FineMesh MakeFineMesh(const Cage& cage, const std::vector<glm::dvec2>& places);
 
 }  // namespace kaori::sculpt

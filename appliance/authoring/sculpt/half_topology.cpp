@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <sstream>
+#include <string>
 
 namespace kaori::sculpt {
 namespace {
@@ -176,7 +178,33 @@ class Builder {
   HalfTopology half_;
 };
 
+bool IsGridVertex(const Key& key) {
+  const bool end_of_crown = key.b == kRows && (key.a == 0 || key.a == kColumns);
+  const auto inside = [&key](const Block& b, int column0) {
+    return key.a > column0 && key.a < b.column1 && key.b > b.row0 && key.b < b.row1;
+  };
+  return key.a >= 0 && key.a <= kColumns && key.b >= 0 && key.b <= kRows && !end_of_crown &&
+         !inside(kEyeBlock, kEyeBlock.column0) && !inside(kEarBlock, kEarBlock.column0) &&
+         !inside(kMouthBlock, -1);
+}
+
+bool IsOnRings(const Key& key, int rim, int rings) {
+  return key.a >= 0 && key.a < rim && key.b >= 0 && key.b <= rings;
+}
+
 }  // namespace
+
+std::optional<Key> AsVertex(std::string_view name) {
+  std::istringstream words{std::string(name)};
+  std::string region;
+  Key key;
+  std::string rest;
+  if (!(words >> region >> key.a >> key.b) || (words >> rest)) return std::nullopt;
+  if (region == "grid" && IsGridVertex(key)) return key;
+  if (region == "eye" && IsOnRings(key, kEyeRim, kEyeRings)) return Key{Region::kEye, key.a, key.b};
+  if (region == "mouth" && IsOnRings(key, kMouthRim, kMouthRings)) return Key{Region::kMouth, key.a, key.b};
+  return std::nullopt;
+}
 
 Index HalfTopology::At(Region region, int a, int b) const {
   const Index vertex = table[static_cast<std::size_t>(region)][Slot(region, a, b)];

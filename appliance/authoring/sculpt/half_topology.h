@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "render/face/topology.h"
@@ -48,6 +50,9 @@ struct Key {
   int a = 0;
   int b = 0;
 };
+
+// The vertex that files call "grid 3 17", "eye 7 5" or "mouth 8 6"; none where there is no such vertex.
+std::optional<Key> AsVertex(std::string_view name);
 
 struct GridPoint {
   int column, row;

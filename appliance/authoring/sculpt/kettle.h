@@ -2,12 +2,13 @@
 #pragma once
 
 #include "appliance/authoring/sculpt/cage.h"
+#include "appliance/authoring/sculpt/fit_lids.h"
 #include "appliance/authoring/sculpt/recipe.h"
-#include "appliance/authoring/sculpt/seat_lids.h"
 #include "drivers/base/result.h"
 
 namespace kaori::sculpt {
 
+// The half of a kettle, in centimetres, and its left eye.
 struct Kettle {
   HalfShape shape;
   Ball eye;

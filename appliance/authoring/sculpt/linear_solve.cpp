@@ -7,6 +7,8 @@
 namespace kaori::sculpt {
 namespace {
 
+// Of a pivot, in the unit of the matrix: centimetres here, where entries are distances of about 1 to 30.
+// Below it rows depend on each other.
 constexpr double kSingular = 1e-12;
 
 std::size_t PivotRow(SquareMatrix& a, std::size_t column) {
@@ -42,6 +44,7 @@ void SubstituteBack(SquareMatrix& a, std::vector<glm::dvec3>& right) {
 
 }  // namespace
 
+// O(n^3), once for each animal: n is its landmarks and four.
 bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right) {
   for (std::size_t pivot = 0; pivot < a.size; ++pivot) {
     SwapRows(a, right, pivot, PivotRow(a, pivot));

@@ -8,6 +8,7 @@
 
 namespace kaori::sculpt {
 
+// Row by row, all zero at first.
 struct SquareMatrix {
   explicit SquareMatrix(std::size_t n) : size(n), value(n * n) {}
   double& operator()(std::size_t row, std::size_t column) { return value[row * size + column]; }
@@ -18,6 +19,7 @@ struct SquareMatrix {
 
 // Solves a * x = right for three right sides at once, in place: `right` becomes x. Gauss with row pivots.
 // False where `a` is singular.
+// `a` is n x n and `right` has n entries. `a` is a copy, since it is used up.
 bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right);
 
 }  // namespace kaori::sculpt

@@ -23,6 +23,7 @@ constexpr std::array<double, 4> kBagDepth_cm{0.35, 0.9, 2.2, 3.6};  // Rings 7 .
 constexpr std::array<double, 4> kBagHeight_cm{0.12, 0.75, 1.1, 0.8};
 constexpr std::array<double, 4> kBagWidth{1.0, 1.0, 0.95, 0.8};
 
+// A Gaussian without its factor: 1 at 0, 1/e at `width`.
 double Bump(double x, double width) {
   return std::exp(-(x / width) * (x / width));
 }
@@ -39,6 +40,9 @@ struct Station {
   double taper;  // 1 in the middle, 0 at the corner.
 };
 
+// Rim positions 0 .. 8 run along the upper lip from the middle to the corner, 16 .. 8 along the lower one. x
+// follows a sine, so that vertices gather at the corner; heights of lips fall as powers of 1 - (x /
+// half_width)^2, which is an ellipse at the power 0.5 and fuller below it.
 Station StationAt(const MouthRecipe& mouth, int j) {
   Station at{};
   at.upper = j <= kMouthCorner;
@@ -70,6 +74,7 @@ class Mouth {
  public:
   Mouth(const std::vector<Body>& bodies, const MouthRecipe& recipe) : bodies_(bodies), recipe_(recipe) {}
 
+  // Rings 0 to 2: skin between the block's rim and the border of the lip.
   Point Skin(const Station& at, int k, const Point& rim) const {
     const double t = kTowardsBorder[static_cast<std::size_t>(k)];
     const glm::dvec2 border(at.border_x, at.border_y);
@@ -79,6 +84,8 @@ class Mouth {
     return point;
   }
 
+  // Rings 3 to 6: from the lip's border over its bulge to where the lips meet. At the corners lips are tucked
+  // in behind the skin, 1 mm and more with each ring.
   Point Lip(const Station& at, int k) const {
     const auto ring = static_cast<std::size_t>(k - kLipBorderRing);
     const double t = kTowardsContact[ring];
@@ -92,6 +99,8 @@ class Mouth {
     return point;
   }
 
+  // Rings 7 to 10: the bag behind the lips, up to 3.6 cm deep. It holds teeth and tongue, and opens with the
+  // jaw.
   Point Bag(const Station& at, int k, glm::dvec3 contact) const {
     const auto ring = static_cast<std::size_t>(k - kLipContactRing - 1);
     const double open = ring == 0 ? at.taper : std::min(1.3 * at.taper, 1.0);

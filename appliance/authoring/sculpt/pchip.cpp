@@ -10,6 +10,8 @@ namespace {
 
 // One-sided slope of the parabola through three points, bent back where it would overshoot. h and d are the
 // widths and the slopes of the two outermost intervals, the outer one first.
+// F. N. Fritsch and R. E. Carlson, Monotone Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17 (1980);
+// the end condition is that of PCHIP in SLATEC and MATLAB.
 double EndSlope(double h0, double h1, double d0, double d1) {
   const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (slope * d0 <= 0) return 0;
@@ -18,6 +20,8 @@ double EndSlope(double h0, double h1, double d0, double d1) {
 }
 
 // The weighted harmonic mean of the slopes on either side; flat at an extreme.
+// Brodlie's mean, which Fritsch and Butland (1984) showed to be monotone: w0 and w1 weigh by the widths of
+// the two intervals.
 double InnerSlope(double h0, double h1, double d0, double d1) {
   if (d0 * d1 <= 0) return 0;
   const double w0 = 2 * h1 + h0;
@@ -48,6 +52,7 @@ double Pchip::At(double x) const {
   const auto i = static_cast<std::size_t>(after - x_.begin()) - 1;
   const double h = x_[i + 1] - x_[i];
   const double t = (x - x_[i]) / h;
+  // The cubic Hermite basis: 3t^2 - 2t^3 for the right value, t(1-t)^2 and t^2(1-t) for the slopes.
   const double rise = t * t * (3 - 2 * t);
   const double from = t * (1 - t) * (1 - t);
   const double to = t * t * (1 - t);

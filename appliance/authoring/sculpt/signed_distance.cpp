@@ -16,12 +16,17 @@ constexpr int kSteps = 60;
 constexpr double kStride = 0.8;  // Of the distance: blended ellipsoids overstate it a little.
 
 // Cubic smooth minimum: differs from min() only where the two are closer than `width`.
+// I. Quilez's cubic smooth minimum. It leaves both bodies as they are where they differ by more than `width`,
+// so that a fillet reaches no farther than it says.
 double SmoothMin(double a, double b, double width) {
   if (width <= 0) return std::min(a, b);
   const double h = std::max(width - std::abs(a - b), 0.0) / width;
   return std::min(a, b) - h * h * h * width / 6;
 }
 
+// The bound of I. Quilez (Ellipsoid SDF, iquilezles.org): |p/r| (|p/r| - 1) / |p/r^2|. Zero and of the right
+// slope on the surface; away from it too small or too large by up to the ratio of the radii, which is why
+// Project takes shorter steps.
 double ToEllipsoid(const Body& body, glm::dvec3 p) {
   const glm::dvec3 q = p - body.a;
   const double k0 = glm::length(q / body.b);
@@ -29,6 +34,8 @@ double ToEllipsoid(const Body& body, glm::dvec3 p) {
   return k0 * (k0 - 1) / std::max(k1, 1e-9);
 }
 
+// A round cone without the tangent correction: the radius is mixed along the axis by where the foot of p
+// lies. Exact for equal radii.
 double ToCapsule(const Body& body, glm::dvec3 p) {
   const glm::dvec3 axis = body.b - body.a;
   const glm::dvec3 q = p - body.a;
@@ -36,6 +43,7 @@ double ToCapsule(const Body& body, glm::dvec3 p) {
   return glm::length(q - h * axis) - (body.radius_a_cm + (body.radius_b_cm - body.radius_a_cm) * h);
 }
 
+// The exact distance to a box whose edges are rounded by radius_a_cm, which is taken off its halves first.
 double ToBox(const Body& body, glm::dvec3 p) {
   const glm::dvec3 q = glm::abs(p - body.a) - (body.b - body.radius_a_cm);
   const double inside = std::min(std::max({q.x, q.y, q.z}), 0.0);
@@ -68,6 +76,8 @@ double SignedDistance(const std::vector<Body>& bodies, glm::dvec3 p) {
   return distance;
 }
 
+// Sphere tracing (J. C. Hart 1996) with a fixed number of steps: no vertex may depend on when a loop gave up.
+// Where the ray misses the solid the point ends somewhere beside it.
 glm::dvec3 Project(const std::vector<Body>& bodies, glm::dvec3 p, glm::dvec3 outwards) {
   glm::dvec3 q = p + kStart_cm * outwards;
   for (int i = 0; i < kSteps; ++i) q -= kStride * SignedDistance(bodies, q) * outwards;

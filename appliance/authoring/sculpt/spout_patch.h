@@ -7,8 +7,11 @@
 
 namespace kaori::sculpt {
 
+// Columns 0 to 3, rows 15 to 20 of the grid: between the mouth and the eyes.
 inline constexpr Block kSpoutPatch{0, 3, 15, 20};
 
+// Which part of the spout a vertex of the patch becomes: its foot on the kettle's wall, the rim of its hole,
+// or the inside.
 enum class SpoutPart : std::uint8_t { kFoot, kRim, kInside };
 
 bool IsOnSpoutPatch(const Key& key);

@@ -7,6 +7,8 @@
 namespace kaori::sculpt {
 namespace {
 
+// One corner of a polygon that stretches a coordinate: where it lies on the unrolled surface, and where in
+// the picture, 0 .. 1.
 struct Knot {
   double place_cm;
   double texture;

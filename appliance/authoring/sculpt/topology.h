@@ -8,6 +8,8 @@ namespace kaori::sculpt {
 
 // `reference` gives the places, and the diagonals along which quads are split: the shorter one, the same on
 // both sides of the face.
+// Fills triangles, seams, texture coordinates and the fine mesh. Vertices that expressions can move come
+// first.
 face::Topology MakeTopology(const Cage& cage, const HalfShape& reference);
 
 }  // namespace kaori::sculpt

@@ -17,6 +17,10 @@ double AffineTerm(glm::dvec3 p, std::size_t term) {
 
 }  // namespace
 
+// The displacement at p is sum_i w_i |p - p_i| + a_0 + a_1 x + a_2 y + a_3 z. The kernel r is the fundamental
+// solution of the biharmonic equation in three dimensions, as r^2 log r is in two (the thin plate spline):
+// among all interpolants it bends least. The last four rows of the matrix ask that the weights sum to zero,
+// alone and times x, y and z, so that what is affine is carried by the affine part.
 std::optional<Warp> Warp::Through(std::vector<Pull> pulls) {
   const std::size_t n = pulls.size();
   SquareMatrix a(n + kAffine);

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include <fmt/format.h>
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
+
+#include "appliance/core/toml/value.h"
 
 namespace kaori::editor {
 namespace {
@@ -22,67 +22,69 @@ class Reader {
     work_.pulls_m.resize(points.size());
   }
 
-  Result<Work> Read(const toml::table& file) {
-    const toml::array* expressions = file["expression"].as_array();
-    if (expressions == nullptr || expressions->size() != 1 || !expressions->front().is_table())
+  Result<Work> Read(const toml::Value& file) {
+    const toml::Value* expressions = toml::Find(file, "expression");
+    if (expressions == nullptr || expressions->list.size() != 1 ||
+        expressions->list.front().kind != toml::Value::Kind::kTable)
       return FailInput(file_ + ": must hold one [[expression]]");
-    for (const auto& [key, value] : file)
-      if (key.str() != "expression") Complain(value, fmt::format("\"{}\" does not exist", key.str()));
-    for (const auto& [key, value] : *expressions->front().as_table()) ReadItem(key.str(), value);
+    for (const auto& [key, value] : file.table)
+      if (key != "expression") Complain(value, fmt::format("\"{}\" does not exist", key));
+    for (const auto& [key, value] : expressions->list.front().table) ReadItem(key, value);
     if (complaint_.empty() && !IsName(work_.name)) complaint_ = file_ + ": it has no name";
     if (!complaint_.empty()) return FailInput(complaint_);
     return std::move(work_);
   }
 
  private:
-  void Complain(const toml::node& at, const std::string& what) {
-    if (complaint_.empty()) complaint_ = fmt::format("{}:{}: {}", file_, at.source().begin.line, what);
+  void Complain(const toml::Value& at, const std::string& what) {
+    if (complaint_.empty()) complaint_ = fmt::format("{}:{}: {}", file_, at.line, what);
   }
 
-  void ReadItem(std::string_view key, const toml::node& value) {
+  void ReadItem(std::string_view key, const toml::Value& value) {
     if (key == "name") return ReadName(value);
     if (key == "lids") return ReadLids(value);
     if (key == "from") return ReadFrom(value);
     if (key == "both" || key == "left" || key == "right") return ReadMoves(key, value);
-    if (key == "kind" && value.value<std::string>() == "expression") return;
+    if (key == "kind" && value.text == "expression") return;
     Complain(value, fmt::format("\"{}\" is not for an expression of the box's own", key));
   }
 
-  void ReadName(const toml::node& value) {
-    work_.name = value.value<std::string>().value_or("");
+  void ReadName(const toml::Value& value) {
+    work_.name = value.text;
     if (!IsName(work_.name)) Complain(value, "the name must be letters, digits and _, 24 at most");
   }
 
-  void ReadLids(const toml::node& value) {
+  void ReadLids(const toml::Value& value) {
     const auto lids = Numbers(value, 2);
     if (!lids || !std::ranges::all_of(*lids, [](double lid) { return lid >= 0 && lid <= 1; }))
       return Complain(value, "lids must be two numbers from 0 to 1");
     work_.lids = {static_cast<float>((*lids)[0]), static_cast<float>((*lids)[1])};
   }
 
-  void ReadFrom(const toml::node& value) {
-    if (!value.is_table()) return Complain(value, "from must be a table");
-    for (const auto& [name, share] : *value.as_table()) {
-      const auto base = std::ranges::find(cast_.expressions, name.str(), &face::Expression::name);
-      const auto weight = share.value<double>();
-      if (base == cast_.expressions.end() || !weight || !(std::abs(*weight) <= 4)) {
-        Complain(share, fmt::format("from {}: no expression of the show, or no number", name.str()));
+  void ReadFrom(const toml::Value& value) {
+    if (value.kind != toml::Value::Kind::kTable) return Complain(value, "from must be a table");
+    for (const auto& [name, share] : value.table) {
+      const auto base = std::ranges::find(cast_.expressions, name, &face::Expression::name);
+      const bool is_weight = share.kind == toml::Value::Kind::kNumber && std::abs(share.number) <= 4;
+      if (base == cast_.expressions.end() || !is_weight) {
+        Complain(share, fmt::format("from {}: no expression of the show, or no number", name));
         continue;
       }
       for (std::size_t i = 0; i < points_.size(); ++i)
-        work_.pulls_m[i] += static_cast<float>(*weight) * base->displacement[i];
+        work_.pulls_m[i] += static_cast<float>(share.number) * base->displacement[i];
     }
   }
 
-  void ReadMoves(std::string_view table, const toml::node& value) {
-    if (!value.is_table()) return Complain(value, fmt::format("{} must be a table", table));
-    for (const auto& [name, item] : *value.as_table()) {
+  void ReadMoves(std::string_view table, const toml::Value& value) {
+    if (value.kind != toml::Value::Kind::kTable)
+      return Complain(value, fmt::format("{} must be a table", table));
+    for (const auto& [name, item] : value.table) {
       const auto move = Numbers(item, 3);
       const auto far = [](double part) { return !(std::abs(part) <= kFarthest_cm); };
       if (!move || std::ranges::any_of(*move, far))
-        Complain(item, fmt::format("{}: must be three numbers of 5 cm at most", name.str()));
-      else if (!AddMove(table, std::string(name.str()), glm::vec3((*move)[0], (*move)[1], (*move)[2])))
-        Complain(item, fmt::format("{}: is no control point of this show", name.str()));
+        Complain(item, fmt::format("{}: must be three numbers of 5 cm at most", name));
+      else if (!AddMove(table, name, glm::vec3((*move)[0], (*move)[1], (*move)[2])))
+        Complain(item, fmt::format("{}: is no control point of this show", name));
     }
   }
 
@@ -103,14 +105,12 @@ class Reader {
     return true;
   }
 
-  static std::optional<std::vector<double>> Numbers(const toml::node& value, std::size_t count) {
-    const toml::array* array = value.as_array();
-    if (array == nullptr || array->size() != count) return std::nullopt;
+  static std::optional<std::vector<double>> Numbers(const toml::Value& value, std::size_t count) {
+    if (value.kind != toml::Value::Kind::kList || value.list.size() != count) return std::nullopt;
     std::vector<double> numbers;
-    for (const toml::node& item : *array) {
-      const auto number = item.value<double>();
-      if (!number) return std::nullopt;
-      numbers.push_back(*number);
+    for (const toml::Value& item : value.list) {
+      if (item.kind != toml::Value::Kind::kNumber) return std::nullopt;
+      numbers.push_back(item.number);
     }
     return numbers;
   }
@@ -126,12 +126,9 @@ class Reader {
 
 Result<Work> ReadOwn(std::string_view text, const std::string& file, const Points& points,
                      const face::Cast& cast) {
-  const toml::parse_result parsed = toml::parse(text, file);
-  if (!parsed) {
-    const toml::parse_error& error = parsed.error();
-    return FailInput(fmt::format("{}:{}: {}", file, error.source().begin.line, error.description()));
-  }
-  return Reader(file, points, cast).Read(parsed.table());
+  const auto value = toml::Parse(text, file);
+  if (!value) return tl::unexpected(value.error());
+  return Reader(file, points, cast).Read(*value);
 }
 
 }  // namespace kaori::editor

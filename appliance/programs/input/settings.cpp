@@ -1,12 +1,14 @@
 #include "appliance/programs/input/settings.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
-#include "drivers/base/read_file.h"
+#include "appliance/core/toml/value.h"
 
 namespace kaori::input {
 namespace {
@@ -17,30 +19,32 @@ constexpr float kMostCounts = 1e6F;  // Of a mouse, from edge to edge.
 // Collects the first complaint; every reader after it does nothing.
 class Reading {
  public:
-  Reading(std::string path, toml::table& file) : path_(std::move(path)), file_(file) {}
+  Reading(std::string path, const toml::Value& file) : path_(std::move(path)), file_(file) {}
 
   void Number(std::string_view table, std::string_view key, float& into, float low, float high) {
-    const auto value = Value<double>(table, key);
-    if (!value) return;
-    if (!(*value >= low && *value <= high))  // TOML knows nan.
-      return Complain(table, key, fmt::format("is not between {} and {}", low, high));
-    into = static_cast<float>(*value);
+    const toml::Value* value = Find(table, key, toml::Value::Kind::kNumber);
+    if (value == nullptr) return;
+    if (!(value->number >= low && value->number <= high))
+      return Complain(*value, table, key, fmt::format("is not between {} and {}", low, high));
+    into = static_cast<float>(value->number);
   }
 
   void Whole(std::string_view table, std::string_view key, int& into, int low, int high) {
-    const auto value = Value<std::int64_t>(table, key);
-    if (!value) return;
-    if (*value < low || *value > high)
-      return Complain(table, key, fmt::format("is not between {} and {}", low, high));
-    into = static_cast<int>(*value);
+    const toml::Value* value = Find(table, key, toml::Value::Kind::kNumber);
+    if (value == nullptr) return;
+    if (value->number != std::floor(value->number))
+      return Complain(*value, table, key, "is of the wrong kind");
+    if (value->number < low || value->number > high)
+      return Complain(*value, table, key, fmt::format("is not between {} and {}", low, high));
+    into = static_cast<int>(value->number);
   }
 
   void Text(std::string_view table, std::string_view key, std::string& into) {
-    if (auto value = Value<std::string>(table, key)) into = std::move(*value);
+    if (const toml::Value* value = Find(table, key, toml::Value::Kind::kText)) into = value->text;
   }
 
   void Switch(std::string_view table, std::string_view key, bool& into) {
-    if (const auto value = Value<bool>(table, key)) into = *value;
+    if (const toml::Value* value = Find(table, key, toml::Value::Kind::kSwitch)) into = value->on;
   }
 
   // What nobody asked for is a typing error: better said now than wondered about during a show.
@@ -49,41 +53,39 @@ class Reading {
   const std::string& complaint() const { return complaint_; }
 
  private:
-  static std::string Path(std::string_view table, std::string_view key) {
-    return fmt::format("{}.{}", table, key);
+  // The value of `key` in a table such as "stick.left"; null where there is none, or one of another kind.
+  const toml::Value* Find(std::string_view table, std::string_view key, toml::Value::Kind kind) {
+    const toml::Value* owner = &file_;
+    for (std::string_view rest = table; owner != nullptr && !rest.empty();) {
+      const auto dot = std::min(rest.find('.'), rest.size());
+      owner = toml::Find(*owner, rest.substr(0, dot));
+      rest.remove_prefix(std::min(dot + 1, rest.size()));
+    }
+    const toml::Value* value = owner == nullptr ? nullptr : toml::Find(*owner, key);
+    if (value == nullptr) return nullptr;
+    asked_for_.push_back(value);
+    if (value->kind == kind) return value;
+    Complain(*value, table, key, "is of the wrong kind");
+    return nullptr;
   }
 
-  template <class T>
-  std::optional<T> Value(std::string_view table, std::string_view key) {
-    const auto node = file_.at_path(Path(table, key));
-    if (!node) return std::nullopt;
-    const auto value = node.value<T>();
-    where_ = node.node()->source();
-    if (!value) Complain(table, key, "is of the wrong kind");
-    if (toml::table* owner = file_.at_path(table).as_table()) owner->erase(key);
-    return value;
-  }
-
-  void RefuseIn(const toml::table& table, const std::string& prefix) {
-    for (const auto& [key, node] : table) {
-      where_ = node.source();
-      const std::string name = prefix + std::string(key.str());
-      if (const toml::table* inner = node.as_table())
-        RefuseIn(*inner, name + ".");
-      else
-        Complain(prefix.empty() ? "" : prefix.substr(0, prefix.size() - 1), key.str(), "does not exist");
+  void RefuseIn(const toml::Value& table, const std::string& prefix) {
+    for (const auto& [key, value] : table.table) {
+      if (value.kind == toml::Value::Kind::kTable)
+        RefuseIn(value, prefix + key + ".");
+      else if (std::ranges::find(asked_for_, &value) == asked_for_.end())
+        Complain(value, prefix.empty() ? "" : prefix.substr(0, prefix.size() - 1), key, "does not exist");
     }
   }
 
-  void Complain(std::string_view table, std::string_view key, std::string_view what) {
-    if (!complaint_.empty()) return;
-    complaint_ = fmt::format("{}, line {}, column {}: {}.{} {}", path_, where_.begin.line,
-                             where_.begin.column, table, key, what);
+  void Complain(const toml::Value& at, std::string_view table, std::string_view key, std::string_view what) {
+    if (complaint_.empty())
+      complaint_ = fmt::format("{}:{}:{}: {}.{} {}", path_, at.line, at.column, table, key, what);
   }
 
   std::string path_;
-  toml::table& file_;
-  toml::source_region where_;
+  const toml::Value& file_;
+  std::vector<const toml::Value*> asked_for_;
   std::string complaint_;
 };
 
@@ -101,16 +103,10 @@ void ReadStick(Reading& reading, std::size_t which, InputSettings& settings) {
 }  // namespace
 
 Result<InputSettings> ReadSettings(const std::string& path) {
-  const auto text = ReadFile(path, {.most_levels = kMostLevels});
-  if (!text) return tl::unexpected(text.error());
-  toml::parse_result parsed = toml::parse(*text, path);
-  if (!parsed) {
-    const auto at = parsed.error().source().begin;
-    return FailInput(
-        fmt::format("{}, line {}, column {}: {}", path, at.line, at.column, parsed.error().description()));
-  }
+  const auto value = toml::ReadToml(path);
+  if (!value) return tl::unexpected(value.error());
   InputSettings settings;
-  Reading reading(path, parsed.table());
+  Reading reading(path, *value);
   reading.Whole("dials", "counts_per_turn", settings.counts_per_turn, 1, 1 << 20);
   reading.Text("dials", "port", settings.dial_box_port);
   reading.Text("keyboard", "port", settings.keyboard_port);

@@ -1,4 +1,4 @@
-// A cast that is sculpted and dressed once for all tests of the wardrobe, from the default show.
+// A cast that is sculpted and dressed once for all tests of the appearance, from the default show.
 #pragma once
 
 #include <filesystem>

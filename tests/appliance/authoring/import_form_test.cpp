@@ -16,9 +16,9 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Heads TakenApart(const Model& model) {
+Heads HeadsOf(const Model& model) {
   Findings findings;
-  return TakeApart({model}, 0.05F, findings);
+  return SplitHeads({model}, 0.05F, findings);
 }
 
 Model WithoutShapes(Model model) {
@@ -29,8 +29,8 @@ Model WithoutShapes(Model model) {
 
 // Landmarks of one head, found by its motions and by its form: how far apart; -1: by form not at all.
 std::vector<std::pair<std::string, float>> Apart_mm(const Model& model) {
-  const auto by_motion = FindLandmarks(ShapeOfHeads(TakenApart(model)));
-  const auto by_form = FindLandmarks(ShapeOfHeads(TakenApart(WithoutShapes(model))));
+  const auto by_motion = FindLandmarks(ShapeOfHeads(HeadsOf(model)));
+  const auto by_form = FindLandmarks(ShapeOfHeads(HeadsOf(WithoutShapes(model))));
   std::vector<std::pair<std::string, float>> apart;
   for (const Landmark& mark : by_motion) {
     const auto same = std::ranges::find(by_form, mark.name, &Landmark::name);
@@ -54,7 +54,7 @@ TEST(HeadWithoutMotions, HasItsLandmarksWhereMotionsWouldSay) {
 }
 
 TEST(HeadWithoutMotions, ShutsItsLidsOverTheBall) {
-  const Heads heads = TakenApart(WithoutShapes(ExportedHead()));
+  const Heads heads = HeadsOf(WithoutShapes(ExportedHead()));
   for (std::size_t side = 0; side < 2; ++side) {
     const face::EyeBall& eye = heads.heads[0].eyes[side];
     const Offsets& blink = heads.by_form.blink[side];
@@ -69,7 +69,7 @@ TEST(HeadWithoutMotions, ShutsItsLidsOverTheBall) {
 }
 
 TEST(HeadWithoutMotions, OpensItsMouthByTheLowerLipAlone) {
-  const HeadShape head = ShapeOfHeads(TakenApart(WithoutShapes(ExportedHead())));
+  const HeadShape head = ShapeOfHeads(HeadsOf(WithoutShapes(ExportedHead())));
   ASSERT_FALSE(head.jaw.empty());
   const auto marks = FindLandmarks(head);
   const auto moved = [&](std::string_view name) {
@@ -84,7 +84,7 @@ TEST(HeadWithoutMotions, OpensItsMouthByTheLowerLipAlone) {
 
 TEST(HeadWithoutMotions, SaysThatItHasNoEyes) {
   Model blind = WithoutShapes(ExportedHead());
-  const Heads whole = TakenApart(blind);
+  const Heads whole = HeadsOf(blind);
   const auto is_eye = [&](const Triangle& t) {
     return whole.parts[t[0]] == PartOf::kLeftEye || whole.parts[t[0]] == PartOf::kRightEye;
   };
@@ -92,14 +92,14 @@ TEST(HeadWithoutMotions, SaysThatItHasNoEyes) {
   const auto first_eye = std::ranges::find(whole.parts, PartOf::kLeftEye) - whole.parts.begin();
   blind.positions.resize(static_cast<std::size_t>(first_eye));
   blind.uv.resize(static_cast<std::size_t>(first_eye));
-  const Heads heads = TakenApart(blind);
+  const Heads heads = HeadsOf(blind);
   EXPECT_THAT(heads.found_by_form, Contains(HasSubstr("left eye: no ball was found")));
   EXPECT_THAT(heads.found_by_form, Contains(HasSubstr("mouth: not found")));
   EXPECT_TRUE(heads.by_form.jaw.empty());
 }
 
 TEST(HeadWithMotions, KeepsThem) {
-  const Heads heads = TakenApart(ExportedHead());
+  const Heads heads = HeadsOf(ExportedHead());
   EXPECT_TRUE(heads.found_by_form.empty());
   EXPECT_TRUE(heads.by_form.jaw.empty());
   EXPECT_FALSE(heads.by_form.lids[0]);

@@ -31,13 +31,13 @@ show::Show NamedShow() {
 }
 
 // The labels as the simulator's page reads them.
-class AtelierLabels : public ::testing::Test {
+class AuthoredLabels : public ::testing::Test {
  protected:
-  AtelierLabels() {
+  AuthoredLabels() {
     std::ofstream(path_) << LabelsJson(show_);
     labels_ = console::LoadLabels(path_).value();
   }
-  ~AtelierLabels() override { std::remove(path_.c_str()); }
+  ~AuthoredLabels() override { std::remove(path_.c_str()); }
 
   // The stage's knob after so many turns of its dial.
   float Turned(std::size_t dial, double turns) const {
@@ -53,7 +53,7 @@ class AtelierLabels : public ::testing::Test {
   console::Labels labels_;
 };
 
-TEST_F(AtelierLabels, TellTheValuesThatThePerformancePlays) {
+TEST_F(AuthoredLabels, TellTheValuesThatThePerformancePlays) {
   for (std::size_t n = 0; n < labels_.dials.size(); ++n) {
     const console::DialLabel& dial = labels_.dials[n];
     EXPECT_NEAR(Turned(n, 0), dial.start, 1e-6) << dial.text;
@@ -64,7 +64,7 @@ TEST_F(AtelierLabels, TellTheValuesThatThePerformancePlays) {
   }
 }
 
-TEST_F(AtelierLabels, TellWhichDialsACallFills) {
+TEST_F(AuthoredLabels, TellWhichDialsACallFills) {
   State state = performance::Opening(show_, {}, Time{});
   state.knobs.fill(0);
   board::Snapshot board{.surface = {.source = board::SourceState::kLive}};
@@ -75,7 +75,7 @@ TEST_F(AtelierLabels, TellWhichDialsACallFills) {
         << labels_.dials[n].text;
 }
 
-TEST_F(AtelierLabels, NameEveryButtonByWhatItCalls) {
+TEST_F(AuthoredLabels, NameEveryButtonByWhatItCalls) {
   EXPECT_EQ(labels_.buttons[2].text, "Face 2");
   EXPECT_EQ(labels_.buttons[2].group, "face");
   EXPECT_EQ(labels_.buttons[6].text, "In mood 1");
@@ -84,7 +84,7 @@ TEST_F(AtelierLabels, NameEveryButtonByWhatItCalls) {
   EXPECT_EQ(labels_.buttons[31].text, "") << "it calls nothing";
 }
 
-TEST_F(AtelierLabels, NameTheKeysThatDoSomething) {
+TEST_F(AuthoredLabels, NameTheKeysThatDoSomething) {
   const auto text = [this](std::uint8_t usage) -> std::optional<std::string> {
     const auto it = std::ranges::find(labels_.keys, usage, &console::KeyLabel::usage);
     return it == labels_.keys.end() ? std::nullopt : std::optional(it->text + " " + it->group);

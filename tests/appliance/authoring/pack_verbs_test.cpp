@@ -1,4 +1,4 @@
-// The command line of the atelier: what makes no sense is said in one line, and nothing is done.
+// The command line of kaori-atelier: what makes no sense is said in one line, and nothing is done.
 #include <gmock/gmock.h>
 
 #include "appliance/authoring/pack/facts.h"

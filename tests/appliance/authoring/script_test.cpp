@@ -111,46 +111,72 @@ struct Wrong {
 };
 const Wrong kWrongs[] = {
     {"AWordThatIsNone", "expresion = \"neutral\"",
-     "scene \"studio\": line 8: nothing is called \"expresion\" here"},
-    {"ATableThatIsNone", "[[scenes]]", "the show: line 8: nothing is called \"scenes\" here"},
+     ":8: scene \"studio\".expresion: is not known here; did you mean \"expression\"?"},
+    {"ATableThatIsNone", "[[scenes]]", ":8: scenes: is not known here; did you mean \"scene\"?"},
     {"AnExpressionThatIsNone", "expression = \"smlie\"",
-     "scene \"studio\": there is no expression \"smlie\""},
-    {"ANumberInQuotes", "light = \"1\"", "scene \"studio\": line 8: light wants a number"},
-    {"ATextWithoutQuotes", "style = 3", "scene \"studio\": line 8: style wants a text in quotes"},
-    {"AStyleThatIsNone", "style = \"Wire\"", "there is no style \"Wire\"; styles are wire"},
+     ":8: scene \"studio\".expression: there is no expression \"smlie\""},
+    {"ANumberInQuotes", "light = \"1\"", ":8: scene \"studio\".light: must be a number"},
+    {"ATextWithoutQuotes", "style = 3", ":8: scene \"studio\".style: must be a text in quotes"},
+    {"AStyleThatIsNone", "style = \"Wire\"",
+     ":8: scene \"studio\".style: there is no style \"Wire\"; styles are wire"},
     {"AColourThatIsNone",
      "[[scene]]\nface = \"kaori\"\nbackdrop = { top = \"#12345g\", bottom = \"#000000\" }",
-     "\"#12345g\" is no colour"},
+     ":10: scene[2].backdrop.top: \"#12345g\" is no colour"},
     {"ABackdropOfNoKind",
      "[[scene]]\nname = \"b\"\nface = \"kaori\"\nbackdrop = { kind = \"curtian\", top = \"#000000\", bottom "
      "= "
      "\"#000000\" }",
-     "scene \"b\": its backdrop: there is no kind \"curtian\"; kinds are gradient, studio, curtain"},
+     ":11: scene \"b\".backdrop.kind: there is no kind \"curtian\"; kinds are gradient, studio, curtain"},
     {"ABackdropWithAWordThatIsNone",
      "[[scene]]\nface = \"kaori\"\nbackdrop = { topp = \"#000000\", top = \"#000000\", bottom = \"#000000\" "
      "}",
-     "its backdrop: line 10: nothing is called \"topp\" here"},
-    {"ABackdropThatIsNoTable", "[[scene]]\nface = \"kaori\"\nbackdrop = 3", "it wants a backdrop, such as"},
+     ":10: scene[2].backdrop.topp: is not known here; did you mean \"top\"?"},
+    {"ABackdropThatIsNoTable", "[[scene]]\nface = \"kaori\"\nbackdrop = 3",
+     ":10: scene[2].backdrop: must be a table"},
     {"APictureThatIsNotThere", "[[scene]]\nface = \"kaori\"\nbackdrop = { picture = \"none.png\" }",
-     "none.png: No such file"},
-    {"AKeyThatIsNone", "[[motion]]\nkey = \"f13\"\nlids = [[0, 0], [1, 0]]", "there is no key \"f13\""},
-    {"APairOfThree", "[[motion]]\nlids = [[0, 0, 0], [1, 0]]", "line 9: a pair [second, value] is expected"},
-    {"ACurveThatIsANumber", "[[motion]]\nlids = 3", "line 9: lids wants a list of pairs"},
-    {"ACurveOfNothing", "[[motion]]\nears = [[0, 0], [1, 0]]", "there is no target or channel \"ears\""},
-    {"AMotionOfNothing", "[[motion]]\nname = \"nod\"", "motion \"nod\": it moves nothing"},
-    {"ChannelsOfNoRole", "[channels]\nbrow = \"jaw_open\"",
-     "channels: line 9: nothing is called \"brow\" here"},
-    {"ACallOnAKeyThatIsNone", "[keys]\nf13 = \"style wire\"", "key f13: there is no key \"f13\""},
+     ":10: scene[2].backdrop.picture: "},
+    {"AKeyThatIsNone", "[[motion]]\nkey = \"f13\"\nlids = [[0, 0], [1, 0]]",
+     ":9: motion[1].key: there is no key \"f13\""},
+    {"APairOfThree", "[[motion]]\nlids = [[0, 0, 0], [1, 0]]",
+     ":9: motion \"unnamed\".lids: a pair [second, value] is expected"},
+    {"ACurveThatIsANumber", "[[motion]]\nlids = 3", ":9: motion[1].lids: must be a list of pairs"},
+    {"ACurveOfNothing", "[[motion]]\nears = [[0, 0], [1, 0]]",
+     ":9: motion[1].ears: there is no target or channel \"ears\""},
+    {"AMotionOfNothing", "[[motion]]\nname = \"nod\"", ":8: motion \"nod\": it moves nothing"},
+    {"ChannelsOfNoRole", "[channels]\nbrow = \"jaw_open\"", ":9: channels.brow: is not known here"},
+    {"ACallOnAKeyThatIsNone", "[keys]\nf13 = \"style wire\"", ":9: keys.f13: there is no key \"f13\""},
     {"AKeyThatCallsNothingThatIs", "[keys]\nq = \"light on\"",
-     "key q: \"light\" is none of face, expression, style, scene"},
-    {"ACallWithoutQuotes", "[keys]\nq = 7", "key q: line 9: a text in quotes is expected"},
-    {"KeysThatAreNoTable", "[[keys]]\nq = \"style wire\"", "keys: line 8: a table is expected"},
-    {"AKeyThatIsGivenTwice", "[keys]\nf1 = \"style wire\"", "key f1: the key \"f1\" is given twice"},
+     ":9: keys.q: \"light\" is none of face, expression, style, scene"},
+    {"ACallWithoutQuotes", "[keys]\nq = 7", ":9: keys.q: must be a text in quotes"},
+    {"KeysThatAreNoTable", "[[keys]]\nq = \"style wire\"", ":8: keys: must be a table"},
+    {"AKeyThatIsGivenTwice", "[keys]\nf1 = \"style wire\"",
+     ":9: keys.f1: the key \"f1\" is given twice: it is that of scene \"studio\" in line 4"},
     {"ASceneOfANameThatIsTaken",
      "[[scene]]\nname = \"studio\"\nface = \"kaori\"\nbackdrop = { top = \"#000000\", bottom = \"#000000\" }",
-     "scene \"studio\": the name \"studio\" is given twice"},
+     ":9: scene \"studio\".name: the name \"studio\" is given twice"},
     {"AMotionByItsFormerName", "[[take]]\nname = \"nod\"\nlids = [[0, 0], [1, 0]]",
-     "the show: line 8: a registered motion is now written [[motion]], not [[take]]"},
+     ":8: take: a registered motion is now written [[motion]], not [[take]]"},
+    {"AKeyThatTheBoxUses", "[keys]\nz = \"style wire\"",
+     ":9: keys.z: the key \"z\" belongs to the box: it winks"},
+    {"AKeyOfTheExpressionEditor", "[keys]\nm = \"style wire\"",
+     ":9: keys.m: the key \"m\" belongs to the box"},
+    {"AKeyOfTheCalibration", "[keys]\nf12 = \"style wire\"", "it begins the calibration of the lips"},
+    {"ATurnTooFar", "[[motion]]\nname = \"nod\"\nhead_yaw = [[0, 0], [1, 1200], [2, 0]]",
+     ":10: motion \"nod\".head_yaw: 1200 degrees, and 229 to either side are the most"},
+    {"AFadeInMilliseconds", "[[scene]]\nname = \"b\"\nface = \"kaori\"\nfade_s = 800",
+     ":11: scene \"b\".fade_s: is 800 s, not within 0 to 60"},
+    {"ATimeThatRunsBack", "[[motion]]\nname = \"nod\"\nlids = [[0, 0], [1, 1],\n[0.5, 0.5], [2, 0]]",
+     ":11: motion \"nod\".lids: second 0.5 must lie after second 1"},
+    {"AMotionThatWouldJump", "[[motion]]\nname = \"nod\"\nlids = [[0, 0],\n[1, 1]]",
+     ":11: motion \"nod\".lids: a curve must start and end at 0"},
+    {"ASceneWithoutAFace", "[[scene]]\nname = \"b\"\nbackdrop = { top = \"#000000\", bottom = \"#000000\" }",
+     ":8: scene \"b\".face: is missing"},
+    {"ASceneWithoutABackdrop", "[[scene]]\nname = \"b\"\nface = \"kaori\"",
+     ":8: scene \"b\".backdrop: is missing"},
+    {"AMotionOfANameThatIsTaken",
+     "[[motion]]\nname = \"nod\"\nlids = [[0, 0], [1, 0]]\n[[motion]]\nname = \"nod\"\nlids = [[0, 0], [1, "
+     "0]]",
+     ":12: motion \"nod\".name: the name \"nod\" is given twice"},
     {"ATypingError", "light = = 1", ":8:"},
 };
 
@@ -165,21 +191,21 @@ INSTANTIATE_TEST_SUITE_P(Each, AWrongScript, ::testing::ValuesIn(kWrongs),
                          [](const auto& wrong) { return std::string(wrong.param.name); });
 
 TEST_F(ScriptTest, WithoutAnySceneIsNamed) {
-  EXPECT_THAT(Read("name = \"empty\"\n"), Contains(HasSubstr("scenes: there is none")));
+  EXPECT_THAT(Read("name = \"empty\"\n"), Contains(HasSubstr("scene: there is none")));
 }
 
 TEST_F(ScriptTest, WithButtonsThatAreNoRowsOfTextsIsNamed) {
   EXPECT_THAT(Read(std::string("buttons = 3\n") + kScene),
-              Contains(HasSubstr("buttons: line 1: a list is expected")));
+              Contains(HasSubstr(":1: buttons: must be a list of rows")));
   EXPECT_THAT(Read(std::string("buttons = [\"face kaori\"]\n") + kScene),
-              Contains(HasSubstr("buttons: line 1: a row [...] is expected")));
+              Contains(HasSubstr(":1: buttons: a row [...] of texts is expected")));
   EXPECT_THAT(Read(std::string("buttons = [[\"\", 7]]\n") + kScene),
-              Contains(HasSubstr("button 2: line 1: a text in quotes is expected")));
+              Contains(HasSubstr(":1: button 2: must be a text in quotes")));
 }
 
 TEST_F(ScriptTest, WithAnotherNumberOfButtonsThanTheBoxIsNamed) {
   EXPECT_THAT(Read(std::string("buttons = [[\"face kaori\", \"\"]]\n") + kScene),
-              Contains(HasSubstr("buttons: 2 are given; the box has 32")));
+              Contains(HasSubstr(":1: buttons: 2 are given; the box has 32")));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(ShowFiles, AFaceMayBeLikeOneThatStandsOnItsOwnAlone) {
   for (const char* other : {"mask", "dog", "nobody"}) {
     ShowCopy show;
     show.Replace("faces/poster.toml", "like = \"kaori\"", std::string("like = \"") + other + "\"");
-    EXPECT_THAT(show.Complaint(), HasSubstr("poster.toml:3: like: must name a sound, carved face")) << other;
+    EXPECT_THAT(show.Complaint(), HasSubstr("poster.toml:3: like: must name a valid, carved face")) << other;
   }
 }
 

@@ -119,7 +119,8 @@ TEST_P(AWrongWave, IsNamedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Each, AWrongWave,
     ::testing::Values(
-        WaveWrong{"Empty", "", "is no WAV file"}, WaveWrong{"Picture", "\x89PNG and so on and on", "is no WAV file"},
+        WaveWrong{"Empty", "", "is no WAV file"},
+        WaveWrong{"Picture", "\x89PNG and so on and on", "is no WAV file"},
         WaveWrong{"OfThreeChannels", Bytes({.channels = 3, .samples = {0, 0, 0}}), "has 3 channels"},
         WaveWrong{"OfFloats", Bytes({.kind = 3, .bits = 24, .samples = {0}}), "is not PCM"},
         WaveWrong{"Of8Bit", Bytes({.bits = 8, .samples = {0}}), "is not PCM"},
@@ -151,8 +152,8 @@ TEST_F(WaveTest, BelongsToItsMotion) {
   const std::string script = file_ + ".toml";
   const std::string scene =
       "[[scene]]\nname = \"a\"\nface = \"kaori\"\nbackdrop = { top = \"#000000\", bottom = \"#000000\" }\n";
-  const auto read = [&](const std::string& take) {
-    std::ofstream(script) << scene << take;
+  const auto read = [&](const std::string& motion) {
+    std::ofstream(script) << scene << motion;
     show::Show show;
     show.cast.faces.resize(1);
     show.cast.faces[0].name = "kaori";
@@ -167,9 +168,9 @@ TEST_F(WaveTest, BelongsToItsMotion) {
   EXPECT_EQ(fault, "");
   EXPECT_EQ(sound.samples.size(), 2U) << "a motion may be of sound alone";
   EXPECT_THAT(read("[[motion]]\nname = \"hello\"\nkey = \"1\"\nsound = \"none.wav\"\n").second,
-              HasSubstr("motion \"hello\": read "));
+              HasSubstr(":8: motion \"hello\".sound: read "));
   EXPECT_THAT(read("[[motion]]\nname = \"hello\"\nkey = \"1\"\nsound = 3\n").second,
-              HasSubstr("sound wants the name of a WAV file"));
+              HasSubstr(":8: motion \"hello\".sound: must be a text in quotes"));
   std::remove(script.c_str());
 }
 

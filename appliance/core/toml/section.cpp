@@ -1,12 +1,15 @@
-#include "appliance/authoring/sculpt/section.h"
+#include "appliance/core/toml/section.h"
 
 #include <algorithm>
-#include <sstream>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-namespace kaori::sculpt {
+#include "appliance/core/toml/nearest.h"
+
+namespace kaori::toml {
 namespace {
 
 const Value& EmptyTable() {
@@ -14,26 +17,12 @@ const Value& EmptyTable() {
   return empty;
 }
 
-bool IsGridVertex(const Key& key) {
-  const bool end_of_crown = key.b == kRows && (key.a == 0 || key.a == kColumns);
-  const auto inside = [&key](const Block& b, int column0) {
-    return key.a > column0 && key.a < b.column1 && key.b > b.row0 && key.b < b.row1;
-  };
-  return key.a >= 0 && key.a <= kColumns && key.b >= 0 && key.b <= kRows && !end_of_crown &&
-         !inside(kEyeBlock, kEyeBlock.column0) && !inside(kEarBlock, kEarBlock.column0) &&
-         !inside(kMouthBlock, -1);
-}
-
-bool IsOnRings(const Key& key, int rim, int rings) {
-  return key.a >= 0 && key.a < rim && key.b >= 0 && key.b <= rings;
-}
-
 }  // namespace
 
 void Faults::Add(int line, std::string_view item, std::string_view reason) {
   if (IsFaulty(item)) return;
   items_.emplace_back(item);
-  lines_ += fmt::format("{}{}:{}: {}: {}", lines_.empty() ? "" : "\n", file_, line, item, reason);
+  lines_.push_back(fmt::format("{}:{}: {}{}{}", file_, line, item, item.empty() ? "" : ": ", reason));
 }
 
 bool Faults::IsFaulty(std::string_view item) const {
@@ -44,20 +33,15 @@ bool Faults::IsFaulty(std::string_view item) const {
 }
 
 Result<void> Faults::Verdict() const {
-  if (any()) return FailInput(lines_);
+  if (any()) return FailInput(fmt::format("{}", fmt::join(lines_, "\n")));
   return {};
 }
 
 Section::Section(const Value& table, std::string name, Faults& faults)
     : table_(&table), name_(std::move(name)), faults_(&faults) {}
 
-const Value* Section::Find(std::string_view key) const {
-  const auto found = std::find_if(table_->table.begin(), table_->table.end(),
-                                  [key](const auto& entry) { return entry.first == key; });
-  return found == table_->table.end() ? nullptr : &found->second;
-}
-
 std::string Section::ItemName(std::string_view key) const {
+  if (key.empty()) return name_;
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
@@ -82,17 +66,29 @@ double Section::Number(std::string_view key) {
   return value != nullptr ? value->number : 0;
 }
 
+double Section::Length_cm(std::string_view key, Range within_cm) {
+  const double length = Number(key);
+  if (Has(key) && !(length >= within_cm.low && length <= within_cm.high))
+    Fault(key, fmt::format("is {}, and must lie between {} and {}: lengths are centimetres", length,
+                           within_cm.low, within_cm.high));
+  return length;
+}
+
+double Section::Length_cmOr(std::string_view key, double otherwise, Range within_cm) {
+  return Has(key) ? Length_cm(key, within_cm) : otherwise;
+}
+
 double Section::NumberOr(std::string_view key, double otherwise) {
   return Has(key) ? Number(key) : otherwise;
 }
 
-std::string Section::Word(std::string_view key) {
-  const Value* value = Need(key, Value::Kind::kWord, "a word in quotes");
-  return value != nullptr ? value->word : std::string();
+std::string Section::Text(std::string_view key) {
+  const Value* value = Need(key, Value::Kind::kText, "a text in quotes");
+  return value != nullptr ? value->text : std::string();
 }
 
-std::string Section::WordOr(std::string_view key, std::string_view otherwise) {
-  return Has(key) ? Word(key) : std::string(otherwise);
+std::string Section::TextOr(std::string_view key, std::string_view otherwise) {
+  return Has(key) ? Text(key) : std::string(otherwise);
 }
 
 glm::dvec3 Section::Point(std::string_view key) {
@@ -105,6 +101,15 @@ glm::dvec3 Section::Point(std::string_view key) {
 
 glm::dvec3 Section::PointOr(std::string_view key, glm::dvec3 otherwise) {
   return Has(key) ? Point(key) : otherwise;
+}
+
+glm::dvec3 Section::Point_cm(std::string_view key, double most_cm) {
+  const glm::dvec3 point = Point(key);
+  const double far = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+  if (far > most_cm)
+    Fault(key,
+          fmt::format("lies {} from the origin, and {} is the most: lengths are centimetres", far, most_cm));
+  return point;
 }
 
 std::vector<double> Section::Numbers(std::string_view key) {
@@ -130,15 +135,15 @@ std::vector<glm::dvec3> Section::Points(std::string_view key) {
   return points;
 }
 
-std::vector<std::string> Section::Words(std::string_view key) {
-  std::vector<std::string> words;
-  const Value* value = Need(key, Value::Kind::kList, "a list of words");
-  if (value == nullptr) return words;
+std::vector<std::string> Section::Texts(std::string_view key) {
+  std::vector<std::string> texts;
+  const Value* value = Need(key, Value::Kind::kList, "a list of texts");
+  if (value == nullptr) return texts;
   for (const Value& item : value->list) {
-    if (item.kind != Value::Kind::kWord) Fault(key, "must be a list of words");
-    words.push_back(item.word);
+    if (item.kind != Value::Kind::kText) Fault(key, "must be a list of texts");
+    texts.push_back(item.text);
   }
-  return words;
+  return texts;
 }
 
 Section Section::Part(std::string_view key) {
@@ -160,7 +165,8 @@ std::vector<Section> Section::Parts(std::string_view key) {
 
 void Section::AllowOnly(std::initializer_list<std::string_view> known) {
   for (const auto& [key, value] : table_->table) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) Fault(key, "is not known here");
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      Fault(key, "is not known here" + DidYouMean(key, known));
   }
 }
 
@@ -175,16 +181,4 @@ std::optional<glm::dvec3> AsPoint(const Value& value) {
   return point;
 }
 
-std::optional<Key> AsVertex(std::string_view word) {
-  std::istringstream words{std::string(word)};
-  std::string region;
-  Key key;
-  std::string rest;
-  if (!(words >> region >> key.a >> key.b) || (words >> rest)) return std::nullopt;
-  if (region == "grid" && IsGridVertex(key)) return key;
-  if (region == "eye" && IsOnRings(key, kEyeRim, kEyeRings)) return Key{Region::kEye, key.a, key.b};
-  if (region == "mouth" && IsOnRings(key, kMouthRim, kMouthRings)) return Key{Region::kMouth, key.a, key.b};
-  return std::nullopt;
-}
-
-}  // namespace kaori::sculpt
+}  // namespace kaori::toml

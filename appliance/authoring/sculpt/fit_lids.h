@@ -5,6 +5,7 @@
 
 namespace kaori::sculpt {
 
+// An eyeball, in centimetres; `lid_thickness` is how far the lid's edge stands above it.
 struct Ball {
   glm::dvec3 centre{};
   double radius = 0;
@@ -13,6 +14,6 @@ struct Ball {
 
 // The lid's edge goes to its thickness above the ball, the rings behind it onto and into the ball; the two
 // rings before it are pushed out where they would cut into it.
-void SeatLids(const HalfTopology& half, const Ball& ball, HalfShape& shape);
+void FitLids(const HalfTopology& half, const Ball& ball, HalfShape& shape);
 
 }  // namespace kaori::sculpt

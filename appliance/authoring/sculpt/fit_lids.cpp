@@ -1,4 +1,4 @@
-#include "appliance/authoring/sculpt/seat_lids.h"
+#include "appliance/authoring/sculpt/fit_lids.h"
 
 #include <glm/geometric.hpp>
 
@@ -12,7 +12,7 @@ glm::dvec3 AtRadius(const Ball& ball, glm::dvec3 p, double radius) {
   return ball.centre + glm::normalize(p - ball.centre) * radius;
 }
 
-void SeatRing(const HalfTopology& half, const Ball& ball, int k, double radius, HalfShape& shape) {
+void FitRing(const HalfTopology& half, const Ball& ball, int k, double radius, HalfShape& shape) {
   for (int j = 0; j < kEyeRim; ++j) {
     glm::dvec3& p = shape.position[half.At(Region::kEye, j, k)];
     if (k >= kLidRing || glm::distance(p, ball.centre) < radius) p = AtRadius(ball, p, radius);
@@ -21,12 +21,12 @@ void SeatRing(const HalfTopology& half, const Ball& ball, int k, double radius, 
 
 }  // namespace
 
-void SeatLids(const HalfTopology& half, const Ball& ball, HalfShape& shape) {
+void FitLids(const HalfTopology& half, const Ball& ball, HalfShape& shape) {
   const double edge = ball.radius + ball.lid_thickness;
-  for (int k = 1; k < kLidRing; ++k) SeatRing(half, ball, k, edge + kSkinOverLid_cm, shape);
-  SeatRing(half, ball, kLidRing, edge, shape);
-  SeatRing(half, ball, kLidRing + 1, ball.radius, shape);
-  SeatRing(half, ball, kLidRing + 2, ball.radius - kSunk_cm, shape);
+  for (int k = 1; k < kLidRing; ++k) FitRing(half, ball, k, edge + kSkinOverLid_cm, shape);
+  FitRing(half, ball, kLidRing, edge, shape);
+  FitRing(half, ball, kLidRing + 1, ball.radius, shape);
+  FitRing(half, ball, kLidRing + 2, ball.radius - kSunk_cm, shape);
 }
 
 }  // namespace kaori::sculpt
