@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "appliance/authoring/appearance/dress.h"
 #include "appliance/authoring/script/show_file.h"
 #include "appliance/authoring/sculpt/sculpt.h"
-#include "appliance/authoring/appearance/dress.h"
 #include "appliance/core/show/check.h"
 
 namespace kaori::authoring {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "appliance/authoring/sculpt/texture_map.h"
 #include "appliance/authoring/appearance/shaping.h"
+#include "appliance/authoring/sculpt/texture_map.h"
 
 namespace kaori::appearance {
 namespace {

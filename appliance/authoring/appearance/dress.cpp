@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "appliance/authoring/sculpt/cage.h"
 #include "appliance/authoring/appearance/clothes.h"
 #include "appliance/authoring/appearance/gear.h"
 #include "appliance/authoring/appearance/hair.h"
@@ -13,6 +12,7 @@
 #include "appliance/authoring/appearance/painter.h"
 #include "appliance/authoring/appearance/shade.h"
 #include "appliance/authoring/appearance/teeth.h"
+#include "appliance/authoring/sculpt/cage.h"
 
 namespace kaori::appearance {
 namespace {

@@ -61,7 +61,9 @@ face::Prop CarveArch(const Arch& arch, face::Part part) {
   const int rows = static_cast<int>(kProfile.size());
   const bool upper = part == face::Part::kUpperTeeth;
   Patch patch{rows, kTeethColumns, false, {}, {}, {}};
-  const auto column_at = [&](int c) { return upper ? c : kTeethColumns - 1 - c; };  // Keeps the face outwards.
+  const auto column_at = [&](int c) {
+    return upper ? c : kTeethColumns - 1 - c;
+  };  // Keeps the face outwards.
   for (int row = 0; row < rows; ++row) {
     for (int c = 0; c < kTeethColumns; ++c) patch.points.push_back(ToothPoint(arch, row, column_at(c)));
   }

@@ -7,9 +7,9 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "appliance/authoring/appearance/occlusion.h"
 #include "appliance/authoring/import/picture.h"
 #include "appliance/authoring/import/skin_paint.h"
-#include "appliance/authoring/appearance/occlusion.h"
 
 namespace kaori::import {
 namespace {

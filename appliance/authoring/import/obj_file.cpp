@@ -75,7 +75,8 @@ std::optional<Loaded> Load(const std::string& file, std::span<const std::uint8_t
 
 class ObjFileBuilder {
  public:
-  ObjFileBuilder(std::string file, const Loaded& loaded, Findings& findings) : loaded_(loaded), findings_(findings) {
+  ObjFileBuilder(std::string file, const Loaded& loaded, Findings& findings)
+      : loaded_(loaded), findings_(findings) {
     model_.file = std::move(file);
   }
 

@@ -16,11 +16,11 @@ namespace {
 
 constexpr float kSmallestEye_m = 0.006F;
 constexpr float kLargestEye_m = 0.035F;
-constexpr float kRoughBall = 0.08F;  // Of the radius: eyes have corneas.
-constexpr float kPartsMiddle_m = 0.01F;   // A mouth's piece lies this near to the plane of symmetry.
-constexpr float kStaysUp = 0.15F;    // Of the jaw's largest motion.
-constexpr float kTongueWide = 0.8F;  // Of the teeth's width.
-constexpr float kLevel_m = 0.002F;   // Teeth so little below the others are of the same row.
+constexpr float kRoughBall = 0.08F;      // Of the radius: eyes have corneas.
+constexpr float kPartsMiddle_m = 0.01F;  // A mouth's piece lies this near to the plane of symmetry.
+constexpr float kStaysUp = 0.15F;        // Of the jaw's largest motion.
+constexpr float kTongueWide = 0.8F;      // Of the teeth's width.
+constexpr float kLevel_m = 0.002F;       // Teeth so little below the others are of the same row.
 
 struct Piece {
   std::vector<Index> vertices;

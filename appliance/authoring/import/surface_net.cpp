@@ -20,7 +20,8 @@ using SurfaceNetRow = std::map<Index, float>;
 // A row of weights for each welded vertex.
 class SurfaceNetBuilder {
  public:
-  SurfaceNetBuilder(const MeshGraph& graph, const std::vector<glm::vec3>& positions, const PointChoice& choice)
+  SurfaceNetBuilder(const MeshGraph& graph, const std::vector<glm::vec3>& positions,
+                    const PointChoice& choice)
       : graph_(graph),
         positions_(positions),
         choice_(choice),
@@ -135,7 +136,7 @@ std::vector<int> ColumnsOf(const PointChoice& choice) {
 }
 
 face::SparseRows MakeSurfaceNet(const MeshGraph& graph, const std::vector<glm::vec3>& positions,
-                          const std::vector<Triangle>& triangles, const PointChoice& choice) {
+                                const std::vector<Triangle>& triangles, const PointChoice& choice) {
   return SurfaceNetBuilder(graph, positions, choice).Build(triangles);
 }
 

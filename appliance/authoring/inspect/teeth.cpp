@@ -9,7 +9,7 @@
 namespace kaori::inspect {
 namespace {
 
-constexpr int kTeethPixels = 256;             // Over the teeth: a fifth of a millimetre.
+constexpr int kTeethPixels = 256;        // Over the teeth: a fifth of a millimetre.
 constexpr float kThrough_m = 0.0003F;    // Less is hidden by the wet line between tooth and lip.
 constexpr float kBeforeTheLips = 0.02F;  // What stands farther out is not hidden by these lips at all.
 constexpr float kFacesUs = 0.2F;         // A lip seen edge on hides nothing.

@@ -26,7 +26,8 @@ struct Option {
 
 struct Verb {
   std::string_view name;
-  std::vector<std::string_view> words;  // What it is called with: "FOLDER", "FILE"; last, "FILE...": one or more.
+  std::vector<std::string_view>
+      words;  // What it is called with: "FOLDER", "FILE"; last, "FILE...": one or more.
   std::vector<Option> options;
   std::string_view summary;                // One line for the list of verbs.
   std::string_view page;                   // What else there is to say, for its own page.

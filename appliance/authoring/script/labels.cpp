@@ -117,12 +117,9 @@ std::string LabelsJson(const show::Show& show) {
   json::List buttons, scenes;
   for (const show::Call& call : show.buttons) buttons.emplace_back(ButtonJson(call, show));
   for (const show::StageScene& scene : show.scenes) scenes.emplace_back(Readable(scene.name));
-  const json::Object labels{{"show", show.name},
-                            {"dials", DialsJson()},
-                            {"buttons", buttons},
-                            {"sticks", SticksJson()},
-                            {"scenes", scenes},
-                            {"styles", json::ListOf(kStyles)},
+  const json::Object labels{{"show", show.name},     {"dials", DialsJson()},
+                            {"buttons", buttons},    {"sticks", SticksJson()},
+                            {"scenes", scenes},      {"styles", json::ListOf(kStyles)},
                             {"keys", KeysJson(show)}};
   // A name that is not UTF-8 is shown with replacement signs.
   return json::Write(labels, 1) + '\n';

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "appliance/authoring/sculpt/sculpt.h"
 #include "appliance/authoring/appearance/dress.h"
+#include "appliance/authoring/sculpt/sculpt.h"
 
 namespace kaori::appearance {
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "appliance/authoring/sculpt/cage.h"
 #include "appliance/authoring/appearance/atlas.h"
 #include "appliance/authoring/appearance/canvas.h"
 #include "appliance/authoring/appearance/colour.h"
+#include "appliance/authoring/sculpt/cage.h"
 #include "tests/appliance/authoring/appearance_fixture.h"
 
 namespace kaori::appearance {

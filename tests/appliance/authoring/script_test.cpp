@@ -9,6 +9,8 @@
 #include <fstream>
 #include <ostream>
 
+#include "appliance/authoring/script/taken_keys.h"
+#include "appliance/programs/editor/keys.h"
 #include "render/image/png.h"
 
 namespace kaori::authoring {
@@ -206,6 +208,11 @@ TEST_F(ScriptTest, WithButtonsThatAreNoRowsOfTextsIsNamed) {
 TEST_F(ScriptTest, WithAnotherNumberOfButtonsThanTheBoxIsNamed) {
   EXPECT_THAT(Read(std::string("buttons = [[\"face kaori\", \"\"]]\n") + kScene),
               Contains(HasSubstr(":1: buttons: 2 are given; the box has 32")));
+}
+
+TEST(TakenKeys, HoldEveryLetterOfTheExpressionEditor) {
+  for (std::uint16_t usage = 0x04; usage <= 0x1D; ++usage)  // HID usages of a to z.
+    if (editor::IsForEditor(static_cast<std::uint8_t>(usage))) EXPECT_NE(UseOfTheBox(usage), "") << usage;
 }
 
 }  // namespace
