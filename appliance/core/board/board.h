@@ -121,7 +121,7 @@ class Board {
 
   // Acquires the right to write the section of T (of the two sticks, number `which`). The writer may outlive
   // the board object, and does not move any more then. Errors:
-  //   device_or_resource_busy    another writer holds it; names the section and the holder's process
+  //   device_or_resource_busy    another writer holds it; names the section and the other's process
   //   no_such_file_or_directory  the board's file was removed or replaced meanwhile
   //   permission_denied
   template <class T>

@@ -49,7 +49,7 @@ const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, perf
   if (writer_.has_outcomes()) HandleOutcomes();
   ShowDraft();
   if (!was_open && !open_) return board;
-  return TakeOut(board, events);
+  return RemoveUsedInput(board, events);
 }
 
 // Gives whether the press was the editor's. Each is judged by what it was pressed into: a press that closes
@@ -242,7 +242,7 @@ bool ExpressionEditor::PlaysOn(const performance::Press& press, const show::Show
 }
 
 // Dials, keys that are held and the right stick are the editor's while it is open.
-const board::Snapshot& ExpressionEditor::TakeOut(const board::Snapshot& board,
+const board::Snapshot& ExpressionEditor::RemoveUsedInput(const board::Snapshot& board,
                                                  performance::InputEvents& events) {
   for (const std::size_t dial : kEditorDials) events.turned[dial] = 0;
   events.pointer = {};

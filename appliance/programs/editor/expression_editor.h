@@ -92,7 +92,7 @@ class ExpressionEditor {
   void ShowDraft();
   bool HandlePress(const performance::Press& press, Situation& now);
   static bool PlaysOn(const performance::Press& press, const show::Show& show, bool typing);
-  const board::Snapshot& TakeOut(const board::Snapshot& board, performance::InputEvents& events);
+  const board::Snapshot& RemoveUsedInput(const board::Snapshot& board, performance::InputEvents& events);
 
   std::size_t first_;  // Index of the first own expression in the cast.
   Session session_;

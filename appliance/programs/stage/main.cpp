@@ -28,14 +28,14 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --pack FILE     the show
   --trust FILE    a public key: play no show that it has not signed
   --verified      the show lies on a root whose every block the kernel checks: its checksum is not made again
-  --own FOLDER    where expressions made with the needles are kept (/var/lib/kaori/own where it is there, else
+  --own FOLDER    where expressions that are made on the box are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
   --last-face FILE  the last face is kept there, and the show goes on with it when the box is switched on
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
   --settings FOLDER what the box was told when it started (/run/kaori-profile)
-  --holder SOCKET where the card is held while no stage runs
+  --fdkeeper SOCKET where the card is kept while no stage runs
   --still FILE    writes the show's first moment there, as a PPM
   --early         sample the input right after each flip, not as late as drawing allows: to compare
 )";
@@ -43,7 +43,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
 constexpr int kStillWidth_px = 480;
 
 struct Settings {
-  std::string still, last_face, board, pack, links, card, trust, own, mode, holder,
+  std::string still, last_face, board, pack, links, card, trust, own, mode, fdkeeper,
       settings = "/run/kaori-profile";
   bool early = false, verified = false;
 };
@@ -51,7 +51,7 @@ struct Settings {
 // None on a desk, where the simulator's screen is looked for, and none in a box that has none.
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
-  auto card = kaori::scanout::KmsCard::Open(settings.card, settings.holder);
+  auto card = kaori::scanout::KmsCard::Open(settings.card, settings.fdkeeper);
   if (!card && card.error().cause == std::errc::no_such_file_or_directory) {
     kaori::LogWarning("there is no graphics card ({}): playing on unseen", card.error().message());
     return nullptr;
@@ -190,7 +190,7 @@ int main(int argc, char** argv) {
       .Text("--own", settings.own)
       .Text("--mode", settings.mode)
       .Text("--settings", settings.settings)
-      .Text("--holder", settings.holder)
+      .Text("--fdkeeper", settings.fdkeeper)
       .Text("--still", settings.still)
       .Switch("--early", settings.early)
       .Switch("--verified", settings.verified);

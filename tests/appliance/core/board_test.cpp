@@ -68,7 +68,7 @@ TEST(Board, KeepsTheTwoSticksApart) {
   EXPECT_EQ(all.sticks[1].source, SourceState::kStale);
 }
 
-TEST(Board, RefusesASecondWriterAndNamesTheSectionAndItsHolder) {
+TEST(Board, RefusesASecondWriterAndNamesTheSectionAndItsWriter) {
   const BoardFile file;
   const Board board = file.Open();
   const auto first = board.AcquireWriter<Keys>();

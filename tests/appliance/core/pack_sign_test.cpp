@@ -23,7 +23,7 @@ class SignedPack : public PackTest {
   }
 
   const SecretKey company_ = MakeKey().value();
-  const SecretKey stranger_ = MakeKey().value();
+  const SecretKey other_signer_ = MakeKey().value();
 };
 
 TEST_F(SignedPack, IsPlayedByABoxThatTrustsItsKeyAndByOneThatAsksForNone) {
@@ -33,27 +33,27 @@ TEST_F(SignedPack, IsPlayedByABoxThatTrustsItsKeyAndByOneThatAsksForNone) {
   EXPECT_EQ(*show::ReadSigner(file), company_.public_key());
 }
 
-TEST_F(SignedPack, OfNobodyOrOfAStrangerIsRefusedWithOneLine) {
+TEST_F(SignedPack, OfNobodyOrOfAnotherSignerIsRefusedWithOneLine) {
   const auto unsigned_file = Write(EncodePack(SmallShow()));
   EXPECT_THAT(Refusal(unsigned_file, company_), HasSubstr("show.kaori is not signed"));
   EXPECT_EQ(*show::ReadSigner(unsigned_file), std::nullopt);
-  EXPECT_THAT(Refusal(Write(EncodePack(SmallShow(), &stranger_)), company_),
+  EXPECT_THAT(Refusal(Write(EncodePack(SmallShow(), &other_signer_)), company_),
               HasSubstr("is signed by another key"));
 }
 
-// The stranger writes the trusted key's name over a pack of his own.
+// Another signer writes the trusted key's name over a pack of his own.
 TEST_F(SignedPack, WithABorrowedNameIsRefused) {
-  auto bytes = EncodePack(SmallShow(), &stranger_);
+  auto bytes = EncodePack(SmallShow(), &other_signer_);
   std::ranges::copy(company_.public_key().bytes, bytes.begin() + 56);
   EXPECT_THAT(Refusal(Write(bytes), company_), HasSubstr("is wrongly signed"));
 }
 
-// The stranger puts a show of his own behind a header that the company has signed.
+// Another signer puts a show of his own behind a header that the company has signed.
 TEST_F(SignedPack, WithOtherContentIsRefused) {
   const auto header = EncodePack(SmallShow(), &company_);
   auto other = SmallShow();
   other.scenes[0].exposure = 0.25F;
-  auto bytes = EncodePack(other, &stranger_);
+  auto bytes = EncodePack(other, &other_signer_);
   ASSERT_EQ(bytes.size(), header.size());
   std::copy_n(header.begin(), show::kPackHeader_bytes, bytes.begin());
   EXPECT_THAT(Refusal(Write(bytes), company_), HasSubstr("its checksum does not fit"));
@@ -76,7 +76,8 @@ TEST_F(SignedPack, KeysAreKeptInFilesThatOnlyTheirOwnerReads) {
   struct stat status {};
   ASSERT_EQ(::stat(file.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0600U);
-  EXPECT_EQ(SaveKey(stranger_, file).error().cause, std::errc::file_exists) << "a key is never written over";
+  EXPECT_EQ(SaveKey(other_signer_, file).error().cause, std::errc::file_exists)
+      << "a key is never written over";
 }
 
 TEST_F(SignedPack, FilesThatHoldAnotherKeyOrNoneAreNamed) {

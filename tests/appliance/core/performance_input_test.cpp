@@ -168,9 +168,9 @@ TEST_F(PerformanceTest, AStateFromTheBoardIsTrustedOnlyWhenItIsSound) {
   State nan = state_;
   nan.head.yaw_rad = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(IsValid(nan, show_));
-  State stranger = state_;
-  stranger.faces.to = 77;
-  EXPECT_FALSE(IsValid(stranger, show_));
+  State elsewhere = state_;
+  elsewhere.faces.to = 77;
+  EXPECT_FALSE(IsValid(elsewhere, show_));
   State heavy = state_;
   heavy.expressions.from.Push(2, 900);
   EXPECT_FALSE(IsValid(heavy, show_));

@@ -60,7 +60,7 @@ TEST_F(LinesTest, ASwitchThatIsTurnedBackHalfWayTurnsTheFadeBack) {
   EXPECT_FLOAT_EQ(Exposure(), 1);
 }
 
-TEST_F(LinesTest, HandsAreAliveBeneathABlackout) {
+TEST_F(LinesTest, InputIsUsedBeneathABlackout) {
   Run(1s);
   Switch(Line::kBlackout, true);
   Run(500ms);

@@ -36,7 +36,7 @@ class StageWithAnEditor : public PackTest {
 
   void Touch() {
     keys_.Write(typed_, clock_.now(), board::SourceState::kLive);
-    surface_.Write(hands_, clock_.now(), board::SourceState::kLive);
+    surface_.Write(surface_value_, clock_.now(), board::SourceState::kLive);
   }
   void Frame() {
     clock_.Advance(kFrame);
@@ -57,7 +57,7 @@ class StageWithAnEditor : public PackTest {
   board::Writer<board::Keys> keys_;
   board::Writer<board::Surface> surface_;
   board::Keys typed_;
-  board::Surface hands_;
+  board::Surface surface_value_;
   ScreenHand screen_;
   std::unique_ptr<stage::Studio> studio_;
   std::unique_ptr<stage::Stage> stage_;
@@ -72,7 +72,7 @@ TEST_F(StageWithAnEditor, PullWhatThePictureShows) {
   const auto chosen = static_cast<std::size_t>(stage_->expression_editor()->chosen());
   const face::EyeBall eye = studio_->shape().eyes[0];
   const std::vector<glm::vec3> before(studio_->shape().cage.begin(), studio_->shape().cage.end());
-  hands_.counts[3] += 128;
+  surface_value_.counts[3] += 128;
   Frame();
   EXPECT_NEAR(stage_->expression_editor()->session().work().pulls_m[chosen].z, 0.005F, 1e-5F);
   float most_m = 0;
@@ -85,13 +85,13 @@ TEST_F(StageWithAnEditor, PullWhatThePictureShows) {
 TEST_F(StageWithAnEditor, TakeNothingFromTheHeapWhileTheyAreShut) {
   Strike(key::kTab);
   Frames(30);
-  hands_.counts[3] += 128;
+  surface_value_.counts[3] += 128;
   Frames(10);
   Strike(key::kTab);
   Frames(200);  // Shaders are readied, the handles are gone.
   const std::size_t before = AllocationCount();
   for (int i = 0; i < 100; ++i) {
-    hands_.counts[1] += i % 5 - 2;
+    surface_value_.counts[1] += i % 5 - 2;
     Frame();
   }
   EXPECT_EQ(AllocationCount(), before);

@@ -65,7 +65,7 @@ std::function<Duration()> Varied(Duration usual, Duration spread) {
   };
 }
 
-TEST(LateSampling, ReadsTheHandsJustBeforeTheDrawingThatCatchesTheNextFlip) {
+TEST(LateSampling, SamplesTheInputJustBeforeTheDrawingThatCatchesTheNextFlip) {
   Play play;
   play.Frames(3000, 3ms);
   const auto tally = play.Frames(600, 3ms);

@@ -116,7 +116,7 @@ TEST_F(LastFaceTest, NoPushOfTheNightBeforeIsPushedAgain) {
   EXPECT_EQ(state_.voices[0].motion, -1);
 }
 
-TEST_F(LastFaceTest, IsWrittenWhenHandsChangedItAndNotTwiceInHalfAMinute) {
+TEST_F(LastFaceTest, IsWrittenWhenAnOperatorChangedItAndNotTwiceInHalfAMinute) {
   Play(60s);
   EXPECT_EQ(looks_, 1) << "the show's first face, once";
   Push(1);

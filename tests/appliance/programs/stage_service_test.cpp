@@ -83,7 +83,7 @@ TEST(StageService, SaysNoCodeInTheMiddleOfACalibration) {
   EXPECT_THAT(LinesOf(both), ::testing::SizeIs(2));
 }
 
-TEST(StageService, KeepsTheLinesOfTheNeedlesBesideItsOwn) {
+TEST(StageService, KeepsTheLinesOfTheEditorBesideItsOwn) {
   scene::Scene scene;
   scene.caption = {1, {"mirror on"}};
   stage::ShowService(WithDesk({.code = 1, .valid_s = 9, .address = 1, .port = 80}), kNow, scene);
@@ -123,8 +123,8 @@ class StageInService : public PackTest {
                                             clock_);
   }
   void Push(std::size_t button) {
-    board::NotePress(hands_, button, clock_.now());
-    surface_.Write(hands_, clock_.now(), SourceState::kLive);
+    board::NotePress(surface_value_, button, clock_.now());
+    surface_.Write(surface_value_, clock_.now(), SourceState::kLive);
   }
   void Frame() {
     clock_.Advance(33ms);
@@ -135,7 +135,7 @@ class StageInService : public PackTest {
   board::Board board_;
   board::Writer<board::Surface> surface_;
   board::Writer<board::LipsGuide> guide_;
-  board::Surface hands_;
+  board::Surface surface_value_;
   std::unique_ptr<stage::Studio> studio_;
   std::unique_ptr<stage::Stage> stage_;
 };

@@ -46,7 +46,7 @@ class StageTest : public PackTest {
     return std::make_unique<stage::Stage>(board_, stage::StageWriters::Acquire(board_).value(), *studio_,
                                           clock_);
   }
-  void Touch() { surface_.Write(hands_, clock_.now(), board::SourceState::kLive); }
+  void Touch() { surface_.Write(surface_value_, clock_.now(), board::SourceState::kLive); }
 
   // A vertical blank, and what the stage makes of it.
   void Frame(stage::Stage& stage) {
@@ -59,7 +59,7 @@ class StageTest : public PackTest {
   ManualClock clock_;
   board::Board board_;
   board::Writer<board::Surface> surface_;
-  board::Surface hands_;
+  board::Surface surface_value_;
   ScreenHand screen_;
 };
 std::unique_ptr<stage::Studio> StageTest::studio_;
@@ -69,8 +69,9 @@ TEST_F(StageTest, TakesNothingFromTheHeapOnItsFramePath) {
   stage->SetScreen(std::make_unique<HeldScreen>(screen_));
   const auto play = [&](int frames) {
     for (int frame = 0; frame < frames; ++frame) {
-      if (frame % 7 == 0) board::NotePress(hands_, static_cast<std::size_t>(frame / 7 % 13), clock_.now());
-      hands_.counts[static_cast<std::size_t>(frame % 8)] += frame % 5 - 2;
+      if (frame % 7 == 0)
+        board::NotePress(surface_value_, static_cast<std::size_t>(frame / 7 % 13), clock_.now());
+      surface_value_.counts[static_cast<std::size_t>(frame % 8)] += frame % 5 - 2;
       Touch();
       Frame(*stage);
     }
@@ -106,7 +107,7 @@ TEST_F(StageTest, PlaysOnWithoutItsScreenAndShowsAgainWhenItReturns) {
   Frame(*stage);
   EXPECT_FALSE(stage->has_screen());
   stage->Step();  // Without a screen: nothing.
-  board::NotePress(hands_, 2, clock_.now());
+  board::NotePress(surface_value_, 2, clock_.now());
   Touch();
   for (int i = 0; i < 30; ++i) {
     clock_.Advance(33ms);
@@ -124,7 +125,7 @@ TEST_F(StageTest, PlaysOnWithoutItsScreenAndShowsAgainWhenItReturns) {
 TEST_F(StageTest, IsNotCarriedAwayByAScreenWhoseClockIsWrong) {
   const auto stage = Open();
   stage->SetScreen(std::make_unique<HeldScreen>(screen_));
-  board::NotePress(hands_, 2, clock_.now());
+  board::NotePress(surface_value_, 2, clock_.now());
   Touch();
   for (int i = 0; i < 120; ++i) {
     clock_.Advance(kStageFrame);
@@ -135,7 +136,7 @@ TEST_F(StageTest, IsNotCarriedAwayByAScreenWhoseClockIsWrong) {
   EXPECT_FLOAT_EQ(stage->state().faces.progress, 1) << "time goes on all the same";
 }
 
-TEST_F(StageTest, ReadsTheHandsJustBeforeTheFlipWhenItIsToldTo) {
+TEST_F(StageTest, SamplesTheInputJustBeforeTheFlipWhenItIsToldTo) {
   const auto stage = Open();
   stage->SampleLate();
   stage->SetScreen(std::make_unique<HeldScreen>(screen_));
@@ -148,7 +149,7 @@ TEST_F(StageTest, ReadsTheHandsJustBeforeTheFlipWhenItIsToldTo) {
   EXPECT_GT(*stage->wakes_at(), clock_.now() + kStageFrame / 2);
   EXPECT_LT(*stage->wakes_at(), clock_.now() + kStageFrame);
   clock_.Advance(*stage->wakes_at() - clock_.now());
-  board::NotePress(hands_, 2, clock_.now());
+  board::NotePress(surface_value_, 2, clock_.now());
   Touch();
   stage->Step();
   EXPECT_EQ(screen_.presented, 2U);
@@ -189,7 +190,7 @@ TEST_F(StageTest, RefusesASecondStageOnOneBoard) {
 TEST_F(StageTest, GoesOnWhereAStageThatDiedLeftOff) {
   auto stage = Open();
   EXPECT_FALSE(stage->resumed());
-  board::NotePress(hands_, 3, clock_.now());
+  board::NotePress(surface_value_, 3, clock_.now());
   Touch();
   for (int i = 0; i < 12; ++i) {
     clock_.Advance(33ms);
