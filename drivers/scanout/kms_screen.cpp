@@ -240,13 +240,8 @@ void KmsScreen::AddOthersOff() {
   const auto crtcs = card_.Crtcs();
   const auto planes = PlanesOf(card_, crtcs.size());
   for (std::size_t i = 0; i < crtcs.size(); ++i) {
-    if (is_ours(&KmsOutput::crtc, crtcs[i]) || !card_.IsActive(crtcs[i])) continue;
-    // A CRTC without a mode must not be active, and its plane must be empty: KMS refuses half of it.
-    settings_.push_back({crtcs[i], DRM_MODE_OBJECT_CRTC, "MODE_ID", 0});
-    settings_.push_back({crtcs[i], DRM_MODE_OBJECT_CRTC, "ACTIVE", 0});
-    if (planes[i] == 0) continue;
-    settings_.push_back({planes[i], DRM_MODE_OBJECT_PLANE, "FB_ID", 0});
-    settings_.push_back({planes[i], DRM_MODE_OBJECT_PLANE, "CRTC_ID", 0});
+    if (!is_ours(&KmsOutput::crtc, crtcs[i]) && card_.IsActive(crtcs[i]))
+      AddCrtcOff(crtcs[i], planes[i], settings_);
   }
 }
 

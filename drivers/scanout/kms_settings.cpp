@@ -25,4 +25,13 @@ void AddOutputSettings(const KmsOutput& output, std::uint32_t mode, const KmsPar
   plane("CRTC_H", size.vdisplay);
 }
 
+void AddCrtcOff(std::uint32_t crtc, std::uint32_t plane, std::vector<KmsSetting>& into) {
+  // A CRTC without a mode must not be active, and its plane must be empty: KMS refuses half of it.
+  into.push_back({crtc, DRM_MODE_OBJECT_CRTC, "MODE_ID", 0});
+  into.push_back({crtc, DRM_MODE_OBJECT_CRTC, "ACTIVE", 0});
+  if (plane == 0) return;
+  into.push_back({plane, DRM_MODE_OBJECT_PLANE, "FB_ID", 0});
+  into.push_back({plane, DRM_MODE_OBJECT_PLANE, "CRTC_ID", 0});
+}
+
 }  // namespace kaori::scanout

@@ -21,4 +21,7 @@ struct KmsPart {
 void AddOutputSettings(const KmsOutput& output, std::uint32_t mode, const KmsPart& part,
                        std::vector<KmsSetting>& into);
 
+// Adds every property that turns the CRTC off, and its plane with it; `plane` 0: it has none.
+void AddCrtcOff(std::uint32_t crtc, std::uint32_t plane, std::vector<KmsSetting>& into);
+
 }  // namespace kaori::scanout
