@@ -1,4 +1,5 @@
 // The image's disk by itself: a changed root is refused, and a PC with UEFI starts from it.
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

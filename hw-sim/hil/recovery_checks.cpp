@@ -1,4 +1,7 @@
 // The last picture stays while the stage is away, and a box that hangs as a whole starts again.
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
@@ -50,19 +53,27 @@ Result<void> Look(Scene& scene, Watch& watch) {
   return {};
 }
 
+// A program that was started beside the questions is waited for.
+Result<void> Reap(Scene& scene, const Death& death, const std::string& number) {
+  if (!std::string_view(death.question).starts_with("start ")) return {};
+  const auto said = scene.target.agent().Ask("end " + number, kRecoveryAnswer);
+  if (!said) return tl::unexpected(said.error());
+  return {};
+}
+
 // Looks at the screen without a pause until the stage, which has just been made to end, draws new frames.
 Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
-  if (const auto told = scene.target.agent().Ask(death.question, kRecoveryAnswer); !told)
-    return tl::unexpected(told.error());
+  const auto told = scene.target.agent().Ask(death.question, kRecoveryAnswer);
+  if (!told) return tl::unexpected(told.error());
   const Time until = scene.target.clock().now() + death.longest;
   while (scene.target.clock().now() < until) {
     if (auto ok = Look(scene, watch); !ok) return ok;
     const auto board = scene.target.Board();
     // A new stage counts its frames from the beginning.
     if (board && board->stage.live && board->stage.frames > 0 && board->stage.frames < before->stage.frames)
-      return {};
+      return Reap(scene, death, *told);
     scene.target.For(milliseconds(20));
   }
   return Fail(std::errc::timed_out, fmt::format("see the stage again that was {}", death.name));
