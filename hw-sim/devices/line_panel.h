@@ -39,7 +39,6 @@ class LinePanel {
   std::uint32_t closed() const { return closed_; }
   // The oldest edge that has not been asked for; nothing: none waits.
   std::optional<Edge> NextEdge();
-  bool has_edge() const { return !edges_.empty(); }
   // A host came: it reads the levels, and older edges are gone. A host that left drives nothing.
   void HostCame() { edges_.clear(); }
   void HostLeft() { tally_ = false; }

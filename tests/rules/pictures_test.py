@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Whether a picture of the docs that is older than what it shows is noticed; docs/pictures.py check names those that are."""
+
+import pathlib
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs"))
+import pictures  # noqa: E402
+
+
+def notices_a_change():
+    """A picture is new with the checksum of its sources, and old when a file of them changes, comes or goes."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        (root / "page").mkdir()
+        (root / "page/a.js").write_text("one")
+        (root / "a.png").write_bytes(b"picture")
+        shown = {"a.png": ("page",)}
+
+        def is_old(sums):
+            return bool(pictures.old_pictures(shown, sums, root))
+
+        sums = {"a.png": pictures.checksum(("page",), root)}
+        assert not is_old(sums), "a picture that was just made is old"
+        assert is_old({}), "a picture without a checksum is not old"
+        (root / "page/b.js").write_text("")
+        assert is_old(sums), "a new file of the page was not noticed"
+        (root / "page/b.js").unlink()
+        assert not is_old(sums)
+        (root / "page/a.js").write_text("two")
+        assert is_old(sums), "a changed file of the page was not noticed"
+        (root / "page/a.js").write_text("one")
+        (root / "a.png").unlink()
+        assert is_old(sums), "a picture that is gone was not noticed"
+
+
+def every_source_exists():
+    for name, sources in pictures.PICTURES.items():
+        for source in sources:
+            assert (ROOT / source).exists(), f"{name} is said to show {source}, which is not there"
+    made = {name for names, _ in pictures.MAKERS for name in names}
+    assert made == set(pictures.PICTURES), f"nothing makes {set(pictures.PICTURES) - made}"
+
+
+if __name__ == "__main__":
+    notices_a_change()
+    every_source_exists()
