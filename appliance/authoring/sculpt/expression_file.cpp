@@ -143,7 +143,12 @@ class Reader {
     for (const auto& [name, value] : section.table().table) {
       if (!HasPoint(name))
         section.Fault(name, "is no control point" + toml::DidYouMeanOneOf(name, file_.points));
-      moves[name] = section.Point_cm(name, kMostMove_cm);
+      const glm::dvec3 move = section.Point(name);
+      const double most_cm = std::max({std::abs(move.x), std::abs(move.y), std::abs(move.z)});
+      if (most_cm > kMostMove_cm)
+        section.Fault(name, fmt::format("moves by {}, and {} is the most: lengths are centimetres", most_cm,
+                                        kMostMove_cm));
+      moves[name] = move;
     }
     return moves;
   }
