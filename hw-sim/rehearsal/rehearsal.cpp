@@ -54,11 +54,11 @@ Result<void> Rehearsal::OpenParts(const RehearsalOptions& options, stage::Studio
                        clock_);
   if (!rig) return tl::unexpected(rig.error());
   rig_ = std::move(*rig);
-  auto desk_writers = input::DeskWriters::Acquire(board_);
-  if (!desk_writers) return tl::unexpected(desk_writers.error());
-  desk_ = std::make_unique<input::InputDesk>(board_, std::move(*desk_writers),
-                                             input::DeskSources{{bus_.get()}, [this] { return OpenLines(); }},
-                                             input::InputSettings{}, clock_);
+  auto input_writers = input::InputWriters::Acquire(board_);
+  if (!input_writers) return tl::unexpected(input_writers.error());
+  input_ = std::make_unique<input::InputService>(
+      board_, std::move(*input_writers), input::InputSources{{bus_.get()}, [this] { return OpenLines(); }},
+      input::InputSettings{}, clock_);
   auto lip_writer = board_.AcquireWriter<board::Lips>();
   if (!lip_writer) return tl::unexpected(lip_writer.error());
   lips_ = std::make_unique<lips::LipReader>([links = links_] { return camera::LocalCamera::Open(links); },
@@ -80,13 +80,14 @@ Result<std::unique_ptr<ports::GpioLines>> Rehearsal::OpenLines() {
 }
 
 Result<void> Rehearsal::OpenVoice(const RehearsalOptions& options, const show::Show& show) {
-  voice::VoiceSeatSettings settings{{}, {options.sound_delay, {}}};
+  voice::VoiceServiceSettings settings{{}, {options.sound_delay, {}}};
   for (const show::Motion& motion : show.motions) settings.speaker.clips.push_back(motion.sound);
-  auto seat = voice::VoiceSeat::Acquire({[this] { return audio::LocalMicrophone::Open(links_); },
-                                         [this] { return audio::LocalLoudspeaker::Open(links_, clock_); }},
-                                        std::move(settings), board_, clock_);
-  if (!seat) return tl::unexpected(seat.error());
-  voice_ = std::move(*seat);
+  auto service =
+      voice::VoiceService::Acquire({[this] { return audio::LocalMicrophone::Open(links_); },
+                                    [this] { return audio::LocalLoudspeaker::Open(links_, clock_); }},
+                                   std::move(settings), board_, clock_);
+  if (!service) return tl::unexpected(service.error());
+  voice_ = std::move(*service);
   return {};
 }
 
@@ -96,7 +97,7 @@ Result<void> Rehearsal::Settle() {
   if (!screen) return tl::unexpected(screen.error());
   stage_->SetScreen(std::move(*screen));
   const auto ready = [this] {
-    return desk_->seated() == kHidDevices && rig_->screen().frames_shown() > 0 &&
+    return input_->attached_devices() == kHidDevices && rig_->screen().frames_shown() > 0 &&
            board_.Read<board::Lips>().source == board::SourceState::kLive;
   };
   for (int i = 0; i < kPatience && !ready(); ++i) Tick({});
@@ -119,7 +120,7 @@ void Rehearsal::Tick(const Input& input) {
   clock_.Advance(kTick);
   if (input) input(clock_.now());
   rig_->Pump();
-  desk_->Step();
+  input_->Step();
   lips_->Step();
   voice_->Step();
   stage_->Step();

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "appliance/core/board/board.h"
-#include "appliance/programs/input/input_desk.h"
+#include "appliance/programs/input/input_service.h"
 #include "appliance/programs/lips/lip_reader.h"
-#include "appliance/programs/lips/voice/voice_seat.h"
+#include "appliance/programs/lips/voice/voice_service.h"
 #include "appliance/programs/stage/stage.h"
 #include "appliance/programs/stage/studio.h"
 #include "drivers/base/clock.h"
@@ -25,7 +25,7 @@ struct RehearsalOptions {
   int height_px = 540;
   double hz = 30;                  // Of the screen.
   double camera_hz = 30;           // Of the lip camera.
-  voice::DelayWish sound_delay{};  // None: as measured.
+  voice::DelaySetting sound_delay{};  // None: as measured.
 };
 
 // One thread.
@@ -68,9 +68,9 @@ class Rehearsal {
   board::Board board_;
   std::unique_ptr<ports::HidBus> bus_;
   std::unique_ptr<Rig> rig_;
-  std::unique_ptr<input::InputDesk> desk_;
+  std::unique_ptr<input::InputService> input_;
   std::unique_ptr<lips::LipReader> lips_;
-  std::unique_ptr<voice::VoiceSeat> voice_;
+  std::unique_ptr<voice::VoiceService> voice_;
   std::unique_ptr<stage::Stage> stage_;
   std::string links_;
   Time began_{};

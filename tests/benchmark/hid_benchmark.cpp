@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "appliance/programs/input/dial_seat.h"
+#include "appliance/programs/input/dial_slot.h"
 #include "drivers/base/clock.h"
 #include "firmware/wire/dial_box.h"
 
@@ -25,7 +25,7 @@ ports::HidIdentity DialBox() {
           .descriptor = {wire::kDialBoxDescriptor.begin(), wire::kDialBoxDescriptor.end()}};
 }
 
-double ReportsPerSecond(input::DialSeat& dial_box, const Clock& clock) {
+double ReportsPerSecond(input::DialSlot& dial_box, const Clock& clock) {
   wire::DialBoxReport report{.turned = {1, -1, 2, -2, 3, -3, 4, -4}};
   const Time begin = clock.now();
   for (int i = 0; i < kReportsARound; ++i) {
@@ -47,7 +47,7 @@ std::vector<Metric> MeasureHid(bool quick) {
   std::filesystem::remove(path);
   if (!writer) return {};
   const SteadyClock clock;
-  input::DialSeat dial_box(*board, std::move(*writer), wire::kDialCountsPerTurn);
+  input::DialSlot dial_box(*board, std::move(*writer), wire::kDialCountsPerTurn);
   if (!dial_box.Plug(DialBox(), clock.now())) return {};
   std::vector<double> rates;
   for (int i = 0; i < kHidRounds / (quick ? 10 : 1); ++i) rates.push_back(ReportsPerSecond(dial_box, clock));

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "appliance/programs/lips/lip_settings.h"
-#include "appliance/programs/lips/service/words.h"
+#include "appliance/programs/lips/protocol/protocol.h"
 #include "tests/fuzz/check.h"
 
 namespace kaori::fuzz {

@@ -35,9 +35,11 @@ MAY_INCLUDE = (
     ("appliance/programs/input/", _DECODE + ("appliance/core/board/", "appliance/core/toml/")),
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
+    ("appliance/programs/lips/protocol/", _BASE),
     ("appliance/programs/lips/", _PROGRAM),
     ("appliance/programs/stage/", _PROGRAM + ("appliance/programs/editor/", "appliance/programs/status/")),
-    ("appliance/programs/desk/", _PROGRAM + ("appliance/programs/lips/service/", "appliance/programs/status/", "drivers/web/")),
+    ("appliance/programs/desk/", _BASE + ("render/image/", "appliance/core/board/", "appliance/programs/lips/protocol/",
+                                          "appliance/programs/status/", "drivers/web/")),
     ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.
     ("hw-sim/rehearsal/", EVERYTHING),
     ("hw-sim/devices/", _PORTS),

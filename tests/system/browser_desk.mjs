@@ -1,4 +1,4 @@
-// What the desk's browser tests play on: desk-bench, an operator with green lips, and a visitor's browser.
+// The harness of the desk's browser tests: desk-harness, an operator with green lips, and a visitor's browser.
 import {spawn} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -7,18 +7,18 @@ import {createInterface} from 'node:readline';
 
 import {end, until} from '../hw-sim/browser/harness.mjs';
 
-export class DeskBench {
+export class DeskHarness {
   constructor() {
     this.folder = mkdtempSync(join(tmpdir(), 'kaori-desk-'));
-    this.process = spawn(join(process.env.KAORI_PROGRAMS, 'desk-bench'), [this.folder], {stdio: ['pipe', 'pipe', 'pipe']});
+    this.process = spawn(join(process.env.KAORI_PROGRAMS, 'desk-harness'), [this.folder], {stdio: ['pipe', 'pipe', 'pipe']});
     this.lines = [];
     this.log = '';
     this.process.stderr.on('data', (text) => { this.log += text; });
     createInterface({input: this.process.stdout}).on('line', (line) => this.lines.push(line));
   }
 
-  said(word) {
-    return this.lines.findLast((line) => line.startsWith(`${word} `))?.slice(word.length + 1);
+  said(kind) {
+    return this.lines.findLast((line) => line.startsWith(`${kind} `))?.slice(kind.length + 1);
   }
   address() {
     return until('the address of the page', () => this.said('address'));
@@ -39,7 +39,7 @@ export class DeskBench {
   }
 }
 
-// A visitor who takes the box's own certificate as it is. Everything that is asked for is noted.
+// A visitor who accepts the box's own certificate. Every request is noted.
 export async function visit(browser, address, options = {viewport: {width: 1280, height: 800}, locale: 'en-GB'}) {
   const context = await browser.newContext({...options, ignoreHTTPSErrors: true});
   const page = await context.newPage();
@@ -58,8 +58,8 @@ export async function visit(browser, address, options = {viewport: {width: 1280,
   return page;
 }
 
-export async function pair(page, bench) {
-  await page.locator('#code').fill(await bench.code());
+export async function pair(page, harness) {
+  await page.locator('#code').fill(await harness.code());
   await page.locator('#pair button').click();
   await until('a desk that is open', () => page.locator('#desk').isVisible());
   await until('a live picture', () => page.evaluate(() => document.querySelector('#picture').naturalWidth > 0));
@@ -67,7 +67,7 @@ export async function pair(page, bench) {
 
 export const stateOf = (page) => page.evaluate(async () => (await fetch('/state')).json());
 
-// How many pixels of the picture are as `is` wants them, of all: a function of [red, green, blue], as text.
+// The part of the picture's pixels for which `is`, an expression of red, green and blue, holds.
 export function partOf(page, is) {
   return page.evaluate((test) => {
     const picture = document.querySelector('#picture');

@@ -3,36 +3,36 @@ import assert from 'node:assert/strict';
 import {after, afterEach, before, test} from 'node:test';
 
 import {openBrowser, until} from '../hw-sim/browser/harness.mjs';
-import {DeskBench, pair, partOf, stateOf, visit} from './browser_desk.mjs';
+import {DeskHarness, pair, partOf, stateOf, visit} from './browser_desk.mjs';
 
 const kPhone = {viewport: {width: 360, height: 640}, isMobile: true, hasTouch: true};
 
-let bench;
+let harness;
 let browser;
 let page;
 
 before(async () => {
-  bench = new DeskBench();
+  harness = new DeskHarness();
   browser = await openBrowser();
-  page = await visit(browser, await bench.address());
+  page = await visit(browser, await harness.address());
 });
 
 after(async () => {
   await browser?.close();
-  await bench?.close();
+  await harness?.close();
 });
 
 afterEach((test) => {
-  if (test.passed === false) console.log(bench.log);
+  if (test.passed === false) console.log(harness.log);
 });
 
 const report = async () => (await stateOf(page)).report;
 const valueOf = async (name) => (await report()).settings[name].value;
 const untilValue = (what, name, is) => until(what, async () => is(await valueOf(name)));
-const toast = (words) => until(`the words "${words}"`, async () => (await page.locator('#toast').textContent()) === words);
+const toast = (message) => until(`the message "${message}"`, async () => (await page.locator('#toast').textContent()) === message);
 const choose = (name) => page.getByRole('radio', {name}).click();
 
-test('who has no code sees no picture and asks nothing', async () => {
+test('a visitor without a code sees no picture and changes nothing', async () => {
   assert.equal(await page.locator('#desk').isVisible(), false);
   for (const path of ['state', 'picture', 'picture/mask', 'events'])
     assert.equal(await page.evaluate(async (name) => (await fetch(name)).status, path), 401, path);
@@ -40,22 +40,22 @@ test('who has no code sees no picture and asks nothing', async () => {
   assert.equal(asked, 401);
 });
 
-test('a wrong code is refused, and said', async () => {
-  const right = await bench.code();
+test('a wrong code is refused, and the page says so', async () => {
+  const right = await harness.code();
   await page.locator('#code').fill(String((Number(right) + 1) % 1e6).padStart(6, '0'));
   await page.locator('#pair button').click();
   await until('a refusal', async () => (await page.locator('#wrong').textContent()).startsWith('This is not the code'));
   assert.equal(await page.locator('#desk').isVisible(), false);
 });
 
-test('the code on the screen lets the visitor in, with a cookie that no script and no other site has', async () => {
-  const used = await bench.code();
-  await pair(page, bench);
+test('the code on the screen authorises the visitor, with a cookie that no script and no other site can read', async () => {
+  const used = await harness.code();
+  await pair(page, harness);
   const [cookie] = await page.context().cookies();
   assert.equal(cookie.sameSite, 'Strict');
   assert.equal(cookie.httpOnly, true);
   assert.equal(cookie.secure, true);
-  assert.notEqual(await bench.code(), used, 'a code lets one in');
+  assert.notEqual(await harness.code(), used, 'a code authorises one visitor');
 });
 
 test('the picture is live, and the paint is not seen yet', async () => {
@@ -69,9 +69,9 @@ test('the picture is live, and the paint is not seen yet', async () => {
 test('a click on the lips samples the paint, and one on the wall is refused', async () => {
   const {x, y, width, height} = await page.locator('#picture').boundingBox();
   await page.mouse.click(x + width * 0.02, y + height * 0.1);
-  await toast('This is grey');
+  await toast('The colour here is grey.');
   await page.mouse.click(x + width * 0.5, y + height * 0.545);
-  await toast('Paint taken');
+  await toast('The paint was sampled.');
   await until('a mouth', async () => (await stateOf(page)).mouth.quality > 0.8);
   await until('lips in the mask', async () => await partOf(page, 'red > 100') > 0.01);
   assert.ok(await valueOf('paint.green') > await valueOf('paint.red') + 40);
@@ -106,79 +106,79 @@ test('every slider sets its value on the box', async () => {
   }
 });
 
-test('shut, open, wide and narrow are learnt', async () => {
+test('shut, open, wide and narrow are measured', async () => {
   await page.locator('#defaults').evaluate((button) => button.click());
-  await page.getByRole('button', {name: 'Find it'}).click();
-  await toast('Paint found');
+  await page.getByRole('button', {name: 'Find the paint'}).click();
+  await toast('The paint was found.');
   const poses = {Shut: [0.25, 1], Open: [0.62, 0.95], Wide: [0.3, 1.14], Narrow: [0.34, 0.8]};
   for (const [name, [height, width]] of Object.entries(poses)) {
-    bench.tell(`mouth ${height} ${width}`);
+    harness.tell(`mouth ${height} ${width}`);
     await new Promise((done) => setTimeout(done, 400));
     await page.getByRole('button', {name: new RegExp(`^${name}`)}).click();
-    await until(`${name} taken`, async () => (await report()).taken.includes(name.toLowerCase()));
+    await until(`${name} done`, async () => (await report()).done.includes(name.toLowerCase()));
   }
   for (const [name, value] of Object.entries({open: 0.59, wide: 1.13, narrow: 0.81})) {
     const learnt = await valueOf(`mouth.${name}`);
     assert.ok(Math.abs(learnt - value) < 0.04, `${name}: ${learnt}`);
   }
-  bench.tell('mouth 0.62 0.95');
+  harness.tell('mouth 0.62 0.95');
   await until('a face that opens wholly', async () => (await stateOf(page)).mouth.open > 0.95);
   await until('a drawn mouth that is as open', async () =>
       Number(await page.locator('#live .lips').getAttribute('ry')) > 62 * 0.55);
-  bench.tell('mouth 0.25 1');
+  harness.tell('mouth 0.25 1');
 });
 
-test('what is saved lies on the disk, and can be gone back to; so can what was there before', async () => {
-  await page.getByRole('button', {name: 'Save'}).click();
-  await toast('Saved');
+test('saved settings lie on the disk, and the visitor can go back to them and to those before', async () => {
+  await page.getByRole('button', {name: 'Save', exact: true}).click();
+  await toast('The settings were saved.');
   const first = await valueOf('mouth.open');
-  assert.match(bench.settings(), /mouth\.open = 0\.5/);
+  assert.match(harness.settings(), /mouth\.open = 0\.5/);
   await page.getByRole('slider', {name: 'Smoothness'}).focus();
   await page.keyboard.press('End');
   await untilValue('another smoothness', 'key.smoothness', (value) => value === 300);
   await page.locator('#revert summary').click();
-  await page.getByRole('button', {name: 'To what is saved'}).click();
+  await page.getByRole('button', {name: 'To the saved settings'}).click();
   await untilValue('the saved one', 'key.smoothness', (value) => value === 80);
   await page.getByRole('slider', {name: 'Smoothness'}).focus();
   await page.keyboard.press('Home');
   await untilValue('a third one', 'key.smoothness', (value) => value === 1);
-  await page.getByRole('button', {name: 'Save'}).click();
-  await toast('Saved');
+  await page.getByRole('button', {name: 'Save', exact: true}).click();
+  await toast('The settings were saved.');
   await page.locator('#revert summary').click();
-  await page.getByRole('button', {name: 'To the one saved before'}).click();
+  await page.getByRole('button', {name: 'To the settings saved before'}).click();
   await untilValue('the one before', 'key.smoothness', (value) => value === 80);
   await page.locator('#revert summary').click();
-  await page.getByRole('button', {name: 'To a new box'}).click();
+  await page.getByRole('button', {name: 'To the settings of a new box'}).click();
   await untilValue('a new box', 'mouth.open', (value) => value === 0.85);
   assert.ok(Math.abs(first - 0.59) < 0.04);
 });
 
-test('lips that die show on the page, and come back without another code', async () => {
-  bench.tell('lips off');
-  await until('that it is said', async () => (await page.locator('#link').textContent()) === 'The lips do not answer');
-  bench.tell('lips on');
-  await until('live again', async () => (await page.locator('#link').textContent()) === 'live');
+test('the page says when the lip program ends, and goes on without another code when it is back', async () => {
+  harness.tell('lips off');
+  await until('that the page says so', async () => (await page.locator('#link').textContent()) === 'The lip program does not answer.');
+  harness.tell('lips on');
+  await until('live again', async () => (await page.locator('#link').textContent()) === 'Connected');
   assert.equal(await valueOf('key.smoothness'), 1, 'as it was saved');
 });
 
-test('a camera that is pulled is said', async () => {
-  bench.tell('camera off');
-  await until('that it is said', async () => (await page.locator('#notice').textContent()) === 'The camera is silent');
-  bench.tell('camera on');
-  await until('that nothing is said', async () => (await page.locator('#notice').textContent()) === '');
+test('the page says when the camera is pulled', async () => {
+  harness.tell('camera off');
+  await until('that the page says so', async () => (await page.locator('#notice').textContent()) === 'The camera sends no pictures.');
+  harness.tell('camera on');
+  await until('that the page says nothing', async () => (await page.locator('#notice').textContent()) === '');
 });
 
-test('the page is small, and asks nobody else for anything', async () => {
-  const own = new URL(await bench.address()).origin;
+test('the page is small, and asks no other host for anything', async () => {
+  const own = new URL(await harness.address()).origin;
   assert.deepEqual(page.asked.filter((url) => !url.startsWith(own) && !url.startsWith('data:')), []);
-  const fresh = await visit(browser, await bench.address());
+  const fresh = await visit(browser, await harness.address());
   await new Promise((done) => setTimeout(done, 300));
   assert.ok(fresh.bytes > 10_000 && fresh.bytes < 200_000, `${fresh.bytes} bytes`);
   await fresh.context().close();
 });
 
 test('it reads in Japanese where the browser asks for it, and by a switch', async () => {
-  const japanese = await visit(browser, await bench.address(), {...kPhone, locale: 'ja-JP'});
+  const japanese = await visit(browser, await harness.address(), {...kPhone, locale: 'ja-JP'});
   assert.equal(await japanese.evaluate(() => document.documentElement.lang), 'ja');
   assert.equal(await japanese.locator('h1').textContent(), 'くちびる');
   await japanese.locator('#language').click();
@@ -188,8 +188,8 @@ test('it reads in Japanese where the browser asks for it, and by a switch', asyn
 
 test('on a telephone everything is large enough for a finger, has a name, and nothing sticks out', async () => {
   for (const locale of ['en-GB', 'ja-JP']) {
-    const phone = await visit(browser, await bench.address(), {...kPhone, locale});
-    await pair(phone, bench);
+    const phone = await visit(browser, await harness.address(), {...kPhone, locale});
+    await pair(phone, harness);
     await phone.locator('#revert summary').click();
     const faults = await phone.evaluate(() => {
       const seen = [...document.querySelectorAll('button, summary, input')].filter((element) => element.offsetParent);

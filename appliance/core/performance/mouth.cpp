@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appliance/core/board/mouth.h"
 #include "appliance/core/performance/ease.h"
 
 namespace kaori::performance {
 namespace {
 
-constexpr float kDialFrom = 0.01F;  // A dial turned this far takes the mouth.
-constexpr float kGoodLips = 0.3F;
+constexpr float kDialFrom = 0.01F;        // A dial turned this far takes the mouth.
 constexpr float kFollowLips_s = 0.012F;   // Lips are in time with a voice: hardly any smoothing.
 constexpr float kFollowVoice_s = 0.025F;  // What is heard is a guess, and trembles.
 constexpr float kFollowDial_s = 0.04F;
@@ -34,22 +34,12 @@ struct Goal {
   bool drives = false;
 };
 
-float Fraction(float value, float low, float high) {
-  return std::clamp((value - low) / std::max(high - low, 0.01F), 0.0F, 1.0F);
-}
-
-// The mouth at rest is 1 wide and stands in the middle, however much farther one way than the other it goes.
-float Stretch(const board::Lips& lips) {
-  return lips.width < 1 ? 0.5F * Fraction(lips.width, lips.narrow, 1)
-                        : 0.5F + 0.5F * Fraction(lips.width, 1, lips.wide);
-}
-
 float Age_s(const State& state, Time at) {
   return std::clamp(static_cast<float>(Seconds(state.last - at)), 0.0F, kForgotten_s);
 }
 
 bool Seen(const board::Stamped<board::Lips>& lips) {
-  return lips.source == board::SourceState::kLive && lips.value.quality >= kGoodLips;
+  return lips.source == board::SourceState::kLive && board::IsUsable(lips.value);
 }
 
 bool Heard(const State& state, const board::Stamped<board::Voice>& voice) {
@@ -70,8 +60,8 @@ float VoiceShare(State& state, const board::Snapshot& board, float dt_s) {
 // Whoever is lost leaves the mouth as it is, to be given back to the expression.
 Goal FromLips(const State& state, const board::Stamped<board::Lips>& lips) {
   if (!Seen(lips)) return {state.mouth_open, state.mouth_wide, kFollowLips_s, false};
-  return {Fraction(lips.value.height, lips.value.shut, lips.value.open), Stretch(lips.value), kFollowLips_s,
-          true};
+  const board::MouthPosition mouth = board::PositionOf(lips.value);
+  return {mouth.open, mouth.wide, kFollowLips_s, true};
 }
 
 Goal FromVoice(const State& state, const board::Stamped<board::Voice>& voice) {

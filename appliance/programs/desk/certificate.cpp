@@ -7,10 +7,10 @@
 #include <memory>
 #include <optional>
 
-#include "appliance/programs/desk/chance.h"
-#include "drivers/base/whole_file.h"
+#include "appliance/programs/desk/random_bytes.h"
 #include "drivers/base/log.h"
 #include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::desk {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::int64_t kDay_s = 86'400;
 constexpr std::int64_t kFirst_s = 1'767'225'600;  // 2026-01-01: no box is older.
 constexpr std::int64_t kLasts_s = 825 * kDay_s;   // What browsers let a certificate last at most.
 constexpr std::int64_t kRenew_s = 30 * kDay_s;
-constexpr std::size_t kMostPem_bytes = 65536;
+constexpr std::size_t kMaxPem_bytes = 65536;
 constexpr std::string_view kBegin = "-----BEGIN CERTIFICATE-----";
 
 struct CloseKey {
@@ -41,7 +41,7 @@ Crt NewCertificate() {
   return gnutls_x509_crt_init(&crt) < 0 ? nullptr : Crt(crt);
 }
 
-std::string Taken(const gnutls_datum_t& datum) {
+std::string Release(const gnutls_datum_t& datum) {
   std::string text(reinterpret_cast<const char*>(datum.data), datum.size);
   gnutls_free(datum.data);
   return text;
@@ -69,18 +69,18 @@ std::optional<OwnCertificate> Read(const std::string& text, std::int64_t now_s) 
       gnutls_x509_privkey_import(key.get(), &secret, GNUTLS_X509_FMT_PEM) < 0)
     return std::nullopt;
   if (gnutls_x509_crt_get_expiration_time(crt.get()) < now_s + kRenew_s) return std::nullopt;
-  own.mark = MarkOf(crt.get());
+  own.fingerprint = MarkOf(crt.get());
   return own;
 }
 
-bool Name(gnutls_x509_crt_t crt, const CertificateFor& whom) {
+bool Name(gnutls_x509_crt_t crt, const CertificateOptions& options) {
   const char* wrong = nullptr;
   bool ok = gnutls_x509_crt_set_dn(crt, "CN=Kaori box", &wrong) >= 0;
-  for (const std::string& name : whom.names)
+  for (const std::string& name : options.names)
     ok = ok &&
          gnutls_x509_crt_set_subject_alt_name(crt, GNUTLS_SAN_DNSNAME, name.data(),
                                               static_cast<unsigned>(name.size()), GNUTLS_FSAN_APPEND) >= 0;
-  for (const std::uint32_t address : {0x7F000001U, whom.address}) {
+  for (const std::uint32_t address : {0x7F000001U, options.address}) {
     const std::array<std::uint8_t, 4> bytes{
         static_cast<std::uint8_t>(address >> 24), static_cast<std::uint8_t>(address >> 16),
         static_cast<std::uint8_t>(address >> 8), static_cast<std::uint8_t>(address)};
@@ -90,56 +90,57 @@ bool Name(gnutls_x509_crt_t crt, const CertificateFor& whom) {
   return ok;
 }
 
-bool Fill(gnutls_x509_crt_t crt, gnutls_x509_privkey_t key, const CertificateFor& whom) {
+bool Fill(gnutls_x509_crt_t crt, gnutls_x509_privkey_t key, const CertificateOptions& options) {
   std::array<std::uint8_t, 16> serial;
-  FillByChance(serial);
+  FillWithKernelRandom(serial);
   serial[0] &= 0x7F;  // Positive.
-  const std::int64_t from_s = std::max(whom.now_s, kFirst_s) - kDay_s;
+  const std::int64_t from_s = std::max(options.now_s, kFirst_s) - kDay_s;
   return gnutls_x509_crt_set_version(crt, 3) >= 0 &&
          gnutls_x509_crt_set_serial(crt, serial.data(), serial.size()) >= 0 &&
          gnutls_x509_crt_set_activation_time(crt, from_s) >= 0 &&
-         gnutls_x509_crt_set_expiration_time(crt, from_s + kLasts_s) >= 0 && Name(crt, whom) &&
+         gnutls_x509_crt_set_expiration_time(crt, from_s + kLasts_s) >= 0 && Name(crt, options) &&
          gnutls_x509_crt_set_key_usage(crt, GNUTLS_KEY_DIGITAL_SIGNATURE) >= 0 &&
          gnutls_x509_crt_set_key_purpose_oid(crt, GNUTLS_KP_TLS_WWW_SERVER, 0) >= 0 &&
          gnutls_x509_crt_set_key(crt, key) >= 0 &&
          gnutls_x509_crt_sign2(crt, crt, key, GNUTLS_DIG_SHA256, 0) >= 0;
 }
 
-// The key's PEM, then the certificate's.
-Result<std::string> Make(const CertificateFor& whom) {
+// Makes a key and a certificate, and returns the PEM of both, the key first.
+Result<std::string> Make(const CertificateOptions& options) {
   const Key key = NewKey();
   const Crt crt = NewCertificate();
   gnutls_datum_t secret{}, chain{};
   const unsigned bits = GNUTLS_CURVE_TO_BITS(GNUTLS_ECC_CURVE_SECP256R1);
   if (!key || !crt || gnutls_x509_privkey_generate2(key.get(), GNUTLS_PK_ECDSA, bits, 0, nullptr, 0) < 0 ||
-      !Fill(crt.get(), key.get(), whom) ||
+      !Fill(crt.get(), key.get(), options) ||
       gnutls_x509_privkey_export2(key.get(), GNUTLS_X509_FMT_PEM, &secret) < 0)
     return Fail(std::errc::not_supported, "make a certificate");
-  std::string text = Taken(secret);
+  std::string text = Release(secret);
   if (gnutls_x509_crt_export2(crt.get(), GNUTLS_X509_FMT_PEM, &chain) < 0)
     return Fail(std::errc::not_supported, "make a certificate");
-  return text + Taken(chain);
+  return text + Release(chain);
 }
 
 }  // namespace
 
-Result<OwnCertificate> KeptCertificate(const std::filesystem::path& folder, const CertificateFor& whom) {
+Result<OwnCertificate> LoadOrMakeCertificate(const std::filesystem::path& folder,
+                                             const CertificateOptions& options) {
   const std::filesystem::path file = folder / "desk.pem";
-  const std::int64_t now_s = std::max(whom.now_s, kFirst_s);
-  const auto kept = ReadFile(file, {.most_bytes = kMostPem_bytes});
-  if (!kept && kept.error().cause != std::errc::no_such_file_or_directory)
-    LogWarning("{}; another certificate is made", kept.error().message());
-  if (const auto own = Read(kept.value_or(""), now_s)) return *own;
-  const auto made = Make(whom);
+  const std::int64_t now_s = std::max(options.now_s, kFirst_s);
+  const auto stored = ReadFile(file, {.most_bytes = kMaxPem_bytes});
+  if (!stored && stored.error().cause != std::errc::no_such_file_or_directory)
+    LogWarning("{}; a new certificate is made", stored.error().message());
+  if (const auto own = Read(stored.value_or(""), now_s)) return *own;
+  const auto made = Make(options);
   if (!made) return tl::unexpected(made.error());
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
   if (auto written = WriteWholeFile(file, {AsBytes(*made)}, 0600); !written)
     return tl::unexpected(written.error());
-  Log("a certificate of the box's own was made: {}", file.string());
+  Log("a new certificate was made: {}", file.string());
   const auto own = Read(*made, now_s);
-  if (!own) return Fail(std::errc::not_supported, "read the certificate that was made");
+  if (!own) return Fail(std::errc::not_supported, "read the new certificate");
   return *own;
 }
 

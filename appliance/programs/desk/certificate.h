@@ -1,4 +1,4 @@
-// The box's own certificate for HTTPS, made by itself at the first start and kept.
+// The box's own certificate for HTTPS, which it makes at the first start and keeps.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,21 @@ namespace kaori::desk {
 
 struct OwnCertificate {
   web::Certificate pem;
-  std::uint32_t mark = 0;  // The first four bytes of its SHA-256, big-endian: to be compared on two screens.
+  std::uint32_t fingerprint =
+      0;  // The first four bytes of its SHA-256, big-endian, which people compare on two screens.
 };
 
-struct CertificateFor {
+struct CertificateOptions {
   std::vector<std::string> names;
-  std::uint32_t address = 0;  // IPv4, as gate.h has it.
-  std::int64_t now_s = 0;     // Wall clock, since 1970.
+  std::uint32_t address = 0;  // IPv4, as OwnAddress() gives it.
+  std::int64_t now_s = 0;     // The wall clock, in seconds since 1970.
 };
 
-// FOLDER/desk.pem, which only its owner may read; made anew where it is not there, is damaged, or ends within
-// a month. A box whose clock is wrong by years makes one that begins in 2026. Blocks for the disk. Errors:
-// those of the folder and the file; not_supported (the library could not make one).
-Result<OwnCertificate> KeptCertificate(const std::filesystem::path& folder, const CertificateFor& whom);
+// Loads FOLDER/desk.pem, which only its owner may read. It is made where it is missing, damaged, or valid for
+// less than a month. A box whose clock is wrong by years makes a certificate that begins in 2026. Blocks for
+// the disk. Errors: those of the folder and the file, and
+//   not_supported  the library could not make a certificate
+Result<OwnCertificate> LoadOrMakeCertificate(const std::filesystem::path& folder,
+                                             const CertificateOptions& options);
 
 }  // namespace kaori::desk

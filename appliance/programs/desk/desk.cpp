@@ -15,11 +15,12 @@ namespace {
 using web::Reply;
 using web::Request;
 
-constexpr unsigned kMostConnections = 64;
-constexpr unsigned kMostOfOne = 24;  // A browser opens six; one host must not keep the others out.
+constexpr unsigned kMaxConnections = 64;
+constexpr unsigned kMaxOfOneAddress = 24;  // A browser opens six; one host must not keep the others out.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(60);
-// Silence is broken this often: listeners that went away are noticed only when something is sent.
-constexpr Duration kSignOfLife = std::chrono::seconds(1);
+// An unchanged state is sent this often, since listeners that are gone are noticed only when something is
+// sent.
+constexpr Duration kKeepAlive = std::chrono::seconds(1);
 constexpr Duration kCodePeriod = std::chrono::seconds(1);
 constexpr int kQuality = 80;
 
@@ -30,7 +31,8 @@ constexpr std::string_view kCookie = "kaori-desk=";
 constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
                                                                  "/picture/mask"};
 
-// A part of the endless picture, closed by the next boundary: browsers show a part when it is closed.
+// A part of the endless picture. It ends with the next boundary, since browsers show a part when that
+// arrives.
 std::string PicturePart(std::string_view jpeg) {
   return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg,
                      kBoundary);
@@ -48,7 +50,7 @@ std::string CookieOf(const std::string& session, bool secure) {
 }
 
 Reply NotFound(const std::string& path) {
-  return {404, kText, path + " is not here\n"};
+  return {404, kText, "there is no " + path + "\n"};
 }
 
 }  // namespace
@@ -60,7 +62,7 @@ Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::
       writer_(std::move(writer)),
       clock_(clock),
       pairing_(clock),
-      line_(lips::ServicePath(board.path())),
+      lips_(lips::ServicePath(board.path())),
       states_("text/event-stream", "retry: 500\n\n") {
   for (auto& feed : pictures_)
     feed = std::make_unique<web::Feed>("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary));
@@ -77,9 +79,10 @@ Result<std::unique_ptr<Desk>> Desk::Open(DeskOptions options, const board::Board
       {.port = desk->options_.port,
        .reach = desk->options_.reach,
        .certificate = desk->options_.certificate,
-       .most_connections = kMostConnections,
-       .most_of_one_address = kMostOfOne,
-       .guard = [rules = GateRules{OwnNames(), secure}](const web::Visitor& v) { return Refusal(v, rules); }},
+       .most_connections = kMaxConnections,
+       .most_of_one_address = kMaxOfOneAddress,
+       .guard = [rules =
+                     OriginRules{OwnNames(), secure}](const web::Visitor& v) { return Refusal(v, rules); }},
       loop, clock, [self = desk.get()](const Request& request) { return self->Answer(request); });
   if (!server) return tl::unexpected(server.error());
   desk->server_ = std::move(*server);
@@ -93,23 +96,23 @@ std::string Desk::address() const {
 
 void Desk::Step() {
   const Time now = clock_.now();
-  line_.Step(now);
+  lips_.Step(now);
   if (std::exchange(dismiss_, false)) {
     for (auto& feed : pictures_) feed->Dismiss();
     states_.Dismiss();
   }
-  ShowPictures(now);
-  TellState(now);
-  ShowCode(now);
+  SendPictures(now);
+  SendState(now);
+  PublishCode(now);
   server_->Run();
 }
 
-// The lips draw pictures only while a paired page looks; each view is encoded once for all who listen.
-void Desk::ShowPictures(Time now) {
+// The lips draw pictures only while a paired page shows them; each view is encoded once for all listeners.
+void Desk::SendPictures(Time now) {
   const bool looked_at =
       std::ranges::any_of(pictures_, [](const auto& feed) { return feed->listeners() > 0; });
-  if (looked_at && pairing_.sessions() > 0) line_.Look(now);
-  const LipLine::Picture& picture = line_.picture();
+  if (looked_at && pairing_.sessions() > 0) lips_.RequestPictures(now);
+  const LipConnection::Picture& picture = lips_.picture();
   for (std::size_t view = 0; view < kViewCount; ++view) {
     if (!pictures_[view]->awaited() || sent_[view] == picture.number) continue;
     sent_[view] = picture.number;
@@ -119,10 +122,10 @@ void Desk::ShowPictures(Time now) {
   }
 }
 
-void Desk::TellState(Time now) {
+void Desk::SendState(Time now) {
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
   auto state = State();
-  if (state == state_ && now - state_at_ < kSignOfLife) return;
+  if (state == state_ && now - state_at_ < kKeepAlive) return;
   state_ = std::move(state);
   state_at_ = now;
   states_.Publish(fmt::format("data: {}\n\n", state_));
@@ -131,13 +134,13 @@ void Desk::TellState(Time now) {
 std::string Desk::State() {
   return StateJson({.lips = board_.Read<board::Lips>(),
                     .stage = board_.Read<board::StageStatus>(),
-                    .report = line_.report(),
-                    .picture = line_.picture().number,
+                    .report = lips_.report(),
+                    .picture = lips_.picture().number,
                     .now = clock_.now()});
 }
 
 // Written anew each second, so that the stage sees when the desk is gone.
-void Desk::ShowCode(Time now) {
+void Desk::PublishCode(Time now) {
   const std::size_t sessions = pairing_.sessions();
   const bool changed = pairing_.Step();
   if (pairing_.sessions() < sessions) dismiss_ = true;
@@ -149,26 +152,26 @@ void Desk::ShowCode(Time now) {
                  .address = address_,
                  .port = server_->port(),
                  .secure = options_.certificate ? 1U : 0U,
-                 .certificate = options_.mark},
+                 .certificate = options_.fingerprint},
                 now, board::SourceState::kLive);
 }
 
 web::HttpServer::Answer Desk::Answer(const Request& request) {
   const bool posts = request.method == "POST";
   if (!posts && request.method != "GET" && request.method != "HEAD")
-    return Reply{405, kText, "GET and POST only\n"};
+    return Reply{405, kText, "only GET, HEAD and POST are allowed\n"};
   if (posts && request.path == "/pair") return Pair(request);
   const bool paired = pairing_.Knows(SessionIn(request.cookie));
   if (!posts && request.path == "/hello") return Hello(paired);
   if (!posts && FindPageFile(request.path) != nullptr) return Page(request);
-  if (!paired) return Reply{401, kText, "the code on the box's screen comes first\n"};
+  if (!paired) return Reply{401, kText, "type the code on the box's screen first\n"};
   return AnswerPaired(request);
 }
 
 web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
   if (request.method == "POST") {
-    if (request.path == "/do") return Do(request);
-    if (request.path == "/leave") return Leave(request);
+    if (request.path == "/do") return ExecuteCommand(request);
+    if (request.path == "/leave") return EndSession(request);
     return NotFound(request.path);
   }
   if (request.path == "/state") return Reply{200, kJson, State()};
@@ -190,7 +193,7 @@ web::Feed* Desk::FeedOf(const std::string& path) {
                                    : pictures_[static_cast<std::size_t>(at - kPicturePaths.begin())].get();
 }
 
-// The page speaks the visitor's language from its first letter on.
+// The page has the visitor's language from the first letter on.
 Reply Desk::Page(const Request& request) {
   const web::PageFile& file = *FindPageFile(request.path);
   Reply reply{200, std::string(file.content_type), std::string(file.bytes)};
@@ -202,39 +205,39 @@ Reply Desk::Page(const Request& request) {
 }
 
 Reply Desk::Hello(bool paired) {
-  if (!paired) pairing_.Ask();
+  if (!paired) pairing_.RequestCode();
   return {200, kJson, fmt::format("{{\"paired\":{}}}\n", paired)};
 }
 
 Reply Desk::Pair(const Request& request) {
   std::string session;
   switch (pairing_.Try(request.body, session)) {
-    case Verdict::kIn:
-      Log("a page was paired");
+    case Verdict::kAccepted:
+      Log("a visitor was authorised");
       return {204, kText, {}, CookieOf(session, options_.certificate.has_value())};
-    case Verdict::kWait:
-      return {429, kText, "five wrong codes; wait a minute\n"};
-    case Verdict::kWrong:
+    case Verdict::kLocked:
+      return {429, kText, "five codes were wrong; wait a minute\n"};
+    case Verdict::kWrongCode:
       break;
   }
-  LogWarning("a wrong code was tried");
-  return {403, kText, "this is not the code\n"};
+  LogWarning("a visitor typed a wrong code");
+  return {403, kText, "the code is wrong\n"};
 }
 
-// Whoever else listens comes back by himself.
-Reply Desk::Leave(const Request& request) {
-  pairing_.Leave(SessionIn(request.cookie));
+// All feeds are closed; the pages of other sessions connect again by themselves.
+Reply Desk::EndSession(const Request& request) {
+  pairing_.EndSession(SessionIn(request.cookie));
   dismiss_ = true;
   return {204, kText, {}, CookieOf("", options_.certificate.has_value()) + "; Max-Age=0"};
 }
 
-Reply Desk::Do(const Request& request) {
+Reply Desk::ExecuteCommand(const Request& request) {
   const auto command = lips::ParseCommand("0 " + request.body);
   if (!command) return {400, kText, command.error().message() + "\n"};
-  if (command->ask == lips::Ask::kLook || command->ask == lips::Ask::kReturn)
-    return {400, kText, "the desk does that itself\n"};
-  const auto number = line_.Ask(*command);
-  if (!number) return {503, kText, "the lips are gone\n"};
+  if (command->kind == lips::CommandKind::kLook || command->kind == lips::CommandKind::kReturn)
+    return {400, kText, "only the desk itself sends this command\n"};
+  const auto number = lips_.Send(*command);
+  if (!number) return {503, kText, "the lip program does not answer\n"};
   return {200, kJson, fmt::format("{{\"number\":{}}}\n", *number)};
 }
 

@@ -1,4 +1,4 @@
-// kaori-desk: a page on which the lips are calibrated; in the service profile only.
+// kaori-desk: serves the page on which the lips are calibrated, in the service profile only.
 #include <charconv>
 #include <cstdlib>
 #include <ctime>
@@ -21,15 +21,15 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::string_view kHelp =
-    R"(kaori-desk: a page on which the lips are calibrated, before and between shows
+    R"(kaori-desk: serves the page on which the lips are calibrated, before and between shows
 
-  --service            the box is in service: without this it listens to nobody, and ends
+  --service            the box is in service; without this option the program ends at once
   --board FILE         the board, shared with the other programs
-  --port PORT          8443 if not given; 0 takes any free one
-  --data FOLDER        where the certificate is kept (/var/lib/kaori where it is there, else $XDG_STATE_HOME/kaori)
-  --plain              HTTP instead of HTTPS, for a bench
-  --local              only this machine may visit, for a bench
-  --address-file FILE  where the page's address is written
+  --port PORT          the port of the page (8443); 0 uses any free one
+  --data FOLDER        the folder of the certificate (/var/lib/kaori if it exists, else $XDG_STATE_HOME/kaori)
+  --plain              serve HTTP instead of HTTPS, for tests
+  --local              serve this machine only, for tests
+  --address-file FILE  write the page's address to this file
 )";
 
 constexpr kaori::Duration kTick = 20ms;
@@ -54,20 +54,20 @@ kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
   const std::string& port = settings.port;
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), options.port);
   if (error != std::errc{} || end != port.data() + port.size())
-    return kaori::FailInput("--port " + port + ": a number up to 65535 is wanted");
+    return kaori::FailInput("--port " + port + ": expected a number from 0 to 65535");
   if (settings.local) options.reach = kaori::web::Reach::kThisMachine;
   if (settings.plain) return options;
-  const auto own = kaori::desk::KeptCertificate(
+  const auto own = kaori::desk::LoadOrMakeCertificate(
       FolderOf(settings),
       {kaori::desk::OwnNames(), kaori::desk::OwnAddress(), static_cast<std::int64_t>(std::time(nullptr))});
   if (!own) return tl::unexpected(own.error());
   options.certificate = own->pem;
-  options.mark = own->mark;
+  options.fingerprint = own->fingerprint;
   return options;
 }
 
-kaori::Result<void> TellAddress(const std::string& file, const std::string& address) {
-  kaori::Log("the desk is at {}; the code is on the box's screen", address);
+kaori::Result<void> AnnounceAddress(const std::string& file, const std::string& address) {
+  kaori::Log("the desk is at {}; its code is on the box's screen", address);
   if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
   if (file.empty()) return {};
   return kaori::WriteWholeFile(file, {kaori::AsBytes(address + "\n")});
@@ -81,7 +81,7 @@ int Serve(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   const auto desk = kaori::desk::Desk::Open(std::move(*options), *board, loop, clock);
   if (!desk) return kaori::ExitWithError(desk.error());
-  if (auto told = TellAddress(settings.address_file, (*desk)->address()); !told)
+  if (auto told = AnnounceAddress(settings.address_file, (*desk)->address()); !told)
     return kaori::ExitWithError(told.error());
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, [&desk] { (*desk)->Step(); }); !ok)
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
       .Switch("--local", settings.local);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (!settings.service) {
-    kaori::LogError("a box that plays has no desk; --service says that it is in service");
+    kaori::LogError("the desk runs only in service; give --service to start it");
     return 2;
   }
   auto loop = kaori::EventLoop::Open();

@@ -7,7 +7,7 @@
 
 namespace kaori::desk {
 
-// nullptr where nothing of that path is carried.
+// Returns the file of this path, or null where there is none.
 const web::PageFile* FindPageFile(std::string_view path);
 
 }  // namespace kaori::desk

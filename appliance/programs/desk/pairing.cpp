@@ -18,7 +18,7 @@ constexpr std::size_t kMostSessions = 4;
 constexpr std::uint32_t kCodes = 1'000'000;
 constexpr std::size_t kNameBytes = 32;
 
-// Takes as long wherever the two differ.
+// Compares in a time that does not depend on where the two differ.
 bool SameText(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned differ = 0;
@@ -29,17 +29,18 @@ bool SameText(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Pairing::Pairing(const Clock& clock, Chance chance) : clock_(clock), chance_(std::move(chance)) {
+Pairing::Pairing(const Clock& clock, RandomBytes random_bytes)
+    : clock_(clock), random_bytes_(std::move(random_bytes)) {
   RenewCode();
 }
 
-// Every code is as likely as any other.
+// Draws until the number is below a multiple of a million, so that every code is equally likely.
 void Pairing::RenewCode() {
   constexpr std::uint32_t kFair = UINT32_MAX - UINT32_MAX % kCodes;
   std::array<std::uint8_t, 4> bytes;
   std::uint32_t number = kFair;
   while (number >= kFair) {
-    chance_(bytes);
+    random_bytes_(bytes);
     number = 0;
     for (const std::uint8_t byte : bytes) number = number << 8 | byte;
   }
@@ -54,7 +55,7 @@ bool Pairing::IsCode(std::string_view text) const {
 
 std::string Pairing::NewName() const {
   std::array<std::uint8_t, kNameBytes> bytes;
-  chance_(bytes);
+  random_bytes_(bytes);
   std::string name;
   for (const std::uint8_t byte : bytes) name += fmt::format("{:02x}", byte);
   return name;
@@ -63,17 +64,17 @@ std::string Pairing::NewName() const {
 Verdict Pairing::Try(std::string_view code, std::string& session) {
   Step();
   const Time now = clock_.now();
-  if (wrong_.size() >= kMostTries) return Verdict::kWait;
+  if (wrong_.size() >= kMostTries) return Verdict::kLocked;
   if (!IsCode(code)) {
     wrong_.push_back(now);
-    return Verdict::kWrong;
+    return Verdict::kWrongCode;
   }
   if (sessions_.size() >= kMostSessions) sessions_.erase(sessions_.begin());
   session = NewName();
   sessions_.push_back({session, now + kSessionLasts});
   shown_until_ = now;
   RenewCode();
-  return Verdict::kIn;
+  return Verdict::kAccepted;
 }
 
 bool Pairing::Knows(std::string_view session) const {
@@ -82,11 +83,11 @@ bool Pairing::Knows(std::string_view session) const {
       sessions_, [&](const Session& one) { return now < one.until && SameText(one.name, session); });
 }
 
-void Pairing::Leave(std::string_view session) {
+void Pairing::EndSession(std::string_view session) {
   std::erase_if(sessions_, [&](const Session& one) { return SameText(one.name, session); });
 }
 
-void Pairing::Ask() {
+void Pairing::RequestCode() {
   shown_until_ = clock_.now() + kShownFor;
 }
 

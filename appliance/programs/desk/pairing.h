@@ -1,4 +1,4 @@
-// Who may use the desk: a code of six digits on the box's own screen lets a visitor in for the evening.
+// Who may use the desk: a code of six digits on the box's own screen authorises a visitor for the evening.
 #pragma once
 
 #include <array>
@@ -8,37 +8,38 @@
 #include <string_view>
 #include <vector>
 
-#include "appliance/programs/desk/chance.h"
+#include "appliance/programs/desk/random_bytes.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::desk {
 
-enum class Verdict : std::uint8_t { kIn, kWrong, kWait };
+enum class Verdict : std::uint8_t { kAccepted, kWrongCode, kLocked };
 
-// A code lasts five minutes and lets one visitor in; then there is another one. Five wrong tries within a
-// minute, from whoever, and nobody is heard until the minute is over. Four sessions live at a time, for eight
-// hours each, in memory only. Borrows the clock.
+// A code is valid for five minutes and for one visitor; then there is another one. After five wrong codes
+// within a minute, by any visitors, all codes are refused until that minute is over. There are four sessions
+// at most, for eight hours each, in memory only; a fifth ends the oldest. Used by one thread. Borrows the
+// clock.
 class Pairing {
  public:
-  explicit Pairing(const Clock& clock, Chance chance = FillByChance);
+  explicit Pairing(const Clock& clock, RandomBytes random_bytes = FillWithKernelRandom);
 
-  // Gives the new session's name in `session` where the code is right.
+  // Tries a code. If it is right, `session` is set to the name of a new session, 32 hexadecimal digits.
   Verdict Try(std::string_view code, std::string& session);
 
   bool Knows(std::string_view session) const;
-  void Leave(std::string_view session);
+  void EndSession(std::string_view session);
   std::size_t sessions() const { return sessions_.size(); }
 
-  // A visitor without a session came: the code is shown again.
-  void Ask();
+  // Shows the code again, for a visitor without a session.
+  void RequestCode();
 
-  // Forgets what is over. True: something about the code changed.
+  // Ends what has expired. Returns whether the code, or whether it is shown, changed since the last call.
   bool Step();
 
-  // Shown while nobody is paired, and for a while when somebody asks.
+  // Whether the box shows the code: while there is no session, and for a while after RequestCode().
   bool shown() const;
   std::uint32_t code() const { return code_; }  // 0 .. 999999.
-  Duration valid() const;                       // From now on.
+  Duration valid() const;                       // How much longer the code is valid.
 
  private:
   struct Session {
@@ -50,11 +51,11 @@ class Pairing {
   std::string NewName() const;
 
   const Clock& clock_;
-  Chance chance_;
+  RandomBytes random_bytes_;
   std::uint32_t code_ = 0;
   Time code_until_{};
   Time shown_until_{};
-  std::vector<Time> wrong_;  // Of the last minute.
+  std::vector<Time> wrong_;  // The times of wrong codes within the last minute.
   std::vector<Session> sessions_;
   bool changed_ = true;
   bool was_shown_ = false;

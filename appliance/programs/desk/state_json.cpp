@@ -5,36 +5,29 @@
 #include <charconv>
 #include <cmath>
 
+#include "appliance/core/board/mouth.h"
 #include "drivers/base/json.h"
 
 namespace kaori::desk {
 namespace {
 
-// Finer than the page draws; equal states give equal text.
+// Rounded finer than the page draws, so that nearly equal states give equal text.
 double Rounded(float value) {
   return std::round(static_cast<double>(value) * 1e3) / 1e3;
 }
 
-float Fraction(float value, float low, float high) {
-  return std::clamp((value - low) / std::max(high - low, 0.01F), 0.0F, 1.0F);
-}
-
-// As the mouth on the stage takes it: at rest in the middle, however much farther one way than the other.
-float Stretch(const board::Lips& lips) {
-  return lips.width < 1 ? 0.5F * Fraction(lips.width, lips.narrow, 1)
-                        : 0.5F + 0.5F * Fraction(lips.width, 1, lips.wide);
-}
-
 json::Object MouthJson(const DeskFacts& facts) {
   const board::Lips& lips = facts.lips.value;
+  const board::MouthPosition mouth = board::PositionOf(lips);
   const double age_ms = Seconds(facts.now - facts.lips.at) * 1e3;
   return {{"height", Rounded(lips.height)},
           {"width", Rounded(lips.width)},
           {"opening", Rounded(lips.opening)},
           {"quality", Rounded(lips.quality)},
           {"age_ms", std::round(std::clamp(age_ms, 0.0, 99'999.0))},
-          {"open", Rounded(Fraction(lips.height, lips.shut, lips.open))},
-          {"wide", Rounded(Stretch(lips))}};
+          {"learnable", board::IsLearnable(lips)},
+          {"open", Rounded(mouth.open)},
+          {"wide", Rounded(mouth.wide)}};
 }
 
 json::Object SettingsJson(const lips::Report& report) {
@@ -49,10 +42,10 @@ json::Object SettingsJson(const lips::Report& report) {
 }
 
 json::Object ReportJson(const lips::Report& report) {
-  json::List taken;
+  json::List done;
   for (int step = 0; step < lips::kStepCount; ++step)
-    if ((report.taken >> step & 1U) != 0)
-      taken.emplace_back(lips::NameOf(static_cast<lips::CalibrationStep>(step)));
+    if ((report.done >> step & 1U) != 0)
+      done.emplace_back(lips::NameOf(static_cast<lips::CalibrationStep>(step)));
   json::Value box;
   if (report.box[2] > report.box[0])
     box = json::ListOf(std::array{Rounded(report.box[0]), Rounded(report.box[1]), Rounded(report.box[2]),
@@ -61,23 +54,23 @@ json::Object ReportJson(const lips::Report& report) {
           {"complaint", report.complaint},
           {"step", report.step ? json::Value(lips::NameOf(*report.step)) : json::Value()},
           {"progress", Rounded(report.progress)},
-          {"taken", taken},
+          {"done", done},
           {"changes", report.changes},
           {"unsaved", report.unsaved},
           {"saved", report.saved},
           {"before", report.before},
-          {"free_light", report.free_light},
+          {"exposure_free", report.exposure_free},
           {"box", box},
           {"settings", SettingsJson(report)}};
 }
 
-// "ja", "ja-JP" and "ja;q=0.8" are of "ja"; "jam" is not.
-bool IsOf(std::string_view entry, std::string_view language) {
+// "ja", "ja-JP" and "ja;q=0.8" name the language "ja"; "jam" does not.
+bool NamesLanguage(std::string_view entry, std::string_view language) {
   return entry.starts_with(language) &&
          (entry.size() == language.size() || entry[language.size()] == '-' || entry[language.size()] == ';');
 }
 
-// How much one entry of Accept-Language ("ja-JP;q=0.8") is wanted.
+// The quality value of one entry of Accept-Language, such as 0.8 of "ja-JP;q=0.8" (RFC 9110, 12.4.2).
 double WeightOf(std::string_view entry) {
   const auto q = entry.find("q=");
   if (q == std::string_view::npos) return 1;
@@ -91,13 +84,13 @@ double WeightOf(std::string_view entry) {
 std::string StateJson(const DeskFacts& facts) {
   constexpr std::array<const char*, 3> kStates{"absent", "live", "stale"};
   const board::StageStatus& stage = facts.stage.value;
-  const bool lit = facts.stage.source == board::SourceState::kLive && stage.lips_age > Duration{} &&
+  const bool presented = facts.stage.source == board::SourceState::kLive && stage.lips_age > Duration{} &&
                    facts.now - facts.stage.at < std::chrono::seconds(2);
   return json::Write(
       json::Object{{"lips", facts.report.has_value()},
                    {"camera", kStates[static_cast<std::size_t>(facts.lips.source)]},
                    {"mouth", MouthJson(facts)},
-                   {"light_age_ms", lit ? json::Value(std::round(Seconds(stage.lips_age) * 1e3)) : json::Value()},
+                   {"presented_age_ms", presented ? json::Value(std::round(Seconds(stage.lips_age) * 1e3)) : json::Value()},
                    {"picture", facts.picture},
                    {"report", facts.report ? json::Value(ReportJson(*facts.report)) : json::Value()}});
 }
@@ -108,8 +101,8 @@ bool PrefersJapanese(std::string_view accept_language) {
     const auto end = std::min(accept_language.find(','), accept_language.size());
     std::string_view entry = accept_language.substr(0, end);
     while (!entry.empty() && entry.front() == ' ') entry.remove_prefix(1);
-    if (IsOf(entry, "ja")) japanese = std::max(japanese, WeightOf(entry));
-    if (IsOf(entry, "en")) english = std::max(english, WeightOf(entry));
+    if (NamesLanguage(entry, "ja")) japanese = std::max(japanese, WeightOf(entry));
+    if (NamesLanguage(entry, "en")) english = std::max(english, WeightOf(entry));
     accept_language.remove_prefix(std::min(end + 1, accept_language.size()));
   }
   return japanese > english;

@@ -1,11 +1,11 @@
-// What the page is told of the lips, as JSON.
+// The state of the lips as JSON for the page, and the language that a visitor reads.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "appliance/core/board/sections.h"
-#include "appliance/programs/lips/service/words.h"
+#include "appliance/programs/lips/protocol/protocol.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::desk {
@@ -13,21 +13,23 @@ namespace kaori::desk {
 struct DeskFacts {
   board::Stamped<board::Lips> lips;
   board::Stamped<board::StageStatus> stage;
-  std::optional<lips::Report> report;  // Nothing: the lips are gone.
-  std::uint32_t picture = 0;           // Number of the newest one; 0: none.
+  std::optional<lips::Report> report;  // Empty while the lips do not answer.
+  std::uint32_t picture = 0;           // The number of the newest picture; 0: there is none.
   Time now{};
 };
 
 // {"lips": bool, "camera": "absent" | "live" | "stale",
-//  "mouth": {"height", "width", "opening", "quality", "age_ms", "open", "wide"},
-//  "light_age_ms": number or null, "picture": number,
-//  "report": null or {"answered", "complaint", "step": text or null, "progress", "taken": [text..],
-//  "changes",
-//                     "unsaved", "saved", "before", "free_light", "box": [left, top, right, bottom] or null,
+//  "mouth": {"height", "width", "opening", "quality", "age_ms", "learnable": bool, "open", "wide"},
+//  "presented_age_ms": number or null, "picture": number,
+//  "report": null or {"answered", "complaint", "step": text or null, "progress", "done": [text..], "changes",
+//                     "unsaved", "saved", "before", "exposure_free",
+//                     "box": [left, top, right, bottom] or null,
 //                     "settings": {name: {"value", "low", "high"}..}}}
+// "mouth" has the values of board::Lips and of board::MouthPosition; "presented_age_ms" is how old the lips
+// are when the picture that shows them is presented; the rest is lips::Report.
 std::string StateJson(const DeskFacts& facts);
 
-// Whether somebody who reads `accept_language` (as browsers send it) would rather read Japanese than English.
+// Whether `accept_language`, the header as browsers send it, prefers Japanese to English.
 bool PrefersJapanese(std::string_view accept_language);
 
 }  // namespace kaori::desk

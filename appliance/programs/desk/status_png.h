@@ -1,4 +1,4 @@
-// The box's status picture for the page.
+// The status picture of the box for the page.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace kaori::desk {
 
-// A PNG, as large as a page shows it; takes tens of milliseconds. What the stage says of its screens lies
-// beside the board. Errors: not_enough_memory, io_error.
+// Draws the status as a PNG as large as the page shows it, which needs tens of milliseconds. The stage's file
+// of screens lies beside the board. Errors:
+//   not_enough_memory, io_error  the picture could not be encoded
 Result<std::string> StatusPng(const board::Board& board, Time now);
 
 }  // namespace kaori::desk

@@ -6,14 +6,14 @@
 namespace kaori::desk {
 namespace {
 
-constexpr std::array<int, 3> kLit{255, 184, 102};  // Paint in the mask: the page's lamp colour.
+constexpr std::array<int, 3> kLit{255, 184, 102};  // The colour of paint in the mask: --lamp in style.css.
 
-// Green counts for most of what eyes call bright.
+// The luma by the weights of ITU-R BT.709, in parts of 256.
 int Grey(const std::uint8_t* rgb) {
   return (54 * rgb[0] + 183 * rgb[1] + 19 * rgb[2]) >> 8;
 }
 
-// What is not paint falls back, dark and pale, but keeps a colour that may yet be tapped.
+// The emphasised view darkens what is not paint, but keeps its hue so that a visitor can still tap a colour.
 std::uint8_t Shown(View view, const std::uint8_t* rgbp, std::size_t channel) {
   const int paint = rgbp[3];
   if (view == View::kMask) return static_cast<std::uint8_t>(kLit[channel] * paint / 255);

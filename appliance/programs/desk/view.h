@@ -1,4 +1,4 @@
-// How the page shows the camera's picture: as it is, with the paint brought out, or the paint alone.
+// The views of the camera's picture on the page: as it is, with the paint emphasised, or the paint alone.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,11 @@
 
 namespace kaori::desk {
 
+// The picture, the picture with emphasised paint, and the mask of the paint.
 enum class View : std::uint8_t { kPlain, kBoth, kMask };
 inline constexpr std::size_t kViewCount = 3;
 
-// From R, G, B and paint to R, G, B and nothing, pixel by pixel.
+// Converts pixels of R, G, B and paint to pixels of R, G, B and an unused byte. `rgbx` is resized.
 void Compose(View view, std::span<const std::uint8_t> rgbp, std::vector<std::uint8_t>& rgbx);
 
 }  // namespace kaori::desk

@@ -21,7 +21,7 @@ std::optional<std::uint32_t>* RoleNamed(std::string_view name, LineRoles& roles)
 std::optional<std::uint32_t> ParseOffset(std::string_view text) {
   std::uint32_t offset = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), offset);
-  if (error != std::errc{} || end != text.data() + text.size() || offset > kMostOffset) return std::nullopt;
+  if (error != std::errc{} || end != text.data() + text.size() || offset > kMaxOffset) return std::nullopt;
   return offset;
 }
 
@@ -30,14 +30,14 @@ bool Has(const LineRoles& roles, std::uint32_t offset) {
          std::ranges::find(roles.inputs, std::optional(offset)) != roles.inputs.end();
 }
 
-// One "go=0"; what is wrong with it, or nothing.
+// Parses one "go=0" into `roles`. Returns what is wrong with it, or nothing.
 std::string ParseRole(std::string_view word, LineRoles& roles) {
   const auto equals = std::min(word.find('='), word.size());
   auto* const role = RoleNamed(word.substr(0, equals), roles);
-  if (role == nullptr) return "go, blackout, service, presence and tally are known";
+  if (role == nullptr) return "this role is unknown; the roles are go, blackout, service, presence and tally";
   const auto offset = equals < word.size() ? ParseOffset(word.substr(equals + 1)) : std::nullopt;
-  if (!offset) return "the number of a line is wanted, as in go=0";
-  if (*role || Has(roles, *offset)) return "a role or a line stands there twice";
+  if (!offset) return "the number of a line from 0 to 63 is missing, as in go=0";
+  if (*role || Has(roles, *offset)) return "this role or this line is named twice";
   *role = offset;
   return {};
 }

@@ -1,4 +1,4 @@
-// Which line of a GPIO chip is what.
+// Which line of a GPIO chip has which role.
 #pragma once
 
 #include <array>
@@ -11,16 +11,17 @@
 
 namespace kaori::input {
 
-inline constexpr std::uint32_t kMostOffset = 63;  // Of the chips that are driven, by far.
+inline constexpr std::uint32_t kMaxOffset = 63;  // More than any chip that the box drives has.
 
-// Offsets on the chip; nothing: not wired.
+// Offsets on the chip; an empty one is not wired.
 struct LineRoles {
   std::array<std::optional<std::uint32_t>, board::kLineCount> inputs{};  // By board::Line.
-  std::optional<std::uint32_t> tally{};  // A lamp: lit while the show is live.
+  std::optional<std::uint32_t> tally{};  // The output of a lamp that is lit while the show is live.
 };
 
-// "go=0,blackout=1,service=2,presence=3,tally=4", or some of them. Errors: invalid_argument (another word, no
-// number, a role or a line twice).
+// Parses "go=0,blackout=1,service=2,presence=3,tally=4", or some of these. Errors:
+//   invalid_argument  an unknown role, an offset that is no number up to kMaxOffset, or a role or a line that
+//                     is named twice.
 Result<LineRoles> ParseLineRoles(std::string_view text);
 
 }  // namespace kaori::input

@@ -1,10 +1,10 @@
-// kaori-input: what the operators' hands do, from the devices to the board.
+// kaori-input: reads the operators' devices and publishes their input on the board.
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "appliance/core/board/watch.h"
-#include "appliance/programs/input/input_desk.h"
+#include "appliance/programs/input/input_service.h"
 #include "appliance/programs/input/line_roles.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
@@ -20,20 +20,22 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::string_view kHelp = R"(kaori-input: what the operators' hands do, from the devices to the board
+constexpr std::string_view kHelp =
+    R"(kaori-input: reads the operators' devices and publishes their input on the board
 
   --board FILE     the board, shared with the other programs
-  --hidraw         HID devices, by the kernel's driver
-  --usb            HID devices on USB, without it
-  --links FOLDER   devices of the simulator, plugged in there; its switches too, where no chip is named
-  --gpiochip NAME  the chip of the foot and service switches: gpiochip0, or its label
+  --hidraw         read HID devices through the kernel's hidraw driver
+  --usb            read HID devices on USB directly, without the kernel's driver
+  --links FOLDER   read the simulator's devices, whose sockets are in FOLDER, and its switches where no chip
+                   is named
+  --gpiochip NAME  the GPIO chip of the foot and service switches: gpiochip0, or its label
   --lines go=0,blackout=1,service=2,presence=3,tally=4
-                   which line of that chip is what, or some of them: switches to ground, and a lamp that is lit
-                   while the show is live
-  --settings FILE  which port plays what, dead zones and curves (TOML)
+                   the offsets of the lines on that chip, all or some of them: the first four are switches to
+                   ground, tally is a lamp that is lit while the show is live
+  --settings FILE  the ports of the devices, dead zones and curves (TOML)
 )";
 
-constexpr kaori::Duration kTick = 5ms;  // Lamps, and devices that could not be opened yet.
+constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could not be opened yet.
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
@@ -41,26 +43,27 @@ struct Settings {
   bool hidraw = false, usb = false;
 };
 
-// Wakes the desk when anything that it listens to speaks.
-class DeskWatch {
+// Runs a step of the service whenever one of its file descriptors is readable.
+class ServiceWatch {
  public:
-  DeskWatch(kaori::input::InputDesk& desk, kaori::EventLoop& loop) : desk_(desk), loop_(loop) {}
+  ServiceWatch(kaori::input::InputService& service, kaori::EventLoop& loop)
+      : service_(service), loop_(loop) {}
 
   void Step() {
-    desk_.Step();
-    if (watched_.empty() || generation_ != desk_.generation()) WatchAnew();
+    service_.Step();
+    if (watched_.empty() || generation_ != service_.generation()) RenewWatches();
   }
 
  private:
-  void WatchAnew() {
+  void RenewWatches() {
     for (const int fd : watched_) loop_.Forget(fd);
-    watched_ = desk_.pollables();
-    generation_ = desk_.generation();
+    watched_ = service_.pollables();
+    generation_ = service_.generation();
     for (const int fd : watched_)
       if (auto ok = loop_.Watch(fd, [this] { Step(); }); !ok) kaori::LogWarning("{}", ok.error().message());
   }
 
-  kaori::input::InputDesk& desk_;
+  kaori::input::InputService& service_;
   kaori::EventLoop& loop_;
   std::vector<int> watched_;
   std::uint32_t generation_ = 0;
@@ -78,17 +81,17 @@ kaori::Result<void> Add(kaori::Result<std::unique_ptr<Bus>> bus, Buses& buses) {
 kaori::Result<Buses> OpenBuses(const Settings& settings, const kaori::Clock& clock) {
   Buses buses;
   kaori::Result<void> ok;
-  // Each would take the devices away from the other, for ever.
-  if (settings.hidraw && settings.usb) return kaori::FailInput("only one of --hidraw and --usb is wanted");
+  // Each of the two would take the devices away from the other again and again.
+  if (settings.hidraw && settings.usb) return kaori::FailInput("--hidraw and --usb exclude each other");
   if (settings.hidraw) ok = Add(kaori::hid::HidrawBus::Open(clock), buses);
   if (ok && settings.usb) ok = Add(kaori::hid::LibusbBus::Open(clock), buses);
   if (ok && !settings.links.empty()) ok = Add(kaori::hid::LocalHidBus::Watch(settings.links), buses);
   if (!ok) return tl::unexpected(ok.error());
-  if (buses.empty()) return kaori::FailInput("one of --hidraw, --usb and --links is wanted");
+  if (buses.empty()) return kaori::FailInput("one of --hidraw, --usb and --links is needed");
   return buses;
 }
 
-// Switches to ground, and a lamp that a high line lights.
+// Inputs are switches to ground; the output is a lamp that a high level lights.
 kaori::gpio::Wiring WiringOf(const kaori::input::LineRoles& roles) {
   kaori::gpio::Wiring wiring;
   for (const auto& offset : roles.inputs)
@@ -118,18 +121,18 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (!input_settings) return kaori::ExitWithError(input_settings.error());
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
-  auto writers = kaori::input::DeskWriters::Acquire(*board);
+  auto writers = kaori::input::InputWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
   const kaori::SteadyClock clock;
   const auto buses = OpenBuses(settings, clock);
   if (!buses) return kaori::ExitWithError(buses.error());
   auto lines = LinesOpener(settings, clock);
-  if (!lines) kaori::LogWarning("{}; playing without lines", lines.error().message());
-  kaori::input::DeskSources sources;
+  if (!lines) kaori::LogWarning("{}; the show goes on without GPIO lines", lines.error().message());
+  kaori::input::InputSources sources;
   if (lines) sources.lines = std::move(*lines);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
-  kaori::input::InputDesk desk(*board, std::move(*writers), std::move(sources), *input_settings, clock);
-  DeskWatch watch(desk, loop);
+  kaori::input::InputService service(*board, std::move(*writers), std::move(sources), *input_settings, clock);
+  ServiceWatch watch(service, loop);
   watch.Step();
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, [&watch] { watch.Step(); }); !ok)

@@ -1,10 +1,10 @@
-// What may be set about the input devices, with what a plain installation needs.
+// Settings of the input devices; the defaults are those of a plain installation.
 #pragma once
 
 #include <array>
 #include <string>
 
-#include "appliance/programs/input/roles.h"
+#include "appliance/programs/input/stick_roles.h"
 #include "drivers/base/result.h"
 #include "drivers/decode/joystick.h"
 #include "drivers/decode/pointer.h"
@@ -12,15 +12,16 @@
 namespace kaori::input {
 
 struct InputSettings {
-  int counts_per_turn = 256;  // Of the dials.
-  std::string dial_box_port;  // Empty: the first dial box that is found.
+  int counts_per_turn = 256;  // Counts of one turn of a dial.
+  std::string dial_box_port;  // Empty: the first dial box that is found has the slot.
   std::string keyboard_port;  // Empty: the first keyboard.
   std::string pointer_port;   // Empty: the first mouse or tablet.
   decode::PointerSettings pointer;
   std::array<std::string, kSticks> stick_ports;  // Left, right; empty: see StickRoles.
   std::array<decode::StickSettings, kSticks> sticks;
-  std::array<int, kSticks>
-      centre_buttons{};  // Pushed with the hand off the stick: this is its centre. 0: none.
+  // The button, counted from 1, that is pushed while nobody touches the stick: where it rests is its centre.
+  // 0: none.
+  std::array<int, kSticks> centre_buttons{};
 };
 
 // Reads a TOML file that people write:
@@ -30,8 +31,9 @@ struct InputSettings {
 //   [stick.left]   port = "1-4.3"   dead_zone = 0.05   reach = 1.0   curve = 0.3   slider_reversed = false
 //                  centre_button = 12
 //   [stick.right]  the same
-// What it does not name stays as above. Errors: those of the file; invalid_argument  a typing error, a key
-// that does not exist or a value out of range: the attempt names file, line and column.
+// What the file does not name keeps its default. Errors: those of opening the file, and
+//   invalid_argument  a syntax error, a key that does not exist, or a value of a wrong type or out of range.
+//                     The message names file, line and column.
 Result<InputSettings> ReadSettings(const std::string& path);
 
 }  // namespace kaori::input

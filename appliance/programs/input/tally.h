@@ -1,4 +1,4 @@
-// The tally lamp: the audience sees her.
+// The tally lamp: it is lit while the audience sees the face.
 #pragma once
 
 #include "appliance/core/board/board.h"
@@ -6,8 +6,8 @@
 
 namespace kaori::input {
 
-// Lit while the stage shows frames and nobody has blacked it out. A stage that has shown none for a second,
-// and for four times as long as it usually draws, is dead. Pure.
+// Whether the lamp is lit: the stage shows frames and no blackout is on. A stage is taken for dead when its
+// last frame is older than one second plus four times its usual drawing time. Pure.
 bool TallyLit(const board::Stamped<board::StageStatus>& stage, const board::Stamped<board::Lines>& lines,
               Time now);
 

@@ -4,32 +4,35 @@
 #include <array>
 #include <cmath>
 
+#include "appliance/core/board/mouth.h"
+
 namespace kaori::lips {
 namespace {
 
 constexpr Duration kPose = std::chrono::seconds(1);
 constexpr Duration kSpeech = std::chrono::seconds(10);
-constexpr Duration kSitsStill = std::chrono::seconds(60);
-constexpr Duration kLongestFrame = std::chrono::milliseconds(200);  // A gap counts as no more than this.
-constexpr std::size_t kMostFrames = 4096;
-constexpr float kGoodMouth = 0.5F;
-constexpr std::size_t kMostChanges = 1000;  // The oldest are forgotten.
+constexpr Duration kSitsStill = std::chrono::seconds(60);  // An operator keeps the distance for this long.
+constexpr Duration kLongestFrame = std::chrono::milliseconds(200);  // A longer gap counts as this much.
+constexpr std::size_t kMaxFrames = 4096;
+constexpr std::size_t kMaxChanges = 1000;  // Older changes can no longer be undone.
 
-constexpr float kLeastTint = 20;  // Levels: less is grey.
-constexpr float kMostAway = 18;   // Levels: more is two colours.
-constexpr float kLeastSimilarity = 100, kMostSimilarity = 260;
+constexpr float kMinTint = 20;  // Levels of chroma; less is grey.
+constexpr float kMaxAway = 18;  // Levels of chroma; farther samples mean two colours.
+constexpr float kMinSimilarity = 100, kMaxSimilarity = 260;
 constexpr float kSimilarityForALevel = 8;
 constexpr float kLevelsPerThousandth = 0.255F;
-constexpr float kSpillPart = 0.45F;  // Of the paint's tint: what has less is paint's light on skin.
-constexpr float kLeastSpill = 60, kMostSpill = 160;
+constexpr float kSpillPart = 0.45F;  // Of the paint's tint; less is the paint's reflection on skin.
+constexpr float kMinSpill = 60, kMaxSpill = 160;
 
-// A pose that is held is never quite the farthest: what is a little short of it counts as all of it.
+// An operator does not quite reach the extreme of a held pose again, so that a little less counts as all of
+// it.
 constexpr float kShutSlack = 0.03F;
 constexpr float kShortOf = 0.95F;
-constexpr float kLeastOpening = 0.15F;  // Between shut and open: less is no opening.
-constexpr float kLeastStretch = 0.06F;  // Of the width, from rest to each side.
+constexpr float kMinOpening = 0.15F;  // Between shut and open, in widths of the mouth at rest.
+constexpr float kMinStretch = 0.06F;  // Of the width, from rest to narrow and to wide.
 
-float At(std::vector<float>& values, float part) {
+// The quantile `part` (0 .. 1) of the values, which it reorders.
+float Quantile(std::vector<float>& values, float part) {
   const auto n = static_cast<std::ptrdiff_t>(part * static_cast<float>(values.size() - 1) + 0.5F);
   std::ranges::nth_element(values, values.begin() + n);
   return values[static_cast<std::size_t>(n)];
@@ -53,7 +56,8 @@ Patch Around(const decode::Planes& planes, int x, int y, int half) {
   return patch;
 }
 
-// ITU-R BT.601. Where no sRGB colour has this chroma at this luma, another luma is taken, never another hue.
+// The sRGB colour by ITU-R BT.601. Where none has this chroma at this luma, the luma changes and never the
+// hue.
 Paint PaintOf(float y, float cb, float cr, bool full_range) {
   if (!full_range) {
     y = (y - 16) * 255 / 219;
@@ -70,7 +74,8 @@ Paint PaintOf(float y, float cb, float cr, bool full_range) {
   return {level(rgb[0]), level(rgb[1]), level(rgb[2])};
 }
 
-// A patch in a few words: its medians, how far most samples lie from them, and how far nearly all do.
+// The medians of a patch, and how far half of its samples (spread) and nearly all of them (away) lie from
+// them.
 struct Colour {
   float y = 0, cb = 0, cr = 0;
   float spread = 0;
@@ -79,12 +84,12 @@ struct Colour {
 
 Colour ColourOf(Patch patch) {
   const Patch samples = patch;
-  Colour colour{At(patch.y, 0.5F), At(patch.cb, 0.5F), At(patch.cr, 0.5F)};
+  Colour colour{Quantile(patch.y, 0.5F), Quantile(patch.cb, 0.5F), Quantile(patch.cr, 0.5F)};
   std::vector<float> away;
   for (std::size_t n = 0; n < samples.cb.size(); ++n)
     away.push_back(std::hypot(samples.cb[n] - colour.cb, samples.cr[n] - colour.cr));
-  colour.spread = At(away, 0.5F);
-  colour.away = At(away, 0.85F);
+  colour.spread = Quantile(away, 0.5F);
+  colour.away = Quantile(away, 0.85F);
   return colour;
 }
 
@@ -99,55 +104,56 @@ Result<void> Calibration::SamplePaint(const decode::Planes& planes, float x, flo
       std::min(static_cast<int>(y * static_cast<float>(planes.cb.height_px)), planes.cb.height_px - 1);
   const Colour colour = ColourOf(Around(planes, column, row, reach));
   const float tint = std::hypot(colour.cb, colour.cr);
-  if (tint < kLeastTint) return FailInput("sample the paint: this is grey");
-  if (colour.away > kMostAway) return FailInput("sample the paint: these are several colours");
+  if (tint < kMinTint) return FailInput("sample the paint: the colour here is grey");
+  if (colour.away > kMaxAway) return FailInput("sample the paint: there are several colours here");
   LipSettings to = settings_;
   to.paint = PaintOf(colour.y, colour.cb, colour.cr, planes.full_range);
   to.key.similarity =
-      std::clamp(kLeastSimilarity + kSimilarityForALevel * colour.spread, kLeastSimilarity, kMostSimilarity);
-  to.key.spill = std::clamp(kSpillPart * tint / kLevelsPerThousandth, kLeastSpill, kMostSpill);
+      std::clamp(kMinSimilarity + kSimilarityForALevel * colour.spread, kMinSimilarity, kMaxSimilarity);
+  to.key.spill = std::clamp(kSpillPart * tint / kLevelsPerThousandth, kMinSpill, kMaxSpill);
   Change(to);
   return {};
 }
 
 void Calibration::Begin(CalibrationStep step) {
-  taking_ = Taking{step, {}, {}, {}, {}, {}};
+  measurement_ = Measurement{step, {}, {}, {}, {}, {}};
 }
 
 bool Calibration::Feed(const board::Lips& lips, Time at) {
-  if (!taking_ || lips.quality < kGoodMouth || lips.rest_width <= 0) return false;
-  if (taking_->last) taking_->seen += std::clamp(at - *taking_->last, Duration{}, kLongestFrame);
-  taking_->last = at;
-  if (taking_->heights.size() < kMostFrames) {
-    taking_->heights.push_back(lips.height);
-    taking_->widths.push_back(lips.width);
-    taking_->rests.push_back(lips.rest_width);
+  if (!measurement_ || !board::IsLearnable(lips) || lips.rest_width <= 0) return false;
+  if (measurement_->last)
+    measurement_->seen += std::clamp(at - *measurement_->last, Duration{}, kLongestFrame);
+  measurement_->last = at;
+  if (measurement_->heights.size() < kMaxFrames) {
+    measurement_->heights.push_back(lips.height);
+    measurement_->widths.push_back(lips.width);
+    measurement_->rests.push_back(lips.rest_width);
   }
   if (progress() < 1) return false;
-  Taking done = std::move(*taking_);
-  taking_.reset();
+  Measurement done = std::move(*measurement_);
+  measurement_.reset();
   if (done.step == CalibrationStep::kShut) shut_at_ = at;
-  Change(Concluded(done));
+  Change(Conclude(done));
   return true;
 }
 
-// A mouth that is stretched and held may pass for one that came nearer; who was at rest just now has not
-// moved.
-float Calibration::ScaleOf(Taking& taking) const {
+// A stretched mouth that is held looks like one that came nearer to the camera. An operator who was measured
+// at rest a moment ago has not moved, so the measured rest width is scaled back.
+float Calibration::ScaleOf(Measurement& measured) const {
   const float rest = settings_.gauge.rest_width;
-  if (!shut_at_ || *taking.last - *shut_at_ > kSitsStill || rest <= 0 || settings_.marker) return 1;
-  return At(taking.rests, 0.5F) / rest;
+  if (!shut_at_ || *measured.last - *shut_at_ > kSitsStill || rest <= 0 || settings_.marker) return 1;
+  return Quantile(measured.rests, 0.5F) / rest;
 }
 
-LipSettings Calibration::Concluded(Taking& taking) const {
+LipSettings Calibration::Conclude(Measurement& measured) const {
   LipSettings to = settings_;
   Extents& extents = to.gauge.extents;
-  const float scale = taking.step == CalibrationStep::kShut ? 1 : ScaleOf(taking);
-  const float height = scale * At(taking.heights, 0.5F);
-  const float width = scale * At(taking.widths, 0.5F);
-  switch (taking.step) {
+  const float scale = measured.step == CalibrationStep::kShut ? 1 : ScaleOf(measured);
+  const float height = scale * Quantile(measured.heights, 0.5F);
+  const float width = scale * Quantile(measured.widths, 0.5F);
+  switch (measured.step) {
     case CalibrationStep::kShut:
-      to.gauge.rest_width = std::clamp(width * At(taking.rests, 0.5F), 0.01F, 0.95F);
+      to.gauge.rest_width = std::clamp(width * Quantile(measured.rests, 0.5F), 0.01F, 0.95F);
       extents.shut = height / width + kShutSlack;
       break;
     case CalibrationStep::kOpen:
@@ -160,29 +166,29 @@ LipSettings Calibration::Concluded(Taking& taking) const {
       extents.narrow = 1 + kShortOf * (width - 1);
       break;
     case CalibrationStep::kSpeak:
-      extents = {At(taking.heights, 0.1F) + kShutSlack, At(taking.heights, 0.95F), At(taking.widths, 0.05F),
-                 At(taking.widths, 0.95F)};
+      extents = {Quantile(measured.heights, 0.1F) + kShutSlack, Quantile(measured.heights, 0.95F),
+                 Quantile(measured.widths, 0.05F), Quantile(measured.widths, 0.95F)};
       break;
   }
   extents.shut = std::clamp(extents.shut, 0.05F, 2.0F);
-  extents.open = std::clamp(extents.open, extents.shut + kLeastOpening, 4.0F);
-  extents.narrow = std::clamp(extents.narrow, 0.1F, 1 - kLeastStretch);
-  extents.wide = std::clamp(extents.wide, 1 + kLeastStretch, 4.0F);
+  extents.open = std::clamp(extents.open, extents.shut + kMinOpening, 4.0F);
+  extents.narrow = std::clamp(extents.narrow, 0.1F, 1 - kMinStretch);
+  extents.wide = std::clamp(extents.wide, 1 + kMinStretch, 4.0F);
   return to;
 }
 
 std::optional<CalibrationStep> Calibration::step() const {
-  return taking_ ? std::optional(taking_->step) : std::nullopt;
+  return measurement_ ? std::optional(measurement_->step) : std::nullopt;
 }
 
 float Calibration::progress() const {
-  if (!taking_) return 0;
-  const Duration whole = taking_->step == CalibrationStep::kSpeak ? kSpeech : kPose;
-  return std::min(1.0F, static_cast<float>(Seconds(taking_->seen) / Seconds(whole)));
+  if (!measurement_) return 0;
+  const Duration whole = measurement_->step == CalibrationStep::kSpeak ? kSpeech : kPose;
+  return std::min(1.0F, static_cast<float>(Seconds(measurement_->seen) / Seconds(whole)));
 }
 
 void Calibration::Change(const LipSettings& to) {
-  if (before_.size() >= kMostChanges) before_.erase(before_.begin());
+  if (before_.size() >= kMaxChanges) before_.erase(before_.begin());
   before_.push_back(settings_);
   settings_ = to;
   gesture_ = 0;

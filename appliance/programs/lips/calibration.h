@@ -1,4 +1,4 @@
-// Getting to know an operator's paint and mouth on site, in under a minute.
+// The calibration of an operator's paint and mouth on site, in under a minute.
 #pragma once
 
 #include <cstdint>
@@ -7,66 +7,65 @@
 
 #include "appliance/core/board/sections.h"
 #include "appliance/programs/lips/lip_settings.h"
+#include "appliance/programs/lips/protocol/protocol.h"
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/decode/planes.h"
 
 namespace kaori::lips {
 
-// What the operator does while a step is taken.
-enum class CalibrationStep : std::uint8_t { kShut, kOpen, kWide, kNarrow, kSpeak };
-
-// Commands in, settings out; pure: no file, no clock. The settings change when a step is done, all of its
-// values at once, and every change can be taken back.
+// Turns commands and measured mouths into settings. It is pure: it uses no file and no clock. The settings
+// change when a step is done, all of its values at once, and every change can be undone.
 class Calibration {
  public:
   explicit Calibration(const LipSettings& settings) : settings_(settings) {}
 
-  // Takes the paint's colour from the samples of chroma round a click at (x, y), in parts of the picture,
-  // `reach` of them to each side: their median, and from their spread how similar a colour has to be. Errors:
-  //   invalid_argument  nothing changed: the click is outside, or on grey, or on more than one colour
+  // Sets the paint's colour to the median of the samples of chroma around a click at (x, y), in parts of the
+  // picture from its left top corner, `reach` samples to each side; their spread sets the similarity. Errors:
+  //   invalid_argument  the click is outside, on grey, or on more than one colour; nothing changed
   static constexpr int kReach = 4;
   Result<void> SamplePaint(const decode::Planes& planes, float x, float y, int reach = kReach);
 
-  // The operator holds the pose for a second, or speaks for ten. A step that was under way is given up.
+  // Begins to measure a pose, which the operator holds for a second, or speech of ten seconds. A step that
+  // was under way is cancelled.
   void Begin(CalibrationStep step);
-  void GiveUp() { taking_.reset(); }
+  void Cancel() { measurement_.reset(); }
 
-  // Each measured frame while a step is under way. Frames in which no good mouth is seen do not count, and
-  // the step waits for better ones. True when the step is done by this frame.
+  // Adds a measured frame to the step that is under way. A frame without a learnable mouth (board/mouth.h)
+  // does not count; the step waits for better ones. Returns whether this frame completed the step.
   bool Feed(const board::Lips& lips, Time at);
 
   std::optional<CalibrationStep> step() const;
-  float progress() const;  // Of the step that is under way, 0 .. 1.
+  float progress() const;  // Of the step that is under way, 0 .. 1; 0 without one.
 
-  // A hand that sets values itself. All of one gesture, say a slider that is drawn, is one change; 0 is no
+  // Sets values directly. All calls of one gesture, such as the drag of a slider, are one change; 0 is no
   // gesture.
   void Set(const LipSettings& to, std::uint32_t gesture = 0);
 
-  // Takes back the newest change; false where there is none.
+  // Undoes the newest change. Returns false where there is none.
   bool Revert();
-  // Takes back all but the first `changes`.
+  // Undoes all but the first `changes`.
   void RevertTo(std::size_t changes);
   std::size_t changes() const { return before_.size(); }
 
   const LipSettings& settings() const { return settings_; }
 
  private:
-  struct Taking {
+  struct Measurement {
     CalibrationStep step;
-    std::optional<Time> last;  // The newest frame that counted.
+    std::optional<Time> last;  // The time of the newest frame that counted.
     Duration seen{};
     std::vector<float> heights, widths, rests;
   };
   void Change(const LipSettings& to);
-  LipSettings Concluded(Taking& taking) const;
-  float ScaleOf(Taking& taking) const;
+  LipSettings Conclude(Measurement& measured) const;
+  float ScaleOf(Measurement& measured) const;
 
   LipSettings settings_;
-  std::vector<LipSettings> before_;  // The oldest first.
+  std::vector<LipSettings> before_;  // The oldest first; one entry for each change.
   std::uint32_t gesture_ = 0;        // Of the newest change.
-  std::optional<Taking> taking_;
-  std::optional<Time> shut_at_;  // When the mouth at rest was learnt.
+  std::optional<Measurement> measurement_;
+  std::optional<Time> shut_at_;  // When the mouth at rest was measured.
 };
 
 }  // namespace kaori::lips

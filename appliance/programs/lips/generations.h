@@ -1,4 +1,4 @@
-// The lips' settings on the disk, in two generations: FILE, and FILE.before.
+// The lips' settings on the disk in two generations: FILE, and FILE.before.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,23 @@
 
 namespace kaori::lips {
 
-struct Kept {
+struct SavedSettings {
   std::optional<LipSettings> now;
   std::optional<LipSettings> before;
-  std::string complaint;  // One line where a generation could not be read; empty: none.
+  std::string complaint;  // One line if a generation could not be read, else empty.
 };
 
-// Reads both; blocks for the disk. Each file begins with a sum over its lines: one that does not fit was
-// damaged, or changed by a person who left the sum's line in. One without a sum is a person's, and as good.
-// What is not there is no complaint.
-Kept ReadGenerations(const std::filesystem::path& file);
+// Reads both generations; blocks for the disk. A file begins with a checksum of its lines. Where that does
+// not match, the file is damaged, or a person changed it and left the checksum in. A file without a checksum
+// was written by a person and is valid. A missing file is no complaint.
+SavedSettings ReadGenerations(const std::filesystem::path& file);
 
-// `now` of ReadGenerations, else `before`, else a box as it was delivered; logs a complaint.
+// Returns `now` of ReadGenerations, or else `before`, or else the settings of a new box; logs a complaint.
 LipSettings SettingsFrom(const std::filesystem::path& file);
 
-// What stands in FILE becomes FILE.before, unless it cannot be read or is the same as `settings`; then FILE
-// is written, each whole or not at all. Makes the folder. Blocks for the disk. Errors: as mkdir(2) and
-// WriteWholeFile.
+// Keeps the content of FILE as FILE.before, unless it is unreadable or equal to `settings`, and writes FILE.
+// Each file is written whole or not at all, and the folder is created. Blocks for the disk. Errors: those of
+// mkdir(2) and of WriteWholeFile.
 Result<void> WriteGeneration(const std::filesystem::path& file, const LipSettings& settings);
 
 }  // namespace kaori::lips

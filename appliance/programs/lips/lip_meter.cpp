@@ -1,19 +1,20 @@
 #include "appliance/programs/lips/lip_meter.h"
 
+#include "appliance/core/board/mouth.h"
+
 namespace kaori::lips {
 namespace {
 
-constexpr float kLipMeterGoodMouth = 0.3F;  // The stage follows no worse one.
-constexpr float kFirmPart = 0.12F;  // Of the runs' middles that must be paint beyond doubt.
-constexpr float kFirm = 0.75F;      // The soft key of what is beyond doubt.
+constexpr float kFirmPart = 0.12F;  // So many of the middles of runs must be paint beyond doubt.
+constexpr float kFirm = 0.75F;      // The soft key from which on a sample is paint beyond doubt.
 
 }  // namespace
 
 const board::Lips& LipMeter::Measure(const decode::Planes& planes, Time at) {
   NoteSize(planes.y);
-  sight_ = Look(planes, at);
-  const board::Lips& lips = gauge_.Measure(sight_, at);
-  if (sight_ && lips.quality >= kLipMeterGoodMouth) search_.Remember(mask_.grid(), at);
+  detection_ = Detect(planes, at);
+  const board::Lips& lips = gauge_.Measure(detection_, at);
+  if (detection_ && board::IsUsable(lips)) search_.Remember(mask_.grid(), at);
   return lips;
 }
 
@@ -23,29 +24,30 @@ void LipMeter::NoteSize(const decode::Plane& picture) {
   height_px_ = picture.height_px;
 }
 
-std::optional<Sight> LipMeter::Look(const decode::Planes& planes, Time at) {
+std::optional<Detection> LipMeter::Detect(const decode::Planes& planes, Time at) {
   mask_.Read(planes, key_);
   const Grid& grid = mask_.grid();
   if (!regions_.Find(mask_)) return std::nullopt;
-  const Found* found = search_.Find(regions_, grid, at);
-  if (found == nullptr || !IsPaint(planes, found->mouth)) return std::nullopt;
-  auto shape = outline_.Read(planes, grid, regions_, *found, gauge_.tilt_rad());
-  if (!shape) return std::nullopt;
-  const Region& mouth = found->mouth;
-  Sight sight{
-      .shape = *shape,
+  const Candidate* candidate = search_.Find(regions_, grid, at);
+  if (candidate == nullptr || !IsPaint(planes, candidate->mouth)) return std::nullopt;
+  const auto contour = contour_reader_.Read(planes, grid, regions_, *candidate, gauge_.tilt_rad());
+  if (!contour) return std::nullopt;
+  const Region& mouth = candidate->mouth;
+  Detection detection{
+      .contour = *contour,
       .picture_width_px = static_cast<float>(planes.y.width_px),
       .filled = static_cast<float>(mouth.area) /
                 (static_cast<float>(mouth.width()) * static_cast<float>(mouth.height())),
       .cut = mouth.left == 0 || mouth.top == 0 || mouth.right == grid.width || mouth.bottom == grid.height,
       .marker = {}};
-  if (found->marker)
-    sight.marker = Point{static_cast<float>(found->marker->left + found->marker->right) / 2 * grid.across_px,
-                         static_cast<float>(found->marker->top + found->marker->bottom) / 2 * grid.down_px};
-  return sight;
+  if (candidate->marker)
+    detection.marker =
+        Point{static_cast<float>(candidate->marker->left + candidate->marker->right) / 2 * grid.across_px,
+              static_cast<float>(candidate->marker->top + candidate->marker->bottom) / 2 * grid.down_px};
+  return detection;
 }
 
-// Hysteresis: what is nearly paint counts only together with some that is paint beyond doubt.
+// Hysteresis: samples that are nearly paint count only together with some that are paint beyond doubt.
 bool LipMeter::IsPaint(const decode::Planes& planes, const Region& mouth) {
   int firm = 0;
   int all = 0;

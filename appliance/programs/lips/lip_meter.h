@@ -1,11 +1,11 @@
-// A camera's picture in, the mouth's sizes out: key, regions, search, outline and gauge, one after the other.
+// From a camera's picture to the mouth's sizes: key, regions, search, contour and gauge, one after the other.
 #pragma once
 
 #include "appliance/core/board/sections.h"
+#include "appliance/programs/lips/contour.h"
 #include "appliance/programs/lips/lip_settings.h"
 #include "appliance/programs/lips/mouth_gauge.h"
 #include "appliance/programs/lips/mouth_search.h"
-#include "appliance/programs/lips/outline.h"
 #include "appliance/programs/lips/paint_key.h"
 #include "appliance/programs/lips/paint_mask.h"
 #include "appliance/programs/lips/region.h"
@@ -13,36 +13,37 @@
 
 namespace kaori::lips {
 
-// One thread. Allocates nothing once it has seen a few pictures.
+// Used by one thread. It allocates nothing once it has measured a few pictures of a size.
 class LipMeter {
  public:
-  // Goes on from `before`.
+  // Goes on from `before`: see MouthGauge.
   LipMeter(const LipSettings& settings, const board::Lips& before)
       : key_(settings.paint, settings.key), search_(settings.marker), gauge_(before, settings.gauge) {}
 
-  // The mouth in a picture that was true at `at`; looked for where the one before was.
+  // Measures the mouth in a picture that was exposed at `at`, and searches it first where the last one was.
+  // The planes are borrowed for the call. Without a mouth the sizes stay and the quality is 0.
   const board::Lips& Measure(const decode::Planes& planes, Time at);
 
   const board::Lips& lips() const { return gauge_.lips(); }
 
-  // Of the picture that was measured last.
+  // These belong to the picture that was measured last.
   const PaintMask& mask() const { return mask_; }
   const PaintKey& key() const { return key_; }
-  const std::optional<Sight>& sight() const { return sight_; }
+  const std::optional<Detection>& detection() const { return detection_; }
 
  private:
   void NoteSize(const decode::Plane& picture);
-  std::optional<Sight> Look(const decode::Planes& planes, Time at);
+  std::optional<Detection> Detect(const decode::Planes& planes, Time at);
   bool IsPaint(const decode::Planes& planes, const Region& mouth);
 
   PaintKey key_;
   PaintMask mask_;
   Regions regions_;
   MouthSearch search_;
-  OutlineReader outline_;
+  ContourReader contour_reader_;
   MouthGauge gauge_;
-  std::optional<Sight> sight_;
-  int width_px_ = 0;  // Of the last picture.
+  std::optional<Detection> detection_;
+  int width_px_ = 0;  // The size of the last picture.
   int height_px_ = 0;
 };
 

@@ -10,28 +10,31 @@ namespace kaori::lips {
 namespace {
 
 constexpr std::string_view kHelp =
-    R"(kaori-lips: the operator's painted lips and voice, from camera and microphone to the board
+    R"(kaori-lips: measures the operator's painted lips and voice and publishes them on the board
 
   --board FILE    the board, shared with the other programs
-  --device NAME   the camera: /dev/video0, or libcamera:NAME where libcamera is to bring it
-  --modes         say what the camera can and which rates are chosen, and end
-  --links FOLDER  the simulator's camera, microphone and loudspeaker, plugged in there
-  --microphone NAME   the operator's voice: a sound device of ALSA, say hw:1; any: the first on USB, else the box's own
-  --loudspeaker NAME  plays the voice when the mouth comes to light, and the sounds of motions; or any
-  --sound-delay MS    how long the voice waits, 0 to 500; auto as measured; off: no loudspeaker; as the settings
-                      have it, or auto, if not given
+  --device NAME   the camera: /dev/video0, or libcamera:NAME for a camera of libcamera
+  --modes         print the modes of the camera and the rates that would be used, and end
+  --links FOLDER  the simulator's camera, microphone and loudspeaker, whose sockets are in FOLDER
+  --microphone NAME   the microphone of the operator's voice: a device of ALSA, such as hw:1; "any" means the
+                      first one on USB, or else the box's own
+  --loudspeaker NAME  the loudspeaker, likewise; it plays the voice in time with the mouth, and the sounds of
+                      motions
+  --sound-delay MS    the delay of the voice: 0 to 500 milliseconds; "auto" uses the measured one; "off" uses
+                      no loudspeaker; default: that of the settings, or else auto
   --pack FILE     the show, for the sounds of its motions
-  --trust FILE    a public key: play no sound of a show that it has not signed
-  --verified      the show lies on a root whose every block the kernel checks: only its sounds are read
-  --settings FILE what was calibrated: paint, key, smoothing, how far the mouth goes; it need not be there yet
-  --service       people may calibrate: kaori-desk is let in, and the screen says what to do
-  --paint R,G,B   the paint's colour, 0 to 255 each; as the settings have it, or blue (20,60,200), if not given
-  --rest WIDTH    the mouth at rest, in widths of the picture (0.05 to 0.95); as the settings have it, or measured
-                  in the first second, if not given
+  --trust FILE    a public key: a show that it has not signed plays no sound
+  --verified      the show lies on a root file system whose blocks the kernel verifies, so that only the
+                  sounds are read
+  --settings FILE the file of the calibration (paint, key, smoothing, range of the mouth); it need not exist
+  --service       allow calibration: kaori-desk may connect, and the screen shows what to do
+  --paint R,G,B   the paint's colour, 0 to 255 each; default: that of the settings, or else blue (20,60,200)
+  --rest WIDTH    the width of the mouth at rest, in widths of the picture (0.05 to 0.95); default: that of
+                  the settings, or else measured in the first second
 )";
 
-// Takes a whole number of 0 to 255, and the comma after it if one is wanted, off the front.
-std::optional<std::uint8_t> TakeLevel(std::string_view& text, bool comma) {
+// Removes a whole number of 0 to 255, and the comma after it if one is expected, from the front of `text`.
+std::optional<std::uint8_t> ParseLevel(std::string_view& text, bool comma) {
   std::uint8_t level = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
   if (error != std::errc{}) return std::nullopt;
@@ -44,11 +47,11 @@ std::optional<std::uint8_t> TakeLevel(std::string_view& text, bool comma) {
 
 Result<Paint> ParsePaint(std::string_view text) {
   const std::string whole(text);
-  const auto red = TakeLevel(text, true);
-  const auto green = red ? TakeLevel(text, true) : std::nullopt;
-  const auto blue = green ? TakeLevel(text, false) : std::nullopt;
+  const auto red = ParseLevel(text, true);
+  const auto green = red ? ParseLevel(text, true) : std::nullopt;
+  const auto blue = green ? ParseLevel(text, false) : std::nullopt;
   if (!blue || !text.empty())
-    return FailInput("--paint " + whole + ": three numbers of 0 to 255 are wanted, as in 20,60,200");
+    return FailInput("--paint " + whole + ": expected three numbers of 0 to 255, as in 20,60,200");
   return Paint{*red, *green, *blue};
 }
 
@@ -56,7 +59,7 @@ Result<float> ParseRest(const std::string& text) {
   float rest = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rest);
   if (error != std::errc{} || end != text.data() + text.size() || !(rest >= 0.05F && rest <= 0.95F))
-    return FailInput("--rest " + text + ": a number of 0.05 to 0.95 is wanted");
+    return FailInput("--rest " + text + ": expected a number of 0.05 to 0.95");
   return rest;
 }
 

@@ -1,4 +1,4 @@
-// What kaori-lips is told on its command line.
+// The command line of kaori-lips.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,7 @@
 namespace kaori::lips {
 
 struct LipOptions {
+  // Each as given, and empty where it was not; the help text says what they mean.
   std::string board = "/dev/shm/kaori-board";
   std::string links, device, settings, paint, rest;
   std::string microphone, loudspeaker, sound_delay, pack, trust;
@@ -18,11 +19,13 @@ struct LipOptions {
   bool service = false;
 };
 
-// The program's exit status where it is to end at once: after --help, or a word that is not known.
+// Parses the command line into `into`. Returns the exit status where the program has to end: after --help, or
+// for an unknown option.
 std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into);
 
-// What the settings file says, and above it what the command line says. Errors: invalid_argument, those of
-// the file.
+// The settings of the file, overridden by those of the command line. Blocks for the disk. Errors:
+//   invalid_argument  --paint or --rest has a wrong value; the message names it
+// A damaged settings file is logged and is no error.
 Result<LipSettings> SettingsOf(const LipOptions& options);
 
 }  // namespace kaori::lips

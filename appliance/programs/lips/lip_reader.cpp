@@ -8,13 +8,14 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// After that the lips are stale, and the stage looks elsewhere: within 200 ms, with a step every 25 ms and a
-// frame of the stage.
+// After this time the lips are stale. With a step every 25 ms and one frame of the stage the face leaves them
+// within 200 ms.
 constexpr Duration kSilence = milliseconds(150);
 constexpr Duration kRetry = milliseconds(250);
-constexpr Duration kGiveUp = milliseconds(2000);  // A stream this silent does not come back by itself.
-constexpr Duration kQuiet = std::chrono::seconds(10);
-constexpr Duration kOldest = milliseconds(150);  // A stamp further off than this is the source's mistake.
+constexpr Duration kGiveUp =
+    milliseconds(2000);  // A stream that was silent for this long does not resume by itself.
+constexpr Duration kDropLogPeriod = std::chrono::seconds(10);
+constexpr Duration kOldest = milliseconds(150);  // An older time of capture is a fault of the driver.
 
 }  // namespace
 
@@ -24,10 +25,10 @@ LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board:
       writer_(std::move(writer)),
       clock_(clock),
       meter_(settings, board.Read<board::Lips>().value),
-      care_(tuning),
+      exposure_(tuning),
       source_(board.Read<board::Lips>().source),
       last_frame_(clock.now()),
-      last_sign_(clock.now()) {}
+      last_activity_(clock.now()) {}
 
 void LipReader::Step() {
   const Time now = clock_.now();
@@ -40,10 +41,10 @@ void LipReader::TryOpen(Time now) {
   retry_at_ = now + kRetry;
   camera_ = OpenOrLog(open_, logged_);
   if (!camera_) return;
-  last_sign_ = opened_at_ = now;
+  last_activity_ = opened_at_ = now;
   ++opened_;
-  if (logged_ != std::errc::timed_out) Log("lip camera: open");
-  care_.Opened();
+  if (logged_ != std::errc::timed_out) Log("lip camera: opened");
+  exposure_.Opened();
 }
 
 void LipReader::HandleFrame(Time now) {
@@ -63,34 +64,34 @@ void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   const auto planes = planes_.Read(frame);
   if (!planes) return Drop(planes.error(), now);
   if (frame.format != format_)
-    Log("lip camera: frames of {} x {}", frame.format.width_px, frame.format.height_px);
+    Log("lip camera: the frames have {} x {} pixels", frame.format.width_px, frame.format.height_px);
   format_ = frame.format;
   const Time at = PlausibleStamp(frame.at, now, kOldest);
   const bool knew_rest = meter_.lips().rest_width > 0;
   meter_.Measure(*planes, at);
   if (!knew_rest && meter_.lips().rest_width > 0)
     Log("lip camera: the mouth at rest is {:.3f} of the picture wide", meter_.lips().rest_width);
-  last_frame_ = last_sign_ = now;
+  last_frame_ = last_activity_ = now;
   logged_ = {};
   Write(at, board::SourceState::kLive);
   if (watcher_) watcher_(*planes, meter_, at);
-  if (!care_.See(*planes, now)) return;
+  if (!exposure_.Observe(*planes, now)) return;
   camera_.reset();
   retry_at_ = now;
 }
 
-// A bad cable spoils every other frame: one line now and then tells it.
+// A bad cable may damage every other frame, so that only one line in ten seconds says so.
 void LipReader::Drop(const Error& error, Time now) {
-  if (now < quiet_until_) return;
-  quiet_until_ = now + kQuiet;
-  LogWarning("{}; frame dropped", error.message());
+  if (now < log_drops_after_) return;
+  log_drops_after_ = now + kDropLogPeriod;
+  LogWarning("{}; the frame is dropped", error.message());
 }
 
-// A camera that was good is opened anew at once, one that breaks at its opening after a while.
+// A camera that had sent frames is opened again at once; one that fails as it is opened has to wait.
 void LipReader::Close(Time now, std::string_view why) {
   camera_.reset();
   retry_at_ = last_frame_ > opened_at_ ? now : now + kRetry;
-  LogWarning("{}; opening the lip camera anew", why);
+  LogWarning("{}; the lip camera is opened again", why);
   silence_log_.Lost();
   logged_ = std::errc::no_such_device;
   if (source_ == board::SourceState::kLive) Write(last_frame_, board::SourceState::kStale);
@@ -101,9 +102,9 @@ void LipReader::CheckSilence(Time now) {
     silence_log_.Silent(kSilence, now);
     Write(last_frame_, board::SourceState::kStale);
   }
-  if (!camera_ || now - last_sign_ < kGiveUp) return;
+  if (!camera_ || now - last_activity_ < kGiveUp) return;
   if (logged_ != std::errc::timed_out)
-    LogWarning("lip camera: silent for {} s; opening it anew", kGiveUp / milliseconds(1000));
+    LogWarning("lip camera: no frame for {} s; the camera is opened again", kGiveUp / milliseconds(1000));
   logged_ = std::errc::timed_out;
   camera_.reset();
   retry_at_ = now;

@@ -1,11 +1,12 @@
-// From the lip camera to the board: opens it, measures each frame, and outlives everything a camera does.
+// From the lip camera to the board: opens the camera, measures each frame, and recovers from every failure of
+// it.
 #pragma once
 
 #include <functional>
 #include <optional>
 
 #include "appliance/core/board/board.h"
-#include "appliance/programs/lips/camera_care.h"
+#include "appliance/programs/lips/camera_exposure.h"
 #include "appliance/programs/lips/lip_meter.h"
 #include "drivers/base/clock.h"
 #include "drivers/base/silence_log.h"
@@ -14,32 +15,36 @@
 
 namespace kaori::lips {
 
-// One thread. Silence of 150 ms, or a camera that is gone, makes the section stale; its sizes hold. A camera
-// that is gone is opened anew at once and then every 250 ms, and one that has been silent for 2 s as well.
+// Used by one thread. After 150 ms without a frame, or when the camera is gone, the section becomes stale and
+// its sizes stay. A camera that is gone, or that sent nothing for 2 s, is opened again at once and then every
+// 250 ms.
 class LipReader {
  public:
-  // Goes on from what `board` holds. Borrows the clock, and the tuning of the camera that `open` opens, where
-  // it has one.
+  // Goes on from what `board` holds; the board is not kept. Borrows the clock, and `tuning`, which belongs to
+  // the camera that `open` opens, or is null where that has none.
   LipReader(ports::CameraOpener open, const board::Board& board, board::Writer<board::Lips> writer,
             const LipSettings& settings, const Clock& clock, ports::CameraTuning* tuning = nullptr);
 
-  // Does everything that waits; never blocks. Call it when pollable() is readable, and every 25 ms or sooner.
+  // Handles a waiting frame and what is due. It never blocks, apart from the time that opening a camera
+  // needs. Call it when pollable() is readable, and every 25 ms or sooner.
   void Step();
 
-  // From the next frame on; the mouth is looked for anew.
+  // Uses other settings from the next frame on; the mouth is searched in the whole picture again.
   void Use(const LipSettings& settings) { meter_ = LipMeter(settings, meter_.lips()); }
 
-  // Called for each picture once its mouth is on the board; the planes hold only so long. May call Use.
+  // Sets a function that is called for each picture once its mouth is on the board. The planes are valid
+  // during the call only. The function may call Use.
   using Watcher = std::function<void(const decode::Planes& planes, const LipMeter& meter, Time at)>;
   void Watch(Watcher watcher) { watcher_ = std::move(watcher); }
 
-  // The camera's exposure and colours: free for a calibration, held after it.
-  CameraCare& care() { return care_; }
+  // The camera's exposure and colours, to be freed for a calibration and held after it.
+  CameraExposure& exposure() { return exposure_; }
 
-  // What was seen last, for a calibration.
+  // The meter with the newest picture's results, for a calibration.
   const LipMeter& meter() const { return meter_; }
 
-  // Of the camera that is open; -1 while none is. Another camera may have the same number: see opened().
+  // The descriptor of the open camera; -1 while none is open. Another camera may have the same number: see
+  // opened().
   int pollable() const { return camera_ ? camera_->pollable() : -1; }
   int opened() const { return opened_; }  // How often a camera was opened.
 
@@ -56,18 +61,18 @@ class LipReader {
   board::Writer<board::Lips> writer_;
   const Clock& clock_;
   LipMeter meter_;
-  CameraCare care_;
+  CameraExposure exposure_;
   decode::PlaneReader planes_;
   std::unique_ptr<ports::Camera> camera_;
   board::SourceState source_;
   ports::CameraFormat format_;
-  Time last_frame_;  // When the newest good frame was measured.
-  Time last_sign_;   // When the camera was opened, or last gave a good frame.
+  Time last_frame_;     // When the newest valid frame was measured.
+  Time last_activity_;  // When the camera was opened, or sent its last valid frame.
   Time opened_at_{};
   Time retry_at_{};
-  Time quiet_until_{};  // Dropped frames are not logged before.
+  Time log_drops_after_{};  // A dropped frame is not logged before this time.
   SilenceLog silence_log_{"lip camera", "the lips are stale"};
-  std::errc logged_{};  // The last trouble that was logged: the same again is not.
+  std::errc logged_{};  // The failure that was logged last; the same is not logged again.
   int opened_ = 0;
   Watcher watcher_;
 };

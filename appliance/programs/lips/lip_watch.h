@@ -1,4 +1,4 @@
-// Wakes the lip reader when its camera speaks.
+// Runs the lip reader whenever its camera has a frame.
 #pragma once
 
 #include "appliance/programs/lips/lip_reader.h"
@@ -6,12 +6,13 @@
 
 namespace kaori::lips {
 
-// Borrows both for its life.
+// Borrows the reader and the loop, which outlive it.
 class LipWatch {
  public:
   LipWatch(LipReader& reader, EventLoop& loop) : reader_(reader), loop_(loop) {}
 
-  // Reads, and watches what is open now: another camera is another descriptor.
+  // Runs a step of the reader, and watches the camera that is open afterwards; another camera has another
+  // descriptor.
   void Step();
 
  private:

@@ -1,4 +1,4 @@
-// kaori-lips: the operator's painted lips, from the camera to the board.
+// kaori-lips: measures the operator's painted lips and voice and publishes them on the board.
 #include <cstdio>
 
 #include "appliance/core/board/watch.h"
@@ -22,9 +22,9 @@ namespace {
 using namespace std::chrono_literals;
 using kaori::lips::LipOptions;
 
-constexpr kaori::Duration kTick = 25ms;  // Silence and re-opening; frames wake by themselves.
+constexpr kaori::Duration kTick = 25ms;  // For silence and re-opening; frames wake the program by themselves.
 
-int SayModes(const LipOptions& options) {
+int PrintModes(const LipOptions& options) {
   const kaori::SteadyClock clock;
   const auto text = kaori::camera::NamedCamera(options.device, clock).ModesText();
   if (!text) return kaori::ExitWithError(text.error());
@@ -32,7 +32,7 @@ int SayModes(const LipOptions& options) {
   return 0;
 }
 
-// What is named, else the simulator's; without either there is none.
+// The devices that were named, or else the simulator's; without either there is no device.
 kaori::voice::SoundSources SoundOf(const LipOptions& options, const kaori::Clock& clock) {
   kaori::voice::SoundSources sound;
   const std::string& links = options.links;
@@ -51,7 +51,10 @@ kaori::voice::SoundSources SoundOf(const LipOptions& options, const kaori::Clock
 kaori::ports::CameraOpener SimulatedCamera(const LipOptions& options) {
   if (!options.links.empty())
     return [links = options.links] { return kaori::camera::LocalCamera::Open(links); };
-  return [] { return kaori::Fail(std::errc::no_such_device, "look for a lip camera (none was named)"); };
+  return [] {
+    return kaori::Fail(std::errc::no_such_device,
+                       "open the lip camera: neither --device nor --links was given");
+  };
 }
 
 int Play(const LipOptions& options, kaori::EventLoop& loop) {
@@ -72,7 +75,7 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
   auto sound_settings = kaori::lips::SoundSettingsOf(options, *lips);
   if (!sound_settings) return kaori::ExitWithError(sound_settings.error());
   const auto voice =
-      kaori::voice::VoiceSeat::Acquire(SoundOf(options, clock), std::move(*sound_settings), *board, clock);
+      kaori::voice::VoiceService::Acquire(SoundOf(options, clock), std::move(*sound_settings), *board, clock);
   if (!voice) return kaori::ExitWithError(voice.error());
   kaori::lips::LipWatch watch(reader, loop);
   watch.Step();
@@ -94,7 +97,7 @@ int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-lips");
   LipOptions options;
   if (const auto status = kaori::lips::ParseOptions(argc, argv, options)) return *status;
-  if (options.modes) return SayModes(options);
+  if (options.modes) return PrintModes(options);
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
   return Play(options, *loop);

@@ -3,35 +3,41 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appliance/core/board/mouth.h"
+
 namespace kaori::lips {
 namespace {
 
 constexpr Duration kLearn = std::chrono::seconds(1);
-constexpr std::size_t kFewestToLearn = 8;
-constexpr std::size_t kMostToLearn = 512;
-constexpr float kGoodEnough = 0.5F;  // To learn the rest width from.
-constexpr float kSmallest = 0.03F;   // A mouth's width in widths of the picture: smaller is a speck,
-constexpr float kLargest = 0.95F;    // larger is a blue wall.
-constexpr float kThinnest = 0.02F;   // Height over width.
+constexpr std::size_t kMinToLearn = 8;
+constexpr std::size_t kMaxToLearn = 512;
+constexpr float kSmallest = 0.03F;  // Widths of the picture: a narrower patch of paint is a speck,
+constexpr float kLargest = 0.95F;   // and a wider one is a blue wall.
+constexpr float kThinnest = 0.02F;  // Height over width.
 constexpr float kThickest = 4.0F;
-constexpr float kLeastFilled =
-    0.12F;  // Paint in its box: even a wide open mouth is a ring of a sixth or more.
-constexpr float kLeastContrast = 10;  // Levels between paint and skin.
-constexpr float kMostSize = 4.0F;     // What the board may show.
-constexpr float kMostTilt_rad = 0.7F;
-constexpr float kFollowTilt_s = 0.2F;  // Heads lean slower than mouths move.
+// The part of its bounding box that is paint; a wide open mouth is a ring with a sixth or more.
+constexpr float kMinFilled = 0.12F;
+constexpr float kMinContrast = 10;  // Levels between paint and skin.
+constexpr float kMaxSize = 4.0F;    // The largest size that the board allows.
+constexpr float kMaxTilt_rad = 0.7F;
+constexpr float kFollowTilt_s = 0.2F;  // A head leans slower than a mouth moves.
 constexpr float kFollowDistance_s = 2.5F;
-constexpr float kSameShape = 0.1F;    // A height over width this near to that at rest is a mouth at rest.
-constexpr float kMostNearer = 0.35F;  // More than this is no head that moved: pursed or stretched lips.
-constexpr float kBlunt = 0.55F;       // Of the mouth's height close to one corner: a wall,
-constexpr float kUnlike = 0.25F;      // where the other is so much more pointed.
-constexpr float kMostUpperPart = 0.6F;
-constexpr float kMostStep = 0.1F;  // Widths of the picture between two frames: more is another place.
-constexpr float kForget = 0.99F;   // Of what was learnt of the upper lip, each frame.
-constexpr Duration kHidden = std::chrono::milliseconds(1500);  // After that it is believed all the same.
-constexpr float kHalfHidden = 0.2F;  // The quality then: sizes hold, nobody acts on them.
+constexpr float kSameShape =
+    0.1F;  // A mouth whose proportions differ less than this from those at rest is at rest.
+constexpr float kMaxNearer = 0.35F;  // A larger change is pursed or stretched lips and no head that moved.
+// A mouth that still has this part of its height close to one corner is covered there,
+constexpr float kBlunt = 0.55F;
+constexpr float kMaxUnlike = 0.25F;  // if the other corner is more pointed by this much.
+constexpr float kMaxUpperPart = 0.6F;
+constexpr float kMaxStep =
+    0.1F;  // Widths of the picture between two frames; a larger step is another position.
+constexpr float kForget =
+    0.99F;  // The weight of older frames in the regression of the upper lip, for each frame.
+constexpr Duration kHidden =
+    std::chrono::milliseconds(1500);  // After this time a covered mouth is measured all the same.
+constexpr float kHalfHidden = 0.2F;   // The quality of a covered mouth, which no program uses.
 
-// 0 at `low`, 1 at `high`.
+// Rises from 0 at `low` to 1 at `high`.
 float Ramp(float value, float low, float high) {
   return std::clamp((value - low) / (high - low), 0.0F, 1.0F);
 }
@@ -46,13 +52,13 @@ float MedianOf(std::vector<float>& values) {
   return *middle;
 }
 
-float QualityOf(const Sight& sight) {
-  const Shape& shape = sight.shape;
-  const float width = shape.width_px / sight.picture_width_px;
-  const float thick = shape.height_px / std::max(shape.width_px, 1.0F);
+float QualityOf(const Detection& detection) {
+  const Contour& contour = detection.contour;
+  const float width = contour.width_px / detection.picture_width_px;
+  const float thick = contour.height_px / std::max(contour.width_px, 1.0F);
   if (width > kLargest || thick < kThinnest || thick > kThickest) return 0;
-  return Ramp(width, kSmallest, 2 * kSmallest) * Ramp(sight.filled, kLeastFilled, 2 * kLeastFilled) *
-         Ramp(shape.contrast, kLeastContrast, 2 * kLeastContrast) * (sight.cut ? 0.5F : 1.0F);
+  return Ramp(width, kSmallest, 2 * kSmallest) * Ramp(detection.filled, kMinFilled, 2 * kMinFilled) *
+         Ramp(contour.contrast, kMinContrast, 2 * kMinContrast) * (detection.cut ? 0.5F : 1.0F);
 }
 
 }  // namespace
@@ -72,42 +78,43 @@ void MouthGauge::SetRest(float width) {
   learning_.reset();
 }
 
-const board::Lips& MouthGauge::Measure(const std::optional<Sight>& sight, Time at) {
+const board::Lips& MouthGauge::Measure(const std::optional<Detection>& detection, Time at) {
   ++lips_.frames;
-  lips_.quality = sight ? QualityOf(*sight) : 0;
+  lips_.quality = detection ? QualityOf(*detection) : 0;
   if (lips_.quality <= 0) {
     for (OneEuro* filter : {&height_, &width_, &opening_}) filter->Reset();
     return lips_;
   }
-  FollowTilt(*sight, at);
-  const Sizes sizes = SizesOf(*sight);
-  if (IsHalfHidden(*sight, at)) {
+  FollowTilt(*detection, at);
+  const Sizes sizes = SizesOf(*detection);
+  if (IsHalfHidden(*detection, at)) {
     lips_.quality = std::min(lips_.quality, kHalfHidden);
     return lips_;
   }
-  if (lips_.quality >= kGoodEnough) LearnRest(sizes, at);
+  if (board::IsLearnable(lips_)) LearnRest(sizes, at);
   FollowDistance(sizes, at);
-  Show(*sight, sizes, at);
+  Show(*detection, sizes, at);
   seen_ = at;
   return lips_;
 }
 
-MouthGauge::Sizes MouthGauge::SizesOf(const Sight& sight) {
-  const float picture = sight.picture_width_px;
-  Sizes sizes{sight.shape.width_px / picture, sight.shape.height_px / picture, 0};
-  if (!sight.marker) return sizes;
-  const float marker =
-      std::hypot(sight.shape.top.x - sight.marker->x, sight.shape.top.y - sight.marker->y) / picture;
+MouthGauge::Sizes MouthGauge::SizesOf(const Detection& detection) {
+  const float picture = detection.picture_width_px;
+  Sizes sizes{detection.contour.width_px / picture, detection.contour.height_px / picture, 0};
+  if (!detection.marker) return sizes;
+  const float marker = std::hypot(detection.contour.top.x - detection.marker->x,
+                                  detection.contour.top.y - detection.marker->y) /
+                       picture;
   LearnUpperPart(marker, sizes.height);
-  sizes.marker = marker + std::clamp(upper_.value(), 0.0F, kMostUpperPart) * sizes.height;
+  sizes.marker = marker + std::clamp(upper_.value(), 0.0F, kMaxUpperPart) * sizes.height;
   return sizes;
 }
 
-// What comes nearer to the marker from one frame to the next is the lip, not the head.
+// What comes nearer to the marker from one frame to the next is the lip and not the head.
 void MouthGauge::LearnUpperPart(float marker, float height) {
   const float nearer = upper_.marker - marker;
   const float higher = height - upper_.height;
-  const bool know = upper_.marker > 0 && std::abs(higher) < kMostStep && std::abs(nearer) < kMostStep;
+  const bool know = upper_.marker > 0 && std::abs(higher) < kMaxStep && std::abs(nearer) < kMaxStep;
   upper_.marker = marker;
   upper_.height = height;
   if (!know) return;
@@ -116,24 +123,25 @@ void MouthGauge::LearnUpperPart(float marker, float height) {
   upper_.squares = std::max(upper_.squares, 1e-6F);
 }
 
-void MouthGauge::FollowTilt(const Sight& sight, Time at) {
-  const Shape& shape = sight.shape;
-  if (sight.marker) {
-    const float down = shape.middle.y - sight.marker->y;
-    tilt_rad_ = std::clamp(std::atan2(sight.marker->x - shape.middle.x, down), -kMostTilt_rad, kMostTilt_rad);
+void MouthGauge::FollowTilt(const Detection& detection, Time at) {
+  const Contour& contour = detection.contour;
+  if (detection.marker) {
+    const float down = contour.middle.y - detection.marker->y;
+    tilt_rad_ =
+        std::clamp(std::atan2(detection.marker->x - contour.middle.x, down), -kMaxTilt_rad, kMaxTilt_rad);
     return;
   }
-  if (std::abs(shape.lean_rad) > kMostTilt_rad)
-    return;  // A mouth higher than wide has its long axis upright.
-  const float trust = Ramp(shape.slender, 0.3F, 0.7F);
+  if (std::abs(contour.lean_rad) > kMaxTilt_rad)
+    return;  // The long axis of a mouth that is higher than wide is upright.
+  const float trust = Ramp(contour.slender, 0.3F, 0.7F);
   const float share = seen_ ? Share(at - *seen_, kFollowTilt_s) : 1;
-  tilt_rad_ += trust * share * (shape.lean_rad - tilt_rad_);
+  tilt_rad_ += trust * share * (contour.lean_rad - tilt_rad_);
 }
 
-// A mouth ends in corners at both sides; where a hand covers one of them it ends in a wall.
-bool MouthGauge::IsHalfHidden(const Sight& sight, Time at) {
-  const auto [left, right] = sight.shape.blunt;
-  const bool wall = std::max(left, right) > kBlunt && std::abs(left - right) > kUnlike;
+// A mouth ends in a pointed corner at each side; where a hand covers a corner it ends bluntly.
+bool MouthGauge::IsHalfHidden(const Detection& detection, Time at) {
+  const auto [left, right] = detection.contour.blunt;
+  const bool wall = std::max(left, right) > kBlunt && std::abs(left - right) > kMaxUnlike;
   if (!wall || !whole_) {
     whole_ = at;
     return false;
@@ -141,45 +149,46 @@ bool MouthGauge::IsHalfHidden(const Sight& sight, Time at) {
   return at - *whole_ < kHidden;
 }
 
-// A marker says how near the head is, at once; without one a mouth of the resting shape says it slowly.
+// Without a marker a mouth with the proportions of the mouth at rest slowly shows how near the head is.
 void MouthGauge::FollowDistance(const Sizes& sizes, Time at) {
   if (lips_.rest_width <= 0 || sizes.marker > 0 || !seen_) return;
   const float thick = sizes.height / sizes.width;
   const float nearer = sizes.width / lips_.rest_width;
-  if (std::abs(thick / rest_height_ - 1) > kSameShape || std::abs(nearer - 1) > kMostNearer) return;
+  if (std::abs(thick / rest_height_ - 1) > kSameShape || std::abs(nearer - 1) > kMaxNearer) return;
   lips_.rest_width =
       std::clamp(lips_.rest_width + Share(at - *seen_, kFollowDistance_s) * (sizes.width - lips_.rest_width),
                  0.0F, 1.0F);
 }
 
-void MouthGauge::Show(const Sight& sight, const Sizes& sizes, Time at) {
+void MouthGauge::Show(const Detection& detection, const Sizes& sizes, Time at) {
   // Until the rest width is known the mouth counts as at rest.
   float rest = lips_.rest_width > 0 ? lips_.rest_width : sizes.width;
   if (sizes.marker > 0 && lips_.rest_marker > 0) rest *= sizes.marker / lips_.rest_marker;
   const auto show = [&](OneEuro& filter, float size) {
-    return std::clamp(filter.Filter(size / rest, at), 0.0F, kMostSize);
+    return std::clamp(filter.Filter(size / rest, at), 0.0F, kMaxSize);
   };
   lips_.height = show(height_, sizes.height);
   lips_.width = show(width_, sizes.width);
-  lips_.opening = show(opening_, sight.shape.opening_px / sight.picture_width_px);
-  const Shape& shape = sight.shape;
+  lips_.opening = show(opening_, detection.contour.opening_px / detection.picture_width_px);
+  const Contour& contour = detection.contour;
   const auto lift = [&](const Point& corner) {
-    const float across =
-        (corner.y - shape.middle.y) * std::cos(tilt_rad_) - (corner.x - shape.middle.x) * std::sin(tilt_rad_);
-    return std::clamp(-across / sight.picture_width_px / rest, -1.0F, 1.0F);
+    const float across = (corner.y - contour.middle.y) * std::cos(tilt_rad_) -
+                         (corner.x - contour.middle.x) * std::sin(tilt_rad_);
+    return std::clamp(-across / detection.picture_width_px / rest, -1.0F, 1.0F);
   };
-  lips_.corners = {lift(shape.right), lift(shape.left)};  // The operator's left is at the picture's right.
+  lips_.corners = {lift(contour.right),
+                   lift(contour.left)};  // The operator's left is at the picture's right.
 }
 
 void MouthGauge::LearnRest(const Sizes& sizes, Time at) {
   if (lips_.rest_width > 0 && (lips_.rest_marker > 0 || sizes.marker <= 0)) return;
   if (!learning_) learning_ = Learning{at, {}, {}, {}};
-  if (learning_->widths.size() < kMostToLearn) {
+  if (learning_->widths.size() < kMaxToLearn) {
     learning_->widths.push_back(sizes.width);
     learning_->heights.push_back(sizes.height);
     if (sizes.marker > 0) learning_->markers.push_back(sizes.marker);
   }
-  if (at - learning_->since < kLearn || learning_->widths.size() < kFewestToLearn) return;
+  if (at - learning_->since < kLearn || learning_->widths.size() < kMinToLearn) return;
   const float width = MedianOf(learning_->widths);
   if (lips_.rest_width <= 0) {
     lips_.rest_width = width;

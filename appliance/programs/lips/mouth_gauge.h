@@ -1,58 +1,58 @@
-// From a mouth's outline in the picture to its sizes, in widths of the mouth at rest, whatever the head does.
+// From a mouth's contour in the picture to its sizes in widths of the mouth at rest, wherever the head is.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "appliance/core/board/sections.h"
+#include "appliance/programs/lips/contour.h"
 #include "appliance/programs/lips/lip_settings.h"
 #include "appliance/programs/lips/one_euro.h"
-#include "appliance/programs/lips/outline.h"
 
 namespace kaori::lips {
 
-// One frame's mouth, and how far it is to be believed.
-struct Sight {
-  Shape shape;
+// The mouth that was detected in a frame, with what its quality depends on.
+struct Detection {
+  Contour contour;
   float picture_width_px = 0;
-  float filled = 1;             // Part of its box that is paint.
-  bool cut = false;             // By the picture's edge.
-  std::optional<Point> marker;  // In pixels of the picture.
+  float filled = 1;             // The part of its bounding box that is paint.
+  bool cut = false;             // The picture's edge cuts it.
+  std::optional<Point> marker;  // The marker's middle, in pixels of the picture.
 };
 
-// The mouth at rest is the median of the first second in which a clean mouth is seen. A head that comes
-// nearer or leans does not change the sizes: the marker's distance and direction tell it at once; without a
-// marker the lean is taken from the mouth's own long axis, and the distance from each mouth that has the
-// shape of the mouth at rest but another size.
+// The mouth at rest is the median of the first second in which a learnable mouth is seen. Sizes do not change
+// when the head comes nearer or leans: with a marker its distance and direction show that at once. Without a
+// marker the lean is that of the mouth's own long axis, and the distance follows every mouth that has the
+// proportions of the mouth at rest in another size. Pure: time is in the arguments.
 class MouthGauge {
  public:
-  // Goes on from `before`: its rest width where it has one, its frame count, and its sizes while no paint is
+  // Goes on from `before`: its rest width where that is known, its frame count, and its sizes until paint is
   // seen.
   explicit MouthGauge(const board::Lips& before, const GaugeSettings& settings = {});
 
-  // Takes a frame's mouth, or the news that there is none: then sizes hold and the quality is 0.
-  const board::Lips& Measure(const std::optional<Sight>& sight, Time at);
+  // Measures a frame's mouth. Without one the sizes stay and the quality is 0.
+  const board::Lips& Measure(const std::optional<Detection>& detection, Time at);
 
-  // The width of the mouth at rest, in widths of the picture; 0 measures it anew.
+  // Sets the width of the mouth at rest, in widths of the picture; 0 measures it again.
   void SetRest(float width);
 
   const board::Lips& lips() const { return lips_; }
 
-  // How far the head leans now, as it is known before the next frame; positive: clockwise in the picture.
+  // How far the head leans, as known before the next frame; positive is clockwise in the picture.
   float tilt_rad() const { return tilt_rad_; }
 
  private:
   struct Sizes {  // In widths of the picture.
     float width;
     float height;
-    float marker;  // From it to where the upper lip is when the mouth is shut; 0: no marker.
+    float marker;  // From the marker to the upper lip of the shut mouth; 0: there is no marker.
   };
-  Sizes SizesOf(const Sight& sight);
+  Sizes SizesOf(const Detection& detection);
   void LearnUpperPart(float marker, float height);
-  void FollowTilt(const Sight& sight, Time at);
+  void FollowTilt(const Detection& detection, Time at);
   void FollowDistance(const Sizes& sizes, Time at);
-  bool IsHalfHidden(const Sight& sight, Time at);
-  void Show(const Sight& sight, const Sizes& sizes, Time at);
+  bool IsHalfHidden(const Detection& detection, Time at);
+  void Show(const Detection& detection, const Sizes& sizes, Time at);
   void LearnRest(const Sizes& sizes, Time at);
 
   board::Lips lips_;
@@ -66,10 +66,10 @@ class MouthGauge {
   std::optional<Learning> learning_;
   float rest_height_ = 0.25F;  // In widths of the mouth at rest.
   float tilt_rad_ = 0;
-  // How much of an opening mouth is its upper lip that rises: learnt from frame to frame, while the head is
-  // slow.
+  // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head
+  // is slow.
   struct UpperPart {
-    float marker = 0, height = 0;  // Of the frame before.
+    float marker = 0, height = 0;  // Those of the last frame.
     float products = 0.2F * 1e-3F, squares = 1e-3F;
     float value() const { return products / squares; }
   };

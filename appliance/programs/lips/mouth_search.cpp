@@ -6,21 +6,25 @@
 namespace kaori::lips {
 namespace {
 
-constexpr std::size_t kMostRegions = 24;  // Smaller ones are specks.
-constexpr int kLeastArea = 8;             // Samples.
-constexpr int kPartOf = 12;               // The other lip has at least this part of the larger one's area.
-constexpr int kMostSpecks = 2;  // Times the mouth's paint, if the mouth is small itself: all is noise.
-constexpr int kSmall = 32;      // Samples.
-constexpr float kManyPictures = 0.02F;  // A region of this part of the picture is as good as a larger one.
-constexpr float kCut = 0.05F;           // What the picture's edge cuts is rather a shirt than a mouth.
-constexpr float kMouthSearchLeastFilled = 0.12F;   // Paint in its box: even a wide open mouth is a ring of a sixth.
-constexpr float kMouthSearchThinnest = 0.04F;      // Height over width.
+constexpr std::size_t kMaxRegions = 24;  // Smaller regions are specks.
+constexpr int kMinArea = 8;              // Samples.
+constexpr int kPartOf = 12;              // The other lip has at least a twelfth of the larger one's area.
+// Specks with more than twice the paint of a mouth smaller than kSmall samples mean that all of it is noise.
+constexpr int kMaxSpecks = 2;
+constexpr int kSmall = 32;
+constexpr float kManyPictures =
+    0.02F;  // A region with this part of the picture is half as likely as the largest possible one.
+constexpr float kCut =
+    0.05F;  // The likelihood of a region that the picture's edge cuts: rather a shirt than a mouth.
+constexpr float kMouthSearchMinFilled =
+    0.12F;  // The part of the bounding box that is paint, as in MouthGauge.
+constexpr float kMouthSearchThinnest = 0.04F;  // Height over width.
 constexpr float kMouthSearchThickest = 2.5F;
-constexpr float kWidest = 0.7F;       // Of the picture.
-constexpr float kNear = 0.6F;         // Widths of the mouth that it moves at most between two frames,
-constexpr float kRoams_per_s = 2.5F;  // and the widths a second that it may have moved unseen.
+constexpr float kWidest = 0.7F;       // Widths of the picture.
+constexpr float kNear = 0.6F;         // A mouth moves by this many of its widths at most between two frames,
+constexpr float kRoams_per_s = 2.5F;  // and by this many more a second while it is not seen.
 constexpr float kUnlikely = 1e-4F;
-constexpr float kBelieved = 0.03F;  // Less is no mouth: rather none than a shirt.
+constexpr float kMinLikelihood = 0.03F;  // A less likely region is no mouth: rather none than a shirt.
 
 float MiddleX(const Region& region) {
   return static_cast<float>(region.left + region.right) / 2;
@@ -39,14 +43,15 @@ float Likeness(const Region& region, const Grid& grid) {
   const float filled = static_cast<float>(region.area) /
                        (static_cast<float>(region.width()) * static_cast<float>(region.height()));
   const float picture = static_cast<float>(grid.width) * grid.across_px;
-  const bool odd = height < kMouthSearchThinnest * width || height > kMouthSearchThickest * width || width > kWidest * picture ||
-                   filled < kMouthSearchLeastFilled;
+  const bool odd = height < kMouthSearchThinnest * width || height > kMouthSearchThickest * width ||
+                   width > kWidest * picture || filled < kMouthSearchMinFilled;
   return (odd ? kUnlikely : 1.0F) * (IsCut(region, grid) ? kCut : 1.0F);
 }
 
-// The other lip lies above or below, its middle within the larger one's sides, no farther than a mouth opens.
+// The other lip lies above or below the larger one, with its middle within the sides of that, no farther than
+// a mouth opens.
 bool BelongsTo(const Region& part, const Region& mouth, const Grid& grid) {
-  if (IsCut(part, grid) || part.width() * 2 > mouth.width() * 3) return false;  // A shirt.
+  if (IsCut(part, grid) || part.width() * 2 > mouth.width() * 3) return false;  // This is a shirt.
   const float middle = MiddleX(part);
   const int gap = std::max(part.top - mouth.bottom, mouth.top - part.bottom);
   const bool lip = part.width() * 3 > mouth.width();
@@ -54,7 +59,7 @@ bool BelongsTo(const Region& part, const Region& mouth, const Grid& grid) {
          middle < static_cast<float>(mouth.right) && gap < mouth.width() && (lip || gap < 2);
 }
 
-// Round, full, smaller than the mouth, and above it.
+// A marker is round, full, smaller than the mouth, and above it.
 bool IsMarker(const Region& dot, const Region& mouth) {
   const auto width = static_cast<float>(dot.width());
   const auto height = static_cast<float>(dot.height());
@@ -67,10 +72,10 @@ bool IsMarker(const Region& dot, const Region& mouth) {
 
 }  // namespace
 
-const Found* MouthSearch::Find(Regions& regions, const Grid& grid, Time at) {
-  const auto all = regions.Largest(kLeastArea, kMostRegions);
+const Candidate* MouthSearch::Find(Regions& regions, const Grid& grid, Time at) {
+  const auto all = regions.Largest(kMinArea, kMaxRegions);
   const Region* best = nullptr;
-  float most = kBelieved;
+  float most = kMinLikelihood;
   for (const Region& region : all) {
     const float likely = Likelihood(region, grid, at);
     if (likely <= most) continue;
@@ -78,10 +83,10 @@ const Found* MouthSearch::Find(Regions& regions, const Grid& grid, Time at) {
     most = likely;
   }
   if (best == nullptr) return nullptr;
-  if (best->area < kSmall && regions.specks() > kMostSpecks * best->area) return nullptr;
-  TakeParts(all, *best, grid);
-  TakeMarker(all);
-  return &found_;
+  if (best->area < kSmall && regions.specks() > kMaxSpecks * best->area) return nullptr;
+  FindParts(all, *best, grid);
+  FindMarker(all);
+  return &candidate_;
 }
 
 float MouthSearch::Likelihood(const Region& region, const Grid& grid, Time at) const {
@@ -97,32 +102,33 @@ float MouthSearch::Likelihood(const Region& region, const Grid& grid, Time at) c
   return likely * std::max(std::exp(-times * times), kUnlikely);
 }
 
-void MouthSearch::TakeParts(std::span<const Region> all, const Region& largest, const Grid& grid) {
-  found_.mouth = largest;
-  found_.parts.assign(1, largest.name);
+void MouthSearch::FindParts(std::span<const Region> all, const Region& largest, const Grid& grid) {
+  candidate_.mouth = largest;
+  candidate_.parts.assign(1, largest.name);
   for (const Region& part : all) {
     if (part.name == largest.name || !BelongsTo(part, largest, grid)) continue;
     if (wants_marker_ && IsMarker(part, largest)) continue;
-    found_.mouth = Hull(found_.mouth, part);
-    found_.parts.push_back(part.name);
+    candidate_.mouth = Hull(candidate_.mouth, part);
+    candidate_.parts.push_back(part.name);
   }
 }
 
-void MouthSearch::TakeMarker(std::span<const Region> all) {
-  found_.marker.reset();
+void MouthSearch::FindMarker(std::span<const Region> all) {
+  candidate_.marker.reset();
   if (!wants_marker_) return;
   for (const Region& dot : all) {
-    if (std::ranges::find(found_.parts, dot.name) != found_.parts.end() || !IsMarker(dot, found_.mouth))
+    if (std::ranges::find(candidate_.parts, dot.name) != candidate_.parts.end() ||
+        !IsMarker(dot, candidate_.mouth))
       continue;
-    if (!found_.marker || dot.area > found_.marker->area) found_.marker = dot;
+    if (!candidate_.marker || dot.area > candidate_.marker->area) candidate_.marker = dot;
   }
 }
 
-// The width is that of the widest the mouth lately was: pursed lips do not narrow the search.
+// The remembered width is the widest of late, so that pursed lips do not narrow the search.
 void MouthSearch::Remember(const Grid& grid, Time at) {
-  const float width_px = static_cast<float>(found_.mouth.width()) * grid.across_px;
+  const float width_px = static_cast<float>(candidate_.mouth.width()) * grid.across_px;
   const float before_px = last_ ? 0.98F * last_->width_px : 0;
-  last_ = {MiddleX(found_.mouth) * grid.across_px, MiddleY(found_.mouth) * grid.down_px,
+  last_ = {MiddleX(candidate_.mouth) * grid.across_px, MiddleY(candidate_.mouth) * grid.down_px,
            std::max(width_px, std::min(before_px, 2 * width_px)), at};
 }
 

@@ -1,4 +1,5 @@
-// Which regions of paint are the mouth, and which the marker: blue clothes and passing hands are neither.
+// Which regions of paint are the mouth, and which one is the marker; blue clothes and passing hands are
+// neither.
 #pragma once
 
 #include <optional>
@@ -9,25 +10,27 @@
 
 namespace kaori::lips {
 
-struct Found {
-  Region mouth;                      // The hull of its parts.
-  std::vector<std::uint32_t> parts;  // Names of its regions: lips that are open may lie apart.
-  std::optional<Region> marker;      // The dot on nose or forehead.
+// What may be the mouth of a picture.
+struct Candidate {
+  Region mouth;                      // The bounding box of its parts.
+  std::vector<std::uint32_t> parts;  // The names of its regions; the lips of an open mouth may be apart.
+  std::optional<Region> marker;      // The dot on nose or forehead, where one is worn and seen.
 };
 
-// Remembers where a good mouth was: there it is looked for first, and with time ever further around.
+// Remembers where the last usable mouth was. The search prefers that position, and with time ever farther
+// ones.
 class MouthSearch {
  public:
-  // `marker`: whether a dot of the same paint is worn on nose or forehead.
+  // `marker` says whether the operator wears a dot of the same paint on nose or forehead.
   explicit MouthSearch(bool marker = false) : wants_marker_(marker) {}
 
-  // Where it was tells nothing: pictures of another size.
+  // Forgets the last position, which means nothing in pictures of another size.
   void Forget() { last_.reset(); }
 
-  // Null where nothing in the picture can be a mouth. The result is valid until the next call.
-  const Found* Find(Regions& regions, const Grid& grid, Time at);
+  // Finds the most likely mouth, or null where no region can be one. The result is valid until the next call.
+  const Candidate* Find(Regions& regions, const Grid& grid, Time at);
 
-  // What was found is a mouth indeed. Noise that looks like one is not remembered.
+  // Confirms that the candidate was a mouth, so that its position is remembered. Noise must not be confirmed.
   void Remember(const Grid& grid, Time at);
 
  private:
@@ -38,12 +41,12 @@ class MouthSearch {
     Time at;
   };
   float Likelihood(const Region& region, const Grid& grid, Time at) const;
-  void TakeParts(std::span<const Region> all, const Region& largest, const Grid& grid);
-  void TakeMarker(std::span<const Region> all);
+  void FindParts(std::span<const Region> all, const Region& largest, const Grid& grid);
+  void FindMarker(std::span<const Region> all);
 
   bool wants_marker_;
   std::optional<Last> last_;
-  Found found_;
+  Candidate candidate_;
 };
 
 }  // namespace kaori::lips

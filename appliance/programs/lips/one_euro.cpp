@@ -6,10 +6,11 @@
 namespace kaori::lips {
 namespace {
 
-constexpr float kSpeedCutoff_hz = 3;                       // The paper's filter for the speed itself is slow.
-constexpr Duration kLongestGap = std::chrono::seconds(1);  // After that the past says nothing.
+constexpr float kSpeedCutoff_hz =
+    3;  // The cut-off for the speed itself; the paper's 1 Hz is too slow for a mouth.
+constexpr Duration kLongestGap = std::chrono::seconds(1);  // After a longer gap the past says nothing.
 
-// The share of a new value in a first-order low pass.
+// The weight of a new value in a first-order low pass.
 float Share(float cutoff_hz, float dt_s) {
   const float x = 2 * std::numbers::pi_v<float> * cutoff_hz * dt_s;
   return x / (1 + x);

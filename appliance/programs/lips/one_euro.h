@@ -1,4 +1,4 @@
-// Still when still, at once when moving: the 1 Euro filter (Casiez, Roussel, Vogel: CHI 2012).
+// The 1 Euro filter (Casiez, Roussel, Vogel: CHI 2012): a low pass that is strong at rest and weak in motion.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 namespace kaori::lips {
 
 struct OneEuroSettings {
-  float least_cutoff_hz = 6;    // Of a value at rest: lower is stiller.
-  float cutoff_per_speed = 20;  // Hz more for each unit per second: higher follows sooner.
+  float least_cutoff_hz = 6;    // The cut-off of a value at rest; lower is stiller.
+  float cutoff_per_speed = 20;  // More Hz for each unit per second of speed; higher follows sooner.
   friend bool operator==(const OneEuroSettings&, const OneEuroSettings&) = default;
 };
 
@@ -17,8 +17,10 @@ class OneEuro {
  public:
   explicit OneEuro(OneEuroSettings settings = {}) : settings_(settings) {}
 
-  // The filtered value at `at`; the first one is taken as it is. Time that stands still or leaps starts anew.
+  // Returns the filtered value at `at`. The first value passes unfiltered, and so does one after a gap of
+  // more than a second or with a time that is not later than the last.
   float Filter(float value, Time at);
+  // Forgets the past: the next value passes unfiltered.
   void Reset() { last_.reset(); }
 
  private:

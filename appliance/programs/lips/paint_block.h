@@ -1,4 +1,4 @@
-// Rows of chroma become bits, 64 samples a word: by the widest instructions that the processor has.
+// Rows of chroma are keyed to bits, 64 samples a word, with the widest instructions that the processor has.
 #pragma once
 
 #include <array>
@@ -9,26 +9,28 @@
 
 namespace kaori::lips {
 
-inline constexpr int kBlock = 64;  // Samples that become one word of bits.
+inline constexpr int kBlock = 64;  // The samples of one word of bits.
 
+// How chroma lies in memory.
 enum class Packing { kYuyv, kNv12, kPlanar };
 
+// A row of chroma, borrowed.
 struct ChromaRow {
   const std::uint8_t* cb = nullptr;
   const std::uint8_t* cr = nullptr;
-  std::size_t step = 1;  // Bytes from sample to sample: 4 in YUYV, 2 in NV12, 1 where they lie apart.
+  std::size_t step = 1;  // Bytes from sample to sample: 4 in YUYV, 2 in NV12, 1 in separate planes.
 };
 
 using Wedge = std::array<HalfPlane, 3>;
 
-// Writes `blocks` words: a bit is set where PaintKey::at is true. Reads as many samples from `row` on, and up
-// to the end of the last one's four or two bytes.
+// Writes `blocks` words to `into`; a bit is set where PaintKey::at is true. It reads 64 samples of `row` for
+// each word, and up to the end of the last sample's group of `step` bytes.
 using KeyBlocks = void (*)(const ChromaRow& row, std::size_t blocks, const Wedge& wedge, std::uint64_t* into);
 
-// The same bits from each. Null where this processor lacks the instructions, or the program was built for
-// another.
+// All of them give the same bits. Sse2Key and Avx2Key are null where the processor lacks the instructions, or
+// the program was built for another architecture.
 KeyBlocks WidestKey(Packing packing);  // Never null.
-KeyBlocks PlainKey(Packing packing);   // Never null: sample by sample, anywhere.
+KeyBlocks PlainKey(Packing packing);   // Never null: works sample by sample on any processor.
 KeyBlocks Sse2Key(Packing packing);
 KeyBlocks Avx2Key(Packing packing);
 

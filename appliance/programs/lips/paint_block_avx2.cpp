@@ -1,5 +1,5 @@
-// With AVX2: sixteen samples at a time, in numbers of 16 bits. A normal is 64 long, so a sum of two products
-// stays below 255 * 91; what the offset adds saturates, and a saturated sum keeps its sign.
+// The key with AVX2: sixteen samples at a time, in numbers of 16 bits. A normal has the length 64, so that a
+// sum of two products stays below 255 * 91. Adding the offset saturates, and a saturated sum keeps its sign.
 #include "appliance/programs/lips/paint_block.h"
 
 #if defined(__x86_64__)
@@ -11,10 +11,11 @@ namespace kaori::lips {
 namespace {
 
 constexpr auto kSamples = static_cast<std::size_t>(kBlock);
-constexpr int kInOrder = 0xD8;  // Packing works in halves of 128 bits: the middle quarters change places.
+constexpr int kInOrder =
+    0xD8;  // AVX2 packs within halves of 128 bits; this order swaps the middle quarters back.
 
 struct Sides {
-  __m256i normal[3];  // Cb Cr as bytes, over and over.
+  __m256i normal[3];  // Cb and Cr as bytes, repeated.
   __m256i offset[3];
 };
 
@@ -41,7 +42,7 @@ KAORI_AVX2 inline __m256i Side(__m256i pairs, const Sides& sides, int n) {
   return _mm256_adds_epi16(_mm256_maddubs_epi16(pairs, sides.normal[n]), sides.offset[n]);
 }
 
-// Negative where one of sixteen samples, Cb Cr as bytes, lies outside.
+// Negative for each of sixteen samples, Cb and Cr as bytes, that lies outside a half plane.
 KAORI_AVX2 inline __m256i Signs(__m256i pairs, const Sides& sides) {
   const __m256i two = _mm256_or_si256(Side(pairs, sides, 0), Side(pairs, sides, 1));
   return _mm256_or_si256(two, Side(pairs, sides, 2));
@@ -54,7 +55,7 @@ KAORI_AVX2 inline std::uint64_t Paint(__m256i first, __m256i second, const Sides
   return static_cast<std::uint32_t>(~outside);
 }
 
-// Cb Y Cr Y, of sixteen samples: the luma between them is masked away.
+// Sixteen samples as Cb Y Cr Y; the luma between them is masked.
 KAORI_AVX2 inline __m256i PairsOfYuyv(const std::uint8_t* at) {
   const __m256i low = _mm256_set1_epi16(255);
   const __m256i packed =

@@ -1,4 +1,4 @@
-// With instructions that every x86-64 has: four samples at a time.
+// The key with SSE2, which every x86-64 processor has: four samples at a time.
 #include "appliance/programs/lips/paint_block.h"
 
 #if defined(__SSE2__)
@@ -13,7 +13,8 @@ __m128i Load(const std::uint8_t* at) {
   return _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
 }
 
-// Cb and Cr side by side as 16-bit numbers, which is what the multiply-and-add of pairs takes.
+// Cb and Cr side by side as 16-bit numbers, as the instruction that multiplies and adds pairs (pmaddwd) needs
+// them.
 class Sides {
  public:
   explicit Sides(const Wedge& wedge) {
@@ -25,13 +26,14 @@ class Sides {
     }
   }
 
-  // A sample is paint where it lies on no negative side: where the three signs or-ed are clear.
+  // A sample is paint where it lies on no negative side, which means that the bitwise or of the three sums is
+  // positive.
   std::uint64_t Outside(__m128i four) const {
     const __m128i signs = _mm_or_si128(_mm_or_si128(Side(four, 0), Side(four, 1)), Side(four, 2));
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(signs))));
   }
 
-  // Cb Cr as bytes.
+  // Samples as Cb and Cr in bytes.
   std::uint64_t OutsideOfEight(__m128i eight) const {
     const __m128i zero = _mm_setzero_si128();
     return Outside(_mm_unpacklo_epi8(eight, zero)) | Outside(_mm_unpackhi_epi8(eight, zero)) << 4;
@@ -49,7 +51,7 @@ class Sides {
   std::array<Half, 3> sides_;
 };
 
-// Cb Y Cr Y: the luma between them is masked away.
+// Samples as Cb Y Cr Y; the luma between them is masked.
 void KeyYuyv(const ChromaRow& row, std::size_t blocks, const Wedge& wedge, std::uint64_t* into) {
   const Sides sides(wedge);
   const __m128i low = _mm_set1_epi16(255);

@@ -7,13 +7,13 @@ namespace kaori::lips {
 namespace {
 
 constexpr float kPaintKeyLevelsPerThousandth = 0.255F;
-constexpr float kNormal = 64;     // Length of a half plane's normal: sums stay within 16 bits.
-constexpr float kWeak = 0.25F;    // Of the soft edge: so far outside a colour is nearly paint.
-constexpr float kPaintKeyLeastTint = 6;   // Levels. Neutral is never paint, whatever is set.
-constexpr float kGreyPaint = 20;  // Levels. A paint of less saturation is no paint.
-constexpr float kNoise = 3;       // Levels that the wedge's point is blunt by.
-constexpr float kLeastTangent = 0.1F;
-constexpr float kMostTangent = 4;
+constexpr float kNormal = 64;   // The length of a half plane's normal, with which sums stay within 16 bits.
+constexpr float kWeak = 0.25F;  // A colour outside by less than this part of the soft edge is nearly paint.
+constexpr float kPaintKeyMinTint = 6;  // Levels. Neutral is never paint, whatever the settings are.
+constexpr float kGreyPaint = 20;       // Levels. A colour of less saturation cannot be a paint.
+constexpr float kNoise = 3;            // Levels by which the wedge's point is blunted.
+constexpr float kMinTangent = 0.1F;
+constexpr float kMaxTangent = 4;
 
 HalfPlane Half(float cb, float cr, float offset) {
   const float scale = kNormal / std::hypot(cb, cr);
@@ -46,10 +46,11 @@ PaintKey::PaintKey(Paint paint, const KeySettings& settings)
   const float saturation = std::hypot(want.cb, want.cr);
   const bool grey = saturation < kGreyPaint;
   const Chroma along = grey ? Chroma{1, 0} : Chroma{want.cb / saturation, want.cr / saturation};
-  const float tangent = std::clamp(settings.similarity * kPaintKeyLevelsPerThousandth / std::max(saturation, 1.0F),
-                                   kLeastTangent, kMostTangent);
+  const float tangent =
+      std::clamp(settings.similarity * kPaintKeyLevelsPerThousandth / std::max(saturation, 1.0F), kMinTangent,
+                 kMaxTangent);
   const float soft = smooth_levels_ * kWeak;
-  const float least = std::max(settings.spill * kPaintKeyLevelsPerThousandth - soft, kPaintKeyLeastTint);
+  const float least = std::max(settings.spill * kPaintKeyLevelsPerThousandth - soft, kPaintKeyMinTint);
   weak_[0] = Half(along.cb, along.cr, grey ? -200 : -least);
   weak_[1] = Half(tangent * along.cb - along.cr, tangent * along.cr + along.cb, kNoise + soft / 2);
   weak_[2] = Half(tangent * along.cb + along.cr, tangent * along.cr - along.cb, kNoise + soft / 2);

@@ -11,9 +11,9 @@ namespace kaori::lips {
 namespace {
 
 constexpr std::size_t kCacheLine_bytes = 64;
-constexpr std::size_t kRowsAhead = 2;  // Of the grid, that are fetched while one is looked at.
+constexpr std::size_t kRowsAhead = 2;  // How many rows of the grid are prefetched while one is keyed.
 
-// How far a packing's samples are read beyond the last one's chroma: YUYV is read up to its next luma.
+// How far samples are read beyond the last one's chroma: YUYV is read up to the next luma.
 constexpr std::size_t kReadBeyond_bytes = 4;
 
 std::optional<Packing> PackingOf(const decode::Planes& planes) {
@@ -30,13 +30,13 @@ struct RowWork {
   std::size_t left;  // Bytes from row.cb to the end of the frame.
 };
 
-// Blocks that lie within the row and the frame.
+// How many whole blocks lie within the row and the frame.
 std::size_t WholeBlocks(const RowWork& work) {
   const auto in_row = static_cast<std::size_t>(work.width / kBlock);
   return std::min(in_row, work.left / (static_cast<std::size_t>(kBlock) * work.row.step));
 }
 
-// The rest of a row, and shapes that no camera of ours sends: sample by sample, neutral beyond the end.
+// The rest of a row, and layouts that no known camera sends: sample by sample, neutral beyond the end.
 std::uint64_t KeyRest(const RowWork& work, std::size_t block, const Wedge& wedge) {
   std::array<std::uint8_t, std::size_t{2} * kBlock + kReadBeyond_bytes> pairs;
   pairs.fill(128);
@@ -51,14 +51,15 @@ std::uint64_t KeyRest(const RowWork& work, std::size_t block, const Wedge& wedge
   return bits;
 }
 
-// A frame comes fresh from the camera, in no cache, and rows that are left out make it hard to foresee.
+// A new frame is in no cache, and skipped rows keep the processor from prefetching it by itself.
 void Prefetch(const decode::Plane& plane, std::size_t at) {
   const std::size_t row = static_cast<std::size_t>(plane.width_px) * plane.step_bytes;
   if (at + row > plane.bytes.size()) return;
   for (std::size_t n = 0; n < row; n += kCacheLine_bytes) __builtin_prefetch(&plane.bytes[at + n]);
 }
 
-// At least three of a sample and its four neighbours: counted for 64 samples at once, bit by bit.
+// Set where at least three of a sample and its four neighbours are set; 64 samples are counted at once, bit
+// by bit.
 std::uint64_t Vote(std::uint64_t left, std::uint64_t here, std::uint64_t right, std::uint64_t above,
                    std::uint64_t below) {
   const std::uint64_t odd_in_row = left ^ here ^ right;
@@ -88,7 +89,7 @@ void PaintMask::Read(const decode::Planes& planes, const PaintKey& key) {
   grid_ = GridOf(planes);
   words_ = static_cast<std::size_t>(grid_.width + kBlock - 1) / kBlock;
   const auto rows = static_cast<std::size_t>(grid_.height);
-  raw_.assign((rows + 2) * words_, 0);  // An empty row above and below.
+  raw_.assign((rows + 2) * words_, 0);  // There is an empty row above and below.
   voted_.resize(rows * words_);
   const auto packing = PackingOf(planes);
   const KeyBlocks key_blocks = packing ? WidestKey(*packing) : nullptr;
@@ -110,9 +111,9 @@ void PaintMask::VoteOn(std::size_t rows) {
   runs_ = 0;
   for (std::size_t y = 0; y < rows; ++y) {
     const std::uint64_t* here = &raw_[(y + 1) * words_];
-    std::uint64_t last = 0;  // The bit before.
+    std::uint64_t last = 0;  // The bit to the left.
     for (std::size_t n = 0; n < words_; ++n) {
-      if ((here[n] | *(here + n - words_) | here[n + words_]) == 0) {  // Most of a picture.
+      if ((here[n] | *(here + n - words_) | here[n + words_]) == 0) {  // This holds for most of a picture.
         voted_[y * words_ + n] = last = 0;
         continue;
       }

@@ -1,4 +1,5 @@
-// Where a picture is paint: one bit for each sample of a square grid of chroma, freed of single specks.
+// The mask of the paint in a picture: one bit for each sample of a square grid of chroma, without single
+// specks.
 #pragma once
 
 #include <cstddef>
@@ -11,27 +12,29 @@
 
 namespace kaori::lips {
 
-// Chroma of 4:2:2 is twice as fine down as across; the grid takes every second row of it.
+// The grid of samples. Chroma of 4:2:2 is twice as fine vertically as horizontally, so that the grid has
+// every second row of it.
 struct Grid {
   int width = 0;
   int height = 0;
-  int row_step = 1;     // Rows of chroma for one of the grid.
-  float across_px = 2;  // Pixels of the picture for one sample.
-  float down_px = 2;
+  int row_step = 1;     // Rows of chroma for one row of the grid.
+  float across_px = 2;  // Pixels of the picture for one sample, horizontally
+  float down_px = 2;    // and vertically.
 };
 
-// None (0 x 0) where the planes of colour differ in shape.
+// The grid of a picture; 0 x 0 where its two planes of chroma differ in size or layout.
 Grid GridOf(const decode::Planes& planes);
 
-// Keeps its memory from frame to frame.
+// Keeps its buffers from frame to frame. Used by one thread.
 class PaintMask {
  public:
+  // Keys a picture. The planes are borrowed for the call.
   void Read(const decode::Planes& planes, const PaintKey& key);
 
   const Grid& grid() const { return grid_; }
-  std::size_t runs() const { return runs_; }  // Of samples side by side, in all rows.
+  std::size_t runs() const { return runs_; }  // How many runs of paint all rows have together.
 
-  // Bit x % 64 of word x / 64 is the sample at x; bits beyond the grid's width are 0.
+  // A row of the mask: bit x % 64 of word x / 64 is the sample at x; bits beyond the grid's width are 0.
   std::span<const std::uint64_t> row(int y) const {
     return std::span(voted_).subspan(static_cast<std::size_t>(y) * words_, words_);
   }

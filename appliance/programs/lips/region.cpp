@@ -6,7 +6,7 @@
 namespace kaori::lips {
 namespace {
 
-constexpr std::size_t kSamplesForARun = 10;  // More runs than one for so many samples are noise, and no face.
+constexpr std::size_t kSamplesForARun = 10;  // More than one run for ten samples is noise and no face.
 constexpr std::uint32_t kNone = ~0U;
 
 }  // namespace
@@ -53,7 +53,8 @@ void Regions::CutRuns(std::span<const std::uint64_t> words, int row) {
   if (open) runs_.back().end = at;
 }
 
-// Both rows run from left to right, so one walk along them finds every touch, corners included.
+// Both rows are in order from left to right, so that one walk along them finds every contact, corners
+// included.
 void Regions::Join(std::size_t above, std::size_t here) {
   const std::size_t end_above = here;
   for (std::size_t n = here; n < runs_.size(); ++n) {
@@ -90,18 +91,18 @@ std::uint32_t Regions::RootOf(std::uint32_t label) {
 
 void Regions::Unite(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t into = RootOf(a);
-  const std::uint32_t taken = RootOf(b);
-  if (into == taken) return;
-  regions_[into] = Hull(regions_[into], regions_[taken]);
-  into_[taken] = into;
+  const std::uint32_t other = RootOf(b);
+  if (into == other) return;
+  regions_[into] = Hull(regions_[into], regions_[other]);
+  into_[other] = into;
 }
 
-std::span<const Region> Regions::Largest(int least_area, std::size_t most) {
+std::span<const Region> Regions::Largest(int min_area, std::size_t most) {
   largest_.clear();
   specks_ = 0;
   for (std::uint32_t n = 0; n < regions_.size(); ++n) {
     if (into_[n] != n) continue;
-    if (regions_[n].area >= least_area)
+    if (regions_[n].area >= min_area)
       largest_.push_back(regions_[n]);
     else
       specks_ += regions_[n].area;

@@ -1,4 +1,4 @@
-// Runs of paint, joined into regions.
+// Runs of paint in the mask, joined into connected regions.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,23 @@
 
 namespace kaori::lips {
 
-// In samples of the grid; `right` and `bottom` are exclusive.
+// The bounding box of a region in samples of the grid; `right` and `bottom` are exclusive.
 struct Region {
   int left = 0;
   int top = 0;
   int right = 0;
   int bottom = 0;
-  int area = 0;
-  std::uint32_t name = 0;  // What its runs answer to: see Regions::NameOf.
+  int area = 0;            // Its samples of paint.
+  std::uint32_t name = 0;  // The name of its runs: see Regions::NameOf.
 
   int width() const { return right - left; }
   int height() const { return bottom - top; }
 };
 
+// The bounding box of both, with the name of `a` and both areas.
 Region Hull(const Region& a, const Region& b);
 
+// Samples of paint side by side in one row.
 struct Run {
   int begin = 0;
   int end = 0;  // Exclusive.
@@ -32,18 +34,22 @@ struct Run {
   std::uint32_t label = 0;
 };
 
-// Keeps its memory from frame to frame: once it has seen a busy picture it allocates nothing.
+// Keeps its buffers from frame to frame, so that it allocates nothing after a busy picture. Used by one
+// thread.
 class Regions {
  public:
-  // False, and no regions, where the picture is so full of runs that it is nothing but noise.
+  // Finds the regions of a mask. Returns false, without regions, where so many runs mean that all of it is
+  // noise.
   bool Find(const PaintMask& mask);
 
-  // Regions of at least `least_area`, the largest first, `most` at the most. Valid until the next call.
-  std::span<const Region> Largest(int least_area, std::size_t most);
-  int specks() const { return specks_; }  // Samples of paint in regions that were smaller than that.
+  // Returns up to `most` regions of at least `min_area` samples, the largest first. The span is valid until
+  // the next call.
+  std::span<const Region> Largest(int min_area, std::size_t most);
+  int specks() const { return specks_; }  // The samples of paint in smaller regions.
 
-  // All runs, row by row, from left to right.
+  // All runs, row by row and from left to right.
   std::span<const Run> runs() const { return runs_; }
+  // The name of the region to which a run belongs.
   std::uint32_t NameOf(const Run& run) { return RootOf(run.label); }
 
  private:
@@ -54,7 +60,7 @@ class Regions {
   void Unite(std::uint32_t a, std::uint32_t b);
 
   std::vector<Run> runs_;
-  std::vector<Region> regions_;  // By label; only roots count.
+  std::vector<Region> regions_;  // By label; only the roots of the union-find forest count.
   std::vector<std::uint32_t> into_;
   std::vector<Region> largest_;
   int specks_ = 0;

@@ -22,21 +22,21 @@ Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
 
 }  // namespace
 
-Result<voice::VoiceSeatSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips) {
+Result<voice::VoiceServiceSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips) {
   if (!options.sound_delay.empty() && options.sound_delay != "off") {
     if (const auto delay = voice::ParseDelay(options.sound_delay); !delay)
       return tl::unexpected(delay.error());
   }
   auto clips = ClipsOf(options);
   if (!clips) return tl::unexpected(clips.error());
-  return voice::VoiceSeatSettings{GateOf(lips.voice), {DelayOf(options, lips.voice), std::move(*clips)}};
+  return voice::VoiceServiceSettings{GateOf(lips.voice), {DelayOf(options, lips.voice), std::move(*clips)}};
 }
 
 voice::GateSettings GateOf(const VoiceSettings& voice) {
   return {.opens_db = voice.opens_db, .shuts_db = voice.opens_db - kGateHysteresis_db};
 }
 
-voice::DelayWish DelayOf(const LipOptions& options, const VoiceSettings& voice) {
+voice::DelaySetting DelayOf(const LipOptions& options, const VoiceSettings& voice) {
   if (!options.sound_delay.empty())
     if (const auto delay = voice::ParseDelay(options.sound_delay)) return *delay;
   if (voice.sound_delay_ms < 0) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "appliance/core/board/lines.h"
+#include "appliance/core/board/mouth.h"
 
 namespace kaori::status {
 namespace {
@@ -15,7 +16,6 @@ using board::SourceState;
 using namespace std::chrono_literals;
 
 constexpr Duration kLate = 10s;         // A stage that drew nothing for so long draws nothing.
-constexpr float kGoodMouth = 0.3F;      // Of a mouth's quality.
 constexpr double kWholeFrom = 10;       // Smaller numbers have a decimal.
 constexpr std::size_t kHashShown = 12;  // Digits.
 
@@ -89,7 +89,7 @@ Line Camera(const board::Stamped<board::Lips>& lips, Time now) {
   Line line = Of({"camera", "the voice has the mouth, or it rests", "the voice has the mouth, or it rests"},
                  lips, now);
   if (lips.source != SourceState::kLive) return line;
-  const bool seen = lips.value.quality > kGoodMouth;
+  const bool seen = board::IsUsable(lips.value);
   return {seen ? Mark::kGood : Mark::kMissing, "camera",
           seen ? "there, sees the mouth" : "there, sees no painted mouth"};
 }

@@ -1,4 +1,4 @@
-// A whole calibration by keys and lamps at the box, in simulated time, on a rendered operator.
+// A whole calibration by keys and lamps at the box, in simulated time, with a rendered operator.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -7,29 +7,17 @@
 #include <gtest/gtest.h>
 
 #include "appliance/core/board/lines.h"
-#include "tests/appliance/programs/desk_house.h"
+#include "appliance/core/board/mouth.h"
+#include "tests/appliance/programs/desk_fixture.h"
 
 namespace kaori::testing {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
 
-// A stage hand with green lips, whose mouth goes other ways than the box expects.
+// An operator with green lips, whose mouth has another range than the box expects.
 constexpr sim::Rgb kGreen{0.05F, 0.62F, 0.2F};
 constexpr sim::Mouth kShut{0.25, 1}, kOpen{0.62, 0.95}, kWide{0.3, 1.14}, kNarrow{0.34, 0.8};
-
-float Fraction(float value, float low, float high) {
-  return std::clamp((value - low) / (high - low), 0.0F, 1.0F);
-}
-
-// As performance/mouth.cpp reads the board.
-float OpenOf(const board::Lips& lips) {
-  return Fraction(lips.height, lips.shut, lips.open);
-}
-float WideOf(const board::Lips& lips) {
-  return lips.width < 1 ? 0.5F * Fraction(lips.width, lips.narrow, 1)
-                        : 0.5F + 0.5F * Fraction(lips.width, 1, lips.wide);
-}
 
 class DeskCalibration : public ::testing::Test {
  protected:
@@ -37,43 +25,44 @@ class DeskCalibration : public ::testing::Test {
 
   void Make(const sim::Mouth& mouth) {
     house_.hand.scene.person.mouth = mouth;
-    house_.Play(700ms);  // A person's time to hear and to do.
+    house_.Play(700ms);  // As long as a person needs to hear and to act.
   }
 
   void Begin() {
-    house_.Hold(LipHouse::kF12, true);
+    house_.Hold(LipFixture::kF12, true);
     house_.Play(2100ms);
-    house_.Hold(LipHouse::kF12, false);
+    house_.Hold(LipFixture::kF12, false);
     house_.Play(300ms);
   }
 
-  void Take(const sim::Mouth& mouth) {
+  void Measure(const sim::Mouth& mouth) {
     Make(mouth);
-    house_.Strike(LipHouse::kEnter);
+    house_.Strike(LipFixture::kEnter);
     house_.Play(1300ms);
   }
 
-  void DrainAll() {
-    for (const sim::Mouth& mouth : {kShut, kOpen, kWide, kNarrow}) Take(mouth);
+  void MeasureAll() {
+    for (const sim::Mouth& mouth : {kShut, kOpen, kWide, kNarrow}) Measure(mouth);
   }
 
-  // How far off the face's mouth is, of its whole way, where the operator goes to his own ends.
+  // The mean error of the face's mouth, in parts of its range, at the extremes of the operator's mouth.
   double FaceError() {
     double error = 0;
     const auto add = [&](const sim::Mouth& mouth, float open, float wide) {
       Make(mouth);
       const board::Lips seen = house_.Seen();
-      const bool lost = seen.quality < 0.3F;
-      error += lost ? 1 : std::abs(OpenOf(seen) - open) / 2 + std::abs(WideOf(seen) - wide) / 2;
+      const board::MouthPosition position = board::PositionOf(seen);
+      error +=
+          board::IsUsable(seen) ? std::abs(position.open - open) / 2 + std::abs(position.wide - wide) / 2 : 1;
     };
     add(kShut, 0, 0.5F);
-    add(kOpen, 1, 0.38F);  // A little narrower than at rest: 0.05 of the 0.2 that he goes.
+    add(kOpen, 1, 0.38F);  // A little narrower than at rest: 0.05 of this operator's 0.2.
     add(kWide, 0.14F, 1);
     add(kNarrow, 0.24F, 0);
     return error / 4;
   }
 
-  LipHouse house_;
+  LipFixture house_;
 };
 
 TEST_F(DeskCalibration, ByKeysTakesUnderAMinuteAndMakesGreenLipsAndAnotherMouthPlayTheFace) {
@@ -86,9 +75,9 @@ TEST_F(DeskCalibration, ByKeysTakesUnderAMinuteAndMakesGreenLipsAndAnotherMouthP
   ASSERT_EQ(house_.Guide().source, board::SourceState::kLive);
   EXPECT_EQ(house_.Guide().value.step, 0U);
   EXPECT_EQ(house_.Guide().value.captions, 1U);
-  DrainAll();
-  EXPECT_EQ(house_.Guide().value.step, 4U) << "all are taken";
-  house_.Strike(LipHouse::kEnter);
+  MeasureAll();
+  EXPECT_EQ(house_.Guide().value.step, 4U) << "all poses are measured";
+  house_.Strike(LipFixture::kEnter);
   const double took_s = Seconds(house_.clock.now() - began);
   EXPECT_LT(took_s, 60);
   house_.Play(100ms);
@@ -106,15 +95,15 @@ TEST_F(DeskCalibration, HelpsAMouthWhosePaintIsKnownToo) {
   house_.Play(1500ms);
   const double before = FaceError();
   Begin();
-  DrainAll();
+  MeasureAll();
   EXPECT_LT(FaceError(), before / 2);
 }
 
-TEST_F(DeskCalibration, IsKeptOverARestart) {
+TEST_F(DeskCalibration, IsSavedAndUsedAfterARestart) {
   house_.StartLips();
   Begin();
-  DrainAll();
-  house_.Strike(LipHouse::kEnter);
+  MeasureAll();
+  house_.Strike(LipFixture::kEnter);
   house_.Play(100ms);
   ASSERT_TRUE(house_.AwaitSaved());
   ASSERT_TRUE(lips::ReadGenerations(house_.settings_file()).now);
@@ -124,15 +113,15 @@ TEST_F(DeskCalibration, IsKeptOverARestart) {
   EXPECT_NEAR(house_.Seen().open, 0.95 * kOpen.height, 0.03);
 }
 
-TEST_F(DeskCalibration, GoesBackToWhatWasByEscapeAndByAMinuteOfSilence) {
+TEST_F(DeskCalibration, RestoresTheSettingsAfterEscapeAndAfterAMinuteWithoutInput) {
   for (const bool escapes : {true, false}) {
     house_.StartLips();
     house_.Play(500ms);
     Begin();
-    Take(kShut);
-    Take(kOpen);
+    Measure(kShut);
+    Measure(kOpen);
     EXPECT_EQ(house_.Guide().value.step, 2U);
-    if (escapes) house_.Strike(LipHouse::kEscape);
+    if (escapes) house_.Strike(LipFixture::kEscape);
     house_.Play(escapes ? Duration(100ms) : Duration(61s));
     EXPECT_EQ(house_.Guide().source, board::SourceState::kAbsent);
     EXPECT_EQ(house_.Seen().open, lips::Extents{}.open);
@@ -141,7 +130,7 @@ TEST_F(DeskCalibration, GoesBackToWhatWasByEscapeAndByAMinuteOfSilence) {
   }
 }
 
-TEST_F(DeskCalibration, TakesStepsByAnyPushOnTheDialBox) {
+TEST_F(DeskCalibration, ConfirmsPosesByAnyPushOnTheDialBox) {
   house_.StartLips();
   house_.Play(500ms);
   Begin();
@@ -150,7 +139,7 @@ TEST_F(DeskCalibration, TakesStepsByAnyPushOnTheDialBox) {
   house_.Play(200ms);
   EXPECT_EQ(house_.Guide().value.taking, 1U);
   EXPECT_GT(house_.Guide().value.progress, 0.0F);
-  house_.Push(3);  // Meanwhile: nothing.
+  house_.Push(3);  // A push meanwhile does nothing.
   house_.Play(1200ms);
   EXPECT_EQ(house_.Guide().value.step, 1U);
   EXPECT_EQ(house_.Guide().value.taking, 0U);
@@ -163,7 +152,7 @@ TEST_F(DeskCalibration, WaitsForAMouthThatIsNotSeen) {
   Make(kShut);
   house_.hand.scene.light.level = 0;
   house_.Play(200ms);
-  house_.Strike(LipHouse::kEnter);
+  house_.Strike(LipFixture::kEnter);
   house_.Play(5s);
   EXPECT_EQ(house_.Guide().value.step, 0U);
   EXPECT_EQ(house_.Guide().value.seen, 0U);
@@ -174,15 +163,15 @@ TEST_F(DeskCalibration, WaitsForAMouthThatIsNotSeen) {
 
 TEST_F(DeskCalibration, BeginsByNoShortPushAndNotAgainWhileTheKeyIsHeld) {
   house_.StartLips();
-  house_.Hold(LipHouse::kF12, true);
+  house_.Hold(LipFixture::kF12, true);
   house_.Play(1500ms);
-  house_.Hold(LipHouse::kF12, false);
+  house_.Hold(LipFixture::kF12, false);
   house_.Play(2s);
   EXPECT_FALSE(house_.lips->guide().active());
-  house_.Hold(LipHouse::kF12, true);
+  house_.Hold(LipFixture::kF12, true);
   house_.Play(2500ms);
   EXPECT_TRUE(house_.lips->guide().active());
-  house_.Strike(LipHouse::kEscape);
+  house_.Strike(LipFixture::kEscape);
   house_.Play(3s);
   EXPECT_FALSE(house_.lips->guide().active());
 }
@@ -194,11 +183,11 @@ TEST_F(DeskCalibration, BeginsByInsertWhereABrowserKeepsF12) {
   EXPECT_TRUE(house_.lips->guide().active());
 }
 
-TEST_F(DeskCalibration, SpeaksOnTheScreenWhileTheKeySwitchIsOn) {
+TEST_F(DeskCalibration, ShowsCaptionsWhileTheKeySwitchIsOn) {
   auto lines = house_.board.AcquireWriter<board::Lines>().value();
   house_.StartLips(/*service=*/false);
   house_.Play(2s);
-  house_.Hold(LipHouse::kF12, true);
+  house_.Hold(LipFixture::kF12, true);
   house_.Play(2500ms);
   ASSERT_EQ(house_.Guide().source, board::SourceState::kLive);
   for (const std::uint32_t on : {1U, 0U}) {
@@ -215,7 +204,7 @@ TEST_F(DeskCalibration, WorksByLampsAloneOutOfService) {
   Begin();
   EXPECT_EQ(house_.Guide().source, board::SourceState::kLive);
   EXPECT_EQ(house_.Guide().value.captions, 0U) << "nothing is written on a show";
-  EXPECT_FALSE(std::filesystem::exists(lips::ServicePath(house_.board.path()))) << "nobody is let in";
+  EXPECT_FALSE(std::filesystem::exists(lips::ServicePath(house_.board.path()))) << "no desk may connect";
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// An operator before a lip camera of true pictures, thirty a second: the test moves the mouth and the paint.
+// A lip camera with rendered pictures of an operator, thirty a second; the test moves the mouth and the
+// paint.
 #pragma once
 
 #include <sys/eventfd.h>
@@ -15,7 +16,7 @@
 
 namespace kaori::testing {
 
-// The test's side; it outlives the camera.
+// What the test changes; it outlives the camera.
 struct OperatorHand {
   sim::LipScene scene;
   bool plugged = true;
@@ -53,19 +54,20 @@ class OperatorCamera final : public ports::Camera {
   }
 
  private:
-  // What a picture shows, but for its noise. Four of each are drawn, and come again.
-  struct Sight {
+  // What a picture shows apart from its noise. Four pictures of each are drawn and repeated.
+  struct Rendered {
     sim::Mouth mouth;
     float red, green, blue;
     double light;
-    bool operator==(const Sight&) const = default;
+    bool operator==(const Rendered&) const = default;
   };
 
   const std::vector<std::uint8_t>& Picture() {
     const auto& [person, before, light, lens] = hand_.scene;
-    const Sight sight{person.mouth, person.paint.red, person.paint.green, person.paint.blue, light.level};
-    if (sight != seen_) drawn_ = 0;
-    seen_ = sight;
+    const Rendered rendered{person.mouth, person.paint.red, person.paint.green, person.paint.blue,
+                            light.level};
+    if (rendered != seen_) drawn_ = 0;
+    seen_ = rendered;
     auto& picture = pictures_[next_++ % pictures_.size()];
     if (drawn_ == pictures_.size()) return picture;
     ++drawn_;
@@ -78,7 +80,7 @@ class OperatorCamera final : public ports::Camera {
   const Clock& clock_;
   UniqueFd event_;
   Time due_;
-  Sight seen_{};
+  Rendered seen_{};
   std::size_t drawn_ = 0;
   std::size_t next_ = 0;
   std::array<std::vector<std::uint8_t>, 4> pictures_;

@@ -1,7 +1,7 @@
 // The desk's pure parts: code and sessions, whose requests are looked at, languages, views, certificate,
 // files.
 #include "appliance/programs/desk/certificate.h"
-#include "appliance/programs/desk/gate.h"
+#include "appliance/programs/desk/origin_check.h"
 #include "appliance/programs/desk/page.h"
 #include "appliance/programs/desk/pairing.h"
 #include "appliance/programs/desk/state_json.h"
@@ -36,11 +36,11 @@ class DeskPairing : public ::testing::Test {
   std::string session_;
 };
 
-TEST_F(DeskPairing, LetsInByTheCodeOnceAndByNothingElse) {
+TEST_F(DeskPairing, AuthorisesByTheCodeOnceAndByNothingElse) {
   for (const std::string& code : {std::string(), Wrong(), Code() + "0", Code().substr(1)})
-    EXPECT_EQ(pairing_.Try(code, session_), Verdict::kWrong) << code;
+    EXPECT_EQ(pairing_.Try(code, session_), Verdict::kWrongCode) << code;
   const std::string code = Code();
-  EXPECT_EQ(pairing_.Try(code, session_), Verdict::kIn);
+  EXPECT_EQ(pairing_.Try(code, session_), Verdict::kAccepted);
   EXPECT_EQ(session_.size(), 64U);
   EXPECT_TRUE(pairing_.Knows(session_));
   EXPECT_FALSE(pairing_.Knows(session_.substr(1)));
@@ -48,20 +48,20 @@ TEST_F(DeskPairing, LetsInByTheCodeOnceAndByNothingElse) {
   EXPECT_NE(Code(), code);
 }
 
-TEST_F(DeskPairing, HearsFiveWrongTriesInAnyMinute) {
+TEST_F(DeskPairing, AcceptsFiveWrongCodesInAnyMinute) {
   for (int n = 0; n < 5; ++n) {
-    EXPECT_EQ(pairing_.Try(Wrong(), session_), Verdict::kWrong);
+    EXPECT_EQ(pairing_.Try(Wrong(), session_), Verdict::kWrongCode);
     clock_.Advance(10s);
   }
-  EXPECT_EQ(pairing_.Try(Code(), session_), Verdict::kWait);
+  EXPECT_EQ(pairing_.Try(Code(), session_), Verdict::kLocked);
   clock_.Advance(9s);
-  EXPECT_EQ(pairing_.Try(Code(), session_), Verdict::kWait);
+  EXPECT_EQ(pairing_.Try(Code(), session_), Verdict::kLocked);
   clock_.Advance(2s);  // The first of the five is a minute old.
-  EXPECT_EQ(pairing_.Try(Wrong(), session_), Verdict::kWrong);
-  EXPECT_EQ(pairing_.Try(Code(), session_), Verdict::kWait);
+  EXPECT_EQ(pairing_.Try(Wrong(), session_), Verdict::kWrongCode);
+  EXPECT_EQ(pairing_.Try(Code(), session_), Verdict::kLocked);
   int heard = 0;
   for (int second = 0; second < 3600; ++second, clock_.Advance(1s))
-    heard += pairing_.Try(Wrong(), session_) == Verdict::kWrong ? 1 : 0;
+    heard += pairing_.Try(Wrong(), session_) == Verdict::kWrongCode ? 1 : 0;
   EXPECT_LE(heard, 5 * 60);
 }
 
@@ -79,17 +79,17 @@ TEST_F(DeskPairing, ShowsTheCodeUntilSomebodyIsPairedAndAgainWhenAnotherAsks) {
   EXPECT_TRUE(pairing_.shown());
   pairing_.Try(Code(), session_);
   EXPECT_FALSE(pairing_.shown());
-  pairing_.Ask();
+  pairing_.RequestCode();
   EXPECT_TRUE(pairing_.shown());
   clock_.Advance(2min);
   EXPECT_FALSE(pairing_.shown());
-  pairing_.Leave(session_);
+  pairing_.EndSession(session_);
   EXPECT_TRUE(pairing_.shown());
 }
 
 TEST_F(DeskPairing, ForgetsASessionAfterEightHoursAndTheOldestOfFive) {
   std::vector<std::string> sessions(5);
-  for (std::string& session : sessions) ASSERT_EQ(pairing_.Try(Code(), session), Verdict::kIn);
+  for (std::string& session : sessions) ASSERT_EQ(pairing_.Try(Code(), session), Verdict::kAccepted);
   EXPECT_FALSE(pairing_.Knows(sessions[0]));
   EXPECT_TRUE(pairing_.Knows(sessions[1]) && pairing_.Knows(sessions[4]));
   EXPECT_EQ(std::set<std::string>(sessions.begin(), sessions.end()).size(), 5U);
@@ -99,7 +99,7 @@ TEST_F(DeskPairing, ForgetsASessionAfterEightHoursAndTheOldestOfFive) {
   EXPECT_EQ(pairing_.sessions(), 0U);
 }
 
-TEST(DeskCode, IsEachOfAMillionAsLikely) {
+TEST(DeskCode, IsEachOfAMillionWithEqualLikelihood) {
   // What is beyond the last whole million of the numbers that four bytes hold is thrown again.
   std::vector<std::vector<std::uint8_t>> throws{{0xFF, 0xFF, 0xFF, 0xFF}, {0, 0x0F, 0x42, 0x41}};
   std::size_t thrown = 0;
@@ -114,7 +114,7 @@ bool Refuses(const web::Visitor& visitor) {
   return Refusal(visitor, {{"localhost", "box", "box.local"}, true}).has_value();
 }
 
-TEST(DeskGate, LetsInItsOwnPagesUnderAnyAddressOfTheBox) {
+TEST(DeskOriginCheck, AcceptsItsOwnPagesUnderAnyAddressOfTheBox) {
   for (const char* host :
        {"192.168.0.2:8443", "10.1.2.3", "[fe80::1]:8443", "box", "BOX.local:8443", "localhost:1"})
     EXPECT_FALSE(Refuses({.method = "GET", .host = host})) << host;
@@ -124,13 +124,13 @@ TEST(DeskGate, LetsInItsOwnPagesUnderAnyAddressOfTheBox) {
                         .fetch_site = "same-origin"}));
 }
 
-TEST(DeskGate, KeepsOutNamesThatAreNotTheBoxs) {
+TEST(DeskOriginCheck, RefusesNamesThatAreNotTheBoxs) {
   for (const char* host : {"", "example.org", "box.example.org", "192.168.0.2.example.org", "box:80@x",
                            "1.2.3", "[]", "[::1", "300.1.1.1", "box:x"})
     EXPECT_TRUE(Refuses({.method = "GET", .host = host})) << host;
 }
 
-TEST(DeskGate, KeepsOutPagesOfOtherSites) {
+TEST(DeskOriginCheck, RefusesPagesOfOtherSites) {
   for (const char* origin :
        {"", "null", "http://box", "https://box:1", "https://example.org", "https://boxx"})
     EXPECT_TRUE(Refuses({.method = "POST", .host = "box", .origin = origin})) << origin;
@@ -139,7 +139,7 @@ TEST(DeskGate, KeepsOutPagesOfOtherSites) {
     EXPECT_TRUE(Refuses({.method = "GET", .host = "box", .fetch_site = site})) << site;
 }
 
-TEST(DeskLanguage, IsWhatTheBrowserWouldRatherRead) {
+TEST(DeskLanguage, IsTheOneThatTheBrowserPrefers) {
   for (const char* japanese :
        {"ja", "ja-JP,ja;q=0.9,en;q=0.8", "de,ja;q=0.5", "fr;q=0.9, ja;q=0.8, en;q=0.7"})
     EXPECT_TRUE(PrefersJapanese(japanese)) << japanese;
@@ -147,7 +147,7 @@ TEST(DeskLanguage, IsWhatTheBrowserWouldRatherRead) {
     EXPECT_FALSE(PrefersJapanese(english)) << english;
 }
 
-TEST(DeskView, BringsThePaintOutOrShowsItAlone) {
+TEST(DeskView, EmphasisesThePaintOrShowsItAlone) {
   const std::vector<std::uint8_t> skin_and_paint{200, 150, 120, 0, 10, 150, 50, 255};
   std::vector<std::uint8_t> shown;
   Compose(View::kPlain, skin_and_paint, shown);
@@ -160,7 +160,7 @@ TEST(DeskView, BringsThePaintOutOrShowsItAlone) {
   EXPECT_EQ(shown[4], 255);
 }
 
-TEST(DeskPage, IsSmallAndAsksNobodyElse) {
+TEST(DeskPage, IsSmallAndNamesNoOtherHost) {
   std::size_t bytes = 0;
   for (const char* path : {"/", "/style.css", "/icon.svg", "/main.js", "/pair.js", "/picture.js", "/mouth.js",
                            "/steps.js", "/tuning.js", "/wire.js", "/words.js"}) {
@@ -177,35 +177,35 @@ class DeskCertificate : public ::testing::Test {
  protected:
   static constexpr std::int64_t kNow_s = 1'795'000'000;  // In 2026.
   Result<OwnCertificate> Kept(std::int64_t now_s = kNow_s) {
-    return KeptCertificate(folder_.folder() / "data", {{"box", "box.local"}, 0xC0A80001, now_s});
+    return LoadOrMakeCertificate(folder_.folder() / "data", {{"box", "box.local"}, 0xC0A80001, now_s});
   }
   std::filesystem::path file() const { return folder_.folder() / "data" / "desk.pem"; }
   board::BoardFile folder_;
 };
 
-TEST_F(DeskCertificate, IsMadeOnceAndKeptForItsOwnerAlone) {
+TEST_F(DeskCertificate, IsMadeOnceAndReadableByItsOwnerAlone) {
   const auto made = Kept();
   ASSERT_TRUE(made) << made.error().message();
   EXPECT_THAT(made->pem.chain, HasSubstr("BEGIN CERTIFICATE"));
   EXPECT_THAT(made->pem.key, HasSubstr("PRIVATE KEY"));
-  EXPECT_NE(made->mark, 0U);
+  EXPECT_NE(made->fingerprint, 0U);
   EXPECT_EQ(std::filesystem::status(file()).permissions(),
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   const auto again = Kept();
-  EXPECT_EQ(again->mark, made->mark);
+  EXPECT_EQ(again->fingerprint, made->fingerprint);
   EXPECT_EQ(again->pem.key, made->pem.key);
 }
 
-TEST_F(DeskCertificate, IsMadeAnewWhenItEndsOrIsDamaged) {
+TEST_F(DeskCertificate, IsMadeAgainWhenItEndsOrIsDamaged) {
   const auto first = Kept().value();
-  EXPECT_EQ(Kept(kNow_s + 700LL * 86'400)->mark, first.mark);
-  EXPECT_NE(Kept(kNow_s + 800LL * 86'400)->mark, first.mark);
+  EXPECT_EQ(Kept(kNow_s + 700LL * 86'400)->fingerprint, first.fingerprint);
+  EXPECT_NE(Kept(kNow_s + 800LL * 86'400)->fingerprint, first.fingerprint);
   for (const char* damage : {"", "kettle", "-----BEGIN CERTIFICATE-----\nx\n"}) {
-    const auto before = Kept()->mark;
+    const auto before = Kept()->fingerprint;
     std::ofstream(file()) << damage;
     const auto made = Kept();
     ASSERT_TRUE(made);
-    EXPECT_NE(made->mark, before) << damage;
+    EXPECT_NE(made->fingerprint, before) << damage;
   }
 }
 
@@ -265,7 +265,7 @@ TEST_F(LipGenerations, FallBackToTheOneBeforeWhereADiskHasSpoiltAnyByte) {
   EXPECT_EQ(lips::ReadGenerations(file_).before, With(50)) << "nothing spoilt is kept as the one before";
 }
 
-TEST_F(LipGenerations, TakeWhatAPersonWrote) {
+TEST_F(LipGenerations, AcceptWhatAPersonWrote) {
   std::filesystem::create_directories(file_.parent_path());
   std::ofstream(file_) << "key.spill = 90  # by hand\n";
   EXPECT_EQ(lips::SettingsFrom(file_), With(90));

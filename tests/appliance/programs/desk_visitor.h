@@ -1,4 +1,4 @@
-// A visitor at the wire: bytes out and in, as slowly and as wrongly as a test wants.
+// A visitor over a real socket: it sends and receives bytes as slowly and as wrongly as a test needs.
 #pragma once
 
 #include <arpa/inet.h>

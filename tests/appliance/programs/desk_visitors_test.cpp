@@ -1,10 +1,11 @@
-// The desk and its visitors at the wire: who is let in, who is not, and who is cut off.
+// The desk and its visitors over real sockets: who is authorised, who is refused, and whose connection is
+// closed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "appliance/programs/desk/certificate.h"
 #include "appliance/programs/desk/desk.h"
-#include "tests/appliance/programs/desk_house.h"
+#include "tests/appliance/programs/desk_fixture.h"
 #include "tests/appliance/programs/desk_visitor.h"
 
 namespace kaori::testing {
@@ -14,7 +15,7 @@ using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// A plain desk on this machine before lips in service. Its clock stands still unless it is turned.
+// A desk without TLS on this machine, with lips in service. Its clock advances only in the test.
 class DeskVisitors : public ::testing::Test {
  protected:
   DeskVisitors() : loop_(EventLoop::Open().value()) {
@@ -55,7 +56,7 @@ class DeskVisitors : public ::testing::Test {
     return reply.substr(at, reply.find(';', at) - at);
   }
 
-  LipHouse house_;
+  LipFixture house_;
   EventLoop loop_;
   std::unique_ptr<desk::Desk> desk_;
   std::uint16_t port_ = 0;
@@ -73,7 +74,7 @@ TEST_F(DeskVisitors, GetThePageAndNothingElseWithoutACode) {
   EXPECT_EQ(Status({.path = "/state", .cookie = "kaori-desk="}), 401);
 }
 
-TEST_F(DeskVisitors, AreLetInByTheCodeOnTheBoard) {
+TEST_F(DeskVisitors, AreAuthorisedByTheCodeOnTheBoard) {
   const board::Stamped<board::Desk> shown = house_.board.Read<board::Desk>();
   EXPECT_EQ(shown.source, board::SourceState::kLive);
   EXPECT_EQ(shown.value.code, desk_->pairing().code());
@@ -148,7 +149,7 @@ TEST_F(DeskVisitors, AreRefusedWhatIsTooLongOrMeaningless) {
             405);
 }
 
-TEST_F(DeskVisitors, WhoSendDropByDropAreCutOffAfterTenSeconds) {
+TEST_F(DeskVisitors, WhoSendByteByByteAreDisconnectedAfterTenSeconds) {
   Visitor slow = Come();
   const std::string request = RequestOf({}, port_);
   for (int second = 0; second < 9; ++second) {
@@ -162,7 +163,7 @@ TEST_F(DeskVisitors, WhoSendDropByDropAreCutOffAfterTenSeconds) {
   EXPECT_EQ(desk_->connections(), 0U);
 }
 
-TEST_F(DeskVisitors, WhoSendABodyDropByDropAreCutOffToo) {
+TEST_F(DeskVisitors, WhoSendABodyByteByByteAreDisconnectedToo) {
   Visitor slow = Come();
   slow.Send(fmt::format(
       "POST /pair HTTP/1.1\r\nHost: 127.0.0.1\r\nOrigin: http://127.0.0.1\r\nContent-Length: 6\r\n\r\n"));
@@ -173,9 +174,10 @@ TEST_F(DeskVisitors, WhoSendABodyDropByDropAreCutOffToo) {
   EXPECT_TRUE(slow.IsCutOff());
 }
 
-TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreCutOff) {
+TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreDisconnected) {
   desk_.reset();
-  const auto own = desk::KeptCertificate(house_.folder(), {{"localhost"}, 0x7F000001, 1'795'000'000}).value();
+  const auto own =
+      desk::LoadOrMakeCertificate(house_.folder(), {{"localhost"}, 0x7F000001, 1'795'000'000}).value();
   desk_ = desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine, .certificate = own.pem},
                            house_.board, loop_, house_.clock)
               .value();
@@ -197,7 +199,7 @@ TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreCutOff) {
   EXPECT_EQ(desk_->connections(), 0U);
 }
 
-TEST_F(DeskVisitors, GetNoSecureDeskOfACertificateThatIsNone) {
+TEST_F(DeskVisitors, GetNoSecureDeskWithAnInvalidCertificate) {
   desk_.reset();
   const auto opened = desk::Desk::Open(
       {.port = 0, .reach = web::Reach::kThisMachine, .certificate = web::Certificate{"a", "b"}}, house_.board,
@@ -219,7 +221,7 @@ TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
   EXPECT_EQ(Status({}), 200) << "once the crowd is gone";
 }
 
-TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneForNobody) {
+TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneWithoutAVisitor) {
   house_.Play(3s);
   {
     Visitor stranger = Come();

@@ -1,4 +1,4 @@
-// Cables that are pulled, simulators that die, and reports that are no reports.
+// Cables that are pulled, simulators that end, and reports that are damaged.
 #include <array>
 #include <filesystem>
 #include <random>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/appliance/programs/input_bench.h"
+#include "tests/appliance/programs/input_fixture.h"
 
 namespace kaori::input {
 namespace {
@@ -14,18 +14,18 @@ namespace {
 using board::SourceState;
 using std::chrono::milliseconds;
 
-constexpr std::uint8_t kCablesA = 0x04;
+constexpr std::uint8_t kKeyA = 0x04;
 
-class Cables : public InputBench {};
-class BadReports : public InputBench {};
+class Cables : public InputFixture {};
+class BadReports : public InputFixture {};
 
-TEST_F(Cables, OfADeadPredecessorsDevicesThatAreGoneMakeTheirSectionsStale) {
-  KillDesk();
+TEST_F(Cables, OfDevicesThatAreGoneAfterARestartMakeTheirSectionsStale) {
+  KillService();
   ASSERT_TRUE(rig_->Unplug("keyboard"));
   Play(milliseconds(5));
-  StartDesk();
+  StartService();
   Play(milliseconds(100));
-  EXPECT_EQ(Board().keys.source, SourceState::kLive) << "it may yet be found";
+  EXPECT_EQ(Board().keys.source, SourceState::kLive) << "the device may yet be found";
   Play(milliseconds(500));
   EXPECT_EQ(Board().keys.source, SourceState::kStale);
   EXPECT_EQ(Board().surface.source, SourceState::kLive);
@@ -46,7 +46,7 @@ TEST_F(Cables, AreFoundAgainTwoHundredTimesWithNoSwapAndNoLeak) {
     rig_->left_stick().Move(-1, 0);
     rig_->right_stick().Move(1, 0);
     Play(milliseconds(20));
-    ASSERT_EQ(desk_->seated(), 5) << "round " << round << ", " << port;
+    ASSERT_EQ(service_->attached_devices(), 5) << "round " << round << ", " << port;
     rig_->left_stick().Move(-1, 0.01F * static_cast<float>(round % 50));
     rig_->right_stick().Move(1, 0.01F * static_cast<float>(round % 50));
     Play(milliseconds(3));
@@ -62,20 +62,20 @@ TEST_F(Cables, MayBePulledWithTheWholeSimulator) {
   rig_.reset();
   for (int i = 0; i < 20; ++i) {
     clock_.Advance(milliseconds(10));
-    desk_->Step();
+    service_->Step();
   }
-  EXPECT_EQ(desk_->seated(), 0);
+  EXPECT_EQ(service_->attached_devices(), 0);
   EXPECT_EQ(Board().surface.value.counts[0], 256);
   rig_ = sim::Rig::Open({.folder = links()}, clock_).value();
   Play(milliseconds(500));
-  EXPECT_EQ(desk_->seated(), 5);
+  EXPECT_EQ(service_->attached_devices(), 5);
   EXPECT_EQ(Board().surface.value.counts[0], 256);
 }
 
 TEST_F(BadReports, TornShortLongAndUnknownOnesChangeNothing) {
   rig_->dial_box().Turn(0, 1);
   rig_->left_stick().Move(0.5F, 0.5F);
-  rig_->keyboard().Press(kCablesA);
+  rig_->keyboard().Press(kKeyA);
   Play(milliseconds(5));
   const board::Snapshot before = Board();
   for (const char* port : {"dial-box", "stick-left", "keyboard"}) {
@@ -90,10 +90,10 @@ TEST_F(BadReports, TornShortLongAndUnknownOnesChangeNothing) {
   EXPECT_EQ(after.surface.value.pushes, before.surface.value.pushes);
   EXPECT_EQ(after.sticks[0].value.x, before.sticks[0].value.x);
   EXPECT_EQ(after.keys.value.pushes, before.keys.value.pushes);
-  EXPECT_EQ(desk_->seated(), 5) << "nobody is sent away for it";
+  EXPECT_EQ(service_->attached_devices(), 5) << "no device is detached for it";
   rig_->dial_box().Turn(0, 1);
   Play(milliseconds(5));
-  EXPECT_EQ(Board().surface.value.counts[0], 512) << "and good ones count again";
+  EXPECT_EQ(Board().surface.value.counts[0], 512) << "and good reports count again";
 }
 
 TEST_F(BadReports, ADeviceThatVanishesInTheMiddleOfOneComesBack) {

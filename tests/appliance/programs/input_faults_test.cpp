@@ -1,11 +1,11 @@
-// Buses and devices that are broken: the desk stays calm, and serves the others.
+// Buses and devices that are broken: the input service goes on and serves the others.
 #include <sys/eventfd.h>
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "appliance/programs/input/input_desk.h"
+#include "appliance/programs/input/input_service.h"
 #include "firmware/wire/dial_box.h"
 #include "tests/appliance/core/board_file.h"
 
@@ -15,7 +15,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-// How the one device of the bus behaves. Outlives it.
+// How the one device of the bus behaves; it outlives the device.
 struct Fault {
   std::errc read = std::errc::resource_unavailable_try_again;
   std::errc write{};
@@ -74,13 +74,13 @@ class FaultyBus final : public ports::HidBus {
 class Faults : public ::testing::Test {
  protected:
   Faults() : board_(file_.Open()) {
-    desk_.emplace(board_, DeskWriters::Acquire(board_).value(), DeskSources{.buses = {&bus_}, .lines = {}},
-                  InputSettings{}, clock_);
+    service_.emplace(board_, InputWriters::Acquire(board_).value(),
+                     InputSources{.buses = {&bus_}, .lines = {}}, InputSettings{}, clock_);
   }
   void Play(Duration time) {
     for (Duration t{}; t < time; t += milliseconds(1)) {
       clock_.Advance(milliseconds(1));
-      desk_->Step();
+      service_->Step();
     }
   }
 
@@ -89,47 +89,47 @@ class Faults : public ::testing::Test {
   ManualClock clock_;
   Fault fault_;
   FaultyBus bus_{fault_};
-  std::optional<InputDesk> desk_;
+  std::optional<InputService> service_;
 };
 
 TEST_F(Faults, OfABusAreAskedAboutNowAndThenAndNotWaitedFor) {
   fault_.ports = std::errc::io_error;
   Play(seconds(2));
   EXPECT_LE(fault_.listed, 9);
-  EXPECT_TRUE(desk_->pollables().empty()) << "it would wake the program all the time";
-  const auto generation = desk_->generation();
+  EXPECT_TRUE(service_->pollables().empty()) << "it would wake the program all the time";
+  const auto generation = service_->generation();
   fault_.ports = {};
   Play(milliseconds(300));
-  EXPECT_EQ(desk_->seated(), 1);
-  EXPECT_NE(desk_->generation(), generation);
-  EXPECT_EQ(desk_->pollables().size(), 2u);
+  EXPECT_EQ(service_->attached_devices(), 1);
+  EXPECT_NE(service_->generation(), generation);
+  EXPECT_EQ(service_->pollables().size(), 2u);
 }
 
-TEST_F(Faults, OfADeviceThatIsGoneAsSoonAsItIsOpenedDoNotKeepTheDeskBusy) {
+TEST_F(Faults, OfADeviceThatIsGoneAsSoonAsItIsOpenedDoNotKeepTheServiceBusy) {
   fault_.read = std::errc::no_such_device;
   Play(seconds(2));
   EXPECT_GE(fault_.opened, 4);
   EXPECT_LE(fault_.opened, 9);
   fault_.read = std::errc::resource_unavailable_try_again;
   Play(milliseconds(300));
-  EXPECT_EQ(desk_->seated(), 1);
+  EXPECT_EQ(service_->attached_devices(), 1);
 }
 
-TEST_F(Faults, OfTransfersMakeADeviceLeaveOnlyWhenTheyDoNotEnd) {
+TEST_F(Faults, OfTransfersDetachADeviceOnlyWhenTheyDoNotEnd) {
   Play(milliseconds(5));
   fault_.read = std::errc::io_error;
   Play(milliseconds(20));
-  EXPECT_EQ(fault_.opened, 1) << "a few are nothing";
+  EXPECT_EQ(fault_.opened, 1) << "a few are harmless";
   Play(milliseconds(100));
-  EXPECT_EQ(fault_.opened, 2) << "this many are a dead device: opened anew";
+  EXPECT_EQ(fault_.opened, 2) << "this many mean a dead device, which is opened again";
 }
 
-// A kernel may hold the program up for seconds with each report that a box does not take.
+// The kernel may delay the program for seconds with each report that a box does not accept.
 TEST_F(Faults, OfTheLampsAreTriedThreeTimesAndThenLeftUntilTheNextPlug) {
   fault_.write = std::errc::io_error;
   Play(seconds(30));
   EXPECT_EQ(fault_.written, 3);
-  EXPECT_EQ(desk_->seated(), 1) << "its dials still count";
+  EXPECT_EQ(service_->attached_devices(), 1) << "its dials still count";
   fault_.write = {};
   fault_.read = std::errc::no_such_device;
   Play(milliseconds(1));
@@ -147,7 +147,7 @@ TEST_F(Faults, OfTheLampsOfABusyBoxAreNone) {
   EXPECT_EQ(fault_.written, before + 1);
 }
 
-TEST_F(Faults, OfANameDoNotReachTheLog) {
+TEST_F(Faults, OfANameReachTheLogAsQuestionMarks) {
   testing::internal::CaptureStderr();
   Play(milliseconds(2));
   const std::string log = testing::internal::GetCapturedStderr();

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "appliance/programs/input/input_desk.h"
-#include "appliance/programs/input/line_desk.h"
+#include "appliance/programs/input/input_service.h"
+#include "appliance/programs/input/line_inputs.h"
 #include "appliance/programs/input/line_roles.h"
 #include "appliance/programs/input/tally.h"
 #include "tests/appliance/core/board_file.h"
@@ -18,8 +18,8 @@ namespace {
 using board::SourceState;
 using std::chrono::milliseconds;
 
-// What a foot does, and a chip that can be pulled. Outlives the lines.
-struct Floor {
+// The contacts of foot switches, and a chip that can be pulled; it outlives the lines.
+struct FakeChip {
   std::uint32_t levels = 0;
   std::deque<ports::GpioEdge> edges;
   bool there = true;
@@ -28,28 +28,28 @@ struct Floor {
   std::vector<bool> lamp;  // What output 0 was told.
 };
 
-class ToyLines final : public ports::GpioLines {
+class FakeLines final : public ports::GpioLines {
  public:
-  explicit ToyLines(Floor& floor) : floor_(floor) {}
-  int pollable() const override { return floor_.fd; }
+  explicit FakeLines(FakeChip& chip) : chip_(chip) {}
+  int pollable() const override { return chip_.fd; }
   Result<std::uint32_t> Levels() override {
-    if (!floor_.there) return Fail(std::errc::no_such_device, "read lines");
-    return floor_.levels;
+    if (!chip_.there) return Fail(std::errc::no_such_device, "read lines");
+    return chip_.levels;
   }
   Result<ports::GpioEdge> ReadEdge() override {
-    if (!floor_.there) return Fail(std::errc::no_such_device, "read lines");
-    if (floor_.edges.empty()) return Fail(std::errc::resource_unavailable_try_again, "read lines");
-    const ports::GpioEdge edge = floor_.edges.front();
-    floor_.edges.pop_front();
+    if (!chip_.there) return Fail(std::errc::no_such_device, "read lines");
+    if (chip_.edges.empty()) return Fail(std::errc::resource_unavailable_try_again, "read lines");
+    const ports::GpioEdge edge = chip_.edges.front();
+    chip_.edges.pop_front();
     return edge;
   }
   Result<void> Drive(std::uint32_t, bool lit) override {
-    floor_.lamp.push_back(lit);
+    chip_.lamp.push_back(lit);
     return {};
   }
 
  private:
-  Floor& floor_;
+  FakeChip& chip_;
 };
 
 class Lines : public ::testing::Test {
@@ -57,35 +57,35 @@ class Lines : public ::testing::Test {
   Lines() : board_(file_.Open()) { Start(); }
 
   void Start() {
-    desk_.reset();
-    desk_.emplace(board_, board_.AcquireWriter<board::Lines>().value(), Opener());
-    desk_->Step(now_);
+    service_.reset();
+    service_.emplace(board_, board_.AcquireWriter<board::Lines>().value(), Opener());
+    service_->Step(now_);
   }
   ports::GpioOpener Opener() {
     return [this]() -> Result<std::unique_ptr<ports::GpioLines>> {
-      ++floor_.opened;
-      if (!floor_.there) return Fail(std::errc::no_such_device, "open GPIO chip");
-      return std::make_unique<ToyLines>(floor_);
+      ++chip_.opened;
+      if (!chip_.there) return Fail(std::errc::no_such_device, "open GPIO chip");
+      return std::make_unique<FakeLines>(chip_);
     };
   }
-  // A contact changes now, and the kernel says so.
+  // A contact changes now, and the kernel queues the edge.
   void Contact(std::uint32_t line, bool active) {
-    floor_.levels = active ? floor_.levels | (1U << line) : floor_.levels & ~(1U << line);
-    floor_.edges.push_back({now_, line, active});
+    chip_.levels = active ? chip_.levels | (1U << line) : chip_.levels & ~(1U << line);
+    chip_.edges.push_back({now_, line, active});
   }
   void Wait(Duration time) {
     for (Duration t{}; t < time; t += milliseconds(1)) {
       now_ += milliseconds(1);
-      desk_->Step(now_);
+      service_->Step(now_);
     }
   }
   board::Stamped<board::Lines> Read() const { return board_.Read<board::Lines>(); }
 
   board::BoardFile file_;
   board::Board board_;
-  Floor floor_;
+  FakeChip chip_;
   Time now_ = Time{} + std::chrono::seconds(100);
-  std::optional<LineDesk> desk_;
+  std::optional<LineInputs> service_;
 };
 
 TEST_F(Lines, CountPushesOfFootSwitchesAndSurviveARestart) {
@@ -117,9 +117,9 @@ TEST_F(Lines, CountABouncingContactOnce) {
   EXPECT_EQ(Read().value.active, 0U);
 }
 
-TEST_F(Lines, ShowAPushAtOnceAndLetGoOfATapThatWasShorterThanABounce) {
+TEST_F(Lines, ShowAPushAtOnceAndReleaseATapThatWasShorterThanABounce) {
   Contact(0, true);
-  desk_->Step(now_);
+  service_->Step(now_);
   EXPECT_EQ(Read().value.active, 1U);
   EXPECT_EQ(Read().at, now_);
   Wait(milliseconds(3));
@@ -133,59 +133,59 @@ TEST_F(Lines, AreNotHeldForEverByAnEdgeThatTheKernelDropped) {
   Contact(0, true);
   Wait(milliseconds(50));
   Contact(1, true);
-  floor_.levels = 2;  // Line 0 was let go, and nobody said so.
+  chip_.levels = 2;  // Line 0 was released, and its edge was dropped.
   Wait(milliseconds(50));
   EXPECT_EQ(Read().value.active, 2U);
 }
 
-TEST_F(Lines, IgnoreALineThatIsNone) {
-  floor_.edges.push_back({now_, 32, true});
-  floor_.edges.push_back({now_, 0xFFFFFFFF, true});
+TEST_F(Lines, IgnoreEdgesOfLinesThatDoNotExist) {
+  chip_.edges.push_back({now_, 32, true});
+  chip_.edges.push_back({now_, 0xFFFFFFFF, true});
   Wait(milliseconds(20));
   EXPECT_EQ(Read().value.active, 0U);
 }
 
-TEST_F(Lines, CountWhatWasPushedWhileTheProgramWasDeadAndNotASwitchThatStoodSo) {
+TEST_F(Lines, CountAPushDuringARestartAndNotASwitchThatWasHeldAtTheFirstStart) {
   EXPECT_EQ(Read().source, SourceState::kLive);
-  floor_.levels = 1;
+  chip_.levels = 1;
   Start();
   EXPECT_EQ(Read().value.pushes[0], 1U);
   const board::BoardFile another;
-  const board::Board first_night = another.Open();
-  LineDesk desk(first_night, first_night.AcquireWriter<board::Lines>().value(), Opener());
-  desk.Step(now_);
-  EXPECT_EQ(first_night.Read<board::Lines>().value.active, 1U);
-  EXPECT_EQ(first_night.Read<board::Lines>().value.pushes[0], 0U);
+  const board::Board new_board = another.Open();
+  LineInputs service(new_board, new_board.AcquireWriter<board::Lines>().value(), Opener());
+  service.Step(now_);
+  EXPECT_EQ(new_board.Read<board::Lines>().value.active, 1U);
+  EXPECT_EQ(new_board.Read<board::Lines>().value.pushes[0], 0U);
 }
 
 TEST_F(Lines, AreReleasedWhenTheChipIsPulledAndComeBackWithIt) {
   Contact(3, true);
   Wait(milliseconds(20));
-  floor_.there = false;
+  chip_.there = false;
   Wait(milliseconds(1));
   EXPECT_EQ(Read().source, SourceState::kStale);
   EXPECT_EQ(Read().value.active, 0U);
-  EXPECT_EQ(desk_->pollable(), -1);
-  const int before = floor_.opened;
+  EXPECT_EQ(service_->pollable(), -1);
+  const int before = chip_.opened;
   Wait(milliseconds(5000));
-  EXPECT_LE(floor_.opened - before, 5) << "asked now and then, not all the time";
-  floor_.there = true;
+  EXPECT_LE(chip_.opened - before, 5) << "asked now and then, not all the time";
+  chip_.there = true;
   Wait(milliseconds(1100));
   EXPECT_EQ(Read().source, SourceState::kLive);
   EXPECT_EQ(Read().value.active, 8U);
 }
 
 TEST_F(Lines, TellTheTallyLampOnlyWhatIsNewAndAllOfItAgainToAChipThatCameBack) {
-  for (const bool lit : {true, true, false, false, true}) desk_->Light(lit);
-  EXPECT_EQ(floor_.lamp, (std::vector<bool>{true, false, true}));
-  floor_.there = false;
+  for (const bool lit : {true, true, false, false, true}) service_->SetTally(lit);
+  EXPECT_EQ(chip_.lamp, (std::vector<bool>{true, false, true}));
+  chip_.there = false;
   Wait(milliseconds(1));
-  desk_->Light(true);
-  EXPECT_EQ(floor_.lamp.size(), 3U);
-  floor_.there = true;
+  service_->SetTally(true);
+  EXPECT_EQ(chip_.lamp.size(), 3U);
+  chip_.there = true;
   Wait(milliseconds(1100));
-  desk_->Light(true);
-  EXPECT_EQ(floor_.lamp, (std::vector<bool>{true, false, true, true}));
+  service_->SetTally(true);
+  EXPECT_EQ(chip_.lamp, (std::vector<bool>{true, false, true, true}));
 }
 
 class TallyLamp : public ::testing::Test {
@@ -234,20 +234,21 @@ TEST(LineRolesOf, AChipAreRefusedWhereTheyMakeNoSense) {
     EXPECT_FALSE(ParseLineRoles(wrong)) << wrong;
 }
 
-// Otherwise the program would wake for a dead descriptor again and again.
+// Otherwise the program would wake for a closed descriptor again and again.
 TEST_F(Lines, AreNoLongerWaitedForOnceTheyAreLost) {
-  desk_.reset();
+  service_.reset();
   const UniqueFd readable(::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK));
-  floor_.fd = readable.get();
+  chip_.fd = readable.get();
   ManualClock clock(now_);
-  InputDesk desk(board_, DeskWriters::Acquire(board_).value(), {.buses = {}, .lines = Opener()}, {}, clock);
-  desk.Step();
-  ASSERT_EQ(desk.pollables(), std::vector<int>{readable.get()});
-  const auto generation = desk.generation();
-  floor_.there = false;
-  desk.Step();
-  EXPECT_TRUE(desk.pollables().empty());
-  EXPECT_NE(desk.generation(), generation);
+  InputService service(board_, InputWriters::Acquire(board_).value(), {.buses = {}, .lines = Opener()}, {},
+                       clock);
+  service.Step();
+  ASSERT_EQ(service.pollables(), std::vector<int>{readable.get()});
+  const auto generation = service.generation();
+  chip_.there = false;
+  service.Step();
+  EXPECT_TRUE(service.pollables().empty());
+  EXPECT_NE(service.generation(), generation);
 }
 
 }  // namespace

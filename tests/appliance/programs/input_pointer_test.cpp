@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/appliance/programs/input_bench.h"
+#include "tests/appliance/programs/input_fixture.h"
 
 namespace kaori::input {
 namespace {
@@ -13,9 +13,9 @@ using board::SourceState;
 using std::chrono::milliseconds;
 using ::testing::FloatNear;
 
-class Pointer : public InputBench {};
+class Pointer : public InputFixture {};
 
-TEST_F(Pointer, ItsPlaceButtonsAndWheelReachTheBoard) {
+TEST_F(Pointer, PositionButtonsAndWheelReachTheBoard) {
   rig_->pointer().Move(0.25, 0.75);
   rig_->pointer().Push(0);
   rig_->pointer().Roll(3);
@@ -33,7 +33,7 @@ TEST_F(Pointer, ItsPlaceButtonsAndWheelReachTheBoard) {
   EXPECT_THAT(Board().pointer.value.pushes, ::testing::ElementsAre(1U, 0U, 1U));
 }
 
-TEST_F(Pointer, AClickBetweenTwoLooksIsCounted) {
+TEST_F(Pointer, AClickBetweenTwoReadsIsCounted) {
   rig_->pointer().Push(0);
   rig_->pointer().Release(0);
   Play(milliseconds(5));
@@ -41,24 +41,25 @@ TEST_F(Pointer, AClickBetweenTwoLooksIsCounted) {
   EXPECT_EQ(Board().pointer.value.pushes[0], 1U);
 }
 
-TEST_F(Pointer, ABoxWithoutOneMissesNothing) {
-  KillDesk();
+TEST_F(Pointer, ABoxWithoutOneServesTheOtherDevices) {
+  KillService();
   ASSERT_TRUE(rig_->Unplug("pointer"));
   board::BoardFile other;
   const board::Board fresh = other.Open();
   const auto bus = hid::LocalHidBus::Watch(links()).value();
-  InputDesk desk(fresh, DeskWriters::Acquire(fresh).value(), {.buses = {bus.get()}, .lines = {}}, {}, clock_);
+  InputService service(fresh, InputWriters::Acquire(fresh).value(), {.buses = {bus.get()}, .lines = {}}, {},
+                       clock_);
   for (int ms = 0; ms < 1000; ++ms) {
     clock_.Advance(milliseconds(1));
     rig_->Pump();
-    desk.Step();
+    service.Step();
   }
-  EXPECT_EQ(desk.seated(), 4);
+  EXPECT_EQ(service.attached_devices(), 4);
   EXPECT_EQ(board::ReadAll(fresh).pointer.source, SourceState::kAbsent);
   EXPECT_EQ(board::ReadAll(fresh).keys.source, SourceState::kLive);
 }
 
-TEST_F(Pointer, StaysWhereItWasWhenTheCableIsPulledAndLetsGo) {
+TEST_F(Pointer, StaysWhereItWasWhenTheCableIsPulledAndReleasesItsButtons) {
   rig_->pointer().Move(0.9, 0.1);
   rig_->pointer().Push(0);
   rig_->pointer().Roll(-4);
@@ -83,9 +84,9 @@ TEST_F(Pointer, GoesOnWhenTheProgramIsKilledWithItsButtonHeld) {
   rig_->pointer().Push(0);
   rig_->pointer().Roll(5);
   Play(milliseconds(5));
-  KillDesk();
+  KillService();
   Play(milliseconds(100));
-  StartDesk();
+  StartService();
   Play(milliseconds(600));
   EXPECT_THAT(Board().pointer.value.x, FloatNear(0.3F, 1e-4F));
   EXPECT_EQ(Board().pointer.value.wheel, 5);

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "appliance/programs/input/roles.h"
+#include "appliance/programs/input/stick_roles.h"
 #include "appliance/programs/input/settings.h"
 #include "tests/appliance/core/board_file.h"
 

@@ -1,4 +1,4 @@
-// Getting to know paint and mouth on site, and keeping it.
+// The calibration of paint and mouth on site, and the file that keeps it.
 #include <unistd.h>
 #include <cmath>
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "appliance/programs/lips/calibration.h"
+#include "appliance/programs/lips/generations.h"
 #include "appliance/programs/lips/lip_meter.h"
 #include "hw-sim/devices/lip_scene.h"
 
@@ -16,7 +17,7 @@ namespace {
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
 
-// An operator before the camera, thirty times a second.
+// An operator before the camera, at thirty frames a second.
 class OnSite {
  public:
   explicit OnSite(sim::LipScene before_the_camera) : scene(std::move(before_the_camera)) {}
@@ -46,7 +47,7 @@ class OnSite {
 constexpr float kLipX = 0.5F;
 constexpr float kLipY = 0.55F;
 
-TEST(Calibration, TakesAnyPaintByOneClickInAnyLight) {
+TEST(Calibration, SamplesAnyPaintByOneClickInAnyLight) {
   for (const sim::Rgb& paint : {sim::Rgb{0.08F, 0.24F, 0.78F},
                                 {0.05F, 0.62F, 0.2F},
                                 {0.78F, 0.06F, 0.38F},
@@ -63,8 +64,8 @@ TEST(Calibration, TakesAnyPaintByOneClickInAnyLight) {
       LipMeter meter(calibration.settings(), {});
       const board::Lips lips = meter.Measure(site.Look(), site.now);
       EXPECT_GT(lips.quality, 0.8F) << "paint " << paint.red << ", light " << light.red;
-      ASSERT_TRUE(meter.sight());
-      EXPECT_NEAR(meter.sight()->shape.width_px, sim::kRestMouthOfPicture * OnSite::kWidth, 2);
+      ASSERT_TRUE(meter.detection());
+      EXPECT_NEAR(meter.detection()->contour.width_px, sim::kRestMouthOfPicture * OnSite::kWidth, 2);
     }
   }
 }
@@ -82,7 +83,7 @@ TEST(Calibration, RefusesAClickOnGreyOnTwoColoursAndOutside) {
   EXPECT_THAT(complaint(1.2F, 0.5F), HasSubstr("outside"));
   EXPECT_THAT(complaint(std::nanf(""), 0.5F), HasSubstr("outside"));
   EXPECT_EQ(calibration.settings(), LipSettings{});
-  EXPECT_FALSE(calibration.Revert()) << "nothing changed, nothing to take back";
+  EXPECT_FALSE(calibration.Revert()) << "nothing changed, so there is nothing to undo";
 }
 
 board::Lips Seen(float height, float width) {
@@ -94,14 +95,14 @@ board::Lips Seen(float height, float width) {
   return lips;
 }
 
-// Holds a mouth before the calibration; true when that finished the step.
+// Shows the calibration a mouth that is held. Returns whether that completed the step.
 bool Hold(Calibration& calibration, const board::Lips& lips, Time& now, Duration time) {
   bool done = false;
   for (Duration t{}; t < time; t += milliseconds(33)) done |= calibration.Feed(lips, now += milliseconds(33));
   return done;
 }
 
-TEST(Calibration, LearnsShutOpenWideAndNarrowInASecondEach) {
+TEST(Calibration, MeasuresShutOpenWideAndNarrowInASecondEach) {
   Calibration calibration({});
   Time now = Time{} + std::chrono::seconds(1);
   const auto take = [&](CalibrationStep step, float height, float width) {
@@ -123,7 +124,7 @@ TEST(Calibration, LearnsShutOpenWideAndNarrowInASecondEach) {
   EXPECT_NEAR(gauge.extents.narrow, 0.62F, 1e-3);
 }
 
-TEST(Calibration, IsNotMisledByAHeldMouthThatPassesForANearerHead) {
+TEST(Calibration, IsNotMisledByAHeldMouthThatLooksLikeANearerHead) {
   Calibration calibration({});
   Time now = Time{} + std::chrono::seconds(1);
   calibration.Begin(CalibrationStep::kShut);
@@ -135,7 +136,7 @@ TEST(Calibration, IsNotMisledByAHeldMouthThatPassesForANearerHead) {
   EXPECT_NEAR(calibration.settings().gauge.extents.wide, 1.19F, 0.005);
 }
 
-TEST(Calibration, OrFromTenSecondsOfSpeech) {
+TEST(Calibration, MeasuresTheRangeInTenSecondsOfSpeech) {
   Calibration calibration({});
   Time now = Time{} + std::chrono::seconds(1);
   calibration.Begin(CalibrationStep::kSpeak);
@@ -153,7 +154,7 @@ TEST(Calibration, OrFromTenSecondsOfSpeech) {
   EXPECT_NEAR(extents.wide, 1.18F, 0.03);
 }
 
-TEST(Calibration, WaitsWhileNoMouthIsSeenAndNeverEndsUpBackToFront) {
+TEST(Calibration, WaitsWhileNoMouthIsSeenAndNeverGivesAReversedRange) {
   Calibration calibration({});
   Time now = Time{} + std::chrono::seconds(1);
   calibration.Begin(CalibrationStep::kOpen);
@@ -167,7 +168,7 @@ TEST(Calibration, WaitsWhileNoMouthIsSeenAndNeverEndsUpBackToFront) {
   EXPECT_TRUE(ParseLipSettings(LipSettingsText(calibration.settings()), "own"));
 }
 
-TEST(Calibration, TakesEveryChangeBack) {
+TEST(Calibration, UndoesEveryChange) {
   Calibration calibration({});
   Time now = Time{} + std::chrono::seconds(1);
   std::vector<LipSettings> states{calibration.settings()};
@@ -189,7 +190,7 @@ class LipSettingsFile : public ::testing::Test {
   ~LipSettingsFile() override { std::filesystem::remove_all(folder_); }
   std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("kaori-lips-" + std::to_string(::getpid()));
-  std::filesystem::path file_ = folder_ / "lips.toml";
+  std::filesystem::path file_ = folder_ / "lips.settings";
 };
 
 TEST_F(LipSettingsFile, KeepsEveryValue) {
@@ -198,18 +199,20 @@ TEST_F(LipSettingsFile, KeepsEveryValue) {
   settings.key = {180.5F, 60, 120};
   settings.marker = true;
   settings.gauge = {0.3125F, {4, 33}, {0.3F, 0.9F, 0.7F, 1.2F}};
-  ASSERT_TRUE(WriteLipSettings(file_, settings));
-  const auto read = ReadLipSettings(file_);
-  ASSERT_TRUE(read) << read.error().message();
-  EXPECT_EQ(*read, settings);
+  settings.voice = {-41.5F, 120};
+  const auto parsed = ParseLipSettings(LipSettingsText(settings), "lips.settings");
+  ASSERT_TRUE(parsed) << parsed.error().message();
+  EXPECT_EQ(*parsed, settings);
+  ASSERT_TRUE(WriteGeneration(file_, settings));
+  EXPECT_EQ(ReadGenerations(file_).now, settings);
 }
 
 TEST_F(LipSettingsFile, KeepsWhatItHeldWhereItCannotBeWritten) {
-  ASSERT_TRUE(WriteLipSettings(file_, {}));
-  std::filesystem::create_directories(folder_ / "taken" / "by a folder");
-  EXPECT_FALSE(WriteLipSettings(folder_ / "taken", {}));
-  EXPECT_FALSE(WriteLipSettings(folder_ / "nowhere" / "lips.toml", {}));
-  EXPECT_EQ(*ReadLipSettings(file_), LipSettings{});
+  ASSERT_TRUE(WriteGeneration(file_, {}));
+  std::filesystem::create_directories(folder_ / "occupied" / "by a folder");
+  EXPECT_FALSE(WriteGeneration(folder_ / "occupied", {}));
+  EXPECT_FALSE(WriteGeneration(file_ / "lips.settings", {})) << "a file is no folder";
+  EXPECT_EQ(ReadGenerations(file_).now, LipSettings{});
 }
 
 TEST_F(LipSettingsFile, NamesTheLineThatIsWrong) {
@@ -218,10 +221,11 @@ TEST_F(LipSettingsFile, NamesTheLineThatIsWrong) {
     return read ? std::string("none") : read.error().message();
   };
   EXPECT_EQ(complaint("# a note\n\n paint.red = 12 # dark\r\n"), "none");
-  EXPECT_THAT(complaint("paint.red = 12\npaint.rde = 3\n"), HasSubstr("lips.toml:2: paint.rde is not known"));
+  EXPECT_THAT(complaint("paint.red = 12\npaint.rde = 3\n"),
+              HasSubstr("lips.toml:2: there is no setting paint.rde"));
   EXPECT_THAT(complaint("paint.red = 300"), HasSubstr("lips.toml:1: paint.red is not between 0 and 255"));
   EXPECT_THAT(complaint("key.spill = nan"), HasSubstr("not between"));
-  EXPECT_THAT(complaint("key.spill = 3x"), HasSubstr("3x is no number"));
+  EXPECT_THAT(complaint("key.spill = 3x"), HasSubstr("3x is not a number"));
   EXPECT_THAT(complaint("key.spill"), HasSubstr("a name, = and a number"));
   EXPECT_THAT(complaint("mouth.shut = 0.9\nmouth.open = 0.8"),
               HasSubstr("mouth.shut is not below mouth.open"));

@@ -1,4 +1,4 @@
-// Finding the painted mouth among noise, other paint and odd pictures.
+// The painted mouth is found among noise, other paint and odd pictures.
 #include <cmath>
 #include <random>
 
@@ -44,11 +44,11 @@ class Picture {
     return largest.empty() ? std::nullopt : std::optional(largest[0]);
   }
 
-  // The whole of it: one frame of a meter that knows nothing yet.
-  std::optional<Sight> Look() const {
+  // Measures one frame with a new meter.
+  std::optional<Detection> Detect() const {
     LipMeter meter({}, {});
     meter.Measure(planes(), Time{} + std::chrono::seconds(1));
-    return meter.sight();
+    return meter.detection();
   }
 
  private:
@@ -175,18 +175,18 @@ TEST(Region, FollowsARingRound) {
 TEST(Region, IsNoneWithoutPaint) {
   EXPECT_FALSE(Picture(320, 240).Find());
   EXPECT_FALSE(Picture(0, 0).Find());
-  EXPECT_FALSE(Picture(0, 0).Look());
+  EXPECT_FALSE(Picture(0, 0).Detect());
 }
 
 TEST(Mouth, TakesBothLipsWhereAnOpenMouthSplitsThem) {
   Picture picture(320, 240);
   picture.Blue(100, 100, 200, 112);
   picture.Blue(110, 150, 190, 160);
-  const auto sight = picture.Look();
-  ASSERT_TRUE(sight);
-  EXPECT_NEAR(sight->shape.width_px, 100, 1);
-  EXPECT_NEAR(sight->shape.height_px, 60, 1);
-  EXPECT_NEAR(sight->shape.opening_px, 38, 1);
+  const auto detection = picture.Detect();
+  ASSERT_TRUE(detection);
+  EXPECT_NEAR(detection->contour.width_px, 100, 1);
+  EXPECT_NEAR(detection->contour.height_px, 60, 1);
+  EXPECT_NEAR(detection->contour.opening_px, 38, 1);
 }
 
 TEST(Mouth, IsSteadyUnderSaltAndPepper) {
@@ -199,10 +199,10 @@ TEST(Mouth, IsSteadyUnderSaltAndPepper) {
       const auto y = static_cast<int>(random() % 240);
       i % 2 == 0 ? picture.Paint(x, y, 200, 110) : picture.Paint(x, y, 128, 128);
     }
-    const auto sight = picture.Look();
-    ASSERT_TRUE(sight);
-    EXPECT_NEAR(sight->shape.width_px, 100, 5);
-    EXPECT_NEAR(sight->shape.height_px, 40, 5);
+    const auto detection = picture.Detect();
+    ASSERT_TRUE(detection);
+    EXPECT_NEAR(detection->contour.width_px, 100, 5);
+    EXPECT_NEAR(detection->contour.height_px, 40, 5);
   }
 }
 
@@ -213,7 +213,7 @@ TEST(Mouth, IsNotToBeHadFromPureNoise) {
     for (int y = 0; y < 240; ++y)
       for (int x = 0; x < width; ++x)
         noise.Paint(x, y, static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()));
-    EXPECT_FALSE(noise.Look());
+    EXPECT_FALSE(noise.Detect());
   }
 }
 
@@ -222,7 +222,7 @@ TEST(Gauge, TrustsNeitherSpecksNorBlueWalls) {
     Picture picture(320, 240);
     picture.Blue(left, top, right, bottom);
     MouthGauge gauge({});
-    return gauge.Measure(picture.Look(), Time{} + std::chrono::seconds(1)).quality;
+    return gauge.Measure(picture.Detect(), Time{} + std::chrono::seconds(1)).quality;
   };
   EXPECT_GT(quality(100, 120, 200, 160), 0.9F);
   EXPECT_EQ(quality(0, 0, 320, 240), 0.0F);
@@ -247,7 +247,7 @@ TEST(Gauge, IsStillWhenTheMouthIsStill) {
   }
   EXPECT_LT(high - low, 0.017F);
   EXPECT_GT(filter.Filter(1.5F, at + std::chrono::milliseconds(33)), 1.4F)
-      << "and there in a frame when it moves";
+      << "and follows within a frame when it moves";
 }
 
 }  // namespace

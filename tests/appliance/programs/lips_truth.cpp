@@ -70,7 +70,7 @@ class Shooting {
   std::vector<std::uint8_t> bytes_;
 };
 
-void TakeRest(Shooting& shooting, LipMeter& meter, Time& at) {
+void ParseArguments(Shooting& shooting, LipMeter& meter, Time& at) {
   decode::PlaneReader reader;
   for (std::uint32_t picture = 0; picture < kRestPictures; ++picture) {
     const auto planes = reader.Read(shooting.Shoot(shooting.SceneAt(0, picture)));
@@ -205,7 +205,7 @@ Truth MeasureTruth(const Condition& condition, int frames) {
   LipMeter meter(condition.settings, {});
   decode::PlaneReader reader;
   Time at = Time{} + std::chrono::seconds(1);
-  TakeRest(shooting, meter, at);
+  ParseArguments(shooting, meter, at);
   Truth truth{.name = condition.name, .frames = frames};
   int believed = 0;
   int lost = 0;

@@ -1,7 +1,7 @@
 // What sound devices do to an evening: pulled, stalled, torn, drifting, starved. The voice goes on, in time.
 #include <random>
 
-#include "tests/appliance/programs/voice_house.h"
+#include "tests/appliance/programs/voice_fixture.h"
 
 namespace kaori::voice {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 using board::SourceState;
 
-TEST_F(VoiceHouse, HearsSaysAndSoundsInTime) {
+TEST_F(VoiceFixture, HearsSaysAndSoundsInTime) {
   Run(500ms);
   EXPECT_EQ(voice().source, SourceState::kLive);
   EXPECT_EQ(voice().value.speaking, 0U);
@@ -29,7 +29,7 @@ TEST_F(VoiceHouse, HearsSaysAndSoundsInTime) {
   EXPECT_NEAR(sound().value.delay_ms, 100, 1);
 }
 
-TEST_F(VoiceHouse, AMicrophoneThatIsPulledIsStaleAtOnceAndBackWithinHalfASecond) {
+TEST_F(VoiceFixture, AMicrophoneThatIsPulledIsStaleAtOnceAndBackWithinHalfASecond) {
   for (int n = 0; n < 10; ++n) {
     Run(300ms + n * 7ms);
     ASSERT_TRUE(rig().Unplug("microphone"));
@@ -45,7 +45,7 @@ TEST_F(VoiceHouse, AMicrophoneThatIsPulledIsStaleAtOnceAndBackWithinHalfASecond)
   EXPECT_NEAR(*Syllable(), 101, 3) << "and in time again";
 }
 
-TEST_F(VoiceHouse, AMicrophoneThatStallsIsStaleWithin200MsAndOpenedAnew) {
+TEST_F(VoiceFixture, AMicrophoneThatStallsIsStaleWithin200MsAndOpenedAnew) {
   Run(500ms);
   rig().microphone().Say(0, 1);
   Run(200ms);
@@ -60,7 +60,7 @@ TEST_F(VoiceHouse, AMicrophoneThatStallsIsStaleWithin200MsAndOpenedAnew) {
   EXPECT_LE(now() - back, 500ms);
 }
 
-TEST_F(VoiceHouse, ALoudspeakerThatIsPulledComesBackInTime) {
+TEST_F(VoiceFixture, ALoudspeakerThatIsPulledComesBackInTime) {
   Run(500ms);
   EXPECT_NEAR(*Syllable(), 101, 3);
   for (int n = 0; n < 10; ++n) {
@@ -81,7 +81,7 @@ TEST_F(VoiceHouse, ALoudspeakerThatIsPulledComesBackInTime) {
   EXPECT_NEAR(*Syllable(), 101, 3);
 }
 
-TEST_F(VoiceHouse, ALoudspeakerThatStandsStillIsOpenedAnew) {
+TEST_F(VoiceFixture, ALoudspeakerThatStandsStillIsOpenedAnew) {
   Run(500ms);
   rig().loudspeaker().Stall(true);
   Run(3s);
@@ -90,7 +90,7 @@ TEST_F(VoiceHouse, ALoudspeakerThatStandsStillIsOpenedAnew) {
   EXPECT_NEAR(*Syllable(), 101, 3);
 }
 
-TEST_F(VoiceHouse, BlocksThatAreLostNeitherClickNorPutTheSoundOutOfTime) {
+TEST_F(VoiceFixture, BlocksThatAreLostNeitherClickNorPutTheSoundOutOfTime) {
   Run(500ms);
   rig().microphone().Say(0, 1);
   Run(500ms);
@@ -105,7 +105,7 @@ TEST_F(VoiceHouse, BlocksThatAreLostNeitherClickNorPutTheSoundOutOfTime) {
   EXPECT_NEAR(*Syllable(), 101, 3);
 }
 
-TEST_F(VoiceHouse, ClocksThatDriftApartStayTogetherForMinutes) {
+TEST_F(VoiceFixture, ClocksThatDriftApartStayTogetherForMinutes) {
   rig().microphone().SetDrift(250);
   rig().loudspeaker().SetDrift(-250);
   Run(10s);
@@ -120,7 +120,7 @@ TEST_F(VoiceHouse, ClocksThatDriftApartStayTogetherForMinutes) {
   EXPECT_NEAR(sound().value.drift_ppm, 500, 200);
 }
 
-TEST_F(VoiceHouse, ADeviceThatRanDryGetsMoreInHandAndTheSoundIsInTimeAgain) {
+TEST_F(VoiceFixture, ADeviceThatRanDryGetsMoreInHandAndTheSoundIsInTimeAgain) {
   std::mt19937 random(1993);
   Run(500ms);
   for (int n = 0; n < 100; ++n) {  // Nobody serves the devices, for moments of up to 90 ms.
@@ -134,13 +134,13 @@ TEST_F(VoiceHouse, ADeviceThatRanDryGetsMoreInHandAndTheSoundIsInTimeAgain) {
   EXPECT_EQ(sound().value.xruns, dry) << "what is past is past";
 }
 
-TEST_F(VoiceHouse, AHandSetsTheDelayWhileTheVoiceSpeaks) {
+TEST_F(VoiceFixture, AHandSetsTheDelayWhileTheVoiceSpeaks) {
   Run(500ms);
   rig().microphone().Say(0, 1);
   Run(500ms);
   const int usual = std::exchange(steepest_, 0);
   for (const Duration delay : {150ms, 60ms, 500ms, 100ms}) {
-    seat_->Use({}, delay);
+    service_->Use({}, delay);
     Run(1s);
     EXPECT_NEAR(sound().value.delay_ms, Seconds(delay) * 1e3, 1);
     EXPECT_EQ(sound().value.automatic, 0U);
@@ -148,7 +148,7 @@ TEST_F(VoiceHouse, AHandSetsTheDelayWhileTheVoiceSpeaks) {
   EXPECT_LE(steepest_, usual * 3 / 2) << "without a click";
 }
 
-TEST_F(VoiceHouse, TheDelayIsAsMeasuredWhereNoHandSetsIt) {
+TEST_F(VoiceFixture, TheDelayIsAsMeasuredWhereNoHandSetsIt) {
   auto status = board_.AcquireWriter<board::StageStatus>().value();
   Open(std::nullopt, {});
   const auto measure = [&](std::uint32_t lag_us, Duration time) {
@@ -186,7 +186,7 @@ show::Sound Tone(std::size_t frames) {
   return tone;
 }
 
-TEST_F(VoiceHouse, TheSoundOfAMotionIsHeardWhenItsMotionIsSeen) {
+TEST_F(VoiceFixture, TheSoundOfAMotionIsHeardWhenItsMotionIsSeen) {
   auto take = board_.AcquireWriter<board::MotionNow>().value();
   Open(100ms, {{}, Tone(48000)});
   Run(500ms);
@@ -217,7 +217,7 @@ TEST_F(VoiceHouse, TheSoundOfAMotionIsHeardWhenItsMotionIsSeen) {
   EXPECT_FALSE(onset_) << "one that ends early ends softly, and is silent";
 }
 
-TEST_F(VoiceHouse, AVoiceWithoutALoudspeakerAndALoudspeakerWithoutAVoiceWorkAlone) {
+TEST_F(VoiceFixture, AVoiceWithoutALoudspeakerAndALoudspeakerWithoutAVoiceWorkAlone) {
   ASSERT_TRUE(rig().Unplug("loudspeaker"));
   Open(100ms, {});
   ASSERT_TRUE(rig().Unplug("loudspeaker"));

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "appliance/programs/lips/voice/sound_line.h"
+#include "appliance/programs/lips/voice/delay_line.h"
 
 namespace kaori::voice {
 namespace {
@@ -26,9 +26,9 @@ struct Devices {
 
 // A microphone and a loudspeaker at one line, on a clock of nothing but arithmetic. The microphone hears a
 // tone whose phase tells the time, or what a test says.
-class Bench {
+class DelayLineHarness {
  public:
-  explicit Bench(const Devices& devices = {}) : devices_(devices) {}
+  explicit DelayLineHarness(const Devices& devices = {}) : devices_(devices) {}
 
   void Run(Duration time, Duration delay) {
     for (const Time end = now_ + time; now_ < end; now_ += 1ms) {
@@ -45,7 +45,7 @@ class Bench {
   void LoseTime() { blocks_played_ += 8; }  // The loudspeaker stood still for 40 ms.
   void Play(std::vector<float> sound) { sound_ = std::move(sound); }
 
-  SoundLine line;
+  DelayLine line;
   std::vector<float> spoken;    // Since the last Forget,
   std::vector<Time> spoken_at;  // each when it is heard.
   void Forget() {
@@ -92,12 +92,12 @@ class Bench {
     for (std::size_t n = 0; n < samples.size(); ++n)
       samples[n] = static_cast<std::int16_t>(
           32767 * SoundAt(begin + static_cast<std::int64_t>(n) * Block(devices_.microphone_ppm) / 240));
-    line.Hear({begin + Tremble(blocks_), false, samples}, {kSoundRate_hz, 1});
+    line.Write({begin + Tremble(blocks_), false, samples}, {kSoundRate_hz, 1});
     ++blocks_;
   }
   void SpeakBlock(Duration delay) {
     std::array<float, 240> samples;
-    line.Speak(samples, SpokenUntil() + Tremble(blocks_played_), delay);
+    line.Read(samples, SpokenUntil() + Tremble(blocks_played_), delay);
     for (std::size_t n = 0; n < samples.size(); ++n) {
       spoken.push_back(samples[n]);
       spoken_at.push_back(SpokenUntil() +
@@ -119,101 +119,101 @@ double Ms(Duration time) {
 
 TEST(ADelayLine, IsLateByWhatIsAskedToATenthOfAMillisecond) {
   for (const Duration delay : {62ms, 61ms, 122ms, 253ms, 499ms}) {
-    Bench bench;
-    bench.Run(1500ms, delay);
-    EXPECT_NEAR(Ms(bench.line.delay()), Ms(delay), 0.1);
-    EXPECT_NEAR(bench.PhaseDelay_ms(), std::fmod(Ms(delay), 5.0), 0.1) << Ms(delay);
-    EXPECT_NEAR(bench.Loudest(), kLoud, 0.01F);
+    DelayLineHarness harness;
+    harness.Run(1500ms, delay);
+    EXPECT_NEAR(Ms(harness.line.delay()), Ms(delay), 0.1);
+    EXPECT_NEAR(harness.PhaseDelay_ms(), std::fmod(Ms(delay), 5.0), 0.1) << Ms(delay);
+    EXPECT_NEAR(harness.Loudest(), kLoud, 0.01F);
   }
 }
 
 TEST(ADelayLine, IsAsShortAsTheDevicesAllowWhenLessIsAsked) {
-  Bench bench;
-  bench.Run(2s, 0ms);
-  EXPECT_GT(bench.line.delay(), 25ms)
+  DelayLineHarness harness;
+  harness.Run(2s, 0ms);
+  EXPECT_GT(harness.line.delay(), 25ms)
       << "frames are wanted 20 ms before they are heard, and come in blocks of 5";
-  EXPECT_LT(bench.line.delay(), 36ms);
-  bench.Forget();
-  bench.Run(5s, 0ms);
-  EXPECT_LE(bench.Steepest(), kSteepest * 1.05F);
-  EXPECT_NEAR(bench.Loudest(), kLoud, 0.01F) << "and nothing is missing";
+  EXPECT_LT(harness.line.delay(), 36ms);
+  harness.Forget();
+  harness.Run(5s, 0ms);
+  EXPECT_LE(harness.Steepest(), kSteepest * 1.05F);
+  EXPECT_NEAR(harness.Loudest(), kLoud, 0.01F) << "and nothing is missing";
 }
 
 TEST(ADelayLine, ChangesItsDelayWithoutAClick) {
-  Bench bench;
-  bench.Run(1500ms, 80ms);
-  bench.Forget();
+  DelayLineHarness harness;
+  harness.Run(1500ms, 80ms);
+  harness.Forget();
   for (const Duration delay : {85ms, 82ms, 200ms, 500ms, 40ms, 0ms, 333ms, 81ms, 80ms}) {
-    bench.Run(700ms, delay);
-    EXPECT_NEAR(Ms(bench.line.delay()), std::max(Ms(delay), 30.0), 5.5) << Ms(delay);
+    harness.Run(700ms, delay);
+    EXPECT_NEAR(Ms(harness.line.delay()), std::max(Ms(delay), 30.0), 5.5) << Ms(delay);
   }
   // Two tones that cross fade are as steep as both at most, and their shares move by 1 in 480 frames.
-  EXPECT_LE(bench.Steepest(), kSteepest + 2 * kLoud / 480);
+  EXPECT_LE(harness.Steepest(), kSteepest + 2 * kLoud / 480);
 }
 
 TEST(ADelayLine, FollowsClocksThatDriftWithoutAClick) {
   for (const double ppm : {-300.0, -50.0, 50.0, 300.0}) {
-    Bench bench({.microphone_ppm = ppm, .loudspeaker_ppm = -ppm, .tremble = 500us});
-    bench.Run(5s, 100ms);
-    const std::uint32_t leaps = bench.line.leaps();
-    bench.Forget();
-    bench.Run(55s, 100ms);
-    EXPECT_NEAR(Ms(bench.line.delay()), 100, 1.5) << ppm;
-    EXPECT_NEAR(bench.line.drift_ppm(), 2 * ppm, 150) << "what it makes up for";
-    EXPECT_EQ(bench.line.leaps(), leaps) << "not once by a leap";
-    EXPECT_LE(bench.Steepest(), kSteepest * 1.05F);
+    DelayLineHarness harness({.microphone_ppm = ppm, .loudspeaker_ppm = -ppm, .tremble = 500us});
+    harness.Run(5s, 100ms);
+    const std::uint32_t jumps = harness.line.jumps();
+    harness.Forget();
+    harness.Run(55s, 100ms);
+    EXPECT_NEAR(Ms(harness.line.delay()), 100, 1.5) << ppm;
+    EXPECT_NEAR(harness.line.drift_ppm(), 2 * ppm, 150) << "what it makes up for";
+    EXPECT_EQ(harness.line.jumps(), jumps) << "without any jump";
+    EXPECT_LE(harness.Steepest(), kSteepest * 1.05F);
   }
 }
 
 TEST(ADelayLine, BridgesFramesThatWereLostWithSoftEdges) {
-  Bench bench;
-  bench.Run(1s, 100ms);
-  bench.Forget();
-  bench.LoseBlocks(6);
-  bench.Run(1s, 100ms);
-  EXPECT_LE(bench.Steepest(), kSteepest + 1.1F * kLoud / 96);
-  EXPECT_NEAR(Ms(bench.line.delay()), 100, 0.2) << "and what comes after is in time";
+  DelayLineHarness harness;
+  harness.Run(1s, 100ms);
+  harness.Forget();
+  harness.LoseBlocks(6);
+  harness.Run(1s, 100ms);
+  EXPECT_LE(harness.Steepest(), kSteepest + 1.1F * kLoud / 96);
+  EXPECT_NEAR(Ms(harness.line.delay()), 100, 0.2) << "and what comes after is in time";
 }
 
 TEST(ADelayLine, FallsSilentWithoutItsMicrophoneAndSpeaksAgainInTime) {
-  Bench bench;
-  bench.Run(1s, 100ms);
-  bench.Forget();
-  bench.Pull();
-  bench.Run(3s, 100ms);
-  EXPECT_LE(bench.Steepest(), kSteepest + 1.1F * kLoud / 96);
-  bench.Forget();
-  bench.Run(100ms, 100ms);
-  EXPECT_EQ(bench.Loudest(), 0);
-  bench.Plug();
-  bench.Run(1s, 100ms);
-  EXPECT_LE(bench.Steepest(), kSteepest + 1.1F * kLoud / 96);
-  EXPECT_NEAR(bench.Loudest(), kLoud, 0.01F);
-  EXPECT_NEAR(Ms(bench.line.delay()), 100, 0.2);
+  DelayLineHarness harness;
+  harness.Run(1s, 100ms);
+  harness.Forget();
+  harness.Pull();
+  harness.Run(3s, 100ms);
+  EXPECT_LE(harness.Steepest(), kSteepest + 1.1F * kLoud / 96);
+  harness.Forget();
+  harness.Run(100ms, 100ms);
+  EXPECT_EQ(harness.Loudest(), 0);
+  harness.Plug();
+  harness.Run(1s, 100ms);
+  EXPECT_LE(harness.Steepest(), kSteepest + 1.1F * kLoud / 96);
+  EXPECT_NEAR(harness.Loudest(), kLoud, 0.01F);
+  EXPECT_NEAR(Ms(harness.line.delay()), 100, 0.2);
 }
 
-TEST(ADelayLine, FindsItsPlaceAgainAfterALoudspeakerThatRanDry) {
-  Bench bench;
-  bench.Run(1s, 100ms);
-  bench.Forget();
-  bench.LoseTime();
-  bench.Run(500ms, 100ms);
-  EXPECT_NEAR(Ms(bench.line.delay()), 100, 0.2);
-  EXPECT_LE(bench.Steepest(), kSteepest + 2 * kLoud / 480);
+TEST(ADelayLine, FindsItsPositionAgainAfterALoudspeakerRanDry) {
+  DelayLineHarness harness;
+  harness.Run(1s, 100ms);
+  harness.Forget();
+  harness.LoseTime();
+  harness.Run(500ms, 100ms);
+  EXPECT_NEAR(Ms(harness.line.delay()), 100, 0.2);
+  EXPECT_LE(harness.Steepest(), kSteepest + 2 * kLoud / 480);
 }
 
 TEST(ADelayLine, MixesTwoChannelsAndIsSilentBeforeItHeardAnything) {
-  SoundLine line;
+  DelayLine line;
   std::array<float, 240> out;
   out.fill(1);
-  line.Speak(out, Time{} + 5s, 50ms);
+  line.Read(out, Time{} + 5s, 50ms);
   EXPECT_EQ(*std::ranges::max_element(out), 0);
   std::vector<std::int16_t> stereo(960);
   for (std::size_t n = 0; n < stereo.size(); n += 2) stereo[n] = 16384;
   for (int block = 0; block < 20; ++block)
-    line.Hear({Time{} + 10s + block * 10ms, false, stereo}, {48000, 2});
-  line.Speak(out, Time{} + 10s + 150ms, 50ms);
-  for (int n = 0; n < 5; ++n) line.Speak(out, Time{} + 10s + 155ms + n * 5ms, 50ms);
+    line.Write({Time{} + 10s + block * 10ms, false, stereo}, {48000, 2});
+  line.Read(out, Time{} + 10s + 150ms, 50ms);
+  for (int n = 0; n < 5; ++n) line.Read(out, Time{} + 10s + 155ms + n * 5ms, 50ms);
   EXPECT_NEAR(out[100], 0.25F, 1e-3F) << "half of one channel, and nothing of the other";
 }
 

@@ -1,20 +1,20 @@
-// Puts the page together, and keeps its few words true.
+// Puts the page together, and shows the state of the connection.
 import {makeMouth} from './mouth.js';
 import {askForCode, makePairing} from './pair.js';
 import {makePicture} from './picture.js';
 import {makeSteps} from './steps.js';
 import {makeTuning} from './tuning.js';
 import {ask, begin, disconnect, onState} from './wire.js';
-import {makeLanguages, onLanguage, word} from './words.js';
+import {makeLanguages, onLanguage, text} from './texts.js';
 
 const $ = (id) => document.getElementById(id);
 
 function showLink(state) {
   const link = document.body.dataset.link;
-  if (link === 'lost') return word('lost');
-  if (link === 'waiting') return document.body.dataset.view === 'desk' ? word('waiting') : '';
-  if (state && !state.lips) return word('noLips');
-  return word('live');
+  if (link === 'lost') return text('lost');
+  if (link === 'waiting') return document.body.dataset.view === 'desk' ? text('waiting') : '';
+  if (state && !state.lips) return text('noLips');
+  return text('live');
 }
 
 async function leave() {
@@ -25,10 +25,10 @@ async function leave() {
 
 function makeKeeping() {
   const shut = () => $('revert').removeAttribute('open');
-  $('undo').addEventListener('click', () => ask('undo', word('reverted')));
-  $('save').addEventListener('click', () => ask('save', word('savedNow')));
+  $('undo').addEventListener('click', () => ask('undo', text('reverted')));
+  $('save').addEventListener('click', () => ask('save', text('savedNow')));
   for (const name of ['saved', 'before', 'defaults'])
-    $(name).addEventListener('click', () => { shut(); ask(name, word('reverted')); });
+    $(name).addEventListener('click', () => { shut(); ask(name, text('reverted')); });
   $('leave').addEventListener('click', () => { shut(); leave(); });
   document.addEventListener('pointerdown', ({target}) => $('revert').contains(target) || shut());
   document.addEventListener('keydown', ({key}) => key === 'Escape' && shut());

@@ -1,10 +1,9 @@
 // The mouth as it is measured now: drawn, and in numbers.
-import {onLanguage, word} from './words.js';
+import {onLanguage, text} from './texts.js';
 import {onState} from './wire.js';
 
-const kUnit = 62;         // Half a mouth at rest, in the drawing.
-const kGood = 0.5;        // The quality from which a calibration counts.
-const kMost = 2.2;        // What is larger is drawn no larger.
+const kUnit = 62;  // Half the width of a mouth at rest, in units of the drawing.
+const kMost = 2.2;  // A larger mouth is drawn no larger.
 
 const kDrawing = `
   <svg viewBox="-150 -105 300 210" role="img">
@@ -12,7 +11,7 @@ const kDrawing = `
     <ellipse class="lips"/><ellipse class="inside"/>
   </svg>
   <dl></dl>`;
-const kNumbers = ['opened', 'wide', 'height', 'width', 'quality', 'age', 'light'];
+const kValues = ['opened', 'wide', 'height', 'width', 'quality', 'age', 'presented'];
 
 function ellipse(element, width, height) {
   element.setAttribute('rx', Math.min(width, kMost) * kUnit);
@@ -21,7 +20,7 @@ function ellipse(element, width, height) {
 
 const percent = (part) => `${Math.round(part * 100)} %`;
 
-function numbersOf(state) {
+function valuesOf(state) {
   const {mouth} = state;
   const fresh = state.camera === 'live';
   return {
@@ -31,7 +30,7 @@ function numbersOf(state) {
     width: mouth.width.toFixed(2),
     quality: percent(fresh ? mouth.quality : 0),
     age: mouth.age_ms < 10000 ? `${mouth.age_ms} ms` : '–',
-    light: state.light_age_ms === null ? '–' : `${state.light_age_ms} ms`,
+    presented: state.presented_age_ms === null ? '–' : `${state.presented_age_ms} ms`,
   };
 }
 
@@ -41,10 +40,10 @@ export function makeMouth() {
   const svg = live.querySelector('svg');
   const list = live.querySelector('dl');
   const values = {};
-  for (const name of kNumbers) {
+  for (const name of kValues) {
     const term = Object.assign(document.createElement('dt'), {className: name});
     const value = Object.assign(document.createElement('dd'), {className: name, textContent: '–'});
-    term.dataset.word = name;
+    term.dataset.text = name;
     values[name] = value;
     list.append(term, value);
   }
@@ -55,17 +54,17 @@ export function makeMouth() {
       return;
     }
     const {mouth, report: {settings}} = state;
-    const quality = state.camera === 'live' ? mouth.quality : 0;
-    live.classList.toggle('lost', quality < kGood);
+    const learnable = state.camera === 'live' && mouth.learnable;
+    live.classList.toggle('lost', !learnable);
     ellipse(svg.querySelector('.rest'), 1, settings['mouth.shut'].value);
     ellipse(svg.querySelector('.wides'), settings['mouth.wide'].value, settings['mouth.open'].value);
     ellipse(svg.querySelector('.lips'), mouth.width, mouth.height);
     ellipse(svg.querySelector('.inside'), mouth.width * 0.72, mouth.opening);
     const [red, green, blue] = ['red', 'green', 'blue'].map((name) => settings[`paint.${name}`].value);
     svg.querySelector('.lips').setAttribute('fill', `rgb(${red} ${green} ${blue})`);
-    const numbers = numbersOf(state);
-    for (const name of kNumbers) values[name].textContent = numbers[name];
-    values.quality.classList.toggle('bad', quality < kGood);
+    const numbers = valuesOf(state);
+    for (const name of kValues) values[name].textContent = numbers[name];
+    values.quality.classList.toggle('bad', !learnable);
   });
-  onLanguage(() => svg.setAttribute('aria-label', word('mouthLabel')));
+  onLanguage(() => svg.setAttribute('aria-label', text('mouthLabel')));
 }

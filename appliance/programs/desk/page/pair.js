@@ -1,13 +1,13 @@
-// The six digits on the box's screen let this browser in.
-import {onLanguage, word} from './words.js';
+// Pairing: the six digits on the box's screen authorise this browser.
+import {onLanguage, text} from './texts.js';
 import {meet} from './wire.js';
 
 const $ = (id) => document.getElementById(id);
-let wrong = null;  // The word of what was wrong.
+let wrong = null;  // The key of the text that says what was wrong.
 
 function show() {
-  $('wrong').textContent = wrong ? word(wrong) : '';
-  $('code').setAttribute('aria-label', word('code'));
+  $('wrong').textContent = wrong ? text(wrong) : '';
+  $('code').setAttribute('aria-label', text('code'));
 }
 
 async function pair(event) {

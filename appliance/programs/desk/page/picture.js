@@ -1,12 +1,12 @@
-// The live picture: shown in three ways, and tapped to sample the paint.
-import {onLanguage, word} from './words.js';
+// The live picture: it is shown in three views, and a tap on it samples the paint.
+import {onLanguage, text} from './texts.js';
 import {ask, onState} from './wire.js';
 
 const $ = (id) => document.getElementById(id);
 const kViews = [['viewPlain', '/picture'], ['viewBoth', '/picture/both'], ['viewMask', '/picture/mask']];
 let view = 1;
 let streams = false;
-let freeLight = false;
+let exposureFree = false;
 
 function stream(on) {
   streams = on;
@@ -27,7 +27,7 @@ function makeViews() {
   const buttons = kViews.map(([name], n) => {
     const button = document.createElement('button');
     button.type = 'button';
-    button.dataset.word = name;
+    button.dataset.text = name;
     button.setAttribute('role', 'radio');
     button.addEventListener('click', () => choose(n, buttons));
     button.addEventListener('keydown', ({key}) => {
@@ -51,16 +51,16 @@ function sample(event) {
   cross.style.left = `${x * 100}%`;
   cross.style.top = `${y * 100}%`;
   cross.classList.remove('seen');
-  void cross.offsetWidth;  // The same sign once more.
+  void cross.offsetWidth;  // Forces a layout, so that the animation starts again.
   cross.classList.add('seen');
-  ask(`sample ${x.toFixed(4)} ${y.toFixed(4)}`, word('taken'));
+  ask(`sample ${x.toFixed(4)} ${y.toFixed(4)}`, text('sampled'));
 }
 
 function noticeOf(state) {
-  if (!state) return word('lost');
-  if (!state.lips) return word('noLips');
-  if (state.camera === 'absent') return word('noCamera');
-  return state.camera === 'stale' ? word('stale') : '';
+  if (!state) return text('lost');
+  if (!state.lips) return text('noLips');
+  if (state.camera === 'absent') return text('noCamera');
+  return state.camera === 'stale' ? text('stale') : '';
 }
 
 function showBox(box) {
@@ -78,19 +78,19 @@ function showState(state) {
   if (!state && live) return;
   $('notice').textContent = noticeOf(state);
   $('camera').classList.toggle('old', $('notice').textContent !== '');
-  for (const id of ['find', 'light']) $(id).disabled = !state?.report;
+  for (const id of ['find', 'exposure']) $(id).disabled = !state?.report;
   const settings = state?.report?.settings;
   showBox(state?.report?.box);
   if (!settings) return;
   const [red, green, blue] = ['red', 'green', 'blue'].map((name) => settings[`paint.${name}`].value);
   $('paint').style.backgroundColor = `rgb(${red} ${green} ${blue})`;
-  freeLight = state.report.free_light;
-  showLight();
+  exposureFree = state.report.exposure_free;
+  showExposure();
 }
 
-function showLight() {
-  $('light').setAttribute('aria-pressed', String(freeLight));
-  $('light').textContent = word(freeLight ? 'holdLight' : 'freeLight');
+function showExposure() {
+  $('exposure').setAttribute('aria-pressed', String(exposureFree));
+  $('exposure').textContent = text(exposureFree ? 'holdExposure' : 'freeExposure');
 }
 
 export function makePicture() {
@@ -98,13 +98,13 @@ export function makePicture() {
   $('picture').addEventListener('click', sample);
   $('picture').addEventListener('load', () => $('picture').classList.add('seen'));
   $('picture').addEventListener('dragstart', (event) => event.preventDefault());
-  $('find').addEventListener('click', () => ask('find', word('found')));
-  $('light').addEventListener('click', () => freeLight ? ask('light 0', word('held')) : ask('light 1', word('freed')));
+  $('find').addEventListener('click', () => ask('find', text('found')));
+  $('exposure').addEventListener('click', () => exposureFree ? ask('exposure 0', text('held')) : ask('exposure 1', text('freed')));
   onState(showState);
   onLanguage(() => {
-    $('picture').alt = word('pictureLabel');
-    $('views').setAttribute('aria-label', word('views'));
-    $('paint').setAttribute('aria-label', word('paintLabel'));
-    showLight();
+    $('picture').alt = text('pictureLabel');
+    $('views').setAttribute('aria-label', text('views'));
+    $('paint').setAttribute('aria-label', text('paintLabel'));
+    showExposure();
   });
 }

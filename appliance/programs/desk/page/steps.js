@@ -1,10 +1,8 @@
-// Shut, open, wide, narrow, or ten seconds of speech: what the mouth can do is learnt.
-import {onLanguage, word} from './words.js';
+// The steps of the calibration: four poses, or ten seconds of speech.
+import {onLanguage, text} from './texts.js';
 import {ask, onState} from './wire.js';
 
-const kGood = 0.5;  // Quality from which a picture counts.
-
-// Each pose as the page draws it: half width, half height, half of the opening.
+// Each pose: the step, the key of its label, and as it is drawn: half the width, the height and the opening.
 const kPoses = [['shut', 'shut', 30, 7, 0], ['open', 'open', 27, 24, 17], ['wide', 'wideStep', 41, 9, 2], ['narrow', 'narrow', 16, 13, 6]];
 
 function drawing(width, height, gap) {
@@ -16,10 +14,10 @@ function makeButton(step, label, picture) {
   const button = document.createElement('button');
   button.type = 'button';
   button.className = `pose ${step}`;
-  button.innerHTML = `${picture}<b data-word="${label}"></b><small></small><i></i>`;
+  button.innerHTML = `${picture}<b data-text="${label}"></b><small></small><i></i>`;
   button.dataset.step = step;
   button.addEventListener('click', () => {
-    const stops = button.classList.contains('taking');
+    const stops = button.classList.contains('measuring');
     ask(stops ? 'stop' : `begin ${step}`);
   });
   return button;
@@ -27,9 +25,9 @@ function makeButton(step, label, picture) {
 
 function hintOf(step, state) {
   const {report, mouth} = state;
-  if (report.step !== step) return report.taken.includes(step) ? word('doneStep') : '';
-  if (state.camera !== 'live' || mouth.quality < kGood) return word('noMouth');
-  return step === 'speak' ? word('speaking') : word('hold');
+  if (report.step !== step) return report.done.includes(step) ? text('doneStep') : '';
+  if (state.camera !== 'live' || !mouth.learnable) return text('noMouth');
+  return step === 'speak' ? text('speaking') : text('hold');
 }
 
 export function makeSteps() {
@@ -41,11 +39,11 @@ export function makeSteps() {
     if (!last?.report) return;
     for (const button of buttons) {
       const {step} = button.dataset;
-      const taking = last.report.step === step;
-      button.classList.toggle('taking', taking);
-      button.classList.toggle('taken', last.report.taken.includes(step));
+      const measuring = last.report.step === step;
+      button.classList.toggle('measuring', measuring);
+      button.classList.toggle('done', last.report.done.includes(step));
       button.querySelector('small').textContent = hintOf(step, last);
-      button.querySelector('i').style.transform = `scaleX(${taking ? last.report.progress : 0})`;
+      button.querySelector('i').style.transform = `scaleX(${measuring ? last.report.progress : 0})`;
     }
   };
   onState((state) => {

@@ -1,8 +1,8 @@
-// Sliders of the key, of the smoothing and of the voice; they follow what the box has, unless a hand is on them.
-import {onLanguage, word} from './words.js';
+// Sliders of the chroma key, the smoothing and the voice. They follow the box's values while nobody moves them.
+import {onLanguage, text} from './texts.js';
 import {newGesture, onState, set} from './wire.js';
 
-// The value's name, its word, and how far the slider goes; what lies beyond is shown at its end.
+// The setting, the key of its label, and the slider's ends and step. A value beyond an end is shown at that end.
 const kSliders = [
   ['key.similarity', 'similarity', 10, 400, 1],
   ['key.smoothness', 'smoothness', 1, 300, 1],
@@ -12,15 +12,15 @@ const kSliders = [
   ['voice.opens_db', 'gate', -80, 0, 1],
   ['sound.delay_ms', 'delay', -1, 500, 1],
 ];
-const kLocal_ms = 700;  // A value that was just set is not what the box had before.
+const kLocal_ms = 700;  // How long after a move the box's older value is not shown.
 
 function makeSlider([name, label, low, high, step]) {
   const row = document.createElement('div');
   const id = name.replace('.', '-');
   row.className = 'slider';
-  row.innerHTML = `<label for="${id}" data-word="${label}"></label><output for="${id}"></output>` +
+  row.innerHTML = `<label for="${id}" data-text="${label}"></label><output for="${id}"></output>` +
       `<input id="${id}" type="range" min="${low}" max="${high}" step="${step}" aria-describedby="${id}-text">` +
-      `<small id="${id}-text" data-word="${label}Text"></small>`;
+      `<small id="${id}-text" data-text="${label}Text"></small>`;
   const input = row.querySelector('input');
   const output = row.querySelector('output');
   let touched_ms = -Infinity;

@@ -1,12 +1,12 @@
-// The line to the desk: what the hand asks goes out, how things stand comes in.
-import {complaint, word} from './words.js';
+// The connection to kaori-desk: commands go out by POST, states come in as server-sent events.
+import {complaint, text} from './texts.js';
 
 const kRetry_ms = 1000;
-const kPatience_ms = 4000;
+const kAnswerTimeout_ms = 4000;
 
 const listeners = [];
-const waiting = new Map();  // Number of a command -> whom its answer is for.
-const drawn = new Map();    // Name of a value -> the newest text, while one is on its way.
+const waiting = new Map();  // The number of a command -> the function that gets its answer.
+const sending = new Map();  // The name of a value -> its newest text, while one is on its way.
 let events = null;
 let gesture = Math.floor(Math.random() * 1e6);
 let onUnpaired = () => {};
@@ -21,65 +21,65 @@ export function onState(listener) {
 }
 
 let toastTimer = 0;
-export function toast(text, bad = false) {
+export function toast(message, bad = false) {
   const element = document.getElementById('toast');
-  element.textContent = text;
+  element.textContent = message;
   element.classList.toggle('bad', bad);
   element.classList.add('shown');
   clearTimeout(toastTimer);
   toastTimer = setTimeout(() => element.classList.remove('shown'), bad ? 4000 : 1800);
 }
 
-async function send(text) {
-  const reply = await fetch('/do', {method: 'POST', body: text});
+async function send(command) {
+  const reply = await fetch('/do', {method: 'POST', body: command});
   if (reply.status === 401) {
     disconnect();
     onUnpaired();
     throw new Error('unpaired');
   }
-  if (reply.status === 503) throw new Error(word('gone'));
+  if (reply.status === 503) throw new Error(text('gone'));
   if (!reply.ok) throw new Error((await reply.text()).trim());
   return (await reply.json()).number;
 }
 
-// Asks, waits until the lips have done it, and says what came of it. True: it was done.
-export async function ask(text, done) {
+// Sends a command, waits until the lips have executed it, and shows `done` or the complaint. Returns whether it succeeded.
+export async function ask(command, done) {
   try {
-    const number = await send(text);
+    const number = await send(command);
     const answer = await new Promise((resolve) => {
       waiting.set(number, resolve);
-      setTimeout(() => waiting.delete(number) && resolve(word('noLips')), kPatience_ms);
+      setTimeout(() => waiting.delete(number) && resolve(text('noLips')), kAnswerTimeout_ms);
     });
     toast(answer === '' ? done ?? '' : complaint(answer), answer !== '');
     return answer === '';
   } catch (error) {
-    if (error.message !== 'unpaired') toast(error instanceof TypeError ? word('lost') : error.message, true);
+    if (error.message !== 'unpaired') toast(error instanceof TypeError ? text('lost') : error.message, true);
     return false;
   }
 }
 
-// A slider is being drawn: only its newest value counts, and all of it is one change.
+// Sends a value that a slider sets: only the newest value counts, and all values of one gesture are one change.
 export async function set(name, value) {
-  const busy = drawn.has(name);
-  drawn.set(name, value);
+  const busy = sending.has(name);
+  sending.set(name, value);
   if (busy) return;
   while (true) {
-    const now = drawn.get(name);
+    const now = sending.get(name);
     try {
       await send(`set ${name} ${now} ${gesture}`);
     } catch (error) {
-      if (error.message !== 'unpaired') toast(error instanceof TypeError ? word('lost') : error.message, true);
+      if (error.message !== 'unpaired') toast(error instanceof TypeError ? text('lost') : error.message, true);
     }
-    if (drawn.get(name) === now) break;
+    if (sending.get(name) === now) break;
   }
-  drawn.delete(name);
+  sending.delete(name);
 }
 
 export function newGesture() {
   gesture = gesture % 1e6 + 1;
 }
 
-function take(state) {
+function handleState(state) {
   const report = state.report;
   if (report && waiting.has(report.answered)) {
     waiting.get(report.answered)(report.complaint);
@@ -91,7 +91,7 @@ function take(state) {
 function open() {
   events = new EventSource('/events');
   events.onopen = () => setLink('live');
-  events.onmessage = (event) => take(JSON.parse(event.data));
+  events.onmessage = (event) => handleState(JSON.parse(event.data));
   events.onerror = () => {
     setLink('lost');
     if (events?.readyState === EventSource.CLOSED) setTimeout(meet, kRetry_ms);
@@ -104,7 +104,7 @@ export function disconnect() {
   setLink('waiting');
 }
 
-// Looks whether the desk knows this browser, and listens where it does.
+// Asks whether the desk knows this browser, and listens to its events if it does.
 export async function meet() {
   disconnect();
   try {
@@ -118,7 +118,7 @@ export async function meet() {
   }
 }
 
-// Listens while the page can be seen; a hidden page costs the box nothing.
+// Listens while the page is visible; a hidden page costs the box nothing.
 export function begin(unpaired) {
   onUnpaired = unpaired;
   document.addEventListener('visibilitychange', () => {

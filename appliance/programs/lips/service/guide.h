@@ -1,4 +1,5 @@
-// A calibration by keyboard and lamps at the box, without a page: hold F12, make a face, push, four times.
+// The calibration by keyboard and lamps at the box, without a page: hold F12, then hold four poses and push
+// for each.
 #pragma once
 
 #include <array>
@@ -11,40 +12,42 @@
 
 namespace kaori::lips {
 
-// F12 held for two seconds begins it, or Insert, which no browser takes for itself. Where no clean mouth is
-// seen the paint is looked for first, and the camera may find its light anew. Enter, or any push on the dial
-// box, takes the pose that the lamp of its number asks for (shut, open, wide, narrow), and at last keeps all
-// of it on the disk. Escape, or a minute in which nobody pushes, leaves, and all is as before.
+// F12, or Insert, which no browser uses itself, begins a calibration when it is held for two seconds. Where
+// no clean mouth is seen, the paint is sampled first, and the camera may adjust its exposure. Enter, or any
+// push on the dial box, measures the pose whose lamp is lit (shut, open, wide, narrow); the fifth push saves
+// all of it to the disk. Escape, or a minute without a push, cancels the calibration and restores the
+// settings. Pure: time is in the arguments.
 class Guide {
  public:
-  // What the hands are doing, and how well the mouth is seen now.
+  // Handles the operator's input and the mouth as it is measured now. Call it every 50 ms or sooner.
   void Step(const board::Stamped<board::Keys>& keys, const board::Stamped<board::Surface>& surface,
-            float quality, Tuning& tuning, Time now);
+            const board::Lips& lips, Tuning& tuning, Time now);
 
   bool active() const { return active_; }
-  board::LipsGuide shown(bool captions) const;
+  // The state for the board; `captions` allows the screen to show it in words.
+  board::LipsGuide state(bool captions) const;
 
  private:
   struct Pushes {
-    std::uint32_t takes = 0;
-    std::uint32_t escapes = 0;
+    std::uint32_t confirms = 0;
+    std::uint32_t cancels = 0;
     bool operator==(const Pushes&) const = default;
   };
   static Pushes PushesOf(const board::Keys& keys, const board::Surface& surface);
-  void Start(float quality, Tuning& tuning, Time now);
-  void Follow(Tuning& tuning, Time now);
+  void Start(const board::Lips& lips, Tuning& tuning, Time now);
+  void FollowStep(Tuning& tuning, Time now);
   void BeginPose(Tuning& tuning, Time now);
-  void Leave(Tuning& tuning);
+  void Abandon(Tuning& tuning);
 
   bool active_ = false;
-  std::uint32_t step_ = 0;  // As board::LipsGuide has it.
-  bool taking_ = false;
+  std::uint32_t step_ = 0;  // As in board::LipsGuide.
+  bool measurement_ = false;
   bool seen_ = false;
   float progress_ = 0;
-  std::uint32_t before_ = 0;        // Changes there were when it began,
-  std::uint32_t before_step_ = 0;   // and when the pose was taken.
-  std::optional<Time> held_since_;  // F12 or Insert.
-  bool let_go_ = true;
+  std::uint32_t before_ = 0;        // How many changes there were when the calibration began,
+  std::uint32_t before_step_ = 0;   // and when the measurement of the pose began.
+  std::optional<Time> held_since_;  // Since when F12 or Insert is held.
+  bool released_ = true;            // The key was released since the last calibration began.
   Pushes seen_pushes_;
   Time idle_since_{};
 };

@@ -10,9 +10,9 @@ Result<std::unique_ptr<LipService>> LipService::Open(const LipServiceOptions& op
   if (!writer) return tl::unexpected(writer.error());
   std::unique_ptr<LipService> service(new LipService(options, reader, board, std::move(*writer), clock));
   if (!options.service) return service;
-  auto outlet = Outlet::Open(ServicePath(board.path()));
-  if (!outlet) return tl::unexpected(outlet.error());
-  service->outlet_.emplace(std::move(*outlet));
+  auto connection = DeskConnection::Open(ServicePath(board.path()));
+  if (!connection) return tl::unexpected(connection.error());
+  service->connection_.emplace(std::move(*connection));
   return service;
 }
 
@@ -24,12 +24,13 @@ LipService::LipService(const LipServiceOptions& options, LipReader& reader, cons
       writer_(std::move(writer)),
       clock_(clock),
       tuning_(options.now, options.file,
-              {.use = [&reader](const LipSettings& settings) { reader.Use(settings); },
-               .light = [&reader](bool free) { free ? reader.care().Free() : reader.care().Hold(); }}) {
+              {.apply = [&reader](const LipSettings& settings) { reader.Use(settings); },
+               .free_exposure =
+                   [&reader](bool free) { free ? reader.exposure().Free() : reader.exposure().Hold(); }}) {
   reader_.Watch([this](const decode::Planes& planes, const LipMeter& meter, Time at) {
     const Time now = clock_.now();
-    if (outlet_) outlet_->Show(planes, meter.key(), now);
-    tuning_.See(planes, meter, at, now);  // Last: it may give the reader another meter.
+    if (connection_) connection_->SendPicture(planes, meter.key(), now);
+    tuning_.HandlePicture(planes, meter, at, now);  // Last, since it may replace the reader's meter.
   });
 }
 
@@ -39,25 +40,26 @@ LipService::~LipService() {
 
 void LipService::Step() {
   const Time now = clock_.now();
-  if (outlet_)
-    for (const Command& command : outlet_->Hear(now)) tuning_.Do(command, now);
+  if (connection_)
+    for (const Command& command : connection_->ReceiveCommands(now)) tuning_.Execute(command, now);
   tuning_.Step(now);
-  guide_.Step(board_.Read<board::Keys>(), board_.Read<board::Surface>(), reader_.meter().lips().quality,
-              tuning_, now);
+  guide_.Step(board_.Read<board::Keys>(), board_.Read<board::Surface>(), reader_.meter().lips(), tuning_,
+              now);
   ShowGuide(now);
-  if (outlet_) outlet_->Tell(tuning_.report(), now);
+  if (connection_) connection_->SendReport(tuning_.report(), now);
 }
 
-// By the key switch at the box.
+// Whether the key switch at the box is on.
 bool LipService::ServiceSwitched() const {
   const auto lines = board_.Read<board::Lines>();
   return lines.source == board::SourceState::kLive && board::IsOn(lines.value, board::Line::kService);
 }
 
-// Written anew each time while it is under way, so that a reader sees when the lips are gone.
+// The section is written at each step of a calibration, so that a reader notices by its age when the lips are
+// gone.
 void LipService::ShowGuide(Time now) {
   if (guide_.active())
-    writer_.Write(guide_.shown(service_ || ServiceSwitched()), now, board::SourceState::kLive);
+    writer_.Write(guide_.state(service_ || ServiceSwitched()), now, board::SourceState::kLive);
   if (!guide_.active() && shown_) writer_.Write({}, now, board::SourceState::kAbsent);
   shown_ = guide_.active();
 }

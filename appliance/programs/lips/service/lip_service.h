@@ -1,4 +1,4 @@
-// Everything by which people set the lips on site: a desk, keys and lamps, and a file that changes.
+// Everything by which people set the lips on site: a desk, keys and lamps, and a settings file that changes.
 #pragma once
 
 #include <filesystem>
@@ -7,24 +7,25 @@
 
 #include "appliance/core/board/board.h"
 #include "appliance/programs/lips/lip_reader.h"
+#include "appliance/programs/lips/service/desk_connection.h"
 #include "appliance/programs/lips/service/guide.h"
-#include "appliance/programs/lips/service/outlet.h"
 #include "appliance/programs/lips/service/tuning.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::lips {
 
 struct LipServiceOptions {
-  bool service =
-      false;  // A desk may ask, and the guide may speak on the screen, as it may with the key switch.
-  std::filesystem::path file{};  // Where settings are kept; empty: nowhere.
-  LipSettings now{};             // In use.
+  // A desk may connect, and the guide may show captions on the screen, as it may while the key switch is on.
+  bool service = false;
+  std::filesystem::path file{};  // Where settings are saved; empty: nowhere.
+  LipSettings now{};             // The settings in use.
 };
 
-// One thread. Borrows reader, board and clock for its life.
+// Used by one thread. Borrows reader, board and clock, which outlive it.
 class LipService {
  public:
-  // Errors: those of the desk's socket; device_or_resource_busy (another one calibrates on this board).
+  // Errors: those of the desk's socket, and
+  //   device_or_resource_busy  another program calibrates on this board
   static Result<std::unique_ptr<LipService>> Open(const LipServiceOptions& options, LipReader& reader,
                                                   const board::Board& board, const Clock& clock);
 
@@ -32,7 +33,7 @@ class LipService {
   LipService(const LipService&) = delete;
   LipService& operator=(const LipService&) = delete;
 
-  // Hears the desk and the keys, and speaks. Call it every 50 ms or sooner; never blocks.
+  // Handles commands of the desk and keys, and sends reports. It never blocks. Call it every 50 ms or sooner.
   void Step();
 
   const Tuning& tuning() const { return tuning_; }
@@ -51,7 +52,7 @@ class LipService {
   const Clock& clock_;
   Tuning tuning_;
   Guide guide_;
-  std::optional<Outlet> outlet_;
+  std::optional<DeskConnection> connection_;
   bool shown_ = false;
 };
 

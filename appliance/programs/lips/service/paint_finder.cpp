@@ -11,16 +11,18 @@
 namespace kaori::lips {
 namespace {
 
-constexpr int kAcross = 64;            // Cells in a row of the picture.
-constexpr float kLeastTint = 20;       // Levels: less is grey.
-constexpr float kLeastUnlike = 22;     // From the skin's colour.
-constexpr float kSame = 14;            // Levels within which two cells have one colour.
-constexpr float kSameHue = 0.92F;      // The cosine between two colours of one paint, in light and in shade.
-constexpr float kLeastPart = 0.0015F;  // Of the picture.
-constexpr float kMostPart = 0.2F;
-constexpr float kFarAway = 0.35F;  // From the middle, in picture widths: half as likely.
+constexpr int kAcross = 64;       // Cells in a row of the picture.
+constexpr float kMinTint = 20;    // Levels of chroma; less is grey.
+constexpr float kMinUnlike = 22;  // Levels of chroma from the skin's colour.
+constexpr float kSame = 14;       // Levels of chroma within which two cells have the same colour.
+constexpr float kSameHue =
+    0.92F;  // The cosine of the angle between two colours of one paint, in light and in shade.
+constexpr float kMinPart = 0.0015F;  // Of the picture's area.
+constexpr float kMaxPart = 0.2F;
+constexpr float kFarAway =
+    0.35F;  // Widths of the picture from the middle at which a patch is half as likely.
 
-// The picture in cells, each with the mean of its chroma.
+// The picture, divided into cells with the mean of their chroma.
 struct Cells {
   int width = 0;
   int height = 0;
@@ -50,7 +52,7 @@ Chroma MeanOf(const decode::Planes& planes, int left, int top, int side) {
 Cells CellsOf(const decode::Planes& planes) {
   const decode::Plane& c = planes.cb;
   const int side = std::max(1, c.width_px / kAcross);
-  // Chroma of 4:2:2 is finer down than across: cells are not square then, and need not be.
+  // Chroma of 4:2:2 is finer vertically, so that cells are not square then; they need not be.
   Cells cells{c.width_px / side, c.height_px / side, {}};
   for (int y = 0; y < cells.height; ++y)
     for (int x = 0; x < cells.width; ++x) cells.chroma.push_back(MeanOf(planes, x * side, y * side, side));
@@ -63,7 +65,7 @@ float Median(std::vector<float> values) {
   return *middle;
 }
 
-// Most of what is seen in the middle is face.
+// The skin has the median colour of the picture's middle, most of which is face.
 Chroma SkinOf(const Cells& cells) {
   std::vector<float> cb, cr;
   for (int y = cells.height / 5; y < cells.height * 4 / 5; ++y)
@@ -74,7 +76,7 @@ Chroma SkinOf(const Cells& cells) {
   return cb.empty() ? Chroma{} : Chroma{Median(cb), Median(cr)};
 }
 
-// One colour, though one of the two lies in shade.
+// Whether both are one paint, though one of them may lie in shade.
 bool IsSamePaint(const Chroma& a, const Chroma& b) {
   const float both = Tint(a) * Tint(b);
   return Between(a, b) < kSame || (both > 0 && a.cb * b.cb + a.cr * b.cr > kSameHue * both);
@@ -82,22 +84,22 @@ bool IsSamePaint(const Chroma& a, const Chroma& b) {
 
 struct Patch {
   std::vector<int> cells;
-  bool cut = false;  // By the picture's edge.
-  float unlike = 0;  // Sum over its cells.
+  bool cut = false;  // The picture's edge cuts it.
+  float unlike = 0;  // The sum over its cells of the distance from the skin's colour.
   float x = 0, y = 0;
 };
 
 class Search {
  public:
   explicit Search(const Cells& cells) : cells_(cells), skin_(SkinOf(cells)) {
-    taken_.assign(cells.chroma.size(), false);
+    visited_.assign(cells.chroma.size(), false);
   }
 
   std::optional<int> Best() {
     float most = 0;
     std::optional<int> best;
-    for (int seed = 0; seed < static_cast<int>(taken_.size()); ++seed) {
-      if (taken_[static_cast<std::size_t>(seed)] || !IsPaint(cells_.at(seed))) continue;
+    for (int seed = 0; seed < static_cast<int>(visited_.size()); ++seed) {
+      if (visited_[static_cast<std::size_t>(seed)] || !IsPaint(cells_.at(seed))) continue;
       const Patch patch = Grow(seed);
       const float worth = WorthOf(patch);
       if (worth <= most) continue;
@@ -108,7 +110,7 @@ class Search {
   }
 
  private:
-  bool IsPaint(const Chroma& c) const { return Tint(c) > kLeastTint && Between(c, skin_) > kLeastUnlike; }
+  bool IsPaint(const Chroma& c) const { return Tint(c) > kMinTint && Between(c, skin_) > kMinUnlike; }
 
   std::array<int, 4> Around(int n) const {
     const int x = n % cells_.width, y = n / cells_.width;
@@ -119,16 +121,16 @@ class Search {
   Patch Grow(int seed) {
     Patch patch;
     patch.cells.push_back(seed);
-    taken_[static_cast<std::size_t>(seed)] = true;
+    visited_[static_cast<std::size_t>(seed)] = true;
     for (std::size_t next = 0; next < patch.cells.size(); ++next) {
       const int here = patch.cells[next];
       Note(here, patch);
       for (const int there : Around(here)) {
         patch.cut = patch.cut || there < 0;
-        if (there < 0 || taken_[static_cast<std::size_t>(there)] || !IsPaint(cells_.at(there)) ||
+        if (there < 0 || visited_[static_cast<std::size_t>(there)] || !IsPaint(cells_.at(there)) ||
             !IsSamePaint(cells_.at(there), cells_.at(seed)))
           continue;
-        taken_[static_cast<std::size_t>(there)] = true;
+        visited_[static_cast<std::size_t>(there)] = true;
         patch.cells.push_back(there);
       }
     }
@@ -144,14 +146,14 @@ class Search {
   float WorthOf(const Patch& patch) const {
     const auto count = static_cast<float>(patch.cells.size());
     const float part = count / static_cast<float>(cells_.chroma.size());
-    if (patch.cut || part < kLeastPart || part > kMostPart) return 0;
+    if (patch.cut || part < kMinPart || part > kMaxPart) return 0;
     const float x = patch.x / count / static_cast<float>(cells_.width) - 0.5F;
     const float y = patch.y / count / static_cast<float>(cells_.height) - 0.5F;
     const float away = std::hypot(x, y) / kFarAway;
     return patch.unlike / (1 + away * away);
   }
 
-  // The cell whose surroundings are most like itself: no edge runs through it.
+  // The cell that differs least from its neighbours, so that no edge runs through it.
   int CalmestOf(const Patch& patch) const {
     const auto unrest = [&](int cell) {
       float most = 0;
@@ -164,7 +166,7 @@ class Search {
 
   const Cells& cells_;
   Chroma skin_;
-  std::vector<bool> taken_;
+  std::vector<bool> visited_;
 };
 
 }  // namespace

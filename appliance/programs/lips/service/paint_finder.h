@@ -1,16 +1,16 @@
-// Where the paint is, without anybody's click: the patch that is least like the face round it.
+// Finds the paint without a click: it is the patch that differs most from the face around it.
 #pragma once
 
 #include <optional>
 
-#include "appliance/programs/lips/outline.h"
+#include "appliance/programs/lips/contour.h"
 #include "drivers/decode/planes.h"
 
 namespace kaori::lips {
 
-// A place in the largest coherent patch of a saturated colour that is not the skin's, near the middle of the
-// picture; in parts of the picture, from the left top. Clothes and walls reach the picture's edge: they are
-// none.
+// Returns a point, in parts of the picture from its left top corner, in the largest connected patch near the
+// middle of the picture that has a saturated colour other than the skin's. Clothes and walls reach the
+// picture's edge and do not count. Nothing where there is no such patch. Pure; it allocates.
 std::optional<Point> FindPaint(const decode::Planes& planes);
 
 }  // namespace kaori::lips

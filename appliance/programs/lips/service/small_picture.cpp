@@ -9,7 +9,7 @@ std::uint8_t Byte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
 }
 
-// ITU-R BT.601.
+// Converts one pixel to R, G, B by ITU-R BT.601.
 void PutColour(std::uint8_t y, std::uint8_t cb, std::uint8_t cr, bool full_range, std::uint8_t* into) {
   const float gain = full_range ? 1.0F : 255.0F / 224;
   const float luma = full_range ? y : (static_cast<float>(y) - 16) * (255.0F / 219);
@@ -26,9 +26,9 @@ int Scaled(int at, int of, int to) {
 
 }  // namespace
 
-SmallSize SmallSizeOf(const decode::Planes& planes, int most_px) {
+SmallSize SmallSizeOf(const decode::Planes& planes, int max_px) {
   const int longest = std::max({planes.y.width_px, planes.y.height_px, 1});
-  const int part = (longest + most_px - 1) / most_px;
+  const int part = (longest + max_px - 1) / max_px;
   return {std::max(1, planes.y.width_px / part), std::max(1, planes.y.height_px / part)};
 }
 

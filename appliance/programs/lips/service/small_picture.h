@@ -1,4 +1,4 @@
-// What the camera sees, made small for a person's eyes, with how much each pixel is paint beside its colour.
+// The camera's picture, made small for the desk's page; each pixel has its colour and how much it is paint.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,11 @@ struct SmallSize {
   int height_px = 0;
 };
 
-// The largest whole fraction of the picture that fits into `most_px` each way.
-SmallSize SmallSizeOf(const decode::Planes& planes, int most_px);
+// The size of the largest whole fraction of the picture that fits into `max_px` in each direction.
+SmallSize SmallSizeOf(const decode::Planes& planes, int max_px);
 
-// R, G, B and the soft key (0 .. 255) of each pixel, top row first; `into` has room for size * 4 bytes.
+// Writes R, G, B and the soft key (0 .. 255) of each pixel, top row first. `into` must have room for width x
+// height x 4 bytes.
 void DrawSmall(const decode::Planes& planes, const PaintKey& key, SmallSize size,
                std::span<std::uint8_t> into);
 

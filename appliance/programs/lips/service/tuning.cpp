@@ -11,9 +11,10 @@
 namespace kaori::lips {
 namespace {
 
-constexpr Duration kPictureComes = std::chrono::seconds(1);
+constexpr Duration kPictureTimeout = std::chrono::seconds(1);
 constexpr Duration kFilePeriod = std::chrono::seconds(1);
-constexpr int kReachFound = 2;  // Round a place that is known to be the paint's; lips may be thin.
+constexpr int kReachFound =
+    2;  // A smaller reach around a point that is known to be paint, since lips may be thin.
 
 std::filesystem::file_time_type TimeOf(const std::filesystem::path& file) {
   std::error_code none;
@@ -26,21 +27,22 @@ std::string ComplaintOf(const Result<void>& done) {
 }
 
 std::array<float, 4> BoxOf(const LipMeter& meter, const decode::Planes& planes) {
-  const auto& sight = meter.sight();
-  if (!sight || planes.y.width_px <= 0 || planes.y.height_px <= 0) return {};
+  const auto& detection = meter.detection();
+  if (!detection || planes.y.width_px <= 0 || planes.y.height_px <= 0) return {};
   const auto width = static_cast<float>(planes.y.width_px);
   const auto height = static_cast<float>(planes.y.height_px);
-  const Shape& shape = sight->shape;
-  return {(shape.middle.x - shape.width_px / 2) / width, (shape.middle.y - shape.height_px / 2) / height,
-          (shape.middle.x + shape.width_px / 2) / width, (shape.middle.y + shape.height_px / 2) / height};
+  const Contour& contour = detection->contour;
+  return {
+      (contour.middle.x - contour.width_px / 2) / width, (contour.middle.y - contour.height_px / 2) / height,
+      (contour.middle.x + contour.width_px / 2) / width, (contour.middle.y + contour.height_px / 2) / height};
 }
 
 }  // namespace
 
-Tuning::Tuning(const LipSettings& now, std::filesystem::path file, TuningHands hands)
-    : calibration_(now), file_(std::move(file)), hands_(std::move(hands)), used_(now) {
+Tuning::Tuning(const LipSettings& now, std::filesystem::path file, TuningActions actions)
+    : calibration_(now), file_(std::move(file)), actions_(std::move(actions)), used_(now) {
   if (!file_.empty()) {
-    kept_ = ReadGenerations(file_);
+    saved_ = ReadGenerations(file_);
     file_at_ = TimeOf(file_);
   }
   Refresh();
@@ -50,43 +52,43 @@ Tuning::~Tuning() {
   if (saving_.valid()) saving_.wait();
 }
 
-void Tuning::Do(const Command& command, Time now) {
-  if (command.ask == Ask::kSample || command.ask == Ask::kFind) {
-    if (waiting_) Answer(waiting_->command, "another one came before it was done");
-    waiting_ = Waiting{command, now + kPictureComes};
+void Tuning::Execute(const Command& command, Time now) {
+  if (command.kind == CommandKind::kSample || command.kind == CommandKind::kFind) {
+    if (waiting_) Answer(waiting_->command, "another command came before this one was done");
+    waiting_ = Waiting{command, now + kPictureTimeout};
     return;
   }
-  if (command.ask == Ask::kSave) save_number_ = command.number;
-  std::string complaint = DoNow(command);
-  if (command.ask != Ask::kSave || !complaint.empty()) Answer(command, std::move(complaint));
+  if (command.kind == CommandKind::kSave) save_number_ = command.number;
+  std::string complaint = ExecuteNow(command);
+  if (command.kind != CommandKind::kSave || !complaint.empty()) Answer(command, std::move(complaint));
   Apply();
 }
 
-std::string Tuning::DoNow(const Command& command) {
-  switch (command.ask) {
-    case Ask::kSet: {
+std::string Tuning::ExecuteNow(const Command& command) {
+  switch (command.kind) {
+    case CommandKind::kSet: {
       const auto changed = WithValue(calibration_.settings(), command.name, command.a);
-      return changed ? GoTo(*changed, static_cast<std::uint32_t>(std::abs(command.b)))
+      return changed ? SwitchTo(*changed, static_cast<std::uint32_t>(std::abs(command.b)))
                      : changed.error().message();
     }
-    case Ask::kBegin:
+    case CommandKind::kBegin:
       return Begin(command.name);
-    case Ask::kStop:
-      calibration_.GiveUp();
+    case CommandKind::kStop:
+      calibration_.Cancel();
       return {};
-    case Ask::kUndo:
-      return calibration_.Revert() ? std::string() : "there is nothing to take back";
-    case Ask::kSaved:
-      return GoTo(kept_.now);
-    case Ask::kBefore:
-      return GoTo(kept_.before);
-    case Ask::kDefaults:
-      return GoTo(LipSettings{});
-    case Ask::kSave:
+    case CommandKind::kUndo:
+      return calibration_.Revert() ? std::string() : "there is no change to undo";
+    case CommandKind::kSaved:
+      return SwitchTo(saved_.now);
+    case CommandKind::kBefore:
+      return SwitchTo(saved_.before);
+    case CommandKind::kDefaults:
+      return SwitchTo(LipSettings{});
+    case CommandKind::kSave:
       return Save();
-    case Ask::kLight:
-      report_.free_light = command.a > 0;
-      hands_.light(report_.free_light);
+    case CommandKind::kExposure:
+      report_.exposure_free = command.a > 0;
+      actions_.free_exposure(report_.exposure_free);
       return {};
     default:
       return {};
@@ -99,28 +101,28 @@ std::string Tuning::Begin(const std::string& name) {
       calibration_.Begin(static_cast<CalibrationStep>(step));
       return {};
     }
-  return "there is no step " + name;
+  return "there is no calibration step " + name;
 }
 
-std::string Tuning::GoTo(const std::optional<LipSettings>& settings, std::uint32_t gesture) {
-  if (!settings) return "nothing was kept";
+std::string Tuning::SwitchTo(const std::optional<LipSettings>& settings, std::uint32_t gesture) {
+  if (!settings) return "no settings are saved";
   calibration_.Set(*settings, gesture);
   return {};
 }
 
 std::string Tuning::Save() {
-  if (file_.empty()) return "there is no file to keep it in";
-  if (saving_.valid()) return "it is being saved";
+  if (file_.empty()) return "there is no file to save the settings in";
+  if (saving_.valid()) return "the settings are being saved already";
   being_saved_ = calibration_.settings();
   saving_ = std::async(std::launch::async, WriteGeneration, file_, being_saved_);
   return {};
 }
 
-void Tuning::See(const decode::Planes& planes, const LipMeter& meter, Time at, Time now) {
-  if (waiting_) Paint(planes);
+void Tuning::HandlePicture(const decode::Planes& planes, const LipMeter& meter, Time at, Time now) {
+  if (waiting_) SamplePaint(planes);
   const auto step = calibration_.step();
   if (calibration_.Feed(meter.lips(), at)) {
-    report_.taken |= 1U << static_cast<unsigned>(*step);
+    report_.done |= 1U << static_cast<unsigned>(*step);
     report_.complaint.clear();
   }
   report_.box = BoxOf(meter, planes);
@@ -128,11 +130,11 @@ void Tuning::See(const decode::Planes& planes, const LipMeter& meter, Time at, T
   Step(now);
 }
 
-void Tuning::Paint(const decode::Planes& planes) {
+void Tuning::SamplePaint(const decode::Planes& planes) {
   const Waiting waiting = *std::exchange(waiting_, std::nullopt);
-  if (waiting.command.ask == Ask::kFind) {
+  if (waiting.command.kind == CommandKind::kFind) {
     const auto found = FindPaint(planes);
-    if (!found) return Answer(waiting.command, "no paint is seen");
+    if (!found) return Answer(waiting.command, "no paint was found in the picture");
     return Answer(waiting.command,
                   ComplaintOf(calibration_.SamplePaint(planes, found->x, found->y, kReachFound)));
   }
@@ -145,8 +147,8 @@ void Tuning::Answer(const Command& command, std::string complaint) {
   report_.complaint = std::move(complaint);
 }
 
-void Tuning::TakeBackTo(std::size_t changes) {
-  calibration_.GiveUp();
+void Tuning::RevertTo(std::size_t changes) {
+  calibration_.Cancel();
   calibration_.RevertTo(changes);
   Apply();
 }
@@ -154,7 +156,7 @@ void Tuning::TakeBackTo(std::size_t changes) {
 void Tuning::Apply() {
   if (calibration_.settings() != used_) {
     used_ = calibration_.settings();
-    hands_.use(used_);
+    actions_.apply(used_);
   }
   Refresh();
 }
@@ -166,26 +168,26 @@ void Tuning::Step(Time now) {
     const Result<void> saved = saving_.get();
     report_.answered = save_number_;
     report_.complaint = ComplaintOf(saved);
-    kept_ = ReadGenerations(file_);
+    saved_ = ReadGenerations(file_);
     file_at_ = TimeOf(file_);
-    Log("lips: {}", saved ? "the calibration is saved" : report_.complaint);
+    saved ? Log("lips: the settings were saved") : LogWarning("lips: {}", report_.complaint);
   }
-  LookAtFile(now);
+  CheckFile(now);
   Refresh();
 }
 
-// Who puts another file there, or changes it, need not start the lips again.
-void Tuning::LookAtFile(Time now) {
-  if (file_.empty() || saving_.valid() || now < look_at_) return;
-  look_at_ = now + kFilePeriod;
+// A file that a person or another program replaces is used without a restart of the lips.
+void Tuning::CheckFile(Time now) {
+  if (file_.empty() || saving_.valid() || now < check_file_at_) return;
+  check_file_at_ = now + kFilePeriod;
   const auto at = TimeOf(file_);
   if (at == file_at_) return;
   file_at_ = at;
-  kept_ = ReadGenerations(file_);
-  if (!kept_.complaint.empty()) LogWarning("{}; playing on as before", kept_.complaint);
-  if (!kept_.now || *kept_.now == calibration_.settings()) return;
-  Log("lips: {} was changed, and is taken", file_.string());
-  calibration_.Set(*kept_.now);
+  saved_ = ReadGenerations(file_);
+  if (!saved_.complaint.empty()) LogWarning("{}; the lips go on with the settings in use", saved_.complaint);
+  if (!saved_.now || *saved_.now == calibration_.settings()) return;
+  Log("lips: {} was changed by another program; its settings are in use now", file_.string());
+  calibration_.Set(*saved_.now);
   Apply();
 }
 
@@ -193,9 +195,9 @@ void Tuning::Refresh() {
   report_.step = calibration_.step();
   report_.progress = calibration_.progress();
   report_.changes = static_cast<std::uint32_t>(calibration_.changes());
-  report_.saved = kept_.now.has_value();
-  report_.before = kept_.before.has_value();
-  report_.unsaved = calibration_.settings() != kept_.now.value_or(LipSettings{});
+  report_.saved = saved_.now.has_value();
+  report_.before = saved_.before.has_value();
+  report_.unsaved = calibration_.settings() != saved_.now.value_or(LipSettings{});
   for (std::size_t n = 0; n < kSettingCount; ++n) report_.values[n] = ValueOf(calibration_.settings(), n);
 }
 

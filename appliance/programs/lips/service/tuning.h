@@ -1,4 +1,4 @@
-// What can be done to the lips' settings while they are in use: by a desk, and by keys at the box.
+// Changes the lips' settings while they are in use, by commands of a desk and by keys at the box.
 #pragma once
 
 #include <filesystem>
@@ -8,45 +8,46 @@
 #include <string>
 
 #include "appliance/programs/lips/calibration.h"
-#include "appliance/programs/lips/lip_meter.h"
 #include "appliance/programs/lips/generations.h"
-#include "appliance/programs/lips/service/words.h"
+#include "appliance/programs/lips/lip_meter.h"
+#include "appliance/programs/lips/protocol/protocol.h"
 #include "drivers/base/clock.h"
 #include "drivers/decode/planes.h"
 
 namespace kaori::lips {
 
-// What the tuning acts on.
-struct TuningHands {
-  std::function<void(const LipSettings&)> use;  // From the next frame on.
-  std::function<void(bool free)> light;         // Frees the camera's exposure, or holds it.
+// What the tuning does to the lips; both are called on the lips' thread.
+struct TuningActions {
+  std::function<void(const LipSettings&)> apply;  // Uses settings from the next frame on.
+  std::function<void(bool free)> free_exposure;   // Frees the camera's exposure, or holds it.
 };
 
-// One thread, that of the lips; files are written on another one, so that no frame waits for a disk.
+// Used by the lips' thread. Files are written by another thread, so that no frame waits for a disk.
 class Tuning {
  public:
-  // Without a file nothing can be kept, and says so. Reads the generations; blocks for the disk.
-  Tuning(const LipSettings& now, std::filesystem::path file, TuningHands hands);
+  // Reads the generations of `file`, and blocks for the disk. With an empty path saving fails with a
+  // complaint.
+  Tuning(const LipSettings& now, std::filesystem::path file, TuningActions actions);
   // Waits for a file that is being written.
   ~Tuning();
   Tuning(const Tuning&) = delete;
   Tuning& operator=(const Tuning&) = delete;
 
-  // Does it, or notes why not; both are in report(). What needs a picture is done with the next one, and
-  // fails after a second without.
-  void Do(const Command& command, Time now);
+  // Executes a command; report() then tells whether it succeeded, or why not. A command that needs a picture
+  // is executed with the next one, and fails after a second without one.
+  void Execute(const Command& command, Time now);
 
-  // Each measured picture, while the planes can be looked at.
-  void See(const decode::Planes& planes, const LipMeter& meter, Time at, Time now);
+  // Handles a measured picture. The planes are borrowed for the call.
+  void HandlePicture(const decode::Planes& planes, const LipMeter& meter, Time at, Time now);
 
-  // News of the disk, a file that somebody else changed, and pictures that did not come.
+  // Handles the end of a write, a file that another program changed, and commands whose picture did not come.
   void Step(Time now);
 
-  // Everything since `changes` is taken back: see Report::changes.
-  void TakeBackTo(std::size_t changes);
+  // Undoes all changes but the first `changes`: see Report::changes.
+  void RevertTo(std::size_t changes);
 
   const Report& report() const { return report_; }
-  const LipSettings& settings() const { return used_; }  // In use.
+  const LipSettings& settings() const { return used_; }  // The settings in use.
   bool saving() const { return saving_.valid(); }
 
  private:
@@ -54,29 +55,28 @@ class Tuning {
     Command command;
     Time until;
   };
-  std::string DoNow(const Command& command);
+  std::string ExecuteNow(const Command& command);
   std::string Begin(const std::string& name);
-  std::string GoTo(const std::optional<LipSettings>& settings, std::uint32_t gesture = 0);
+  std::string SwitchTo(const std::optional<LipSettings>& settings, std::uint32_t gesture = 0);
   std::string Save();
-  void Paint(const decode::Planes& planes);
+  void SamplePaint(const decode::Planes& planes);
   void Answer(const Command& command, std::string complaint);
-  void Look(const LipMeter& meter, const decode::Planes& planes);
   void Apply();
-  void LookAtFile(Time now);
+  void CheckFile(Time now);
   void Refresh();
 
   Calibration calibration_;
   std::filesystem::path file_;
-  TuningHands hands_;
+  TuningActions actions_;
   LipSettings used_;
-  Kept kept_;
+  SavedSettings saved_;
   std::optional<Waiting> waiting_;
   Report report_;
   std::future<Result<void>> saving_;
   LipSettings being_saved_;
   std::uint32_t save_number_ = 0;
   std::filesystem::file_time_type file_at_{};
-  Time look_at_{};
+  Time check_file_at_{};
 };
 
 }  // namespace kaori::lips

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cstdlib>
 
-#include "appliance/programs/lips/voice/sound_line.h"
+#include "appliance/programs/lips/voice/delay_line.h"
 #include "appliance/programs/lips/voice/voice_mouth.h"
 
 namespace kaori::voice {
@@ -12,13 +12,13 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Duration kUsual =
-    milliseconds(70);                         // Before anything was measured: a camera and a screen of 60 Hz.
-constexpr Duration kClose = milliseconds(3);  // What is this close is no news.
+// The delay before anything was measured: that of a camera and a screen of 60 Hz.
+constexpr Duration kUsual = milliseconds(70);
+constexpr Duration kClose = milliseconds(3);  // A smaller difference changes nothing.
 constexpr Duration kStands = std::chrono::seconds(1);
 constexpr Duration kFresh = std::chrono::seconds(2);  // The stage measures once a second.
-// A mouth that opens is measured smaller than it is until the filter of the lips knows that it moves. Seen on
-// claps, as kVoiceMouthLag is.
+// An opening mouth is measured too small until the filter of the lips follows its speed. Measured with claps
+// of the lips, as kVoiceMouthLag is.
 constexpr Duration kLipsFilterLag = milliseconds(2);
 
 std::optional<Duration> Measured(const board::Snapshot& board, Time now) {
@@ -36,29 +36,28 @@ Duration Milliseconds(float ms) {
 
 }  // namespace
 
-Result<DelayWish> ParseDelay(std::string_view text) {
-  if (text == "auto") return DelayWish();
+Result<DelaySetting> ParseDelay(std::string_view text) {
+  if (text == "auto") return DelaySetting();
   double ms = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
   if (error != std::errc{} || end != text.data() + text.size() || !(ms >= 0 && ms <= 500))
-    return FailInput("a sound delay of " + std::string(text) +
-                     ": auto, off, or 0 to 500 milliseconds are wanted");
-  return DelayWish(FromSeconds(ms / 1e3));
+    return FailInput("--sound-delay " + std::string(text) + ": expected auto, off, or 0 to 500 milliseconds");
+  return DelaySetting(FromSeconds(ms / 1e3));
 }
 
-DelayChoice::DelayChoice(const DelayWish& wish, const board::Stamped<board::Sound>& before)
-    : wish_(wish), chosen_(wish.value_or(kUsual)) {
+DelayChoice::DelayChoice(const DelaySetting& setting, const board::Stamped<board::Sound>& before)
+    : setting_(setting), chosen_(setting.value_or(kUsual)) {
   const bool measured = before.source != board::SourceState::kAbsent && before.value.automatic == 1;
-  if (!wish && measured) chosen_ = std::min(Milliseconds(before.value.asked_ms), kLongestDelay);
+  if (!setting && measured) chosen_ = std::min(Milliseconds(before.value.asked_ms), kLongestDelay);
 }
 
-void DelayChoice::Use(const DelayWish& wish) {
-  wish_ = wish;
-  if (wish) chosen_ = *wish;
+void DelayChoice::Use(const DelaySetting& setting) {
+  setting_ = setting;
+  if (setting) chosen_ = *setting;
 }
 
 Duration DelayChoice::Choose(const board::Snapshot& board, Time now) {
-  if (wish_) return chosen_;
+  if (setting_) return chosen_;
   const auto measured = Measured(board, now);
   const auto close = [&](Duration to) { return std::abs((*measured - to).count()) <= kClose.count(); };
   if (measured && close(chosen_)) measured_ = true;

@@ -1,5 +1,5 @@
-// How long the voice waits on its way to the loudspeaker: as a hand says, or as long as the mouth takes to
-// the light.
+// The delay of the voice on its way to the loudspeaker: as it is set, or as long as a mouth takes to be
+// presented.
 #pragma once
 
 #include <optional>
@@ -11,31 +11,33 @@
 
 namespace kaori::voice {
 
-// None: as measured.
-using DelayWish = std::optional<Duration>;
+// The delay that is set; empty: the measured one.
+using DelaySetting = std::optional<Duration>;
 
-// "auto", or milliseconds from 0 to 500. Errors: invalid_argument.
-Result<DelayWish> ParseDelay(std::string_view text);
+// Parses "auto", or milliseconds from 0 to 500. Errors:
+//   invalid_argument  anything else; the message names the text
+Result<DelaySetting> ParseDelay(std::string_view text);
 
 // Pure: time is in the arguments.
 class DelayChoice {
  public:
-  // Goes on with what was measured before, if that is there.
-  DelayChoice(const DelayWish& wish, const board::Stamped<board::Sound>& before);
+  // Goes on with the measured delay of `before`, the section of the program's last run, if there is one.
+  DelayChoice(const DelaySetting& setting, const board::Stamped<board::Sound>& before);
 
-  // The delay for the sound from `now` on. What is measured is believed when it stood for a second.
+  // Returns the delay for the sound from `now` on. A measured delay is used once it was stable for a second.
   Duration Choose(const board::Snapshot& board, Time now);
 
-  void Use(const DelayWish& wish);
+  // Changes the setting, from the next sound on.
+  void Use(const DelaySetting& setting);
   Duration chosen() const { return chosen_; }
-  bool automatic() const { return !wish_; }
-  bool measured() const { return !wish_ && measured_; }
+  bool automatic() const { return !setting_; }
+  bool measured() const { return !setting_ && measured_; }
 
  private:
-  DelayWish wish_;
+  DelaySetting setting_;
   Duration chosen_;
   bool measured_ = false;
-  std::optional<Duration> other_;  // What is measured instead,
+  std::optional<Duration> other_;  // Another delay that is being measured,
   Time other_since_{};             // and since when.
 };
 

@@ -9,12 +9,12 @@
 namespace kaori::voice {
 namespace {
 
-constexpr double kPreEmphasis = 0.9;  // Undoes most of the fall of a voice towards its high tones.
-constexpr double kFloor = 1e-4;       // Of the power: noise that keeps the recursion well conditioned.
+constexpr double kPreEmphasis = 0.9;  // Compensates most of a voice's fall towards high frequencies.
+constexpr double kNoiseFloor = 1e-4;  // Of the power; it keeps the recursion well conditioned.
 
 using Correlation = std::array<double, kOrder + 1>;
 
-// Of the windowed samples; a Hann window hides where the moment was cut out.
+// The autocorrelation of the samples under a Hann window, which hides where the moment was cut out.
 Correlation Correlate(std::span<const float> samples) {
   Correlation sums{};
   std::array<double, kOrder + 1> past{};  // The newest first.
@@ -27,13 +27,13 @@ Correlation Correlate(std::span<const float> samples) {
     past[0] = emphasised * (0.5 - 0.5 * std::cos(turn));
     for (std::size_t lag = 0; lag < sums.size(); ++lag) sums[lag] += past[0] * past[lag];
   }
-  sums[0] *= 1 + kFloor;
+  sums[0] *= 1 + kNoiseFloor;
   return sums;
 }
 
 }  // namespace
 
-// Levinson's and Durbin's recursion.
+// The recursion of Levinson and Durbin.
 std::optional<Prediction> Predict(std::span<const float> samples) {
   const Correlation r = Correlate(samples);
   if (!std::isfinite(r[0]) || r[0] < 1e-12) return std::nullopt;

@@ -1,4 +1,4 @@
-// The resonances of a mouth, from a moment of its voice: linear prediction, and the peaks of its envelope.
+// The spectral envelope of a moment of voice by linear prediction; its peaks are the resonances of the mouth.
 #pragma once
 
 #include <array>
@@ -8,16 +8,16 @@
 
 namespace kaori::voice {
 
-inline constexpr int kVoiceRate_hz = 12000;  // A quarter of the microphone's: vowels live below 4 kHz.
-inline constexpr int kOrder = 12;            // One resonance for each kHz.
-inline constexpr std::size_t kGrid = 180;    // Points of the envelope,
-inline constexpr float kGridStep_hz = 20;    // so far apart, from 0 on.
+inline constexpr int kVoiceRate_hz = 12000;  // A quarter of the microphone's rate: vowels lie below 4 kHz.
+inline constexpr int kOrder = 12;            // The order of the predictor: about one resonance for each kHz.
+inline constexpr std::size_t kGrid = 180;    // The envelope has so many points,
+inline constexpr float kGridStep_hz = 20;    // at this distance from 0 Hz on.
 
-// Predicts each sample from the kOrder before it; [0] is 1. None where there is nothing to predict.
+// The predictor's coefficients, by Levinson and Durbin; [0] is 1. Nothing for silence.
 using Prediction = std::array<float, kOrder + 1>;
 std::optional<Prediction> Predict(std::span<const float> samples);
 
-// Magnitude in dB at n * kGridStep_hz, of mean 0.
+// The magnitude in dB at n * kGridStep_hz, with a mean of 0.
 using Envelope = std::array<float, kGrid>;
 Envelope EnvelopeOf(const Prediction& prediction);
 

@@ -7,19 +7,19 @@
 namespace kaori::voice {
 namespace {
 
-constexpr int kLeftOut = 4;                 // 48 kHz to 12 kHz.
-constexpr float kCut = 5200 / 48000.0F;     // Of the rate: vowels pass.
-constexpr std::size_t kLevelSamples = 120;  // 10 ms: the newest of a moment tell how loud it is now.
-constexpr float kFull = 32768;
+constexpr int kDecimation = 4;              // 48 kHz to 12 kHz.
+constexpr float kCutOff = 5200 / 48000.0F;  // In parts of the rate; vowels pass.
+constexpr std::size_t kLevelSamples = 120;  // The level is that of the newest 10 ms.
+constexpr float kFullScale = 32768;
 
-// A sinc under a Hann window, of sum 1.
+// A low pass: a sinc under a Hann window, with a sum of 1.
 template <std::size_t kTaps>
 std::array<float, kTaps> MakeLowPass() {
   std::array<float, kTaps> taps{};
   float sum = 0;
   for (std::size_t n = 0; n < kTaps; ++n) {
     const float x = static_cast<float>(n) - static_cast<float>(kTaps - 1) / 2;
-    const float angle = 2 * std::numbers::pi_v<float> * kCut * x;
+    const float angle = 2 * std::numbers::pi_v<float> * kCutOff * x;
     const float window = 0.5F + 0.5F * std::cos(2 * std::numbers::pi_v<float> * x / (kTaps + 1));
     taps[n] = window * (x == 0 ? 1 : std::sin(angle) / angle);
     sum += taps[n];
@@ -36,7 +36,7 @@ const Voice& Listener::Hear(const ports::SoundBlock& block, const ports::SoundFo
   for (std::size_t n = 0; n + channels <= block.samples.size(); n += channels) {
     float sum = 0;
     for (std::size_t channel = 0; channel < channels; ++channel) sum += block.samples[n + channel];
-    AddSample(sum / (kFull * static_cast<float>(channels)));
+    AddSample(sum / (kFullScale * static_cast<float>(channels)));
   }
   const auto frames = static_cast<long>(block.samples.size() / channels);
   const Duration length(frames * 1'000'000'000L / format.rate_hz);
@@ -50,7 +50,7 @@ const Voice& Listener::Hear(const ports::SoundBlock& block, const ports::SoundFo
 void Listener::AddSample(float sample) {
   std::shift_left(recent_.begin(), recent_.end(), 1);
   recent_.back() = sample;
-  if (++phase_ < kLeftOut) return;
+  if (++phase_ < kDecimation) return;
   phase_ = 0;
   std::shift_left(moment_.begin(), moment_.end(), 1);
   moment_.back() = LowPassed();

@@ -1,4 +1,4 @@
-// From a microphone's blocks to a voice: how loud, whether it speaks, and which vowel.
+// From a microphone's blocks to a voice: its level, whether somebody speaks, and which vowel it is.
 #pragma once
 
 #include <array>
@@ -12,24 +12,26 @@
 namespace kaori::voice {
 
 struct Voice {
-  Time at{};  // Of the newest frame that was heard.
+  Time at{};  // The time of the newest frame.
   float level_db = kSilent_db;
   bool speaking = false;
-  std::optional<VowelGuess> vowel;  // Of the last 30 ms; while speaking only.
+  std::optional<VowelGuess> vowel;  // Of the last 30 ms; only while somebody speaks.
 };
 
-// Blocks at 48 kHz. One thread. Allocates nothing.
+// Processes blocks at 48 kHz. Used by one thread; it allocates nothing.
 class Listener {
  public:
   explicit Listener(const GateSettings& settings = {}) : gate_(settings) {}
 
-  // Frames that were lost (xrun) leave a gap that sounds like nothing.
+  // Processes a block, which is borrowed for the call. Frames that were lost before it (xrun) count as
+  // silence.
   const Voice& Hear(const ports::SoundBlock& block, const ports::SoundFormat& format);
+  // Changes the gate's settings from the next block on.
   void Use(const GateSettings& gate) { gate_.Use(gate); }
   const Voice& voice() const { return voice_; }
 
  private:
-  static constexpr std::size_t kTaps = 65;     // Of the low pass before three frames of four are left out.
+  static constexpr std::size_t kTaps = 65;     // The taps of the low pass before every fourth sample is kept.
   static constexpr std::size_t kMoment = 360;  // 30 ms at kVoiceRate_hz.
 
   void AddSample(float sample);
@@ -37,8 +39,8 @@ class Listener {
 
   Gate gate_;
   Voice voice_;
-  std::array<float, kTaps> recent_{};    // At 48 kHz, the oldest first.
-  std::array<float, kMoment> moment_{};  // At kVoiceRate_hz, the oldest first.
+  std::array<float, kTaps> recent_{};    // Samples at 48 kHz, the oldest first.
+  std::array<float, kMoment> moment_{};  // Samples at kVoiceRate_hz, the oldest first.
   int phase_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// How loud the voice is, and whether somebody speaks.
+// The level of the voice, and the gate that says whether somebody speaks.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,18 @@
 
 namespace kaori::voice {
 
-inline constexpr float kSilent_db = -100;  // What nothing at all counts as.
+inline constexpr float kSilent_db = -100;  // The level of silence.
 
-// Of full scale: a sine as loud as the format allows is -3 dB; never below kSilent_db.
+// The level in dB of full scale (dBFS by RMS): a sine of full scale has -3 dB. Never below kSilent_db.
 float Level_db(std::span<const float> samples);
 
 struct GateSettings {
-  float opens_db = -38;
-  float shuts_db = -44;                            // Not above opens_db.
-  Duration hold = std::chrono::milliseconds(120);  // A stop within a word is shorter.
-  Duration rise = std::chrono::milliseconds(10);   // Of the level, to two thirds.
-  Duration fall = std::chrono::milliseconds(60);
+  float opens_db = -38;  // The level at which the gate opens.
+  float shuts_db = -44;  // The level below which it shuts; not above opens_db.
+  Duration hold =
+      std::chrono::milliseconds(120);  // How long it stays open below that; pauses in a word are shorter.
+  Duration rise = std::chrono::milliseconds(10);  // How soon the smoothed level follows a rise to two thirds,
+  Duration fall = std::chrono::milliseconds(60);  // and a fall.
   friend bool operator==(const GateSettings&, const GateSettings&) = default;
 };
 
@@ -27,8 +28,8 @@ class Gate {
  public:
   explicit Gate(const GateSettings& settings = {}) : settings_(settings) {}
 
-  // Takes the level of a block that ended at `at` and lasted `length`; tells whether the voice is there. NaN
-  // is silence.
+  // Handles the level of a block that ended at `at` and lasted `length`. Returns whether the gate is open.
+  // NaN is silence.
   bool Accept(float level_db, Time at, Duration length);
 
   void Use(const GateSettings& settings) { settings_ = settings; }
@@ -40,7 +41,7 @@ class Gate {
   GateSettings settings_;
   float level_db_ = kSilent_db;
   bool open_ = false;
-  Time loud_at_{};  // When it was last above shuts_db.
+  Time loud_at_{};  // When the level was last above shuts_db.
 };
 
 }  // namespace kaori::voice

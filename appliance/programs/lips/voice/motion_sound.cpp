@@ -4,14 +4,15 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "appliance/programs/lips/voice/sound_line.h"
+#include "appliance/programs/lips/voice/delay_line.h"
 
 namespace kaori::voice {
 namespace {
 
-constexpr float kTakeSoundFade = 1.0F / 480;      // A beginning or a leap: 10 ms.
-constexpr float kCutOff = 1.0F / 12000;  // 250 ms, as the curves of a motion that is cut off.
-constexpr std::int64_t kAstray = 20 * kSoundRate_hz / 1000;  // Further than 20 ms beside its motion it leaps.
+constexpr float kFade_per_frame = 1.0F / 480;      // 10 ms, for a beginning or a jump.
+constexpr float kCutOff_per_frame = 1.0F / 12000;  // 250 ms, like the curves of a motion that is cut off.
+// A sound that is farther than 20 ms from its motion jumps to it.
+constexpr std::int64_t kMaxOffset_frames = 20 * kSoundRate_hz / 1000;
 
 float Sample(std::int16_t value) {
   return static_cast<float>(value) / 32768.0F;
@@ -21,17 +22,18 @@ float Sample(std::int16_t value) {
 
 void MotionSound::Follow(const board::Stamped<board::MotionNow>& now) {
   if (now.source != board::SourceState::kLive) {
-    known_ = true;  // None ever played: the first one begins now.
+    known_ = true;  // No motion was ever played, so that the first one is followed from its beginning.
     return;
   }
   const bool fresh = known_ && now.value.starts != starts_;
-  if (now.value.motion != take_ || fresh) CutOff(now.value.motion < 0 && now_.clip != nullptr ? kTakeSoundFade : kCutOff);
-  take_ = now.value.motion;
+  if (now.value.motion != motion_ || fresh)
+    CutOff(now.value.motion < 0 && now_.clip != nullptr ? kFade_per_frame : kCutOff_per_frame);
+  motion_ = now.value.motion;
   starts_ = now.value.starts;
   began_ = now.at - FromSeconds(static_cast<double>(now.value.at_s));
   if (fresh)
-    pending_ = take_ >= 0 && static_cast<std::size_t>(take_) < clips_.size() &&
-               !clips_[static_cast<std::size_t>(take_)].samples.empty();
+    pending_ = motion_ >= 0 && static_cast<std::size_t>(motion_) < clips_.size() &&
+               !clips_[static_cast<std::size_t>(motion_)].samples.empty();
   known_ = true;
 }
 
@@ -43,19 +45,19 @@ void MotionSound::CutOff(float step) {
 }
 
 void MotionSound::Start(Time heard_at) {
-  const auto place = static_cast<std::int64_t>(std::llround(Seconds(heard_at - began_) * kSoundRate_hz));
-  if (place < 0) return;
-  if (now_.clip != nullptr && std::abs(place - now_.place) <= kAstray) return;
+  const auto position = static_cast<std::int64_t>(std::llround(Seconds(heard_at - began_) * kSoundRate_hz));
+  if (position < 0) return;
+  if (now_.clip != nullptr && std::abs(position - now_.position) <= kMaxOffset_frames) return;
   if (now_.clip == nullptr && !pending_) return;
-  const auto* const clip = now_.clip != nullptr ? now_.clip : &clips_[static_cast<std::size_t>(take_)];
-  CutOff(kTakeSoundFade);
-  // The first frame, heard in time, is heard whole.
-  now_ = {clip, place, place == 0 ? 1.0F : 0.0F, kTakeSoundFade};
+  const auto* const clip = now_.clip != nullptr ? now_.clip : &clips_[static_cast<std::size_t>(motion_)];
+  CutOff(kFade_per_frame);
+  // A clip that begins in time begins at full volume.
+  now_ = {clip, position, position == 0 ? 1.0F : 0.0F, kFade_per_frame};
   pending_ = false;
 }
 
 void MotionSound::Mix(std::span<float> frames, Time heard_at) {
-  // A beginning within these frames waits for its very frame.
+  // A clip that begins within these frames begins at its exact frame.
   const auto silent = static_cast<std::int64_t>(std::llround(Seconds(began_ - heard_at) * kSoundRate_hz));
   const auto count = static_cast<std::int64_t>(frames.size() / 2);
   const std::int64_t first = pending_ ? std::clamp<std::int64_t>(silent, 0, count) : 0;
@@ -68,10 +70,9 @@ void MotionSound::Mix(std::span<float> frames, Time heard_at) {
   }
 }
 
-// False: it is over.
-bool MotionSound::Needle::AddFrame(float& left, float& right) {
+bool MotionSound::Playback::AddFrame(float& left, float& right) {
   const auto channels = static_cast<std::size_t>(clip->channels);
-  const auto at = static_cast<std::size_t>(place++) * channels;
+  const auto at = static_cast<std::size_t>(position++) * channels;
   if (at + channels > clip->samples.size()) return false;
   left += gain * Sample(clip->samples[at]);
   right += gain * Sample(clip->samples[at + channels - 1]);

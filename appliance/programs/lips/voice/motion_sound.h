@@ -1,4 +1,4 @@
-// The recorded sound of registered motions, in time with their curves.
+// The recorded sounds of registered motions, in time with their curves.
 #pragma once
 
 #include <cstddef>
@@ -12,39 +12,41 @@
 
 namespace kaori::voice {
 
-// Sounds of the motion that plays by the board: its first frame is heard when the motion's beginning comes to
-// light, or as soon after it as the loudspeaker can. One thread. Allocates nothing.
+// Plays the sound of the motion that the board names. Its first frame is heard when the motion's beginning is
+// presented, or as soon after that as the loudspeaker can. Used by one thread; it allocates nothing.
 class MotionSound {
  public:
-  // One clip for each take of the show, empty for those without a sound.
+  // One clip for each motion of the show; motions without a sound have an empty one.
   explicit MotionSound(std::vector<show::Sound> clips) : clips_(std::move(clips)) {}
 
-  // What the board says now.
+  // Follows the board's section.
   void Follow(const board::Stamped<board::MotionNow>& now);
 
-  // Adds to frames of two channels, left and right, -1 .. 1, the first of which is heard at `heard_at`.
+  // Adds the sound to frames of two channels, left and right, -1 .. 1, the first of which is heard at
+  // `heard_at`.
   void Mix(std::span<float> frames, Time heard_at);
 
   bool sounding() const { return now_.clip != nullptr || before_.clip != nullptr; }
 
  private:
-  struct Needle {
+  struct Playback {
     const show::Sound* clip = nullptr;
-    std::int64_t place = 0;  // In frames of the clip.
+    std::int64_t position = 0;  // In frames of the clip.
     float gain = 0;
-    float gain_step = 0;  // For each frame: rises to 1, or falls to 0.
+    float gain_step = 0;  // Added to the gain at each frame, until it is 1 or 0.
+    // Adds one frame. Returns false when the clip or its fade is over.
     bool AddFrame(float& left, float& right);
   };
   void Start(Time heard_at);
   void CutOff(float step);
 
   std::vector<show::Sound> clips_;
-  std::int32_t take_ = -1;
+  std::int32_t motion_ = -1;
   std::uint32_t starts_ = 0;
-  bool known_ = false;    // What played before this program began is not joined in the middle of a word.
-  bool pending_ = false;  // The take's sound has not begun yet.
+  bool known_ = false;    // The section was read: a motion that began before the program did stays silent.
+  bool pending_ = false;  // The sound of the motion has not begun yet.
   Time began_{};
-  Needle now_, before_;
+  Playback now_, before_;
 };
 
 }  // namespace kaori::voice

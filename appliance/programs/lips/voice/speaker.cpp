@@ -14,15 +14,16 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr Duration kRetry = milliseconds(250);
-// How much waits in the device: how late we may be. A device that ran dry gets more, and less again by and
-// by.
-constexpr Duration kLeastLead = milliseconds(20), kMoreLead = milliseconds(10), kMostLead = milliseconds(50);
-constexpr int kForgiveness = 1000;            // A millisecond of each second.
-constexpr Duration kSpeakerTorn = milliseconds(10);  // A promise further off than this is a break, and no trembling.
-constexpr double kPromiseShare = 0.05;        // Of a promise's news that is believed.
+// How much sound waits in the device, which is how late the program may be. A device that ran dry gets more,
+// and that shrinks again by a millisecond each second.
+constexpr Duration kMinLead = milliseconds(20), kMoreLead = milliseconds(10), kMaxLead = milliseconds(50);
+constexpr int kLeadDecay = 1000;
+constexpr Duration kPlayoutGap =
+    milliseconds(10);                   // A larger change of the playout time is a gap and no jitter.
+constexpr double kPlayoutShare = 0.05;  // The weight of a new playout time.
 constexpr Duration kStuck = milliseconds(1000);
-constexpr Duration kTellPeriod = milliseconds(100);
-constexpr Duration kQuiet = std::chrono::seconds(10);  // Between two lines of the log about the delay.
+constexpr Duration kPublishPeriod = milliseconds(100);
+constexpr Duration kDelayLogPeriod = std::chrono::seconds(10);  // Between two log lines about the delay.
 constexpr int kChunksAtOnce = 40;
 
 float Ms(Duration time) {
@@ -42,17 +43,17 @@ Speaker::Speaker(ports::LoudspeakerOpener open, const board::Board& board, board
       writer_(std::move(writer)),
       clock_(clock),
       choice_(settings.delay, board.Read<board::Sound>()),
-      takes_(std::move(settings.clips)) {
+      motion_sound_(std::move(settings.clips)) {
   chunk_.reserve(kChunk * 8);
 }
 
 void Speaker::Step() {
   const Time now = clock_.now();
-  takes_.Follow(board_.Read<board::MotionNow>());
+  motion_sound_.Follow(board_.Read<board::MotionNow>());
   choice_.Choose(board::ReadAll(board_), now);
   if (!loudspeaker_ && now >= retry_at_) TryOpen(now);
   if (loudspeaker_) Fill(now);
-  if (now - told_at_ >= kTellPeriod) Tell(now);
+  if (now - published_at_ >= kPublishPeriod) Publish(now);
 }
 
 void Speaker::TryOpen(Time now) {
@@ -62,23 +63,24 @@ void Speaker::TryOpen(Time now) {
   heard_next_.reset();
   chunk_.clear();
   pushed_ = 0;
-  silent_since_ = filled_at_ = now;
-  Log("loudspeaker: open");
+  stuck_since_ = filled_at_ = now;
+  Log("loudspeaker: opened");
 }
 
 void Speaker::Fill(Time now) {
-  lead_ = std::max(lead_ - (now - filled_at_) / kForgiveness, kLeastLead);
+  lead_ = std::max(lead_ - (now - filled_at_) / kLeadDecay, kMinLead);
   filled_at_ = now;
   for (int n = 0; n < kChunksAtOnce && loudspeaker_; ++n) {
     const bool enough = heard_next_ && *heard_next_ >= now + depth_ + lead_;
     if (pushed_ == chunk_.size() && enough) return;
-    if (!SpeakChunk()) break;
+    if (!WriteChunk()) break;
   }
-  if (loudspeaker_ && now - silent_since_ > kStuck) Close(now, "loudspeaker: it takes no sound");
+  if (loudspeaker_ && now - stuck_since_ > kStuck) Close(now, "loudspeaker: the device accepts no sound");
 }
 
-// Makes the next chunk, unless one still waits, and gives it away. False: there is no room now.
-bool Speaker::SpeakChunk() {
+// Makes the next chunk, unless one still waits, and writes it. Returns false where the device has no room
+// now.
+bool Speaker::WriteChunk() {
   if (pushed_ == chunk_.size()) {
     Mix();
     const auto channels = static_cast<std::size_t>(loudspeaker_->format().channels);
@@ -87,19 +89,19 @@ bool Speaker::SpeakChunk() {
     for (std::size_t frame = 0; frame < kChunk; ++frame)
       for (std::size_t channel = 0; channel < channels; ++channel)
         chunk_.push_back(Sample16(channels == 1 ? (mixed_[2 * frame] + mixed_[2 * frame + 1]) / 2
-                                            : mixed_[2 * frame + std::min<std::size_t>(channel, 1)]));
+                                                : mixed_[2 * frame + std::min<std::size_t>(channel, 1)]));
   }
   return Push();
 }
 
-// Before it is known when it will be heard, a chunk is silent.
+// A chunk is silent while it is unknown when it will be heard.
 void Speaker::Mix() {
   mixed_.fill(0);
   if (!heard_next_) return;
-  line_.Speak(voice_, *heard_next_, choice_.chosen());
+  line_.Read(voice_, *heard_next_, choice_.chosen());
   for (std::size_t frame = 0; frame < kChunk; ++frame)
     mixed_[2 * frame] = mixed_[2 * frame + 1] = voice_[frame];
-  takes_.Mix(mixed_, *heard_next_);
+  motion_sound_.Mix(mixed_, *heard_next_);
   *heard_next_ += FromSeconds(static_cast<double>(kChunk) / kSoundRate_hz);
 }
 
@@ -116,11 +118,12 @@ bool Speaker::Push() {
   return pushed_ == chunk_.size();
 }
 
-// The device promises when the frames that it took are heard; what it took last ends where the next begins.
+// The device says when the frames that it accepted will be heard; the next frame is heard after the last of
+// them.
 void Speaker::NotePlayout(const ports::Playout& playout) {
   const Time now = clock_.now();
-  silent_since_ = now;
-  if (source_ != board::SourceState::kLive) Log("loudspeaker: live");
+  stuck_since_ = now;
+  if (source_ != board::SourceState::kLive) Log("loudspeaker: playing");
   source_ = board::SourceState::kLive;
   logged_ = {};
   const auto channels = static_cast<std::size_t>(loudspeaker_->format().channels);
@@ -128,42 +131,42 @@ void Speaker::NotePlayout(const ports::Playout& playout) {
   const Time next = playout.at + FromSeconds(static_cast<double>(playout.frames + left) / kSoundRate_hz);
   if (playout.xrun) {
     ++sound_.xruns;
-    lead_ = std::min(lead_ + kMoreLead, kMostLead);
+    lead_ = std::min(lead_ + kMoreLead, kMaxLead);
   }
   if (!heard_next_) depth_ = std::max(playout.at - now, Duration{});
   const Duration off = heard_next_ ? next - *heard_next_ : Duration{};
-  if (!heard_next_ || playout.xrun || off > kSpeakerTorn || off < -kSpeakerTorn)
+  if (!heard_next_ || playout.xrun || off > kPlayoutGap || off < -kPlayoutGap)
     heard_next_ = next;
   else
-    *heard_next_ += FromSeconds(Seconds(off) * kPromiseShare);
+    *heard_next_ += FromSeconds(Seconds(off) * kPlayoutShare);
 }
 
 void Speaker::Close(Time now, std::string_view why) {
   loudspeaker_.reset();
   retry_at_ = now + kRetry;
-  LogWarning("{}; opening the loudspeaker anew", why);
+  LogWarning("{}; the loudspeaker is opened again", why);
   logged_ = std::errc::no_such_device;
   if (source_ != board::SourceState::kLive) return;
   source_ = board::SourceState::kStale;
-  Tell(now);
+  Publish(now);
 }
 
-void Speaker::Tell(Time now) {
-  told_at_ = now;
+void Speaker::Publish(Time now) {
+  published_at_ = now;
   sound_.delay_ms = std::clamp(Ms(line_.delay()), 0.0F, 1000.0F);
   sound_.asked_ms = Ms(choice_.chosen());
   sound_.automatic = choice_.automatic() ? 1 : 0;
-  sound_.leaps = line_.leaps();
+  sound_.leaps = line_.jumps();
   sound_.drift_ppm = line_.drift_ppm();
   writer_.Write(sound_, now, source_);
   LogDelay();
 }
 
 void Speaker::LogDelay() {
-  if (choice_.automatic() && (!choice_.measured() || told_at_ < quiet_until_)) return;
+  if (choice_.automatic() && (!choice_.measured() || published_at_ < log_delay_after_)) return;
   if (std::exchange(logged_delay_, choice_.chosen()) == choice_.chosen()) return;
-  quiet_until_ = told_at_ + kQuiet;
-  Log("the voice sounds {:.0f} ms after it was spoken{}", Ms(choice_.chosen()),
+  log_delay_after_ = published_at_ + kDelayLogPeriod;
+  Log("the voice is played {:.0f} ms after it was spoken{}", Ms(choice_.chosen()),
       choice_.automatic() ? ", as measured" : "");
 }
 

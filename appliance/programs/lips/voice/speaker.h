@@ -1,5 +1,5 @@
-// From the voice to the loudspeaker, later by as much as the mouth is; outlives everything a loudspeaker
-// does.
+// From the voice to the loudspeaker, as late as the picture of the mouth; recovers from every failure of the
+// device.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 #include "appliance/core/board/board.h"
 #include "appliance/programs/lips/voice/delay_choice.h"
-#include "appliance/programs/lips/voice/sound_line.h"
+#include "appliance/programs/lips/voice/delay_line.h"
 #include "appliance/programs/lips/voice/motion_sound.h"
 #include "drivers/base/clock.h"
 #include "drivers/ports/loudspeaker.h"
@@ -20,24 +20,28 @@
 namespace kaori::voice {
 
 struct SpeakerSettings {
-  DelayWish delay;
-  std::vector<show::Sound> clips;  // One for each take of the show.
+  DelaySetting delay;
+  std::vector<show::Sound> clips;  // One for each motion of the show; empty for a motion without a sound.
 };
 
-// One thread. A loudspeaker that is gone is opened anew every 250 ms; meanwhile the voice is heard on, and is
-// in time again when it returns.
+// Used by one thread. A loudspeaker that is gone is opened again every 250 ms. Meanwhile the voice is
+// recorded, and it is in time when the loudspeaker is back.
 class Speaker {
  public:
-  // Goes on from what `board` holds. Borrows the board and the clock.
+  // Goes on from what `board` holds. Borrows the board and the clock, which outlive it.
   Speaker(ports::LoudspeakerOpener open, const board::Board& board, board::Writer<board::Sound> writer,
           SpeakerSettings settings, const Clock& clock);
 
-  // A block of the microphone.
-  void Hear(const ports::SoundBlock& block, const ports::SoundFormat& format) { line_.Hear(block, format); }
+  // Records a block of the microphone.
+  void Record(const ports::SoundBlock& block, const ports::SoundFormat& format) {
+    line_.Write(block, format);
+  }
 
-  void Use(const DelayWish& delay) { choice_.Use(delay); }
+  // Changes the delay's setting.
+  void Use(const DelaySetting& delay) { choice_.Use(delay); }
 
-  // Gives the loudspeaker what it needs until the next call; never blocks. Call it every 10 ms or sooner.
+  // Writes what the loudspeaker needs until the next call. It never blocks, apart from the time that opening
+  // the device needs. Call it every 10 ms or sooner.
   void Step();
 
  private:
@@ -45,12 +49,12 @@ class Speaker {
 
   void TryOpen(Time now);
   void Fill(Time now);
-  bool SpeakChunk();
+  bool WriteChunk();
   void Mix();
   bool Push();
   void NotePlayout(const ports::Playout& playout);
   void Close(Time now, std::string_view why);
-  void Tell(Time now);
+  void Publish(Time now);
   void LogDelay();
 
   ports::LoudspeakerOpener open_;
@@ -58,25 +62,25 @@ class Speaker {
   board::Writer<board::Sound> writer_;
   const Clock& clock_;
   DelayChoice choice_;
-  SoundLine line_;
-  MotionSound takes_;
+  DelayLine line_;
+  MotionSound motion_sound_;
   std::unique_ptr<ports::Loudspeaker> loudspeaker_;
-  std::optional<Time> heard_next_;  // When the next frame that is made will be heard; none: not yet known.
-  Duration lead_{};                 // How much shall wait in the device,
-  Time filled_at_{};                // and when that was seen to last.
-  Duration depth_{};                // What the device itself holds, from a write to its sound.
+  std::optional<Time> heard_next_;  // When the next frame will be heard; empty while that is unknown.
+  Duration lead_{};                 // How much sound waits in the device,
+  Time filled_at_{};                // and when it was last filled up to that.
+  Duration depth_{};                // The device's own latency, from a write until it is heard.
   std::array<float, kChunk> voice_{};
   std::array<float, 2 * kChunk> mixed_{};
-  std::vector<std::int16_t> chunk_;  // What the device has not taken yet, from `pushed_` on.
+  std::vector<std::int16_t> chunk_;  // From `pushed_` on the device has not accepted it yet.
   std::size_t pushed_ = 0;
   board::Sound sound_;
   board::SourceState source_ = board::SourceState::kAbsent;
   Time retry_at_{};
-  Time told_at_{};
-  Time silent_since_{};  // The device took nothing since then.
+  Time published_at_{};
+  Time stuck_since_{};  // The device accepted nothing since then.
   std::errc logged_{};
   Duration logged_delay_{};
-  Time quiet_until_{};
+  Time log_delay_after_{};
 };
 
 }  // namespace kaori::voice

@@ -1,4 +1,4 @@
-// From a voice to the mouth that it would make: loud opens, the vowel shapes, silence shuts.
+// From a voice to a mouth that fits it: loudness opens it, the vowel shapes it, and silence shuts it.
 #pragma once
 
 #include "appliance/core/board/sections.h"
@@ -6,13 +6,13 @@
 
 namespace kaori::voice {
 
-// How far what VoiceMouth says is behind the sound, in the mean: the moment that a vowel is told from, and
-// the smoothing.
+// The mean lag of the mouth behind the sound: the moment from which a vowel is recognised, and the smoothing.
 inline constexpr Duration kVoiceMouthLag = std::chrono::milliseconds(13);
 
-// Pure: time is in the voice.
+// Pure: time is in the argument.
 class VoiceMouth {
  public:
+  // Moves the mouth to that of `voice`, at its time.
   const board::Voice& Follow(const Voice& voice);
   const board::Voice& mouth() const { return mouth_; }
 

@@ -8,24 +8,25 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Duration kSilence = milliseconds(200);  // After that the voice is stale.
+constexpr Duration kSilence = milliseconds(200);  // After this time the voice is stale.
 constexpr Duration kVoiceReaderRetry = milliseconds(250);
-constexpr Duration kGiveUp = milliseconds(2000);  // A stream this silent does not come back by itself.
-constexpr Duration kOldest = milliseconds(500);   // A stamp further off than this is the source's mistake.
-constexpr int kBlocksAtOnce = 64;                 // A microphone that talks without end must not hold us.
+constexpr Duration kGiveUp =
+    milliseconds(2000);  // A stream that was silent for this long does not resume by itself.
+constexpr Duration kOldest = milliseconds(500);  // An older time of recording is a fault of the driver.
+constexpr int kBlocksAtOnce = 64;  // A microphone that sends without end must not hold the program up.
 
-bool Readable(const ports::SoundFormat& format) {
+bool IsSupported(const ports::SoundFormat& format) {
   return format.rate_hz == 48000 && (format.channels == 1 || format.channels == 2);
 }
 
 }  // namespace
 
 VoiceReader::VoiceReader(ports::MicrophoneOpener open, board::Writer<board::Voice> writer,
-                         const GateSettings& gate, const Clock& clock, Ear ear)
+                         const GateSettings& gate, const Clock& clock, BlockHandler handler)
     : open_(std::move(open)),
       writer_(std::move(writer)),
       clock_(clock),
-      ear_(std::move(ear)),
+      handler_(std::move(handler)),
       listener_(gate),
       last_block_(clock.now()) {}
 
@@ -42,16 +43,16 @@ void VoiceReader::TryOpen(Time now) {
   if (!microphone_) return;
   last_block_ = now;
   ++opened_;
-  if (logged_ != std::errc::timed_out) Log("microphone: open");
+  if (logged_ != std::errc::timed_out) Log("microphone: opened");
 }
 
 void VoiceReader::ReadBlocks(Time now) {
   for (int n = 0; n < kBlocksAtOnce; ++n) {
     const auto block = microphone_->Read();
-    if (block && !Readable(microphone_->format()))
-      return Close(now, "microphone: not 48 kHz, one or two channels");
+    if (block && !IsSupported(microphone_->format()))
+      return Close(now, "microphone: the format is not 48 kHz with one or two channels");
     if (block)
-      Hear(*block, now);
+      Process(*block, now);
     else if (block.error().cause == std::errc::resource_unavailable_try_again)
       return;
     else
@@ -59,11 +60,11 @@ void VoiceReader::ReadBlocks(Time now) {
   }
 }
 
-void VoiceReader::Hear(const ports::SoundBlock& heard, Time now) {
-  ports::SoundBlock block = heard;
+void VoiceReader::Process(const ports::SoundBlock& recorded, Time now) {
+  ports::SoundBlock block = recorded;
   block.at = PlausibleStamp(block.at, now, kOldest);
   const Voice& voice = listener_.Hear(block, microphone_->format());
-  if (ear_) ear_(block, microphone_->format());
+  if (handler_) handler_(block, microphone_->format());
   if (source_ != board::SourceState::kLive) silence_log_.Speaks();
   source_ = board::SourceState::kLive;
   last_block_ = now;
@@ -75,7 +76,7 @@ void VoiceReader::Hear(const ports::SoundBlock& heard, Time now) {
 void VoiceReader::Close(Time now, std::string_view why) {
   microphone_.reset();
   retry_at_ = now + kVoiceReaderRetry;
-  LogWarning("{}; opening the microphone anew", why);
+  LogWarning("{}; the microphone is opened again", why);
   silence_log_.Lost();
   logged_ = std::errc::no_such_device;
   if (source_ != board::SourceState::kLive) return;
@@ -91,7 +92,7 @@ void VoiceReader::CheckSilence(Time now) {
   }
   if (!microphone_ || now - last_block_ < kGiveUp) return;
   if (logged_ != std::errc::timed_out)
-    LogWarning("microphone: nothing for {} s; opening it anew", kGiveUp / milliseconds(1000));
+    LogWarning("microphone: no sound for {} s; the microphone is opened again", kGiveUp / milliseconds(1000));
   logged_ = std::errc::timed_out;
   microphone_.reset();
   retry_at_ = now;

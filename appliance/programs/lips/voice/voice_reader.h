@@ -1,4 +1,5 @@
-// From the microphone to the board: opens it, hears each block, and outlives everything a microphone does.
+// From the microphone to the board: opens the device, processes each block, and recovers from every failure
+// of it.
 #pragma once
 
 #include <functional>
@@ -14,47 +15,49 @@
 
 namespace kaori::voice {
 
-// One thread. Silence of 200 ms, or a microphone that is gone, makes the section stale. One that is gone is
-// opened anew every 250 ms, and one that has given nothing for 2 s as well.
+// Used by one thread. After 200 ms without a block, or when the microphone is gone, the section becomes
+// stale. A microphone that is gone, or that sent nothing for 2 s, is opened again every 250 ms.
 class VoiceReader {
  public:
-  // Hears every block, as it came from the microphone.
-  using Ear = std::function<void(const ports::SoundBlock&, const ports::SoundFormat&)>;
+  // Called with every block of the microphone, which is valid during the call only.
+  using BlockHandler = std::function<void(const ports::SoundBlock&, const ports::SoundFormat&)>;
 
-  // Borrows the clock. `ear` may be empty.
+  // Borrows the clock. `handler` may be empty.
   VoiceReader(ports::MicrophoneOpener open, board::Writer<board::Voice> writer, const GateSettings& gate,
-              const Clock& clock, Ear ear);
+              const Clock& clock, BlockHandler handler);
 
-  // Does everything that waits; never blocks. Call it when pollable() is readable, and every 50 ms or sooner.
+  // Handles the blocks that wait and what is due. It never blocks, apart from the time that opening the
+  // device needs. Call it when pollable() is readable, and every 50 ms or sooner.
   void Step();
 
-  // From the next block on.
+  // Changes the gate's settings from the next block on.
   void Use(const GateSettings& gate) { listener_.Use(gate); }
 
-  // Of the microphone that is open; -1 while none is. Another may have the same number: see opened().
+  // The descriptor of the open microphone; -1 while none is open. Another microphone may have the same
+  // number: see opened(), which counts the openings.
   int pollable() const { return microphone_ ? microphone_->pollable() : -1; }
   int opened() const { return opened_; }
 
  private:
   void TryOpen(Time now);
   void ReadBlocks(Time now);
-  void Hear(const ports::SoundBlock& block, Time now);
+  void Process(const ports::SoundBlock& block, Time now);
   void Close(Time now, std::string_view why);
   void CheckSilence(Time now);
 
   ports::MicrophoneOpener open_;
   board::Writer<board::Voice> writer_;
   const Clock& clock_;
-  Ear ear_;
+  BlockHandler handler_;
   Listener listener_;
   VoiceMouth mouth_;
   std::unique_ptr<ports::Microphone> microphone_;
   board::SourceState source_ = board::SourceState::kAbsent;
-  Time last_block_;  // When the newest block came, or the microphone was opened.
-  Time heard_at_{};  // The stamp of what is on the board.
+  Time last_block_;  // When the newest block arrived, or the microphone was opened.
+  Time heard_at_{};  // The time of the value on the board.
   Time retry_at_{};
   SilenceLog silence_log_{"microphone", "the voice is stale"};
-  std::errc logged_{};  // The last trouble that was logged: the same again is not.
+  std::errc logged_{};  // The failure that was logged last; the same is not logged again.
   int opened_ = 0;
 };
 

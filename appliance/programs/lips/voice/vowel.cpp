@@ -6,12 +6,13 @@
 namespace kaori::voice {
 namespace {
 
-constexpr std::size_t kLow = 10, kHigh = 165;  // 200 Hz to 3.3 kHz: below lies the pitch, above the noise.
+constexpr std::size_t kLow = 10, kHigh = 165;  // 200 Hz to 3.3 kHz, between the pitch and the noise.
 constexpr float kSharpness = 0.08F;            // Per dB^2 of mean difference.
-constexpr float kDepth_db = 36;                // Of the envelope that is looked at.
-constexpr std::array kThroats = {0.9F, 1.0F, 1.1F, 1.2F};  // Short ones sound higher.
+constexpr float kDepth_db = 36;                // How much of the envelope below its peak is compared.
+constexpr std::array kThroats = {0.9F, 1.0F, 1.1F,
+                                 1.2F};  // Factors on the formants; a shorter throat sounds higher.
 
-// Where Japanese vowels resonate, for a man's throat: means of published measurements, rounded.
+// The formants of Japanese vowels for a man's throat: rounded means of published measurements.
 struct Model {
   std::array<float, 4> formants_hz;
   MouthShare mouth;
@@ -22,7 +23,7 @@ constexpr std::array<Model, kVowelCount> kModels{{{{750, 1200, 2550, 3500}, {1.0
                                                   {{480, 1900, 2550, 3500}, {0.5F, 0.75F}},
                                                   {{480, 850, 2500, 3400}, {0.6F, 0.15F}}}};
 
-// A resonance's gain in dB at `f_hz`; 1 at 0 Hz.
+// The gain of a resonance in dB at `f_hz`; 0 dB at 0 Hz.
 float Resonance_db(float f_hz, float formant_hz) {
   const float width_hz = 60 + formant_hz * 0.05F;
   const float square = formant_hz * formant_hz;
@@ -31,13 +32,13 @@ float Resonance_db(float f_hz, float formant_hz) {
   return 10 * std::log10(square * square / (away * away + damped * damped));
 }
 
-// What lies far below the loudest is noise.
+// Raises what lies far below the peak, which is noise.
 void Flood(Envelope& envelope) {
   const float loudest = *std::max_element(envelope.begin() + kLow, envelope.begin() + kHigh);
   for (float& value : envelope) value = std::max(value, loudest - kDepth_db);
 }
 
-// The envelope of a vowel as the prediction sees it.
+// The envelope that linear prediction gives for a vowel.
 Envelope Expected(const Model& model, float throat) {
   Envelope envelope{};
   for (std::size_t point = 0; point < kGrid; ++point) {
@@ -65,8 +66,8 @@ const Templates& AllTemplates() {
   return templates;
 }
 
-// Mean square of what is left of the difference when its mean and its tilt are taken out: voices fall
-// differently towards their high tones.
+// The mean square of the difference without its mean and its tilt, since voices fall differently towards high
+// frequencies.
 float Difference(const Envelope& a, const Envelope& b) {
   constexpr auto kCount = static_cast<float>(kHigh - kLow);
   constexpr float kMiddle = (kCount - 1) / 2;

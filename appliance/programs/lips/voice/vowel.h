@@ -1,4 +1,4 @@
-// Which of A, I, U, E, O a moment of voice is, and how the mouth looks that says it.
+// Which of A, I, U, E, O a moment of voice is, and the mouth that says it.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace kaori::voice {
 enum class Vowel : unsigned char { kA, kI, kU, kE, kO };
 inline constexpr std::size_t kVowelCount = 5;
 
-// The mouth's height and width, each from 0 (shut, narrow) to 1 (open, wide) of what this operator's does.
+// The mouth's height and width, each from 0 (shut, narrow) to 1 (open, wide) of this operator's range.
 struct MouthShare {
   float height = 0;
   float width = 0.5F;
@@ -21,11 +21,12 @@ struct MouthShare {
 
 struct VowelGuess {
   Vowel likeliest = Vowel::kA;
-  std::array<float, kVowelCount> likely{};  // Of sum 1.
-  MouthShare mouth;                         // Of all five, each as far as it is likely.
+  std::array<float, kVowelCount> likely{};  // The likelihoods, whose sum is 1.
+  MouthShare mouth;                         // The mean of the five mouths, weighted by likelihood.
 };
 
-// Of a moment of 20 to 40 ms at kVoiceRate_hz. None where there is no sound. Allocates nothing.
+// Compares a moment of 20 to 40 ms at kVoiceRate_hz with templates. Nothing for silence. Allocates nothing
+// after its first call.
 std::optional<VowelGuess> GuessVowel(std::span<const float> samples);
 
 }  // namespace kaori::voice

@@ -1,0 +1,63 @@
+// The desk's end of the connection to the lips: sends commands, receives reports, and copies pictures.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "appliance/programs/lips/protocol/protocol.h"
+#include "drivers/base/clock.h"
+#include "drivers/base/shared_memory.h"
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::desk {
+
+// Used by one thread; nothing blocks. While the lips are gone it tries to connect four times a second.
+class LipConnection {
+ public:
+  explicit LipConnection(std::string path) : path_(std::move(path)) {}
+
+  // Connects, and handles the packets that wait. Call it every 20 ms or sooner.
+  void Step(Time now);
+
+  // Whether the lips answer, and their newest report, which is empty while they do not.
+  bool live() const { return report_.has_value(); }
+  const std::optional<lips::Report>& report() const { return report_; }
+
+  // Numbers the command and sends it. Returns the number, which the report names once the command was
+  // executed. Errors:
+  //   no_such_device                    the lips do not answer
+  //   resource_unavailable_try_again    the lips read too slowly; other errors are those of the socket
+  Result<std::uint32_t> Send(lips::Command command);
+
+  // Requests pictures for the next two seconds. Call it as long as a visitor looks at them.
+  void RequestPictures(Time now);
+
+  struct Picture {
+    std::uint32_t number = 0;  // Counts the pictures; 0: none has arrived yet.
+    int width_px = 0;
+    int height_px = 0;
+    std::vector<std::uint8_t> rgbp;  // R, G, B and paint of each pixel, top row first.
+  };
+  const Picture& picture() const { return picture_; }
+
+ private:
+  void Connect(Time now);
+  void ReceivePackets();
+  bool Handle(std::span<const std::uint8_t> packet, UniqueFd descriptor);
+  void Copy(const lips::PictureNote& note);
+  Result<void> SendNow(const lips::Command& command);
+  void Disconnect();
+
+  std::string path_;
+  UniqueFd socket_;
+  SharedMemory pictures_;
+  std::optional<lips::Report> report_;
+  Picture picture_;
+  std::uint32_t number_ = 0;
+  Time retry_at_{};
+  Time request_at_{};
+};
+
+}  // namespace kaori::desk

@@ -1,0 +1,17 @@
+// Random bytes for codes and session names.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace kaori::desk {
+
+// Fills the whole span with random bytes.
+using RandomBytes = std::function<void(std::span<std::uint8_t>)>;
+
+// Fills `bytes` from getrandom(2). It ends the program where that fails, since a code that can be guessed is
+// worse.
+void FillWithKernelRandom(std::span<std::uint8_t> bytes);
+
+}  // namespace kaori::desk

@@ -1,0 +1,263 @@
+#include "appliance/programs/input/input_service.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "appliance/programs/input/dial_slot.h"
+#include "appliance/programs/input/keyboard_slot.h"
+#include "appliance/programs/input/pointer_slot.h"
+#include "appliance/programs/input/stick_slot.h"
+#include "appliance/programs/input/tally.h"
+#include "drivers/base/log.h"
+
+namespace kaori::input {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::size_t kReportBytes = 256;  // Reports of the box have up to 32, those of keyboards up to 64.
+constexpr int kReportsAtOnce = 256;  // A quarter of a second of a device that reports every millisecond.
+// The pause before a device that is present and cannot be opened, or a bus that failed, is tried again.
+constexpr Duration kRetry = milliseconds(250);
+// A device that the program had open before a restart is found again within this time, or it is gone.
+constexpr Duration kFindTime = milliseconds(500);
+constexpr int kFaultsToDetach = 64;  // One failed transfer is harmless; this many in a row are a dead device.
+// A device that is gone sooner than this after its plug has a loose cable, and must not keep the program
+// busy.
+constexpr Duration kLoosePlug = milliseconds(10);
+constexpr Duration kOldestReport = milliseconds(1000);  // An older time of arrival is a fault of the device.
+constexpr std::size_t kFirstStick = 1;
+
+bool Readable(int fd) {
+  pollfd poll{fd, POLLIN, 0};
+  return ::poll(&poll, 1, 0) > 0;
+}
+
+// A device's name goes into the log, where it must not end the line or send codes to a terminal.
+std::string Printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return text;
+}
+
+std::array<std::uint32_t, kSticks> PortsBefore(const board::Board& board) {
+  return {board.Read<board::Stick>(0).value.port, board.Read<board::Stick>(1).value.port};
+}
+
+}  // namespace
+
+Result<InputWriters> InputWriters::Acquire(const board::Board& board) {
+  auto surface = board.AcquireWriter<board::Surface>();
+  if (!surface) return tl::unexpected(surface.error());
+  auto left = board.AcquireWriter<board::Stick>(0);
+  if (!left) return tl::unexpected(left.error());
+  auto right = board.AcquireWriter<board::Stick>(1);
+  if (!right) return tl::unexpected(right.error());
+  auto keys = board.AcquireWriter<board::Keys>();
+  if (!keys) return tl::unexpected(keys.error());
+  auto pointer = board.AcquireWriter<board::Pointer>();
+  if (!pointer) return tl::unexpected(pointer.error());
+  auto lines = board.AcquireWriter<board::Lines>();
+  if (!lines) return tl::unexpected(lines.error());
+  return InputWriters{std::move(*surface),
+                      {std::move(*left), std::move(*right)},
+                      std::move(*keys),
+                      std::move(*pointer),
+                      std::move(*lines)};
+}
+
+InputService::InputService(const board::Board& board, InputWriters writers, InputSources sources,
+                           const InputSettings& settings, const Clock& clock)
+    : board_(board),
+      clock_(clock),
+      lines_(board, std::move(writers.lines), std::move(sources.lines)),
+      roles_(settings.stick_ports, PortsBefore(board)),
+      started_(clock.now()) {
+  using decode::DeviceKind;
+  for (ports::HidBus* bus : sources.buses) buses_.push_back({.bus = bus});
+  auto& [dials, left, right, keys, pointer] = bindings_;
+  dials.slot = std::make_unique<DialSlot>(board, std::move(writers.surface), settings.counts_per_turn);
+  dials.kind = DeviceKind::kDialBox;
+  dials.only_port = settings.dial_box_port;
+  left.slot = std::make_unique<StickSlot>(board, std::move(writers.sticks[0]), 0, settings);
+  right.slot = std::make_unique<StickSlot>(board, std::move(writers.sticks[1]), 1, settings);
+  left.kind = right.kind = DeviceKind::kJoystick;  // StickRoles decides about their ports.
+  keys.slot = std::make_unique<KeyboardSlot>(board, std::move(writers.keys));
+  keys.kind = DeviceKind::kKeyboard;
+  keys.only_port = settings.keyboard_port;
+  pointer.slot = std::make_unique<PointerSlot>(board, std::move(writers.pointer), settings.pointer);
+  pointer.kind = DeviceKind::kPointer;
+  pointer.only_port = settings.pointer_port;
+}
+
+void InputService::Step() {
+  const Time now = clock_.now();
+  if (ScanIsDue(now)) Scan(now);
+  for (Binding& binding : bindings_) {
+    if (binding.device) ReadReports(binding, now);
+    binding.slot->Tick(now, binding.device.get());
+  }
+  if (!absent_detached_ && now - started_ >= kFindTime) DetachAbsent(now);
+  lines_.Step(now);
+  lines_.SetTally(TallyLit(board_.Read<board::StageStatus>(), board_.Read<board::Lines>(), now));
+}
+
+bool InputService::ScanIsDue(Time now) const {
+  const auto readable = [](const Bus& bus) { return !bus.failed() && Readable(bus.bus->pollable()); };
+  if (scan_now_ || std::ranges::any_of(buses_, readable)) return true;
+  return now >= next_scan_ && (std::ranges::any_of(skipped_, &SkippedPort::try_again) ||
+                               std::ranges::any_of(buses_, &Bus::failed));
+}
+
+void InputService::Scan(Time now) {
+  scan_now_ = false;
+  next_scan_ = now + kRetry;
+  for (std::size_t bus = 0; bus < buses_.size(); ++bus) ScanBus(bus, now);
+}
+
+void InputService::ScanBus(std::size_t bus, Time now) {
+  auto ports = buses_[bus].bus->Ports();
+  if (!ports) return HandleBusError(buses_[bus], ports.error());
+  if (std::exchange(buses_[bus].failure, {}) != std::errc{}) ++generation_;
+  std::ranges::sort(*ports, PortBefore);
+  std::erase_if(skipped_, [&](const SkippedPort& skipped) {
+    return skipped.port.bus == bus && std::ranges::find(*ports, skipped.port.name) == ports->end();
+  });
+  for (const std::string& name : *ports) {
+    const BusPort port{bus, name};
+    const auto skipped = std::ranges::find(skipped_, port, &SkippedPort::port);
+    const bool may_attach = skipped == skipped_.end() || (skipped->try_again && now >= skipped->not_before);
+    if (may_attach && !IsAttached(port)) TryToAttach(port, now);
+  }
+}
+
+void InputService::HandleBusError(Bus& bus, const Error& error) {
+  if (std::exchange(bus.failure, error.cause) == error.cause) return;
+  LogWarning("{}; the bus is asked again every 250 ms", error.message());
+  ++generation_;
+}
+
+void InputService::TryToAttach(const BusPort& port, Time now) {
+  auto device = buses_[port.bus].bus->Open(port.name);
+  if (!device) return RetryLater(port, device.error());
+  std::erase_if(skipped_, [&](const SkippedPort& skipped) { return skipped.port == port; });
+  const auto layout = decode::LayoutOf((*device)->identity());
+  if (!layout) return Skip(port, decode::DeviceKind::kOther, layout.error().message());
+  const decode::DeviceKind kind = decode::Recognise(*layout);
+  if (kind == decode::DeviceKind::kOther) return Skip(port, kind, "the device is not one that the show uses");
+  Binding* binding = BindingFor(kind, port);
+  if (binding == nullptr)
+    return Skip(port, kind, "the slot for this kind of device is occupied; the device is a spare");
+  Attach(*binding, port, std::move(*device), now);
+}
+
+void InputService::Attach(Binding& binding, const BusPort& port, std::unique_ptr<ports::HidChannel> device,
+                          Time now) {
+  if (auto plugged = binding.slot->Plug(device->identity(), now); !plugged)
+    return Skip(port, binding.kind, plugged.error().message());
+  Log("{}: {} is plugged in at port {}", binding.slot->name(), Printable(device->identity().name), port.name);
+  binding.device = std::move(device);
+  binding.port = port;
+  binding.attached_at = now;
+  binding.bad_report_logged = false;
+  binding.faults = 0;
+  ++generation_;
+}
+
+InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const BusPort& port) {
+  if (kind == decode::DeviceKind::kJoystick) return StickBinding(port);
+  for (Binding& binding : bindings_) {
+    const bool fits = binding.only_port.empty() || binding.only_port == port.name;
+    if (binding.kind == kind && !binding.device && fits) return &binding;
+  }
+  return nullptr;
+}
+
+InputService::Binding* InputService::StickBinding(const BusPort& port) {
+  std::array<bool, kSticks> occupied{};
+  for (std::size_t i = 0; i < occupied.size(); ++i)
+    occupied[i] = bindings_[kFirstStick + i].device != nullptr;
+  const auto role = roles_.RoleOf(port.name, occupied);
+  return role ? &bindings_[kFirstStick + static_cast<std::size_t>(*role)] : nullptr;
+}
+
+void InputService::Skip(const BusPort& port, decode::DeviceKind kind, const std::string& why) {
+  LogWarning("port {}: {}", port.name, why);
+  skipped_.push_back({.port = port, .kind = kind});
+}
+
+void InputService::RetryLater(const BusPort& port, const Error& error) {
+  const auto known = std::ranges::find(skipped_, port, &SkippedPort::port);
+  if (known != skipped_.end() && known->cause == error.cause) return;
+  LogWarning("{}; trying again every 250 ms", error.message());
+  std::erase_if(skipped_, [&](const SkippedPort& skipped) { return skipped.port == port; });
+  skipped_.push_back({.port = port, .try_again = true, .cause = error.cause});
+}
+
+void InputService::ReadReports(Binding& binding, Time now) {
+  std::array<std::uint8_t, kReportBytes> bytes;
+  for (int i = 0; i < kReportsAtOnce; ++i) {
+    const auto input = binding.device->Read(bytes);
+    if (!input) {
+      binding.slot->Publish();
+      return HandleReadError(binding, input.error(), now);
+    }
+    binding.faults = 0;
+    const auto report = std::span(bytes).first(std::min(input->bytes, bytes.size()));
+    const auto accepted = binding.slot->Accept(report, std::clamp(input->at, now - kOldestReport, now));
+    if (accepted || std::exchange(binding.bad_report_logged, true)) continue;
+    LogWarning("{}: {}; further such reports are ignored silently", binding.slot->name(),
+               accepted.error().message());
+  }
+  binding.slot->Publish();
+}
+
+void InputService::HandleReadError(Binding& binding, const Error& error, Time now) {
+  if (error.cause == std::errc::resource_unavailable_try_again) return;
+  const bool gone = error.cause == std::errc::no_such_device || ++binding.faults == kFaultsToDetach;
+  if (gone) Detach(binding, error, now);
+}
+
+void InputService::Detach(Binding& binding, const Error& error, Time now) {
+  LogWarning("{}: {}; waiting until it is plugged in again", binding.slot->name(), error.message());
+  binding.device.reset();
+  binding.slot->Unplug(now);
+  ++generation_;
+  // A spare dial box, keyboard or mouse may now fill the slot. A spare stick may not, since a loose plug
+  // would then swap the roles of two sticks.
+  if (binding.kind != decode::DeviceKind::kJoystick)
+    std::erase_if(skipped_, [&](const SkippedPort& skipped) { return skipped.kind == binding.kind; });
+  scan_now_ = now - binding.attached_at >= kLoosePlug;
+  if (!scan_now_)
+    skipped_.push_back(
+        {.port = binding.port, .kind = binding.kind, .try_again = true, .not_before = now + kRetry});
+}
+
+void InputService::DetachAbsent(Time now) {
+  absent_detached_ = true;
+  for (Binding& binding : bindings_)
+    if (!binding.device) binding.slot->Unplug(now);
+}
+
+bool InputService::IsAttached(const BusPort& port) const {
+  return std::ranges::any_of(bindings_, [&](const Binding& p) { return p.device && p.port == port; });
+}
+
+std::vector<int> InputService::pollables() const {
+  std::vector<int> fds;
+  for (const Bus& bus : buses_)
+    if (!bus.failed()) fds.push_back(bus.bus->pollable());
+  for (const Binding& binding : bindings_)
+    if (binding.device) fds.push_back(binding.device->pollable());
+  if (lines_.pollable() >= 0) fds.push_back(lines_.pollable());
+  return fds;
+}
+
+int InputService::attached_devices() const {
+  return static_cast<int>(
+      std::ranges::count_if(bindings_, [](const Binding& p) { return p.device != nullptr; }));
+}
+
+}  // namespace kaori::input

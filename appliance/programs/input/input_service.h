@@ -1,0 +1,124 @@
+// The input service: assigns each HID device to its slot and publishes what operators do with it on the
+// board.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/input/device_slot.h"
+#include "appliance/programs/input/line_inputs.h"
+#include "appliance/programs/input/settings.h"
+#include "appliance/programs/input/stick_roles.h"
+#include "drivers/base/clock.h"
+#include "drivers/decode/recognise.h"
+#include "drivers/ports/gpio_lines.h"
+#include "drivers/ports/hid_channel.h"
+
+namespace kaori::input {
+
+// The writers of all sections that the service writes.
+struct InputWriters {
+  board::Writer<board::Surface> surface;
+  std::array<board::Writer<board::Stick>, kSticks> sticks;
+  board::Writer<board::Keys> keys;
+  board::Writer<board::Pointer> pointer;
+  board::Writer<board::Lines> lines;
+
+  // Errors are those of Board::AcquireWriter, for the first section that is not to be had.
+  static Result<InputWriters> Acquire(const board::Board& board);
+};
+
+// Where input comes from.
+struct InputSources {
+  std::vector<ports::HidBus*> buses;  // Borrowed: the buses outlive the service.
+  ports::GpioOpener lines;            // Empty where the box has no GPIO lines.
+};
+
+// The service runs in one thread and goes on from what the board holds. A device that cannot be read, opened
+// or recognised is logged once and never stops the service of the others.
+class InputService {
+ public:
+  // Borrows the board, the buses and the clock, which all outlive the service.
+  InputService(const board::Board& board, InputWriters writers, InputSources sources,
+               const InputSettings& settings, const Clock& clock);
+
+  // Handles devices that come and go, reports, line edges and lamps that are due. It never blocks, and it
+  // reads a bounded number of reports from each device, so that one that floods does not keep the others
+  // waiting. Call it when any of pollables() is readable, and every 10 ms or sooner.
+  void Step();
+
+  // The file descriptors to wait for. When generation() has changed, the same number may mean another
+  // descriptor: every watch must then be made anew.
+  std::vector<int> pollables() const;
+  std::uint32_t generation() const { return generation_ + lines_.generation(); }
+
+  // How many devices fill a slot now.
+  int attached_devices() const;
+
+ private:
+  struct Bus {
+    ports::HidBus* bus = nullptr;
+    std::errc failure{};  // Why it cannot list its ports: it is asked again now and then, and not waited for.
+    bool failed() const { return failure != std::errc{}; }
+  };
+  // A port of one bus; two buses may use the same port name.
+  struct BusPort {
+    std::size_t bus = 0;
+    std::string name;
+    friend bool operator==(const BusPort&, const BusPort&) = default;
+  };
+  // A slot, and the device that fills it.
+  struct Binding {
+    std::unique_ptr<DeviceSlot> slot;
+    decode::DeviceKind kind = decode::DeviceKind::kOther;
+    std::string only_port;  // The name of the one port whose device may fill the slot; empty: any port.
+    BusPort port;           // Where the attached device is plugged in.
+    std::unique_ptr<ports::HidChannel> device;
+    Time attached_at{};
+    bool bad_report_logged = false;  // Since the plug.
+    int faults = 0;                  // Failed transfers in a row.
+  };
+  // A port whose device fills no slot, or could not be opened yet.
+  struct SkippedPort {
+    BusPort port;
+    decode::DeviceKind kind = decode::DeviceKind::kOther;
+    bool try_again = false;
+    std::errc cause{};
+    Time not_before{};
+  };
+
+  void Scan(Time now);
+  void ScanBus(std::size_t bus, Time now);
+  bool ScanIsDue(Time now) const;
+  void HandleBusError(Bus& bus, const Error& error);
+  void TryToAttach(const BusPort& port, Time now);
+  void Skip(const BusPort& port, decode::DeviceKind kind, const std::string& why);
+  void RetryLater(const BusPort& port, const Error& error);
+  Binding* BindingFor(decode::DeviceKind kind, const BusPort& port);
+  Binding* StickBinding(const BusPort& port);
+  void Attach(Binding& binding, const BusPort& port, std::unique_ptr<ports::HidChannel> device, Time now);
+  void ReadReports(Binding& binding, Time now);
+  void HandleReadError(Binding& binding, const Error& error, Time now);
+  void Detach(Binding& binding, const Error& error, Time now);
+  void DetachAbsent(Time now);
+  bool IsAttached(const BusPort& port) const;
+
+  const board::Board& board_;
+  const Clock& clock_;
+  std::vector<Bus> buses_;
+  LineInputs lines_;
+  std::array<Binding, 5> bindings_;  // Dial box, left stick, right stick, keyboard, pointer.
+  StickRoles roles_;
+  std::vector<SkippedPort> skipped_;
+  Time started_;
+  Time next_scan_{};
+  bool scan_now_ = true;
+  bool absent_detached_ = false;
+  std::uint32_t generation_ = 0;
+};
+
+}  // namespace kaori::input

@@ -1,0 +1,63 @@
+#include "appliance/programs/input/keyboard_slot.h"
+
+#include "appliance/core/board/press_log.h"
+
+namespace kaori::input {
+
+using board::SourceState;
+
+KeyboardSlot::KeyboardSlot(const board::Board& board, board::Writer<board::Keys> writer)
+    : writer_(std::move(writer)) {
+  const board::Stamped<board::Keys> before = board.Read<board::Keys>();
+  keys_.down = before.value.down;
+  keys_.pushes = before.value.pushes;
+  log_ = before.value.log;
+  source_ = before.source;
+}
+
+Result<void> KeyboardSlot::Plug(const ports::HidIdentity& identity, Time now) {
+  auto decoder = decode::KeyboardDecoder::For(identity);
+  if (!decoder) return tl::unexpected(decoder.error());
+  decoder_ = std::move(*decoder);
+  keys_.Plug();
+  plugged_ = now;
+  held_confirmed_ = false;
+  source_ = SourceState::kLive;
+  Write(now);
+  return {};
+}
+
+Result<void> KeyboardSlot::Accept(std::span<const std::uint8_t> report, Time at) {
+  const auto sample = decoder_->Decode(report, at);
+  if (!sample) return tl::unexpected(sample.error());
+  keys_.Accept(sample->keys,
+               [&](std::size_t usage) { board::Append(log_, board::CodeOf(keys_.down, usage), at); });
+  at_ = at;
+  held_confirmed_ = changed_ = true;
+  return {};
+}
+
+void KeyboardSlot::Publish() {
+  if (std::exchange(changed_, false)) Write(at_);
+}
+
+void KeyboardSlot::Unplug(Time now) {
+  decoder_.reset();
+  keys_.Release();
+  if (source_ != SourceState::kLive) return;
+  source_ = SourceState::kStale;
+  Write(now);
+}
+
+void KeyboardSlot::Tick(Time now, ports::HidChannel* device) {
+  if (device == nullptr || held_confirmed_ || now - plugged_ < kHeldStateTrust) return;
+  keys_.Release();
+  held_confirmed_ = true;
+  Write(now);
+}
+
+void KeyboardSlot::Write(Time at) {
+  writer_.Write({.down = keys_.down, .pushes = keys_.pushes, .log = log_}, at, source_);
+}
+
+}  // namespace kaori::input

@@ -1,0 +1,39 @@
+// The slot of the keyboard: which keys are held, and how often each was pressed.
+#pragma once
+
+#include <optional>
+
+#include "appliance/core/board/board.h"
+#include "appliance/programs/input/carried_switches.h"
+#include "appliance/programs/input/device_slot.h"
+#include "drivers/decode/keyboard.h"
+
+namespace kaori::input {
+
+class KeyboardSlot final : public DeviceSlot {
+ public:
+  // Reads the section once; the board is not kept.
+  KeyboardSlot(const board::Board& board, board::Writer<board::Keys> writer);
+
+  std::string_view name() const override { return "keyboard"; }
+  Result<void> Plug(const ports::HidIdentity& identity, Time now) override;
+  Result<void> Accept(std::span<const std::uint8_t> report, Time at) override;
+  void Publish() override;
+  void Unplug(Time now) override;
+  void Tick(Time now, ports::HidChannel* device) override;
+
+ private:
+  void Write(Time at);
+
+  board::Writer<board::Keys> writer_;
+  CarriedSwitches<8> keys_;
+  board::PressLog log_;
+  std::optional<decode::KeyboardDecoder> decoder_;
+  board::SourceState source_;
+  Time at_{};
+  Time plugged_{};
+  bool held_confirmed_ = true;  // As in DialSlot.
+  bool changed_ = false;
+};
+
+}  // namespace kaori::input

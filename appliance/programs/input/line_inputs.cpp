@@ -1,0 +1,115 @@
+#include "appliance/programs/input/line_inputs.h"
+
+#include <algorithm>
+
+#include "drivers/base/log.h"
+
+namespace kaori::input {
+namespace {
+
+constexpr int kEdgesAtOnce = 256;  // A line that bounces without end must not keep the others waiting.
+constexpr Duration kLineRetry = std::chrono::seconds(1);
+
+}  // namespace
+
+using board::SourceState;
+
+LineInputs::LineInputs(const board::Board& board, board::Writer<board::Lines> writer, ports::GpioOpener open)
+    : writer_(std::move(writer)),
+      open_(std::move(open)),
+      value_(board.Read<board::Lines>().value),
+      source_(board.Read<board::Lines>().source) {}
+
+void LineInputs::Step(Time now) {
+  if (open_ && !lines_ && now >= retry_at_) Open(now);
+  if (lines_) HandleEdges(now);
+  if (lines_) SettleAll(now);
+}
+
+void LineInputs::Open(Time now) {
+  retry_at_ = now + kLineRetry;
+  auto lines = open_();
+  if (!lines) {
+    if (std::exchange(logged_, lines.error().cause) != lines.error().cause)
+      LogWarning("{}; the show goes on without the GPIO lines, which are tried again every second",
+                 lines.error().message());
+    return;
+  }
+  logged_ = {};
+  lines_ = std::move(*lines);
+  shown_tally_.reset();
+  ++generation_;
+  Begin(now);
+}
+
+void LineInputs::Begin(Time now) {
+  const auto levels = lines_->Levels();
+  if (!levels) return HandleLoss(levels.error(), now);
+  levels_ = *levels;
+  if (source_ != SourceState::kLive)
+    value_.active = levels_;  // What is held when the lines appear was not pushed.
+  SettleAll(now);
+  Write(now, SourceState::kLive);
+}
+
+void LineInputs::HandleEdges(Time now) {
+  bool any = false;
+  for (int i = 0; i < kEdgesAtOnce; ++i) {
+    const auto edge = lines_->ReadEdge();
+    if (!edge) {
+      if (edge.error().cause != std::errc::resource_unavailable_try_again)
+        return HandleLoss(edge.error(), now);
+      if (any) ReadLevels(now);
+      return;
+    }
+    any = true;
+    if (edge->line >= changed_at_.size()) continue;
+    const std::uint32_t bit = 1U << edge->line;
+    levels_ = edge->active ? levels_ | bit : levels_ & ~bit;
+    Settle(edge->line, std::min(edge->at, now));
+  }
+}
+
+// The kernel queues 16 edges for each line (linux/gpio.h, event_buffer_size) and drops later ones. Without a
+// look at the levels a dropped release would leave a foot switch held.
+void LineInputs::ReadLevels(Time now) {
+  const auto levels = lines_->Levels();
+  if (!levels) return HandleLoss(levels.error(), now);
+  levels_ = *levels;
+}
+
+void LineInputs::SettleAll(Time now) {
+  for (std::uint32_t line = 0; line < changed_at_.size(); ++line) Settle(line, now);
+}
+
+void LineInputs::Settle(std::uint32_t line, Time at) {
+  const std::uint32_t bit = 1U << line;
+  if (((levels_ ^ value_.active) & bit) == 0 || at - changed_at_[line] < kBounce) return;
+  changed_at_[line] = at;
+  value_.active ^= bit;
+  if ((value_.active & bit) != 0 && line < value_.pushes.size()) ++value_.pushes[line];
+  Write(at, SourceState::kLive);
+}
+
+// A failure is ignored here: a chip that is gone is noticed when it is read.
+void LineInputs::SetTally(bool lit) {
+  if (!lines_ || shown_tally_ == lit) return;
+  shown_tally_ = lit;
+  static_cast<void>(lines_->Drive(0, lit));
+}
+
+void LineInputs::HandleLoss(const Error& error, Time now) {
+  LogWarning("{}; all GPIO lines count as released", error.message());
+  lines_.reset();
+  ++generation_;
+  retry_at_ = now + kLineRetry;
+  levels_ = value_.active = 0;
+  Write(now, SourceState::kStale);
+}
+
+void LineInputs::Write(Time at, SourceState source) {
+  source_ = source;
+  writer_.Write(value_, at, source);
+}
+
+}  // namespace kaori::input

@@ -1,0 +1,57 @@
+// GPIO lines: foot switches and service switches go to the board, and the tally lamp is driven.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "appliance/core/board/board.h"
+#include "drivers/base/clock.h"
+#include "drivers/ports/gpio_lines.h"
+
+namespace kaori::input {
+
+// Contacts bounce: after a change a line keeps its state for this long, whatever its edges say.
+inline constexpr Duration kBounce = std::chrono::milliseconds(12);
+
+// Used by one thread. It starts from what the section holds: a line that was active before a restart and
+// still is counts as one push. Lines that are absent or were lost are opened again every second.
+class LineInputs {
+ public:
+  // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
+  LineInputs(const board::Board& board, board::Writer<board::Lines> writer, ports::GpioOpener open);
+
+  // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip
+  // needs.
+  void Step(Time now);
+
+  // Switches the tally lamp, output 0, where one is wired. A lamp that cannot be switched is ignored.
+  void SetTally(bool lit);
+
+  int pollable() const { return lines_ ? lines_->pollable() : -1; }
+  std::uint32_t generation() const { return generation_; }  // Changes whenever pollable() may.
+
+ private:
+  void Open(Time now);
+  void Begin(Time now);
+  void HandleEdges(Time now);
+  void ReadLevels(Time now);
+  void Settle(std::uint32_t line, Time at);
+  void SettleAll(Time now);
+  void HandleLoss(const Error& error, Time now);
+  void Write(Time at, board::SourceState source);
+
+  board::Writer<board::Lines> writer_;
+  ports::GpioOpener open_;
+  std::unique_ptr<ports::GpioLines> lines_;
+  board::Lines value_;
+  board::SourceState source_;
+  std::uint32_t levels_ = 0;  // As last reported, bit n for line n; the board follows once a line settled.
+  std::array<Time, 32> changed_at_{};  // When each line last changed on the board.
+  std::optional<bool> shown_tally_;    // As the lamp was last switched; empty after the lines were opened.
+  Time retry_at_{};
+  std::errc logged_{};  // Why opening failed last: the same cause is not logged again.
+  std::uint32_t generation_ = 0;
+};
+
+}  // namespace kaori::input

@@ -1,0 +1,96 @@
+#include "appliance/programs/lips/camera_exposure.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <fmt/ranges.h>
+
+#include "drivers/base/log.h"
+
+namespace kaori::lips {
+namespace {
+
+constexpr int kEvery = 8;                               // Every eighth row and column is sampled.
+constexpr Duration kFinding = std::chrono::seconds(2);  // A camera needs as long to find its exposure.
+// The limit for a camera that says it could expose longer; some report what was set by hand long ago.
+constexpr Duration kFindingLimit = 2 * kFinding;
+constexpr float kBlack = 0.08F;  // The lens is covered, or the light is off.
+constexpr float kDark = 0.25F;   // Skin at a fifteenth of full light, where noise hides the paint.
+constexpr float kFullyExposed = 0.8F;
+
+}  // namespace
+
+float BrightnessOf(const decode::Planes& planes) {
+  std::array<int, 256> counts{};
+  int all = 0;
+  for (int y = 0; y < planes.y.height_px; y += kEvery)
+    for (int x = 0; x < planes.y.width_px; x += kEvery, ++all) ++counts[planes.y.at(x, y)];
+  int brighter = 0;
+  int level = 255;
+  while (level > 0 && (brighter += counts[static_cast<std::size_t>(level)]) * 10 < all) --level;
+  const auto luma = static_cast<float>(level);
+  return std::clamp(planes.full_range ? luma / 255 : (luma - 16) / 219, 0.0F, 1.0F);
+}
+
+void CameraExposure::Opened() {
+  finding_since_.reset();
+  if (tuning_ == nullptr || tuning_->mode() == mode_) return;
+  mode_ = tuning_->mode();
+  Log("lip camera: {}", mode_);
+}
+
+bool CameraExposure::Observe(const decode::Planes& planes, Time now) {
+  if (tuning_ == nullptr || held_) return false;
+  if (finding_since_ && now - *finding_since_ < kFinding) return false;
+  return Judge(planes, now);
+}
+
+bool CameraExposure::Judge(const decode::Planes& planes, Time now) {
+  const float brightness = BrightnessOf(planes);
+  if (brightness < kBlack) finding_since_.reset();
+  if (brightness < kBlack) return false;
+  if (!finding_since_) finding_since_ = now;
+  if (now - *finding_since_ < kFinding) return false;
+  if (brightness >= kDark) {
+    HoldUnlessFreed();
+    return false;
+  }
+  const bool exposes_more = tuning_->exposure().value_or(1) < kFullyExposed;
+  if (exposes_more && now - *finding_since_ < kFindingLimit) return false;
+  if (tuning_->Slower()) {
+    LogWarning("lip camera: the picture is too dark at {}; a slower rate is used", mode_);
+    return true;
+  }
+  if (!std::exchange(dark_logged_, true))
+    LogWarning(
+        "lip camera: the picture is too dark, and the camera has no slower rate; more light on the lips is "
+        "needed");
+  HoldUnlessFreed();
+  return false;
+}
+
+void CameraExposure::HoldUnlessFreed() {
+  if (!freed_) Hold();
+}
+
+void CameraExposure::Free() {
+  held_ = false;
+  freed_ = true;
+  dark_logged_ = false;
+  finding_since_.reset();
+  if (tuning_ != nullptr) tuning_->Set(ports::CameraHold::kFree);
+}
+
+void CameraExposure::Hold() {
+  held_ = true;
+  freed_ = false;
+  if (tuning_ == nullptr) return;
+  const auto missing = tuning_->Set(ports::CameraHold::kHeld);
+  Log("lip camera: exposure and colours are held as they are");
+  if (missing != missing_ && !missing.empty())
+    LogWarning("lip camera: these controls cannot be held: {}", fmt::join(missing, ", "));
+  missing_ = missing;
+}
+
+}  // namespace kaori::lips

@@ -1,0 +1,53 @@
+// The lip camera's exposure: found by the camera, as fast as the light allows, and then held for the show.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/base/clock.h"
+#include "drivers/decode/planes.h"
+#include "drivers/ports/camera_tuning.h"
+
+namespace kaori::lips {
+
+// The luma, 0 black to 1 white, that the brightest tenth of a picture has at least. A lit face fills more
+// than that.
+float BrightnessOf(const decode::Planes& planes);
+
+// A camera that was opened finds its exposure and colours by itself at first. Where its pictures stay too
+// dark it has to be opened at a slower rate; otherwise exposure and colours are held as they are, over all
+// its openings, until they are freed for a calibration. Each decision is one line in the log. A covered lens
+// decides nothing. One thread; calls of the port take as long as the driver's controls do, below a
+// millisecond on V4L2.
+class CameraExposure {
+ public:
+  // Borrows the tuning; null means a camera without any.
+  explicit CameraExposure(ports::CameraTuning* tuning) : tuning_(tuning) {}
+
+  // Call it after the camera was opened.
+  void Opened();
+
+  // Examines a picture. Returns true where the camera must be opened again: it will be slower and see more.
+  bool Observe(const decode::Planes& planes, Time now);
+
+  // Free() lets the camera adjust itself for a calibration, and Hold() ends that. Freed this way it stays
+  // free until Hold(), after which it is not judged again.
+  void Free();
+  void Hold();
+  bool held() const { return held_; }
+
+ private:
+  bool Judge(const decode::Planes& planes, Time now);
+  void HoldUnlessFreed();
+
+  ports::CameraTuning* tuning_;
+  std::string mode_;                   // As it was logged last.
+  std::vector<std::string> missing_;   // The controls that cannot be held, as they were logged last.
+  std::optional<Time> finding_since_;  // Since when it sees light and looks for its exposure.
+  bool held_ = false;
+  bool freed_ = false;
+  bool dark_logged_ = false;
+};
+
+}  // namespace kaori::lips

@@ -1,0 +1,84 @@
+// The edge of the paint, finer than the samples of chroma: the contour of the mouth in the picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "appliance/programs/lips/mouth_search.h"
+#include "appliance/programs/lips/paint_mask.h"
+#include "appliance/programs/lips/region.h"
+#include "drivers/decode/planes.h"
+
+namespace kaori::lips {
+
+// A point in pixels of the picture; x runs to the right, y down.
+struct Point {
+  float x = 0;
+  float y = 0;
+};
+
+// Sizes are measured along the mouth's own axes, which are turned by the tilt.
+struct Contour {
+  float width_px = 0;
+  float height_px = 0;
+  float opening_px = 0;  // The gap between the lips, in the middle of the mouth.
+  Point left;            // The corners at the picture's left and right.
+  Point right;
+  Point top;                     // The middle of the upper edge of the upper lip.
+  Point middle;                  // Half-way between the corners, and half-way between top and bottom.
+  float lean_rad = 0;            // Of the contour's long axis; positive: its right end is lower.
+  float slender = 0;             // 0 a round contour, whose lean means nothing .. 1 a line.
+  std::array<float, 2> blunt{};  // The height close to its left and right end, in parts of its height.
+  float contrast = 0;            // Between the paint and its surroundings, in levels of chroma.
+};
+
+// Keeps its buffers from frame to frame. Used by one thread.
+class ContourReader {
+ public:
+  // Measures the candidate along axes that are turned by `tilt_rad`, which is positive for clockwise in the
+  // picture. Returns nothing where the paint does not differ from its surroundings.
+  std::optional<Contour> Read(const decode::Planes& planes, const Grid& grid, Regions& regions,
+                              const Candidate& candidate, float tilt_rad);
+
+ private:
+  struct Box {
+    int left, top, right, bottom;  // In samples of the grid; right and bottom are exclusive.
+    int width() const { return right - left; }
+    int height() const { return bottom - top; }
+  };
+  struct Span {
+    int begin;
+    int end;
+  };
+  struct Line {  // The samples along a row or a column of the patch.
+    const float* first;
+    int step;
+    int count;
+    float At(int n) const { return first[n * step]; }
+  };
+
+  bool Frame(const Grid& grid, Regions& regions, const Candidate& candidate);
+  bool ReadPatch(const decode::Planes& planes, const Grid& grid);
+  void FindEdges(const Grid& grid);
+  std::optional<float> Edge(const Line& line, int at, int outwards) const;
+  Point ToPicture(const Grid& grid, float x, float y) const;
+  Line RowOf(int y) const;
+  Line ColumnOf(int x) const;
+  Contour Measure(float tilt_rad) const;
+  void Lean(Contour& contour) const;
+  std::array<float, 2> Blunt() const;
+  float Opening(const Grid& grid, const Contour& contour, float tilt_rad) const;
+  float GapIn(int column) const;
+
+  Box box_{};
+  int reach_ = 4;  // How many samples are examined on each side of a coarse edge.
+  float contrast_ = 0;
+  std::vector<Span> rows_;  // From the first to the last sample of paint; empty where end <= begin.
+  std::vector<Span> columns_;
+  std::vector<float> patch_;  // How much each sample has of the paint's colour: 0 nothing, 1 all of it.
+  std::vector<Point> left_, right_, top_, bottom_;
+};
+
+}  // namespace kaori::lips

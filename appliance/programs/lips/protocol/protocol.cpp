@@ -1,0 +1,221 @@
+#include "appliance/programs/lips/protocol/protocol.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "firmware/wire/bytes.h"
+
+namespace kaori::lips {
+namespace {
+
+// The first word of each packet names its kind and the version of the protocol.
+constexpr std::uint32_t kHello = 0x314C4B48;    // "HKL1"
+constexpr std::uint32_t kReport = 0x314C4B52;   // "RKL1"
+constexpr std::uint32_t kPicture = 0x314C4B50;  // "PKL1"
+constexpr std::size_t kNoteBytes = 20;
+constexpr std::size_t kHelloBytes = 8;
+constexpr std::uint32_t kNoStep = 255;
+constexpr std::size_t kMaxComplaint = 160;
+
+// What follows the verb of a command.
+enum class Arguments : std::uint8_t { kNone, kPosition, kNumber, kName, kNameAndNumbers };
+struct Verb {
+  std::string_view word;
+  CommandKind kind;
+  Arguments arguments;
+};
+constexpr Verb kVerbs[] = {
+    {"sample", CommandKind::kSample, Arguments::kPosition},
+    {"find", CommandKind::kFind, Arguments::kNone},
+    {"set", CommandKind::kSet, Arguments::kNameAndNumbers},
+    {"begin", CommandKind::kBegin, Arguments::kName},
+    {"stop", CommandKind::kStop, Arguments::kNone},
+    {"undo", CommandKind::kUndo, Arguments::kNone},
+    {"saved", CommandKind::kSaved, Arguments::kNone},
+    {"before", CommandKind::kBefore, Arguments::kNone},
+    {"defaults", CommandKind::kDefaults, Arguments::kNone},
+    {"save", CommandKind::kSave, Arguments::kNone},
+    {"exposure", CommandKind::kExposure, Arguments::kNumber},
+    {"look", CommandKind::kLook, Arguments::kNone},
+    {"return", CommandKind::kReturn, Arguments::kNumber},
+};
+
+// Removes the first word from the front of `text` and returns it.
+std::string_view SplitWord(std::string_view& text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  const std::string_view word = text.substr(0, text.find(' '));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+template <class T>
+bool SplitNumber(std::string_view& text, T& into) {
+  const std::string_view word = SplitWord(text);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), into);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+bool ParseArguments(std::string_view& text, Arguments arguments, Command& into) {
+  const bool named = arguments == Arguments::kName || arguments == Arguments::kNameAndNumbers;
+  if (named) into.name = SplitWord(text);
+  if (named && into.name.empty()) return false;
+  if (arguments == Arguments::kNone || arguments == Arguments::kName) return true;
+  if (!SplitNumber(text, into.a) || !std::isfinite(into.a)) return false;
+  if (arguments == Arguments::kNumber) return true;
+  return SplitNumber(text, into.b) && std::isfinite(into.b);
+}
+
+// Writes a packet from its first word to its last.
+class PacketWriter {
+ public:
+  explicit PacketWriter(std::uint32_t kind) { Put(kind); }
+  void Put(std::uint32_t word) {
+    bytes_.resize(bytes_.size() + 4);
+    wire::PutU32(bytes_, bytes_.size() - 4, word);
+  }
+  void Put(float value) { Put(std::bit_cast<std::uint32_t>(value)); }
+  void Put(std::string_view text) {
+    text = text.substr(0, kMaxComplaint);
+    Put(static_cast<std::uint32_t>(text.size()));
+    bytes_.insert(bytes_.end(), text.begin(), text.end());
+  }
+  std::vector<std::uint8_t> Release() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+// Reads a packet from its first word to its last. What is missing reads as 0, and `whole` is false then.
+class PacketReader {
+ public:
+  explicit PacketReader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
+  std::uint32_t Word() {
+    if (left_.size() < 4) return Missing();
+    const std::uint32_t word = wire::GetU32(left_, 0);
+    left_ = left_.subspan(4);
+    return word;
+  }
+  float Value() {
+    const auto value = std::bit_cast<float>(Word());
+    whole_ = whole_ && std::isfinite(value);
+    return std::isfinite(value) ? value : 0;
+  }
+  std::string Text() {
+    const std::uint32_t size = Word();
+    if (size > left_.size() || size > kMaxComplaint) return Missing(), std::string();
+    std::string text(reinterpret_cast<const char*>(left_.data()), size);
+    left_ = left_.subspan(size);
+    return text;
+  }
+  bool whole() const { return whole_ && left_.empty(); }
+
+ private:
+  std::uint32_t Missing() {
+    whole_ = false;
+    return 0;
+  }
+  std::span<const std::uint8_t> left_;
+  bool whole_ = true;
+};
+
+}  // namespace
+
+std::string CommandText(const Command& command) {
+  const auto* verb = std::ranges::find(kVerbs, command.kind, &Verb::kind);
+  std::string text = fmt::format("{} {}", command.number, verb->word);
+  if (!command.name.empty()) text += " " + command.name;
+  if (verb->arguments == Arguments::kPosition || verb->arguments == Arguments::kNameAndNumbers)
+    return text + fmt::format(" {} {}", command.a, command.b);
+  return verb->arguments == Arguments::kNumber ? text + fmt::format(" {}", command.a) : text;
+}
+
+Result<Command> ParseCommand(std::string_view text) {
+  Command command;
+  if (text.size() > kMaxCommandBytes)
+    return FailInput(fmt::format("a command has at most {} bytes", kMaxCommandBytes));
+  if (!SplitNumber(text, command.number)) return FailInput("a command begins with its number");
+  const std::string word(SplitWord(text));
+  const auto* verb = std::ranges::find(kVerbs, word, &Verb::word);
+  if (verb == std::end(kVerbs)) return FailInput(fmt::format("there is no command \"{}\"", word));
+  command.kind = verb->kind;
+  if (!ParseArguments(text, verb->arguments, command) || !SplitWord(text).empty())
+    return FailInput(fmt::format("the arguments of \"{}\" are wrong", word));
+  return command;
+}
+
+std::string_view NameOf(CalibrationStep step) {
+  constexpr std::array<std::string_view, kStepCount> kNames{"shut", "open", "wide", "narrow", "speak"};
+  return kNames[static_cast<std::size_t>(step)];
+}
+
+std::vector<std::uint8_t> HelloPacket() {
+  PacketWriter packet(kHello);
+  packet.Put(kPictureSlots * kPictureSlotBytes);
+  return packet.Release();
+}
+
+bool IsHello(std::span<const std::uint8_t> packet) {
+  return packet.size() == kHelloBytes && wire::GetU32(packet, 0) == kHello &&
+         wire::GetU32(packet, 4) == kPictureSlots * kPictureSlotBytes;
+}
+
+std::vector<std::uint8_t> Packet(const Report& report) {
+  PacketWriter packet(kReport);
+  packet.Put(report.answered);
+  packet.Put(report.complaint);
+  packet.Put(report.step ? static_cast<std::uint32_t>(*report.step) : kNoStep);
+  packet.Put(report.progress);
+  packet.Put(report.done);
+  packet.Put(report.changes);
+  packet.Put((report.unsaved ? 1U : 0U) | (report.saved ? 2U : 0U) | (report.before ? 4U : 0U) |
+             (report.exposure_free ? 8U : 0U));
+  for (const float value : report.values) packet.Put(value);
+  for (const float side : report.box) packet.Put(side);
+  return packet.Release();
+}
+
+std::optional<Report> ReadReport(std::span<const std::uint8_t> packet) {
+  PacketReader reading(packet);
+  if (reading.Word() != kReport) return std::nullopt;
+  Report report;
+  report.answered = reading.Word();
+  report.complaint = reading.Text();
+  const std::uint32_t step = reading.Word();
+  if (step < kStepCount) report.step = static_cast<CalibrationStep>(step);
+  report.progress = std::clamp(reading.Value(), 0.0F, 1.0F);
+  report.done = reading.Word();
+  report.changes = reading.Word();
+  const std::uint32_t flags = reading.Word();
+  report.unsaved = (flags & 1U) != 0;
+  report.saved = (flags & 2U) != 0;
+  report.before = (flags & 4U) != 0;
+  report.exposure_free = (flags & 8U) != 0;
+  for (float& value : report.values) value = reading.Value();
+  for (float& side : report.box) side = std::clamp(reading.Value(), 0.0F, 1.0F);
+  const bool known = step < kStepCount || step == kNoStep;
+  return reading.whole() && known ? std::optional(report) : std::nullopt;
+}
+
+std::vector<std::uint8_t> Packet(const PictureNote& note) {
+  PacketWriter packet(kPicture);
+  for (const std::uint32_t word : {note.slot, note.number, note.width_px, note.height_px}) packet.Put(word);
+  return packet.Release();
+}
+
+std::optional<PictureNote> ReadPictureNote(std::span<const std::uint8_t> packet) {
+  if (packet.size() != kNoteBytes) return std::nullopt;
+  PacketReader reading(packet);
+  if (reading.Word() != kPicture) return std::nullopt;
+  PictureNote note;
+  for (std::uint32_t* word : {&note.slot, &note.number, &note.width_px, &note.height_px})
+    *word = reading.Word();
+  const bool fits = note.slot < kPictureSlots && note.width_px > 0 && note.height_px > 0 &&
+                    note.width_px <= kPictureMaxWidth_px && note.height_px <= kPictureMaxHeight_px;
+  return fits ? std::optional(note) : std::nullopt;
+}
+
+}  // namespace kaori::lips

@@ -1,0 +1,53 @@
+// Runs microphone and loudspeaker in the program's event loop.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "appliance/programs/lips/voice/speaker.h"
+#include "appliance/programs/lips/voice/voice_reader.h"
+#include "drivers/base/event_loop.h"
+
+namespace kaori::voice {
+
+// How the devices are opened; an empty opener means that the box has no such device.
+struct SoundSources {
+  ports::MicrophoneOpener microphone;
+  ports::LoudspeakerOpener loudspeaker;
+};
+
+struct VoiceServiceSettings {
+  GateSettings gate;
+  SpeakerSettings speaker;
+};
+
+// Used by one thread.
+class VoiceService {
+ public:
+  // Acquires the sections of the devices that there are. Borrows the board and the clock, which outlive it.
+  // Errors: those of Board::AcquireWriter.
+  static Result<std::unique_ptr<VoiceService>> Acquire(SoundSources sources, VoiceServiceSettings settings,
+                                                       const board::Board& board, const Clock& clock);
+
+  // Runs Step() for the microphone's blocks and every 10 ms. The loop outlives the service. Errors: those of
+  // the loop.
+  Result<void> Join(EventLoop& loop);
+
+  // Handles what waits and what is due. It never blocks, apart from the time that opening a device needs.
+  // Call it every 10 ms or sooner.
+  void Step();
+
+  // Changes the settings of gate and delay from now on.
+  void Use(const GateSettings& gate, const DelaySetting& delay);
+
+ private:
+  void Watch();
+
+  std::unique_ptr<Speaker> speaker_;
+  std::unique_ptr<VoiceReader> reader_;
+  EventLoop* loop_ = nullptr;
+  int watched_ = -1;
+  int opened_ = 0;
+};
+
+}  // namespace kaori::voice
