@@ -39,12 +39,12 @@ class SoundInRealTime : public ::testing::Test {
     house_.Start("kaori-stage", stage);
   }
 
-  // Lets devices send and `input` act until `done`. False: it took a minute.
-  template <class Input, class Done>
-  bool Until(Input input, Done done) {
+  // Pumps the devices and calls `act` until `done`. Returns false after a minute.
+  template <class Act, class Done>
+  bool Until(Act act, Done done) {
     for (const Time late = clock_.now() + 60s; !done();) {
       if (clock_.now() > late) return false;
-      input(clock_.now());
+      act(clock_.now());
       rig_->Pump();
       pollfd waiting{rig_->pollable(), POLLIN, 0};
       ::poll(&waiting, 1, 2);

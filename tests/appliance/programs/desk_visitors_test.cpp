@@ -224,9 +224,9 @@ TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
 TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneWithoutAVisitor) {
   house_.Play(3s);
   {
-    Visitor stranger = Come();
-    stranger.Send(RequestOf({.path = "/picture"}, port_));
-    EXPECT_EQ(StatusOf(stranger.Receive(IsWhole)), 401);
+    Visitor unpaired = Come();
+    unpaired.Send(RequestOf({.path = "/picture"}, port_));
+    EXPECT_EQ(StatusOf(unpaired.Receive(IsWhole)), 401);
     house_.Play(1s);
   }
   const auto pictures = [this](const std::string& cookie) {
