@@ -83,7 +83,7 @@ class Scanout {
   virtual StatusDisplay* status_display() { return nullptr; }
 
   // What the card drives, in the order of the picture's parts from the left top; the status display is last.
-  // Empty where the screen knows nothing of connectors, as the simulator's.
+  // Empty while the screen has not answered or is gone.
   virtual std::vector<Output> outputs() const { return {}; }
 };
 

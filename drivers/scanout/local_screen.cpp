@@ -110,4 +110,12 @@ Result<ports::Flip> LocalScreen::ReadFlip() {
   return ports::Flip{Time(Duration(flip->at_ns)), flip->frame, Duration(hello_.period_ns)};
 }
 
+std::vector<ports::Output> LocalScreen::outputs() const {
+  if (gone_ || !memory_.valid()) return {};
+  return {{.connector = "simulator",
+           .width_px = static_cast<int>(hello_.width_px),
+           .height_px = static_cast<int>(hello_.height_px),
+           .rate_hz = 1 / Seconds(Duration(hello_.period_ns))}};
+}
+
 }  // namespace kaori::scanout

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "drivers/base/shared_memory.h"
 #include "drivers/base/unique_fd.h"
@@ -26,6 +27,8 @@ class LocalScreen final : public ports::Scanout {
   Result<ports::PixelBuffer> Acquire() override;
   Result<void> Present(std::uint64_t frame) override;
   Result<ports::Flip> ReadFlip() override;
+  // One output named "simulator", once the screen has answered and as long as it is there.
+  std::vector<ports::Output> outputs() const override;
 
  private:
   // Reads the hello, and maps the memory that came with it. Errors: as Receive.

@@ -48,6 +48,18 @@ TEST_F(LinkScreen, AsksToTryAgainUntilTheScreenAnswers) {
   EXPECT_TRUE(screen->Acquire());
 }
 
+TEST_F(LinkScreen, IsAnOutputOfTheStatusOnceItHasAnsweredUntilItIsUnplugged) {
+  EXPECT_TRUE(screen->Acquire());
+  const auto outputs = screen->outputs();
+  ASSERT_EQ(outputs.size(), 1U) << "or the status says that there is no screen";
+  EXPECT_EQ(outputs[0].connector, "simulator");
+  EXPECT_EQ(outputs[0].width_px, screen->Acquire()->width_px);
+  EXPECT_NEAR(outputs[0].rate_hz, 60, 0.01);
+  ASSERT_TRUE(rig->Unplug("screen"));
+  EXPECT_FALSE(screen->ReadFlip());
+  EXPECT_TRUE(screen->outputs().empty());
+}
+
 TEST_F(LinkScreen, FlipsAtTheVerticalBlankAndSaysWhen) {
   for (std::uint64_t n = 1; n <= 10; ++n) {
     clock.Advance(3ms);

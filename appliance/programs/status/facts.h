@@ -1,4 +1,4 @@
-// What is true of the box beside its board: what it was told when it started, and its screens.
+// What the status knows beside the board: how the box was started, and its screens.
 #pragma once
 
 #include <filesystem>
@@ -15,16 +15,16 @@ struct Places {
 };
 
 struct Facts {
-  std::string profile;    // "stage", "kiosk", "bench"; empty: nobody said, as on a desk.
-  std::string root_hash;  // 64 digits; empty: the root is not checked.
-  std::string screen;     // The one that shows the status, by name or number; empty: none.
+  std::string profile;    // "stage", "kiosk" or "bench"; empty where no box was started.
+  std::string root_hash;  // 64 digits; empty where the root file system is not verified.
+  std::string screen;     // The screen of the status display, by name or number; empty: there is none.
   std::vector<std::string> faults;
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.
 
   friend bool operator==(const Facts&, const Facts&) = default;
 };
 
-// What is not there is empty.
+// Reads the files; a missing one leaves its value empty. Blocks for the disk.
 Facts ReadFacts(const Places& places);
 
 }  // namespace kaori::status

@@ -15,15 +15,15 @@ namespace {
 using board::SourceState;
 using namespace std::chrono_literals;
 
-constexpr Duration kLate = 10s;         // A stage that drew nothing for so long draws nothing.
-constexpr double kWholeFrom = 10;       // Smaller numbers have a decimal.
-constexpr std::size_t kHashShown = 12;  // Digits.
+constexpr Duration kLate = 10s;         // A stage whose last picture is older shows none any more.
+constexpr double kWholeFrom = 10;       // Smaller numbers are shown with one decimal.
+constexpr std::size_t kHashShown = 12;  // How many digits of the hash are shown.
 
 std::string Number(double value) {
   return value < kWholeFrom ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
 }
 
-// So roughly that it seldom changes.
+// A span in words, so roughly that it seldom changes.
 std::string Length(Duration age) {
   if (age < 10s) return "a moment";
   if (age < 1min) return "less than a minute";
@@ -33,27 +33,32 @@ std::string Length(Duration age) {
   return minutes < 120 ? "an hour" : fmt::format("{} hours", minutes / 60);
 }
 
-// Of a frame.
-std::string Words(Duration length) {
+// The time that one frame takes.
+std::string FrameTime(Duration length) {
   return length < 1s ? Number(Seconds(length) * 1e3) + " ms" : Number(Seconds(length)) + " s";
 }
 
 Line Title(const Facts& facts) {
-  std::string words = facts.profile.empty() ? "not started as a box" : "profile " + facts.profile;
-  words += facts.root_hash.empty() ? ", root unchecked" : ", root " + facts.root_hash.substr(0, kHashShown);
+  std::string words =
+      facts.profile.empty() ? "This program was not started as a box" : "Profile " + facts.profile;
+  words += facts.root_hash.empty()
+               ? "; the root file system is not verified."
+               : "; the root file system is verified, hash " + facts.root_hash.substr(0, kHashShown) + ".";
   return {Mark::kTitle, "Kaori box", words};
 }
 
 Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time now) {
-  if (!has_screen) return {Mark::kFault, "show", "there is no screen to show it on"};
+  if (!has_screen) return {Mark::kFault, "show", "There is no screen for the picture."};
   if (stage.source == SourceState::kAbsent)
-    return {Mark::kFault, "show", "no picture yet: the stage is starting"};
-  if (now - stage.at > kLate) return {Mark::kFault, "show", "no picture for " + Length(now - stage.at)};
+    return {Mark::kFault, "show", "There is no picture yet: the stage is starting."};
+  if (now - stage.at > kLate)
+    return {Mark::kFault, "show", "There has been no picture for " + Length(now - stage.at) + "."};
   const board::StageStatus& s = stage.value;
   const std::string late =
-      s.missed_flips == 0 ? "none came late" : fmt::format("{} came late", s.missed_flips);
+      s.missed_flips == 0 ? "none was late" : fmt::format("{} were late", s.missed_flips);
   return {Mark::kGood, "show",
-          fmt::format("{} pictures a second, {} each; {}", Number(s.frames_per_s), Words(s.draw), late)};
+          fmt::format("The show has {} frames a second, {} each; {}.", Number(s.frames_per_s),
+                      FrameTime(s.draw), late)};
 }
 
 Line Screen(const ports::Output& output) {
@@ -61,7 +66,7 @@ Line Screen(const ports::Output& output) {
   return {unplugged ? Mark::kMissing : Mark::kGood, output.connector, ports::DescribeMode(output)};
 }
 
-// What a hand's device means to the show when it is not there.
+// A device, and what the show does without it while it is unplugged or was never there.
 struct Device {
   const char* what;
   const char* pulled;
@@ -71,13 +76,14 @@ struct Device {
 Line Of(const Device& device, SourceState source, Time at, Time now) {
   switch (source) {
     case SourceState::kLive:
-      return {Mark::kGood, device.what, "there"};
+      return {Mark::kGood, device.what, "It is plugged in."};
     case SourceState::kStale:
-      return {Mark::kMissing, device.what, fmt::format("gone for {}; {}", Length(now - at), device.pulled)};
+      return {Mark::kMissing, device.what,
+              fmt::format("It was unplugged {} ago; {}.", Length(now - at), device.pulled)};
     case SourceState::kAbsent:
       break;
   }
-  return {Mark::kMissing, device.what, fmt::format("not plugged in; {}", device.absent)};
+  return {Mark::kMissing, device.what, fmt::format("It is not plugged in; {}.", device.absent)};
 }
 
 template <class T>
@@ -86,25 +92,26 @@ Line Of(const Device& device, const board::Stamped<T>& section, Time now) {
 }
 
 Line Camera(const board::Stamped<board::Lips>& lips, Time now) {
-  Line line = Of({"camera", "the voice has the mouth, or it rests", "the voice has the mouth, or it rests"},
-                 lips, now);
+  Line line =
+      Of({"camera", "the voice moves the mouth, or it rests", "the voice moves the mouth, or it rests"}, lips,
+         now);
   if (lips.source != SourceState::kLive) return line;
   const bool seen = board::IsUsable(lips.value);
   return {seen ? Mark::kGood : Mark::kMissing, "camera",
-          seen ? "there, sees the mouth" : "there, sees no painted mouth"};
+          seen ? "It sees the mouth." : "It is plugged in and sees no painted mouth."};
 }
 
 Line Microphone(const board::Stamped<board::Voice>& voice, Time now) {
   Line line =
-      Of({"microphone", "the camera alone has the mouth", "the camera alone has the mouth"}, voice, now);
-  if (voice.source == SourceState::kLive && voice.value.speaking != 0) line.words = "there, hears a voice";
+      Of({"microphone", "the camera alone moves the mouth", "the camera alone moves the mouth"}, voice, now);
+  if (voice.source == SourceState::kLive && voice.value.speaking != 0) line.words = "It records a voice.";
   return line;
 }
 
 Line Loudspeaker(const board::Stamped<board::Sound>& sound, Time now) {
   Line line = Of({"loudspeaker", "the voice is not played", "the voice is not played"}, sound, now);
   if (sound.source == SourceState::kLive)
-    line.words = fmt::format("there, {:.0f} ms after the microphone", sound.value.delay_ms);
+    line.words = fmt::format("It plays {:.0f} ms after the microphone.", sound.value.delay_ms);
   return line;
 }
 
@@ -112,14 +119,14 @@ Line Lines(const board::Stamped<board::Lines>& lines, Time now) {
   constexpr std::pair<board::Line, const char*> kNames[] = {
       {board::Line::kBlackout, "BLACKOUT"},
       {board::Line::kService, "service"},
-      {board::Line::kPresence, "somebody stands before the box"},
+      {board::Line::kPresence, "somebody is in front of the box"},
       {board::Line::kGo, "GO"}};
-  Line line = Of({"switches", "they stand as they were", "the show goes on without them"}, lines, now);
+  Line line = Of({"switches", "all of them count as released", "the show goes on without them"}, lines, now);
   if (lines.source == SourceState::kAbsent) return line;
   std::string on;
   for (const auto& [which, name] : kNames)
     if (board::IsOn(lines.value, which)) on += std::string(", ") + name;
-  line.words += on;
+  if (!on.empty()) line.words += " On: " + on.substr(2) + ".";
   return line;
 }
 
@@ -127,12 +134,12 @@ void AddDevices(const State& state, std::vector<Line>& lines) {
   const auto& b = state.board;
   const Time now = state.now;
   lines.push_back(
-      Of({"dial box", "the dials stand where they were", "the face plays by itself"}, b.surface, now));
+      Of({"dial box", "the dials keep their values", "the face moves by itself"}, b.surface, now));
   lines.push_back(
-      Of({"left stick", "the head plays by itself", "the head plays by itself"}, b.sticks[0], now));
+      Of({"left stick", "the head moves by itself", "the head moves by itself"}, b.sticks[0], now));
   lines.push_back(
-      Of({"right stick", "the gaze plays by itself", "the gaze plays by itself"}, b.sticks[1], now));
-  lines.push_back(Of({"keyboard", "nothing is typed", "nothing needs it"}, b.keys, now));
+      Of({"right stick", "the gaze moves by itself", "the gaze moves by itself"}, b.sticks[1], now));
+  lines.push_back(Of({"keyboard", "no key works", "the show does not need it"}, b.keys, now));
   lines.push_back(Camera(b.lips, now));
   lines.push_back(Microphone(b.voice, now));
   lines.push_back(Loudspeaker(state.sound, now));
@@ -150,7 +157,7 @@ std::vector<Line> Describe(const State& state) {
   for (const std::string& fault : state.facts.faults) lines.push_back({Mark::kFault, "fault", fault});
   lines.push_back(Show(state.board.stage_status, !state.facts.screens.empty(), state.now));
   if (state.facts.screens.empty())
-    lines.push_back({Mark::kFault, "screens", "none is plugged in; the show goes on unseen"});
+    lines.push_back({Mark::kFault, "screens", "No screen is plugged in; the show goes on unseen."});
   for (const ports::Output& screen : state.facts.screens) lines.push_back(Screen(screen));
   AddDevices(state, lines);
   return lines;

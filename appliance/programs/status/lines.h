@@ -1,4 +1,4 @@
-// How the box does, in words: what is there, what is missing, what is wrong.
+// The status of the box in sentences: what works, what is missing, and what is wrong.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,13 @@
 
 namespace kaori::status {
 
+// What a line means: the title, a working part, a part that is missing, or a fault that somebody has to mend.
 enum class Mark : std::uint8_t { kTitle, kGood, kMissing, kFault };
 
 struct Line {
   Mark mark = Mark::kGood;
   std::string what;   // "dial box"
-  std::string words;  // "pulled a moment ago; the dials stand where they were"
+  std::string words;  // "It was unplugged a moment ago; the dials keep their values."
 
   friend bool operator==(const Line&, const Line&) = default;
 };
@@ -29,13 +30,14 @@ struct State {
   Time now{};
 };
 
+// Reads all that the status depends on. Blocks for nothing.
 State Look(const board::Board& board, Facts facts, Time now);
 
-// The title, then what is wrong, then the show, its screens and its devices. Equal states give equal lines,
-// and times are told so roughly that a line seldom changes.
+// Describes a state: the title, then faults, then the show, its screens and its devices. Equal states give
+// equal lines, and spans of time are so rough that a line seldom changes. Pure.
 std::vector<Line> Describe(const State& state);
 
-// The same as text, a line each: "!" stands before faults, "-" before what is missing.
+// The lines as text, one a line: "!" marks a fault and "-" something that is missing. Pure.
 std::string TextOf(const std::vector<Line>& lines);
 
 }  // namespace kaori::status

@@ -1,4 +1,4 @@
-// kaori-status: says how the box does, in words or as a picture.
+// kaori-status: prints the status of the box, or draws it as a picture.
 #include <cstdio>
 
 #include "appliance/programs/status/facts.h"
@@ -10,12 +10,12 @@
 
 namespace {
 
-constexpr std::string_view kHelp = R"(kaori-status: says how the box does
+constexpr std::string_view kHelp = R"(kaori-status: prints the status of the box
 
-  --board FILE      the board (/run/kaori/board)
-  --settings FOLDER what the box was told when it started (/run/kaori-profile)
-  --picture FILE    draws it there too, as PNG
-  --size WxH        of the picture (1280x720)
+  --board FILE      the board, shared with the other programs (/run/kaori/board)
+  --settings FOLDER the settings with which the box was started (/run/kaori-profile)
+  --picture FILE    draw the status to this PNG file, too
+  --size WxH        the size of the picture in pixels (1280x720)
 )";
 
 struct Settings {

@@ -1,4 +1,4 @@
-// The status picture: lines lettered one below the other, each drawn anew only when it changed.
+// The status picture: lines of text one below the other, each drawn again only when it changed.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace kaori::status {
 
-// One thread.
+// Used by one thread.
 class Sheet {
  public:
-  // 16 x 16 pixels at least; a smaller picture is so large all the same.
+  // A picture of the given size, or of 16 x 16 pixels where that is smaller.
   Sheet(image::Lettering lettering, int width_px, int height_px);
 
   // Rows of the picture, from the bottom.
@@ -21,9 +21,9 @@ class Sheet {
     int first = 0;
     int end = 0;
   };
-  // Draws one line that does not yet stand there so: a caller that has little time at once draws one now and
-  // then. What changed its mark goes first. Nothing: all of them stand. Lines that do not fit are told by
-  // their number.
+  // Draws one line that changed, so that a caller with little time draws one now and then, and returns its
+  // rows. A line whose mark changed comes first. Returns nothing when the picture is up to date. The last row
+  // counts the lines for which there is no room.
   std::optional<Rows> DrawNext(const std::vector<Line>& lines);
 
   const image::Picture& picture() const { return picture_; }
@@ -35,11 +35,12 @@ class Sheet {
 
   image::Lettering lettering_;
   image::Picture picture_;
-  int pitch_px_;  // From line to line.
+  int pitch_px_;  // The height of one line.
   std::vector<std::optional<Line>> stands_;
 };
 
-// All of it at once. Errors: not_enough_memory.
+// Draws all lines. Errors:
+//   not_enough_memory  the letters could not be loaded
 Result<image::Picture> DrawAll(const std::vector<Line>& lines, int width_px, int height_px);
 
 }  // namespace kaori::status

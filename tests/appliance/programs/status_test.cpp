@@ -1,4 +1,4 @@
-// What the box says of itself: in words, and lettered on its status picture.
+// The status of the box: in sentences, and drawn as a picture.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "appliance/core/board/lines.h"
+#include "appliance/core/board/mouth.h"
 #include "appliance/programs/status/lines.h"
 #include "appliance/programs/status/screens_file.h"
 #include "appliance/programs/status/sheet.h"
@@ -36,47 +37,47 @@ class StatusWords : public ::testing::Test {
 TEST_F(StatusWords, ABoxWithNothingPluggedInNamesAllThatIsMissing) {
   for (const char* what : {"dial box", "left stick", "right stick", "keyboard", "camera", "microphone",
                            "loudspeaker", "switches"})
-    EXPECT_THAT(Said(what), HasSubstr("- not plugged in")) << what;
-  EXPECT_THAT(Said("screens"), HasSubstr("! none is plugged in"));
-  EXPECT_THAT(Said("show"), HasSubstr("! there is no screen"));
+    EXPECT_THAT(Said(what), HasSubstr("- It is not plugged in;")) << what;
+  EXPECT_THAT(Said("screens"), HasSubstr("! No screen is plugged in"));
+  EXPECT_THAT(Said("show"), HasSubstr("! There is no screen"));
 }
 
-TEST_F(StatusWords, WhatIsPulledIsSaidSoWithHowLong) {
+TEST_F(StatusWords, AnUnpluggedDeviceIsNamedWithTheTimeSince) {
   state_.board.surface = {{}, state_.now - 2s, SourceState::kStale};
-  EXPECT_EQ(Said("dial box"), "- gone for a moment; the dials stand where they were");
+  EXPECT_EQ(Said("dial box"), "- It was unplugged a moment ago; the dials keep their values.");
   state_.now += 5min;
-  EXPECT_THAT(Said("dial box"), HasSubstr("gone for 5 minutes"));
+  EXPECT_THAT(Said("dial box"), HasSubstr("It was unplugged 5 minutes ago;"));
   state_.now += 2h;
-  EXPECT_THAT(Said("dial box"), HasSubstr("gone for 2 hours"));
+  EXPECT_THAT(Said("dial box"), HasSubstr("It was unplugged 2 hours ago;"));
 }
 
-TEST_F(StatusWords, WhatIsThereIsSaidSo) {
+TEST_F(StatusWords, APluggedInDeviceIsNamed) {
   state_.board.surface = {{}, state_.now, SourceState::kLive};
-  EXPECT_EQ(Said("dial box"), "  there");
+  EXPECT_EQ(Said("dial box"), "  It is plugged in.");
 }
 
 TEST_F(StatusWords, TheShowSaysItsRateAndWhatCameLate) {
   state_.facts.screens = {{.connector = "HDMI-A-1", .width_px = 640, .height_px = 480, .rate_hz = 60}};
-  EXPECT_THAT(Said("show"), HasSubstr("! no picture yet"));
+  EXPECT_THAT(Said("show"), HasSubstr("! There is no picture yet"));
   state_.board.stage_status = {
       {.draw = std::chrono::microseconds(6200), .missed_flips = 3, .frames_per_s = 59.9F},
       state_.now,
       SourceState::kLive};
-  EXPECT_EQ(Said("show"), "  60 pictures a second, 6.2 ms each; 3 came late");
+  EXPECT_EQ(Said("show"), "  The show has 60 frames a second, 6.2 ms each; 3 were late.");
   state_.now += 30s;
-  EXPECT_EQ(Said("show"), "! no picture for less than a minute");
+  EXPECT_EQ(Said("show"), "! There has been no picture for less than a minute.");
 }
 
-TEST_F(StatusWords, ACameraThatSeesNoMouthIsNotEnough) {
+TEST_F(StatusWords, ACameraThatSeesNoUsableMouthIsMarkedAsMissing) {
   state_.board.lips = {{.quality = 0}, state_.now, SourceState::kLive};
-  EXPECT_EQ(Said("camera"), "- there, sees no painted mouth");
-  state_.board.lips.value.quality = 1;
-  EXPECT_EQ(Said("camera"), "  there, sees the mouth");
+  EXPECT_EQ(Said("camera"), "- It is plugged in and sees no painted mouth.");
+  state_.board.lips.value.quality = board::kUsableMouth;  // As the face follows it.
+  EXPECT_EQ(Said("camera"), "  It sees the mouth.");
 }
 
-TEST_F(StatusWords, ABlackoutIsSaidSoThatNobodyLooksForAnotherCause) {
+TEST_F(StatusWords, ABlackoutIsNamedSoThatNobodyLooksForAnotherCause) {
   state_.board.lines = {{.active = 1U << unsigned(board::Line::kBlackout)}, state_.now, SourceState::kLive};
-  EXPECT_EQ(Said("switches"), "  there, BLACKOUT");
+  EXPECT_EQ(Said("switches"), "  It is plugged in. On: BLACKOUT.");
 }
 
 TEST_F(StatusWords, FaultsComeBeforeEverythingElse) {
@@ -103,7 +104,7 @@ TEST_F(StatusWords, ScreensAreToldByTheirNames) {
 TEST_F(StatusWords, TheTitleSaysProfileAndRoot) {
   state_.facts.profile = "kiosk";
   state_.facts.root_hash = std::string(64, 'b');
-  EXPECT_THAT(Said("Kaori box"), AllOf(HasSubstr("profile kiosk"), HasSubstr("root bbbbbbbbbbbb"),
+  EXPECT_THAT(Said("Kaori box"), AllOf(HasSubstr("Profile kiosk"), HasSubstr("hash bbbbbbbbbbbb"),
                                        Not(HasSubstr(std::string(13, 'b')))));
 }
 
