@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tries what the guide says: commands are known, links resolve, pictures exist and are small.
+"""Tries what the guide and the other pages say: commands are known, links resolve, pictures exist and are small.
 
 Usage: guide.py ROOT BIN     BIN holds kaori-atelier and kaori-stage; prints "file:line: fault" for each, and exits 1
                              when there is one.
@@ -86,7 +86,7 @@ def offences(root, binaries):
     pages = sorted((root / "docs/guide").glob("*.md"))
     if not pages:
         yield "docs/guide: holds no page"
-    for page in pages:
+    for page in [*pages, *sorted((root / "docs").glob("*.md")), *sorted(root.glob("*.md"))]:
         yield from check_page(page, root, binaries)
     pictures = list((root / "docs/guide/pictures").iterdir())
     if sum(picture.stat().st_size for picture in pictures) > MOST_PICTURES_BYTES:

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Each gate names what was written wrong on purpose, and lets pass what is right."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import format  # noqa: A004, E402  The check of that name; the folder must be on the path first.
+import tidy  # noqa: E402
+import unused  # noqa: E402
+import words  # noqa: E402
+
+REPOSITORY = pathlib.Path(__file__).parents[2]
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name).resolve()
+        subprocess.run(["git", "init", "-q", self.root], check=True)
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+
+class Words(Tree):
+    def test_refused_in_names_are_named_with_what_to_say(self):
+        for name in ("StickSeat", "stick_seat_", "kStrangers", "WardrobeLooks"):
+            self.write("drivers/hid/a.cpp", f"int {name} = 0;\n")
+            found = list(words.offences(self.root))
+            self.assertEqual(len(found), 1, f"{name}: {found}")
+            self.assertIn(f"drivers/hid/a.cpp:1: {name}: say ", found[0])
+
+    def test_refused_as_verbs_are_functions_only(self):
+        self.write("drivers/hid/a.cpp", "void TakeReport(int);\nvoid Take();\nstruct TakeRecorder {};\nint takes = 0;\n")
+        self.assertEqual([line.split(":")[1] for line in words.offences(self.root)], ["1", "2"])
+
+    def test_refused_in_comments_texts_and_pages_are_named(self):
+        self.write("drivers/hid/a.cpp", '// A stranger was plugged in.\nconst char* kText = "the witness says";\n')
+        self.write("docs/a.md", "When the frame comes to light.\n")
+        found = list(words.offences(self.root))
+        self.assertEqual(len(found), 3, found)
+
+    def test_refused_in_the_name_of_a_file_are_named(self):
+        self.write("drivers/hid/stick_seat.h", "// Nothing.\n")
+        self.assertEqual(len(list(words.offences(self.root))), 1)
+
+    def test_that_are_plain_pass(self):
+        self.write("drivers/hid/a.cpp", '// Takes the newest report; signs and lights as in "handle".\nint device_slot = 0;\n')
+        self.assertEqual(list(words.offences(self.root)), [])
+
+
+class Unused(Tree):
+    HEADER = "// A header.\n#pragma once\nint Doubled(int value);\n"
+
+    def setUp(self):
+        super().setUp()
+        self.write("drivers/base/a.h", self.HEADER)
+        self.write("drivers/base/a.cpp", '#include "drivers/base/a.h"\nint Doubled(int value) {\n  return 2 * value;\n}\n')
+
+    def test_names_what_only_tests_use(self):
+        self.write("tests/drivers/a_test.cpp", "int x = Doubled(2);\n")
+        self.assertEqual(list(unused.offences(self.root)), ["drivers/base/a.h:3: Doubled"])
+
+    def test_does_not_count_comments(self):
+        self.write("drivers/hid/b.cpp", "// See Doubled(2).\n")
+        self.assertEqual(len(list(unused.offences(self.root))), 1)
+
+    def test_lets_pass_what_the_product_uses(self):
+        self.write("drivers/hid/b.cpp", "int x = Doubled(2);\n")
+        self.assertEqual(list(unused.offences(self.root)), [])
+
+
+class Format(Tree):
+    def setUp(self):
+        super().setUp()
+        shutil.copy(REPOSITORY / ".clang-format", self.root)
+
+    def test_names_a_source_that_is_not_formatted(self):
+        self.write("drivers/a.cpp", "int   x  =  1;\n")
+        self.write("drivers/b.cpp", "int x = 1;\n")
+        self.assertEqual(list(format.offences(self.root)), ["drivers/a.cpp: is not formatted; ./box format does it"])
+
+    def test_names_faults_of_scripts_with_and_without_an_ending(self):
+        self.write("a.sh", "#!/usr/bin/env bash\nlocal x=$(ls)\n")
+        self.write("tool", "#!/usr/bin/env bash\nx=(--a $1)\necho \"${x[@]}\"\n")
+        found = "\n".join(format.offences(self.root))
+        self.assertIn("a.sh:2", found)
+        self.assertIn("tool:2", found)
+
+    def test_names_faults_of_python(self):
+        self.write("a.py", "import os\n")
+        self.assertIn("'os' imported but unused", "\n".join(format.offences(self.root)))
+
+
+class Tidy(Tree):
+    def setUp(self):
+        super().setUp()
+        shutil.copy(REPOSITORY / ".clang-tidy", self.root)
+        (self.root / "build").mkdir()
+        (self.root / "build/build.ninja").write_text("")
+        command = f"/usr/bin/c++ -std=c++20 -o CMakeFiles/a.dir/a.o -c {self.root}/drivers/a.cpp"
+        (self.root / "build/compile_commands.json").write_text(
+            json.dumps([{"directory": str(self.root / "build"), "file": f"{self.root}/drivers/a.cpp", "command": command}]))
+
+    def found(self):
+        return list(tidy.offences(self.root, self.root / "build"))
+
+    def test_names_a_warning_until_it_is_mended(self):
+        self.write("drivers/a.cpp", "int* Nothing() { return 0; }\n")
+        for _ in range(2):
+            found = self.found()
+            self.assertEqual(len(found), 1, found)
+            self.assertTrue(found[0].startswith("drivers/a.cpp:1:"), found)
+            self.assertIn("modernize-use-nullptr", found[0])
+        self.write("drivers/a.cpp", "int* Nothing() { return nullptr; }\n")
+        self.assertEqual(self.found(), [])
+        self.assertEqual(self.found(), [])
+
+    def test_does_not_pass_what_does_not_compile(self):
+        self.write("drivers/a.cpp", "int Broken( {\n")
+        self.assertTrue(self.found())
+
+
+if __name__ == "__main__":
+    unittest.main()
