@@ -1,6 +1,6 @@
 # ./box test, bench and fuzz. Read by ./box.
 
-readonly TEST_PACKAGES=(python3 chromium ffmpeg systemd)
+readonly TEST_PACKAGES=(python3 chromium ffmpeg systemd clang-format clang-tidy shellcheck pyflakes3)
 readonly BENCH_PACKAGES=(libopencv-core-dev libopencv-imgproc-dev)  # What the lips are compared with: ten seconds.
 readonly FUZZ_PACKAGES=(clang-14 libclang-rt-14-dev)
 readonly BUILD_COSTS=out/build_cpu.json
@@ -26,7 +26,8 @@ run_tests() {
   build release
   local match=()
   [ $# -gt 0 ] && match=(-R "$1")
-  ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}"
+  ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}" || fail "tests failed; they are named above"
+  if [ ${#match[@]} -eq 0 ]; then python3 -B tests/rules/report.py . $BUILD out/house.json; fi
 }
 
 # The CPU seconds, user and system, of all that the named command runs. What it says goes to the log.
