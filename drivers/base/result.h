@@ -48,11 +48,6 @@ inline tl::unexpected<Error> FailErrno(std::string attempt) {
   return Fail(static_cast<std::errc>(errno), std::move(attempt));
 }
 
-// Reads the cause from a std::error_code, as std::filesystem gives it.
-inline tl::unexpected<Error> FailCode(const std::error_code& code, std::string attempt) {
-  return Fail(static_cast<std::errc>(code.default_error_condition().value()), std::move(attempt));
-}
-
 // A file, a message or an option that people wrote is wrong: `what` says where and why in words.
 inline tl::unexpected<Error> FailInput(std::string what, std::errc cause = std::errc::invalid_argument) {
   return tl::unexpected<Error>(Error{cause, std::move(what), ErrorKind::kInput});

@@ -13,11 +13,11 @@ using std::chrono::seconds;
 
 class Silence : public ::testing::Test {
  protected:
-  // The lines that `deed` leaves in the log.
-  template <class Deed>
-  static std::string Said(Deed deed) {
+  // The lines that `action` leaves in the log.
+  template <class Action>
+  static std::string Said(Action action) {
     testing::internal::CaptureStderr();
-    deed();
+    action();
     return testing::internal::GetCapturedStderr();
   }
   std::string Flicker(Duration every, int times) {

@@ -23,7 +23,7 @@ void Lay(const Still& still) {
   kaori::boot::LayStill(still, {memory.data(), kWidth_px, kHeight_px, std::size_t{kWidth_px} * 4});
 }
 
-void TakeWhole(std::span<const std::uint8_t> body, std::size_t picture) {
+void ReadWhole(std::span<const std::uint8_t> body, std::size_t picture) {
   const kaori::wire::LastFace face{.show = 0, .picture = body.first(picture), .state = body.subspan(picture)};
   const auto end = kaori::wire::EndOf(face);
   std::vector<std::uint8_t> file(body.begin(), body.end());
@@ -34,7 +34,7 @@ void TakeWhole(std::span<const std::uint8_t> body, std::size_t picture) {
   if (const auto still = kaori::boot::ReadStill(read->picture)) Lay(*still);
 }
 
-void TakeSettings(std::string_view text) {
+void ParseSettings(std::string_view text) {
   const auto profile = kaori::boot::ReadProfile(text);
   kaori::fuzz::Promise(kaori::boot::CheckWiring(profile.wiring).empty(), "no line is two things");
   kaori::fuzz::Promise(std::ranges::count(kaori::boot::EnvironmentOf(profile.wiring), '\n') == 2,
@@ -46,7 +46,7 @@ void TakeSettings(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::span<const std::uint8_t> bytes(data, size);
   if (const auto still = kaori::boot::ReadLastStill(bytes, {})) Lay(*still);
-  if (size > 0) TakeWhole(bytes.subspan(1), std::min<std::size_t>(size - 1, std::size_t{data[0]} * 4));
-  TakeSettings({reinterpret_cast<const char*>(data), size});
+  if (size > 0) ReadWhole(bytes.subspan(1), std::min<std::size_t>(size - 1, std::size_t{data[0]} * 4));
+  ParseSettings({reinterpret_cast<const char*>(data), size});
   return 0;
 }

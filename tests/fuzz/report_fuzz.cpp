@@ -18,7 +18,7 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 constexpr std::uint8_t kPulled = 255;
 
-Bytes Take(Bytes& from, std::size_t bytes) {
+Bytes Consume(Bytes& from, std::size_t bytes) {
   const Bytes taken = from.first(std::min(bytes, from.size()));
   from = from.subspan(taken.size());
   return taken;
@@ -46,12 +46,12 @@ template <class Decoder>
 void Play(Decoder decoder, Bytes reports) {
   Time at{};
   while (!reports.empty()) {
-    const std::uint8_t length = Take(reports, 1)[0];
+    const std::uint8_t length = Consume(reports, 1)[0];
     if (length == kPulled) {
       decoder.Release();
     } else {
       const Time before = decoder.sample().at;
-      const auto sample = decoder.Decode(Take(reports, length), at += std::chrono::milliseconds(1));
+      const auto sample = decoder.Decode(Consume(reports, length), at += std::chrono::milliseconds(1));
       Promise(sample || decoder.sample().at == before, "a refused report changes nothing");
     }
     Check(decoder.sample());
@@ -64,9 +64,9 @@ void Play(Decoder decoder, Bytes reports) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace kaori;
   fuzz::Bytes input(data, size);
-  const fuzz::Bytes head = fuzz::Take(input, 2);
+  const fuzz::Bytes head = fuzz::Consume(input, 2);
   if (head.size() < 2) return 0;
-  const fuzz::Bytes descriptor = fuzz::Take(input, head[0] + std::size_t{head[1]} * 256);
+  const fuzz::Bytes descriptor = fuzz::Consume(input, head[0] + std::size_t{head[1]} * 256);
   ports::HidIdentity identity{.port = "fuzz", .vendor = 0, .product = 0, .name = "", .descriptor = {}};
   identity.descriptor.assign(descriptor.begin(), descriptor.end());
   if (auto box = decode::DialBoxDecoder::For(identity)) {

@@ -11,7 +11,6 @@
 namespace kaori::import {
 
 enum class NameStyle : std::uint8_t { kArkit, kVrm1, kVrm0, kViseme, kPlain };
-inline constexpr int kNameStyles = 5;
 std::string_view NameOf(NameStyle style);
 
 // What an artist's name means: the style's own spelling of it.

@@ -36,10 +36,6 @@ glm::dvec2 UnitFromPlace(glm::dvec2 place_cm) {
   return (place_cm - kPlaceMin_cm) / kExtent_cm;
 }
 
-glm::dvec2 PlaceFromUnit(glm::dvec2 unit) {
-  return kPlaceMin_cm + unit * kExtent_cm;
-}
-
 glm::dvec2 TextureFromPlace(glm::dvec2 place_cm) {
   const double around = Follow(kAround, &Knot::place_cm, &Knot::texture, std::abs(place_cm.x));
   return {0.5 + std::copysign(around, place_cm.x), Follow(kUp, &Knot::place_cm, &Knot::texture, place_cm.y)};

@@ -13,7 +13,6 @@ inline constexpr glm::dvec2 kPlaceMax_cm{21.0, 13.5};
 
 // The unit square of Topology::uv, without any stretch.
 glm::dvec2 UnitFromPlace(glm::dvec2 place_cm);
-glm::dvec2 PlaceFromUnit(glm::dvec2 unit);
 
 // Topology::texture: the face (|u| < 7, -10.2 < v < 5) gets 62 x 70 percent of the picture. Piecewise linear
 // with its knots on lines of the mesh's grid; the two are each other's inverse. Left and right are mirror

@@ -10,7 +10,7 @@
 namespace kaori::boot {
 
 // The settings file is TOML that people write. Before its first [section] it may say:
-//   profile = "stage"   hands, cameras and sound; what is plugged in for anything else stays dead
+//   profile = "stage"   hands, cameras and sound; what is plugged in for anything else stays unauthorised
 //             "kiosk"   the same without keyboards: visitors stand before the box
 //             "bench"   everything
 //   status_screen = "HDMI-A-2", or = 2   the screen that says how the box does, by its name or its number;

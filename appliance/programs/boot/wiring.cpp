@@ -20,7 +20,7 @@ bool IsLabel(std::string_view text) {
   return !text.empty() && text.size() <= kLongestLabel && std::ranges::all_of(text, fits);
 }
 
-std::string TakeChip(std::string_view value, std::string& chip) {
+std::string ParseChip(std::string_view value, std::string& chip) {
   const auto label = Unquoted(value);
   if (!label || !IsLabel(*label)) return "expected a chip's label in quotes";
   chip = *label;
@@ -30,7 +30,7 @@ std::string TakeChip(std::string_view value, std::string& chip) {
 }  // namespace
 
 std::string ParseWire(std::string_view key, std::string_view value, Wiring& wiring) {
-  if (key == "chip") return TakeChip(value, wiring.chip);
+  if (key == "chip") return ParseChip(value, wiring.chip);
   const auto name = std::ranges::find(kLineNames, key);
   if (name == kLineNames.end()) return "there is no line " + std::string(key);
   auto& line = wiring.lines[static_cast<std::size_t>(name - kLineNames.begin())];

@@ -73,7 +73,6 @@ class ExpressionEditor {
   void Drag(const Command& command);
   bool ObeyChoice(const Command& command);
   void ObeyKeeping(const Command& command, Situation& now);
-  void Toggle(Situation& now);
   void Start(Situation& now);
   void Leave(Situation& now);
   void CallOwn(int slot, Situation& now);

@@ -12,8 +12,7 @@ inline constexpr std::uint8_t kA = 0x04, kC = 0x06, kH = 0x0B, kM = 0x10, kN = 0
                               kY = 0x1C, kZ = 0x1D, k1 = 0x1E, k0 = 0x27, kEnter = 0x28, kEscape = 0x29,
                               kBackspace = 0x2A, kTab = 0x2B, kSpace = 0x2C, kMinus = 0x2D,
                               kFirstFunction = 0x3A, kDelete = 0x4C, kRight = 0x4F, kLeft = 0x50,
-                              kDown = 0x51, kUp = 0x52, kPadEnter = 0x58, kLeftShift = 0xE1,
-                              kRightShift = 0xE5;
+                              kDown = 0x51, kUp = 0x52, kPadEnter = 0x58, kLeftShift = 0xE1;
 }  // namespace key
 
 inline bool IsDown(const board::Keys& keys, std::uint8_t usage) {

@@ -56,7 +56,8 @@ TEST(ControlNet, HasAHundredPointsOrSoThatSitOnTheFace) {
       on_face += Net().surface.weight[i] * kaori.positions[Net().surface.column[i]];
     }
     // In front, the unrolled surface is the face seen from the front.
-    const glm::dvec2 place = sculpt::PlaceFromUnit(glm::dvec2(Net().points[p].uv));
+    const glm::dvec2 extent_cm = sculpt::kPlaceMax_cm - sculpt::kPlaceMin_cm;
+    const glm::dvec2 place = sculpt::kPlaceMin_cm + glm::dvec2(Net().points[p].uv) * extent_cm;
     if (std::abs(place.x) > 3.5 || place.y < -7) continue;
     EXPECT_LT(glm::distance(place, 100.0 * glm::dvec2(on_face)), 0.6) << Net().points[p].name;
   }

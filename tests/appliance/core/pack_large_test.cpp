@@ -57,7 +57,7 @@ TEST_F(LargeShow, LoadsAndPlaysTenFrames) {
     scene.weights.faces.Push(static_cast<std::uint16_t>(frame % 16), 0.5F);
     scene.weights.faces.Push(static_cast<std::uint16_t>((frame + 5) % 16), 0.5F);
     scene.weights.expressions.Push(static_cast<std::uint16_t>(4 * frame), 1);
-    ASSERT_TRUE((*studio)->Draw(scene, {320, 240, bytes}));
+    ASSERT_TRUE((*studio)->Draw(scene, {320, 240, ports::PixelMemory{bytes}}));
     pictures.insert(Sum(bytes));
   }
   EXPECT_GE(pictures.size(), 6U) << "faces and expressions that differ make pictures that differ";

@@ -17,7 +17,7 @@ struct Ran {
   std::string said;
 };
 
-Ran Run(const std::string& command) {
+Ran RunProgram(const std::string& command) {
   Ran ran;
   FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return ran;
@@ -35,25 +35,25 @@ std::string AmongOwnMounts(const std::string& command) {
 }
 
 TEST(BootProgram, DoesNothingUnlessItIsTheFirstProcess) {
-  if (Run(AmongOwnMounts("true")).status != 0) GTEST_SKIP() << "no mount namespace can be made here";
+  if (RunProgram(AmongOwnMounts("true")).status != 0) GTEST_SKIP() << "no mount namespace can be made here";
   for (const std::string option : {"", " --help", " quiet"}) {
     const Ran ran =
-        Run(AmongOwnMounts("before=$(cat /proc/self/mounts); " KAORI_BOOT + option +
+        RunProgram(AmongOwnMounts("before=$(cat /proc/self/mounts); " KAORI_BOOT + option +
                            " >/dev/null; [ \"$before\" = \"$(cat /proc/self/mounts)\" ] && echo the same"));
     EXPECT_THAT(ran.said, HasSubstr("the same")) << option;
   }
 }
 
 TEST(BootProgram, SaysWhyItDoesNothing) {
-  if (Run(AmongOwnMounts("true")).status != 0) GTEST_SKIP() << "no mount namespace can be made here";
-  const Ran ran = Run(AmongOwnMounts(KAORI_BOOT));
+  if (RunProgram(AmongOwnMounts("true")).status != 0) GTEST_SKIP() << "no mount namespace can be made here";
+  const Ran ran = RunProgram(AmongOwnMounts(KAORI_BOOT));
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.said, "kaori-boot: this is the first program of a box; it runs as process 1 only\n");
 }
 
 TEST(BootProgram, HasAPageOfHelp) {
-  if (Run(AmongOwnMounts("true")).status != 0) GTEST_SKIP() << "no mount namespace can be made here";
-  const Ran ran = Run(AmongOwnMounts(KAORI_BOOT " --help"));
+  if (RunProgram(AmongOwnMounts("true")).status != 0) GTEST_SKIP() << "no mount namespace can be made here";
+  const Ran ran = RunProgram(AmongOwnMounts(KAORI_BOOT " --help"));
   EXPECT_EQ(ran.status, 0);
   EXPECT_THAT(ran.said, HasSubstr("does nothing unless it is process 1"));
 }

@@ -142,11 +142,11 @@ Result<void> Play(const std::string& folder, bool plain) {
 int main(int argc, char** argv) {
   kaori::SetLogName("desk-harness");
   if (argc < 2) {
-    kaori::LogLine("usage: desk-harness FOLDER [--plain]");
+    kaori::Log("usage: desk-harness FOLDER [--plain]");
     return EXIT_FAILURE;
   }
   if (auto played = kaori::testing::Play(argv[1], argc > 2); !played) {
-    kaori::LogLine(played.error().message());
+    kaori::Log("{}", played.error().message());
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -1,10 +1,8 @@
-// The protocol between desk and lips: commands, reports, pictures, and what each does when the other is slow,
-// wrong or gone.
+// The protocol between desk and lips: commands, reports, pictures; and a peer that is slow, wrong or gone.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
-
 #include "appliance/programs/desk/lip_connection.h"
 #include "drivers/base/packet_socket.h"
 #include "tests/appliance/programs/desk_fixture.h"
@@ -12,7 +10,7 @@
 namespace kaori::testing {
 namespace {
 
-using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+using namespace std::chrono_literals;
 using lips::CalibrationStep;
 using lips::CommandKind;
 using ::testing::HasSubstr;
