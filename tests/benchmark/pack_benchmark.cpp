@@ -90,7 +90,7 @@ Times TimeFrames(stage::Studio& studio, int frames) {
     scene::Scene scene;
     scene.weights.faces.Push(static_cast<std::uint16_t>(frame % 16), 1);
     scene.weights.expressions.Push(static_cast<std::uint16_t>(frame % 40), 1);
-    times.Measure([&] { (void)studio.Draw(scene, {960, 540, bytes}); });
+    times.Measure([&] { (void)studio.Draw(scene, {960, 540, ports::PixelMemory{bytes}}); });
   }
   return times;
 }

@@ -18,7 +18,7 @@ void TryCommand(std::string_view text) {
   if (!command) return;
   Promise(std::isfinite(command->a) && std::isfinite(command->b), "a command's numbers are numbers");
   const auto again = lips::ParseCommand(lips::CommandText(*command));
-  Promise(again && again->ask == command->ask && again->name == command->name && again->a == command->a,
+  Promise(again && again->kind == command->kind && again->name == command->name && again->a == command->a,
           "a command can be said again");
 }
 

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::Promise(problem.line >= 1 && problem.column >= 1 && !problem.what.empty(),
                   "a problem says where and what");
   if (!reading.problems.empty()) return 0;
-  for (const sim::Action& action : reading.scenario.actions)
+  for (const sim::TimedAction& action : reading.scenario.actions)
     fuzz::Promise(action.at >= Duration::zero() && action.at + action.over <= reading.scenario.length,
                   "every action lies within the play");
   const std::string written = sim::WriteScenario(reading.scenario);
