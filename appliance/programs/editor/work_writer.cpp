@@ -19,21 +19,11 @@ WorkWriter::WorkWriter(std::optional<Journal> journal, std::filesystem::path fol
     : journal_(std::move(journal)),
       folder_(std::move(folder)),
       points_(std::move(points)),
-      thread_([this] { Run(); }) {}
-
-WorkWriter::~WorkWriter() {
-  {
-    const std::scoped_lock lock(mutex_);
-    ending_ = urgent_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+      writer_(kWriterPause, [this] { return WriteAll(); }) {}
 
 void WorkWriter::Note(Change change, const Work& work) {
-  if (change == Change::kNone) return;
-  const std::scoped_lock lock(mutex_);
-  if (!journal_) return;
+  if (change == Change::kNone || !journal_) return;
+  std::unique_lock lock(mutex_);
   auto& records = asked_.records;
   const bool goes_on =
       change == Change::kReplaced && !records.empty() &&
@@ -42,7 +32,8 @@ void WorkWriter::Note(Change change, const Work& work) {
     records.back().work = work;
   else
     records.push_back({change, work});
-  changed_.notify_all();
+  lock.unlock();
+  writer_.Ask();
 }
 
 void WorkWriter::Save(const Work& work) {
@@ -54,10 +45,11 @@ void WorkWriter::Remove(const Work& work) {
 }
 
 void WorkWriter::Request(FileRequest file) {
-  const std::scoped_lock lock(mutex_);
-  asked_.files[static_cast<std::size_t>(file.work.slot)] = std::move(file);
-  urgent_ = true;
-  changed_.notify_all();
+  {
+    const std::scoped_lock lock(mutex_);
+    asked_.files[static_cast<std::size_t>(file.work.slot)] = std::move(file);
+  }
+  writer_.Ask(/*at_once=*/true);
 }
 
 std::vector<Outcome> WorkWriter::DrainOutcomes() {
@@ -66,31 +58,16 @@ std::vector<Outcome> WorkWriter::DrainOutcomes() {
   return std::exchange(outcomes_, {});
 }
 
-void WorkWriter::Finish() {
-  std::unique_lock lock(mutex_);
-  if (!asked_.any() && !busy_) return;
-  urgent_ = true;
-  changed_.notify_all();
-  changed_.wait(lock, [this] { return !urgent_ && !busy_; });
-}
-
-void WorkWriter::Run() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    changed_.wait(lock, [this] { return asked_.any() || ending_ || urgent_; });
-    const bool last = ending_;
-    urgent_ = false;
-    busy_ = true;
-    Requests requests = std::exchange(asked_, {});
-    lock.unlock();
-    Attempt(requests);
-    lock.lock();
-    PutBack(requests);
-    busy_ = false;
-    changed_.notify_all();
-    if (last) return;
-    changed_.wait_for(lock, kWriterPause, [this] { return urgent_; });
+bool WorkWriter::WriteAll() {
+  Requests requests;
+  {
+    const std::scoped_lock lock(mutex_);
+    requests = std::exchange(asked_, {});
   }
+  Attempt(requests);
+  const std::scoped_lock lock(mutex_);
+  PutBack(requests);
+  return !asked_.any();
 }
 
 void WorkWriter::Attempt(Requests& requests) {

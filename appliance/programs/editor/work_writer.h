@@ -3,16 +3,15 @@
 
 #include <array>
 #include <atomic>
-#include <condition_variable>
 #include <filesystem>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "appliance/programs/editor/journal.h"
 #include "appliance/programs/editor/store.h"
+#include "drivers/base/background_writer.h"
 
 namespace kaori::editor {
 
@@ -29,8 +28,6 @@ class WorkWriter {
  public:
   // Without a journal nothing is noted.
   WorkWriter(std::optional<Journal> journal, std::filesystem::path folder, Points points);
-  // Writes what is left, as far as the disk takes it.
-  ~WorkWriter();
   WorkWriter(const WorkWriter&) = delete;
   WorkWriter& operator=(const WorkWriter&) = delete;
 
@@ -48,7 +45,7 @@ class WorkWriter {
   std::vector<Outcome> DrainOutcomes();
 
   // Waits until all that was asked for has been tried once. For tests, and for an orderly end.
-  void Finish();
+  void Finish() { writer_.Finish(); }
 
  private:
   struct FileRequest {
@@ -61,7 +58,7 @@ class WorkWriter {
     bool any() const;
   };
 
-  void Run();
+  bool WriteAll();
   void Attempt(Requests& requests);
   Result<void> WriteRecords(std::vector<Record>& records);
   Result<void> WriteFiles(Requests& requests);
@@ -74,16 +71,13 @@ class WorkWriter {
   std::filesystem::path folder_;
   Points points_;
 
-  std::mutex mutex_;
-  std::condition_variable changed_;
+  std::mutex mutex_;  // Of what follows, but for has_outcomes_.
   Requests asked_;
   std::vector<Outcome> outcomes_;
   std::atomic<bool> has_outcomes_ = false;
-  bool urgent_ = false;  // A file, or the end: not to wait for the half second.
-  bool busy_ = false;
-  bool ending_ = false;
   bool failing_ = false;  // Of the thread alone.
-  std::thread thread_;    // Last: it uses all the others.
+  // Last: it uses all the others, and tries once more to write what is left before it ends.
+  BackgroundWriter writer_;
 };
 
 }  // namespace kaori::editor

@@ -29,46 +29,20 @@ void MakeState(const board::Performance& performance, std::vector<std::uint8_t>&
 
 }  // namespace
 
-LastFace::Writer::Writer(LastFaceFile where) : where_(std::move(where)), thread_([this] { Run(); }) {}
-
-LastFace::Writer::~Writer() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
+LastFace::Writer::Writer(LastFaceFile where)
+    : where_(std::move(where)), writer_(std::chrono::milliseconds(0), [this] {
+        const auto written = WriteOut();
+        const std::error_code cause =
+            written ? std::error_code() : std::make_error_code(written.error().cause);
+        if (cause && cause != logged_) LogWarning("the last face is not kept: {}", written.error().message());
+        logged_ = cause;
+        failed_.store(!written, std::memory_order_release);
+        return true;  // What was refused is dropped.
+      }) {}
 
 void LastFace::Writer::Write(const board::Performance& performance) {
   performance_ = performance;
-  {
-    const std::lock_guard lock(mutex_);
-    busy_.store(true, std::memory_order_release);
-  }
-  changed_.notify_all();
-}
-
-void LastFace::Writer::Finish() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !busy_.load(std::memory_order_acquire); });
-}
-
-void LastFace::Writer::Run() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    changed_.wait(lock, [this] { return busy_.load(std::memory_order_acquire) || ending_; });
-    if (!busy_.load(std::memory_order_acquire)) return;
-    lock.unlock();
-    const auto written = WriteOut();
-    const std::error_code cause = written ? std::error_code() : std::make_error_code(written.error().cause);
-    if (cause && cause != logged_) LogWarning("the last face is not kept: {}", written.error().message());
-    logged_ = cause;
-    failed_.store(!written, std::memory_order_release);
-    lock.lock();
-    busy_.store(false, std::memory_order_release);
-    changed_.notify_all();
-  }
+  writer_.Ask();
 }
 
 Result<void> LastFace::Writer::WriteOut() {
