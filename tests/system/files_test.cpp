@@ -202,7 +202,7 @@ TEST_P(NoFile, IsRefusedInALineThatNamesIt) {
 
 INSTANTIATE_TEST_SUITE_P(
     Programs, NoFile, ::testing::Combine(::testing::ValuesIn(FileOptions()), ::testing::ValuesIn(Offers())),
-    [](const auto& info) { return std::get<0>(info.param).name + "_" + std::get<1>(info.param).name; });
+    [](const auto& offered) { return std::get<0>(offered.param).name + "_" + std::get<1>(offered.param).name; });
 
 }  // namespace
 }  // namespace kaori::test

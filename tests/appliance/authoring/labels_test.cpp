@@ -67,7 +67,8 @@ TEST_F(AuthoredLabels, TellTheValuesThatThePerformancePlays) {
 TEST_F(AuthoredLabels, TellWhichDialsACallFills) {
   State state = performance::Opening(show_, {}, Time{});
   state.knobs.fill(0);
-  board::Snapshot board{.surface = {.source = board::SourceState::kLive}};
+  board::Snapshot board;
+  board.surface.source = board::SourceState::kLive;
   board::NotePress(board.surface.value, 1, Time{});  // A face.
   performance::PlayPresses(state, performance::ReadEvents(state.seen, board), show_);
   for (std::size_t n = 0; n < labels_.dials.size(); ++n)

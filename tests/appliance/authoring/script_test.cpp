@@ -211,8 +211,11 @@ TEST_F(ScriptTest, WithAnotherNumberOfButtonsThanTheBoxIsNamed) {
 }
 
 TEST(TakenKeys, HoldEveryLetterOfTheExpressionEditor) {
-  for (std::uint16_t usage = 0x04; usage <= 0x1D; ++usage)  // HID usages of a to z.
-    if (editor::IsForEditor(static_cast<std::uint8_t>(usage))) EXPECT_NE(UseOfTheBox(usage), "") << usage;
+  for (std::uint16_t usage = 0x04; usage <= 0x1D; ++usage) {  // HID usages of a to z.
+    if (editor::IsForEditor(static_cast<std::uint8_t>(usage))) {
+      EXPECT_NE(UseOfTheBox(usage), "") << usage;
+    }
+  }
 }
 
 }  // namespace
