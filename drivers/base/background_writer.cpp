@@ -29,10 +29,10 @@ void BackgroundWriter::Ask(bool at_once) {
 void BackgroundWriter::Finish() {
   std::unique_lock lock(mutex_);
   if (!busy()) return;
+  if (tried_ >= asked_) ++asked_;  // What was refused is tried once more.
   at_once_ = true;
   changed_.notify_all();
-  const auto asked = asked_;
-  changed_.wait(lock, [&] { return tried_ >= asked && !at_once_; });
+  changed_.wait(lock, [this, asked = asked_] { return tried_ >= asked; });
 }
 
 void BackgroundWriter::Run() {
