@@ -232,7 +232,7 @@ TEST_F(Programs, RefuseASecondStageOnOneBoardAndTheFirstPlaysOn) {
 
 TEST_F(Programs, SayWhatIsWrongWithTheirOptionsInOneLine) {
   EXPECT_EQ(house_.RunToEnd("kaori-lips", {"--links", house_.links(), "--paint", "blue"}), 1);
-  EXPECT_THAT(house_.LogOf("kaori-lips"), HasSubstr("--paint blue: three numbers"));
+  EXPECT_THAT(house_.LogOf("kaori-lips"), HasSubstr("--paint blue: expected three numbers"));
   EXPECT_EQ(house_.RunToEnd("kaori-input", {"--board", "/no/such/folder/board"}), 1);
   EXPECT_THAT(house_.LogOf("kaori-input"), HasSubstr("make board /no/such/folder/board"));
   EXPECT_EQ(house_.RunToEnd("kaori-input", {"--help"}), 0);
