@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # ./box demo: the programs of the box on this machine, with simulated devices and a screen in the browser. Read by ./box.
 
 readonly PORT=8093
@@ -8,7 +9,7 @@ readonly RUN=out/run
 readonly RECORD_PACKAGES=(ffmpeg)
 
 demo() {
-  local port= listen= size=960x540 hz= record= play= input= value
+  local port='' listen='' size=960x540 hz='' record='' play='' input='' value
   while [ $# -gt 0 ]; do
     if [ "$1" = --service ]; then
       in_service=yes
@@ -67,13 +68,13 @@ declare -A playing=() started=()  # Process id -> program; program -> second of 
 # Starts a program of the box, which ends with this script, however that ends: launch PROGRAM OPTION...
 launch() {
   local program=$1
-  local -a options=(--links $RUN/links "${@:2}")
+  local -a options=(--links "$RUN/links" "${@:2}")
   case $program in
-    kaori-sim) options+=(--board $RUN/board --labels $LABELS --address-file $RUN/address) ;;
-    kaori-stage) options+=(--board $RUN/board --pack $PACK) ;;
-    kaori-lips) options+=(--board $RUN/board --pack $PACK) ;;
-    kaori-desk) options=(--service --local --board $RUN/board --port "$desk_port" --data out/desk --address-file $RUN/desk) ;;
-    *) options+=(--board $RUN/board) ;;
+    kaori-sim) options+=(--board "$RUN/board" --labels "$LABELS" --address-file "$RUN/address") ;;
+    kaori-stage) options+=(--board "$RUN/board" --pack "$PACK") ;;
+    kaori-lips) options+=(--board "$RUN/board" --pack "$PACK") ;;
+    kaori-desk) options=(--service --local --board "$RUN/board" --port "$desk_port" --data out/desk --address-file "$RUN/desk") ;;
+    *) options+=(--board "$RUN/board") ;;
   esac
   [ "$program$in_service" != kaori-lipsyes ] || options+=(--service --settings out/desk/lips.settings)
   setpriv --pdeathsig TERM $BIN/"$program" "${options[@]}" >>"$LOGS/$program.log" 2>&1 &

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # ./box test, bench and fuzz. Read by ./box.
 
 readonly TEST_PACKAGES=(python3 chromium ffmpeg systemd clang-format clang-tidy shellcheck pyflakes3)
@@ -81,7 +82,8 @@ bench() {
   done
   need "${BUILD_PACKAGES[@]}" "${BENCH_PACKAGES[@]}"
   # OpenCV may have come after the build was configured, by another way than this run's `need`.
-  ! grep -qs '^OPENCV_.*-NOTFOUND$' $BUILD/CMakeCache.txt || installed=yes
+  # shellcheck disable=SC2034  # ./box reads it before it configures.
+  ! grep -qs '^OPENCV_.*-NOTFOUND$' $BUILD/CMakeCache.txt || installed=yes  # Read by build.
   build release programs kaori-benchmark
   if [ -f $BUILD_COSTS ]; then
     say "figures of builds are those that ./box bench --build measured on $(date -r $BUILD_COSTS '+%F %R')"

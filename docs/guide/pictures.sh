@@ -6,7 +6,8 @@ cd "$(dirname "$0")/../.."
 readonly BIN=${1:-out/build/release}/bin
 readonly PACK=${1:-out/build/release}/shows/kaori.kaori
 readonly HERE=docs/guide
-readonly WORK=$(mktemp -d)
+WORK=$(mktemp -d)
+readonly WORK
 trap 'rm -rf "$WORK"' EXIT
 
 # jpeg FROM NAME FILTERS: a picture of the guide.
@@ -27,7 +28,9 @@ jpeg "$WORK/page.png" page scale=1200:-1
 
 $BIN/kaori-rehearsal --pack "$PACK" --play $HERE/pictures.play --pictures "$WORK/stills" --hz 30 --size 960x540 2>/dev/null
 jpeg "$(still 3)" needles crop=800:540:0:0
-ffmpeg -loglevel error -y $(for second in 6 9 12 15 18 21 24 27 30; do echo -i "$(still $second)"; done) \
+inputs=()
+for second in 6 9 12 15 18 21 24 27 30; do inputs+=(-i "$(still $second)"); done
+ffmpeg -loglevel error -y "${inputs[@]}" \
   -filter_complex "$(for i in 0 1 2 3 4 5 6 7 8; do printf '[%d]scale=480:-1[s%d];' $i $i; done)$(
     for i in 0 1 2 3 4 5 6 7 8; do printf '[s%d]' $i; done)xstack=inputs=9:layout=0_0|480_0|960_0|0_270|480_270|960_270|0_540|480_540|960_540" \
   -frames:v 1 -q:v 4 $HERE/pictures/scenes.jpg

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # ./box image and boot: the appliance's image. Read by ./box.
 
 readonly IMAGE_PACKAGES=(
@@ -5,8 +6,9 @@ readonly IMAGE_PACKAGES=(
   linux-source-6.12 make gcc ccache flex bison bc libelf-dev libssl-dev lz4)
 readonly BOOT_PACKAGES=(qemu-system-x86 python3)
 
+# shellcheck disable=SC2120  # ./box gives it its words.
 image() {
-  local out=out/image programs= disk= value
+  local out=out/image programs='' disk='' value
   while [ $# -gt 0 ]; do
     [[ $1 =~ ^--(out|programs|disk)$ ]] || fail "image knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"

@@ -2,7 +2,8 @@
 # ./box with wrong words: one clear line on what to do, and nothing is installed, built or started.
 set -uo pipefail
 readonly BOX=$1
-readonly REPOSITORY=$(dirname "$BOX")
+REPOSITORY=$(dirname "$BOX")
+readonly REPOSITORY
 failures=0
 
 expect() {  # expect "what the line says" arguments of box ...
