@@ -153,7 +153,8 @@ int Simulate(const Settings& settings, kaori::EventLoop& loop) {
   for (int n = 0; n < kaori::sim::kDevicePortCount; ++n)
     kaori::Log("plugged in: {}", kaori::sim::PortName(static_cast<kaori::sim::DevicePort>(n)));
   Simulation simulation{**rig, loop, clock};
-  if (auto ok = SetUp(settings, std::move(*scenario), simulation); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = SetUp(settings, std::move(*scenario), simulation); !ok)
+    return kaori::ExitWithError(ok.error());
   if (auto ok = loop.Run(); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }

@@ -12,7 +12,7 @@ run_tests() {
     test_on_the_bench "$@"
     return
   fi
-  [[ ${1:-} != --* || $1 == --sanitizers ]] || fail "test knows no $1; see ./box help"
+  [[ ${1:-} != --* || $1 =~ ^--(sanitizers|tidy)$ ]] || fail "test knows no $1; see ./box help"
   [ $# -le 1 ] || fail "test takes one PATTERN; put it in quotes where it has spaces"
   need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
   need_node
@@ -25,6 +25,10 @@ run_tests() {
     return
   fi
   build release
+  if [ "${1:-}" = --tidy ]; then
+    say "clang-tidy reads every source; what did not change since it found nothing is not read again"
+    exec python3 -B tests/rules/tidy.py . $BUILD
+  fi
   local match=()
   [ $# -gt 0 ] && match=(-R "$1")
   ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}" || fail "tests failed; they are named above"

@@ -33,7 +33,9 @@ class ManualClock final : public Clock {
 };
 
 // Durations as seconds, and back; the latter rounds toward zero to whole nanoseconds.
-inline double Seconds(Duration d) { return std::chrono::duration<double>(d).count(); }
+inline double Seconds(Duration d) {
+  return std::chrono::duration<double>(d).count();
+}
 inline Duration FromSeconds(double s) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s));
 }

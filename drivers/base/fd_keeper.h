@@ -33,7 +33,8 @@ class FdKeeper {
  public:
   // `listener` is a listening socket of packets. `held` is what an earlier keeper held, if any. `received` is called
   // with each descriptor that comes; it borrows it.
-  FdKeeper(EventLoop& loop, UniqueFd listener, std::optional<UniqueFd> held, std::function<void(int)> received)
+  FdKeeper(EventLoop& loop, UniqueFd listener, std::optional<UniqueFd> held,
+           std::function<void(int)> received)
       : loop_(loop), listener_(std::move(listener)), held_(std::move(held)), received_(std::move(received)) {}
 
   // Starts to serve clients from the loop. Errors: those of EventLoop::Watch.

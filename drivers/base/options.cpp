@@ -58,7 +58,8 @@ std::optional<Size> ParseSize(const std::string& text) {
   constexpr int kSmallest = 16, kLargest = 16384;
   Size size;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%5dx%5d%c", &size.width_px, &size.height_px, &rest) != 2) return std::nullopt;
+  if (std::sscanf(text.c_str(), "%5dx%5d%c", &size.width_px, &size.height_px, &rest) != 2)
+    return std::nullopt;
   const auto fits = [](int side) { return side >= kSmallest && side <= kLargest; };
   if (!fits(size.width_px) || !fits(size.height_px)) return std::nullopt;
   return size;

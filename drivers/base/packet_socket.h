@@ -15,7 +15,7 @@ namespace kaori {
 // What ReceivePacket returned.
 struct Packet {
   std::size_t bytes = 0;  // How much of the caller's buffer was filled.
-  UniqueFd descriptor;  // Valid where the sender passed one.
+  UniqueFd descriptor;    // Valid where the sender passed one.
 };
 
 // All sockets are close-on-exec and no call blocks. Several threads may send on one socket.

@@ -85,7 +85,8 @@ Result<void> AwaitManager() {
   if (auto sent = Send("BARRIER=1", theirs.get()); !sent) return sent;
   theirs.reset();
   pollfd closed{ours.get(), POLLIN, 0};
-  if (::poll(&closed, 1, kServiceLongestWait_ms) != 1) return Fail(std::errc::timed_out, "await the service manager");
+  if (::poll(&closed, 1, kServiceLongestWait_ms) != 1)
+    return Fail(std::errc::timed_out, "await the service manager");
   return {};
 }
 

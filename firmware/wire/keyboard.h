@@ -28,8 +28,8 @@ inline constexpr std::uint16_t kKeyboardProduct = 0x0003;
 
 inline constexpr std::size_t kBootKeyboardBytes = 8;
 inline constexpr std::size_t kKeyboardReportBytes = 36;
-inline constexpr std::uint8_t kFirstKeyUsage = 0x04;     // 00..03 are "no key" and error codes.
-inline constexpr std::uint8_t kFirstModifier = 0xE0;     // E0..E7 are byte 0.
+inline constexpr std::uint8_t kFirstKeyUsage = 0x04;  // 00..03 are "no key" and error codes.
+inline constexpr std::uint8_t kFirstModifier = 0xE0;  // E0..E7 are byte 0.
 inline constexpr std::uint8_t kErrorRollOver = 0x01;
 
 inline constexpr auto kKeyboardDescriptor = std::to_array<std::uint8_t>({

@@ -55,6 +55,6 @@ inline constexpr std::uint32_t kScreenHello = 0x5243534B;       // "KSCR"
 inline constexpr std::uint32_t kMicrophoneHello = 0x43494D4B;   // "KMIC"
 inline constexpr std::uint32_t kLoudspeakerHello = 0x4B50534B;  // "KSPK"
 inline constexpr std::uint32_t kLinesHello = 0x4E494C4B;        // "KLIN"
-inline constexpr std::size_t kMaxLinkPacket = 8192;  // Bytes; a longer packet is refused.
+inline constexpr std::size_t kMaxLinkPacket = 8192;             // Bytes; a longer packet is refused.
 
 }  // namespace kaori::wire

@@ -131,8 +131,9 @@ class Moment {
     const float lips = Inside(LensHalfHeight(half_height_, half_width_, u) - std::abs(down));
     if (lips <= 0) return face;
     const float hole =
-        half_opening_ > 0 ? Inside(LensHalfHeight(half_opening_, kLipSceneOpeningOfWidth * half_width_, u) - std::abs(down))
-                          : 0;
+        half_opening_ > 0
+            ? Inside(LensHalfHeight(half_opening_, kLipSceneOpeningOfWidth * half_width_, u) - std::abs(down))
+            : 0;
     const Rgb within = down < -0.45F * half_opening_ ? teeth_ : throat_;
     const float relief = 1.05F - 0.35F * down * down / (half_height_ * half_height_);
     return Mix(Mix(face, Times(paint_, {1, 1, 1}, relief), lips), within, std::min(hole, lips));

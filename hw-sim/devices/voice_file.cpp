@@ -87,9 +87,9 @@ Result<std::vector<std::int16_t>> ReadWav(const std::string& path) {
   const auto read = ReadFile(path, {.most_bytes = kMostWav_bytes});
   if (!read) return tl::unexpected(read.error());
   const std::string& file = *read;
-  const bool sound = file.size() >= kHeadBytes && file.starts_with("RIFF") &&
-                     LittleEndian(file, kChannelsAt, 2) > 0 && LittleEndian(file, kRateAt, 4) == kSynthRate_hz &&
-                     LittleEndian(file, kBitsAt, 2) == 8 * kSampleBytes;
+  const bool sound =
+      file.size() >= kHeadBytes && file.starts_with("RIFF") && LittleEndian(file, kChannelsAt, 2) > 0 &&
+      LittleEndian(file, kRateAt, 4) == kSynthRate_hz && LittleEndian(file, kBitsAt, 2) == 8 * kSampleBytes;
   if (!sound) return FailInput(path + " is no WAV file of 16 bits at 48 kHz");
   const std::size_t step = std::size_t{kSampleBytes} * LittleEndian(file, kChannelsAt, 2);
   std::vector<std::int16_t> samples;

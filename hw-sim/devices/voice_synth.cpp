@@ -13,7 +13,7 @@ constexpr int kShape = 32;           // Samples from one move of the throat to t
 constexpr double kGlide_s = 0.012;   // Of the resonances from vowel to vowel,
 constexpr double kAttack_s = 0.002;  // and of the loudness.
 constexpr double kLevel_s = 0.03;
-constexpr double kLoud = 0.1;     // RMS of full scale at loudness 1.
+constexpr double kLoud = 0.1;               // RMS of full scale at loudness 1.
 constexpr double kVoiceSynthRoom = 0.0003;  // A quiet room: -70 dB.
 constexpr double kLeast = 1e-9;
 
@@ -47,7 +47,8 @@ std::int16_t VoiceSynth::Next() {
   const double voiced = Throat(Glottis());
   level_ += level * (voiced * voiced - level_);
   const double voice = kLoud * gain_ * voiced / std::sqrt(std::max(level_, kLeast));
-  return static_cast<std::int16_t>(std::lround(32767 * std::clamp(voice + kVoiceSynthRoom * Noise(), -1.0, 1.0)));
+  return static_cast<std::int16_t>(
+      std::lround(32767 * std::clamp(voice + kVoiceSynthRoom * Noise(), -1.0, 1.0)));
 }
 
 // A throat that has been silent begins with its own vowel; a speaking one glides.

@@ -23,8 +23,8 @@ struct RehearsalOptions {
   std::string folder;  // Where the board and the links lie; made if it is not there.
   int width_px = 960;
   int height_px = 540;
-  double hz = 30;                  // Of the screen.
-  double camera_hz = 30;           // Of the lip camera.
+  double hz = 30;                     // Of the screen.
+  double camera_hz = 30;              // Of the lip camera.
   voice::DelaySetting sound_delay{};  // None: as measured.
 };
 

@@ -200,9 +200,12 @@ TEST_P(NoFile, IsRefusedInALineThatNamesIt) {
   EXPECT_THAT(log, ::testing::Not(::testing::HasSubstr("terminate called")));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Programs, NoFile, ::testing::Combine(::testing::ValuesIn(FileOptions()), ::testing::ValuesIn(Offers())),
-    [](const auto& offered) { return std::get<0>(offered.param).name + "_" + std::get<1>(offered.param).name; });
+INSTANTIATE_TEST_SUITE_P(Programs, NoFile,
+                         ::testing::Combine(::testing::ValuesIn(FileOptions()),
+                                            ::testing::ValuesIn(Offers())),
+                         [](const auto& offered) {
+                           return std::get<0>(offered.param).name + "_" + std::get<1>(offered.param).name;
+                         });
 
 }  // namespace
 }  // namespace kaori::test

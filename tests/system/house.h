@@ -36,7 +36,7 @@ class House {
   // Runs it to its end, at most 10 s. Gives its exit status, and what it said in LogOf.
   int RunToEnd(const std::string& program, const std::vector<std::string>& options);
 
-  bool Runs(const std::string& program) const;  // Started, and has not ended by itself.
+  bool Runs(const std::string& program) const;    // Started, and has not ended by itself.
   pid_t PidOf(const std::string& program) const;  // -1 when it does not run.
   std::string LogOf(const std::string& program) const;
 

@@ -50,7 +50,8 @@ std::optional<Model> Decode(const std::filesystem::path& file, const std::vector
 std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& findings) {
   const auto bytes = ReadBytes(file);
   if (!bytes) {
-    findings.Add(file.string(), "", bytes.error().message());
+    const Error& error = bytes.error();
+    findings.Add(file.string(), "", "cannot be read: " + std::make_error_code(error.cause).message());
     return std::nullopt;
   }
   const std::size_t before = findings.size();

@@ -66,7 +66,9 @@ class Drawing {
  private:
   Result<void> Put(const Cell& cell, const Box& box, image::Picture& into) {
     cell_ = image::Picture::Blank(box.width_px, box.height_px);
-    if (auto ok = studio_.Draw(cell.scene, {cell_.width_px, cell_.height_px, ports::PixelMemory{cell_.rgbx}}); !ok) return ok;
+    if (auto ok = studio_.Draw(cell.scene, {cell_.width_px, cell_.height_px, ports::PixelMemory{cell_.rgbx}});
+        !ok)
+      return ok;
     if (!cell.flaws.empty()) Frame(cell_);
     image::Paste(cell_, into, box.x_px, into.height_px - box.y_px - box.height_px);
     return {};

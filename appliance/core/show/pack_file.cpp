@@ -12,8 +12,8 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/core/show/pack_container.h"
 #include "appliance/core/show/pack_content.h"
-#include "drivers/base/whole_file.h"
 #include "drivers/base/unique_fd.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::show {
 namespace {

@@ -118,7 +118,7 @@ Sound ReadSound(Copier& from, const pack::Motion& stored) {
 Motion ReadMotion(Copier& from, const pack::Motion& stored) {
   const auto curve = [](Copier& copier, const pack::MotionCurve& c) {
     return MotionCurve{static_cast<MotionTarget>(Narrow<std::uint8_t>(c.target())),
-                     Narrow<std::uint16_t>(c.channel()), copier.Structs<MotionKey>(c.keys())};
+                       Narrow<std::uint16_t>(c.channel()), copier.Structs<MotionKey>(c.keys())};
   };
   return {from.Text(stored.name()), Narrow<std::uint16_t>(stored.key_usage()),
           from.Tables<MotionCurve>(stored.curves(), curve), ReadSound(from, stored)};

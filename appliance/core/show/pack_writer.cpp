@@ -55,8 +55,8 @@ Offset<pack::Topology> Write(FlatBufferBuilder& to, const face::Topology& topolo
   const auto mouth_share = to.CreateVector(topology.mouth_share);
   const auto lids = to.CreateVector({Write(to, topology.lids[0]), Write(to, topology.lids[1])});
   const auto fine = Write(to, topology.fine);
-  return pack::CreateTopology(to, topology.vertex_count, topology.moving_count, uv, texture, triangles,
-                              wires, twin, mouth_share, lids, fine);
+  return pack::CreateTopology(to, topology.vertex_count, topology.moving_count, uv, texture, triangles, wires,
+                              twin, mouth_share, lids, fine);
 }
 
 Offset<pack::ControlNet> Write(FlatBufferBuilder& to, const face::ControlNet& net) {
@@ -129,8 +129,8 @@ Offset<pack::Motion> Write(FlatBufferBuilder& to, const Motion& motion) {
   const auto name = to.CreateString(motion.name);
   const auto curves = WriteAll(to, motion.curves);
   const auto sound = to.CreateVector(motion.sound.samples);
-  return pack::CreateMotion(to, name, motion.key_usage, curves, static_cast<std::uint32_t>(motion.sound.channels),
-                          sound);
+  return pack::CreateMotion(to, name, motion.key_usage, curves,
+                            static_cast<std::uint32_t>(motion.sound.channels), sound);
 }
 
 Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene) {

@@ -52,7 +52,7 @@ struct MotionKey {
 };
 struct MotionCurve {
   MotionTarget target = MotionTarget::kHeadYaw;
-  std::uint16_t channel = 0;  // Index of Cast::expressions, where the target is a channel.
+  std::uint16_t channel = 0;    // Index of Cast::expressions, where the target is a channel.
   std::vector<MotionKey> keys;  // Times rise from 0 or later; the first and last value are 0: nothing jumps.
 };
 // A recorded sound.

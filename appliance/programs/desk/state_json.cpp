@@ -85,12 +85,13 @@ std::string StateJson(const DeskFacts& facts) {
   constexpr std::array<const char*, 3> kStates{"absent", "live", "stale"};
   const board::StageStatus& stage = facts.stage.value;
   const bool presented = facts.stage.source == board::SourceState::kLive && stage.lips_age > Duration{} &&
-                   facts.now - facts.stage.at < std::chrono::seconds(2);
+                         facts.now - facts.stage.at < std::chrono::seconds(2);
   return json::Write(
       json::Object{{"lips", facts.report.has_value()},
                    {"camera", kStates[static_cast<std::size_t>(facts.lips.source)]},
                    {"mouth", MouthJson(facts)},
-                   {"presented_age_ms", presented ? json::Value(std::round(Seconds(stage.lips_age) * 1e3)) : json::Value()},
+                   {"presented_age_ms",
+                    presented ? json::Value(std::round(Seconds(stage.lips_age) * 1e3)) : json::Value()},
                    {"picture", facts.picture},
                    {"report", facts.report ? json::Value(ReportJson(*facts.report)) : json::Value()}});
 }

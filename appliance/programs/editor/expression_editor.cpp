@@ -243,7 +243,7 @@ bool ExpressionEditor::PlaysOn(const performance::Press& press, const show::Show
 
 // Dials, keys that are held and the right stick are the editor's while it is open.
 const board::Snapshot& ExpressionEditor::RemoveUsedInput(const board::Snapshot& board,
-                                                 performance::InputEvents& events) {
+                                                         performance::InputEvents& events) {
   for (const std::size_t dial : kEditorDials) events.turned[dial] = 0;
   events.pointer = {};
   rest_ = board;

@@ -57,8 +57,9 @@ kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& s
     return nullptr;
   }
   if (card)
-    (*card)->SetPreferences({.mode = kaori::scanout::ParseMode(settings.mode),
-                   .status_connector = kaori::status::ReadFacts({.settings = settings.settings}).screen});
+    (*card)->SetPreferences(
+        {.mode = kaori::scanout::ParseMode(settings.mode),
+         .status_connector = kaori::status::ReadFacts({.settings = settings.settings}).screen});
   return card;
 }
 

@@ -67,7 +67,7 @@ const Mistake kInTheScript[] = {
     {"MotionOfNoChannel", "show.toml", "jaw_open = [[0", "jaw_opne = [[0",
      "motion \"laugh\".jaw_opne: there is no target or channel \"jaw_opne\"; did you mean \"jaw_open\"[?]"},
     {"SoundThatIsMissing", "show.toml", "name = \"nod\"", "name = \"nod\"\nsound = \"hello.wav\"",
-     "show.toml:[0-9]+: motion \"nod\".sound: open the sound .*hello.wav: No such file"},
+     "show.toml:[0-9]+: motion \"nod\".sound: read .*hello.wav: No such file"},
     {"FadeInMilliseconds", "show.toml", "fade_s = 1.2", "fade_s = 1200",
      "show.toml:[0-9]+: scene \"poster\".fade_s: is 1200 s, not within 0 to 60"},
     {"LightInPercent", "show.toml", "light = 0.72", "light = 72",
@@ -134,8 +134,7 @@ const Mistake kInTheExpressions[] = {
      "expressions.toml:[0-9]+: expression.*name: another expression has it already: \"smile\""},
     {"MovesInMillimetres", "expressions.toml", "",
      "[[expression]]\nname = \"new\"\nboth = { MC = [3.5, 14, 0.5] }\n",
-     "expressions.toml:[0-9]+: expression.*both.MC: lies 14 from the origin, and 5 is the most: lengths are "
-     "centimetres"},
+     "expressions.toml:[0-9]+: expression.*both.MC: moves by 14, and 5 is the most: lengths are centimetres"},
     {"MovesInMetres", "expressions.toml", "",
      "[[expression]]\nname = \"new\"\nboth = { MC = [0.0035, 0.004, 0] }\n",
      "expressions.toml:[0-9]+: expression.*: moves no point by more than 0.004 cm, .*centimetres"},

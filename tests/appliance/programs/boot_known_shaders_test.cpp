@@ -29,9 +29,9 @@ class KnownShaders : public ::testing::Test {
     return {std::istreambuf_iterator(file), {}};
   }
 
-  std::filesystem::path root_ = std::filesystem::path(::testing::TempDir()) /
-                                (std::string("known-shaders-") +
-                                 ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::filesystem::path root_ =
+      std::filesystem::path(::testing::TempDir()) /
+      (std::string("known-shaders-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(KnownShaders, StandInThePlacesThatTheirFirstBytesSay) {
@@ -45,7 +45,8 @@ TEST_F(KnownShaders, StandInThePlacesThatTheirFirstBytesSay) {
 }
 
 TEST_F(KnownShaders, AreNotToldFromATornList) {
-  for (const std::string torn : {"", "mesa\n02", "mesa\nzz01", "../mesa\n", "/mesa\n"}) EXPECT_FALSE(Tell(torn)) << torn;
+  for (const std::string torn : {"", "mesa\n02", "mesa\nzz01", "../mesa\n", "/mesa\n"})
+    EXPECT_FALSE(Tell(torn)) << torn;
 }
 
 TEST_F(KnownShaders, AreNoneWithoutAList) {

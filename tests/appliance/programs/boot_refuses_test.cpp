@@ -37,9 +37,9 @@ std::string AmongOwnMounts(const std::string& command) {
 TEST(BootProgram, DoesNothingUnlessItIsTheFirstProcess) {
   if (RunProgram(AmongOwnMounts("true")).status != 0) GTEST_SKIP() << "no mount namespace can be made here";
   for (const std::string option : {"", " --help", " quiet"}) {
-    const Ran ran =
-        RunProgram(AmongOwnMounts("before=$(cat /proc/self/mounts); " KAORI_BOOT + option +
-                           " >/dev/null; [ \"$before\" = \"$(cat /proc/self/mounts)\" ] && echo the same"));
+    const Ran ran = RunProgram(
+        AmongOwnMounts("before=$(cat /proc/self/mounts); " KAORI_BOOT + option +
+                       " >/dev/null; [ \"$before\" = \"$(cat /proc/self/mounts)\" ] && echo the same"));
     EXPECT_THAT(ran.said, HasSubstr("the same")) << option;
   }
 }

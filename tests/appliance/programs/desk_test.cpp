@@ -163,7 +163,7 @@ TEST(DeskView, EmphasisesThePaintOrShowsItAlone) {
 TEST(DeskPage, IsSmallAndNamesNoOtherHost) {
   std::size_t bytes = 0;
   for (const char* path : {"/", "/style.css", "/icon.svg", "/main.js", "/pair.js", "/picture.js", "/mouth.js",
-                           "/steps.js", "/tuning.js", "/wire.js", "/words.js"}) {
+                           "/steps.js", "/tuning.js", "/wire.js", "/texts.js"}) {
     ASSERT_NE(FindPageFile(path), nullptr) << path;
     const std::string text(FindPageFile(path)->bytes);
     bytes += text.size();

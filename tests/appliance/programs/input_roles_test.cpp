@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "appliance/programs/input/stick_roles.h"
 #include "appliance/programs/input/settings.h"
+#include "appliance/programs/input/stick_roles.h"
 #include "tests/appliance/core/board_file.h"
 
 namespace kaori::input {

@@ -70,7 +70,8 @@ TEST_P(KeyOfBlocks, IsTheSameWithEveryProcessorsInstructions) {
   ExpectSameBits(Avx2Key(GetParam()), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, KeyOfBlocks, ::testing::Values(Packing::kYuyv, Packing::kNv12, Packing::kPlanar));
+INSTANTIATE_TEST_SUITE_P(Of, KeyOfBlocks,
+                         ::testing::Values(Packing::kYuyv, Packing::kNv12, Packing::kPlanar));
 
 }  // namespace
 }  // namespace kaori::lips

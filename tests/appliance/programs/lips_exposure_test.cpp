@@ -186,7 +186,10 @@ TEST(DimStage, HasTheCameraOpenedSlowerUntilItSeesAndThenHeldOverAPulledCable) {
   EXPECT_EQ(kernel.controls[V4L2_CID_EXPOSURE_AUTO], V4L2_EXPOSURE_MANUAL);
   EXPECT_EQ(kernel.rate_hz(), 30u);
   const std::string log = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(log, HasSubstr("lip camera: the picture is too dark at 320 x 240 YUYV at 60 frames/s; a slower rate is used\n"));
+  EXPECT_THAT(
+      log,
+      HasSubstr(
+          "lip camera: the picture is too dark at 320 x 240 YUYV at 60 frames/s; a slower rate is used\n"));
   EXPECT_THAT(log, HasSubstr("lip camera: these controls cannot be held: gain, white balance, focus\n"));
 }
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "appliance/core/board/snapshot.h"
-#include "appliance/programs/lips/lip_reader.h"
 #include "appliance/core/performance/mouth.h"
+#include "appliance/programs/lips/lip_reader.h"
 #include "tests/appliance/core/board_file.h"
 
 namespace kaori::lips {

@@ -21,7 +21,8 @@ class SmallPictureTest : public PackTest {
     const auto scene =
         performance::Animate(performance::Opening(studio_->show(), {}, {}), {}, {}, studio_->show(), {})
             .scene;
-    EXPECT_TRUE(studio_->Draw(scene, {.width_px = kWidth_px, .height_px = kHeight_px, .target = ports::PixelMemory{drawn_}}));
+    EXPECT_TRUE(studio_->Draw(
+        scene, {.width_px = kWidth_px, .height_px = kHeight_px, .target = ports::PixelMemory{drawn_}}));
     return drawn_;
   }
   // The mean of four points of the picture, whose rows are counted from its top.
