@@ -56,8 +56,8 @@ UvcBytes Control() {
                       .U8({2, 0, 0}));
   terminals.Sized(
       UvcBytes().U8({kClassInterface, 3, kOutputTerminal}).U16(0x0101).U8({0, kCameraTerminal, 0}));
-  constexpr std::uint16_t kHeaderBytes = 13;
-  const auto total = static_cast<std::uint16_t>(kHeaderBytes + terminals.size());
+  constexpr std::uint16_t kControlHeaderBytes = 13;
+  const auto total = static_cast<std::uint16_t>(kControlHeaderBytes + terminals.size());
   UvcBytes all;
   all.All(InterfaceDescriptor({kControlInterface, kVideoClass, kControlSubclass, 0}, 0));
   all.Sized(
@@ -115,8 +115,8 @@ UvcBytes Streaming(const UvcMode& mode) {
   UvcBytes formats;
   formats.Sized(Format()).Sized(Frame(mode));
   formats.Sized(UvcBytes().U8({kClassInterface, 0x0D, kBt709Primaries, kBt709Gamma, kBt601Matrix}));
-  constexpr std::uint16_t kHeaderBytes = 14;
-  const auto total = static_cast<std::uint16_t>(kHeaderBytes + formats.size());
+  constexpr std::uint16_t kStreamHeaderBytes = 14;
+  const auto total = static_cast<std::uint16_t>(kStreamHeaderBytes + formats.size());
   UvcBytes all;
   all.All(InterfaceDescriptor({kStreamInterface, kVideoClass, kStreamingSubclass, 0}, 1));
   all.Sized(UvcBytes()
