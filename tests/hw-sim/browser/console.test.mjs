@@ -196,9 +196,9 @@ test('the sound of the loudspeaker is played when it is asked for, and not befor
   // The toy stage plays 8000 of 32768: -12 dB. The analyser hears what leaves the page.
   await until('the tone in the page', async () => Math.abs(Number(await sound.getAttribute('data-peak')) + 12.2) < 1);
   await sound.click();
-  const frames = await sound.getAttribute('data-frames');
+  await until('a page that plays nothing', async () => await sound.getAttribute('data-frames') === '0');
   await new Promise((done) => setTimeout(done, 300));
-  assert.equal(await sound.getAttribute('data-frames'), frames, 'it is off again');
+  assert.equal(await sound.getAttribute('data-frames'), '0', 'it stays off');
 });
 
 test('a cable that is pulled takes the device away, and back', async () => {
@@ -237,7 +237,7 @@ test('two fingers move two sticks at once, and both spring back', async () => {
 });
 
 test('a slider stays where it is put', async () => {
-  await page.getByRole('slider', {name: 'Head: slider'}).fill('0.5');
+  await page.getByRole('slider', {name: /^Head: .*, the slider$/}).fill('0.5');
   await until('half way', () => harness.heard('stick-left')?.[3] === 0.5);
 });
 
@@ -311,6 +311,7 @@ test('a finger points, too, and writes a name without a keyboard', async () => {
 test('the needles are shut by the same switch, and the face is a handle again', async () => {
   await needles().click();
   await until('shut needles', async () => !(await harness.state()).editor_open);
+  await until('a switch that is not lit', async () => await needles().getAttribute('aria-pressed') === 'false');
   const {x, y, width} = await middle(page.locator('#picture'));
   await page.mouse.move(x, y);
   await page.mouse.down();
