@@ -182,7 +182,7 @@ test('switches reach the drivers as lines, and the tally lamp is what the box sa
   for (const [name, line] of [['Service', 2], ['Presence', 3]]) {
     const button = page.getByRole('button', {name: new RegExp(`^${name}`)});
     await button.click();
-    await until(`${name} on`, () => harness.heard(`line ${line}`)?.[0] === 1);
+    await until(`${name} on`, async () => harness.heard(`line ${line}`)?.[0] === 1 && await button.getAttribute('aria-pressed') === 'true');
     await button.click();
     await until(`${name} off`, () => harness.heard(`line ${line}`)[0] === 0);
   }
