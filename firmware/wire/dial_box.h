@@ -26,17 +26,24 @@
 namespace kaori::wire {
 
 // A test id of https://pid.codes/1209/0001/: for development only, never on a device that is sold.
+// The identity by which the drivers and a person with lsusb(8) know the box.
 inline constexpr std::uint16_t kDialBoxVendor = 0x1209;
 inline constexpr std::uint16_t kDialBoxProduct = 0x0001;
 
 inline constexpr std::size_t kDials = 8;
+// The size of the box: what the bit masks of a u32 hold, and the lengths that
+// follow from the table above. The decoder of the box reads a device's own
+// descriptor; these lengths are those of our firmware alone.
 inline constexpr std::size_t kDialBoxButtons = 32;
 inline constexpr std::size_t kDialBoxReportBytes = 20;
 inline constexpr std::size_t kDialBoxLampBytes = 4;
 inline constexpr std::size_t kDialBoxFeatureBytes = 8;
-inline constexpr int kDialCountsPerTurn = 256;  // Of our encoders.
+// Steps of our quadrature encoders in one turn of the shaft: 1.4 degrees each. No report tells
+// it, since HID's Dial has no such unit that drivers agree on.
+inline constexpr int kDialCountsPerTurn = 256;
 
-// The lamps are on a vendor page: on the LED page Linux would switch them as Caps Lock and Num Lock.
+// The report descriptor. The lamps are on a vendor page: on the LED page
+// Linux would switch them as Caps Lock and Num Lock.
 inline constexpr auto kDialBoxDescriptor = std::to_array<std::uint8_t>({
     0x05, 0x01,                                      // Usage page: Generic Desktop
     0x09, 0x08,                                      // Usage: Multi-axis Controller
@@ -64,17 +71,21 @@ inline constexpr auto kDialBoxDescriptor = std::to_array<std::uint8_t>({
     0xC0,                                            // End collection
 });
 
+// One input report. It tells what changed, not where a dial stands: where a report is lost
+// its turns are lost, and no later report makes up for them.
 struct DialBoxReport {
   std::uint32_t buttons_down = 0;             // Bit n: button n is held.
   std::array<std::int16_t, kDials> turned{};  // Counts since the last report; clockwise is positive.
 };
 
+// What the box tells of itself when it is asked by GET_REPORT (HID 1.11, 7.2.1).
 struct DialBoxFeature {
   std::uint16_t firmware_major = 0;
   std::uint16_t firmware_minor = 0;
   std::uint32_t serial = 0;
 };
 
+// The device's direction: bytes without a report id, as they go over the interrupt pipe.
 constexpr std::array<std::uint8_t, kDialBoxReportBytes> Encode(const DialBoxReport& report) {
   std::array<std::uint8_t, kDialBoxReportBytes> bytes{};
   PutU32(bytes, 0, report.buttons_down);
@@ -82,12 +93,15 @@ constexpr std::array<std::uint8_t, kDialBoxReportBytes> Encode(const DialBoxRepo
   return bytes;
 }
 
+// The driver's direction. Every 20 bytes are a valid report.
 constexpr DialBoxReport DecodeDialBox(std::span<const std::uint8_t, kDialBoxReportBytes> bytes) {
   DialBoxReport report{.buttons_down = GetU32(bytes, 0)};
   for (std::size_t n = 0; n < kDials; ++n) report.turned[n] = GetI16(bytes, 4 + 2 * n);
   return report;
 }
 
+// Bit n of `lit` is lamp n. A driver sends the state of all lamps each
+// time, so a lost report heals with the next.
 constexpr std::array<std::uint8_t, kDialBoxLampBytes> EncodeLamps(std::uint32_t lit) {
   std::array<std::uint8_t, kDialBoxLampBytes> bytes{};
   PutU32(bytes, 0, lit);
@@ -98,6 +112,7 @@ constexpr std::uint32_t DecodeLamps(std::span<const std::uint8_t, kDialBoxLampBy
   return GetU32(bytes, 0);
 }
 
+// Answers GET_REPORT of the feature report.
 constexpr std::array<std::uint8_t, kDialBoxFeatureBytes> Encode(const DialBoxFeature& feature) {
   std::array<std::uint8_t, kDialBoxFeatureBytes> bytes{};
   PutU16(bytes, 0, feature.firmware_major);

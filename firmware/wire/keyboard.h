@@ -22,16 +22,22 @@
 
 namespace kaori::wire {
 
+// The identity by which the drivers know our simulated keyboard.
 // A test id of https://pid.codes/1209/0003/: for development only.
 inline constexpr std::uint16_t kKeyboardVendor = 0x1209;
 inline constexpr std::uint16_t kKeyboardProduct = 0x0003;
 
+// The lengths of the table above: 8 bytes for a BIOS, and 28 bytes of
+// bits for the 224 usages 00..DF behind them.
 inline constexpr std::size_t kBootKeyboardBytes = 8;
 inline constexpr std::size_t kKeyboardReportBytes = 36;
 inline constexpr std::uint8_t kFirstKeyUsage = 0x04;  // 00..03 are "no key" and error codes.
 inline constexpr std::uint8_t kFirstModifier = 0xE0;  // E0..E7 are byte 0.
 inline constexpr std::uint8_t kErrorRollOver = 0x01;
 
+// The report descriptor. It calls the boot protocol's keys constant, so that whoever
+// reads descriptors skips them and takes the bits; a BIOS reads no descriptor, finds its
+// six keys in the first 8 bytes and ignores the rest (HID 1.11, appendix B).
 inline constexpr auto kKeyboardDescriptor = std::to_array<std::uint8_t>({
     0x05, 0x01,              // Usage page: Generic Desktop
     0x09, 0x06,              // Usage: Keyboard
@@ -56,10 +62,13 @@ inline constexpr auto kKeyboardDescriptor = std::to_array<std::uint8_t>({
 });
 
 // Bit u % 32 of word u / 32: the key with usage u of HID page 7 is held.
+// The keys that are held, each independent of all others: n-key rollover. The modifiers are
+// the usages E0..E7 and so the low bits of the last word.
 struct KeyboardReport {
   std::array<std::uint32_t, 8> down{};
 
   constexpr bool held(std::uint8_t usage) const { return ((down[usage / 32] >> (usage % 32)) & 1u) != 0; }
+  // Presses a key, or releases it. Every `usage` fits: eight words hold 256 bits.
   constexpr void Hold(std::uint8_t usage, bool is_held = true) {
     const std::uint32_t bit = std::uint32_t{1} << (usage % 32);
     down[usage / 32] = is_held ? (down[usage / 32] | bit) : (down[usage / 32] & ~bit);
@@ -67,6 +76,9 @@ struct KeyboardReport {
 };
 
 // The first 8 bytes of the report, which are the whole report in the boot protocol.
+// Keys come in the order of their usages, not in that of pressing them. More than six
+// at once fill all six places with ErrorRollOver, by which a BIOS keeps what it knew;
+// modifiers stay readable beside it (HID 1.11, appendix C).
 constexpr std::array<std::uint8_t, kBootKeyboardBytes> EncodeBoot(const KeyboardReport& report) {
   std::array<std::uint8_t, kBootKeyboardBytes> bytes{};
   bytes[0] = static_cast<std::uint8_t>(report.down[7] & 0xFFu);
@@ -76,11 +88,13 @@ constexpr std::array<std::uint8_t, kBootKeyboardBytes> EncodeBoot(const Keyboard
     if (next < bytes.size()) bytes[next] = static_cast<std::uint8_t>(usage);
     ++next;
   }
+  // `next` counts on beyond the end of the six places, and tells whether all keys found one.
   if (next <= bytes.size()) return bytes;
   for (std::size_t n = 2; n < bytes.size(); ++n) bytes[n] = kErrorRollOver;
   return bytes;
 }
 
+// The report in the report protocol: what EncodeBoot gives, then the bits.
 constexpr std::array<std::uint8_t, kKeyboardReportBytes> Encode(const KeyboardReport& report) {
   std::array<std::uint8_t, kKeyboardReportBytes> bytes{};
   const auto boot = EncodeBoot(report);
@@ -89,6 +103,7 @@ constexpr std::array<std::uint8_t, kKeyboardReportBytes> Encode(const KeyboardRe
   return bytes;
 }
 
+// Reads the bits and the modifiers. The boot part between them says nothing that they do not say.
 constexpr KeyboardReport DecodeKeyboard(std::span<const std::uint8_t, kKeyboardReportBytes> bytes) {
   KeyboardReport report;
   for (std::size_t word = 0; word < 7; ++word) report.down[word] = GetU32(bytes, 8 + 4 * word);

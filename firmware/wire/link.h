@@ -49,12 +49,16 @@
 
 namespace kaori::wire {
 
+// The first words of a hello, in memory order "KHID" and so on: a driver that finds another
+// device behind a socket's name hangs up rather than misread it.
 inline constexpr std::uint32_t kHidHello = 0x4449484B;          // "KHID"
 inline constexpr std::uint32_t kCameraHello = 0x4D41434B;       // "KCAM"
 inline constexpr std::uint32_t kScreenHello = 0x5243534B;       // "KSCR"
 inline constexpr std::uint32_t kMicrophoneHello = 0x43494D4B;   // "KMIC"
 inline constexpr std::uint32_t kLoudspeakerHello = 0x4B50534B;  // "KSPK"
 inline constexpr std::uint32_t kLinesHello = 0x4E494C4B;        // "KLIN"
-inline constexpr std::size_t kMaxLinkPacket = 8192;             // Bytes; a longer packet is refused.
+// A longer packet is refused. It holds a hello with the longest report descriptor (4096
+// bytes in Linux) and its name, and 40 ms of stereo sound at 48 kHz.
+inline constexpr std::size_t kMaxLinkPacket = 8192;
 
 }  // namespace kaori::wire

@@ -12,6 +12,7 @@
 
 namespace kaori::wire {
 
+// The lengths of the tables in link.h.
 inline constexpr std::size_t kLinesHelloBytes = 16;
 inline constexpr std::size_t kLineEdgeBytes = 16;
 inline constexpr std::size_t kLineDriveBytes = 8;
@@ -34,6 +35,7 @@ struct LineDrive {
   std::uint32_t active = 0;  // 1 or 0.
 };
 
+// Encode, in this header and its neighbours, is for the side that sends the packet; it checks nothing.
 constexpr std::array<std::uint8_t, kLinesHelloBytes> Encode(const LinesHello& hello) {
   std::array<std::uint8_t, kLinesHelloBytes> bytes{};
   PutU32(bytes, 0, kLinesHello);
@@ -43,6 +45,8 @@ constexpr std::array<std::uint8_t, kLinesHelloBytes> Encode(const LinesHello& he
   return bytes;
 }
 
+// Decode gives none for a packet of another length or kind. Whether
+// the counts are 32 at most is for the caller.
 constexpr std::optional<LinesHello> DecodeLinesHello(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kLinesHelloBytes || GetU32(bytes, 0) != kLinesHello) return std::nullopt;
   return LinesHello{GetU32(bytes, 4), GetU32(bytes, 8), GetU32(bytes, 12)};
@@ -56,6 +60,7 @@ constexpr std::array<std::uint8_t, kLineEdgeBytes> Encode(const LineEdge& edge) 
   return bytes;
 }
 
+// None where `active` is neither 0 nor 1: such a packet is not of this kind.
 constexpr std::optional<LineEdge> DecodeLineEdge(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kLineEdgeBytes || GetU32(bytes, 12) > 1) return std::nullopt;
   return LineEdge{GetI64(bytes, 0), GetU32(bytes, 8), GetU32(bytes, 12)};
@@ -68,6 +73,7 @@ constexpr std::array<std::uint8_t, kLineDriveBytes> Encode(const LineDrive& driv
   return bytes;
 }
 
+// As DecodeLineEdge. Whether there is such an output is for the caller, who knows the panel.
 constexpr std::optional<LineDrive> DecodeLineDrive(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kLineDriveBytes || GetU32(bytes, 4) > 1) return std::nullopt;
   return LineDrive{GetU32(bytes, 0), GetU32(bytes, 4)};

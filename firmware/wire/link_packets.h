@@ -11,8 +11,9 @@
 
 namespace kaori::wire {
 
-// Decoding checks the length and the first word of a hello. Whether the numbers make sense (sizes, slots, formats) is
-// for the caller to check.
+// Decoding checks the length and the first word of a hello. Whether the numbers make sense (sizes,
+// slots, formats) is for the caller to check: a peer is trusted to be ours, but not to be well, and a
+// slot is an index into memory. The lengths are those of the tables in link.h.
 inline constexpr std::size_t kHidHelloBytes = 12;  // The name and the descriptor follow.
 inline constexpr std::size_t kHidStampBytes = 8;   // Before each input report.
 inline constexpr std::size_t kCameraHelloBytes = 12;
@@ -22,16 +23,20 @@ inline constexpr std::size_t kScreenHelloBytes = 24;
 inline constexpr std::size_t kScreenFlipBytes = 20;
 inline constexpr std::size_t kScreenPresentBytes = 12;
 
+// The first packet of a HID device. `name_bytes` of UTF-8 and `descriptor_bytes` follow it.
 struct HidHello {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::uint16_t name_bytes = 0;
   std::uint16_t descriptor_bytes = 0;
 };
+// The first packet of a camera. Slot n begins at n * slot_bytes of the memory whose descriptor comes
+// beside it. A slot belongs to the driver from the frame packet until it is returned.
 struct CameraHello {
   std::uint32_t slots = 0;
   std::uint32_t slot_bytes = 0;
 };
+// A frame lies in a slot. Sizes are in pixels of Y; `bytes` is how much of the slot is used.
 struct CameraFrameNote {
   std::int64_t at_ns = 0;
   std::uint32_t sequence = 0;
@@ -42,22 +47,28 @@ struct CameraFrameNote {
   std::uint32_t pixels = 0;  // ports::PixelFormat.
   std::uint32_t bytes = 0;
 };
+// The first packet of a screen. A slot belongs to the screen from
+// its Present until the flip of a later one.
 struct ScreenHello {
   std::uint32_t slots = 0;
   std::uint32_t width_px = 0;
   std::uint32_t height_px = 0;
   std::int64_t period_ns = 0;
 };
+// `slot` is scanned out from `at_ns` on (CLOCK_MONOTONIC). What was scanned out before it is free again.
 struct ScreenFlip {
   std::int64_t at_ns = 0;
   std::uint64_t frame = 0;
   std::uint32_t slot = 0;
 };
+// Asks for a slot to be scanned out from the next vertical blank on. `frame` comes back with the flip.
 struct ScreenPresent {
   std::uint64_t frame = 0;
   std::uint32_t slot = 0;
 };
 
+// Numbers of 64 bits, the low word first. They are here rather than
+// in bytes.h: no report of a device has any.
 constexpr void PutU64(std::span<std::uint8_t> into, std::size_t at, std::uint64_t value) {
   PutU32(into, at, static_cast<std::uint32_t>(value & 0xFFFFFFFFu));
   PutU32(into, at + 4, static_cast<std::uint32_t>(value >> 32));
@@ -71,6 +82,7 @@ constexpr std::int64_t GetI64(std::span<const std::uint8_t> from, std::size_t at
   return static_cast<std::int64_t>(GetU64(from, at));
 }
 
+// The caller appends the name and the descriptor.
 constexpr std::array<std::uint8_t, kHidHelloBytes> Encode(const HidHello& hello) {
   std::array<std::uint8_t, kHidHelloBytes> bytes{};
   PutU32(bytes, 0, kHidHello);
@@ -81,7 +93,8 @@ constexpr std::array<std::uint8_t, kHidHelloBytes> Encode(const HidHello& hello)
   return bytes;
 }
 
-// None unless the name and the descriptor fill the rest exactly.
+// None unless the name and the descriptor fill the rest exactly. They
+// begin at kHidHelloBytes of the same packet.
 constexpr std::optional<HidHello> DecodeHidHello(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHidHelloBytes || GetU32(bytes, 0) != kHidHello) return std::nullopt;
   const HidHello hello{GetU16(bytes, 4), GetU16(bytes, 6), GetU16(bytes, 8), GetU16(bytes, 10)};
@@ -116,6 +129,8 @@ constexpr std::array<std::uint8_t, kCameraFrameBytes> Encode(const CameraFrameNo
   return bytes;
 }
 
+// Every combination of 36 bytes decodes. The caller checks that
+// slot, size, format and `bytes` fit the memory.
 constexpr std::optional<CameraFrameNote> DecodeCameraFrame(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kCameraFrameBytes) return std::nullopt;
   return CameraFrameNote{.at_ns = GetI64(bytes, 0),
@@ -138,6 +153,7 @@ constexpr std::array<std::uint8_t, kScreenHelloBytes> Encode(const ScreenHello& 
   return bytes;
 }
 
+// As DecodeCameraHello; the period and the sizes are for the caller to check.
 constexpr std::optional<ScreenHello> DecodeScreenHello(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kScreenHelloBytes || GetU32(bytes, 0) != kScreenHello) return std::nullopt;
   return ScreenHello{GetU32(bytes, 4), GetU32(bytes, 8), GetU32(bytes, 12), GetI64(bytes, 16)};
@@ -163,6 +179,7 @@ constexpr std::array<std::uint8_t, kScreenPresentBytes> Encode(const ScreenPrese
   return bytes;
 }
 
+// Whether there is such a slot, and whose it is, is for the device to check.
 constexpr std::optional<ScreenPresent> DecodeScreenPresent(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kScreenPresentBytes) return std::nullopt;
   return ScreenPresent{GetU64(bytes, 0), GetU32(bytes, 8)};

@@ -12,26 +12,34 @@
 
 namespace kaori::wire {
 
+// The lengths of the tables in link.h. A block is at most kMaxLinkPacket bytes with its samples.
 inline constexpr std::size_t kMicrophoneHelloBytes = 12;
 inline constexpr std::size_t kSoundBlockBytes = 12;  // Before the samples of each block.
 inline constexpr std::size_t kLoudspeakerHelloBytes = 16;
 inline constexpr std::size_t kPlayedBytes = 20;
 
+// The first packet of a microphone. `channels` is 1 or 2.
 struct MicrophoneHello {
   std::uint32_t rate_hz = 0;
   std::uint32_t channels = 0;
 };
+// Stands before the samples of a block. `at_ns` is when the first of them was heard, on CLOCK_MONOTONIC.
 struct SoundBlockNote {
   std::int64_t at_ns = 0;
   std::uint32_t lost = 0;  // 1: frames were lost before this block.
 };
+// The first packet of a loudspeaker.
 struct LoudspeakerHello {
   std::uint32_t rate_hz = 0;
   std::uint32_t channels = 0;
-  std::uint32_t room_frames = 0;  // As many may be queued.
+  // As many may be queued. The driver keeps count of what it sent and of what PlayedNote told,
+  // and never sends more: there is no packet that refuses sound.
+  std::uint32_t room_frames = 0;
 };
+// Sent as the sound plays. The driver derives from it when a frame that it queues now will be heard.
 struct PlayedNote {
   std::int64_t at_ns = 0;
+  // Since the hello, without the silence that was played while the queue was dry.
   std::uint64_t frames = 0;
   std::uint32_t dry = 0;  // How often the queue ran dry.
 };

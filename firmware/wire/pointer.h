@@ -19,16 +19,21 @@
 
 namespace kaori::wire {
 
+// The identity by which the drivers know our simulated tablet.
 // A test id of https://pid.codes/1209/0004/: for development only.
 inline constexpr std::uint16_t kPointerVendor = 0x1209;
 inline constexpr std::uint16_t kPointerProduct = 0x0004;
 
 inline constexpr std::size_t kPointerButtons = 3;
 inline constexpr std::size_t kPointerReportBytes = 6;
+// The right or the lower edge, and the middle, of an axis.
 inline constexpr std::uint16_t kPointerEnd = 0xFFFF;
 inline constexpr std::uint16_t kPointerMiddle = 0x8000;
-inline constexpr std::int8_t kPointerMostNotches = 127;  // In one report, either way.
+// In one report, either way: what 8 bits hold evenly. More notches take several reports.
+inline constexpr std::int8_t kPointerMostNotches = 127;
 
+// The report descriptor. It is a pointer with absolute axes, as QEMU's tablet is, so that a position
+// on a page is a position on the picture, whatever the screen's size.
 inline constexpr auto kPointerDescriptor = std::to_array<std::uint8_t>({
     0x05, 0x01,                                // Usage page: Generic Desktop
     0x09, 0x02,                                // Usage: Mouse
@@ -55,6 +60,7 @@ inline constexpr auto kPointerDescriptor = std::to_array<std::uint8_t>({
     0xC0,                                      // End collection
 });
 
+// One input report: where the pointer is now, and what the wheel turned since the last one.
 struct PointerReport {
   std::uint8_t buttons_down = 0;  // Bit 0: the left one, 1: the right, 2: the middle.
   std::uint16_t x = kPointerMiddle;
@@ -63,6 +69,8 @@ struct PointerReport {
   friend bool operator==(const PointerReport&, const PointerReport&) = default;
 };
 
+// Byte 5 is the wheel's two's complement. Bits 3..7 of the buttons
+// should be 0: the descriptor calls them constant.
 constexpr std::array<std::uint8_t, kPointerReportBytes> Encode(const PointerReport& report) {
   std::array<std::uint8_t, kPointerReportBytes> bytes{};
   bytes[0] = report.buttons_down;
@@ -72,6 +80,7 @@ constexpr std::array<std::uint8_t, kPointerReportBytes> Encode(const PointerRepo
   return bytes;
 }
 
+// Every 6 bytes are a valid report.
 constexpr PointerReport DecodePointer(std::span<const std::uint8_t, kPointerReportBytes> bytes) {
   return {.buttons_down = bytes[0],
           .x = GetU16(bytes, 1),

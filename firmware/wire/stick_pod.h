@@ -21,14 +21,19 @@
 
 namespace kaori::wire {
 
+// The identity by which the drivers know our joystick.
 // A test id of https://pid.codes/1209/0002/: for development only, never on a device that is sold.
 inline constexpr std::uint16_t kStickPodVendor = 0x1209;
 inline constexpr std::uint16_t kStickPodProduct = 0x0002;
 
 inline constexpr std::size_t kStickPodButtons = 12;
 inline constexpr std::size_t kStickPodReportBytes = 10;
-inline constexpr std::uint8_t kHatCentred = 15;  // Outside 0..7: HID's null state.
+// Outside 0..7: HID's null state (HID 1.11, 6.2.2.5), by which a hat says that it points nowhere.
+inline constexpr std::uint8_t kHatCentred = 15;
 
+// The report descriptor. Its global items hold until they are changed (HID 1.11,
+// 6.2.2.7): Logical 0 of the slider is still that of the hat and the buttons, and the
+// hat's physical range must be taken back before the buttons.
 inline constexpr auto kStickPodDescriptor = std::to_array<std::uint8_t>({
     0x05, 0x01,                          // Usage page: Generic Desktop
     0x09, 0x04,                          // Usage: Joystick
@@ -57,6 +62,7 @@ inline constexpr auto kStickPodDescriptor = std::to_array<std::uint8_t>({
     0xC0,                                // End collection
 });
 
+// One input report: the whole state, so that a lost one is made up for by the next.
 struct StickPodReport {
   std::int16_t x = 0;              // -32767 left .. 32767 right.
   std::int16_t y = 0;              // -32767 pushed forwards .. 32767 pulled back.
@@ -66,6 +72,8 @@ struct StickPodReport {
   std::uint16_t buttons_down = 0;  // Bit n: button n is held, 0..11.
 };
 
+// The hat is cut to 4 bits and the buttons to 12. x, y and twist must
+// not be -32768, which the descriptor excludes.
 constexpr std::array<std::uint8_t, kStickPodReportBytes> Encode(const StickPodReport& report) {
   std::array<std::uint8_t, kStickPodReportBytes> bytes{};
   PutI16(bytes, 0, report.x);
@@ -76,6 +84,7 @@ constexpr std::array<std::uint8_t, kStickPodReportBytes> Encode(const StickPodRe
   return bytes;
 }
 
+// Every 10 bytes give a report. -32768 on an axis is passed on: readers clamp to the descriptor's range.
 constexpr StickPodReport DecodeStickPod(std::span<const std::uint8_t, kStickPodReportBytes> bytes) {
   const std::uint16_t switches = GetU16(bytes, 8);
   return {.x = GetI16(bytes, 0),
