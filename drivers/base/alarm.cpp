@@ -15,7 +15,8 @@ Result<Alarm> Alarm::Make() {
 }
 
 void Alarm::Set(Time at) {
-  // Zero would mean never.
+  // A value of zero would disarm the timer (timerfd_settime(2)), so that the machine's
+  // start itself is asked for as one nanosecond after it.
   const Duration since = std::max(at.time_since_epoch(), Duration(1));
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since);
   const itimerspec once{{}, {seconds.count(), (since - seconds).count()}};
@@ -23,6 +24,8 @@ void Alarm::Set(Time at) {
 }
 
 void Alarm::Acknowledge() {
+  // The descriptor is non-blocking: where nothing has expired, the read
+  // fails with EAGAIN, and that is what is wanted.
   std::uint64_t rings = 0;
   [[maybe_unused]] const auto bytes = ::read(timer_.get(), &rings, sizeof(rings));
 }

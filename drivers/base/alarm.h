@@ -7,10 +7,13 @@
 
 namespace kaori {
 
-// Runs on CLOCK_MONOTONIC. One thread. No call blocks.
+// A timer of its own for one deadline, where the loop's periodic timers do not fit: the stage sets
+// it to the moment at which the next frame is to be begun. Runs on CLOCK_MONOTONIC, so that a change
+// of the wall clock moves nothing. One thread. No call blocks.
 class Alarm {
  public:
-  // Errors: those of timerfd_create(2).
+  // Creates the timer unset: it never expires until Set is called. Errors: those of timerfd_create(2),
+  // that is too_many_files_open where the process has no descriptor left.
   static Result<Alarm> Make();
 
   // Readable from the time it is set for until the next Set or Acknowledge. Lives as long as the alarm.
@@ -19,7 +22,8 @@ class Alarm {
   // Replaces the time that was set before. A time that has passed expires at once.
   void Set(Time at);
 
-  // Called after it expired: it stays unreadable until it is set again.
+  // Called after it expired: reads the count of expirations, without which epoll would report the
+  // descriptor again and again. Does nothing on an alarm that has not expired.
   void Acknowledge();
 
  private:

@@ -10,6 +10,7 @@ BackgroundWriter::BackgroundWriter(std::chrono::milliseconds pause, Write write)
 BackgroundWriter::~BackgroundWriter() {
   {
     const std::scoped_lock lock(mutex_);
+    // The last call does not sit out the pause: a program that is stopped has some seconds only.
     ending_ = at_once_ = true;
   }
   changed_.notify_all();
@@ -19,6 +20,8 @@ BackgroundWriter::~BackgroundWriter() {
 void BackgroundWriter::Ask(bool at_once) {
   {
     const std::scoped_lock lock(mutex_);
+    // Asks are counted rather than flagged: one that comes while `write` runs must lead
+    // to another call, since that call may have missed it.
     ++asked_;
     at_once_ = at_once_ || at_once;
     busy_.store(true, std::memory_order_release);
@@ -29,7 +32,10 @@ void BackgroundWriter::Ask(bool at_once) {
 void BackgroundWriter::Finish() {
   std::unique_lock lock(mutex_);
   if (!busy()) return;
-  if (tried_ >= asked_) ++asked_;  // What was refused is tried once more.
+  // An earlier call of `write` covered every ask and yet left something over (busy()
+  // is still true). It gets one more try, as an ask of its own, so that the wait
+  // below has an end even on a disk that always fails.
+  if (tried_ >= asked_) ++asked_;
   at_once_ = true;
   changed_.notify_all();
   changed_.wait(lock, [this, asked = asked_] { return tried_ >= asked; });
@@ -39,10 +45,12 @@ void BackgroundWriter::Run() {
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return busy() || ending_; });
+    // Read before the work: an ask that comes with the end is still served, and exactly once.
     const bool last = ending_;
     if (!busy()) return;
     at_once_ = false;
     const auto asked = asked_;
+    // The lock is open while the disk is written to, so that Ask() never waits for it.
     lock.unlock();
     const bool whole = write_();
     lock.lock();

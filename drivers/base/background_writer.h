@@ -11,8 +11,10 @@
 
 namespace kaori {
 
-// Runs one function on a thread of its own whenever it is asked to. The function and its caller share data by a lock,
-// or by busy(), of their own. One thread calls the members.
+// Runs one function on a thread of its own whenever it is asked to, and merges what is
+// asked for meanwhile into one call. Whoever draws the next frame never waits for a disk,
+// which can take seconds to answer. The function and its caller share data by a lock, or
+// by busy(), of their own. One thread calls the members.
 class BackgroundWriter {
  public:
   // Writes all that was asked for until now. Returns false where something is left to write: then it is called again,
@@ -27,13 +29,17 @@ class BackgroundWriter {
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  // Asks for a call of `write`: as soon as the pause allows, or `at_once`. Waits for no disk and allocates nothing.
+  // Asks for a call of `write`: as soon as the pause allows, or `at_once`. Holds the lock only
+  // for as long as the other side counts, never while it writes: the caller waits for no disk.
+  // Allocates nothing, so that the frame path may call it.
   void Ask(bool at_once = false);
 
-  // Something was asked for and is not written yet.
+  // Something was asked for and is not written yet. Once it is false, what `write` left behind is
+  // visible to the caller (release and acquire), until the next Ask.
   bool busy() const { return busy_.load(std::memory_order_acquire); }
 
-  // Waits until all that was asked for has been tried once.
+  // Waits until all that was asked for has been tried once, without the pause. Returns at once where
+  // nothing is left to write. Blocks for the disk: for a program's end, never for the frame path.
   void Finish();
 
  private:
@@ -44,8 +50,10 @@ class BackgroundWriter {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::atomic<bool> busy_ = false;
-  std::uint64_t asked_ = 0;  // How often Ask was called,
-  std::uint64_t tried_ = 0;  // and how many of these a call of `write` has covered.
+  // How often Ask was called, and how many of these calls a call of `write` has
+  // covered. Both are guarded by the mutex, as all below are.
+  std::uint64_t asked_ = 0;
+  std::uint64_t tried_ = 0;
   bool at_once_ = false;
   bool ending_ = false;
   std::thread thread_;  // Last: it uses all the others.

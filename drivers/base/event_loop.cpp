@@ -12,8 +12,11 @@
 namespace kaori {
 namespace {
 
+// More than the descriptors of any of our programs that are ready at
+// once; what does not fit comes with the next wait.
 constexpr std::size_t kEventsAtOnce = 16;
 
+// Empties a non-blocking descriptor. A timer's read gives 8 bytes and then fails with EAGAIN.
 void Drain(int fd) {
   std::array<char, 256> ignored;
   while (::read(fd, ignored.data(), ignored.size()) > 0) {
@@ -35,6 +38,7 @@ Result<EventLoop> EventLoop::Open() {
   ::sigaddset(&stops, SIGINT);
   ::sigaddset(&stops, SIGTERM);
   ::sigprocmask(SIG_BLOCK, &stops, nullptr);
+  // A write to a pipe or a socket whose reader is gone fails with EPIPE then, as every caller expects.
   ::signal(SIGPIPE, SIG_IGN);
   UniqueFd signals(::signalfd(-1, &stops, SFD_NONBLOCK | SFD_CLOEXEC));
   if (!signals.valid()) return FailErrno("create a signal descriptor");
@@ -48,6 +52,8 @@ Result<EventLoop> EventLoop::Open() {
 
 Result<void> EventLoop::Watch(int fd, Handler handler) {
   epoll_event event{};
+  // EPOLLHUP and EPOLLERR are always reported. Level-triggered: a handler
+  // that leaves something unread is called again.
   event.events = EPOLLIN;
   event.data.fd = fd;
   if (::epoll_ctl(epoll_.get(), EPOLL_CTL_ADD, fd, &event) < 0)
@@ -59,6 +65,8 @@ Result<void> EventLoop::Watch(int fd, Handler handler) {
 void EventLoop::Forget(int fd) {
   const auto it = std::ranges::find(watched_, fd, [](const auto& w) { return w->fd; });
   if (it == watched_.end()) return;
+  // The kernel removes a descriptor by itself only when its last copy
+  // closes, and the fd keeper may have a copy.
   ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, fd, nullptr);
   forgotten_.push_back(std::move(*it));
   watched_.erase(it);
@@ -83,6 +91,9 @@ Result<void> EventLoop::Run() {
     std::array<epoll_event, kEventsAtOnce> events;
     const int count = ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()), -1);
     if (count < 0 && errno != EINTR) return FailErrno("wait for events");
+    // Each event is looked up again by its number: an earlier handler of the same wait may have
+    // forgotten it, and the pointer would dangle. A number that was closed and given out again within
+    // one wait would get a call too many; every handler bears one, since no read blocks.
     for (int i = 0; i < count && running_; ++i) Dispatch(events[static_cast<std::size_t>(i)].data.fd);
     forgotten_.clear();
   }

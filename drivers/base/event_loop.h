@@ -11,8 +11,9 @@
 
 namespace kaori {
 
-// One thread. Handlers run inside Run(), one at a time, and may call every member, Forget of their own descriptor
-// included.
+// The one place in which a process waits. Everything else does not block, so that one slow device delays
+// no other. One thread. Handlers run inside Run(), one at a time, and may call every member, Forget of
+// their own descriptor included; what such a handler captured stays alive until it has returned.
 class EventLoop {
  public:
   using Handler = std::function<void()>;
@@ -28,12 +29,15 @@ class EventLoop {
   // Does nothing where `fd` is not watched.
   void Forget(int fd);
 
-  // Calls `handler` every `period`, first after one period; calls that came too late are left out. Errors: those of
-  // timerfd_create(2) and of Watch.
+  // Calls `handler` every `period`, first after one period, for as long as the loop lives. Periods that
+  // passed while another handler ran are left out rather than made up for: one call follows, not
+  // several. The phase does not drift. Errors: those of timerfd_create(2) and of Watch.
   Result<void> Every(Duration period, Handler handler);
 
-  // Returns after Stop() or a signal. Blocks in epoll_wait only. Errors: those of epoll_wait(2).
+  // Returns after Stop() or a signal, once the handler that runs has returned; handlers that were due
+  // with it are left out. Blocks in epoll_wait only. May be called again. Errors: those of epoll_wait(2).
   Result<void> Run();
+  // Called by a handler: ends Run(). Called before Run() it has no effect.
   void Stop() { running_ = false; }
 
   // Every, then Run; does not run where the timer cannot be made. Errors: those of both.
@@ -48,9 +52,11 @@ class EventLoop {
   void Dispatch(int fd);
 
   UniqueFd epoll_;
+  // The address of a Watched stays the same while the vector grows: a handler that runs may add others.
   std::vector<std::unique_ptr<Watched>> watched_;
-  std::vector<std::unique_ptr<Watched>> forgotten_;  // Kept until the handler that runs has returned.
-  std::vector<UniqueFd> owned_;                      // Timers and the signal descriptor.
+  // Kept until the handler that runs has returned, since it may be the one that was forgotten.
+  std::vector<std::unique_ptr<Watched>> forgotten_;
+  std::vector<UniqueFd> owned_;  // Timers and the signal descriptor.
   bool running_ = false;
 };
 

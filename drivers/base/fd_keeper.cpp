@@ -16,8 +16,11 @@ constexpr Request kGive{'g'};
 constexpr Request kHere{'y'};  // With the descriptor.
 constexpr Request kNone{'n'};
 
+// Far more than a keeper takes to answer, and less than the service
+// manager allows the stage for its start.
 constexpr int kLongestWait_ms = 5000;
-constexpr std::size_t kMostClients = 16;  // Each sends one request.
+// Each sends one request: a second stage, or a person with a debugger, is the most that is ever there.
+constexpr std::size_t kMostClients = 16;
 
 }  // namespace
 
@@ -34,6 +37,8 @@ Result<UniqueFd> RetrieveFromKeeper(const std::string& socket) {
   const auto keeper = ConnectToPeer(socket);
   if (!keeper) return tl::unexpected(keeper.error());
   if (auto asked = SendPacket(keeper->get(), kGive); !asked) return tl::unexpected(asked.error());
+  // The socket does not block, so the wait is a poll. A keeper that
+  // dies closes it, which ends the wait too.
   pollfd readable{keeper->get(), POLLIN, 0};
   if (::poll(&readable, 1, kLongestWait_ms) != 1) return Fail(std::errc::timed_out, attempt);
   Request request{};
@@ -59,11 +64,14 @@ void FdKeeper::Accept() {
   if (!loop_.Watch(fd, [this, fd] { Answer(fd); })) clients_.pop_back();
 }
 
-// The connection ends after one request.
+// The connection ends after one request. An unknown one is not
+// answered: the client finds a closed connection.
 void FdKeeper::Answer(int client) {
   Request request{};
   auto packet = ReceivePacket(client, request);
   if (packet && request == kHold && packet->descriptor.valid()) {
+    // The move closes what was held before: that card's file was the last
+    // copy, so the kernel gives its master rights back.
     held_ = std::move(packet->descriptor);
     received_(held_->get());
   } else if (packet && request == kGive) {

@@ -19,20 +19,26 @@
 
 namespace kaori::service {
 
-// Gives a copy of `fd` to the keeper that listens at `socket`, in place of what it holds; does not wait. Does
-// nothing where `socket` is empty. Errors: those of ConnectToPeer and SendPacket.
+// Gives a copy of `fd` to the keeper that listens at `socket`, in place of what it holds;
+// does not wait, so that a stage that starts is not delayed by a keeper that hangs. Does
+// nothing where `socket` is empty: on a workstation there is no keeper. `fd` stays the
+// caller's. Errors: those of ConnectToPeer and SendPacket.
 Result<void> GiveToKeeper(int fd, const std::string& socket);
 
-// Returns a copy of what the keeper holds; waits 5 s at most for its answer. Errors: those of ConnectToPeer;
+// Returns a copy of what the keeper holds, which goes on holding it; waits 5 s at most for
+// its answer. Called before the loop starts. Errors: those of ConnectToPeer;
 // no_such_device (no keeper is named, or it holds nothing); timed_out.
 Result<UniqueFd> RetrieveFromKeeper(const std::string& socket);
 
-// The keeper's end. One thread, that of the loop, which must outlive it. It serves at most 16 clients at once; one
-// more displaces the client that has been silent for longest.
+// The keeper's end: what kaori-fdkeeper consists of. A client connects, sends one request
+// and is answered and dismissed. One thread, that of the loop, which must outlive it. It
+// serves at most 16 clients at once; one more displaces the client that has been silent for
+// longest, so that clients that hang cannot lock others out.
 class FdKeeper {
  public:
-  // `listener` is a listening socket of packets. `held` is what an earlier keeper held, if any. `received` is called
-  // with each descriptor that comes; it borrows it.
+  // `listener` is a listening socket of packets (ListenForPackets, or a socket unit's). `held` is what
+  // an earlier keeper held, if any. `received` is called with each descriptor that comes; it borrows it,
+  // and stores a copy with the service manager, so that the keeper's own end loses nothing.
   FdKeeper(EventLoop& loop, UniqueFd listener, std::optional<UniqueFd> held,
            std::function<void(int)> received)
       : loop_(loop), listener_(std::move(listener)), held_(std::move(held)), received_(std::move(received)) {}
@@ -41,13 +47,17 @@ class FdKeeper {
   Result<void> Open();
 
  private:
+  // A failure to accept is not reported: the client sees a refused
+  // connection, and it is the client that acts on it.
   void Accept();
   void Answer(int client);
 
+  // Watches the listener and each client. Outlives the keeper.
   EventLoop& loop_;
   UniqueFd listener_;
   std::optional<UniqueFd> held_;
   std::function<void(int)> received_;
+  // In the order in which they came. Each is here exactly as long as the loop watches it.
   std::vector<UniqueFd> clients_;
 };
 

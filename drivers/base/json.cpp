@@ -32,6 +32,7 @@ std::size_t CharacterBytes(std::string_view text, std::size_t& wrong) {
   return count;
 }
 
+// Appends to one text. Depth is counted in open brackets; it decides how far a line is indented.
 class Writer {
  public:
   explicit Writer(int indent) : indent_(indent) {}
@@ -66,6 +67,8 @@ class Writer {
     }
     const std::size_t begin = text_.size();
     fmt::format_to(std::back_inserter(text_), "{}", number);
+    // fmt prints 3.0 as "3", which readers with types take for an integer.
+    // An exponent ("1e+30") marks a double already.
     if (text_.find_first_of(".e", begin) == std::string::npos) text_ += ".0";
   }
 
@@ -84,9 +87,11 @@ class Writer {
   }
 
   void AddCharacter(char c) {
+    // The two lists go in step: the character at one place of kPlain is
+    // written as a backslash and that of kEscaped.
     constexpr std::string_view kPlain = "\"\\\b\f\n\r\t", kEscaped = "\"\\bfnrt";
-    if (const auto at = kPlain.find(c); at != std::string_view::npos)
-      text_.append({'\\', kEscaped[at]});
+    if (const auto at = kPlain.find(c); at != std::string_view::npos) text_.append({'\\', kEscaped[at]});
+    // RFC 8259, 7: control characters must be escaped; the rest may stand as it is.
     else if (static_cast<unsigned char>(c) < 0x20)
       fmt::format_to(std::back_inserter(text_), "\\u{:04x}", static_cast<unsigned>(c));
     else
@@ -105,6 +110,8 @@ class Writer {
   void AddObject(const Object& object) {
     Open('{');
     for (const auto& [name, value] : object) {
+      // An entry is known to be the first by its address: equal
+      // entries would be mixed up by their values.
       Separate(&value == &object.front().second);
       AddText(name);
       text_ += indent_ > 0 ? ": " : ":";

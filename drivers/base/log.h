@@ -7,14 +7,17 @@
 
 namespace kaori {
 
-// Priorities of syslog(3), as sd-daemon(3) writes them before a line: "<4>".
+// How much of the matter is left to people. Priorities of syslog(3), as sd-daemon(3) writes them before
+// a line: "<4>". `journalctl -p warning` filters by them. Others of the eight are not used: there is no
+// debug log, and what would be critical or worse is for the kernel to say.
 enum class Severity : int {
   kError = 3,    // The program ends, or a part of the show is missing until somebody acts.
   kWarning = 4,  // Something failed; the show goes on without it, or it is tried again.
   kInfo = 6,     // An expected change of state.
 };
 
-// Sets the name that stands before every line. Called once, by main, before any thread starts.
+// Sets the name that stands before every line. Called once, by main (BeginProgram does
+// it), before any thread starts: reading it takes no lock.
 void SetLogName(std::string_view name);
 
 // Writes "name: line" for each line of `lines`, all of them in one write(2). Where standard error is the
@@ -23,6 +26,9 @@ void SetLogName(std::string_view name);
 // cannot be written is lost: nobody is left to be told.
 void LogLines(Severity severity, std::string_view lines);
 
+// Log an expected change of state, a failure that the show survives, and one that it does not. A
+// program logs where it decides what to do; drivers return errors and log nothing. They
+// allocate: never on the frame path in a show that runs well.
 template <class... Args>
 void Log(fmt::format_string<Args...> format, Args&&... args) {
   LogLines(Severity::kInfo, fmt::format(format, std::forward<Args>(args)...));

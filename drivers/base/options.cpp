@@ -11,6 +11,7 @@ namespace {
 
 std::optional<int> Misused(std::string_view what, std::string_view name) {
   fmt::print(stderr, "{} {}; --help tells the rest\n", what, name);
+  // Two is what shells and getopt programs return for misuse; one is left to failures of the work itself.
   return 2;
 }
 
@@ -42,6 +43,7 @@ std::optional<int> Options::Parse(int argc, char** argv) {
     const Option* option = Find(name);
     if (option == nullptr) return Misused("there is no option", name);
     if (option->flag != nullptr) {
+      // A value may begin with a dash: whatever follows an option is its value.
       *option->flag = true;
     } else if (i + 1 < args.size()) {
       *option->text = args[++i];
@@ -57,6 +59,7 @@ std::optional<int> Options::Parse(int argc, char** argv) {
 std::optional<Size> ParseSize(const std::string& text) {
   constexpr int kSmallest = 16, kLargest = 16384;
   Size size;
+  // It takes a character behind the numbers, so that "960x540p" gives three matches and is refused.
   char rest = 0;
   if (std::sscanf(text.c_str(), "%5dx%5d%c", &size.width_px, &size.height_px, &rest) != 2)
     return std::nullopt;

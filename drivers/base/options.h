@@ -8,6 +8,8 @@
 
 namespace kaori {
 
+// Declares a program's options and reads them once. The variables are the caller's own and carry the
+// defaults, so that nothing has to be asked for by name later. One thread.
 class Options {
  public:
   // `help` is the page that --help prints. All that is passed by reference must outlive Parse.
@@ -19,10 +21,13 @@ class Options {
   // Declares an option without a value; it sets `value` to true.
   Options& Switch(std::string_view name, bool& value);
 
-  // Sets the values. Returns the exit status when the program is to end: 0 after --help, 2 after an unknown
-  // option, one without its value, or one that is needed and missing.
+  // Sets the values, from left to right: of an option that is given twice the last value counts.
+  // Returns the exit status when the program is to end: 0 after --help, 2 after an unknown option,
+  // one without its value, or one that is needed and missing. Values are texts; what they mean is
+  // for the caller to check. "--name=VALUE" is not understood.
   std::optional<int> Parse(int argc, char** argv);
 
+  // Exactly one of `text` and `flag` is set; it tells the two kinds of option apart.
  private:
   struct Option {
     std::string_view name;
@@ -36,7 +41,8 @@ class Options {
   std::vector<Option> options_;
 };
 
-// "960x540" as width and height; nothing for anything else, or a side outside 16..16384.
+// "960x540" as width and height; nothing for anything else, or a side outside 16..16384. Smaller
+// pictures show nothing, larger ones no graphics card scans out.
 struct Size {
   int width_px = 0;
   int height_px = 0;

@@ -11,12 +11,15 @@
 namespace kaori {
 namespace {
 
+// Connections that wait to be accepted; a device has one driver, and the keeper few clients.
 constexpr int kWaitingCalls = 4;
 
 UniqueFd NewSocket() {
   return UniqueFd(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
 
+// A peer that closed while packets of ours lay unread resets the
+// connection (ECONNRESET); on a write the same is EPIPE.
 bool IsGone(int error) {
   return error == EPIPE || error == ECONNRESET || error == ENOTCONN;
 }
@@ -31,6 +34,8 @@ UniqueFd DescriptorIn(msghdr& message) {
   const cmsghdr* control = CMSG_FIRSTHDR(&message);
   if (control == nullptr || control->cmsg_level != SOL_SOCKET || control->cmsg_type != SCM_RIGHTS) return {};
   UniqueFd first;
+  // A control message may carry several descriptors (cmsg(3)), each of which this process owns as soon as
+  // recvmsg(2) returned. CMSG_DATA is not used: its result need not be aligned for an int, hence memcpy.
   for (std::size_t at = CMSG_LEN(0); at + sizeof(int) <= control->cmsg_len; at += sizeof(int)) {
     int fd = -1;
     std::memcpy(&fd, reinterpret_cast<const char*>(control) + at, sizeof(fd));
@@ -48,6 +53,8 @@ Result<UniqueFd> ListenForPackets(const std::string& path) {
   if (!address) return Fail(std::errc::filename_too_long, "listen at " + path);
   UniqueFd socket = NewSocket();
   if (!socket.valid()) return FailErrno("make a socket for " + path);
+  // What a killed owner left under the draft's name. Another owner's
+  // draft cannot be there: one device has one name.
   ::unlink(newcomer.c_str());
   if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) < 0)
     return FailErrno("bind " + path);
@@ -73,6 +80,7 @@ Result<UniqueFd> ConnectToPeer(const std::string& path) {
 }
 
 Result<void> SendPacket(int socket, std::span<const std::uint8_t> bytes, int descriptor) {
+  // sendmsg(2) only reads from it; iovec has no const.
   iovec part{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};
   Beside beside;
   msghdr message{};
@@ -102,6 +110,7 @@ Result<Packet> ReceivePacket(int socket, std::span<std::uint8_t> into) {
   message.msg_controllen = beside.bytes.size();
   const ssize_t bytes = ::recvmsg(socket, &message, MSG_CMSG_CLOEXEC);
   if (bytes < 0 && !IsGone(errno)) return FailErrno("receive a packet");
+  // Zero is the end of the connection: SOCK_SEQPACKET has no other mark for it.
   if (bytes <= 0) return Fail(std::errc::no_such_device, "receive a packet");
   Packet packet{static_cast<std::size_t>(bytes), DescriptorIn(message)};
   if ((message.msg_flags & MSG_TRUNC) != 0) return Fail(std::errc::message_size, "receive a packet");

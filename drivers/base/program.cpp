@@ -26,11 +26,13 @@ std::string& NoMemoryLine() {
 
 [[noreturn]] void EndWithException() {
   try {
+    // A terminate handler learns of the exception only by throwing it again.
     if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
     EndWithoutMemory();
   } catch (const std::system_error& error) {
     LogError("the system refuses a thread or a lock: {}", error.what());
+    // Destructors of statics may wait for threads that never began: they are not run.
     std::_Exit(EXIT_FAILURE);
   } catch (...) {
   }

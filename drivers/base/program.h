@@ -7,12 +7,15 @@
 
 namespace kaori {
 
-// Called first by main. Sets the log's name, and makes the two exceptions that a program cannot prevent
-// (std::bad_alloc, and std::system_error where no thread can be started) end it with one line and status 1.
-// Every other exception is our own bug and still aborts.
+// Called first by main. Sets the log's name, and makes the two exceptions that a program
+// cannot prevent (std::bad_alloc, and std::system_error where no thread can be started)
+// end it with one line and status 1. Every other exception is our own bug and still
+// aborts, with a core file that names it. `name` is copied.
 void BeginProgram(std::string_view name);
 
-// Logs the error with severity kError, a line for each of its lines, and returns `status` for main to return.
+// Logs the error with severity kError, a line for each of its lines, and returns
+// `status` for main to return: 1 is a failure, 2 a command that was misused. It does
+// not end the program itself, so that destructors run.
 [[nodiscard]] int ExitWithError(const Error& error, int status = 1);
 
 }  // namespace kaori

@@ -11,6 +11,7 @@
 namespace kaori {
 namespace {
 
+// Of a file that does not know its size.
 constexpr std::size_t kPiece_bytes = std::size_t{64} << 10U;  // Of a file that does not know its size.
 
 const char* KindOf(mode_t mode) {
@@ -46,6 +47,8 @@ Result<void> ReadAll(int fd, std::size_t most_bytes, const std::string& attempt,
 }
 
 // Walks over a text as the lexers of TOML and JSON do: quotes hide brackets, and "#" begins a comment.
+// The depth is that of open brackets and braces, and of the dots in the key or header that is being
+// read. JSON has no comments: a "#" outside of its quotes is an error that its parser finds.
 class LevelCounter {
  public:
   explicit LevelCounter(std::string_view text) : text_(text) {}
@@ -75,11 +78,15 @@ class LevelCounter {
         break;
       case ']':
       case '}':
+        // A bracket too many is an error that the parser reports; the
+        // counter only must not go below zero.
         brackets_ = std::max(brackets_ - 1, 0);
         break;
       case '.':
         ++dots_;
-        break;  // A dotted key is a table in a table.
+        // A dotted key is a table in a table. The dots of a number such as
+        // 1.5 count too; its line ends soon enough.
+        break;
       case '\n':
         ++line_;
         [[fallthrough]];
@@ -93,7 +100,8 @@ class LevelCounter {
     ++at_;
   }
 
-  // Three quotes hold several lines, one quote holds no more than its own.
+  // Three quotes hold several lines, one quote holds no more than its own: a quote that is left open is
+  // an error, and must not hide the brackets of the lines behind it.
   void SkipQuoted(char quote) {
     const std::string three(3, quote);
     const bool several = text_.substr(at_).starts_with(three);
@@ -101,6 +109,7 @@ class LevelCounter {
     for (at_ += end.size(); at_ < text_.size() && !text_.substr(at_).starts_with(end); ++at_) {
       if (text_[at_] == '\n' && !several) return;
       line_ += text_[at_] == '\n' ? 1 : 0;
+      // A backslash escapes in basic strings only; 'literal' ones take it as it is (TOML 1.0, String).
       const bool escapes = text_[at_] == '\\' && quote == '"' && text_.substr(at_ + 1, 1) != "\n";
       at_ += escapes ? 1 : 0;
     }
@@ -124,6 +133,7 @@ Result<void> CheckLevels(std::string_view text, int most_levels, const std::stri
 
 Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits& limits) {
   const std::string attempt = "read " + file.string();
+  // O_NOCTTY: a terminal that is named by mistake must not become the one that this process obeys.
   const UniqueFd fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   struct stat status {};
   if (!fd.valid() || ::fstat(fd.get(), &status) < 0) return FailErrno(attempt);

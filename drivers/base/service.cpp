@@ -16,9 +16,13 @@
 namespace kaori::service {
 namespace {
 
-constexpr int kFirstPassed = 3;  // Descriptors that the manager passes begin here.
+// Descriptors that the manager passes begin here (SD_LISTEN_FDS_START).
+constexpr int kFirstPassed = 3;
+// A manager that is busy starting other units answers within a
+// second; a hung one must not hang the stage.
 constexpr int kServiceLongestWait_ms = 5000;
 // How long a program that is watched may be silent: so many of its usual turns, and never less than this.
+// At 60 frames/s 30 turns are half a second, which an audience sees as a hitch and not as a failure.
 constexpr int kPatientTurns = 30;
 constexpr Duration kShortestSilence = std::chrono::milliseconds(250);
 
@@ -40,7 +44,8 @@ bool IsForUs(const char* name) {
   return !process || *process == ::getpid();
 }
 
-// Where the manager listens; a leading '@' stands for the abstract namespace.
+// Where the manager listens; a leading '@' stands for the abstract namespace, whose names begin with a
+// zero byte and are not terminated: their length counts, as it is passed in msg_namelen.
 std::optional<sockaddr_un> ManagerAddress(std::string_view name) {
   sockaddr_un address{};
   if (name.size() < 2 || name.size() >= sizeof(address.sun_path)) return std::nullopt;
@@ -76,7 +81,8 @@ Result<void> Send(std::string_view assignments, int fd) {
   return {};
 }
 
-// The manager closes the other end of the pipe when it has read everything before it.
+// The manager closes the other end of the pipe when it has read everything before it (BARRIER=1 of
+// sd_notify(3)). That end must be closed here first, or the poll would wait for our own copy.
 Result<void> AwaitManager() {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return FailErrno("make a pipe");
@@ -128,7 +134,8 @@ Result<void> Watchdog::Beat(Duration turn) {
   const Duration wanted =
       turn <= Duration() ? longest_
                          : std::clamp(turn * kPatientTurns, std::min(kShortestSilence, longest_), longest_);
-  // Small changes are not worth a message.
+  // Small changes are not worth a message: only a longer limit, or one that is shorter by a quarter, is
+  // sent. A longer one goes out at once, since the old one would kill a machine that became slow.
   if (wanted <= limit_ && wanted * 4 > limit_ * 3) return Tell("WATCHDOG=1");
   limit_ = wanted;
   return Tell(fmt::format("WATCHDOG_USEC={}\nWATCHDOG=1",

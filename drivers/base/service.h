@@ -12,18 +12,21 @@
 
 namespace kaori::service {
 
-// Every call does nothing, and succeeds, where no manager listens (NOTIFY_SOCKET is not set): on a workstation, in a
-// test. Any thread.
+// Every call does nothing, and succeeds, where no manager listens (NOTIFY_SOCKET is not set): on a
+// workstation, in a test. Any thread, but the environment must not be changed meanwhile.
 
-// Sends one assignment a line, as in "READY=1". Does not wait. Errors: those of sendmsg(2).
+// Sends one assignment a line, as in "READY=1"; sd_notify(3) lists them. Does not wait for the manager
+// to read it, but may block while its queue is full. Errors: those of sendmsg(2).
 Result<void> Tell(std::string_view assignments);
 
-// Gives the manager a copy of `fd` to keep beyond this program's end, and waits 5 s at most until it has it. Errors:
-// those of pipe2(2) and sendmsg(2); timed_out.
+// Gives the manager a copy of `fd` to keep beyond this program's end, and waits 5 s at
+// most until it has it. `fd` stays the caller's. Two stores under one name keep two
+// descriptors; the unit's FileDescriptorStoreMax= bounds them. `name` has no colon.
+// Errors: those of pipe2(2) and sendmsg(2); timed_out.
 Result<void> StoreFd(int fd, std::string_view name);
 
-// The descriptor that was kept, or passed by a socket unit, under this name. Each may be retrieved once, since the
-// caller owns it then; none on the first start.
+// The descriptor that was kept, or passed by a socket unit, under this name. Each may be retrieved once,
+// since the caller owns it then; none on the first start. It is made close-on-exec.
 std::optional<UniqueFd> RetrieveFd(std::string_view name);
 
 // Tells a manager that watches this program (WatchdogSec=) that it lives, and how long a silence means that it hangs:
@@ -40,7 +43,7 @@ class Watchdog {
 
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);
 
-  // After this silence the manager kills the program.
+  // After this silence the manager kills the program. Between 250 ms and what WATCHDOG_USEC allows.
   Duration limit() const { return limit_; }
 
  private:

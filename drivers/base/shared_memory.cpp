@@ -18,12 +18,15 @@ Result<SharedMemory> SharedMemory::Make(const std::string& name, std::size_t byt
   UniqueFd fd(::memfd_create(name.c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!fd.valid()) return FailErrno("make shared memory " + name);
   if (::ftruncate(fd.get(), static_cast<off_t>(bytes)) < 0) return FailErrno("size shared memory " + name);
+  // F_SEAL_SEAL comes last: nobody can add a seal against writing,
+  // which would take the peer's mapping away.
   if (::fcntl(fd.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) < 0)
     return FailErrno("seal shared memory " + name);
   return Map(std::move(fd), bytes);
 }
 
-// Without the seal a peer could shrink the memory, and the next look at it would end this process.
+// Without the seal a peer could shrink the memory, and the next look at it would end this process with
+// SIGBUS. A peer of ours always sets it; whoever else got at the socket need not.
 Result<SharedMemory> SharedMemory::Adopt(UniqueFd descriptor, std::size_t bytes) {
   struct stat status {};
   if (::fstat(descriptor.get(), &status) < 0) return FailErrno("look at the peer's shared memory");

@@ -12,8 +12,10 @@
 
 namespace kaori {
 
-// A writable mapping with one owner. The bytes are shared with the peer, which may change them at any time: what is
-// read twice may differ.
+// A writable mapping with one owner. The bytes are shared with the peer, which may change them at any
+// time: what is read twice may differ, so that a value is copied out before it is checked. Which side
+// writes when is agreed by packets beside it (firmware/wire/link.h), whose system calls also order the
+// memory. The mapping ends with the object; the peer's own stays.
 class SharedMemory {
  public:
   SharedMemory() = default;
@@ -22,17 +24,21 @@ class SharedMemory {
   SharedMemory& operator=(SharedMemory&& other) noexcept;
   ~SharedMemory() { Unmap(); }
 
-  // Makes memory of zeroes, sealed at its size. `name` is seen in /proc only. Errors: those of memfd_create(2),
-  // ftruncate(2) and mmap(2).
+  // Makes memory of zeroes, sealed at its size (F_SEAL_SHRINK, F_SEAL_GROW): no side can change the
+  // size any more. `name` is seen in /proc only, and need not be unique. `bytes` is above 0.
+  // Errors: those of memfd_create(2), ftruncate(2) and mmap(2).
   static Result<SharedMemory> Make(const std::string& name, std::size_t bytes);
 
-  // Maps what a peer made and passed. Errors: invalid_argument (it holds less than `bytes`, or could shrink), those of
-  // fstat(2) and mmap(2).
+  // Maps the first `bytes` of what a peer made and passed, and owns the
+  // descriptor also where it fails. Errors: invalid_argument (it holds less than
+  // `bytes`, or could shrink), those of fstat(2) and mmap(2).
   static Result<SharedMemory> Adopt(UniqueFd descriptor, std::size_t bytes);
 
   // False before Make or Adopt, and after a move.
   bool valid() const { return !bytes_.empty(); }
+  // To be passed to the peer; borrowed.
   int descriptor() const { return descriptor_.get(); }
+  // Valid until the object is moved from, assigned to or destroyed.
   std::span<std::uint8_t> bytes() const { return bytes_; }
 
  private:

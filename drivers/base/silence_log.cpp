@@ -7,6 +7,8 @@
 namespace kaori {
 namespace {
 
+// Long enough for a log that stays readable, short enough that a
+// technician who watches it sees the fault go on.
 constexpr Duration kQuiet = std::chrono::minutes(1);
 
 }  // namespace

@@ -7,15 +7,17 @@
 
 namespace kaori {
 
-// Logs at most one silence a minute, with the number of those it left out, and the end of each silence that it logged.
-// Asks no clock: time is an argument. One thread.
+// Logs at most one silence a minute, with the number of those it left out, and the end of each silence
+// that it logged. A camera on a loose cable falls silent many times a minute, and its lines would push
+// all others out of the journal. Asks no clock: time is an argument. One thread.
 class SilenceLog {
  public:
   // The words of its lines: "lip camera", "the lips are stale".
   SilenceLog(std::string source, std::string consequence)
       : source_(std::move(source)), consequence_(std::move(consequence)) {}
 
-  // Called when the source has been silent for `length`, and when it delivers again.
+  // Called once when the source has been silent for `length` (logged in whole
+  // milliseconds, with severity kWarning), and when it delivers again.
   void Silent(Duration length, Time now);
   void Speaks();
 
@@ -26,7 +28,9 @@ class SilenceLog {
   std::string source_, consequence_;
   Time quiet_until_{};
   int unsaid_ = 0;
-  bool said_ = true;  // The silence is in the log, and so will be its end.
+  // The silence is in the log, and so will be its end. True at the
+  // beginning, so that the first sample is logged too.
+  bool said_ = true;
 };
 
 }  // namespace kaori

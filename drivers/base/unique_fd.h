@@ -7,7 +7,9 @@
 
 namespace kaori {
 
-// Movable, not copyable. -1 is no descriptor. A failed close(2) is ignored: Linux releases the descriptor anyway.
+// Wraps what a system call returned on the line that made it. Movable, not copyable. -1 is no
+// descriptor. A failed close(2) is ignored: Linux releases the descriptor anyway, and a second try might
+// close another thread's. Where late write errors matter, the writer calls fsync(2) before.
 class UniqueFd {
  public:
   UniqueFd() = default;
@@ -24,8 +26,10 @@ class UniqueFd {
   UniqueFd& operator=(const UniqueFd&) = delete;
   ~UniqueFd() { reset(); }
 
+  // Borrowed: valid as long as the owner.
   int get() const { return fd_; }
   bool valid() const { return fd_ >= 0; }
+  // Gives the descriptor away without closing it, and holds none afterwards.
   int release() { return std::exchange(fd_, -1); }
   void reset() {
     if (fd_ >= 0) ::close(std::exchange(fd_, -1));

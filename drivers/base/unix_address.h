@@ -10,7 +10,8 @@
 
 namespace kaori {
 
-// Nothing: the path is too long (sun_path holds 107 bytes).
+// An address in the file system. Nothing: the path is too long (sun_path holds 107 bytes and the zero
+// behind them). The whole struct may be passed as the length: a path ends at its first zero.
 inline std::optional<sockaddr_un> UnixAddress(const std::string& path) {
   sockaddr_un address{};
   if (path.size() >= sizeof(address.sun_path)) return std::nullopt;

@@ -26,6 +26,8 @@ struct Draft {
   }
 };
 
+// Six letters, as of mkstemp(3). A name that is taken makes O_EXCL
+// or linkat(2) fail; nothing is overwritten.
 std::string FreshName(const std::string& file) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
   std::random_device chance;
@@ -43,6 +45,8 @@ Result<Draft> Begin(const std::filesystem::path& file, unsigned mode) {
   Draft draft;
   draft.fd = UniqueFd(::open(FolderOf(file).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode));
   if (draft.fd.valid()) return draft;
+  // File systems without O_TMPFILE say EOPNOTSUPP; a kernel that does not know the flag sees an
+  // attempt to open a folder for writing and says EISDIR (open(2)).
   if (errno != EOPNOTSUPP && errno != EISDIR) return FailErrno("write " + file.string());
   std::string name = FreshName(file.string());
   draft.fd = UniqueFd(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
@@ -61,7 +65,9 @@ Result<void> Append(int fd, std::span<const std::uint8_t> bytes, const std::stri
   return {};
 }
 
-// linkat(2) cannot replace a file, so a draft gets a name of its own first.
+// linkat(2) cannot replace a file, so a draft gets a name of its own first. Naming
+// a file by its descriptor (AT_EMPTY_PATH) needs a capability that the box's
+// programs do not have; the way by /proc needs none.
 Result<void> GiveName(Draft& draft, const std::filesystem::path& file) {
   if (draft.name.empty()) {
     std::string name = FreshName(file.string());
@@ -75,7 +81,8 @@ Result<void> GiveName(Draft& draft, const std::filesystem::path& file) {
   return {};
 }
 
-// A loss of power must not lose the name either.
+// A loss of power must not lose the name either: rename(2) changes the
+// folder, which has to reach the disk as well.
 Result<void> KeepFolder(const std::filesystem::path& file) {
   const std::string folder = FolderOf(file);
   const UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -92,6 +99,8 @@ Result<void> WriteWholeFile(const std::filesystem::path& file,
   for (const auto& piece : pieces)
     if (auto ok = Append(draft->fd.get(), piece, file.string()); !ok) return ok;
   if (::fsync(draft->fd.get()) < 0) return FailErrno("write " + file.string());
+  // In this order: content, then name, then folder. A name that reached the disk before its
+  // content would be an empty file after a loss of power.
   if (auto ok = GiveName(*draft, file); !ok) return ok;
   return KeepFolder(file);
 }

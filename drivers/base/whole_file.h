@@ -11,17 +11,19 @@
 
 namespace kaori {
 
-// Borrows the text.
+// The bytes of a text, without a terminating zero; borrows them.
 inline std::span<const std::uint8_t> AsBytes(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// Writes the pieces one after the other to a file without a name (O_TMPFILE) in the same folder, and gives it its name
-// when all of it is on the disk; blocks for the disk, file and folder. What stood there before is replaced in one
-// step, or kept where anything fails; nothing else is left behind, not even by a process that is killed half way.
-// Where the file system has no files without a name, a killed process leaves `file`.XXXXXX. Wants /proc. Any thread.
-// Errors: as open(2), write(2) and rename(2): no_space_on_device, file_too_large, permission_denied ...
-// A process that limits the size of its files ignores SIGXFSZ, or the kernel ends it.
+// Writes the pieces one after the other to a file without a name (O_TMPFILE) in the same folder, and
+// gives it its name when all of it is on the disk; blocks for the disk, file and folder. What stood there
+// before is replaced in one step, or kept where anything fails; nothing else is left behind, not even by
+// a process that is killed half way. Where the file system has no files without a name, a killed process
+// leaves `file`.XXXXXX. A symbolic link at `file` is replaced, not followed. Needs /proc. Any thread.
+// `mode` holds the permission bits of a new file, before the process's umask. Errors, in one line that names the file:
+//   those of open(2), write(2), fsync(2) and rename(2): no_space_on_device, permission_denied ...
+//   file_too_large   the process limits the size of its files; it ignores SIGXFSZ, or the kernel ends it
 Result<void> WriteWholeFile(const std::filesystem::path& file,
                             std::initializer_list<std::span<const std::uint8_t>> pieces,
                             unsigned mode = 0644);
