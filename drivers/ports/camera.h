@@ -11,11 +11,12 @@
 
 namespace kaori::ports {
 
-// kYuyv: packed 4:2:2. kNv12: a plane of Y, then a plane of Cb and Cr in turn at half the width and height.
-// kMjpeg: one JPEG a frame.
+// How a frame's pixels lie in memory. kYuyv: packed 4:2:2, Y0 Cb Y1 Cr for two pixels. kNv12: a plane of
+// Y, then a plane of Cb and Cr in turn at half the width and height. kMjpeg: one JPEG a frame. Which
+// matrix and range the values have is not told; the decoder assumes BT.601, as UVC cameras use it.
 enum class PixelFormat : std::uint8_t { kYuyv, kNv12, kMjpeg };
 
-// How a frame's bytes are to be read.
+// How a frame's bytes are to be read. Width and height count pixels of Y, and are even.
 struct CameraFormat {
   int width_px = 0;
   int height_px = 0;
@@ -25,15 +26,18 @@ struct CameraFormat {
 
 // One frame, lent by the camera.
 struct CameraFrame {
-  Time at{};                       // When the exposure was read out, by the source's stamp.
-  std::uint32_t sequence = 0;      // The source counts its frames; a gap is a lost frame.
+  Time at{};  // When the exposure was read out, by the source's stamp.
+  // The source counts its frames; a gap is a lost frame. Wraps around at 2^32.
+  std::uint32_t sequence = 0;
   CameraFormat format;             // May change from frame to frame.
   std::uint32_t stride_bytes = 0;  // From row to row of Y, or of YUYV; 0 for MJPEG.
-  std::span<const std::uint8_t>
-      bytes;  // Row 0 is the top row. Valid until the next call of Next or the camera's end.
+  // Row 0 is the top row. Memory of the driver, often the device's own: readable by one thread at a time,
+  // and never longer than until the next call of Next or the camera's end. Copy what is needed later.
+  std::span<const std::uint8_t> bytes;
 };
 
-// No call blocks. One thread.
+// A camera that has been opened and streams until it ends. There is no mode to set here: the opener
+// chose it. No call blocks. One thread. Closing a device that hangs may take as long as the kernel does.
 class Camera {
  public:
   virtual ~Camera() = default;
@@ -42,8 +46,8 @@ class Camera {
   // camera. A stream that stalls may never become readable: call Next now and then as well, so that it tells.
   virtual int pollable() const = 0;
 
-  // The newest frame; older ones that nobody read are dropped.
-  // The frame given before ends with this call. Errors:
+  // The newest frame; older ones that nobody read are dropped, since lips that are late are worse than
+  // lips that were skipped. The frame given before ends with this call. Errors:
   //   resource_unavailable_try_again  there is no new frame
   //   bad_message                     only torn or empty frames came, and were dropped; go on
   //   no_such_device                  the camera was unplugged
@@ -52,8 +56,8 @@ class Camera {
   virtual Result<CameraFrame> Next() = 0;
 };
 
-// Opens the camera; to be called again after a fault. Blocks
-// while the device answers: some tenths of a second. Errors:
+// Opens the camera; to be called again after a fault, after the old one has ended: a device has one
+// user. Blocks while the device answers: some tenths of a second. Errors:
 //   no_such_device           it is not plugged in
 //   permission_denied        it may not be opened
 //   device_or_resource_busy  another program uses it

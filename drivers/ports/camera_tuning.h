@@ -10,6 +10,8 @@
 
 namespace kaori::ports {
 
+// What happens to the camera's own automatic control. A show holds it: an exposure that reacts to
+// stage light would change the lips' size and colour in the picture.
 enum class CameraHold : std::uint8_t {
   // The camera finds exposure, gain, white balance and focus
   // by itself, and exposes for less than a frame's time.
@@ -31,12 +33,13 @@ class CameraTuning {
   // The part of a frame's time that is exposed, 0 to 1; none where the camera does not tell.
   virtual std::optional<float> exposure() const = 0;
 
-  // Counts for the camera that is open, and for each that is opened later. Returns what the camera does not
-  // have, or refused to set, by names for people: "focus".
+  // Counts for the camera that is open, and for each that is opened later. Returns what the camera does
+  // not have, or refused to set, by names for people: "focus". Blocks for some milliseconds.
   virtual std::vector<std::string> Set(CameraHold hold) = 0;
 
-  // Has the next opening use the next slower frame rate. False, and
-  // nothing changes, where no slower one is fast enough for lips.
+  // Has the next opening use the next slower frame rate, as when a USB bus has no
+  // room for the rate (CameraOpener's no_space_on_device). False, and nothing
+  // changes, where no slower one is fast enough for lips.
   virtual bool Slower() = 0;
 };
 

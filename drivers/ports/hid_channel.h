@@ -13,14 +13,16 @@
 
 namespace kaori::ports {
 
-// What is known of a device before its first report. Two equal
-// devices differ in `port` alone, so roles belong to ports.
+// What is known of a device before its first report. Two equal devices differ in
+// `port` alone, so roles belong to ports: what is plugged into the left socket is
+// the left stick, whichever of two equal sticks it is.
 struct HidIdentity {
   std::string port;  // Where it is plugged in: the USB port path "1-4.2", or a link's name in the simulator.
   std::uint16_t vendor = 0;              // USB vendor id.
   std::uint16_t product = 0;             // USB product id.
   std::string name;                      // As the device tells it, for people; may be empty.
   std::vector<std::uint8_t> descriptor;  // The report descriptor, as the device sent it.
+  // Untrusted, as the name is: its decoder bears any bytes.
 };
 
 // An input report that was read.
@@ -29,7 +31,8 @@ struct HidInput {
   std::size_t bytes = 0;  // Its length, the report id included where the descriptor has ids.
 };
 
-// No call blocks. One thread.
+// One device, opened. Its reports are the device's own bytes; drivers/decode gives them a meaning. The
+// device is released with the channel, which ends before its bus. No call blocks. One thread.
 class HidChannel {
  public:
   virtual ~HidChannel() = default;
@@ -49,15 +52,17 @@ class HidChannel {
   //   io_error                        a transfer failed; the device may still be there
   virtual Result<HidInput> Read(std::span<std::uint8_t> into) = 0;
 
-  // Sends one output report. Byte 0 is the report id, 0 where the descriptor has none. `report` is not used
-  // after the call. HidrawChannel may block, as its header says. Errors: as Read,
+  // Sends one output report. Byte 0 is the report id, 0 where the descriptor has none. `report` is not
+  // used after the call. Success means that the report is on its way, not that the device showed it.
+  // HidrawChannel may block, as its header says. Errors: as Read, and
   //   resource_unavailable_try_again  too many reports are under way
   //   invalid_argument                `report` is empty
   virtual Result<void> Write(std::span<const std::uint8_t> report) = 0;
 };
 
-// Where HID devices are plugged in: the kernel's hidraw, libusb, or the simulator's folder. No call blocks
-// but Open, as the implementations' headers say. One thread. Must outlive its channels.
+// Where HID devices are plugged in: the kernel's hidraw, libusb, or the simulator's folder. A program
+// opens one bus and looks at its ports again whenever it becomes readable; there are no callbacks. No
+// call blocks but Open, as the implementations' headers say. One thread. Must outlive its channels.
 class HidBus {
  public:
   virtual ~HidBus() = default;
@@ -69,6 +74,8 @@ class HidBus {
   // readable no more. Errors: those of the system calls.
   virtual Result<std::vector<std::string>> Ports() = 0;
 
+  // The caller owns the channel. Every device may be opened; whether it
+  // is one of ours is decided by its descriptor.
   // Opens the device at a port of Ports(). Errors:
   //   no_such_device           nothing is plugged in there
   //   permission_denied        the device may not be opened

@@ -18,14 +18,16 @@ struct SoundFormat {
   friend bool operator==(const SoundFormat&, const SoundFormat&) = default;
 };
 
-// Frames that were heard one after the other, lent by the microphone.
+// Frames that were heard one after the other, without a gap inside, lent by the microphone.
 struct SoundBlock {
   Time at{};                              // When the first frame was heard, by the source's stamp.
   bool xrun = false;                      // Frames were lost before the first one.
   std::span<const std::int16_t> samples;  // Whole frames. Valid until the next Read or the microphone's end.
 };
 
-// No call blocks. One thread.
+// A microphone that has been opened and records from then on. Its clock is not the
+// machine's: over an hour the count of its frames and CLOCK_MONOTONIC differ by some ten
+// milliseconds, so each block has a stamp. No call blocks. One thread.
 class Microphone {
  public:
   virtual ~Microphone() = default;
@@ -37,6 +39,7 @@ class Microphone {
   // Does not change once a block was read.
   virtual SoundFormat format() const = 0;
 
+  // How many frames a block has is the device's choice, usually one period.
   // The oldest frames that were not read; call it until there are none. Errors:
   //   resource_unavailable_try_again  there is no frame; after an overrun the stream goes on by itself
   //   no_such_device                  the microphone was unplugged
@@ -45,6 +48,7 @@ class Microphone {
   virtual Result<SoundBlock> Read() = 0;
 };
 
+// Blocks while the sound card answers: some milliseconds.
 // Opens the microphone; to be called again after a fault. Errors:
 //   no_such_device           it is not plugged in
 //   permission_denied        it may not be opened

@@ -32,6 +32,7 @@ const char* Text(OutputState state) {
 }  // namespace
 
 std::string DescribeMode(const Output& output) {
+  // Four digits tell 59.94 from 60.
   return fmt::format("{} x {} at {:.4g} Hz{}{}", output.width_px, output.height_px, output.rate_hz,
                      Text(output.origin), Text(output.state));
 }
