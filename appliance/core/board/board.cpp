@@ -13,7 +13,10 @@
 namespace kaori::board {
 namespace {
 
-// Owned by the open file description, so it ends with the process, however that ends.
+// Owned by the open file description, so it ends with the process, however that ends. A lock of fcntl(2)
+// without OFD would belong to the process: it would let a second writer of the same process in, and would be
+// lost when any descriptor of the file is closed. The range is the section's own bytes, so that two sections
+// of one file lock independently.
 bool LockSection(int fd, const SectionPlace& place) {
   struct flock lock {};
   lock.l_type = F_WRLCK;
@@ -27,8 +30,7 @@ bool LockSection(int fd, const SectionPlace& place) {
 
 namespace internal {
 
-// A section that this process writes, wherever the board lies. It stays at its address, so that the board
-// finds it.
+// A section that this process writes, wherever the board lies. It stays at its address, so that the board finds it.
 class OwnSection {
  public:
   OwnSection(Section section, OwnSections& all)
@@ -42,7 +44,10 @@ class OwnSection {
   }
 
   // Locks and maps the section in the file at `path`, where that is `board`'s. What was published before is
-  // there at once.
+  // there at once. The file is opened again, since an open file description owns the lock, and its inode is
+  // compared with the board's: between Heal's look and this one the file may have been replaced once more.
+  // Nothing of the object changes before the lock is held; where this fails the old pages stay, and writing
+  // goes on where it went before.
   Result<void> Move(const std::string& path, int board) {
     const std::string attempt = fmt::format("write section {} of board {}", Place(section_).name, path);
     UniqueFd lock(::open(path.c_str(), O_RDWR | O_CLOEXEC));
@@ -62,14 +67,17 @@ class OwnSection {
     return {};
   }
 
+  // Whether the section is written in the file that the descriptor `board` names.
   bool IsOn(int board) const { return lock_.valid() && IsSameFile(lock_.get(), board); }
 
+  // Keeps a copy first, since only the writer can bring the value to a board that is made anew.
   void Publish(std::span<const std::uint32_t> value) {
     std::ranges::copy(value, value_.begin());
     published_ = true;
     board::Publish(mapping_->words() + Place(section_).at_word, value);
   }
 
+  // The board object is gone: from now on nobody moves this section.
   void Orphan() { all_ = nullptr; }
 
  private:
@@ -116,6 +124,10 @@ Result<SectionWriter> Board::AcquireSection(Section section) const {
   return SectionWriter(std::move(own));
 }
 
+// The board moves before its writers do, so that whoever reads the moves() sees the new pages; a writer that
+// cannot follow yet, since another process has not let go of its lock, is tried again at the next call. Two
+// looks are needed, since each sees what the other cannot: intact() sees pages that the kernel took away, and
+// the inode sees a file that was replaced while ours is still whole.
 Result<bool> Board::Heal() {
   auto file = OpenOrMakeFile(path_);
   if (!file) return tl::unexpected(file.error());
@@ -135,6 +147,7 @@ Result<bool> Board::Heal() {
   return outcome;
 }
 
+// A relaxed load is enough: the word never changes on a whole board, and on a lost one it is zero for good.
 bool Board::intact() const {
   return mapping_.words()[0].load(std::memory_order_relaxed) == kMagic;
 }

@@ -2,9 +2,15 @@
 // meet nowhere else, and none ever waits for another.
 //
 //   auto board = Board::Create("/dev/shm/kaori-board");
-//   auto surface = board->AcquireWriter<Surface>();            // One writer at a time, on the whole machine.
+//   auto surface = board->AcquireWriter<Surface>();    // One writer at a time, on the whole machine.
 //   surface->Write(value, clock.now(), SourceState::kLive);
 //   Stamped<Stick> right = board->Read<Stick>(1);      // Any process, any time.
+//
+// A value is never torn: slots.h gives a reader one whole value or none, and valid.h throws out those that no
+// working writer could have written. A value can be old: its stamp says when it became true, and its
+// SourceState whether the device behind it still answers. What an old value means is said at each section in
+// sections.h. A writer that died leaves its last value with the state kLive, so readers of a program that
+// must be alive (the stage, a calibration) compare the stamp with their own clock.
 #pragma once
 
 #include <array>
@@ -30,7 +36,8 @@ namespace internal {
 
 class OwnSection;
 
-// The sections that this process writes by one board object; the board moves them with itself.
+// The sections that this process writes by one board object; the board moves them with itself. The board owns
+// this list by a pointer, so that a Board that is moved keeps it at one address for its writers.
 struct OwnSections {
   OwnSections() = default;
   OwnSections(const OwnSections&) = delete;
@@ -42,6 +49,9 @@ struct OwnSections {
 template <class T>
 using ValueArray = std::array<std::uint32_t, ValueWords<T>()>;
 
+// A value as it lies in a slot: the stamp in nanoseconds of CLOCK_MONOTONIC (two words, in the machine's byte
+// order), the SourceState, one word that is zero, then the bytes of T. Processes that share a board run on
+// one machine, so no byte order needs to be agreed on.
 template <class T>
 ValueArray<T> ToWords(const T& value, Time at, SourceState source) {
   ValueArray<T> words{};
@@ -52,6 +62,7 @@ ValueArray<T> ToWords(const T& value, Time at, SourceState source) {
   return words;
 }
 
+// The inverse of ToWords. It accepts any words: what it gives may hold impossible values, which Board::Read checks.
 template <class T>
 Stamped<T> FromWords(const ValueArray<T>& words) {
   Stamped<T> stamped;
@@ -73,12 +84,16 @@ class SectionWriter {
   SectionWriter(SectionWriter&&) noexcept;
   SectionWriter& operator=(SectionWriter&&) noexcept;
   ~SectionWriter();
+  // Writes the words of one value (ToWords) and returns without waiting. `value` has exactly the words of the
+  // section; it is copied, and kept for a board that takes this one's place.
   void Publish(std::span<const std::uint32_t> value);
 
  private:
   std::unique_ptr<internal::OwnSection> section_;
 };
 
+// The typed right to write the section of T. Movable; the section is free for another writer when it is
+// destroyed. Used by the thread of its board, since Board::Heal moves the pages that it writes to.
 template <class T>
 class Writer {
  public:
@@ -101,7 +116,8 @@ class Board {
   // start in any order. Blocks for the file system. Errors: as OpenOrMakeFile and Mapping::Map.
   static Result<Board> Create(const std::string& path);
 
-  // Makes nothing: for those that only look. Errors: as OpenFile and Mapping::Map.
+  // Opens a board that exists and makes nothing: for programs that only look. It needs no more than the right
+  // to read the file. Errors: as OpenFile and Mapping::Map.
   static Result<Board> Open(const std::string& path);
 
   // Looks whether the file at the path is still this board, whole and sound, and moves to the one that is
@@ -112,11 +128,14 @@ class Board {
   //                                        (of permission_denied: one who may make files there makes it)
   //   device_or_resource_busy   the board has moved, but another process writes a section of ours
   Result<bool> Heal();
+  // Two seconds are promised for all programs to be on one good board again. A loss is noticed within one period
+  // by whoever looks first, and by the others within one more; the rest is for programs that are busy or starting.
   static constexpr Duration kHealPeriod = std::chrono::milliseconds(250);
 
   // False: the file was cut short beneath us, and everything reads as absent until Heal.
   bool intact() const;
-  // How often Heal has moved to another board.
+  // How often Heal has moved to another board since this object was made. A reader that compares counters
+  // looks at it, since the counters of another board begin elsewhere.
   std::uint32_t moves() const { return moves_; }
 
   // Acquires the right to write the section of T (of the two sticks, number `which`). The writer may outlive
@@ -130,7 +149,9 @@ class Board {
   }
 
   // The newest valid value, else an older valid one that still stands on the board, else T{} with kAbsent.
-  // Never waits, whatever the writer does: tries a bounded number of times.
+  // Never waits, whatever the writer does: tries a bounded number of times. An older value of up to three
+  // writes ago stands in where the newest one was written by a faulty program, or was overwritten while it
+  // was copied. The stamp is that of the value which is given.
   template <class T>
   Stamped<T> Read(int which = 0) const {
     internal::ValueArray<T> words;
@@ -147,11 +168,14 @@ class Board {
  private:
   Board(std::string path, UniqueFd file, Mapping mapping)
       : path_(std::move(path)), file_(std::move(file)), mapping_(std::move(mapping)) {}
+  // Maps an opened and checked file.
   static Result<Board> Over(const std::string& path, UniqueFd file);
   Result<SectionWriter> AcquireSection(Section section) const;
+  // The untyped half of Read: `value` has the words of the section; false where that generation cannot be had.
   bool Fetch(Section section, std::uint32_t age, std::span<std::uint32_t> value) const;
 
   std::string path_;
+  // The file that is mapped now. Its inode is compared with the one at the path, to see whether it was replaced.
   UniqueFd file_;
   Mapping mapping_;  // Read only: a reader cannot spoil the board.
   std::uint32_t moves_ = 0;

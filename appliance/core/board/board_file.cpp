@@ -20,6 +20,7 @@ constexpr mode_t kMode = 0660;  // The programs share a group; nobody else looks
 
 using Head = std::array<std::uint32_t, kHeadWords>;
 
+// The head that this build writes and expects. layout.h says what each word means.
 Head MakeHead() {
   Head head{};
   head[0] = kMagic;
@@ -32,11 +33,16 @@ Head MakeHead() {
 }
 
 // A file that has neither a board's first word nor its size is somebody's, and not a spoilt board; an empty
-// one is nobody's.
+// one is nobody's. OpenOrMakeFile replaces no file that this does not accept, so that a path given by
+// mistake costs nobody a file.
 bool WasBoard(const Head& head, off_t size) {
   return size == 0 || size == static_cast<off_t>(kBoardBytes) || head[0] == kMagic;
 }
 
+// The order of the checks decides what OpenOrMakeFile does. A file that never was a board is refused first;
+// damage (bad_message) is found before versions are compared, since the words of a damaged head mean nothing;
+// a sound board of another build is refused and left alone, since its programs still use it. The size is
+// last: a sound head over a file that was cut short is damage too.
 Result<void> Check(int fd, const std::string& path) {
   struct stat status {};
   if (::fstat(fd, &status) < 0) return FailErrno("look at board " + path);
@@ -58,8 +64,8 @@ Result<void> Check(int fd, const std::string& path) {
   return {};
 }
 
-// Gives 0 or an errno. Its blocks are there from the start: a full disk is told here, and not by SIGBUS
-// later.
+// Makes an empty file a whole board whose sections are all absent. Gives 0 or an errno. Its blocks are reserved
+// from the start (posix_fallocate gives zeros): a full disk is told here, and not by SIGBUS at the first write.
 int Fill(int fd) {
   const Head head = MakeHead();
   // Whatever the umask: the group's other programs write to it.
@@ -68,7 +74,9 @@ int Fill(int fd) {
   return ::pwrite(fd, head.data(), sizeof(head), 0) == static_cast<ssize_t>(sizeof(head)) ? 0 : EIO;
 }
 
-// A whole board under a passing name, which `put` then moves to `path`: nobody ever opens half a board.
+// Makes a whole board under a passing name, which `put` then moves to `path`, so that nobody ever opens half
+// a board. link(2) as `put` gives up where a file is there (EEXIST: another program was quicker, and its
+// board is as good); rename(2) replaces a spoilt board in one step. The passing name is removed in each case.
 Result<void> Make(const std::string& path, int (*put)(const char* passing, const char* path)) {
   // A thread's id: no other maker has it, in this process or any.
   const std::string passing = fmt::format("{}.{}", path, ::gettid());
@@ -84,6 +92,7 @@ Result<void> Make(const std::string& path, int (*put)(const char* passing, const
 
 }  // namespace
 
+// O_NONBLOCK: a path that names a pipe must not make a program wait for whoever writes to it.
 Result<UniqueFd> OpenFile(const std::string& path) {
   UniqueFd file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.valid()) return FailErrno("open board " + path);

@@ -22,6 +22,8 @@ Result<UniqueFd> OpenFile(const std::string& path);
 // invalid_argument as above: a file that never was a board is not written over.
 Result<UniqueFd> OpenOrMakeFile(const std::string& path);
 
+// Whether two descriptors name one inode of one file system; false where either cannot be asked. Paths would
+// not do: the file at a path changes when a board is replaced.
 bool IsSameFile(int a, int b);
 
 }  // namespace kaori::board

@@ -14,6 +14,8 @@
 
 namespace kaori::board {
 
+// The sections in the order in which they lie in the file, which is that of kPlaces. A section that is added,
+// moved or resized changes LayoutHash, and old and new programs then refuse each other's boards.
 enum class Section : std::uint32_t {
   kSurface,
   kStickLeft,
@@ -36,6 +38,7 @@ inline constexpr std::size_t kSectionCount = 15;
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
 inline constexpr std::uint32_t kMagic = 0x52414F4B;  // "KOAR" backwards: no text file starts so.
+// Raised when the head or the slots change in a way that the layout hash cannot tell, as when the head got its sum.
 inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::size_t kHeadWords = 16;
 inline constexpr std::size_t kHeadSumAt = 5;
@@ -49,23 +52,27 @@ constexpr std::uint32_t HeadSum(std::span<const std::uint32_t, kHeadSumAt> words
   return static_cast<std::uint32_t>(sum);
 }
 
+// Where one section lies. Lengths are in 32-bit words; section heads and slots are padded to cache lines by slots.h.
 struct SectionPlace {
   std::string_view name;
   std::size_t value_words = 0;  // Stamp and value.
   std::size_t at_word = 0;      // From the start of the file.
 };
 
-// In front of every value: the time stamp in two words, and the state of its source.
+// In front of every value: the time stamp in two words, the state of its source, and one word that is zero.
+// Four words keep a value that begins with a 64-bit number aligned.
 inline constexpr std::size_t kStampWords = 4;
 
 namespace internal {
 
+// Length of a stamped T. The board copies values word by word, so T has neither pointers nor odd bytes.
 template <class T>
 constexpr std::size_t ValueWords() {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(std::uint32_t) == 0);
   return kStampWords + sizeof(T) / sizeof(std::uint32_t);
 }
 
+// The names stand in error messages and in the layout hash; sections follow each other without gaps.
 constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
   std::array<SectionPlace, kSectionCount> places{{{"surface", ValueWords<Surface>()},
                                                   {"stick left", ValueWords<Stick>()},
@@ -100,7 +107,8 @@ constexpr const SectionPlace& Place(Section section) {
   return kPlaces[static_cast<std::size_t>(section)];
 }
 
-// A sum over names and sizes: two programs built from different sections never share a board.
+// A sum over names and sizes: two programs built from different sections never share a board. Fields that
+// change their meaning but not the size of their struct are not seen by it; kVersion tells those.
 constexpr std::uint64_t LayoutHash() {
   std::uint64_t hash = kFnvBasis;
   for (const SectionPlace& place : kPlaces) {
@@ -111,7 +119,8 @@ constexpr std::uint64_t LayoutHash() {
   return hash;
 }
 
-// Which section holds a T; the sticks are told apart by `which`.
+// Which section holds a T; the sticks are told apart by `which`. A type that no section holds does not
+// compile, since the function then returns nothing.
 template <class T>
 constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Surface>) return Section::kSurface;

@@ -1,4 +1,6 @@
 // What each GPIO line of the box means: its number in the board's section `lines`, wherever it is wired.
+// Drivers know offsets on a chip, which the settings of a box map onto these numbers
+// (programs/input/line_roles.h); from the board on only the meaning counts.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +18,8 @@ enum class Line : std::uint8_t {
 };
 inline constexpr std::size_t kLineCount = 4;
 
+// Whether the line is active now; a line that is not wired is not. Callers look at the section's SourceState
+// too: a stale section has all lines released.
 inline bool IsOn(const Lines& lines, Line line) {
   return (lines.active >> static_cast<unsigned>(line) & 1U) != 0;
 }

@@ -14,11 +14,14 @@
 namespace kaori::board {
 namespace {
 
-// Where boards are mapped, for the handler, which may take no lock. 0: a free entry.
+// Where boards are mapped, for the handler, which may take no lock: a table of fixed size that is scanned. 0
+// is a free entry. A program has one mapping for the board and one for each section that it writes, seven at
+// most; tests have many boards.
 constexpr std::size_t kMostMappings = 256;
 std::array<std::atomic<std::uintptr_t>, kMostMappings> mapped;
 struct sigaction earlier {};
 
+// The beginning of the board that holds `address`, or 0. Async-signal-safe.
 std::uintptr_t MappingAround(std::uintptr_t address) {
   for (const auto& entry : mapped) {
     const std::uintptr_t begin = entry.load(std::memory_order_relaxed);
@@ -27,7 +30,10 @@ std::uintptr_t MappingAround(std::uintptr_t address) {
   return 0;
 }
 
-// mmap is a bare system call: it may be called here. The touch that brought us here is done again.
+// The handler of SIGBUS. A touch of a page behind the end of the file raises it; MAP_FIXED puts private zero
+// pages in the place of the whole board, and the touch that brought us here is done again and succeeds. mmap
+// is a bare system call on Linux, so that it may be called here, and errno is put back for whoever was
+// interrupted. A SIGBUS of anything else gets the handler that was there before ours.
 void ReplaceVanishedPages(int /*signal*/, siginfo_t* info, void* /*context*/) {
   const int cause = errno;
   const std::uintptr_t begin = MappingAround(reinterpret_cast<std::uintptr_t>(info->si_addr));
@@ -45,6 +51,7 @@ bool CatchVanishedPages() {
   return ::sigaction(SIGBUS, &action, &earlier) == 0;
 }
 
+// Claims a free entry of the table; false: all are in use.
 bool Enter(std::uintptr_t begin) {
   return std::ranges::any_of(mapped, [begin](auto& entry) {
     std::uintptr_t none = 0;
@@ -73,7 +80,8 @@ Result<Mapping> Mapping::Map(int fd, bool writable, const std::string& path) {
   return mapping;
 }
 
-// Entries go first: another mapping may get these addresses at once.
+// Entries go first: another mapping may get these addresses at once. Entries that went after munmap would let
+// the handler put zeros over the pages of whoever got the addresses.
 Mapping::~Mapping() {
   if (words_ == nullptr) return;
   Leave(reinterpret_cast<std::uintptr_t>(words_));

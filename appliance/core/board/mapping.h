@@ -1,4 +1,4 @@
-// The board's pages in this process's memory.
+// The board's pages in this process's memory, and what happens when the file beneath them is cut short.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ namespace kaori::board {
 // written is lost. The handler is installed with the first mapping and passes on what is not the board's.
 class Mapping {
  public:
-  // Any thread. Errors: those of mmap(2); too_many_files_open where a process maps more than 256 boards at
-  // once.
+  // Maps kBoardBytes of `fd`, which may be closed afterwards; `path` is for messages. Any thread. Errors:
+  // those of mmap(2) and sigaction(2); too_many_files_open where a process maps more than 256 boards at once.
   static Result<Mapping> Map(int fd, bool writable, const std::string& path);
   Mapping(Mapping&& other) noexcept : words_(std::exchange(other.words_, nullptr)) {}
   Mapping& operator=(Mapping&& other) noexcept {
@@ -25,6 +25,8 @@ class Mapping {
     return *this;
   }
   ~Mapping();
+  // The first word of the file, from which SectionPlace::at_word counts. A mapping that is not writable ends
+  // the process by SIGSEGV when it is written to: that is a bug of ours and is meant to be seen.
   Word* words() const { return words_; }
 
  private:

@@ -1,4 +1,5 @@
 // What the board's section `lips` says about a mouth: whether it can be used, and how open and wide it is.
+// Performance, calibration, desk and status all ask here, so that they never disagree about a mouth.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +8,11 @@
 
 namespace kaori::board {
 
-// The quality from which on the face follows a measured mouth.
+// The quality (0..1, Lips::quality) from which on the face follows a measured mouth, this value included.
+// Below it the voice has the mouth.
 inline constexpr float kUsableMouth = 0.3F;
-// The quality from which on a measured mouth is good enough to learn from it: a calibration, the mouth at
-// rest.
+// The quality from which on a measured mouth is good enough to learn from it: a calibration, the mouth at rest.
+// It is stricter, since what is learnt wrongly stays and what is followed wrongly is over at the next picture.
 inline constexpr float kLearnableMouth = 0.5F;
 
 inline bool IsUsable(const Lips& lips) {
@@ -29,6 +31,7 @@ struct MouthPosition {
 // Maps the measured height and width onto the operator's range. A mouth at rest, which is 1 wide, stands in
 // the middle of `wide`, however much farther it goes one way than the other.
 inline MouthPosition PositionOf(const Lips& lips) {
+  // A range of less than a hundredth is widened to one, so that no calibration divides by zero.
   const auto fraction = [](float value, float low, float high) {
     return std::clamp((value - low) / std::max(high - low, 0.01F), 0.0F, 1.0F);
   };

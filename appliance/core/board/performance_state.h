@@ -9,8 +9,9 @@
 
 namespace kaori::board {
 
-// `State` is trivially copyable, at most Performance::kCapacityBytes large, and has a
-// `static constexpr std::uint32_t kLayout` above 0 that changes whenever its fields do.
+// `State` is trivially copyable, at most Performance::kCapacityBytes large, and has a `static constexpr
+// std::uint32_t kLayout` above 0 that changes whenever its fields do. Pure; the bytes that it gives are plain
+// memory of this build and this machine, and kLayout is all that tells one build's struct from another's.
 template <class State>
 Performance Hold(const State& state) {
   static_assert(std::is_trivially_copyable_v<State> && sizeof(State) <= Performance::kCapacityBytes);
@@ -22,7 +23,9 @@ Performance Hold(const State& state) {
   return performance;
 }
 
-// Nothing where the section holds another struct, or none. Fields are as their writer left them: check them.
+// The state that a stage of the same layout held. Nothing where the section holds another struct, or none:
+// the stage then begins anew. Fields are as their writer left them and may be anything, so the caller checks
+// them before use (performance::IsValid).
 template <class State>
 std::optional<State> Restore(const Performance& performance) {
   static_assert(std::is_trivially_copyable_v<State> && std::is_default_constructible_v<State>);

@@ -1,4 +1,5 @@
-// How a press gets into a section: its counter and its log.
+// How a press gets into a section: its counter and its log. Both are written before the section is published,
+// so that a reader never sees one without the other.
 #pragma once
 
 #include <array>
@@ -10,14 +11,16 @@
 
 namespace kaori::board {
 
-// Adds a press at `at` to a log. `code` is as PressLog::Press says.
+// Adds a press at `at` to a log. `code` is as PressLog::Press says. The time is cut down to 32 bits of
+// microseconds, which order presses within half an hour of each other.
 inline void Append(PressLog& log, std::uint32_t code, Time at) {
   const auto us = std::chrono::duration_cast<std::chrono::microseconds>(at.time_since_epoch()).count();
   log.newest[log.count % PressLog::kKept] = {code, static_cast<std::uint32_t>(us)};
   ++log.count;
 }
 
-// The code of a key that goes down while these keys are held. `usage` is below 256.
+// The code of a key that goes down while these keys are held. `usage` is below 256. The modifiers are usages
+// E0 to E7 (HID usage tables, page 7), which are the lowest byte of the last word.
 inline std::uint32_t CodeOf(const std::array<std::uint32_t, 8>& down, std::size_t usage) {
   constexpr std::size_t kModifiersWord = 0xE0 / 32;
   return static_cast<std::uint32_t>(usage) | (down[kModifiersWord] & 0xFFU) << 8U;

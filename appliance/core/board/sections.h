@@ -15,13 +15,17 @@
 
 namespace kaori::board {
 
-// A source that was never there, is there, or was there and is silent or gone.
+// Whether the source of a value was never there (kAbsent), is there (kLive), or was there and is silent or
+// gone (kStale). A section that nobody has written reads as kAbsent. kStale keeps the last value where that
+// is of use: each section says what its writer leaves.
 enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
 
 // Values are plain words without pointers, so that they mean the same in every process.
 
 // The newest presses of a section's buttons or keys, so that a reader that looks seldom still learns which
 // came first. Counters alone say how often, but not in which order.
+// A reader that remembers `count` of its last look reads the presses from there to the newest `count`; where
+// more than kKept lie between, the older ones are lost and only counted.
 struct PressLog {
   static constexpr std::size_t kKept = 32;  // A power of two, so that `count` may wrap.
   struct Press {
@@ -37,9 +41,12 @@ struct PressLog {
 // The control surface: eight dials and 32 buttons.
 //   writer   kaori-input, at each report of the device, up to 1000 times a second, and when it comes or goes
 //   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
+//   stale    the box is unplugged: all buttons are released, dials keep their counts
+// The counts are the device's own, carried on over plugs and restarts, so that only differences mean something.
 struct Surface {
   static constexpr const char* kName = "surface";
   std::array<std::int32_t, 8> counts{};  // Dials, accumulated; clockwise is positive.
+  // From the settings, 1 .. 2^20: a difference of this many counts is one turn.
   std::int32_t counts_per_turn = 256;
   std::uint32_t buttons_down = 0;          // Bit n: button n is held.
   std::array<std::uint32_t, 32> pushes{};  // How often each button went down since the board began.
@@ -49,6 +56,8 @@ struct Surface {
 // A stick: [0] is the left one, which moves the head, [1] the right one, which moves gaze and brows.
 //   writer   kaori-input, at each report of the device
 //   readers  kaori-stage at each frame; kaori-input itself when it starts
+//   stale    unplugged, or plugged in again and silent: axes as they were, buttons and hat released. Readers
+//            hold the axes for 0.25 s and then ease them to neutral
 struct Stick {
   static constexpr const char* kName = "stick";
   float x = 0;            // -1 left .. 1 right, after dead zone, centre and curve.
@@ -56,10 +65,12 @@ struct Stick {
   float twist = 0;        // -1 counter-clockwise .. 1 clockwise, seen from above.
   float slider = 0;       // 0 .. 1.
   std::int32_t hat = -1;  // 0 up, clockwise in eighths to 7; -1 centred.
+  // Bit n: button n is held, counted from 0; of a stick with more than 16 only the first 16 are counted as pushes.
   std::uint32_t buttons_down = 0;
   std::array<std::uint32_t, 16> pushes{};
-  std::uint32_t port =
-      0;  // A hash of where it is plugged in: a restart gives it the same role. 0: nowhere yet.
+  // A hash of the name of the port where it is plugged in (programs/input/stick_roles.h), so that a restart of
+  // kaori-input gives the stick the same role. 0: it was nowhere yet.
+  std::uint32_t port = 0;
   // Where X, Y and twist rest on this stick, as it was calibrated; of the device's own way from the middle to
   // the end. A restart goes on with it.
   std::array<float, 3> centres{};
@@ -68,6 +79,7 @@ struct Stick {
 // The keyboard, by usages of HID page 7.
 //   writer   kaori-input, at each report of the device
 //   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
+//   stale    unplugged: every key is released, counters stay
 struct Keys {
   static constexpr const char* kName = "keys";
   std::array<std::uint32_t, 8> down{};      // Bit u % 32 of word u / 32: the key with usage u is held.
@@ -78,6 +90,7 @@ struct Keys {
 // A mouse or a tablet: its position on the stage's picture, 0..1 from the left top.
 //   writer   kaori-input, at each report of the device
 //   readers  kaori-stage at each frame, for the expression editor
+//   stale    unplugged: buttons are released, the position stays
 struct Pointer {
   static constexpr const char* kName = "pointer";
   float x = 0.5F;
@@ -90,6 +103,7 @@ struct Pointer {
 // GPIO lines, numbered as in lines.h.
 //   writer   kaori-input, at each edge of a line, once it no longer bounces
 //   readers  kaori-stage at each frame; kaori-lips every 25 ms; kaori-input itself, for the tally lamp
+//   stale    the chip is gone: every line is released. The stage keeps a blackout until a scene is called
 struct Lines {
   static constexpr const char* kName = "lines";
   std::uint32_t active = 0;                // Bit n: line n is active.
@@ -101,8 +115,11 @@ struct Lines {
 // of the exposure.
 //   writer   kaori-lips, at each picture of the camera, 30 or 60 times a second
 //   readers  kaori-stage at each frame; kaori-desk and kaori-status; kaori-lips itself when it starts
+//   stale    the camera is gone or sends nothing: the mouth as it was last. The voice takes over
+// Live with a quality of 0 means that the camera works and finds no paint.
 struct Lips {
   static constexpr const char* kName = "lips";
+  // Height and width of the paint's outline, 0 .. 8 each.
   float height = 0;
   float width = 1;
   float quality = 0;         // 0 no paint found .. 1 a clean mouth.
@@ -120,6 +137,7 @@ struct Lips {
 // The voice in the microphone, and the mouth that it would make.
 //   writer   kaori-lips, at each block of sound, every 5 to 10 ms
 //   readers  kaori-stage at each frame
+//   stale    the microphone is gone: the face's own expression gets the mouth back
 struct Voice {
   static constexpr const char* kName = "voice";
   float level_db = -100;       // Of full scale, smoothed; -100 is silence.
@@ -133,6 +151,7 @@ struct Voice {
 // The voice on its way to the loudspeaker, whose state is the section's source.
 //   writer   kaori-lips
 //   readers  kaori-status for people; kaori-lips itself when it starts
+//   stale    the loudspeaker is gone; figures are the last ones
 struct Sound {
   static constexpr const char* kName = "sound";
   float delay_ms = 0;           // From the microphone to the loudspeaker, as it is in use.
@@ -147,6 +166,7 @@ struct Sound {
 // at `at_s`.
 //   writer   kaori-stage at each frame while one plays, and once when it has ended
 //   readers  kaori-lips, which plays its sound; kaori-stage itself when it starts
+// The stage leaves the last value when it ends, so a reader compares stamp and `at_s` with its own clock.
 struct MotionNow {
   static constexpr const char* kName = "motion_now";
   std::int32_t motion = -1;  // Of the show's motions; -1: none plays.
@@ -183,6 +203,7 @@ struct Desk {
 // The lamps in the buttons of the control surface.
 //   writer   kaori-stage, when they change
 //   readers  kaori-input every 5 ms, which lights them
+// Never stale: kaori-input lights what stands here until a stage writes something else.
 struct Lamps {
   static constexpr const char* kName = "lamps";
   std::uint32_t lit = 0;  // Bit n: the lamp of button n is lit.
@@ -191,6 +212,7 @@ struct Lamps {
 // How the stage does.
 //   writer   kaori-stage at each frame; means once a second
 //   readers  kaori-status and kaori-desk; kaori-lips for the voice's delay; kaori-input for the tally lamp
+//   stale    never written so; a stage is taken for dead by the age of the stamp
 struct StageStatus {
   static constexpr const char* kName = "stage_status";
   // Of the last frame that was presented: the flip, and when the input was sampled for it.
@@ -206,8 +228,10 @@ struct StageStatus {
   // From what the camera sees until the screen shows a mouth that does the same: the age, half the time that
   // a frame stands, and the mouth's own smoothing. Of the voice where the voice has the mouth.
   Duration mouth_lag{};
+  // Frames since the board began; flips that this stage has missed since it started.
   std::uint32_t frames = 0;
   std::uint32_t missed_flips = 0;
+  // Mean of the last second; 0 in the first one.
   float frames_per_s = 0;
   std::uint32_t face = 0;  // Called last, as the next three.
   std::uint32_t expression = 0;

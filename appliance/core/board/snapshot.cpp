@@ -6,8 +6,10 @@
 namespace kaori::board {
 namespace {
 
-constexpr Duration kSettling = std::chrono::seconds(1);  // Four periods of Board::Heal.
+// Four periods of Board::Heal: by then each program that runs has looked, and has moved its sections.
+constexpr Duration kSettling = std::chrono::seconds(1);
 
+// A section that is absent on the new board is one whose writer has not moved yet; its last value stands in.
 template <class T>
 void KeepAbsent(Stamped<T>& now, const Stamped<T>& before) {
   if (now.source == SourceState::kAbsent) now = before;

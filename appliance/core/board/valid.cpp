@@ -6,6 +6,8 @@
 namespace kaori::board {
 namespace {
 
+// Bounds are far wider than what any device gives. They are to stop a number that would make the face vanish
+// or a loop run for ever, not to judge a measurement.
 constexpr std::int32_t kMaxCountsPerTurn = 1 << 20;  // The finest optical dials have a tenth of it.
 constexpr float kMaxLip = 8.0F;                      // Mouth widths; no mouth opens so far.
 constexpr float kMaxFigure = 1e9F;
@@ -17,11 +19,12 @@ constexpr float kLongestMotion_s = 1e5F;
 constexpr std::uint32_t kMostCode = 999'999;
 constexpr float kLongestCode_s = 86'400;
 
-// False for NaN too: every comparison with it is.
+// Both ends are allowed. False for NaN too: every comparison with it is.
 bool Within(float value, float low, float high) {
   return value >= low && value <= high;
 }
 
+// Readers use the code of a press as an index, so each one of the log lies below `end`, those that are not used included.
 bool HasCodes(const PressLog& log, std::uint32_t end) {
   return std::ranges::all_of(log.newest, [end](const PressLog::Press& press) { return press.code < end; });
 }
@@ -39,6 +42,7 @@ bool Valid(const Stick& stick) {
          std::ranges::all_of(stick.centres, [](float centre) { return Within(centre, -1, 1); });
 }
 
+// A code has the usage in its lower byte and the modifiers in the next one: 16 bits.
 bool Valid(const Keys& keys) {
   return HasCodes(keys.log, 0x10000);
 }
@@ -99,6 +103,7 @@ bool Valid(const Performance& performance) {
   return performance.bytes <= Performance::kCapacityBytes;
 }
 
+// Half of the largest time: a reader may add or subtract any duration of the program without an overflow.
 bool Valid(Time at) {
   return at >= Time{} && at.time_since_epoch() <= Duration::max() / 2;
 }

@@ -5,7 +5,9 @@
 
 namespace kaori::board {
 
-// True where every field is finite and within the range that its declaration in sections.h gives. Pure.
+// True where every field is finite and within the range that its declaration in sections.h gives. Pure. Bits
+// that mean nothing (buttons, lines, lamps) may be anything. Counters may have any value, since they wrap. A
+// fault here is a fault of the program that wrote: the value is passed over and nobody is told.
 bool Valid(const Surface& surface);
 bool Valid(const Stick& stick);
 bool Valid(const Keys& keys);

@@ -7,6 +7,8 @@
 
 namespace kaori::board {
 
+// `trouble` is the reason that was logged last. A Heal that works clears it, so that the same reason is
+// logged again when it comes back later.
 Result<void> Watch(Board& board, EventLoop& loop) {
   return loop.Every(Board::kHealPeriod, [&board, trouble = std::string()]() mutable {
     const auto healed = board.Heal();

@@ -7,7 +7,8 @@
 namespace kaori::board {
 
 // Calls Board::Heal every kHealPeriod, and logs once when the board was replaced and once for each new reason
-// why it cannot be. The board must outlive the loop's Run. Errors: those of EventLoop::Every.
+// why it cannot be. The board must outlive the loop's Run. Errors: those of EventLoop::Every. Runs on the
+// loop's thread, which is that of the board and of its writers.
 Result<void> Watch(Board& board, EventLoop& loop);
 
 }  // namespace kaori::board

@@ -14,16 +14,26 @@
 namespace kaori::performance {
 namespace {
 
+// A longer pause (a screen that was changed, a machine that hung) moves nothing further than this: the face
+// goes on from where it was seen last.
 constexpr Duration kLongestStep = std::chrono::milliseconds(100);
-constexpr Duration kClockBegan = std::chrono::seconds(1);  // A time this far back is of another clock.
+// A time this far back is of another clock, as after a board that was brought from another machine. A frame
+// that is presented a little earlier than the last one is of this clock.
+constexpr Duration kClockBegan = std::chrono::seconds(1);
+// The gaze, in radians up or down, at which the lids have followed wholly. It is kGazePitch_rad of
+// operator_input.cpp: a stick pushed to its end opens or lowers the lids as far as they go.
 constexpr float kLidFollow_rad =
     0.38F;  // The lids have followed wholly when the gaze is this far up or down.
 
+// Adds a channel that the show has (index -1: it has none). Weights below a ten-thousandth would cost a pass
+// over the mesh and move nothing that is seen; negative ones belong to the channel of the other direction.
 void PushChannel(face::Terms& channels, int index, float weight) {
   if (index >= 0 && weight > 1e-4F) channels.Add(static_cast<std::uint16_t>(index), weight);
 }
 
-// Strength scales every expression but the neutral one, which takes the rest.
+// Strength scales every expression but the neutral one, which takes the rest, so that the weights still sum
+// to 1, as equation 1 of Arai et al. 1994 has it. Above 1 the neutral weight is negative: the expression is
+// exaggerated, which is what the dial's upper end is for.
 face::Terms Strengthened(const face::Terms& terms, float strength) {
   face::Terms out;
   float rest = 1;
@@ -36,6 +46,8 @@ face::Terms Strengthened(const face::Terms& terms, float strength) {
   return out;
 }
 
+// Brows go up one by one and frown together. The lids follow the gaze as they do on a real eye, whose lid
+// rides on the cornea; min keeps a gaze beyond the stick's reach from pulling them further.
 void AddBrowsAndLids(const State& state, const show::Channels& channels, const scene::Gaze& gaze,
                      face::Terms& terms) {
   for (const int brow : channels.brow_up) PushChannel(terms, brow, state.brow);
@@ -53,6 +65,8 @@ scene::Gaze Sum(const scene::Gaze& a, const scene::Gaze& b, const scene::Gaze& c
   return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad};
 }
 
+// A button is lit while what it calls is the call that counts: the newest one of its kind, from the press on
+// and not when its fade is over.
 std::uint32_t Lamps(const State& state, const show::Show& show) {
   const auto lit = [&](const show::Call& call) {
     switch (call.kind) {
@@ -77,7 +91,7 @@ std::uint32_t Lamps(const State& state, const show::Show& show) {
 
 // Moves the state's time to `presented_at` and gives the seconds in between. A frame that is presented a
 // little before the one before it (the screen was pulled) takes no time, and what it went back is not played
-// twice.
+// twice. The result is 0 .. kLongestStep in seconds.
 float StepTo(State& state, Time presented_at) {
   const Time before = state.last;
   if (presented_at > before || before - presented_at > kClockBegan) state.last = presented_at;
@@ -86,6 +100,8 @@ float StepTo(State& state, Time presented_at) {
   return static_cast<float>(Seconds(presented_at - before));
 }
 
+// Moves the state by dt_s. Presses come before everything that they set on its way; dials come after presses,
+// since a fresh call puts its dial to 1 and a turn within the same frame counts from there.
 void MoveOn(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
             float dt_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
@@ -100,6 +116,10 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
     state.backstage.progress = std::min(1.0F, state.backstage.progress + dt_s / state.backstage.duration_s);
 }
 
+// Turns the state into the weights of the frame: faces s_i, expressions t_j and channels c_k of P = sum_i s_i
+// (B_i + sum_j t_j E_ij + sum_k c_k A_ik), which is equation 1 of Arai et al. 1994 with channels besides;
+// then the jaw's limit over all of them, the lids and the styles. The mouth comes after the other channels,
+// since it takes the expression's mouth away as far as it drives.
 void Weigh(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
            scene::Scene& scene, float dt_s) {
   face::Weights& weights = scene.weights;
@@ -117,7 +137,8 @@ void Weigh(State& state, const board::Snapshot& board, const show::Show& show, c
   for (const face::Term& t : Current(state.styles, 1)) scene.styles[t.index] = t.weight;
 }
 
-// The one that was called, and those that were before it; of many, the heaviest.
+// The one that was called, and those that were before it; of many, the heaviest. A scene has room for a few
+// fading backdrops only (scene::Scene::fading); the lightest is replaced.
 void HangBackdrops(const Mixture& backdrops, const show::Show& show, scene::Scene& scene) {
   if (backdrops.to >= show.scenes.size()) return;
   scene.backdrop = show.scenes[backdrops.to].backdrop;

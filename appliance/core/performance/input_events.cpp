@@ -33,11 +33,13 @@ class LogReader {
   std::uint32_t next_;
 };
 
-// Times wrap, and are never an hour apart.
+// The times of two presses are 32 bits of microseconds and wrap. The sign of their difference orders any two
+// that are less than 35 minutes apart, and unread presses are a frame apart.
 bool IsEarlier(const PressLog::Press& one, const PressLog::Press& other) {
   return static_cast<std::int32_t>(one.at_us - other.at_us) < 0;
 }
 
+// A stale section is there: its counters stay when a device is unplugged, and count on when it is back.
 template <class T>
 bool IsThere(const board::Stamped<T>& section) {
   return section.source != board::SourceState::kAbsent;
@@ -57,6 +59,7 @@ void Adopt(SeenInput& seen, const board::Snapshot& board) {
     seen.pointer = board.pointer.value;
 }
 
+// A press is placed where the pointer is now, at most one frame of movement away from where it happened.
 InputEvents::Pointer PointerEvents(const board::Pointer& before, const board::Pointer& now) {
   InputEvents::Pointer events{.moved = {now.x - before.x, now.y - before.y},
                               .notches = Difference(now.wheel, before.wheel)};
@@ -66,7 +69,8 @@ InputEvents::Pointer PointerEvents(const board::Pointer& before, const board::Po
 
 }  // namespace
 
-// Buttons and keys are merged by the time of each.
+// Buttons and keys are merged by the time of each. Two keys typed within one frame thus keep their order, and
+// so do a key and a button of different devices. On equal times the button comes first, which is of no account.
 void InputEvents::AddPresses(SeenInput& seen, const board::Snapshot& board) {
   const PressLog& button_log = board.surface.value.log;
   const PressLog& key_log = board.keys.value.log;

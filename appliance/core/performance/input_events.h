@@ -1,8 +1,7 @@
 // What the operators did between two looks at the board, in the order in which they did it.
 //
 // Events are made once a frame and handed from consumer to consumer: a calibration at the box, the expression
-// editor, the performance. Whoever uses an event takes it out, so that nothing that an operator does is used
-// twice.
+// editor, the performance. Whoever uses an event takes it out, so that nothing that an operator does is used twice.
 #pragma once
 
 #include <array>
@@ -38,15 +37,16 @@ struct SeenInput {
   std::uint8_t surface_unknown = 0, keys_unknown = 0, lines_unknown = 0, pointer_unknown = 0;
 };
 
+// The events of one frame. A plain value without memory of its own; one thread.
 class InputEvents {
  public:
+  // Both logs whole: more presses than they keep cannot be told of.
   static constexpr std::size_t kMostPresses = 2 * board::PressLog::kKept;
 
   // In the order of time. Of more than PressLog::kKept presses of one section the newest are here.
   std::span<const Press> presses() const { return std::span(presses_).first(count_); }
 
-  // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of
-  // time.
+  // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of time.
   template <class Predicate>
   void Consume(Predicate consumes) {
     std::size_t kept = 0;
@@ -55,8 +55,11 @@ class InputEvents {
     count_ = kept;
   }
 
-  std::array<std::int32_t, 8> turned{};  // Counts of each dial; clockwise is positive.
-  bool go = false;                       // The foot switch was trodden.
+  // Counts of each dial since the last frame; clockwise is positive. How many make a turn is
+  // Surface::counts_per_turn. A consumer sets what it uses to 0.
+  std::array<std::int32_t, 8> turned{};
+  // The foot switch was trodden, once or more often, since the last frame.
+  bool go = false;
   struct Pointer {
     std::optional<glm::vec2> pressed{};  // Where the left button went down, 0..1 from the left top.
     glm::vec2 moved{};                   // Right and down, in parts of the picture.
@@ -71,14 +74,19 @@ class InputEvents {
   std::size_t count_ = 0;
 };
 
-// The board's counters as they stand: nothing before them is an event.
+// The board's counters as they stand: nothing before them is an event. For a stage that starts: what was
+// pressed before it did is over.
 SeenInput SeenOn(const board::Snapshot& board);
 
 // What happened since `seen`, which is brought up to the board. A section that is absent says nothing: its
-// counters are nobody's. Pure, and allocates nothing.
+// counters are nobody's. Pure, and allocates nothing. Calling it twice with one snapshot gives the events
+// once. Where a log has lost presses because more than PressLog::kKept happened since the last call, the
+// newest kKept of that log are given.
 InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board);
 
-// The board is another one than that of `seen`: its counters are taken as they are found.
+// The board is another one than that of `seen`: its counters are taken as they are found. To be called while
+// SnapshotReader::settling(): each section's counters are adopted when it is seen first, so that what
+// happened on the way from one board to the other is lost rather than invented.
 void ForgetCounters(SeenInput& seen);
 
 }  // namespace kaori::performance

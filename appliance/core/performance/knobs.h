@@ -1,4 +1,5 @@
-// The dials of the box: what each does, and between which ends.
+// The dials of the box: what each does, and between which ends. Dials turn without stops, so that the ends are
+// those of the value: a dial that is turned on beyond an end begins to count back at once when it is turned back.
 #pragma once
 
 #include <array>
@@ -7,11 +8,12 @@
 
 namespace kaori::performance {
 
-// In the order in which they stand.
+// In the order in which the dials stand, which is that of Surface::counts; State and the last face on the
+// disk keep their values in this order.
 enum class Knob : std::uint8_t { kFace, kExpression, kStrength, kFade, kMouth, kMouthWidth, kLife, kLight };
 inline constexpr int kKnobCount = 8;
 
-// Between which ends a knob moves, and by how much for one turn of its dial, clockwise.
+// Between which ends a knob moves, both included, and by how much for one turn of its dial, clockwise.
 struct KnobRange {
   float low, high, per_turn;
 };

@@ -12,13 +12,18 @@ namespace kaori::performance {
 namespace {
 
 constexpr float kTau = 6.2831853F;
-constexpr float kBreath_hz = 0.23F;  // Of this and all other waves, kLifePeriod_s holds a whole number.
-constexpr float kQuiet = 0.02F;      // Below this the box plays nothing by itself.
+// Fourteen breaths a minute, as of somebody at rest. Of this and all other waves, kLifePeriod_s holds a whole
+// number, so that nothing jumps where the age begins anew.
+constexpr float kBreath_hz = 0.23F;
+constexpr float kQuiet = 0.02F;  // Below this the box plays nothing by itself.
+// Two degrees each way.
 constexpr float kGlance_rad = 0.035F;
+// Hair as one spring: its own frequency, its damping as part of the critical one, how strongly the head's
+// speed pulls it, and where it stops.
 constexpr float kSpring_hz = 2.1F, kDamping = 0.32F, kSwingGain = 0.55F, kMaxSwing_rad = 0.35F;
 constexpr float kStill_rad = 1e-4F;  // Swings that nobody sees end: a still show is a still picture.
 
-// splitmix64, to 0..1: the same state gives the same life.
+// splitmix64 (Steele, Lea, Flood 2014), to 0..1: the same state gives the same life. 24 bits are what a float holds.
 float Random(Life& life) {
   life.random += 0x9E3779B97F4A7C15U;
   std::uint64_t z = life.random;
@@ -27,10 +32,14 @@ float Random(Life& life) {
   return static_cast<float>((z ^ (z >> 31U)) >> 40U) / static_cast<float>(1U << 24U);
 }
 
+// A sine of -1..1; `phase` is in turns, so that waves that belong together do not run in step.
 float Wave(float age_s, float hz, float phase) {
   return std::sin(kTau * (hz * age_s + phase));
 }
 
+// A countdown of 2.4 to 5.5 s lies between two blinks, and in one of eight cases one of 0.35 s. It runs 1.4
+// times as fast as the clock at full life, and slower the lower the dial stands. While keys hold lids nothing
+// blinks by itself.
 void Blink(State& state, float amount, float dt_s) {
   state.life.to_next_blink_s -= dt_s * (0.4F + amount);
   if (state.life.to_next_blink_s > 0) return;
@@ -40,6 +49,7 @@ void Blink(State& state, float amount, float dt_s) {
   for (float& since_s : state.blink_s) since_s = BlinkFrom(since_s);
 }
 
+// Somewhere new after 0.5 to 2.4 s, less far up and down than sideways. The gaze jumps there, as eyes do.
 void Glance(State& state, float dt_s) {
   state.life.to_next_glance_s -= dt_s;
   if (state.life.to_next_glance_s > 0) return;
@@ -48,12 +58,14 @@ void Glance(State& state, float dt_s) {
       glm::vec2(2 * Random(state.life) - 1, 1.2F * Random(state.life) - 0.6F) * kGlance_rad;
 }
 
+// How much the gaze stick has the eyes, 0..1: wholly from an eighth of a radian on.
 float HandOnGaze(const State& state) {
   return std::min(1.0F, 8 * (std::abs(state.gaze.yaw_rad) + std::abs(state.gaze.pitch_rad)));
 }
 
 }  // namespace
 
+// Several slow waves of unrelated length make a sway that nobody sees repeat; amplitudes are in radians.
 Idle Live(State& state, float amount, float dt_s) {
   if (amount < kQuiet) return {};
   Blink(state, amount, dt_s);
@@ -72,6 +84,8 @@ Idle Live(State& state, float amount, float dt_s) {
   return idle;
 }
 
+// A damped spring that is pulled against the head's speed: angle'' = (0.12 pull - angle) w^2 - 2 d w angle'.
+// The pull is the head's step over dt_s, so that a faster head swings the hair further whatever the frame rate.
 void Swing(Sway& sway, const scene::Head& head, float dt_s) {
   if (dt_s <= 0) return;
   const glm::vec2 now(head.yaw_rad + head.roll_rad, head.pitch_rad);

@@ -12,10 +12,14 @@ namespace {
 using board::Line;
 using board::SourceState;
 
+// The length of a blackout's fade; the guard within which a second GO is none (a foot switch that is trodden
+// once can close twice, far beyond the debouncing of contacts); and where the count of seconds since the last
+// GO stops, as State says.
 constexpr float kBlackoutFade_s = 0.4F;
 constexpr float kGoGuard_s = 0.3F;
 constexpr float kGoLongAgo_s = 10;
 
+// The next scene of the show's list, with its own fade and the whole stage in view: GO never ends a show.
 void Go(State& state, const show::Show& show) {
   if (state.go_quiet_s < kGoGuard_s || show.scenes.empty()) return;
   state.go_quiet_s = 0;
@@ -23,6 +27,8 @@ void Go(State& state, const show::Show& show) {
   EnterScene(state, show, next, show.scenes[next].fade_s);
 }
 
+// Whether the picture shall be black. A live line says so itself. Lines that were never there want nothing;
+// stale ones keep what was wanted, until a scene is called: the operators have taken over by hand.
 void Want(State& state, const board::Stamped<board::Lines>& lines) {
   if (lines.source == SourceState::kLive)
     state.black_wanted = board::IsOn(lines.value, Line::kBlackout) ? 1 : 0;

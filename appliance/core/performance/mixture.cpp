@@ -9,10 +9,12 @@ namespace {
 
 constexpr float kNothing = 1e-5F;  // Lighter terms are dropped: nobody sees them and each one costs.
 
+// How much of the whole the called item has now.
 float Share(const Mixture& mixture, float amount) {
   return SmoothStep(mixture.progress) * amount;
 }
 
+// Dropped terms and rounding leave a sum a little beside 1, which would add up over many calls.
 face::Terms Normalised(const face::Terms& terms) {
   const float sum = terms.sum();
   face::Terms out;
@@ -22,6 +24,8 @@ face::Terms Normalised(const face::Terms& terms) {
 
 }  // namespace
 
+// Where nothing was before (a show that opens) the called item has all. An item that is called while it is
+// fading out keeps what it has of the old mixture besides its new share, and so does not dip.
 face::Terms Current(const Mixture& mixture, float amount) {
   const float share = mixture.from.empty() ? 1.0F : Share(mixture, amount);
   float called = share;

@@ -8,6 +8,7 @@
 
 namespace kaori::performance {
 
+// Plain bytes, kept in State. With amount 1 the weights are from * (1 - s) + called * s, s = SmoothStep(progress).
 struct Mixture {
   face::Terms from;      // The weights at the moment of the call.
   std::uint16_t to = 0;  // The item that was called.

@@ -7,8 +7,10 @@
 namespace kaori::performance {
 namespace {
 
+// MotionSound of the lip program fades the sound of a motion that is cut off in the same time.
 constexpr float kFadeOut_s = 0.25F;
 
+// Between two keys the value eases in and out; before the first and after the last it is 0.
 float At(const show::MotionCurve& curve, float at_s) {
   const auto next = std::ranges::upper_bound(curve.keys, at_s, {}, &show::MotionKey::at_s);
   if (next == curve.keys.begin() || next == curve.keys.end()) return 0;
@@ -17,6 +19,7 @@ float At(const show::MotionCurve& curve, float at_s) {
   return Mix(a.value, next->value, SmoothStep(t));
 }
 
+// Angles of all motions add up. Nothing limits the sum: head and gaze may go further than a stick takes them.
 void Add(Motion& motion, const show::MotionCurve& curve, float value) {
   switch (curve.target) {
     case show::MotionTarget::kHeadYaw:
@@ -43,6 +46,7 @@ void Add(Motion& motion, const show::MotionCurve& curve, float value) {
   }
 }
 
+// A motion lasts as long as its longest curve or its sound, so that its last word is not cut off.
 float End(const show::Motion& played) {
   const auto frames =
       static_cast<float>(played.sound.samples.size()) / static_cast<float>(played.sound.channels);
@@ -60,6 +64,8 @@ const Playing* Youngest(const State& state) {
   return youngest;
 }
 
+// A voice whose motion the show has not (a state of another show) plays nothing. A motion that began to fade
+// out goes on doing so, even where the one that took over has ended since: gain < 1 says so.
 Motion PlayMotions(State& state, const show::Show& show, float dt_s) {
   Motion sum;
   const Playing* youngest = Youngest(state);

@@ -11,6 +11,7 @@ struct Motion {
   scene::Head head;
   scene::Gaze gaze;
   float lids = 0;  // 0 open .. 1 shut, of both eyes.
+  // Weights of the cast's expressions, to be added to the other channels.
   face::Terms channels;
 };
 
@@ -19,6 +20,7 @@ struct Motion {
 Motion PlayMotions(State& state, const show::Show& show, float dt_s);
 
 // The motion that was called last, which keeps its full gain; null: nothing plays. Borrowed from `state`.
+// Valid until the state changes.
 const Playing* Youngest(const State& state);
 
 }  // namespace kaori::performance

@@ -27,6 +27,8 @@ constexpr float kForgotten_s = 10;
 // first word after a pause is in time.
 constexpr float kGivesWay_per_s = 12, kOpens_per_s = 60, kGivenBack_per_s = 3;
 
+// Where the mouth shall go, as board::MouthPosition (open 0..1, wide 0..1 with 0.5 at rest); the half life
+// with which it goes there; and whether somebody speaks: false leaves the mouth to the expression.
 struct Goal {
   float open = 0;
   float wide = 0.5F;
@@ -34,14 +36,17 @@ struct Goal {
   bool drives = false;
 };
 
+// Seconds from `at` to the time of the last frame, bounded: a stamp of the future counts as now.
 float Age_s(const State& state, Time at) {
   return std::clamp(static_cast<float>(Seconds(state.last - at)), 0.0F, kForgotten_s);
 }
 
+// Whether the lips can be followed: the camera works and sees a usable mouth.
 bool Seen(const board::Stamped<board::Lips>& lips) {
   return lips.source == board::SourceState::kLive && board::IsUsable(lips.value);
 }
 
+// Whether a microphone works. Silence is heard too: it shuts the mouth.
 bool Heard(const State& state, const board::Stamped<board::Voice>& voice) {
   return voice.source == board::SourceState::kLive && Age_s(state, voice.at) < kVoiceLost_s;
 }
@@ -69,6 +74,8 @@ Goal FromVoice(const State& state, const board::Stamped<board::Voice>& voice) {
   return {voice.value.height, voice.value.width, kFollowVoice_s, true};
 }
 
+// Lips and voice mixed by the voice's share. A mouth that stays near its rest for kPause_s no longer drives:
+// the expression's own mouth (a smile) comes back while nobody speaks.
 Goal FromOperator(State& state, const board::Snapshot& board, float dt_s) {
   const float share = VoiceShare(state, board, dt_s);
   const Goal lips = FromLips(state, board.lips), voice = FromVoice(state, board.voice);
@@ -81,6 +88,8 @@ Goal FromOperator(State& state, const board::Snapshot& board, float dt_s) {
   return goal;
 }
 
+// A dial that is off its rest has the mouth before all others. The operator's lips are followed meanwhile, so
+// that they take over without a jump when the dial is turned back.
 Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
   const float hand = At(state.shown, Knob::kMouth);
   const float width = At(state.shown, Knob::kMouthWidth);
@@ -91,6 +100,9 @@ Goal WhoSpeaks(State& state, const board::Snapshot& board, float dt_s) {
 
 }  // namespace
 
+// Two shares move with the speech: mouth_drive gives the expression's mouth away and adds the two shut shapes;
+// mouth_said adds the two open ones and is faster while the mouth is small. The shapes are weighted bilinearly,
+// (1-open or open) x (1-wide or wide), in the order shut narrow, shut wide, open narrow, open wide.
 void MoveMouth(State& state, const board::Snapshot& board, const show::Channels& channels,
                face::Weights& weights, float dt_s) {
   Goal goal = WhoSpeaks(state, board, dt_s);
@@ -118,7 +130,8 @@ void MoveMouth(State& state, const board::Snapshot& board, const show::Channels&
 }
 
 // What does a share of the way that is left in each frame is behind by (1 - share) / share frames in the
-// mean.
+// mean. Approach leaves 2^(-frame / half life) of the way in each frame. The bound keeps the sum finite for
+// frames that are far shorter than the half life.
 Duration MouthLag(const State& state, Duration frame) {
   const double half_life_s = Mix(kFollowLips_s, kFollowVoice_s, state.mouth_voice);
   const double left = std::exp2(-Seconds(frame) / half_life_s);

@@ -13,23 +13,29 @@ constexpr float kKnobHalfLife_s = 0.03F;  // A detent is a step; the eye shall n
 
 constexpr std::uint8_t kKeySpace = 0x2C, kKeyZ = 0x1D, kKeyX = 0x1B;  // HID usage page 7.
 
+// What a stick pushed to its end does: 35, 23 and 20 degrees of the head and a lean of 12 cm to the audience;
+// 31 and 22 degrees of the gaze. Signs are those of scene.h: the character's left is the operator's right.
 constexpr float kHeadYaw_rad = 0.62F, kHeadPitch_rad = 0.40F, kHeadRoll_rad = 0.35F, kLean_m = 0.12F;
 constexpr float kGazeYaw_rad = 0.55F, kGazePitch_rad = 0.38F;
+// Half lives of what follows a stick: a head has mass, eyes dart.
 constexpr float kHeadHalfLife_s = 0.05F, kGazeHalfLife_s = 0.012F, kBrowHalfLife_s = 0.03F;
 constexpr float kHoldLost_s = 0.25F;  // A stick that is unplugged counts for this long,
 constexpr float kEaseLost_s = 1.0F;   // then eases to neutral in this time.
 constexpr float kEaseFound_s = 0.3F;
 
+// Whether a key is held; an unplugged keyboard holds none, its slot has released them.
 bool Down(const board::Keys& keys, std::uint8_t usage) {
   return (keys.down[usage / 32U] >> (usage % 32U)) & 1U;
 }
 
-// A fresh call takes over whole, whatever its dial said about the one before.
+// A fresh call takes over whole, whatever its dial said about the one before. The mixture keeps the old
+// dial's share as its beginning, so that the change of the dial is not seen either.
 void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, float fade_s) {
   Call(mixture, index, fade_s, At(state.shown, knob));
   At(state.knobs, knob) = At(state.shown, knob) = 1;
 }
 
+// Faces, expressions and styles fade as long as the Fade dial says, scenes as long as they say themselves.
 void Obey(State& state, const show::Call& call, const show::Show& show) {
   const float fade_s = At(state.knobs, Knob::kFade);
   switch (call.kind) {
@@ -57,6 +63,8 @@ void PlayMotion(State& state, int motion) {
   if (free != state.voices.end()) *free = {motion, 0, 1};
 }
 
+// A key does all that the show has for it. X shuts the character's left eye and Z the right one, which is how
+// they lie before the operator.
 void Struck(State& state, std::uint16_t usage, const show::Show& show) {
   if (usage == kKeySpace || usage == kKeyX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
   if (usage == kKeySpace || usage == kKeyZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
@@ -69,6 +77,7 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show) {
       EnterScene(state, show, static_cast<std::uint16_t>(i), show.scenes[i].fade_s);
 }
 
+// How much a stick counts, 0..1. A stick that comes back gets its full share within 0.3 s.
 float Presence(StickNow& now, board::SourceState source, float dt_s) {
   now.lost_s = source == board::SourceState::kLive ? 0 : now.lost_s + dt_s;
   const bool lost = now.lost_s > kHoldLost_s;
@@ -76,6 +85,7 @@ float Presence(StickNow& now, board::SourceState source, float dt_s) {
   return SmoothStep(now.presence);
 }
 
+// The hat pushed up raises the brows wholly, pulled down it frowns; sideways it does nothing.
 float HatBrow(std::int32_t hat) {
   if (hat == 0) return 1;
   return hat == 4 ? -1.0F : 0.0F;
@@ -83,6 +93,7 @@ float HatBrow(std::int32_t hat) {
 
 }  // namespace
 
+// State::shown is smoothed behind these values, which leap with each detent.
 void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_turn) {
   const auto per_turn = static_cast<float>(std::max(1, counts_per_turn));
   for (std::size_t i = 0; i < kKnobRanges.size(); ++i) {
@@ -105,6 +116,7 @@ void PlayPresses(State& state, const InputEvents& events, const show::Show& show
       Obey(state, show.buttons[press.code], show);
 }
 
+// The exposure's fade begins at what it is now, in the middle of another fade too.
 void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {
   const show::StageScene& scene = show.scenes[index];
   CallWhole(state, state.faces, Knob::kFace, scene.face, fade_s);
@@ -116,6 +128,8 @@ void EnterScene(State& state, const show::Show& show, std::uint16_t index, float
   state.scene = index;
 }
 
+// The goal is multiplied by the presence and not the pose, so that an unplugged stick lets the pose ease to
+// neutral on the same smooth way by which it follows.
 void MoveSticks(State& state, const board::Snapshot& board, float dt_s) {
   const board::Stick& left = board.sticks[0].value;
   const board::Stick& right = board.sticks[1].value;

@@ -8,14 +8,14 @@
 
 namespace kaori::performance {
 
-// Turns of the dials move the knobs, each within its range.
+// Turns of the dials move the knobs, each within its range. A value below 1 counts as 1 count per turn.
 void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_turn);
 
 // What the knobs do follows them softly, with a half life of 30 ms: a detent is not seen.
 void FollowKnobs(State& state, float dt_s);
 
-// Presses, in their order: buttons call faces, expressions, styles and scenes; keys too, and they blink, wink
-// and play registered motions.
+// Presses, in their order: buttons call faces, expressions, styles and scenes; keys too, and they blink, wink and
+// play registered motions. Calls that the show does not have never come here: CheckShow has refused such a show.
 void PlayPresses(State& state, const InputEvents& events, const show::Show& show);
 
 // Sets face, expression, style, exposure and backdrop of a scene on their way, each from what it is at this
@@ -26,7 +26,8 @@ void EnterScene(State& state, const show::Show& show, std::uint16_t scene, float
 // second, then eases to neutral within one.
 void MoveSticks(State& state, const board::Snapshot& board, float dt_s);
 
-// Lids that keys hold shut, and blinks that run: the shut part of the character's left, right eye, 0..1.
+// Lids that keys hold shut, and blinks that run: the shut part of the character's left, right eye, 0..1. The
+// greater of the two counts. Moves the blinks on by dt_s.
 std::array<float, 2> Lids(State& state, const board::Keys& keys, float dt_s);
 
 }  // namespace kaori::performance

@@ -4,6 +4,9 @@
 
 namespace kaori::performance {
 
+// Whatever refers to the old clock or board is made anew: the time, the counters that were seen, voices and
+// blinks. Fades are ended and dials are not smoothed in, so that the first frame equals the picture that was
+// kept with the state.
 State Recalled(const State& kept, const board::Snapshot& board, Time presented_at) {
   State state = kept;
   state.last = presented_at;

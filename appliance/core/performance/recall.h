@@ -7,7 +7,8 @@
 namespace kaori::performance {
 
 // `kept` on a board and a clock that began anew: face, expression, scene, look and dials as they were, every
-// fade done, and no motion, blink or blackout of that show. `kept` is valid (IsValid).
+// fade done, and no motion, blink or blackout of that show. `kept` is valid (IsValid). Pure. The blackout is
+// as the switch stands now.
 State Recalled(const State& kept, const board::Snapshot& board, Time presented_at);
 
 }  // namespace kaori::performance

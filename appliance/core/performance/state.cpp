@@ -22,10 +22,12 @@ bool Within(const glm::vec3& v, float far) {
   return Within({v.x, v.y, v.z}, -far, far);
 }
 
+// A fade that lasts longer than any show allows would hold the face for ever.
 bool IsValidFade(float progress, float duration_s) {
   return Within({progress}, 0, 1) && Within({duration_s}, 0, show::kLongestFade_s);
 }
 
+// The bounds leave room for rounding: weights were normalised once a call.
 bool IsValidTerms(const face::Terms& terms, std::size_t count) {
   if (static_cast<unsigned>(terms.size()) > face::Terms::kCapacity) return false;  // Nor below 0.
   const auto sound = [count](const face::Term& t) {
@@ -44,12 +46,15 @@ bool IsValidBackstage(const Backstage& b) {
          IsValidFade(b.progress, b.duration_s);
 }
 
+// Each within its own range: a value beyond its end would leap to it at the first turn of the dial.
 bool IsValidKnobs(const State& s) {
   for (std::size_t i = 0; i < kKnobRanges.size(); ++i)
     if (!Within({s.knobs[i], s.shown[i]}, kKnobRanges[i].low, kKnobRanges[i].high)) return false;
   return true;
 }
 
+// The bounds are many turns wide, since motions add to the sticks. They are to stop what would overflow the
+// trigonometry, not to judge a pose.
 bool IsValidPose(const State& s) {
   return Within({s.head.yaw_rad, s.head.pitch_rad, s.head.roll_rad, s.gaze.yaw_rad, s.gaze.pitch_rad},
                 -kFarTurn_rad, kFarTurn_rad) &&
@@ -58,6 +63,7 @@ bool IsValidPose(const State& s) {
          Within(s.sway.speed_rad_s, kFastTurn_rad_s) && Within(s.life.glance_rad, 1);
 }
 
+// Clocks that count seconds stop at 10 (see State), so that anything else was not written by this program.
 bool IsValidClocks(const State& s) {
   const auto stick = [](const StickNow& n) { return Within({n.presence}, 0, 1) && n.lost_s >= 0; };
   return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
@@ -69,6 +75,7 @@ bool IsValidClocks(const State& s) {
                 0, 1);
 }
 
+// A motion of -1 is a free voice. One second more than the longest motion is what a last step may add.
 bool IsValidVoices(const State& s, const show::Show& show) {
   return std::ranges::all_of(s.voices, [&show](const Playing& v) {
     return v.motion < static_cast<int>(show.motions.size()) &&

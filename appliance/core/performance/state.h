@@ -25,8 +25,7 @@ struct Backstage {
   float duration_s = 0;
 };
 
-// How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to
-// neutral.
+// How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to neutral.
 struct StickNow {
   float presence = 1;  // 1: what it says counts; eases to 0 when the device is lost.
   float lost_s = 0;    // For how long it has been gone.
@@ -59,15 +58,19 @@ struct Sway {
   glm::vec2 head_rad{};  // The head at the last frame.
 };
 
-// All of it; angles are as in render/scene/scene.h.
+// All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
+// Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
   static constexpr std::uint32_t kLayout = 7;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // When the last frame was to be presented.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
-  SeenInput seen;                              // ReadEvents alone changes it.
-  Mixture faces, expressions, styles;          // Indices into the cast, and scene::Style.
-  Mixture backdrops;                           // Of scenes, by their numbers.
+  // The board's counters at the last frame. ReadEvents alone changes it.
+  SeenInput seen;
+  Mixture faces, expressions, styles;  // Indices into the cast, and scene::Style.
+  Mixture backdrops;                   // Of scenes, by their numbers.
   Backstage backstage;
+  // What the dials say (see kKnobRanges), and the same smoothed, which is what the face shows. They begin as a
+  // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
   std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.
   std::array<StickNow, 2> sticks;
@@ -95,7 +98,8 @@ struct State {
 static_assert(std::is_trivially_copyable_v<State>);
 
 // Whether the show may go on with a state that was found on the board or on the disk: every number is finite
-// and in range, and everything that it calls exists in the show.
+// and in range, and everything that it calls exists in the show. Every field is checked, since the bytes may
+// come from another version of the program or from a disk that lies. Pure.
 bool IsValid(const State& state, const show::Show& show);
 
 }  // namespace kaori::performance

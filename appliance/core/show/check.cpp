@@ -16,6 +16,8 @@ bool Within(float value, float low, float high) {
   return value >= low && value <= high;
 }
 
+// How many things a call of this kind chooses from; 0 for a number that is no kind, so that every index of it
+// is a fault.
 std::size_t Count(const Show& show, CallKind kind) {
   switch (kind) {
     case CallKind::kNothing:
@@ -32,6 +34,8 @@ std::size_t Count(const Show& show, CallKind kind) {
   return 0;
 }
 
+// Indices of 16 bits stand in calls, terms and files; kMostItems keeps them there with room for the
+// expressions that the editor appends.
 void CheckCounts(const Show& show, Faults& faults) {
   const auto check = [&](const char* items, std::size_t count) {
     if (count > kMostItems)
@@ -65,6 +69,8 @@ void CheckKeyCall(const Show& show, const KeyCall& key, Faults& faults) {
     faults.push_back(fmt::format("{}: calls number {} of {}", item, call.index, Count(show, call.kind)));
 }
 
+// The player looks for keys by binary search and divides by their distance, so that times must rise; it adds
+// curves without a fade, so that they must begin and end at 0.
 void CheckCurve(const Show& show, const std::string& item, const MotionCurve& curve, Faults& faults) {
   if (curve.target > MotionTarget::kChannel || curve.channel >= show.cast.expressions.size())
     faults.push_back(item + ": a curve moves nothing that exists");
@@ -81,6 +87,7 @@ void CheckCurve(const Show& show, const std::string& item, const MotionCurve& cu
                                  kWidestMotion, kWidestMotion));
 }
 
+// The player mixes whole frames at 48 kHz; other rates were converted when the show was packed.
 void CheckSound(const std::string& item, const Sound& sound, Faults& faults) {
   if (sound.channels < 1 || sound.channels > 2)
     return faults.push_back(fmt::format("{}: a sound of {} channels", item, sound.channels));
@@ -98,6 +105,7 @@ void CheckMotion(const Show& show, const Motion& motion, Faults& faults) {
   CheckSound(item, motion.sound, faults);
 }
 
+// Linear or not, a colour has three parts within 0..1.
 bool IsColour(const glm::vec3& c) {
   return Within(c.x, 0, 1) && Within(c.y, 0, 1) && Within(c.z, 0, 1);
 }
@@ -146,6 +154,7 @@ void CheckChannels(const Show& show, Faults& faults) {
 
 }  // namespace
 
+// The cast's faults come first, then those of the show in the order of its parts.
 std::vector<std::string> CheckShow(const Show& show) {
   Faults faults = face::FindFaults(show.cast);
   CheckCounts(show, faults);

@@ -1,5 +1,5 @@
-// The show pack: one file, verified when it is opened, copied out of it into a Show, but for textures: they stay
-// in the file's memory, and the show keeps that.
+// The show pack: one file, verified when it is opened, copied out of it into a Show, but for textures: they
+// stay in the file's memory, and the show keeps that. pack_container.h has the header, pack.fbs the content.
 #pragma once
 
 #include <cstdint>
@@ -26,17 +26,20 @@ struct LoadOptions {
 // CheckShow faults are refused with one line that names the file and the reason. Errors:
 //   as open(2) and read(2)  the file cannot be read
 //   invalid_argument        it is no sound pack of this version, or not signed as asked
+// Any thread; it takes in the order of a millisecond for each megabyte, most of it for the checksum.
 Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options = {});
 
 // The sounds of its motions, in their order, an empty one for a motion without; of a show on a verified root
-// nothing else is read. Errors: as LoadPack, but for what CheckShow faults elsewhere.
+// nothing else is read. Errors: as LoadPack, but for what CheckShow faults elsewhere. For the lip program,
+// which plays sounds and draws nothing.
 Result<std::vector<Sound>> LoadSounds(const std::filesystem::path& file, const LoadOptions& options = {});
 
-// Who signed a pack, if anybody; reads its header alone. Errors: as LoadPack.
+// Who signed a pack, if anybody; reads its header alone. Errors: as LoadPack. The content is not checked: a
+// signer is told even of a pack that is damaged behind its header.
 Result<std::optional<PublicKey>> ReadSigner(const std::filesystem::path& file);
 
 // The bytes of a pack, signed where a key is given. The show must be sound: LoadPack of the bytes gives the
-// same show.
+// same show. The same show and key give the same bytes. `signer` is borrowed for the call.
 std::vector<std::uint8_t> EncodePack(const Show& show, const SecretKey* signer = nullptr);
 
 // Writes the file whole or not at all; what stood there is kept until then. Errors: those of WriteWholeFile.

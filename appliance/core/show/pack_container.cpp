@@ -10,7 +10,9 @@ namespace kaori::show {
 namespace {
 
 constexpr std::string_view kMark = "KAORI\r\n\x1A";
-constexpr std::string_view kContentMark = "KAOR";  // FlatBuffers' identifier, at byte 4 of a content.
+// FlatBuffers' identifier, at byte 4 of a content. Version 1 had no header, so that it stood at byte 4 of the file.
+constexpr std::string_view kContentMark = "KAOR";
+// Offsets into the header, as pack_container.h lists them.
 constexpr std::size_t kVersionAt = 8;
 constexpr std::size_t kSignedAt = 12;
 constexpr std::size_t kLengthAt = 16;
@@ -23,6 +25,7 @@ static_assert(sizeof(crypto_generichash_state) == 384);
 
 using Bytes = std::span<const std::uint8_t>;
 
+// Little-endian, as many bytes as `into` has; NumberAt is the inverse.
 void PutNumber(std::uint64_t value, std::span<std::uint8_t> into) {
   for (std::uint8_t& byte : into) {
     byte = static_cast<std::uint8_t>(value);
@@ -44,6 +47,8 @@ bool AllZero(Bytes bytes) {
   return std::ranges::all_of(bytes, [](std::uint8_t b) { return b == 0; });
 }
 
+// The order goes from the most useful message to the least: a pack of an old version is told apart from a
+// file that is none, and a file that ends early from one of another version.
 Result<void> CheckMark(Bytes bytes) {
   if (bytes.size() >= 8 && Begins(bytes.subspan(4), kContentMark))
     return FailInput("is a show pack of version 1; this box plays version 2: pack it again");
@@ -55,6 +60,7 @@ Result<void> CheckMark(Bytes bytes) {
                    std::to_string(kPackVersion));
 }
 
+// Both lengths are bounded before they are added up, so that a forged one cannot overflow.
 Result<void> CheckLength(std::uint64_t content_bytes, std::uint64_t file_bytes) {
   if (file_bytes > kLargestPack_bytes || content_bytes > kLargestPack_bytes)
     return FailInput("is larger than " + std::to_string(kLargestPack_bytes >> 20U) + " MB, and no show is");
@@ -64,7 +70,9 @@ Result<void> CheckLength(std::uint64_t content_bytes, std::uint64_t file_bytes) 
                    std::to_string(file_bytes));
 }
 
-// A signature that is there must be good, asked for or not: a wrong one is damage.
+// A signature that is there must be good, asked for or not: a wrong one is damage. An unsigned header has
+// zeros where a signature would be, so that every header has one form only and no byte of it can be changed
+// unseen. Whether the signer is one to be trusted is for the caller to say.
 Result<std::optional<PublicKey>> ReadSigner(Bytes header) {
   const std::uint64_t is_signed = NumberAt(header.subspan(kSignedAt, 4));
   if (is_signed > 1 || !AllZero(header.subspan(kZerosAt)))
@@ -83,6 +91,7 @@ Result<std::optional<PublicKey>> ReadSigner(Bytes header) {
 
 }  // namespace
 
+// The signature covers version, length, checksum and signer (bytes 0 to 87), and by the checksum the content.
 PackHeader MakeHeader(Bytes content, const SecretKey* signer) {
   PackHeader header{};
   const std::span<std::uint8_t> at(header);

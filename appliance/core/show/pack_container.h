@@ -1,5 +1,4 @@
-// What stands before a pack's content: mark, version, length, checksum and, where it is signed, the
-// signature.
+// What stands before a pack's content: mark, version, length, checksum and, where it is signed, the signature.
 #pragma once
 
 #include <array>
@@ -14,6 +13,8 @@
 
 namespace kaori::show {
 
+// Raised when older programs could not read a pack any more. Fields that FlatBuffers adds at the end of a
+// table need no new version: they read as their default.
 inline constexpr std::uint32_t kPackVersion = 2;
 
 // Packs are read whole into memory; a show of 100 000 triangles and 16 faces takes less than 0.2 GB.
@@ -40,14 +41,16 @@ struct PackSeal {
   std::optional<PublicKey> signer;  // Its signature is good.
 };
 
+// Makes the header of a content, signed where `signer` is not null. Reads all of the content once.
 PackHeader MakeHeader(std::span<const std::uint8_t> content, const SecretKey* signer);
 
 // Reads a header of a file of `file_bytes`. `bytes` may be shorter than a header, and anything. Errors:
 //   invalid_argument  no pack, another version, cut off, too large, or wrongly signed; the words follow on a
 //                     file's name: "is no show pack"
+// The content is not looked at: its checksum is for the caller to compare. Pure.
 Result<PackSeal> ReadHeader(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes);
 
-// Adds up a checksum piece by piece.
+// Adds up a checksum piece by piece, in any cut of the pieces. After Finish it is used up.
 class Checksummer {
  public:
   Checksummer();

@@ -11,6 +11,7 @@
 
 namespace kaori::show {
 
+// The bytes of a show's content, of which DecodeContent is the inverse. Pure.
 std::vector<std::uint8_t> EncodeContent(const Show& show);
 
 // Safe for any bytes; `content` starts at a multiple of 16. Copies everything out, and never more bytes than
@@ -18,6 +19,7 @@ std::vector<std::uint8_t> EncodeContent(const Show& show);
 // `keeper` keeps the content alive, textures stay in it, and hold on to the keeper. Does not check the show
 // (see check.h). Errors:
 //   invalid_argument  the words follow on a file's name: "is damaged: ..."
+// A null keeper copies the textures as well.
 Result<Show> DecodeContent(std::span<const std::uint8_t> content,
                            std::shared_ptr<const void> keeper = nullptr);
 

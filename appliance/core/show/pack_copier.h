@@ -1,5 +1,4 @@
-// Copies arrays out of a FlatBuffer, and never more bytes than it has: tables of a forged one may share
-// theirs.
+// Copies arrays out of a FlatBuffer, and never more bytes than it has: tables of a forged one may share theirs.
 #pragma once
 
 #include <cstring>
@@ -14,15 +13,18 @@
 namespace kaori::show {
 
 // Absent arrays read as empty, and so does everything once too much was asked for: CheckShow says what is
-// missing.
+// missing. Used for one content, by one thread; what it gives is independent of the content but for Texels.
 class Copier {
  public:
   // Textures stay where they are while `keeper` lives; without one they are copied too.
   explicit Copier(std::size_t bytes_at_most, std::shared_ptr<const void> keeper = nullptr)
       : left_(bytes_at_most), keeper_(std::move(keeper)) {}
 
+  // More was asked for than the content has: its tables share arrays, which no pack of ours does. Everything
+  // that was read is to be thrown away then.
   bool overdrawn() const { return overdrawn_; }
 
+  // An array of plain structs, moved by one copy: SameBytes says that both have the same layout.
   template <class Held, class Stored>
   std::vector<Held> Structs(const flatbuffers::Vector<const Stored*>* stored) {
     SameBytes<Stored, Held>();
@@ -38,6 +40,7 @@ class Copier {
     return {stored->data(), stored->data() + stored->size()};
   }
 
+  // The pixels of a texture, where they lie as long as the keeper lives. They count against the budget too.
   face::Texels Texels(const flatbuffers::Vector<std::uint8_t>* stored) {
     if (!keeper_) return Numbers(stored);
     if (stored == nullptr || !Reserve(stored->size())) return {};
@@ -59,6 +62,7 @@ class Copier {
   }
 
  private:
+  // Takes `bytes` off the budget, and gives whether they were there; once they were not, no more are given.
   bool Reserve(std::size_t bytes) {
     overdrawn_ = overdrawn_ || bytes > left_;
     if (!overdrawn_) left_ -= bytes;

@@ -21,16 +21,19 @@ namespace {
 // Read and summed up in pieces that stay in the cache between the two.
 constexpr std::size_t kPiece_bytes = std::size_t{256} << 10U;
 
-// Memory that is not cleared before it is filled.
+// Memory by whole pages, which is not cleared before it is filled and may be of huge pages: a content is read
+// once, front to back.
 class Pages {
  public:
+  // Private memory. madvise may fail, and then costs nothing but speed.
   static Result<Pages> Allocate(std::size_t bytes, const std::string& name) {
     void* at = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (at == MAP_FAILED) return FailErrno("find memory for the show " + name);
     ::madvise(at, bytes, MADV_HUGEPAGE);
     return Pages({static_cast<std::uint8_t*>(at), bytes});
   }
-  // The file itself, which nobody can change or shorten.
+  // The file itself, which nobody can change or shorten: for a verified root only. Elsewhere a file that
+  // shrinks would end the process by SIGBUS.
   static Result<Pages> Map(int fd, std::size_t bytes, const std::string& name) {
     void* at = ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE, fd, 0);
     if (at == MAP_FAILED) return FailErrno("read the show " + name);
@@ -53,11 +56,13 @@ struct OpenFile {
   std::uint64_t bytes = 0;
 };
 
-// What stands in a header is said of the file.
+// What stands in a header is said of the file: the attempt of such an error is the end of a sentence.
 tl::unexpected<Error> Refuse(const std::string& name, const Error& error) {
   return FailAs(error, name + " " + error.attempt);
 }
 
+// O_NONBLOCK: opening a pipe must not wait for its writer. The kind of file is asked of the descriptor, so
+// that nothing changes between look and use.
 Result<OpenFile> Open(const std::string& name) {
   OpenFile file{.fd = UniqueFd(::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))};
   if (!file.fd.valid()) return FailErrno("open the show " + name);
@@ -83,6 +88,7 @@ Result<std::size_t> ReadUpTo(int fd, std::span<std::uint8_t> into, const std::st
   return done;
 }
 
+// Reads the header from the beginning of the file; afterwards the descriptor stands at the content.
 Result<PackSeal> ReadSeal(const OpenFile& file, const std::string& name) {
   PackHeader header{};
   const auto got = ReadUpTo(file.fd.get(), header, name);
@@ -98,6 +104,8 @@ Result<void> CheckSigner(const std::string& name, const PackSeal& seal, const Lo
                                        : " is not signed, and this box plays signed packs only"));
 }
 
+// Each piece is summed up while it is in the cache. The length is the header's, so that a file that grows
+// meanwhile is read no further than was agreed.
 Result<Pages> ReadContent(const OpenFile& file, const PackSeal& seal, const std::string& name) {
   auto pages = Pages::Allocate(std::max<std::size_t>(seal.content_bytes, 1), name);
   if (!pages) return pages;
@@ -123,6 +131,8 @@ struct Content {
   std::span<const std::uint8_t> bytes() const { return pages.bytes().subspan(begin, length); }
 };
 
+// The content lives on for as long as a texture of the show points into it. Only the first fault is said in
+// whole: a pack is made by our own tools, which say all of them.
 Result<Show> DecodeChecked(Content opened, const std::string& name) {
   const auto content = std::make_shared<const Content>(std::move(opened));
   auto show = DecodeContent(content->bytes(), content);
@@ -133,6 +143,8 @@ Result<Show> DecodeChecked(Content opened, const std::string& name) {
                    (faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more faults)" : ""));
 }
 
+// The signature is checked before the content is read: it covers the checksum, and what is not trusted
+// is not worth reading.
 Result<Content> OpenContent(const std::string& name, const LoadOptions& options) {
   const auto open = Open(name);
   if (!open) return tl::unexpected(open.error());

@@ -21,6 +21,7 @@ constexpr std::string_view kSecretMark = "kaori-secret-key ";
 constexpr std::string_view kPublicMark = "kaori-public-key ";
 constexpr std::size_t kMostKeyFile_bytes = 4096;  // A line, and room for remarks behind it.
 
+// "MARK HEX" and a line end. sodium_bin2hex ends its text with a zero, which becomes the line end.
 std::string Line(std::string_view mark, std::span<const std::uint8_t> bytes) {
   std::string hex(2 * bytes.size() + 1, '\0');
   sodium_bin2hex(hex.data(), hex.size(), bytes.data(), bytes.size());
@@ -28,7 +29,8 @@ std::string Line(std::string_view mark, std::span<const std::uint8_t> bytes) {
   return std::string(mark) + hex;
 }
 
-// Fills `bytes` from a line as Line writes it.
+// Fills `bytes` from a line as Line writes it. The text is wiped afterwards, since it may be a secret key's.
+// Only the first line is read; remarks may follow.
 Result<void> ReadLine(const std::filesystem::path& file, std::string_view mark,
                       std::span<std::uint8_t> bytes) {
   auto text = ReadFile(file, {.most_bytes = kMostKeyFile_bytes});
@@ -45,6 +47,7 @@ Result<void> ReadLine(const std::filesystem::path& file, std::string_view mark,
                    std::to_string(bytes.size()) + " bytes");
 }
 
+// A secret key that is written over is lost for good, and every box that trusts it with it.
 Result<void> RefuseExisting(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::exists(file, error))
@@ -58,6 +61,7 @@ SecretKey::~SecretKey() {
   sodium_memzero(bytes_.data(), bytes_.size());
 }
 
+// libsodium keeps the public key as the second half of the secret one.
 PublicKey SecretKey::public_key() const {
   PublicKey key;
   std::copy_n(bytes_.end() - static_cast<std::ptrdiff_t>(key.bytes.size()), key.bytes.size(),
@@ -73,6 +77,7 @@ Result<SecretKey> MakeKey() {
   return key;
 }
 
+// The secret key goes first: where the second file fails, its public key can be made again from it.
 Result<void> SaveKey(const SecretKey& key, const std::filesystem::path& file) {
   const std::filesystem::path open_file = file.string() + ".pub";
   for (const auto& path : {file, open_file})

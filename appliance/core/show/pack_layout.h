@@ -13,12 +13,15 @@ namespace kaori::show {
 // Packs are little-endian, as every machine that the box runs on.
 static_assert(FLATBUFFERS_LITTLEENDIAN == 1);
 
+// Refuses, when the program is built, two types that cannot have the same bytes. That their fields stand in
+// the same order is for pack.fbs to keep, and the tests of packs see it.
 template <class Stored, class Held>
 constexpr void SameBytes() {
   static_assert(std::is_trivially_copyable_v<Stored> && std::is_trivially_copyable_v<Held>);
   static_assert(sizeof(Stored) == sizeof(Held) && alignof(Stored) == alignof(Held));
 }
 
+// The same bytes under the other name; borrows.
 template <class Stored, class Held>
 const Stored* AsStored(const std::vector<Held>& held) {
   SameBytes<Stored, Held>();

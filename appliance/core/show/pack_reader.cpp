@@ -10,6 +10,8 @@
 namespace kaori::show {
 namespace {
 
+// Bounds of the verifier against forged contents: a show of 16 faces and 60 expressions has some hundred
+// tables, four deep.
 constexpr flatbuffers::uoffset_t kMaxTables = 100'000;
 constexpr flatbuffers::uoffset_t kMaxDepth = 16;
 
@@ -23,6 +25,7 @@ glm::vec3 Vec(const pack::Vec3* v) {
   return v == nullptr ? glm::vec3{} : glm::vec3(v->x(), v->y(), v->z());
 }
 
+// A table that is missing reads as an empty value, here and below; the checks of the cast then say what is wrong.
 face::SparseRows ReadRows(Copier& from, const pack::SparseRows* rows) {
   if (rows == nullptr) return {};
   return {from.Numbers(rows->row_start()), from.Numbers(rows->column()), from.Numbers(rows->weight())};
@@ -47,6 +50,7 @@ face::LidRig ReadLids(Copier& from, const pack::LidRig& rig) {
           .follow_lower = from.Numbers(rig.follow_lower())};
 }
 
+// Fixed arrays (two lids, two eyes) take what is there and leave the rest at its default; more is left out.
 face::Topology ReadTopology(Copier& from, const pack::Topology* stored) {
   if (stored == nullptr) return {};
   face::Topology topology{.vertex_count = stored->vertex_count(),
@@ -64,6 +68,7 @@ face::Topology ReadTopology(Copier& from, const pack::Topology* stored) {
   return topology;
 }
 
+// Names and positions are two arrays in the file. The shorter one counts.
 face::ControlNet ReadNet(Copier& from, const pack::ControlNet* stored) {
   if (stored == nullptr) return {};
   face::ControlNet net{.points = {},
@@ -111,6 +116,7 @@ face::Texture ReadTexture(Copier& from, const pack::Texture& stored) {
   return {stored.width_px(), stored.height_px(), from.Texels(stored.rgba())};
 }
 
+// A number of channels that is none is refused by CheckShow, and by IsSound where sounds alone are read.
 Sound ReadSound(Copier& from, const pack::Motion& stored) {
   return {static_cast<int>(Narrow<std::uint8_t>(stored.sound_channels())), from.Numbers(stored.sound())};
 }
@@ -180,6 +186,9 @@ Show Read(Copier& from, const pack::Pack& stored) {
   return show;
 }
 
+// FlatBuffers' verifier sees to it that every offset lies within the content, so that reading is safe for any
+// bytes. It does not see that two tables share an array, which could make a small file unfold to gigabytes:
+// the copier's budget does.
 template <class Reader>
 auto Decode(std::span<const std::uint8_t> content, std::shared_ptr<const void> keeper, Reader read)
     -> Result<decltype(read(std::declval<Copier&>(), std::declval<const pack::Pack&>()))> {

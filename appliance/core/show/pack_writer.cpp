@@ -10,8 +10,11 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
+// The builder grows by copying; one guess that fits most shows spares that.
 constexpr std::size_t kFirstGuessBytes = 64U << 20U;
 
+// Children before parents: FlatBuffers writes from back to front, so that each function makes the parts of a
+// table first and the table last, in the order of pack.fbs.
 template <class Stored, class Held>
 auto Structs(FlatBufferBuilder& to, const std::vector<Held>& held) {
   return to.CreateVectorOfStructs(AsStored<Stored>(held), held.size());
@@ -115,9 +118,11 @@ Offset<pack::MotionCurve> Write(FlatBufferBuilder& to, const MotionCurve& curve)
   return pack::CreateMotionCurve(to, static_cast<std::uint32_t>(curve.target), curve.channel, keys);
 }
 
+// Declared first, since WriteAll finds its overloads where it is defined.
 Offset<pack::Motion> Write(FlatBufferBuilder& to, const Motion& motion);
 Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene);
 
+// A vector of tables; offsets are those that Write gave for each.
 template <class T>
 auto WriteAll(FlatBufferBuilder& to, const std::vector<T>& all) {
   std::vector<decltype(Write(to, all.front()))> offsets;

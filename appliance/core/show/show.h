@@ -1,4 +1,6 @@
-// A show: the cast, and what each control of the operators calls up. Checked once, when it is loaded.
+// A show: the cast, and what each control of the operators calls up. Checked once, when it is loaded. Plain
+// values that own all they refer to by index; read-only once it plays, but for the expressions that the
+// editor renews (Studio::Renew).
 #pragma once
 
 #include <array>
@@ -25,12 +27,13 @@ inline constexpr std::uint16_t kKeyUsages = 256;
 
 // What pushing a lit button of the box does. `index` is into faces, expressions, styles or scenes.
 enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene };
+// An index that is out of range is a fault of the show, which CheckShow finds.
 struct Call {
   CallKind kind = CallKind::kNothing;
   std::uint16_t index = 0;
 };
 
-// A key of the keyboard that calls what a button may call.
+// A key of the keyboard that calls what a button may call. `key_usage` is a usage of HID page 7, below kKeyUsages.
 struct KeyCall {
   std::uint16_t key_usage = 0;
   Call call;
@@ -46,6 +49,7 @@ enum class MotionTarget : std::uint8_t {
   kLids,
   kChannel
 };
+// One point of a curve. Between two of them the value eases in and out (performance/motions.cpp).
 struct MotionKey {
   float at_s = 0;
   float value = 0;  // Radians, or a weight.
@@ -55,20 +59,24 @@ struct MotionCurve {
   std::uint16_t channel = 0;    // Index of Cast::expressions, where the target is a channel.
   std::vector<MotionKey> keys;  // Times rise from 0 or later; the first and last value are 0: nothing jumps.
 };
-// A recorded sound.
+// The rate of every recorded sound: that of the loudspeaker, so that nothing is converted while a show plays.
 inline constexpr int kSoundRate_hz = 48000;
+// 16 bits a sample, frames one after the other; at most kLongestMotion_s long.
 struct Sound {
   int channels = 1;                   // 1, or 2: left and right side by side.
   std::vector<std::int16_t> samples;  // Whole frames; none: no sound.
 };
+// Called by its key; while others play they fade out, and this one adds its curves to what the operators move.
 struct Motion {
   std::string name;
-  std::uint16_t key_usage = 0;  // HID keyboard usage that plays it.
+  // HID keyboard usage that plays it; 0: no key does.
+  std::uint16_t key_usage = 0;
   std::vector<MotionCurve> curves;
   Sound sound{};  // Begins when the curves do.
 };
 
-// What a scene change sets, all at once, each with its own fade.
+// What a scene change sets, all at once, each with its own fade. The fade's length is in seconds, 0 ..
+// kLongestFade_s; the exposure multiplies all light, 0 .. kMostExposure.
 struct StageScene {
   std::string name;
   std::uint16_t key_usage = 0;
@@ -89,6 +97,7 @@ struct Channels {
   std::array<int, 4> mouth{-1, -1, -1, -1};  // Shut narrow, shut wide, open narrow, open wide.
 };
 
+// Everything that one evening plays. It may hold a few hundred megabytes: it is moved, and not copied.
 struct Show {
   std::string name;
   face::Cast cast;

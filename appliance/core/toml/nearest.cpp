@@ -5,6 +5,7 @@
 namespace kaori::toml {
 namespace {
 
+// ASCII only: names in our files have no other letters.
 char Small(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -32,6 +33,9 @@ constexpr std::size_t kLongestName =
 
 }  // namespace
 
+// As many letters may differ as a third of the length, one more where the name has more than one letter, and
+// two at most; `least` is one above that, since only a smaller distance counts. Of equally near names the
+// first is given. A distance of a name's whole length would mean that nothing of it was written.
 std::string_view Nearest(std::string_view written, const std::vector<std::string_view>& names) {
   std::string_view nearest;
   std::size_t least = std::min<std::size_t>(2, written.size() / 3 + (written.size() > 1 ? 1 : 0)) + 1;

@@ -12,6 +12,7 @@
 namespace kaori::toml {
 namespace {
 
+// What a missing table reads as, so that the readers of its keys can go on.
 const Value& EmptyTable() {
   static const Value empty;
   return empty;
@@ -19,12 +20,14 @@ const Value& EmptyTable() {
 
 }  // namespace
 
+// The form is that of compilers, which editors find: "file:line: item: reason".
 void Faults::Add(int line, std::string_view item, std::string_view reason) {
   if (IsFaulty(item)) return;
   items_.emplace_back(item);
   lines_.push_back(fmt::format("{}:{}: {}{}{}", file_, line, item, item.empty() ? "" : ": ", reason));
 }
 
+// "eye" covers "eye.radius" and "eye[2]", but not "eyes".
 bool Faults::IsFaulty(std::string_view item) const {
   return std::any_of(items_.begin(), items_.end(), [item](const std::string& faulty) {
     const bool within = item.starts_with(faulty) && !faulty.empty();
@@ -45,11 +48,14 @@ std::string Section::ItemName(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
+// The line of the value where it is there, else of its table.
 void Section::Fault(std::string_view key, std::string_view reason) {
   const Value* value = Find(key);
   faults_->Add(value != nullptr ? value->line : table_->line, ItemName(key), reason);
 }
 
+// The one place where a value that is missing, or is of the wrong kind, becomes a fault; null means that it
+// has. `what` ends the sentence "must be ...".
 const Value* Section::Need(std::string_view key, Value::Kind kind, std::string_view what) {
   const Value* value = Find(key);
   if (value == nullptr) {
@@ -66,6 +72,7 @@ double Section::Number(std::string_view key) {
   return value != nullptr ? value->number : 0;
 }
 
+// Written as "not within" and so true for NaN too. A key that is missing has its fault already.
 double Section::Length_cm(std::string_view key, Range within_cm) {
   const double length = Number(key);
   if (Has(key) && !(length >= within_cm.low && length <= within_cm.high))
@@ -112,6 +119,7 @@ glm::dvec3 Section::Point_cm(std::string_view key, double most_cm) {
   return point;
 }
 
+// A wrong item is a fault and counts as 0, so that the list keeps its length. The same holds for Points and Texts.
 std::vector<double> Section::Numbers(std::string_view key) {
   std::vector<double> numbers;
   const Value* value = Need(key, Value::Kind::kList, "a list of numbers");
@@ -151,6 +159,7 @@ Section Section::Part(std::string_view key) {
   return {value != nullptr ? *value : EmptyTable(), ItemName(key), *faults_};
 }
 
+// Parts are numbered from 1 in messages, as people count. An item that is no table reads as an empty one.
 std::vector<Section> Section::Parts(std::string_view key) {
   std::vector<Section> parts;
   if (!Has(key)) return parts;

@@ -50,6 +50,9 @@ class Section {
   // `name` is how faults call the table: "eye", "scene \"night\""; empty for the file itself.
   Section(const Value& table, std::string name, Faults& faults);
 
+  // Each reads the value of one key. The plain form wants it: a key that is missing, or of another kind, is a
+  // fault and reads as 0, "" or an empty list. The form with Or takes `otherwise` where the key is missing;
+  // one of the wrong kind is a fault all the same.
   double Number(std::string_view key);
   double NumberOr(std::string_view key, double otherwise);
   // Centimetres. A fault outside of `within_cm` says so, since the usual cause is metres or millimetres.
@@ -72,8 +75,10 @@ class Section {
   const Value* Find(std::string_view key) const { return toml::Find(*table_, key); }
   const Value& table() const { return *table_; }
 
-  // Every key must be one of `known`: a typing error must not pass silently.
+  // Every key must be one of `known`: a typing error must not pass silently. The fault names the nearest
+  // known key where one is near.
   void AllowOnly(std::initializer_list<std::string_view> known);
+  // Adds a fault of the caller's own, as "is 40, and must ..."; an empty key stands for the table itself.
   void Fault(std::string_view key, std::string_view reason);
 
  private:

@@ -14,6 +14,7 @@ namespace {
 
 Result<Value> Convert(const ::toml::node& node, const std::string& file);
 
+// A value with its kind and the position that the parser noted for its beginning.
 Value Begin(Value::Kind kind, const ::toml::node& node) {
   const auto& begin = node.source().begin;
   return {.kind = kind, .line = static_cast<int>(begin.line), .column = static_cast<int>(begin.column)};
@@ -39,6 +40,8 @@ Result<Value> ConvertTable(const ::toml::table& table, const std::string& file) 
   return value;
 }
 
+// Whole numbers and fractions are one kind here, as people write them. TOML knows nan and inf: no value of
+// ours may be one.
 Result<Value> ConvertNumber(const ::toml::node& node, const std::string& file) {
   Value value = Begin(Value::Kind::kNumber, node);
   value.number = node.value<double>().value_or(NAN);
@@ -47,6 +50,7 @@ Result<Value> ConvertNumber(const ::toml::node& node, const std::string& file) {
   return value;
 }
 
+// Calls itself once a level; CheckLevels has bounded those before the parser ran.
 Result<Value> Convert(const ::toml::node& node, const std::string& file) {
   if (const ::toml::array* array = node.as_array()) return ConvertList(*array, file);
   if (const ::toml::table* table = node.as_table()) return ConvertTable(*table, file);

@@ -33,6 +33,7 @@ const Value* Find(const Value& table, std::string_view key);
 //   bad_message       tables nest deeper than kMostLevels (kInput)
 //   invalid_argument  the text is no TOML, or holds a number that is not finite or a date (kInput); the attempt
 //                     says "file:line: reason"
+// Only the first fault of the syntax is told, as the parser gives it. The result owns all of its texts.
 Result<Value> Parse(std::string_view text, const std::string& file);
 
 // ReadFile, which blocks for the disk, then Parse. Errors: as both.
