@@ -27,9 +27,8 @@ struct Profile {
 // Reads the words of a settings file. With a fault all else is the usual.
 Profile ReadProfile(std::string_view text);
 
-// Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one
-// is left as it is: then the last good one counts, and the fault is named. Where there is none the usual
-// profile counts.
+// Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one is left
+// as it is: then the last good one counts, and the fault is named. Where there is none the usual profile counts.
 Profile ChooseProfile(const std::filesystem::path& folder);
 
 }  // namespace kaori::boot

@@ -46,8 +46,7 @@ struct Between {
   int first = 0, second = 0, share = 0;
 };
 
-// Where the middle of pixel `at` of `to` lies among `from` pixels that become `stretched`, in the middle of
-// it.
+// Where the middle of pixel `at` of `to` lies among `from` pixels that become `stretched`, in the middle of it.
 Between Place(int at, int to, int from, int stretched) {
   const std::int64_t twice = 2 * std::int64_t{at} + 1 - to + stretched;  // Of half a stretched pixel.
   const std::int64_t place = twice * from * 128 / stretched - 128;       // Of 1/256 of a pixel of the still.

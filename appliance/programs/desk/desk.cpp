@@ -18,8 +18,7 @@ using web::Request;
 constexpr unsigned kMaxConnections = 64;
 constexpr unsigned kMaxOfOneAddress = 24;  // A browser opens six; one host must not keep the others out.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(60);
-// An unchanged state is sent this often, since listeners that are gone are noticed only when something is
-// sent.
+// An unchanged state is sent this often, since listeners that are gone are noticed only when something is sent.
 constexpr Duration kKeepAlive = std::chrono::seconds(1);
 constexpr Duration kCodePeriod = std::chrono::seconds(1);
 constexpr int kQuality = 80;
@@ -31,8 +30,7 @@ constexpr std::string_view kCookie = "kaori-desk=";
 constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
                                                                  "/picture/mask"};
 
-// A part of the endless picture. It ends with the next boundary, since browsers show a part when that
-// arrives.
+// A part of the endless picture. It ends with the next boundary, since browsers show a part when that arrives.
 std::string PicturePart(std::string_view jpeg) {
   return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg,
                      kBoundary);

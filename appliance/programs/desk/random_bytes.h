@@ -10,8 +10,7 @@ namespace kaori::desk {
 // Fills the whole span with random bytes.
 using RandomBytes = std::function<void(std::span<std::uint8_t>)>;
 
-// Fills `bytes` from getrandom(2). It ends the program where that fails, since a code that can be guessed is
-// worse.
+// Fills `bytes` from getrandom(2). It ends the program where that fails, since a code that can be guessed is worse.
 void FillWithKernelRandom(std::span<std::uint8_t> bytes);
 
 }  // namespace kaori::desk

@@ -24,10 +24,9 @@ namespace kaori::editor {
 // One thread, that of the stage; the disk is left to another one.
 class ExpressionEditor {
  public:
-  // Appends the box's own expressions, and the one in work, to the show's cast: kSlots + 1 of them, empty or
-  // not, so that their number never changes. Takes up the work that an earlier session left in the journal.
-  // Logs what was found and what could not be read; without its folder the editor works in memory. Blocks for
-  // the disk.
+  // Appends the box's own expressions, and the one in work, to the show's cast: kSlots + 1 of them, empty or not,
+  // so that their number never changes. Takes up the work that an earlier session left in the journal. Logs what
+  // was found and what could not be read; without its folder the editor works in memory. Blocks for the disk.
   static std::unique_ptr<ExpressionEditor> Open(const std::filesystem::path& folder, show::Show& show);
   ~ExpressionEditor();
 

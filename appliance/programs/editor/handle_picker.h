@@ -1,5 +1,4 @@
-// Where the handles stand in the picture that was shown last: to choose one, and to pull it where a pointer
-// goes.
+// Where the handles stand in the picture that was shown last: to choose one, and to pull it where a pointer goes.
 #pragma once
 
 #include <optional>
@@ -28,8 +27,7 @@ class HandlePicker {
   // enough to be meant.
   std::optional<std::size_t> Nearest(glm::vec2 position) const;
 
-  // The next visible handle from this one in a direction of the picture, right and up; none when there is
-  // none.
+  // The next visible handle from this one in a direction of the picture, right and up; none when there is none.
   std::optional<std::size_t> Next(std::size_t from, glm::vec2 direction) const;
 
   // The pull that takes the handle through the picture by `step` (parts of its width and height, right and

@@ -11,8 +11,7 @@
 
 namespace kaori::editor {
 
-// For people: centimetres to a micrometre, what is alike on both sides once, and nothing of what does not
-// move.
+// For people: centimetres to a micrometre, what is alike on both sides once, and nothing of what does not move.
 std::string WriteOwn(const Work& work, const Points& points);
 
 // `file` names the text in errors. The text may build ("from") on expressions of the cast. Errors:

@@ -1,5 +1,4 @@
-// What the editor knows of a cast's control points: their names, their partners, and how far each is from
-// each.
+// What the editor knows of a cast's control points: their names, their partners, and how far each is from each.
 #pragma once
 
 #include <cstdint>

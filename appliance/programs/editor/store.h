@@ -1,5 +1,4 @@
-// The folder of the box's own expressions: one readable file for each, "03-my_smile.toml" for the third
-// slot.
+// The folder of the box's own expressions: one readable file for each, "03-my_smile.toml" for the third slot.
 #pragma once
 
 #include <array>

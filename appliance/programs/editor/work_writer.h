@@ -31,12 +31,10 @@ class WorkWriter {
   WorkWriter(const WorkWriter&) = delete;
   WorkWriter& operator=(const WorkWriter&) = delete;
 
-  // For the journal: `change` led to `work`. Changes of one gesture that were not written yet become one
-  // record.
+  // For the journal: `change` led to `work`. Changes of one gesture that were not written yet become one record.
   void Note(Change change, const Work& work);
 
-  // Writes the file of work.slot, or removes it. A later request for the same slot replaces one that was not
-  // done yet.
+  // Writes the file of work.slot, or removes it. A later request for the same slot replaces one that was not done yet.
   void Save(const Work& work);
   void Remove(const Work& work);
 

@@ -1,5 +1,4 @@
-// A device slot: one role that one HID device at a time can fill, and the section of the board that it
-// writes.
+// A device slot: one role that one HID device at a time can fill, and the section of the board that it writes.
 #pragma once
 
 #include <cstdint>

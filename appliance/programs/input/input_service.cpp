@@ -24,8 +24,7 @@ constexpr Duration kRetry = milliseconds(250);
 // A device that the program had open before a restart is found again within this time, or it is gone.
 constexpr Duration kFindTime = milliseconds(500);
 constexpr int kFaultsToDetach = 64;  // One failed transfer is harmless; this many in a row are a dead device.
-// A device that is gone sooner than this after its plug has a loose cable, and must not keep the program
-// busy.
+// A device that is gone sooner than this after its plug has a loose cable, and must not keep the program busy.
 constexpr Duration kLoosePlug = milliseconds(10);
 constexpr Duration kOldestReport = milliseconds(1000);  // An older time of arrival is a fault of the device.
 constexpr std::size_t kFirstStick = 1;

@@ -1,5 +1,4 @@
-// The input service: assigns each HID device to its slot and publishes what operators do with it on the
-// board.
+// The input service: assigns each HID device to its slot and publishes what operators do with it on the board.
 #pragma once
 
 #include <array>

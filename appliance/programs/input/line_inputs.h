@@ -21,8 +21,7 @@ class LineInputs {
   // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
   LineInputs(const board::Board& board, board::Writer<board::Lines> writer, ports::GpioOpener open);
 
-  // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip
-  // needs.
+  // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip needs.
   void Step(Time now);
 
   // Switches the tally lamp, output 0, where one is wired. A lamp that cannot be switched is ignored.

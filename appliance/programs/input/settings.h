@@ -19,8 +19,7 @@ struct InputSettings {
   decode::PointerSettings pointer;
   std::array<std::string, kSticks> stick_ports;  // Left, right; empty: see StickRoles.
   std::array<decode::StickSettings, kSticks> sticks;
-  // The button, counted from 1, that is pushed while nobody touches the stick: where it rests is its centre.
-  // 0: none.
+  // The button, counted from 1, that is pushed while nobody touches the stick: where it rests is its centre. 0: none.
   std::array<int, kSticks> centre_buttons{};
 };
 

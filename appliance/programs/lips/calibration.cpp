@@ -24,8 +24,7 @@ constexpr float kLevelsPerThousandth = 0.255F;
 constexpr float kSpillPart = 0.45F;  // Of the paint's tint; less is the paint's reflection on skin.
 constexpr float kMinSpill = 60, kMaxSpill = 160;
 
-// An operator does not quite reach the extreme of a held pose again, so that a little less counts as all of
-// it.
+// An operator does not quite reach the extreme of a held pose again, so that a little less counts as all of it.
 constexpr float kShutSlack = 0.03F;
 constexpr float kShortOf = 0.95F;
 constexpr float kMinOpening = 0.15F;  // Between shut and open, in widths of the mouth at rest.
@@ -56,8 +55,7 @@ Patch Around(const decode::Planes& planes, int x, int y, int half) {
   return patch;
 }
 
-// The sRGB colour by ITU-R BT.601. Where none has this chroma at this luma, the luma changes and never the
-// hue.
+// The sRGB colour by ITU-R BT.601. Where none has this chroma at this luma, the luma changes and never the hue.
 Paint PaintOf(float y, float cb, float cr, bool full_range) {
   if (!full_range) {
     y = (y - 16) * 255 / 219;
@@ -74,8 +72,7 @@ Paint PaintOf(float y, float cb, float cr, bool full_range) {
   return {level(rgb[0]), level(rgb[1]), level(rgb[2])};
 }
 
-// The medians of a patch, and how far half of its samples (spread) and nearly all of them (away) lie from
-// them.
+// The medians of a patch, and how far half of its samples (spread) and nearly all of them (away) lie from them.
 struct Colour {
   float y = 0, cb = 0, cr = 0;
   float spread = 0;

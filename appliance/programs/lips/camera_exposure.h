@@ -11,8 +11,7 @@
 
 namespace kaori::lips {
 
-// The luma, 0 black to 1 white, that the brightest tenth of a picture has at least. A lit face fills more
-// than that.
+// The luma, 0 black to 1 white, that the brightest tenth of a picture has at least. A lit face fills more than that.
 float BrightnessOf(const decode::Planes& planes);
 
 // A camera that was opened finds its exposure and colours by itself at first. Where its pictures stay too

@@ -1,5 +1,4 @@
-// From the lip camera to the board: opens the camera, measures each frame, and recovers from every failure of
-// it.
+// From the lip camera to the board: opens the camera, measures each frame, and recovers from every failure of it.
 #pragma once
 
 #include <functional>
@@ -15,9 +14,8 @@
 
 namespace kaori::lips {
 
-// Used by one thread. After 150 ms without a frame, or when the camera is gone, the section becomes stale and
-// its sizes stay. A camera that is gone, or that sent nothing for 2 s, is opened again at once and then every
-// 250 ms.
+// Used by one thread. After 150 ms without a frame, or when the camera is gone, the section becomes stale and its
+// sizes stay. A camera that is gone, or that sent nothing for 2 s, is opened again at once and then every 250 ms.
 class LipReader {
  public:
   // Goes on from what `board` holds; the board is not kept. Borrows the clock, and `tuning`, which belongs to
@@ -43,8 +41,7 @@ class LipReader {
   // The meter with the newest picture's results, for a calibration.
   const LipMeter& meter() const { return meter_; }
 
-  // The descriptor of the open camera; -1 while none is open. Another camera may have the same number: see
-  // opened().
+  // The descriptor of the open camera; -1 while none is open. Another camera may have the same number: see opened().
   int pollable() const { return camera_ ? camera_->pollable() : -1; }
   int opened() const { return opened_; }  // How often a camera was opened.
 

@@ -22,8 +22,7 @@ struct Extents {
 };
 
 struct GaugeSettings {
-  // The width of the mouth at rest, in widths of the picture. 0: the board's, or else the median of the first
-  // second.
+  // The width of the mouth at rest, in widths of the picture. 0: the board's, or else the median of the first second.
   float rest_width = 0;
   OneEuroSettings smoothing;
   Extents extents;
@@ -32,8 +31,7 @@ struct GaugeSettings {
 
 struct VoiceSettings {
   float opens_db = -38;  // Of full scale. Louder sound counts as a voice.
-  // From the microphone to the loudspeaker. -1: as long as it takes until a picture of the mouth is
-  // presented.
+  // From the microphone to the loudspeaker. -1: as long as it takes until a picture of the mouth is presented.
   float sound_delay_ms = -1;
   friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };

@@ -26,8 +26,7 @@ struct Detection {
 // proportions of the mouth at rest in another size. Pure: time is in the arguments.
 class MouthGauge {
  public:
-  // Goes on from `before`: its rest width where that is known, its frame count, and its sizes until paint is
-  // seen.
+  // Goes on from `before`: its rest width where that is known, its frame count, and its sizes until paint is seen.
   explicit MouthGauge(const board::Lips& before, const GaugeSettings& settings = {});
 
   // Measures a frame's mouth. Without one the sizes stay and the quality is 0.
@@ -66,8 +65,7 @@ class MouthGauge {
   std::optional<Learning> learning_;
   float rest_height_ = 0.25F;  // In widths of the mouth at rest.
   float tilt_rad_ = 0;
-  // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head
-  // is slow.
+  // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head is slow.
   struct UpperPart {
     float marker = 0, height = 0;  // Those of the last frame.
     float products = 0.2F * 1e-3F, squares = 1e-3F;

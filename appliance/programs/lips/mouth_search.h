@@ -1,5 +1,4 @@
-// Which regions of paint are the mouth, and which one is the marker; blue clothes and passing hands are
-// neither.
+// Which regions of paint are the mouth, and which one is the marker; blue clothes and passing hands are neither.
 #pragma once
 
 #include <optional>
@@ -17,8 +16,7 @@ struct Candidate {
   std::optional<Region> marker;      // The dot on nose or forehead, where one is worn and seen.
 };
 
-// Remembers where the last usable mouth was. The search prefers that position, and with time ever farther
-// ones.
+// Remembers where the last usable mouth was. The search prefers that position, and with time ever farther ones.
 class MouthSearch {
  public:
   // `marker` says whether the operator wears a dot of the same paint on nose or forehead.

@@ -45,8 +45,7 @@ class PaintKey {
  public:
   explicit PaintKey(Paint paint, const KeySettings& settings = {});
 
-  // How far inside the wedge a colour lies, in levels; negative outside. Bytes are those of a camera, 128 is
-  // neutral.
+  // How far inside the wedge a colour lies, in levels; negative outside. Bytes are those of a camera, 128 is neutral.
   float Depth(std::uint8_t cb, std::uint8_t cr) const;
 
   // The soft key: 0 not paint .. 1 paint, 0.5 at the wedge's edge.

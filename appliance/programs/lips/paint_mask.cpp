@@ -58,8 +58,7 @@ void Prefetch(const decode::Plane& plane, std::size_t at) {
   for (std::size_t n = 0; n < row; n += kCacheLine_bytes) __builtin_prefetch(&plane.bytes[at + n]);
 }
 
-// Set where at least three of a sample and its four neighbours are set; 64 samples are counted at once, bit
-// by bit.
+// Set where at least three of a sample and its four neighbours are set; 64 samples are counted at once, bit by bit.
 std::uint64_t Vote(std::uint64_t left, std::uint64_t here, std::uint64_t right, std::uint64_t above,
                    std::uint64_t below) {
   const std::uint64_t odd_in_row = left ^ here ^ right;

@@ -34,12 +34,10 @@ struct Run {
   std::uint32_t label = 0;
 };
 
-// Keeps its buffers from frame to frame, so that it allocates nothing after a busy picture. Used by one
-// thread.
+// Keeps its buffers from frame to frame, so that it allocates nothing after a busy picture. Used by one thread.
 class Regions {
  public:
-  // Finds the regions of a mask. Returns false, without regions, where so many runs mean that all of it is
-  // noise.
+  // Finds the regions of a mask. Returns false, without regions, where so many runs mean that all of it is noise.
   bool Find(const PaintMask& mask);
 
   // Returns up to `most` regions of at least `min_area` samples, the largest first. The span is valid until

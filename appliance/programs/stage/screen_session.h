@@ -1,5 +1,4 @@
-// The stage before its screen: looks for one, watches it while it is there, and wakes the stage for each
-// frame.
+// The stage before its screen: looks for one, watches it while it is there, and wakes the stage for each frame.
 #pragma once
 
 #include <functional>

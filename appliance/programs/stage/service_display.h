@@ -11,8 +11,7 @@
 
 namespace kaori::stage {
 
-// True while a calibration is under way at the box; one whose program has been silent for half a second is
-// over.
+// True while a calibration is under way at the box; one whose program has been silent for half a second is over.
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now);
 
 // While it is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board

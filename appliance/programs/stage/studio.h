@@ -49,18 +49,15 @@ class PreparedShow {
 // One thread: the one that opened it.
 class Studio {
  public:
-  // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context
-  // and Painter.
+  // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context and Painter.
   static Result<std::unique_ptr<Studio>> Open(show::Show show, void* gbm = nullptr);
   static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared, void* gbm = nullptr);
 
-  // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size
-  // changes.
+  // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size changes.
   Result<void> Draw(const scene::Scene& scene, const ports::PixelBuffer& picture);
 
-  // The cast's expression of this index is from now on what these say; the next frame shows it.
-  // `displacement` has one for each control point, and `lids` are within 0..1. Takes 30 us for each face that
-  // has weight.
+  // The cast's expression of this index is from now on what these say; the next frame shows it. `displacement`
+  // has one for each control point, and `lids` are within 0..1. Takes 30 us for each face that has weight.
   void Renew(std::uint16_t expression, std::span<const glm::vec3> displacement,
              const std::array<float, 2>& lids);
 

@@ -1,5 +1,4 @@
-// The lips' end of the connection to a desk: commands come in, reports and small pictures go out, and nothing
-// blocks.
+// The lips' end of the connection to a desk: commands come in, reports and small pictures go out, and nothing blocks.
 #pragma once
 
 #include <array>

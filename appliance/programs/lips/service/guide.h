@@ -1,5 +1,4 @@
-// The calibration by keyboard and lamps at the box, without a page: hold F12, then hold four poses and push
-// for each.
+// The calibration by keyboard and lamps at the box, without a page: hold F12, then hold four poses and push for each.
 #pragma once
 
 #include <array>

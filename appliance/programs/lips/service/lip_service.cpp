@@ -55,8 +55,7 @@ bool LipService::ServiceSwitched() const {
   return lines.source == board::SourceState::kLive && board::IsOn(lines.value, board::Line::kService);
 }
 
-// The section is written at each step of a calibration, so that a reader notices by its age when the lips are
-// gone.
+// The section is written at each step of a calibration, so that a reader notices by its age when the lips are gone.
 void LipService::ShowGuide(Time now) {
   if (guide_.active())
     writer_.Write(guide_.state(service_ || ServiceSwitched()), now, board::SourceState::kLive);

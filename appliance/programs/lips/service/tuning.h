@@ -25,8 +25,7 @@ struct TuningActions {
 // Used by the lips' thread. Files are written by another thread, so that no frame waits for a disk.
 class Tuning {
  public:
-  // Reads the generations of `file`, and blocks for the disk. With an empty path saving fails with a
-  // complaint.
+  // Reads the generations of `file`, and blocks for the disk. With an empty path saving fails with a complaint.
   Tuning(const LipSettings& now, std::filesystem::path file, TuningActions actions);
   // Waits for a file that is being written.
   ~Tuning();

@@ -112,8 +112,7 @@ void DelayLine::Steer(double wanted, std::size_t frames, bool jump) {
   speed_ = 1 + std::clamp(error_ / kCorrection_frames, -kMaxSpeedChange, kMaxSpeedChange);
 }
 
-// A cubic (Catmull-Rom) through the four frames around the position; what is not held is silent, with soft
-// edges.
+// A cubic (Catmull-Rom) through the four frames around the position; what is not held is silent, with soft edges.
 float DelayLine::At(double position) const {
   const double left = static_cast<double>(newest_) - 3 - position;
   const double kept = position - static_cast<double>(newest_) + static_cast<double>(kRing) - 3;

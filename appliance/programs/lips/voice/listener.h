@@ -23,8 +23,7 @@ class Listener {
  public:
   explicit Listener(const GateSettings& settings = {}) : gate_(settings) {}
 
-  // Processes a block, which is borrowed for the call. Frames that were lost before it (xrun) count as
-  // silence.
+  // Processes a block, which is borrowed for the call. Frames that were lost before it (xrun) count as silence.
   const Voice& Hear(const ports::SoundBlock& block, const ports::SoundFormat& format);
   // Changes the gate's settings from the next block on.
   void Use(const GateSettings& gate) { gate_.Use(gate); }

@@ -22,8 +22,7 @@ class MotionSound {
   // Follows the board's section.
   void Follow(const board::Stamped<board::MotionNow>& now);
 
-  // Adds the sound to frames of two channels, left and right, -1 .. 1, the first of which is heard at
-  // `heard_at`.
+  // Adds the sound to frames of two channels, left and right, -1 .. 1, the first of which is heard at `heard_at`.
   void Mix(std::span<float> frames, Time heard_at);
 
   bool sounding() const { return now_.clip != nullptr || before_.clip != nullptr; }

@@ -78,8 +78,7 @@ void Speaker::Fill(Time now) {
   if (loudspeaker_ && now - stuck_since_ > kStuck) Close(now, "loudspeaker: the device accepts no sound");
 }
 
-// Makes the next chunk, unless one still waits, and writes it. Returns false where the device has no room
-// now.
+// Makes the next chunk, unless one still waits, and writes it. Returns false where the device has no room now.
 bool Speaker::WriteChunk() {
   if (pushed_ == chunk_.size()) {
     Mix();
@@ -118,8 +117,7 @@ bool Speaker::Push() {
   return pushed_ == chunk_.size();
 }
 
-// The device says when the frames that it accepted will be heard; the next frame is heard after the last of
-// them.
+// The device says when the frames that it accepted will be heard; the next frame is heard after the last of them.
 void Speaker::NotePlayout(const ports::Playout& playout) {
   const Time now = clock_.now();
   stuck_since_ = now;

@@ -1,5 +1,4 @@
-// From the voice to the loudspeaker, as late as the picture of the mouth; recovers from every failure of the
-// device.
+// From the voice to the loudspeaker, as late as the picture of the mouth; recovers from every failure of the device.
 #pragma once
 
 #include <array>

@@ -66,8 +66,7 @@ const Templates& AllTemplates() {
   return templates;
 }
 
-// The mean square of the difference without its mean and its tilt, since voices fall differently towards high
-// frequencies.
+// The mean square of the difference without its mean and its tilt, since voices fall differently towards high frequencies.
 float Difference(const Envelope& a, const Envelope& b) {
   constexpr auto kCount = static_cast<float>(kHigh - kLow);
   constexpr float kMiddle = (kCount - 1) / 2;
