@@ -8,7 +8,8 @@
 namespace kaori::audio {
 namespace {
 
-constexpr std::size_t kMostFrames = 480;  // Of one block: 10 ms.
+// Of one block: 10 ms, so that the voice is followed as finely as the picture is drawn.
+constexpr std::size_t kMostFrames = 480;
 
 }  // namespace
 
@@ -47,8 +48,8 @@ Result<ports::SoundBlock> AlsaMicrophone::Read() {
   return ports::SoundBlock{at, std::exchange(xrun_, false), std::span(samples_).first(count)};
 }
 
-// The kernel's stamp is when it last counted the frames
-// that wait; the oldest of them is older by their length.
+// The kernel's stamp is when it last counted the frames that wait; the oldest of them is older by their
+// length. It must be asked before the frames are read, since reading changes the count.
 Time AlsaMicrophone::TimeOfOldest() {
   PcmStatus status;
   if (pcm_->Status(status) < 0) return clock_.now();  // Read reports the fault.

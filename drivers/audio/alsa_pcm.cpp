@@ -10,8 +10,10 @@
 namespace kaori::audio {
 namespace {
 
-// Every USB microphone and every HDMI output has this rate.
+// Every USB microphone and every HDMI output has this rate. One rate for all
+// spares a conversion, and its error, in every reader.
 constexpr unsigned kRate_hz = 48000;
+// A plug-in of ALSA may have several; a device of the kernel has one.
 constexpr std::size_t kMostDescriptors = 8;
 
 // Owns a PCM from the line on that opened it.
@@ -36,6 +38,7 @@ Result<ports::SoundFormat> SetHardware(snd_pcm_t* pcm, const AlsaPreferences& pr
   snd_pcm_hw_params_alloca(&params);
   if (const int any = snd_pcm_hw_params_any(pcm, params); any < 0)
     return Fail(CauseOf(any), "read its modes");
+  // The kernel's PCM knows no conversion: a mode that is refused here the hardware does not have.
   if (snd_pcm_hw_params_set_access(pcm, params, SND_PCM_ACCESS_RW_INTERLEAVED) < 0 ||
       snd_pcm_hw_params_set_format(pcm, params, SND_PCM_FORMAT_S16) < 0 ||
       snd_pcm_hw_params_set_rate(pcm, params, kRate_hz, 0) < 0)
@@ -43,7 +46,8 @@ Result<ports::SoundFormat> SetHardware(snd_pcm_t* pcm, const AlsaPreferences& pr
   const auto channels = ChooseChannels(pcm, params, preferences.channels == 2 ? 2 : 1);
   if (!channels) return tl::unexpected(channels.error());
   unsigned period_us = Microseconds(preferences.period), buffer_us = Microseconds(preferences.buffer);
-  snd_pcm_hw_params_set_period_time_near(pcm, params, &period_us, nullptr);  // As near as the device goes.
+  // Both sizes are wishes: the device goes as near as it can, and the delay is asked for anyway.
+  snd_pcm_hw_params_set_period_time_near(pcm, params, &period_us, nullptr);
   snd_pcm_hw_params_set_buffer_time_near(pcm, params, &buffer_us, nullptr);
   if (const int set = snd_pcm_hw_params(pcm, params); set < 0) return Fail(CauseOf(set), "set its mode");
   return ports::SoundFormat{static_cast<int>(kRate_hz), *channels};
@@ -59,6 +63,7 @@ Result<void> SetSoftware(snd_pcm_t* pcm) {
   int set = snd_pcm_sw_params_current(pcm, params);
   if (set == 0) set = snd_pcm_sw_params_set_tstamp_mode(pcm, params, SND_PCM_TSTAMP_ENABLE);
   if (set == 0) set = snd_pcm_sw_params_set_tstamp_type(pcm, params, SND_PCM_TSTAMP_TYPE_MONOTONIC);
+  // avail_min makes the descriptor ready once a whole period can be moved, not for every single frame.
   if (set == 0) set = snd_pcm_sw_params_set_avail_min(pcm, params, period);
   if (set == 0) set = snd_pcm_sw_params_set_start_threshold(pcm, params, std::min(2 * period, buffer));
   if (set == 0) set = snd_pcm_sw_params(pcm, params);
@@ -66,7 +71,9 @@ Result<void> SetSoftware(snd_pcm_t* pcm) {
   return {};
 }
 
-// One epoll set for all of the device's descriptors, but for those that epoll refuses (the null device's).
+// One epoll set for all of the device's descriptors, but for those that epoll refuses (the
+// null device's): such a stream is never readable, and its port says so. Playback waits
+// for POLLOUT there, and the set turns that into readable.
 Result<UniqueFd> MakePollable(snd_pcm_t* pcm) {
   UniqueFd set(::epoll_create1(EPOLL_CLOEXEC));
   if (!set.valid()) return FailErrno("create an epoll set");
@@ -82,7 +89,8 @@ Result<UniqueFd> MakePollable(snd_pcm_t* pcm) {
   return set;
 }
 
-// ALSA writes every failure to standard error by itself; the error code that it returns says the same.
+// ALSA writes every failure to standard error by itself; the error code that it returns says
+// the same, and the log decides which failures people see.
 void IgnoreError(const char*, int, const char*, int, const char*, ...) {}
 
 // Each call goes to ALSA as it is.
@@ -123,6 +131,7 @@ int RealPcm::Status(PcmStatus& into) {
   snd_pcm_status_get_htstamp(status, &stamp);
   into = PcmStatus{};
   into.delay_frames = snd_pcm_status_get_delay(status);
+  // ALSA gives a zero stamp where the device has none.
   if (stamp.tv_sec != 0 || stamp.tv_nsec != 0)
     into.at = Time{} + std::chrono::seconds(stamp.tv_sec) + Duration(stamp.tv_nsec);
   return 0;
@@ -141,10 +150,12 @@ Result<std::unique_ptr<AlsaPcm>> Prepared(Handle handle, const AlsaPreferences& 
 
 Result<std::unique_ptr<AlsaPcm>> OpenAlsaPcm(const std::string& name, Direction direction,
                                              const AlsaPreferences& preferences) {
+  // A setting of the whole process; every opening sets the same one.
   snd_lib_error_set_handler(IgnoreError);
   snd_pcm_t* raw = nullptr;
   const auto stream = direction == Direction::kCapture ? SND_PCM_STREAM_CAPTURE : SND_PCM_STREAM_PLAYBACK;
   const int opened = snd_pcm_open(&raw, name.c_str(), stream, SND_PCM_NONBLOCK);
+  // Owned before the result is looked at: raw stays null where the opening failed.
   Handle handle(raw);
   if (opened < 0) return Fail(CauseOf(opened), "open sound device " + name);
   auto pcm = Prepared(std::move(handle), preferences);

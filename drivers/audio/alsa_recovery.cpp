@@ -4,6 +4,8 @@
 
 namespace kaori::audio {
 
+// The causes that callers tell apart. EINVAL comes from refused parameters,
+// ENXIO and ENODEV from a card that was pulled.
 std::errc CauseOf(long answer) {
   // ENOENT is ALSA's answer to a name that its configuration does not know.
   switch (-answer) {
@@ -33,7 +35,8 @@ Result<void> Recover(AlsaPcm& pcm, long answer, const std::string& name) {
     if (resumed == 0) return {};
     if (resumed == -EAGAIN) return Fail(std::errc::resource_unavailable_try_again, "resume " + name);
   }
-  const int prepared = pcm.Prepare();  // Also where a device cannot resume.
+  // Also where a device cannot resume (-ENOSYS): its queue is lost, and the stream begins anew.
+  const int prepared = pcm.Prepare();
   if (prepared == 0) return {};
   const bool gone = CauseOf(prepared) == std::errc::no_such_device;
   return Fail(gone ? std::errc::no_such_device : std::errc::io_error, "recover " + name);

@@ -9,8 +9,10 @@
 namespace kaori::audio {
 namespace {
 
-constexpr int kNotesAtOnce = 64;           // In one call: a loudspeaker that never stops must not hold us.
-constexpr std::size_t kMostAtOnce = 2048;  // Frames in one packet.
+constexpr int kNotesAtOnce = 64;  // In one call: a loudspeaker that never stops must not hold us.
+// Frames in one packet: 4096 bytes of mono, 8192 of stereo, which is kMaxLinkPacket.
+constexpr std::size_t kMostAtOnce = 2048;
+// A bound for a hello that makes no sense: 22 s at 48 kHz.
 constexpr std::uint32_t kMostRoom_frames = 1U << 20U;
 
 }  // namespace
@@ -33,6 +35,7 @@ Result<ports::Playout> LocalLoudspeaker::Write(std::span<const std::int16_t> sam
   if (samples.empty() || samples.size() % channels != 0) return FailInput("play whole frames on " + name_);
   const Time now = clock_.now();
   const double queued = QueuedFrames(now);
+  // Rounded down: a frame of which only a part would fit waits.
   const auto room_left = static_cast<std::size_t>(std::max(0.0, room_frames_ - queued));
   const std::size_t frames = std::min({samples.size() / channels, room_left, kMostAtOnce});
   const auto full = Fail(std::errc::resource_unavailable_try_again, "queue frames on " + name_);
@@ -41,6 +44,8 @@ Result<ports::Playout> LocalLoudspeaker::Write(std::span<const std::int16_t> sam
   for (std::size_t n = 0; n < frames * channels; ++n)
     wire::PutU16(packet_, 2 * n, static_cast<std::uint16_t>(samples[n]));
   const auto sent = SendPacket(socket_.get(), packet_);
+  // Nobody is told of the difference: a simulator that does not read
+  // looks like a device that does not play.
   // The simulator reads too slowly: as a full buffer.
   if (!sent && sent.error().cause == std::errc::resource_unavailable_try_again) return full;
   if (!sent) return Fail(std::errc::no_such_device, "play on " + name_);

@@ -12,6 +12,8 @@
 
 namespace kaori::audio {
 
+// As ports::Loudspeaker, over the local link (firmware/wire/link.h). There is no queue here: frames are
+// sent at once, and the simulated device queues them. One thread.
 class LocalLoudspeaker final : public ports::Loudspeaker {
  public:
   // Connects to the socket "<folder>/loudspeaker.<port>". Until the loudspeaker
@@ -33,7 +35,8 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
   // Reads what the loudspeaker has told since the last call. Errors: as Write.
   Result<void> ReadNotes();
   Result<void> HandlePacket(std::span<const std::uint8_t> packet);
-  // Between two notes the queue is reckoned by the rate, so that stamps do not jump.
+  // Between two notes the queue is reckoned by the rate, so that stamps do not jump. Zero where it must have
+  // run empty by then.
   double QueuedFrames(Time now) const;
   tl::unexpected<Error> Broken();
 
@@ -41,10 +44,13 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
   std::string name_;
   const Clock& clock_;
   ports::SoundFormat format_;
+  // How many frames the device queues at most, as its hello says. Kept as
+  // a double, since the reckoned queue is one.
   double room_frames_ = 0;  // 0 before the hello.
   // Frames since the loudspeaker was opened, which its notes count as well.
   std::uint64_t written_ = 0;
   std::optional<wire::PlayedNote> played_;  // The newest note.
+  // The count of underruns that was told by Playout::xrun already.
   std::uint32_t reported_underruns_ = 0;
   std::vector<std::uint8_t> packet_;
   bool broken_ = false;

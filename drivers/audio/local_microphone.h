@@ -12,6 +12,8 @@
 
 namespace kaori::audio {
 
+// As ports::Microphone, over the local link (firmware/wire/link.h). Blocks come as the
+// device made them; nothing is merged or split. One thread.
 class LocalMicrophone final : public ports::Microphone {
  public:
   // Connects to the socket "<folder>/microphone.<port>". Until the microphone has answered, Read says
@@ -28,6 +30,7 @@ class LocalMicrophone final : public ports::Microphone {
   Result<ports::SoundBlock> Read() override;
 
  private:
+  // The next packet, within packet_ until the next call. Errors: as Read.
   Result<std::span<const std::uint8_t>> Receive();
   // Reads the format, which the first packet has. Errors: as Read.
   Result<void> ReadHello();
@@ -36,6 +39,7 @@ class LocalMicrophone final : public ports::Microphone {
   UniqueFd socket_;
   std::string name_;
   ports::SoundFormat format_;
+  // Room for the longest packet of the link.
   std::array<std::uint8_t, wire::kMaxLinkPacket> packet_;
   std::vector<std::int16_t> samples_;  // What the caller reads.
   bool greeted_ = false;

@@ -24,7 +24,8 @@ std::string CardName(int card) {
   return fmt::format("hw:{}", card);
 }
 
-// By the kernel driver's name.
+// By the kernel driver's name: every card of snd-usb-audio has it,
+// built-in ones of some machines included.
 bool IsUsb(snd_ctl_t* control) {
   snd_ctl_card_info_t* info = nullptr;
   snd_ctl_card_info_alloca(&info);
@@ -32,6 +33,8 @@ bool IsUsb(snd_ctl_t* control) {
          snd_ctl_card_info_get_driver(info) == std::string_view("USB-Audio");
 }
 
+// Appends the devices of one card that have this direction. A card that cannot be opened is left out:
+// its control node may belong to nobody yet while udev sets it up.
 void AddDevices(int card, snd_pcm_stream_t stream, std::vector<SoundDevice>& into) {
   snd_ctl_t* raw = nullptr;
   if (snd_ctl_open(&raw, CardName(card).c_str(), SND_CTL_NONBLOCK) < 0) return;
@@ -53,6 +56,8 @@ void AddDevices(int card, snd_pcm_stream_t stream, std::vector<SoundDevice>& int
   }
 }
 
+// A mixer of the card's simple controls (snd_mixer_selem); null
+// where the card has none, as many HDMI outputs.
 std::unique_ptr<snd_mixer_t, CloseMixer> MixerOf(const std::string& card) {
   snd_mixer_t* raw = nullptr;
   if (snd_mixer_open(&raw, 0) < 0) return nullptr;
@@ -62,6 +67,7 @@ std::unique_ptr<snd_mixer_t, CloseMixer> MixerOf(const std::string& card) {
   return loaded ? std::move(mixer) : nullptr;
 }
 
+// A control that is at its lowest, or off, is what nobody set; any other volume is somebody's choice.
 void UnmuteCapture(snd_mixer_elem_t* element) {
   long least = 0, most = 0, now = 0;
   if (snd_mixer_selem_has_capture_switch(element) != 0) snd_mixer_selem_set_capture_switch_all(element, 1);

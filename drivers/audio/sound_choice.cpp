@@ -9,9 +9,12 @@
 namespace kaori::audio {
 namespace {
 
+// Often enough for somebody who plugs a microphone in before a show,
+// seldom enough that the listing costs nothing.
 constexpr Duration kCheckPeriod = std::chrono::seconds(2);
 
 // A device that was the nearest one when it was opened; it fails once another one is.
+// Every other call goes to the device that it wraps.
 class NearestPcm final : public AlsaPcm {
  public:
   NearestPcm(std::unique_ptr<AlsaPcm> pcm, std::string name, const Clock& clock,
