@@ -15,25 +15,31 @@
 
 namespace kaori::decode {
 
-// More dials or lamps of a device are ignored.
+// More dials or lamps of a device are ignored. The board has room for these (appliance/core/board).
 inline constexpr std::size_t kMaxDials = 8;
 inline constexpr std::size_t kMaxLamps = 32;
 
+// The newest state of a dial box, as a value to copy. A dial has no position, only a sum of turns.
 struct DialSample {
   Time at{};                                     // When the newest good report arrived.
   std::array<std::int32_t, kMaxDials> counts{};  // Accumulated; clockwise is positive; wraps at 32 bits.
   Switches<1> buttons;
 };
 
-// Pure: no file descriptor, no clock. Keep its sample over a re-plug to keep the counts.
+// Pure: no file descriptor, no clock. One decoder belongs to one opened device; keep its sample
+// over a re-plug to keep the counts, so that an expression does not jump when a cable is put back.
+// Decode allocates nothing once a report of each id has come.
 class DialBoxDecoder {
  public:
-  // For any device that Recognise calls kDialBox. The counts go on from those of `before`. Errors:
+  // For any device that Recognise calls kDialBox. The counts go on from those of
+  // `before`; its switches are up until the first report. Errors:
   //   invalid_argument  the report descriptor is broken
   //   not_supported     the device has no endless dial
   static Result<DialBoxDecoder> For(const ports::HidIdentity& identity, const DialSample& before = {});
 
-  // Decodes one input report and returns the new sample. Errors:
+  // Decodes one input report and returns the new sample. A dial that this report
+  // does not have keeps its count. `report` begins with its id where the descriptor
+  // has ids; `at` becomes the sample's time. Errors:
   //   bad_message  the report is torn, short, long or of an unknown id; the sample stays as it was
   Result<DialSample> Decode(std::span<const std::uint8_t> report, Time at);
 
@@ -46,8 +52,9 @@ class DialBoxDecoder {
   // How many endless dials the device has, kMaxDials at most.
   std::size_t dials() const { return dials_.size(); }
 
-  // The output report that switches on the lamps of `lit` (bit n: lamp n) and switches off the others, report
-  // id first as HidChannel::Write expects it. Empty for a box without lamps.
+  // The output report that switches on the lamps of `lit` (bit n: lamp n) and switches off the others,
+  // report id first as HidChannel::Write expects it. Lamps are counted in the order of the descriptor,
+  // over the fields of one report. Empty for a box without lamps.
   std::vector<std::uint8_t> LampReport(std::uint32_t lit) const;
 
  private:
@@ -58,7 +65,8 @@ class DialBoxDecoder {
   };
   // `layout` is that of a dial box.
   DialBoxDecoder(ReportLayout layout, const DialSample& before);
-  // The turn of one dial since the last report, clockwise positive; remembers a wrapping dial's position.
+  // The turn of one dial since the last report, clockwise positive; remembers a wrapping dial's
+  // position. The first position of a wrapping dial is no turn.
   std::int32_t Turned(Dial& dial, std::int64_t value) const;
 
   ReportLayout layout_;

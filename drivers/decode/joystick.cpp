@@ -24,8 +24,9 @@ float OffsetFromMiddle(std::int64_t at, std::int64_t middle, std::int64_t max) {
 
 }  // namespace
 
-// Bounds keep the response monotonic and finite, whatever a settings file says: the dead zone ends before the
-// reach, and the curve mixes a straight line with a cubic one.
+// Bounds keep the response monotonic and finite, whatever a settings file says: the
+// dead zone ends before the reach, and the curve mixes a straight line with a cubic
+// one. Its slope at the centre is 1 - curve, never below 0.
 float Shape(float raw, const StickSettings& settings) {
   const float dead = std::clamp(settings.dead_zone, 0.0f, 0.9f);
   const float reach = std::clamp(settings.reach, dead + 0.05f, 1.0f);
@@ -55,6 +56,7 @@ JoystickDecoder::JoystickDecoder(ReportLayout layout, const StickSettings& setti
 }
 
 std::optional<JoystickDecoder::Axis> JoystickDecoder::FindAxis(Usage usage) const {
+  // The first usable one of several: a relative X, or one with a single value, is no position.
   for (const ElementRef ref : FindInputs(layout_, usage, kMaxFieldsPerReport)) {
     const ReportField& field = layout_.fields[ref.field];
     if (field.is_relative || field.logical_max == field.logical_min) continue;
@@ -103,6 +105,7 @@ void JoystickDecoder::DecodeHat(const InputReport& report) {
   if (!value) return;
   const ReportField& field = layout_.fields[hat_->field];
   const std::int64_t positions = field.logical_max - field.logical_min + 1;
+  // Eight positions give 0..7 and four give 0, 2, 4, 6: both are told in eighths of a turn.
   sample_.hat = in_range(field, *value)
                     ? static_cast<std::int32_t>((*value - field.logical_min) * kHatEighths / positions)
                     : -1;

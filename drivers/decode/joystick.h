@@ -14,6 +14,7 @@
 
 namespace kaori::decode {
 
+// The newest state of a joystick in the frame of its operator, whatever the device's own range and signs.
 struct StickSample {
   Time at{};              // When the newest good report arrived.
   float x = 0;            // -1 left .. 1 right.
@@ -24,6 +25,7 @@ struct StickSample {
   Switches<1> buttons;
 };
 
+// The response of X, Y and twist, by the profile of the show; the slider knows only its direction.
 struct StickSettings {
   float dead_zone = 0.05f;  // Of the way to the end, around the centre: 0 there, and no jump at its edge.
   float reach = 1.0f;       // Of the way to the end at which the axis says 1: worn sticks do not get there.
@@ -31,13 +33,19 @@ struct StickSettings {
   bool slider_reversed = false;
 };
 
-// The response of one axis: -1 .. 1 to -1 .. 1. Pure.
+// The response of one axis: -1 .. 1 to -1 .. 1, odd and monotonic. With d the dead
+// zone and r the reach, w = (|raw| - d) / (r - d) clamped to 0 .. 1, and the result is
+// w + curve * (w^3 - w) with the sign of `raw`. Pure.
 float Shape(float raw, const StickSettings& settings);
 
-// Pure: no file descriptor, no clock. It may outlive the device.
+// Pure: no file descriptor, no clock. It may outlive the device. Any joystick is read by its descriptor;
+// there is no table of models. Decode allocates nothing once a report of each id has come.
 class JoystickDecoder {
  public:
-  // Errors: invalid_argument (the report descriptor is broken), not_supported (the device is no joystick).
+  // The axes are at 0 until a report has them, and the centres are
+  // the middles of the logical ranges. Errors:
+  //   invalid_argument  the report descriptor is broken
+  //   not_supported     the device is no joystick
   static Result<JoystickDecoder> For(const ports::HidIdentity& identity, const StickSettings& settings = {});
 
   // Decodes one input report and returns the new sample. Errors:
@@ -53,8 +61,10 @@ class JoystickDecoder {
   // rest, and keeps its centre.
   void CalibrateCentre();
 
-  // The centres of X, Y and twist in the device's own frame (Y grows towards the operator), from -1 to 1; 0
-  // is the middle of the logical range. A centre further than a third from the middle counts as 0.
+  // The centres of X, Y and twist in the device's own frame (Y grows towards the operator),
+  // from -1 to 1; 0 is the middle of the logical range. They are kept in a file between two
+  // shows. An axis that the device does not have is 0. A centre further than a third from the
+  // middle counts as 0: such a file belongs to another stick.
   using Centres = std::array<float, 3>;
   Centres centres() const;
   void SetCentres(const Centres& centres);
@@ -62,7 +72,8 @@ class JoystickDecoder {
   const StickSample& sample() const { return sample_; }
 
  private:
-  // An axis, in the device's logical units. The middle is the descriptor's; the centre is where it rests.
+  // An axis, in the device's logical units. The middle is the descriptor's; the centre is where it
+  // rests. A stick that is worn or bent rests elsewhere than in the middle.
   struct Axis {
     ElementRef where;
     std::int64_t min = 0, middle = 0, centre = 0, max = 0;
@@ -77,8 +88,9 @@ class JoystickDecoder {
   // These read one report into the axes' raw values, and into the sample's hat.
   void DecodeAxes(const InputReport& report);
   void DecodeHat(const InputReport& report);
-  // The response of an axis at its raw value; 0 where it is not known.
+  // The response of an axis at its raw value, from its centre to either end; 0 where it is not known.
   float Position(const std::optional<Axis>& axis) const;
+  // Derives the sample's axes from the raw values.
   void UpdateAxes();
 
   ReportLayout layout_;

@@ -42,6 +42,7 @@ Result<KeySample> KeyboardDecoder::Decode(std::span<const std::uint8_t> report, 
 }
 
 bool KeyboardDecoder::is_phantom(const InputReport& report) const {
+  // One entry is enough: a keyboard that cannot tell fills all of its places with the error.
   bool phantom = false;
   VisitHeld(layout_, report, kKeyboardPage,
             [&](Usage usage) { phantom = phantom || (usage >= kFirstError && usage <= kLastError); });

@@ -13,16 +13,19 @@
 
 namespace kaori::decode {
 
+// The newest state of a keyboard: which keys are held, by usage and not by what is printed on them.
 struct KeySample {
   Time at{};         // When the newest good report arrived.
   Switches<8> keys;  // Switch u is the key with usage u of HID page 7; modifiers are E0..E7.
 };
 
-// Pure: no file descriptor, no clock. It may outlive the device.
+// Pure: no file descriptor, no clock. It may outlive the device. Layouts (QWERTY, QWERTZ) and
+// auto-repeat are not known here: a key is a place on the keyboard.
 class KeyboardDecoder {
  public:
   // An identity without a report descriptor counts as a keyboard in the boot protocol. Errors:
-  // invalid_argument (the report descriptor is broken), not_supported (the device is no keyboard).
+  //   invalid_argument  the report descriptor is broken
+  //   not_supported     the device is no keyboard
   static Result<KeyboardDecoder> For(const ports::HidIdentity& identity);
 
   // Decodes one input report and returns the new sample. A report of a keyboard that cannot tell which keys

@@ -15,7 +15,8 @@ namespace {
 using ports::CameraFormat;
 using ports::CameraFrame;
 
-// More than any camera for lips; a JPEG of a few bytes may call itself so large that it eats our memory.
+// More than any camera for lips; a JPEG of a few bytes may call itself so large that it eats our
+// memory. With these bounds a frame costs 48 MiB of planes at most.
 constexpr int kMostSide_px = 4096;
 constexpr std::size_t kMostJpegBytes = 16u << 20;
 
@@ -37,8 +38,10 @@ Result<Planes> ReadYuyv(const CameraFrame& frame) {
   const std::uint32_t stride = frame.stride_bytes;
   const std::size_t used_row = 2u * static_cast<std::size_t>(w);
   if (stride < used_row) return Torn(frame, "the stride is shorter than a row");
+  // The last row need not be padded to the stride.
   if (frame.bytes.size() < std::size_t{stride} * static_cast<std::size_t>(h - 1) + used_row)
     return Torn(frame, "too few bytes");
+  // Each plane begins at its own first byte; the steps of 2 and 4 bytes skip the others.
   return Planes{.y = {frame.bytes, w, h, stride, 2},
                 .cb = {frame.bytes.subspan(1), w / 2, h, stride, 4},
                 .cr = {frame.bytes.subspan(3), w / 2, h, stride, 4}};
@@ -95,6 +98,9 @@ Result<Planes> PlaneReader::Jpeg::Decode(const CameraFrame& frame) {
                       .full_range = true};
   std::array<unsigned char*, 3> into = {memory_[0].data(), memory_[1].data(), memory_[2].data()};
   const int result = tjDecompressToYUVPlanes(decoder_.get(), jpeg_.data(), jpeg_.size(), into.data(), 0,
+                                             // The fast transform is exact enough for finding lips;
+                                             // LIMITSCANS stops progressive pictures of thousands of
+                                             // scans, which would decode for minutes.
                                              nullptr, 0, TJFLAG_FASTDCT | TJFLAG_LIMITSCANS);
   if (result != 0 && !is_harmless()) return Torn(frame, tjGetErrorStr2(decoder_.get()));
   return planes;
@@ -146,7 +152,8 @@ Result<Planes> PlaneReader::Read(const CameraFrame& frame) {
 Result<Planes> PlaneReader::ReadJpeg(const CameraFrame& frame) {
   if (!jpeg_) jpeg_ = std::make_unique<Jpeg>();
   auto planes = jpeg_->Decode(frame);
-  if (!planes) jpeg_.reset();  // libjpeg-turbo 2.1 may stumble over the next picture after a torn header.
+  // libjpeg-turbo 2.1 may stumble over the next picture after a torn header: a new decoder starts clean.
+  if (!planes) jpeg_.reset();
   return planes;
 }
 

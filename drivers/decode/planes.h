@@ -10,8 +10,9 @@
 
 namespace kaori::decode {
 
-// One of Y, Cb, Cr: 8-bit samples, row 0 on top. The arguments of `at` must satisfy
-// 0 <= x < width_px and 0 <= y < height_px.
+// One of Y, Cb, Cr: 8-bit samples, row 0 on top. The arguments of `at` must satisfy 0 <= x <
+// width_px and 0 <= y < height_px: nothing is checked for a single sample, since the reader of
+// the frame has checked that all of them lie within `bytes`.
 struct Plane {
   std::span<const std::uint8_t> bytes;
   int width_px = 0;
@@ -24,8 +25,9 @@ struct Plane {
   }
 };
 
-// Y, Cb and Cr of BT.601; 128 is neutral colour. The colour planes
-// cover the same picture as Y, with as many samples or fewer.
+// Y, Cb and Cr of BT.601; 128 is neutral colour. The colour planes cover the same picture as
+// Y, with as many samples or fewer: sample (x, y) of Cb lies at (x * y.width_px /
+// cb.width_px, ...) of Y. Borrowed from a frame or a reader.
 struct Planes {
   Plane y;
   Plane cb;
@@ -33,8 +35,9 @@ struct Planes {
   bool full_range = false;  // Y: true 0..255 (JPEG), false 16..235 (video).
 };
 
-// Uncompressed frames are read in place. JPEG is decompressed into the reader's own memory, which it keeps
-// for the next frame. One thread.
+// Uncompressed frames are read in place. JPEG is decompressed into the reader's own memory, which it
+// keeps for the next frame: after the first frames nothing is allocated. One thread. Any bytes are
+// borne: they come from a camera that may lie about its size, or from a cable that drops half a frame.
 class PlaneReader {
  public:
   PlaneReader();
@@ -42,8 +45,8 @@ class PlaneReader {
   PlaneReader& operator=(PlaneReader&&) noexcept;
   ~PlaneReader();
 
-  // The result borrows from `frame`, or from this reader
-  // until its next Read; so both must outlive it. Errors:
+  // Blocks for some milliseconds where a JPEG is decompressed. The result borrows from `frame`, or from
+  // this reader until its next Read; so both must outlive it. Errors:
   //   bad_message  the frame has fewer bytes than its format needs, or is no JPEG of its format's size; the
   //                attempt says which
   Result<Planes> Read(const ports::CameraFrame& frame);

@@ -13,7 +13,8 @@ constexpr std::uint32_t kPointerFirstButton = 1;
 // A bound for settings that make no sense.
 constexpr float kFewestCounts = 1;  // From edge to edge.
 
-// Where an absolute value lies between its ends; beyond them it is at the nearer.
+// Where an absolute value lies between its ends, 0 to 1; beyond them it is at the
+// nearer. The range is not empty, as Means has checked.
 float PlaceOf(const ReportField& field, std::int64_t value) {
   const std::int64_t held = std::clamp(value, field.logical_min, field.logical_max);
   return static_cast<float>(held - field.logical_min) /

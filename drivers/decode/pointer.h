@@ -14,6 +14,7 @@
 
 namespace kaori::decode {
 
+// The newest state of a mouse or a tablet, in the frame of the picture.
 struct PointerSample {
   Time at{};               // When the newest good report arrived.
   float x = 0.5F;          // 0 the left edge of the picture .. 1 the right one.
@@ -22,18 +23,22 @@ struct PointerSample {
   Switches<1> buttons;     // 0 the left one, 1 the right, 2 the middle.
 };
 
-// How many counts of a mouse lead from edge to edge of the
-// picture. A tablet tells its position and needs none.
+// How many counts of a mouse lead from edge to edge of the picture. A tablet tells its position and
+// needs none. The defaults give square pixels at 16 to 9, and an edge within one sweep of the hand.
 struct PointerSettings {
   float counts_across = 1600;
   float counts_down = 900;
 };
 
-// Pure: no file descriptor, no clock. Keep its sample over a re-plug to keep the position.
+// Pure: no file descriptor, no clock. Keep its sample over a re-plug to keep the
+// position. There is no acceleration: the editor's handles are dragged by eye,
+// and the same path always leads to the same place.
 class PointerDecoder {
  public:
-  // For any device that Recognise calls kPointer. Position and wheel go on from those of `before`. Errors:
-  // invalid_argument (the report descriptor is broken), not_supported (the device is no mouse and no tablet).
+  // For any device that Recognise calls kPointer. Position and wheel go on from
+  // those of `before`; its buttons are up. Errors:
+  //   invalid_argument  the report descriptor is broken
+  //   not_supported     the device is no mouse and no tablet
   static Result<PointerDecoder> For(const ports::HidIdentity& identity, const PointerSettings& settings = {},
                                     const PointerSample& before = {});
 
@@ -48,8 +53,8 @@ class PointerDecoder {
 
  private:
   PointerDecoder(ReportLayout layout, const PointerSettings& settings, const PointerSample& before);
-  // The position on one axis, 0 to 1, after `report`, which
-  // may not have the axis. `counts` lead from edge to edge.
+  // The position on one axis, 0 to 1, after `report`, which may not have the axis. `counts` lead from
+  // edge to edge. Several fields of one axis are applied in the order of the descriptor.
   float Moved(const InputReport& report, std::span<const ElementRef> axis, float from, float counts) const;
 
   ReportLayout layout_;

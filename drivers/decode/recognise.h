@@ -6,6 +6,7 @@
 
 namespace kaori::decode {
 
+// What the box can do with a device; kOther is left alone.
 enum class DeviceKind : std::uint8_t { kOther, kDialBox, kJoystick, kKeyboard, kPointer };
 
 // The kind of a device, by its application collections and its inputs. The first one that fits counts:
@@ -16,8 +17,8 @@ enum class DeviceKind : std::uint8_t { kOther, kDialBox, kJoystick, kKeyboard, k
 // Pure.
 DeviceKind Recognise(const ReportLayout& layout);
 
-// The layout of the identity's report descriptor, or of KnownDescriptor's where there is one. Errors: those
-// of ReadReportLayout, with the port's name. Pure.
+// The layout of the identity's report descriptor, or of KnownDescriptor's where there is one. Errors:
+// those of ReadReportLayout, behind the port's name: two equal devices may be plugged in. Pure.
 Result<ReportLayout> LayoutOf(const ports::HidIdentity& identity);
 
 }  // namespace kaori::decode

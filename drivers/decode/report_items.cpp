@@ -10,7 +10,8 @@ namespace {
 
 // HID 1.11, section 6.2.2.3: the prefix of a long item.
 constexpr std::uint8_t kLongItem = 0xFE;
-constexpr std::size_t kLongItemHead = 3;                               // Prefix, data size, tag.
+// A long item's head: prefix, data size, tag.
+constexpr std::size_t kLongItemHead = 3;
 constexpr std::array<std::uint8_t, 4> kShortItemBytes = {0, 1, 2, 4};  // By the two lowest bits.
 
 // Items of 1, 2 and 4 bytes are little-endian two's complement where they are signed.

@@ -9,8 +9,12 @@
 
 namespace kaori::decode {
 
+// HID 1.11, section 6.2.2.2: main items make fields, global ones hold until they are
+// changed, local ones hold for the next main item alone.
 enum class ItemType : std::uint8_t { kMain = 0, kGlobal = 1, kLocal = 2, kReserved = 3 };
 
+// One short item (HID 1.11, section 6.2.2.2). Whether its data are signed
+// depends on the tag, so both readings are here.
 struct Item {
   ItemType type = ItemType::kMain;
   std::uint8_t tag = 0;
@@ -20,7 +24,8 @@ struct Item {
   std::size_t offset_bytes = 0;      // Of the item in the descriptor.
 };
 
-// Reads one item after the other. Long items, for which HID defines no use, are skipped. Pure.
+// Reads one item after the other, from the first byte to the last. Long items, for which HID defines no
+// use, are skipped. Every call steps on or fails, so that a loop over any bytes ends. Pure.
 class ItemReader {
  public:
   // `descriptor` must outlive the reader.
@@ -39,7 +44,8 @@ class ItemReader {
   std::size_t at_ = 0;
 };
 
-// An invalid_argument with the attempt "report descriptor, byte 12: <reason>".
+// An invalid_argument with the attempt "report descriptor, byte 12: <reason>". The byte is
+// where the item begins, so that a person finds it in a dump.
 tl::unexpected<Error> FailAt(std::size_t offset_bytes, std::string_view reason);
 
 }  // namespace kaori::decode

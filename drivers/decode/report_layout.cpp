@@ -11,6 +11,7 @@ std::span<const UsageRange> ReportLayout::usages_of(const ReportField& field) co
 Usage ReportLayout::usage(const ReportField& field, std::uint32_t index) const {
   const auto ranges = usages_of(field);
   // Ranges are in the order of their first elements: the last one that begins at or before `index`.
+  // Ranges do not overlap, and together they cover every element from 0 on.
   const auto after = std::ranges::upper_bound(ranges, index, {}, &UsageRange::start);
   if (after == ranges.begin()) return 0;
   const UsageRange& range = *(after - 1);

@@ -9,23 +9,28 @@
 
 namespace kaori::decode {
 
-// The bounds of Linux's parser (include/linux/hid.h): what Linux accepts is accepted here too.
+// The bounds of Linux's parser (include/linux/hid.h): what Linux accepts is
+// accepted here too. The descriptor comes from a device, which may claim anything:
+// without bounds four bytes could ask for 4 GiB of fields.
 inline constexpr std::size_t kMaxDescriptorBytes = 4096;
 inline constexpr std::size_t kMaxUsages = 12288;  // For one main item.
 inline constexpr std::size_t kMaxFieldsPerReport = 256;
 inline constexpr std::size_t kMaxGlobalStack = 4;
 inline constexpr std::size_t kMaxReportBytes = 16384;  // Report id included.
-inline constexpr std::uint32_t kMaxFieldBits =
-    256;  // Of one element; values of up to kMaxValueBits are read.
+// Of one element; values of up to kMaxValueBits are read. Wider elements are for vendors' data.
+inline constexpr std::uint32_t kMaxFieldBits = 256;
 inline constexpr std::uint32_t kMaxValueBits = 32;
-inline constexpr std::size_t kMaxCollectionDepth = 64;  // Our own: Linux is bounded by its memory alone.
+// Our own bound: Linux is limited by its memory alone.
+inline constexpr std::size_t kMaxCollectionDepth = 64;
 
+// The three directions of HID: from the device, to it, and both ways on request. Each has ids of its own.
 enum class ReportKind : std::uint8_t { kInput, kOutput, kFeature };
 
 // A usage is its page in the high 16 bits and its id in the low ones: 0x00010030 is Generic Desktop X.
 using Usage = std::uint32_t;
 
-// The usages first..last, for the elements (or array values) from `start` on.
+// The usages first..last, for the elements (or array values) from `start` on. One range stands for
+// any number of elements, so that "every key" costs one entry.
 struct UsageRange {
   Usage first = 0;
   Usage last = 0;
@@ -46,12 +51,14 @@ struct ReportField {
   std::uint32_t count = 0;
   std::int64_t logical_min = 0;  // Negative: elements are signed.
   std::int64_t logical_max = 0;
-  Usage application = 0;           // The application collection around it; 0 without one.
-  std::uint32_t usages_begin = 0;  // Its ranges in ReportLayout::usages: at least one.
+  Usage application = 0;  // The application collection around it; 0 without one.
+  // The field's ranges are those of ReportLayout::usages from here up
+  // to, but without, usages_end: at least one.
+  std::uint32_t usages_begin = 0;
   std::uint32_t usages_end = 0;
 };
 
-// One report: its id and its length.
+// One report: its id and its length, which an input report must have exactly.
 struct ReportShape {
   ReportKind kind = ReportKind::kInput;
   std::uint8_t id = 0;
@@ -61,7 +68,8 @@ struct ReportShape {
   std::size_t bytes() const { return (bits + 7u) / 8u; }
 };
 
-// All reports of a device.
+// All reports of a device, as its decoder needs them. Made once when a device is opened; reading by it
+// allocates nothing. Collections are flattened: of the tree only the application is kept.
 struct ReportLayout {
   std::vector<ReportShape> reports;
   std::vector<ReportField> fields;  // In the order of the descriptor.
@@ -72,13 +80,14 @@ struct ReportLayout {
   // The usage of element `index`; in an array, of the value logical_min + index. Elements beyond the last
   // usage have that last one (HID 1.11, section 6.2.2.8); values beyond an array's last usage have none: 0.
   Usage usage(const ReportField& field, std::uint32_t index) const;
-  // Null where the device has no such report.
+  // Null where the device has no such report. Valid until the layout changes.
   const ReportShape* Find(ReportKind kind, std::uint8_t id) const;
-  // True when reports of `kind` begin with their id.
+  // True when reports of `kind` begin with their id (HID 1.11, section 5.6: all of a kind do, or none).
   bool numbered(ReportKind kind) const;
 };
 
-// Parses a report descriptor. Pure; time and memory are bounded by the limits above. Errors:
+// Parses a report descriptor. Pure; time and memory are bounded by the limits above. What has no meaning
+// for our decoders (physical ranges, units, designators, strings) is passed over. Errors:
 //   invalid_argument  the attempt says what is wrong, and at which byte
 Result<ReportLayout> ReadReportLayout(std::span<const std::uint8_t> descriptor);
 

@@ -32,7 +32,8 @@ constexpr std::uint32_t kConstant = 1u << 0, kVariable = 1u << 1, kRelative = 1u
                         kNullState = 1u << 6;
 constexpr std::uint32_t kApplication = 1;  // Kind of collection.
 
-// The global items, which count until they are changed. Push and pop save and restore all of them.
+// The global items, which count until they are changed. Push and pop save and restore all of them. The
+// physical range and the units are not among them: decoders scale by the logical range alone.
 struct Globals {
   std::uint32_t page = 0;
   std::int64_t logical_min = 0;
@@ -48,7 +49,8 @@ struct Collection {
   Usage usage = 0;
 };
 
-// The state that items build up. Used once for one descriptor.
+// The state that items build up. Used once for one descriptor. A failed item leaves the
+// parser half applied, so it is not used any further.
 class Parser {
  public:
   Result<ReportLayout> Run(std::span<const std::uint8_t> descriptor);
@@ -220,12 +222,14 @@ Result<void> Parser::AddField(const Item& item, ReportKind kind) {
     return FailAt(item.offset_bytes, "the logical range is empty");
   ReportShape& shape = ShapeOf(kind);
   const std::uint32_t offset_bits = shape.bits;
+  // At most 256 bits times 12288 elements: the sum of 32 bits cannot overflow before it is compared.
   shape.bits += globals_.size_bits * globals_.count;
   if (shape.bits > (kMaxReportBytes - 1) * 8) return FailAt(item.offset_bytes, "a report is too long");
   // Padding, and fields without a usage, occupy bits and have no values.
   const bool holds_nothing = (item.unsigned_value & kConstant) != 0 || usages_.empty() ||
                              globals_.count == 0 || globals_.size_bits == 0;
   if (holds_nothing || globals_.size_bits > kMaxValueBits) return {};
+  // The bound counts fields with values alone: padding between single bits must not use it up.
   if (++shape.fields > kMaxFieldsPerReport) return FailAt(item.offset_bytes, "too many fields in a report");
   ReportField field{.kind = kind,
                     .report_id = globals_.report_id,

@@ -27,7 +27,8 @@ std::int64_t Extract(const ReportField& field, std::uint32_t element, std::span<
   const std::size_t last_byte = (first_bit + field.bits - 1) / 8;
   // OpenInput has checked the length, so a failure here is a fault of ours.
   assert(element < field.count && last_byte < payload.size());
-  std::uint64_t raw = 0;  // At most 5 bytes: 32 bits, unaligned.
+  // At most 5 bytes: 32 bits, of which the first may begin anywhere within a byte.
+  std::uint64_t raw = 0;
   for (std::size_t n = last_byte + 1; n > first_bit / 8; --n) raw = (raw << 8) | payload[n - 1];
   raw = (raw >> (first_bit % 8)) & ((std::uint64_t{1} << field.bits) - 1);
   // Two's complement of field.bits bits, where the logical range is signed.

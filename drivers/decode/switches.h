@@ -11,8 +11,8 @@
 
 namespace kaori::decode {
 
-// The state of kWords * 32 switches. A push that begins and
-// ends between two reads of a sample still counts in `pushes`.
+// The state of kWords * 32 switches. A push that begins and ends between two reads of a sample still
+// counts in `pushes`: readers compare the counts of two samples and miss nothing, however late they are.
 template <std::size_t kWords>
 struct Switches {
   std::array<std::uint32_t, kWords> down{};         // Bit n % 32 of word n / 32: switch n is held.
@@ -28,8 +28,8 @@ struct Switches {
   }
 };
 
-// Reads switches from reports. Where a device has its switches in several reports, a switch is held while the
-// newest report of any id says so.
+// Reads switches from reports. Where a device has its switches in several reports, a switch is held
+// while the newest report of any id says so. One reader belongs to one opened device.
 template <std::size_t kWords>
 class SwitchReader {
  public:
@@ -38,7 +38,8 @@ class SwitchReader {
   // Usage `first` of usage page `page` is switch 0, the next usage switch 1, and so on.
   SwitchReader(std::uint32_t page, std::uint32_t first) : page_(page), first_(first) {}
 
-  // All switches that are held, `report` included.
+  // All switches that are held, `report` included. Usages beyond kWords * 32 are left out.
+  // Allocates an entry when an id comes for the first time.
   Mask Read(const ReportLayout& layout, const InputReport& report) {
     Mask& held = HeldBy(report.id);
     held = {};

@@ -8,19 +8,23 @@
 
 namespace kaori::decode {
 
-// Local items are applied in order; the main item that follows reads the list, which then ends.
+// Local items are applied in order; the main item that follows reads the list, which then ends (HID 1.11,
+// section 6.2.2.8). The number of usages is bounded by kMaxUsages, whatever ranges a device claims.
 class UsageList {
  public:
   // Applies a local item. Errors: invalid_argument (too many usages, a range that runs backwards, or
   // delimiters that do not match).
   Result<void> Apply(const Item& item);
 
+  // No usage was named: the main item is padding, or a field that means nothing to us.
   bool empty() const { return usages_.empty(); }
   bool delimiter_open() const { return delimiter_depth_ > 0; }
 
-  // `page` is the usage page that holds at the main item: a usage of one or two bytes belongs to it, and not
-  // to the page that held at the usage (HID 1.11, section 6.2.2.8). An empty list has the usage 0 on `page`.
+  // `page` is the usage page that holds at the main item: a usage of one or two bytes belongs to
+  // it, and not to the page that held at the usage (HID 1.11, section 6.2.2.8). An empty list has
+  // the usage 0 on `page`. The first usage names a collection.
   Usage first(std::uint32_t page) const;
+  // Appends the list as ranges of elements, the first of which belongs to element 0.
   void AppendTo(std::vector<UsageRange>& into, std::uint32_t page) const;
 
  private:
@@ -37,6 +41,7 @@ class UsageList {
   Result<void> Delimit(const Item& item);
 
   std::vector<Range> usages_;
+  // Usages so far, each of a range counted by itself.
   std::size_t count_ = 0;
   Range minimum_;
   int delimiter_depth_ = 0;

@@ -5,7 +5,7 @@
 
 namespace kaori::decode {
 
-// Usage pages: section 3.
+// Usage pages: section 3. A usage of them is (page << 16) | id.
 inline constexpr std::uint32_t kKeyboardPage = 0x07;
 inline constexpr std::uint32_t kButtonPage = 0x09;
 
