@@ -11,6 +11,7 @@ namespace {
 
 using ports::GpioEdge;
 
+// The bits of Levels().
 constexpr std::size_t kMostInputs = 32;
 
 // Adds a descriptor to the lines' epoll set.
@@ -70,7 +71,8 @@ Result<std::uint32_t> ChipLines::Levels() {
 
 Result<GpioEdge> ChipLines::ReadEdge() {
   if (auto ok = ReadAhead(); !ok) return tl::unexpected(ok.error());
-  // Inputs without an edge are later than any with one.
+  // Inputs without an edge are later than any with one. The time of two edges may be
+  // equal: then the line with the lower number comes first.
   const auto oldest = std::ranges::min_element(
       inputs_, {}, [](const Input& input) { return input.next ? input.next->at : Time::max(); });
   if (oldest == inputs_.end() || !oldest->next)

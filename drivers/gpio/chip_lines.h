@@ -12,16 +12,18 @@
 
 namespace kaori::gpio {
 
-// Which lines of a chip are used, and how.
+// Which lines of a chip are used, and how: from the show's profile, in the order of their roles.
 struct Wiring {
   std::vector<LineWiring> inputs{};  // 32 at most; the index is the line's number in the port.
   std::vector<LineWiring> outputs{};
 };
 
-// As ports::GpioLines. An edge is given once no other line can have an older one.
+// As ports::GpioLines. An edge is given once no other line can have an older one: each
+// line has a descriptor and a queue of its own in the kernel, and only one edge of
+// each, read ahead, tells which is the oldest. One thread.
 class ChipLines final : public ports::GpioLines {
  public:
-  // Requests every line of `wiring`, or none of them. Errors:
+  // Requests every line of `wiring`, or none of them. Owns the chip, also where it fails. Errors:
   // invalid_argument (more than 32 inputs), and those of GpioChip.
   static Result<std::unique_ptr<ChipLines>> Request(std::unique_ptr<GpioChip> chip, const Wiring& wiring);
 
@@ -38,6 +40,7 @@ class ChipLines final : public ports::GpioLines {
   ChipLines(std::unique_ptr<GpioChip> chip, UniqueFd epoll, UniqueFd wake);
   // Requests an input and watches its descriptor. Errors: those of GpioChip.
   Result<void> AddInput(const LineWiring& wiring);
+  // Reads each line's next edge where none is kept. Errors: those of InputLine.
   Result<void> ReadAhead();
   // Makes `wake_` readable exactly while an edge was read ahead.
   void UpdateWake();
@@ -45,12 +48,13 @@ class ChipLines final : public ports::GpioLines {
   std::unique_ptr<GpioChip> chip_;  // Declared before the lines: it must outlive them.
   std::vector<Input> inputs_;
   std::vector<std::unique_ptr<OutputLine>> outputs_;
+  // Watches the inputs' descriptors and `wake_`; it is what pollable() gives.
   UniqueFd epoll_;
   UniqueFd wake_;  // Readable while an input has a `next`, which the kernel knows no more.
 };
 
-// Opens the chip and requests its lines. `clock` must outlive
-// them. Errors: those of OpenGpioChip and of ChipLines::Request.
+// Opens the chip and requests its lines. Does not block, but for a chip behind USB, which answers within
+// some milliseconds. `clock` must outlive them. Errors: those of OpenGpioChip and of ChipLines::Request.
 Result<std::unique_ptr<ports::GpioLines>> OpenLines(const std::string& chip, const Wiring& wiring,
                                                     const Clock& clock);
 

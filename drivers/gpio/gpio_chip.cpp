@@ -31,8 +31,8 @@ tl::unexpected<Error> Failed(const char* verb, gpiod_line* line) {
   return Fail(gone ? std::errc::no_such_device : std::errc::io_error, Named(verb, line));
 }
 
-// What the kernel says of a chip without interrupts; and of one that was unplugged, which says it again when
-// the line is requested without edges.
+// What the kernel says of a chip without interrupts (gpiod_to_irq fails with ENXIO or ENODEV); and of
+// one that was unplugged, which says it again when the line is requested without edges.
 bool HasNoEdges(const Error& error) {
   return error.cause == std::errc::no_such_device || error.cause == std::errc::no_such_device_or_address;
 }
@@ -55,7 +55,8 @@ class Input final : public InputLine {
     if (waiting == 0) return Fail(std::errc::resource_unavailable_try_again, Named("read", line_.get()));
     gpiod_line_event event{};
     if (waiting < 0 || gpiod_line_event_read(line_.get(), &event) < 0) return Failed("read", line_.get());
-    // Linux stamps line events with CLOCK_MONOTONIC since 5.7.
+    // Linux stamps line events with CLOCK_MONOTONIC since 5.7. Earlier
+    // kernels used CLOCK_REALTIME, which jumps.
     return LineEdge{.at = Time{} + std::chrono::seconds(event.ts.tv_sec) + Duration(event.ts.tv_nsec),
                     .active = event.event_type == GPIOD_LINE_EVENT_RISING_EDGE};
   }
@@ -87,7 +88,10 @@ class Chip final : public GpioChip {
     if (!HasNoEdges(line.error())) return tl::unexpected(line.error());
     auto plain = Request(wiring, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
     if (!plain) return tl::unexpected(plain.error());
-    constexpr std::uint32_t kTurns = 4;  // An MCP2221 has four lines: each has its own turn.
+    // An MCP2221 has four lines, and each read of one takes some milliseconds of
+    // USB: each line has its own turn of 10 ms within the period of 40 ms
+    // (polled_line.h), so that no turn of the loop waits for two.
+    constexpr std::uint32_t kTurns = 4;
     constexpr Duration kTurn = std::chrono::milliseconds(10);
     return PollLine(std::make_unique<Input>(std::move(*plain)), kTurn * (1 + wiring.offset % kTurns), clock_);
   }
@@ -103,7 +107,8 @@ class Chip final : public GpioChip {
     const std::string attempt = "request GPIO line " + std::to_string(wiring.offset);
     gpiod_line* line = gpiod_chip_get_line(chip_.get(), wiring.offset);
     if (line == nullptr) return FailErrno(attempt);
-    // Lines keep their wiring's polarity in the kernel: values are logical from here on.
+    // Lines keep their wiring's polarity in the kernel: values are logical from here on. A chip that has
+    // no pull-up resistors refuses the flag with EINVAL or ENOTSUPP.
     const int flags = (wiring.active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0) |
                       (wiring.pull_up ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP : 0);
     const gpiod_line_request_config config{

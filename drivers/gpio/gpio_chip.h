@@ -11,7 +11,7 @@
 
 namespace kaori::gpio {
 
-// How a line is wired.
+// How a line is wired on the box. Foot switches and tally lamps close to ground.
 struct LineWiring {
   std::uint32_t offset = 0;  // The line's number on its chip.
   bool active_low = true;    // A switch to ground.
@@ -19,6 +19,7 @@ struct LineWiring {
   bool wired = true;         // False: nothing is wired there, and no line is requested.
 };
 
+// An edge of one line. The kernel stamps it when the interrupt comes, not when a program reads it.
 struct LineEdge {
   Time at{};  // CLOCK_MONOTONIC: the kernel's stamp, or when a polled line was read.
   bool active = false;
@@ -41,19 +42,20 @@ class InputLine {
   virtual Result<LineEdge> ReadEdge() = 0;
 };
 
-// As InputLine, to be driven.
+// As InputLine, to be driven. Its state after this object's end is up to the chip.
 class OutputLine {
  public:
   virtual ~OutputLine() = default;
   virtual Result<void> Drive(bool active) = 0;
 };
 
-// One thread. The lines must end before their chip.
+// A chip of the kernel, open. One thread. The lines must end before their chip.
 class GpioChip {
  public:
   virtual ~GpioChip() = default;
 
-  // Requests a line. An output starts inactive. Errors:
+  // Requests a line for this program alone. An input reports both edges; where the chip has no
+  // interrupts its level is polled instead (polled_line.h). An output starts inactive. Errors:
   //   invalid_argument         the chip has no such line, or no pull-up resistors
   //   device_or_resource_busy  somebody else has the line
   //   no_such_device           the chip was unplugged
@@ -61,8 +63,9 @@ class GpioChip {
   virtual Result<std::unique_ptr<OutputLine>> RequestOutput(const LineWiring& wiring) = 0;
 };
 
-// Opens a chip of the kernel by its name ("gpiochip0", "/dev/gpiochip0") or label. `clock` stamps the edges
-// of chips without interrupts, and must outlive the chip. Errors: no_such_device, permission_denied.
+// Opens a chip of the kernel by its name ("gpiochip0", "/dev/gpiochip0") or label; a label survives
+// another order of chips, as after a USB chip was plugged in. `clock` stamps the edges of chips without
+// interrupts, and must outlive the chip. Errors: no_such_device, permission_denied.
 Result<std::unique_ptr<GpioChip>> OpenGpioChip(const std::string& name, const Clock& clock);
 
 }  // namespace kaori::gpio

@@ -11,6 +11,7 @@
 namespace kaori::gpio {
 namespace {
 
+// The panel answers at once when it runs at all; a box that starts must not wait for one that hangs.
 constexpr Duration kPanelPatience = std::chrono::milliseconds(100);
 constexpr std::uint32_t kMostLines = 32;  // The bits of a level.
 

@@ -12,8 +12,9 @@
 
 namespace kaori::gpio {
 
-// As ports::GpioLines. The panel says with its first packet how many lines it has and which are active, and then
-// tells each edge with its time; active-low wiring is its own business.
+// As ports::GpioLines. The panel says with its first packet how many lines it has and which are active,
+// and then tells each edge with its time; active-low wiring and bouncing contacts are its own business.
+// The packets are those of firmware/wire/link_lines.h. One thread.
 class LocalLines final : public ports::GpioLines {
  public:
   // Connects to "<folder>/lines.<port>" and returns at once; the lines can be used after Greet. Errors: no_such_device
@@ -21,8 +22,11 @@ class LocalLines final : public ports::GpioLines {
   static Result<std::unique_ptr<LocalLines>> Connect(const std::string& folder,
                                                      const std::string& port = "lines");
 
-  // Waits for the panel's first packet, `patience` at most: the one call that may block. Errors: timed_out, no_such_device,
-  // io_error (the packet is none of the protocol).
+  // Waits for the panel's first packet, `patience` at most: the one call that
+  // may block. Called once, before the others. Errors:
+  //   timed_out       the panel said nothing
+  //   no_such_device  it hung up
+  //   io_error        the packet is none of the protocol
   Result<void> Greet(Duration patience);
 
   // Owns the connected socket. `name` is for errors.
@@ -34,6 +38,7 @@ class LocalLines final : public ports::GpioLines {
   Result<std::uint32_t> Levels() override;
 
   // A packet that is none of the protocol gives io_error, now and from then on.
+  // Edges keep the order and the stamps of the panel.
   Result<ports::GpioEdge> ReadEdge() override;
   Result<void> Drive(std::uint32_t line, bool active) override;
 

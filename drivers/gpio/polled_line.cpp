@@ -18,6 +18,7 @@ timespec Timespec(Duration length) {
   return {.tv_sec = whole.count(), .tv_nsec = (length - whole).count()};
 }
 
+// A level that is asked for from outside counts as seen, so that one change never gives two edges.
 class PolledInput final : public InputLine {
  public:
   PolledInput(std::unique_ptr<InputLine> plain, UniqueFd timer, const Clock& clock)
