@@ -14,6 +14,7 @@
 namespace kaori::hid {
 namespace {
 
+// The kernel's class of nodes that give reports without interpreting them (Documentation/hid/hidraw.rst).
 constexpr const char* kSubsystem = "hidraw";
 // bInterfaceNumber of a device's first interface: it is named by the device's port alone.
 constexpr std::string_view kFirstInterface = "00";
@@ -27,7 +28,8 @@ std::string_view Text(const char* text) {
   return text != nullptr ? text : std::string_view{};
 }
 
-// The middle and last numbers of HID_ID, "0003:00001209:00000001": bus, vendor, product.
+// The middle and last numbers of HID_ID, "0003:00001209:00000001":
+// bus, vendor, product. 0 where there are none.
 std::uint16_t HexAt(std::string_view id, std::size_t at) {
   std::uint32_t value = 0;
   if (id.size() >= at + 8) std::from_chars(id.data() + at, id.data() + at + 8, value, 16);
@@ -36,6 +38,8 @@ std::uint16_t HexAt(std::string_view id, std::size_t at) {
 
 // Borrows from `device`; null without a USB interface above it.
 std::optional<std::string> UsbPort(udev_device* device) {
+  // A hidraw node is a child of the HID device, and that one of a USB
+  // interface; the device is above the interface.
   udev_device* interface = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_interface");
   udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device");
   if (interface == nullptr || usb == nullptr) return std::nullopt;
@@ -74,6 +78,8 @@ Result<std::unique_ptr<HidrawBus>> HidrawBus::Open(const Clock& clock) {
   std::unique_ptr<HidrawBus> bus(new HidrawBus(clock));
   bus->udev_.reset(udev_new());
   if (!bus->udev_) return FailErrno("open udev");
+  // "udev" are the notices that udevd sends on after its rules ran:
+  // only then has the node its access rights.
   bus->monitor_.reset(udev_monitor_new_from_netlink(bus->udev_.get(), "udev"));
   if (!bus->monitor_) return FailErrno("watch udev");
   if (udev_monitor_filter_add_match_subsystem_devtype(bus->monitor_.get(), kSubsystem, nullptr) < 0 ||
@@ -100,6 +106,8 @@ Result<std::vector<std::string>> HidrawBus::Ports() {
 bool HidrawBus::DrainNotices() {
   pollfd notices{.fd = pollable(), .events = POLLIN, .revents = 0};
   const bool any = ::poll(&notices, 1, 0) > 0;
+  // The monitor's socket does not block, so null ends the loop;
+  // receiving also gives a broken notice as null.
   while (const std::unique_ptr<udev_device, Unref> device{udev_monitor_receive_device(monitor_.get())}) {
   }
   return any;
@@ -139,6 +147,7 @@ Result<std::unique_ptr<ports::HidChannel>> HidrawBus::Open(const std::string& po
   const auto it = nodes_.find(port);
   if (it == nodes_.end()) return Fail(std::errc::no_such_device, "open " + port);
   const Node& node = it->second;
+  // Reading and writing: a lamp's report goes through the same node.
   UniqueFd fd(::open(node.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!fd.valid()) return Fail(CauseOfOpen(errno), "open " + node.path + " at " + port);
   auto descriptor = ReadHidrawDescriptor(fd.get());

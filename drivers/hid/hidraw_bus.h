@@ -19,14 +19,17 @@ namespace kaori::hid {
 
 class HidrawChannel;
 
-// As ports::HidBus. A port is the USB port path, "1-4.2"; a device's second interface and those after it add
-// the interface's name, "1-4.2:1.1". A device without USB is named by its HID_PHYS and its HID_UNIQ (of
-// Bluetooth these are the receiver, which all of its devices share, and the device's address), or else by its
-// kernel name. Open blocks while a joystick is asked for its position: about 1 ms, and 5 s once for each kind
-// of device that does not answer.
+// As ports::HidBus. A port is the USB port path, "1-4.2"; a device's second interface and
+// those after it add the interface's name, "1-4.2:1.1". A device without USB is named by its
+// HID_PHYS and its HID_UNIQ (of Bluetooth these are the receiver, which all of its devices
+// share, and the device's address), or else by its kernel name.
+// Open blocks while a joystick is asked for its position: about 1 ms, and 5 s once for
+// each kind of device that does not answer. One thread.
 class HidrawBus final : public ports::HidBus {
  public:
-  // `clock` must outlive the bus and its channels. Errors: those of libudev.
+  // Subscribes to udev's notices; nothing is listed before Ports. `clock` stamps reports.
+  // It must outlive the bus and its channels. Errors: those of libudev:
+  // too_many_files_open, and whatever netlink(7) refuses.
   static Result<std::unique_ptr<HidrawBus>> Open(const Clock& clock);
 
   int pollable() const override;
@@ -34,6 +37,7 @@ class HidrawBus final : public ports::HidBus {
   Result<std::unique_ptr<ports::HidChannel>> Open(const std::string& port) override;
 
  private:
+  // libudev counts references; each pointer here owns one.
   struct Unref {
     void operator()(udev* handle) const;
     void operator()(udev_monitor* handle) const;
@@ -47,12 +51,13 @@ class HidrawBus final : public ports::HidBus {
     std::string name;
   };
   explicit HidrawBus(const Clock& clock) : clock_(clock) {}
-  // Reads every notice; true where there was one.
+  // Reads every notice; true where there was one. What they say does not matter.
   bool DrainNotices();
-  // Makes `nodes_` anew. Errors: those of libudev.
+  // Makes `nodes_` anew: some files of sysfs are read for each device. Errors: those of libudev.
   Result<void> Scan();
-  // Adds a hidraw device to `nodes_`.
+  // Adds a hidraw device to `nodes_`; borrows it. A device that vanished meanwhile is left out.
   void Add(udev_device* device);
+  // Has a joystick tell where it stands (initial_reports.h). Fails silently: the first report then tells.
   void RequestInitialReports(HidrawChannel& channel);
 
   // Stamps the reports of every channel that this bus opens.

@@ -30,7 +30,9 @@ Result<void> HidrawChannel::RequestInitialReports(std::span<const decode::Initia
   return {};
 }
 
-// The kernel's answer begins with the report's number, or with a 0 that was not on the cable.
+// The kernel's answer begins with the report's number, or with a 0 that was not on the
+// cable. Errors other than the time-out (a stall gives EPIPE, an old kernel ENOTTY for
+// HIDIOCGINPUT, which came with 5.11) leave the report out.
 Result<void> HidrawChannel::RequestReport(const decode::InitialReport& report) {
   std::vector<std::uint8_t> answer(1 + report.bytes);
   answer[0] = report.id;
@@ -93,6 +95,7 @@ Result<std::vector<std::uint8_t>> ReadHidrawDescriptor(int node) {
   hidraw_report_descriptor descriptor{};
   descriptor.size = static_cast<std::uint32_t>(std::clamp(bytes, 0, HID_MAX_DESCRIPTOR_SIZE));
   if (::ioctl(node, HIDIOCGRDESC, &descriptor) < 0) return FailErrno("read a report descriptor");
+  // The kernel fills in `size` bytes; the struct has room for the longest.
   return std::vector<std::uint8_t>(descriptor.value, descriptor.value + descriptor.size);
 }
 

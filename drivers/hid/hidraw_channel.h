@@ -11,19 +11,20 @@
 
 namespace kaori::hid {
 
-// As ports::HidChannel, but for Write: the kernel sends an output report
-// before its write returns, which blocks about 1 ms, and up to the kernel's
-// time-out of 5 s when a device does not answer. LibusbChannel does not block.
+// As ports::HidChannel, but for Write: the kernel sends an output report before its write
+// returns, which blocks about 1 ms, and up to the kernel's time-out of 5 s when a device does not
+// answer. LibusbChannel does not block. Reports are read whole: one read(2) gives one. The kernel
+// keeps a ring of 64 and drops the newest beyond that. One thread.
 class HidrawChannel final : public ports::HidChannel {
  public:
   // `node` is an open, non-blocking hidraw node. Borrows `clock` for its life.
   HidrawChannel(UniqueFd node, ports::HidIdentity identity, const Clock& clock);
 
-  // Requests these reports from the device by GET_REPORT. Read gives the answers first,
-  // before what the device sends by itself. Linux drops what a device sends in the first
-  // 50 ms after it was opened, and a stick that is held still sends no more; so its
-  // position would be unknown. A device that stalls, or whose answer is not plausible,
-  // has no initial report, which is no error. Blocks about 1 ms for each report. Errors:
+  // Requests these reports from the device by GET_REPORT. Read gives the answers first, before what the
+  // device sends by itself; pollable() does not tell of them, so Read is called once after this. Linux
+  // drops what a device sends in the first 50 ms after it was opened, and a stick that is held still
+  // sends no more; so its position would be unknown. A device that stalls, or whose answer is not
+  // plausible, has no initial report, which is no error. Blocks about 1 ms for each report. Errors:
   //   timed_out  the device did not answer at all; that took 5 s
   Result<void> RequestInitialReports(std::span<const decode::InitialReport> reports);
 
@@ -33,10 +34,11 @@ class HidrawChannel final : public ports::HidChannel {
   Result<void> Write(std::span<const std::uint8_t> report) override;
 
  private:
-  // The error of a failed call by its errno; notes where the device is gone.
+  // The error of a failed call by its errno; `verb` ends with a space. Notes where the device is gone.
   tl::unexpected<Error> Failed(int error, const char* verb);
   tl::unexpected<Error> Gone() const;
 
+  // One GET_REPORT; its answer goes to the end of `initial_`.
   Result<void> RequestReport(const decode::InitialReport& report);
 
   UniqueFd node_;

@@ -12,11 +12,14 @@
 
 namespace kaori::hid {
 
-// As ports::HidBus, with the port names of HidrawBus. Open blocks while the device sends its descriptors, 250
-// ms at most for each, and claims the interface from the kernel's driver; the channel's end gives it back.
+// As ports::HidBus, with the port names of HidrawBus, so that a profile serves both. Open blocks while
+// the device sends its descriptors, 250 ms at most for each, and claims the interface from the
+// kernel's driver; the channel's end gives it back. One thread.
 class LibusbBus final : public ports::HidBus {
  public:
-  // `clock` must outlive the bus and its channels. Errors: not_supported (libusb has no hot-plug), io_error.
+  // Every device is listed, hidraw's access rights or not; Open needs those of
+  // /dev/bus/usb. `clock` stamps reports. It must outlive the bus and its channels.
+  // Errors: not_supported (libusb has no hot-plug), io_error.
   static Result<std::unique_ptr<LibusbBus>> Open(const Clock& clock);
   ~LibusbBus() override;
 

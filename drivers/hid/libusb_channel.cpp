@@ -12,19 +12,24 @@ namespace {
 
 using ports::HidInput;
 
+// Far more than a device takes for a descriptor, and short enough that a loop of the box survives it.
 constexpr unsigned kRequestTimeout_ms = 250;
+// A device that does not take a lamp's report within a second has other troubles.
 constexpr unsigned kWriteTimeout_ms = 1000;
+// HID 1.11, section 7.1: the type of a report descriptor in GET_DESCRIPTOR.
 constexpr std::uint8_t kReportDescriptor = 0x22;
 constexpr std::uint8_t kSetReport = 0x09;              // HID 1.11, section 7.2.2.
 constexpr std::uint16_t kOutputReport = 0x02 << 8;     // High byte of wValue.
 constexpr std::uint8_t kClassToInterface = 0x21;       // USB 2.0, table 9-2: out, class, interface.
 constexpr std::uint8_t kStandardFromInterface = 0x81;  // In, standard, interface.
 constexpr std::uint16_t kEnglish = 0x0409;             // The language that every device with names has.
+// Cancelled transfers end within a turn or two; one that never does is freed by libusb's own end.
 constexpr int kClosingTurns = 10;
 constexpr int kClosingTurn_ms = 10;
 
-// Whole packets for the longest report: a shorter transfer
-// would overflow, a longer one wait for a second report.
+// Whole packets for the longest report: a shorter transfer would overflow
+// (LIBUSB_TRANSFER_OVERFLOW), a longer one wait for a second report, since only a packet
+// that is not full ends a transfer (USB 2.0, section 5.7.3).
 std::size_t ReadBytes(std::span<const std::uint8_t> descriptor, std::size_t packet_bytes) {
   std::size_t longest = 1;
   if (const auto layout = decode::ReadReportLayout(descriptor)) {
@@ -107,6 +112,7 @@ Result<void> LibusbChannel::ReadIdentity() {
       std::min<std::size_t>(interface_.descriptor_bytes, decode::kMaxDescriptorBytes));
   const int bytes = libusb_control_transfer(
       handle_.get(), kStandardFromInterface, LIBUSB_REQUEST_GET_DESCRIPTOR, kReportDescriptor << 8,
+      // wIndex is the interface's number, as for every request to an interface (HID 1.11, section 7.1.1).
       static_cast<std::uint16_t>(interface_.number), descriptor.data(),
       static_cast<std::uint16_t>(descriptor.size()), kRequestTimeout_ms);
   if (bytes < 0) return FailUsb(bytes, "read the report descriptor of " + interface_.port);
@@ -123,6 +129,7 @@ std::string LibusbChannel::ReadName(std::uint8_t index) {
                               static_cast<std::uint16_t>(LIBUSB_DT_STRING << 8 | index), kEnglish,
                               text.data(), static_cast<std::uint16_t>(text.size()), kRequestTimeout_ms);
   std::string name;
+  // Byte 0 of a string descriptor is its length, and byte 1 its type (USB 2.0, section 9.6.7).
   const std::size_t end = std::min<std::size_t>(static_cast<std::size_t>(std::max(bytes, 0)), text[0]);
   for (std::size_t n = 2; n + 1 < end; n += 2)  // UTF-16; what is not ASCII becomes a question mark.
     name += text[n + 1] == 0 && text[n] < 0x80 ? static_cast<char>(text[n]) : '?';
@@ -211,6 +218,8 @@ Result<HidInput> LibusbChannel::Read(std::span<std::uint8_t> into) {
   if (gone_) return Gone();
   // Nothing is left to read; from here on USB alone makes the descriptor readable.
   session_->SetReadable(false);
+  // A transfer whose submission failed earlier is tried again here, so
+  // that one error does not silence the device.
   for (Transfer& transfer : reads_)
     if (transfer.state == Transfer::State::kIdle && !AwaitInput(transfer)) broken_ = true;
   if (gone_) return Gone();

@@ -14,12 +14,15 @@ struct libusb_transfer;
 
 namespace kaori::hid {
 
-// As ports::HidChannel. Up to kReads reports that nobody reads stay in their
-// transfers, and the device keeps the rest: none is lost on our side. Write
-// says resource_unavailable_try_again while kWrites reports are submitted.
+// As ports::HidChannel. Up to kReads reports that nobody reads stay in their transfers, and the
+// device keeps the rest: none is lost on our side. Write says resource_unavailable_try_again
+// while kWrites reports are submitted. Stamps are taken in the call-back, that is when Read or
+// Write runs: they are late by as much as the loop. One thread.
 class LibusbChannel final : public ports::HidChannel {
  public:
+  // At 1000 reports/s, USB's most at full speed, eight reports outlast a loop that is busy for 8 ms.
   static constexpr std::size_t kReads = 8;
+  // Lamps and a display line at once; whoever writes faster than the device reads is told so.
   static constexpr std::size_t kWrites = 4;
 
   // Opens the HID interface at `port` in a libusb session of its own, and claims
@@ -57,22 +60,31 @@ class LibusbChannel final : public ports::HidChannel {
     Time at{};
     std::uint64_t order = 0;  // Of arrival.
   };
+  // Opens nothing yet.
   LibusbChannel(std::unique_ptr<LibusbSession> session, UsbHidInterface interface, const Clock& clock);
-  // The steps of Open, in this order.
+  // The steps of Open, in this order. Each leaves the channel in a state that the destructor can end.
   Result<void> Claim();
-  // Reads the ids, the name and the report descriptor from the device; blocks as Open says.
+  // Reads the ids, the name and the report descriptor from the device;
+  // blocks as Open says. The name may stay empty.
   Result<void> ReadIdentity();
+  // The string descriptor of this index in English, as ASCII; empty where the device does not send it.
   std::string ReadName(std::uint8_t index);
   // Allocates all transfers and submits those for reading: nothing is allocated afterwards.
   Result<void> Prepare();
   // Gives a transfer to libusb. Errors: those of libusb; the transfer is idle then.
   Result<void> Submit(Transfer& transfer);
+  // Has the transfer wait for the next input report. Errors: those of Submit.
   Result<void> AwaitInput(Transfer& transfer);
+  // Fills an idle transfer with an output report; `report` is copied.
+  // Allocates where it is longer than those before.
   void FillWrite(Transfer& transfer, std::span<const std::uint8_t> report);
   // The transfer whose report arrived first; null: none has one.
   Transfer* Oldest();
+  // A transfer is in the hands of libusb: its memory must stay.
   bool any_submitted() const;
   tl::unexpected<Error> Gone() const;
+  // libusb's call-back, with the Transfer as its user data; it leads
+  // to HandleDone of the transfer's channel.
   static void OnDone(libusb_transfer* done);
   void HandleDone(Transfer& transfer);
 
@@ -82,15 +94,16 @@ class LibusbChannel final : public ports::HidChannel {
   ports::HidIdentity identity_;
   std::array<Transfer, kReads> reads_;
   std::array<Transfer, kWrites> writes_;
-  std::unique_ptr<libusb_device_handle, Close>
-      handle_;  // Closes before the transfers are freed: then libusb has let them go.
+  // Closes before the transfers are freed: then libusb has let them go.
+  std::unique_ptr<libusb_device_handle, Close> handle_;
   // Counts completed reports, so that they are given in their order.
   std::uint64_t arrivals_ = 0;
   bool claimed_ = false;
   // The destructor runs: call-backs only end their transfers.
   bool closing_ = false;
   bool gone_ = false;
-  bool broken_ = false;  // A transfer failed: told once, by the next Read that has no report.
+  // A transfer failed: told once, by the next Read that has no report. The next try may succeed.
+  bool broken_ = false;
 };
 
 }  // namespace kaori::hid

@@ -37,7 +37,9 @@ std::string PortOf(libusb_device* device) {
   return port;
 }
 
-// The length of the report descriptor, out of the class descriptor behind the interface's own.
+// The length of the report descriptor, out of the class descriptor behind the
+// interface's own (HID 1.11, section 6.2.1: bDescriptorType at byte 6,
+// wDescriptorLength at bytes 7 and 8). 0 where it is missing or torn.
 std::uint16_t ReportDescriptorBytes(std::span<const std::uint8_t> extra) {
   while (extra.size() >= 2 && extra[0] >= 2 && extra[0] <= extra.size()) {
     const auto one = extra.first(extra[0]);
@@ -59,6 +61,7 @@ UsbHidInterface Described(const libusb_interface_descriptor& given) {
     if ((endpoint.bmAttributes & 3u) != LIBUSB_TRANSFER_TYPE_INTERRUPT) continue;
     const bool in = (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_IN) != 0;
     (in ? described.in_endpoint : described.out_endpoint) = endpoint.bEndpointAddress;
+    // Bits 11 and 12 are the extra transactions of a high-speed endpoint (USB 2.0, table 9-13).
     if (in) described.in_packet_bytes = endpoint.wMaxPacketSize & 0x7FFu;
   }
   return described;
@@ -116,6 +119,8 @@ Result<std::unique_ptr<LibusbSession>> LibusbSession::Open() {
   return std::unique_ptr<LibusbSession>(new LibusbSession(context, std::move(epoll), std::move(waiting)));
 }
 
+// The notifiers are set before the list is read: a descriptor that comes between both is
+// added twice at worst, which epoll refuses harmlessly.
 LibusbSession::LibusbSession(libusb_context* context, UniqueFd epoll, UniqueFd waiting)
     : epoll_(std::move(epoll)), readable_(std::move(waiting)), context_(context) {
   Watch(readable_.get(), EPOLLIN);
@@ -126,6 +131,7 @@ LibusbSession::LibusbSession(libusb_context* context, UniqueFd epoll, UniqueFd w
 }
 
 LibusbSession::~LibusbSession() {
+  // The context closes after this and would tell of each descriptor that it removes.
   libusb_set_pollfd_notifiers(context_.get(), nullptr, nullptr, nullptr);
 }
 

@@ -16,7 +16,8 @@ struct libusb_device_handle;
 
 namespace kaori::hid {
 
-// A HID interface of a device that is plugged in, with a reference to the device.
+// A HID interface of a device that is plugged in, with a reference to the device. A
+// snapshot: the device may be gone when it is opened.
 struct UsbHidInterface {
   struct Unref {
     void operator()(libusb_device* device) const;
@@ -31,27 +32,31 @@ struct UsbHidInterface {
   std::unique_ptr<libusb_device, Unref> device;
 };
 
-// One thread. libusb's call-backs run in Handle and HandleFor only.
+// One context for each bus and each channel, so that a descriptor becomes readable for its own device
+// alone. One thread. libusb's call-backs run in Handle and HandleFor only.
 class LibusbSession {
  public:
-  // Errors: io_error and those of epoll_create1(2) and eventfd(2).
+  // Lists nothing and opens no device. Errors: io_error and those of epoll_create1(2) and eventfd(2).
   static Result<std::unique_ptr<LibusbSession>> Open();
   LibusbSession(const LibusbSession&) = delete;
   LibusbSession& operator=(const LibusbSession&) = delete;
   ~LibusbSession();
 
+  // Readable while libusb has something to handle, or SetReadable(true) counts. Level-triggered.
   int pollable() const { return epoll_.get(); }
   libusb_context* context() const { return context_.get(); }
 
   // While true, pollable() is readable whatever USB does: a completed report waits to be read.
   void SetReadable(bool readable);
 
-  // Runs the call-backs that are due. Does not block.
+  // Runs the call-backs that are due: ended transfers, and hot-plug.
+  // Does not block. Errors: those of FailUsb.
   Result<void> Handle();
   // As Handle, but blocks up to `ms` until one is due: for closing.
   void HandleFor(int ms);
 
-  // Every HID interface that has an interrupt IN endpoint, of all devices. Does not block. Errors: io_error.
+  // Every HID interface that has an interrupt IN endpoint, of all devices, in libusb's order. Reads what
+  // the kernel has cached and does not talk to a device. Does not block. Errors: io_error.
   Result<std::vector<UsbHidInterface>> Interfaces() const;
 
  private:
@@ -70,7 +75,9 @@ class LibusbSession {
   std::unique_ptr<libusb_context, Exit> context_;
 };
 
-// `code` is a negative libusb error code; the message is as "open 1-4.2: No such device".
+// `code` is a negative libusb error code; the message is as "open 1-4.2: No such
+// device". LIBUSB_ERROR_NOT_FOUND counts as no_such_device: a device whose interface is
+// gone is being unplugged. What is not named here is io_error.
 tl::unexpected<Error> FailUsb(int code, std::string attempt);
 
 }  // namespace kaori::hid

@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 
 // Sockets of HID devices in the folder are named "hid." and the port.
 constexpr std::string_view kPrefix = "hid.";
-constexpr std::string_view kUnfinished = ".new";  // A socket that does not listen yet.
+// A socket that does not listen yet (packet_socket.h).
+constexpr std::string_view kUnfinished = ".new";
+// Sockets appear by renaming and go by unlinking; the last two tell that the folder itself went.
 constexpr std::uint32_t kChanges =
     IN_MOVED_TO | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_DELETE_SELF | IN_MOVE_SELF;
 
@@ -92,6 +94,7 @@ Result<void> LocalHidBus::DrainNotices() {
     for (std::size_t at = 0; at < static_cast<std::size_t>(bytes);) {
       inotify_event event;
       std::memcpy(&event, buffer.data() + at, sizeof(event));
+      // IN_Q_OVERFLOW: notices were lost, so everything is looked at anew, as if the folder were new.
       folder_gone |= (event.mask & (IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED | IN_Q_OVERFLOW)) != 0;
       if (event.len > 0) Refresh(PortOf(buffer.data() + at + sizeof(event)));
       at += sizeof(event) + event.len;

@@ -11,11 +11,13 @@
 
 namespace kaori::hid {
 
-// As ports::HidBus. A port is listed once its device has sent its hello; pollable() is readable for that too.
-// The folder is made where it is missing, and watched anew after it vanished.
+// As ports::HidBus, over a link folder (firmware/wire/link.h). A port is listed once its device has
+// sent its hello; pollable() is readable for that too. The folder is made where it is missing, and
+// watched anew after it vanished. No call blocks. One thread.
 class LocalHidBus final : public ports::HidBus {
  public:
-  // Errors: those of epoll_create1(2), inotify_init1(2) and inotify_add_watch(2).
+  // Watches the folder and connects to what is there. Errors: those of
+  // epoll_create1(2), inotify_init1(2) and inotify_add_watch(2).
   static Result<std::unique_ptr<ports::HidBus>> Watch(const std::string& folder);
 
   int pollable() const override { return epoll_.get(); }
@@ -27,7 +29,9 @@ class LocalHidBus final : public ports::HidBus {
   Result<std::unique_ptr<ports::HidChannel>> Open(const std::string& port) override;
 
  private:
-  // kBusy: its queue of connections is full; the next Open connects again.
+  // kBusy: its queue of connections is full; the next Open connects again. kConnecting: no
+  // hello yet. kReady: it has come, and Open may have the connection. kOpened: a channel has
+  // it. kRefused: nobody listens, or what was said is no hello.
   enum class State { kConnecting, kBusy, kReady, kOpened, kRefused };
   // A connection to the device at a port, until its channel gets it.
   struct Connection {
@@ -37,6 +41,7 @@ class LocalHidBus final : public ports::HidBus {
   };
 
   LocalHidBus(std::string folder, UniqueFd epoll) : folder_(std::move(folder)), epoll_(std::move(epoll)) {}
+  // Errors: those of inotify_init1(2) and inotify_add_watch(2).
   // Makes and watches the folder, and connects to every device in it.
   Result<void> WatchFolder();
   // Applies the folder's pending notices. Errors: those of watching it anew.

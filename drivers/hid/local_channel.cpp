@@ -30,7 +30,7 @@ Result<ports::HidInput> LocalHidChannel::Read(std::span<std::uint8_t> into) {
     return Fail(waits || gone ? packet.error().cause : std::errc::io_error,
                 "read a report from " + identity_.port);
   }
-  // Each report is behind the time at which it left the device.
+  // Each report is behind the time at which it left the device: the simulator's clock is this machine's.
   if (packet->bytes < wire::kHidStampBytes)
     return Fail(std::errc::io_error, "read a report from " + identity_.port + ": no time stamp");
   const auto report = std::span(buffer).first(packet->bytes).subspan(wire::kHidStampBytes);

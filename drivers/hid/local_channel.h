@@ -12,6 +12,8 @@ namespace kaori::hid {
 // Decodes a hello; nothing if it is torn, too long, or not that of a HID device. Pure.
 std::optional<ports::HidIdentity> ReadHello(const std::string& port, std::span<const std::uint8_t> packet);
 
+// As ports::HidChannel: a packet is a report behind its time stamp. Closing the
+// socket is how the simulator pulls the cable. One thread.
 class LocalHidChannel final : public ports::HidChannel {
  public:
   // `socket` is connected, and its hello, which gave `identity`, was read.
