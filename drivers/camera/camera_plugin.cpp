@@ -12,7 +12,7 @@ tl::unexpected<Error> Unusable(const std::string& file, const std::string& why) 
   return Fail(std::errc::not_supported, "load the camera plug-in " + file + " (" + why + ")");
 }
 
-// dlerror gives its text once.
+// dlerror gives its text once. It names the library that is missing, which tells people what to install.
 std::string LastError() {
   const char* text = ::dlerror();
   return text != nullptr ? text : "no reason given";
@@ -22,6 +22,7 @@ std::string LastError() {
 
 Result<std::unique_ptr<CameraLibrary>> LoadCameraPlugin(const std::string& file) {
   if (!std::filesystem::exists(file)) return Unusable(file, "it is not there");
+  // RTLD_NOW: a symbol that is missing is found here, and not in the middle of a show.
   void* loaded = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // Never closed: the cameras' code is in it.
   if (loaded == nullptr) return Unusable(file, LastError());
   const auto* plugin = static_cast<const CameraPlugin*>(::dlsym(loaded, CameraPlugin::kSymbol));

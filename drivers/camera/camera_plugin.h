@@ -14,10 +14,12 @@
 
 namespace kaori::camera {
 
-// All cameras of one library. Its tuning is that of the camera that was opened last. One thread.
+// All cameras of one library, and their tuning: that of the camera that was opened last. A library is
+// started once and lives as long as the program needs cameras. One thread.
 class CameraLibrary : public ports::CameraTuning {
  public:
-  // The library's own names of its cameras; empty where it sees none.
+  // The library's own names of its cameras, as people give them behind "libcamera:"; empty
+  // where it sees none. Does not open them.
   virtual std::vector<std::string> Names() = 0;
 
   // Opens the camera of this name, or the first one where `name` is empty. `clock` must outlive the camera,
@@ -29,8 +31,9 @@ class CameraLibrary : public ports::CameraTuning {
   virtual Result<std::unique_ptr<ports::Camera>> Open(const std::string& name, const Clock& clock) = 0;
 };
 
-// What a plug-in exports with C linkage under the name kSymbol. Program and plug-in are built together:
-// kVersion is raised with every change of the interface between them.
+// What a plug-in exports with C linkage under the name kSymbol. Program and plug-in are built
+// together: kVersion is raised with every change of the interface between them, since C++
+// classes cross it and a mismatch would crash.
 struct CameraPlugin {
   static constexpr std::uint32_t kVersion = 1;
   static constexpr const char* kSymbol = "kaori_camera_plugin";
@@ -38,12 +41,14 @@ struct CameraPlugin {
   CameraLibrary* (*start)() = nullptr;  // The caller owns the result. Null: the library does not start.
 };
 
-// Loads the plug-in `file` and starts its library. The file stays loaded until the program ends. Errors:
+// Loads the plug-in `file` and starts its library; blocks for the disk and for the library, some tenths
+// of a second. The file stays loaded until the program ends. Errors:
 //   not_supported  it cannot be loaded, is no plug-in of ours, or of another version; the attempt says why
 //   io_error       its library does not start
 Result<std::unique_ptr<CameraLibrary>> LoadCameraPlugin(const std::string& file);
 
-// The path of the plug-in `name`: beside the program's own file.
+// The path of the plug-in `name`: beside the program's own file, whether or not there
+// is one. Never from the environment.
 std::string PluginFile(const std::string& name);
 
 }  // namespace kaori::camera

@@ -7,7 +7,7 @@
 namespace kaori::camera {
 namespace {
 
-// Bounds of a hello that makes sense.
+// Bounds of a hello that makes sense. They are checked before anything is mapped or multiplied.
 constexpr std::uint32_t kMostSlots = 64;
 constexpr int kNotesAtOnce = 64;  // In one call: a camera that never stops must not hold us.
 constexpr std::uint32_t kMostSlotBytes = 64u << 20;
@@ -85,7 +85,8 @@ Result<void> LocalCamera::ReadHello() {
   return {};
 }
 
-// The newest note that was sent; slots of earlier ones go back. None: the newest one was torn.
+// The newest note that was sent; slots of earlier ones go back. None: the newest one was torn, and
+// its slot is not known, so it stays with us.
 Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
   std::optional<wire::CameraFrameNote> newest;
   bool any = false;
@@ -105,6 +106,7 @@ Result<std::optional<wire::CameraFrameNote>> LocalCamera::NewestNote() {
   return newest;
 }
 
+// A slot that does not exist is not given back: the simulator would refuse the packet.
 Result<ports::CameraFrame> LocalCamera::Borrow(const wire::CameraFrameNote& note) {
   if (note.slot >= hello_.slots)
     return Fail(std::errc::bad_message, "read a frame of " + name_ + " from a slot that does not exist");

@@ -12,6 +12,9 @@
 
 namespace kaori::camera {
 
+// As ports::Camera, over the local link (firmware/wire/link.h). A slot of the shared memory
+// is the caller's from Next to Next and then goes back to the simulator, which must not
+// write into it meanwhile. One thread.
 class LocalCamera final : public ports::Camera {
  public:
   // Connects to the socket "<folder>/camera.<port>". Until the camera has answered, Next says
@@ -28,9 +31,11 @@ class LocalCamera final : public ports::Camera {
  private:
   // Reads the hello, and maps the memory that came with it. Errors: as Next.
   Result<void> ReadHello();
+  // The newest frame packet that waits. Errors: as Next.
   Result<std::optional<wire::CameraFrameNote>> NewestNote();
   // The frame that a note announces, once its numbers were checked. Errors: bad_message.
   Result<ports::CameraFrame> Borrow(const wire::CameraFrameNote& note);
+  // Tells the simulator that the slot is free again.
   void GiveBack(std::uint32_t slot);
   tl::unexpected<Error> ReceiveError(const Error& error) const;
 

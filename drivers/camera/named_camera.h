@@ -9,20 +9,22 @@
 
 namespace kaori::camera {
 
-// Names are "/dev/video0" or the like, "libcamera:NAME", or "libcamera:" for the first camera that libcamera
-// sees. A plug-in that cannot be loaded is an error of each opening, so that a program goes on without a
-// camera. Must outlive its cameras. One thread.
+// Names are "/dev/video0" or the like, "libcamera:NAME", or "libcamera:" for the first camera that
+// libcamera sees. A plug-in that cannot be loaded is an error of each opening, so that a program goes on
+// without a camera. Must outlive its cameras. One thread.
 class NamedCamera {
  public:
-  // `clock` must outlive it.
+  // Loads the plug-in where `device` wants it, which may block; opens no camera. `clock` must outlive it.
   NamedCamera(const std::string& device, const Clock& clock);
 
-  // Opens the camera. Its errors are those of ports::CameraOpener and of LoadCameraPlugin.
+  // Opens the camera at each call; borrows this object. Its errors are those of
+  // ports::CameraOpener and of LoadCameraPlugin.
   ports::CameraOpener opener();
   // The camera's tuning, which this object owns; null where the plug-in cannot be loaded.
   ports::CameraTuning* tuning();
 
-  // The camera's modes, or libcamera's cameras, as lines for people. Errors: as the opener's.
+  // The camera's modes, or libcamera's cameras, as lines for people, each with its end of line. Opens
+  // the device for as long as it asks. Errors: as the opener's.
   Result<std::string> ModesText();
 
  private:

@@ -10,7 +10,8 @@ namespace {
 
 using ports::CameraFrame;
 
-constexpr std::uint32_t kBuffers = 4;  // One that the caller reads, one being filled, two for a busy moment.
+// One that the caller reads, one being filled, two for a busy moment.
+constexpr std::uint32_t kBuffers = 4;
 constexpr std::uint32_t kMostBuffers = 32;  // V4L2's own limit.
 
 // A node that vanished meanwhile is no fault, but a camera that was pulled.
@@ -19,7 +20,8 @@ std::errc CauseOfOpen(int error) {
   return pulled ? std::errc::no_such_device : static_cast<std::errc>(error == EPERM ? EACCES : error);
 }
 
-// A request about one buffer, as every ioctl on buffers wants it.
+// A request about one buffer, as every ioctl on buffers wants it. The type and the memory say which
+// queue is meant; the kernel fills in the rest.
 v4l2_buffer BufferRequest(std::uint32_t index) {
   v4l2_buffer buffer{};
   buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -49,17 +51,20 @@ V4l2Camera::V4l2Camera(std::string path, const V4l2Preferences& preferences, con
 
 V4l2Camera::~V4l2Camera() {
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  // Ends the stream before the memory goes: the hardware writes into it.
   if (!buffers_.empty()) calls_.Ioctl(fd_.get(), VIDIOC_STREAMOFF, &type);
   for (const Buffer& buffer : buffers_) calls_.Unmap(buffer.memory, buffer.bytes);
 }
 
 Result<void> V4l2Camera::Start() {
   if (auto ok = MapBuffers(); !ok) return ok;
+  // All buffers are queued before the stream starts: some drivers refuse STREAMON without any.
   for (std::uint32_t n = 0; n < buffers_.size(); ++n)
     if (auto ok = GiveBack(n); !ok) return ok;
   v4l2_event_subscription source{};
   source.type = V4L2_EVENT_SOURCE_CHANGE;
-  watches_source_ = calls_.Ioctl(fd_.get(), VIDIOC_SUBSCRIBE_EVENT, &source) == 0;  // Few cameras have it.
+  // Few cameras have the event; those without refuse the subscription.
+  watches_source_ = calls_.Ioctl(fd_.get(), VIDIOC_SUBSCRIBE_EVENT, &source) == 0;
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   if (calls_.Ioctl(fd_.get(), VIDIOC_STREAMON, &type) < 0) return Broken(errno, "start the stream of ");
   newest_ = clock_.now();
@@ -108,10 +113,11 @@ Result<CameraFrame> V4l2Camera::Next() {
                      .bytes = {buffers_[held_->index].memory, held_->bytes}};
 }
 
-// Dequeues all buffers that are filled and keeps the newest
-// whole one; `torn` tells that a damaged one was dropped.
+// Dequeues all buffers that are filled and keeps the newest whole one; `torn` tells that a
+// damaged one was dropped. As many turns as there are buffers: each can be filled once
+// more while the others are looked at.
 Result<void> V4l2Camera::DrainAll(bool& torn) {
-  for (std::size_t n = 0; n <= buffers_.size(); ++n) {  // A driver that fills them as fast must not hold us.
+  for (std::size_t n = 0; n <= buffers_.size(); ++n) {
     const auto dequeued = Dequeue();
     if (!dequeued) return tl::unexpected(dequeued.error());
     if (!*dequeued) return {};
@@ -126,6 +132,7 @@ Result<std::optional<v4l2_buffer>> V4l2Camera::Dequeue() {
   v4l2_buffer dequeued = BufferRequest(0);
   if (calls_.Ioctl(fd_.get(), VIDIOC_DQBUF, &dequeued) < 0) {
     if (errno == EAGAIN) return std::nullopt;
+    // EIO also stands for a corrupted frame in some drivers, but those go on after a new opening as well.
     return Broken(errno, "read ");
   }
   if (dequeued.index >= buffers_.size()) return Broken(EIO, "read a known buffer of ");
@@ -133,6 +140,7 @@ Result<std::optional<v4l2_buffer>> V4l2Camera::Dequeue() {
 }
 
 bool V4l2Camera::is_whole(const v4l2_buffer& dequeued) const {
+  // bytesused comes from the driver, and is checked against the mapping before anybody reads by it.
   const bool fits = dequeued.bytesused > 0 && dequeued.bytesused <= buffers_[dequeued.index].bytes;
   return fits && (dequeued.flags & V4L2_BUF_FLAG_ERROR) == 0 && dequeued.bytesused >= format_.frame_bytes;
 }
@@ -143,6 +151,8 @@ Result<void> V4l2Camera::KeepNewest(const v4l2_buffer& dequeued) {
   return {};
 }
 
+// The stamp is that of the exposure's start or of the frame's end, as the driver has it
+// (V4L2_BUF_FLAG_TSTAMP_SRC_MASK); its microseconds become nanoseconds.
 Time V4l2Camera::StampOf(const v4l2_buffer& dequeued) const {
   const bool monotonic = (dequeued.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
   // Some drivers stamp with the time of day, or not at all.
@@ -171,8 +181,11 @@ bool V4l2Camera::HasSourceChanged() {
 
 tl::unexpected<Error> V4l2Camera::Broken(int error, const char* verb) {
   const bool gone = error == ENODEV || error == ENXIO;
-  const bool busy = error == EBUSY;     // Another program streams already.
-  const bool narrow = error == ENOSPC;  // The USB bus has not room for so many frames.
+  // Another program streams already (VIDIOC_REQBUFS, VIDIOC_STREAMON).
+  const bool busy = error == EBUSY;
+  // The USB bus has not room for so many frames: no alternate setting of the
+  // interface fits what is left of it.
+  const bool narrow = error == ENOSPC;
   const auto cause = gone     ? std::errc::no_such_device
                      : busy   ? std::errc::device_or_resource_busy
                      : narrow ? std::errc::no_space_on_device

@@ -16,12 +16,13 @@ struct v4l2_buffer;
 
 namespace kaori::camera {
 
-// As ports::Camera. A frame keeps its buffer until the next
-// call of Next; every other buffer is with the kernel.
+// As ports::Camera. A frame keeps its buffer until the next call of Next; every other buffer is with the
+// kernel, queued to be filled. The stream is V4L2's memory-mapped kind (linux/Documentation:
+// media/v4l/mmap.html): nothing is copied. Format and rate do not change while it is open. One thread.
 class V4l2Camera final : public ports::Camera {
  public:
-  // Opens the device node, sets the format, maps the buffers and starts the stream. `clock` and `calls` must
-  // outlive the camera. Errors:
+  // Opens the device node, sets the format, maps the buffers and starts the stream. Blocks while the
+  // camera answers: some tenths of a second. `clock` and `calls` must outlive the camera. Errors:
   //   no_such_device           there is no such node, or the camera was unplugged
   //   permission_denied        the node may not be opened
   //   device_or_resource_busy  another program streams from the camera
@@ -32,13 +33,16 @@ class V4l2Camera final : public ports::Camera {
                                                   const Clock& clock, V4l2Calls& calls = KernelCalls());
   V4l2Camera(const V4l2Camera&) = delete;
   V4l2Camera& operator=(const V4l2Camera&) = delete;
+  // Stops the stream and unmaps the buffers: frames that were given are gone.
   ~V4l2Camera() override;
 
   int pollable() const override { return fd_.get(); }
-  // A stream without a frame for V4l2Preferences::stall counts as broken. Such a camera does not become
-  // readable: Next must be called now and then too.
+  // Gives the newest whole frame, as the port says. A stream without a frame for V4l2Preferences::stall
+  // counts as broken (io_error). Such a camera does not become readable: Next must be called now and then
+  // too. Also io_error: the camera reports another input signal, whose size is not the negotiated one.
   Result<ports::CameraFrame> Next() override;
 
+  // The mode that the camera accepted, and its layout.
   const V4l2Format& format() const { return format_; }
 
  private:
@@ -57,16 +61,20 @@ class V4l2Camera final : public ports::Camera {
   V4l2Camera(std::string path, const V4l2Preferences& preferences, const Clock& clock, V4l2Calls& calls);
   // Maps and queues the buffers, and starts the stream. Errors: those of Open.
   Result<void> Start();
+  // Requests the buffers; the kernel may give more or fewer than were asked for.
   Result<void> MapBuffers();
   Result<void> MapBuffer(std::uint32_t index);
   // Queues a buffer for the kernel to fill. Errors: as Next.
   Result<void> GiveBack(std::uint32_t index);
+  // Queues the frame that the caller has read, if any.
   Result<void> GiveBackHeld();
   // The oldest buffer that is filled; none waits. Errors: as Next.
   Result<std::optional<v4l2_buffer>> Dequeue();
+  // Makes the buffer the one that Next will give, and queues the one before it.
   Result<void> KeepNewest(const v4l2_buffer& dequeued);
-  // Keeps the newest whole frame of those that wait.
+  // Keeps the newest whole frame of those that wait. At most as many as there are buffers.
   Result<void> DrainAll(bool& torn);
+  // Long enough, within its buffer, and without the driver's error flag.
   bool is_whole(const v4l2_buffer& dequeued) const;
   // Whether the kernel reported another input signal.
   bool HasSourceChanged();

@@ -7,8 +7,11 @@
 namespace kaori::camera {
 namespace {
 
+// Stands for "there is no second control" in the table below; V4L2 has no control 0.
 constexpr std::uint32_t kNoControl = 0;
-constexpr double kExposureStep_s = 1e-4;  // Of V4L2_CID_EXPOSURE_ABSOLUTE.
+// V4L2_CID_EXPOSURE_ABSOLUTE counts in steps of 100 us
+// (media/v4l/ext-ctrls-camera.html), as UVC 1.5 does (4.2.2.1.4).
+constexpr double kExposureStep_s = 1e-4;
 constexpr double kMainsFlicker_hz = 100;  // Of 50 Hz mains; that of 60 Hz is faster yet.
 
 // Something that a camera sets by itself, and by which controls that is switched and read.
@@ -36,7 +39,7 @@ constexpr std::array<Automatic, 4> kAutomatics = {{
     {"focus", V4L2_CID_FOCUS_AUTO, {1, 1}, 0, {V4L2_CID_FOCUS_ABSOLUTE, kNoControl}},
 }};
 
-// Whether the camera has the control and accepted the value.
+// Whether the camera has the control and accepted the value. S_CTRL of some drivers clamps silently.
 bool Write(V4l2Calls& calls, int fd, std::uint32_t control, std::int32_t value) {
   v4l2_control request{.id = control, .value = value};
   return calls.Ioctl(fd, VIDIOC_S_CTRL, &request) == 0;

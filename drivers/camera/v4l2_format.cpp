@@ -27,7 +27,7 @@ std::optional<PixelFormat> PixelsOf(std::uint32_t fourcc) {
   }
 }
 
-// A camera that keeps its own rate is used as it is.
+// A camera that keeps its own rate is used as it is: S_PARM is optional, and its failure no fault.
 void SetRate(V4l2Calls& calls, int fd, V4l2Mode& mode) {
   if (mode.interval_numerator == 0) return;
   v4l2_streamparm parameters{};
@@ -39,6 +39,7 @@ void SetRate(V4l2Calls& calls, int fd, V4l2Mode& mode) {
   mode.interval_denominator = interval.denominator;
 }
 
+// What S_FMT answered, as a layout; none where the camera chose a format that we do not read.
 std::optional<V4l2Format> AcceptedFormat(const v4l2_pix_format& given) {
   const auto pixels = PixelsOf(given.pixelformat);
   const bool sane = given.width >= 2 && given.height >= 2 && given.width <= kLargestSide_px &&
@@ -62,6 +63,8 @@ Result<V4l2Format> Negotiate(V4l2Calls& calls, int fd, const V4l2Preferences& pr
   const auto modes = ListModes(calls, fd);
   if (!modes) return tl::unexpected(modes.error());
   const auto ladder = LadderOf(*modes, preferences);
+  // A rung beyond the end means the slowest: the camera may have other modes
+  // than when the rung was chosen.
   const V4l2Mode& mode = ladder[std::min(preferences.rung, ladder.size() - 1)];
   v4l2_format request{};
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;

@@ -10,7 +10,7 @@
 
 namespace kaori::camera {
 
-// What the camera was set to.
+// What the camera was set to. The two lengths tell a whole frame from a torn one.
 struct V4l2Format {
   V4l2Mode mode;                   // As the camera set it, which may be another than was requested.
   std::uint32_t stride_bytes = 0;  // 0 for MJPEG.
@@ -19,7 +19,8 @@ struct V4l2Format {
   const ports::CameraFormat& format() const { return mode.format; }
 };
 
-// Sets format and rate of the open camera `fd` by the preferences. Errors:
+// Sets format and rate of the open camera `fd` by the preferences: S_FMT, then S_PARM, as V4L2 wants it,
+// since a new format resets the rate. The camera may change both; what it answered counts. Errors:
 //   not_supported   no video capture with streaming, or no format that we read
 //   no_such_device, device_or_resource_busy
 Result<V4l2Format> Negotiate(V4l2Calls& calls, int fd, const V4l2Preferences& preferences);

@@ -15,17 +15,20 @@ namespace {
 using ports::CameraFormat;
 using ports::PixelFormat;
 
+// A format that we read. `bytes_per_px` are those on the cable; JPEG's are weighted for being
+// decoded, and for the colour that it blurs.
 struct Known {
   std::uint32_t fourcc;
   PixelFormat pixels;
   const char* name;
-  double bytes_per_px;  // On the cable; JPEG is weighted for being decoded, and for the colour that it blurs.
+  double bytes_per_px;
 };
 
 constexpr std::array<Known, 3> kKnown = {{{V4L2_PIX_FMT_NV12, PixelFormat::kNv12, "NV12", 1.5},
                                           {V4L2_PIX_FMT_YUYV, PixelFormat::kYuyv, "YUYV", 2},
                                           {V4L2_PIX_FMT_MJPEG, PixelFormat::kMjpeg, "MJPEG", 4}}};
 constexpr std::uint32_t kMostEntries = 256;  // Of one list; some drivers never end theirs.
+// Each mode costs one ioctl: a driver that lists every pair of sides would take seconds.
 constexpr std::size_t kMostModes = 4096;
 constexpr std::array<int, 3> kWidths_px = {320, 640, 1280};  // For a camera that has any size.
 constexpr double kSameRate = 1.02;                           // 29.97 and 30 are one rate.
@@ -40,6 +43,8 @@ Result<void> ExpectCapture(V4l2Calls& calls, int fd) {
   v4l2_capability capability{};
   const bool answered = calls.Ioctl(fd, VIDIOC_QUERYCAP, &capability) == 0;
   if (!answered && errno != ENOTTY && errno != EINVAL) return FailErrno("query its capabilities");
+  // A camera may have several nodes, as for metadata: device_caps are those of this
+  // node, capabilities those of all.
   const bool tells_node = (capability.capabilities & V4L2_CAP_DEVICE_CAPS) != 0;
   const std::uint32_t can = tells_node ? capability.device_caps : capability.capabilities;
   const bool streams = (can & V4L2_CAP_VIDEO_CAPTURE) != 0 && (can & V4L2_CAP_STREAMING) != 0;
@@ -63,6 +68,7 @@ std::vector<Known> KnownFormats(V4l2Calls& calls, int fd) {
 
 // The 4:3 sizes that are good for lips, as near as the camera's steps come.
 std::vector<Size> SomeOf(const v4l2_frmsize_stepwise& steps) {
+  // Rounds down to the step; `most` may be below `least` in a driver that lies.
   const auto stepped = [](std::uint32_t want, std::uint32_t least, std::uint32_t most, std::uint32_t step) {
     const std::uint32_t held = std::clamp(want, least, std::max(least, most));
     return least + (held - least) / std::max(step, 1U) * std::max(step, 1U);
@@ -110,6 +116,7 @@ void AddRates(V4l2Calls& calls, int fd, V4l2Mode mode, std::vector<V4l2Mode>& in
     entry.height = static_cast<std::uint32_t>(mode.format.height_px);
     if (calls.Ioctl(fd, VIDIOC_ENUM_FRAMEINTERVALS, &entry) < 0) break;
     const bool discrete = entry.type == V4L2_FRMIVAL_TYPE_DISCRETE;
+    // The shortest interval of a range: the fastest rate.
     const v4l2_fract interval = discrete ? entry.discrete : entry.stepwise.min;
     mode.interval_numerator = interval.numerator;
     mode.interval_denominator = interval.denominator;
@@ -178,6 +185,8 @@ std::vector<V4l2Mode> LadderOf(std::span<const V4l2Mode> modes, const V4l2Prefer
   std::vector<V4l2Mode> ladder;
   double rate_hz = -1;  // The fastest mode's of the newest rung.
   for (const V4l2Mode& mode : rest) {
+    // Modes are sorted by rate, so that a rung ends with the first one that
+    // is slower than its rate by 2 %.
     if (ladder.empty() || mode.rate_hz() * kSameRate < rate_hz) {
       rate_hz = mode.rate_hz();
       ladder.push_back(mode);

@@ -12,21 +12,25 @@
 
 namespace kaori::camera {
 
-// Must outlive its openers and cameras. Controls are set through a file descriptor of their own. That the
-// camera is gone meanwhile is no error: the next opening sets them again. One thread.
+// Must outlive its openers and cameras. Controls are set through a file descriptor of their own: V4L2
+// lets several descriptors set controls while one of them streams. That the camera is gone meanwhile is
+// no error: the next opening sets them again. One thread.
 class V4l2Source final : public ports::CameraTuning {
  public:
   // `clock` and `calls` must outlive it.
   V4l2Source(std::string path, const V4l2Preferences& preferences, const Clock& clock,
              V4l2Calls& calls = KernelCalls());
 
-  // Opens the camera with its automatics on, or held as Set says. Where the USB bus has not room for a rate,
-  // the next slower one is used. Errors: those of V4l2Camera::Open.
+  // Opens the camera with its automatics on, or held as Set says. Where the USB bus has not room for a
+  // rate, the next slower one is used, now and later. Blocks as V4l2Camera::Open does, for each rate
+  // that is tried. Errors: those of V4l2Camera::Open.
   Result<std::unique_ptr<ports::Camera>> Open();
+  // Borrows this object.
   ports::CameraOpener opener() {
     return [this] { return Open(); };
   }
 
+  // As ports::CameraTuning says. Each opens the device node for as long as it asks.
   std::string mode() const override;
   std::optional<float> exposure() const override;
   std::vector<std::string> Set(ports::CameraHold hold) override;
@@ -43,7 +47,8 @@ class V4l2Source final : public ports::CameraTuning {
   const Clock& clock_;
   V4l2Calls& calls_;
   std::optional<V4l2Mode> mode_;
-  std::optional<std::vector<V4l2Value>> held_;  // None while free.
+  // None while free. Values that were read when the show was held; an opening sets them again.
+  std::optional<std::vector<V4l2Value>> held_;
 };
 
 }  // namespace kaori::camera

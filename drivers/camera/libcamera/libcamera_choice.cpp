@@ -12,7 +12,8 @@ using ports::PixelFormat;
 
 constexpr int kLeastWidth_px = 320;
 constexpr int kMostWidth_px = 1280;
-constexpr double kPenalty = 1e6;  // Of a width that is worse for lips than any other.
+// Of a width that is worse for lips than any other: a factor above that of any two costs.
+constexpr double kPenalty = 1e6;
 // 60, 30 and 24 frames a second.
 constexpr std::array<std::int64_t, 3> kSlower_us = {16'667, 33'333, 41'667};
 
@@ -57,6 +58,7 @@ std::string NameOf(const CameraFormat& format, double rate_hz) {
 std::optional<std::int64_t> FrameTimeOf(const FrameTimes& can, std::size_t rung) {
   if (rung == 0) return can.shortest_us;
   for (const std::int64_t slower_us : kSlower_us) {
+    // Within 2 % of the fastest a rung would be the same rate again.
     const bool is_slower = slower_us > can.shortest_us + can.shortest_us / 50;
     if (is_slower && slower_us <= can.longest_us && --rung == 0) return slower_us;
   }

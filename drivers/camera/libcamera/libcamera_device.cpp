@@ -103,9 +103,12 @@ Result<std::unique_ptr<LibcameraDevice>> LibcameraDevice::Open(std::shared_ptr<l
 }
 
 LibcameraDevice::~LibcameraDevice() {
-  if (streams_) camera_->stop();  // Nothing is completed after it.
+  // Returns once the library's thread has completed or cancelled every
+  // request: nothing calls us after it.
+  if (streams_) camera_->stop();
   camera_->requestCompleted.disconnect();
   camera_->disconnected.disconnect();
+  // Requests refer to the buffers, and these to the allocator: the order of the following lines.
   requests_.clear();
   for (const auto& memory : memory_)
     if (!memory.empty()) ::munmap(const_cast<std::uint8_t*>(memory.data()), memory.size());
@@ -123,6 +126,7 @@ Result<void> LibcameraDevice::Configure() {
   if (!chosen) return Fail(std::errc::not_supported, "find YUYV, NV12 or MJPEG in " + stream_.name);
   stream.pixelFormat = FormatOf(chosen->pixels);
   stream.size = {static_cast<unsigned>(chosen->width_px), static_cast<unsigned>(chosen->height_px)};
+  // validate() may change the stream to what the pipeline can do; `Adjusted` is as good as `Valid`.
   const bool invalid = configuration_->validate() == libcamera::CameraConfiguration::Invalid;
   const auto pixels = PixelsOf(stream.pixelFormat);
   if (invalid || !pixels)
@@ -132,6 +136,7 @@ Result<void> LibcameraDevice::Configure() {
   stream_.format = {static_cast<int>(stream.size.width), static_cast<int>(stream.size.height), *pixels};
   if (*pixels == PixelFormat::kMjpeg) return {};
   stream_.stride_bytes = stream.stride;
+  // NV12 has 12 bits for each pixel and YUYV 16; the stride of YUYV counts its 2 bytes already.
   stream_.frame_bytes = stream.stride * stream.size.height * (*pixels == PixelFormat::kNv12 ? 3 : 2) / 2;
   return {};
 }
@@ -173,6 +178,7 @@ Result<void> LibcameraDevice::Start(std::size_t rung) {
   if (const auto times = has.find(controls::FrameDurationLimits.id()); times != has.end()) {
     times_ = {times->second.min().get<std::int64_t>(), times->second.max().get<std::int64_t>()};
     frame_us_ = FrameTimeOf(times_, rung).value_or(times_.shortest_us);
+    // Equal limits fix the rate: between two limits the exposure would choose.
     list.set(controls::FrameDurationLimits, {frame_us_, frame_us_});
   }
   lacks_ = LacksOf(has);
@@ -188,6 +194,7 @@ Result<void> LibcameraDevice::Start(std::size_t rung) {
 
 Result<void> LibcameraDevice::Queue(std::uint32_t buffer) {
   libcamera::Request& request = *requests_[buffer];
+  // A request that was completed must be reset before it is queued again; a new one must not.
   if (!fresh_[buffer]) request.reuse(libcamera::Request::ReuseBuffers);
   fresh_[buffer] = false;
   if (written_ != hold_.changes()) hold_.Write(camera_->controls(), request.controls());

@@ -16,16 +16,21 @@
 
 namespace kaori::camera {
 
-// What the camera finds by itself, and what a show holds, over all
-// of its openings. Any thread: libcamera calls Note in its own.
+// What the camera finds by itself, and what a show holds, over all of its openings. Any thread:
+// libcamera calls Note in its own. No call blocks for longer than another one copies some numbers.
 class LibcameraHold {
  public:
+  // Keeps what the camera has found, from the metadata of a completed request. In the library's thread.
   void Note(const libcamera::ControlList& metadata);
+  // Holds what was noted last, or frees the automatics; counts for the
+  // requests that are queued afterwards.
   void Set(ports::CameraHold hold);
 
   // Adds to `list` the controls that are to be set, of those that the camera has.
   void Write(const libcamera::ControlInfoMap& has, libcamera::ControlList& list) const;
-  int changes() const { return changes_; }  // Calls of Set.
+  // Calls of Set so far. A device compares it with its own count to see whether
+  // controls are to be sent again.
+  int changes() const { return changes_; }
 
  private:
   struct Values {
@@ -39,15 +44,23 @@ class LibcameraHold {
   int changes_ = 0;
 };
 
+// How a device is opened; the hold outlives all of its openings.
 struct LibcameraPreferences {
   std::size_t rung = 0;  // As in FrameTimeOf.
   LibcameraHold& hold;   // Must outlive the device.
 };
 
+// One opened camera of libcamera. The library completes requests in a thread of its own; HandleCompleted
+// passes them to the loop's thread by `completions_` and touches nothing else that changes while
+// streaming. All other calls come from one thread.
 class LibcameraDevice final : public RequestDevice {
  public:
-  // Acquires `camera`, configures and starts it. Errors: no_such_device, device_or_resource_busy,
-  // not_supported, io_error.
+  // Acquires `camera`, configures and starts it. Blocks while the sensor answers: some tenths of a
+  // second. No request is queued yet. Errors:
+  //   no_such_device           the camera was unplugged, or may not be opened
+  //   device_or_resource_busy  another program has acquired it
+  //   not_supported            it has no format that we read, or scatters its planes
+  //   io_error                 any other failure of the library
   static Result<std::unique_ptr<LibcameraDevice>> Open(std::shared_ptr<libcamera::Camera> camera,
                                                        const LibcameraPreferences& preferences);
   LibcameraDevice(const LibcameraDevice&) = delete;
@@ -57,12 +70,15 @@ class LibcameraDevice final : public RequestDevice {
   Completions& completions() override { return completions_; }
   std::uint32_t buffers() const override { return static_cast<std::uint32_t>(requests_.size()); }
   std::span<const std::uint8_t> memory(std::uint32_t buffer) const override { return memory_[buffer]; }
+  // Also sends the controls where they changed since the last request. Errors:
+  // those of RequestDevice::Queue.
   Result<void> Queue(std::uint32_t buffer) override;
 
   const RequestStream& stream() const { return stream_; }
   double rate_hz() const { return frame_us_ > 0 ? 1e6 / static_cast<double>(frame_us_) : 0; }
   const FrameTimes& times() const { return times_; }
-  std::vector<std::string> lacks() const { return lacks_; }  // Names, for people, of what cannot be held.
+  // Names, for people, of what cannot be held.
+  std::vector<std::string> lacks() const { return lacks_; }
 
  private:
   LibcameraDevice(std::shared_ptr<libcamera::Camera> camera, LibcameraHold& hold)

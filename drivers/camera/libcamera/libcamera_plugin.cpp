@@ -64,6 +64,7 @@ class Libcamera final : public CameraLibrary {
   FrameTimes times_;
 };
 
+// The plug-in's entry: called once, from the loop's thread. The caller owns the library.
 CameraLibrary* StartLibcamera() {
   // libcamera logs a greeting at each start. What the environment says already counts.
   ::setenv("LIBCAMERA_LOG_LEVELS", "*:ERROR", 0);

@@ -24,18 +24,21 @@ struct CompletedRequest {
   Time at{};
 };
 
-// Where requests pass from the library's thread to ours; nothing else is shared.
+// Where requests pass from the library's thread to ours; nothing else is shared. Stamps and indices
+// are copied, pixels stay in their buffers.
 class Completions {
  public:
   Completions();
 
   // The library's side; any thread. Disconnect: the camera was unplugged.
+  // Neither waits for the other side.
   void Add(const CompletedRequest& request);
   void Disconnect();
 
   // Our side; one thread. pollable() is readable when a request
   // was completed, and for ever once the camera is gone.
   int pollable() const { return wake_.get(); }
+  // All requests that were completed since the last call, the oldest first.
   std::vector<CompletedRequest> DrainAll();
   bool disconnected() const;
 
@@ -48,18 +51,21 @@ class Completions {
   UniqueFd wake_;
 };
 
-// One streaming camera of a library. Its destructor ends the stream; nothing is completed after it. One
-// thread, but for its completions.
+// One streaming camera of a library. Its destructor ends the stream; nothing is
+// completed after it. One thread, but for its completions. Buffers are numbered from 0
+// and mapped for as long as the device lives.
 class RequestDevice {
  public:
   virtual ~RequestDevice() = default;
   virtual Completions& completions() = 0;
   virtual std::uint32_t buffers() const = 0;
+  // The mapped bytes of a buffer. They belong to the library while it is queued.
   virtual std::span<const std::uint8_t> memory(std::uint32_t buffer) const = 0;
   // Queues the buffer for the next frame. Errors: no_such_device, io_error.
   virtual Result<void> Queue(std::uint32_t buffer) = 0;
 };
 
+// What the frames of a device look like, and when it counts as broken.
 struct RequestStream {
   std::string name;  // For errors.
   ports::CameraFormat format;
@@ -68,8 +74,8 @@ struct RequestStream {
   Duration stall = std::chrono::milliseconds(1000);  // A stream without a frame for so long is broken.
 };
 
-// As ports::Camera. A frame keeps its buffer until the next
-// call of Next; every other buffer is with the library.
+// As ports::Camera, for libraries in which requests carry the buffers. A frame keeps its buffer until
+// the next call of Next; every other buffer is with the library. One thread.
 class RequestCamera final : public ports::Camera {
  public:
   // Queues every buffer. `clock` must outlive the camera. Errors: those of RequestDevice::Queue.
