@@ -13,7 +13,9 @@
 namespace kaori::scanout {
 namespace {
 
-constexpr std::uint32_t kFormat = GBM_FORMAT_XRGB8888;  // Every CRTC scans it out.
+// Every CRTC scans it out: 8 bits each of X, R, G, B in a little-endian
+// word. Alpha would only be ignored.
+constexpr std::uint32_t kFormat = GBM_FORMAT_XRGB8888;
 
 // Imports the buffer into the card's own file only until the
 // framebuffer is made: a handle that stayed would outlive the program.
@@ -28,6 +30,7 @@ Result<std::uint32_t> AddFramebuffer(int card, gbm_bo* buffer) {
   std::uint32_t id = 0;
   const int refused = drmModeAddFB2(card, gbm_bo_get_width(buffer), gbm_bo_get_height(buffer), kFormat,
                                     handles.data(), pitches.data(), offsets.data(), &id, 0);
+  // Kept: closing the handle may change errno.
   const int cause = errno;
   drmCloseBufferHandle(card, handles[0]);
   // The import is undone in any case: the framebuffer keeps the memory.
@@ -41,6 +44,8 @@ Result<GbmDevice> GbmDevice::Open(const char* path, int master) {
   GbmDevice opened;
   opened.file = UniqueFd(::open(path, O_RDWR | O_CLOEXEC));
   if (!opened.file.valid()) return FailErrno(fmt::format("open {}", path));
+  // The magic is a number by which the master knows the other file
+  // (drm-internals, legacy authentication).
   drm_magic_t magic = 0;
   if (drmGetMagic(opened.file.get(), &magic) != 0 || drmAuthMagic(master, magic) != 0)
     return FailErrno(fmt::format("authenticate {} for drawing", path));
@@ -74,6 +79,7 @@ Result<std::uint32_t> GbmSurface::LockFront() {
   gbm_bo* const buffer = gbm_surface_lock_front_buffer(surface_.get());
   // EGL swapped nothing since the last call.
   if (buffer == nullptr) return Fail(std::errc::io_error, "lock the picture that was drawn");
+  // Another buffer than the one that is shown must be free for EGL, or its next swap would wait.
   ReleasePrevious();
   previous_ = std::exchange(front_, buffer);
   return FramebufferOf(buffer);

@@ -1,5 +1,6 @@
-// Buffers that EGL draws into and a KMS plane can show: a
-// gbm_surface, whose buffers become framebuffers of the card.
+// Buffers that EGL draws into and a KMS plane can show: a gbm_surface, whose buffers become
+// framebuffers of the card. Drawing and showing use two files of the same card; buffers
+// pass between them as dma-bufs (PRIME).
 #pragma once
 
 #include <cstdint>
@@ -14,40 +15,46 @@
 
 namespace kaori::scanout {
 
+// gbm's objects with one owner each.
 struct GbmFree {
   void operator()(gbm_device* device) const { gbm_device_destroy(device); }
   void operator()(gbm_surface* surface) const { gbm_surface_destroy(surface); }
 };
 
-// The card, opened a second time for EGL to draw with. Its buffers end
-// with the program. The framebuffers that are made of them belong to the
-// card's other file, which the fd keeper holds, and keep the last picture.
+// The card, opened a second time for EGL to draw with. Its buffers end with the program. The framebuffers
+// that are made of them belong to the card's other file, which the fd keeper holds, and keep the last
+// picture: the kernel frees a buffer only when its last framebuffer and its last handle are gone.
 struct GbmDevice {
   UniqueFd file;
   std::unique_ptr<gbm_device, GbmFree> device;
 
-  // Opens `path` and has it authenticated by `master`, the card's file that shows the pictures. Errors:
+  // Opens `path` and has it authenticated by `master`, the card's file that shows the
+  // pictures: a file that is no master may not draw on a primary node without (drmAuthMagic).
+  // Blocks while Mesa loads its driver. Errors:
   //   those of open(2)
   //   permission_denied  `master` is not the card's DRM master
   //   no_such_device     Mesa has no driver for this card
   static Result<GbmDevice> Open(const char* path, int master);
 };
 
-// One thread. The gbm_device and the card's file must outlive it. The framebuffers that it made outlive it,
-// so that the last picture stays on the screen.
+// The buffers of one size that go round between EGL and the screens: EGL draws into one while another is
+// shown. One thread. The gbm_device and the card's file must outlive it. The framebuffers that it made
+// outlive it, so that the last picture stays on the screen.
 class GbmSurface final : public KmsSurface {
  public:
-  // A surface of this size in the format XRGB8888. Errors: not_enough_memory.
+  // A surface of this size in the format XRGB8888. Errors: not_enough_memory (gbm gives no cause).
   static Result<std::unique_ptr<KmsSurface>> Make(gbm_device* device, int card, int width_px, int height_px);
 
   GbmSurface(std::unique_ptr<gbm_surface, GbmFree> surface, int card)
       : surface_(std::move(surface)), card_(card) {}
 
   gbm_surface* native() const override { return surface_.get(); }
+  // As KmsSurface says. A buffer that comes for the first time costs some system calls; afterwards none.
   Result<std::uint32_t> LockFront() override;
   void ReleasePrevious() override;
   bool Owns(std::uint32_t framebuffer) const override;
 
+  // gbm_bo pointers are kept as names: they stay valid for as long as the surface.
  private:
   // A buffer of the surface, and the framebuffer that was made of it.
   struct Buffer {

@@ -43,6 +43,7 @@ Result<HotplugMonitor> HotplugMonitor::Open() {
 bool HotplugMonitor::Drain() {
   bool heard = false;
   while (socket_.valid()) {
+    // A uevent has 2 KiB at most (UEVENT_BUFFER_SIZE in the kernel).
     std::array<char, 4096> bytes;
     sockaddr_nl sender{};
     socklen_t length = sizeof(sender);

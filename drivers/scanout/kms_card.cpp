@@ -8,7 +8,8 @@
 namespace kaori::scanout {
 namespace {
 
-constexpr const char* kName = "card";  // In the service manager's fd store.
+// The name of the card's file in the service manager's fd store.
+constexpr const char* kName = "card";
 
 // The card's file, and whether the service manager has a copy.
 struct CardFile {

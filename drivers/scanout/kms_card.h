@@ -13,28 +13,35 @@
 
 namespace kaori::scanout {
 
+// The show's graphics card: opened once by the stage, for as long as it runs.
+// Screens come and go on it. One thread.
 class KmsCard {
  public:
-  // Retrieves the card's file from the service manager or from the fd keeper, or opens `path`
-  // ("/dev/dri/card0" or the like) anew. `fd_keeper` is a socket's path; empty where there is none. Waits for
-  // the fd keeper, 5 s at most. Errors:
+  // Retrieves the card's file from the service manager or from the fd keeper, or opens
+  // `path` ("/dev/dri/card0" or the like) anew. In the first two cases the last picture is
+  // still on the screens. `fd_keeper` is a socket's path; empty where there is none. Waits
+  // for the fd keeper, 5 s at most. Errors:
   //   those of open(2)
   //   not_supported   the card has no atomic KMS
   //   no_such_device  another program shows on this card, or Mesa has no driver for it
   static Result<std::unique_ptr<KmsCard>> Open(const std::string& path, const std::string& fd_keeper);
 
-  // Gives copies of the card's file to the service manager and to the fd keeper, so that the last picture
-  // stays when the program ends. Waits until the service manager has its copy, 5 s at most. Errors: those of
+  // Gives copies of the card's file to the service manager and to the fd keeper, so that the last
+  // picture stays when the program ends: both are needed, since the manager drops its copy when the
+  // unit is stopped, and the keeper may be restarted itself. To be called once the first picture is
+  // shown. Waits until the service manager has its copy, 5 s at most. Errors: those of
   // service::StoreFd and service::GiveToKeeper.
   Result<void> Preserve();
 
   // What EGL draws with. Belongs to the card.
   gbm_device* device() const { return draws_.device.get(); }
 
-  // Counts for screens that are opened from now on. Forgets what the card refused.
+  // Counts for screens that are opened from now on. Forgets what the card refused: people
+  // who ask for a mode again want it tried.
   void SetPreferences(KmsPreferences preferences) { preferences_ = std::move(preferences); }
 
-  // All of its screens as one; errors as KmsScreen::Open. The card and the clock must outlive it.
+  // All of its screens as one; errors as KmsScreen::Open, which also says how long it blocks. The card
+  // and the clock must outlive it. Only one may exist at a time.
   Result<std::unique_ptr<KmsScreen>> OpenScreen(const Clock& clock);
 
  private:

@@ -1,4 +1,6 @@
-// A graphics card by its KMS calls: the kernel's card, or a fake one in tests.
+// A graphics card by its KMS calls: the kernel's card, or a fake one in tests. Words are
+// those of KMS (drm-kms in the kernel's documentation): a plane holds a framebuffer and
+// lies on a CRTC, which drives connectors.
 #pragma once
 
 #include <xf86drmMode.h>
@@ -16,16 +18,18 @@ struct gbm_surface;
 
 namespace kaori::scanout {
 
-// A connector of the card, and the screen that is plugged into it.
+// A connector of the card, and the screen that is plugged into it. A snapshot.
 struct KmsConnector {
   std::uint32_t id = 0;
   std::string name;  // By kind and number, as printed beside the socket, if at all: "HDMI-A-1".
   bool plugged = false;
   std::uint32_t crtcs = 0;  // Bit n: the card's n-th CRTC can drive it.
+  // As the screen's EDID lists them, the preferred one usually first; empty
+  // where the EDID cannot be read.
   std::vector<drmModeModeInfo> modes;
 };
 
-// A primary plane: it holds a CRTC's whole picture.
+// A primary plane: it holds a CRTC's whole picture. Overlay and cursor planes are not used.
 struct KmsPlane {
   std::uint32_t id = 0;
   std::uint32_t crtcs = 0;  // Bit n: it can lie on the card's n-th CRTC.
@@ -39,22 +43,26 @@ struct KmsSetting {
   std::uint64_t value = 0;
 };
 
+// The kernel's DRM_EVENT_FLIP_COMPLETE: a commit has reached the screen of this CRTC.
 struct KmsFlip {
   std::uint32_t crtc = 0;
   std::uint64_t token = 0;  // As the commit gave it.
   Time at{};                // The vertical blank, by the kernel's stamp.
 };
 
-// A buffer that the processor writes: 8-bit B, G, R, X in memory (XRGB8888), the top row first.
+// A buffer that the processor writes: 8-bit B, G, R, X in memory (XRGB8888), the top row first. Every
+// KMS driver has such buffers; reading from them may be slow.
 struct KmsDumbBuffer {
   std::uint32_t framebuffer = 0;
   std::size_t pitch_bytes = 0;    // From row to row; may be more than width * 4.
   std::span<std::uint8_t> bytes;  // Mapped until UnmapDumbBuffer.
 };
 
+// As KMS reports a connector. kUnknown is told by connectors that cannot sense a cable, as VGA.
 enum class Connection { kDisconnected, kUnknown, kConnected };
 
-// One thread. No call but Probe takes long.
+// What the screens of this folder need of a card. Objects are ids, which the card gave. One
+// thread. No call but Probe takes long.
 class KmsDevice {
  public:
   virtual ~KmsDevice() = default;
@@ -67,7 +75,7 @@ class KmsDevice {
   virtual std::vector<std::uint32_t> Crtcs() = 0;
   virtual std::vector<KmsPlane> PrimaryPlanes() = 0;
 
-  // Whether the CRTC shows a picture now, of whatever program.
+  // Whether the CRTC shows a picture now, of whatever program: after a start that of the boot splash.
   virtual bool IsActive(std::uint32_t crtc) = 0;
 
   // Whether the kernel reported, since the last call, that a screen came or went. Probe tells which.
@@ -85,20 +93,25 @@ class KmsDevice {
   virtual Result<std::uint32_t> CreateModeBlob(const drmModeModeInfo& mode) = 0;
   virtual void DestroyModeBlob(std::uint32_t blob) = 0;
 
-  // Applies all of `settings` at the next vertical blank, or none of them, and
-  // returns before that. Each CRTC that they touch flips, with `token`. Errors:
-  // device_or_resource_busy (a flip is pending), and what the card says.
+  // Applies all of `settings` at the next vertical blank, or none of them, and returns before that
+  // (DRM_MODE_ATOMIC_NONBLOCK). Each CRTC that they touch flips, with `token`. `may_set_modes`: modes
+  // and routes may change too, which blanks a screen for up to a second. Errors: device_or_resource_busy
+  // (a flip is pending), permission_denied (the file is not the master), and what the card says:
+  // invalid_argument, no_space_on_device ...
   virtual Result<void> Commit(std::span<const KmsSetting> settings, std::uint64_t token,
                               bool may_set_modes) = 0;
 
-  // Whether the card would accept `settings`, modes included. Changes nothing. Errors: what the card says.
+  // Whether the card would accept `settings`, modes included (DRM_MODE_ATOMIC_TEST_ONLY).
+  // Changes nothing. Errors: what the card says.
   virtual Result<void> TestCommit(std::span<const KmsSetting> settings) = 0;
 
   // The next flip that happened, or none. Other events are passed over.
   virtual std::optional<KmsFlip> ReadFlip() = 0;
 
-  // The framebuffers of the card's file, of whatever program that held the file.
+  // The framebuffers of the card's file, of whatever program that held the file: a
+  // program that died leaves its own.
   virtual std::vector<std::uint32_t> Framebuffers() = 0;
+  // A framebuffer that is shown is taken off its plane, which blanks the screen.
   virtual void RemoveFramebuffer(std::uint32_t framebuffer) = 0;
 
   // The framebuffer that lies on the plane now, of whatever program; 0 is none.
@@ -116,7 +129,7 @@ class KmsSurface {
  public:
   virtual ~KmsSurface() = default;
 
-  // The native window for EGL.
+  // The native window for EGL. Valid as long as the surface.
   virtual gbm_surface* native() const = 0;
 
   // Locks the buffer that EGL swapped last, and returns it as a framebuffer of

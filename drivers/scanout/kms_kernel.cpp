@@ -15,7 +15,8 @@ namespace {
 // Of XRGB8888.
 constexpr std::uint32_t kBitsOfPixel = 32;
 
-// The CRTCs as bits, in the card's order, that the connector can be driven by.
+// The CRTCs as bits, in the card's order, that the connector can be driven by. An encoder is the step
+// between a CRTC and a connector; userspace only asks it for the CRTCs that it reaches.
 std::uint32_t PossibleCrtcs(int card, const drmModeConnector& connector) {
   std::uint32_t bits = 0;
   for (int i = 0; i < connector.count_encoders; ++i) {
@@ -36,7 +37,8 @@ Connection ConnectionOf(drmModeConnection connection) {
   return connection == DRM_MODE_DISCONNECTED ? Connection::kDisconnected : Connection::kUnknown;
 }
 
-// Without its framebuffer.
+// The buffer's bytes, black; its framebuffer is made by the caller. Owns nothing where it fails: the
+// kernel undoes the mapping's offset with the handle.
 Result<KmsDumbBuffer> MapDumbBuffer(int card, std::uint32_t handle, std::uint64_t size_bytes) {
   std::uint64_t offset = 0;
   void* at = MAP_FAILED;
@@ -50,6 +52,7 @@ Result<KmsDumbBuffer> MapDumbBuffer(int card, std::uint32_t handle, std::uint64_
 }  // namespace
 
 Result<UniqueFd> OpenCardFile(const char* path) {
+  // Non-blocking: ReadFlip reads until there is nothing more.
   UniqueFd card(::open(path, O_RDWR | O_CLOEXEC | O_NONBLOCK));
   if (!card.valid()) return FailErrno(fmt::format("open {}", path));
   return card;
@@ -60,6 +63,8 @@ bool IsMaster(int card) {
 }
 
 Result<void> PrepareCardFile(int card) {
+  // Universal planes show the primary planes, which atomic commits need; atomic
+  // implies them in newer kernels only.
   for (const auto capability : {DRM_CLIENT_CAP_UNIVERSAL_PLANES, DRM_CLIENT_CAP_ATOMIC})
     if (drmSetClientCap(card, std::uint64_t(capability), 1) != 0)
       return FailErrno("enable atomic commits on the graphics card");
@@ -173,6 +178,7 @@ Result<std::uint32_t> KmsKernel::IdOf(const KmsSetting& setting) {
 std::optional<KmsFlip> KmsKernel::ReadFlip() {
   while (true) {
     if (from_ == until_) {
+      // EAGAIN: no event waits.
       const ssize_t length = ::read(card_, events_.data(), events_.size());
       if (length <= 0) return std::nullopt;
       from_ = 0;

@@ -1,3 +1,5 @@
+// Each call of KmsDevice is one or a few ioctls of libdrm, without a copy of the card's
+// state but for the ids of properties.
 // The kernel's KMS, on the card's own file.
 #pragma once
 
@@ -20,12 +22,15 @@ namespace kaori::scanout {
 Result<UniqueFd> OpenCardFile(const char* path);
 
 // Whether the file is the card's DRM master: only a master may show anything.
+// One file of a card is at a time.
 bool IsMaster(int card);
 
-// Enables atomic KMS on the file and drops the events that a program left in it that died. Errors:
-// not_supported (the card has no atomic KMS), and what the card says.
+// Enables atomic KMS on the file and drops the events that a program left in it that died. A file
+// that was kept has it enabled already; twice does no harm. Errors: not_supported (the card has
+// no atomic KMS), and what the card says.
 Result<void> PrepareCardFile(int card);
 
+// Not the owner of the file: KmsCard is.
 class KmsKernel final : public KmsDevice {
  public:
   // `card` was prepared by PrepareCardFile and must outlive this.
@@ -51,7 +56,9 @@ class KmsKernel final : public KmsDevice {
   void UnmapDumbBuffer(const KmsDumbBuffer& buffer) override;
 
  private:
-  struct Known {  // A property that was looked up.
+  // A property that was looked up. `property` is the literal of the setting,
+  // which lives as long as the program.
+  struct Known {
     std::uint32_t object;
     const char* property;
     std::uint32_t id;
@@ -63,8 +70,11 @@ class KmsKernel final : public KmsDevice {
 
   int card_;
   HotplugMonitor hotplug_;
+  // A few dozen at most, searched from the front: some nanoseconds each.
   std::vector<Known> known_;
-  std::array<std::byte, 1024> events_{};  // Read from the card; [from_, until_) is not yet passed on.
+  // Events read from the card; [from_, until_) is not yet passed on. A read(2) gives
+  // whole events only, as many as fit.
+  std::array<std::byte, 1024> events_{};
   std::size_t from_ = 0;
   std::size_t until_ = 0;
 };

@@ -56,6 +56,7 @@ drmModeModeInfo Timed(int width_px, int height_px, int rate_hz) {
   const int blank = std::max(int(std::ceil(kBlank_s / line_s)) + 1, kFront + kSync + kLeastBack);
   drmModeModeInfo mode{};
   mode.hdisplay = std::uint16_t(width_px);
+  // VESA CVT 1.2, reduced blanking version 1: 48 pixels of front porch, 32 of sync, 80 of back porch.
   mode.hsync_start = std::uint16_t(width_px + 48);
   mode.hsync_end = std::uint16_t(width_px + 48 + 32);
   mode.htotal = std::uint16_t(width_px + 160);
@@ -63,14 +64,18 @@ drmModeModeInfo Timed(int width_px, int height_px, int rate_hz) {
   mode.vsync_start = std::uint16_t(height_px + kFront);
   mode.vsync_end = std::uint16_t(height_px + kFront + kSync);
   mode.vtotal = std::uint16_t(height_px + blank);
+  // In kHz. CVT rounds down to steps of 250 kHz, which would miss the rate that
+  // was asked for; no screen insists.
   mode.clock = std::uint32_t(std::lround(1e-3 * mode.htotal * mode.vtotal * rate_hz));
   mode.vrefresh = std::uint32_t(rate_hz);
+  // The polarities by which a screen recognises reduced blanking.
   mode.flags = DRM_MODE_FLAG_PHSYNC | DRM_MODE_FLAG_NVSYNC;
   mode.type = DRM_MODE_TYPE_USERDEF;
   return mode;
 }
 
-// The number that `text` begins with, and `ends` behind it; both are removed from `text`.
+// The number that `text` begins with, and `ends` behind it; both are removed from `text`. None where it
+// is below 1 or above `most`, or where something else follows.
 std::optional<int> ReadNumber(std::string_view& text, std::string_view ends, int most) {
   int value = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);

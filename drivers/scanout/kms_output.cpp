@@ -6,8 +6,10 @@
 namespace kaori::scanout {
 namespace {
 
-// Assigns CRTCs to connectors: a maximum matching by Kuhn's algorithm, in which a connector may move another
-// one on to a CRTC that is free. Connectors and CRTCs are indices into the card's order.
+// Assigns CRTCs to connectors: a maximum matching by Kuhn's algorithm, in which a connector
+// may move another one on to a CRTC that is free. A card of three CRTCs may reach a
+// connector by one of them alone: first come, first served would leave it dark. Connectors
+// and CRTCs are indices into the card's order.
 class CrtcMatching {
  public:
   CrtcMatching(const std::vector<KmsConnector>& connectors, std::uint32_t usable)
@@ -37,6 +39,7 @@ class CrtcMatching {
     return false;
   }
 
+  // Gives the CRTC to the connector where it is free, or where its connector finds another one.
   bool AssignTo(std::size_t connector, std::size_t crtc, bool move) {
     const bool possible = ((connectors_[connector].crtcs & usable_ & ~tried_) >> crtc & 1) != 0;
     if (!possible || (driven_[crtc] && !move)) return false;
@@ -48,11 +51,15 @@ class CrtcMatching {
 
   const std::vector<KmsConnector>& connectors_;
   std::uint32_t usable_;
+  // The connector that each CRTC drives; a card has 32 CRTCs at most, the bits of a mask.
   std::array<std::optional<std::size_t>, 32> driven_;
+  // CRTCs that were looked at for the connector that is being added: each is
+  // tried once, so that the search ends.
   std::uint32_t tried_ = 0;
 };
 
-// The connectors that have a screen, with its modes.
+// The connectors that have a screen, with its modes. Probing blocks; connectors that the kernel knows to
+// be empty are left out, unless a uevent says that something changed.
 std::vector<KmsConnector> PluggedIn(KmsDevice& card) {
   std::vector<KmsConnector> found;
   const bool hotplug = card.DrainHotplug();

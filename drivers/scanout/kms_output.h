@@ -12,7 +12,7 @@
 
 namespace kaori::scanout {
 
-// A connector with a screen, and what it is driven by.
+// A connector with a screen, and what it is driven by: one CRTC, one primary plane, one mode.
 struct KmsOutput {
   std::uint32_t connector = 0;
   std::string name;
@@ -29,19 +29,21 @@ struct KmsOutput {
 //   not_supported   the card can show on none of them
 Result<std::vector<KmsOutput>> FindOutputs(KmsDevice& card, KmsPreferences& preferences);
 
-// Removes the status display from the outputs. `name` is the connector's, or its number on the card from 1.
-// None where `name` is empty or not among the outputs, or where it is the only screen, which is the show's.
+// Removes the status display from the outputs. `name` is the connector's, or its number on the card from
+// 1. None where `name` is empty or not among the outputs, or where it is the only screen, which is the
+// show's: people who pull a cable keep the face.
 std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string& name,
                                              std::vector<KmsOutput>& outputs);
 
-// For each CRTC, in the card's order, a primary plane of its own; 0 where there is none.
+// For each CRTC, in the card's order, a primary plane of its own; 0 where there is none. The first plane
+// that fits is used, as most cards have one fixed plane for each CRTC.
 std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs);
 
-// The mode that people prefer, else ChooseMode's; without those
-// that the card refused. None where it refused all of them.
+// The mode that people prefer, else ChooseMode's; without those that the card refused. None where it
+// refused all of them. Its origin tells whether it is what was wanted. Pure.
 std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsPreferences& preferences);
 
-// The output as the port tells it.
+// The output as the port tells it, with the rate of its mode. Pure.
 ports::Output PortOutput(const KmsOutput& output, ports::OutputState state);
 
 }  // namespace kaori::scanout

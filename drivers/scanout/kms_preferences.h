@@ -12,12 +12,15 @@
 
 namespace kaori::scanout {
 
-// A mode that the card would not show on a connector.
+// A mode that the card would not show on a connector, as with too little memory or
+// a cable that is too long for it.
 struct KmsRefusal {
   std::uint32_t connector = 0;
   drmModeModeInfo mode{};
 };
 
+// The wishes come from the profile; the refusals are noted by KmsScreen and
+// kept by KmsCard over all openings.
 struct KmsPreferences {
   std::optional<drmModeModeInfo> mode;  // Of all screens; none: each has its own.
   // The connector of the status display, by its name ("HDMI-A-2") or by its number on the card, from 1.

@@ -14,7 +14,7 @@
 
 namespace kaori::scanout {
 
-// Makes the buffers that EGL draws pictures of this size into.
+// Makes the buffers that EGL draws pictures of this size into: GbmSurface::Make, or a test's.
 using MakeSurface = std::function<Result<std::unique_ptr<KmsSurface>>(int width_px, int height_px)>;
 
 // Never blanks: the picture stays when this object, or its program, ends.
@@ -62,7 +62,8 @@ class KmsScreen final : public ports::Scanout {
             KmsPreferences& preferences);
   // Looks for screens that came, went or changed. Errors: no_such_device (this object is to be opened anew).
   Result<void> CheckConnectors();
-  // Probes every connector after a hotplug report. Errors: as CheckConnectors.
+  // Probes every connector after a hotplug report: tens of milliseconds each, which cost a
+  // frame or two. Errors: as CheckConnectors.
   Result<void> ProbeAll();
   // Notes the error that every call says from now on.
   tl::unexpected<Error> Gone(const Error& error);
@@ -74,15 +75,20 @@ class KmsScreen final : public ports::Scanout {
   bool IsNew(std::uint32_t connector) const;
   // Shows the framebuffer on every screen that is plugged in. Errors: what the card says.
   Result<void> Commit(std::uint32_t framebuffer);
+  // The error that Present gives, after the screen at fault was found and its refusal noted.
   Error Blame(const Error& error, std::uint32_t framebuffer);
+  // A test commit for this panel alone.
   bool CouldShow(Panel& panel, std::uint32_t framebuffer);
+  // Adds all settings of a panel that shows nothing of ours yet. Errors: those of CreateModeBlob.
   Result<void> AddPanel(Panel& panel, std::uint32_t framebuffer);
   // Settings that free what no panel uses.
   void AddOthersOff();
+  // Notes a flip of the frame that was presented last.
   void HandleFlip(const KmsFlip& flip);
   // The first panel whose screen is plugged in: its flips are the frame's. Null: there is none.
   Panel* First();
   bool FlipIsPending() const;
+  // Removes what earlier programs left on the card's file.
   void RemoveOldFramebuffers();
 
   KmsDevice& card_;
@@ -92,8 +98,9 @@ class KmsScreen final : public ports::Scanout {
   KmsPreferences& preferences_;
   std::unique_ptr<KmsStatusDisplay> status_display_;
   std::vector<Panel> panels_;
-  std::vector<std::uint32_t>
-      undriven_;  // Connectors with a screen that the card cannot drive beside the others.
+  // Connectors with a screen that the card cannot drive beside the others. They
+  // are no news until they are pulled.
+  std::vector<std::uint32_t> undriven_;
   std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame allocates.
   Time checked_at_{};                 // When connectors were checked last.
   Time presented_at_{};

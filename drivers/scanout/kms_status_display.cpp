@@ -9,7 +9,9 @@ namespace kaori::scanout {
 namespace {
 
 constexpr std::size_t kPixel_bytes = 4;
-constexpr std::uint64_t kNoToken = 0;  // Nobody awaits these flips, and no frame of the show has this token.
+// Nobody awaits these flips, and no frame of the show has this token: a frame's has
+// the process id in its upper half.
+constexpr std::uint64_t kNoToken = 0;
 
 }  // namespace
 

@@ -12,11 +12,13 @@
 
 namespace kaori::scanout {
 
-// Has commits of its own, so that no frame of the show waits for it. Never blanks: what is shown stays when
-// this object, or its program, ends.
+// Has commits of its own, so that no frame of the show waits for it: one dumb buffer, into which changed
+// rows are copied while it is shown, since a text that tears for a frame does no harm. Never blanks:
+// what is shown stays when this object, or its program, ends. One thread.
 class KmsStatusDisplay final : public ports::StatusDisplay {
  public:
-  // Shows nothing yet. `card` must outlive it. Errors: what the card says.
+  // Creates the mode and the buffer; shows nothing yet. `card` must outlive
+  // it. Errors: what the card says.
   static Result<std::unique_ptr<KmsStatusDisplay>> Open(KmsDevice& card, KmsOutput output);
   ~KmsStatusDisplay() override;
 
@@ -34,7 +36,7 @@ class KmsStatusDisplay final : public ports::StatusDisplay {
 
  private:
   KmsStatusDisplay(KmsDevice& card, KmsOutput output, KmsDumbBuffer buffer, std::uint32_t mode);
-  // Copies one row of the picture into the buffer.
+  // Copies one row of the picture into the buffer, which is another way up.
   void Write(std::span<const std::uint8_t> rgbx, int row);
 
   KmsDevice& card_;

@@ -24,7 +24,8 @@ KmsWall Arrange(std::vector<KmsOutput> outputs) {
     widths_px[i % columns] = std::max<int>(widths_px[i % columns], mode.hdisplay);
     heights_px[i / columns] = std::max<int>(heights_px[i / columns], mode.vdisplay);
   }
-  // Where a column or a row begins: behind the widest or highest screens before it.
+  // Where a column or a row begins: behind the widest or highest screens before it. With
+  // `count` of all it is the sum of the whole.
   const auto sum = [](const std::vector<int>& lengths_px, std::size_t count) {
     return std::accumulate(lengths_px.begin(), lengths_px.begin() + std::ptrdiff_t(count), 0);
   };

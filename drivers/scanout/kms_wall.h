@@ -16,6 +16,7 @@ struct KmsPanel {
   int y_px = 0;
 };
 
+// The screens of the show as one picture, and the one that is not part of it.
 struct KmsWall {
   std::vector<KmsPanel> panels;
   int width_px = 0;
@@ -23,12 +24,13 @@ struct KmsWall {
   std::optional<KmsOutput> status;  // The status display: shows no part of the picture.
 };
 
-// Arranges the screens row by row from the left top, in the order given: one beside the other, or in a full
-// rectangle where their number makes one with at least as many columns as rows (4, 6, 8, 9 ...). A screen
-// that is smaller than its cell stands at the cell's left top. Pure.
+// Arranges the screens row by row from the left top, in the order given: one beside the other, or in a
+// full rectangle where their number makes one with at least as many columns as rows (4, 6, 8, 9 ...). A
+// column is as wide as its widest screen, a row as high as its highest; a screen that is smaller than
+// its cell stands at the cell's left top, and what lies beside it is drawn for nobody. Pure.
 KmsWall Arrange(std::vector<KmsOutput> outputs);
 
-// Its screens for people, separated by semicolons, the status display last.
+// Its screens for people, separated by semicolons, the status display last. All count as plugged in.
 std::string Describe(const KmsWall& wall);
 
 }  // namespace kaori::scanout

@@ -7,13 +7,14 @@
 namespace kaori::scanout {
 namespace {
 
-// Bounds of a hello that makes sense.
+// Bounds of a hello that makes sense: products of them fit into 64 bits.
 constexpr std::uint32_t kMostSlots = 8;
 constexpr std::uint32_t kMostSide = 16384;
 constexpr std::int64_t kLongestPeriod_ns = 1'000'000'000;
 constexpr std::int64_t kLastTime_ns = std::int64_t{1} << 62;  // Sums with it do not overflow.
 
-// Sums with later times must not overflow.
+// Whether a stamp is one that a clock can give: stamps before the machine's start, or near the
+// end of time, are a broken simulator's.
 bool IsTime(std::int64_t at_ns) {
   return at_ns >= 0 && at_ns <= kLastTime_ns;
 }
@@ -45,7 +46,7 @@ Result<std::size_t> LocalScreen::Receive(std::span<std::uint8_t> into, UniqueFd*
   }
   if (packet.error().cause == std::errc::resource_unavailable_try_again)
     return tl::unexpected(packet.error());
-  // Until the hello has been understood.
+  // Any other failure ends the connection: nothing tells where the next packet would begin to make sense.
   gone_ = true;
   return Fail(std::errc::no_such_device, "read the local screen");
 }
@@ -55,6 +56,7 @@ Result<void> LocalScreen::ReadHello() {
   UniqueFd descriptor;
   const auto bytes = Receive(buffer, &descriptor);
   if (!bytes) return tl::unexpected(bytes.error());
+  // Until the hello has been understood.
   gone_ = true;
   const auto hello = wire::DecodeScreenHello(std::span(buffer).first(*bytes));
   if (!hello || !MakesSense(*hello)) return Fail(std::errc::no_such_device, "read the local screen's hello");

@@ -13,6 +13,8 @@
 
 namespace kaori::scanout {
 
+// As ports::Scanout, over the local link (firmware/wire/link.h): the simulator is the display, and its
+// clock gives the vertical blanks. Slots go round in order; one frame is under way at a time. One thread.
 class LocalScreen final : public ports::Scanout {
  public:
   // Connects to the socket "<folder>/screen.<port>". Until the screen has answered, Acquire says
@@ -21,6 +23,7 @@ class LocalScreen final : public ports::Scanout {
   static Result<std::unique_ptr<ports::Scanout>> Open(const std::string& folder,
                                                       const std::string& port = "screen");
 
+  // Owns the connected socket; the hello is read by the first call that needs it.
   explicit LocalScreen(UniqueFd socket) : socket_(std::move(socket)) {}
 
   int pollable() const override { return socket_.get(); }
