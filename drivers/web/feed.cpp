@@ -9,10 +9,12 @@
 namespace kaori::web {
 namespace {
 
+// The most that MHD asks for at a time.
 constexpr std::size_t kBlockBytes = 32768;
 // What the kernel buffers for one listener: about one picture, so that a slow one sees recent pictures.
 constexpr int kSendBufferBytes = 65536;
 
+// Without it the kernel would buffer megabytes, and a slow browser would show the past.
 void KeepSendBufferShort(MHD_Connection* connection) {
   const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
   if (info == nullptr) return;
@@ -21,6 +23,8 @@ void KeepSendBufferShort(MHD_Connection* connection) {
 
 }  // namespace
 
+// `sending` is a copy of the message that this listener receives;
+// `sent_bytes` of it have been given to MHD.
 struct Feed::Listener {
   Feed* feed;
   MHD_Connection* connection;

@@ -13,7 +13,9 @@ struct MHD_Response;
 
 namespace kaori::web {
 
-// One thread, that of the event loop. Must outlive the HttpServer that serves it. No call blocks.
+// Sends live pictures and states to browsers (multipart pictures, or events). One thread, that of
+// the event loop. Must outlive the HttpServer that serves it. No call blocks: what a slow browser
+// cannot receive waits in its own listener.
 class Feed {
  public:
   // `content_type` is the reply's; `opening` is sent once to each listener, before its first message.
@@ -41,10 +43,12 @@ class Feed {
  private:
   // A connection that listens, and what was sent to it.
   struct Listener;
-  // MHD's call-backs: more bytes for a listener, and its end.
+  // MHD's call-backs: more bytes for a listener, and its end. Fills `into` with at most `most` bytes and
+  // returns how many; MHD's codes for the end, and 0 with a suspended connection, as
+  // MHD_ContentReaderCallback says. `position` is MHD's count, which is not needed.
   static std::ptrdiff_t Read(void* listener, std::uint64_t position, char* into, std::size_t most);
   static void Leave(void* listener);
-  // Resumes a connection that waits for a message.
+  // Resumes a connection that waits for a message; does nothing for one that is still receiving.
   void Wake(Listener& listener);
 
   std::string content_type_;

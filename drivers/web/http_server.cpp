@@ -11,12 +11,14 @@
 namespace kaori::web {
 namespace {
 
+// MHD counts from the last byte that went either way: it ends feeds that nobody receives.
 constexpr unsigned kIdleTimeout_s = 30;
 constexpr Duration kRequestLimit = std::chrono::seconds(10);  // Handshake, headers and body.
 constexpr Duration kReplyLimit = std::chrono::seconds(30);    // A reply of one piece.
 constexpr int kRunsAtOnce = 64;  // A client that never stops sending must not hold the loop.
 
-// A page of ours may load nothing from elsewhere, and no other page may put it into a frame.
+// A page of ours may load nothing from elsewhere, and no other page may put it into a frame: a page on
+// the internet that guesses the box's address can neither read nor press anything.
 constexpr std::pair<const char*, const char*> kEveryReply[] = {
     {"Cache-Control", "no-store"},
     {"X-Content-Type-Options", "nosniff"},
@@ -99,7 +101,7 @@ struct HttpServer::Callbacks {
       SetLimit(server, connection, kReplyLimit);
       return SendText(connection, MHD_HTTP_FORBIDDEN, *refusal);
     }
-    // Complete deletes it, whatever happens.
+    // Owned by MHD's connection until Complete deletes it, whatever happens.
     *exchange = new Exchange{{.method = method,
                               .path = path,
                               .body = {},
@@ -152,6 +154,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::Open(ServerOptions options, Even
 Result<void> HttpServer::Start() {
   auto listener = ListenForVisitors(options_.port, options_.reach, options_.address);
   if (!listener) return tl::unexpected(listener.error());
+  // MHD ends a list of options where it finds this one.
   constexpr MHD_OptionItem kEnd{MHD_OPTION_END, 0, nullptr};
   std::array<MHD_OptionItem, 3> secure{kEnd, kEnd, kEnd};
   unsigned flags = MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME;
@@ -191,6 +194,7 @@ int HttpServer::pollable() const {
 
 void HttpServer::Run() {
   CloseSlowConnections();
+  // MHD says that it has more to do at once by a time-out of 0.
   for (int run = 0; run < kRunsAtOnce; ++run) {
     MHD_run(daemon_);
     MHD_UNSIGNED_LONG_LONG wait_ms = 0;

@@ -23,8 +23,8 @@ struct MHD_Response;
 
 namespace kaori::web {
 
-// The headers by which a guard admits or refuses a request; empty
-// where it has none. The views end with the guard's call.
+// The headers by which a guard admits or refuses a request; empty where it has none. Browsers set Origin
+// and Sec-Fetch-Site by themselves, and no page can forge them. The views end with the guard's call.
 struct Visitor {
   std::string_view method{};
   std::string_view host{};
@@ -32,7 +32,7 @@ struct Visitor {
   std::string_view fetch_site{};  // Sec-Fetch-Site.
 };
 
-// A whole request.
+// A whole request. The strings are the client's own: of any content, and bounded in length by MHD.
 struct Request {
   std::string method;
   std::string path;  // Without the query.
@@ -49,6 +49,7 @@ struct Reply {
   std::string cookie{};  // A Set-Cookie header; empty: none.
 };
 
+// Far more than any message of our pages. It bounds what a client can make the program keep.
 inline constexpr std::size_t kMostBodyBytes = 4096;
 
 // A certificate chain and its private key, both as PEM.
@@ -57,9 +58,12 @@ struct Certificate {
   std::string key;
 };
 
-// Why a request is refused, in one line; none: it is accepted.
+// Why a request is refused, in one line, which the client gets with status 403; none: it is accepted.
+// Called for each request, in the loop's thread.
 using Guard = std::function<std::optional<std::string>(const Visitor&)>;
 
+// What a server is and whom it serves. The numbers of connections bound the
+// descriptors that clients can use up.
 struct ServerOptions {
   std::uint16_t port = 0;  // 0: any free one.
   Reach reach = Reach::kThisMachine;
@@ -70,20 +74,24 @@ struct ServerOptions {
   Guard guard{};  // Called with the headers, before the body is read; null: all are accepted.
 };
 
-// One thread, that of the loop. No call blocks. A connection is closed whose request is not whole within 10
-// s, whose reply is not received within 30 s, or whose feed receives nothing for 30 s.
+// Serves pages and feeds by libmicrohttpd, which is driven by the program's own loop and has no thread.
+// One thread, that of the loop. No call blocks. A connection is closed whose request is not whole within
+// 10 s, whose reply is not received within 30 s, or whose feed receives nothing for 30 s.
 class HttpServer {
  public:
   using Answer = std::variant<Reply, Feed*>;  // A Feed must outlive the server.
+  // Called with each whole request; what it returns is sent. Runs inside Run, so it must not block.
   using Handler = std::function<Answer(const Request&)>;
 
-  // `loop` and `clock` must outlive the server. Errors:
+  // Listens and joins the loop. The handler is kept and called until the server ends; what it refers to
+  // must outlive it, as `loop` and `clock` must. Errors:
   //   address_in_use    another program listens on the port
   //   permission_denied the port is below 1024, and this program may not open it
   //   invalid_argument  the certificate or its key is not valid
   //   io_error          the server could not be started
   static Result<std::unique_ptr<HttpServer>> Open(ServerOptions options, EventLoop& loop, const Clock& clock,
                                                   Handler handler);
+  // Leaves the loop, ends all feeds and closes all connections.
   ~HttpServer();
 
   // The port that is listened on.
@@ -91,8 +99,9 @@ class HttpServer {
   // How many connections are open.
   std::size_t connections() const { return connections_.size(); }
 
-  // Sends and receives what is possible now, and closes connections that are too slow. To be called after a
-  // feed was published to, and 10 times a second at least.
+  // Sends and receives what is possible now, and closes connections that are too slow. To be
+  // called after a feed was published to, and 10 times a second at least: MHD's own time-outs have
+  // no descriptor that the loop could watch.
   void Run();
 
  private:
@@ -110,6 +119,7 @@ class HttpServer {
   Result<void> Start();
   // The handler's answer as MHD's response; null when memory is short.
   MHD_Response* Respond(const Request& request, MHD_Connection* connection, unsigned* status);
+  // By their limits; the clock is asked once.
   void CloseSlowConnections();
   // MHD's epoll descriptor, which the loop watches.
   int pollable() const;

@@ -33,6 +33,7 @@ void JpegEncoder::Close::operator()(void* handle) const {
 Result<std::string> JpegEncoder::Encode(const Picture& picture, int quality) {
   const auto attempt = fmt::format("encode a picture of {}x{}", picture.width_px, picture.height_px);
   if (!Agrees(picture)) return FailInput(attempt);
+  // TurboJPEG reads the size of the buffer that it is given, and grows it where the picture does not fit.
   unsigned long bytes = buffer_bytes_;
   if (handle_ == nullptr || tjCompress2(handle_.get(), picture.rgbx.data(), picture.width_px, 0,
                                         picture.height_px, TJPF_RGBX, &buffer_, &bytes, TJSAMP_420, quality,

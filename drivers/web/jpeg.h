@@ -10,7 +10,7 @@
 
 namespace kaori::web {
 
-// 8-bit R, G, B, X; rows without padding.
+// A picture of 8-bit R, G, B, X; rows without padding. Borrowed.
 struct Picture {
   int width_px = 0;
   int height_px = 0;
@@ -18,14 +18,16 @@ struct Picture {
   bool bottom_up = true;  // The bottom row comes first, as in ports::PixelMemory.
 };
 
-// Keeps its memory from picture to picture. One thread.
+// Keeps its memory from picture to picture. One thread. Pictures are subsampled to half the colour
+// (4:2:0) and transformed fast: they are for looking at, not for measuring.
 class JpegEncoder {
  public:
   JpegEncoder();
   ~JpegEncoder();
 
-  // `quality` is 1..100. Blocks until the picture is encoded. Errors: invalid_argument (sizes and bytes do
-  // not agree), not_enough_memory.
+  // `quality` is 1..100. Blocks until the picture is encoded: some milliseconds for a megapixel. Errors:
+  // invalid_argument (sizes and bytes do not agree, or a side is longer than 8192 pixels),
+  // not_enough_memory (whatever the library says).
   Result<std::string> Encode(const Picture& picture, int quality);
 
  private:

@@ -9,13 +9,15 @@
 
 namespace kaori::web {
 
+// Who can connect: programs of this machine, or everybody who reaches it.
 enum class Reach : std::uint8_t {
   kThisMachine,  // 127.0.0.1.
   kNetwork,      // Every address of the machine.
 };
 
-// A listening, non-blocking TCP socket on IPv4; `port` 0 is any free one. `address` is one of this machine's own
-// ("192.168.0.7", "0.0.0.0" for all); empty: as `reach` says. Errors:
+// A listening, non-blocking TCP socket on IPv4; `port` 0 is any free one. `address` is one of this
+// machine's own ("192.168.0.7", "0.0.0.0" for all); empty: as `reach` says. A port that a program has
+// just left can be used at once (SO_REUSEADDR). Errors:
 //   address_in_use         another program listens on the port
 //   permission_denied      the port is below 1024
 //   invalid_argument       `address` is no IPv4 address

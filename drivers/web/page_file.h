@@ -5,6 +5,7 @@
 
 namespace kaori::web {
 
+// One file of a page. Everything lives as long as the program.
 struct PageFile {
   std::string_view path;  // "/" is the page itself.
   std::string_view content_type;
