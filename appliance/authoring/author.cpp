@@ -11,12 +11,15 @@
 namespace kaori::authoring {
 namespace {
 
+// One fault a line, as every reader's error is.
 tl::unexpected<Error> FailAll(const std::vector<std::string>& faults) {
   return FailInput(fmt::format("{}", fmt::join(faults, "\n")));
 }
 
 }  // namespace
 
+// The order is fixed by what each step reads: looks are painted on the sculpted cage and shaded with its
+// hair, the script names faces and expressions, and the last check sees the show as a pack would hold it.
 Result<show::Show> AuthorShow(const std::filesystem::path& folder, const Progress& progress) {
   show::Show show;
   progress("sculpting the faces and their expressions");

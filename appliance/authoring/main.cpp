@@ -7,10 +7,12 @@
 #include "appliance/authoring/pack/verbs.h"
 #include "drivers/base/program.h"
 
+// Runs on an author's machine and in the build, never on the box; each verb is a file of its own.
 int main(int argc, char** argv) {
   using namespace kaori::authoring;
   kaori::BeginProgram("kaori-atelier");
-  std::signal(SIGXFSZ, SIG_IGN);  // A file that may not grow is an error like a full disk, not our end.
+  // A file that may not grow (RLIMIT_FSIZE) is an error like a full disk, not our end.
+  std::signal(SIGXFSZ, SIG_IGN);
   const std::array verbs{PackVerb(),  CheckVerb(),  InfoVerb(),   DiffVerb(),
                          SheetVerb(), LabelsVerb(), KeygenVerb(), ImportVerb()};
   return Dispatch(verbs, std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1));

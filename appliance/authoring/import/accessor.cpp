@@ -10,8 +10,10 @@
 namespace kaori::import {
 namespace {
 
+// The corners of kMostTriangles triangles: no accessor of a head that is accepted can need more rows.
 constexpr std::size_t kMostRows = 3 * kMostTriangles;
 
+// 0 for a number that is none of the file format's types: the enumeration is cast from the file.
 std::size_t SizeOf_bytes(Component component) {
   switch (component) {
     case Component::kInt8:
@@ -27,12 +29,14 @@ std::size_t SizeOf_bytes(Component component) {
   return 0;
 }
 
+// Bytes from one row's start to the next; rows without a stride stand directly behind each other.
 std::size_t Stride_bytes(const Rows& rows) {
   const std::size_t tight = SizeOf_bytes(rows.component) * static_cast<std::size_t>(rows.columns);
   return rows.stride_bytes == 0 ? tight : rows.stride_bytes;
 }
 
-// Why these rows cannot be read; empty: they can.
+// Why these rows cannot be read; empty: they can. After this, CopyRow may read each row
+// without another check.
 std::string FaultOf(const Rows& rows) {
   const std::size_t size = SizeOf_bytes(rows.component);
   if (size == 0) return fmt::format("component type {} is unknown", static_cast<int>(rows.component));
@@ -41,13 +45,17 @@ std::string FaultOf(const Rows& rows) {
   if (rows.count > kMostRows) return fmt::format("{} rows are more than {}", rows.count, kMostRows);
   const std::size_t row = size * static_cast<std::size_t>(rows.columns);
   const std::size_t stride = Stride_bytes(rows);
+  // glTF 2.0 allows strides of 4 to 252; more is left to tools that write carelessly. The bound keeps the
+  // product below from overflowing.
   if (stride < row || stride > 1024) return fmt::format("a stride of {} bytes", stride);
+  // The last row need not be filled up to a whole stride.
   const std::size_t needed = (rows.count - 1) * stride + row;
   if (needed > rows.bytes.size())
     return fmt::format("{} bytes are needed, the buffer ends after {}", needed, rows.bytes.size());
   return {};
 }
 
+// Views begin at any byte of a file, so that a pointer of T could be misaligned.
 template <class T>
 T Load(const std::uint8_t* at) {
   T value;
@@ -55,7 +63,8 @@ T Load(const std::uint8_t* at) {
   return value;
 }
 
-// glTF 2.0, section 3.11: an integer stands for -1..1 or 0..1.
+// glTF 2.0, section 3.11: a normalised integer stands for -1..1 or 0..1. The most negative one would fall
+// below -1 and is held there, as the specification's formula does: f = max(c / 127, -1).
 float Value(const std::uint8_t* at, Component component, bool normalised) {
   const auto scaled = [normalised](auto value, float largest) {
     const auto number = static_cast<float>(value);
@@ -84,6 +93,7 @@ void CopyRow(const Rows& rows, std::size_t row, bool normalised, float* out) {
     out[c] = Value(at, rows.component, normalised);
 }
 
+// Writes sparse values over `numbers`. Returns the fault, or nothing.
 std::string Replace(const Sparse& sparse, bool normalised, std::size_t rows, Numbers& numbers) {
   if (sparse.at.count != sparse.values.count) return "sparse: as many indices as values are expected";
   const Indices at = ReadIndices(sparse.at);
@@ -106,6 +116,7 @@ Numbers ReadNumbers(const Accessor& accessor) {
     numbers.fault = fmt::format("{} rows of {} numbers", base.count, base.columns);
     return numbers;
   }
+  // Without a buffer view the base is all zero (glTF 2.0, section 3.6.2.3); `resize` has written the zeros.
   const bool all_zero = base.bytes.empty() && accessor.sparse.has_value();
   if (!all_zero) numbers.fault = FaultOf(base);
   if (!numbers.fault.empty()) return numbers;

@@ -10,17 +10,26 @@
 namespace kaori::import {
 namespace {
 
+// A warp with its affine part needs four points that lie in no plane; with fewer than eight, one that was
+// found wrongly would bend the whole head.
 constexpr std::size_t kFewestLandmarks = 8;
-constexpr float kMotionAsDistance_m = 0.012F;  // What moves wholly and what not at all are this far apart.
+// What moves wholly and what not at all are this far apart: more than lips or lids are thick, less than a
+// mouth is wide.
+constexpr float kMotionAsDistance_m = 0.012F;
+// Motion is carried whole where the spot is nearer than kNear_m, not at all beyond kFar_m.
 constexpr float kNear_m = 0.010F;
 constexpr float kFar_m = 0.030F;
+// Neighbours may find their spots on different triangles; two half steps hide the facets without
+// flattening a lip.
 constexpr int kSmoothSteps = 2;
 constexpr float kSmoothShare = 0.5F;
 
-// A vertex by place and motion.
+// A vertex by place and motion: a point of six dimensions, in which upper and lower lip are far
+// from each other.
 struct Feature {
   glm::vec3 at{};
-  glm::vec3 motion{};  // Jaw, left lids, right lids; metres.
+  // Jaw, left lids, right lids; as metres, so that both parts can be added up.
+  glm::vec3 motion{};
 };
 
 std::vector<Feature> FeaturesOf(const HeadShape& head) {
@@ -37,10 +46,13 @@ std::vector<Feature> FeaturesOf(const HeadShape& head) {
 float SquareDistance(const Feature& a, const Feature& b) {
   const glm::vec3 place = a.at - b.at;
   const glm::vec3 motion = a.motion - b.motion;
+  // Pythagoras in six dimensions.
   return glm::dot(place, place) + glm::dot(motion, motion);
 }
 
-// The shares of the nearest point of a triangle: inside, else on its nearest edge.
+// The shares of the nearest point of a triangle: inside by the normal equations of least squares, else with
+// negative shares cut off. That is near the nearest point of an edge, and exact where the foot of the
+// perpendicular lies inside.
 glm::vec3 NearestShares(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& p) {
   const glm::vec3 ab = b - a;
   const glm::vec3 ac = c - a;
@@ -49,6 +61,7 @@ glm::vec3 NearestShares(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   const float bc = glm::dot(ab, ac);
   const float cc = glm::dot(ac, ac);
   const float area = bb * cc - bc * bc;
+  // A triangle without area has no inside; its first corner stands for it.
   if (!(area > 0)) return {1, 0, 0};
   const float share_b = (cc * glm::dot(ab, ap) - bc * glm::dot(ac, ap)) / area;
   const float share_c = (bb * glm::dot(ac, ap) - bc * glm::dot(ab, ap)) / area;
@@ -56,6 +69,7 @@ glm::vec3 NearestShares(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   return shares / (shares.x + shares.y + shares.z);
 }
 
+// Finds spots on one head by comparing with all its vertices. Borrows the head.
 class Locator {
  public:
   explicit Locator(const HeadShape& head)
@@ -64,11 +78,14 @@ class Locator {
       for (const Index corner : head.triangles[t]) around_[corner].push_back(t);
   }
 
+  // First the nearest vertex by place and motion, then the nearest point of the triangles about it by place
+  // alone: these do not cross a slit.
   Spot Find(const Feature& wanted) const {
     Index nearest = 0;
     float least = std::numeric_limits<float>::max();
     for (Index v = 0; v < features_.size(); ++v) {
       const float square = SquareDistance(features_[v], wanted);
+      // A vertex without triangles, as those of teeth, is no place on the surface.
       if (square < least && !around_[v].empty()) {
         least = square;
         nearest = v;
@@ -80,6 +97,7 @@ class Locator {
   }
 
  private:
+  // Replaces `best` where this triangle comes nearer.
   void Try(const Triangle& t, const glm::vec3& wanted, Spot& best) const {
     const auto& p = head_.positions;
     const glm::vec3 shares = NearestShares(p[t[0]], p[t[1]], p[t[2]], wanted);
@@ -93,6 +111,7 @@ class Locator {
   std::vector<std::vector<std::size_t>> around_;
 };
 
+// The same pairs of landmarks, for the warp and for the way back.
 struct Matched {
   std::vector<sculpt::Pull> forth;
   std::vector<sculpt::Pull> back;
@@ -113,6 +132,7 @@ Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to
   return matched;
 }
 
+// The value of `values` at a spot, linear within the triangle.
 template <class T>
 T Mix(const std::vector<T>& values, const Spot& spot) {
   return spot.shares.x * values[spot.corners[0]] + spot.shares.y * values[spot.corners[1]] +
@@ -129,6 +149,7 @@ std::optional<Bridge> Bridge::Between(const HeadShape& from, const HeadShape& to
   auto forth = sculpt::Warp::Through(std::move(matched.forth));
   const auto back = sculpt::Warp::Through(std::move(matched.back));
   if (!forth || !back) return std::nullopt;
+  // Vertices of `to` are led back onto `from` to find their spots; shapes of `from` are led forth.
   Bridge bridge(from.positions, std::move(*forth), MeshGraph(to.positions, to.triangles));
   bridge.landmarks_ = landmarks;
   const Locator locator(from);
@@ -145,6 +166,8 @@ Offsets Bridge::Carry(const Offsets& from) const {
     if (moved == glm::vec3(0)) continue;
     const glm::dvec3 at(Mix(from_, spot));
     const float near = 1 - glm::smoothstep(kNear_m, kFar_m, spot.distance_m);
+    // The difference of where the warp leads the moved and the resting point: the warp's turn and stretch at
+    // that place, also for motions that are not small.
     carried[v] = near * glm::vec3(forth_(at + glm::dvec3(moved)) - forth_(at));
   }
   for (int step = 0; step < kSmoothSteps; ++step) surface_.Smooth(kSmoothShare, carried);

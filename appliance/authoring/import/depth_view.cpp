@@ -10,13 +10,18 @@
 namespace kaori::import {
 namespace {
 
+// Half a millimetre: finer than lids are thick, and still no more than 500 x 500 cells for a head.
 constexpr float kCell_m = 0.0005F;
+// Three cells: on a surface that falls away steeply, the depth of a cell's middle differs by that much from
+// the vertex's own.
 constexpr float kBehind_m = 0.0015F;
+// What lies beyond these of a figure larger than a metre falls into the outermost cells.
 constexpr int kMostCells = 2000;  // A side of the picture.
 
 // The frontmost z for each cell of a grid over x and y.
 class DepthView {
  public:
+  // The picture spans the given points; what is drawn beyond them falls into the cells at its edge.
   explicit DepthView(const std::vector<glm::vec3>& positions) {
     glm::vec3 most = least_ = positions.front();
     for (const glm::vec3& p : positions) {
@@ -29,10 +34,12 @@ class DepthView {
                   std::numeric_limits<float>::lowest());
   }
 
+  // Rasterises a triangle of either winding: barycentric shares at each cell's middle.
   void Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::vec3 least = glm::min(a, glm::min(b, c));
     const glm::vec3 most = glm::max(a, glm::max(b, c));
     const float area = Cross(b - a, c - a);
+    // Seen edge-on.
     if (area == 0) return;
     for (int row = Row(least.y); row <= Row(most.y); ++row)
       for (int column = Column(least.x); column <= Column(most.x); ++column) {
@@ -44,11 +51,13 @@ class DepthView {
       }
   }
 
+  // Only the front half of the ball can be seen.
   void Draw(const face::EyeBall& ball) {
     const float r = ball.radius_m;
     for (int row = Row(ball.centre.y - r); row <= Row(ball.centre.y + r); ++row)
       for (int column = Column(ball.centre.x - r); column <= Column(ball.centre.x + r); ++column) {
         const glm::vec3 from = CellMiddle(column, row) - ball.centre;
+        // z = sqrt(r^2 - x^2 - y^2).
         const float square = r * r - from.x * from.x - from.y * from.y;
         if (square > 0) Put(column, row, ball.centre.z + std::sqrt(square));
       }
@@ -59,6 +68,8 @@ class DepthView {
     const float r = ball.radius_m;
     std::vector<BallColumn> seen;
     for (int column = Column(ball.centre.x - r); column <= Column(ball.centre.x + r); ++column) {
+      // A run of cells that ends at row `end`; lashes or a highlight's mesh may cut an eye into several, and
+      // the longest is the opening.
       int longest = 0;
       int run = 0;
       int end = 0;
@@ -67,6 +78,7 @@ class DepthView {
         if (run > longest) end = row + 1;
         longest = std::max(longest, run);
       }
+      // The upper edge of the last cell of the run.
       const glm::vec3 corner = CellMiddle(column, end) - 0.5F * kCell_m;
       if (longest > 0)
         seen.push_back(
@@ -92,6 +104,7 @@ class DepthView {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);
   }
+  // In head axes; z is 0.
   glm::vec3 CellMiddle(int column, int row) const {
     return {least_.x + (static_cast<float>(column) + 0.5F) * kCell_m,
             least_.y + (static_cast<float>(row) + 0.5F) * kCell_m, 0};
@@ -112,6 +125,7 @@ class DepthView {
 std::vector<bool> SeenFromFront(const HeadShape& head) {
   DepthView view(head.positions);
   for (const Triangle& t : head.triangles)
+    // Balls hide what lies behind them, the inside of the lids above all.
     view.Draw(head.positions[t[0]], head.positions[t[1]], head.positions[t[2]]);
   for (const face::EyeBall& eye : head.eyes)
     if (eye.radius_m > 0) view.Draw(eye);

@@ -6,6 +6,7 @@
 namespace kaori::import {
 
 void Findings::Add(std::string_view file, std::string_view item, std::string_view reason) {
+  // Later faults are counted only.
   if (lines_.size() >= kMost) {
     ++dropped_;
     return;

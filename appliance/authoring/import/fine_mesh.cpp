@@ -7,6 +7,7 @@ namespace kaori::import {
 namespace {
 
 // The quad that two triangles are, if they run along one edge in opposite ways; else the first one.
+// Counter-clockwise, beginning at the shared edge's first corner in `a`.
 mesh::Polygon Join(const Triangle& a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
@@ -16,6 +17,7 @@ mesh::Polygon Join(const Triangle& a, const Triangle& b) {
   return {a[0], a[1], a[2]};
 }
 
+// The cage as its own fine mesh: an identity matrix, and triangles as they are.
 face::FineMesh Cage(const std::vector<Triangle>& triangles, const std::vector<Index>& weld) {
   face::FineMesh fine;
   face::SparseRows& rows = fine.from_cage;
@@ -37,6 +39,7 @@ std::vector<mesh::Polygon> PolygonsOf(const std::vector<Triangle>& triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     mesh::Polygon polygon(t.begin(), t.end());
+    // Only the triangle that follows is tried: that is how exporters split a quad.
     if (i + 1 < triangles.size()) polygon = Join(t, triangles[i + 1]);
     if (polygon.size() == 4) ++i;
     polygons.push_back(std::move(polygon));
@@ -50,6 +53,8 @@ face::FineMesh MakeFineMesh(const std::vector<Triangle>& triangles, const std::v
                                                            : mesh::Subdivide(PolygonsOf(triangles), weld);
   const face::SparseRows& rows = fine.attributes_from_cage;
   for (std::size_t row = 0; row < rows.rows(); ++row) {
+    // Attributes are interpolated, not smoothed like positions, so that a texture does not shrink
+    // at its seams.
     glm::vec2 texture{};
     for (std::uint32_t i = rows.row_start[row]; i < rows.row_start[row + 1]; ++i)
       texture += rows.weight[i] * uv[rows.column[i]];

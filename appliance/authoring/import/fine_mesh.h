@@ -12,14 +12,19 @@
 namespace kaori::import {
 
 // Triangles put together as the artist had them: tools write a quad as two triangles in a row that share an
-// edge. The others stay triangles.
+// edge, run along it in opposite ways and have no other corner in common. The others stay triangles. A quad's
+// corners keep the winding of the triangles. Triangles that happen to stand so are joined too, which changes
+// the wires and the smoothing there, and nothing else.
 std::vector<mesh::Polygon> PolygonsOf(const std::vector<Triangle>& triangles);
 
-// Above this the cage is fine enough as it is.
+// More triangles than this are fine enough as they are: one step of subdivision would make four
+// times as many.
 inline constexpr std::size_t kMostSubdivided = 40'000;  // Triangles.
 
-// As mesh::Subdivide, with texture places; seams of the texture are closed. `weld` as of Weld(). With more
-// than kMostSubdivided triangles the cage itself.
+// As mesh::Subdivide, with texture places. The two sides of a texture seam are subdivided as one surface by
+// `weld` (as of Weld(), by vertex), so it stays closed in space while each side keeps its own coordinates.
+// With more than kMostSubdivided triangles the answer is the cage itself, as a matrix of ones. `uv` by
+// vertex, v up.
 face::FineMesh MakeFineMesh(const std::vector<Triangle>& triangles, const std::vector<Index>& weld,
                             const std::vector<glm::vec2>& uv);
 

@@ -13,8 +13,11 @@
 namespace kaori::import {
 namespace {
 
-constexpr float kBrowAboveEye = 1.75F;  // Radii of the ball.
+// Radii of the ball above its centre.
+constexpr float kBrowAboveEye = 1.75F;
+// The hump falls to 1/e at this distance; as broad as a brow is long, half of it to each side.
 constexpr float kBrowWide_m = 0.009F;
+// How far a raised brow goes at its middle.
 constexpr float kBrowUp_m = 0.006F;
 
 const char* Side(std::size_t side) {
@@ -40,6 +43,7 @@ std::string CompleteBrow(std::size_t side, HeadShape& head) {
   Offsets up(head.positions.size(), glm::vec3(0));
   for (std::size_t v = 0; v < up.size(); ++v) {
     const float from = glm::distance(glm::vec2(head.positions[v]), place) / kBrowWide_m;
+    // Straight up. What lies behind (an ear, the back of the head) has no share.
     if (seen[v]) up[v].y = kBrowUp_m * std::exp(-from * from);
   }
   head.brow_up[side] = std::move(up);
@@ -58,6 +62,7 @@ std::string CompleteMouth(const std::vector<PartOf>& part, HeadShape& head) {
 
 }  // namespace
 
+// The mouth comes before the brows in what people are told, and needs the balls of both eyes, not their lids.
 std::vector<std::string> CompleteByForm(const std::vector<PartOf>& part, HeadShape& head) {
   std::vector<std::string> said;
   for (std::size_t side = 0; side < 2; ++side)

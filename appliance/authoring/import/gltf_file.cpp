@@ -13,6 +13,7 @@
 namespace kaori::import {
 namespace {
 
+// `numbers` holds whole rows of the vector's length.
 template <class Vec>
 std::vector<Vec> AsVectors(const std::vector<float>& numbers) {
   std::vector<Vec> vectors(numbers.size() / static_cast<std::size_t>(Vec::length()));
@@ -22,6 +23,8 @@ std::vector<Vec> AsVectors(const std::vector<float>& numbers) {
   return vectors;
 }
 
+// Builds the model mesh by mesh. A fault does not stop it, so that people are told all; Build then gives no
+// model. Borrows the parsed file.
 class Builder {
  public:
   Builder(const std::string& file, const tinygltf::Model& from, Findings& findings)
@@ -30,11 +33,13 @@ class Builder {
   }
 
   std::optional<Model> Build() {
+    // Findings may hold faults of other files already.
     const std::size_t before = findings_.size();
     for (const PlacedMesh& placed : PlacedMeshes(from_)) AddMesh(placed);
     if (findings_.size() == before && model_.triangles.empty())
       findings_.Add(model_.file, "", "holds no triangle");
     if (findings_.size() > before) return std::nullopt;
+    // Meshes that come after a target's own have no offsets of it: they rest.
     for (Target& target : model_.targets) target.offsets.resize(model_.positions.size());
     model_.presets = VrmPresets(from_);
     FindPicture();
@@ -42,15 +47,19 @@ class Builder {
   }
 
  private:
+  // Names the mesh in work.
   void Fault(std::string_view reason) { findings_.Add(model_.file, item_, reason); }
 
   void AddMesh(const PlacedMesh& placed) {
     const tinygltf::Mesh& mesh = from_.meshes[static_cast<std::size_t>(placed.mesh)];
     const std::string& name =
+        // Tools name the node and leave the mesh nameless, or the other way round.
         mesh.name.empty() ? from_.nodes[static_cast<std::size_t>(placed.node)].name : mesh.name;
     item_ = fmt::format("mesh \"{}\"", name);
     const auto first = static_cast<Index>(model_.positions.size());
-    std::map<int, Index> shared;  // Primitives of a mesh may share their vertices.
+    // Primitives of a mesh may share their vertices: by accessor of the positions, where they begin
+    // in the model.
+    std::map<int, Index> shared;
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (position == primitive.attributes.end()) {
@@ -59,11 +68,14 @@ class Builder {
       }
       const auto [at, fresh] = shared.emplace(position->second, static_cast<Index>(model_.positions.size()));
       if (fresh && !AddVertices(mesh, primitive, placed.to_world)) return;
+      // A node that mirrors turns the triangles inside out.
       AddTriangles(primitive, at->second, glm::determinant(glm::mat3(placed.to_world)) < 0);
     }
     model_.meshes.push_back({name, first, static_cast<Index>(model_.positions.size()) - first});
   }
 
+  // The numbers of an accessor as vectors; none, and a fault that begins with `what`, where they cannot be
+  // read or have another number of columns.
   template <class Vec>
   std::optional<std::vector<Vec>> Read(int accessor, const std::string& what) {
     const auto found = FindAccessor(from_, accessor);
@@ -77,6 +89,7 @@ class Builder {
     return std::nullopt;
   }
 
+  // False where there are no positions, or too many: nothing else of the mesh can then be read.
   bool AddVertices(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive,
                    const glm::mat4& to_world) {
     const std::size_t first = model_.positions.size();
@@ -92,7 +105,8 @@ class Builder {
     return true;
   }
 
-  // In glTF, v runs down.
+  // In glTF, v runs down. Places are filled up with zeros after a fault, so that the lists stay
+  // of one length.
   void AddPlaces(const tinygltf::Primitive& primitive, std::size_t count) {
     const auto at = primitive.attributes.find("TEXCOORD_0");
     if (at == primitive.attributes.end()) {
@@ -105,12 +119,15 @@ class Builder {
     model_.uv.resize(model_.positions.size());
   }
 
+  // Every mesh has its own targets; those of one name are one shape (a blink moves skin and lashes). `turn`
+  // leads offsets as the node turns its mesh; a shift does not change them.
   void AddTargets(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive, std::size_t first,
                   const glm::mat3& turn) {
     const std::size_t count = model_.positions.size() - first;
     const std::vector<std::string> names = TargetNames(mesh, primitive.targets.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto at = primitive.targets[i].find("POSITION");
+      // A target may move normals alone.
       if (at == primitive.targets[i].end()) continue;
       Target* target = FindTarget(names[i]);
       if (target == nullptr) return;
@@ -125,6 +142,7 @@ class Builder {
     }
   }
 
+  // The target of this name, made where there is none. Null, and a fault, beyond the bounds of model.h.
   Target* FindTarget(const std::string& name) {
     const auto same = std::ranges::find(model_.targets, name, &Target::name);
     if (same != model_.targets.end()) return &*same;
@@ -139,11 +157,13 @@ class Builder {
   }
 
   void AddTriangles(const tinygltf::Primitive& primitive, Index first, bool mirrored) {
+    // The library says -1 where the file says nothing, which means triangles.
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1)
       return Fault("is not made of triangles");
     const auto count = static_cast<Index>(model_.positions.size()) - first;
     std::vector<std::uint32_t> corners;
     if (primitive.indices < 0) {
+      // Without indices, three vertices in a row are a triangle.
       for (Index i = 0; i < count; ++i) corners.push_back(i);
     } else {
       const auto found = FindAccessor(from_, primitive.indices);
@@ -154,6 +174,7 @@ class Builder {
     }
     if (corners.size() % 3 != 0) return Fault("the last triangle is not whole");
     if (model_.triangles.size() + corners.size() / 3 > kMostTriangles) return Fault("has too many triangles");
+    // Counted from the first vertex that the primitive shares.
     const auto beyond = std::ranges::count_if(corners, [&](Index corner) { return corner >= count; });
     if (beyond > 0) return Fault(fmt::format("{} corners name vertices that do not exist", beyond));
     for (std::size_t i = 0; i < corners.size(); i += 3) {
@@ -164,6 +185,8 @@ class Builder {
   }
 
   void FindPicture() {
+    // The first material that has a picture; a head whose parts have pictures of their own shows
+    // that one everywhere.
     for (const tinygltf::Material& material : from_.materials) {
       const int texture = material.pbrMetallicRoughness.baseColorTexture.index;
       if (texture < 0) continue;

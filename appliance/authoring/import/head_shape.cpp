@@ -10,6 +10,8 @@
 namespace kaori::import {
 namespace {
 
+// What `weights` do to the reference face: composed with them less composed at rest, by cage vertex. The rest
+// is copied, since the composer's answer is valid only until its next Compose.
 Offsets Difference(const face::Cast& cast, const face::Weights& weights, face::Composer& composer) {
   face::Weights rest;
   rest.faces.Push(0, 1);
@@ -20,11 +22,13 @@ Offsets Difference(const face::Cast& cast, const face::Weights& weights, face::C
   return offsets;
 }
 
+// Empty where the cast has no such expression.
 Offsets Named(const face::Cast& cast, std::string_view name) {
   const auto found = std::ranges::find(cast.expressions, name, &face::Expression::name);
   return found == cast.expressions.end() ? Offsets{} : OffsetsOfCast(cast, *found);
 }
 
+// By the cast's lids or, where it has no rings, by its blink expressions: both follow lids_shut.
 Offsets Blink(const face::Cast& cast, std::size_t side, face::Composer& composer) {
   face::Weights weights;
   weights.faces.Push(0, 1);
@@ -32,7 +36,8 @@ Offsets Blink(const face::Cast& cast, std::size_t side, face::Composer& composer
   return Difference(cast, weights, composer);
 }
 
-// The margin of the lids, at its ends and in its middle.
+// The margin of the lids, at its ends and in its middle. Rings are stored row by row, `columns` vertices
+// each, from the inner to the outer corner; upper and lower lid share their corners.
 std::optional<LidMarks> MarksOf(const face::LidRig& rig, const std::vector<glm::vec3>& positions) {
   if (rig.columns < 2) return std::nullopt;
   const auto columns = static_cast<std::size_t>(rig.columns);
@@ -47,6 +52,7 @@ Offsets OffsetsOfCast(const face::Cast& cast, const face::Expression& expression
   face::Composer composer(cast);
   face::Weights weights;
   weights.faces.Push(0, 1);
+  // The element's place in its vector is its index.
   const auto index = static_cast<std::uint16_t>(&expression - cast.expressions.data());
   weights.expressions.Push(index, 1);
   return Difference(cast, weights, composer);
@@ -65,6 +71,7 @@ HeadShape ShapeOfCast(const face::Cast& cast) {
 
 std::vector<float> Shares(const Offsets& offsets, std::size_t vertices) {
   std::vector<float> shares(vertices, 0.0F);
+  // Keeps a motion that is zero everywhere from being divided by zero.
   float most = 1e-9F;
   for (const glm::vec3& offset : offsets) most = std::max(most, glm::length(offset));
   for (std::size_t v = 0; v < offsets.size(); ++v) shares[v] = glm::length(offsets[v]) / most;

@@ -21,6 +21,8 @@ bool IsEye(PartOf part) {
   return part == PartOf::kLeftEye || part == PartOf::kRightEye;
 }
 
+// Numbers what is no eyeball in the order of the file, and renumbers its triangles. A triangle belongs to one
+// piece, so its first corner tells.
 void SeparateSkin(const Model& model, Heads& heads) {
   std::vector<Index> number(model.positions.size(), kNoSkin);
   for (Index v = 0; v < number.size(); ++v) {
@@ -34,7 +36,8 @@ void SeparateSkin(const Model& model, Heads& heads) {
     if (!IsEye(heads.parts[t[0]])) heads.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
 }
 
-// Without eyeballs: where the blinks are, else at three fifths of the head's height.
+// Where the middle between the eyes is: between the eyeballs; without them where the blinks move most (the
+// mean of positions, weighted by squared offsets); else at three fifths of the head's height.
 glm::vec3 MiddleOfEyes(const Model& model, const Heads& heads, const Head& head) {
   if (head.eyes[0].radius_m > 0 && head.eyes[1].radius_m > 0)
     return 0.5F * (head.eyes[0].centre + head.eyes[1].centre);
@@ -57,6 +60,8 @@ glm::vec3 MiddleOfEyes(const Model& model, const Heads& heads, const Head& head)
   return {0.5F * (least.x + most.x), least.y + 0.6F * (most.y - least.y), 0.5F * (least.z + most.z)};
 }
 
+// Each head gets its own shift, so that a large and a small one look into the camera alike. Sizes stay as the
+// artist made them.
 Head MakeHead(const Model& model, const Heads& heads, float eyes_z_m) {
   Head head;
   head.name = std::filesystem::path(model.file).stem().string();
@@ -70,7 +75,7 @@ Head MakeHead(const Model& model, const Heads& heads, float eyes_z_m) {
   return head;
 }
 
-// Two files may have one name: woman.glb, woman.obj.
+// Two files may have one name: woman.glb, woman.obj. Operators call faces by name, so a number is added.
 std::string FreeName(const Heads& heads, const std::string& wanted) {
   std::string name = wanted;
   for (int number = 2; std::ranges::find(heads.heads, name, &Head::name) != heads.heads.end(); ++number)
@@ -84,11 +89,13 @@ Offsets OnSkin(const Heads& heads, const Offsets& offsets) {
   return on_skin;
 }
 
+// `sum` may be empty at first.
 void Accumulate(const Offsets& from, float weight, Offsets& sum) {
   sum.resize(from.size());
   for (std::size_t v = 0; v < from.size(); ++v) sum[v] += weight * from[v];
 }
 
+// A preset is summed up from targets of the same file; one whose targets are all missing is left out.
 void AddShapes(const Model& model, Heads& heads) {
   for (const Target& target : model.targets)
     heads.shapes.push_back(
@@ -104,7 +111,7 @@ void AddShapes(const Model& model, Heads& heads) {
   }
 }
 
-// Only the motions that no role has.
+// Only the motions that no role has: CompleteByForm has filled a copy that has the artist's, too.
 void KeepByForm(HeadShape completed, Heads& heads) {
   const auto keep = [&](std::string_view role, Offsets& from, Offsets& to) {
     if (std::ranges::find(heads.roles, role, &Role::name) == heads.roles.end()) to = std::move(from);
@@ -133,6 +140,7 @@ Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& fin
   Heads heads;
   heads.parts = FindParts(first, MeshGraph(first.positions, first.triangles));
   SeparateSkin(first, heads);
+  // In vertices of the model, as CheckUnfolding counts them; eyeballs may be unfolded as they like.
   std::vector<Triangle> skin;
   for (const Triangle& t : first.triangles)
     if (!IsEye(heads.parts[t[0]])) skin.push_back(t);
@@ -163,6 +171,7 @@ Offsets OffsetsOfRole(const Heads& heads, std::string_view name) {
 HeadShape ShapeOfHeads(const Heads& heads) {
   const Head& first = heads.heads.front();
   HeadShape shape{first.positions, {}, first.eyes, {}, {}, {}};
+  // Without teeth and tongue: the landmarks and the bridge want the skin alone.
   for (const Triangle& t : heads.triangles)
     if (heads.part[t[0]] == PartOf::kSkin) shape.triangles.push_back(t);
   shape.jaw = OffsetsOfRole(heads, "jaw_open");
@@ -179,6 +188,7 @@ HeadShape ShapeOfHeads(const Heads& heads) {
 }
 
 void Reorder(const std::vector<Index>& order, Heads& heads) {
+  // The inverse permutation, for the triangles.
   std::vector<Index> number(order.size());
   for (Index i = 0; i < order.size(); ++i) number[order[i]] = i;
   for (Head& head : heads.heads) Reorder(order, head.positions);

@@ -20,10 +20,12 @@ namespace {
 
 using face::ExpressionKind;
 
-constexpr float kEyesZ_m = 0.05F;  // Where no show says better.
+// How far the eyes lie before the head's middle where no show says: the cast's own woman has 5.25 cm.
+constexpr float kEyesZ_m = 0.05F;
 constexpr std::array<std::string_view, 2> kBlinks{"blink_left", "blink_right"};
 
-// One import, step by step.
+// One import; Run is called once. Expressions are collected first (`wanted_`) and fitted last, since order of
+// vertices and control points follow from what all of them move.
 class Importing {
  public:
   // `like`: for each head a face of the show.
@@ -83,7 +85,7 @@ class Importing {
     wanted_.push_back({std::move(name), kind, std::move(offsets)});
   }
 
-  // The show's expressions stay where they are in the list, so that its buttons and motions still fit.
+  // They stay where they are in the list: the show's buttons and motions name them by index.
   void WantExpressionsOfShow() {
     if (show_ == nullptr) return Want("neutral", ExpressionKind::kExpression, {}, "the face at rest");
     for (const face::Expression& expression : show_->cast.expressions) {
@@ -101,7 +103,8 @@ class Importing {
       if (FindRole(heads_, expression.name) != nullptr) WantCarried(expression, expression.name + " (show)");
   }
 
-  // Lids are shut by the artist's own blink: it knows the eye below.
+  // Lids are shut by the artist's own blink: it knows the eye below. So the expression is carried with open
+  // lids, and the blink is added as much as the expression shuts them.
   void WantCarried(const face::Expression& expression, std::string name) {
     if (!from_show_) return Want(std::move(name), expression.kind, {}, "");
     face::Expression open = expression;
@@ -115,7 +118,8 @@ class Importing {
     Want(std::move(name), expression.kind, std::move(offsets), "the show's own, carried over");
   }
 
-  // Teeth and tongue go as far with the artist's jaw as the lower lip does.
+  // Teeth and tongue are no surface that a bridge could carry to. They go as far with the artist's jaw as the
+  // lower lip does: the share of the jaw's motion in the lip's, 0..1.
   void MoveMouthWithJaw(Offsets& offsets) const {
     const HeadShape& head = head_;
     const auto lip = std::ranges::find(landmarks_, "lower lip", &Landmark::name);
@@ -130,7 +134,8 @@ class Importing {
       if (heads_.part[i] != PartOf::kSkin) offsets[i] = part * head.jaw[i];
   }
 
-  // What control points do to the show's first face, without its lids.
+  // What control points do to the show's first face, without its lids: a cast of that face and that
+  // expression alone, which also keeps the composer small.
   Offsets DisplacementsOnShow(const face::Expression& expression) const {
     face::Cast alone = show_->cast;
     alone.faces.resize(1);
@@ -139,7 +144,7 @@ class Importing {
     return OffsetsOfCast(alone, alone.expressions.front());
   }
 
-  // Ours, where neither artist nor show says how: the show shuts lids by rings that a head has not.
+  // Ours, where neither artist nor show says how: the show shuts lids by rings, which these heads lack.
   void WantByForm() {
     const HeadShape& form = heads_.by_form;
     for (std::size_t side = 0; side < 2; ++side)
@@ -186,7 +191,7 @@ class Importing {
     }
   }
 
-  // The show's lids ride on its eyeballs: a blink is theirs.
+  // The show's lids ride on its eyeballs: a blink shuts them, instead of pulling at control points.
   void GiveToLids(const Shape& shape, std::size_t side, face::Expression& expression) const {
     const Role* blink = FindRole(heads_, kBlinks[side]);
     if (blink == nullptr || show_->cast.topology.lids[side].columns == 0) return;
@@ -196,6 +201,7 @@ class Importing {
     expression.lids[side] = 1;
   }
 
+  // Looks come last: they need the cast's faces. Spots were found in the order before.
   void Build(const ImportOptions& options) {
     const std::vector<Index> before = heads_.skin;
     const Index moving = OrderByMotion(heads_, wanted_);
@@ -213,7 +219,7 @@ class Importing {
     GiveScript();
   }
 
-  // Spots are by skin vertex in the order that was `before`; vertices of a file keep their numbers.
+  // Spots are by skin vertex in the order `before`; a file's own numbers of vertices lead to the new one.
   std::vector<Spot> SpotsInOrder(const std::vector<Index>& before) const {
     std::vector<Spot> spots;
     if (!from_show_) return spots;
@@ -236,6 +242,7 @@ class Importing {
     return expression;
   }
 
+  // A show is kept but for calls of faces that it lacks now; without one, buttons call the heads.
   void GiveScript() {
     show::Show& show = made_.heads;
     show.name = heads_.heads.front().name;
@@ -253,7 +260,8 @@ class Importing {
 
   const std::vector<Model>& models_;
   Heads heads_;
-  HeadShape head_;  // The first, in the order before Build.
+  // The first, in the order before Build.
+  HeadShape head_;
   const show::Show* show_;
   std::vector<std::size_t> like_;
   std::optional<Bridge> from_show_;

@@ -14,15 +14,23 @@
 namespace kaori::import {
 namespace {
 
+// A hundredth of a millimetre: less is rounding of the file.
 constexpr float kMoved_m = 1e-5F;
-constexpr float kRigidShare = 0.02F;  // Teeth move as wholes: few points are enough for them.
+// Teeth move as wholes: few points are enough for them, and without this they would draw most of the
+// points to themselves.
+constexpr float kRigidShare = 0.02F;
+// Of the unit square, on each side: control points at its border hold still.
 constexpr float kPlaceMargin = 0.01F;
-constexpr float kLipsReach_m = 0.015F;   // All of the motion this near to the mouth is the lips',
+// All of the motion this near to the line between the mouth's corners is the lips',
+constexpr float kLipsReach_m = 0.015F;
 constexpr float kMouthReach_m = 0.045F;  // none beyond this.
-constexpr float kIrisShare = 0.47F;      // Of the eyeball's radius.
+// Of the eyeball's radius; in life 0.49.
+constexpr float kIrisShare = 0.47F;
 constexpr glm::vec3 kIrisColour{0.085F, 0.045F, 0.022F};
+// The head turns about this point: 7 cm below the eyes, inside the neck, for a head of a grown person's size.
 constexpr glm::vec3 kNeckPivot_m{0, -0.07F, -0.015F};
 
+// The farthest that any wanted shape moves each vertex, metres.
 std::vector<float> Mobility(const std::vector<WantedShape>& shapes, std::size_t vertices) {
   std::vector<float> mobility_m(vertices, 0.0F);
   for (const WantedShape& shape : shapes)
@@ -31,7 +39,8 @@ std::vector<float> Mobility(const std::vector<WantedShape>& shapes, std::size_t 
   return mobility_m;
 }
 
-// The texture's chart, larger or smaller as a whole so that it fills the parameter space with no stretch.
+// The texture's chart, larger or smaller as a whole so that it fills the parameter space with no stretch. The
+// parameter space is a rectangle of kParameterWidth_m by kParameterHeight_m, brought to the unit square.
 std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
   glm::vec2 least = uv.front();
   glm::vec2 most = least;
@@ -41,6 +50,7 @@ std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
   }
   const glm::vec2 room =
       (1 - 2 * kPlaceMargin) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m);
+  // A chart without width would be divided by zero; CheckUnfolding has refused it as flat.
   const glm::vec2 size = glm::max(most - least, glm::vec2(1e-6F));
   const float scale_m = std::min(room.x / size.x, room.y / size.y);
   std::vector<glm::vec2> places;
@@ -52,7 +62,8 @@ std::vector<glm::vec2> PlacesOf(const std::vector<glm::vec2>& uv) {
   return places;
 }
 
-// Each edge of the artist's polygons once.
+// Each edge of the artist's polygons once, and once across a seam: quads without their diagonals look as
+// they were modelled.
 std::vector<face::Line> WiresOf(const std::vector<Triangle>& triangles, const std::vector<Index>& weld) {
   std::set<std::pair<Index, Index>> edges;
   for (const mesh::Polygon& polygon : PolygonsOf(triangles)) {
@@ -66,6 +77,9 @@ std::vector<face::Line> WiresOf(const std::vector<Triangle>& triangles, const st
   return wires;
 }
 
+// How much of a vertex's motion gives way to the lip operator: all by the lips, and all that goes with the
+// jaw. By the distance from the line between the corners, which is a good picture of a mouth from the front.
+// All zero where there is no mouth.
 std::vector<float> MouthShareOf(const HeadShape& head) {
   std::vector<float> share(head.positions.size(), 0.0F);
   const std::vector<Landmark> marks = FindLandmarks(head);
@@ -78,6 +92,7 @@ std::vector<float> MouthShareOf(const HeadShape& head) {
     const glm::vec3 from = head.positions[v] - right->at;
     const float t = glm::clamp(glm::dot(from, along) / glm::dot(along, along), 0.0F, 1.0F);
     const float near = 1 - glm::smoothstep(kLipsReach_m, kMouthReach_m, glm::distance(from, t * along));
+    // What moves with less than a fifth of the jaw is cheek or neck.
     share[v] = std::max(near, glm::smoothstep(0.2F, 0.6F, jaw[v]));
   }
   return share;
@@ -97,6 +112,7 @@ face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index mov
   return topology;
 }
 
+// The rows of the moving vertices: the others would only hold zeros.
 face::SparseRows FirstRows(const face::SparseRows& rows, Index count) {
   face::SparseRows first;
   first.row_start.assign(rows.row_start.begin(),
@@ -106,6 +122,8 @@ face::SparseRows FirstRows(const face::SparseRows& rows, Index count) {
   return first;
 }
 
+// Each control point lies on a vertex, so its place on a face is one weight of 1. Points that hold still are
+// no part of a net.
 face::ControlNet MakeNet(const face::Topology& topology, const PointChoice& choice,
                          const face::SparseRows& to_vertices) {
   face::ControlNet net;
@@ -121,6 +139,7 @@ face::ControlNet MakeNet(const face::Topology& topology, const PointChoice& choi
   return net;
 }
 
+// Lashes are 0: the artist's own are part of the mesh.
 face::Face MakeFace(const Head& head) {
   face::Face face;
   face.name = head.name;
@@ -138,6 +157,7 @@ Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes) {
   std::vector<Index> order(heads.skin.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto moves = [&](Index v) { return mobility_m[v] > kMoved_m; };
+  // Stable, so that neighbours in the file stay neighbours in memory.
   const auto rest = std::stable_partition(order.begin(), order.end(), moves);
   const auto moving = static_cast<Index>(rest - order.begin());
   Reorder(order, heads);
@@ -153,6 +173,7 @@ Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes) {
 face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving,
                     const PointOptions& options) {
   const HeadShape head = ShapeOfHeads(heads);
+  // Of all triangles, teeth too: their vertices need points of their own.
   const MeshGraph graph(head.positions, heads.triangles);
   std::vector<float> mobility_m = Mobility(shapes, heads.skin.size());
   for (std::size_t v = 0; v < mobility_m.size(); ++v)
@@ -165,6 +186,7 @@ face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, 
   for (const Head& one : heads.heads) cast.faces.push_back(MakeFace(one));
   cast.neck_pivot = kNeckPivot_m;
   const std::vector<Landmark> marks = FindLandmarks(head);
+  // The anchor is where lent teeth are scaled about; without a mouth it is the origin.
   const auto lip = std::ranges::find(marks, "upper lip", &Landmark::name);
   if (lip != marks.end()) cast.mouth_anchor = lip->at;
   return cast;

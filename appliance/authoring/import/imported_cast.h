@@ -10,18 +10,21 @@
 
 namespace kaori::import {
 
-// A shape that is to become an expression; offsets by skin vertex of the first head.
+// A shape that is to become an expression of the cast; offsets in metres by skin vertex of the first head.
 struct WantedShape {
   std::string name;
   face::ExpressionKind kind = face::ExpressionKind::kChannel;
   Offsets offsets;  // Empty: nothing moves.
 };
 
-// Puts the vertices that any wanted shape moves first, in heads and shapes alike. Returns their number.
+// Puts the vertices that any wanted shape moves by more than 0.01 mm first, in heads and shapes alike, and
+// keeps the order otherwise. Returns their number. The cast's interpolant then has rows for those alone
+// (Topology::moving_count), and the frame leaves the back of the head and the neck untouched.
 Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes);
 
-// Everything of the cast but its expressions and its look. Heads must be in the order of OrderByMotion;
-// `moving` is what it returned. Lids have no rings: expressions shut them.
+// Everything of the cast but its expressions and its look: topology, control net, faces with eyes of a plain
+// brown, neck and mouth anchors. Heads must be in the order of OrderByMotion; `moving` is what it returned.
+// The lids have no rings, as those of the show's own topology have: expressions shut them (Cast::blink).
 face::Cast MakeCast(const Heads& heads, const std::vector<WantedShape>& shapes, Index moving,
                     const PointOptions& options);
 

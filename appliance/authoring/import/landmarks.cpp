@@ -12,16 +12,22 @@
 namespace kaori::import {
 namespace {
 
-constexpr float kMiddle_m = 0.006F;  // This near to the plane of symmetry counts as on it.
+// This near to the plane of symmetry counts as on it: a head's middle vertices are seldom at exactly 0.
+constexpr float kMiddle_m = 0.006F;
+// Lips that are shut are this near at most: modelled lips seldom touch exactly.
 constexpr float kLipsTouch_m = 0.004F;
 constexpr float kLidsMeet_m = 0.003F;
-constexpr float kMoves = 0.08F;         // Less of the largest motion than this is no motion.
-constexpr float kLess = 0.6F;           // The other side of a slit moves less than this much of it.
-constexpr float kWider = 2.5F;          // An open slit is this much wider than a shut one,
+// Less of the largest motion than this is no motion: skin far off follows by a few percent.
+constexpr float kMoves = 0.08F;
+// The other side of a slit moves less than this much of it. Neighbours on one lip differ by less.
+constexpr float kLess = 0.6F;
+// An open slit is this many times wider than a shut one, which stretched skin is not,
+constexpr float kWider = 2.5F;
 constexpr float kWider_m = 0.0006F;     // and this.
 constexpr float kBelowLip_m = 0.010F;   // The chin begins this far below the lower lip,
 constexpr float kChinReach_m = 0.060F;  // and ends here.
 
+// Whether a motion brings the sides of the slit together (a blink) or apart (a jaw).
 enum class Motion : std::uint8_t { kShuts, kOpens };
 
 // Two vertices on either side of a slit.
@@ -30,6 +36,7 @@ struct Pair {
   Index still;
 };
 
+// Finds each kind of landmark in turn; later ones need the mouth's height. Borrows the head.
 class Finder {
  public:
   explicit Finder(const HeadShape& head) : head_(head), seen_(SeenFromFront(head)) {}
@@ -50,6 +57,7 @@ class Finder {
   const glm::vec3& at(Index v) const { return head_.positions[v]; }
   void Add(std::string name, const glm::vec3& where) { found_.push_back({std::move(name), where}); }
 
+  // Where the measure is greatest among the chosen vertices; none where none is chosen.
   std::optional<glm::vec3> Most(const Chosen& chosen, const Measure& measure) const {
     std::optional<Index> best;
     for (Index v = 0; v < head_.positions.size(); ++v)
@@ -59,7 +67,8 @@ class Finder {
 
   // Where a motion shuts (or opens) a slit: seen vertices that move, each with the seen one that moves
   // clearly less and is nearest when the slit is shut, where they are clearly farther apart when it is open.
-  // Skin stretches, but not as much.
+  // Skin stretches, but not as much. Quadratic in the number of vertices; `near_m` bounds the gap of the slit
+  // when it is shut.
   std::vector<Pair> Slit(const Offsets& offsets, Motion motion, float near_m) const {
     const std::vector<float> shares = Shares(offsets, head_.positions.size());
     const float when_shut = motion == Motion::kShuts ? 1.0F : 0.0F;
@@ -82,7 +91,8 @@ class Finder {
     return pairs;
   }
 
-  // Lids meet when they are shut: the corners are where the slit is at its ends. A cast knows its own.
+  // Lids meet when they are shut: the corners are where the slit is at its ends. A cast, and an opening found
+  // by form, know their own. Fewer than four pairs are chance.
   void FindEyes() {
     for (std::size_t side = 0; side < 2; ++side) {
       if (const auto& lids = head_.lids[side]) {
@@ -92,6 +102,7 @@ class Finder {
       const std::vector<Pair> slit = Slit(head_.blink[side], Motion::kShuts, kLidsMeet_m);
       if (slit.size() < 4) continue;
       const std::string name = side == 0 ? "left eye, " : "right eye, ";
+      // Distance from the plane of symmetry: least at the inner corner, on both sides.
       const auto out = [&](const Pair& pair) { return std::abs(at(pair.moving).x); };
       const auto [inner, outer] = std::ranges::minmax_element(slit, {}, out);
       AddMiddle(name + "inner corner", *inner);
@@ -130,6 +141,9 @@ class Finder {
     lip_y_ = at(middle->moving).y;
   }
 
+  // On the plane of symmetry, from the front: the nose's tip is what stands out most between eyes and lips,
+  // the chin the same below the lips, "chin, below" the lowest that goes with the jaw, the nose's root what
+  // lies at the eyes' height. Without a mouth there is no telling nose from chin.
   void FindProfile() {
     const float eyes_y = 0.5F * (head_.eyes[0].centre.y + head_.eyes[1].centre.y);
     const auto front = [&](Index v) { return seen_[v] && std::abs(at(v).x) < kMiddle_m; };
@@ -152,6 +166,8 @@ class Finder {
     if (root) Add("nose root", *root);
   }
 
+  // The vertex nearest to where the brow's motion is strongest; weights are squared, so that the forehead
+  // that follows says little.
   void FindBrows() {
     for (std::size_t side = 0; side < 2; ++side) {
       const Offsets& up = head_.brow_up[side];
@@ -171,6 +187,8 @@ class Finder {
     }
   }
 
+  // Ears are what lies farthest to the sides between eyes and mouth. Crown and back lie near the plane of
+  // symmetry. Without a mouth, 6 cm below the eyes stand for the lips' height.
   void FindOutline() {
     const float eyes_y = 0.5F * (head_.eyes[0].centre.y + head_.eyes[1].centre.y);
     const float low = lip_y_.value_or(eyes_y - 0.06F);

@@ -14,10 +14,13 @@
 namespace kaori::import {
 namespace {
 
+// Three steps, as for the cast's own faces: probes at neighbouring vertices differ by the
+// coarse depth pictures.
 constexpr int kLookSmoothSteps = 3;
-constexpr float kTeethOpen = 0.5F;  // They are seen when the mouth is open, and measured while it is shut.
+// They are seen when the mouth is open, and measured while it is shut, where they would be black.
+constexpr float kTeethOpen = 0.5F;
 
-// The eyes throw shade into their sockets: an octahedron, halved twice, is ball enough.
+// The eyes throw shade into their sockets: a globe of 12 by 6 fields is ball enough.
 void AddBall(const face::EyeBall& eye, appearance::Shell& shell) {
   if (!(eye.radius_m > 0)) return;
   constexpr int kAround = 12;
@@ -28,6 +31,7 @@ void AddBall(const face::EyeBall& eye, appearance::Shell& shell) {
       const float up = glm::radians(180.0F * static_cast<float>(row) / kUp);
       const float round = glm::radians(360.0F * static_cast<float>(column) / kAround);
       const glm::vec3 way(std::sin(up) * std::cos(round), std::cos(up), std::sin(up) * std::sin(round));
+      // From the upper pole to the lower one, row by row.
       shell.positions.push_back(eye.centre + eye.radius_m * way);
     }
   for (Index row = 0; row < kUp; ++row)
@@ -41,6 +45,8 @@ void AddBall(const face::EyeBall& eye, appearance::Shell& shell) {
 
 }  // namespace
 
+// Probes are the vertices themselves, along their normals; the shell is the head with its eyeballs, without
+// hair, which an imported head gets later and may change.
 void ShadeFaces(const std::vector<PartOf>& part, face::Cast& cast) {
   for (face::Face& face : cast.faces) {
     appearance::Shell shell{face.positions, cast.topology.triangles};
@@ -71,6 +77,7 @@ std::string GiveSkin(const Model& model, const Heads& heads, const Lender& lende
     cast.textures = {PlainSkin(heads)};
     return remark;
   }
+  // Faces that are like the same one share a texture.
   std::map<std::size_t, int> known;  // The texture of each of the show's faces.
   for (std::size_t i = 0; i < cast.faces.size(); ++i) {
     const std::size_t like = lender.like[i];

@@ -10,12 +10,18 @@
 namespace kaori::import {
 namespace {
 
+// A head whose file counts in centimetres comes out at some 25 m, one in inches at 10 m.
 constexpr float kSmallest_m = 0.02F;
 constexpr float kLargest_m = 3;
-constexpr double kFlatPlace = 1e-10;  // Of the unit square.
-constexpr double kSliver = 0.02;      // Of the mean triangle; one that is turned over by less does no harm.
+// Of the unit square: less than a hundredth of a texel of the largest texture.
+constexpr double kFlatPlace = 1e-10;
+// Of the mean triangle; one that is turned over by less does no harm, and tools leave such at
+// corners of lids.
+constexpr double kSliver = 0.02;
+// Of the doubled area: a tenth of a micrometre by as much.
 constexpr float kFlat_m2 = 1e-14F;
 
+// Vectors with a component that is infinite or no number.
 template <class Vec>
 std::size_t CountNotFinite(const std::vector<Vec>& values) {
   return static_cast<std::size_t>(std::ranges::count_if(values, [](const Vec& v) {
@@ -46,6 +52,7 @@ void CheckSize(const Model& model, Findings& findings) {
   findings.Add(model.file, "", fmt::format("is {:.4g} m large; a head in metres is expected", largest));
 }
 
+// Signed: positive where the triangle runs counter-clockwise in the chart, v up.
 double PlaceArea(const Model& model, const Triangle& t) {
   const glm::dvec2 a = glm::dvec2(model.uv[t[1]]) - glm::dvec2(model.uv[t[0]]);
   const glm::dvec2 b = glm::dvec2(model.uv[t[2]]) - glm::dvec2(model.uv[t[0]]);
@@ -75,12 +82,14 @@ void CheckSameTopology(const Model& reference, const Model& other, Findings& fin
 void CheckUnfolding(const Model& model, std::span<const Triangle> triangles, Findings& findings) {
   double all = 0;
   for (const Triangle& t : triangles) all += std::abs(PlaceArea(model, t));
+  // By the mean of the triangles' areas, since charts differ in how much of the square they use.
   const double sliver = kSliver * all / static_cast<double>(std::max<std::size_t>(triangles.size(), 1));
   std::size_t flat = 0;
   std::size_t turned = 0;
   std::size_t no_area = 0;
   for (const Triangle& t : triangles) {
     const double place = PlaceArea(model, t);
+    // A triangle may be counted as flat in the chart and as flat in space.
     if (std::abs(place) <= kFlatPlace) ++flat;
     if (place < -sliver) ++turned;
     const glm::vec3 cross = glm::cross(model.positions[t[1]] - model.positions[t[0]],

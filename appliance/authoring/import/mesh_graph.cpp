@@ -11,6 +11,8 @@
 
 namespace kaori::import {
 
+// Sorted by position, copies stand beside each other; the sort is stable, so the first of them has
+// the lowest number.
 std::vector<Index> Weld(std::span<const glm::vec3> positions) {
   std::vector<Index> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -24,6 +26,7 @@ std::vector<Index> Weld(std::span<const glm::vec3> positions) {
   return weld;
 }
 
+// Each edge in both directions, sorted and once: the neighbours of a vertex then stand together.
 MeshGraph::MeshGraph(std::span<const glm::vec3> positions, std::span<const Triangle> triangles)
     : positions_(positions.begin(), positions.end()), weld_(Weld(positions)) {
   std::vector<std::pair<Index, Index>> edges;
@@ -46,6 +49,7 @@ MeshGraph::MeshGraph(std::span<const glm::vec3> positions, std::span<const Trian
   NumberPieces();
 }
 
+// Flood fill from each welded vertex that no piece has reached, in the order of vertices.
 void MeshGraph::NumberPieces() {
   constexpr auto kNone = static_cast<std::size_t>(-1);
   piece_.assign(weld_.size(), kNone);
@@ -80,15 +84,18 @@ void MeshGraph::Spread(Index source, std::size_t name, Nearest& nearest) const {
   while (!front.empty()) {
     const auto [distance_m, at] = front.top();
     front.pop();
+    // A shorter way was found after this entry was queued: the queue has no decrease-key.
     if (distance_m > nearest.distance_m[at]) continue;
     for (const Index next : around(at))
       reach(next, distance_m + glm::distance(positions_[at], positions_[next]));
   }
 }
 
+// The umbrella operator with equal weights.
 void MeshGraph::Smooth(float share, std::vector<glm::vec3>& values) const {
   const std::vector<glm::vec3> before = values;
   for (Index v = 0; v < weld_.size(); ++v) {
+    // Copies get their weld's value at the end.
     if (weld_[v] != v) continue;
     const auto near = around(v);
     if (near.empty()) continue;

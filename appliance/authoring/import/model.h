@@ -16,40 +16,50 @@ namespace kaori::import {
 using face::Index;
 using face::Triangle;
 
-// A shape that the artist gave by name: one offset for each vertex of the model, metres.
+// A shape that the artist gave by name (a morph target, blend shape): one offset for each vertex of the
+// model, metres. Offsets of vertices that it leaves alone are zero.
 struct Target {
   std::string name;
   std::vector<glm::vec3> offsets;
 };
 
-// Part of a target, or of another: what a preset of a file is the sum of.
+// Part of a preset: a target by name, and how much of it.
 struct PresetPart {
   std::string target;
   float weight = 1;
 };
+// A sum of targets that the file itself names: VRM's expressions.
 struct Preset {
   std::string name;
   std::vector<PresetPart> parts;
 };
 
-// Where a mesh of the file ended up in the model: vertices [first, first + count).
+// Where a mesh of the file ended up in the model: vertices [first, first + count). Its name helps to tell
+// teeth from tongue.
 struct MeshRange {
   std::string name;
   Index first = 0;
   Index count = 0;
 };
 
-// All meshes of a file in one list of vertices. Metres, +Y up, +Z out of the face, +X to its left.
+// All meshes of a file in one list of vertices. Metres, +Y up, +Z out of the face, +X to its left (the glTF
+// convention); triangles run counter-clockwise seen from outside, as glTF has them. The readers bring their
+// formats to this and check every index; whether it is a usable head is for CheckModel.
 struct Model {
+  // The file's name without its folder, as findings show it.
   std::string file;
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec2> uv;  // As many as positions; v up.
+  // The artist's texture coordinates, which are also the parameter space; as many as positions, v up.
+  std::vector<glm::vec2> uv;
   std::vector<Triangle> triangles;
   std::vector<MeshRange> meshes;
+  // Names are unique.
   std::vector<Target> targets;
   std::vector<Preset> presets;
-  std::vector<std::uint8_t> picture;      // The first texture, encoded as PNG or JPEG; empty: none.
-  glm::vec3 colour{0.72F, 0.50F, 0.40F};  // Linear; of the first material without a picture.
+  // The first texture, still encoded as PNG or JPEG, and not looked at; empty: none.
+  std::vector<std::uint8_t> picture;
+  // Linear; of the first material without a picture.
+  glm::vec3 colour{0.72F, 0.50F, 0.40F};
 };
 
 // What a file may hold at most, so that a wrong one cannot ask for all memory.
@@ -57,6 +67,7 @@ inline constexpr std::size_t kMostFile_bytes = 512U << 20U;
 inline constexpr std::size_t kMostVertices = 1'000'000;
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 inline constexpr std::size_t kMostTargets = 1024;
-inline constexpr std::size_t kMostOffsets = 64'000'000;  // Vertices times targets.
+// Vertices times targets; 768 MB as floats.
+inline constexpr std::size_t kMostOffsets = 64'000'000;
 
 }  // namespace kaori::import

@@ -16,22 +16,25 @@ namespace {
 
 using Corner = std::pair<int, int>;  // Of position and of texture coordinate.
 
+// What the library read: positions and coordinates of the whole file, corners by object.
 struct Loaded {
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
 };
 
 // The library cuts a polygon into triangles in a time that grows with the square of its corners, and reads a
-// line of many numbers in full.
+// line of many numbers in full. This is a polygon of some 300 corners.
 constexpr std::size_t kLongestLine_bytes = 4096;
 
-// The library takes a word that is no number for 0.
+// The library takes a word that is no number for 0. So lines of numbers may hold nothing but digits, signs,
+// points and exponents behind their keyword.
 bool HoldsOnlyNumbers(std::string_view line) {
   return line.find_first_not_of("0123456789+-.eE \t", line.find_first_of(" \t")) == std::string_view::npos;
 }
 
-// The lines that are needed. What else an OBJ may hold (materials, weights, curves, tags) the library reads
-// with less care.
+// The lines that are needed: v, vt, f, o, g. What else an OBJ may hold (materials, weights, curves, tags)
+// the library reads with less care. None, and a fault with the line's number, where a line is too long or no
+// line of numbers.
 std::optional<std::string> NeededLines(const std::string& file, std::span<const std::uint8_t> bytes,
                                        Findings& findings) {
   constexpr std::array<std::string_view, 5> kNeeded{"v", "vt", "f", "o", "g"};
@@ -59,6 +62,7 @@ std::optional<std::string> NeededLines(const std::string& file, std::span<const 
   return needed;
 }
 
+// The library triangulates by itself. It says several lines; people are told the first.
 std::optional<Loaded> Load(const std::string& file, std::span<const std::uint8_t> bytes, Findings& findings) {
   const auto needed = NeededLines(file, bytes, findings);
   if (!needed) return std::nullopt;
@@ -73,6 +77,9 @@ std::optional<Loaded> Load(const std::string& file, std::span<const std::uint8_t
   return std::nullopt;
 }
 
+// Two passes: the pairs of position and coordinate that are used are listed first, in a sorted map, and
+// numbered in its order; then the triangles name them. So equal files give equal vertices, whatever the order
+// of their faces.
 class ObjFileBuilder {
  public:
   ObjFileBuilder(std::string file, const Loaded& loaded, Findings& findings)
@@ -92,6 +99,7 @@ class ObjFileBuilder {
   }
 
  private:
+  // Counts faults of an object instead of naming each corner. The map is not filled far beyond its bound.
   void ListCorners(const tinyobj::shape_t& shape) {
     const auto positions = static_cast<int>(loaded_.attributes.vertices.size() / 3);
     const auto places = static_cast<int>(loaded_.attributes.texcoords.size() / 2);
@@ -123,6 +131,7 @@ class ObjFileBuilder {
     }
   }
 
+  // Every corner is known to exist here.
   void AddTriangles(const tinyobj::shape_t& shape) {
     const auto& indices = shape.mesh.indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {

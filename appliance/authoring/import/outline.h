@@ -8,9 +8,11 @@
 
 namespace kaori::import {
 
-// From where to where: landmarks that both heads have, then points of the scalp in the same directions from
-// the heads' middles, then rings of the neck at the same parts of its length. Empty where the heads have too
-// few landmarks in common to be laid over each other.
+// From where to where, in metres: landmarks that both heads have, then points of the scalp in the same
+// directions from the heads' middles, then rings of the neck at the same parts of its length. The scalp has
+// no landmarks, but hair sits on it, so rays find where it is. From the ninth on, points nearer than 18 mm to
+// one that is there already are left out, since two pulls that disagree so near to each other would crumple
+// the warp. Empty where the heads have too few landmarks in common (eight) to be laid over each other.
 std::vector<sculpt::Pull> OutlinePulls(const HeadShape& from, const HeadShape& to);
 
 }  // namespace kaori::import

@@ -14,14 +14,21 @@
 namespace kaori::import {
 namespace {
 
+// Radii of eyes that are taken for such: a child's is 11 mm, a stylised figure's up to three times as large.
+// Buttons and beads are smaller.
 constexpr float kSmallestEye_m = 0.006F;
 constexpr float kLargestEye_m = 0.035F;
-constexpr float kRoughBall = 0.08F;      // Of the radius: eyes have corneas.
+// Of the radius, root mean square: eyes have corneas, and some only a front half.
+constexpr float kRoughBall = 0.08F;
 constexpr float kPartsMiddle_m = 0.01F;  // A mouth's piece lies this near to the plane of symmetry.
-constexpr float kStaysUp = 0.15F;        // Of the jaw's largest motion.
-constexpr float kTongueWide = 0.8F;      // Of the teeth's width.
-constexpr float kLevel_m = 0.002F;       // Teeth so little below the others are of the same row.
+// Of the jaw's largest motion; upper teeth hang on the skull and do not move at all, but for tools
+// that blur weights.
+constexpr float kStaysUp = 0.15F;
+constexpr float kTongueWide = 0.8F;  // Of the teeth's width.
+// Teeth that lie so little below the others are of the same row: single teeth differ in height.
+constexpr float kLevel_m = 0.002F;
 
+// A connected piece of the surface and its box, in the model's frame.
 struct Piece {
   std::vector<Index> vertices;
   glm::vec3 least{1e9F};
@@ -40,7 +47,9 @@ std::vector<Piece> PiecesOf(const Model& model, const MeshGraph& graph) {
   return pieces;
 }
 
-// |p - c|^2 = r^2 is linear in c and r^2 - |c|^2.
+// The ball through points by linear least squares: |p - c|^2 = r^2 is linear in c and r^2 - |c|^2, as 2 c.p +
+// (r^2 - |c|^2) = |p|^2. Unknowns and normal matrix are doubles about the first vertex, since squares of
+// positions far from the origin cancel out.
 std::optional<face::EyeBall> Ball(const Model& model, const std::vector<Index>& vertices) {
   if (vertices.size() < 8) return std::nullopt;
   const glm::dvec3 origin(model.positions[vertices.front()]);
@@ -52,6 +61,7 @@ std::optional<face::EyeBall> Ball(const Model& model, const std::vector<Index>& 
     normal += glm::outerProduct(row, row);
     right += row * glm::dot(p, p);
   }
+  // All points lie in one plane (or are too small to tell).
   if (std::abs(glm::determinant(normal)) < 1e-30) return std::nullopt;
   const glm::dvec4 solved = glm::inverse(normal) * right;
   const glm::dvec3 centre = 0.5 * glm::dvec3(solved);
@@ -60,6 +70,7 @@ std::optional<face::EyeBall> Ball(const Model& model, const std::vector<Index>& 
   return face::EyeBall{glm::vec3(centre + origin), static_cast<float>(std::sqrt(square)), 0};
 }
 
+// A ball of an eye's size that is round, and of which at least half the height is there.
 bool IsBall(const Model& model, const Piece& piece) {
   const auto ball = Ball(model, piece.vertices);
   if (!ball || ball->radius_m < kSmallestEye_m || ball->radius_m > kLargestEye_m) return false;
@@ -73,6 +84,7 @@ bool IsBall(const Model& model, const Piece& piece) {
   return rough < kRoughBall * ball->radius_m && height > ball->radius_m;
 }
 
+// In small letters; empty where no mesh holds the vertex.
 std::string MeshName(const Model& model, Index vertex) {
   for (const MeshRange& mesh : model.meshes) {
     if (vertex < mesh.first || vertex >= mesh.first + mesh.count) continue;
@@ -84,7 +96,8 @@ std::string MeshName(const Model& model, Index vertex) {
   return {};
 }
 
-// How far a target moves a piece at most, compared with the farthest that it moves anything.
+// How far a target moves a piece at most, compared with the farthest that it moves anything: 0..1. 0
+// without a target.
 float Moved(const Target* target, const Piece& piece) {
   if (target == nullptr) return 0;
   const auto length = [&](Index v) { return glm::length(target->offsets[v]); };
@@ -95,6 +108,8 @@ float Moved(const Target* target, const Piece& piece) {
   return here / most;
 }
 
+// Says of each piece what it is; the jaw and the tongue are known by their targets, where the artist made
+// some. Borrows the model.
 class Sorter {
  public:
   Sorter(const Model& model, const MeshGraph& graph)
@@ -105,6 +120,7 @@ class Sorter {
 
   std::vector<PartOf> Sort() {
     std::vector<PartOf> parts(model_.positions.size(), PartOf::kSkin);
+    // By the diagonal of the box: the skin is the largest piece, whatever its number of vertices.
     const auto size = [](const Piece& piece) { return glm::distance(piece.least, piece.most); };
     const auto head = std::ranges::max_element(pieces_, {}, size);
     for (auto piece = pieces_.begin(); piece != pieces_.end(); ++piece) {
@@ -112,11 +128,14 @@ class Sorter {
       const PartOf part = PartOfPiece(*piece, *head);
       for (const Index v : piece->vertices) parts[v] = part;
     }
+    // Without a jaw's motion, PartOfPiece has called everything in the mouth upper teeth.
     if (jaw_ == nullptr) SortMouth(parts);
     return parts;
   }
 
  private:
+  // The order of the tests matters: eyes lie to the sides; what is neither an eye nor inside the head is skin
+  // (lashes, hair, a collar); names say more than motions.
   PartOf PartOfPiece(const Piece& piece, const Piece& head) const {
     const std::string name = MeshName(model_, piece.vertices.front());
     const float side = piece.middle().x - head.middle().x;
@@ -140,11 +159,13 @@ class Sorter {
     for (const Index v : piece.vertices) parts[v] = part;
   }
 
+  // In the lower half of the head's front: a pharynx, or a stand inside the skull, is none of the mouth.
   static bool IsInMouth(const Piece& piece, const Piece& head) {
     return piece.middle().z > head.middle().z && piece.most.y < head.middle().y;
   }
 
-  // No motion tells: the tongue is narrower than the teeth, the lower teeth lie below the upper ones.
+  // No motion tells: the tongue is narrower than the teeth, the lower teeth lie below the upper ones, that is
+  // below the mean height of all teeth.
   void SortMouth(std::vector<PartOf>& parts) const {
     float widest_m = 0;
     float sum = 0;
@@ -167,6 +188,7 @@ class Sorter {
         Name(*piece, PartOf::kLowerTeeth, parts);
   }
 
+  // Within the head's box and no more than a part of it: a bonnet is wider, a throat is higher.
   static bool IsInside(const Piece& piece, const Piece& head) {
     const glm::vec3 room = head.most - head.least;
     const glm::vec3 size = piece.most - piece.least;
@@ -204,6 +226,7 @@ std::vector<PartOf> FindParts(const Model& model, const MeshGraph& graph) {
   return Sorter(model, graph).Sort();
 }
 
+// All vertices of the part together: cornea, iris and white may be meshes of their own.
 std::optional<face::EyeBall> FitBall(const Model& model, const std::vector<PartOf>& parts, PartOf part) {
   std::vector<Index> vertices;
   for (Index v = 0; v < parts.size(); ++v)

@@ -11,10 +11,13 @@
 namespace kaori::import {
 namespace {
 
+// Less than a hundredth of a millimetre is rest; the same bound as for the order of vertices.
 constexpr float kStill_m = 1e-5F;
-constexpr float kLeastWeight = 0.15F;  // Of a spot that hardly moves, against the one that moves most.
+// Of a spot that hardly moves, against the one that moves most: without it, cheeks and forehead would get no
+// points at all.
+constexpr float kLeastWeight = 0.15F;
 
-// The points by which the stage and the needles know a mouth.
+// The points by which the stage and the expression editor know a mouth; all others keep the landmark's name.
 std::string PointName(const std::string& landmark) {
   if (landmark == "lower lip") return "LC";
   if (landmark == "upper lip") return "UC";
@@ -23,6 +26,8 @@ std::string PointName(const std::string& landmark) {
   return landmark;
 }
 
+// Farthest point sampling (Gonzalez 1985; on surfaces Moenning and Dodgson 2003): each new point is spread
+// over the surface, and only the part that it owns is walked. Borrows all it is given.
 class Chooser {
  public:
   Chooser(const MeshGraph& graph, const HeadShape& head, const std::vector<float>& mobility_m)
@@ -37,6 +42,7 @@ class Chooser {
   PointChoice Choose(const PointOptions& options) {
     for (const Landmark& landmark : FindLandmarks(head_))
       Add(NearestVertex(landmark.at), PointName(landmark.name));
+    // Landmarks that move count among `moving`; those at rest do not count among `still`.
     while (moving_ < options.moving && ChooseFarthest(true)) {
     }
     std::size_t still = 0;
@@ -47,6 +53,7 @@ class Chooser {
  private:
   bool Moves(Index v) const { return mobility_m_[v] > kStill_m; }
 
+  // The root lifts what moves moderately: brows against a jaw that goes four times as far.
   float Weight(Index v) const {
     return Moves(v) ? kLeastWeight + (1 - kLeastWeight) * std::sqrt(mobility_m_[v] / most_m_) : 1.0F;
   }
@@ -57,6 +64,7 @@ class Chooser {
     return graph_.weld(static_cast<Index>(nearest - head_.positions.begin()));
   }
 
+  // Two landmarks may be one vertex; the first one names it.
   void Add(Index v, std::string name) {
     if (taken_[v]) return;
     taken_[v] = true;
@@ -65,6 +73,7 @@ class Chooser {
     points_.push_back({v, std::move(name), Moves(v)});
   }
 
+  // False where no vertex of that kind is left. Vertices without neighbours are no surface.
   bool ChooseFarthest(bool moving) {
     std::optional<Index> farthest;
     float most = 0;
@@ -76,6 +85,7 @@ class Chooser {
         farthest = v;
       }
     }
+    // The number is the point's place among all points, so names are unique.
     if (farthest) Add(*farthest, fmt::format("{}{}", moving ? 'P' : 'R', points_.size()));
     return farthest.has_value();
   }

@@ -12,6 +12,7 @@
 namespace kaori::import {
 namespace {
 
+// Errors as ReadFile's: not there, not a regular file, larger than kMostFile_bytes.
 Result<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& file) {
   return ReadFile(file, {.most_bytes = kMostFile_bytes}).map([](const std::string& bytes) {
     return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
@@ -30,6 +31,7 @@ bool StaysBeside(const std::filesystem::path& name) {
   return name.is_relative() && std::ranges::find(name, std::filesystem::path("..")) == name.end();
 }
 
+// By the ending alone; the content is checked by each reader.
 std::optional<Model> Decode(const std::filesystem::path& file, const std::vector<std::uint8_t>& bytes,
                             Findings& findings) {
   const std::string name = file.filename().string();
@@ -54,6 +56,7 @@ std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& find
     findings.Add(file.string(), "", "cannot be read: " + std::make_error_code(error.cause).message());
     return std::nullopt;
   }
+  // Findings may hold faults of other files.
   const std::size_t before = findings.size();
   auto model = Decode(file, *bytes, findings);
   if (model) CheckModel(*model, findings);

@@ -8,6 +8,8 @@
 namespace kaori::import {
 namespace {
 
+// One line of a table: name, three figures in millimetres, what it means or is made of. Names longer than 26
+// letters push the line.
 std::string Row(const std::string& name, const std::string& what, const FitError& error) {
   return fmt::format("  {:<26} {:7.2f} {:7.2f} {:7.2f}  {}\n", name, error.rms_mm, error.most_mm,
                      error.shape_mm, what);
@@ -18,6 +20,7 @@ std::string TableHead(const char* title, const char* first, const char* last) {
                      last);
 }
 
+// Of the root mean squares the mean, of the others the largest.
 FitError Mean(const std::vector<ReportedShape>& shapes) {
   FitError mean;
   for (const ReportedShape& shape : shapes) {
@@ -37,6 +40,7 @@ std::string Shapes(const char* title, const std::vector<ReportedShape>& shapes) 
   return text + Row("mean rms, largest max", "", Mean(shapes));
 }
 
+// For a line that must not end in nothing.
 std::string Listed(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }

@@ -8,34 +8,42 @@
 
 namespace kaori::import {
 
+// One shape of the artist's: what it means, and how well control points alone say it.
 struct ReportedShape {
   std::string name;
-  std::string meaning;  // "ARKit eyeBlinkLeft"; empty: not known.
+  // "ARKit eyeBlinkLeft"; empty: not known.
+  std::string meaning;
   FitError error;
 };
+// One role of a show and where it came from.
 struct ReportedRole {
   std::string name;
-  std::string made_of;  // "ARKit: 1 x jawOpen"; "the show's own, carried over"; empty: nothing.
+  // "ARKit: 1 x jawOpen"; "the show's own, carried over"; "by form"; empty: nothing.
+  std::string made_of;
   FitError error;
 };
 
+// Filled step by step by Import, in the order in which people read it.
 struct Report {
   std::vector<std::string> remarks;
   std::vector<ReportedShape> shapes;
   std::vector<ReportedRole> roles;
-  std::vector<ReportedShape> on_show;  // The artist's shapes on the show's own reference face.
+  // The artist's shapes on the show's own reference face; empty without a show.
+  std::vector<ReportedShape> on_show;
 };
 
 // Names of what has no meaning, and of what nothing was there for.
 std::vector<std::string> UnmappedShapes(const Report& report);
 std::vector<std::string> UnmappedRoles(const Report& report);
 
-// For people: tables of shapes with what they mean and how well control points say them, of roles with what
-// they are made of, and what was not mapped.
+// For people: remarks, then tables of shapes with what they mean and how well control points say them
+// (columns in mm: root mean square, largest, how far the shape moves), of roles with what they are made of,
+// and what was not mapped.
 std::string Text(const Report& report);
 
-// The same for programs: an object with remarks, shapes, roles, shapes_on_show, shapes_not_mapped,
-// roles_not_mapped.
+// The same for programs: an object with remarks (strings), shapes, roles and shapes_on_show (objects with
+// name, means or made_of, rms_mm, max_mm, moves_mm; null where a name means nothing), shapes_not_mapped and
+// roles_not_mapped (strings). Indented, with a newline at the end.
 std::string JsonText(const Report& report);
 
 }  // namespace kaori::import

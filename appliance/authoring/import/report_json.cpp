@@ -4,10 +4,12 @@
 namespace kaori::import {
 namespace {
 
+// A name that means nothing is null, so that no program takes "" for a meaning.
 json::Value OrNull(const std::string& text) {
   return text.empty() ? json::Value() : json::Value(text);
 }
 
+// `key`: "means" or "made_of".
 json::Object ReportJsonRow(const std::string& name, const char* key, const std::string& what,
                            const FitError& error) {
   return {{"name", name},

@@ -7,7 +7,8 @@ namespace {
 
 using enum NameStyle;
 
-// Apple, ARFaceAnchor.BlendShapeLocation.
+// Apple, ARFaceAnchor.BlendShapeLocation: 52 names, in alphabetical order. Left and right
+// are the character's.
 constexpr std::array<std::string_view, 52> kArkitNames{
     "browDownLeft",      "browDownRight",      "browInnerUp",         "browOuterUpLeft",
     "browOuterUpRight",  "cheekPuff",          "cheekSquintLeft",     "cheekSquintRight",
@@ -22,7 +23,7 @@ constexpr std::array<std::string_view, 52> kArkitNames{
     "mouthRollUpper",    "mouthShrugLower",    "mouthShrugUpper",     "mouthSmileLeft",
     "mouthSmileRight",   "mouthStretchLeft",   "mouthStretchRight",   "mouthUpperUpLeft",
     "mouthUpperUpRight", "noseSneerLeft",      "noseSneerRight",      "tongueOut"};
-// VRM 1.0, VRMC_vrm, expressions.preset.
+// VRM 1.0, VRMC_vrm, expressions.preset, in the specification's order.
 constexpr std::array<std::string_view, 18> kVrm1Names{
     "happy", "angry", "sad",       "relaxed",    "surprised", "aa",       "ih",       "ou",        "ee",
     "oh",    "blink", "blinkLeft", "blinkRight", "lookUp",    "lookDown", "lookLeft", "lookRight", "neutral"};
@@ -30,10 +31,13 @@ constexpr std::array<std::string_view, 18> kVrm1Names{
 constexpr std::array<std::string_view, 17> kVrm0Names{
     "neutral", "a",   "i",      "u",        "e",        "o",         "blink",   "joy",    "angry",
     "sorrow",  "fun", "lookup", "lookdown", "lookleft", "lookright", "blink_l", "blink_r"};
-// Oculus (Meta) lip sync.
+// Oculus (Meta) lip sync, in the order of its visemes: silence first. Spelled as avatars of VRChat and Ready
+// Player Me spell them.
 constexpr std::array<std::string_view, 15> kVisemeNames{
     "viseme_sil", "viseme_PP", "viseme_FF", "viseme_TH", "viseme_DD", "viseme_kk", "viseme_CH", "viseme_SS",
     "viseme_nn",  "viseme_RR", "viseme_aa", "viseme_E",  "viseme_I",  "viseme_O",  "viseme_U"};
+// Words that artists use where they follow nobody's standard, spelled as this project's roles are
+// where one fits.
 constexpr std::array<std::string_view, 26> kPlainNames{"blink_left",
                                                        "blink_right",
                                                        "blink",
@@ -61,6 +65,11 @@ constexpr std::array<std::string_view, 26> kPlainNames{"blink_left",
                                                        "o",
                                                        "e"};
 
+// What each shape does for a role. Weights below 1 are for shapes that help others, or would overdo:
+// browInnerUp is both brows at once, so each brow gets half of it; an ARKit jaw wide open is more than any
+// vowel, so "a" is 0.7 of it.
+//
+// Roles that are missing for a style cannot be made of it: VRM has no brows or lids of their own.
 constexpr std::array kTable{
     RoleEntry{"blink_left", kArkit, "eyeBlinkLeft", 1},
     RoleEntry{"blink_left", kVrm1, "blinkLeft", 1},

@@ -27,6 +27,7 @@ const Role* FindRole(const Heads& heads, std::string_view name) {
   return role == heads.roles.end() ? nullptr : &*role;
 }
 
+// "neutral" and the brows are not in either list: channels.
 ExpressionKind KindOfRole(std::string_view role) {
   constexpr std::array<std::string_view, 4> kCalled{"smile", "angry", "sad", "surprised"};
   constexpr std::array<std::string_view, 7> kMouths{"a", "i", "u", "e", "o", "m", "f"};

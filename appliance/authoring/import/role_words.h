@@ -9,16 +9,18 @@
 
 namespace kaori::import {
 
-// "ARKit: 0.7 x jawOpen + 1 x mouthFunnel".
+// What the role is made of, as the report says it: "ARKit: 0.7 x jawOpen + 1 x mouthFunnel", by the
+// file's own names.
 std::string MadeOf(const Heads& heads, const Role& role);
 
-// "ARKit jawOpen"; empty: none.
+// "ARKit jawOpen": style and the style's own spelling; empty: none.
 std::string MeaningIn(const Shape& shape);
 
-// Null where the heads have no such role.
+// Null where the heads have no such role; borrowed from `heads`.
 const Role* FindRole(const Heads& heads, std::string_view name);
 
-// Moods are called, vowels are mouths, all else is a channel.
+// Moods (smile, angry, sad, surprised) are called by an operator, vowels and "mouth_..." are mouths that the
+// lips play, all else is a channel.
 face::ExpressionKind KindOfRole(std::string_view role);
 
 }  // namespace kaori::import

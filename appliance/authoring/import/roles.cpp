@@ -10,8 +10,10 @@ namespace kaori::import {
 namespace {
 
 using enum NameStyle;
+// Styles from the one that says most of a face to the one that says least.
 constexpr std::array kInOrder{kArkit, kViseme, kVrm1, kVrm0, kPlain};
 
+// Letters and digits alone, in small letters: what names are compared by.
 std::string Letters(std::string_view name) {
   std::string letters;
   for (const char c : name)
@@ -21,8 +23,9 @@ std::string Letters(std::string_view name) {
 }
 
 // "eyeBlink_L", "eyeBlink.R", "EyeBlinkL": the side as a letter at the end, after a separator or a small
-// letter.
+// letter. "jawL" is a side; "VISEME_OL" is none, since a capital stands before it.
 std::string WithSideSpelled(std::string_view name) {
+  // "L" and "_R" say a side of nothing.
   if (name.size() < 3) return Letters(name);
   const char side = name.back();
   const char before = name[name.size() - 2];
@@ -36,7 +39,8 @@ std::string WithSideSpelled(std::string_view name) {
   return Letters(name);
 }
 
-// "Face.M_F00|blendShape1.jawOpen" and "head:jawOpen" are named by what stands last; ".L" is a side, no name.
+// "Face.M_F00|blendShape1.jawOpen" and "head:jawOpen" are named by what stands last; ".L" is a side, no name,
+// so the last two letters are not looked at.
 std::string_view LastPart(std::string_view name) {
   constexpr std::size_t kSide = 2;
   const std::string_view stem = name.size() > kSide ? name.substr(0, name.size() - kSide) : name;
@@ -44,7 +48,7 @@ std::string_view LastPart(std::string_view name) {
   return at == std::string_view::npos ? name : name.substr(at + 1);
 }
 
-// Other words for the plain style.
+// Other words for the plain style, with sides spelled and without separators.
 std::string PlainWord(std::string word) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kWords{
       {{"eyeclosedleft", "blinkleft"},
@@ -67,6 +71,7 @@ std::string PlainWord(std::string word) {
   return same == kWords.end() ? word : std::string(same->second);
 }
 
+// VRM's words are for its presets, all others for targets.
 bool Allowed(NameStyle style, NameOrigin origin) {
   const bool preset_style = style == kVrm0 || style == kVrm1;
   return origin == NameOrigin::kPreset ? preset_style : !preset_style;
@@ -78,6 +83,7 @@ std::optional<Meaning> Find(NameStyle style, const std::string& letters) {
   return std::nullopt;
 }
 
+// Makes a role of the first style that can. Borrows the meanings.
 class Maker {
  public:
   explicit Maker(const std::vector<std::optional<Meaning>>& meanings) : meanings_(meanings) {}
@@ -89,6 +95,7 @@ class Maker {
   }
 
  private:
+  // The first shape of that meaning: a file may have two, as a target and in a preset.
   std::optional<std::size_t> Shape(NameStyle style, std::string_view name) const {
     for (std::size_t i = 0; i < meanings_.size(); ++i)
       if (meanings_[i] && meanings_[i]->style == style && meanings_[i]->name == name) return i;
@@ -139,6 +146,7 @@ std::optional<Meaning> MeaningOf(std::string_view name, NameOrigin origin) {
     // Presets are spelled in one way: "blink_l" is VRM 0.x, "blinkLeft" is VRM 1.0.
     if (auto found = Find(style, origin == NameOrigin::kPreset ? Letters(name) : letters)) return found;
   }
+  // The last resort, behind all styles' own words.
   return origin == NameOrigin::kTarget ? Find(kPlain, PlainWord(letters)) : std::nullopt;
 }
 
@@ -163,6 +171,7 @@ const Target* FindTarget(const Model& model, std::string_view role) {
     if (!meaning) continue;
     for (const RoleEntry& entry : RoleTable())
       if (entry.role == role && entry.style == meaning->style && entry.shape == meaning->name &&
+          // A shape that only helps in a role does not mean it.
           entry.weight == 1)
         return &target;
   }

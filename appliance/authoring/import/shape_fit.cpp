@@ -13,11 +13,16 @@
 namespace kaori::import {
 namespace {
 
-constexpr double kStiffness = 1e-3;  // Keeps points near which nothing moves from running away.
+// Keeps points near which nothing moves from running away (Tikhonov's regularisation). Against the diagonal
+// of W'W, sums of squared weights of all vertices of a point, it is a thousandth or less.
+constexpr double kStiffness = 1e-3;
+// A micrometre: a residual that small is rounding, and would cost a list of its own in the pack and a pass
+// in the frame.
 constexpr float kSmallestResidual_m = 1e-6F;
 constexpr float kShapeFitMoved_m = 1e-5F;
 constexpr float kMillimetres = 1000;
 
+// W'W + kStiffness I, from the sparse rows of W: each row adds the products of its weights.
 sculpt::SquareMatrix NormalMatrix(const face::ControlNet& net) {
   const std::size_t n = net.points.size();
   sculpt::SquareMatrix normal(n);
@@ -31,7 +36,8 @@ sculpt::SquareMatrix NormalMatrix(const face::ControlNet& net) {
   return normal;
 }
 
-// Three columns at a time.
+// Three columns at a time, since the solver takes vectors of three on the right. The inverse costs as much as
+// n / 3 solutions, and is used for three coordinates of each of some hundred shapes.
 std::vector<double> Inverse(const sculpt::SquareMatrix& matrix) {
   std::vector<double> inverse(matrix.size * matrix.size);
   for (std::size_t first = 0; first < matrix.size; first += 3) {
@@ -45,6 +51,7 @@ std::vector<double> Inverse(const sculpt::SquareMatrix& matrix) {
   return inverse;
 }
 
+// `residual` has the moving vertices, which come first in `offsets`.
 FitError Judge(const Offsets& offsets, const Offsets& residual) {
   FitError error;
   double sum = 0;
@@ -70,6 +77,7 @@ ShapeFit::ShapeFit(const face::ControlNet& net, std::span<const glm::vec3> refer
       frames_(face::FitFrames(net, face::PointsOnFace(net, reference))),
       inverse_(Inverse(NormalMatrix(net))) {}
 
+// (W'W + kStiffness I)^-1 W' offsets.
 std::vector<glm::dvec3> ShapeFit::Solve(const Offsets& offsets) const {
   const std::size_t n = net_.points.size();
   std::vector<glm::dvec3> right(n, glm::dvec3(0));
@@ -90,10 +98,13 @@ face::Expression ShapeFit::Fit(std::string name, face::ExpressionKind kind, cons
   const std::vector<glm::dvec3> solved = Solve(offsets);
   for (std::size_t i = 0; i < solved.size(); ++i) {
     const face::Frame& frame = frames_[i];
+    // From the head's axes into the point's frame on the reference face, which Composer turns back; frames
+    // are a rotation and a scale there, never flat.
     expression.displacement.push_back(glm::inverse(glm::mat3(frame.along_u, frame.along_v, frame.outwards)) *
                                       glm::vec3(solved[i]));
   }
   const face::SparseRows& rows = net_.to_cage;
+  // offsets - W d.
   Offsets residual(offsets.begin(), offsets.begin() + static_cast<std::ptrdiff_t>(rows.rows()));
   for (std::size_t r = 0; r < rows.rows(); ++r)
     for (auto i = rows.row_start[r]; i < rows.row_start[r + 1]; ++i)

@@ -10,16 +10,23 @@
 namespace kaori::import {
 namespace {
 
+// Enough for one colour, and for paint that was made at the show's size and is shown on another head.
 constexpr int kSide_px = 1024;
-constexpr float kMargin = -0.15F;        // Triangles are drawn this much beyond their edges, against seams.
-constexpr float kFarthestApart = 0.08F;  // Of the show's texture: corners farther apart lie on its seam.
+// In shares: triangles are drawn this much beyond their edges, so that filtering at a seam meets
+// paint, not ground.
+constexpr float kMargin = -0.15F;
+// Of the show's texture's side: corners farther apart lie on both sides of its seam, and what is between them
+// is none of the face.
+constexpr float kFarthestApart = 0.08F;
 
 using Colour = std::array<std::uint8_t, 4>;
+// Red, green, blue as sRGB, and gloss.
 constexpr Colour kSkin{222, 184, 163, 40};
 constexpr Colour kTeeth{232, 226, 212, 150};
 constexpr Colour kTongue{186, 92, 92, 120};
 
-// Calls paint(x, y, shares) for each pixel of a triangle of texture coordinates.
+// Calls paint(x, y, shares) for each pixel of a triangle of texture coordinates (v up), kMargin beyond its
+// edges; shares may be negative there. Rows run down.
 template <class Paint>
 void ForPixels(const std::array<glm::vec2, 3>& uv, Paint paint) {
   const auto pixel = [](const glm::vec2& p) {
@@ -30,6 +37,7 @@ void ForPixels(const std::array<glm::vec2, 3>& uv, Paint paint) {
   const glm::vec2 ac = pixel(uv[2]) - a;
   const float area = ab.x * ac.y - ab.y * ac.x;
   if (area == 0) return;
+  // One pixel more than the triangle's box, within the picture: coordinates beyond 0..1 are not repeated.
   const glm::vec2 least = glm::clamp(glm::min(a, a + glm::min(ab, ac)) - 1.0F, 0.0F, kSide_px - 1.0F);
   const glm::vec2 most = glm::clamp(glm::max(a, a + glm::max(ab, ac)) + 1.0F, 0.0F, kSide_px - 1.0F);
   for (int y = static_cast<int>(least.y); y <= static_cast<int>(most.y); ++y)
@@ -42,6 +50,7 @@ void ForPixels(const std::array<glm::vec2, 3>& uv, Paint paint) {
     }
 }
 
+// The nearest pixel, with v up; beyond the edges, the edge.
 Colour At(const face::Texture& texture, const glm::vec2& place) {
   const auto along = [](float t, int size_px) {
     return std::clamp(static_cast<int>(t * static_cast<float>(size_px)), 0, size_px - 1);
@@ -53,6 +62,7 @@ Colour At(const face::Texture& texture, const glm::vec2& place) {
   return {texture.rgba[at], texture.rgba[at + 1], texture.rgba[at + 2], texture.rgba[at + 3]};
 }
 
+// In sRGB as it is stored: the ground is near to the paint where they are mixed.
 Colour Mix(const Colour& from, const Colour& to, float share) {
   Colour mixed{};
   for (std::size_t i = 0; i < mixed.size(); ++i)
@@ -61,6 +71,7 @@ Colour Mix(const Colour& from, const Colour& to, float share) {
   return mixed;
 }
 
+// A picture in work, of one colour at first.
 class Painting {
  public:
   explicit Painting(const Colour& ground) : ground_(ground), texture_{kSide_px, kSide_px, {}} {
@@ -92,6 +103,7 @@ class Painting {
   face::Texture texture_;
 };
 
+// Whether a triangle of the head, laid on the show's texture, runs across that one's seam.
 bool AreApart(const std::array<glm::vec2, 3>& places) {
   const auto far = [](const glm::vec2& a, const glm::vec2& b) {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > kFarthestApart;
@@ -104,14 +116,16 @@ std::array<glm::vec2, 3> Corners(const Triangle& t, Value value) {
   return {value(t[0]), value(t[1]), value(t[2])};
 }
 
+// The value at a spot, linear within its triangle.
 template <class T>
 T OnSpot(const std::vector<T>& values, const Spot& spot) {
   return spot.shares.x * values[spot.corners[0]] + spot.shares.y * values[spot.corners[1]] +
          spot.shares.z * values[spot.corners[2]];
 }
 
-// How much of the show's paint is taken over at a point of its first face: all of it between temples,
-// hairline and chin, none where hair is painted, on ears and neck.
+// How much of the show's paint is used at a point of its first face (metres, origin between the eyes): all of
+// it between temples, hairline and chin, none where hair is painted, on ears and neck. The bounds are read
+// off the cast's own woman.
 float ShownAt(const glm::vec3& p) {
   const float aside = glm::smoothstep(0.050F, 0.066F, std::abs(p.x));
   const float above = glm::smoothstep(0.040F, 0.056F, p.y);
@@ -120,7 +134,8 @@ float ShownAt(const glm::vec3& p) {
   return 1 - std::max({aside, above, below, behind});
 }
 
-// What the show's paint looks like where it fades: the middle value of each channel.
+// What the show's paint looks like where it fades: the median of each channel, which a few dark hairs do not
+// draw down. kSkin where it fades nowhere.
 Colour GroundOf(const std::vector<Colour>& paints) {
   Colour ground = kSkin;
   if (paints.empty()) return ground;
@@ -134,6 +149,7 @@ Colour GroundOf(const std::vector<Colour>& paints) {
   return ground;
 }
 
+// Last, over what the skin's margins have painted beyond their triangles.
 void FillMouth(const Heads& heads, Painting& painting) {
   for (const Triangle& t : heads.triangles) {
     const PartOf part = heads.part[t[0]];
@@ -157,6 +173,7 @@ face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, cons
   std::vector<glm::vec2> place;
   std::vector<float> shown;
   std::vector<Colour> at_edge;
+  // One for each skin vertex: where it lies on the show's texture, and how much of the paint counts there.
   for (const Spot& spot : spots) {
     place.push_back(OnSpot(show.topology.texture, spot));
     shown.push_back(ShownAt(OnSpot(show.faces.front().positions, spot)));

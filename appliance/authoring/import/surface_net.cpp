@@ -11,13 +11,17 @@
 namespace kaori::import {
 namespace {
 
+// As many as the cast's own net has: more flattens brows, fewer show the triangles in raking light.
 constexpr int kSurfaceNetSmoothSteps = 3;
+// Smoothing spreads weights that are too small to be seen; each would cost a multiplication in every frame.
 constexpr float kSurfaceNetLeastWeight = 1e-4F;
 
 using Joint = std::array<std::size_t, 3>;  // Three points, ascending.
+// Weights by column.
 using SurfaceNetRow = std::map<Index, float>;
 
-// A row of weights for each welded vertex.
+// A row of weights for each welded vertex. Rows of copies stay empty until Sparse() gives them those of their
+// weld. Borrows all it is given.
 class SurfaceNetBuilder {
  public:
   SurfaceNetBuilder(const MeshGraph& graph, const std::vector<glm::vec3>& positions,
@@ -37,11 +41,14 @@ class SurfaceNetBuilder {
   }
 
  private:
+  // Three points are joined where a triangle of the mesh has a corner in each one's region: the dual of the
+  // regions (the Voronoi diagram along the surface) is a Delaunay triangulation that follows the surface.
   void JoinPoints(const std::vector<Triangle>& triangles) {
     std::set<Joint> joints;
     for (const Triangle& t : triangles) {
       Joint joint{};
       for (std::size_t k = 0; k < 3; ++k) joint[k] = choice_.owner[graph_.weld(t[k])];
+      // kNobody is the largest number and stands last: the third test below is enough for it.
       std::ranges::sort(joint);
       const bool three =
           joint[0] != joint[1] && joint[1] != joint[2] && joint[2] != MeshGraph::Nearest::kNobody;
@@ -54,7 +61,8 @@ class SurfaceNetBuilder {
 
   const glm::vec3& PlaceOf(std::size_t point) const { return positions_[choice_.points[point].vertex]; }
 
-  // In the triangle's plane; the most negative share tells how far outside.
+  // In the triangle's plane; the most negative share tells how far outside. A triangle that is a line says
+  // -2: farther outside than any that is accepted.
   glm::vec3 SharesIn(const Joint& joint, const glm::vec3& p) const {
     const glm::vec3 ab = PlaceOf(joint[1]) - PlaceOf(joint[0]);
     const glm::vec3 ac = PlaceOf(joint[2]) - PlaceOf(joint[0]);
@@ -69,10 +77,14 @@ class SurfaceNetBuilder {
     return {1 - share_b - share_c, share_b, share_c};
   }
 
+  // A point at rest has no column: its share is lost, and the row sums to less than 1, which holds
+  // the border still.
   void Add(Index v, std::size_t point, float share) {
     if (columns_[point] >= 0 && share > 0) rows_[v][static_cast<Index>(columns_[point])] += share;
   }
 
+  // Of the triangles about the vertex's own point, the one in which it lies, or the one that it lies least
+  // outside of, with negative shares cut off.
   void FillRow(Index v) {
     const std::size_t owner = choice_.owner[v];
     float best = -1;  // Farther outside than this the owner alone says more.
@@ -90,6 +102,7 @@ class SurfaceNetBuilder {
     for (int k = 0; k < 3; ++k) Add(v, chosen[static_cast<std::size_t>(k)], shares[k]);
   }
 
+  // W <- 0.5 W + 0.5 mean(W of the neighbours), row by row.
   void Smooth() {
     const std::vector<SurfaceNetRow> before = rows_;
     for (Index v = 0; v < rows_.size(); ++v) {

@@ -17,6 +17,7 @@
 namespace kaori::authoring {
 namespace {
 
+// What `kaori-atelier import --help` prints below the usage.
 constexpr const char* kPage = R"(
 Reads glTF 2.0 (.glb, .gltf) and OBJ with texture coordinates. The first FILE has the shapes (morph targets); all files
 have its vertices in its order, and become the faces of one cast, named as the files. A file without shapes that comes
@@ -35,6 +36,8 @@ Shapes are known by the names of ARKit, VRM, lip-sync visemes, or plain words. T
 what not, and how many millimetres control points alone miss; the rest is kept beside them.
 )";
 
+// A whole number from 10 to 1000; fewer points cannot say a mouth, more make the fit slow, whose time grows
+// with their fourth power.
 std::optional<std::size_t> Count(std::string_view text) {
   std::size_t count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
@@ -53,6 +56,7 @@ std::vector<std::string> Names(std::string_view text) {
   return names;
 }
 
+// Errors: invalid_argument where --points is no number within its bounds.
 Result<import::ImportOptions> OptionsOf(const Arguments& arguments) {
   import::ImportOptions options;
   if (const auto points = arguments.options.find("--points"); points != arguments.options.end()) {
@@ -65,19 +69,21 @@ Result<import::ImportOptions> OptionsOf(const Arguments& arguments) {
   return options;
 }
 
-// A pack, or what a folder describes.
+// A pack, or what a folder describes, which takes as long as `pack` does.
 Result<show::Show> OpenShow(const std::filesystem::path& place, ProgressLine& progress) {
   if (!std::filesystem::is_directory(place)) return show::LoadPack(place);
   return AuthorShow(place, [&](std::string_view what) { progress.Step(what); });
 }
 
-// What an import writes, and where.
+// What an import writes, and where: one pack, or a folder with packs and reports. Remembers the files, for
+// the last lines that people see. Borrows the progress line.
 class Writing {
  public:
   Writing(std::filesystem::path out, ProgressLine& progress) : out_(std::move(out)), progress_(progress) {}
 
   Result<void> Packs(const import::Imported& made) {
     if (is_pack()) return Save(made.heads, out_);
+    // Folders above it, too, are made where they are missing.
     std::error_code error;
     std::filesystem::create_directories(out_, error);
     if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + out_.string());
@@ -88,6 +94,7 @@ class Writing {
     return Save(import::JsonText(made.report), out_ / "report.json");
   }
 
+  // Contact sheets need a GL context; Studio::Open says where there is none.
   Result<void> Sheets(import::Imported made) {
     if (auto ok = Draw(std::move(made.heads), out_ / "heads"); !ok) return ok;
     return made.on_show ? Draw(std::move(*made.on_show), out_ / "show") : Result<void>();
@@ -120,6 +127,7 @@ class Writing {
   std::vector<std::string> written_;
 };
 
+// Options are judged before a show is opened, which takes seconds.
 Result<void> RunImport(const Arguments& arguments) {
   const auto out = arguments.options.find("--out");
   if (out == arguments.options.end()) return FailInput("import: --out is missing");
@@ -144,6 +152,7 @@ Result<void> RunImport(const Arguments& arguments) {
       arguments.Has("--json") ? import::JsonText(made->report) : import::Text(made->report);
   if (arguments.Has("--sheets"))
     if (auto ok = writing.Sheets(std::move(*made)); !ok) return ok;
+  // The report is all that standard output gets, so that --json can be piped.
   fmt::print("{}", report);
   for (const std::string& file : writing.written()) fmt::print(stderr, "wrote {}\n", file);
   return {};

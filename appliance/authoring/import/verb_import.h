@@ -5,6 +5,8 @@
 
 namespace kaori::authoring {
 
+// "kaori-atelier import FILE... --out ...": exits 0, or prints the faults and exits with the
+// status of ExitWithError.
 Verb ImportVerb();
 
 }  // namespace kaori::authoring

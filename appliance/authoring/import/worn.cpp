@@ -13,7 +13,9 @@
 namespace kaori::import {
 namespace {
 
-constexpr float kStep_m = 1e-3F;  // Of the differences that tell how a warp turns and stretches.
+// Of the differences that tell how a warp turns and stretches: finer than any of its pulls are apart, coarse
+// enough for single precision.
+constexpr float kStep_m = 1e-3F;
 
 bool IsMouth(face::Part part) {
   return part == face::Part::kUpperTeeth || part == face::Part::kLowerTeeth || part == face::Part::kTongue;
@@ -23,7 +25,8 @@ bool HaveTeeth(const Heads& heads) {
   return std::ranges::find(heads.part, PartOf::kUpperTeeth) != heads.part.end();
 }
 
-// The show's cast with one face, and no more than its shape needs.
+// The show's cast with one face, which becomes its reference, and no more than its shape needs: textures and
+// props are large.
 HeadShape ShapeOfFace(const face::Cast& show, std::size_t face) {
   face::Cast alone;
   alone.topology = show.topology;
@@ -34,6 +37,7 @@ HeadShape ShapeOfFace(const face::Cast& show, std::size_t face) {
   return ShapeOfCast(alone);
 }
 
+// The motions are the first head's, also for the others: one topology, so vertices correspond.
 HeadShape ShapeOfHead(const Heads& heads, const Head& head) {
   HeadShape shape = ShapeOfHeads(heads);
   shape.positions = head.positions;
@@ -45,7 +49,8 @@ glm::vec3 Lead(const sculpt::Warp& warp, const glm::vec3& point) {
   return glm::vec3(warp(glm::dvec3(point)));
 }
 
-// How the warp turns and stretches what lies about a point.
+// How the warp turns and stretches what lies about a point: its Jacobian, column by column,
+// by forward differences.
 glm::mat3 Turning(const sculpt::Warp& warp, const glm::vec3& at) {
   const glm::vec3 led = Lead(warp, at);
   glm::mat3 turning;
@@ -57,11 +62,14 @@ glm::mat3 Turning(const sculpt::Warp& warp, const glm::vec3& at) {
   return turning;
 }
 
+// `otherwise` where the vector has no length.
 glm::vec3 Unit(const glm::vec3& v, const glm::vec3& otherwise) {
   const float length = glm::length(v);
   return length > 0 ? v / length : otherwise;
 }
 
+// A copy of the prop on another head. Teeth are brought to where the lending face wears them first
+// (MouthFit), since its warp is from that face. Normals go by the inverse transpose, tangents along.
 face::Prop Led(const face::Prop& prop, const face::MouthFit& fit, const face::Cast& show,
                const sculpt::Warp& warp) {
   face::Prop led = prop;
@@ -86,6 +94,7 @@ std::vector<std::size_t> FacesToBeLike(const std::vector<std::string>& names, st
     findings.Add("--like", "", "there is no show whose faces could lend their look");
     return like;
   }
+  // Names beyond the heads are of no use, but are checked all the same.
   for (std::size_t i = 0; i < std::max(heads, names.size()); ++i) {
     const std::string& name = names[std::min(i, names.size() - 1)];
     const auto face = std::ranges::find(show->faces, name, &face::Face::name);
@@ -104,6 +113,7 @@ std::string DressLike(const Heads& heads, const Lender& lender, face::Cast& cast
   for (std::size_t i = 0; i < heads.heads.size(); ++i) {
     const face::Face& like = lender.show->faces[lender.like[i]];
     face::Face& face = cast.faces[i];
+    // From the face that lends to the head. None where landmarks are too few; the head then stays bare.
     const auto warp = sculpt::Warp::Through(
         OutlinePulls(ShapeOfFace(*lender.show, lender.like[i]), ShapeOfHead(heads, heads.heads[i])));
     if (!warp) continue;

@@ -10,6 +10,7 @@ namespace kaori::sculpt {
 namespace {
 
 // One coordinate of the table's row `row`, between its columns.
+//
 // The table holds few points, so that a person can write it; all lines of the grid between them are read off
 // monotone curves, first along each row of the table, then up each column of the grid (a tensor product). A
 // curve that never overshoots keeps lines of the mesh from crossing.
@@ -19,6 +20,7 @@ Pchip AlongRow(const AimTable& table, std::size_t row, int axis) {
   return {table.columns, values};
 }
 
+// One coordinate of all points of the grid.
 void FillAxis(const AimTable& table, int axis, std::vector<glm::dvec3>& grid) {
   std::vector<Pchip> along;
   for (std::size_t row = 0; row < table.rows.size(); ++row) along.push_back(AlongRow(table, row, axis));
@@ -36,7 +38,8 @@ double Unit(double x) {
   return std::clamp(x, 0.0, 1.0);
 }
 
-// A point inside the head or the neck, from which the skin is seen outwards.
+// A point inside the head or the neck, from which the skin is seen outwards; centimetres.
+//
 // Rows 0 to 5 are the neck, whose axis leans backwards; 5 to 11 lead from the neck through the chin to the
 // face; 11 to 26 are the face, looked at from its own height; above row 26 the axis shrinks to one point (y =
 // 2.5 cm), so that the crown is seen from within like the pole of a sphere.
@@ -61,6 +64,7 @@ std::vector<glm::dvec3> AimedGrid(const AimTable& table, const AimScale& scale) 
   std::vector<glm::dvec3> grid(static_cast<std::size_t>((kColumns + 1) * (kRows + 1)));
   for (int axis = 0; axis < 3; ++axis) FillAxis(table, axis, grid);
   for (glm::dvec3& p : grid) {
+    // The eyes' level is y = 0 and stays.
     p.x *= scale.x;
     p.y *= p.y < 0 ? scale.y_below_eyes : scale.y_above_eyes;
   }
@@ -70,6 +74,8 @@ std::vector<glm::dvec3> AimedGrid(const AimTable& table, const AimScale& scale) 
 glm::dvec3 ProjectionDirection(GridPoint at, glm::dvec3 aimed) {
   const glm::dvec3 outwards = glm::normalize(aimed - AxisPoint(at.row, aimed));
   const double front = Frontness(at);
+  // The blend keeps neighbouring vertices from being projected past each other where the face turns into the
+  // side of the head.
   return glm::normalize(outwards * (1 - front) + glm::dvec3(0, 0, front));
 }
 

@@ -9,11 +9,14 @@
 namespace kaori::sculpt {
 namespace {
 
+// Nearer to x = 0 than this lies in the middle: less than any two vertices are apart.
 constexpr double kOnMiddle_cm = 1e-6;
 
 // Corners, top and bottom of the lids' edge.
 constexpr std::array<int, 4> kLidLandmarks{0, kEyeRim / 4, kEyeRim / 2, 3 * kEyeRim / 4};
 
+// What the recipe says of the left half and the middle: its landmarks, four points of the lids' edge carried
+// with the ball, and the ball's centre itself.
 std::vector<Pull> LeftPulls(const HalfTopology& half, const HalfShape& reference, const EyeRecipe& eye,
                             const Warped& recipe) {
   std::vector<Pull> pulls;
@@ -30,6 +33,7 @@ std::vector<Pull> LeftPulls(const HalfTopology& half, const HalfShape& reference
   return pulls;
 }
 
+// Mirrored, the warp is symmetric, and what lies in the middle has no reason to leave it.
 std::vector<Pull> BothSides(std::vector<Pull> pulls) {
   const glm::dvec3 mirror(-1, 1, 1);
   const std::size_t left = pulls.size();
@@ -40,7 +44,8 @@ std::vector<Pull> BothSides(std::vector<Pull> pulls) {
   return pulls;
 }
 
-// Moves the grid half-way to the mean of its neighbours, `steps` times; rings and the neck's end stay.
+// Moves the grid half-way to the mean of its neighbours, `steps` times; rings and the neck's end stay. A warp
+// that pulls a snout out of a nose stretches the cells around it unevenly; two or three steps even them out.
 void SmoothGrid(const Cage& cage, int steps, HalfShape& shape) {
   const std::vector<std::vector<Index>> neighbours = Neighbours(cage);
   for (int step = 0; step < steps; ++step) {
@@ -70,10 +75,12 @@ Result<HalfShape> PullToLandmarks(const Cage& cage, const HalfShape& reference, 
   for (glm::dvec3& p : shape.position) {
     const bool middle = std::abs(p.x) < kOnMiddle_cm;
     p = (*warp)(p);
+    // To the last bit: the halves share these vertices.
     if (middle) p.x = 0;
   }
   FitLids(cage.half, BallOf(recipe, eye), shape);
   SmoothGrid(cage, recipe.smoothing_steps, shape);
+  // Last: the ear's rings start from the grid about them.
   DrawOutEar(cage.half, recipe.ear, shape);
   return shape;
 }

@@ -10,9 +10,10 @@ namespace {
 
 // Of a body, in centimetres. Outside of it a length was meant in metres or in millimetres.
 constexpr double kFarthestBody_cm = 60;
-constexpr double kLeastRadius_cm = 0.1;  // Of its largest; the grid's cells are coarser.
+// Of its largest radius; the grid's cells are coarser.
+constexpr double kLeastRadius_cm = 0.1;
 
-// Radii of a body, or halves of a box.
+// Radii of a body, or halves of a box: all positive, and the largest within the bounds.
 void NeedSizes(toml::Section& section, std::string_view key, glm::dvec3 sizes) {
   if (!(sizes.x > 0 && sizes.y > 0 && sizes.z > 0)) return section.Fault(key, "must be greater than 0");
   const double most = std::max({sizes.x, sizes.y, sizes.z});
@@ -22,6 +23,8 @@ void NeedSizes(toml::Section& section, std::string_view key, glm::dvec3 sizes) {
                          kLeastRadius_cm, kFarthestBody_cm));
 }
 
+// The readers of one shape allow the keys of that shape alone, so that a word that is spelled wrongly
+// is a fault.
 Body ReadEllipsoid(toml::Section& section) {
   section.AllowOnly({"ellipsoid", "centre", "radii", "mirrored", "blend"});
   Body body{.shape = Body::Shape::kEllipsoid,
@@ -61,6 +64,8 @@ Body ReadBox(toml::Section& section) {
 
 }  // namespace
 
+// A body names its shape by the key whose value is "add" or "cut"; without such a key the fault
+// is of "ellipsoid".
 Body ReadBody(toml::Section section) {
   const std::string_view shape = section.Has("capsule") ? "capsule"
                                  : section.Has("box")   ? "box"
@@ -71,6 +76,7 @@ Body ReadBody(toml::Section section) {
                                  : ReadEllipsoid(section);
   if (join != "add" && join != "cut") section.Fault(shape, "must be \"add\" or \"cut\"");
   body.join = join == "cut" ? Body::Join::kCut : Body::Join::kAdd;
+  // 0 or 1 in the file.
   body.mirrored = section.NumberOr("mirrored", 0) != 0;
   body.blend_cm = section.NumberOr("blend", 0);
   return body;

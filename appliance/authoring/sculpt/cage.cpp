@@ -6,6 +6,7 @@ namespace kaori::sculpt {
 namespace {
 
 // Expressions reach from below the chin to the forehead and to before the ear; the rest of the head is still.
+// These columns and rows hold 1632 of the vertices, and only those are computed in a frame.
 constexpr int kMovingColumns = 16;
 constexpr int kMovingRow0 = 3;
 constexpr int kMovingRow1 = 33;
@@ -16,21 +17,25 @@ bool CanMove(const Key& key) {
          key.b <= kMovingRow1;
 }
 
+// On the plane of symmetry in front; the crown's row is there too, but is a seam, and kept twice.
 bool IsMiddle(const Key& key) {
   if (key.region == Region::kGrid) return key.a == 0 && key.b < kRows;
   return key.region == Region::kMouth && (key.a == 0 || key.a == kMouthRim - 1);
 }
 
+// Left and right meet here with one position and two places: u is 21 and -21 at the back.
 bool IsSeam(const Key& key) {
   return key.region == Region::kGrid && (key.a == kColumns || key.b == kRows);
 }
 
+// A vertex is its own twin until LinkTwins has found another.
 void AddVertex(Cage& cage, Index half, int side) {
   const auto vertex = static_cast<Index>(cage.vertices.size());
   cage.vertices.push_back({.half = half, .side = side, .twin = vertex});
   (side > 0 ? cage.left : cage.right)[half] = vertex;
 }
 
+// All moving, or all still vertices: left, then right. The middle is added once.
 void AddVertices(Cage& cage, bool moving) {
   for (int side : {1, -1}) {
     for (Index half = 0; half < cage.half.keys.size(); ++half) {
@@ -55,9 +60,11 @@ void LinkTwins(Cage& cage) {
 
 void AddQuads(Cage& cage) {
   for (const Quad& q : cage.half.quads) {
+    // As wound in the half.
     cage.quads.push_back({cage.left[q[0]], cage.left[q[1]], cage.left[q[2]], cage.left[q[3]]});
   }
   for (const Quad& q : cage.half.quads) {
+    // A mirror image turns a quad over, so its corners go round the other way.
     cage.quads.push_back({cage.right[q[0]], cage.right[q[3]], cage.right[q[2]], cage.right[q[1]]});
   }
 }

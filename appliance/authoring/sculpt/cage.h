@@ -12,19 +12,26 @@
 
 namespace kaori::sculpt {
 
-// A shape of one half, in centimetres: position and place of each vertex of HalfTopology.
+// A shape of one half, in centimetres: position, and place (u, v) on the unrolled surface (texture_map.h), of
+// each vertex of HalfTopology.
 struct HalfShape {
   std::vector<glm::dvec3> position;
   std::vector<glm::dvec2> place;
 };
 
+// Where a vertex of the whole comes from.
 struct CageVertex {
-  Index half = 0;  // The vertex of the half that it is, or mirrors.
-  int side = 1;    // +1: the character's left, and the middle of the face; -1: the mirror image.
-  Index twin = 0;  // The other copy on the seam at the back or on the crown: same position, other place.
+  // The vertex of the half that it is, or mirrors.
+  Index half = 0;
+  // +1: the character's left (+X), and the middle of the face; -1: the mirror image.
+  int side = 1;
+  // The other copy on the seam at the back or on the crown: same position, other place. Itself elsewhere.
+  Index twin = 0;
 };
 
-// Vertices that can move with an expression come first: [0, moving_count).
+// Vertices that can move with an expression come first: [0, moving_count). Within each part the left side
+// comes before the right one, both in the order of the half; so numbers are the same for every cast, and
+// packs made at different times can be compared.
 struct Cage {
   HalfTopology half;
   std::vector<CageVertex> vertices;
@@ -38,15 +45,15 @@ struct Cage {
   Index Weld(Index vertex) const { return std::min(vertex, vertices[vertex].twin); }
 };
 
-// The same for every cast: no file has a say in it.
+// The same for every cast: no file has a say in it. 2807 vertices, 2690 quads and 6 triangles.
 Cage BuildCage();
 
-// The half's values on the whole cage, mirrored.
+// The half's values on the whole cage, in the order of its vertices; x and u are mirrored on the right.
 std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::dvec3>& half);
 std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dvec2>& half);
 
 // For each vertex the vertices at the far ends of its quad edges, seams closed: lists hold welded vertices,
-// and a vertex that is not its own Weld() has an empty list.
+// and a vertex that is not its own Weld() has an empty list. Diagonals are no edges.
 std::vector<std::vector<Index>> Neighbours(const Cage& cage);
 
 }  // namespace kaori::sculpt

@@ -9,8 +9,8 @@
 namespace kaori::sculpt {
 namespace {
 
-// Vertices in the middle of the face, in the middle of the back and on the crown belong to both halves: they
-// lie on x = 0 exactly, or the halves would gape.
+// Aims and projects each vertex of the grid. Vertices in the middle of the face, in the middle of the back
+// and on the crown belong to both halves: they lie on x = 0 exactly, or the halves would gape.
 void PlaceGridVertices(const HalfTopology& half, const AimTable& aim, const Carved& recipe,
                        HalfShape& shape) {
   const std::vector<glm::dvec3> aimed = AimedGrid(aim, recipe.scale);
@@ -25,7 +25,7 @@ void PlaceGridVertices(const HalfTopology& half, const AimTable& aim, const Carv
   }
 }
 
-// Before the rings: those of the mouth start from the grid.
+// Sets what was written by hand. Before the rings: those of the mouth start from the grid.
 void Touch(const HalfTopology& half, const std::vector<Landmark>& touches, HalfShape& shape) {
   for (const Landmark& touch : touches) {
     shape.position[half.At(touch.vertex.region, touch.vertex.a, touch.vertex.b)] = touch.target;

@@ -12,11 +12,14 @@
 namespace kaori::sculpt {
 namespace {
 
+// Whether the face that is read may be like another one. A face is like another one, and that one like none,
+// so that no circle can arise.
 enum class Borrowing { kAllowed, kRefused };  // A face is like another one, and that one like none.
 
 Result<FaceRecipe> ReadFace(const std::filesystem::path& path, Borrowing borrowing);
 
-// Other faces of the folder that this one may have meant; empty where the one that it names is there.
+// Other faces of the folder that this one may have meant, as a hint for the fault; empty where the one that
+// it names is there.
 std::string OtherFaces(const std::filesystem::path& model) {
   if (std::filesystem::exists(model)) return "";
   std::vector<std::string> names;
@@ -28,7 +31,8 @@ std::string OtherFaces(const std::filesystem::path& model) {
                      toml::DidYouMean(model.stem().string(), {names.begin(), names.end()}));
 }
 
-// The face that `file` says it is like; one without a name where that cannot be.
+// The face that `file` says it is like; one without a name where that cannot be. The other file's own faults
+// are not repeated: it is read, and reported, by itself.
 FaceRecipe ReadModel(toml::Section& file, const std::filesystem::path& folder, Borrowing borrowing) {
   const std::filesystem::path model = folder / (file.Text("like") + ".toml");
   Result<FaceRecipe> other = tl::unexpected(Error{});
@@ -38,6 +42,7 @@ FaceRecipe ReadModel(toml::Section& file, const std::filesystem::path& folder, B
   return {.name = "", .file = "", .shape = Carved{}};
 }
 
+// One face's file. The name is the caller's to set. Errors: the file's faults, one a line.
 Result<FaceRecipe> ReadFace(const std::filesystem::path& path, Borrowing borrowing) {
   const Result<toml::Value> value = toml::ReadToml(path);
   if (!value) return tl::unexpected(value.error());
@@ -54,7 +59,7 @@ Result<FaceRecipe> ReadFace(const std::filesystem::path& path, Borrowing borrowi
   return face;
 }
 
-// What is wrong with several files, one a line.
+// What is wrong with several files, one a line: an author mends all of them at once.
 struct Complaints {
   std::string text;
 
@@ -85,6 +90,7 @@ Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder) {
   for (const std::string& name : names) {
     const std::filesystem::path face_file = folder / (name + ".toml");
     Result<FaceRecipe> face = ReadFace(face_file, Borrowing::kAllowed);
+    // The list names a file that is not there: that is a fault of the list, at its line.
     if (!face && !std::filesystem::exists(face_file))
       face = FailInput(
           fmt::format("{}:{}: faces: \"{}\": {}", path.string(), list->line, name, face.error().message()));

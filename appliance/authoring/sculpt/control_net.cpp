@@ -15,19 +15,28 @@
 namespace kaori::sculpt {
 namespace {
 
+// Steps of smoothing of the whole matrix. Three halve the roughness of the linear interpolant and cost a brow
+// a fifth of its peak; none shows the triangulation in raking light, six flatten the brows.
 constexpr int kSmoothSteps = 3;
-constexpr int kLipSmoothSteps = 6;  // More around the lips, whose corners are drawn far on short triangles.
-constexpr double kOutside = -0.1;   // A share below this: the place lies too far outside the triangle.
-constexpr double kLeastWeight = 1e-4;  // Smaller ones cost and cannot be seen.
+// More around the lips, whose corners are drawn far on short triangles.
+constexpr int kLipSmoothSteps = 6;
+// A share below this: the place lies too far outside the triangle. Edges of lips bow out of the chords
+// between control points by less.
+constexpr double kOutside = -0.1;
+// Smaller ones cost a multiplication in each frame and cannot be seen.
+constexpr double kLeastWeight = 1e-4;
+// How much of the lip's motion the rings 7 to 10 of the bag feel: the deepest hardly moves.
 constexpr std::array<double, kMouthRings - kLipContactRing> kIntoBag{1.0, 0.9, 0.6, 0.35};
 
-// How a control point as written maps to columns of the net; border points have none.
+// How a control point as written maps to columns of the net: two for a pair, one for both sides in the
+// middle; border points have none, so their share of a row is lost and the motion fades out.
 struct Column {
   std::optional<Index> left;
   std::optional<Index> right;
 };
 
-// Rows by vertex of the cage, columns by control point.
+// Rows by vertex of the cage, columns by control point; dense while it is smoothed (2807 rows of about a
+// hundred doubles), sparse in the cast.
 class WeightTable {
  public:
   WeightTable(std::size_t rows, std::size_t columns) : columns_(columns), value_(rows * columns) {}
@@ -36,6 +45,7 @@ class WeightTable {
   const double* row(std::size_t r) const { return value_.data() + r * columns_; }
   std::size_t columns() const { return columns_; }
 
+  // The first `rows` rows, without weights below kLeastWeight.
   face::SparseRows Sparse(std::size_t rows) const {
     face::SparseRows sparse;
     sparse.row_start.push_back(0);
@@ -55,7 +65,8 @@ class WeightTable {
   std::vector<double> value_;
 };
 
-// Points of the left half in the file's order, then the border.
+// Points of the left half in the file's order, then the border, and the triangulation of both. The right half
+// is its mirror image, and is never triangulated by itself.
 struct HalfNet {
   std::vector<glm::dvec2> place_cm;
   std::vector<Column> column;
@@ -63,6 +74,7 @@ struct HalfNet {
   std::vector<Corners3> triangles;
 };
 
+// Fills the points of `net` on the way, which fixes their order.
 HalfNet MakeHalfNet(const ExpressionFile& file, face::ControlNet& net) {
   HalfNet half;
   const auto add = [&net](const std::string& name, glm::dvec2 place_cm) {
@@ -76,6 +88,7 @@ HalfNet MakeHalfNet(const ExpressionFile& file, face::ControlNet& net) {
       const Index left = add(point.name + ".l", point.place_cm);
       half.column.push_back({left, add(point.name + ".r", point.place_cm * glm::dvec2(-1, 1))});
     } else {
+      // Exactly in the middle, though its vertex may lie beside it by a rounding.
       const Index middle = add(point.name, {0, point.place_cm.y});
       half.column.push_back({middle, middle});
     }
@@ -89,7 +102,8 @@ HalfNet MakeHalfNet(const ExpressionFile& file, face::ControlNet& net) {
   return half;
 }
 
-// The vertex whose place stands for `key`, and how much of its motion is felt there.
+// The vertex whose place stands for `key`, and how much of its motion is felt there. What lies behind the
+// edges has places inside the holes, where no triangle means anything.
 struct Lender {
   Key key;
   double share = 1;
@@ -104,17 +118,20 @@ Lender LenderOf(const Key& key) {
   return {key, 1};
 }
 
-// Above (1) or below (-1) the slit of the eye or the mouth; 0 in its corners and elsewhere.
+// Above (1) or below (-1) the slit of the eye or the mouth; 0 in its corners and elsewhere. Corners belong
+// to both sides.
 int SideOfSlit(const Key& key) {
   if (key.region == Region::kMouth) return key.a == kMouthCorner ? 0 : key.a < kMouthCorner ? 1 : -1;
   if (key.region != Region::kEye || key.a % (kEyeRim / 2) == 0) return 0;
   return key.a < kEyeRim / 2 ? 1 : -1;
 }
 
+// A vertex of the upper lip must not move with a control point of the lower one.
 bool AreOpposed(const Key& a, const Key& b) {
   return a.region == b.region && SideOfSlit(a) * SideOfSlit(b) < 0;
 }
 
+// All shares 0: no triangle.
 struct Found {
   Corners3 corners{};
   glm::dvec3 shares{};
@@ -136,6 +153,8 @@ Found FindTriangle(const HalfNet& net, glm::dvec2 place_cm, const Key& key) {
   return best;
 }
 
+// Writes the shares of the triangle's corners into the columns of the vertex's own side. False where no
+// triangle holds the place.
 bool FillRow(const HalfNet& net, glm::dvec2 place_cm, const CageVertex& vertex, const Lender& lender,
              double* row) {
   const Found found = FindTriangle(net, place_cm, lender.key);
@@ -148,6 +167,7 @@ bool FillRow(const HalfNet& net, glm::dvec2 place_cm, const CageVertex& vertex, 
   return true;
 }
 
+// The paper's interpolant, before smoothing: W of P = B + W d, as ControlNet writes it.
 Result<WeightTable> LinearWeights(const Cage& cage, const HalfShape& reference, const HalfNet& net,
                                   std::size_t points) {
   WeightTable table(cage.vertices.size(), points);
@@ -162,6 +182,8 @@ Result<WeightTable> LinearWeights(const Cage& cage, const HalfShape& reference, 
   return table;
 }
 
+// The edges of lips and lids, and what lies behind them, stay as they are: smoothing would mix the two sides
+// of a slit.
 bool IsSmoothed(const Key& key) {
   return !(key.region == Region::kEye && key.b >= kLidRing) &&
          !(key.region == Region::kMouth && key.b >= kLipContactRing);
@@ -173,6 +195,8 @@ bool IsAroundLips(const Key& key) {
 
 using Choice = bool (*)(const Key& key);
 
+// W <- 0.5 W + 0.5 mean(W of the neighbours), for the chosen rows. Rows beyond the moving vertices are zero
+// and stay so: they are read as neighbours.
 void SmoothOnce(const Cage& cage, const std::vector<std::vector<Index>>& neighbours, Choice chosen,
                 WeightTable& table) {
   const WeightTable before = table;

@@ -53,6 +53,7 @@ class Hull {
   }
 
  private:
+  // Three vertices of a facet, in no order that means a winding.
   Corners3 CornersOf(facetT* facet) {
     Corners3 corners{};
     std::size_t count = 0;
@@ -69,6 +70,7 @@ class Hull {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  // Before hull_, which writes to it.
   std::unique_ptr<std::FILE, Close> nowhere_{std::fopen("/dev/null", "w")};
   std::vector<double> coordinates_;
   qhT hull_{};
@@ -83,6 +85,7 @@ std::vector<Corners3> Delaunay(const std::vector<glm::dvec2>& points) {
   for (const glm::dvec2& p : points) coordinates.insert(coordinates.end(), {p.x, p.y});
   std::vector<Corners3> triangles = Hull(std::move(coordinates)).Triangles();
   for (Corners3& t : triangles) {
+    // Qhull orients its facets in three dimensions; here the plane's sign is made.
     const bool clockwise = Cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) < 0;
     if (clockwise) std::swap(t[1], t[2]);
   }

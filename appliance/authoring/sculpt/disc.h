@@ -7,7 +7,8 @@
 
 namespace kaori::sculpt {
 
-// The square [-1, 1] x [-1, 1] onto the unit disc, its border onto the circle.
+// The square [-1, 1] x [-1, 1] onto the unit disc, its border onto the circle (the elliptical grid mapping);
+// smooth, one to one, and with the four quarters kept.
 inline glm::dvec2 DiscFromSquare(glm::dvec2 p) {
   return {p.x * std::sqrt(1 - 0.5 * p.y * p.y), p.y * std::sqrt(1 - 0.5 * p.x * p.x)};
 }

@@ -13,37 +13,42 @@
 namespace kaori::sculpt {
 namespace {
 
+// The middle of the ear's block in grid lines.
 constexpr int kMiddleColumn = (kEarBlock.column0 + kEarBlock.column1) / 2;
 constexpr int kMiddleRow = (kEarBlock.row0 + kEarBlock.row1) / 2;
 constexpr glm::dvec3 kShift_cm{0, -0.1, -0.2};  // From the middle of the rim.
 constexpr double kCapDepth_cm = 0.75;
 constexpr double kPlaceShrink = 0.12;  // Each ring shrinks by this in the unrolled surface.
 
-// How large a ring is, and how far it stands off the head in front and behind.
+// How large a ring is, compared with the ear, and how far it stands off the head in front and behind.
 struct Ring {
   double scale;
   double lift_front_cm;
   double lift_rear_cm;
 };
-// Out to the helix, into the groove behind it, up again to the inner ridge.
+// Out to the helix, into the groove behind it, up again to the inner ridge. All five lift more behind than in
+// front: an ear is a bowl that opens forwards.
 constexpr std::array<Ring, kEarRings> kRings{
     {{0.78, 0.15, 0.45}, {1.0, 0.30, 1.25}, {0.93, 0.42, 1.42}, {0.77, 0.26, 0.98}, {0.58, 0.44, 1.06}}};
 
 // Offset of a ring's point in the plane of the head's side: x forward, y up.
 glm::dvec2 InPlane(const EarRecipe& ear, const Ring& ring, glm::dvec2 disc) {
   const double tilt = ear.tilt_deg * std::numbers::pi / 180;
+  // The outline: flatter at the upper front, where the helix rolls in, and narrower towards the lobe.
   const double helix = 1 - 0.30 * std::max(disc.x, 0.0) * std::max(disc.y, 0.0);
   const double lobe = disc.y < 0 ? 1 + 0.30 * disc.y : 1;
   const double up = ear.height * ring.scale * disc.y * helix;
   return {ear.width * ring.scale * disc.x * lobe - up * std::sin(tilt), up * std::cos(tilt)};
 }
 
+// How far a ring's point stands off the head; the upper part lies nearer to it.
 double Lift(const Ring& ring, glm::dvec2 disc) {
   const double rear = std::clamp(0.5 - 0.5 * disc.x, 0.0, 1.0);
   const double lift_cm = glm::mix(ring.lift_front_cm, ring.lift_rear_cm, std::pow(rear, 1.3));
   return lift_cm * (1 - 0.45 * std::max(disc.y, 0.0));
 }
 
+// A point of a ring on the plane of the head's side, then pushed out to the skin and off it by its lift.
 glm::dvec3 RingPoint(const std::vector<Body>& bodies, const EarRecipe& ear, const Ring& ring, glm::dvec2 disc,
                      glm::dvec3 centre) {
   const glm::dvec3 forward = glm::normalize(glm::dvec3(0, 0.12, 1));
@@ -56,7 +61,8 @@ glm::dvec3 RingPoint(const std::vector<Body>& bodies, const EarRecipe& ear, cons
   return p + glm::dvec3(Lift(ring, disc), 0, 0);
 }
 
-// A patch whose four sides are given: a Coons fill of the cap from the innermost ring.
+// A patch whose four sides are given: a Coons fill of the cap from the innermost ring (Coons 1967): both
+// ruled surfaces less the bilinear one.
 template <class Point, class Side>
 Point Fill(const Side& side, int column, int row) {
   const Block& b = kEarBlock;
@@ -75,6 +81,7 @@ void PlaceCap(const HalfTopology& half, HalfShape& shape) {
   for (int row = kEarBlock.row0 + 1; row < kEarBlock.row1; ++row) {
     for (int column = kEarBlock.column0 + 1; column < kEarBlock.column1; ++column) {
       const Index vertex = half.At(Region::kEarCap, column, row);
+      // The cap is the bottom of the bowl.
       shape.position[vertex] = Fill<glm::dvec3>(position, column, row) - glm::dvec3(kCapDepth_cm, 0, 0);
       shape.place[vertex] = Fill<glm::dvec2>(place, column, row);
     }
@@ -91,6 +98,7 @@ glm::dvec2 OnEarDisc(GridPoint at) {
 
 void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const EarRecipe& ear,
               HalfShape& shape) {
+  // The mean of the rim.
   glm::dvec3 centre{};
   glm::dvec2 centre_place{};
   for (GridPoint p : half.ear_rim) {
@@ -104,6 +112,8 @@ void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const E
       const Ring& ring = kRings[static_cast<std::size_t>(k - 1)];
       shape.position[vertex] = RingPoint(bodies, ear, ring, OnEarDisc(rim), centre);
       shape.place[vertex] =
+          // Rings are the rim, shrunk towards its middle: on the unrolled surface an ear is a
+          // patch without folds.
           glm::mix(shape.place[half.Grid(rim.column, rim.row)], centre_place, kPlaceShrink * k);
     }
   }

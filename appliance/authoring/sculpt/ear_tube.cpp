@@ -10,7 +10,8 @@
 namespace kaori::sculpt {
 namespace {
 
-// A cross-section of the tube, as wide and as thick as it is there.
+// A cross-section of the tube: an ellipse as wide and as thick as it is there; `along` is
+// the tube's direction.
 struct TubeSection {
   glm::dvec3 centre;
   glm::dvec3 along;
@@ -20,12 +21,14 @@ struct TubeSection {
   glm::dvec3 At(glm::dvec2 disc) const { return centre + disc.x * width + disc.y * thickness; }
 };
 
+// By central differences; one-sided at the ends.
 glm::dvec3 Tangent(const std::vector<glm::dvec3>& path, std::size_t k) {
   const std::size_t before = k == 0 ? 0 : k - 1;
   const std::size_t after = std::min(k + 1, path.size() - 1);
   return glm::normalize(path[after] - path[before]);
 }
 
+// The wide axis is the recipe's direction, made square to the tube, so that a flap does not twist.
 TubeSection SectionAt(const Tube& tube, std::size_t k) {
   const glm::dvec3 along = Tangent(tube.path, k);
   const glm::dvec3 wide = glm::normalize(tube.width_direction);
@@ -33,6 +36,7 @@ TubeSection SectionAt(const Tube& tube, std::size_t k) {
   return {tube.path[k], along, width * tube.half_width[k], glm::cross(width, along) * tube.half_thickness[k]};
 }
 
+// The cap as half an ellipsoid on the last ring: flat at its rim, `cap` high in the middle.
 void CloseEnd(const HalfTopology& half, const Tube& tube, HalfShape& shape) {
   const TubeSection end = SectionAt(tube, kEarRings);
   for (int row = kEarBlock.row0 + 1; row < kEarBlock.row1; ++row) {

@@ -14,13 +14,15 @@
 namespace kaori::sculpt {
 namespace {
 
+// Nearer to u = 0 than this lies in the middle.
 constexpr double kExpressionFileOnMiddle_cm = 1e-9;
 
-// How far an expression may move a point along one axis, as on the box; most move by half a centimetre. One
-// that moves none by kLeastMove_cm is not seen: it was written in metres.
+// How far an expression may move a point along one axis, the same as for the box's own editor; most move by
+// half a centimetre. One that moves none by kLeastMove_cm is not seen: it was written in metres.
 constexpr double kMostMove_cm = 5;
 constexpr double kLeastMove_cm = 0.02;
 
+// None where the value is not a list of two numbers.
 std::optional<glm::dvec2> AsPlace(const toml::Value& value) {
   if (value.kind != toml::Value::Kind::kList || value.list.size() != 2) return std::nullopt;
   for (const toml::Value& item : value.list) {
@@ -29,10 +31,13 @@ std::optional<glm::dvec2> AsPlace(const toml::Value& value) {
   return glm::dvec2(value.list[0].number, value.list[1].number);
 }
 
+// The middle counts as left.
 bool IsOnLeftHalf(glm::dvec2 place) {
   return place.x >= 0 && place.x <= kPlaceMax_cm.x && place.y >= kPlaceMin_cm.y && place.y <= kPlaceMax_cm.y;
 }
 
+// Reads the file's three parts in turn; later ones ask what earlier ones named. Faults go to the sections
+// that they concern. Borrows topology and reference.
 class Reader {
  public:
   Reader(const HalfTopology& half, const HalfShape& reference) : half_(half), reference_(reference) {}
@@ -52,6 +57,7 @@ class Reader {
   void ReadPoints(toml::Section section) {
     for (const auto& [name, value] : section.table().table) {
       const std::optional<Key> vertex = AsVertex(value.text);
+      // A text that is no vertex's name, and a list, have an empty text: AsVertex answers none for both.
       const std::optional<glm::dvec2> place = vertex ? PlaceOf(*vertex) : AsPlace(value);
       if (!place || !IsOnLeftHalf(*place)) {
         section.Fault(
@@ -82,6 +88,7 @@ class Reader {
   void ReadExpression(toml::Section section) {
     section.AllowOnly({"name", "kind", "lids", "from", "both", "left", "right"});
     AuthoredExpression expression{.name = section.Text("name")};
+    // Names are how buttons, motions and other expressions call it.
     if (FindExpression(expression.name) != nullptr)
       section.Fault("name",
                     fmt::format("another expression has it already: \"{}\" is given twice", expression.name));
@@ -95,6 +102,8 @@ class Reader {
     file_.expressions.push_back(std::move(expression));
   }
 
+  // An expression without moves is fine (neutral, or one made of others); one whose moves nobody sees is a
+  // slip of the unit.
   static void CheckThatItMoves(toml::Section& section, const AuthoredExpression& expression) {
     double most_cm = 0;
     for (const Moves* moves : {&expression.both, &expression.left, &expression.right})
@@ -127,6 +136,7 @@ class Reader {
     return {lids[0], lids[1]};
   }
 
+  // Only expressions that stand before this one, so that sums need no order of their own.
   std::map<std::string, double> ReadFrom(toml::Section section) {
     std::map<std::string, double> from;
     for (const auto& [name, value] : section.table().table) {

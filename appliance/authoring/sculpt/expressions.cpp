@@ -5,20 +5,24 @@
 namespace kaori::sculpt {
 namespace {
 
+// Files are written in centimetres, casts hold metres.
 constexpr double kMetresPerCentimetre = 0.01;
 
-// Adds what a side's moves say; on the right, u runs the other way.
+// Adds what a side's moves say of a point; on the right, u runs the other way, which `side` turns (0: no
+// part of it).
 void AddMove(const Moves& moves, const std::string& point, double side, glm::vec3& displacement) {
   const auto move = moves.find(point);
   if (move == moves.end()) return;
   displacement += glm::vec3(move->second * glm::dvec3(side, 1, 1) * kMetresPerCentimetre);
 }
 
+// In the order of MakeControlNet's points: left before right.
 void AddMoves(const std::vector<AuthoredPoint>& points, const AuthoredExpression& authored,
               std::vector<glm::vec3>& displacement) {
   std::size_t at = 0;
   for (const AuthoredPoint& point : points) {
-    const double left = point.paired ? 1 : 0;  // The middle does not move sideways,
+    // The middle does not move sideways,
+    const double left = point.paired ? 1 : 0;
     AddMove(authored.both, point.name, left, displacement[at]);
     AddMove(authored.left, point.name, 1, displacement[at]);  // unless one side pulls it.
     if (!point.paired) AddMove(authored.right, point.name, -1, displacement[at]);

@@ -8,7 +8,8 @@
 
 namespace kaori::sculpt {
 
-// In metres; displacements stand in the order of MakeControlNet's points.
+// In metres; displacements stand in the order of MakeControlNet's points. What an expression builds on is
+// added up here, so that each stands alone at run time. The file must have been read without a fault.
 std::vector<face::Expression> MakeExpressions(const ExpressionFile& file);
 
 }  // namespace kaori::sculpt

@@ -12,8 +12,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kHalfRim = kEyeRim / 2;
-constexpr int kSmoothRings = 3;  // The rings of skin; nearer the lid the shape is exact.
+// Rings 1 to 3 are skin and are smoothed; nearer the lid the shape is exact.
+constexpr int kSmoothRings = 3;
+// Enough to round off the corners of the square block in the skin about the eye.
 constexpr int kEyeRingsSmoothSteps = 14;
+// How far ring 4 stands over the fold.
 constexpr double kLiftOverFold_cm = 0.03;
 // How far rings 0 to 5 lie on the way from the square rim in the grid to the lid's edge: closer together near
 // the lid, which bends most when it shuts.
@@ -34,12 +37,14 @@ double Bow(int j) {
   return std::sin(kPi * AlongLid(j));
 }
 
+// The lid's edge, position by position.
 RimRing LidRing(const EyeRecipe& eye) {
   RimRing lid;
   for (int j = 0; j < kEyeRim; ++j) lid[static_cast<std::size_t>(j)] = LidCurve(eye, AlongLid(j), IsUpper(j));
   return lid;
 }
 
+// One step of smoothing: 0.5 of itself, 0.2 of each neighbour along the ring, 0.05 of each across.
 glm::dvec2 SmoothedPoint(const Rings& rings, std::size_t k, std::size_t j) {
   const RimRing& ring = rings[k];
   const glm::dvec2 along = ring[(j + 1) % kEyeRim] + ring[(j + kEyeRim - 1) % kEyeRim];
@@ -63,6 +68,7 @@ void Smooth(Rings& rings) {
   }
 }
 
+// Rings 0 to 5, for positions and for places alike: the unrolled surface is made by the same steps.
 Rings Between(const RimRing& rim, const RimRing& lid) {
   Rings rings;
   for (std::size_t k = 0; k < rings.size(); ++k) {
@@ -72,7 +78,8 @@ Rings Between(const RimRing& rim, const RimRing& lid) {
   return rings;
 }
 
-// The front of a sphere about the ball's centre, over (x, y).
+// The front of a sphere about the ball's centre, over (x, y). Beyond the sphere's outline, and just within
+// it, a point a little before the centre (sqrt(0.02) cm): the lid's corners reach there.
 glm::dvec3 OnSphere(const EyeRecipe& eye, glm::dvec2 p, double radius) {
   const double dx = p.x - eye.centre.x;
   const double dy = p.y - eye.centre.y;
@@ -87,9 +94,9 @@ glm::dvec3 SkinPoint(const std::vector<Body>& bodies, const EyeRecipe& eye, glm:
   return on_skin;
 }
 
-// Rings 6 and 7 close the gap between the lid and the ball.
-// Ring 6 lies on the ball, ring 7 within it, 10 % wider than the lid's opening and 3 mm farther back, so that
-// no light falls through between lid and ball from any side.
+// Rings 6 and 7 close the gap between the lid and the ball. Ring 6 lies on the ball, ring 7 within it, 10 %
+// wider than the lid's opening and 3 mm farther back, so that no light falls through between lid and ball
+// from any side.
 glm::dvec3 BehindLid(const EyeRecipe& eye, glm::dvec2 lid, int k) {
   if (k == kLidRing + 1) return OnSphere(eye, lid, eye.radius);
   const glm::dvec2 centre(eye.centre);
@@ -119,6 +126,8 @@ glm::dvec2 LidCurve(const EyeRecipe& eye, double s, bool upper) {
   return glm::mix(inner, outer, t) + glm::dvec2(0, height);
 }
 
+// First all rings in the plane, seen from the front; then each gets its depth: the skin's, the ball's,
+// or behind it.
 void PlaceEyeRings(const HalfTopology& half, const std::vector<Body>& bodies, const EyeRecipe& eye,
                    HalfShape& shape) {
   const RimRing lid = LidRing(eye);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kFacesMetresPerCentimetre = 0.01;
 
+// The only places where lengths of this folder become metres are here and in expressions.cpp.
 glm::vec3 Metres(glm::dvec3 p_cm) {
   return glm::vec3(p_cm * kFacesMetresPerCentimetre);
 }
@@ -18,6 +19,8 @@ float Metres(double length_cm) {
   return static_cast<float>(length_cm * kFacesMetresPerCentimetre);
 }
 
+// Shapes a face by the kind of its recipe (a visitor). The reference is carved once, since animals and
+// kettles are made from it. Borrows cage and recipes.
 class Shaper {
  public:
   Shaper(const Cage& cage, const CastRecipe& cast)
@@ -28,6 +31,7 @@ class Shaper {
   Result<ShapedFace> operator()(const Carved& recipe) const {
     const EyeRecipe& eye = recipe.eye;
     ShapedFace face{Carve(cage_.half, cast_.aim, recipe), {eye.centre, eye.radius, eye.thickness}};
+    // All faces share the reference's places: one parameter space.
     face.shape.place = reference_.place;
     return face;
   }
@@ -51,6 +55,7 @@ class Shaper {
   HalfShape reference_;
 };
 
+// [0] is the character's left, at +X.
 std::array<face::EyeBall, 2> MakeEyes(const Ball& left) {
   const face::EyeBall ball{Metres(left.centre), Metres(left.radius), Metres(left.lid_thickness)};
   face::EyeBall mirrored = ball;

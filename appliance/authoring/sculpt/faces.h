@@ -17,10 +17,12 @@ struct ShapedFace {
   Ball eye;         // The left one.
 };
 
-// One for each recipe, in their order. A fault names the file.
+// One for each recipe, in their order. The first recipe is the reference and must be carved, which the reader
+// has seen to. Errors: invalid_argument, with the face's file before the reason.
 Result<std::vector<ShapedFace>> ShapeFaces(const Cage& cage, const CastRecipe& cast);
 
-// In metres. Only what the sculptor decides is filled: name, positions, balls, mouth fit, gain.
+// A face of the cast, in metres, both sides. Only what the sculptor decides is filled: name, positions,
+// balls, mouth fit, gain.
 face::Face MakeFace(const Cage& cage, const FaceRecipe& recipe, const ShapedFace& shaped);
 
 }  // namespace kaori::sculpt

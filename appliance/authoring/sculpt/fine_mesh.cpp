@@ -5,6 +5,8 @@
 
 namespace kaori::sculpt {
 
+// Places of the fine vertices are interpolated in centimetres and then brought to the picture, not the other
+// way round: TextureFromPlace has knots.
 face::FineMesh MakeFineMesh(const Cage& cage, const std::vector<glm::dvec2>& places) {
   std::vector<mesh::Polygon> polygons;
   for (const Quad& quad : cage.quads) polygons.push_back(Corners(quad));

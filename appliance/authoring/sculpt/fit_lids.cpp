@@ -5,13 +5,17 @@
 namespace kaori::sculpt {
 namespace {
 
-constexpr double kSunk_cm = 0.45;         // Ring 7 under the ball's surface.
-constexpr double kSkinOverLid_cm = 0.05;  // The rings before it over the lid's edge.
+// How far ring 7 lies under the ball's surface.
+constexpr double kSunk_cm = 0.45;
+// How far the skin before the lid's edge stands over it at least: a warp leaves some of it inside the ball.
+constexpr double kSkinOverLid_cm = 0.05;
 
+// Along the ray from the ball's centre.
 glm::dvec3 AtRadius(const Ball& ball, glm::dvec3 p, double radius) {
   return ball.centre + glm::normalize(p - ball.centre) * radius;
 }
 
+// The edge and what lies behind it are set; skin is only pushed out.
 void FitRing(const HalfTopology& half, const Ball& ball, int k, double radius, HalfShape& shape) {
   for (int j = 0; j < kEyeRim; ++j) {
     glm::dvec3& p = shape.position[half.At(Region::kEye, j, k)];

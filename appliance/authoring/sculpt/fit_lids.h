@@ -5,15 +5,17 @@
 
 namespace kaori::sculpt {
 
-// An eyeball, in centimetres; `lid_thickness` is how far the lid's edge stands above it.
+// An eyeball, in centimetres.
 struct Ball {
   glm::dvec3 centre{};
   double radius = 0;
+  // How far the lid's edge stands above it.
   double lid_thickness = 0;
 };
 
-// The lid's edge goes to its thickness above the ball, the rings behind it onto and into the ball; the two
-// rings before it are pushed out where they would cut into it.
+// The lid's edge (ring 5) goes to its thickness above the ball, the rings behind it onto and into the ball;
+// the rings before it are pushed out where they would cut into it. All along the ray from the ball's centre;
+// nothing may lie there.
 void FitLids(const HalfTopology& half, const Ball& ball, HalfShape& shape);
 
 }  // namespace kaori::sculpt

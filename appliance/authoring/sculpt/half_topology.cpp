@@ -8,10 +8,12 @@
 namespace kaori::sculpt {
 namespace {
 
+// Marks names that no vertex has: places that a block has cut out.
 constexpr Index kNobody = ~Index{0};
 constexpr int kEarColumns = kEarBlock.column1 - kEarBlock.column0;
 constexpr int kEarRows = kEarBlock.row1 - kEarBlock.row0;
 
+// How many values a and b of a region's keys take, from 0 (the cap: from its block's corner).
 struct Extent {
   int count_a, count_b;
   std::size_t count() const { return static_cast<std::size_t>(count_a) * static_cast<std::size_t>(count_b); }
@@ -33,6 +35,8 @@ constexpr Extent ExtentOf(Region region) {
   return {kEarColumns + 1, kEarRows + 1};
 }
 
+// Where a key stands in its region's table. Rim positions of closed rings wrap, so that j - 1 and j + 1
+// need no care.
 std::size_t Slot(Region region, int a, int b) {
   const Extent extent = ExtentOf(region);
   if (region == Region::kEye || region == Region::kEar) a = (a + extent.count_a) % extent.count_a;
@@ -41,10 +45,12 @@ std::size_t Slot(Region region, int a, int b) {
   return static_cast<std::size_t>(b) * static_cast<std::size_t>(extent.count_a) + static_cast<std::size_t>(a);
 }
 
+// Vertices strictly inside; those on the border stay in the grid.
 bool IsInside(const Block& block, int column, int row) {
   return column > block.column0 && column < block.column1 && row > block.row0 && row < block.row1;
 }
 
+// Cells by their lower corner.
 bool HasCell(const Block& block, int column, int row) {
   return column >= block.column0 && column < block.column1 && row >= block.row0 && row < block.row1;
 }
@@ -76,6 +82,8 @@ std::vector<GridPoint> OpenRim(const Block& block) {
   return rim;
 }
 
+// Adds vertices and cells region by region; the order of Build() numbers them, and a pack's indices follow
+// from it: changing it makes all older packs different.
 class Builder {
  public:
   HalfTopology Build() {
@@ -96,6 +104,7 @@ class Builder {
   }
 
  private:
+  // Index by key.
   std::vector<Index>& Table(Region region) { return half_.table[static_cast<std::size_t>(region)]; }
 
   void Add(Key key) {
@@ -103,6 +112,7 @@ class Builder {
     half_.keys.push_back(key);
   }
 
+  // The crown's row has no ends: the cells there are triangles.
   void AddGrid() {
     for (int row = 0; row <= kRows; ++row) {
       for (int column = 0; column <= kColumns; ++column) {
@@ -147,6 +157,8 @@ class Builder {
     }
   }
 
+  // Closes the bag's last ring: its upper half is sewn to its lower half, quad by quad, from the middle of
+  // the face to the corner.
   void ZipMouthBag() {
     const auto end = [this](int j) { return half_.At(Region::kMouth, j, kMouthRings); };
     const int last = kMouthRim - 1;
@@ -155,6 +167,8 @@ class Builder {
     }
   }
 
+  // A block of cells like the one that was cut out, its rim the innermost ring. Seen from outside it is wound
+  // like the grid.
   void AddEarCap() {
     for (std::size_t j = 0; j < half_.ear_rim.size(); ++j) {
       const GridPoint p = half_.ear_rim[j];
@@ -178,6 +192,7 @@ class Builder {
   HalfTopology half_;
 };
 
+// What IsCutOut and AddGrid say, for a key that a person wrote: any numbers may stand there.
 bool IsGridVertex(const Key& key) {
   const bool end_of_crown = key.b == kRows && (key.a == 0 || key.a == kColumns);
   const auto inside = [&key](const Block& b, int column0) {
@@ -194,6 +209,7 @@ bool IsOnRings(const Key& key, int rim, int rings) {
 
 }  // namespace
 
+// Three words, and none behind them.
 std::optional<Key> AsVertex(std::string_view name) {
   std::istringstream words{std::string(name)};
   std::string region;
@@ -216,6 +232,7 @@ HalfTopology BuildHalfTopology() {
   return Builder().Build();
 }
 
+// In the quad's order, from its first corner.
 std::vector<Index> Corners(const Quad& quad) {
   std::vector<Index> corners;
   for (Index corner : quad) {

@@ -21,11 +21,14 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 // The part of the grid that carries eyes and mouth: they are bent with it onto the wall.
 constexpr Block kFacePart{0, 13, 7, 28};
 
+// Rings are not in it: they are what is bent.
 bool IsInFacePart(const Key& key) {
   return key.region == Region::kGrid && key.a <= kFacePart.column1 && key.b >= kFacePart.row0 &&
          key.b <= kFacePart.row1;
 }
 
+// A surface of revolution about y: row gives radius and height, column the angle. The crown's row is folded
+// into a ridge across the knob, since it lies on x = 0.
 void TurnGrid(const HalfTopology& half, const Turned& recipe, HalfShape& shape) {
   const Pchip radius(recipe.profile_rows, recipe.profile_radius);
   const Pchip height(recipe.profile_rows, recipe.profile_y);
@@ -44,6 +47,8 @@ void TurnGrid(const HalfTopology& half, const Turned& recipe, HalfShape& shape) 
   }
 }
 
+// All grid vertices about eyes and mouth are landmarks: exact at the blocks' rims, smooth inside. False where
+// two of them fall on one point. Some 250 pulls: the largest system that is solved in this folder.
 bool BendFaceOntoWall(const HalfTopology& half, const HalfShape& reference, HalfShape& shape) {
   std::vector<Pull> pulls;
   for (Index v = 0; v < half.keys.size(); ++v) {
@@ -59,6 +64,7 @@ bool BendFaceOntoWall(const HalfTopology& half, const HalfShape& reference, Half
   return true;
 }
 
+// From corner to corner, as x alone: the ball is seen from the front.
 double LidWidth(const HalfTopology& half, const HalfShape& shape) {
   double low = 1e9;
   double high = -1e9;
@@ -78,7 +84,8 @@ glm::dvec3 LidMiddle(const HalfTopology& half, const HalfShape& shape) {
   return middle;
 }
 
-// The ball grows with the lids, and sits so far behind them that their edge can lie on it.
+// The ball grows with the lids, and sits so far behind them that their edge can lie on it: h^2 = R^2 - (0.56
+// width)^2, half the chord with a margin, along the gaze.
 Ball FitBall(const HalfTopology& half, const HalfShape& reference, const EyeRecipe& eye, const Turned& recipe,
              const HalfShape& shape) {
   const double width = LidWidth(half, shape);
@@ -90,7 +97,7 @@ Ball FitBall(const HalfTopology& half, const HalfShape& reference, const EyeReci
   return {LidMiddle(half, shape) - gaze * (1.04 * depth), radius, recipe.lid_thickness};
 }
 
-// Lips stand out from the wall, most in the middle.
+// Lips stand out from the wall, most in the middle; rings 3 to 6 by kShare of `relief`.
 void RaiseLips(const HalfTopology& half, double relief, HalfShape& shape) {
   constexpr std::array<double, 4> kShare{0.3, 0.8, 1, 0.3};
   for (int k = kLipBorderRing; k <= kLipContactRing; ++k) {
@@ -103,8 +110,9 @@ void RaiseLips(const HalfTopology& half, double relief, HalfShape& shape) {
   }
 }
 
-// The wall has flattened the corners of the mouth: their rings go inwards again, one behind the other, so
-// that an expression cannot push one before the next.
+// The wall has flattened the corners of the mouth: their rings go inwards again, one behind the other,
+// so that an expression cannot push one before the next. Within three rim positions of the corner, least
+// at the border.
 void TuckCorners(const HalfTopology& half, HalfShape& shape) {
   constexpr std::array<double, 8> kTuck_cm{0, 0.1, 0.2, 0.32, 0.4, 0.4, 0.4, 0.4};  // Rings 3 .. 10.
   constexpr double kReach = 3;                                                      // Columns.
@@ -117,9 +125,11 @@ void TuckCorners(const HalfTopology& half, HalfShape& shape) {
   }
 }
 
-// Grows the mouth about its middle and keeps it on the wall, a circle of radius `wall`.
+// Grows the mouth about its middle and keeps it on the wall, a circle of radius `wall` about the axis; the
+// rings around the lips grow less, and the rim not at all.
 void EnlargeMouth(const HalfTopology& half, double scale, double wall, HalfShape& shape) {
   constexpr std::array<double, kMouthRings + 1> kShare{0, 0.45, 0.84, 1, 1, 1, 1, 1, 1, 1, 1};
+  // z of the wall at x; held above 1 cm beyond its side.
   const auto depth = [wall](double x) { return std::sqrt(std::max(1.0, wall * wall - x * x)); };
   const glm::dvec3 middle = 0.5 * (shape.position[half.At(Region::kMouth, 0, kLipContactRing)] +
                                    shape.position[half.At(Region::kMouth, kMouthRim - 1, kLipContactRing)]);
@@ -135,10 +145,13 @@ void EnlargeMouth(const HalfTopology& half, double scale, double wall, HalfShape
   }
 }
 
+// The foot lies between the wall and an ellipse on the axis, the rim is a circle at the tip, the inside a
+// smaller one behind it.
 glm::dvec3 SpoutPoint(const Spout& spout, const Key& key, glm::dvec3 wall) {
   const glm::dvec3 axis = glm::normalize(spout.tip - spout.foot);
   const glm::dvec3 up = glm::normalize(glm::dvec3(0, 1, 0) - axis * axis.y);
   const glm::dvec2 disc = OnSpoutDisc(key);
+  // The middle of the patch has no direction: 1e-9 keeps it in the middle.
   const glm::dvec2 round = disc / (glm::length(disc) + 1e-9);
   const auto across = [&](double x, double y) { return glm::dvec3(x, 0, 0) + up * y; };
   switch (SpoutPartOf(key)) {
@@ -162,6 +175,8 @@ void DrawOutSpout(const HalfTopology& half, const Spout& spout, HalfShape& shape
 
 }  // namespace
 
+// The order matters: the ball is fitted to lids that were bent, lips are raised before they grow, spout and
+// handle start from a finished wall.
 Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const EyeRecipe& eye,
                     const Turned& recipe) {
   Kettle kettle{reference, {}};
@@ -176,6 +191,7 @@ Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const 
   DrawOutSpout(half, recipe.spout, shape);
   DrawOutEar(half, recipe.handle, shape);
   for (Index v = 0; v < half.keys.size(); ++v) {
+    // What lies in the middle of the reference lies in the middle here, to the last bit.
     if (std::abs(reference.position[v].x) < kKettleOnMiddle_cm) shape.position[v].x = 0;
   }
   return kettle;

@@ -14,7 +14,9 @@ struct Kettle {
   Ball eye;
 };
 
-// Fails where the body's profile puts points of the face into one place.
+// Lays the grid on the turned body, bends eyes and mouth of the reference onto its wall (a warp through the
+// grid about them), refits the lids, raises and enlarges the mouth, and draws out spout and handle. Errors:
+// invalid_argument where the body's profile puts points of the face into one place.
 Result<Kettle> Turn(const HalfTopology& half, const HalfShape& reference, const EyeRecipe& eye,
                     const Turned& recipe);
 

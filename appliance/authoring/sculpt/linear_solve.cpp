@@ -7,10 +7,11 @@
 namespace kaori::sculpt {
 namespace {
 
-// Of a pivot, in the unit of the matrix: centimetres here, where entries are distances of about 1 to 30.
+// Of a pivot, in the unit of the matrix: for warps in centimetres entries are distances of about 1 to 30.
 // Below it rows depend on each other.
 constexpr double kSingular = 1e-12;
 
+// The row at or below `column` whose entry there is largest: partial pivoting keeps the factors below 1.
 std::size_t PivotRow(SquareMatrix& a, std::size_t column) {
   std::size_t best = column;
   for (std::size_t row = column + 1; row < a.size; ++row) {
@@ -34,6 +35,7 @@ void ClearBelow(SquareMatrix& a, std::vector<glm::dvec3>& right, std::size_t piv
   }
 }
 
+// From the last row upwards.
 void SubstituteBack(SquareMatrix& a, std::vector<glm::dvec3>& right) {
   for (std::size_t row = a.size; row-- > 0;) {
     for (std::size_t column = row + 1; column < a.size; ++column)
@@ -44,7 +46,8 @@ void SubstituteBack(SquareMatrix& a, std::vector<glm::dvec3>& right) {
 
 }  // namespace
 
-// O(n^3), once for each animal: n is its landmarks and four.
+// Once for each warp, whose unknowns are its landmarks and four; and, for an import, n / 3 times for the
+// inverse of the normal matrix of n control points.
 bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right) {
   for (std::size_t pivot = 0; pivot < a.size; ++pivot) {
     SwapRows(a, right, pivot, PivotRow(a, pivot));

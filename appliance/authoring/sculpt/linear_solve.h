@@ -8,7 +8,7 @@
 
 namespace kaori::sculpt {
 
-// Row by row, all zero at first.
+// n x n, row by row, all zero at first.
 struct SquareMatrix {
   explicit SquareMatrix(std::size_t n) : size(n), value(n * n) {}
   double& operator()(std::size_t row, std::size_t column) { return value[row * size + column]; }
@@ -17,9 +17,9 @@ struct SquareMatrix {
   std::vector<double> value;
 };
 
-// Solves a * x = right for three right sides at once, in place: `right` becomes x. Gauss with row pivots.
-// False where `a` is singular.
-// `a` is n x n and `right` has n entries. `a` is a copy, since it is used up.
+// Solves a * x = right for three right sides at once, in place: `right` becomes x. Gauss with row pivots,
+// O(n^3). `a` is n x n and `right` has n entries. `a` is a copy, since it is used up. False where `a` is
+// singular (a pivot below 1e-12); `right` is then spoilt.
 bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right);
 
 }  // namespace kaori::sculpt

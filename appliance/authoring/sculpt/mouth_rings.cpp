@@ -10,16 +10,22 @@
 namespace kaori::sculpt {
 namespace {
 
-constexpr double kSlitHalf_cm = 0.28;   // In the unrolled surface.
-constexpr double kOverlap_cm = 0.05;    // Of each lip, where they meet.
+// How far the slit is held open to each side of the line, in the unrolled surface.
+constexpr double kSlitHalf_cm = 0.28;
+// Of each lip, where they meet. Subdivision draws lips apart by about 0.2 mm each; with less than this a
+// light line shows.
+constexpr double kOverlap_cm = 0.05;
 constexpr double kTubercle_cm = 0.05;   // The upper lip's drop in the middle,
 constexpr double kCupidsBow_cm = 0.13;  // and the dip in its border above it.
 
-constexpr std::array<double, 3> kTowardsBorder{0, 0.42, 0.78};        // Rings 0 .. 2.
+// Of the way from the rim to the lip's border: rings 0 .. 2.
+constexpr std::array<double, 3> kTowardsBorder{0, 0.42, 0.78};
 constexpr std::array<double, 4> kTowardsContact{0, 0.45, 0.82, 1.0};  // Rings 3 .. 6, and how far they bulge:
 constexpr std::array<double, 4> kBulgeUpper_cm{0.02, 0.24, 0.26, -0.12};
 constexpr std::array<double, 4> kBulgeLower_cm{0.0, 0.38, 0.36, -0.08};
-constexpr std::array<double, 4> kBagDepth_cm{0.35, 0.9, 2.2, 3.6};  // Rings 7 .. 10.
+// The bag, rings 7 .. 10: how far behind the contact line, how far above and below it, and how wide compared
+// with it. It must hold teeth and tongue.
+constexpr std::array<double, 4> kBagDepth_cm{0.35, 0.9, 2.2, 3.6};
 constexpr std::array<double, 4> kBagHeight_cm{0.12, 0.75, 1.1, 0.8};
 constexpr std::array<double, 4> kBagWidth{1.0, 1.0, 0.95, 0.8};
 
@@ -28,7 +34,7 @@ double Bump(double x, double width) {
   return std::exp(-(x / width) * (x / width));
 }
 
-// What a rim position means: all that depends on j alone.
+// What a rim position means: all that depends on j alone. Centimetres, seen from the front.
 struct Station {
   bool upper;
   double side;       // +1 above, -1 below.
@@ -61,15 +67,18 @@ Station StationAt(const MouthRecipe& mouth, int j) {
   return at;
 }
 
+// A vertex's position in space and its place on the unrolled surface.
 struct Point {
   glm::dvec3 position;
   glm::dvec2 place;
 };
 
+// Straight along z, from 12 cm before the origin: the front of the face.
 glm::dvec3 OnSkin(const std::vector<Body>& bodies, glm::dvec2 p) {
   return Project(bodies, {p, 7}, {0, 0, 1});
 }
 
+// The rings as functions of station and ring. Borrows the solid and the recipe.
 class Mouth {
  public:
   Mouth(const std::vector<Body>& bodies, const MouthRecipe& recipe) : bodies_(bodies), recipe_(recipe) {}
@@ -114,6 +123,7 @@ class Mouth {
   }
 
  private:
+  // v of the lip's edge: the slit is a lens that closes at the corners.
   static double SlitEdge(const Station& at) { return at.contact_y + at.side * kSlitHalf_cm * at.taper; }
 
   const std::vector<Body>& bodies_;
@@ -127,8 +137,10 @@ void PlaceMouthRings(const HalfTopology& half, const std::vector<Body>& bodies, 
   const Mouth rings(bodies, mouth);
   for (int j = 0; j < kMouthRim; ++j) {
     const Station at = StationAt(mouth, j);
+    // Both halves share these vertices.
     const bool middle = j == 0 || j == kMouthRim - 1;
     const Index rim = half.At(Region::kMouth, j, 0);
+    // Ring 6 of this station, from which the bag hangs.
     glm::dvec3 contact{};
     for (int k = 1; k <= kMouthRings; ++k) {
       Point point = k < kLipBorderRing     ? rings.Skin(at, k, {shape.position[rim], shape.place[rim]})

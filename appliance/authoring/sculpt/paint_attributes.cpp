@@ -8,11 +8,14 @@
 namespace kaori::sculpt {
 namespace {
 
+// Corners count as above.
 PaintAttributes OfEye(const Key& key) {
   const float sign = key.a <= kEyeRim / 2 ? 1.0F : -1.0F;
   return {.eye_ring = sign * static_cast<float>(key.b)};
 }
 
+// The ring number is held at 6 in the bag: where upper and lower half are sewn together it would else run
+// through zero, and lips would be painted in the throat.
 PaintAttributes OfMouth(const Key& key) {
   const float sign = key.a <= kMouthCorner ? 1.0F : -1.0F;
   return {.mouth_ring = sign * static_cast<float>(std::min(key.b, kLipContactRing)),

@@ -10,6 +10,7 @@ namespace {
 
 // One-sided slope of the parabola through three points, bent back where it would overshoot. h and d are the
 // widths and the slopes of the two outermost intervals, the outer one first.
+//
 // F. N. Fritsch and R. E. Carlson, Monotone Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17 (1980);
 // the end condition is that of PCHIP in SLATEC and MATLAB.
 double EndSlope(double h0, double h1, double d0, double d1) {
@@ -19,9 +20,8 @@ double EndSlope(double h0, double h1, double d0, double d1) {
   return slope;
 }
 
-// The weighted harmonic mean of the slopes on either side; flat at an extreme.
-// Brodlie's mean, which Fritsch and Butland (1984) showed to be monotone: w0 and w1 weigh by the widths of
-// the two intervals.
+// The weighted harmonic mean of the slopes on either side; flat at an extreme. Brodlie's mean, which Fritsch
+// and Butland (1984) showed to be monotone: w0 and w1 weigh by the widths of the two intervals.
 double InnerSlope(double h0, double h1, double d0, double d1) {
   if (d0 * d1 <= 0) return 0;
   const double w0 = 2 * h1 + h0;
@@ -48,6 +48,7 @@ Pchip::Pchip(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y
 }
 
 double Pchip::At(double x) const {
+  // The interval that holds x; the first or the last one beyond the ends.
   const auto after = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
   const auto i = static_cast<std::size_t>(after - x_.begin()) - 1;
   const double h = x_[i + 1] - x_[i];

@@ -6,12 +6,15 @@
 
 namespace kaori::sculpt {
 
+// Used where a person gives few numbers and a mesh reads many: a curve that overshot would let lines of
+// the mesh cross.
 class Pchip {
  public:
-  // `x` rises; `y` has as many numbers; two at least.
+  // `x` rises strictly; `y` has as many numbers; two at least: asserted. Two points give a straight line.
   Pchip(std::vector<double> x, std::vector<double> y);
 
-  // Beyond the ends the outer cubic goes on.
+  // Through every given point, with a continuous slope, and monotone between two of them. Beyond the ends the
+  // outer cubic goes on. O(log n).
   double At(double x) const;
 
  private:

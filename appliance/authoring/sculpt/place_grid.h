@@ -10,7 +10,7 @@
 namespace kaori::sculpt {
 
 // In centimetres, as in texture_map.h; [row * (kColumns + 1) + column]. Narrow cells in the face, wide
-// behind.
+// behind. A product of two curves, so grid lines are straight in the parameter space, whatever the face.
 std::vector<glm::dvec2> PlaceGrid();
 
 }  // namespace kaori::sculpt

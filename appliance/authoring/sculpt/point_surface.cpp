@@ -8,18 +8,20 @@
 namespace kaori::sculpt {
 namespace {
 
-// Corners of a triangle of the half, and their shares in a point.
+// Corners of a triangle of the half, and their shares in a point, cleaned of negative ones.
 struct Spot {
   std::array<Index, 3> corner{};
   glm::dvec3 share{};
   double inside = -1e9;  // The smallest share before cleaning: how deep the point lies in the triangle.
 };
 
+// Behind the edges of lips and lids places lie inside the holes, and overlap.
 bool IsSkin(const Key& key) {
   return !(key.region == Region::kEye && key.b > kLidRing) &&
          !(key.region == Region::kMouth && key.b > kLipContactRing);
 }
 
+// Keeps the triangle in which the place lies deepest.
 void Try(const HalfShape& reference, std::array<Index, 3> corner, glm::dvec2 place_cm, Spot& best) {
   const auto shares =
       SharesIn(reference.place[corner[0]], reference.place[corner[1]], reference.place[corner[2]], place_cm);
@@ -28,7 +30,8 @@ void Try(const HalfShape& reference, std::array<Index, 3> corner, glm::dvec2 pla
   if (inside > best.inside) best = {corner, CleanShares(*shares), inside};
 }
 
-// The triangle that holds the place; at the edge of a slit the one that misses it by least.
+// The triangle that holds the place; at the edge of a slit, or off the surface, the one that misses it by
+// least. Every triangle is tried: once for each of some hundred points.
 Spot FindSpot(const HalfTopology& half, const HalfShape& reference, glm::dvec2 place_cm) {
   Spot best;
   for (const Quad& quad : half.quads) {
@@ -41,6 +44,7 @@ Spot FindSpot(const HalfTopology& half, const HalfShape& reference, glm::dvec2 p
   return best;
 }
 
+// One row of the matrix; `side` leads from the half to the cage.
 void Append(const Spot& spot, const std::vector<Index>& side, face::SparseRows& rows) {
   for (int i = 0; i < 3; ++i) {
     if (spot.share[i] == 0) continue;

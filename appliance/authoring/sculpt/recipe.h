@@ -14,42 +14,57 @@
 
 namespace kaori::sculpt {
 
-// Where some vertices of the grid are aimed before they are projected: rows of points, smooth in between.
+// Where some vertices of the grid are aimed before they are projected: rows of points, smooth in between. It
+// is written for the reference face.
 struct AimTable {
-  std::vector<double> columns;                  // Grid columns, rising from 0 to 26.
+  // Grid columns, rising from 0 to 26; not all of them need to be there.
+  std::vector<double> columns;
   std::vector<double> rows;                     // Grid rows, rising from 0 to 36.
   std::vector<std::vector<glm::dvec3>> points;  // [row][column]
 };
 
-// The reference face's table, stretched for another face.
+// The reference face's table, stretched for another face; factors of x and of y above and below the eyes'
+// level (y = 0).
 struct AimScale {
   double x = 1;
   double y_above_eyes = 1;
   double y_below_eyes = 1;
 };
 
+// The left eye, its lids open, seen from the front. The right one is its mirror image.
 struct EyeRecipe {
-  glm::dvec3 centre{};  // Of the ball.
+  // Of the ball.
+  glm::dvec3 centre{};
   double radius = 0;
-  double inner_x = 0, inner_y = 0;  // Corners of the lids.
+  // The lids' inner and outer corner in x and y; their depth comes from the ball.
+  double inner_x = 0, inner_y = 0;
   double outer_x = 0, outer_y = 0;
-  double upper_height = 0;  // Of the open lids over the line between the corners.
+  // How high the open upper lid arches over the line between the corners, and how deep the lower one hangs.
+  double upper_height = 0;
   double lower_height = 0;
-  double thickness = 0.13;  // The lid's margin over the ball.
-  double crease = 0.16;     // Depth of the fold in the upper lid.
+  // How far the lid's margin stands over the ball. Below 0.13 the fine mesh, which shrinks edges a little,
+  // lets the ball show through.
+  double thickness = 0.13;
+  // Depth of the fold in the upper lid.
+  double crease = 0.16;
 };
 
+// The shut mouth at rest, seen from the front; `y` is the height of the line between the lips.
 struct MouthRecipe {
   double half_width = 0;
   double y = 0;
-  double upper_height = 0;  // Of the lips.
+  // Of the lips, in the middle, above and below that line.
+  double upper_height = 0;
   double lower_height = 0;
-  double upturn = 0;  // How far the corners rise.
+  // How far the corners rise above it.
+  double upturn = 0;
+  // A factor of how far the lips bulge.
   double fullness = 1;
 };
 
+// Half of the height and of the width, and how far the top leans back.
 struct EarRecipe {
-  double height = 3.1;  // Half of it.
+  double height = 3.1;
   double width = 1.75;
   double tilt_deg = 14;
 };
@@ -91,6 +106,7 @@ struct Warped {
   Tube ear;
 };
 
+// The nose of a kettle, along an axis from `foot` to `tip`.
 struct Spout {
   glm::dvec3 foot{};  // Start and end of its axis.
   glm::dvec3 tip{};
@@ -102,7 +118,8 @@ struct Spout {
   double hole_radius = 0;
 };
 
-// A turned body with a spout for a nose and a handle for ears.
+// A turned body with a spout for a nose and a handle for ears. The profile says radius and height by grid
+// row, the angles (round the axis from the front) by grid column; both are smooth in between.
 struct Turned {
   std::vector<double> profile_rows;
   std::vector<double> profile_radius;
@@ -120,10 +137,12 @@ struct Turned {
   Tube handle;
 };
 
+// One face's file, read. `file` is its path, for faults that are found later.
 struct FaceRecipe {
   std::string name;
   std::string file;
   std::variant<Carved, Warped, Turned> shape;
+  // As face::MouthFit, in centimetres.
   double teeth_scale = 1;
   glm::dvec3 teeth_offset{};
   double upper_teeth = 1;
@@ -132,6 +151,7 @@ struct FaceRecipe {
   double expression_gain = 1;
 };
 
+// faces/cast.toml, and the faces in its order.
 struct CastRecipe {
   AimTable aim;
   std::vector<FaceRecipe> faces;  // The first is the reference face, and carved.

@@ -10,6 +10,7 @@
 namespace kaori::sculpt {
 namespace {
 
+// Two numbers at least, each larger than the one before: what Pchip needs.
 bool Rises(const std::vector<double>& x) {
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (!(x[i] > x[i - 1])) return false;
@@ -17,6 +18,7 @@ bool Rises(const std::vector<double>& x) {
   return x.size() >= 2;
 }
 
+// The Need... functions put a fault where a value is not as it must be; reading goes on with it.
 void NeedRising(toml::Section& section, std::string_view key, const std::vector<double>& x) {
   if (!Rises(x)) section.Fault(key, "must be two numbers or more that rise");
 }
@@ -43,6 +45,7 @@ constexpr toml::Range kLidHeight_cm{0.05, 10};
 constexpr toml::Range kMouthHalfWidth_cm{0.2, 15};
 constexpr toml::Range kLipHeight_cm{0.03, 8};
 
+// [eye] of a carved face: the left one.
 EyeRecipe ReadEye(toml::Section section) {
   section.AllowOnly(
       {"centre", "radius", "inner", "outer", "upper_height", "lower_height", "thickness", "crease"});
@@ -62,6 +65,7 @@ EyeRecipe ReadEye(toml::Section section) {
   return eye;
 }
 
+// [mouth] of a carved face.
 MouthRecipe ReadMouth(toml::Section section) {
   section.AllowOnly({"half_width", "y", "upper_height", "lower_height", "upturn", "fullness"});
   MouthRecipe mouth;
@@ -74,6 +78,7 @@ MouthRecipe ReadMouth(toml::Section section) {
   return mouth;
 }
 
+// [ear]; what is not said keeps the usual ear's size.
 EarRecipe ReadEar(toml::Section section) {
   section.AllowOnly({"height", "width", "tilt_deg"});
   EarRecipe ear;
@@ -90,6 +95,7 @@ AimScale ReadScale(toml::Section section) {
           .y_below_eyes = section.NumberOr("y_below_eyes", 1)};
 }
 
+// A vertex by name, and where it goes.
 Landmark ReadLandmark(toml::Section section) {
   section.AllowOnly({"at", "to"});
   const auto vertex = AsVertex(section.Text("at"));
@@ -121,6 +127,8 @@ Carved ReadCarved(toml::Section& file, Carved carved) {
   return carved;
 }
 
+// [ear_tube] of an animal, [handle] of a kettle: one station for each ring of the ear, and the one
+// inside the head.
 Tube ReadTube(toml::Section section) {
   section.AllowOnly({"path", "half_width", "half_thickness", "width_direction", "cap"});
   Tube tube{.path = section.Points("path"),
@@ -136,6 +144,7 @@ Tube ReadTube(toml::Section section) {
   return tube;
 }
 
+// An animal: nothing of the reference face can be left out, only pulled.
 Warped ReadWarped(toml::Section& file) {
   file.AllowOnly({"shape", "mouth_fit", "expression_gain", "eye", "landmark", "ear_tube", "smoothing_steps"});
   Warped warped;
@@ -166,6 +175,7 @@ Spout ReadSpout(toml::Section section) {
   return spout;
 }
 
+// [profile]: the turned body by grid rows and columns.
 void ReadProfile(toml::Section section, Turned& turned) {
   section.AllowOnly({"rows", "radius", "y", "columns", "angles_deg", "knob_y", "knob_radius"});
   turned.profile_rows = section.Numbers("rows");
@@ -182,6 +192,7 @@ void ReadProfile(toml::Section section, Turned& turned) {
   NeedCount(section, "angles_deg", turned.angles_deg.size(), turned.columns.size());
 }
 
+// A kettle.
 Turned ReadTurned(toml::Section& file) {
   file.AllowOnly({"shape", "mouth_fit", "expression_gain", "profile", "eye", "mouth", "spout", "handle"});
   Turned turned;
@@ -225,6 +236,7 @@ void ReadMouthFit(toml::Section section, FaceRecipe& face) {
   face.tongue = section.NumberOr("tongue", face.tongue);
 }
 
+// `face` holds a carved shape here: its own default, or that of the face that it is like.
 void ReadShape(toml::Section& file, FaceRecipe& face) {
   const std::string shape = file.Text("shape");
   if (shape == "carved") {

@@ -8,7 +8,10 @@
 
 namespace kaori::sculpt {
 
-// `folder` is the show's "faces". Every fault names its file, line, item and reason.
+// `folder` is the show's "faces". Reads cast.toml and NAME.toml for each name in its list. A face may be
+// "like" another carved one, whose values stand where it says nothing; that one may be like none. Every fault
+// of all files names its file, line, item and reason, one a line. Errors: ReadToml's where cast.toml cannot
+// be read, else invalid_argument; also where the first face is not carved.
 Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder);
 
 }  // namespace kaori::sculpt

@@ -6,14 +6,15 @@
 
 namespace kaori::sculpt {
 
-// [aim] of cast.toml.
+// [aim] of cast.toml: columns, and [[aim.rows]] of a row's number and its points. Faults go to the section.
 AimTable ReadAim(toml::Section aim);
 
-// What a face's file says under "shape", and all that belongs to that shape. What `face` holds already stays
-// where a carved face does not say otherwise: it was copied from the face that this one is like.
+// What a face's file says under "shape" ("carved", "warped" or "turned"), and all that belongs to that shape.
+// What `face` holds already stays where a carved face does not say otherwise: it was copied from the face
+// that this one is like.
 void ReadShape(toml::Section& file, FaceRecipe& face);
 
-// [mouth_fit].
+// [mouth_fit]: scale and offset of teeth and tongue, and how far each is shown.
 void ReadMouthFit(toml::Section section, FaceRecipe& face);
 
 }  // namespace kaori::sculpt

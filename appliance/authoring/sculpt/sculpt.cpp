@@ -13,7 +13,8 @@
 namespace kaori::sculpt {
 namespace {
 
-// The head turns where the neck meets the skull; teeth are scaled about the middle of the lips.
+// The head turns where the neck meets the skull; teeth are scaled about the middle of the lips. Metres, on
+// the reference face.
 constexpr glm::vec3 kNeckPivot_m{0, -0.06F, -0.015F};
 constexpr glm::vec3 kMouthAnchor_m{0, -0.0585F, 0.083F};
 
@@ -25,6 +26,7 @@ Result<void> Sculpt(const std::filesystem::path& show_folder, face::Cast& cast) 
   const Cage cage = BuildCage();
   const Result<std::vector<ShapedFace>> shaped = ShapeFaces(cage, *recipe);
   if (!shaped) return tl::unexpected(shaped.error());
+  // The first face, on which expressions are written.
   const HalfShape& reference = shaped->front().shape;
 
   const std::filesystem::path expressions = show_folder / "expressions.toml";
@@ -33,6 +35,7 @@ Result<void> Sculpt(const std::filesystem::path& show_folder, face::Cast& cast) 
   Result<face::ControlNet> net = MakeControlNet(cage, reference, *file);
   if (!net) return FailInput(expressions.string() + ": " + net.error().attempt);
 
+  // Nothing of `cast` is touched until all that can fail is done.
   cast.topology = MakeTopology(cage, reference);
   cast.net = std::move(*net);
   cast.expressions = MakeExpressions(*file);

@@ -9,15 +9,20 @@
 namespace kaori::sculpt {
 namespace {
 
+// Rounds |x| off at 0, as sqrt(x^2 + 0.25^2), so that mirrored bodies leave no crease there.
 constexpr double kSoftMiddle_cm =
     0.25;  // Rounds |x| off at 0, so that mirrored bodies leave no crease there.
+// Project begins this far outside the aimed point: before any nose or chin that a table may have
+// aimed too deep.
 constexpr double kStart_cm = 5;
+// Sixty steps of 0.8 bring the rest of the way below rounding; a loop with a tolerance would stop at
+// different places for neighbours.
 constexpr int kSteps = 60;
-constexpr double kStride = 0.8;  // Of the distance: blended ellipsoids overstate it a little.
+// Of the distance: blended ellipsoids overstate it a little, and a full step could pass through a thin lip.
+constexpr double kStride = 0.8;
 
-// Cubic smooth minimum: differs from min() only where the two are closer than `width`.
 // I. Quilez's cubic smooth minimum. It leaves both bodies as they are where they differ by more than `width`,
-// so that a fillet reaches no farther than it says.
+// so that a fillet reaches no farther than it says; a width of 0 is a sharp edge.
 double SmoothMin(double a, double b, double width) {
   if (width <= 0) return std::min(a, b);
   const double h = std::max(width - std::abs(a - b), 0.0) / width;
@@ -50,6 +55,7 @@ double ToBox(const Body& body, glm::dvec3 p) {
   return glm::length(glm::max(q, glm::dvec3(0))) + inside - body.radius_a_cm;
 }
 
+// `folded` is p with its x folded over to the left side.
 double ToBody(const Body& body, glm::dvec3 p, glm::dvec3 folded) {
   const glm::dvec3 q = body.mirrored ? folded : p;
   switch (body.shape) {
@@ -67,6 +73,8 @@ double ToBody(const Body& body, glm::dvec3 p, glm::dvec3 folded) {
 
 double SignedDistance(const std::vector<Body>& bodies, glm::dvec3 p) {
   const glm::dvec3 folded(std::sqrt(p.x * p.x + kSoftMiddle_cm * kSoftMiddle_cm), p.y, p.z);
+  // Nothing at first; the first body then is the solid, since the others are added to or cut from it. A cut
+  // is the minimum of insides, negated.
   double distance = 1e9;
   for (const Body& body : bodies) {
     const double to_body = ToBody(body, p, folded);

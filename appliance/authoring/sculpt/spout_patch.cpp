@@ -8,6 +8,7 @@
 namespace kaori::sculpt {
 namespace {
 
+// The patch by grid lines: x 0 .. 1, y -1 .. 1.
 glm::dvec2 OnSquare(const Key& key) {
   const double half_height = 0.5 * (kSpoutPatch.row1 - kSpoutPatch.row0);
   const double middle = 0.5 * (kSpoutPatch.row1 + kSpoutPatch.row0);
@@ -27,6 +28,8 @@ glm::dvec2 OnSpoutDisc(const Key& key) {
 
 SpoutPart SpoutPartOf(const Key& key) {
   const glm::dvec2 square = OnSquare(key);
+  // Square rings about the patch's middle, counted by index: its outermost lines are the foot, the
+  // next the rim.
   const double outwards = std::max(square.x, std::abs(square.y));
   if (outwards > 0.9) return SpoutPart::kFoot;
   return outwards > 0.5 ? SpoutPart::kRim : SpoutPart::kInside;

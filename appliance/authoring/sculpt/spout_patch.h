@@ -14,12 +14,13 @@ inline constexpr Block kSpoutPatch{0, 3, 15, 20};
 // or the inside.
 enum class SpoutPart : std::uint8_t { kFoot, kRim, kInside };
 
+// Of the half's grid, its border included.
 bool IsOnSpoutPatch(const Key& key);
 
 // The patch as half a disc: x 0 (middle) .. 1 (side), y -1 (lower edge) .. 1 (upper edge).
 glm::dvec2 OnSpoutDisc(const Key& key);
 
-// The key must be on the patch.
+// By how far from the patch's middle the vertex lies on the square. The key must be on the patch.
 SpoutPart SpoutPartOf(const Key& key);
 
 }  // namespace kaori::sculpt

@@ -15,11 +15,12 @@ namespace kaori::sculpt {
 namespace {
 
 // How far each ring of the eye, 0 .. 7, follows the lid's edge when it shuts; below the eye the skin follows
-// less. The rim, ring 0, stays where it is and is only kept out of the ball.
+// less (kLowerSkin, rings 1 to 3). The rim, ring 0, stays where it is and is only kept out of the ball.
 constexpr int kRingsOfLid = kEyeRings + 1;
 constexpr std::array<float, kRingsOfLid> kFollow{0, 0.08F, 0.28F, 0.56F, 0.86F, 1, 1, 1};
 constexpr float kLowerSkin = 0.6F;
 
+// By the shorter diagonal on the reference face, which is the same on both sides; equal ones by the first.
 void SplitQuads(const Cage& cage, const HalfShape& reference, std::vector<face::Triangle>& triangles) {
   const auto length = [&](Index a, Index b) {
     return glm::distance(reference.position[cage.vertices[a].half],
@@ -39,7 +40,7 @@ void SplitQuads(const Cage& cage, const HalfShape& reference, std::vector<face::
   }
 }
 
-// Each edge once, also on seams.
+// Each edge once, also on seams: what the wireframe style shows are the quads, without diagonals.
 std::vector<face::Line> Wires(const Cage& cage) {
   std::set<std::pair<Index, Index>> edges;
   for (const Quad& quad : cage.quads) {
@@ -59,12 +60,15 @@ float SmoothStep(double from, double to, double x) {
   return static_cast<float>(t * t * (3 - 2 * t));
 }
 
-// Lips, jaw and chin move with the mouth; cheeks and nose with the expression.
+// Lips, jaw and chin move with the mouth; cheeks and nose with the expression. On the grid it fades in from v
+// = -3.6 cm (the nose) down to -5.0, and out from |u| = 4.5 to 7.5.
 float MouthShare(const Key& key, glm::dvec2 place_cm) {
   if (key.region == Region::kMouth) return 1;
   return SmoothStep(-3.6, -5.0, place_cm.y) * SmoothStep(7.5, 4.5, std::abs(place_cm.x));
 }
 
+// Rows are rings 0 .. 7, columns run from the inner to the outer corner; upper and lower share both corners.
+// -j wraps to 28 - j, the lower partner.
 face::LidRig MakeLidRig(const Cage& cage, const std::vector<Index>& side) {
   face::LidRig rig;
   rig.columns = kEyeRim / 2 + 1;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kAffine = 4;
 
+// 1, x, y, z.
 double AffineTerm(glm::dvec3 p, std::size_t term) {
   return term == 0 ? 1 : p[static_cast<int>(term) - 1];
 }
