@@ -6,8 +6,11 @@
 namespace kaori::inspect {
 namespace {
 
+// Farther back than any head.
 constexpr float kNothing_m = -1e9F;
-constexpr float kOnTheEdge = -1e-5F;  // Neighbours leave no pixel between them.
+// A pixel on an edge belongs to both triangles: neighbours leave no pixel between them,
+// whatever rounding says.
+constexpr float kOnTheEdge = -1e-5F;
 
 }  // namespace
 
@@ -17,6 +20,7 @@ glm::vec3 Turned(const glm::vec3& p, const View& view) {
   return turned;
 }
 
+// Yaw: x' = x cos - z sin, z' = z cos + x sin. Pitch: y'' = y' cos - z' sin, z'' = y' sin + z' cos.
 void TurnAll(std::span<const glm::vec3> points, const View& view, std::span<glm::vec3> turned) {
   const float cy = std::cos(view.yaw_rad);
   const float sy = std::sin(view.yaw_rad);
@@ -37,6 +41,7 @@ Window WindowOver(std::span<const glm::vec3> points) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   if (points.empty()) return {};
+  // A single point has a window of a micrometre.
   return {low, std::max({high.x - low.x, high.y - low.y, 1e-6F})};
 }
 
@@ -55,6 +60,8 @@ float& DepthPicture::Pixel(int x, int y) {
                 static_cast<std::size_t>(x)];
 }
 
+// Clamped as floats: points far outside would not fit an int. A stretch beyond either edge gives
+// first > last.
 DepthPicture::Range DepthPicture::Span(float low, float high, float origin) const {
   const auto last = static_cast<float>(pixels_ - 1);
   return {static_cast<int>(std::clamp(std::floor((low - origin) / pixel_m_), 0.0F, last + 1)),
@@ -64,9 +71,10 @@ DepthPicture::Range DepthPicture::Span(float low, float high, float origin) cons
 void DepthPicture::Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const Range columns = Span(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), window_.low_m.x);
   const Range rows = Span(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), window_.low_m.y);
+  // Twice the area, signed: shares are the same for either winding.
   const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (area == 0 || columns.first > columns.last) return;
-  // Shares of the corners a and b, and their change from one pixel to the next.
+  // Shares of the corners a and b (edge functions, Pineda 1988), and their change from one pixel to the next.
   const float per_area = 1 / area;
   const float u_step = (b.y - c.y) * pixel_m_ * per_area;
   const float v_step = (c.y - a.y) * pixel_m_ * per_area;
@@ -98,6 +106,7 @@ void DepthPicture::DrawBall(const glm::vec3& centre, float radius_m) {
 float DepthPicture::At(const glm::vec2& position) const {
   const glm::vec2 at = (position - window_.low_m) / pixel_m_;
   const auto last = static_cast<float>(pixels_);
+  // Written so that a position that is no number is outside, too.
   if (!(at.x >= 0 && at.x < last && at.y >= 0 && at.y < last)) return kNothing_m;
   return depth_[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(pixels_) +
                 static_cast<std::size_t>(at.x)];

@@ -7,10 +7,12 @@
 namespace kaori::inspect {
 namespace {
 
-constexpr float kTurnedOver = -0.3F;  // Cosine of the angle to its surroundings: 107 degrees.
-constexpr float kNoArea_m2 = 1e-10F;  // A square of a hundredth of a millimetre: nobody sees where it looks.
+// Cosine of the angle to its surroundings: 107 degrees. A right angle would name the sharp edges of lids.
+constexpr float kTurnedOver = -0.3F;
+// A square of a hundredth of a millimetre: nobody sees where it looks.
+constexpr float kNoArea_m2 = 1e-10F;
 
-// Zero where the triangle has no area.
+// Zero where the triangle has no area; its dot product with anything is then no fold.
 glm::vec3 UnitNormal(std::span<const glm::vec3> fine, const face::Triangle& triangle) {
   const auto& [a, b, c] = triangle;
   const glm::vec3 normal = glm::cross(fine[b] - fine[a], fine[c] - fine[a]);
@@ -22,11 +24,14 @@ glm::vec3 UnitNormal(std::span<const glm::vec3> fine, const face::Triangle& tria
 
 Folds FindFolds(std::span<const glm::vec3> fine, const face::FineMesh& mesh, const std::vector<bool>& skin) {
   const auto weld = [&](face::Index v) { return std::min(v, mesh.twin[v]); };
-  std::vector<bool> sought(fine.size(), false);  // By vertex; what no skin meets costs nothing.
+  // By vertex; what no skin meets costs nothing.
+  std::vector<bool> sought(fine.size(), false);
   for (std::size_t i = 0; i < skin.size(); ++i)
     if (skin[i])
       for (const face::Index v : mesh.triangles[i]) sought[weld(v)] = true;
   std::vector<glm::vec3> normals(mesh.triangles.size(), glm::vec3(0));
+  // Sums of unit normals, not weighted by area: a sliver that is turned over counts as much
+  // as its neighbours.
   std::vector<glm::vec3> around(fine.size(), glm::vec3(0));
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const face::Triangle& triangle = mesh.triangles[i];
@@ -37,6 +42,7 @@ Folds FindFolds(std::span<const glm::vec3> fine, const face::FineMesh& mesh, con
   Folds folds;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     if (!skin[i]) continue;
+    // Each corner's sum holds the triangle's own normal once; what is left is the others'.
     glm::vec3 sum = -3.0F * normals[i];
     for (const face::Index v : mesh.triangles[i]) sum += around[weld(v)];
     if (glm::dot(sum, normals[i]) >= kTurnedOver * glm::length(sum)) continue;

@@ -23,7 +23,8 @@ namespace {
 constexpr float kSquareMillimetre_m2 = 1e-6F;
 constexpr float kMillimetre_m = 1e-3F;
 
-// Triangles of the fine mesh that expressions or lids can move.
+// Triangles of the fine mesh that expressions or lids can move: those with a vertex that depends on a moving
+// one of the cage.
 std::vector<bool> FindMoving(const face::Topology& topology) {
   const face::SparseRows& rows = topology.fine.from_cage;
   const auto moves = [&](face::Index vertex) {
@@ -37,6 +38,8 @@ std::vector<bool> FindMoving(const face::Topology& topology) {
   return moving;
 }
 
+// One thread's: composer, poses, and the skin of the face in work. Made once, used for face after face.
+// Borrows the cast.
 class Inspector {
  public:
   Inspector(const face::Cast& cast, Scope scope)
@@ -45,7 +48,9 @@ class Inspector {
         composer_(cast),
         moving_(FindMoving(cast.topology)),
         poses_(PosesToSee(cast.expressions)) {
+    // The quick look of an author at work: lids stay open, and nothing is combined.
     if (scope == Scope::kFoldsAlone) std::erase_if(poses_, [](const Pose& p) { return p.shut || !p.alone; });
+    // As the stage limits it (performance): a jaw that is opened by two things at once.
     for (Pose& pose : poses_) face::LimitJaw(cast, pose.weights);
   }
 
@@ -57,9 +62,11 @@ class Inspector {
       pose.weights.faces.Push(face, 1);
       const auto& shape = composer_.Compose(pose.weights, face::Detail::kFine);
       if (i == 0) LookForSkin(shape);
+      // At rest all of the skin is looked at; later what cannot move has been seen.
       SeekFolds(shape, i == 0 ? skin_ : moving_skin_, face, pose.name);
       if (scope_ == Scope::kFoldsAlone) continue;
       if (pose.shut) {
+        // Shut lids alone are what the audience sees most, and are looked at from nine sides.
         SeekLidGaps(shape, pose.alone ? Sides::kNine : Sides::kThree, face, pose.name);
       } else {
         SeekTeeth(shape, face, pose.name);
@@ -71,7 +78,7 @@ class Inspector {
  private:
   const face::FineMesh& mesh() const { return cast_.topology.fine; }
 
-  // The first pose is the face at rest.
+  // From the first pose, which is the face at rest.
   void LookForSkin(const face::Shape& at_rest) {
     skin_ = FindSkin(at_rest, mesh().triangles);
     moving_skin_ = skin_;
@@ -126,6 +133,7 @@ class Inspector {
   Inspection found_;
 };
 
+// In the order of the faces, whichever thread looked at them.
 Inspection Sum(std::vector<Inspection> parts) {
   Inspection sum;
   for (Inspection& part : parts) {
@@ -143,7 +151,9 @@ Inspection Inspect(const face::Cast& cast, const std::function<void(const std::s
                    Scope scope) {
   if (cast.topology.fine.triangles.empty()) return {};
   std::vector<Inspection> found(cast.faces.size());
+  // Faces are handed out one by one: they take unequally long.
   std::atomic<std::size_t> next = 0;
+  // One at a time tells how far it is.
   std::mutex speaking;
   const auto work = [&] {
     Inspector inspector(cast, scope);
@@ -161,6 +171,7 @@ Inspection Inspect(const face::Cast& cast, const std::function<void(const std::s
   return Sum(std::move(found));
 }
 
+// Millimetres in the head's frame.
 std::string Say(const Finding& f) {
   std::string who = f.face + ", " + f.pose;
   switch (f.flaw) {

@@ -12,23 +12,33 @@
 
 namespace kaori::inspect {
 
+// What is counted, and in which unit Finding::measure says how much.
 enum class Flaw : std::uint8_t {
-  kFold,             // Triangles of the skin that are turned over; how many.
-  kLidGap,           // Shut lids that show the ball; square millimetres, the worse eye.
-  kTeethThroughLips  // Teeth before the lips; millimetres that they stand out.
+  // Triangles of the skin that are turned over; how many.
+  kFold,
+  // Shut lids that show the ball; square millimetres, the worse eye.
+  kLidGap,
+  // Teeth before the lips; millimetres that they stand out.
+  kTeethThroughLips
 };
 
+// One flaw of one face in one pose.
 struct Finding {
   Flaw flaw = Flaw::kFold;
   std::string face{};
-  std::string pose{};  // "laugh", "laugh with a".
-  int count = 0;       // Triangles, eyes, vertices of teeth.
-  float measure = 0;   // In the unit that the flaw says.
-  glm::vec3 at{};      // Metres: the first fold's middle, or the worse eye's; the origin for teeth.
+  // As Pose::name: "laugh", "laugh with a".
+  std::string pose{};
+  // Triangles, eyes, or vertices of teeth, by the flaw.
+  int count = 0;
+  float measure = 0;  // In the unit that the flaw says.
+  // Metres: the first fold's middle, or the centre of the worse eye; the origin for teeth.
+  glm::vec3 at{};
 };
 
+// Sums, and all findings in the order of faces and poses.
 struct Inspection {
-  int folds = 0;               // Triangles, over all faces and poses.
+  // Triangles, over all faces and poses; a triangle counts in each pose anew.
+  int folds = 0;
   int lid_gaps = 0;            // Eyes.
   int teeth_through_lips = 0;  // Faces in poses.
   std::vector<Finding> findings;
@@ -36,17 +46,20 @@ struct Inspection {
 
 // How much is looked for.
 enum class Scope {
-  kAll,         // Every flaw in every pose.
-  kFoldsAlone,  // Folds, in each expression, mouth shape and channel by itself: a second or two for ten faces.
+  kAll,  // Every flaw in every pose.
+  // Folds alone, in each expression, mouth shape and channel by itself: a second or two for ten faces.
+  kFoldsAlone,
 };
 
-// Composes the fine mesh of each face in each pose (poses.h), a millisecond or two each, on all processors.
-// Calls `face_begun` with each face's name, from one thread at a time. FindFaults (render/face/check.h) finds
-// nothing in the cast.
+// Composes the fine mesh of each face in each pose (poses.h), a millisecond or two each, on all processors:
+// a face is one thread's. Blocks until all is done; the result does not depend on the threads. Calls
+// `face_begun` with each face's name, from one thread at a time, though not the caller's. `cast` is
+// borrowed and must stand still; FindFaults (render/face/check.h) finds nothing in it. A cast without a
+// fine mesh has no findings.
 Inspection Inspect(const face::Cast& cast, const std::function<void(const std::string&)>& face_begun,
                    Scope scope = Scope::kAll);
 
-// "dog, laugh: 3 folded triangles, the first at 12 -30 95 mm".
+// For people: "dog, laugh: 3 folded triangles, the first at 12 -30 95 mm".
 std::string Say(const Finding& finding);
 
 }  // namespace kaori::inspect

@@ -11,13 +11,19 @@
 namespace kaori::inspect {
 namespace {
 
-constexpr int kPixels = 96;       // Across the ball: half a millimetre.
-constexpr int kFewerPixels = 64;  // From three sides.
-constexpr int kGrazing = 2;       // So few pixels are a rim that the two rasters see differently.
-constexpr float kClose = 1.4F;    // Radii.
+// Across the ball: about half a millimetre each, for an eyeball of 22 mm radius.
+constexpr int kPixels = 96;
+// For three sides, in the many poses.
+constexpr int kFewerPixels = 64;
+// So few pixels are a rim that the two rasters (ball and triangles) see differently.
+constexpr int kGrazing = 2;
+// Radii from the ball's centre within which lids lie.
+constexpr float kClose = 1.4F;
+// How far to the sides, and above and below, an audience sits.
 constexpr std::array<float, 3> kYaws_rad{-0.5F, 0, 0.5F};
 constexpr std::array<float, 3> kPitches_rad{-0.3F, 0, 0.3F};
 
+// Pixels in which the ball lies before all that was drawn.
 float PixelsOfBall(const DepthPicture& picture, const glm::vec3& centre, float radius_m) {
   int seen = 0;
   for (int y = 0; y < picture.pixels(); ++y) {
@@ -31,9 +37,10 @@ float PixelsOfBall(const DepthPicture& picture, const glm::vec3& centre, float r
   return seen <= kGrazing ? 0 : static_cast<float>(seen);
 }
 
+// Three corners each, one after the other, so that they are turned in one go.
 using Triangles = std::vector<glm::vec3>;  // Three corners each.
 
-// The triangles that cover a ball closely.
+// The triangles that cover a ball closely: all their corners outside it and within kClose radii.
 Triangles CloseTo(const face::EyeBall& eye, const face::Shape& shape,
                   std::span<const face::Triangle> triangles) {
   const float reach_m = kClose * eye.radius_m;
@@ -49,6 +56,7 @@ Triangles CloseTo(const face::EyeBall& eye, const face::Shape& shape,
   return corners;
 }
 
+// Of the whole head.
 Triangles All(const face::Shape& shape, std::span<const face::Triangle> triangles) {
   Triangles corners;
   corners.reserve(3 * triangles.size());
@@ -57,16 +65,19 @@ Triangles All(const face::Shape& shape, std::span<const face::Triangle> triangle
   return corners;
 }
 
+// Counter-clockwise in the picture's plane.
 bool FacesUs(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);
 }
 
+// One side's picture of one ball.
 struct Look {
   View view;
   DepthPicture picture;
   glm::vec3 centre;  // The ball's, in the frame of the view.
 };
 
+// The window is just the ball.
 std::vector<Look> LooksAt(const face::EyeBall& eye, Sides sides) {
   std::vector<Look> looks;
   for (const float yaw_rad : kYaws_rad) {
@@ -81,7 +92,9 @@ std::vector<Look> LooksAt(const face::EyeBall& eye, Sides sides) {
   return looks;
 }
 
-// Draws `corners` over what has been drawn before, and tells the most that is still seen.
+// Draws `corners` over what has been drawn before, and tells the most that is still seen from any
+// side, square metres. What lies behind the ball's middle is left out; `front_alone` leaves out what
+// looks away, too.
 float BallSeen_m2(std::vector<Look>& looks, float radius_m, const Triangles& corners, bool front_alone) {
   float most_m2 = 0;
   Triangles turned(corners.size());
@@ -108,6 +121,7 @@ std::array<float, 2> BallsSeen_m2(const face::Shape& shape, std::span<const face
     if (!(eye.radius_m > 0)) continue;
     std::vector<Look> looks = LooksAt(eye, sides);
     // Mostly the lids hide all; the rest of the head is drawn only if they do not.
+    // Mostly the lids hide all; the rest of the head (a nose, a brow) is drawn only if they do not.
     seen_m2[side] = BallSeen_m2(looks, eye.radius_m, CloseTo(eye, shape, triangles), true);
     if (seen_m2[side] > 0) seen_m2[side] = BallSeen_m2(looks, eye.radius_m, All(shape, triangles), false);
   }

@@ -9,14 +9,14 @@ namespace {
 
 using face::ExpressionKind;
 
-// What is played on top of an expression.
+// What is played on top of an expression: a mouth shape, or a channel with its other side.
 struct Extra {
   std::string name;
   ExpressionKind kind;
   std::vector<std::uint16_t> terms;
 };
 
-// "brow_up" of "brow_up_left".
+// "brow_up" of "brow_up_left"; artists write "browUpLeft".
 std::string BothSides(std::string_view name) {
   constexpr std::array<std::string_view, 4> kSides{"_left", "_right", "Left", "Right"};
   for (const std::string_view side : kSides)
@@ -24,6 +24,7 @@ std::string BothSides(std::string_view name) {
   return std::string(name);
 }
 
+// In the cast's order; left and right of one name are one.
 std::vector<Extra> Extras(const std::vector<face::Expression>& expressions) {
   std::vector<Extra> extras;
   for (std::uint16_t i = 0; i < expressions.size(); ++i) {
@@ -40,6 +41,7 @@ std::vector<Extra> Extras(const std::vector<face::Expression>& expressions) {
   return extras;
 }
 
+// Mouth shapes and channels are worn on the face at rest.
 Pose Alone(const std::vector<face::Expression>& expressions, std::uint16_t i) {
   Pose pose{.name = expressions[i].name, .weights = {}, .alone = true};
   const bool called = expressions[i].kind == ExpressionKind::kExpression;
@@ -48,6 +50,8 @@ Pose Alone(const std::vector<face::Expression>& expressions, std::uint16_t i) {
   return pose;
 }
 
+// The extra at its whole weight, both sides of it. A mouth shape has the mouth to itself, as the
+// lips' operator has.
 Pose With(Pose pose, const Extra& extra) {
   pose.name += " with " + extra.name;
   pose.alone = false;
@@ -56,6 +60,7 @@ Pose With(Pose pose, const Extra& extra) {
   return pose;
 }
 
+// Both lids; winks are looked at on contact sheets.
 Pose Shut(Pose pose) {
   pose.name += ", lids shut";
   pose.weights.lids_shut = {1, 1};
@@ -75,6 +80,7 @@ std::vector<Pose> PosesToSee(const std::vector<face::Expression>& expressions) {
   for (std::uint16_t i = 0; i < expressions.size(); ++i) {
     const Pose alone = Alone(expressions, i);
     add(alone, true);
+    // The face at rest with an extra is the extra alone.
     if (i == 0 || expressions[i].kind != ExpressionKind::kExpression) continue;
     for (const Extra& extra : extras) add(With(alone, extra), extra.kind == ExpressionKind::kChannel);
   }

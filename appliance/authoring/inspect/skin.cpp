@@ -9,18 +9,23 @@
 namespace kaori::inspect {
 namespace {
 
+// Half a millimetre for a head of 25 cm.
 constexpr int kSkinPixels = 512;
 constexpr float kBehind_m =
     0.0007F;  // Hardly more than a pixel: what lies this far behind the nearest is seen.
+// The front, both three-quarter views and profiles, and a little from above and below: from where audiences
+// see a head.
 constexpr std::array<View, 7> kViews{
     {{0, 0}, {-0.7F, 0}, {0.7F, 0}, {-1.4F, 0}, {1.4F, 0}, {0, 0.4F}, {0, -0.4F}}};
 
+// Marks the triangles whose middle is seen from one side and whose front looks there.
 void AddSeen(const face::Shape& shape, std::span<const face::Triangle> triangles, const View& view,
              std::vector<bool>& seen) {
   std::vector<glm::vec3> turned(shape.fine.size());
   TurnAll(shape.fine, view, turned);
   DepthPicture picture(WindowOver(turned), kSkinPixels);
   for (const face::Triangle& t : triangles) picture.Draw(turned[t[0]], turned[t[1]], turned[t[2]]);
+  // Without the balls the inside of the lids would be seen through the eyes' openings.
   for (const face::EyeBall& eye : shape.eyes) picture.DrawBall(Turned(eye.centre, view), eye.radius_m);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [a, b, c] = triangles[i];

@@ -9,7 +9,9 @@
 
 namespace kaori::inspect {
 
-// By triangle of the fine mesh. Inside the mouth, behind the lids and inside the neck there is none.
+// By triangle of the fine mesh: true where it is seen from one of seven sides, its front to the viewer.
+// Inside the mouth, behind the lids and inside the neck there is none. `at_rest` is the shape of one face
+// without expression; other faces have a skin of their own.
 std::vector<bool> FindSkin(const face::Shape& at_rest, std::span<const face::Triangle> triangles);
 
 }  // namespace kaori::inspect

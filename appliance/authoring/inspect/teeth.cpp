@@ -9,20 +9,28 @@
 namespace kaori::inspect {
 namespace {
 
-constexpr int kTeethPixels = 256;        // Over the teeth: a fifth of a millimetre.
-constexpr float kThrough_m = 0.0003F;    // Less is hidden by the wet line between tooth and lip.
-constexpr float kBeforeTheLips = 0.02F;  // What stands farther out is not hidden by these lips at all.
-constexpr float kFacesUs = 0.2F;         // A lip seen edge on hides nothing.
+// Over the teeth: a fifth of a millimetre.
+constexpr int kTeethPixels = 256;
+// Less is hidden by the wet line between tooth and lip.
+constexpr float kThrough_m = 0.0003F;
+// What stands farther out is not hidden by these lips at all: an animal's teeth before its chin.
+constexpr float kBeforeTheLips = 0.02F;
+// Cosine; a lip seen edge on hides nothing.
+constexpr float kFacesUs = 0.2F;
 
-// As the stage draws them (render/passes/mouth.cpp): not at all while the jaw is shut.
+// As the stage draws them (render/passes/mouth.cpp): teeth are left out while the jaw drops less than this,
+// and so is a part that is hardly present.
 constexpr float kShut_m = 0.0002F;
 constexpr float kGone = 0.02F;
 
+// How much of a part the face shows, 0..1; the tongue is no tooth.
 float Presence(const face::MouthFit& fit, face::Part part) {
   if (part == face::Part::kUpperTeeth) return fit.upper_teeth;
   return part == face::Part::kLowerTeeth ? fit.lower_teeth : 0;
 }
 
+// Vertices of one prop where the stage would draw them: lower teeth go down with the jaw, and back by a
+// quarter of that.
 void AddTeeth(const face::Cast& cast, const face::Prop& prop, const face::Shape& shape,
               std::vector<glm::vec3>& teeth) {
   const float presence = Presence(shape.mouth, prop.part);
@@ -34,6 +42,7 @@ void AddTeeth(const face::Cast& cast, const face::Prop& prop, const face::Shape&
     teeth.push_back((v.position - cast.mouth_anchor) * scale + cast.mouth_anchor + offset);
 }
 
+// Empty while the mouth is shut.
 std::vector<glm::vec3> TeethOf(const face::Cast& cast, const face::Face& face, const face::Shape& shape) {
   std::vector<glm::vec3> teeth;
   if (shape.jaw_drop_m < kShut_m) return teeth;
@@ -53,6 +62,7 @@ TeethThroughLips FindTeethThroughLips(const face::Cast& cast, const face::Face& 
   TeethThroughLips through;
   const auto teeth = TeethOf(cast, face, shape);
   if (teeth.empty()) return through;
+  // Only skin that looks forwards can hide a tooth; the inside of a lip looks away.
   DepthPicture lips(WindowOver(teeth), kTeethPixels);
   const auto& triangles = cast.topology.fine.triangles;
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -7,12 +7,17 @@
 
 namespace kaori::inspect {
 
+// What FindTeethThroughLips found; no vertices: no flaw.
 struct TeethThroughLips {
-  int vertices = 0;      // Of the teeth, before the skin.
-  float farthest_m = 0;  // How far the farthest stands out.
+  // Vertices of the teeth that stand before the skin.
+  int vertices = 0;
+  // How far the farthest of them stands out.
+  float farthest_m = 0;
 };
 
-// Seen from the front. `face` wears its teeth as the stage draws them in `shape`; `skin` as from FindSkin.
+// Seen from the front: vertices of the teeth that stand 0.3 mm to 2 cm before the skin in their place. `face`
+// wears its teeth as the stage draws them in `shape`; `skin` as from FindSkin, of triangles that can move.
+// Nothing while the jaw is shut, since the stage then draws no teeth.
 TeethThroughLips FindTeethThroughLips(const face::Cast& cast, const face::Face& face,
                                       const face::Shape& shape, const std::vector<bool>& skin);
 

@@ -24,14 +24,16 @@
 namespace kaori::authoring {
 namespace {
 
-// Names that a file gives, each with its line; none: the file cannot tell.
+// A name that a file gives, with its line.
 struct NamedLine {
   std::string name;
   int line = 0;
 };
+// None: the file cannot tell, since it cannot be read or lacks the list.
 using Names = std::optional<std::vector<NamedLine>>;
 
-// The texts of a list, or what its tables say under "name".
+// The texts of a list, or what its tables say under "name". Reads the file once more than the readers do, so
+// that names are known even where those find faults.
 Names NamesIn(const std::filesystem::path& file, std::string_view list) {
   const auto value = toml::ReadToml(file);
   const toml::Value* items = value ? toml::Find(*value, list) : nullptr;
@@ -55,7 +57,8 @@ sculpt::HalfShape StandIn(const sculpt::Cage& cage) {
   return {std::vector<glm::dvec3>(vertices), std::vector<glm::dvec2>(vertices, glm::dvec2(1, 0))};
 }
 
-// What CheckShow may look up of a cast whose faces or expressions could not be made.
+// What CheckShow and the script may look up of a cast whose faces or expressions could not be
+// made: the names.
 face::Cast NamedCast(const Names& faces, const Names& expressions) {
   face::Cast cast;
   if (faces)
@@ -65,6 +68,8 @@ face::Cast NamedCast(const Names& faces, const Names& expressions) {
   return cast;
 }
 
+// Runs all readers, and keeps what each of them says. Used once. Each step goes on without what an earlier
+// one could not make.
 class Checker {
  public:
   explicit Checker(std::filesystem::path folder)
@@ -77,6 +82,7 @@ class Checker {
     CheckLooks();
     if (faces_) CheckThatAllAreNamed("faces");
     if (faces_) CheckThatAllAreNamed("looks");
+    // A cast is only worth making of files without a fault.
     const std::optional<face::Cast> cast = faults_.empty() ? Sculpted() : std::nullopt;
     CheckScript(cast);
     FolderCheck check{std::move(faults_), {}};
@@ -85,6 +91,7 @@ class Checker {
   }
 
  private:
+  // The value, or none and its fault's lines, `file` before each where the fault does not name it itself.
   template <class T>
   std::optional<T> Keep(Result<T> made, const std::string& file = "") {
     if (made) return std::move(*made);
@@ -100,6 +107,8 @@ class Checker {
     }
   }
 
+  // Expressions are read even where the reference face could not be made: a stand-in then says
+  // where vertices lie.
   void CheckShapes() {
     const sculpt::Cage cage = sculpt::BuildCage();
     const auto recipe = Keep(sculpt::ReadCastRecipe(folder_ / "faces"));
@@ -109,7 +118,8 @@ class Checker {
     if (file && reference) Keep(sculpt::MakeControlNet(cage, *reference, *file), path.string());
   }
 
-  // Each face beside the first, on which the others are built. Returns the first one's shape.
+  // ShapeFaces ends at the first fault, so each face is made beside the first, on which the others are built.
+  // Returns the first one's shape; none where that has a fault.
   std::optional<sculpt::HalfShape> CheckFaces(const sculpt::Cage& cage, const sculpt::CastRecipe& recipe) {
     if (auto all = sculpt::ShapeFaces(cage, recipe)) return std::move(all->front().shape);
     std::optional<sculpt::HalfShape> reference;
@@ -124,6 +134,7 @@ class Checker {
     return reference;
   }
 
+  // A face without a look is a fault of the list that names it, at its line.
   void CheckLooks() {
     for (const NamedLine& face : faces_.value_or(std::vector<NamedLine>{})) {
       const std::filesystem::path file = folder_ / "looks" / (face.name + ".toml");
@@ -137,7 +148,7 @@ class Checker {
 
   std::string CastFile() const { return (folder_ / "faces" / "cast.toml").string(); }
 
-  // A file that no name leads to would be passed over in silence.
+  // A file that no name leads to would be passed over in silence. Sorted, since a folder has no order.
   void CheckThatAllAreNamed(const char* kind) {
     std::vector<std::string> lost;
     std::error_code error;
@@ -151,18 +162,21 @@ class Checker {
     std::ranges::move(lost, std::back_inserter(faults_));
   }
 
+  // For faults that no reader has found; there should be none.
   std::optional<face::Cast> Sculpted() {
     face::Cast cast;
     if (const auto ok = sculpt::Sculpt(folder_, cast); !ok) AddLines(ok.error().message(), "");
     return faults_.empty() ? std::optional(std::move(cast)) : std::nullopt;
   }
 
-  // The script is checked beside the cast, or beside its names alone where the cast could not be made.
+  // The script is checked beside the cast, or beside its names alone where the cast could not be made;
+  // CheckShow then would complain of everything.
   void CheckScript(const std::optional<face::Cast>& cast) {
     const std::string path = (folder_ / "show.toml").string();
     show::Show show;
     show.cast = cast ? *cast : NamedCast(faces_, expressions_);
-    show.cast.textures = {{1, 1, std::vector<std::uint8_t>(4)}};  // The painter's work is not done yet.
+    // The painter's work is not done yet: one texel stands for the skins, which faces number.
+    show.cast.textures = {{1, 1, std::vector<std::uint8_t>(4)}};
     const auto of_script =
         ReadShowFile(path, show, {.faces = faces_.has_value(), .expressions = expressions_.has_value()});
     std::ranges::copy(of_script, std::back_inserter(faults_));
@@ -172,7 +186,7 @@ class Checker {
   }
 
   // Expressions that fold the skin of any face, with their lines; of a face that folds at rest that alone is
-  // said.
+  // said, since every pose of it folds.
   std::vector<std::string> FlawsOf(const face::Cast& cast) const {
     struct Folds {
       int triangles = 0;
@@ -194,6 +208,7 @@ class Checker {
       by_pose[f.pose].triangles += f.count;
       by_pose[f.pose].faces.push_back(f.face);
     }
+    // In the file's order, whatever the order of faces was.
     for (const NamedLine& expression : expressions_.value_or(std::vector<NamedLine>{}))
       if (const auto folds = by_pose.find(expression.name); folds != by_pose.end())
         flaws.push_back(
@@ -213,6 +228,7 @@ class Checker {
 }  // namespace
 
 FolderCheck CheckFolder(const std::filesystem::path& folder) {
+  // One line instead of one for each file that is not there.
   if (!std::filesystem::is_directory(folder)) return {{folder.string() + ": there is no such folder"}, {}};
   return Checker(folder).Check();
 }

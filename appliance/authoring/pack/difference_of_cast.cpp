@@ -10,9 +10,10 @@
 namespace kaori::authoring {
 namespace {
 
+// Lines say millimetres.
 constexpr float kMillimetre_m = 1e-3F;
 
-// How far points moved.
+// How far points moved: the largest distance and the mean.
 struct Motion {
   float most_m = 0;
   double sum_m = 0;
@@ -31,12 +32,14 @@ struct Motion {
   }
 };
 
+// Both lists have one length.
 Motion MotionOf(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
   Motion motion;
   for (std::size_t i = 0; i < a.size(); ++i) motion.Add(a[i], b[i]);
   return motion;
 }
 
+// Both eyes in one line: the larger of each.
 void CompareEyes(const std::string& item, const face::Face& a, const face::Face& b, Lines& lines) {
   Motion centres;
   float radius_m = 0;
@@ -50,6 +53,7 @@ void CompareEyes(const std::string& item, const face::Face& a, const face::Face&
         fmt::format("{}: eyes changed their radius by {:.2f} mm", item, radius_m / kMillimetre_m));
 }
 
+// Exactly equal: a pack holds what was written.
 bool SameMouth(const face::MouthFit& a, const face::MouthFit& b) {
   return a.scale == b.scale && a.offset == b.offset && a.upper_teeth == b.upper_teeth &&
          a.lower_teeth == b.lower_teeth && a.tongue == b.tongue;
@@ -63,6 +67,8 @@ bool SameLook(const face::Face& a, const face::Face& b) {
          a.surface.print == b.surface.print;
 }
 
+// Displacements by the names of their points, so that points that were added or put into another order
+// do not matter.
 std::map<std::string, glm::vec3> MovesByPoint(const WornExpression& worn) {
   std::map<std::string, glm::vec3> moves;
   for (std::size_t i = 0; i < worn.net.points.size(); ++i)
@@ -70,7 +76,8 @@ std::map<std::string, glm::vec3> MovesByPoint(const WornExpression& worn) {
   return moves;
 }
 
-// The point whose displacement changed most, and by how much.
+// The point whose displacement changed most, and by how much in metres. A point that only one net has counts
+// with its whole displacement where it is new.
 std::pair<std::string, float> MostChanged(const WornExpression& a, const WornExpression& b) {
   std::pair<std::string, float> most{"", 0};
   const auto before = MovesByPoint(a);
@@ -84,6 +91,7 @@ std::pair<std::string, float> MostChanged(const WornExpression& a, const WornExp
 
 }  // namespace
 
+// Only the first difference is said: the others follow from it.
 void CompareTopology(const face::Topology& a, const face::Topology& b, Lines& lines) {
   if (a.vertex_count != b.vertex_count || a.triangles.size() != b.triangles.size())
     lines.push_back(fmt::format("topology: {} vertices and {} triangles are now {} and {}", a.vertex_count,
@@ -124,6 +132,7 @@ void CompareTexture(const std::string& item, const face::Texture* a, const face:
     changed += std::equal(a->rgba.data() + i, a->rgba.data() + i + 4, b->rgba.data() + i) ? 0 : 1;
   if (changed > 0)
     lines.push_back(fmt::format("{}: texture changed in {:.1f} % of its texels", item,
+                                // By texels of four bytes, as a percentage.
                                 400.0 * static_cast<double>(changed) / static_cast<double>(a->rgba.size())));
 }
 
@@ -147,6 +156,7 @@ void CompareProp(const std::string& item, const face::Prop& a, const face::Prop&
 void ComparePoint(const std::string& item, const face::ControlPoint& a, const face::ControlPoint& b,
                   Lines& lines) {
   const glm::vec2 scale(face::kParameterWidth_m, face::kParameterHeight_m);
+  // In the parameter space's own size, where lengths in front are those of the reference face.
   const float by_m = glm::length((b.uv - a.uv) * scale);
   if (by_m > 0) lines.push_back(fmt::format("{}: lies {:.2f} mm elsewhere", item, by_m / kMillimetre_m));
 }

@@ -10,8 +10,10 @@
 namespace kaori::authoring {
 namespace {
 
+// The words of show.toml.
 constexpr std::array<const char*, scene::kStyleCount> kStyles{"wire", "flat", "bare", "hair", "soft"};
 
+// "nothing" for a number that no item has, so that two packs can be compared whatever they hold.
 template <class Items>
 std::string NameOf(const Items& items, std::size_t index) {
   return index < items.size() ? items[index].name : "nothing";
@@ -21,7 +23,8 @@ std::string StyleName(std::size_t style) {
   return style < kStyles.size() ? kStyles[style] : "nothing";
 }
 
-// "face dog": the same words as in show.toml.
+// "face dog": what a button or key calls, in the same words as in show.toml. Names are compared, not numbers:
+// a face that stands elsewhere in its list plays alike.
 std::string Says(const show::Show& show, const show::Call& call) {
   switch (call.kind) {
     case show::CallKind::kNothing:
@@ -38,6 +41,7 @@ std::string Says(const show::Show& show, const show::Call& call) {
   return "nothing";
 }
 
+// What a key calls; motions' and scenes' own keys are compared with those.
 std::string OnKey(const show::Show& show, std::uint16_t usage) {
   const auto key = std::ranges::find(show.keys, usage, &show::KeyCall::key_usage);
   return key == show.keys.end() ? "nothing" : Says(show, key->call);
@@ -54,6 +58,7 @@ std::string ChannelName(const show::Show& show, int index) {
   return index < 0 ? "nothing" : NameOf(show.cast.expressions, static_cast<std::size_t>(index));
 }
 
+// Each role's name and what plays it. Both shows have the same roles, so lists can be walked side by side.
 std::vector<std::pair<std::string, std::string>> ChannelsOf(const show::Show& show) {
   const show::Channels& c = show.channels;
   std::vector<std::pair<std::string, std::string>> all{{"brow_up_left", ChannelName(show, c.brow_up[0])},
@@ -66,12 +71,14 @@ std::vector<std::pair<std::string, std::string>> ChannelsOf(const show::Show& sh
   return all;
 }
 
+// Null where it is no picture.
 const face::Texture* PictureOf(const ScriptedScene& s) {
   const auto index = static_cast<std::size_t>(s.scene.backdrop.picture);
   return index < s.show.cast.textures.size() ? &s.show.cast.textures[index] : nullptr;
 }
 
-// Pictures are the same when they look the same, wherever they stand in the pack.
+// Pictures are the same when they look the same, wherever they stand in the pack: their numbers are made
+// equal before all else is compared.
 bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
   scene::Backdrop as_a = b.scene.backdrop;
   as_a.picture = a.scene.backdrop.picture;
@@ -85,6 +92,7 @@ bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
 
 }  // namespace
 
+// By curves and samples, not by how much: a motion is looked at.
 void CompareMotion(const std::string& item, const show::Motion& a, const show::Motion& b, Lines& lines) {
   if (a.key_usage != b.key_usage) lines.push_back(item + ": is played by another key");
   if (!std::ranges::equal(a.curves, b.curves, SameCurve)) lines.push_back(item + ": moves otherwise");
@@ -110,6 +118,7 @@ void CompareScene(const std::string& item, const ScriptedScene& a, const Scripte
 }
 
 void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
+  // A box has a fixed number of buttons.
   for (std::size_t i = 0; i < a.buttons.size(); ++i)
     if (const auto before = Says(a, a.buttons[i]), after = Says(b, b.buttons[i]); before != after)
       lines.push_back(fmt::format("button {}: {} is now {}", i + 1, before, after));

@@ -12,8 +12,10 @@
 namespace kaori::authoring {
 namespace {
 
+// More would run off the screen, and a bad cast has thousands.
 constexpr std::size_t kFindingsShown = 20;
 
+// Two digits a byte, as public keys are shown to people.
 std::string Hex(const show::PublicKey& key) {
   return fmt::format("{:02x}", fmt::join(key.bytes, ""));
 }
@@ -37,6 +39,7 @@ void CountCast(const face::Cast& cast, Facts& facts) {
   const auto& topology = cast.topology;
   facts.triangles_of_cage = topology.triangles.size();
   facts.triangles_on_face =
+      // A cast that was made of a dense mesh may have no fine one.
       topology.fine.triangles.empty() ? topology.triangles.size() : topology.fine.triangles.size();
   facts.vertices_of_cage = topology.vertex_count;
   facts.control_points = cast.net.points.size();
@@ -49,7 +52,7 @@ void CountCast(const face::Cast& cast, Facts& facts) {
   facts.textures = cast.textures.size();
 }
 
-// A busy neighbour is no property of a pack: the quickest of a few counts.
+// A busy neighbour is no property of a pack: the quickest of a few loads counts. The last one's show is kept.
 Result<show::Show> LoadTimed(const std::filesystem::path& file, double& quickest_ms) {
   constexpr int kLoads = 3;
   const SteadyClock clock;
@@ -62,6 +65,7 @@ Result<show::Show> LoadTimed(const std::filesystem::path& file, double& quickest
   }
 }
 
+// A line of the page: item and value in two columns.
 std::string Row(std::string_view item, const std::string& says) {
   return fmt::format("{:<18} {}\n", item, says);
 }

@@ -13,19 +13,23 @@
 
 namespace kaori::authoring {
 
+// Counts, names and measurements of one pack.
 struct Facts {
   std::string show;
   std::uint64_t file_bytes = 0;
   std::string signed_by;  // The public key in hexadecimal; empty: nobody.
-  double load_ms = 0;     // Reading, checking and copying, as the stage does it; the quickest of three.
+  // Reading, checking and copying, as the stage does it; the quickest of three.
+  double load_ms = 0;
 
-  std::size_t triangles_on_face = 0;  // Of the surface that is drawn.
+  // Of the surface that is drawn: the fine mesh, or the cage where there is none.
+  std::size_t triangles_on_face = 0;
   std::size_t triangles_of_cage = 0;
   std::size_t vertices_of_cage = 0;
   std::size_t control_points = 0;
   std::vector<std::string> faces;
-  std::vector<std::string> expressions;   // Called by an operator,
-  std::vector<std::string> mouth_shapes;  // and the two kinds that are played on top.
+  // Those that an operator calls; `mouth_shapes` and `channels` are the two kinds that are played on top.
+  std::vector<std::string> expressions;
+  std::vector<std::string> mouth_shapes;
   std::vector<std::string> channels;
   std::size_t props = 0;
   std::size_t triangles_of_props = 0;
@@ -36,13 +40,16 @@ struct Facts {
   inspect::Inspection looks;
 };
 
-// Loads the pack and looks at all its faces; some seconds. `progress` hears what it is doing. Errors: those
-// of LoadPack.
+// Loads the pack and looks at all its faces; some seconds, on all processors. `progress` hears what it is
+// doing, from one thread at a time. A signature is told, not judged: whose key is trusted is the stage's
+// matter. Errors: those of LoadPack.
 Result<Facts> GatherFacts(const std::filesystem::path& file,
                           const std::function<void(const std::string&)>& progress);
 
-// For people, and for programs.
+// For people: a line for each fact, and the first twenty findings.
 std::string FactsPage(const Facts& facts);
+// For programs: one object with the same, every finding, and the names of all items under "names".
+// `signed_by` is null where nobody signed.
 std::string FactsJson(const Facts& facts);
 
 }  // namespace kaori::authoring

@@ -4,6 +4,7 @@
 namespace kaori::authoring {
 namespace {
 
+// Numbers for programs, and the line for people.
 json::List Findings(const inspect::Inspection& looks) {
   json::List list;
   for (const inspect::Finding& finding : looks.findings)

@@ -9,10 +9,12 @@
 namespace kaori::authoring {
 namespace {
 
+// To the line's start, and erase to its end (ECMA-48, EL).
 constexpr std::string_view kEraseLine = "\r\x1b[K";
 
 }  // namespace
 
+// Standard error alone counts: results may go to a file while people watch.
 ProgressLine::ProgressLine() : begun_(clock_.now()), on_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {

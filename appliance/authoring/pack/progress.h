@@ -9,18 +9,20 @@
 
 namespace kaori::authoring {
 
-// One thread. The line goes away with the object, so that what is said next starts at the left.
+// For one thread. The line goes away with the object, so that what is said next starts at the left; begin to
+// print results only after that.
 class ProgressLine {
  public:
+  // The seconds count from here.
   ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  // "[  1.2 s] painting the faces".
+  // Replaces the line on a terminal, adds one to a log: "[  1.2 s] painting the faces".
   void Step(std::string_view what);
 
-  // A line that stays.
+  // A line that stays; the next Step stands below it.
   void Note(std::string_view what);
 
   double seconds() const { return Seconds(clock_.now() - begun_); }

@@ -8,6 +8,7 @@
 namespace kaori::authoring {
 namespace {
 
+// As many programs do: 1 is a failure of the work, 2 of the call.
 constexpr int kMisused = 2;
 
 constexpr std::string_view kHead = "kaori-atelier: makes shows\n\n";
@@ -18,7 +19,7 @@ Every fault of the authoring files is named with file, item and reason, all at o
 at all. Exit status: 0 done, 1 not done, 2 the command line makes no sense.
 )";
 
-// Without its options: they stand on the verb's own page.
+// Name and words without its options: those stand on the verb's own page.
 std::string CallOf(const Verb& verb) {
   std::string call(verb.name);
   for (const std::string_view word : verb.words) call += fmt::format(" {}", word);
@@ -34,10 +35,12 @@ std::string HelpPage(std::span<const Verb> verbs) {
   return page.append(kFoot);
 }
 
+// Usage and summary in one line, then the verb's own text.
 std::string VerbPage(const Verb& verb) {
   return fmt::format("kaori-atelier {}: {}\n{}", UsageOf(verb), verb.summary, verb.page);
 }
 
+// Says what is wrong with the call; returns the exit status.
 int Misused(const std::string& what) {
   fmt::print(stderr, "kaori-atelier: {}\n", what);
   return kMisused;
@@ -47,6 +50,7 @@ bool AsksForHelp(std::string_view word) {
   return word == "--help" || word == "-h" || word == "help";
 }
 
+// Help is asked for before arguments are judged: a call that is not whole is no reason to refuse it.
 int RunVerb(const Verb& verb, std::span<char* const> args) {
   if (std::ranges::any_of(args, [](std::string_view a) { return a == "--help" || a == "-h"; })) {
     fmt::print("{}", VerbPage(verb));
@@ -72,6 +76,7 @@ Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args) 
   Arguments arguments;
   for (std::size_t i = 0; i < args.size(); ++i) {
     const std::string_view arg = args[i];
+    // A file of such a name can be given as ./--name.
     if (!arg.starts_with("--")) {
       arguments.words.emplace_back(arg);
       continue;
@@ -92,6 +97,7 @@ Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args) 
 }
 
 int Dispatch(std::span<const Verb> verbs, std::span<char* const> args) {
+  // Without a verb the page goes to standard error, since nothing was asked for.
   if (args.empty()) {
     fmt::print(stderr, "{}", HelpPage(verbs));
     return kMisused;

@@ -7,10 +7,12 @@
 namespace kaori::authoring {
 namespace {
 
+// "1 fault", "3 faults".
 std::string Counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+// Lines go to standard output, the sum to standard error, so that `check > file` keeps the lines alone.
 int RunCheck(const Arguments& arguments) {
   const auto [faults, flaws] = CheckFolder(arguments.words[0]);
   if (faults.empty() && flaws.empty()) {

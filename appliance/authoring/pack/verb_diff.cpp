@@ -8,6 +8,7 @@
 namespace kaori::authoring {
 namespace {
 
+// Differences are no failure: exit status 0 with and without them.
 int RunDiff(const Arguments& arguments) {
   const auto before = show::LoadPack(arguments.words[0]);
   if (!before) return ExitWithError(before.error());

@@ -10,6 +10,7 @@
 namespace kaori::authoring {
 namespace {
 
+// The progress line is gone before anything is printed.
 Result<Facts> Gather(const std::string& file) {
   ProgressLine progress;
   return GatherFacts(file, [&](const std::string& step) { progress.Step(step); });

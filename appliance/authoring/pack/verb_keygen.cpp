@@ -7,6 +7,7 @@
 namespace kaori::authoring {
 namespace {
 
+// The public key is written beside the secret one, by SaveKey; nothing is overwritten.
 int RunKeygen(const Arguments& arguments) {
   const std::string& file = arguments.words[0];
   const auto key = show::MakeKey();

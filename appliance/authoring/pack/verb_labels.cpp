@@ -7,6 +7,7 @@
 namespace kaori::authoring {
 namespace {
 
+// Silent where all is well: it is run by builds.
 int RunLabels(const Arguments& arguments) {
   const auto show = show::LoadPack(arguments.words[0]);
   if (!show) return ExitWithError(show.error());

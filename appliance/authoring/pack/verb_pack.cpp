@@ -13,7 +13,7 @@
 namespace kaori::authoring {
 namespace {
 
-// The key first: it would be a pity to find out after a minute of painting.
+// The key first: it would be a pity to find out after a minute of painting. None where no key was named.
 Result<std::optional<show::SecretKey>> ReadSigner(const Arguments& arguments) {
   const auto option = arguments.options.find("--sign");
   if (option == arguments.options.end()) return std::optional<show::SecretKey>();
@@ -22,6 +22,8 @@ Result<std::optional<show::SecretKey>> ReadSigner(const Arguments& arguments) {
   return std::optional(*key);
 }
 
+// Checks, makes and writes, each step told. Flaws are told and do not stop it. `signer` may be null. Errors:
+// those of CheckFolder's faults, AuthorShow and SavePack.
 Result<void> MakePack(const std::filesystem::path& folder, const std::filesystem::path& file,
                       const show::SecretKey* signer, ProgressLine& progress) {
   progress.Step("checking the files of " + folder.string());

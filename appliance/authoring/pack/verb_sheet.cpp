@@ -9,6 +9,7 @@
 namespace kaori::authoring {
 namespace {
 
+// The studio opens a GL context of its own, on whatever EGL has: no screen is needed.
 Result<void> WriteSheets(const Arguments& arguments) {
   auto show = show::LoadPack(arguments.words[0]);
   if (!show) return tl::unexpected(show.error());

@@ -5,12 +5,19 @@
 
 namespace kaori::authoring {
 
+// Every fault of a folder.
 Verb CheckVerb();
+// What changed between two packs.
 Verb DiffVerb();
+// What a pack holds.
 Verb InfoVerb();
+// A key pair that signs packs.
 Verb KeygenVerb();
+// The labels of the operators' controls.
 Verb LabelsVerb();
+// From a folder to a pack.
 Verb PackVerb();
+// Contact sheets.
 Verb SheetVerb();
 
 }  // namespace kaori::authoring

@@ -12,7 +12,7 @@
 namespace kaori::authoring {
 namespace {
 
-// In the order of scene::BackdropKind.
+// The words of show.toml, in the order of scene::BackdropKind.
 constexpr std::array<std::string_view, scene::kBackdropKindCount> kKinds{
     "gradient", "studio", "curtain", "night", "kitchen", "pine", "lights", "rays", "nursery", "picture"};
 
@@ -32,6 +32,7 @@ face::Texture TextureOf(const image::Picture& picture) {
   return texture;
 }
 
+// "picture" is no word for a kind: it needs a file, and that says it.
 scene::BackdropKind ReadKind(toml::Section& section) {
   const std::string name = section.TextOr("kind", kKinds[0]);
   const auto known = std::ranges::find(kKinds, name);
@@ -46,6 +47,7 @@ scene::BackdropKind ReadKind(toml::Section& section) {
   return kind;
 }
 
+// `otherwise` where the text is no colour, so that reading goes on.
 glm::vec3 ReadColour(toml::Section& section, std::string_view key, glm::vec3 otherwise) {
   const std::string text = section.Text(key);
   const auto colour = ColourOf(text);
@@ -53,6 +55,7 @@ glm::vec3 ReadColour(toml::Section& section, std::string_view key, glm::vec3 oth
   return colour.value_or(otherwise);
 }
 
+// The texture's number; -1, and a fault, where there is none.
 int ReadPicture(toml::Section& section, const std::filesystem::path& folder,
                 std::vector<face::Texture>& textures) {
   const std::string name = section.Text("picture");
@@ -60,6 +63,8 @@ int ReadPicture(toml::Section& section, const std::filesystem::path& folder,
     section.Fault("picture", "must name a PNG file");
     return -1;
   }
+  // A path within the show's folder, as authors write it; the tool runs as the author, so nothing is
+  // kept from him.
   const auto picture = image::ReadPng(folder / name);
   if (!picture) {
     section.Fault("picture", picture.error().message());
@@ -76,6 +81,7 @@ int ReadPicture(toml::Section& section, const std::filesystem::path& folder,
 
 }  // namespace
 
+// A picture may go without colours; everything else is painted with them.
 scene::Backdrop ReadBackdrop(toml::Section section, const std::filesystem::path& folder,
                              std::vector<face::Texture>& textures) {
   section.AllowOnly({"kind", "top", "bottom", "glow", "picture"});

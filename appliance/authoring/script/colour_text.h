@@ -10,12 +10,13 @@
 
 namespace kaori::authoring {
 
+// From 0..255 as sRGB to linear light 0..1 (IEC 61966-2-1).
 inline float LinearOf(unsigned code) {
   const double s = code / 255.0;
   return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
 }
 
-// Linear RGB; nothing where the text is no colour.
+// Linear RGB, 0..1; none where the text is not "#" and six hexadecimal digits.
 inline std::optional<glm::vec3> ColourOf(std::string_view text) {
   unsigned value = 0;
   const char* const end = text.data() + text.size();

@@ -5,7 +5,8 @@
 namespace kaori::authoring {
 namespace {
 
-// "face kaori": what a button or a key calls. `section` holds it under `key`.
+// What a button or a key calls: "face kaori". An empty text calls nothing. `section` holds it under `key`,
+// for the faults.
 show::Call ReadCall(Script& script, toml::Section& section, const std::string& key,
                     const toml::Value& value) {
   if (value.kind != toml::Value::Kind::kText) {
@@ -28,6 +29,7 @@ show::Call ReadCall(Script& script, toml::Section& section, const std::string& k
 
 }  // namespace
 
+// Rows are for the author's eye: all texts count through, and there must be as many as the box has buttons.
 void ReadButtons(Script& script, const toml::Section& file) {
   toml::Section section = file;
   const toml::Value* rows = file.Find("buttons");

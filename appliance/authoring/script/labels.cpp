@@ -11,13 +11,17 @@
 namespace kaori::authoring {
 namespace {
 
-constexpr std::uint16_t kSpace = 0x2C, kZ = 0x1D, kX = 0x1B;  // HID usage page 7.
+// The keys of blinks, by HID usage page 7, as core/performance plays them.
+constexpr std::uint16_t kSpace = 0x2C, kZ = 0x1D, kX = 0x1B;
 
+// What a dial of the box is called on the page, its unit, and what fills it: a call of the group `called_by`
+// comes whole and fills the dial; a scene does so too. Null: only the operator turns it.
 struct Dial {
   const char* text;
   const char* unit;
   const char* called_by;  // A call of this group comes whole and fills the dial; a scene does so too.
 };
+// In the order of performance::kKnobRanges.
 constexpr std::array<Dial, performance::kKnobCount> kDials{{
     {"Face", "%", "face"},
     {"Expression", "%", "expression"},
@@ -29,6 +33,7 @@ constexpr std::array<Dial, performance::kKnobCount> kDials{{
     {"Light", "%", nullptr},
 }};
 
+// Styles for people; show.toml has words of its own.
 constexpr std::array<const char*, scene::kStyleCount> kStyles{"Wireframe", "Flat", "No hair", "Hair",
                                                               "Soft light"};
 
@@ -37,6 +42,7 @@ double Short(float value) {
   return std::round(static_cast<double>(value) * 1e4) / 1e4;
 }
 
+// Ranges and starting values are the performance's own, so a label cannot disagree with the dial.
 json::List DialsJson() {
   const performance::State opening;
   json::List dials;
@@ -55,6 +61,7 @@ json::List DialsJson() {
   return dials;
 }
 
+// Text and group of one control; empty for one that calls nothing.
 struct Label {
   std::string text;
   const char* group = "";
@@ -82,18 +89,21 @@ json::Object ButtonJson(const show::Call& call, const show::Show& show) {
   return {{"text", label.text}, {"group", label.group}};
 }
 
+// The two joysticks do the same in every show.
 json::List SticksJson() {
   return {json::Object{{"text", "Head"}, {"twist", "Tilt"}, {"slide", "Lean in"}},
           json::Object{{"text", "Gaze and brows"}, {"twist", "Brows"}, {"slide", "Brows up"}}};
 }
 
-// In the order in which hands find them: blinks, registered motions, scenes, and what else keys call.
+// In the order in which operators find them: blinks, registered motions, scenes, and what else keys call.
+// Motions and scenes without a key are left out.
 json::List KeysJson(const show::Show& show) {
   json::List keys;
   const auto add = [&keys](std::uint16_t usage, const std::string& text, const char* group) {
     if (usage != 0) keys.push_back(json::Object{{"usage", usage}, {"text", text}, {"group", group}});
   };
   add(kSpace, "Blink", "blink");
+  // As the audience sees the face: its left is the character's right.
   add(kZ, "Wink left", "blink");  // As the audience sees the face.
   add(kX, "Wink right", "blink");
   for (const show::Motion& motion : show.motions) add(motion.key_usage, Readable(motion.name), "motion");
@@ -121,7 +131,7 @@ std::string LabelsJson(const show::Show& show) {
                             {"buttons", buttons},    {"sticks", SticksJson()},
                             {"scenes", scenes},      {"styles", json::ListOf(kStyles)},
                             {"keys", KeysJson(show)}};
-  // A name that is not UTF-8 is shown with replacement signs.
+  // A name that is not UTF-8 is shown with replacement characters.
   return json::Write(labels, 1) + '\n';
 }
 

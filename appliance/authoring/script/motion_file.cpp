@@ -11,7 +11,8 @@ namespace {
 
 constexpr float kRadPerDegree = std::numbers::pi_v<float> / 180;
 
-// What a curve moves besides the show's channels.
+// What a curve moves besides the show's channels; angles are written in degrees, all else as a weight of
+// 0 to 1.
 struct Target {
   std::string_view name;
   show::MotionTarget target;
@@ -24,18 +25,21 @@ constexpr std::array<Target, 6> kTargets{{{"head_yaw", show::MotionTarget::kHead
                                           {"gaze_pitch", show::MotionTarget::kGazePitch, true},
                                           {"lids", show::MotionTarget::kLids, false}}};
 
+// Null where it is no target; it may be a channel then.
 const Target* TargetNamed(std::string_view name) {
   const auto it = std::ranges::find(kTargets, name, &Target::name);
   return it == kTargets.end() ? nullptr : &*it;
 }
 
+// Two numbers.
 bool IsPair(const toml::Value& value) {
   const auto is_number = [](const toml::Value& v) { return v.kind == toml::Value::Kind::kNumber; };
   return value.kind == toml::Value::Kind::kList && value.list.size() == 2 &&
          std::ranges::all_of(value.list, is_number);
 }
 
-// One curve: pairs [seconds, value]. What is wrong is named with the line of its pair.
+// Reads one curve: pairs [seconds, value]. What is wrong is named with the line of its pair; all pairs are
+// read, so that one fault does not hide the next.
 class CurveReader {
  public:
   CurveReader(Script& script, std::string item, bool degrees)
@@ -50,6 +54,7 @@ class CurveReader {
       ReadPair(pair, static_cast<float>(pair.list[0].number), static_cast<float>(pair.list[1].number));
     }
     if (keys_.size() < 2) Fault(pairs, "must have two pairs or more");
+    // A motion is added to what operators do: one that began or ended elsewhere would make the head jump.
     if (keys_.size() >= 2 && keys_.front().value != 0)
       Fault(pairs.list.front(), "a curve must start and end at 0, so that nothing jumps");
     if (keys_.size() >= 2 && keys_.back().value != 0)
@@ -58,6 +63,7 @@ class CurveReader {
   }
 
  private:
+  // Seconds rise from 0 to kLongestMotion_s. NaN fails each comparison, and is a fault.
   void ReadPair(const toml::Value& pair, float at_s, float written) {
     if (!(at_s >= 0 && at_s <= show::kLongestMotion_s))
       Fault(pair, fmt::format("second {} does not lie within 0 to {}", at_s, show::kLongestMotion_s));
@@ -81,6 +87,7 @@ class CurveReader {
   std::vector<show::MotionKey> keys_;
 };
 
+// A name is first a target, then an expression of the cast; without a list of those it is taken for one.
 show::MotionCurve ReadCurve(Script& script, toml::Section& section, const std::string& user,
                             const std::string& name, const toml::Value& pairs) {
   const Target* target = TargetNamed(name);
@@ -101,7 +108,7 @@ show::MotionCurve ReadCurve(Script& script, toml::Section& section, const std::s
   return curve;
 }
 
-// A WAV file beside show.toml.
+// A WAV file beside show.toml. None, and a fault, where it cannot be read.
 show::Sound ReadSound(Script& script, toml::Section& section) {
   const std::string name = section.Text("sound");
   if (name.empty()) {
@@ -116,6 +123,7 @@ show::Sound ReadSound(Script& script, toml::Section& section) {
 
 }  // namespace
 
+// Keys of the table that are not name, key or sound are curves, so unknown ones are looked up as such.
 show::Motion ReadMotion(Script& script, toml::Section section) {
   show::Motion motion;
   motion.name = section.TextOr("name", "unnamed");
@@ -132,6 +140,7 @@ show::Motion ReadMotion(Script& script, toml::Section section) {
     else
       section.Fault(key, "must be a list of pairs [second, value]");
   }
+  // A sound alone is a motion: a line that is played.
   if (motion.curves.empty() && !section.Has("sound")) section.Fault("", "it moves nothing");
   return motion;
 }

@@ -9,6 +9,7 @@
 namespace kaori::authoring {
 namespace {
 
+// In the order of scene::Style.
 constexpr std::array<std::string_view, scene::kStyleCount> kStyleNames{"wire", "flat", "bare", "hair",
                                                                        "soft"};
 
@@ -43,6 +44,7 @@ std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view 
     section.Fault(key, fmt::format("the key \"{}\" belongs to the box: {}", name, use));
     return 0;
   }
+  // In [keys] the key is its own entry; elsewhere it stands under "key".
   const toml::Value* value = section.Find(key);
   const int line = value != nullptr ? value->line : section.table().line;
   const auto [other, is_new] = script.used_keys.try_emplace(name, fmt::format("{} in line {}", user, line));
@@ -51,6 +53,7 @@ std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view 
   return *usage;
 }
 
+// The same table under another name; borrows the script's faults.
 toml::Section Named(Script& script, const char* kind, const toml::Section& section, std::size_t number) {
   const toml::Value* name = section.Find("name");
   const bool named = name != nullptr && name->kind == toml::Value::Kind::kText && !name->text.empty();

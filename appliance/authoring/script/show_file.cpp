@@ -9,6 +9,7 @@
 namespace kaori::authoring {
 namespace {
 
+// 0 to `most`; NaN is a fault.
 float Between(toml::Section& section, std::string_view key, float otherwise, float most, const char* unit) {
   const auto value = static_cast<float>(section.NumberOr(key, otherwise));
   if (!(value >= 0 && value <= most))
@@ -16,6 +17,8 @@ float Between(toml::Section& section, std::string_view key, float otherwise, flo
   return value;
 }
 
+// One [[scene]]. Without more it is the neutral expression in soft style, in the usual light, faded in
+// within 0.8 s.
 show::StageScene ReadScene(Script& script, toml::Section section) {
   section.AllowOnly({"name", "key", "face", "expression", "style", "light", "fade_s", "backdrop"});
   show::StageScene scene;
@@ -39,6 +42,7 @@ show::StageScene ReadScene(Script& script, toml::Section section) {
   return scene;
 }
 
+// [channels]: which expression plays each role. Roles without one stay -1, and nothing moves then.
 void ReadChannels(Script& script, toml::Section section) {
   section.AllowOnly({"brow_up_left", "brow_up_right", "brow_frown", "lids_up", "lids_down", "mouth"});
   const auto channel = [&](const char* role) {
@@ -51,11 +55,13 @@ void ReadChannels(Script& script, toml::Section section) {
   channels.lids_down = channel("lids_down");
   if (!section.Has("mouth")) return;
   const std::vector<std::string> mouth = section.Texts("mouth");
+  // Shut narrow, shut wide, open narrow, open wide: the corners of the lips' bilinear shape.
   if (mouth.size() != channels.mouth.size()) return section.Fault("mouth", "must name four mouth shapes");
   for (std::size_t i = 0; i < mouth.size(); ++i)
     channels.mouth[i] = ExpressionNamed(script, section, "mouth", mouth[i]);
 }
 
+// Scenes before motions and buttons, which may call them. [[take]] is what motions were called before.
 void ReadScript(Script& script, toml::Section file) {
   if (file.Has("take")) file.Fault("take", "a registered motion is now written [[motion]], not [[take]]");
   file.AllowOnly({"name", "scene", "motion", "buttons", "keys", "channels"});

@@ -19,7 +19,7 @@ struct KnownNames {
 // Fills buttons, keys, motions, scenes and channels of `show`, whose cast must be there: names are looked up
 // in it. Pictures of backdrops are appended to the cast's textures. Returns every fault found, one line each:
 // file, line, item, reason; empty when all is well, and then show::CheckShow finds nothing wrong with what
-// was read.
+// was read. With faults, `show` is filled in part and must not be used.
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show,
                                       KnownNames known = {});
 

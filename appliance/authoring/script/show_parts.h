@@ -16,16 +16,19 @@
 
 namespace kaori::authoring {
 
-// What all parts are read with. Borrows the show and the faults.
+// What all parts are read with. Borrows the show and the faults; lives for one file.
 struct Script {
-  std::filesystem::path folder;  // Of show.toml: pictures and sounds lie beside it.
+  // Of show.toml: pictures and sounds lie beside it.
+  std::filesystem::path folder;
   KnownNames known;
   show::Show& show;
   toml::Faults& faults;
-  std::map<std::string, std::string> used_keys{};  // By name: "scene \"night\" (line 12)".
+  // Who has a key, by its name: "scene "night" in line 12". Two users of one key are a fault.
+  std::map<std::string, std::string> used_keys{};
 };
 
-// The number of the item that is called `name`; 0, and a fault of `key`, where there is none.
+// The number of the item that is called `name`; 0, and a fault of `key` with a name that may be meant, where
+// there is none. `kind` is the word for such items: "face".
 template <class Items>
 std::uint16_t IndexOf(toml::Section& section, std::string_view key, const char* kind, const Items& items,
                       const std::string& name) {
@@ -35,27 +38,33 @@ std::uint16_t IndexOf(toml::Section& section, std::string_view key, const char* 
   return 0;
 }
 
-// The same for faces and expressions of the cast, whose names may not be known; 0 without a fault then.
+// The same for faces and expressions of the cast, whose names may not be known (KnownNames); 0 without
+// a fault then.
 std::uint16_t FaceNamed(Script& script, toml::Section& section, std::string_view key,
                         const std::string& name);
 std::uint16_t ExpressionNamed(Script& script, toml::Section& section, std::string_view key,
                               const std::string& name);
 
-// "wire" .. "soft", as numbers of scene::Style.
+// "wire" .. "soft", as numbers of scene::Style; 0, and a fault of `key`, for other names.
 std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std::string& name);
 
 // The HID usage of the key that `name` names; 0, and a fault of `key`, where there is none, where the box
-// uses it, or where something else of the show has it. `user` is who wants it: "scene \"night\"".
+// uses it, or where something else of the show has it. `user` is who wants it: "scene "night"".
 std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view key, const std::string& name,
                        const std::string& user);
 
-// A [[scene]] or [[motion]] by its own name: faults call it "scene \"night\"" rather than "scene[3]".
+// A [[scene]] or [[motion]] by its own name: faults call it "scene "night"" rather than "scene[3]". `number`
+// counts from 1.
 toml::Section Named(Script& script, const char* kind, const toml::Section& section, std::size_t number);
 
+// One [[motion]]: name, key, sound, and a curve for each other key: a list of pairs [second, value] that
+// starts and ends at 0. Angles are degrees in the file and radians in the motion.
 show::Motion ReadMotion(Script& script, toml::Section section);
 
-// Fills the 32 buttons, and the keys of [keys]. Scenes must have been read.
+// Fills the 32 buttons, given as rows of texts such as "face kaori". Scenes must have been read, since
+// buttons name them.
 void ReadButtons(Script& script, const toml::Section& file);
+// The keys of [keys], which call what buttons call.
 void ReadKeys(Script& script, toml::Section keys);
 
 }  // namespace kaori::authoring

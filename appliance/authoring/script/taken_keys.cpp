@@ -6,12 +6,14 @@
 namespace kaori::authoring {
 namespace {
 
+// A key and what the box does with it.
 struct TakenKey {
   std::uint16_t usage;  // HID usage page 7.
   std::string_view use;
 };
 
 constexpr std::string_view kEditor = "the expression editor uses it";
+// Space has no name in show.toml, so it need not stand here.
 constexpr std::array<TakenKey, 10> kTakenKeys{{{0x1D, "it winks"},                                 // z
                                                {0x1B, "it winks"},                                 // x
                                                {0x06, kEditor},                                    // c

@@ -20,14 +20,20 @@
 namespace kaori::authoring {
 namespace {
 
+// Ten minutes, the longest motion, of 24 bit stereo at 96 kHz are 346 MB.
 constexpr std::size_t kMost_bytes = std::size_t{512} << 20U;
 constexpr long kRate_hz = show::kSoundRate_hz;
+// RIFF: "RIFF", size, "WAVE"; then chunks of name, size and content, padded to even lengths (Microsoft and
+// IBM, Multimedia Programming Interface and Data Specifications 1.0, 1991).
 constexpr std::size_t kRiffHead_bytes = 12, kChunkHead_bytes = 8, kFormat_bytes = 16;
+// Format tags. WAVE_FORMAT_EXTENSIBLE keeps the true one in the first two bytes of its GUID, at byte 24.
 constexpr std::uint32_t kPcm = 1, kExtensible = 0xFFFE;
-constexpr int kReach = 24;  // Of the low pass to either side, in samples of the slower rate.
+// Of the low pass to either side, in samples of the slower rate: the more, the steeper.
+constexpr int kReach = 24;
 
 using Bytes = std::span<const std::uint8_t>;
 
+// `count` bytes at `at`, the least significant first. They must be there.
 std::uint32_t Number(Bytes bytes, std::size_t at, int count) {
   std::uint32_t number = 0;
   for (int n = count - 1; n >= 0; --n) number = number << 8U | bytes[at + static_cast<std::size_t>(n)];
@@ -38,7 +44,8 @@ bool IsNamed(Bytes bytes, std::size_t at, std::string_view name) {
   return std::equal(name.begin(), name.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-// The content of the chunk `name`; one that is cut off ends with the file.
+// The content of the first chunk `name`; one that is cut off ends with the file, as recorders that were
+// stopped leave it. None where there is no such chunk.
 std::optional<Bytes> Chunk(Bytes file, std::string_view name) {
   std::size_t at = kRiffHead_bytes;
   while (at + kChunkHead_bytes <= file.size()) {
@@ -51,11 +58,13 @@ std::optional<Bytes> Chunk(Bytes file, std::string_view name) {
   return std::nullopt;
 }
 
+// What the chunk "fmt " says, as far as it counts here.
 struct Format {
   std::uint32_t channels, rate_hz, bits;
   std::size_t frame_bytes() const { return std::size_t{channels} * bits / 8; }
 };
 
+// Errors: invalid_argument; the attempt is the end of a sentence about the file.
 Result<Format> ReadFormat(Bytes file) {
   if (file.size() < kRiffHead_bytes || !IsNamed(file, 0, "RIFF") || !IsNamed(file, 8, "WAVE"))
     return FailInput("is no WAV file");
@@ -73,7 +82,8 @@ Result<Format> ReadFormat(Bytes file) {
   return format;
 }
 
-// One channel, -1 .. 1.
+// One channel of interleaved samples, -1 .. 1. Numbers are shifted to the top of 32 bits first, which brings
+// the sign to its place.
 std::vector<float> Channel(Bytes data, const Format& format, std::size_t channel) {
   const std::size_t bytes = format.bits / 8;
   std::vector<float> samples(data.size() / format.frame_bytes());
@@ -87,7 +97,8 @@ std::vector<float> Channel(Bytes data, const Format& format, std::size_t channel
 }
 
 // The weights of the samples around a place that lies `part` behind one of them: a sinc under a Hann window,
-// which also keeps out what the slower rate cannot hold. The first is that of the sample `reach` before.
+// which also keeps out what the slower rate cannot hold (`cut`: its share of the file's rate). The first is
+// that of the sample `reach` before. They sum to 1, so that silence and constant levels stay.
 std::vector<float> Kernel(double part, double cut, long reach) {
   std::vector<float> weights;
   double sum = 0;
@@ -103,6 +114,7 @@ std::vector<float> Kernel(double part, double cut, long reach) {
   return weights;
 }
 
+// Before its start and after its end a sound is silent.
 float Weighed(const std::vector<float>& from, long first, const std::vector<float>& weights) {
   float sum = 0;
   for (std::size_t n = 0; n < weights.size(); ++n) {
@@ -112,7 +124,7 @@ float Weighed(const std::vector<float>& from, long first, const std::vector<floa
   return sum;
 }
 
-// Places repeat after so many samples, and their weights with them.
+// To 48 kHz. Places repeat after so many samples, and their weights with them: 160 kernels for 44.1 kHz.
 std::vector<float> Resampled(const std::vector<float>& from, long rate_hz) {
   if (rate_hz == kRate_hz) return from;
   const double cut = std::min(1.0, static_cast<double>(kRate_hz) / static_cast<double>(rate_hz));
@@ -129,6 +141,7 @@ std::vector<float> Resampled(const std::vector<float>& from, long rate_hz) {
   return to;
 }
 
+// To 16 bit; the resampler may overshoot full scale, and is held there.
 show::Sound Interleaved(const std::vector<std::vector<float>>& channels) {
   show::Sound sound{static_cast<int>(channels.size()), {}};
   for (std::size_t n = 0; n < channels[0].size(); ++n)
@@ -138,6 +151,7 @@ show::Sound Interleaved(const std::vector<std::vector<float>>& channels) {
   return sound;
 }
 
+// The length is judged before anything is decoded.
 Result<show::Sound> Decode(Bytes file) {
   const auto format = ReadFormat(file);
   if (!format) return tl::unexpected(format.error());

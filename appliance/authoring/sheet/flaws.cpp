@@ -8,6 +8,7 @@
 namespace kaori::authoring {
 namespace {
 
+// As few as a cell of the sheet has room for.
 std::string Words(const inspect::Finding& finding) {
   switch (finding.flaw) {
     case inspect::Flaw::kFold:
@@ -20,12 +21,13 @@ std::string Words(const inspect::Finding& finding) {
   return "?";
 }
 
-// "laugh with a, lids shut" is "laugh", and " with a, lids shut" besides.
+// A pose's name taken apart: "laugh with a, lids shut" is "laugh", and " with a, lids shut" besides.
 struct PoseName {
   std::string expression;
   std::string besides;
 };
 
+// Poses are named by inspect::PosesToSee.
 PoseName Split(const std::string& pose) {
   const std::string shut = std::string(", ") + Flaws::kLidsShut;
   if (pose == "neutral" + shut) return {Flaws::kLidsShut, ""};
@@ -41,6 +43,7 @@ Flaws::Flaws(const inspect::Inspection& inspection) {
   for (const inspect::Finding& finding : inspection.findings) {
     const PoseName pose = Split(finding.pose);
     Found& found = found_[{finding.face, pose.expression}];
+    // The first flaw is told in words, later ones are counted.
     if (++found.count == 1) found.first = Words(finding) + pose.besides;
   }
 }

@@ -9,8 +9,10 @@
 
 namespace kaori::authoring {
 
+// Made once from an inspection, then asked for each cell. Keeps copies of what it needs.
 class Flaws {
  public:
+  // Nothing was inspected: every On() is empty.
   Flaws() : summary_("not inspected") {}
   explicit Flaws(const inspect::Inspection& inspection);
 
@@ -18,7 +20,7 @@ class Flaws {
   // expression that its name begins with; shut lids on the face at rest to kLidsShut.
   std::string On(const std::string& face, const std::string& expression) const;
 
-  // "0 folds, 2 lid gaps, 0 teeth through lips".
+  // For the sheet's head: "0 folds, 2 lid gaps, 0 teeth through lips".
   const std::string& summary() const { return summary_; }
   bool any() const { return !found_.empty(); }
 
@@ -29,7 +31,8 @@ class Flaws {
     int count = 0;
     std::string first;
   };
-  std::map<std::pair<std::string, std::string>, Found> found_;  // By face and expression.
+  // By face and expression.
+  std::map<std::pair<std::string, std::string>, Found> found_;
   std::string summary_;
 };
 

@@ -5,22 +5,26 @@
 namespace kaori::authoring {
 namespace {
 
+// All lengths in pixels; between cells, and around texts.
 constexpr int kMargin_px = 20;
 constexpr int kGap_px = 4;
 constexpr int kTitle_px = 28;
 constexpr int kHeading_px = 20;
+// Labels are as high as a cell allows, within these: smaller cannot be read.
 constexpr int kLargestLabel_px = 16;
 constexpr int kSmallestLabel_px = 10;
 constexpr std::array<std::uint8_t, 3> kWhite{236, 240, 248};
 constexpr std::array<std::uint8_t, 3> kGrey{168, 178, 196};
 constexpr std::array<std::uint8_t, 3> kRed{255, 92, 84};
 
+// Walks down the sheet, `y_px_` being where the next thing goes. Used once.
 class Arranger {
  public:
   Arranger(const Sheet& sheet, const Box& cell, image::Lettering& lettering)
       : sheet_(sheet),
         cell_(cell),
         lettering_(lettering),
+        // About a dozen letters across a cell.
         label_px_(std::clamp(cell.width_px / 11, kSmallestLabel_px, kLargestLabel_px)),
         rows_width_px_(RowNamesWidth()) {}
 
@@ -34,6 +38,8 @@ class Arranger {
   }
 
  private:
+  // The names' column at the left; 0 where no section has row names. All sections share it, so that cells
+  // stand below each other.
   int RowNamesWidth() const {
     int widest_px = 0;
     for (const Section& section : sheet_.sections)
@@ -50,11 +56,12 @@ class Arranger {
     return widest_px;
   }
 
+  // Cut to its box, with an ellipsis where something is missing.
   void AddLabel(const Box& box, const std::string& text, const image::TextStyle& style) {
     layout_.labels.push_back({box, image::Shorten(lettering_, text, style.size_px, box.width_px), style});
   }
 
-  // Across the whole sheet, below what there is.
+  // A line across the whole sheet, below what there is.
   void AddLine(const std::string& text, const image::TextStyle& style) {
     const int height_px = lettering_.height_px(style.size_px);
     AddLabel({kMargin_px, y_px_, layout_.width_px - 2 * kMargin_px, height_px}, text, style);
@@ -82,6 +89,7 @@ class Arranger {
     y_px_ += height_px + kGap_px;
   }
 
+  // One row of cells from number `first` on, with its name at half its height.
   void AddRow(const Section& section, std::size_t first) {
     const std::size_t row = first / static_cast<std::size_t>(section.in_a_row);
     const int name_height_px = lettering_.height_px(kLargestLabel_px);
@@ -95,7 +103,7 @@ class Arranger {
     y_px_ += cell_.height_px + (section.has_labels() ? label_height_px : 0) + kGap_px;
   }
 
-  // What is wrong with it stands in the picture, what it is, below.
+  // What is wrong with it stands in the picture; what it is, below.
   void AddCell(const Section& section, std::size_t index, std::size_t column, int label_height_px) {
     const Cell& cell = section.cells[index];
     const int left = CellLeft(column);

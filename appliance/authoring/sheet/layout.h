@@ -9,9 +9,11 @@
 
 namespace kaori::authoring {
 
+// A rectangle of the sheet, by its upper left corner.
 struct Box {
   int x_px = 0;
-  int y_px = 0;  // Down.
+  // Down from the sheet's upper edge.
+  int y_px = 0;
   int width_px = 0;
   int height_px = 0;
 };
@@ -23,14 +25,17 @@ struct Label {
   image::TextStyle style;
 };
 
+// Where all of one sheet goes; nothing is drawn yet.
 struct Layout {
   int width_px = 0;
   int height_px = 0;
-  std::vector<Box> cells;  // The pictures alone, in the order of the sheet's sections.
+  // The pictures alone, in the order of the sheet's sections and their cells.
+  std::vector<Box> cells;
   std::vector<Label> labels;
 };
 
-// `cell`: its width and height.
+// `cell`: its width and height alone count. `lettering` measures the texts, which are cut to their boxes.
+// Pure but for the lettering's cache.
 Layout LayOut(const Sheet& sheet, const Box& cell, image::Lettering& lettering);
 
 }  // namespace kaori::authoring

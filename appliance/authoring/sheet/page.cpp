@@ -6,12 +6,14 @@
 namespace kaori::authoring {
 namespace {
 
+// What the page's script needs: where each cell lies in the picture file, and by which words it is found.
 json::Object SheetData(const LaidOut& laid_out) {
   const auto& [sheet, layout] = laid_out;
   json::List cells;
   std::size_t i = 0;
   for (const Section& section : sheet.sections)
     for (const Cell& cell : section.cells) {
+      // Layout keeps the cells in the sections' order.
       const Box& box = layout.cells[i++];
       cells.push_back(json::Object{{"face", cell.face},
                                    {"label", cell.label},
@@ -25,7 +27,8 @@ json::Object SheetData(const LaidOut& laid_out) {
           {"cells", std::move(cells)}};
 }
 
-// JSON within a script: no text of a show may end the script.
+// JSON within a script element: no text of a show may end the script, so each "<" is written as an escape,
+// which JSON reads as the same character.
 std::string Quoted(const json::Value& data) {
   std::string text = json::Write(data);
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))

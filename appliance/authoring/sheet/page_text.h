@@ -5,6 +5,7 @@
 
 namespace kaori::authoring {
 
-extern const std::string_view kPage;  // "@DATA@" stands for the sheets' description, JSON.
+// Contains "@DATA@" once, which stands for the sheets' description, JSON.
+extern const std::string_view kPage;
 
 }  // namespace kaori::authoring

@@ -12,9 +12,11 @@ using face::ExpressionKind;
 
 constexpr int kInARow = 8;
 constexpr float kClose_m = 0.78F;  // Near enough to see a lip, far enough for hair and ears.
+// A little to the side: straight ahead, depth cannot be judged.
 constexpr float kTurned_rad = 0.2F;
 constexpr std::array<const char*, scene::kStyleCount> kStyles{"wire", "flat", "bare", "hair", "soft"};
 
+// A side and the camera's yaw towards it; the names are the character's own sides.
 struct Side {
   const char* name;
   float yaw_rad;
@@ -22,7 +24,7 @@ struct Side {
 constexpr std::array<Side, 5> kSides{
     {{"right", -1.3F}, {"half right", -0.6F}, {"front", 0}, {"half left", 0.6F}, {"left", 1.3F}}};
 
-// Lids as a hand or the box shuts them.
+// How far lids are shut, left and right, as an operator or the box shuts them.
 struct Lids {
   const char* name;
   std::array<float, 2> shut;
@@ -34,6 +36,7 @@ constexpr std::array<Lids, 6> kLids{{{"a quarter", {0.25F, 0.25F}},
                                      {"wink left", {1, 0}},
                                      {"wink right", {0, 1}}}};
 
+// A face at rest, at the usual distance. Expression 0 is "neutral".
 scene::Scene Portrait(std::uint16_t face) {
   scene::Scene scene;
   scene.weights.faces.Push(face, 1);
@@ -41,6 +44,7 @@ scene::Scene Portrait(std::uint16_t face) {
   return scene;
 }
 
+// Close, with the expression whole; mouth shapes and channels come on top of the face at rest.
 scene::Scene Wearing(const face::Cast& cast, std::uint16_t face, std::uint16_t expression) {
   scene::Scene scene = Portrait(face);
   scene.camera.distance_m = kClose_m;
@@ -54,6 +58,7 @@ scene::Scene Wearing(const face::Cast& cast, std::uint16_t face, std::uint16_t e
   return scene;
 }
 
+// In the cast's order.
 std::vector<std::uint16_t> OfKind(const face::Cast& cast, ExpressionKind kind) {
   std::vector<std::uint16_t> indices;
   for (std::uint16_t e = 0; e < cast.expressions.size(); ++e)
@@ -67,6 +72,7 @@ std::vector<std::string> FaceNames(const face::Cast& cast, std::size_t first = 0
   return names;
 }
 
+// One function for each sheet. Borrows show and flaws.
 class Planner {
  public:
   Planner(const show::Show& show, const Flaws& flaws) : show_(show), cast_(show.cast), flaws_(flaws) {}
@@ -80,6 +86,7 @@ class Planner {
     Sheet sheet = Titled("cast.png", show_.name + ": every face with every expression");
     sheet.about = fmt::format("{}; {}", CountsOf(cast_), flaws_.summary());
     sheet.is_flawed = flaws_.any();
+    // The whole cast has some hundreds of cells; at full size the picture would be too large to look at.
     sheet.size = 0.5F;
     sheet.sections = {std::move(grid)};
     return sheet;
@@ -89,6 +96,7 @@ class Planner {
     Section grid{.in_a_row = static_cast<int>(kSides.size()), .rows = FaceNames(cast_)};
     for (const Side& side : kSides) grid.columns.emplace_back(side.name);
     for (std::uint16_t f = 0; f < cast_.faces.size(); ++f)
+      // The camera goes round; the head stays, so that the light stays on it.
       for (const Side& side : kSides) {
         grid.cells.push_back(Plain(f, side.name));
         grid.cells.back().scene.camera.yaw_rad = side.yaw_rad;
@@ -109,7 +117,7 @@ class Planner {
     return Titled("styles.png", "The ways of drawing", std::move(grid));
   }
 
-  // From face 0 to each other one.
+  // From face 0 to each other one, by weights of 0 to 1 in four steps.
   Sheet Morphs() const {
     constexpr int kSteps = 5;
     Section grid{.in_a_row = kSteps, .rows = FaceNames(cast_, 1)};
@@ -128,6 +136,7 @@ class Planner {
     return Titled("morphs.png", "From " + cast_.faces.front().name + " to the others", std::move(grid));
   }
 
+  // Lids come before the channels, which are many.
   Sheet OneFace(std::uint16_t face) const {
     const std::string& name = cast_.faces[face].name;
     Sheet sheet = Titled("face-" + name + ".png", name);
@@ -168,6 +177,7 @@ class Planner {
             Wearing(cast_, face, expression)};
   }
 
+  // Flaws of shut lids are known by the label "lids shut" alone.
   Section LidsOf(std::uint16_t face) const {
     Section section{.heading = "Lids shut", .in_a_row = kInARow};
     for (const Lids& lids : kLids) {
@@ -180,6 +190,8 @@ class Planner {
     return section;
   }
 
+  // The line below a face's title: how many of its pictures have flaws; "no flaws" only where
+  // all was inspected.
   void Complain(Sheet& sheet) const {
     std::size_t flawed = 0;
     for (const Section& section : sheet.sections)

@@ -10,14 +10,18 @@
 
 namespace kaori::authoring {
 
+// One picture: what is drawn, and what it is called.
 struct Cell {
   std::string face;
-  std::string label;  // The expression, the side, the style: what it is besides the face.
-  std::string flaws;  // Empty: none.
+  // The expression, the side, the style: what it is besides the face.
+  std::string label;
+  // As Flaws::On; empty: none. A cell with flaws is framed in red.
+  std::string flaws;
   scene::Scene scene;
 };
 
-// Cells in rows. With `rows` or `columns` names stand at the left and above, and none under the cells.
+// Cells in rows. With `rows` or `columns` names stand at the left and above; with `columns`, none
+// under the cells.
 struct Section {
   std::string heading{};
   int in_a_row = 8;
@@ -28,18 +32,24 @@ struct Section {
   bool has_labels() const { return columns.empty(); }
 };
 
+// One picture file.
 struct Sheet {
   std::string file;
   std::string title;
-  std::string about;       // A line below the title.
-  bool is_flawed = false;  // The line is a complaint.
-  float size = 1;          // Of the cells, of what was asked for.
+  // A line below the title.
+  std::string about;
+  // The line is a complaint, and red.
+  bool is_flawed = false;
+  // Of the cells, of what was asked for.
+  float size = 1;
   std::vector<Section> sections;
 };
 
-// "11 faces, 22 expressions, 12 mouth shapes, 9 channels".
+// For people: "11 faces, 22 expressions, 12 mouth shapes, 9 channels".
 std::string CountsOf(const face::Cast& cast);
 
+// The whole cast, its sides, its styles, the way from the first face to each other one where there is one,
+// then a sheet for each face. `show` is borrowed during the call.
 std::vector<Sheet> PlanSheets(const show::Show& show, const Flaws& flaws);
 
 }  // namespace kaori::authoring

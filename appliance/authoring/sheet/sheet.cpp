@@ -18,23 +18,26 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using Step = std::function<void(std::string_view)>;
 
+// A dark ground, as the stage has.
 constexpr std::array<std::uint8_t, 3> kPaper{21, 24, 31};
 constexpr std::array<std::uint8_t, 3> kFlaw{255, 92, 84};
 constexpr int kFrame_px = 3;
 constexpr int kSmallestCell_px = 64;
 
+// A file that is to be written when everything has been drawn.
 struct File {
   std::string name;
   Bytes bytes;
 };
 
+// One colour; the fourth byte of a pixel is unused.
 image::Picture Paper(int width_px, int height_px) {
   image::Picture paper = image::Picture::Blank(width_px, height_px);
   for (std::size_t i = 0; i < paper.rgbx.size(); ++i) paper.rgbx[i] = i % 4 < 3 ? kPaper[i % 4] : 0;
   return paper;
 }
 
-// Draws a frame along the inside of a picture's edge.
+// Draws a frame along the inside of a picture's edge, over what is there.
 void Frame(image::Picture& picture) {
   for (int y = 0; y < picture.height_px; ++y)
     for (int x = 0; x < picture.width_px; ++x) {
@@ -45,6 +48,7 @@ void Frame(image::Picture& picture) {
     }
 }
 
+// Draws sheets with one studio; the cell's picture is kept between cells. Borrows studio and lettering.
 class Drawing {
  public:
   Drawing(stage::Studio& studio, image::Lettering& lettering) : studio_(studio), lettering_(lettering) {}
@@ -57,6 +61,7 @@ class Drawing {
       for (const Cell& cell : section.cells)
         if (auto ok = Put(cell, layout.cells[i++], whole); !ok) return tl::unexpected(ok.error());
     for (const Label& label : layout.labels) {
+      // Layouts count rows down from the top; pictures hold the bottom row first.
       const int y_px = whole.height_px - label.box.y_px - label.box.height_px;
       lettering_.Draw(label.text, label.style, label.box.x_px, y_px, whole);
     }
@@ -64,6 +69,7 @@ class Drawing {
   }
 
  private:
+  // Draws one cell and pastes it in. Errors: the studio's.
   Result<void> Put(const Cell& cell, const Box& box, image::Picture& into) {
     cell_ = image::Picture::Blank(box.width_px, box.height_px);
     if (auto ok = studio_.Draw(cell.scene, {cell_.width_px, cell_.height_px, ports::PixelMemory{cell_.rgbx}});
@@ -96,6 +102,7 @@ std::vector<LaidOut> LayOutAll(const show::Show& show, const SheetOptions& optio
   return all;
 }
 
+// Everything in memory: pictures as PNG, and the page.
 Result<std::vector<File>> DrawAll(stage::Studio& studio, const SheetOptions& options, const Step& step) {
   auto lettering = image::Lettering::Open();
   if (!lettering) return tl::unexpected(lettering.error());
@@ -119,7 +126,8 @@ Result<std::vector<File>> DrawAll(stage::Studio& studio, const SheetOptions& opt
   return files;
 }
 
-// Removes a folder that was made for nothing.
+// Removes a folder that was made for nothing: all that is in it was put there by this call. A folder that was
+// there before stays as it was, but for files that were written.
 class NewFolder {
  public:
   static Result<NewFolder> Make(const std::filesystem::path& folder) {
@@ -148,6 +156,7 @@ Result<void> DrawSheets(stage::Studio& studio, const std::filesystem::path& fold
                         const SheetOptions& options, const std::function<void(std::string_view)>& wrote,
                         const std::function<void(std::string_view)>& step) {
   const auto files = DrawAll(
+      // `step` may be empty, and the steps below call it.
       studio, options, step ? step : [](std::string_view) {});
   if (!files) return tl::unexpected(files.error());
   auto made = NewFolder::Make(folder);
