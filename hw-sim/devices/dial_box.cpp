@@ -22,6 +22,8 @@ void DialBox::Turn(int dial, double turns) {
   if (turns == 0 || !(std::abs(turns) <= kMostTurns)) return;
   Dial& shaft = dials_[static_cast<std::size_t>(dial)];
   shaft.turns += turns;
+  // Counts follow from where the shaft stands, never from the part that was
+  // turned last: no rounding adds up.
   const auto counted = static_cast<std::int64_t>(std::llround(shaft.turns * wire::kDialCountsPerTurn));
   AddCounts(dial, counted - shaft.reported);
   shaft.reported = counted;
@@ -33,6 +35,7 @@ void DialBox::AddCounts(int dial, std::int64_t counts) {
   using Limits = std::numeric_limits<std::int16_t>;
   const auto n = static_cast<std::size_t>(dial);
   while (counts != 0) {
+    // A report whose dial is at its end cannot hold more turns: the rest begins another one.
     auto& report = waiting_.Change(context_.clock.now(), [&](const auto&, const auto& back) {
       return back.turned[n] == Limits::max() || back.turned[n] == Limits::min();
     });
@@ -55,6 +58,8 @@ void DialBox::SetButton(int button, bool down) {
   if (button < 0 || button >= static_cast<int>(wire::kDialBoxButtons)) return;
   const std::uint32_t bit = std::uint32_t{1} << button;
   if (((buttons_down() & bit) != 0) == down) return;
+  // A button that went down in the waiting report must not go up in it: the
+  // pair would cancel out and be lost.
   auto& report = waiting_.Change(context_.clock.now(), [bit](const auto& before, const auto& back) {
     return ((before.buttons_down ^ back.buttons_down) & bit) != 0;
   });
@@ -82,12 +87,15 @@ Report DialBox::Standing() const {
 }
 
 void DialBox::HandleOutput(std::span<const std::uint8_t> report) {
+  // 4 bytes behind a report id of 0 (HidDevice::HandleOutput). Whatever else comes is no lamps' report.
   if (report.size() != 1 + wire::kDialBoxLampBytes || report[0] != 0) return;
   lamps_ = wire::DecodeLamps(report.subspan<1, wire::kDialBoxLampBytes>());
 }
 
 void DialBox::HostCame() {
   waiting_.set_hosted(true);
+  // A real box sends its first report when something changes; a button that is
+  // held at power-on is such a change.
   if (!waiting_.next_due() && buttons_down() != 0) {
     waiting_.Change(context_.clock.now(), [](const auto&, const auto&) { return false; });
   }

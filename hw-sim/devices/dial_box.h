@@ -11,13 +11,16 @@
 namespace kaori::sim {
 
 // Dials 0..7 and buttons 0..31, from the upper left; other numbers are ignored. The report is that of
-// firmware/wire/dial_box.h: 256 counts a turn, what was turned since the last report. One thread.
+// firmware/wire/dial_box.h: 256 counts a turn, what was turned since the last report. Nothing here knows
+// of a computer: links carry the reports. One thread.
 class DialBox final : public HidDevice {
  public:
   // Borrows the context.
   explicit DialBox(const DeviceContext& context) : context_(context) {}
 
-  // Test's side: what the operator does. Clockwise is positive; parts of a count are kept for the next turn.
+  // Test's side: what the operator does. Clockwise is positive; parts of a count are kept
+  // for the next turn. What is no number, or further than 1000 turns, is ignored. Each
+  // change is told to the context's watcher.
   void Turn(int dial, double turns);
   void Push(int button);
   void Release(int button);
@@ -25,7 +28,8 @@ class DialBox final : public HidDevice {
   std::uint32_t buttons_down() const { return waiting_.newest().buttons_down; }
   double turned(int dial) const;  // All turns since the box was made.
 
-  // Appliance's side.
+  // Appliance's side, as HidDevice says. Lamps go dark with the power; dials
+  // and buttons are where they are.
   HidDeviceName device_name() const override;
   std::optional<Time> next_due() const override { return waiting_.next_due(); }
   std::optional<Report> NextReport(Time now) override;
@@ -36,12 +40,15 @@ class DialBox final : public HidDevice {
   void PowerCycle() override;
 
  private:
+  // `turns` is exact, so that many small turns add up to the same counts as one large turn.
   struct Dial {
     double turns = 0;           // Where the shaft stands, in turns since the start.
     std::int64_t reported = 0;  // Counts of it that reports have said.
   };
+  // What the next report starts from: buttons as they are, nothing turned.
   static wire::DialBoxReport Next(const wire::DialBoxReport& last) { return {last.buttons_down, {}}; }
   void SetButton(int button, bool down);
+  // Adds to the report that waits; may make several reports of one turn.
   void AddCounts(int dial, std::int64_t counts);
 
   const DeviceContext& context_;

@@ -5,24 +5,29 @@
 namespace kaori::sim {
 namespace {
 
+// The ids by which hid-cp2112 finds its part; they are Silicon Laboratories' own.
 constexpr std::uint16_t kVendor = 0x10C4, kProduct = 0xEA90;
+// HID's class, and the types of its descriptors (HID 1.11, 7.1).
 constexpr std::uint8_t kHidClass = 3, kHidKind = 0x21, kReportKind = 0x22;
 constexpr std::uint8_t kIn = 0x81, kOut = 0x01;
 
+// bmRequestType and bRequest of what the driver sends (USB 2.0, 9.3; HID 1.11, 7.2).
 constexpr std::uint8_t kStandardFromInterface = 0x81, kToInterface = 0x21, kFromInterface = 0xA1;
 constexpr std::uint8_t kGetDescriptor = 0x06, kGetReport = 0x01, kSetReport = 0x09, kSetIdle = 0x0A;
 
-// Report numbers.
+// Report numbers, as AN495 lists them.
 constexpr std::uint8_t kGpioConfig = 0x02, kGetGpio = 0x03, kSetGpio = 0x04, kVersion = 0x05,
                        kSmbusConfig = 0x06;
 constexpr std::uint8_t kUsbConfig = 0x20;
 
+// The main item of a report, its size in the low bits: which way it goes (HID 1.11, 6.2.2.4).
 enum class Way : std::uint8_t { kInput = 0x81, kOutput = 0x91, kFeature = 0xB1 };
 struct ReportShape {
   std::uint8_t number;
   std::uint8_t bytes;  // Behind the number.
   Way way;
 };
+// All reports of the part, also those of I2C, so that a host finds the real part's descriptor.
 constexpr std::array kReports{
     ReportShape{kGpioConfig, 4, Way::kFeature},   ReportShape{kGetGpio, 1, Way::kFeature},
     ReportShape{kSetGpio, 2, Way::kFeature},      ReportShape{kVersion, 2, Way::kFeature},
@@ -37,6 +42,8 @@ constexpr std::array kReports{
 UsbBytes ReportDescriptor() {
   UsbBytes bytes{0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01};  // A vendor's collection.
   for (const ReportShape& report : kReports) {
+    // Report id; count of bytes, 8 bits each; logical maximum 255 and minimum 0; a vendor's usage; the
+    // main item, which is data, variable, absolute.
     const UsbBytes one{
         0x85, report.number, 0x95, report.bytes, 0x75, 0x08, 0x26,
         0xFF, 0x00,          0x15, 0x00,         0x09, 0x01, static_cast<std::uint8_t>(report.way),
@@ -50,7 +57,10 @@ UsbBytes ReportDescriptor() {
 UsbBytes Configuration() {
   constexpr std::uint8_t kInterval = 1;
   UsbBytes bytes = InterfaceDescriptor({.kind = kHidClass}, 2);
+  // 7 + 15 * 15 + 1 = 233 bytes: the upper byte of the length stays 0.
   const auto report_bytes = static_cast<std::uint8_t>(ReportDescriptor().size());
+  // The class descriptor (HID 1.11, 6.2.1): HID 1.11, no country, one
+  // descriptor of type report, its length.
   for (const UsbBytes& part : {UsbBytes{9, kHidKind, 0x11, 0x01, 0, 1, kReportKind, report_bytes, 0},
                                EndpointDescriptor({kIn, UsbTransfer::kInterrupt, 64, kInterval}),
                                EndpointDescriptor({kOut, UsbTransfer::kInterrupt, 64, kInterval})})
@@ -85,7 +95,8 @@ bool GpioBridge::high(int line) const {
   return (levels() & Bit(line)) != 0;
 }
 
-// An output that pulls down only is let up where it drives high; so is every input.
+// An output that pulls down only is let up where it drives high; so is every input. An output that
+// drives high wins against a closed switch here; a real one would fight it.
 std::uint8_t GpioBridge::levels() const {
   const unsigned driven_low = outputs_ & ~driven_;
   const unsigned driven_high = outputs_ & push_pull_ & driven_;
@@ -95,13 +106,18 @@ std::uint8_t GpioBridge::levels() const {
 std::optional<UsbBytes> GpioBridge::Feature(std::uint8_t report) const {
   switch (report) {
     case kGpioConfig:
+      // Direction, push-pull, special functions (none), clock divider.
       return UsbBytes{kGpioConfig, outputs_, push_pull_, 0, 0};
     case kGetGpio:
       return UsbBytes{kGetGpio, levels()};
     case kVersion:
+      // Part number 0x0C and version 2, which the driver prints.
       return UsbBytes{kVersion, 0x0C, 0x02};
     case kSmbusConfig:
+      // Clock 100 kHz (0x000186A0, big-endian), own address 2, no time-outs: the
+      // part's settings when it is new.
       return UsbBytes{kSmbusConfig, 0x00, 0x01, 0x86, 0xA0, 0x02, 0, 0, 0, 0, 0, 0, 0, 0};
+    // Vendor, product, 100 mA in units of 2 mA, bus powered, release 1.0.
     case kUsbConfig:
       return UsbBytes{kUsbConfig, 0xC4, 0x10, 0x90, 0xEA, 50, 0, 1, 0, 0};
     default:
@@ -111,6 +127,7 @@ std::optional<UsbBytes> GpioBridge::Feature(std::uint8_t report) const {
 
 bool GpioBridge::SetFeature(std::span<const std::uint8_t> report) {
   if (report.empty()) return false;
+  // Accepted and forgotten: there is no I2C behind this bridge.
   if (report[0] == kSmbusConfig) return true;
   if (report[0] == kGpioConfig && report.size() >= 3) {
     outputs_ = report[1];
@@ -118,6 +135,7 @@ bool GpioBridge::SetFeature(std::span<const std::uint8_t> report) {
     return true;
   }
   if (report[0] == kSetGpio && report.size() >= 3) {
+    // The second byte is a mask: only lines with a set bit change.
     driven_ = static_cast<std::uint8_t>((driven_ & ~report[2]) | (report[1] & report[2]));
     return true;
   }
@@ -125,6 +143,7 @@ bool GpioBridge::SetFeature(std::span<const std::uint8_t> report) {
 }
 
 std::optional<UsbBytes> GpioBridge::Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) {
+  // Standard requests that every device answers are the link's business (usb_descriptors.h).
   if (setup.type == kStandardFromInterface && setup.request == kGetDescriptor &&
       setup.value >> 8 == kReportKind)
     return ReportDescriptor();
@@ -138,6 +157,7 @@ std::optional<UsbBytes> GpioBridge::Answer(const UsbSetup& setup, std::span<cons
 void GpioBridge::PowerCycle() {
   outputs_ = 0;
   push_pull_ = 0;
+  // Outputs are high when the part starts, so that a lamp to ground is dark.
   driven_ = 0xFF;
 }
 

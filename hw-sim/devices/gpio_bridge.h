@@ -8,20 +8,23 @@
 namespace kaori::sim {
 
 // By its data sheet (AN495 of its maker): everything goes by HID feature reports. Its I2C side answers
-// nothing. A host looks at the lines every 40 ms: what is shorter, nobody sees.
+// nothing. A host looks at the lines every 40 ms: what is shorter, nobody sees, as at the real part,
+// whose interrupts Linux emulates by polling. One thread.
 class GpioBridge final : public UsbDevice {
  public:
   static constexpr int kLines = 8;
 
   GpioBridge();
 
-  // Test's side. Lines are pulled up; a switch pulls its line to ground. Numbers outside 0..7 are ignored.
+  // Test's side. Lines are pulled up; a switch pulls its line to ground. Numbers outside 0..7 are
+  // ignored. What is done here takes part at once, and is seen when the host looks next.
   void Close(int line) { Pull(line, true); }  // The switch is pressed.
   void Open(int line) { Pull(line, false); }  // The switch is let go.
   bool drives(int line) const;                // The host has made it an output.
   bool high(int line) const;                  // The level on the line now.
 
-  // Appliance's side.
+  // Appliance's side: control requests alone. The interrupt endpoints are there, as at the real part,
+  // and carry nothing, since they are for I2C.
   const UsbDescriptors& descriptors() const override { return descriptors_; }
   std::optional<UsbBytes> Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) override;
   void HandleOut(std::uint8_t, std::span<const std::uint8_t>) override {}
@@ -32,9 +35,14 @@ class GpioBridge final : public UsbDevice {
   void PowerCycle() override;
 
  private:
+  // Closes the switch of a line, or opens it.
   void Pull(int line, bool down);
+  // Bit n: line n is high. What pulls down wins over what is let up.
   std::uint8_t levels() const;
+  // The bytes of a feature report, its number first; nothing for one that is
+  // not known: the request stalls.
   std::optional<UsbBytes> Feature(std::uint8_t report) const;
+  // Takes a feature report in, its number first; false for one that is not known or too short.
   bool SetFeature(std::span<const std::uint8_t> report);
 
   UsbDescriptors descriptors_;

@@ -12,6 +12,7 @@
 
 namespace kaori::sim {
 
+// The bytes of a report without the report id, as none of our devices has any.
 using Report = std::vector<std::uint8_t>;
 
 // Who the device is, as a host reads it when it is plugged in.
@@ -22,27 +23,31 @@ struct HidDeviceName {
   std::span<const std::uint8_t> descriptor;  // Static memory.
 };
 
-// One thread. Reports leave on change only, at most one in a millisecond; what changes in between shares a
-// report, but a button that went down and up again gets both its reports.
+// A device's own side of the cable: what a microcontroller would do. One thread. Reports leave on change
+// only, at most one in a millisecond; what changes in between shares a report, but a button that went
+// down and up again gets both its reports. Time comes from outside: nothing happens between two calls.
 class HidDevice {
  public:
+  // Does not change.
   virtual ~HidDevice() = default;
   virtual HidDeviceName device_name() const = 0;
 
   // When the next report may leave; nothing while there is none.
   virtual std::optional<Time> next_due() const = 0;
 
-  // The next report that is due at `now`.
+  // The next report that is due at `now`; nothing: none is. Called again until there is none.
   virtual std::optional<Report> NextReport(Time now) = 0;
 
-  // A report of how things stand, whether due or not; what was turned and not yet reported stays unreported.
+  // A report of how things stand, whether due or not, as GET_REPORT asks for it (HID 1.11, 7.2.1); what
+  // was turned and not yet reported stays unreported.
   virtual Report Standing() const = 0;
 
-  // An output report, byte 0 the report id. Unknown ones are ignored, as by the real part.
+  // An output report, byte 0 the report id, 0 where there is none. Unknown ones
+  // are ignored, as by the real part.
   virtual void HandleOutput(std::span<const std::uint8_t> report) = 0;
 
-  // A host began to listen: it gets one report if anything is not at rest. While none listens, changes gather
-  // in one report.
+  // A host began to listen: it gets one report if anything is not at rest. While none listens, changes
+  // gather in one report. HostLeft: it stopped, as when the cable is pulled or the program ends.
   virtual void HostCame() = 0;
   virtual void HostLeft() = 0;
 

@@ -3,6 +3,8 @@
 namespace kaori::sim {
 namespace {
 
+// Each of these passes an action's verb on to the device; verbs that the
+// device does not have fall through.
 void DoOnBox(DialBox& box, const OperatorAction& action) {
   if (action.verb == Verb::kTurn) box.Turn(action.index, action.a);
   if (action.verb == Verb::kPush) box.Push(action.index);

@@ -13,10 +13,12 @@
 
 namespace kaori::sim {
 
+// Members are public: whoever tests uses a device's own verbs. One thread.
 struct InputDevices {
   // Borrows the context, which every device tells of what changed.
   InputDevices(const DeviceContext& context, ports::CameraFormat camera_format);
 
+  // For every other port than kStickRight it is the left one: the caller asks for a stick's port.
   StickPod& stick(DevicePort port) { return port == DevicePort::kStickRight ? right_stick : left_stick; }
 
   // Does the action on the device of its port; reports become due, nothing is sent. Verbs that the device does not have,
@@ -33,14 +35,15 @@ struct InputDevices {
   LinePanel lines;
 };
 
-// Devices with their cables, wherever these lead: to the local link, to a virtual machine, or to real USB sockets. A
-// scenario is played on one of these. One thread.
+// Devices with their cables, wherever these lead: to the local link, to a virtual machine, or to real
+// USB sockets. A scenario is played on one of these, and does not know which. One thread.
 class DeviceRig {
  public:
   virtual ~DeviceRig() = default;
   virtual InputDevices& devices() = 0;
 
-  // Does one action, cables included. Errors: those of the cables.
+  // Does one action, cables included; does not block. An action that changes nothing is no error.
+  // Errors: those of the cables, such as a socket that cannot be made.
   virtual Result<void> Do(const OperatorAction& action) = 0;
 };
 

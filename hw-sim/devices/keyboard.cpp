@@ -6,6 +6,7 @@ namespace kaori::sim {
 namespace {
 
 constexpr std::uint8_t kLastUsage = 0xE7;
+// Num, caps and scroll lock, compose and kana.
 constexpr std::uint8_t kLightBits = 0x1F;
 
 Report KeyboardBytes(const wire::KeyboardReport& report) {
@@ -17,6 +18,7 @@ Report KeyboardBytes(const wire::KeyboardReport& report) {
 
 void Keyboard::Set(std::uint8_t usage, bool down) {
   if (usage < wire::kFirstKeyUsage || usage > kLastUsage || held(usage) == down) return;
+  // A key that went down in the waiting report must not go up in it: a tap would be lost.
   auto& report = waiting_.Change(context_.clock.now(), [usage](const auto& before, const auto& back) {
     return before.held(usage) != back.held(usage);
   });
@@ -39,6 +41,7 @@ Report Keyboard::Standing() const {
 }
 
 void Keyboard::HandleOutput(std::span<const std::uint8_t> report) {
+  // One byte behind a report id of 0.
   if (report.size() == 2 && report[0] == 0) lights_ = report[1] & kLightBits;
 }
 

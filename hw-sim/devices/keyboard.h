@@ -9,6 +9,8 @@
 
 namespace kaori::sim {
 
+// A device of its own, beside the real keyboard of the machine that it is simulated on. Nothing repeats
+// by itself: auto-repeat is made by hosts. One thread.
 // One thread.
 class Keyboard final : public HidDevice {
  public:
@@ -32,7 +34,9 @@ class Keyboard final : public HidDevice {
   void PowerCycle() override;
 
  private:
+  // Keys are states, not events: the next report starts from all of them.
   static wire::KeyboardReport Next(const wire::KeyboardReport& last) { return last; }
+  // Presses a key, or releases it; does nothing where it is so already.
   void Set(std::uint8_t usage, bool down);
 
   const DeviceContext& context_;

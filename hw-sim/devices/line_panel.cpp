@@ -3,7 +3,8 @@
 namespace kaori::sim {
 namespace {
 
-// A host that never reads must not eat memory: beyond this the oldest edges are lost, as in the kernel.
+// A host that never reads must not eat memory: beyond this the oldest edges are lost, as in
+// the kernel, whose queue is far shorter.
 constexpr std::size_t kMostEdges = 1024;
 
 }  // namespace

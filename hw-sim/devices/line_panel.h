@@ -14,7 +14,8 @@ namespace kaori::sim {
 // The input lines in the order in which the box expects them (appliance/core/board/lines.h).
 inline constexpr std::array<std::string_view, 4> kLineNames{"go", "blackout", "service", "presence"};
 
-// Switches without bounce: a contact that chatters is made by two calls.
+// Switches without bounce: a contact that chatters is made by two calls. Lines 0 (a push button) and 1
+// to 3 (switches that stay) differ only for whoever operates them. One thread.
 class LinePanel {
  public:
   static constexpr int kInputs = static_cast<int>(kLineNames.size());
@@ -37,11 +38,13 @@ class LinePanel {
 
   // Appliance's side. Bit n: the switch of line n is closed.
   std::uint32_t closed() const { return closed_; }
-  // The oldest edge that has not been asked for; nothing: none waits.
+  // The oldest edge that has not been asked for; nothing: none waits. Edges are
+  // stamped when the switch moved.
   std::optional<Edge> NextEdge();
   // A host came: it reads the levels, and older edges are gone. A host that left drives nothing.
   void HostCame() { edges_.clear(); }
   void HostLeft() { tally_ = false; }
+  // Drives an output; others than 0 are ignored, as no lamp is wired to them.
   void Drive(int output, bool active);
 
  private:

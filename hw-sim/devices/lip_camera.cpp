@@ -9,11 +9,13 @@
 namespace kaori::sim {
 namespace {
 
+// Larger frames would only cost time: lips are measured at 320 to 1280 pixels.
 constexpr int kMostWidth = 1920;
 constexpr int kMostHeight = 1080;
 constexpr std::uint8_t kDarkLuma = 19;  // Less 3 of noise is black.
 constexpr std::uint8_t kGrey = 128;
 
+// Two columns share their colour in YUYV, and two rows as well in NV12.
 bool CanShoot(const ports::CameraFormat& format) {
   return format.width_px >= 2 && format.width_px <= kMostWidth && format.width_px % 2 == 0 &&
          format.height_px >= 2 && format.height_px <= kMostHeight && format.height_px % 2 == 0;
@@ -23,6 +25,7 @@ std::size_t YuyvBytes(const ports::CameraFormat& format) {
   return static_cast<std::size_t>(format.width_px) * static_cast<std::size_t>(format.height_px) * 2;
 }
 
+// A number that is none leaves things as they are.
 double Held(double value, double low, double high, double otherwise) {
   return std::isnan(value) ? otherwise : std::clamp(value, low, high);
 }
@@ -56,6 +59,7 @@ void LipCamera::SetFormat(ports::CameraFormat format) {
   const bool same_size = format.width_px == format_.width_px && format.height_px == format_.height_px;
   format_ = format;
   if (same_size) return;
+  // The face is painted once for each size: it costs more than the mouth and the noise together.
   backdrop_.clear();
   picture_.resize(YuyvBytes(format_));
 }
@@ -87,6 +91,7 @@ void LipCamera::Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv) {
     PaintFace({format_.width_px, format_.height_px, backdrop_});
   }
   if (covered_) {
+    // Even bytes are Y, odd ones Cb and Cr.
     for (std::size_t n = 0; n < yuyv.size(); ++n) yuyv[n] = n % 2 == 0 ? kDarkLuma : kGrey;
     return AddNoise(yuyv, sequence, yuyv);
   }

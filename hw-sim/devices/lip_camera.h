@@ -15,13 +15,15 @@ namespace kaori::sim {
 // How the next frame is spoilt: not at all, in the numbers that come with it, or in its pixels.
 enum class Spoil : std::uint8_t { kNothing, kMessage, kPixels };
 
-// One thread. The same mouth and the same frame numbers give the same bytes.
+// Draws frames on request; when they are taken is the link's business. One thread. The same mouth and
+// the same frame numbers give the same bytes, so that a test can compare pictures.
 class LipCamera {
  public:
   // Borrows the context.
   LipCamera(ports::CameraFormat format, const DeviceContext& context);
 
-  // Test's side. Sizes are in widths of the mouth at rest, held within 0.02 .. 2 (height) and 0.1 .. 2 (width).
+  // Test's side. Sizes are in widths of the mouth at rest, held within 0.02 .. 2 (height) and 0.1 .. 2
+  // (width). Numbers that are none leave a size as it is.
   void SetMouth(double height, double width);
   void CoverLens(bool covered);
   void Stall(bool stalled);                         // No frames while stalled; their numbers go by.
@@ -33,18 +35,20 @@ class LipCamera {
   bool stalled() const { return stalled_; }
   ports::CameraFormat format() const { return format_; }
 
-  // Appliance's side. Room that every frame of the present format fits into.
+  // Appliance's side. Room that every frame of the present format fits into; JPEG is given that of YUYV.
+  // row of Y, or of YUYV; 0 for MJPEG.
   std::size_t frame_bytes() const;
   std::uint32_t stride_bytes() const;
 
   // Draws frame `sequence` into `into` (frame_bytes of room); the same numbers give the same bytes.
-  // Returns the bytes used.
+  // Blocks while it draws. Returns the bytes used; 0 where `into` is too small.
   std::size_t Shoot(std::uint32_t sequence, std::span<std::uint8_t> into);
 
   // How the frame that is now leaving is spoilt; the one after it is clean again.
   Spoil ExchangeSpoil() { return std::exchange(spoil_, Spoil::kNothing); }
 
  private:
+  // Draws the picture as YUYV, with noise.
   void Draw(std::uint32_t sequence, std::span<std::uint8_t> yuyv);
 
   const DeviceContext& context_;

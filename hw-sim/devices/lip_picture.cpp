@@ -8,6 +8,7 @@
 namespace kaori::sim {
 namespace {
 
+// BT.601 in the limited range, as floats: only the result is rounded.
 struct Colour {
   float y;
   float cb;
@@ -19,7 +20,8 @@ constexpr Colour kPaint{86, 187, 102};
 constexpr Colour kThroat{40, 121, 141};
 constexpr Colour kRoom{43, 130, 127};
 
-// Where things are, in parts of the picture; y runs down.
+// Where things are, in parts of the picture; y runs down. The lips' reader finds the mouth by its
+// colour, so the place matters only for whoever looks.
 constexpr double kMouthX = 0.5;
 constexpr double kMouthY = 0.52;
 constexpr double kNoseY = 0.16;
@@ -28,6 +30,7 @@ constexpr double kNoseY = 0.16;
 constexpr double kLipsHeight = 0.24;
 constexpr double kOpeningOfWidth = 0.74;
 
+// Noise is cut from a table, which is faster than a hash for each byte of a frame.
 constexpr std::size_t kNoiseBytes = 1 << 16;
 
 std::uint32_t Scatter(std::uint32_t x) {  // The finaliser of MurmurHash3.
@@ -40,15 +43,18 @@ std::array<std::uint8_t, kNoiseBytes> MakeNoise() {
   std::array<std::uint8_t, kNoiseBytes> noise;
   for (std::size_t n = 0; n < noise.size(); ++n) {
     const std::uint32_t random = Scatter(static_cast<std::uint32_t>(n) + 1);
-    noise[n] = static_cast<std::uint8_t>((random & 3u) + ((random >> 2) & 3u));  // 0..6, 3 in the mean.
+    // The sum of two even distributions of 0..3: 0..6, 3 in the mean, near enough to a bell.
+    noise[n] = static_cast<std::uint8_t>((random & 3u) + ((random >> 2) & 3u));
   }
   return noise;
 }
 
+// A hill of height 1 whose sides fall off within `width`.
 float Bump(double distance, double width) {
   return static_cast<float>(std::exp(-(distance * distance) / (width * width)));
 }
 
+// `part` 0 is a, 1 is b.
 Colour Mix(const Colour& a, const Colour& b, float part) {
   return {a.y + (b.y - a.y) * part, a.cb + (b.cb - a.cb) * part, a.cr + (b.cr - a.cr) * part};
 }
@@ -66,6 +72,7 @@ Colour FaceAt(double x, double y) {
   return Mix(skin, kRoom, outside);
 }
 
+// Within what AddNoise can change by 3 without running over.
 std::uint8_t Byte(float value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 8.0F, 247.0F)));
 }
@@ -97,7 +104,8 @@ double LensHalf(double half_height, double half_width, double from_centre) {
   return half_width <= 0 || std::abs(part) >= 1 ? -1 : half_height * std::pow(1 - part * part, 0.75);
 }
 
-// How much of the pixel at `from_centre` rows lies within `half`, 0 .. 1.
+// How much of the pixel at `from_centre` rows lies within `half`, 0 .. 1. A pixel is one row high: its
+// coverage runs from 0 to 1 as the edge passes it, which gives smooth edges.
 float Covered(double half, double from_centre) {
   return static_cast<float>(std::clamp(half - std::abs(from_centre) + 0.5, 0.0, 1.0));
 }
@@ -107,6 +115,7 @@ struct Column {
   double opening = -1;  // negative: not in this column.
 };
 
+// Two pixels share Cb and Cr: each is mixed by itself, and the mean of both colours is stored.
 void PaintPixelPair(std::span<std::uint8_t> pair, double row, const Column& left, const Column& right) {
   std::array<float, 2> paint{Covered(left.lips, row), Covered(right.lips, row)};
   const std::array<float, 2> throat{Covered(left.opening, row), Covered(right.opening, row)};
@@ -152,6 +161,7 @@ void PaintFace(const YuyvPicture& into) {
 
 void PaintMouth(const Mouth& shape, const YuyvPicture& into) {
   const MouthPixels mouth = MouthIn(shape, into);
+  // An even column begins a pair; the margin is for half-covered pixels.
   const int first = std::max(0, static_cast<int>(mouth.centre_x - mouth.half_width - 1)) & ~1;
   const int end = std::min(into.width_px, (static_cast<int>(mouth.centre_x + mouth.half_width + 3)) & ~1);
   const int top = std::max(0, static_cast<int>(mouth.centre_y - mouth.half_height - 1));
@@ -173,6 +183,7 @@ void AddNoise(std::span<const std::uint8_t> from, std::uint32_t sequence, std::s
   constexpr std::size_t kChunk = 1024;
   for (std::size_t start = 0; start < from.size(); start += kChunk) {
     const std::size_t count = std::min(kChunk, from.size() - start);
+    // The golden ratio's fraction of 2^32 spreads neighbouring sequence numbers over all 32 bits.
     const std::uint32_t random = Scatter(sequence * 0x9E3779B9u + static_cast<std::uint32_t>(start));
     const std::uint8_t* grain = noise.data() + random % (kNoiseBytes - kChunk);
     for (std::size_t n = 0; n < count; ++n)

@@ -13,7 +13,8 @@ struct YuyvPicture {
   std::span<std::uint8_t> bytes;
 };
 
-// The face without its mouth: skin, the shadow under the nose, the chin, a dark room beside it.
+// The face without its mouth: skin, the shadow under the nose, the chin, a dark room
+// beside it. Overwrites all of `into`.
 void PaintFace(const YuyvPicture& into);
 
 // Width of the painted mouth at rest as a part of the picture's width.
@@ -26,9 +27,11 @@ struct Mouth {
   double width = 1;
   friend bool operator==(const Mouth&, const Mouth&) = default;
 };
+// Paints over the face that is there, with smooth edges. The middle of the mouth does not move.
 void PaintMouth(const Mouth& mouth, const YuyvPicture& into);
 
-// Adds the sensor's noise of frame `sequence` to `from`, up to 3 steps; the same number gives the same noise.
+// Adds the sensor's noise of frame `sequence` to `from`, up to 3 steps; the same number gives the same
+// noise. Values must be 3 to 252, or they run over. `into` is as long as `from` and may be the same.
 void AddNoise(std::span<const std::uint8_t> from, std::uint32_t sequence, std::span<std::uint8_t> into);
 
 // Nothing but noise.

@@ -13,7 +13,8 @@ constexpr Rgb kLipSceneThroat{0.24F, 0.08F, 0.10F};
 constexpr Rgb kTeeth{0.86F, 0.84F, 0.78F};
 constexpr Rgb kLipSceneRoom{0.12F, 0.125F, 0.14F};
 
-// In widths of the mouth at rest.
+// In widths of the mouth at rest. As lip_picture.cpp has them: a height above
+// that of shut lips opens the mouth.
 constexpr float kShutHeight = 0.24F;
 constexpr float kUpperPart = 0.3F;  // Of an opening mouth: the upper lip hardly moves, the jaw does.
 constexpr float kLipSceneOpeningOfWidth = 0.74F;
@@ -23,14 +24,18 @@ constexpr float kMarkerAbove = 1.0F;
 constexpr float kMarkerHalf = 0.07F;
 constexpr float kHandHalfWidth = 0.45F;
 constexpr float kHandHalfHeight = 0.8F;
+// Half of a shadow is soft over this width.
 constexpr float kShadowEdge = 0.12F;
 
 constexpr double kLipSceneMouthX = 0.5;  // In parts of the picture.
 constexpr double kLipSceneMouthY = 0.52;
 constexpr int kExposures = 5;  // That a smeared picture is put together from.
 
+// Steps of the encoding curve: finer than a byte, and a table instead of a power for each pixel.
 constexpr int kCurve = 2048;
 
+// Bytes of sRGB to linear light by the power 2.2, which is near enough to sRGB's
+// own curve for a simulated camera.
 std::array<float, 256> MakeLinear() {
   std::array<float, 256> table{};
   for (std::size_t n = 0; n < table.size(); ++n) table[n] = std::pow(static_cast<float>(n) / 255.0F, 2.2F);
@@ -66,6 +71,7 @@ Rgb Times(const Rgb& a, const Rgb& b, float level) {
   return {a.red * b.red * level, a.green * b.green * level, a.blue * b.blue * level};
 }
 
+// Within 0 .. 1.
 float Held(double value) {
   return static_cast<float>(std::clamp(value, 0.0, 1.0));
 }
@@ -97,6 +103,8 @@ class Moment {
     half_width_ = static_cast<float>(mouth.width / 2);
     half_height_ = static_cast<float>(mouth.height / 2);
     half_opening_ = std::max(0.0F, half_height_ - kShutHeight / 2);
+    // The middle of the mouth moves down as it opens: of an opening the upper lip makes
+    // kUpperPart, and the jaw the rest.
     drop_ = (0.5F - kUpperPart) * 2 * half_opening_;
   }
 
@@ -104,6 +112,7 @@ class Moment {
   Rgb At(float x_px, float y_px) const {
     const float x = (x_px - middle_x_) * per_px_;
     const float y = (y_px - middle_y_) * per_px_;
+    // Turned back by the head's tilt: u runs along the mouth, v down the face.
     const float u = x * cos_ + y * sin_;
     const float v = y * cos_ - x * sin_;
     Rgb colour = Face(u, v);
@@ -112,10 +121,14 @@ class Moment {
   }
 
  private:
+  // How much of a pixel lies within an edge, from its signed distance in
+  // widths: one pixel wide, hence smooth.
   float Inside(float distance) const { return std::clamp(distance / per_px_ + 0.5F, 0.0F, 1.0F); }
 
   Rgb Face(float u, float v) const {
+    // The cheeks narrow towards the chin.
     const float side = u / (kFaceHalf - 0.12F * v * v);
+    // Skin that turns away from the camera is darker.
     const float roundness = 1.06F - 0.3F * side * side;
     Rgb colour = Mix(room_, Times(skin_, {1, 1, 1}, roundness), Inside((1 - std::abs(side)) * kFaceHalf));
     if (scene_.person.shirt) colour = Mix(colour, shirt_, Inside(v - kChin - 0.1F * std::abs(u)));
@@ -127,6 +140,7 @@ class Moment {
   Rgb WithMouth(const Rgb& face, float u, float v) const {
     const double smile = u < 0 ? scene_.person.smile_left : scene_.person.smile_right;
     const float part = u / half_width_;
+    // Corners are raised with the square of their distance from the middle.
     const float down = v - drop_ + static_cast<float>(smile) * part * part;
     const float lips = Inside(LensHalfHeight(half_height_, half_width_, u) - std::abs(down));
     if (lips <= 0) return face;
@@ -134,6 +148,7 @@ class Moment {
         half_opening_ > 0
             ? Inside(LensHalfHeight(half_opening_, kLipSceneOpeningOfWidth * half_width_, u) - std::abs(down))
             : 0;
+    // The upper part of the opening shows teeth, the rest is dark.
     const Rgb within = down < -0.45F * half_opening_ ? teeth_ : throat_;
     const float relief = 1.05F - 0.35F * down * down / (half_height_ * half_height_);
     return Mix(Mix(face, Times(paint_, {1, 1, 1}, relief), lips), within, std::min(hole, lips));
@@ -149,6 +164,7 @@ class Moment {
     const StageLight& light = scene_.light;
     double level = light.level;
     if (light.shadow_from) {
+      // A soft edge: the light falls off over kShadowEdge.
       const float in_shadow = Held((u - *light.shadow_from) / kShadowEdge + 0.5);
       level *= 1 + in_shadow * (light.shadow_level - 1);
     }
@@ -165,7 +181,8 @@ struct Ycc {
   float y = 0, cb = 0, cr = 0;
 };
 
-// ITU-R BT.601, limited range.
+// ITU-R BT.601, limited range: Y 16 .. 235, Cb and Cr 16 .. 240 about 128. The matrix is
+// the standard's, for values of 0 .. 1.
 Ycc ToYcc(const Rgb& linear) {
   const float r = Encode(linear.red);
   const float g = Encode(linear.green);
@@ -174,6 +191,7 @@ Ycc ToYcc(const Rgb& linear) {
           128 + 112 * r - 93.786F * g - 18.214F * b};
 }
 
+// As Scatter in lip_picture.cpp: folders are compiled together, and their private names differ.
 std::uint32_t ScatterPoint(std::uint32_t x) {
   x = (x ^ (x >> 16)) * 0x85EBCA6Bu;
   x = (x ^ (x >> 13)) * 0xC2B2AE35u;
@@ -185,9 +203,11 @@ float Grain(std::uint32_t seed) {
   const std::uint32_t random = ScatterPoint(seed);
   const auto sum =
       static_cast<float>((random & 255) + (random >> 8 & 255) + (random >> 16 & 255) + (random >> 24));
+  // A sum of four bytes has the mean 4 * 127.5 = 510 and the deviation sqrt(4 * (256^2 - 1) / 12) = 148.
   return (sum - 510) / 148;
 }
 
+// Adds the share of one moment to a sum of pictures, in YUYV's order.
 void AddMoment(const Moment& moment, const YuyvPicture& size, float share, std::vector<float>& into) {
   std::size_t at = 0;
   for (int y = 0; y < size.height_px; ++y) {
@@ -216,13 +236,16 @@ void PaintScene(const LipScene& scene, const YuyvPicture& into) {
   const int exposures = scene.head_before ? kExposures : 1;
   for (int n = 0; n < exposures; ++n) {
     const double part = (n + 0.5) / exposures;
+    // Moments lie in the middles of equal parts of the exposure.
     const HeadPose head = scene.head_before ? Between(*scene.head_before, now, part) : now;
     AddMoment(Moment(scene, head, into), into, 1 / static_cast<float>(exposures), sum);
   }
   const auto noise = static_cast<float>(scene.camera.noise_steps);
+  // One more than the number: Scatter keeps 0 as 0.
   const std::uint32_t seed = ScatterPoint(scene.camera.sequence + 1);
   for (std::size_t n = 0; n < sum.size(); ++n) {
     const float value = sum[n] + noise * Grain(seed ^ static_cast<std::uint32_t>(n) * 0x9E3779B9u);
+    // 0 and 255 are reserved in BT.601's digital form.
     into.bytes[n] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 1.0F, 254.0F)));
   }
 }

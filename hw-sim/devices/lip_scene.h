@@ -10,14 +10,15 @@
 
 namespace kaori::sim {
 
-// sRGB, 0 .. 1.
+// A colour as people give it: sRGB, 0 .. 1, before any light falls on it.
 struct Rgb {
   float red = 0;
   float green = 0;
   float blue = 0;
 };
 
-// Lengths are in widths of the mouth at rest at the head's usual distance; y runs down.
+// Where the head is, as a rigid flat thing. Lengths are in widths of the mouth at rest at
+// the head's usual distance; y runs down.
 struct HeadPose {
   double x = 0;  // Of the middle of the mouth at rest, from its usual position.
   double y = 0;
@@ -25,10 +26,13 @@ struct HeadPose {
   double tilt_rad = 0;  // Positive: clockwise in the picture, about the mouth.
 };
 
+// The person before the camera. Everything but `mouth` is what an ideal lip reader would not see.
 struct Operator {
   Mouth mouth;
-  double smile_left = 0;  // How far the corner at the picture's left, right is raised.
+  // How far the corner at the picture's left, and right, is raised.
+  double smile_left = 0;
   double smile_right = 0;
+  // The blue that is painted on lips.
   Rgb paint{0.08F, 0.24F, 0.78F};
   HeadPose head;
   bool marker = false;         // A dot of paint on the nose, one width above the mouth.
@@ -36,13 +40,18 @@ struct Operator {
   std::optional<double> hand;  // A hand before the face, its middle so far to the right.
 };
 
+// The light that falls on the whole scene; 1 of white shows colours as they are. More saturates the chip.
 struct StageLight {
   double level = 1;
   Rgb colour{1, 1, 1};
-  std::optional<double> shadow_from;  // To the right of this line on the face, in widths from its middle,
-  double shadow_level = 0.4;          // so much of the light is left.
+  // To the right of this line on the face, in widths from its middle,
+  // `shadow_level` of the light is left.
+  std::optional<double> shadow_from;
+  double shadow_level = 0.4;
 };
 
+// What the camera adds to the picture, in this order: gain and balance on linear
+// light, noise on the encoded bytes.
 struct LensAndChip {
   double gain = 1;
   Rgb balance{1, 1, 1};        // What the white balance multiplies.
@@ -50,15 +59,18 @@ struct LensAndChip {
   std::uint32_t sequence = 0;  // Of the noise.
 };
 
+// One frame: a moment, or the stretch of time during which the shutter was open.
 struct LipScene {
   Operator person;
-  std::optional<HeadPose>
-      head_before;  // Where the head was when the shutter opened: it is smeared from there.
+  // Where the head was when the shutter opened: the picture is smeared from
+  // there to the person's own pose.
+  std::optional<HeadPose> head_before;
   StageLight light;
   LensAndChip camera;
 };
 
-// Draws all of it. The same scene gives the same picture.
+// Draws all of it, over whatever `into` held; five moments where the head moves. The same scene gives the same
+// picture. Pure.
 void PaintScene(const LipScene& scene, const YuyvPicture& into);
 
 }  // namespace kaori::sim

@@ -25,7 +25,8 @@ void Loudspeaker::Stall(bool stalled) {
   context_.Notify({DevicePort::kLoudspeaker, Verb::kStall, stalled ? 1 : 0, 0, 0});
 }
 
-// What came while the simulator was busy came in time: it is played before anything is called dry.
+// What came while the simulator was busy came in time: it is played before anything is called dry. A
+// driver's packet may lie unread for a while.
 void Loudspeaker::Play(std::span<const std::int16_t> samples, Time now) {
   const std::size_t room = kRoomFrames + Due(now), waits = waiting_.size() / kChannels;
   const std::size_t frames = samples.size() / kChannels,
@@ -41,6 +42,7 @@ void Loudspeaker::Play(std::span<const std::int16_t> samples, Time now) {
 
 std::size_t Loudspeaker::Due(Time now) const {
   if (!playing_ || stalled_ || now <= start_) return 0;
+  // Counted from the start of this stretch, so that no rounding adds up.
   return start_frame_ + static_cast<std::uint64_t>(Seconds(now - start_) * rate_hz()) - played_;
 }
 
@@ -60,6 +62,7 @@ void Loudspeaker::Remember(std::size_t frames) {
   waiting_.erase(waiting_.begin(), end);
   double power = 0;
   for (const std::int16_t sample : heard.samples) power += double{1} * sample * sample;
+  // Full scale is 32768: the mean square as a part of it.
   power /= static_cast<double>(heard.samples.size()) * 32768 * 32768;
   level_db_ = std::max(-100.0, 10 * std::log10(std::max(power, 1e-10)));
   heard_.push_back(std::move(heard));

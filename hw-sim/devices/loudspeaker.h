@@ -12,7 +12,9 @@
 
 namespace kaori::sim {
 
-// One thread. 16-bit samples at 48 kHz, left and right in turn; a frame is one of each.
+// Time is passed in, and the sound is played in the steps in which it is asked for: whoever looks
+// more often gets shorter blocks, and the same samples. 16-bit samples at 48 kHz, left and right in
+// turn; a frame is one of each. One thread.
 class Loudspeaker {
  public:
   static constexpr int kChannels = 2;
@@ -28,15 +30,17 @@ class Loudspeaker {
     std::vector<std::int16_t> samples;  // Left, right.
   };
 
-  // Test's side. What was heard since the last call, the last ten seconds at most.
+  // Test's side. What was heard since the last call, the last ten seconds at most, the oldest first. A
+  // break between two blocks is silence, or a stall.
   std::vector<Heard> DrainHeard();
   double level_db() const { return level_db_; }  // Of what was heard last; -100 is silence.
   void SetDrift(double ppm) { ppm_ = ppm; }      // Its crystal runs so much faster, from the next start on.
   void Stall(bool stalled);                      // It plays nothing and stands still.
   bool stalled() const { return stalled_; }
 
-  // Appliance's side. Frames that find no room are lost, and count as played: the driver knows how much there
-  // is, unless the simulator itself was late.
+  // Appliance's side. Frames that find no room are lost, and count as played: the driver knows how
+  // much there is, unless the simulator itself was late. Play begins the sound where none was
+  // playing; PlayUntil moves it on to `now`.
   ports::SoundFormat format() const { return {48000, kChannels}; }
   void Play(std::span<const std::int16_t> samples, Time now);
   void PlayUntil(Time now);
@@ -47,7 +51,9 @@ class Loudspeaker {
 
  private:
   double rate_hz() const { return 48000 * (1 + ppm_ * 1e-6); }
+  // How many frames the crystal would have played by `now` beyond those that were played.
   std::size_t Due(Time now) const;
+  // Moves frames from the queue to what was heard.
   void Remember(std::size_t frames);
 
   const DeviceContext& context_;

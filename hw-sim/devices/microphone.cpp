@@ -6,7 +6,8 @@
 namespace kaori::sim {
 namespace {
 
-constexpr std::int64_t kMostAtOnce = kSynthRate_hz;  // Of a longer sleep only the end is heard.
+// Of a longer sleep only the last second is heard: making hours of sound would take seconds.
+constexpr std::int64_t kMostAtOnce = kSynthRate_hz;
 
 }  // namespace
 
@@ -22,12 +23,14 @@ void Microphone::Say(int vowel, double loudness) {
 
 void Microphone::Stall(bool stalled) {
   if (std::exchange(stalled_, stalled) == stalled) return;
+  // What was said while it stalled is not delivered afterwards.
   if (!stalled) Drop(context_.clock.now());
   context_.Notify({DevicePort::kMicrophone, Verb::kStall, stalled ? 1 : 0, 0, 0});
 }
 
 void Microphone::SetDrift(double ppm) {
   HearUntil(context_.clock.now());
+  // The crystal changes from here on; frames before keep their times.
   start_ = TimeOf(heard_);
   first_ = heard_;
   ppm_ = ppm;
@@ -60,6 +63,7 @@ std::optional<Microphone::Block> Microphone::NextBlock(Time now) {
                 {waiting_.begin(), waiting_.begin() + kBlockFrames}};
     waiting_.erase(waiting_.begin(), waiting_.begin() + kBlockFrames);
     const bool loses = stalled_ || to_lose_ > 0;
+    // A stalled microphone loses blocks anyway: those that are to be lost come after it.
     if (to_lose_ > 0 && !stalled_) --to_lose_;
     lost_ = loses;
     if (!loses) return block;

@@ -11,7 +11,8 @@
 
 namespace kaori::sim {
 
-// One thread. It is a crystal of its own: with a drift its frames come earlier or later than the clock has them.
+// Hears in real time, whoever listens. It is a crystal of its own: with a drift its frames come earlier
+// or later than the clock has them. One thread.
 class Microphone {
  public:
   static constexpr int kBlockFrames = 240;  // 5 ms.
@@ -19,7 +20,8 @@ class Microphone {
   // Begins to hear at the context's present time. Borrows the context.
   explicit Microphone(const DeviceContext& context) : context_(context), start_(context.clock.now()) {}
 
-  // Test's side. The voice from now on; vowels are a, i, u, e, o.
+  // Test's side. The voice from now on; `vowel` is 0 to 4 for a, i, u, e, o,
+  // `loudness` as VoiceSynth has it.
   void Say(int vowel, double loudness);
   void Stall(bool stalled);    // No blocks while stalled; their frames are lost.
   void SetDrift(double ppm);   // Its crystal runs so much faster, from now on.
@@ -35,14 +37,18 @@ class Microphone {
     bool lost = false;  // Frames were lost before it.
     std::vector<std::int16_t> samples;
   };
-  // The next block that has been heard wholly by `now`.
+  // The next block that has been heard wholly by `now`; nothing: none has.
+  // Called again until there is none.
   std::optional<Block> NextBlock(Time now);
+  // When the next block will have been heard, by the crystal.
   Time next_due() const;
-  // Nobody listens: what was heard until `now` is gone.
+  // Nobody listens: what was heard until `now` is gone. Blocks of another listener begin where these end.
   void Drop(Time now);
 
  private:
+  // When a frame was heard, by the crystal as it runs since `start_`.
   Time TimeOf(std::int64_t frame) const;
+  // Makes the samples up to `now`.
   void HearUntil(Time now);
 
   const DeviceContext& context_;

@@ -5,6 +5,7 @@
 namespace kaori::sim {
 namespace {
 
+// In the order of DevicePort.
 constexpr std::array<std::string_view, kDevicePortCount> kPortNames{
     "dial-box", "stick-left", "stick-right", "keyboard",    "camera",
     "screen",   "pointer",    "microphone",  "loudspeaker", "lines"};

@@ -27,12 +27,13 @@ enum class DevicePort : std::uint8_t {
 inline constexpr int kDevicePortCount = 10;
 
 // "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer", "microphone",
-// "loudspeaker".
-// They are the ports of the local link, and the words of a scenario's cables.
+// "loudspeaker", "lines". They are the ports of the local link, and the words of a scenario's
+// cables. The view lives as long as the program.
 std::string_view PortName(DevicePort port);
 // Nothing where no port has that name.
 std::optional<DevicePort> DevicePortNamed(std::string_view port);
 
+// What is done. A device ignores the verbs that it does not have; kPlug and kUnplug are for its cable.
 enum class Verb : std::uint8_t {
   kTurn,       // Dial `index` by `a` turns, clockwise is positive.
   kPush,       // Button or key `index` goes down, line `index` is switched on,
@@ -50,7 +51,8 @@ enum class Verb : std::uint8_t {
   kUnplug,
 };
 
-// Indices begin with 0, keys are usages of HID page 7. Values are those of the verb; what a verb does not use is 0.
+// Indices begin with 0, keys are usages of HID page 7. Values are those of the verb; what a verb does
+// not use is 0, so that equal actions are equal values.
 struct OperatorAction {
   DevicePort port = DevicePort::kDialBox;
   Verb verb = Verb::kTurn;
@@ -60,11 +62,13 @@ struct OperatorAction {
   friend bool operator==(const OperatorAction&, const OperatorAction&) = default;
 };
 
-// What all simulated devices share: the time, and who is told of each action. One thread; it outlives the devices.
+// What all simulated devices share: the time, and who is told of each action. One
+// thread; it outlives the devices.
 struct DeviceContext {
   const Clock& clock;
-  std::function<void(const OperatorAction&)>
-      watcher;  // May be empty. Called after every action that changed something.
+  // May be empty. Called after every action that changed something, by whatever way
+  // it came; it must not act itself.
+  std::function<void(const OperatorAction&)> watcher;
 
   void Notify(const OperatorAction& action) const {
     if (watcher) watcher(action);

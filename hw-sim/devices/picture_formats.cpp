@@ -18,6 +18,7 @@ struct Planes {
   std::vector<std::uint8_t> y, cb, cr;
 };
 
+// Takes YUYV apart; the colours keep half the width.
 Planes Separate(std::span<const std::uint8_t> yuyv) {
   const std::size_t pairs = yuyv.size() / 4;
   Planes planes{std::vector<std::uint8_t>(2 * pairs), std::vector<std::uint8_t>(pairs),
@@ -31,7 +32,8 @@ Planes Separate(std::span<const std::uint8_t> yuyv) {
   return planes;
 }
 
-// JPEG takes the full range, a camera's YUYV the limited one.
+// JPEG takes the full range (JFIF), a camera's YUYV the limited one: Y 16..235 to 0..255, Cb and Cr
+// 16..240 to 0..255 about 128. `range` is the width of the limited one; half of it rounds.
 void Widen(std::span<std::uint8_t> plane, int low, int range) {
   const auto middle = low == 16 ? 0 : 128;
   const auto zero = low == 16 ? 16 : 128;
@@ -67,6 +69,7 @@ std::size_t YuyvToJpeg(std::span<const std::uint8_t> yuyv, int width_px, int hei
   Widen(planes.cr, 128, 224);
   const std::unique_ptr<void, CloseCompressor> compressor(::tjInitCompress());
   if (!compressor) return 0;
+  // tjBufSize is a bound that no picture exceeds, so that the library need not allocate.
   std::vector<std::uint8_t> room(::tjBufSize(width_px, height_px, TJSAMP_422));
   std::array<const unsigned char*, 3> parts{planes.y.data(), planes.cb.data(), planes.cr.data()};
   unsigned char* out = room.data();

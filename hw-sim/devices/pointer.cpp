@@ -14,6 +14,7 @@ Report PointerBytes(const wire::PointerReport& report) {
   return {bytes.begin(), bytes.end()};
 }
 
+// 0 .. 1 to HID's 0 .. 65535.
 std::uint16_t Counts(double port) {
   return static_cast<std::uint16_t>(std::lround(port * wire::kPointerEnd));
 }
@@ -23,6 +24,7 @@ double Held(double value, double otherwise) {
   return std::isnan(value) ? otherwise : std::clamp(value, 0.0, 1.0);
 }
 
+// For changes that may always share a report.
 bool MergesAlways(const wire::PointerReport&, const wire::PointerReport&) {
   return false;
 }
@@ -69,6 +71,7 @@ void Pointer::SetButton(int button, bool down) {
 void Pointer::Roll(double notches) {
   if (notches == 0 || !(std::abs(notches) <= kMostNotches)) return;
   unrolled_ += notches;
+  // Towards 0 either way: the part that is left has the sign of the turn.
   const double whole = std::trunc(unrolled_);
   unrolled_ -= whole;
   AddNotches(static_cast<int>(whole));

@@ -8,6 +8,7 @@
 
 namespace kaori::sim {
 
+// Absolute: what is moved to is where the pen is, whatever the screen's size. One thread.
 // One thread.
 class Pointer final : public HidDevice {
  public:
@@ -35,8 +36,10 @@ class Pointer final : public HidDevice {
   void PowerCycle() override { waiting_.Forget(); }
 
  private:
+  // What the next report starts from: the position and the buttons stand, the wheel has not turned.
   static wire::PointerReport Next(const wire::PointerReport& last);
   void SetButton(int button, bool down);
+  // Adds whole notches to the report that waits; may make several reports.
   void AddNotches(int notches);
 
   const DeviceContext& context_;

@@ -10,25 +10,28 @@
 
 namespace kaori::sim {
 
+// How fast a real device at full speed can report: once in a frame of USB (USB 2.0, 5.7.4).
 inline constexpr Duration kReportPeriod = std::chrono::milliseconds(1);
 
 // A host that is stopped for good must not eat memory: beyond this many reports, edges merge after all.
 inline constexpr std::size_t kMaxWaitingReports = 1024;
 
-// State is the report as a struct. `at_rest_next` makes the state from which the next report starts: what a report says
-// once, such as turns, is 0 in it, what stands, such as buttons, is kept. One thread.
+// State is the report as a struct. `at_rest_next` makes the state from which the next report starts:
+// what a report says once, such as turns, is 0 in it, what stands, such as buttons, is kept. A device
+// changes the state that waits, and a link takes it out when it is due. One thread.
 template <class State>
 class ReportQueue {
  public:
   explicit ReportQueue(State (*at_rest_next)(const State&)) : next_from_(at_rest_next) {}
 
-  // The state to change. `would_merge(last, back)` says whether the change would wipe out one that waits.
+  // The state to change. `would_merge(last, back)` says whether the change would wipe out one that
+  // waits: then the state begins a report of its own. The reference holds until the next call.
   template <class WouldMerge>
-  // The reference holds until the next call.
   State& Change(Time now, WouldMerge would_merge) {
     if (waiting_.empty()) {
       Append(now);
     } else if (hosted_ && waiting_.size() < kMaxWaitingReports) {
+      // What the report before the last one says, which may have left already.
       const State& before = waiting_.size() > 1 ? waiting_[waiting_.size() - 2].state : sent_;
       if (would_merge(before, waiting_.back().state)) Append(now);
     }
@@ -68,6 +71,7 @@ class ReportQueue {
   };
 
   void Append(Time now) {
+    // Reports keep their distance also when they gather faster than they may leave.
     const Time after_last = waiting_.empty() ? free_at_ : waiting_.back().due + kReportPeriod;
     waiting_.push_back({std::max(now, after_last), next_from_(newest())});
   }

@@ -9,6 +9,7 @@
 
 namespace kaori::sim {
 
+// The size and the period of a screen, as its EDID would tell them.
 struct ScreenMode {
   int width_px = 960;
   int height_px = 540;
@@ -16,6 +17,7 @@ struct ScreenMode {
   friend bool operator==(const ScreenMode&, const ScreenMode&) = default;
 };
 
+// A frame that is being scanned out.
 struct Shown {
   std::uint64_t frame = 0;  // The program's number.
   Time at{};                // Its scan-out time: the vertical blank at which it was shown first.
@@ -24,7 +26,8 @@ struct Shown {
   std::span<const std::uint8_t> rgbx;  // Bottom row first, tightly packed. Borrowed until the next Pump.
 };
 
-// Vertical blanks fall on start + n * period.
+// What a program presents becomes visible at a vertical blank; these fall on start + n * period. The
+// screen holds no pixels itself: it borrows those of the link. One thread.
 class Screen {
  public:
   Screen(ScreenMode mode, Time start) : mode_(mode), start_(start) {}
@@ -36,9 +39,11 @@ class Screen {
   ScreenMode mode() const { return mode_; }
   void SetMode(ScreenMode mode);
 
-  // Appliance's side. Number of the last vertical blank at or before `now`, and its time.
+  // Appliance's side. Number of the last vertical blank at or before `now`, and its
+  // time. `now` is not before the start.
   std::int64_t blank_before(Time now) const { return (now - start_) / mode_.period; }
   Time blank_at(std::int64_t number) const { return start_ + number * mode_.period; }
+  // Counts SetMode: a link that finds another number makes the program open the screen anew.
   std::uint32_t mode_changes() const { return mode_changes_; }
   void Show(const Shown& shown);  // Borrows the pixels until the next Show or Darken.
   void Darken() { latest_.reset(); }

@@ -14,6 +14,7 @@ Report StickPodBytes(const wire::StickPodReport& report) {
   return {bytes.begin(), bytes.end()};
 }
 
+// The descriptor's range is even about 0: -32767 to 32767.
 std::int16_t AxisCounts(float value) {
   return static_cast<std::int16_t>(std::lround(value * kAxisEnd));
 }
@@ -66,6 +67,8 @@ int StickPod::hat() const {
 void StickPod::Hat(int direction) {
   if (direction < -1 || direction > 7 || direction == hat()) return;
   auto& report = waiting_.Change(context_.clock.now(),
+                                 // Up and then left within a millisecond is two reports; two
+                                 // positions of an axis are one.
                                  [](const auto& before, const auto& back) { return before.hat != back.hat; });
   report.hat = direction < 0 ? wire::kHatCentred : static_cast<std::uint8_t>(direction);
   context_.Notify({port_, Verb::kHat, direction, 0, 0});

@@ -8,7 +8,8 @@
 
 namespace kaori::sim {
 
-// One thread. It does not spring back by itself: whoever lets it go moves it to the middle.
+// It does not spring back by itself: whoever lets it go moves it to the middle. Positions are exact;
+// reports round them to the device's counts. One thread.
 class StickPod final : public HidDevice {
  public:
   // `port` is kStickLeft or kStickRight. Borrows the context.
@@ -40,6 +41,7 @@ class StickPod final : public HidDevice {
 
  private:
   static wire::StickPodReport Next(const wire::StickPodReport& last) { return last; }
+  // The report that waits, for a change that may share it with others.
   wire::StickPodReport& Change();
   void SetButton(int button, bool down);
 

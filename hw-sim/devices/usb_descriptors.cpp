@@ -8,12 +8,13 @@
 namespace kaori::sim {
 namespace {
 
+// Descriptor types (USB 2.0, table 9-5).
 constexpr std::uint8_t kDeviceKind = 1, kConfigurationKind = 2, kStringKind = 3, kInterfaceKind = 4,
                        kEndpointKind = 5;
 constexpr std::size_t kConfigurationHeaderBytes = 9;
 constexpr std::uint8_t kMakerString = 1, kNameString = 2;  // No serial number: two equal devices are equal.
 
-// Standard requests.
+// Standard requests (USB 2.0, table 9-4), and the bits of bmRequestType.
 constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kDescriptorsGetDescriptor = 6;
 constexpr std::uint8_t kFromDevice = 0x80, kTypeMask = 0x60;
 
@@ -24,6 +25,7 @@ std::uint8_t High(std::uint16_t value) {
   return static_cast<std::uint8_t>(value >> 8);
 }
 
+// USB 2.0, 9.6.1: 64 bytes in a packet of endpoint 0, one configuration, no serial number.
 UsbBytes DeviceDescriptor(const UsbDescriptors& descriptors) {
   return {18,
           kDeviceKind,
@@ -63,6 +65,7 @@ std::optional<UsbBytes> StringNumber(const UsbDescriptors& descriptors, std::uin
 }
 
 std::optional<UsbBytes> Descriptor(const UsbDescriptors& descriptors, const UsbSetup& setup) {
+  // wValue has the descriptor's type in its high byte and its index in the low one.
   switch (High(setup.value)) {
     case kDeviceKind:
       return DeviceDescriptor(descriptors);
@@ -97,6 +100,7 @@ UsbContents ContentsOf(std::span<const std::uint8_t> configuration) {
 
 UsbBytes ConfigurationOf(std::uint8_t interfaces, std::span<const std::uint8_t> contents) {
   const auto total = static_cast<std::uint16_t>(kConfigurationHeaderBytes + contents.size());
+  // wTotalLength counts the header too; 0x80 is bus powered, 50 counts in units of 2 mA.
   UsbBytes bytes{9, kConfigurationKind, Low(total), High(total), interfaces, 1, 0, 0x80, 50};
   bytes.resize(total);
   std::ranges::copy(contents, bytes.begin() + kConfigurationHeaderBytes);
@@ -120,6 +124,7 @@ UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint) {
 }
 
 std::optional<UsbBytes> AnswerStandard(const UsbDescriptors& descriptors, const UsbSetup& setup) {
+  // Requests of a class or a vendor have bits there.
   if ((setup.type & kTypeMask) != 0) return std::nullopt;
   const bool asks = (setup.type & kFromDevice) != 0;
   if (asks && setup.request == kDescriptorsGetDescriptor) return Descriptor(descriptors, setup);

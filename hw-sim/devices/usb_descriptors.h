@@ -11,9 +11,10 @@
 
 namespace kaori::sim {
 
-// The numbers are those of an endpoint descriptor's attributes, and of usbredir.
+// The numbers are those of an endpoint descriptor's attributes (USB 2.0, table 9-13), and of usbredir.
 enum class UsbTransfer : std::uint8_t { kControl, kIsochronous, kBulk, kInterrupt };
 
+// An endpoint, as its descriptor of 7 bytes says it (USB 2.0, 9.6.6).
 struct UsbEndpoint {
   std::uint8_t address = 0;  // Bit 7: towards the host.
   UsbTransfer transfer = UsbTransfer::kControl;
@@ -22,6 +23,7 @@ struct UsbEndpoint {
   std::uint8_t interface = 0;
 };
 
+// An interface, as its descriptor of 9 bytes says it (USB 2.0, 9.6.5). `kind` is its class code.
 struct UsbInterface {
   std::uint8_t number = 0;
   std::uint8_t kind = 0;  // The class.
@@ -29,23 +31,28 @@ struct UsbInterface {
   std::uint8_t protocol = 0;
 };
 
+// What a configuration holds, flat: endpoints name their interface. Class descriptors are passed over.
 struct UsbContents {
   std::vector<UsbInterface> interfaces;
   std::vector<UsbEndpoint> endpoints;
 };
 
-// Reads a configuration descriptor as a host does; stops at the first that is torn.
+// Reads a configuration descriptor as a host does, by lengths and types; stops
+// at the first that is torn. Pure.
 UsbContents ContentsOf(std::span<const std::uint8_t> configuration);
 
-// Puts the header of a configuration before what it holds: bus powered, 100 mA.
+// Puts the header of a configuration before what it holds (USB 2.0, 9.6.3):
+// configuration 1, bus powered, 100 mA.
 UsbBytes ConfigurationOf(std::uint8_t interfaces, std::span<const std::uint8_t> contents);
 
-// The descriptors of interface and endpoint. A high-speed interval is 2 to the (`interval` - 1) microframes.
+// The descriptors of interface and endpoint. A high-speed interval is 2 to the
+// (`interval` - 1) microframes of 125 us.
 UsbBytes InterfaceDescriptor(const UsbInterface& interface, std::uint8_t endpoints);
 UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint);
 
-// The answer to a standard request to the device, an interface or an endpoint; nothing where it is none that
-// every device answers (SET_ADDRESS, configurations and alternate settings are the link's business).
+// The answer to a standard request to the device, an interface or an endpoint; nothing where it is none
+// that every device answers (SET_ADDRESS, configurations and alternate settings are the link's
+// business). Features are accepted and change nothing.
 std::optional<UsbBytes> AnswerStandard(const UsbDescriptors& descriptors, const UsbSetup& setup);
 
 }  // namespace kaori::sim

@@ -9,8 +9,10 @@
 namespace kaori::sim {
 namespace {
 
+// The class, and for a keyboard the boot subclass and its protocol (HID 1.11, 4.2 and 4.3).
 constexpr std::uint8_t kUsbHidHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
 constexpr std::uint8_t kUsbHidHidKind = 0x21, kUsbHidReportKind = 0x22;
+// The longest packet of an interrupt endpoint at full speed; all our reports fit into one.
 constexpr std::uint16_t kPacketBytes = 64;
 constexpr std::uint8_t kEveryMicroframe = 1;
 
@@ -25,12 +27,14 @@ constexpr std::uint8_t kInputReport = 1, kOutputReport = 2;
 // Items of a report descriptor: what stands before the length of their data.
 constexpr std::uint8_t kOutputItem = 0x90, kReportIdItem = 0x84, kItemMask = 0xFC;
 
-constexpr std::array<std::uint8_t, 4> kDesktopKeyboard{0x05, 0x01, 0x09, 0x06};  // Usage page and usage.
+// Usage page Generic Desktop and usage Keyboard, as our keyboard's descriptor begins.
+constexpr std::array<std::uint8_t, 4> kDesktopKeyboard{0x05, 0x01, 0x09, 0x06};
 
 void Add(const UsbBytes& part, UsbBytes& whole) {
   whole.insert(whole.end(), part.begin(), part.end());
 }
 
+// HID 1.11, 6.2.1: version 1.11, no country, one descriptor of type report and its length.
 UsbBytes HidDescriptor(std::size_t report_descriptor_bytes) {
   return {9,
           kUsbHidHidKind,
@@ -66,6 +70,7 @@ HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor) {
     const std::uint8_t item = report_descriptor[at];
     shape.takes_output |= (item & kItemMask) == kOutputItem;
     shape.numbers_reports |= (item & kItemMask) == kReportIdItem;
+    // The two low bits are the length of the data, where 3 stands for 4.
     const std::size_t size = item & 3U;
     at += 1 + (size == 3 ? 4 : size);
   }
@@ -95,7 +100,10 @@ std::optional<UsbBytes> UsbHid::Answer(const UsbSetup& setup, std::span<const st
     return Descriptor(kind);
   if (setup.type == kUsbHidFromInterface) {
     if (setup.request == kUsbHidGetReport && kind == kInputReport) return device_.Standing();
+    // An idle rate of 0: reports leave on change only.
     if (setup.request == kGetIdle) return UsbBytes{0};
+    // 1 is the report protocol. A host that asks for the boot protocol gets the same report,
+    // whose first 8 bytes are the boot report.
     if (setup.request == kGetProtocol) return UsbBytes{1};
   }
   if (setup.type == kUsbHidToInterface) {

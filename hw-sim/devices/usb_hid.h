@@ -7,7 +7,8 @@
 
 namespace kaori::sim {
 
-// What of a report descriptor matters to the cable.
+// What of a report descriptor matters to the cable. Reads items only as far as that (HID 1.11,
+// 6.2.2.2), since these are descriptors of our own.
 struct HidShape {
   bool takes_output = false;     // It has output reports.
   bool numbers_reports = false;  // Its reports begin with their number.
@@ -15,16 +16,18 @@ struct HidShape {
 };
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor);
 
-// What is not at rest when a host comes is told once; Linux throws that away, as all that comes in the first
-// 50 ms after a device is opened. How it stands is said whenever a host asks. High speed and polled in every
-// microframe: at full speed a host falls behind a device that sends each millisecond (device class definition
-// for HID 1.11).
+// Has the device's reports go over USB: interrupt transfers one way,
+// SET_REPORT or an OUT endpoint the other.
+// What is not at rest when a host comes is told once; Linux throws that away, as all that comes in the
+// first 50 ms after a device is opened. How it stands is said whenever a host asks. High speed and
+// polled in every microframe: at full speed a host falls behind a device that sends each millisecond
+// (device class definition for HID 1.11). One thread.
 class UsbHid final : public UsbDevice {
  public:
   static constexpr std::uint8_t kIn = 0x81;
   static constexpr std::uint8_t kOut = 0x01;
 
-  // Borrows the device.
+  // Borrows the device. The descriptors are made once: a device does not change its kind.
   explicit UsbHid(HidDevice& device);
 
   const UsbDescriptors& descriptors() const override { return descriptors_; }
@@ -37,6 +40,7 @@ class UsbHid final : public UsbDevice {
   void PowerCycle() override { device_.PowerCycle(); }
 
  private:
+  // HID's own descriptors, which are asked for at the interface (HID 1.11, 7.1.1).
   std::optional<UsbBytes> Descriptor(std::uint8_t kind) const;
 
   HidDevice& device_;

@@ -11,14 +11,17 @@ namespace {
 constexpr std::uint16_t kUvcCameraVendor = 0x1209,
                         kUvcCameraProduct = 0x0005;  // A pid.codes test id: for development only.
 
-// Class requests (4.2 of the class), and the standard one that a host sends when it ends a stream.
+// Class requests (UVC 1.1, 4.2), and the standard one that Linux sends to a
+// bulk endpoint when it ends a stream.
 constexpr std::uint8_t kUvcCameraToInterface = 0x21, kUvcCameraFromInterface = 0xA1, kToEndpoint = 0x02,
                        kUvcCameraClearFeature = 0x01;
 constexpr std::uint8_t kSetCur = 0x01, kGetLen = 0x85, kGetInfo = 0x86;
 constexpr std::uint8_t kStreamingInterface = 1, kProbeControl = 1, kCommitControl = 2;
+// GET_INFO's answer: the control can be read and set (UVC 1.1, table 4-3).
 constexpr std::uint8_t kCanGetAndSet = 3;
 
-// Payload headers (2.4.3.3).
+// Payload headers (UVC 1.1, 2.4.3.3): length, then bits for frame id, end of frame and end of header.
+// There are no time stamps, so a host stamps frames when they arrive.
 constexpr std::size_t kHeaderBytes = 2;
 constexpr std::uint8_t kEndOfHeader = 0x80, kEndOfFrame = 0x02;
 
@@ -48,7 +51,9 @@ void Cut(std::span<const std::uint8_t> frame, bool parity, UsbBytes& into) {
 }  // namespace
 
 UvcCamera::UvcCamera(LipCamera& camera, Duration period) : camera_(camera), period_(period) {
-  descriptors_.device_class = 0xEF;  // Interfaces that belong together are said so by an association.
+  // Class EF, subclass 2, protocol 1: interfaces that belong together say so by an association (USB
+  // ECN on interface association descriptors).
+  descriptors_.device_class = 0xEF;
   descriptors_.device_subclass = 0x02;
   descriptors_.device_protocol = 0x01;
   descriptors_.vendor = kUvcCameraVendor;
@@ -60,11 +65,13 @@ UvcCamera::UvcCamera(LipCamera& camera, Duration period) : camera_(camera), peri
 }
 
 std::optional<UsbBytes> UvcCamera::Answer(const UsbSetup& setup, std::span<const std::uint8_t>) {
+  // The stream ended: the next read begins a new one.
   if (setup.type == kToEndpoint && setup.request == kUvcCameraClearFeature) return EndStream(), UsbBytes{};
   const auto control = static_cast<std::uint8_t>(setup.value >> 8);
   const bool ours =
       (setup.index & 0xFF) == kStreamingInterface && (control == kProbeControl || control == kCommitControl);
   if (!ours) return std::nullopt;
+  // Whatever is asked for, the camera has one mode; the host reads it back by GET_CUR and uses it.
   if (setup.type == kUvcCameraToInterface && setup.request == kSetCur) return UsbBytes{};
   if (setup.type != kUvcCameraFromInterface) return std::nullopt;
   const UsbBytes probe = UvcProbe(ModeOf(camera_, period_));
@@ -98,11 +105,15 @@ std::optional<UsbBytes> UvcCamera::NextIn(std::uint8_t endpoint, std::size_t roo
   if (endpoint != kIn || room_bytes == 0) return std::nullopt;
   if (std::exchange(ends_full_, false)) return UsbBytes{};
   if (sent_ == payloads_.size() && !BeginFrame(now)) return std::nullopt;
+  // A payload ends at each multiple of kPayloadBytes, and at the end of the
+  // frame: one transfer carries no two.
   const std::size_t payload_ends = std::min((sent_ / kPayloadBytes + 1) * kPayloadBytes, payloads_.size());
   const std::size_t bytes = std::min(room_bytes, payload_ends - sent_);
   const auto from = payloads_.begin() + static_cast<std::ptrdiff_t>(sent_);
   UsbBytes transfer(from, from + static_cast<std::ptrdiff_t>(bytes));
   sent_ += bytes;
+  // A transfer that fills the host's room does not end by being short. At the full length of a
+  // payload the host knows the end without.
   ends_full_ = sent_ == payloads_.size() && bytes == room_bytes && sent_ % kPayloadBytes != 0;
   return transfer;
 }

@@ -7,14 +7,18 @@
 namespace kaori::sim {
 namespace {
 
+// UVC 1.1, appendix A: codes of the class, its subclasses and descriptors. The
+// association is USB's own (0x0B).
 constexpr std::uint8_t kVideoClass = 0x0E, kControlSubclass = 1, kStreamingSubclass = 2;
 constexpr std::uint8_t kClassInterface = 0x24, kAssociation = 0x0B;
 constexpr std::uint8_t kControlInterface = 0, kStreamInterface = 1;
 constexpr std::uint8_t kCameraTerminal = 1, kOutputTerminal = 2;
+// The clock of the device's time stamps, of which it sends none.
 constexpr std::uint32_t kClockHz = 48'000'000;
+// Bulk packets at high speed (USB 2.0, 5.8.3).
 constexpr std::uint16_t kBulkPacketBytes = 512;
 
-// Little-endian fields, one after another.
+// Little-endian fields, one after another, as descriptors are written in the specification's tables.
 class UvcBytes {
  public:
   UvcBytes& U8(std::initializer_list<std::uint8_t> values) {
@@ -43,7 +47,8 @@ class UvcBytes {
   UsbBytes bytes_;
 };
 
-// From the lens to the cable; nothing on the way that could be set.
+// From the lens to the cable; nothing on the way that could be set. A camera terminal (type 0x0201, UVC
+// 1.1, 3.7.2.3) without controls leads to an output terminal that streams (0x0101, 3.7.2.2).
 UvcBytes Control() {
   UvcBytes terminals;
   terminals.Sized(UvcBytes()
@@ -56,6 +61,7 @@ UvcBytes Control() {
                       .U8({2, 0, 0}));
   terminals.Sized(
       UvcBytes().U8({kClassInterface, 3, kOutputTerminal}).U16(0x0101).U8({0, kCameraTerminal, 0}));
+  // The header's length counts its own first byte: 12 bytes and a number of streaming interfaces of 1.
   constexpr std::uint16_t kControlHeaderBytes = 13;
   const auto total = static_cast<std::uint16_t>(kControlHeaderBytes + terminals.size());
   UvcBytes all;
@@ -65,7 +71,9 @@ UvcBytes Control() {
   return all.All(terminals.bytes());
 }
 
-// YUY2 as a GUID: its four letters, and the tail that all such formats share.
+// The uncompressed format (UVC 1.1, uncompressed payload, 3.1.1): YUY2 as a GUID, its four
+// letters and the tail that all such formats share; 16 bits a pixel, default frame 1, no
+// aspect ratio, not interlaced, may be copied.
 UvcBytes Format() {
   return UvcBytes().U8({kClassInterface,
                         4,
@@ -95,8 +103,11 @@ UvcBytes Format() {
                         0});
 }
 
+// The one frame size (uncompressed payload, 3.1.2): bit rate, size and period, each of them fixed.
 UvcBytes Frame(const UvcMode& mode) {
   const auto bits_per_s =
+      // In 64 bits: a frame of 640 x 480 has 4.9 million bits, times ten
+      // million for the unit of the period.
       static_cast<std::uint32_t>(std::uint64_t{mode.frame_bytes()} * 8 * 10'000'000 / mode.period_100ns);
   return UvcBytes()
       .U8({kClassInterface, 5, 1, 0})
@@ -110,7 +121,9 @@ UvcBytes Frame(const UvcMode& mode) {
       .U32(mode.period_100ns);
 }
 
+// The streaming interface: input header, format, frame, colours, and the bulk endpoint.
 UvcBytes Streaming(const UvcMode& mode) {
+  // Colour matching (UVC 1.1, 3.9.2.6): the codes for sRGB-like primaries and BT.601's matrix.
   constexpr std::uint8_t kBt709Primaries = 1, kBt709Gamma = 1, kBt601Matrix = 4;
   UvcBytes formats;
   formats.Sized(Format()).Sized(Frame(mode));

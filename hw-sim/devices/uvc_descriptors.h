@@ -7,7 +7,7 @@
 
 namespace kaori::sim {
 
-// One camera: a size, a rate, YUYV.
+// One camera: a size, a rate, YUYV. The period is in units of 100 ns, as UVC counts.
 struct UvcMode {
   std::uint16_t width_px = 640;
   std::uint16_t height_px = 480;
@@ -18,10 +18,12 @@ struct UvcMode {
   std::uint32_t frame_bytes() const { return std::uint32_t{width_px} * height_px * 2; }
 };
 
-// The whole configuration. The streaming interface has no alternate setting, so that a host streams in bulk.
+// The whole configuration: a video control interface and a streaming interface, held together by an
+// association. The streaming interface has no alternate setting, so that a host streams in bulk. Pure.
 UsbBytes UvcConfiguration(const UvcMode& mode);
 
-// What the probe and commit controls hold: there is one way to stream, so every request gets the same.
+// What the probe and commit controls hold (UVC 1.1, 4.3.1.1, table 4-47): there is one way to
+// stream, so every request gets the same. Pure.
 UsbBytes UvcProbe(const UvcMode& mode);
 
 }  // namespace kaori::sim

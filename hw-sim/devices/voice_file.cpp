@@ -14,12 +14,13 @@ namespace {
 constexpr Duration kVowel = std::chrono::milliseconds(333);
 constexpr double kLoudness = 1.5;
 
-// The head of a WAV file, as all programs write it: its places in bytes.
+// The head of a WAV file, as all programs write it: its places in bytes (RIFF, a
+// "fmt " chunk of 16 bytes, "data").
 constexpr std::size_t kHeadBytes = 44, kChannelsAt = 22, kRateAt = 24, kBitsAt = 34;
 constexpr std::uint32_t kSampleBytes = 2;
 constexpr std::size_t kMostWav_bytes = std::size_t{256} << 20U;  // More than half an hour.
 
-// Compared are means of so many samples: 8 kHz tell a voice as well.
+// Compared are means of so many samples: 8 kHz tell a voice as well, at a thirty-sixth of the work.
 constexpr std::size_t kTogether = 6;
 
 std::size_t SamplesIn(Duration length) {
@@ -68,6 +69,7 @@ std::vector<std::int16_t> SayVowels(Duration length) {
 Result<void> WriteWav(const std::string& path, std::span<const std::int16_t> samples) {
   const auto bytes = static_cast<std::uint32_t>(samples.size()) * kSampleBytes;
   std::string file = "RIFF";
+  // Sizes of RIFF chunks count what is behind them.
   Put(file, bytes + kHeadBytes - 8, 4);
   file += "WAVEfmt ";
   Put(file, 16, 4);
@@ -94,6 +96,7 @@ Result<std::vector<std::int16_t>> ReadWav(const std::string& path) {
   const std::size_t step = std::size_t{kSampleBytes} * LittleEndian(file, kChannelsAt, 2);
   std::vector<std::int16_t> samples;
   for (std::size_t at = kHeadBytes; at + step <= file.size(); at += step)
+    // The data begin where the head ends: chunks between both are not looked for.
     samples.push_back(static_cast<std::int16_t>(LittleEndian(file, at, kSampleBytes)));
   return samples;
 }
@@ -101,6 +104,7 @@ Result<std::vector<std::int16_t>> ReadWav(const std::string& path) {
 double Likeness(std::span<const std::int16_t> said, std::span<const std::int16_t> heard) {
   const std::size_t length = SamplesIn(std::chrono::milliseconds(100));
   if (said.size() < length || heard.size() < length) return 0;
+  // From the middle: the first vowel begins in silence, and players fade in.
   const auto wanted = Thinned(said.subspan((said.size() - length) / 2, length));
   const auto there = Thinned(heard);
   const double wanted_power = Product(wanted, wanted);

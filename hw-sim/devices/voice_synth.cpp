@@ -9,9 +9,12 @@ namespace {
 
 constexpr double kPitch_hz = 125;
 constexpr double kGlottis_hz = 100;  // Above it a pulse falls by 12 dB an octave.
-constexpr int kShape = 32;           // Samples from one move of the throat to the next.
-constexpr double kGlide_s = 0.012;   // Of the resonances from vowel to vowel,
-constexpr double kAttack_s = 0.002;  // and of the loudness.
+// Samples from one move of the throat to the next: cosines are too dear for every sample.
+constexpr int kShape = 32;
+// How fast the resonances glide from vowel to vowel, and the loudness rises.
+constexpr double kGlide_s = 0.012;
+constexpr double kAttack_s = 0.002;
+// Over so long the voice's own level is measured: some periods of the pitch.
 constexpr double kLevel_s = 0.03;
 constexpr double kLoud = 0.1;               // RMS of full scale at loudness 1.
 constexpr double kVoiceSynthRoom = 0.0003;  // A quiet room: -70 dB.
@@ -24,6 +27,8 @@ constexpr std::array<std::array<double, 4>, kSynthVowels> kVowels_hz{{{750, 1200
                                                                       {480, 1900, 2550, 3500},
                                                                       {480, 850, 2500, 3400}}};
 
+// The part of the way that a value goes in one sample, for an exponential
+// approach with this time constant.
 double Share(double time_s) {
   return 1 - std::exp(-1 / (time_s * kSynthRate_hz));
 }
@@ -57,9 +62,12 @@ void VoiceSynth::Shape() {
   to_shape_ = kShape - 1;
   for (std::size_t n = 0; n < kFormants; ++n) {
     const double goal_hz = kVowels_hz[static_cast<std::size_t>(vowel_)][n];
+    // The throat moves once in kShape samples, so its time is shorter by as much.
     formants_hz_[n] += (gain_ < 0.01 ? 1 : glide) * (goal_hz - formants_hz_[n]);
+    // Bandwidths of some 60 to 200 Hz, growing with the frequency, as they are measured.
     const double width_hz = 50 + formants_hz_[n] * 0.04;
     const double radius = std::exp(-std::numbers::pi * width_hz / kSynthRate_hz);
+    // A pole pair at radius r and angle 2 pi f / rate: b = 2 r cos(angle), c = -r^2.
     resonances_[n].b = 2 * radius * std::cos(2 * std::numbers::pi * formants_hz_[n] / kSynthRate_hz);
     resonances_[n].c = -radius * radius;
   }
@@ -90,6 +98,7 @@ double VoiceSynth::Throat(double pulse) {
 }
 
 double VoiceSynth::Noise() {
+  // A linear congruential generator (Numerical Recipes): its high bits are good enough for a hiss.
   random_ = random_ * 1664525U + 1013904223U;
   return static_cast<double>(random_ >> 8U) / (1U << 23U) - 1;
 }

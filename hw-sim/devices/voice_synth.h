@@ -1,4 +1,5 @@
-// A voice by rule: a glottis that pulses, a throat whose resonances make the vowel, lips that radiate.
+// A voice by rule: a glottis that pulses, a throat whose resonances make the vowel, lips that
+// radiate (the source-filter model of speech).
 #pragma once
 
 #include <array>
@@ -9,13 +10,15 @@ namespace kaori::sim {
 inline constexpr int kSynthRate_hz = 48000;
 inline constexpr int kSynthVowels = 5;  // a, i, u, e, o.
 
+// Makes sound for whatever follows a voice: the formants are where a lip reader by ear looks for them.
 // Sample by sample; the same orders give the same samples. Loudness and vowel change within a few
-// milliseconds, without a click.
+// milliseconds, without a click. One thread.
 class VoiceSynth {
  public:
   VoiceSynth();
 
-  // `loudness` 0 is silence, 1 a voice of 0.1 of full scale (RMS); held within 0 .. 4.
+  // What is said from now on. `vowel` is held within 0 .. 4. `loudness` 0 is silence, 1 a voice of 0.1
+  // of full scale (RMS); held within 0 .. 4.
   void Say(int vowel, double loudness);
   int vowel() const { return vowel_; }
   double loudness() const { return loudness_; }
@@ -25,9 +28,13 @@ class VoiceSynth {
 
  private:
   static constexpr std::size_t kFormants = 4;
+  // Moves the formants on towards the vowel, and makes the resonances from them.
   void Shape();
+  // The next sample of the glottis: a pulse in each period of the pitch, through a low pass of two poles.
   double Glottis();
+  // The next sample behind the resonances and the lips.
   double Throat(double pulse);
+  // From -1 to 1, evenly spread.
   double Noise();
 
   int vowel_ = 0;
@@ -36,8 +43,10 @@ class VoiceSynth {
   double phase_ = 0;  // Of the pitch, in turns.
   std::array<double, 2> pulse_{};
   std::array<double, kFormants> formants_hz_{750, 1200, 2550, 3500};
+  // y = (1 - b - c) x + b y[-1] + c y[-2]: gain 1 at 0 Hz.
   struct Resonance {
-    double b = 0, c = 0;  // Two poles, as the formant has them now,
+    // Two poles, as the formant has them now, and the last two outputs.
+    double b = 0, c = 0;
     std::array<double, 2> past{};
   };
   std::array<Resonance, kFormants> resonances_;
