@@ -39,14 +39,18 @@ constexpr std::string_view kHelp =
   --address-file FILE  where the page's address is written
 )";
 
-constexpr kaori::Duration kActionPeriod = 4ms;  // Slow actions of a scenario advance in steps of this.
+// Slow actions of a scenario advance in steps of this: four steps are a frame of the show.
+constexpr kaori::Duration kActionPeriod = 4ms;
+// No screen is faster, and a period of less than a millisecond would only keep the machine busy.
 constexpr double kMostHz = 1000;
 
+// The command line as it was given: texts, which the functions below check where they use them.
 struct Settings {
   std::string links, size = "960x540", hz = "60", play, record, console, listen, board, labels, address_file;
   bool loop = false;
 };
 
+// A number between `low` and `high`, both included. The error names the option, for people.
 kaori::Result<double> Number(const std::string& name, const std::string& text, double low, double high) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -66,7 +70,8 @@ kaori::Result<kaori::sim::RigOptions> RigOptionsOf(const Settings& settings) {
                                 .wakes_by_timer = true};
 }
 
-// What plays and what writes down, beside the devices themselves.
+// What plays and what writes down, beside the devices themselves. Destroyed in reverse order, so that
+// the page, which uses all the others, ends first. Not moved: the loop's handlers refer to it.
 struct Simulation {
   kaori::sim::Rig& rig;
   kaori::EventLoop& loop;
@@ -78,6 +83,7 @@ struct Simulation {
   std::unique_ptr<kaori::console::Console> console{};
 };
 
+// Performs what is due in each period; with `again` the scenario begins anew once it has ended.
 kaori::Result<void> Play(kaori::sim::Scenario scenario, bool again, Simulation& simulation) {
   simulation.player.emplace(std::move(scenario), simulation.rig, simulation.clock.now());
   return simulation.loop.Every(kActionPeriod, [&simulation, again] {
@@ -94,11 +100,13 @@ kaori::Result<void> Record(const Settings& settings, Simulation& simulation) {
   simulation.record.open(settings.record);
   if (!simulation.record) return kaori::FailInput("--record " + settings.record + ": it cannot be written");
   simulation.recorder.emplace(simulation.rig, [&simulation](const kaori::sim::TimedAction& timed) {
+    // std::endl flushes; a '\n' would leave the line in the program's memory.
     simulation.record << kaori::sim::WriteAction(timed) << std::endl;
   });
   return {};
 }
 
+// The page's settings. Reading the board is optional: without it the page does not say what is on stage.
 kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings, Simulation& simulation) {
   const auto port = Number("--console", settings.console, 0, 65535);
   if (!port) return tl::unexpected(port.error());
@@ -132,7 +140,8 @@ kaori::Result<void> OpenConsole(const Settings& settings, Simulation& simulation
   return kaori::WriteWholeFile(settings.address_file, {kaori::AsBytes(simulation.console->address() + "\n")});
 }
 
-// Records first, so that a scenario's actions are recorded too; plays last, when all else stands.
+// Records first, so that a scenario's actions are recorded too; plays last, when all else stands. The
+// order is that of the actions' way: from scenario or page to the rig, and from there to the recorder.
 kaori::Result<void> SetUp(const Settings& settings, kaori::sim::Scenario scenario, Simulation& simulation) {
   if (auto ok = Record(settings, simulation); !ok) return ok;
   if (auto ok = OpenConsole(settings, simulation); !ok) return ok;
@@ -142,6 +151,7 @@ kaori::Result<void> SetUp(const Settings& settings, kaori::sim::Scenario scenari
   return settings.play.empty() ? kaori::Result<void>{} : Play(std::move(scenario), settings.loop, simulation);
 }
 
+// Everything is read and checked before a device is plugged in: a wrong option leaves no sockets behind.
 int Simulate(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   auto options = RigOptionsOf(settings);

@@ -19,11 +19,13 @@ namespace {
 
 // Twice as often as pictures leave, so that a picture waits for half of its period at most.
 constexpr Duration kTick = std::chrono::microseconds(8'333);
+// 20 states a second: finer than a person reads, and coarser than the dials' own lamps need.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(50);
 // Silence is broken this often: listeners that went away are noticed only when something is sent.
 constexpr Duration kSignOfLife = std::chrono::seconds(1);
 
 constexpr const char* kText = "text/plain; charset=utf-8";
+// The boundary of multipart/x-mixed-replace (RFC 2046, 5.1.1). Every part ends with it.
 constexpr std::string_view kBoundary = "--kaori\r\n";
 
 // A part of the endless picture, closed by the next boundary: browsers show a part when it is closed.
@@ -44,6 +46,8 @@ Console::Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop)
       loop_(loop),
       values_(options_.labels),
       pictures_("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary)),
+      // A browser that lost the events' connection tries again after 500 ms
+      // ("retry", HTML: server-sent events).
       states_("text/event-stream", "retry: 500\n\n"),
       sounds_("application/octet-stream", "") {}
 
@@ -79,6 +83,7 @@ Result<void> Console::StartTicking() {
   return loop_.Watch(ticks_.get(), [this] { Tick(); });
 }
 
+// A late tick is one tick: what is told is how things stand, not what happened.
 void Console::Tick() {
   std::uint64_t passed = 0;
   (void)!::read(ticks_.get(), &passed, sizeof(passed));
@@ -92,6 +97,7 @@ void Console::Tick() {
   ShowPicture(now);
   PassSoundOn();
   TellState(now);
+  // MHD sends what was just published, and closes connections that are too slow.
   server_->Run();
   LetGoAlone();
 }
@@ -124,6 +130,7 @@ std::string Console::StateNow() {
 }
 
 void Console::TellState(Time now) {
+  // A state that nobody can receive now is not built: the next one will say more.
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
   auto state = StateNow();
   if (state == state_ && now - state_at_ < kSignOfLife) return;
@@ -149,6 +156,7 @@ web::HttpServer::Answer Console::Answer(const Request& request) {
   return NotFound(request.path);
 }
 
+// An action is noted before it is done: one that fails half way is still let go of later.
 Reply Console::AcceptInput(const std::string& lines) {
   const auto actions = ReadInput(lines);
   if (!actions) return {400, kText, actions.error().attempt + "\n"};

@@ -23,22 +23,29 @@
 
 namespace kaori::console {
 
+// How a page is served and what it says. The labels come from the show;
+// without them controls have numbers.
 struct ConsoleOptions {
   std::uint16_t port = 0;  // 0: any free one.
   // An IPv4 address of this machine, or 0.0.0.0 for all of them; empty: 127.0.0.1 alone. Whoever reaches it plays.
   std::string listen{};
   Labels labels;
-  double most_pictures_per_s = 30;  // Sent to the page; each costs about 3 ms of CPU at 960x540.
+  // Sent to the page; each costs about 3 ms of CPU at 960x540, which the stage
+  // of the same machine lacks then.
+  double most_pictures_per_s = 30;
+  // libjpeg's scale, 1 to 100: above 85 a picture grows faster than it gains.
   int jpeg_quality = 85;
   // What is on stage; nothing while no stage draws. May be empty: the page then shows none.
   std::function<std::optional<OnStage>()> on_stage{};
 };
 
-// Input acts through Rig::Do alone, so as report bytes and camera frames; the console pumps the rig after it, and nobody
-// else's pump is in its way. One thread, the loop's.
+// Input acts through Rig::Do alone, so as report bytes and camera frames; the console pumps the rig
+// after it, and nobody else's pump is in its way. Several pages may be open: all see the same state, and
+// what one does the others see. One thread, the loop's.
 class Console {
  public:
-  // `rig` and `loop` must outlive the console. Errors: address_in_use, those of sockets and timers.
+  // Listens, joins the loop and answers from then on. `rig` and `loop` must outlive the console. Errors:
+  // address_in_use, those of sockets and timers.
   static Result<std::unique_ptr<Console>> Open(ConsoleOptions options, sim::Rig& rig, EventLoop& loop);
   ~Console();
 
@@ -47,15 +54,25 @@ class Console {
 
  private:
   Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop);
+  // Starts the tick that drives pictures, sound and state. Errors: those of
+  // timerfd_create(2) and of EventLoop::Watch.
   Result<void> StartTicking();
+  // Looks at everything once and sends what is due.
   void Tick();
   void ShowPicture(Time now);
   void PassSoundOn();
   void TellState(Time now);
+  // What the page shows of the devices, as StateJson has it.
   std::string StateNow();
+  // Answers one request; a path that is not known gets 404, another method
+  // than GET, HEAD and POST gets 405.
   web::HttpServer::Answer Answer(const web::Request& request);
+  // Does what a page sent, all of it or nothing. 400 with the fault of the first
+  // wrong line, 503 where a cable fails.
   web::Reply AcceptInput(const std::string& lines);
+  // Does the actions in their order and pumps once. Errors: those of Rig::Do.
   Result<void> Do(const std::vector<sim::OperatorAction>& actions);
+  // Lets go of what the last page held, once that page has left.
   void LetGoAlone();
   web::Reply OnePicture();
   Result<std::string> EncodeLatest();
@@ -70,6 +87,7 @@ class Console {
   Rate shown_;                    // Frames the screen has shown.
   std::uint64_t sent_frame_ = 0;  // frames_shown() of the last picture that was sent.
   Time picture_at_{};
+  // The state that was sent last: an equal one is not sent again, but for the sign of life.
   std::string state_;
   Time state_at_{};
   web::Feed pictures_;

@@ -6,6 +6,7 @@
 namespace kaori::console {
 namespace {
 
+// Buttons and keys without a group fill nothing: no dial names an empty group.
 bool Fills(const DialLabel& dial, const std::string& group) {
   return std::ranges::find(dial.filled_by, group) != dial.filled_by.end();
 }
@@ -27,6 +28,7 @@ DialValues::DialValues(const Labels& labels) {
 void DialValues::Follow(const sim::DialBox& box, const sim::Keyboard& keyboard) {
   const std::uint32_t down = box.buttons_down();
   const std::uint32_t pushed = down & ~std::exchange(buttons_down_, down);
+  // A key that is held down counts once: until it was up again it is no push.
   const auto struck = [&](std::uint8_t usage) { return keyboard.held(usage) && !keys_down_[usage]; };
   for (std::size_t n = 0; n < dials_.size(); ++n) {
     Dial& dial = dials_[n];
@@ -34,8 +36,10 @@ void DialValues::Follow(const sim::DialBox& box, const sim::Keyboard& keyboard) 
       dial.value = 1;
     const double turned = box.turned(static_cast<int>(n));
     const double by = (turned - std::exchange(dial.turned, turned)) * dial.label.per_turn;
+    // std::clamp wants the ends in order; labels may be wrong.
     dial.value = std::clamp(dial.value + by, dial.label.low, std::max(dial.label.low, dial.label.high));
   }
+  // Only after all dials have looked: one key may fill several.
   for (const Dial& dial : dials_)
     for (const std::uint8_t usage : dial.filling_keys) keys_down_[usage] = keyboard.held(usage);
 }

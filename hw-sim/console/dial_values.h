@@ -14,17 +14,21 @@ namespace kaori::console {
 
 inline constexpr int kDialCount = 8;
 
-// Watches the simulated controls from the outside, as somebody who stands by the box, and begins with the values
-// with which a show opens. No report tells them: a show that went on while the simulator was away knows
-// better.
+// Watches the simulated controls from the outside, as somebody who stands by the box, and
+// begins with the values with which a show opens. No report tells them: a show that went on
+// while the simulator was away knows better. The numbers on the page are therefore a help for
+// people, and nothing that plays depends on them.
 class DialValues {
+  // Copies the labels. Buttons and keys that fill a dial are found by their groups.
  public:
   explicit DialValues(const Labels& labels);
 
-  // Looks at what was done since the last call; some 100 calls a second see every push.
+  // Looks at what was done since the last call; some 100 calls a second see every push. A call puts
+  // pushed dials to 1 first and then adds what was turned, within the dial's ends.
   void Follow(const sim::DialBox& box, const sim::Keyboard& keyboard);
 
-  // Nothing where the label tells of no value.
+  // Where the dial stands, in the label's unit; nothing where the label tells
+  // of no value. `dial` is 0 to 7.
   std::optional<double> value(int dial) const;
 
  private:
@@ -32,7 +36,9 @@ class DialValues {
     DialLabel label;
     double value = 0;
     double turned = 0;  // All turns, at the last call.
+    // Bit n: button n puts this dial to 1.
     std::uint32_t filling_buttons = 0;
+    // The usages of the keys that put it to 1.
     std::vector<std::uint8_t> filling_keys{};
   };
 

@@ -5,11 +5,14 @@
 
 namespace kaori::console {
 
-// A stage begins with its needles shut; it died when the screen lost it with the cable still in.
+// Guesses what the stage does with Tab by the rules that the stage follows: it begins with its
+// needles shut; it died when the screen lost it with the cable still in. A guess that is wrong is
+// put right by the next start of the stage.
 class EditorWatch {
  public:
   static constexpr std::uint8_t kTab = 0x2B;  // Usage of HID page 7.
 
+  // What can be seen from outside, at one moment.
   struct Seen {
     bool tab_held = false;
     bool keyboard_heard = false;  // A program has the keyboard open,
@@ -17,7 +20,7 @@ class EditorWatch {
     bool screen_plugged = true;
   };
 
-  // Some 100 calls a second see every push.
+  // Compares with the call before; some 100 calls a second see every push.
   void Follow(const Seen& now);
 
   bool open() const { return open_; }

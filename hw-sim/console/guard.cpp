@@ -11,12 +11,14 @@ namespace {
 
 constexpr const char* kEverywhere = "0.0.0.0";
 
+// Empty where the machine has no name; then only numbers are right.
 std::string MachineName() {
   std::array<char, 256> name{};
   return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : std::string();
 }
 
-// The name before the port; nothing where what stands there is no port.
+// The name before the port; nothing where what stands there is no port. Host is
+// "name" or "name:port" (RFC 9110, 7.2).
 std::optional<std::string> NameIn(std::string_view host) {
   const auto colon = host.find(':');
   if (colon != std::string_view::npos && host.find_first_not_of("0123456789", colon + 1) != host.npos)
@@ -43,17 +45,20 @@ bool NamesThisMachine(std::string_view host, bool on_network) {
   return IsAddress(*name) || (!machine.empty() && (*name == machine || *name == machine + ".local"));
 }
 
+// Browsers send Origin as "scheme://host:port", without a path. The console speaks plain HTTP.
 bool IsSameOrigin(std::string_view origin, std::string_view host) {
   constexpr std::string_view kScheme = "http://";
   return origin.starts_with(kScheme) && origin.substr(kScheme.size()) == host;
 }
 
+// Why a request is refused; the order is from what says most to what says least.
 std::optional<std::string> Refusal(const web::Visitor& visitor, bool on_network) {
   if (!NamesThisMachine(visitor.host, on_network))
     return on_network ? "the console answers only to this machine's address and name"
                       : "the console answers only to 127.0.0.1 and localhost";
   if (!visitor.origin.empty() && !IsSameOrigin(visitor.origin, visitor.host))
     return "the console accepts no input from pages of other sites";
+  // "none" is what people type into the address bar; curl and old browsers send no such header at all.
   const auto site = visitor.fetch_site;
   if (!site.empty() && site != "same-origin" && site != "none")
     return "the console cannot be embedded by other sites";

@@ -9,7 +9,7 @@ namespace {
 using sim::OperatorAction;
 using sim::Verb;
 
-// Lips as the camera sees them when nobody speaks.
+// Lips as the camera sees them when nobody speaks: sizes in widths of the mouth at rest.
 constexpr double kShutHeight = 0.25;
 constexpr double kRestWidth = 1;
 
@@ -29,6 +29,7 @@ std::optional<OperatorAction> Undoing(const OperatorAction& action) {
     case Verb::kHat:
       return OperatorAction{action.port, Verb::kHat, -1};
     case Verb::kLips:
+      // Releasing what is not held does nothing, so that a release undoes a push as well as itself.
       return OperatorAction{action.port, Verb::kLips, 0, kShutHeight, kRestWidth};
     case Verb::kVoice:
       return OperatorAction{action.port, Verb::kVoice};
@@ -42,6 +43,7 @@ std::optional<OperatorAction> Undoing(const OperatorAction& action) {
 void Held::Note(const OperatorAction& action) {
   const auto undoing = Undoing(action);
   if (!undoing) return;
+  // The newest action on a control counts alone; moving it to its rest takes it off the list.
   std::erase(releases_, *undoing);
   if (action != *undoing) releases_.push_back(*undoing);
 }

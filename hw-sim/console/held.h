@@ -13,7 +13,8 @@ class Held {
   // An action that the page has done.
   void Note(const sim::OperatorAction& action);
 
-  // The actions that let everything go: buttons and keys up, sticks and lips at rest. Then nothing is held.
+  // The actions that let everything go: buttons and keys up, sticks and lips at rest. Then nothing is
+  // held. The order is that in which things were taken up.
   std::vector<sim::OperatorAction> LetGo();
 
  private:

@@ -10,11 +10,13 @@
 namespace kaori::console {
 namespace {
 
-// A push or a tap would need somebody who lets go later; the page does that itself.
+// A push or a tap would need somebody who lets go later; the page does that
+// itself, by the finger on the screen.
 bool IsDoneAtOnce(const sim::Statement& statement) {
   return !statement.say && !statement.scene && statement.steps.size() == 1;
 }
 
+// Reads one line; whatever is wrong goes to the tokenizer's problems.
 void ReadLine(sim::Tokenizer& tokens, std::vector<sim::OperatorAction>& actions) {
   if (tokens.AtEnd()) return;
   const int column = tokens.next_column();
@@ -31,6 +33,7 @@ void ReadLine(sim::Tokenizer& tokens, std::vector<sim::OperatorAction>& actions)
 Result<std::vector<sim::OperatorAction>> ReadInput(std::string_view text) {
   std::vector<sim::OperatorAction> actions;
   std::vector<sim::Problem> problems;
+  // Stops with the first problem: a page's lines are made by its own program, so one fault says enough.
   for (int number = 1; !text.empty() && problems.empty(); ++number) {
     const auto end = std::min(text.find('\n'), text.size());
     sim::Tokenizer tokens(text.substr(0, end), number, problems);

@@ -7,6 +7,7 @@
 namespace kaori::console {
 namespace {
 
+// Keeps the order in which it was written, so that equal states are equal texts.
 using Json = nlohmann::ordered_json;
 
 // Four digits are finer than the page draws, and equal states give equal text.
@@ -35,6 +36,7 @@ Json PortsJson(const sim::Rig& rig) {
 Json ValuesJson(const DialValues& values) {
   Json json = Json::array();
   for (int dial = 0; dial < kDialCount; ++dial) {
+    // null, where the page is to show no number.
     const auto value = values.value(dial);
     json.push_back(value ? Json(Rounded(*value)) : Json());
   }

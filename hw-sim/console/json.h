@@ -17,11 +17,14 @@ struct OnStage {
   std::uint32_t style = 0;
 };
 
-// {"dials":[turns..], "values":[number or null..], "buttons":bits, "lamps":bits,
-//  "sticks":[{"x","y","twist","slider"}..], "lips":{"height","width"}, "covered":bool,
-//  "pointer":{"x","y","buttons"}, "voice":{"vowel","loudness"}, "loudspeaker_db":number,
-//  "editor_open":bool, "lines":{"closed":bits,"tally":bool}, "on_stage":{"scene","style"} or null,
-//  "ports":{"dial-box":{"plugged","connected"}..}, "fps":number}
+// One object, without line breaks, so that it fits into one "data:" line of the events:
+//   {"dials":[turns..], "values":[number or null..], "buttons":bits, "lamps":bits,
+//    "sticks":[{"x","y","twist","slider","hat","buttons"}..], "lips":{"height","width"}, "covered":bool,
+//    "pointer":{"x","y","buttons"}, "voice":{"vowel","loudness"}, "loudspeaker_db":number,
+//    "editor_open":bool, "lines":{"closed":bits,"tally":bool}, "on_stage":{"scene","style"} or null,
+//    "ports":{"dial-box":{"plugged","connected"}..}, "fps":number}
+// Units are those of the devices' own headers; bit n stands for button, lamp or
+// line n. page/wire.js reads it.
 std::string StateJson(sim::Rig& rig, const DialValues& values, const EditorWatch& editor,
                       const std::optional<OnStage>& on_stage, double frames_per_s);
 

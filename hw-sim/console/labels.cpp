@@ -15,9 +15,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kFirstUsage = 0x04;
 constexpr std::uint64_t kLastUsage = 0xE7;
+// Far more keys than a show explains; they bound what a wrong file makes the page draw.
 constexpr std::size_t kMostKeys = 64;
 
-// An entry that is left out is empty; one of another kind is not.
+// An entry that is left out is empty; one of another kind is not, and fails the whole file.
 bool ReadText(const Json& json, const char* name, std::string& into) {
   if (!json.is_object() || !json.contains(name)) return json.is_object();
   if (!json[name].is_string()) return false;
@@ -85,11 +86,13 @@ std::optional<std::string> ReadRow(const Json& json, const char* name, Row& into
   return std::nullopt;
 }
 
+// The entry that is wrong, for people; nothing: all is well.
 std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (!json.is_object()) return "no JSON object";
   if (!ReadText(json, "show", into.show)) return "show";
   if (!ReadTexts(json, "scenes", into.scenes)) return "scenes";
   if (!ReadTexts(json, "styles", into.styles)) return "styles";
+  // Rows have a fixed length, but the keys: as many as the file has, or one row of the most.
   if (json.contains("keys")) into.keys.assign(std::min(json["keys"].size(), kMostKeys), {});
   if (auto fault = ReadRow(json, "dials", into.dials, ReadDial)) return fault;
   if (auto fault = ReadRow(json, "buttons", into.buttons, ReadButton)) return fault;
@@ -109,6 +112,7 @@ Result<Labels> LoadLabels(const std::string& path) {
   const auto text = ReadFile(path, {.most_levels = kMostLevels});
   if (!text) return tl::unexpected(text.error());
   Labels labels;
+  // Without exceptions: a text that is no JSON gives a discarded value, which is no object.
   if (auto fault = ReadLabels(Json::parse(*text, nullptr, false), labels))
     return FailInput(fmt::format("labels {}: {}", path, *fault));
   return labels;

@@ -10,6 +10,7 @@
 
 namespace kaori::console {
 
+// A label tells people; nothing that is played depends on it.
 // A dial has no end; what it plays may have one. Where `low` and `high` differ the page shows that value.
 struct DialLabel {
   std::string text{};
@@ -29,6 +30,7 @@ struct ButtonLabel {
   std::string group{};  // Buttons of one group have one colour: "face", "expression", "style", "scene" or "".
 };
 
+// The words beside a stick's two axes, its twist and its slider.
 struct StickLabel {
   std::string text{};
   std::string twist{};
@@ -41,21 +43,24 @@ struct KeyLabel {
   std::string group{};  // "blink", "motion", "scene" or "".
 };
 
-// An empty text leaves the number alone.
+// All that is written on the devices, for one show: made by the authoring tool from the show's
+// files. An empty text leaves the number alone.
 struct Labels {
   std::string show{};
   std::array<DialLabel, 8> dials;
   std::array<ButtonLabel, 32> buttons;
   std::array<StickLabel, 2> sticks;  // Left, right.
+  // Names by the show's numbers, which OnStage uses; of the ways of drawing too.
+  std::vector<std::string> scenes{};
+  std::vector<std::string> styles{};
   // In the order in which the page shows them. What every show has, until it says more.
-  std::vector<std::string> scenes{};  // Names by the show's numbers, which OnStage uses;
-  std::vector<std::string> styles{};  // of the ways of drawing too.
   std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
 };
 
-// Reads the form that LabelsJson writes; what is left out keeps its default, and a text alone will do for a
-// dial or a stick. Errors: those of the file; invalid_argument (no such form, too many entries, a usage
-// beyond 231) with the file and the entry named.
+// Reads the form that LabelsJson writes; what is left out keeps its default, and a text alone will do
+// for a dial or a stick. Entries that are not known are passed over, so that newer files are read too.
+// Blocks for the disk. Errors: those of the file; invalid_argument (no such form, too many entries, a
+// usage beyond 231) with the file and the entry named.
 Result<Labels> LoadLabels(const std::string& path);
 
 // {"show":text, "dials":[{"text","unit","low","high","per_turn","start","filled_by":[..]}..],

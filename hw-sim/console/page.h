@@ -7,7 +7,8 @@
 
 namespace kaori::console {
 
-// nullptr where nothing of that path is carried.
+// The file of the page with this path, as it was compiled in; nullptr where nothing of that path
+// is carried. Lives as long as the program.
 const web::PageFile* FindPageFile(std::string_view path);
 
 }  // namespace kaori::console

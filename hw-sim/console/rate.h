@@ -7,6 +7,7 @@
 
 namespace kaori::console {
 
+// Pure. Good for display: its value is that of the last whole second or more.
 class Rate {
  public:
   // `count` is a counter that only grows. It is looked at again after a second at the soonest.
@@ -17,6 +18,7 @@ class Rate {
     count_ = count;
     at_ = now;
   }
+  // In a second; 0 before two looks.
   double per_s() const { return per_s_; }
 
  private:

@@ -6,7 +6,8 @@ namespace kaori::console {
 namespace {
 
 constexpr std::size_t kHeadBytes = 8;
-constexpr std::uint32_t kRate_hz = 48'000;  // The drift of a simulated crystal, some ppm, is not heard.
+// The drift of a simulated crystal, some ppm, is not heard: packets tell the nominal rate.
+constexpr std::uint32_t kRate_hz = 48'000;
 
 }  // namespace
 

@@ -10,7 +10,8 @@
 
 namespace kaori::console {
 
-// Pure: bytes of sound in, packets out. One thread.
+// Pure: bytes of sound in, packets out. One thread. Real time is the page's
+// business: packets have no stamps.
 //
 // A packet is u32 number of frames, u32 rate in Hz, then the frames, each of two samples of 16 bit (left, right); all of
 // it little-endian. page/sound.js reads it. What was silent because nothing was played is left out: the page plays what
@@ -22,13 +23,14 @@ class SoundPackets {
   // A packet is worth sending from here on.
   static constexpr std::size_t kWorthFrames = 960;  // 20 ms.
 
-  // Adds what was heard since the last call.
+  // Adds what was heard since the last call; of more than half a second the oldest part is dropped.
   void Add(const std::vector<sim::Loudspeaker::Heard>& heard);
 
   // Whether Next has enough to be worth a packet.
   bool ready() const { return samples_.size() / sim::Loudspeaker::kChannels >= kWorthFrames; }
 
-  // Everything that was added, as one packet; afterwards nothing is kept.
+  // Everything that was added, as one packet; afterwards nothing is kept. A
+  // packet without a frame is possible.
   std::string Next();
 
   // Forgets what was added: nobody listens.

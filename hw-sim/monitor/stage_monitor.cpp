@@ -4,7 +4,8 @@ namespace kaori::sim {
 namespace {
 
 constexpr Duration kLookPeriod = std::chrono::seconds(1);
-constexpr Duration kSilence = std::chrono::seconds(2);  // A stage writes its status once a frame.
+// A stage writes its status once a frame, so two seconds are no pause of one that lives.
+constexpr Duration kSilence = std::chrono::seconds(2);
 
 }  // namespace
 
@@ -15,6 +16,7 @@ std::optional<OnStage> StageMonitor::Read() {
     if (status.source == board::SourceState::kLive && now - status.at < kSilence)
       return OnStage{status.value.scene, status.value.style};
   }
+  // Looked for anew, since a stage that was started again may have made another file.
   if (now < look_at_) return std::nullopt;
   look_at_ = now + kLookPeriod;
   board_.reset();

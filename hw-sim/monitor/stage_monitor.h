@@ -11,13 +11,14 @@
 
 namespace kaori::sim {
 
-// Both count as the show does, from 0; the labels have their names.
+// What the stage shows now. Both count as the show does, from 0; the labels have their names.
 struct OnStage {
   std::uint32_t scene = 0;
   std::uint32_t style = 0;
 };
 
-// One thread. Reads only: the board is neither made nor changed.
+// Maps the board for reading and copies one section out of it. One thread. Reads only:
+// the board is neither made nor changed.
 class StageMonitor {
  public:
   // `board` is the file that the box's programs share; it need not be there yet. Borrows the clock.
