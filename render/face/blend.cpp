@@ -21,9 +21,11 @@ constexpr std::size_t kGroup = 8;
 constexpr std::size_t kChunk_floats =
     1024;  // Between groups, a chunk of the result stays in the first cache.
 
+// GCC's vector extension: four floats are SSE or NEON, eight are AVX.
 using Lane4 [[gnu::vector_size(16)]] = float;
 using Lane8 [[gnu::vector_size(32)]] = float;
 
+// By memcpy, which is a load here: addresses are aligned, types are not the same.
 template <class Lane>
 [[gnu::always_inline]] inline void Load(Lane& lane, const float* at) {
   std::memcpy(&lane, at, sizeof lane);
@@ -34,6 +36,7 @@ template <class Lane, std::size_t... kStream>
 [[gnu::always_inline]] inline void SumOf(const Stream* streams, std::size_t floats, float* out,
                                          std::index_sequence<kStream...>) {
   const float* const values[]{streams[kStream].values...};
+  // The weight in every lane.
   const Lane weights[]{(Lane{} + streams[kStream].weight)...};
   for (std::size_t at = 0; at < floats; at += sizeof(Lane) / sizeof(float)) {
     Lane sum{};
@@ -77,6 +80,7 @@ void Clear(const Stream* /*streams*/, std::size_t floats, float* out) {
   std::fill_n(out, floats, 0.0F);
 }
 
+// One function for each number of streams, by its index: sums[n] adds up n.
 template <std::size_t... kBefore>
 constexpr Kernels BaselineKernels(std::index_sequence<kBefore...> /*below*/) {
   return {{Clear, BaselineSum<kBefore + 1>...}, BaselineGiveWay};
@@ -119,6 +123,7 @@ void SumChunk(std::span<const Stream> streams, std::size_t at, std::size_t float
   do {
     std::size_t size = 0;
     if (add) group[size++] = {out, 1};
+    // The result so far takes the place of one stream.
     const std::size_t taken = std::min(streams.size(), kGroup - size);
     for (const Stream& s : streams.first(taken)) group[size++] = {s.values + at, s.weight};
     FastestKernelsHere().sums[size](group.data(), floats, out);
@@ -140,10 +145,12 @@ void Blend(std::span<const Stream> streams, const Yielding& yielding, std::size_
   const std::size_t chunk = one_pass ? std::max<std::size_t>(floats, 1) : kChunk_floats;
   for (std::size_t at = 0; at < floats; at += chunk) {
     const std::size_t size = std::min(chunk, floats - at);
+    // The yielding sum first, so that it alone gives way; all else is added to it.
     if (!yielding.streams.empty()) {
       SumChunk(yielding.streams, at, size, out + at, false);
       FastestKernelsHere().give_way(yielding.share + at, yielding.given_away, size, out + at);
     }
+    // Without any stream at all the chunk is still cleared.
     if (yielding.streams.empty() || !streams.empty()) {
       SumChunk(streams, at, size, out + at, !yielding.streams.empty());
     }

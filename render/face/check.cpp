@@ -130,6 +130,8 @@ void CheckTexture(std::size_t index, const Texture& texture, Faults& faults) {
 
 }  // namespace
 
+// Sizes and indices of the topology first: the other checks count on none of them, but people read
+// from the top.
 std::vector<std::string> FindFaults(const Cast& cast) {
   Faults faults;
   CheckTopology(cast.topology, faults);

@@ -42,6 +42,7 @@ void CheckUnfolding(const Topology& topology, Faults& faults) {
   if (turned > 0) faults.Add(fmt::format("parameter space: {} triangles are turned over", turned));
 }
 
+// As many as vertices, within them, and mutual.
 void CheckTwins(const std::string& item, const std::vector<Index>& twin, std::size_t vertices,
                 Faults& faults) {
   if (!faults.Size(item, twin.size(), vertices) || !faults.Indices(item, twin, vertices)) return;

@@ -139,6 +139,8 @@ void Composer::Work::GatherFace(const Term& face, const Weights& weights) {
 void Composer::Work::BlendCage(float mouth_given_away) {
   const std::size_t moving = composites.moving_floats();
   Blend(unyielding, {yielding, mouth_share.data(), mouth_given_away}, moving, cage.data());
+  // The first part ends with a cache line and so holds some floats of vertices that do not move:
+  // displacements are zero there.
   for (Stream& base : bases) base.values += moving;
   Blend(bases, composites.face_floats() - moving, cage.data() + moving);
 }
@@ -158,6 +160,7 @@ void Composer::Work::ComputeNormals(Detail detail) {
 
 // Occlusion depends on the faces alone, so it is kept until their weights change.
 void Composer::Work::BlendOcclusion(const Terms& faces) {
+  // Exactly equal: a fade changes them in every frame, a face at rest in none.
   if (faces == occlusion_of) return;
   bases.clear();
   for (const Term& t : faces) bases.push_back({face_occlusion.data() + t.index * occlusion_floats, t.weight});
@@ -195,6 +198,7 @@ void Composer::Renew(std::size_t expression) {
 }
 
 const Shape& Composer::Compose(const Weights& weights, Detail detail) {
+  // From here on indices exist and faces sum to 1.
   Weights playable = Playable(weights, cast_.faces.size(), cast_.expressions.size());
   BlinkByExpression(cast_, playable);
   const Topology& topology = cast_.topology;

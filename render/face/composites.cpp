@@ -46,6 +46,7 @@ Composites::Composites(const Cast& cast)
   CopyBases(cast);
   FindJaw(cast);
   FitFaces(cast);
+  // Marks all, then works them out: the same way as later, when one has changed.
   for (std::size_t j = 0; j < expressions_; ++j) Outdate(cast, j);
   for (std::size_t face = 0; face < faces_; ++face)
     for (std::size_t j = 0; j < expressions_; ++j) Refresh(cast, face, j);
@@ -74,6 +75,7 @@ std::size_t Composites::bytes() const {
 void Composites::CopyBases(const Cast& cast) {
   for (std::size_t i = 0; i < faces_; ++i) {
     const auto& positions = cast.faces[i].positions;
+    // Slack and padding stay zero.
     std::memcpy(bases_.data() + i * face_floats_, positions.data(), positions.size() * sizeof positions[0]);
   }
 }

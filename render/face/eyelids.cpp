@@ -22,6 +22,7 @@ constexpr float kSkinOverMargin =
 constexpr float kBehindMargin_m = 0.0002F;  // The first ring behind the edge lies on the ball,
 constexpr float kInTheSocket_m = -0.003F;   // further ones are hidden in it.
 
+// How near to the ball's centre a vertex of this ring may come.
 float SmallestRadius_m(const LidRig& rig, const EyeBall& ball, int ring) {
   const float margin_m = ball.radius_m + ball.lid_thickness_m;
   if (ring < rig.margin_ring) return margin_m + kSkinOverMargin * ball.radius_m;
@@ -29,6 +30,7 @@ float SmallestRadius_m(const LidRig& rig, const EyeBall& ball, int ring) {
   return ball.radius_m + (ring == rig.margin_ring + 1 ? kBehindMargin_m : kInTheSocket_m);
 }
 
+// Where a vertex stands in LidRig::upper and lower.
 std::size_t At(const LidRig& rig, int ring, int column) {
   return static_cast<std::size_t>(ring) * static_cast<std::size_t>(rig.columns) +
          static_cast<std::size_t>(column);
@@ -52,6 +54,8 @@ glm::vec3 Down(const LidRig& rig, std::span<const glm::vec3> cage) {
   return cage[rig.lower[middle]] - cage[rig.upper[middle]];
 }
 
+// One column of both lids, along the gap between their margins: the upper goes `way` of it, the lower the
+// rest, each ring by its own part.
 void ShutColumn(const LidRig& rig, int column, float shut, std::span<glm::vec3> cage) {
   const glm::vec3 gap = Gap(rig, column, cage);
   const float t = FromCorner(rig, column);
@@ -73,6 +77,7 @@ void PushOut(glm::vec3& vertex, const glm::vec3& centre, float radius_m) {
   const glm::vec3 from = vertex - centre;
   const float square = glm::dot(from, from);
   if (square >= radius_m * radius_m) return;
+  // A vertex at the very centre has no direction out of it; it goes forwards.
   const bool at_centre = !(square > 0);
   vertex = centre + (at_centre ? glm::vec3{0, 0, radius_m} : from * (radius_m * glm::inversesqrt(square)));
 }
@@ -89,6 +94,7 @@ void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage) {
 
 void FitLids(const LidRig& rig, const EyeBall& ball, std::span<glm::vec3> cage) {
   if (!(ball.radius_m > 0)) return;
+  // All rings, each to its own radius, whether the lids are shut or open.
   for (int ring = 0; ring < rig.rings; ++ring) {
     const float radius_m = SmallestRadius_m(rig, ball, ring);
     for (std::size_t i = At(rig, ring, 0); i < At(rig, ring, rig.columns); ++i) {

@@ -16,6 +16,8 @@
 
 namespace kaori::face {
 
+// Collects lines while a cast is checked; for one thread. Items are named as people know them:
+// "face \"dog\", occlusion".
 class Faults {
  public:
   void Add(std::string fault) { lines_.push_back(std::move(fault)); }
@@ -23,8 +25,11 @@ class Faults {
 
   // Each adds a line that begins with `item` where the thing is not as it has to be, and answers whether it
   // is. Later checks ask the answer, so that none looks beyond the end of what an earlier one refused.
+  // `has` must be `wanted`.
   bool Size(const std::string& item, std::size_t has, std::size_t wanted);
+  // Each must be below `limit`. Checked even where sizes are wrong.
   bool Indices(const std::string& item, std::span<const Index> indices, std::size_t limit);
+  // No value may be infinite or no number.
   bool Finite(const std::string& item, std::span<const float> values);
   bool Finite(const std::string& item, std::span<const glm::vec2> values);
   bool Finite(const std::string& item, std::span<const glm::vec3> values);
@@ -43,6 +48,7 @@ inline bool IsFinite(const glm::vec3& v) {
 }
 
 // The parts of FindFaults; see check.h.
+// Everything that stands in a Topology: sizes, indices, unfolding, twins, lids and the fine mesh.
 void CheckTopology(const Topology& topology, Faults& faults);
 
 }  // namespace kaori::face

@@ -53,6 +53,7 @@ FineLid::FineLid(const LidRig& rig, const FineMesh& mesh) {
   const auto ring_of = RingsOfFine(rig, mesh.attributes_from_cage);
   const auto edge = static_cast<float>(rig.margin_ring);
   for (Index v = 0; v < ring_of.size(); ++v) {
+    // What lies behind the edge is hidden, and may be where it is.
     if (ring_of[v] == kNoRing || ring_of[v] > edge + kNearly) continue;
     vertices_.push_back({v, ring_of[v] > edge - kNearly ? kSmoothedEdge : 1.0F});
   }
@@ -61,6 +62,7 @@ FineLid::FineLid(const LidRig& rig, const FineMesh& mesh) {
 
 void FineLid::FindNeighbours(const std::vector<float>& ring_of, const LidRig& rig, const FineMesh& mesh) {
   const auto edge = static_cast<float>(rig.margin_ring);
+  // A quarter of a ring from rim and edge: what lies on them stays.
   const auto is_skin = [&](Index v) { return ring_of[v] > kNearly && ring_of[v] < edge - kNearly; };
   std::vector<std::set<Index>> around(ring_of.size());
   for (const Triangle& t : mesh.triangles) {

@@ -23,13 +23,16 @@ class FineLid {
   void Fit(const EyeBall& ball, float shut, std::span<glm::vec3> fine);
 
  private:
+  // A vertex that is kept off the ball.
   struct Vertex {
     Index index = 0;
     // Of the lid's thickness, that it keeps from the ball.
     float share = 1;
   };
 
+  // Lists the skin between rim and edge, and about each vertex of it those that it shares a triangle with.
   void FindNeighbours(const std::vector<float>& ring_of, const LidRig& rig, const FineMesh& mesh);
+  // One step towards the mean of the neighbours, `shut` times half the way, all at once.
   void Relax(float shut, std::span<glm::vec3> fine);
 
   std::vector<Vertex> vertices_;

@@ -8,6 +8,7 @@ namespace kaori::face {
 
 using Float4 [[gnu::vector_size(16)]] = float;
 
+// Sixteen bytes from any float on: they need not be aligned, but must be there.
 inline Float4 Load4(const float* at) {
   Float4 value;
   std::memcpy(&value, at, sizeof value);

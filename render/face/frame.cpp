@@ -54,12 +54,16 @@ struct Moments {
 // J = R S: R keeps the direction nearest to J, and the two sizes in S are replaced by their geometric mean.
 Frame RotationAndSize(const Slope& slope) {
   const double shear = glm::dot(slope.along_u, slope.along_v);
+  // J^T J, symmetric, two by two.
   const glm::dmat2 square{glm::dot(slope.along_u, slope.along_u), shear,  //
                           shear, glm::dot(slope.along_v, slope.along_v)};
   if (Flat(square)) return {};
   const double area = std::sqrt(glm::determinant(square));
   const glm::dmat2 root =
+      // The square root of a symmetric 2 x 2 matrix A: (A + sqrt(det A) I) / sqrt(trace A + 2 sqrt(det A)),
+      // by the theorem of Cayley and Hamilton.
       (square + area * glm::dmat2(1.0)) / std::sqrt(square[0][0] + square[1][1] + 2 * area);
+  // S^-1, times the geometric mean of the two sizes: sqrt(area) = sqrt(s1 s2).
   const glm::dmat2 unstretch = glm::inverse(root) * std::sqrt(area);
   const glm::dvec3 u = slope.along_u * unstretch[0][0] + slope.along_v * unstretch[0][1];
   const glm::dvec3 v = slope.along_u * unstretch[1][0] + slope.along_v * unstretch[1][1];
@@ -114,6 +118,7 @@ std::vector<glm::mat3> Turns(std::span<const Frame> reference, std::span<const F
   for (std::size_t i = 0; i < face.size(); ++i) {
     const glm::mat3 from(reference[i].along_u, reference[i].along_v, reference[i].outwards);
     const glm::mat3 to(face[i].along_u, face[i].along_v, face[i].outwards);
+    // Frames are a rotation times a size, so the inverse exists.
     turns.push_back(to * glm::inverse(from));
   }
   return turns;
@@ -129,6 +134,8 @@ void AddResidual(const ControlNet& net, const Expression& expression, std::span<
       turned += net.to_cage.weight[i] * (turns[net.to_cage.column[i]] * residual);
       share += net.to_cage.weight[i];
     }
+    // Weights near the border sum to less than 1; the turn is their mean all the same. A vertex without
+    // points is not turned.
     moved[row] += share > 0 ? turned / share : residual;
   }
 }

@@ -16,6 +16,7 @@ void LimitJaw(const Cast& cast, Weights& weights) {
   if (point == cast.net.points.end()) return;
   const auto lip = static_cast<std::size_t>(point - cast.net.points.begin());
   const auto drop_m = [&](std::size_t j) { return -cast.expressions[j].displacement[lip].y; };
+  // How far each part opens the jaw on the reference face; channels that lift it do not count.
   float own_m = 0;
   float played_m = 0;
   float widest_m = 0;

@@ -21,6 +21,7 @@ std::optional<Patch> Join(const Triangle& a, const Triangle& b) {
     for (std::size_t j = 0; j < 3; ++j) {
       const Index from = a[i];
       const Index to = a[(i + 1) % 3];
+      // The other triangle runs along the shared edge the other way.
       if (b[j] == to && b[(j + 1) % 3] == from) return Patch{a[(i + 2) % 3], from, b[(j + 2) % 3], to};
     }
   }

@@ -10,6 +10,8 @@
 
 namespace kaori::face {
 
+// Lists the patches of a surface once, and then computes normals for any positions of its vertices, frame by
+// frame. Borrows nothing after construction.
 class SurfaceNormals {
  public:
   // `twin` as in Topology. Two triangles in a row that share an edge are one quad, and weigh as one, unless
@@ -28,8 +30,10 @@ class SurfaceNormals {
  private:
   using Patch = std::array<Index, 4>;  // A quad, or a triangle with its last corner twice.
 
+  // The steps of construction: patches, then for each vertex those that meet there.
   void ListPatches(std::span<const Triangle> triangles, std::span<const Line> wires);
   void ListIncident(std::span<const Index> twin);
+  // Fills areas_ from positions.
   void ComputeAreas(const float* positions);
 
   std::vector<Patch> patches_;

@@ -17,6 +17,7 @@ constexpr GLenum kFillTarget = GL_COPY_WRITE_BUFFER;
 
 }  // namespace
 
+// Storage without content: Write maps it.
 Buffer::Buffer(BufferUse use, std::size_t size_bytes) : size_bytes_(size_bytes) {
   GLuint id = 0;
   glGenBuffers(1, &id);
@@ -30,9 +31,12 @@ void Buffer::Write(std::span<const std::byte> bytes) {
   assert(bytes.size() <= size_bytes_);
   if (bytes.empty()) return;
   glBindBuffer(kFillTarget, handle_.id());
+  // Invalidated as a whole, so that the driver may give fresh memory instead of waiting for a draw that still
+  // reads the old one.
   void* target = glMapBufferRange(kFillTarget, 0, static_cast<GLsizeiptr>(bytes.size()),
                                   GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-  if (target == nullptr) return;  // Out of memory; the last content stays.
+  // Out of memory; the last content stays.
+  if (target == nullptr) return;
   std::memcpy(target, bytes.data(), bytes.size());
   glUnmapBuffer(kFillTarget);
 }

@@ -34,6 +34,7 @@ Handle NewFramebuffer() {
   return Handle(id, DeleteFramebuffer);
 }
 
+// With samples; it stays bound.
 Handle NewRenderbuffer(const CanvasOptions& o, GLenum format) {
   GLuint id = 0;
   glGenRenderbuffers(1, &id);
@@ -51,6 +52,7 @@ Handle NewSamplesTexture(const CanvasOptions& o) {
   return Handle(id, DeleteCanvasTexture);
 }
 
+// To the framebuffer that is bound, as its only colour.
 void AttachTexture(GLenum kind, unsigned id) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, id, 0);
 }
@@ -59,6 +61,7 @@ void AttachRenderbuffer(GLenum attachment, const Handle& renderbuffer) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer.id());
 }
 
+// Whether the driver can draw on what is attached.
 bool Complete() {
   return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
@@ -112,6 +115,8 @@ bool Canvas::MakeLayer(bool reads_samples) {
   return Complete();
 }
 
+// Where shaders cannot read samples, a renderbuffer is resolved into a texture by a blit, which averages
+// square roots instead of light: edges are a little darker then.
 void Canvas::AttachLayerColour(bool reads_samples) {
   if (reads_samples) {
     samples_texture_ = NewSamplesTexture(options_);
@@ -128,6 +133,7 @@ void Canvas::AttachLayerColour(bool reads_samples) {
 // Only the parts are cleared: what lies outside of them is never read.
 void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
   Aim(layer_frame_.id(), options_, whole);
+  // glClear obeys the mask, which the last pass may have left off.
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 0);
   for (const Box& part : parts) {
@@ -157,6 +163,7 @@ void Canvas::BindLayer(unsigned unit, const Box& box) const {
   glBindTexture(GL_TEXTURE_2D, layer_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_frame_.id());
   glDisable(GL_SCISSOR_TEST);
+  // A resolve copies samples to the same place: GLES 3.0 allows no other box, and demands NEAREST.
   const int right = box.left_px + box.width_px;
   const int top = box.bottom_px + box.height_px;
   glBlitFramebuffer(box.left_px, box.bottom_px, right, top, box.left_px, box.bottom_px, right, top,
@@ -183,6 +190,7 @@ void Canvas::ShrinkTo(unsigned framebuffer, int width_px, int height_px) const {
 void Canvas::ReadPixels(std::span<std::uint8_t> bytes) const {
   assert(bytes.size() >= std::size_t(options_.width_px) * std::size_t(options_.height_px) * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_.id());
+  // Rows of four-byte pixels are always aligned.
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, options_.width_px, options_.height_px, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }

@@ -39,21 +39,27 @@ class Canvas {
   // Drawing goes to the layer within `whole` from here on; `parts` are cleared to nothing, and their depth to
   // far.
   void BeginLayer(std::span<const Box> parts, const Box& whole) const;
-  // Drawing goes to the picture from here on, without depth: nowhere, until Within says where.
+  // Drawing goes to the picture from here on, without depth: nowhere, until Within says where. What is
+  // written is linear light, which the framebuffer codes (GL_FRAMEBUFFER_SRGB is always on in GLES).
   void BeginPicture() const;
   // Limits drawing to `box` by the scissor test.
   void Within(const Box& box) const;
   // The layer as a texture: one with samples where the context reads samples, else resolved within `box` now.
+  // Its depth is given up, so nothing more can be drawn on this layer. Leaves the layer's or the resolved
+  // framebuffer bound, and without samples the scissor test off: BeginPicture comes next.
   void BindLayer(unsigned unit, const Box& box) const;
 
-  // Waits until the picture is finished and copies it out: R, G, B, X; the bottom row first.
-  // `bytes` holds width * height * 4.
+  // Waits until the picture is finished and copies it out: R, G, B, X; the bottom row first. `bytes` holds
+  // width * height * 4. Codes are copied, not light.
   void ReadPixels(std::span<std::uint8_t> bytes) const;
 
-  // The picture as a texture whose codes are read as they are, without smoothing, but by texelFetch.
+  // The picture as a texture whose codes are read as they are, without smoothing, but by texelFetch. Needs
+  // EXT_texture_sRGB_decode. The picture must not be drawn on meanwhile.
   void BindPictureCodes(unsigned unit) const;
 
   // Copies the picture onto a framebuffer of another size, upside down: its top row becomes the first.
+  // Smoothed between the four nearest pixels: shrunk to less than half, it skips some. Leaves the
+  // scissor test off.
   void ShrinkTo(unsigned framebuffer, int width_px, int height_px) const;
 
   // Who drew the picture last, and as which frame. A pass that finds the stamp that it set last may count on
@@ -81,10 +87,13 @@ class Canvas {
   Handle samples_texture_;  // The layer's samples: a texture where shaders read single samples,
   Handle samples_;          // else a renderbuffer,
   Texture layer_;           // which is resolved into this.
+  // Sixteen bits, with the layer's samples; never read by shaders.
   Handle depth_;
+  // With the picture alone.
   Handle picture_frame_;
   // With the samples and the depth.
   Handle layer_frame_;
+  // With layer_; 0 where shaders read samples.
   Handle resolved_frame_;
   // Belongs to the picture, which drawing changes as well.
   mutable Stamp stamp_;

@@ -17,6 +17,7 @@ struct Context::Egl {
   EGLConfig config = nullptr;
   EGLContext context = EGL_NO_CONTEXT;
 
+  // The context must not be current when it goes.
   ~Egl() {
     if (display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -46,6 +47,7 @@ EGLConfig ChooseConfig(EGLDisplay display, bool for_card) {
                         EGL_OPENGL_ES3_BIT, EGL_NONE};
   std::array<EGLConfig, 64> configs{};
   EGLint count = 0;
+  // In an order of EGL's own, the simplest first.
   if (!eglChooseConfig(display, wish.data(), configs.data(), EGLint{configs.size()}, &count)) return nullptr;
   for (const EGLConfig config : std::span(configs).first(std::size_t(count))) {
     EGLint pixels = 0;
@@ -74,6 +76,7 @@ constexpr bool kDebug = true;
 constexpr bool kDebug = false;
 #endif
 
+// What drivers merely notice is left out: there is much of it.
 void GL_APIENTRY LogMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* text,
                             const void*) {
   if (severity != GL_DEBUG_SEVERITY_NOTIFICATION) LogWarning("GL: {}", text);
@@ -84,6 +87,7 @@ void ListenToDriver() {
   const auto listen =
       reinterpret_cast<PFNGLDEBUGMESSAGECALLBACKPROC>(eglGetProcAddress("glDebugMessageCallbackKHR"));
   if (listen == nullptr) return;
+  // Synchronous, so that a debugger's stack shows the call that was wrong.
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   listen(LogMessage, nullptr);
 }
@@ -117,6 +121,7 @@ bool Context::ReadsSamples() {
 bool Context::Offers(std::string_view extension) {
   GLint count = 0;
   glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  // Asked when something is made, never in a frame.
   for (GLint i = 0; i < count; ++i)
     if (extension == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))))
       return true;
@@ -130,6 +135,7 @@ Result<std::unique_ptr<Context>> Context::Open(void* gbm) {
     return Fail(std::errc::no_such_device,
                 gbm != nullptr ? "open EGL on the graphics card" : "open EGL's surfaceless platform");
   }
+  // EGL's default is GLES already; other libraries in the process may have changed it.
   eglBindAPI(EGL_OPENGL_ES_API);
   egl->config = ChooseConfig(egl->display, gbm != nullptr);
   if (egl->config == nullptr) return Fail(std::errc::no_such_device, "find a way to draw GLES 3");

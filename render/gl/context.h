@@ -1,4 +1,7 @@
 // A GLES 3 context: EGL on Mesa's surfaceless platform, which needs no screen, or on a graphics card.
+//
+// All calls of this folder are those of GLES 3.0 unless they say otherwise. An object belongs to the context
+// that was current when it was made. Functions bind what they need and leave it bound.
 #pragma once
 
 #include <memory>
@@ -10,7 +13,7 @@
 namespace kaori::gl {
 
 // Current on the thread that opened it; every object of this folder is made, used and dropped there, before
-// the context goes. In a build for debugging the driver's remarks go to the log.
+// the context goes. In a build for debugging the driver's remarks go to the log, as warnings.
 class Context {
  public:
   // On the card of `gbm`, a gbm_device that outlives the context; without one, on no screen at all (the
@@ -36,6 +39,7 @@ class Context {
   static bool Offers(std::string_view extension);
 
  private:
+  // Display, config and context; their types stay out of this header.
   struct Egl;
   explicit Context(std::unique_ptr<Egl> egl);
 

@@ -15,9 +15,11 @@ void Switch(GLenum what, bool on) {
 
 }  // namespace
 
+// All of it each time: drivers drop what does not change.
 void Apply(const DrawState& state) {
   Switch(GL_CULL_FACE, state.cull == Cull::kBack);
   Switch(GL_DEPTH_TEST, state.depth != Depth::kOff);
+  // LEQUAL, so that a second pass over the same triangles is drawn.
   glDepthFunc(GL_LEQUAL);
   glDepthMask(state.depth == Depth::kTestAndWrite ? GL_TRUE : GL_FALSE);
   Switch(GL_BLEND, state.blend == Blend::kOver || state.blend == Blend::kBrightest);
@@ -25,6 +27,7 @@ void Apply(const DrawState& state) {
   glBlendEquation(state.blend == Blend::kBrightest ? GL_MAX : GL_FUNC_ADD);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   Switch(GL_POLYGON_OFFSET_FILL, state.push_back);
+  // Factor and units: enough for lines a pixel wide on triangles seen aslant.
   glPolygonOffset(1.5F, 4.0F);
 }
 

@@ -17,6 +17,8 @@ enum class Blend : std::uint8_t {
   kCoverage,   // Alpha chooses how many samples of the pixel are written; needs a canvas with samples.
 };
 
+// The fixed functions between a fragment shader and the framebuffer. Stencil and colour masks are never used;
+// the scissor test is the canvas's.
 struct DrawState {
   Cull cull = Cull::kBack;
   Depth depth = Depth::kTestAndWrite;
@@ -25,7 +27,8 @@ struct DrawState {
   bool push_back = false;
 };
 
-// Sets all of it at once for what is drawn next, so that no pass depends on the one before it.
+// Sets all of it at once for what is drawn next, so that no pass depends on the one before it. On
+// the current context.
 void Apply(const DrawState& state);
 
 }  // namespace kaori::gl

@@ -5,12 +5,14 @@
 
 namespace kaori::gl {
 
-// A number that GL gave, with the function that gives it back. Moves, and does not copy.
+// A number that GL gave, with the function that gives it back. Moves, and does not copy. Must be dropped
+// while its context is current.
 class Handle {
  public:
   using Delete = void (*)(unsigned);
 
   Handle() = default;
+  // Takes the object over; `destroy` is called once, with `id`, unless that is 0.
   Handle(unsigned id, Delete destroy) : id_(id), destroy_(destroy) {}
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)), destroy_(other.destroy_) {}
   Handle& operator=(Handle&& other) noexcept {

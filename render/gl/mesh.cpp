@@ -9,6 +9,7 @@ void DeleteMesh(unsigned id) {
   glDeleteVertexArrays(1, &id);
 }
 
+// An attribute of the buffer and the vertex array that are bound.
 void Describe(const Attribute& a, int stride_bytes) {
   const auto* offset = reinterpret_cast<const void*>(static_cast<std::intptr_t>(a.offset_bytes));
   glEnableVertexAttribArray(a.location);

@@ -13,7 +13,8 @@ namespace kaori::gl {
 // What one component is in memory: a float, or a 32-bit integer that stays one in the shader.
 enum class Scalar : std::uint8_t { kFloat, kUInt };
 
-// Where a shader's `layout(location = ...)` input lies in each vertex of a buffer.
+// Where a shader's `layout(location = ...)` input lies in each vertex of a buffer. Locations that a program
+// does not use cost nothing.
 struct Attribute {
   unsigned location = 0;
   // 1 to 4.
@@ -29,15 +30,18 @@ struct VertexStream {
   std::initializer_list<Attribute> attributes;
 };
 
-// Borrows the buffers of its streams: they live as long as the mesh.
+// Borrows the buffers of its streams: they live as long as the mesh; their content may change. A vertex array
+// object with its own index buffer. On the thread of its context. Without vertices (or default-constructed)
+// drawing does nothing.
 class Mesh {
  public:
   Mesh() = default;
+  // `indices`: three for each triangle, each the number of a vertex in all streams; not checked here.
   Mesh(std::initializer_list<VertexStream> streams, std::span<const std::uint32_t> indices);
   // Without indices: triangles of consecutive vertices.
   Mesh(std::initializer_list<VertexStream> streams, int vertex_count);
 
-  // All of it, as triangles, with the program and the state that are set.
+  // All of it, as triangles, with the program and the state that are set. Leaves its vertex array bound.
   void Draw() const;
   // So many times over; shaders know which by gl_InstanceID.
   void DrawInstances(int instances) const;

@@ -28,6 +28,7 @@ std::string DriversLog(unsigned id, GetNumber get_number, GetText get_text) {
   return log;
 }
 
+// Errors: invalid_argument with the driver's log, files by name; those of Assemble.
 Result<Handle> Compile(GLenum stage, const ProgramSource& source, std::string_view file) {
   const auto whole = Assemble(source, file);
   if (!whole) return tl::unexpected(whole.error());
@@ -43,6 +44,7 @@ Result<Handle> Compile(GLenum stage, const ProgramSource& source, std::string_vi
 
 }  // namespace
 
+// Shaders are deleted with their handles when this returns; the program keeps what it linked.
 Result<Program> Program::Make(const ProgramSource& source) {
   auto vertex = Compile(GL_VERTEX_SHADER, source, source.vertex);
   if (!vertex) return tl::unexpected(vertex.error());
@@ -69,6 +71,7 @@ int Program::Find(const char* name) const {
 
 void Program::BindBlock(const char* name, unsigned binding) const {
   const GLuint block = glGetUniformBlockIndex(handle_.id(), name);
+  // A block that the compiler dropped is no fault: not every program uses all of it.
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(handle_.id(), block, binding);
 }
 

@@ -33,6 +33,7 @@ struct ProgramSource {
   bool reads_samples = false;
 };
 
+// On the thread of its context. Uniforms keep their values until they are set again.
 class Program {
  public:
   Program() = default;
@@ -41,15 +42,17 @@ class Program {
   //   no_such_file_or_directory  the library has no file of a name that was asked for
   static Result<Program> Make(const ProgramSource& source);
 
-  // What is drawn from here on is drawn with it.
+  // What is drawn from here on is drawn with it; Set speaks to it.
   void Use() const;
   // Where a uniform lives; -1 where the compiler dropped it, which every Set accepts. Ask once, when opening.
   int Find(const char* name) const;
   // Makes uniform block `name` read binding point `binding`, and sampler `name` read texture unit `unit`.
+  // Once, after linking. A name that the compiler dropped is left alone.
   void BindBlock(const char* name, unsigned binding) const;
   void BindSampler(const char* name, int unit) const;
 
-  // Sets a uniform of the program in use; -1 is accepted and does nothing.
+  // Sets a uniform of the program in use; -1 is accepted and does nothing. The type must be the shader's.
+  // Arrays are set from their first element; matrices are by columns, as glm has them.
   static void Set(int at, int value);
   static void Set(int at, float value);
   static void Set(int at, const glm::vec2& value);

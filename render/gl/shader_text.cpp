@@ -35,6 +35,7 @@ Result<void> Append(std::span<const ShaderFile> library, std::string_view name, 
   whole.files.push_back(file->name);
   whole.text += fmt::format("#line 1 {}\n", number);
   int line_number = 0;
+  // Line by line. After an included file a #line mark brings the count back to this one.
   for (std::string_view rest = file->text; !rest.empty();) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = rest.substr(0, end);
@@ -52,6 +53,7 @@ Result<void> Append(std::span<const ShaderFile> library, std::string_view name, 
 }
 
 // "3:12..." at the start of `text` -> "body.vert:12...".
+// Text that begins otherwise is left as it is.
 std::string NameFile(std::string_view text, std::span<const std::string_view> files) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -66,6 +68,8 @@ std::string NameFile(std::string_view text, std::span<const std::string_view> fi
 
 Result<WholeText> Assemble(const ProgramSource& source, std::string_view file) {
   WholeText whole;
+  // #version must be the first line. GLES has no default precision for floats in fragment shaders; high is
+  // what positions in metres and light need.
   whole.text = source.reads_samples ? "#version 310 es\n" : "#version 300 es\n";
   whole.text += "precision highp float;\nprecision highp int;\n";
   if (source.reads_samples) whole.text += "precision highp sampler2DMS;\n";

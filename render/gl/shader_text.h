@@ -18,11 +18,13 @@ struct WholeText {
   std::vector<std::string_view> files;
 };
 
-// Each file is put in once, at its first #include. Errors: no_such_file_or_directory (names the file).
+// The text of a shader with its #version line, default precisions, the source's defines, and all #include
+// lines put in place. Each file is put in once, at its first #include. Errors: no_such_file_or_directory
+// (names the file).
 Result<WholeText> Assemble(const ProgramSource& source, std::string_view file);
 
-// Replaces a driver's "n:line" at the start of each line of its log by "file:line". Understands Mesa's
-// "0:12(3): error" and the common "ERROR: 0:12:".
+// Replaces a driver's "n:line" at the start of each line of its log by "file:line", and joins the lines with
+// "; ". Understands Mesa's "0:12(3): error" and the common "ERROR: 0:12:".
 std::string NameFiles(std::string_view log, std::span<const std::string_view> files);
 
 }  // namespace kaori::gl

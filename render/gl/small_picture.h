@@ -11,14 +11,15 @@
 
 namespace kaori::gl {
 
-// For people who look at the box from afar: a few hundred pixels wide. On the thread of its context.
+// For people who look at the box from afar: a few hundred pixels wide. On the thread of its context. Reading
+// waits for the GPU, so it is done seldom.
 class SmallPicture {
  public:
   // On the current context. Errors: not_enough_memory.
   static Result<SmallPicture> Make(int width_px, int height_px);
 
-  // Waits until the canvas's picture is finished and copies it out: R, G, B, X; the top row first.
-  // `bytes` holds width * height * 4.
+  // Waits until the canvas's picture is finished and copies it out: R, G, B, X; the top row first. `bytes`
+  // holds width * height * 4: asserted. Leaves its own framebuffer bound.
   void Read(const Canvas& canvas, std::span<std::uint8_t> bytes) const;
 
   int width_px() const { return width_px_; }

@@ -12,6 +12,7 @@ void TargetFramebufferDelete(unsigned id) {
 
 }  // namespace
 
+// Formats that a driver may refuse to draw on (floats) show only here.
 Result<Target> Target::Make(const TextureOptions& options) {
   Target target;
   target.options_ = options;
@@ -26,6 +27,7 @@ Result<Target> Target::Make(const TextureOptions& options) {
               fmt::format("make a target of {} x {} pixels", options.width_px, options.height_px));
 }
 
+// What is drawn covers it, or adds to it: nothing is cleared.
 void Target::Begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.id());
   glViewport(0, 0, options_.width_px, options_.height_px);

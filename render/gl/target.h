@@ -8,13 +8,14 @@
 namespace kaori::gl {
 
 // Pixels are written as the texture's kind has them; what was there is kept. On the thread of its context.
+// Its texture must not be looked up while it is drawn on.
 class Target {
  public:
   Target() = default;
   // On the current context. Errors: not_enough_memory (or a format that the driver does not draw on).
   static Result<Target> Make(const TextureOptions& options);
 
-  // Drawing goes to all of it from here on.
+  // Drawing goes to all of it from here on: sets framebuffer and viewport, and turns the scissor test off.
   void Begin() const;
 
   const Texture& texture() const { return texture_; }

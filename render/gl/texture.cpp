@@ -84,6 +84,7 @@ Texture::Texture(const TextureOptions& options, std::span<const std::byte> pixel
   glGenTextures(1, &id);
   handle_ = Handle(id, DeleteTexture);
   glBindTexture(GL_TEXTURE_2D, id);
+  // Immutable: size and levels are fixed, which drivers like.
   glTexStorage2D(GL_TEXTURE_2D, LevelsOf(options), FormatOf(options.texels).internal, options.width_px,
                  options.height_px);
   SetSampling(options);
@@ -106,6 +107,7 @@ void Texture::Write(int rows, std::span<const std::byte> pixels) {
 void Texture::WriteLevel(int level, int width_px, int rows, std::span<const std::byte> pixels) const {
   const Format f = FormatOf(options_.texels);
   glBindTexture(GL_TEXTURE_2D, handle_.id());
+  // Rows stand directly behind each other.
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width_px, rows, f.format, f.type, pixels.data());
 }

@@ -11,12 +11,17 @@
 namespace kaori::gl {
 
 enum class Texels : std::uint8_t {
-  kSrgb8,   // 4 bytes, R G B sRGB-coded and A linear; read as linear light.
-  kRgba8,   // 4 bytes, read as they are.
-  kRgb10,   // 10 bits each, for what is drawn on and enlarged later.
-  kFloat4,  // 4 floats; read by texelFetch alone.
+  // 4 bytes, R G B sRGB-coded and A linear; read as linear light.
+  kSrgb8,
+  // 4 bytes, read as they are, 0..1.
+  kRgba8,
+  // 10 bits each, for what is drawn on and enlarged later: 8 would show steps in dark gradients.
+  kRgb10,
+  // 4 floats; read by texelFetch alone, since GLES 3.0 need not smooth floats.
+  kFloat4,
 };
 
+// Sizes are 1 up to the driver's limit (GL_MAX_TEXTURE_SIZE).
 struct TextureOptions {
   int width_px = 0;
   int height_px = 0;
@@ -25,18 +30,20 @@ struct TextureOptions {
   bool mipmaps = false;
 };
 
-// On the thread of its context.
+// On the thread of its context. Storage is immutable: another size is another texture. Edges clamp.
 class Texture {
  public:
   // No texture yet: id() is 0.
   Texture() = default;
-  // `pixels` holds the rows one after another, the one at v = 0 first; empty leaves them unset.
+  // `pixels` holds the rows one after another, without padding, the one at v = 0 first; empty leaves them
+  // unset. Mipmaps are made of them here, on the processor.
   Texture(const TextureOptions& options, std::span<const std::byte> pixels);
 
-  // Replaces the first `rows` rows of the picture. For textures without mipmaps.
+  // Replaces the first `rows` rows of the picture. For textures without mipmaps. May wait for draws that
+  // still read them.
   void Write(int rows, std::span<const std::byte> pixels);
 
-  // Makes samplers that read texture unit `unit` look this up.
+  // Makes samplers that read texture unit `unit` look this up. Leaves that unit active.
   void Bind(unsigned unit) const;
   unsigned id() const { return handle_.id(); }
 

@@ -7,6 +7,7 @@
 
 namespace kaori::gl {
 
+// The surface is not made current here: the first Begin does so.
 Result<Window> Window::Make(const Context& context, void* native) {
   Window window;
   window.display_ = context.display();
@@ -42,6 +43,7 @@ Window& Window::operator=(Window&& other) noexcept {
 Result<void> Window::Begin(int width_px, int height_px) const {
   if (!eglMakeCurrent(display_, surface_, surface_, context_))
     return Fail(std::errc::protocol_error, "draw into the screen's window");
+  // Framebuffer 0 is the surface that is current.
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, width_px, height_px);

@@ -6,7 +6,7 @@
 
 namespace kaori::gl {
 
-// On the thread of its context, which outlives it, as does the native window.
+// On the thread of its context, which outlives it, as does the native window. Moves, and does not copy.
 class Window {
  public:
   Window() = default;
@@ -19,11 +19,12 @@ class Window {
   // The native window that it was made of; null where there is none yet.
   void* native() const { return native_; }
 
-  // Drawing goes to the window from here on, all of it, and writes codes as they are. Errors: protocol_error.
+  // Drawing goes to the window from here on, all of it, and writes codes as they are: its format is not sRGB.
+  // Turns the scissor test off. Errors: protocol_error.
   Result<void> Begin(int width_px, int height_px) const;
 
-  // Gives what was drawn to the screen. Waits until a renderer of which the kernel does not know has
-  // finished. Errors: protocol_error.
+  // Gives what was drawn to the screen (eglSwapBuffers; the caller then fetches the buffer from GBM). Waits
+  // until the renderer has finished. Errors: protocol_error.
   Result<void> Show() const;
 
  private:

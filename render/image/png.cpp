@@ -10,6 +10,7 @@
 namespace kaori::image {
 namespace {
 
+// A picture of 4096 by 4096 pixels that cannot be packed at all.
 constexpr std::size_t kMostPng_bytes = std::size_t{64} << 20U;
 
 // libpng's simple interface: version set, everything else zero.
@@ -20,7 +21,8 @@ png_image Blank() {
   return image;
 }
 
-// As libpng's simple interface wants to hear of it.
+// A picture of its size as libpng's simple interface wants to hear of it: R, G, B, since that writes
+// no fourth channel.
 png_image Described(const Picture& picture) {
   png_image image = Blank();
   image.width = static_cast<png_uint_32>(picture.width_px);
@@ -29,7 +31,7 @@ png_image Described(const Picture& picture) {
   return image;
 }
 
-// Nobody wants a PNG with an alpha that means nothing.
+// R, G, B alone: nobody wants a PNG with an alpha that means nothing.
 std::vector<std::uint8_t> WithoutX(const Picture& picture) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(picture.rgbx.size() / 4 * 3);
@@ -39,7 +41,7 @@ std::vector<std::uint8_t> WithoutX(const Picture& picture) {
   return rgb;
 }
 
-// Negative: the last row in memory is the top one.
+// Bytes from one row to the next; negative: the last row in memory is the top one.
 png_int_32 Stride(const Picture& picture) {
   return -picture.width_px * 3;
 }
@@ -56,6 +58,7 @@ Result<void> WritePng(const std::filesystem::path& file, const Picture& picture)
 
 Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture) {
   png_image image = Described(picture);
+  // Packed faster into a somewhat larger file: contact sheets have many megapixels.
   image.flags = PNG_IMAGE_FLAG_FAST;
   const std::vector<std::uint8_t> rgb = WithoutX(picture);
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
@@ -75,11 +78,13 @@ Result<Picture> ReadPng(const std::filesystem::path& file) {
   image.format = PNG_FORMAT_RGBA;
   Picture picture = Picture::Blank(static_cast<int>(image.width), static_cast<int>(image.height));
   const bool read =
+      // Negative: the top row is read into the last one in memory. X becomes the file's alpha.
       png_image_finish_read(&image, nullptr, picture.rgbx.data(), -picture.width_px * 4, nullptr) != 0;
   if (!read) return FailInput("read " + file.string() + ": " + image.message);
   return picture;
 }
 
+// Row by row; nothing is mixed.
 void Paste(const Picture& from, Picture& into, int x_px, int y_px) {
   for (int row = 0; row < from.height_px; ++row) {
     const auto source = static_cast<std::size_t>(row * from.width_px) * 4;

@@ -23,7 +23,7 @@ bool IsControl(char32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0);
 }
 
-// Glyph 0, the font's box, where it has no such letter.
+// The glyph of a letter; 0, the font's box, where it has no such letter. Control characters are spaces.
 FT_UInt GlyphOf(FT_Face face, char32_t code) {
   return FT_Get_Char_Index(face, IsControl(code) ? U' ' : code);
 }
@@ -65,6 +65,7 @@ void Stamp(const FT_Bitmap& bitmap, const TextStyle& style, int left, int top, P
     if (y < 0 || y >= into.height_px) continue;
     const int first = std::max(0, -left);
     const int last = std::min(static_cast<int>(bitmap.width), into.width_px - left);
+    // FreeType's rows run down; their pitch is positive for such bitmaps.
     for (int column = first; column < last; ++column) {
       const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(into.width_px) +
                          static_cast<std::size_t>(left + column);
@@ -99,6 +100,7 @@ Result<Lettering> Lettering::Open() {
   const auto font = FontBytes();
   const auto* bytes = reinterpret_cast<const FT_Byte*>(font.data());
   FT_Face face = nullptr;
+  // The font's bytes live as long as the program, as FreeType demands.
   if (FT_New_Memory_Face(library, bytes, static_cast<FT_Long>(font.size()), 0, &face) != 0)
     return Fail(std::errc::not_enough_memory, "open the font");
   made.face_.reset(face);
@@ -106,6 +108,7 @@ Result<Lettering> Lettering::Open() {
 }
 
 void Lettering::SetSize(int size_px) {
+  // FreeType would refuse sizes beyond, and leave the one that was set.
   size_px = std::clamp(size_px, 1, kMostTextSize_px);
   if (size_px == size_px_) return;
   FT_Set_Pixel_Sizes(face_.get(), 0, static_cast<FT_UInt>(size_px));

@@ -15,6 +15,7 @@ struct FT_LibraryRec_;
 
 namespace kaori::image {
 
+// How a line looks.
 struct TextStyle {
   // Of the em square; 1 to kMostTextSize_px, clamped.
   int size_px = 16;
@@ -22,6 +23,7 @@ struct TextStyle {
   std::array<std::uint8_t, 3> rgb{255, 255, 255};
 };
 
+// Larger letters would be bitmaps of megabytes each.
 inline constexpr int kMostTextSize_px = 400;
 
 // DejaVu Sans. One thread at a time; every function may allocate, so captions are drawn when they change, not

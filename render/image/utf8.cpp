@@ -3,10 +3,11 @@
 namespace kaori::image {
 namespace {
 
+// What is drawn for a byte that is no UTF-8.
 constexpr Letter kUnsound{U'\uFFFD', 1};
 
-// What a first byte says: how many bytes, which of its bits belong to the code, and the least code that needs
-// that many.
+// What a first byte says (RFC 3629, section 3): how many bytes, which of its bits belong to the code, and the
+// least code that needs that many, since longer forms of a code are not allowed.
 struct Lead {
   unsigned mask;
   unsigned mark;
@@ -16,10 +17,13 @@ struct Lead {
 constexpr Lead kLeads[] = {
     {0x80, 0x00, 1, 0}, {0xE0, 0xC0, 2, 0x80}, {0xF0, 0xE0, 3, 0x800}, {0xF8, 0xF0, 4, 0x10000}};
 
+// No surrogate, and no code beyond Unicode.
 bool IsCode(char32_t code) {
   return code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
 }
 
+// Reads the bytes that `lead` asks for. One byte alone is given up where they are wrong, so that reading
+// finds its way back.
 Letter Follow(std::string_view text, const Lead& lead) {
   if (text.size() < lead.bytes) return kUnsound;
   char32_t code = static_cast<unsigned char>(text[0]) & ~lead.mask & 0xFFU;

@@ -6,6 +6,7 @@
 
 namespace kaori::image {
 
+// A code point and its length in the text.
 struct Letter {
   char32_t code = 0;
   // How many of the text it is made of; 1 at least.
