@@ -11,6 +11,7 @@
 namespace kaori::sim {
 namespace {
 
+// The report_length that HidGadget sets.
 constexpr std::size_t kLongestReport = 64;
 constexpr int kReportsAtOnce = 64;
 
@@ -18,18 +19,21 @@ constexpr int kReportsAtOnce = 64;
 
 Result<void> GadgetPort::Plug() {
   if (plugged()) return {};
+  // The power comes with the cable.
   device_.PowerCycle();
   if (auto ok = gadget_.Bind(controller_); !ok) return ok;
   const auto path = gadget_.DeviceFile();
   if (!path) return tl::unexpected(path.error());
   file_ = UniqueFd(::open(path->c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!file_.valid()) return FailErrno("open " + *path);
+  // f_hid tells of no host that listens: reports go from here on, and wait until one fetches them.
   device_.HostCame();
   return {};
 }
 
 void GadgetPort::Unplug() {
   if (!plugged()) return;
+  // The file must be closed first: while it is open the kernel keeps the function, and unbinding waits.
   file_.reset();
   gadget_.Unbind();
   unsent_.clear();
@@ -44,6 +48,7 @@ void GadgetPort::Pump(Time now) {
   std::array<std::uint8_t, kLongestReport + 1> buffer{};
   for (int n = 0; n < kReportsAtOnce; ++n) {
     const ssize_t got = ::read(file_.get(), buffer.data() + before, kLongestReport);
+    // 0: the host sent nothing. EAGAIN ends the loop as well.
     if (got <= 0) break;
     device_.HandleOutput(std::span(buffer).first(before + static_cast<std::size_t>(got)));
   }

@@ -27,6 +27,7 @@ HidDevice* GadgetRig::DeviceAt(DevicePort port) {
 Result<void> GadgetRig::Put(DevicePort port, const std::string& controller) {
   HidDevice* const device = DeviceAt(port);
   if (device == nullptr) return FailInput("no HID device is at the port " + std::string(PortName(port)));
+  // The name of the gadget tells whose it is, in configfs and in the kernel's log.
   auto gadget = HidGadget::Make(room_, "kaori-" + std::string(PortName(port)), device->device_name());
   if (!gadget) return tl::unexpected(gadget.error());
   auto& gadget_port = ports_[port];

@@ -13,17 +13,19 @@
 
 namespace kaori::sim {
 
-// One thread; nothing blocks.
+// A rig for tests at a bench, with cables that lead out of this machine. One thread; nothing blocks.
 class GadgetRig final : public DeviceRig {
  public:
-  // The clock outlives the rig.
+  // Nothing is plugged in yet. The room says where configfs is mounted; the clock outlives the rig.
   GadgetRig(GadgetRoom room, const Clock& clock);
 
-  // Puts the device of `port` at a controller (a name of /sys/class/udc), the cable in. Errors: invalid_argument (no HID
-  // device is at that port), and those of HidGadget and GadgetPort.
+  // Puts the device of `port` at a controller (a name of /sys/class/udc), the cable in. A second
+  // Put of a port replaces the first. Errors: invalid_argument (no HID device is at that port),
+  // and those of HidGadget and GadgetPort.
   Result<void> Put(DevicePort port, const std::string& controller);
 
-  // Reads, answers and sends what is due at clock.now(). Call it every few milliseconds.
+  // Reads, answers and sends what is due at clock.now(). Call it every few milliseconds:
+  // reports are due once a millisecond at most.
   void Pump();
 
   InputDevices& devices() override { return devices_; }
@@ -37,6 +39,7 @@ class GadgetRig final : public DeviceRig {
   GadgetRoom room_;
   DeviceContext context_;
   InputDevices devices_;
+  // A port is here once it was put at a controller. Ends before the devices that it borrows.
   std::map<DevicePort, std::unique_ptr<GadgetPort>> ports_;
 };
 

@@ -21,7 +21,7 @@ constexpr std::string_view kConfiguration = "/configs/c.1";
 constexpr std::string_view kEnglish = "/strings/0x409";
 constexpr std::size_t kHidGadgetLongestReport = 64;
 
-// An attribute takes its value in one write.
+// An attribute of configfs takes its value in one write; a second write would be a second value.
 Result<void> Set(const std::string& path, std::string_view value) {
   const UniqueFd fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
   if (!fd.valid() || ::write(fd.get(), value.data(), value.size()) != static_cast<ssize_t>(value.size()))
@@ -44,9 +44,12 @@ std::string Hex(std::uint16_t value) {
 
 Result<HidGadget> HidGadget::Make(GadgetRoom room, const std::string& name, const HidDeviceName& identity) {
   const std::string path = room.gadgets + "/" + name;
+  // The kernel makes the files of a folder as it is made, in this order: the gadget, its
+  // strings, its function, its configuration.
   for (const std::string_view folder : {std::string_view(), kEnglish, kFunction, kConfiguration})
     if (auto ok = MakeFolder(path + std::string(folder)); !ok) return tl::unexpected(ok.error());
   HidGadget gadget(std::move(room), path);
+  // What a killed simulator left may still be bound, and a bound gadget's values cannot be changed.
   gadget.Unbind();
   if (auto ok = gadget.Describe(identity); !ok) return tl::unexpected(ok.error());
   return gadget;
@@ -62,6 +65,7 @@ Result<void> HidGadget::Describe(const HidDeviceName& identity) const {
       {path_ + "/idProduct", Hex(identity.product)},
       {english + "/manufacturer", "Kaori"},
       {english + "/product", identity.name},
+      // No boot protocol: a BIOS does not read these devices.
       {function + "/protocol", "0"},
       {function + "/subclass", "0"},
       {function + "/report_length", std::to_string(kHidGadgetLongestReport)},
@@ -70,12 +74,14 @@ Result<void> HidGadget::Describe(const HidDeviceName& identity) const {
     if (auto ok = Set(file, value); !ok) return ok;
   std::error_code error;
   const std::string link = path_ + std::string(kConfiguration) + "/hid.0";
+  // A function belongs to a configuration by a symbolic link.
   if (!std::filesystem::is_symlink(link, error)) std::filesystem::create_symlink(function, link, error);
   if (error) return Fail(static_cast<std::errc>(error.value()), "link " + link);
   return {};
 }
 
-// From the inside out, as configfs wants it; what is not there needs no going.
+// From the inside out, as configfs wants it: a folder that something refers to cannot be
+// removed. What is not there needs no going.
 HidGadget::~HidGadget() {
   if (path_.empty()) return;
   Unbind();

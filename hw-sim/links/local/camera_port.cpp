@@ -13,10 +13,13 @@ constexpr std::size_t kSlotBytes = std::size_t{1920} * 1080 * 2;
 
 std::optional<Time> CameraPort::next_due() const {
   if (!connected() || camera_.stalled()) return std::nullopt;
+  // Frames are counted whether they are sent or not: a driver sees the gap in their numbers.
   return timing_.start + (last_ + 1) * timing_.period;
 }
 
 bool CameraPort::Greet() {
+  // New memory for each driver: one that is still mapped by the driver before
+  // cannot be written into by this one.
   auto memory = SharedMemory::Make("kaori-camera", kSlots * kSlotBytes);
   if (!memory) return false;
   memory_ = std::move(*memory);
@@ -25,6 +28,8 @@ bool CameraPort::Greet() {
 }
 
 void CameraPort::Handle(std::span<const std::uint8_t> packet) {
+  // A packet of another length is no return; it is passed over, since nothing
+  // would be gained by hanging up.
   if (packet.size() != wire::kCameraReturnBytes) return;
   const std::uint32_t slot = wire::GetU32(packet, 0);
   if (slot < lent_.size()) lent_[slot] = false;
@@ -47,6 +52,8 @@ void CameraPort::SendFrame(std::int64_t number, std::size_t slot) {
   const Spoil spoil = camera_.ExchangeSpoil();
   if (spoil == Spoil::kPixels) FillWithNoise(note.sequence, room.first(bytes));
   if (spoil == Spoil::kMessage) {
+    // Numbers that no check may let through: a time before the machine's start, a
+    // slot and sizes beyond everything.
     note = {.at_ns = -1,
             .sequence = note.sequence,
             .slot = 0xFFFFFFFF,
@@ -55,6 +62,7 @@ void CameraPort::SendFrame(std::int64_t number, std::size_t slot) {
     Send(wire::Encode(note));
     return;
   }
+  // A frame whose packet did not leave is nobody's: its slot stays free.
   lent_[slot] = Send(wire::Encode(note));
 }
 

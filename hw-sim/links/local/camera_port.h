@@ -10,12 +10,14 @@
 
 namespace kaori::sim {
 
+// When frames are exposed: the camera's crystal is the clock itself.
 struct CameraTiming {
   Time start{};  // Frame n is read out at start + n * period.
   Duration period{};
 };
 
-// As LinkPort. The driver borrows a slot with each frame and gives it back; while it holds all of them, frames go by.
+// As LinkPort. The driver borrows a slot with each frame and gives it back; while it holds all of them,
+// frames go by, as at a real camera whose buffers are all with the program. One thread.
 class CameraPort final : public LinkPort {
  public:
   // One that the driver looks at, one that waits, one being drawn, one to spare.
@@ -33,7 +35,9 @@ class CameraPort final : public LinkPort {
   void SendDue(Time now) override;
 
  private:
+  // Draws a frame into the slot and announces it; a spoilt one goes out as LipCamera says.
   void SendFrame(std::int64_t number, std::size_t slot);
+  // The packet of a frame that lies in the slot.
   wire::CameraFrameNote Describe(std::int64_t number, std::size_t slot, std::size_t bytes) const;
 
   LipCamera& camera_;

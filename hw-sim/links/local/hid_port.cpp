@@ -16,6 +16,7 @@ std::optional<Time> HidPort::next_due() const {
 
 bool HidPort::Greet() {
   const HidDeviceName identity = device_.device_name();
+  // Name and descriptor together fit into a packet of the link: both are our own.
   const auto head = wire::Encode(wire::HidHello{identity.vendor, identity.product,
                                                 static_cast<std::uint16_t>(identity.name.size()),
                                                 static_cast<std::uint16_t>(identity.descriptor.size())});
@@ -23,6 +24,7 @@ bool HidPort::Greet() {
   hello.insert(hello.end(), identity.name.begin(), identity.name.end());
   hello.insert(hello.end(), identity.descriptor.begin(), identity.descriptor.end());
   if (!Send(hello)) return false;
+  // After the hello: a device's first report must not overtake it.
   device_.HostCame();
   return true;
 }
@@ -34,6 +36,7 @@ void HidPort::SendDue(Time now) {
   }
   while (auto report = device_.NextReport(now)) {
     if (SendReport(now, *report)) continue;
+    // A driver that has gone gets nothing more; what was for it is lost, as on a cable.
     if (connected()) unsent_ = std::move(*report);
     return;
   }

@@ -7,6 +7,8 @@
 
 namespace kaori::sim {
 
+// As LinkPort. A driver is told the levels when it comes, and every edge from
+// then on, in order. One thread.
 class LinesPort final : public LinkPort {
  public:
   // Borrows the panel.

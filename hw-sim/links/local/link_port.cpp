@@ -46,6 +46,8 @@ void LinkPort::Accept() {
   for (int n = 0; n < kCallsAtOnce; ++n) {
     auto newcomer = AcceptPeer(listener_.get());
     if (!newcomer) return;
+    // A program that was started again must not wait until the kernel has
+    // noticed the death of the one before.
     HangUp();
     peer_ = std::move(*newcomer);
     Join(peer_.get());
@@ -61,6 +63,7 @@ void LinkPort::Receive() {
       Handle(std::span(buffer).first(packet->bytes));
     } else if (packet.error().cause == std::errc::resource_unavailable_try_again) {
       return;
+      // A packet that was too long is lost, and the connection goes on.
     } else if (packet.error().cause != std::errc::message_size) {
       return HangUp();
     }

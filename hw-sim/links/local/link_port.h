@@ -12,27 +12,34 @@
 
 namespace kaori::sim {
 
-// One thread; nothing blocks. What a driver does wrong ends its connection, never the simulator.
+// What all kinds of devices share: the listening socket, one driver at a time, and its packets. A kind
+// adds its hello, its packets and what is due. One thread; nothing blocks. What a driver does wrong
+// ends its connection, never the simulator.
 class LinkPort {
  public:
   LinkPort(const LinkPort&) = delete;
   LinkPort& operator=(const LinkPort&) = delete;
   virtual ~LinkPort() = default;
 
-  // Errors: those of the socket.
+  // Makes the socket, which is what a driver sees as a device that was plugged in; does nothing where it
+  // is plugged already. Errors: those of ListenForPackets.
   Result<void> Plug();
+  // Hangs up and removes the socket.
   void Unplug();
   bool plugged() const { return listener_.valid(); }
   bool connected() const { return peer_.valid(); }
 
-  // Accepts, receives, and sends what is due.
+  // Accepts, receives, and sends what is due. A driver that talks without end is stopped after some
+  // hundred packets and goes on with the next call.
   void Pump(Time now);
 
-  // When Pump has something to send, though the socket is silent.
+  // When Pump has something to send, though the socket is silent. Nothing while
+  // it waits for a packet or a driver.
   virtual std::optional<Time> next_due() const = 0;
 
  protected:
-  // `path` is that of the socket. `epoll` is a descriptor that gets the sockets, and outlives the port.
+  // `path` is that of the socket. `epoll` is a descriptor that gets the sockets, and
+  // outlives the port. Unplugged at first.
   LinkPort(std::string path, int epoll) : path_(std::move(path)), epoll_(epoll) {}
 
   int peer() const { return peer_.get(); }
@@ -54,8 +61,10 @@ class LinkPort {
   virtual void PowerChanged() {}
 
  private:
+  // Lets the newest driver in; a driver before it is hung up on.
   void Accept();
   void Receive();
+  // Adds a descriptor to the epoll set; its number is all that the set knows of it.
   void Join(int fd);
 
   std::string path_;

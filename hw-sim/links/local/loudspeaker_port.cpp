@@ -5,6 +5,7 @@
 namespace kaori::sim {
 namespace {
 
+// As often as real devices interrupt; the driver reckons in between by the rate.
 constexpr Duration kTellPeriod = std::chrono::milliseconds(5);
 
 }  // namespace
@@ -24,6 +25,7 @@ bool LoudspeakerPort::Greet() {
 }
 
 void LoudspeakerPort::Handle(std::span<const std::uint8_t> packet) {
+  // Half a frame cannot be played: left and right would change places from then on.
   if (packet.size() % (2 * Loudspeaker::kChannels) != 0) return HangUp();
   std::vector<std::int16_t> samples(packet.size() / 2);
   for (std::size_t n = 0; n < samples.size(); ++n)

@@ -7,10 +7,11 @@
 
 namespace kaori::sim {
 
-// As LinkPort. The driver sees from the notes how much room there is; what it sends beyond that is lost.
+// As LinkPort. The driver sees from the notes how much room there is; what it
+// sends beyond that is lost. One thread.
 class LoudspeakerPort final : public LinkPort {
  public:
-  // Borrows the loudspeaker and the clock.
+  // Borrows the loudspeaker and the clock, which must outlive the port.
   LoudspeakerPort(std::string path, int epoll, Loudspeaker& loudspeaker, const Clock& clock)
       : LinkPort(std::move(path), epoll), loudspeaker_(loudspeaker), clock_(clock) {}
 
@@ -25,7 +26,8 @@ class LoudspeakerPort final : public LinkPort {
  private:
   Loudspeaker& loudspeaker_;
   const Clock& clock_;
-  Time told_at_{};  // When the driver was told last, and what.
+  // When the driver was told last, and what: a note that says the same again is not sent.
+  Time told_at_{};
   std::uint64_t told_frames_ = 0;
   std::uint32_t told_dry_ = 0;
 };

@@ -11,6 +11,7 @@ std::optional<Time> MicrophonePort::next_due() const {
 }
 
 bool MicrophonePort::Greet() {
+  // A driver hears what is said from now on.
   microphone_.Drop(clock_.now());
   const ports::SoundFormat format = microphone_.format();
   return Send(wire::Encode(wire::MicrophoneHello{static_cast<std::uint32_t>(format.rate_hz),

@@ -7,10 +7,11 @@
 
 namespace kaori::sim {
 
-// As LinkPort. What was heard while no driver listened is dropped.
+// As LinkPort. What was heard while no driver listened is dropped. A driver that reads too slowly loses
+// blocks, and sees it by their stamps. One thread.
 class MicrophonePort final : public LinkPort {
  public:
-  // Borrows the microphone and the clock.
+  // Borrows the microphone and the clock, which must outlive the port.
   MicrophonePort(std::string path, int epoll, Microphone& microphone, const Clock& clock)
       : LinkPort(std::move(path), epoll), microphone_(microphone), clock_(clock) {}
 

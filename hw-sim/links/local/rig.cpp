@@ -18,6 +18,8 @@
 namespace kaori::sim {
 namespace {
 
+// HID devices share a kind and differ by their port; of every other kind there
+// is one, whose port has its name.
 std::string PathOf(const std::string& folder, DevicePort port) {
   const std::string name(PortName(port));
   const bool of_its_own_kind = port == DevicePort::kCamera || port == DevicePort::kScreen ||
@@ -33,7 +35,8 @@ Result<void> MakeFolder(const std::string& folder) {
   return {};
 }
 
-// Two simulators in one folder would replace each other's sockets.
+// Two simulators in one folder would replace each other's sockets. The lock goes with its
+// descriptor, also where the simulator is killed.
 Result<UniqueFd> LockFolder(const std::string& folder) {
   UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!fd.valid()) return FailErrno("open the link folder " + folder);
@@ -70,6 +73,7 @@ Rig::~Rig() {
 }
 
 Result<std::unique_ptr<Rig>> Rig::Open(RigOptions options, const Clock& clock) {
+  // The lock comes before the sockets: the sockets of a running simulator stay untouched.
   if (auto made = MakeFolder(options.folder); !made) return tl::unexpected(made.error());
   auto lock = LockFolder(options.folder);
   if (!lock) return tl::unexpected(lock.error());
@@ -154,6 +158,7 @@ Result<void> Rig::Plug(std::string_view name) {
   LinkPort* const found = port(name);
   if (found == nullptr) return FailInput("no port is called " + std::string(name));
   if (found->plugged()) return {};
+  // Somebody may have removed the folder while the cable was out.
   if (auto made = MakeFolder(options_.folder); !made) return made;
   if (auto plugged_in = found->Plug(); !plugged_in) return plugged_in;
   context_.Notify({*DevicePortNamed(name), Verb::kPlug, 0, 0, 0});
@@ -189,6 +194,7 @@ bool Rig::connected(std::string_view name) const {
 }
 
 Result<HidPort*> Rig::hid_port(std::string_view name) const {
+  // A port knows its kind by its class alone; faults are for HID ports.
   auto* const found = dynamic_cast<HidPort*>(port(name));
   if (found == nullptr) return FailInput("no HID device is called " + std::string(name));
   return found;

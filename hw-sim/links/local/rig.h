@@ -20,6 +20,7 @@
 
 namespace kaori::sim {
 
+// How the simulated box is set up; everything else is as the devices have it.
 struct RigOptions {
   std::string folder;  // Made if it is not there; what a simulator that was killed left in it is replaced.
   int screen_width_px = 960;
@@ -28,17 +29,21 @@ struct RigOptions {
   int camera_width_px = 640;
   int camera_height_px = 480;
   Duration camera_period = std::chrono::nanoseconds(33'333'333);
-  bool wakes_by_timer = false;  // With a SteadyClock: pollable() also wakes when something falls due.
+  // With a SteadyClock: pollable() also wakes when something falls due. With a
+  // ManualClock whoever advances it calls Pump.
+  bool wakes_by_timer = false;
 };
 
 class LinkPort;
 class HidPort;
 
-// One thread. Time comes from the clock alone: the same actions at the same times give the same bytes.
+// The test's side of the whole box: each device with its verbs, all cables, and faults. One thread. Time
+// comes from the clock alone: the same actions at the same times give the same bytes.
 class Rig final : public DeviceRig {
  public:
-  // Everything is plugged in at once. The clock outlives the rig. Errors: those of the folder and its
-  // sockets.
+  // Everything is plugged in at once. Locks the folder until the rig ends. The clock
+  // outlives the rig. Errors: device_or_resource_busy (another simulator has the folder),
+  // those of the folder and its sockets.
   static Result<std::unique_ptr<Rig>> Open(RigOptions options, const Clock& clock);
   ~Rig() override;
 
@@ -48,7 +53,7 @@ class Rig final : public DeviceRig {
   // is one.
   void Pump();
 
-  // An epoll descriptor of every socket; readable when Pump has something to do.
+  // An epoll descriptor of every socket, and of the timer; readable when Pump has something to do.
   int pollable() const { return epoll_.get(); }
   // When Pump is next needed though no socket speaks; Time::max() while nothing waits.
   Time next_due() const;
@@ -75,23 +80,31 @@ class Rig final : public DeviceRig {
   bool plugged(std::string_view name) const;
   bool connected(std::string_view name) const;  // A program has the device open.
 
-  // Does one action: any verb, any port. Verbs that the device does not have are ignored. Errors: as Plug.
+  // Does one action: any verb, any port. Verbs that the device does not have are ignored. What falls due
+  // leaves with the next Pump. Errors: as Plug.
   Result<void> Do(const OperatorAction& action) override;
 
-  // Who is told of the actions that change something, Plug and Unplug included; replaces the last watcher.
+  // Who is told of the actions that change something, Plug and Unplug included; replaces the last
+  // watcher. Called within the action, before the link sends anything.
   void Watch(std::function<void(const OperatorAction&)> watcher) { context_.watcher = std::move(watcher); }
 
   // Faults of HID devices, sent at once. Errors: invalid_argument (no HID device of that name),
   // not_connected.
-  Result<void> SendTorn(std::string_view name, std::size_t first_bytes);  // The start of a standing report.
+  // The first bytes of a report of how things stand, as when a cable is pulled in the middle of it.
+  Result<void> SendTorn(std::string_view name, std::size_t first_bytes);
+  // Any bytes as a report.
   Result<void> SendRaw(std::string_view name, std::span<const std::uint8_t> report);
-  Result<void> VanishInReport(std::string_view name, std::size_t first_bytes);  // Torn, and the cable is out.
+  // Torn, and the cable is out.
+  Result<void> VanishInReport(std::string_view name, std::size_t first_bytes);
 
  private:
   Rig(RigOptions options, const Clock& clock);
+  // Makes a port for each device and plugs it in. Errors: those of LinkPort::Plug.
   Result<void> PlugAll();
+  // Null where there is no such port.
   LinkPort* port(std::string_view name) const;
   Result<HidPort*> hid_port(std::string_view name) const;
+  // Sets the timer to next_due().
   void ArmTimer();
 
   RigOptions options_;

@@ -3,6 +3,7 @@
 namespace kaori::sim {
 namespace {
 
+// R, G, B, X, without padding.
 std::size_t PictureBytes(const ScreenMode& mode) {
   return static_cast<std::size_t>(mode.width_px) * static_cast<std::size_t>(mode.height_px) * 4;
 }
@@ -19,6 +20,8 @@ bool ScreenPort::Greet() {
   const ScreenMode mode = screen_.mode();
   auto memory = SharedMemory::Make("kaori-screen", kSlots * PictureBytes(mode));
   if (!memory) return false;
+  // Of several drivers that came and went without a picture, the memory of
+  // the first is what still stands.
   if (!shown_.valid()) shown_ = std::move(drawn_);
   drawn_ = std::move(*memory);
   greeted_ = mode;
@@ -43,6 +46,8 @@ void ScreenPort::SendDue(Time now) {
     waiting_.reset();
     Flip(present, screen_.blank_at(blank));
   }
+  // Vertical blanks that passed between two calls are one: nothing could be
+  // shown at those before the last.
   last_blank_ = blank;
 }
 
@@ -50,6 +55,7 @@ void ScreenPort::Flip(const wire::ScreenPresent& present, Time at) {
   const std::size_t bytes = PictureBytes(greeted_);
   screen_.Show({present.frame, at, greeted_.width_px, greeted_.height_px,
                 drawn_.bytes().subspan(present.slot * bytes, bytes)});
+  // The picture that stood before is nobody's any more.
   shown_ = {};
   Send(wire::Encode(wire::ScreenFlip{at.time_since_epoch().count(), present.frame, present.slot}));
 }

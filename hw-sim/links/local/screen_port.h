@@ -8,7 +8,8 @@
 
 namespace kaori::sim {
 
-// As LinkPort. A picture that is presented twice before a vertical blank is shown once, the newer one.
+// As LinkPort, for a driver of ports::Scanout. A picture that is presented twice before a vertical blank
+// is shown once, the newer one. One thread.
 class ScreenPort final : public LinkPort {
  public:
   // One that is shown, one that is drawn.
@@ -28,6 +29,7 @@ class ScreenPort final : public LinkPort {
   void PowerChanged() override;
 
  private:
+  // Shows the slot, and tells the driver so.
   void Flip(const wire::ScreenPresent& present, Time at);
 
   Screen& screen_;

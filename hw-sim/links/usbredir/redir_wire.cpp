@@ -12,10 +12,13 @@
 namespace kaori::sim {
 namespace {
 
+// The protocol's mark for an endpoint that a device does not have.
 constexpr std::uint8_t kNoEndpoint = 255;
+// The length of packets on endpoint 0, as the device descriptor says it.
 constexpr std::uint16_t kControlPacketBytes = 64;
 constexpr std::uint8_t kFromDevice = 0x80;
 
+// The parser gives its user's pointer to every call-back: that of the wire.
 RedirWire& Wire(void* priv) {
   return *static_cast<RedirWire*>(priv);
 }
@@ -23,7 +26,7 @@ RedirRequests& Requests(void* priv) {
   return Wire(priv).requests();
 }
 
-// A packet's data, which becomes ours with the call-back.
+// A packet's data, which becomes ours with the call-back and is freed by the parser's own function.
 class Data {
  public:
   Data(void* priv, std::uint8_t* bytes, int length)
@@ -39,6 +42,7 @@ class Data {
   int length_;
 };
 
+// Debug and information lines tell of every packet: only errors and warnings are logged.
 void OnLog(void*, int level, const char* message) {
   if (level <= usbredirparser_warning) Log("usbredir: {}", message);
 }
@@ -67,6 +71,7 @@ void OnControl(void* priv, std::uint64_t id, usb_redir_control_packet_header* he
 void OnBulk(void* priv, std::uint64_t id, usb_redir_bulk_packet_header* header, std::uint8_t* bytes,
             int length) {
   const Data data(priv, bytes, length);
+  // The upper 16 bits came with usb_redir_cap_32bits_bulk_length.
   const std::uint32_t asked = header->length | (std::uint32_t{header->length_high} << 16);
   Requests(priv).Bulk({id, header->endpoint, header->stream_id, asked}, data.span());
 }
@@ -82,6 +87,7 @@ void OnIsochronous(void* priv, std::uint64_t, usb_redir_iso_packet_header*, std:
   const Data data(priv, bytes, length);
 }
 
+// Every call-back that the parser may call must be set; a null one would crash it.
 void Bind(usbredirparser& parser) {
   parser.log_func = OnLog;
   parser.read_func = OnRead;
@@ -122,11 +128,14 @@ std::uint8_t* Mutable(std::span<const std::uint8_t> data) {  // The parser copie
   return const_cast<std::uint8_t*>(data.data());
 }
 
+// Endpoints 0 to 15 towards the device, then 16 to 31 towards the host, as
+// the protocol's tables have them.
 std::size_t IndexOf(std::uint8_t address) {
   return static_cast<std::size_t>((address & 0x80) >> 3 | (address & 0x0F));
 }
 
-// In microframes at high speed, else in frames; bulk endpoints have none.
+// In microframes at high speed, where a descriptor has an exponent; else in
+// frames. Bulk endpoints have none.
 std::uint8_t IntervalOf(const UsbEndpoint& endpoint, UsbSpeed speed) {
   if (endpoint.transfer == UsbTransfer::kBulk) return 0;
   if (speed != UsbSpeed::kHigh) return endpoint.interval;
@@ -148,6 +157,7 @@ usb_redir_interface_info_header InterfacesOf(const UsbContents& contents) {
 usb_redir_ep_info_header EndpointsOf(const UsbContents& contents, UsbSpeed speed) {
   usb_redir_ep_info_header info{};
   std::fill(std::begin(info.type), std::end(info.type), kNoEndpoint);
+  // Endpoint 0 is in no descriptor, and there both ways.
   for (const std::size_t control : {IndexOf(0), IndexOf(kFromDevice)}) {
     info.type[control] = usb_redir_type_control;
     info.max_packet_size[control] = kControlPacketBytes;
@@ -169,7 +179,8 @@ void RedirWire::Destroy::operator()(usbredirparser* parser) const {
 }
 
 // Without 32-bit lengths a machine dies of a long bulk transfer. Streams and buffered bulk change the
-// packets' form.
+// packets' form, so they are not offered. usbredirparser_fl_usb_host says which end of the cable this
+// is; the parser sends its hello by itself.
 RedirWire::RedirWire(UniqueFd socket, RedirRequests& requests)
     : socket_(std::move(socket)), requests_(requests), parser_(usbredirparser_create()) {
   parser_->priv = this;
@@ -242,6 +253,7 @@ void RedirWire::Control(std::uint64_t id, const UsbSetup& setup, RedirStatus sta
                         std::span<const std::uint8_t> data) {
   const bool reads = (setup.type & kFromDevice) != 0;
   const auto back = data.first(reads ? std::min<std::size_t>(data.size(), setup.length) : 0);
+  // The length of the answer: what goes back, or how much of the host's data was taken.
   const std::size_t told = status != RedirStatus::kDone ? 0 : reads ? back.size() : setup.length;
   usb_redir_control_packet_header header{static_cast<std::uint8_t>(setup.type & kFromDevice),
                                          setup.request,
@@ -257,6 +269,7 @@ void RedirWire::Control(std::uint64_t id, const UsbSetup& setup, RedirStatus sta
 void RedirWire::InterruptIn(std::uint8_t endpoint, std::span<const std::uint8_t> data) {
   usb_redir_interrupt_packet_header header{endpoint, usb_redir_success,
                                            static_cast<std::uint16_t>(data.size())};
+  // Id 0: this packet answers no request.
   usbredirparser_send_interrupt_packet(parser_.get(), 0, &header, Mutable(data),
                                        static_cast<int>(data.size()));
 }
@@ -268,6 +281,7 @@ void RedirWire::InterruptOutDone(std::uint64_t id, std::uint8_t endpoint, std::s
 
 void RedirWire::Bulk(const RedirBulk& request, RedirStatus status, std::span<const std::uint8_t> data,
                      std::size_t bytes) {
+  // Length in two halves, as in OnBulk.
   usb_redir_bulk_packet_header header{request.endpoint, static_cast<std::uint8_t>(status),
                                       static_cast<std::uint16_t>(bytes & 0xFFFF), request.stream,
                                       static_cast<std::uint16_t>(bytes >> 16)};

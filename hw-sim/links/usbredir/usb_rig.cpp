@@ -7,6 +7,7 @@
 namespace kaori::sim {
 namespace {
 
+// UVC counts in units of 100 ns, so 30 frames a second are 333 333 of them.
 constexpr Duration kCameraPeriod = std::chrono::nanoseconds(33'333'300);
 constexpr ports::CameraFormat kCameraFormat{640, 480, ports::PixelFormat::kYuyv};
 
@@ -36,6 +37,7 @@ UsbRig::UsbRig(const std::string& folder, const Clock& clock, UniqueFd epoll)
       pointer_(devices_.pointer),
       camera_(devices_.camera, kCameraPeriod),
       epoll_(std::move(epoll)) {
+  // In the order of kUsbSockets.
   const std::array<UsbDevice*, kUsbSockets.size()> devices{
       &dial_box_, &left_stick_, &right_stick_, &keyboard_, &pointer_, &camera_, &gpio_};
   for (std::size_t n = 0; n < ports_.size(); ++n)
@@ -55,6 +57,7 @@ void UsbRig::Pump() {
 }
 
 Time UsbRig::next_due() const {
+  // A device may say "now": it is asked with the same time that the caller will wait against.
   const Time now = context_.clock.now();
   Time soonest = Time::max();
   for (const auto& port : ports_)

@@ -18,17 +18,20 @@
 
 namespace kaori::sim {
 
-// The sockets, in the order of the machine's USB ports: the first is port 1.
+// The sockets, in the order of the machine's USB ports: the first is port 1. The machine's command line
+// has a channel for each (hw-sim/hil/qemu_command.h).
 inline constexpr std::array<std::string_view, 7> kUsbSockets{
     "dial-box", "stick-left", "stick-right", "keyboard", "pointer", "camera", "gpio"};
 
-// "FOLDER/dial-box.usb": where the machine listens.
+// "FOLDER/dial-box.usb": where the machine listens, and the rig connects.
 std::string UsbSocketPath(const std::string& folder, std::string_view name);
 
-// One thread; nothing blocks. Everything is unplugged at first.
+// The devices as USB devices, for a box that runs in a virtual machine: its kernel enumerates them and
+// its own drivers read them. One thread; nothing blocks. Everything is unplugged at first.
 class UsbRig final : public DeviceRig {
  public:
-  // The clock outlives the rig. Errors: those of epoll.
+  // Calls nobody yet: a machine is called once a cable is in. The clock outlives the rig.
+  // Errors: those of epoll_create1(2).
   static Result<std::unique_ptr<UsbRig>> Open(const std::string& folder, const Clock& clock);
 
   // Reads, answers and sends what is due at clock.now(). Call it when pollable() is readable, and at
@@ -38,15 +41,18 @@ class UsbRig final : public DeviceRig {
   Time next_due() const;  // Time::max() while nothing waits.
 
   InputDevices& devices() override { return devices_; }
+  // Not among DeviceRig's devices: a bridge is no operator's control.
   GpioBridge& gpio() { return gpio_; }
   UvcCamera& camera() { return camera_; }
 
-  // Cables, by the names above. Errors: invalid_argument (no such socket).
+  // Cables, by the names above. Doing it twice is doing it once. Errors:
+  // invalid_argument (no such socket).
   Result<void> Plug(std::string_view name);
   Result<void> Unplug(std::string_view name);
   const UsbredirPort* port(std::string_view name) const;  // Null: no such socket.
 
-  // Swaps what hangs on the cables of the two sticks, which must be out.
+  // Swaps what hangs on the cables of the two sticks, which must be out: a test that roles
+  // belong to ports, and not to devices.
   void CrossSticks(bool crossed);
 
   // Lines are those of the GPIO bridge. Verbs of ports without a USB socket are ignored. Errors: as Plug.

@@ -27,6 +27,7 @@ void UsbredirPort::Plug() {
 
 void UsbredirPort::Unplug() {
   if (!std::exchange(plugged_, false)) return;
+  // Told at once, so that the machine sees the cable go even if nobody pumps afterwards.
   if (std::exchange(announced_, false)) {
     wire_->Disconnect();
     if (!wire_->Write()) HangUp();
@@ -46,6 +47,7 @@ void UsbredirPort::Pump(Time now) {
 
 std::optional<Time> UsbredirPort::next_due(Time now) const {
   if (!connected()) return plugged_ ? std::optional(call_at_) : std::nullopt;
+  // Nobody waits for the device: it would only wake the loop.
   if (!announced_ || (listened_to_.empty() && bulk_in_.empty())) return std::nullopt;
   return device_->next_due(now);
 }
@@ -70,7 +72,8 @@ void UsbredirPort::HangUp() {
   Forget();
 }
 
-// What the machine was doing with the device is over.
+// What the machine was doing with the device is over. Requests that wait for data are not answered: the
+// machine has dropped them with the device.
 void UsbredirPort::Forget() {
   for (const std::uint8_t endpoint : std::exchange(listened_to_, {})) device_->HostLeft(endpoint);
   bulk_in_.clear();
@@ -129,10 +132,12 @@ void UsbredirPort::SetConfiguration(std::uint64_t id, std::uint8_t number) {
 }
 
 void UsbredirPort::GetConfiguration(std::uint64_t id) {
+  // A device that is not configured answers 0 (USB 2.0, 9.4.2).
   wire_->ConfigurationStatus(id, RedirStatus::kDone, configured_ ? 1 : 0);
 }
 
 void UsbredirPort::SetAlternate(std::uint64_t id, std::uint8_t interface, std::uint8_t number) {
+  // No interface of ours has another setting than 0.
   wire_->Describe(device_->descriptors());
   wire_->AlternateStatus(id, number == 0 ? RedirStatus::kDone : RedirStatus::kStalled, interface);
 }
@@ -166,11 +171,13 @@ void UsbredirPort::InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::sp
 void UsbredirPort::Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) {
   if ((request.endpoint & kUsbredirPortFromDevice) != 0 && announced_) return bulk_in_.push_back(request);
   if (announced_) device_->HandleOut(request.endpoint, data);
+  // Without a device the transfer fails, as on a cable that was just pulled.
   wire_->Bulk(request, announced_ ? RedirStatus::kDone : RedirStatus::kIoError, {}, data.size());
 }
 
 void UsbredirPort::Cancel(std::uint64_t id) {
   const auto it = std::ranges::find(bulk_in_, id, &RedirBulk::id);
+  // A request that was answered already is not here, and needs no second answer.
   if (it == bulk_in_.end()) return;
   wire_->Bulk(*it, RedirStatus::kCancelled, {}, 0);
   bulk_in_.erase(it);

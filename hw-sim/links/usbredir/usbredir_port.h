@@ -13,21 +13,25 @@
 
 namespace kaori::sim {
 
-// One thread; nothing blocks. A machine that goes away is called again until it is back.
+// Announces the device to the machine, and answers what its kernel asks. The machine listens and
+// this end calls, as QEMU's usb-redir device wants it; a machine that goes away is called again
+// until it is back. One thread; nothing blocks.
 class UsbredirPort final : private RedirRequests {
  public:
-  // `path` is the socket at which the machine listens; `epoll` gets the connection, and outlives the port.
-  // Borrows the device.
+  // `path` is the socket at which the machine listens; `epoll` gets the connection, and outlives the
+  // port. Borrows the device, which must outlive the port or be replaced by Hold.
   UsbredirPort(std::string path, int epoll, UsbDevice& device)
       : path_(std::move(path)), epoll_(epoll), device_(&device) {}
 
-  // The cable. Doing it twice is doing it once.
+  // The cable. Doing it twice is doing it once. The machine is told with the next
+  // Pump, and of a pulled cable at once.
   void Plug();
   void Unplug();
   bool plugged() const { return plugged_; }
 
   bool connected() const { return wire_ != nullptr; }  // A machine is there.
   bool configured() const { return configured_; }      // It has enumerated the device.
+  // A program in the machine listens to an interrupt endpoint: its HID driver has opened the device.
   bool listened() const {
     return !listened_to_.empty();
   }  // A program in it listens to an interrupt endpoint.
@@ -41,12 +45,19 @@ class UsbredirPort final : private RedirRequests {
   std::optional<Time> next_due(Time now) const;
 
  private:
-  void Call(Time now);  // Connects to the machine.
+  // Connects to the machine; what fails is tried again after kCallAgain.
+  void Call(Time now);
+  // The machine is gone, or broke the protocol.
   void HangUp();
-  void Announce();  // Says that a device was plugged in.
+  // Says that a device was plugged in.
+  void Announce();
+  // What the machine was doing with the device is over.
   void Forget();
+  // Gives interrupt endpoints what is due, and fills requests that wait.
   void SendDue(Time now);
-  bool FillFirst(Time now);  // Answers the oldest request for data. False: the device has none.
+  // Answers the oldest request for data. False: the device has none.
+  bool FillFirst(Time now);
+  // Watches the socket for room while the wire has something to write.
   void WatchForRoom();
 
   void Greeted() override;
