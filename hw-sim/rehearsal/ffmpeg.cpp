@@ -17,7 +17,8 @@ extern char** environ;
 namespace kaori::sim {
 namespace {
 
-// The child reads its standard input from `from` and writes what it says to `messages`.
+// The child reads its standard input from `from` and writes what it says to `messages`. Other
+// descriptors of ours close themselves in it, as all are close-on-exec.
 Result<pid_t> Spawn(std::vector<std::string> arguments, int from, int messages) {
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
@@ -34,6 +35,7 @@ Result<pid_t> Spawn(std::vector<std::string> arguments, int from, int messages) 
   return child;
 }
 
+// ffmpeg says first what went wrong, and then what follows from it.
 std::string FirstLine(int messages) {
   std::array<char, 300> text{};
   const ssize_t got = ::pread(messages, text.data(), text.size(), 0);
@@ -64,6 +66,7 @@ Ffmpeg::Ffmpeg(Ffmpeg&& other) noexcept
       process_(std::exchange(other.process_, -1)) {}
 
 Ffmpeg::~Ffmpeg() {
+  // An error has nobody to go to here: whoever wants it calls Finish.
   [[maybe_unused]] const auto done = Finish();
 }
 
@@ -80,11 +83,13 @@ Result<void> Ffmpeg::Write(std::span<const std::uint8_t> bytes) {
 
 Result<void> Ffmpeg::Finish() {
   if (process_ < 0) return {};
+  // The end of its input is what ends it.
   pipe_.reset();
   int status = 0;
   ::waitpid(std::exchange(process_, -1), &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   std::error_code ignored;
+  // A regular file alone: a device or a pipe that was named stays.
   if (std::filesystem::is_regular_file(file_, ignored)) std::filesystem::remove(file_, ignored);
   const std::string said = FirstLine(messages_.get());
   return Fail(std::errc::io_error,

@@ -13,11 +13,12 @@
 
 namespace kaori::sim {
 
-// One thread. The process ends with Finish, or with this object.
+// Writes into ffmpeg's standard input. One thread. The process ends with Finish, or with this object.
 class Ffmpeg {
  public:
-  // Starts ffmpeg with `arguments` behind the usual ones: quiet, and it replaces the file. `-` among them is its standard
-  // input. `file` is what it writes. Errors: no_such_file_or_directory (there is no ffmpeg), those of starting a process.
+  // Starts ffmpeg with `arguments` behind the usual ones: quiet, and it replaces the file. `-` among
+  // them is its standard input. `file` is what it writes. SIGPIPE is ignored from then on, in the whole
+  // process. Errors: no_such_file_or_directory (there is no ffmpeg), those of starting a process.
   static Result<Ffmpeg> Start(std::vector<std::string> arguments, std::string file);
   Ffmpeg(Ffmpeg&& other) noexcept;
   Ffmpeg& operator=(Ffmpeg&&) = delete;
@@ -34,12 +35,14 @@ class Ffmpeg {
  private:
   Ffmpeg(std::string file, UniqueFd pipe, UniqueFd messages, pid_t process)
       : file_(std::move(file)), pipe_(std::move(pipe)), messages_(std::move(messages)), process_(process) {}
+  // Ends it and gives the error that it ended with.
   Result<void> GaveUp();
 
   std::string file_;
   UniqueFd pipe_;
-  UniqueFd messages_;  // What ffmpeg said.
-  pid_t process_;      // -1: it has ended.
+  // What ffmpeg said, in memory: a pipe could fill up and hold it.
+  UniqueFd messages_;
+  pid_t process_;  // -1: it has ended.
 };
 
 }  // namespace kaori::sim

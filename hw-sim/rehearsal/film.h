@@ -10,6 +10,7 @@
 
 namespace kaori::sim {
 
+// What a film is to be; sides are even.
 struct FilmOptions {
   std::string file;  // The ending says the format: .mp4 is H.264.
   int width_px = 0;

@@ -12,6 +12,7 @@ namespace kaori::sim {
 namespace {
 
 constexpr std::int64_t kChannels = Loudspeaker::kChannels;
+// A millisecond: less is rounding, more is a break that can be heard.
 constexpr std::int64_t kJoinedFrames = FilmSound::kRate_hz / 1000;
 constexpr std::size_t kHeadBytes = 44;
 constexpr std::uint32_t kFrameBytes = 2 * kChannels;
@@ -40,6 +41,7 @@ std::array<std::uint8_t, kHeadBytes> WavHead(std::int64_t frames) {
   return head;
 }
 
+// Times before the film's beginning are negative.
 std::int64_t FramesIn(Duration time) {
   return std::llround(Seconds(time) * FilmSound::kRate_hz);
 }
@@ -59,6 +61,8 @@ void FilmSound::Add(const std::vector<Loudspeaker::Heard>& heard) {
     std::span<const std::int16_t> samples(block.samples);
     const std::int64_t at = FramesIn(block.at - begin_);
     if (at > frames_ + kJoinedFrames) WriteSilence(at - frames_);
+    // What belongs before the position that was reached is left out, as of a film
+    // that began in the middle of a sound.
     if (at < frames_ - kJoinedFrames) {
       const std::int64_t early =
           std::min(frames_ - at, static_cast<std::int64_t>(samples.size()) / kChannels);
@@ -71,6 +75,7 @@ void FilmSound::Add(const std::vector<Loudspeaker::Heard>& heard) {
 Result<void> FilmSound::Finish(Duration length) {
   const std::int64_t wanted = FramesIn(length);
   if (wanted > frames_) WriteSilence(wanted - frames_);
+  // The lengths in the head: a reader stops there, whatever lies behind.
   const auto head = WavHead(wanted);  // A reader stops there.
   stream_.seekp(0);
   stream_.write(reinterpret_cast<const char*>(head.data()), head.size());
@@ -87,6 +92,7 @@ void FilmSound::Write(std::span<const std::int16_t> samples) {
 }
 
 void FilmSound::WriteSilence(std::int64_t frames) {
+  // A tenth of a second at a time: an hour of silence needs no hour of memory.
   const std::vector<std::int16_t> silence(FilmSound::kRate_hz / 10 * kChannels);
   while (frames > 0) {
     const std::int64_t now = std::min<std::int64_t>(frames, FilmSound::kRate_hz / 10);

@@ -13,20 +13,23 @@
 
 namespace kaori::sim {
 
-// Writes a WAV file (PCM, 16 bit, 48 kHz, left and right) whose first frame is heard with the film's first picture. One
-// thread; blocks while the disk does.
+// Writes a WAV file (PCM, 16 bit, 48 kHz, left and right) whose first frame is heard with the
+// film's first picture. The loudspeaker's drift is kept: frames are placed by when they were heard.
+// One thread; blocks while the disk does.
 class FilmSound {
  public:
   static constexpr int kRate_hz = 48'000;
 
-  // `begin` is the scan-out time of the film's first picture. Errors: those of the file.
+  // Writes a head without lengths, which Finish fills in. `begin` is the scan-out time of the film's
+  // first picture. Errors: those of the file.
   static Result<FilmSound> Start(const std::string& file, Time begin);
 
   // Puts each block where it was heard: silence fills what is between two blocks, and what was heard before the film began
   // is left out. A block that follows the one before within a millisecond is joined to it, so that rounding does not click.
   void Add(const std::vector<Loudspeaker::Heard>& heard);
 
-  // Cuts the sound, or fills it up with silence, to `length`, and closes the file. Errors: io_error (the disk is full).
+  // Cuts the sound, or fills it up with silence, to `length`, and closes the file. To be called
+  // once. Errors: io_error (the disk is full).
   Result<void> Finish(Duration length);
 
  private:

@@ -40,7 +40,8 @@ struct Settings {
   std::string pack, play, film, pictures, size = "960x540", hz = "30";
 };
 
-// A film in the making: its pictures and its sound lie in the folder for passing files until they are joined.
+// A film in the making: its pictures and its sound lie in the folder for passing files until they are
+// joined. A film without a picture has no sound either.
 struct FilmInTheMaking {
   std::string file, pictures_file, sound_file;
   kaori::sim::Film pictures;
@@ -56,6 +57,7 @@ struct FilmInTheMaking {
     return pictures.Add(shown.rgbx);
   }
 
+  // Joins both. `length` is that of the pictures; the sound is cut to it.
   Result<void> Finish(kaori::Duration length) {
     if (auto ok = pictures.Finish(); !ok || !sound) return ok;
     if (auto ok = sound->Finish(length); !ok) return ok;
@@ -63,7 +65,7 @@ struct FilmInTheMaking {
   }
 };
 
-// Where the pictures go.
+// Where the pictures go: into a film, into a folder, into both or nowhere.
 struct Outputs {
   std::unique_ptr<FilmInTheMaking> film;
   std::string pictures;
@@ -73,6 +75,7 @@ struct Outputs {
                      int number) {
     if (film)
       if (auto ok = film->Add(shown, heard); !ok) return ok;
+    // Pictures are numbered from 0; one in each second of the show is kept.
     if (pictures.empty() || number % hz != 0) return {};
     const kaori::image::Picture picture{
         shown.width_px, shown.height_px, {shown.rgbx.begin(), shown.rgbx.end()}};
@@ -80,7 +83,7 @@ struct Outputs {
   }
 };
 
-// One line that is written over again and again.
+// One line that is written over again and again, for people who wait at a terminal.
 void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
   const double position_s = kaori::Seconds(player.position());
   const double length_s = kaori::Seconds(player.scenario().length);
@@ -91,6 +94,7 @@ void ShowProgress(const kaori::sim::Player& player, double pictures_per_s) {
 // Plays the scenario to its end, picture by picture; a film is whole afterwards.
 Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario scenario, Outputs& outputs) {
   const kaori::SteadyClock wall;
+  // The speed is told in real time; everything else runs on the simulated clock.
   const auto begun = wall.now();
   kaori::sim::Player player(std::move(scenario), rehearsal.rig(), rehearsal.began());
   int number = 0;
@@ -107,6 +111,7 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario 
   ShowProgress(player, number / std::max(1e-3, kaori::Seconds(wall.now() - begun)));
   fmt::print(stderr, "\n");
   if (!outputs.film) return {};
+  // By the number of pictures, so that sound and pictures end together.
   return outputs.film->Finish(kaori::FromSeconds(static_cast<double>(number) / outputs.hz));
 }
 
@@ -114,6 +119,7 @@ Result<void> PlayThrough(kaori::sim::Rehearsal& rehearsal, kaori::sim::Scenario 
 Result<void> CheckWritable(const std::string& file) {
   std::error_code ignored;
   const bool was_there = std::filesystem::exists(file, ignored);
+  // Opening for appending creates the file and changes nothing in one that is there.
   if (!std::ofstream(file, std::ios::app)) return kaori::FailErrno("write the film " + file);
   if (!was_there) std::filesystem::remove(file, ignored);
   return {};
@@ -145,7 +151,7 @@ int Rehearse(const Settings& settings, kaori::Size size, int hz, const std::stri
   if (!scenario) return kaori::ExitWithError(scenario.error());
   auto show = kaori::show::LoadPack(settings.pack);
   if (!show) return kaori::ExitWithError(show.error());
-  // What is saved goes with the rehearsal.
+  // What is saved goes with the rehearsal: its folder is removed at the end.
   auto expression_editor = kaori::editor::ExpressionEditor::Open(folder + "/own", *show);
   const auto studio = kaori::stage::Studio::Open(std::move(*show));
   if (!studio) return kaori::ExitWithError(studio.error());
@@ -186,6 +192,7 @@ int main(int argc, char** argv) {
   if (none)
     return kaori::ExitWithError(
         kaori::Fail(static_cast<std::errc>(none.value()), "find a folder for passing files").value());
+  // One folder for each process: two rehearsals may run at a time.
   const std::string folder = passing / fmt::format("kaori-rehearsal-{}", ::getpid());
   const int status = Rehearse(settings, *size, hz, folder);
   std::error_code ignored;  // What is left behind in the folder for passing files harms nobody.

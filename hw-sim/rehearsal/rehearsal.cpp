@@ -14,8 +14,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kTick = 1ms;  // A simulated millisecond: reports leave no more often.
-constexpr int kPatience = 1000;  // Ticks.
-constexpr int kHidDevices = 5;   // Dial box, two sticks, keyboard, pointer.
+// Ticks: a simulated second for a device to get its slot, or for a picture to come.
+constexpr int kPatience = 1000;
+constexpr int kHidDevices = 5;  // Dial box, two sticks, keyboard, pointer.
 
 Result<void> MakeFolder(const std::string& folder) {
   std::error_code error;
@@ -43,7 +44,8 @@ Result<std::unique_ptr<Rehearsal>> Rehearsal::Open(const RehearsalOptions& optio
   return rehearsal;
 }
 
-// The programs of the box in this process, each on the same board, as their mains put them together.
+// The programs of the box in this process, each on the same board, as their mains put them together. Each
+// gets the writers of its own sections: two programs that wanted one section would fail here as on a box.
 Result<void> Rehearsal::OpenParts(const RehearsalOptions& options, stage::Studio& studio) {
   links_ = options.folder + "/links";
   auto rig = Rig::Open({.folder = links_,
@@ -70,7 +72,8 @@ Result<void> Rehearsal::OpenParts(const RehearsalOptions& options, stage::Studio
   return {};
 }
 
-// The panel answers in this thread, so that it is asked between connecting and greeting.
+// The panel answers in this thread, so that it is asked between connecting and
+// greeting: a wait would wait for itself.
 Result<std::unique_ptr<ports::GpioLines>> Rehearsal::OpenLines() {
   auto lines = gpio::LocalLines::Connect(links_);
   if (!lines) return tl::unexpected(lines.error());
@@ -100,6 +103,7 @@ Result<void> Rehearsal::Settle() {
     return input_->attached_devices() == kHidDevices && rig_->screen().frames_shown() > 0 &&
            board_.Read<board::Lips>().source == board::SourceState::kLive;
   };
+  // Input is empty: nobody plays before the first picture.
   for (int i = 0; i < kPatience && !ready(); ++i) Tick({});
   began_ = clock_.now();
   if (!ready()) return Fail(std::errc::timed_out, "wait until every device has its slot");
@@ -110,6 +114,7 @@ Result<Shown> Rehearsal::NextPicture(const Input& input) {
   const auto before = rig_->screen().frames_shown();
   for (int i = 0; i < kPatience; ++i) {
     Tick(input);
+    // A screen that went dark in the meantime has shown nothing that could be given.
     if (rig_->screen().frames_shown() != before && rig_->screen().latest()) return *rig_->screen().latest();
   }
   return Fail(std::errc::timed_out, "wait for a picture");

@@ -18,7 +18,8 @@
 
 namespace kaori::sim {
 
-// How the simulated system is set up.
+// How the simulated system is set up. Each value is the simulator's own; the
+// programs learn it from the devices.
 struct RehearsalOptions {
   std::string folder;  // Where the board and the links lie; made if it is not there.
   int width_px = 960;
@@ -28,7 +29,8 @@ struct RehearsalOptions {
   voice::DelaySetting sound_delay{};  // None: as measured.
 };
 
-// One thread.
+// The programs of the box run in this one thread, step by step, in place of processes that wait in
+// loops: what would be a race on a box has one order here. One thread.
 class Rehearsal {
  public:
   // Plugs every device in and waits, in simulated time, until each has its slot. The studio outlives it and may serve one
@@ -41,10 +43,12 @@ class Rehearsal {
   using Input = std::function<void(Time now)>;
 
   // Moves time to the next vertical blank at which a new picture is presented, and gives that picture.
-  // Errors: timed_out when no picture came within a simulated second.
+  // Takes as long as drawing it does. The picture is borrowed until the next call. Errors: timed_out
+  // when no picture came within a simulated second.
   Result<Shown> NextPicture(const Input& input = {});
 
-  // Lets operators make expressions. The editor was opened on the studio's show.
+  // Lets operators make expressions. The editor was opened on the studio's show. To
+  // be called before the first picture.
   void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->SetEditor(std::move(editor)); }
 
   // The test's side of every device.
@@ -60,11 +64,14 @@ class Rehearsal {
   // Each opens its part of Open. Errors: as Open.
   Result<void> OpenParts(const RehearsalOptions& options, stage::Studio& studio);
   Result<std::unique_ptr<ports::GpioLines>> OpenLines();
+  // The microphone and the loudspeaker; the sounds are those of the show's motions. Errors: as Open.
   Result<void> OpenVoice(const RehearsalOptions& options, const show::Show& show);
+  // Steps until every device has its slot and a picture is shown.
   Result<void> Settle();
   void Tick(const Input& input);  // One simulated millisecond.
 
-  ManualClock clock_;  // Before all that borrows it.
+  // Before all that borrows it. Members end in reverse order: the stage first, the devices last.
+  ManualClock clock_;
   board::Board board_;
   std::unique_ptr<ports::HidBus> bus_;
   std::unique_ptr<Rig> rig_;

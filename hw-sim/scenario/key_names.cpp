@@ -12,7 +12,7 @@ struct Key {
   std::uint8_t usage;
 };
 
-// USB HID Usage Tables, page 7.
+// USB HID Usage Tables 1.3, page 7. Names are those of a US keyboard: a key is a place.
 constexpr auto kKeys = std::to_array<Key>({
     {"enter", 0x28},      {"escape", 0x29},      {"backspace", 0x2A}, {"tab", 0x2B},
     {"space", 0x2C},      {"minus", 0x2D},       {"equal", 0x2E},     {"comma", 0x36},
@@ -29,6 +29,7 @@ constexpr std::string_view kUsage = "usage-";
 constexpr std::array<std::string_view, 8> kHats{"up",   "up-right",  "right", "down-right",
                                                 "down", "down-left", "left",  "up-left"};
 
+// The whole text, or nothing.
 std::optional<int> Whole(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

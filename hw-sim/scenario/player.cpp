@@ -14,6 +14,7 @@ double Eased(double part) {
   return part * part * (3 - 2 * part);
 }
 
+// Only actions on one control end each other: a stick may be moved while it is twisted.
 bool OnSameControl(const OperatorAction& a, const OperatorAction& b) {
   return a.port == b.port && a.verb == b.verb && a.index == b.index;
 }
@@ -52,6 +53,7 @@ void Player::Perform(Time now) {
   began_ = true;
   while (next_ < scenario_.actions.size() && scenario_.actions[next_].at <= to) {
     const TimedAction& timed = scenario_.actions[next_++];
+    // What is under way comes first, up to the moment at which the next action begins.
     MoveAll(timed.at);
     Begin(timed);
   }
@@ -84,6 +86,7 @@ void Player::Move(Motion& motion, Duration to) {
   const double way = arrived ? 1 : Eased(Seconds(to - timed.at) / Seconds(timed.over));
   OperatorAction action = timed.action;
   if (action.verb == Verb::kTurn) {
+    // A dial is told differences: what it turned so far is kept, so that nothing is lost by rounding.
     action.a = timed.action.a * way - motion.from_a;
     if (!arrived && std::abs(action.a) < kLeastTurn) return;
     motion.from_a += action.a;

@@ -10,14 +10,15 @@
 
 namespace kaori::sim {
 
-// One thread. Borrows the rig. The same calls at the same times do the same.
+// A scenario's actions in the order of their times, as calls on a rig. One thread. Borrows the rig. The
+// same calls at the same times do the same.
 class Player {
  public:
-  // The scenario begins at `start`.
+  // The scenario begins at `start`; nothing is done before the first Perform.
   Player(Scenario scenario, DeviceRig& rig, Time start);
 
-  // Does everything up to and including `now`, in order; actions that take time go as far as they are by then. Does
-  // not pump a link.
+  // Does everything up to and including `now`, in order; actions that take time go as far as they are by then.
+  // Times must not run backwards. Does not pump a link.
   void Perform(Time now);
 
   // Begins again; controls stay where they are.
@@ -29,15 +30,19 @@ class Player {
   const Scenario& scenario() const { return scenario_; }
 
  private:
-  // An action that is under way. Values are what `a` and `b` were when it began; a dial's are what was turned so far.
+  // An action that is under way. Values are what `a` and `b` were when it began; a dial's are what was
+  // turned so far. `timed` points into the scenario, which does not change.
   struct Motion {
     const TimedAction* timed;
     double from_a;
     double from_b;
   };
 
+  // Does an action that happens at once, or begins one that takes time.
   void Begin(const TimedAction& timed);
+  // Moves everything that is under way to a time of the scenario, and drops what has arrived.
   void MoveAll(Duration to);
+  // One step of one action; the last step goes exactly to its end.
   void Move(Motion& motion, Duration to);
 
   Scenario scenario_;

@@ -46,7 +46,8 @@ bool TimesFit(Tokenizer& tokens, const Statement& statement, int column) {
   return !tokens.bad();
 }
 
-// The lines read so far.
+// The lines read so far, and the scenario that they make. Statements come in the
+// order of the file; times need not.
 class Script {
  public:
   void ReadLine(std::string_view line, int number) {
@@ -64,6 +65,7 @@ class Script {
   bool lost() const { return reading_.problems.size() >= kMostProblems; }
 
   Reading Finish() {
+    // Scenes at the end of the file begin with the last line that had a time.
     OpenScenes(reading_.scenario.actions.empty() ? Duration{} : last_at_);
     PutInOrder(reading_.scenario);
     return std::move(reading_);

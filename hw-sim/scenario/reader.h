@@ -13,8 +13,10 @@
 //   at 2s roll pointer 3                    notches of its wheel, away from the operator
 //   at 2s lips 0.6 1.1                      height and width, in widths of the mouth at rest
 //   at 3s over 1.4s say "kon ni ti wa"
+//   at 3s voice a 0.8                       a vowel (a, i, u, e, o) so loud; voice off is silence
 //   at 4s lens cover                        or uncover
 //   at 4s camera stall                      or run
+//   at 4s microphone stall                  or run; the same of the loudspeaker
 //   at 4s line go tap                       or on, off; of go, blackout, service, presence
 //   at 5s unplug stick-left                 or plug
 // clang-format on
@@ -30,21 +32,24 @@
 
 namespace kaori::sim {
 
-// How long a pushed button or a tapped key stays down.
+// How long a pushed button or a tapped key stays down: several frames of any show.
 inline constexpr Duration kTap = std::chrono::milliseconds(100);
 
+// What was read: with a problem the scenario may be half of what was meant.
 struct Reading {
   Scenario scenario;
   std::vector<Problem> problems;  // The first hundred; with any, the scenario is not to be played.
 };
 
-// Pure. A line without a time is right for a scene only: the scene begins with what follows it.
+// Reads line by line and goes on after a problem, so that people see all of them at once. A line without
+// a time is right for a scene only: the scene begins with what follows it. Pure.
 Reading ReadScenario(std::string_view text);
 
-// "play.txt:12:18: no dial 9; dials are 1 to 8", a line for each.
+// "play.txt:12:18: no dial 9; dials are 1 to 8", a line for each, as compilers have it. Pure.
 std::string Describe(const std::vector<Problem>& problems, std::string_view file);
 
-// Errors: those of the file; invalid_argument with every problem described.
+// Reads a file; blocks for the disk. Errors: those of the file;
+// invalid_argument with every problem described.
 Result<Scenario> LoadScenario(const std::string& path);
 
 }  // namespace kaori::sim

@@ -8,6 +8,7 @@ Recorder::Recorder(Rig& rig, std::function<void(const TimedAction&)> note)
 }
 
 void Recorder::Notify(const OperatorAction& action) {
+  // Recorded actions happen at once: one that took time is recorded as its steps.
   const TimedAction timed{rig_.clock().now() - start_, {}, action};
   if (note_)
     note_(timed);

@@ -9,11 +9,11 @@
 
 namespace kaori::sim {
 
-// Watches the rig from construction to destruction. Borrows it. Begin with a rig at rest: what is already
-// held down is not written.
+// Watches the rig from construction to destruction, whoever acts on it: a page, a scenario, a test.
+// Borrows it. Begin with a rig at rest: what is already held down is not written.
 class Recorder {
  public:
-  // `note`, if given, is called for each action as it happens.
+  // `note`, if given, is called for each action as it happens, within that action.
   explicit Recorder(Rig& rig, std::function<void(const TimedAction&)> note = {});
   ~Recorder() { rig_.Watch({}); }
   Recorder(const Recorder&) = delete;
@@ -23,6 +23,7 @@ class Recorder {
   Scenario scenario() const;
 
  private:
+  // The watcher that the rig calls.
   void Notify(const OperatorAction& action);
 
   Rig& rig_;

@@ -12,6 +12,7 @@ void PutInOrder(Scenario& scenario) {
     scenario.length = std::max(scenario.length, timed.at + timed.over);
 }
 
+// Every other verb has no way between its ends.
 bool MayTakeTime(Verb verb) {
   return verb == Verb::kTurn || verb == Verb::kMove || verb == Verb::kTwist || verb == Verb::kSlide ||
          verb == Verb::kLips;

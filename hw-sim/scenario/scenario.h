@@ -17,7 +17,7 @@ struct TimedAction {
   friend bool operator==(const TimedAction&, const TimedAction&) = default;
 };
 
-// A named part of the play; it lasts until the next one.
+// A named part of the play; it lasts until the next one. It does nothing: players tell it to people.
 struct Beat {
   Duration at{};
   std::string name;
@@ -32,7 +32,7 @@ struct Scenario {
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-// Sorts actions and beats by time, those of the same time in their order, and works out the length.
+// Sorts actions and beats by time, those of the same time in their order, and works out the length. Pure.
 void PutInOrder(Scenario& scenario);
 
 // The verbs that may take time: dial turns, stick moves, twists and slides, the pointer's moves, lips.

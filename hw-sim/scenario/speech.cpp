@@ -39,7 +39,7 @@ constexpr int kHummed = 2;  // An n that ends a word is a faint u.
 constexpr double kHum = 0.3;
 constexpr std::string_view kLabials = "mbp";
 
-// Of a syllable's time: until the lips have met, and until the mouth stands.
+// Parts of a syllable's time: until the lips have met, and until the mouth stands. The rest it is held.
 constexpr double kShutPart = 0.22;
 constexpr double kOpenPart = 0.62;
 
@@ -48,6 +48,7 @@ std::vector<Syllable> Syllables(std::string_view text) {
   std::vector<Syllable> syllables;
   bool shuts = false;
   char before = ' ';
+  // One step beyond the end stands for the space that ends the last word.
   for (std::size_t n = 0; n <= text.size(); ++n) {
     const char c =
         n < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[n]))) : ' ';
@@ -58,6 +59,7 @@ std::vector<Syllable> Syllables(std::string_view text) {
       if (before == 'n') syllables.push_back({false, kShut, kHummed, kHum});
       shuts = false;
     } else {
+      // Any labial before the vowel shuts the lips, as in "mya".
       shuts |= kLabials.find(c) != std::string_view::npos;
     }
     before = c;
@@ -92,6 +94,7 @@ std::vector<TimedAction> Speak(std::string_view text, Duration at, Duration over
     if (syllables[n].shuts_first) {
       open += kShutPart;
       actions.push_back(Shape(after(start), after(open) - after(start), kShut));
+      // Lips that are shut let no voice out.
       actions.push_back(Sound(after(start), syllables[n].vowel, 0));
     }
     actions.push_back(Shape(after(open), after(start + kOpenPart) - after(open), syllables[n].mouth));

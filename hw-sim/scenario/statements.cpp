@@ -20,8 +20,10 @@ constexpr int kDials = static_cast<int>(wire::kDials);
 constexpr int kBoxButtons = static_cast<int>(wire::kDialBoxButtons);
 constexpr int kStickButtons = static_cast<int>(wire::kStickPodButtons);
 constexpr int kPointerButtons = static_cast<int>(wire::kPointerButtons);
+// What DialBox and Pointer accept in one action.
 constexpr double kMostTurns = 1000;
 constexpr double kMostNotches = 1000;
+// A name is shown in a line of a terminal.
 constexpr std::size_t kLongestName_bytes = 100;
 
 // Down at the line's time, and up again after kTap.
@@ -225,7 +227,8 @@ void ReadScene(Tokenizer& tokens, std::string_view, Statement& into) {
   into.scene = std::string(name->text);
 }
 
-// A statement begins with one of these words, and its reader reads the rest of the line.
+// A statement begins with one of these words, and its reader reads the rest of the line. The word is
+// given to the reader, since several words share one.
 struct StatementForm {
   std::string_view token;
   void (*read)(Tokenizer&, std::string_view token, Statement&);
@@ -253,6 +256,7 @@ bool ReadStatement(Tokenizer& tokens, Statement& into) {
   if (form == kForms.end())
     tokens.Complain(token->column,
                     fmt::format("unknown word \"{}\"; expected {}", token->text, kStatementWords));
+  // The word itself was read: the reader goes on behind it.
   else
     form->read(tokens, token->text, into);
   return !tokens.bad();

@@ -16,7 +16,7 @@ struct Step {
   OperatorAction action;
 };
 
-// One line: its times and exactly one of the others.
+// One line: its times and exactly one of the others. A reader that finds a fault leaves it half filled.
 struct Statement {
   std::optional<Duration> at;
   std::optional<Duration> over;
@@ -25,7 +25,8 @@ struct Statement {
   std::optional<std::string> scene;
 };
 
-// Reads from the statement's first word to its last one. False: a problem was added to the tokenizer's.
+// Reads from the statement's first word to its last one, without the times before and behind it. False:
+// a problem was added to the tokenizer's. Words are checked against the devices' own ranges.
 bool ReadStatement(Tokenizer& tokens, Statement& into);
 
 }  // namespace kaori::sim

@@ -9,7 +9,8 @@ namespace kaori::sim {
 namespace {
 
 constexpr double kLongestTime_s = 24 * 60 * 60;
-constexpr std::size_t kLongestLine_bytes = 1000;  // Nobody writes more, and looking at it takes long.
+// Nobody writes more, and looking for columns takes time with the square of the length.
+constexpr std::size_t kLongestLine_bytes = 1000;
 
 // Columns count characters: a byte of the form 10xxxxxx goes on with the one before it.
 int ColumnAt(std::string_view line, std::size_t byte) {
@@ -23,6 +24,7 @@ bool IsSpace(char c) {
 }
 
 // The whole text as a number; a sign before it is free. Infinities are none.
+// Independent of the locale, as strtod is not.
 std::optional<double> WholeNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;

@@ -17,18 +17,22 @@ struct Problem {
   std::string what;
 };
 
+// A word of a line; it points into the line.
 struct Token {
   std::string_view text;  // Without its quotes.
   int column = 0;
 };
 
-// Reads the words of one line; a comment begins with #, quotes hold spaces. After the first problem of a line
-// every question gets no answer, so that a line complains once.
+// Reads the words of one line; a comment begins with #, quotes hold spaces. After the first problem of a
+// line every question gets no answer, so that a line complains once. A reader need not check each answer
+// for that reason: it asks on, and `bad` tells in the end. One line, one tokenizer.
 class Tokenizer {
  public:
-  // Borrows the line and the problems.
+  // Splits the line into words. Borrows the line and the problems, which must outlive
+  // it. `number` is the line's, from 1.
   Tokenizer(std::string_view line, int number, std::vector<Problem>& problems);
 
+  // No more words, or no more use in asking.
   bool AtEnd() const { return bad_ || next_ >= tokens_.size(); }
   bool bad() const { return bad_; }
   // Whether the next word is `word`; goes on to the one behind it if so.
@@ -37,20 +41,23 @@ class Tokenizer {
   // Whether the next word begins as a number does.
   bool NumberFollows() const;
 
-  // The next word. `expected` says what should be there: "a number of turns".
+  // The next word; nothing at the line's end, which is a problem then. `expected` says what
+  // should be there: "a number of turns".
   std::optional<Token> Next(std::string_view expected);
-  // A decimal number from `low` to `high`.
+  // A decimal number from `low` to `high`, both included; anything else is a problem.
   std::optional<double> Number(std::string_view expected, double low, double high);
   // The number of a thing, from 1 to `last`; else the problem is such as "no dial 9; dials are 1 to 8".
   std::optional<int> Numbered(std::string_view thing, int last);
-  std::optional<Duration> TimeSpan();  // 2.5s or 800ms.
+  // 2.5s or 800ms, from 0 to 24 hours, rounded to nanoseconds; anything else is a problem.
+  std::optional<Duration> TimeSpan();
 
-  // Adds a problem of this line, unless it has one.
+  // Adds a problem of this line, unless it has one: the first is the cause of the others.
   void Complain(int column, std::string what);
   int last_column() const { return last_column_; }  // Of the word that was read last.
   int next_column() const;                          // Of the word to come, or of the line's end.
 
  private:
+  // Fills tokens_, or complains.
   void Split(std::string_view line);
 
   std::vector<Token> tokens_;

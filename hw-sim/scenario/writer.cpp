@@ -29,6 +29,7 @@ std::string ButtonVerb(Verb verb) {
 }
 
 std::string OnBox(const OperatorAction& action) {
+  // fmt gives the shortest decimals that read back as the same double.
   if (action.verb == Verb::kTurn) return fmt::format("dial {} turn {}", action.index + 1, action.a);
   return fmt::format("{} {}", ButtonVerb(action.verb), action.index + 1);
 }

@@ -7,12 +7,12 @@
 
 namespace kaori::sim {
 
-// One line, without its end: "at 2.5s over 800ms left move 0.25 0.05". Reading it gives the same action, to
-// the last bit of what reaches a report.
+// One line, without its end: "at 2.5s over 800ms left move 0.25 0.05". Reading it gives the same action,
+// to the last bit of what reaches a report. Pure.
 std::string WriteAction(const TimedAction& timed);
 std::string WriteBeat(const Beat& beat);
 
-// Everything by time, a line each.
+// Everything by time, a line each; a beat stands before the actions of its time. Pure.
 std::string WriteScenario(const Scenario& scenario);
 
 }  // namespace kaori::sim
