@@ -14,6 +14,8 @@
 namespace kaori::boot {
 namespace {
 
+// As much as the kernel reads ahead by itself for a file that is read in order: a larger piece would only
+// keep the disk from others for longer.
 constexpr std::size_t kPiece_bytes = std::size_t{128} << 10U;
 
 // 0 for what is no file.
@@ -35,6 +37,8 @@ bool Bring(int fd, std::size_t bytes) {
 
 }  // namespace
 
+// A file that would not fit is left out and later, smaller ones are still read: the list is in the order of
+// need. Opening does not wait for a pipe that the list might name (O_NONBLOCK).
 std::size_t ReadAhead(const char* list, std::size_t most_bytes) {
   const std::string text = ReadFile(list).value_or("");
   std::size_t bytes = 0;

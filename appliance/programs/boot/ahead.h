@@ -8,7 +8,8 @@ namespace kaori::boot {
 // Brings every file that `list` names, one path a line, in its order, into the kernel's memory; what is not
 // there is passed over, and so is a file with which it would be more than `most_bytes`. Blocks for the disk:
 // for a process of its own. No more than one piece of a file is asked of the disk at a time, so that what
-// other programs read does not wait behind a large file. Returns how many bytes were asked for.
+// other programs read does not wait behind a large file. Returns how many bytes were asked for. Nothing
+// fails: what cannot be read is read later, by whoever needs it.
 std::size_t ReadAhead(const char* list, std::size_t most_bytes);
 
 }  // namespace kaori::boot

@@ -18,6 +18,7 @@ namespace {
 constexpr std::uint32_t kConnected = 1;  // drm_mode_get_connector.connection: a screen is plugged in.
 constexpr std::uint32_t kBits = 32;      // A pixel, and a mask of possible CRTCs.
 
+// True where the kernel did it. Interrupted calls are made again, as libdrm's drmIoctl does.
 bool Ioctl(int fd, unsigned long request, void* argument) {
   int done = 0;
   do {
@@ -30,6 +31,7 @@ std::uint64_t AddressOf(const void* at) {
   return reinterpret_cast<std::uintptr_t>(at);
 }
 
+// Object ids of the card's CRTCs, in the order of the bits of possible_crtcs, and of its connectors.
 struct Resources {
   std::vector<std::uint32_t> crtcs, connectors;
 };
@@ -51,12 +53,15 @@ Resources ResourcesOf(int fd) {
   return resources;
 }
 
+// A screen: how it asks to be driven, and the ids of the encoders by which a CRTC can reach it.
 struct Connected {
   drm_mode_modeinfo mode{};
   std::vector<std::uint32_t> encoders;
 };
 
-// A screen's preferred mode and its encoders; none where no screen is plugged in.
+// A screen's preferred mode and its encoders; none where no screen is plugged in. The first call, which has
+// no room for modes, makes the kernel probe the screen: reading its EDID takes some tens of milliseconds. A
+// screen without a preferred mode gets its first.
 std::optional<Connected> ConnectedAt(int fd, std::uint32_t connector) {
   drm_mode_get_connector count{};
   count.connector_id = connector;
@@ -89,8 +94,9 @@ std::uint32_t PossibleCrtcs(int fd, const Connected& connected) {
   return possible;
 }
 
-// Makes a dumb buffer of a mode's size with the still on it, and returns its framebuffer. The kernel frees what a
-// failed step leaves behind when the card is closed.
+// Makes a dumb buffer of a mode's size with the still on it, and returns its framebuffer. The kernel frees
+// what a failed step leaves behind when the card is closed. 24 of the 32 bits are colour (XRGB8888). The
+// mapping is undone at once: the picture lies in the buffer.
 std::optional<std::uint32_t> MakeFramebuffer(int fd, const drm_mode_modeinfo& mode, const Still& still) {
   drm_mode_create_dumb made{};
   made.width = mode.hdisplay;
@@ -115,6 +121,7 @@ std::optional<std::uint32_t> MakeFramebuffer(int fd, const drm_mode_modeinfo& mo
   return framebuffer.fb_id;
 }
 
+// Mode setting of one CRTC for one screen, as before atomic modesetting: every KMS driver still has it.
 bool Show(int fd, std::uint32_t connector, const drm_mode_modeinfo& mode, const Splash& splash) {
   drm_mode_crtc set{};
   set.crtc_id = splash.crtc;
@@ -130,6 +137,8 @@ bool Show(int fd, std::uint32_t connector, const drm_mode_modeinfo& mode, const 
 
 Card::Card(const char* path) : fd_(::open(path, O_RDWR | O_CLOEXEC)) {}
 
+// Each screen gets the first free CRTC that can drive it. A matching over all screens could serve one more on
+// some cards; the stage does that, and a screen that stays dark for two seconds is no harm.
 std::vector<Splash> Card::ShowOnAll(const Still& still) const {
   std::vector<Splash> shown;
   const Resources resources = ResourcesOf(fd_.get());

@@ -10,7 +10,8 @@
 
 namespace kaori::boot {
 
-// One screen that shows the boot splash: the CRTC that scans out, and the framebuffer.
+// One screen that shows the boot splash: the CRTC that scans out, and the framebuffer. Both are ids of KMS
+// objects, and hold as long as the card's file is open.
 struct Splash {
   std::uint32_t crtc = 0;
   std::uint32_t framebuffer = 0;
@@ -20,7 +21,8 @@ struct Splash {
 // program shows its own. One thread; every call blocks for the kernel's mode setting only.
 class Card {
  public:
-  // Opens `path`; where that fails every other call does nothing.
+  // Opens `path`; where that fails every other call does nothing. The first program that opens a card is its
+  // DRM master, without which no mode can be set.
   explicit Card(const char* path);
 
   // Shows `still` on every screen that is plugged in, in the mode that the screen prefers. A screen for which any
@@ -30,7 +32,8 @@ class Card {
   // Gives up DRM master, so that the next program that opens the card becomes it. The pictures stay until then.
   void DropMaster() const;
 
-  // Whether any of the pictures is still scanned out.
+  // Whether any of the pictures is still scanned out. False as soon as another program shows a framebuffer of
+  // its own on all of their CRTCs. Needs no DRM master.
   bool IsShown(const std::vector<Splash>& pictures) const;
 
  private:

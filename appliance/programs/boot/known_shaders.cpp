@@ -18,12 +18,15 @@
 namespace kaori::boot {
 namespace {
 
+// A name is a SHA-1. The layout of the file is that of Mesa's src/util/disk_cache.c (CACHE_INDEX_MAX_KEYS,
+// and CACHE_KEY_SIZE of 20): 8 bytes for the size of the cache, then the keys.
 constexpr std::size_t kName_bytes = 20;
 constexpr std::size_t kHead_bytes = 8;
 constexpr std::size_t kPlaces = std::size_t{1} << 16U;
 
 using Name = std::array<char, kName_bytes>;
 
+// Nothing for a line that is not 40 hexadecimal digits.
 std::optional<Name> ParseName(std::string_view digits) {
   if (digits.size() != 2 * kName_bytes) return std::nullopt;
   Name name{};
@@ -36,6 +39,8 @@ std::optional<Name> ParseName(std::string_view digits) {
   return name;
 }
 
+// Where Mesa looks for a name: its first 16 bits are its place, so that of two names with the same bits only
+// one is known.
 off_t OffsetOf(const Name& name) {
   const std::size_t place =
       static_cast<std::uint8_t>(name[0]) | std::size_t{static_cast<std::uint8_t>(name[1])} << 8U;
@@ -50,6 +55,7 @@ std::string_view CutLine(std::string_view& text) {
   return line;
 }
 
+// The list is ours, but a folder that leaves the root would be written to by process 1.
 bool IsBelowRoot(std::string_view folder) {
   return !folder.empty() && folder.front() != '/' && folder.find("..") == std::string_view::npos;
 }

@@ -68,7 +68,8 @@ std::span<const std::uint8_t> Map(const char* path, std::size_t most = SIZE_MAX)
   return {static_cast<const std::uint8_t*>(at), bytes};
 }
 
-// Two ends by which one process tells another that it has come so far: it closes `write_end`.
+// Two ends by which one process tells another that it has come so far: it closes `write_end`. A process that
+// dies closes its ends too, so that nobody waits for it.
 struct Pipe {
   UniqueFd read_end, write_end;
 };
@@ -79,6 +80,7 @@ std::optional<Pipe> MakePipe() {
   return Pipe{UniqueFd(ends[0]), UniqueFd(ends[1])};
 }
 
+// Returns when the other end is closed, or after `longest_ms`: the start of the box waits for nothing without a limit.
 void AwaitClose(const UniqueFd& read_end, int longest_ms) {
   pollfd closed{.fd = read_end.get(), .events = POLLIN, .revents = 0};
   ::poll(&closed, 1, longest_ms);
@@ -122,7 +124,8 @@ void GiveCards() {
 // What it reported, for whoever reads the box's status.
 std::string g_faults;
 
-// Writes to the kernel's log, as a warning, which the journal reads. Nothing of it comes to the show's screens.
+// Writes to the kernel's log, as a warning, which the journal reads. Nothing of it comes to the show's
+// screens. There is no journal yet. One write is one record of /dev/kmsg, and "<4>" is its severity.
 void Report(const std::string& line) {
   g_faults += line + "\n";
   const std::string record = "<4>kaori-boot: " + line + "\n";
@@ -132,7 +135,8 @@ void Report(const std::string& line) {
 
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
 
-// Mounts what a show keeps. Where this fails systemd tries once more, and the show plays without.
+// Mounts what a show keeps. Where this fails systemd tries once more, and the show plays without. /proc and
+// /sys come first: the partition is looked for in the latter. systemd finds both mounted.
 void MountData() {
   ::mount("proc", "/proc", "proc", kPlainMount, nullptr);
   ::mount("sysfs", "/sys", "sysfs", kPlainMount, nullptr);
@@ -153,6 +157,7 @@ void StartReadingAhead() {
   ::_exit(0);
 }
 
+// One setting as a file of its name in kProfiles. WriteWholeFile wants /proc, which is mounted by now.
 void WriteSetting(const std::string& name, std::string_view text) {
   constexpr unsigned kReadOnly = 0444;
   const std::string file = std::string(kProfiles) + "/" + name;
@@ -211,6 +216,7 @@ int Refuse(int argc, char** argv) {
 
 }  // namespace
 
+// Where systemd cannot be executed the kernel panics, which is what happens to a box without an init in any case.
 int main(int argc, char** argv) {
   if (::getpid() != kFirstProcess) return Refuse(argc, argv);
   Boot();

@@ -21,6 +21,7 @@ std::string_view Trim(std::string_view words) {
   return words.substr(first, words.find_last_not_of(kBlank) - first + 1);
 }
 
+// A # within quotes is part of the text. Quotes cannot be escaped in the values that we take.
 std::string_view WithoutComment(std::string_view line) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -34,6 +35,7 @@ bool IsQuoted(std::string_view value) {
   return value.size() >= 2 && value.front() == '"' && value.back() == '"';
 }
 
+// Each Parse function gives what is wrong with the value, in words that follow on "line N: ", or nothing.
 std::string ParseProfileName(std::string_view value, std::string& name) {
   if (!IsQuoted(value)) return "expected a value in quotes";
   const auto wanted = value.substr(1, value.size() - 2);
@@ -48,7 +50,8 @@ bool IsOfScreenName(char letter) {
          (letter >= '0' && letter <= '9');
 }
 
-// Sockets of a card have short names; what has none of that kind is a slip of somebody's hand.
+// Sockets of a card have short names; what has none of that kind is a slip of somebody's hand. A number
+// counts from 1 and has no leading zero.
 std::string ParseScreen(std::string_view value, std::string& screen) {
   constexpr std::size_t kLongestName = 32, kLongestNumber = 2;
   const auto wanted = IsQuoted(value) ? value.substr(1, value.size() - 2) : value;
@@ -61,7 +64,9 @@ std::string ParseScreen(std::string_view value, std::string& screen) {
   return {};
 }
 
-// Reads line by line; the first fault is the last thing it reads.
+// Reads line by line; the first fault is the last thing it reads. Not a TOML parser: process 1 needs a
+// handful of lines and must not fail in a library. What it takes is a part of TOML, and sections that are not
+// its own may hold anything.
 class Reading {
  public:
   void Parse(std::string_view line) {
@@ -73,6 +78,7 @@ class Reading {
     if (!section_.empty()) wired_at_ = number_;
   }
   bool ended() const { return !profile_.fault.empty(); }
+  // The wiring is judged as a whole, at the line of [lines] that was read last.
   Profile End() {
     const auto wrong = CheckWiring(profile_.wiring);
     if (!ended() && !wrong.empty()) {
@@ -118,6 +124,8 @@ Profile ReadProfile(std::string_view text) {
   return reading.End();
 }
 
+// A file that cannot be read at all (its message names it) counts as faulty; one that is missing stands for
+// the usual profile.
 Profile ChooseProfile(const fs::path& folder) {
   const fs::path file = folder / "box.toml";
   const fs::path last_good = folder / "box.last-good.toml";

@@ -10,12 +10,12 @@
 namespace kaori::boot {
 
 // The settings file is TOML that people write. Before its first [section] it may say:
-//   profile = "stage"   hands, cameras and sound; what is plugged in for anything else stays unauthorised
+//   profile = "stage"   operators' devices, cameras and sound; what is plugged in for anything else stays
+//                       unauthorised
 //             "kiosk"   the same without keyboards: visitors stand before the box
 //             "bench"   everything
 //   status_screen = "HDMI-A-2", or = 2   the screen that says how the box does, by its name or its number;
-//   wherever
-//             it is the only one it is the show's
+//                       where it is the only one it is the show's
 // and in the section [lines] what ParseWire takes. Other sections are others' business.
 struct Profile {
   std::string name = "stage";
@@ -24,11 +24,13 @@ struct Profile {
   std::string fault{};          // One line that names file and line; empty: none.
 };
 
-// Reads the words of a settings file. With a fault all else is the usual.
+// Reads the words of a settings file. With a fault all else is the usual. Pure. The fault says "line N:
+// reason"; ChooseProfile adds the file's name.
 Profile ReadProfile(std::string_view text);
 
-// Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one is left
-// as it is: then the last good one counts, and the fault is named. Where there is none the usual profile counts.
+// Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one
+// is left as it is: then the last good one counts, and the fault is named. Where there is none the usual
+// profile counts. Blocks for the disk. Nothing of it fails: a box with a bad settings file starts.
 Profile ChooseProfile(const std::filesystem::path& folder);
 
 }  // namespace kaori::boot

@@ -6,6 +6,8 @@
 namespace kaori::boot {
 namespace {
 
+// A dm-verity table (kernel's Documentation/admin-guide/device-mapper/verity.rst) says "verity", then
+// versions, devices and sizes, the digest's name, and the root hash.
 constexpr std::string_view kTable = " verity ";
 constexpr std::string_view kDigest = " sha256 ";  // The hash follows.
 constexpr std::size_t kDigits = 64;
@@ -16,6 +18,7 @@ bool IsDigit(char letter) {
 
 }  // namespace
 
+// Whether the kernel really checks by this hash is not known here: the status shows what it was told.
 std::string RootHashOf(std::string_view command_line) {
   const auto table = command_line.find(kTable);
   const auto digest = table == std::string_view::npos ? table : command_line.find(kDigest, table);

@@ -7,7 +7,7 @@
 namespace kaori::boot {
 
 // The hash in the dm-verity table of a kernel's command line (dm-mod.create=...): 64 digits; empty where
-// there is none.
+// there is none. Pure.
 std::string RootHashOf(std::string_view command_line);
 
 }  // namespace kaori::boot

@@ -9,6 +9,7 @@
 namespace kaori::boot {
 namespace {
 
+// More than any screen; it keeps the sizes below within 64 bits.
 constexpr int kLongestSide_px = 8192;
 constexpr int kColours = 3;
 
@@ -46,7 +47,9 @@ struct Between {
   int first = 0, second = 0, share = 0;
 };
 
-// Where the middle of pixel `at` of `to` lies among `from` pixels that become `stretched`, in the middle of it.
+// Where the middle of pixel `at` of a screen `to` pixels wide lies among `from` pixels of the still, which
+// become `stretched` pixels on the screen, in its middle. Whole numbers in 1/256 of a pixel, so that the
+// picture is the same on every machine.
 Between Place(int at, int to, int from, int stretched) {
   const std::int64_t twice = 2 * std::int64_t{at} + 1 - to + stretched;  // Of half a stretched pixel.
   const std::int64_t place = twice * from * 128 / stretched - 128;       // Of 1/256 of a pixel of the still.
@@ -55,10 +58,12 @@ Between Place(int at, int to, int from, int stretched) {
   return {first, std::min(first + 1, from - 1), static_cast<int>(within % 256)};
 }
 
+// 256 times the mean, so that two of them give 65536 times it: LayRow shifts by 16 bits.
 int Mix(int a, int b, int share) {
   return a * (256 - share) + b * share;
 }
 
+// Bilinear. The screen wants blue first and an unused fourth byte.
 void LayRow(const Still& still, const Between& rows, std::span<const Between> columns, std::uint8_t* to) {
   const auto row = [&](int y) {
     return still.rgb.data() +
@@ -94,6 +99,7 @@ std::optional<Still> ReadStill(std::span<const std::uint8_t> file) {
   return still;
 }
 
+// The stage will not resume a face of another show, so that the splash must not show it either.
 std::optional<Still> ReadLastStill(std::span<const std::uint8_t> file,
                                    std::span<const std::uint8_t> pack_begin) {
   const auto face = wire::ReadLastFace(file);
@@ -101,6 +107,7 @@ std::optional<Still> ReadLastStill(std::span<const std::uint8_t> file,
   return ReadStill(face->picture);
 }
 
+// Columns are worked out once for all rows. Places outside of the still are those of its edge.
 void LayStill(const Still& still, const ScreenMemory& screen) {
   const auto stretched_px = static_cast<int>(
       std::max<std::int64_t>(std::int64_t{still.width_px} * screen.height_px / still.height_px, 1));

@@ -24,7 +24,8 @@ std::optional<Still> ReadStill(std::span<const std::uint8_t> file);
 std::optional<Still> ReadLastStill(std::span<const std::uint8_t> file,
                                    std::span<const std::uint8_t> pack_begin);
 
-// A screen's memory: rows of 4 bytes a pixel (blue, green, red, nothing), `pitch_bytes` apart.
+// A screen's memory: rows of 4 bytes a pixel (blue, green, red, nothing), `pitch_bytes` apart. Borrowed; the
+// memory of a dumb buffer is slow to read and is only written.
 struct ScreenMemory {
   std::uint8_t* bytes = nullptr;
   int width_px = 0;
@@ -33,7 +34,8 @@ struct ScreenMemory {
 };
 
 // Fills the screen: the still's height becomes the screen's, its middle stays in the middle, and where the
-// screen is wider its edges go on. Smooth.
+// screen is wider its edges go on. Smooth. Bilinear; on a screen that is narrower than the still its sides
+// are cut off. Allocates a few bytes for each column.
 void LayStill(const Still& still, const ScreenMemory& screen);
 
 }  // namespace kaori::boot

@@ -15,6 +15,8 @@ std::optional<std::string_view> Unquoted(std::string_view value) {
   return value.substr(1, value.size() - 2);
 }
 
+// The letters that chips of the kernel have in their labels. The text goes into an environment file of
+// systemd, so that quotes and blanks are kept out.
 bool IsLabel(std::string_view text) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; };
   return !text.empty() && text.size() <= kLongestLabel && std::ranges::all_of(text, fits);
@@ -29,6 +31,7 @@ std::string ParseChip(std::string_view value, std::string& chip) {
 
 }  // namespace
 
+// A line may be set twice: the last word counts, as the default is set before the file is read.
 std::string ParseWire(std::string_view key, std::string_view value, Wiring& wiring) {
   if (key == "chip") return ParseChip(value, wiring.chip);
   const auto name = std::ranges::find(kLineNames, key);

@@ -8,8 +8,10 @@
 
 namespace kaori::boot {
 
+// What a line can be. kaori-input knows the same names (input/line_roles.h); the two programs share no code.
 inline constexpr std::array<std::string_view, 5> kLineNames{"go", "blackout", "service", "presence", "tally"};
 
+// The default is the box's own USB bridge with all five lines in order.
 struct Wiring {
   std::string chip = "cp2112_gpio";  // Its label.
   // The chip's line for each of kLineNames; nothing: not wired.

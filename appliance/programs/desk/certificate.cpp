@@ -16,9 +16,14 @@ namespace kaori::desk {
 namespace {
 
 constexpr std::int64_t kDay_s = 86'400;
-constexpr std::int64_t kFirst_s = 1'767'225'600;  // 2026-01-01: no box is older.
-constexpr std::int64_t kLasts_s = 825 * kDay_s;   // What browsers let a certificate last at most.
+// 2026-01-01: no box is older. A box without a battery for its clock starts in 1970, and a certificate of
+// that time would be refused by every browser.
+constexpr std::int64_t kFirst_s = 1'767'225'600;
+// What browsers let a certificate last at most. One that ends within a month is renewed at the next start, so
+// that it does not end in the middle of a run of shows.
+constexpr std::int64_t kLasts_s = 825 * kDay_s;
 constexpr std::int64_t kRenew_s = 30 * kDay_s;
+// Key and certificate take about 1 KB together.
 constexpr std::size_t kMaxPem_bytes = 65536;
 constexpr std::string_view kBegin = "-----BEGIN CERTIFICATE-----";
 
@@ -41,12 +46,14 @@ Crt NewCertificate() {
   return gnutls_x509_crt_init(&crt) < 0 ? nullptr : Crt(crt);
 }
 
+// Copies what gnutls has allocated, and frees it.
 std::string Release(const gnutls_datum_t& datum) {
   std::string text(reinterpret_cast<const char*>(datum.data), datum.size);
   gnutls_free(datum.data);
   return text;
 }
 
+// The first four bytes of the SHA-256 of the certificate's DER form, as browsers show it; 0 where it cannot be made.
 std::uint32_t MarkOf(gnutls_x509_crt_t crt) {
   std::array<std::uint8_t, 32> sum{};
   std::size_t size = sum.size();
@@ -54,7 +61,8 @@ std::uint32_t MarkOf(gnutls_x509_crt_t crt) {
   return std::uint32_t{sum[0]} << 24 | std::uint32_t{sum[1]} << 16 | std::uint32_t{sum[2]} << 8 | sum[3];
 }
 
-// Nothing where it is none, or not valid for long any more.
+// The stored key and certificate; nothing where it is none, or not valid for long any more. That the two
+// belong together is not checked: the server refuses them if not.
 std::optional<OwnCertificate> Read(const std::string& text, std::int64_t now_s) {
   const auto at = text.find(kBegin);
   const Crt crt = NewCertificate();
@@ -73,6 +81,8 @@ std::optional<OwnCertificate> Read(const std::string& text, std::int64_t now_s) 
   return own;
 }
 
+// Browsers look at the alternative names only (RFC 6125): the host's names, the loopback, and the address
+// that the box has now. A box whose address has changed shows a certificate that does not name it.
 bool Name(gnutls_x509_crt_t crt, const CertificateOptions& options) {
   const char* wrong = nullptr;
   bool ok = gnutls_x509_crt_set_dn(crt, "CN=Kaori box", &wrong) >= 0;
@@ -90,6 +100,8 @@ bool Name(gnutls_x509_crt_t crt, const CertificateOptions& options) {
   return ok;
 }
 
+// Signed by itself, version 3 of X.509. It begins a day early, for visitors whose clock is behind. The serial
+// number is random, as CAs do it, so that no browser sees two certificates of one issuer under one number.
 bool Fill(gnutls_x509_crt_t crt, gnutls_x509_privkey_t key, const CertificateOptions& options) {
   std::array<std::uint8_t, 16> serial;
   FillWithKernelRandom(serial);
@@ -105,7 +117,8 @@ bool Fill(gnutls_x509_crt_t crt, gnutls_x509_privkey_t key, const CertificateOpt
          gnutls_x509_crt_sign2(crt, crt, key, GNUTLS_DIG_SHA256, 0) >= 0;
 }
 
-// Makes a key and a certificate, and returns the PEM of both, the key first.
+// Makes a key and a certificate, and returns the PEM of both, the key first. A key on the curve P-256, which
+// every browser takes and which is made in milliseconds.
 Result<std::string> Make(const CertificateOptions& options) {
   const Key key = NewKey();
   const Crt crt = NewCertificate();
@@ -123,6 +136,7 @@ Result<std::string> Make(const CertificateOptions& options) {
 
 }  // namespace
 
+// A file that cannot be read is logged and replaced: without its certificate the desk could not be used at all.
 Result<OwnCertificate> LoadOrMakeCertificate(const std::filesystem::path& folder,
                                              const CertificateOptions& options) {
   const std::filesystem::path file = folder / "desk.pem";

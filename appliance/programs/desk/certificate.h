@@ -1,4 +1,5 @@
-// The box's own certificate for HTTPS, which it makes at the first start and keeps.
+// The box's own certificate for HTTPS, which it makes at the first start and keeps. No authority signs it. A
+// visitor trusts it by comparing the fingerprint that the box's screen shows with the one that the browser shows.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +14,11 @@ namespace kaori::desk {
 
 struct OwnCertificate {
   web::Certificate pem;
-  std::uint32_t fingerprint =
-      0;  // The first four bytes of its SHA-256, big-endian, which people compare on two screens.
+  // The first four bytes of its SHA-256, big-endian, which people compare on two screens.
+  std::uint32_t fingerprint = 0;
 };
 
+// What a new certificate is made for; a stored one is not compared with it.
 struct CertificateOptions {
   std::vector<std::string> names;
   std::uint32_t address = 0;  // IPv4, as OwnAddress() gives it.

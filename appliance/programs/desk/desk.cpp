@@ -17,10 +17,12 @@ using web::Request;
 
 constexpr unsigned kMaxConnections = 64;
 constexpr unsigned kMaxOfOneAddress = 24;  // A browser opens six; one host must not keep the others out.
+// A page draws the mouth from the states: 16 a second look continuous.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(60);
 // An unchanged state is sent this often, since listeners that are gone are noticed only when something is sent.
 constexpr Duration kKeepAlive = std::chrono::seconds(1);
 constexpr Duration kCodePeriod = std::chrono::seconds(1);
+// Of the JPEG, 0 to 100: paint and skin stay apart.
 constexpr int kQuality = 80;
 
 constexpr const char* kText = "text/plain; charset=utf-8";
@@ -36,6 +38,7 @@ std::string PicturePart(std::string_view jpeg) {
                      kBoundary);
 }
 
+// The session in a Cookie header, empty where there is none. A cookie whose name only ends like ours is another one.
 std::string SessionIn(std::string_view cookies) {
   const auto at = cookies.find(kCookie);
   if (at == std::string_view::npos || (at > 0 && cookies[at - 1] != ' ' && cookies[at - 1] != ';')) return {};
@@ -43,6 +46,7 @@ std::string SessionIn(std::string_view cookies) {
   return std::string(cookies.substr(0, cookies.find(';')));
 }
 
+// HttpOnly keeps scripts from it, SameSite=Strict other sites, and Secure plain HTTP.
 std::string CookieOf(const std::string& session, bool secure) {
   return fmt::format("{}{}; Path=/; HttpOnly; SameSite=Strict{}", kCookie, session, secure ? "; Secure" : "");
 }
@@ -53,6 +57,7 @@ Reply NotFound(const std::string& path) {
 
 }  // namespace
 
+// The address is asked once: a desk on a box that gets another address has to be started anew.
 Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::Desk> writer,
            const Clock& clock)
     : options_(std::move(options)),
@@ -67,6 +72,8 @@ Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::
   address_ = options_.reach == web::Reach::kNetwork ? OwnAddress() : 0x7F000001U;
 }
 
+// The section is acquired first, so that a second desk on one board fails before it takes a port. The server
+// calls back into the desk, which therefore lies on the heap and does not move.
 Result<std::unique_ptr<Desk>> Desk::Open(DeskOptions options, const board::Board& board, EventLoop& loop,
                                          const Clock& clock) {
   auto writer = board.AcquireWriter<board::Desk>();
@@ -92,6 +99,7 @@ std::string Desk::address() const {
                      address_ >> 16 & 255U, address_ >> 8 & 255U, address_ & 255U, server_->port());
 }
 
+// Feeds are dismissed here, between two runs of the server, and never from within a request that it is handling.
 void Desk::Step() {
   const Time now = clock_.now();
   lips_.Step(now);
@@ -120,6 +128,7 @@ void Desk::SendPictures(Time now) {
   }
 }
 
+// The text is compared, and not the values: what the page would draw alike is not sent again.
 void Desk::SendState(Time now) {
   if (now - state_at_ < kStatePeriod || !states_.awaited()) return;
   auto state = State();
@@ -154,6 +163,8 @@ void Desk::PublishCode(Time now) {
                 now, board::SourceState::kLive);
 }
 
+// Called by the server within Step, after the guard (origin_check.h). Before a visitor is paired there are
+// three things to have: the page's own files, /hello, and /pair.
 web::HttpServer::Answer Desk::Answer(const Request& request) {
   const bool posts = request.method == "POST";
   if (!posts && request.method != "GET" && request.method != "HEAD")
@@ -184,6 +195,7 @@ Reply Desk::Status() {
   return {200, "image/png", std::move(*png)};
 }
 
+// Null for any other path.
 web::Feed* Desk::FeedOf(const std::string& path) {
   if (path == "/events") return &states_;
   const auto* at = std::ranges::find(kPicturePaths, path);
@@ -202,11 +214,13 @@ Reply Desk::Page(const Request& request) {
   return reply;
 }
 
+// A page that is opened makes the box show its code again, for as long as Pairing says.
 Reply Desk::Hello(bool paired) {
   if (!paired) pairing_.RequestCode();
   return {200, kJson, fmt::format("{{\"paired\":{}}}\n", paired)};
 }
 
+// The answers are the page's protocol: 204 with a cookie, 403 for a wrong code, 429 while all codes are refused.
 Reply Desk::Pair(const Request& request) {
   std::string session;
   switch (pairing_.Try(request.body, session)) {
@@ -229,6 +243,8 @@ Reply Desk::EndSession(const Request& request) {
   return {204, kText, {}, CookieOf("", options_.certificate.has_value()) + "; Max-Age=0"};
 }
 
+// The body is a command of the lips' protocol without its number (lips/protocol). Pictures are asked for and
+// given back by the desk alone, so that a page cannot use up the slots.
 Reply Desk::ExecuteCommand(const Request& request) {
   const auto command = lips::ParseCommand("0 " + request.body);
   if (!command) return {400, kText, command.error().message() + "\n"};

@@ -1,4 +1,14 @@
-// The desk: a web page on which the lips are calibrated, before and between shows.
+// The desk: a web page on which the lips are calibrated, before and between shows. It is a program of its
+// own, since it talks to browsers of any visitor: whatever happens to it, stage, input and lips go on.
+//
+//   GET  /hello                 {"paired": bool}; shows the code where not paired
+//   POST /pair                  body: the six digits; 204 and a cookie, 403, or 429
+//   POST /do                    body: a command of lips/protocol without its number; {"number": n}
+//   POST /leave                 ends the session
+//   GET  /state, /events        state_json.h, once or as an event stream
+//   GET  /picture[/both|/mask]  the camera's picture as a stream of JPEG (multipart/x-mixed-replace)
+//   GET  /status.png            the status display
+//   GET  everything else        the files of the page, where there is one of this path
 #pragma once
 
 #include <array>
@@ -19,7 +29,9 @@
 
 namespace kaori::desk {
 
+// Without a certificate the desk serves plain HTTP, which is for tests.
 struct DeskOptions {
+  // 0 stands for any free port; Desk::address() then tells it.
   std::uint16_t port = 8443;  // 0: any free port.
   web::Reach reach = web::Reach::kNetwork;
   std::optional<web::Certificate> certificate{};
@@ -37,13 +49,15 @@ class Desk {
   static Result<std::unique_ptr<Desk>> Open(DeskOptions options, const board::Board& board, EventLoop& loop,
                                             const Clock& clock);
 
-  // Receives from the lips, sends to the pages and renews the code. Call it every 20 ms.
+  // Receives from the lips, sends to the pages and renews the code. Call it every 20 ms. It never blocks:
+  // sockets are non-blocking, and a browser that does not read loses pictures, not its turn.
   void Step();
 
   // The page's address, such as "https://192.168.0.1:8443/".
   std::string address() const;
 
   const Pairing& pairing() const { return pairing_; }
+  // Open connections of browsers, of 64 at most and 24 from one address.
   std::size_t connections() const { return server_->connections(); }
 
  private:
@@ -76,6 +90,8 @@ class Desk {
   std::string state_;
   Time state_at_{};
   Time code_at_{};
+  // A session has ended: its feeds cannot be told apart from those of others, so that all are closed and the
+  // pages of the rest connect again.
   bool dismiss_ = false;  // Feeds are to be closed at the next step.
   std::uint32_t address_ = 0;
   std::unique_ptr<web::HttpServer> server_;

@@ -10,6 +10,7 @@ namespace kaori::desk {
 namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(250);
+// The lips send pictures for two seconds after each request, so that a lost one costs nothing.
 constexpr Duration kRequestPeriod = std::chrono::milliseconds(500);
 constexpr int kPacketsAtOnce = 64;
 
@@ -28,6 +29,7 @@ void LipConnection::Connect(Time now) {
   request_at_ = {};
 }
 
+// A bounded number, so that lips which send without end do not keep the browsers waiting.
 void LipConnection::ReceivePackets() {
   for (int n = 0; n < kPacketsAtOnce && socket_.valid(); ++n) {
     std::array<std::uint8_t, lips::kMaxPacketBytes> bytes;
@@ -88,6 +90,7 @@ Result<void> LipConnection::SendNow(const lips::Command& command) {
   return SendPacket(socket_.get(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
+// The last picture stays for pages that still show it; the shared memory is given back.
 void LipConnection::Disconnect() {
   if (live()) LogWarning("the connection to the lips is closed");
   socket_.reset();

@@ -13,7 +13,9 @@
 
 namespace kaori::desk {
 
-// Used by one thread; nothing blocks. While the lips are gone it tries to connect four times a second.
+// Used by one thread; nothing blocks. While the lips are gone it tries to connect four times a second. The
+// protocol is in lips/protocol: text commands go out, reports and notes of pictures come in, and the pictures
+// themselves lie in shared memory, whose descriptor comes with the first packet.
 class LipConnection {
  public:
   explicit LipConnection(std::string path) : path_(std::move(path)) {}
@@ -21,7 +23,8 @@ class LipConnection {
   // Connects, and handles the packets that wait. Call it every 20 ms or sooner.
   void Step(Time now);
 
-  // Whether the lips answer, and their newest report, which is empty while they do not.
+  // Whether the lips answer, from the first report of a connection on until it ends; and their newest report,
+  // which is empty while they do not.
   bool live() const { return report_.has_value(); }
   const std::optional<lips::Report>& report() const { return report_; }
 
@@ -31,7 +34,8 @@ class LipConnection {
   //   resource_unavailable_try_again    the lips read too slowly; other errors are those of the socket
   Result<std::uint32_t> Send(lips::Command command);
 
-  // Requests pictures for the next two seconds. Call it as long as a visitor looks at them.
+  // Requests pictures for the next two seconds. Call it as long as a visitor looks at them. It sends at most
+  // two requests a second, however often it is called.
   void RequestPictures(Time now);
 
   struct Picture {
@@ -40,12 +44,14 @@ class LipConnection {
     int height_px = 0;
     std::vector<std::uint8_t> rgbp;  // R, G, B and paint of each pixel, top row first.
   };
+  // The newest picture, a copy of its own; it stays when the lips are gone. Valid until the next Step.
   const Picture& picture() const { return picture_; }
 
  private:
   void Connect(Time now);
   void ReceivePackets();
   bool Handle(std::span<const std::uint8_t> packet, UniqueFd descriptor);
+  // Copies a picture out of the shared memory and gives its slot back.
   void Copy(const lips::PictureNote& note);
   Result<void> SendNow(const lips::Command& command);
   void Disconnect();
@@ -55,6 +61,7 @@ class LipConnection {
   SharedMemory pictures_;
   std::optional<lips::Report> report_;
   Picture picture_;
+  // The number of the newest command; numbers go on from the highest that the lips have answered.
   std::uint32_t number_ = 0;
   Time retry_at_{};
   Time request_at_{};

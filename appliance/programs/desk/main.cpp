@@ -39,6 +39,7 @@ struct Settings {
   bool service = false, plain = false, local = false;
 };
 
+// On the box the data partition, on a developer's machine where such data belong (XDG base directories).
 std::filesystem::path FolderOf(const Settings& settings) {
   if (!settings.data.empty()) return settings.data;
   std::error_code none;
@@ -73,6 +74,7 @@ kaori::Result<void> AnnounceAddress(const std::string& file, const std::string& 
   return kaori::WriteWholeFile(file, {kaori::AsBytes(address + "\n")});
 }
 
+// READY=1 is told, and the address written, only when the port is open: a test that finds the file can connect.
 int Serve(const Settings& settings, kaori::EventLoop& loop) {
   auto options = OptionsOf(settings);
   if (!options) return kaori::ExitWithError(options.error());

@@ -13,7 +13,8 @@
 namespace kaori::desk {
 namespace {
 
-// The host without its port, such as ":8443"; empty where what follows the colon is no port.
+// The host in small letters without its port, such as ":8443"; empty where what follows the colon is no port.
+// Colons within the brackets of an IPv6 address are none of a port.
 std::string NameIn(std::string_view host) {
   const auto bracket = host.find(']');
   const auto colon = host.find(':', bracket == std::string_view::npos ? 0 : bracket);
@@ -24,6 +25,7 @@ std::string NameIn(std::string_view host) {
   return name;
 }
 
+// An address in digits cannot be rebound: only names are looked up in DNS.
 bool IsNumbers(const std::string& name) {
   in_addr four{};
   in6_addr six{};
@@ -37,6 +39,7 @@ bool IsOurs(std::string_view host, const OriginRules& rules) {
   return !name.empty() && (IsNumbers(name) || std::ranges::find(rules.names, name) != rules.names.end());
 }
 
+// Scheme, host and port all equal (RFC 6454).
 bool IsSameOrigin(std::string_view origin, std::string_view host, bool secure) {
   const std::string_view scheme = secure ? "https://" : "http://";
   return origin.starts_with(scheme) && origin.substr(scheme.size()) == host;
@@ -44,6 +47,8 @@ bool IsSameOrigin(std::string_view origin, std::string_view host, bool secure) {
 
 }  // namespace
 
+// A browser leaves Origin out of plain reads of its own page, so that an empty one is good for reads only.
+// Sec-Fetch-Site, where it is sent, settles the rest: "none" is an address that a person typed.
 std::optional<std::string> Refusal(const web::Visitor& visitor, const OriginRules& rules) {
   if (!IsOurs(visitor.host, rules)) return "the request names a host that is not an address of the box";
   const bool reads = visitor.method == "GET" || visitor.method == "HEAD";
@@ -65,6 +70,8 @@ std::vector<std::string> OwnNames() {
   return names;
 }
 
+// The first interface that is up and not the loopback, in the kernel's order. A box with several networks
+// shows one of its addresses; the others work as well.
 std::uint32_t OwnAddress() {
   ifaddrs* all = nullptr;
   if (::getifaddrs(&all) != 0) return INADDR_LOOPBACK;

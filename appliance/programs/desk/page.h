@@ -7,7 +7,8 @@
 
 namespace kaori::desk {
 
-// Returns the file of this path, or null where there is none.
+// Returns the file of this path, or null where there is none. The files are made into the program when it is
+// built, so that the desk reads nothing from the disk for a visitor; the pointer is valid for ever.
 const web::PageFile* FindPageFile(std::string_view path);
 
 }  // namespace kaori::desk

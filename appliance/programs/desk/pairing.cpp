@@ -9,6 +9,8 @@
 namespace kaori::desk {
 namespace {
 
+// Five tries a minute of a million codes that change every five minutes: who guesses all day has a chance of
+// less than one in a hundred. A visitor who reads the code from the screen needs one try.
 constexpr Duration kCodeLasts = std::chrono::minutes(5);
 constexpr Duration kShownFor = std::chrono::minutes(2);
 constexpr Duration kMinute = std::chrono::minutes(1);
@@ -16,9 +18,11 @@ constexpr Duration kSessionLasts = std::chrono::hours(8);
 constexpr std::size_t kMostTries = 5;
 constexpr std::size_t kMostSessions = 4;
 constexpr std::uint32_t kCodes = 1'000'000;
+// 256 random bits: a session cannot be guessed.
 constexpr std::size_t kNameBytes = 32;
 
-// Compares in a time that does not depend on where the two differ.
+// Compares in a time that does not depend on where the two differ. Otherwise the time of an answer would tell
+// how many digits are right. Lengths are no secret.
 bool SameText(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned differ = 0;
@@ -61,6 +65,8 @@ std::string Pairing::NewName() const {
   return name;
 }
 
+// A right code is refused too while tries are locked: otherwise guessing could go on. The code is renewed
+// once it was used, so that whoever saw it over a shoulder cannot use it again.
 Verdict Pairing::Try(std::string_view code, std::string& session) {
   Step();
   const Time now = clock_.now();
@@ -91,6 +97,7 @@ void Pairing::RequestCode() {
   shown_until_ = clock_.now() + kShownFor;
 }
 
+// Called by Try as well, so that a code that has run out is not accepted between two steps.
 bool Pairing::Step() {
   const Time now = clock_.now();
   std::erase_if(wrong_, [&](Time at) { return now - at >= kMinute; });

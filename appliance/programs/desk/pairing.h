@@ -13,6 +13,7 @@
 
 namespace kaori::desk {
 
+// What became of a code that was tried; kLocked: too many were wrong within the last minute.
 enum class Verdict : std::uint8_t { kAccepted, kWrongCode, kLocked };
 
 // A code is valid for five minutes and for one visitor; then there is another one. After five wrong codes
@@ -22,14 +23,18 @@ class Pairing {
  public:
   explicit Pairing(const Clock& clock, RandomBytes random_bytes = FillWithKernelRandom);
 
-  // Tries a code. If it is right, `session` is set to the name of a new session, 32 hexadecimal digits.
+  // Tries a code. If it is right, `session` is set to the name of a new session, 64 hexadecimal digits; else
+  // it is left as it is.
   Verdict Try(std::string_view code, std::string& session);
 
+  // Whether this session exists and has not run out. An empty name is none.
   bool Knows(std::string_view session) const;
+  // Ends it, if there is one of this name.
   void EndSession(std::string_view session);
   std::size_t sessions() const { return sessions_.size(); }
 
-  // Shows the code again, for a visitor without a session.
+  // Shows the code again, for a visitor without a session. It is shown for two minutes, and longer where
+  // nobody is authorised.
   void RequestCode();
 
   // Ends what has expired. Returns whether the code, or whether it is shown, changed since the last call.
@@ -37,8 +42,9 @@ class Pairing {
 
   // Whether the box shows the code: while there is no session, and for a while after RequestCode().
   bool shown() const;
-  std::uint32_t code() const { return code_; }  // 0 .. 999999.
-  Duration valid() const;                       // How much longer the code is valid.
+  // The code, 0 .. 999999; people see it with leading zeros.
+  std::uint32_t code() const { return code_; }
+  Duration valid() const;  // How much longer the code is valid.
 
  private:
   struct Session {

@@ -11,11 +11,13 @@
 namespace kaori::desk {
 namespace {
 
-// Rounded finer than the page draws, so that nearly equal states give equal text.
+// Rounded finer than the page draws, so that nearly equal states give equal text. Three digits are a
+// thousandth of a mouth's width.
 double Rounded(float value) {
   return std::round(static_cast<double>(value) * 1e3) / 1e3;
 }
 
+// What is seen (sizes, quality, age) and what the face makes of it (open, wide).
 json::Object MouthJson(const DeskFacts& facts) {
   const board::Lips& lips = facts.lips.value;
   const board::MouthPosition mouth = board::PositionOf(lips);
@@ -41,6 +43,7 @@ json::Object SettingsJson(const lips::Report& report) {
   return settings;
 }
 
+// The box is null where no mouth is seen, which the report says by an empty one.
 json::Object ReportJson(const lips::Report& report) {
   json::List done;
   for (int step = 0; step < lips::kStepCount; ++step)
@@ -96,6 +99,8 @@ std::string StateJson(const DeskFacts& facts) {
                    {"report", facts.report ? json::Value(ReportJson(*facts.report)) : json::Value()}});
 }
 
+// Entries come in any order, and a language that is not named has a weight of 0. On equal weights, as with no
+// header at all, the page is English.
 bool PrefersJapanese(std::string_view accept_language) {
   double japanese = 0, english = 0;
   while (!accept_language.empty()) {

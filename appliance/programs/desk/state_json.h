@@ -10,6 +10,7 @@
 
 namespace kaori::desk {
 
+// What a state is made of; `now` is the time at which ages are told.
 struct DeskFacts {
   board::Stamped<board::Lips> lips;
   board::Stamped<board::StageStatus> stage;
@@ -29,7 +30,7 @@ struct DeskFacts {
 // are when the picture that shows them is presented; the rest is lips::Report.
 std::string StateJson(const DeskFacts& facts);
 
-// Whether `accept_language`, the header as browsers send it, prefers Japanese to English.
+// Whether `accept_language`, the header as browsers send it, prefers Japanese to English. Pure; any text is safe.
 bool PrefersJapanese(std::string_view accept_language);
 
 }  // namespace kaori::desk

@@ -11,7 +11,8 @@ namespace kaori::desk {
 enum class View : std::uint8_t { kPlain, kBoth, kMask };
 inline constexpr std::size_t kViewCount = 3;
 
-// Converts pixels of R, G, B and paint to pixels of R, G, B and an unused byte. `rgbx` is resized.
+// Converts pixels of R, G, B and paint to pixels of R, G, B and an unused byte. `rgbx` is resized. A last
+// pixel that is not whole is left out. Pure.
 void Compose(View view, std::span<const std::uint8_t> rgbp, std::vector<std::uint8_t>& rgbx);
 
 }  // namespace kaori::desk

@@ -10,7 +10,8 @@ namespace {
 
 constexpr float kMillimetresPerMetre = 1000;
 
-// Short lines: the caption keeps to the left of the face.
+// Short lines: the caption keeps to the left of the face. They name what input.cpp reads; whoever changes a
+// key changes both.
 constexpr const char* kHelp[] = {"arrows choose   dials 2-6 pull", "M mirror  S smooth  Z undo  Y redo",
                                  "Backspace zero  C before  0 neutral",
                                  "P in play  Enter save  Shift: as new", "N name  Delete  Tab close  H less"};
@@ -35,11 +36,13 @@ std::string SpreadLine(const Session& session) {
   return line;
 }
 
+// What the work is called, or where it came from while it has no name.
 std::string NameOf(const Work& work) {
   if (!work.name.empty()) return work.name;
   return work.origin.empty() ? "new" : "new, from " + work.origin;
 }
 
+// A star marks work that is not saved, as editors do.
 std::string WorkLine(const Session& session, bool comparing) {
   if (comparing) return NameOf(session.work()) + ", as it was before";
   std::string line =
@@ -50,6 +53,7 @@ std::string WorkLine(const Session& session, bool comparing) {
 
 }  // namespace
 
+// What went wrong comes first. While a name is typed nothing else is said, since no other key means anything then.
 std::vector<std::string> CaptionLines(const CaptionFacts& facts) {
   std::vector<std::string> lines;
   if (!facts.trouble.empty()) lines.push_back("not on the disk: " + facts.trouble);

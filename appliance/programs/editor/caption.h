@@ -10,8 +10,11 @@
 
 namespace kaori::editor {
 
+// Borrowed for the call.
 struct CaptionFacts {
   const Session& session;
+  // The chosen control point; -1: none.
+  // The chosen control point; -1: none.
   int chosen = -1;
   const std::optional<Typing>& typing;
   bool comparing = false;
@@ -21,6 +24,7 @@ struct CaptionFacts {
   std::string trouble;  // With the disk; empty: none.
 };
 
+// The lines from top to bottom, in ASCII. Pure, and the same facts give the same lines; allocates.
 std::vector<std::string> CaptionLines(const CaptionFacts& facts);
 
 }  // namespace kaori::editor

@@ -10,6 +10,7 @@
 namespace kaori::editor {
 namespace {
 
+// In the folder of the own expressions: both belong to the box and survive an update of its system.
 constexpr const char* kJournalName = "needles.journal";
 
 std::vector<std::string> NamesOf(const face::Cast& cast) {
@@ -18,17 +19,20 @@ std::vector<std::string> NamesOf(const face::Cast& cast) {
   return names;
 }
 
+// As the cast holds expressions; of what no control point can say (a residual) the box's own have nothing.
 face::Expression ExpressionOf(const Work& work) {
   return {.name = work.name, .displacement = work.pulls_m, .lids = work.lids};
 }
 
-// A blank where a slot is empty.
+// A blank where a slot is empty. kSlots own expressions, then the draft: the painter allocates for all of
+// them when it is opened, and renewing one later changes numbers only.
 void Append(const Slots& slots, const Work& work, face::Cast& cast) {
   const Work blank{.pulls_m = std::vector<glm::vec3>(cast.net.points.size())};
   for (const auto& own : slots) cast.expressions.push_back(ExpressionOf(own ? *own : blank));
   cast.expressions.push_back(ExpressionOf(work));
 }
 
+// Undo works over a crash, since the session is led through the same changes again.
 void Replay(const std::vector<Record>& records, Session& session) {
   for (const Record& record : records) session.Replay(record.change, record.work);
   if (!session.unsaved()) return;
@@ -45,6 +49,8 @@ Result<void> MakeFolder(const std::filesystem::path& folder) {
   return {};
 }
 
+// Without a journal (no folder, a full disk, another editor on the same one) the editor works in memory and
+// says so in its caption.
 std::optional<Journal> ReadJournal(const std::filesystem::path& folder, Session& session,
                                    std::string& trouble) {
   auto opened = MakeFolder(folder).and_then(
@@ -70,6 +76,8 @@ struct ExpressionEditor::Kept {
   std::string trouble{};
 };
 
+// The names of the show are noted before the own expressions are appended: an own one may not have any of
+// them. An own expression may build on the show's, so that the store is read before the cast is changed.
 std::unique_ptr<ExpressionEditor> ExpressionEditor::Open(const std::filesystem::path& folder,
                                                          show::Show& show) {
   Kept kept{folder, Session(PointsOf(show.cast.net))};
@@ -94,6 +102,8 @@ ExpressionEditor::ExpressionEditor(Kept kept, const face::Cast& cast, std::vecto
 
 ExpressionEditor::~ExpressionEditor() = default;
 
+// On the box the folder is there and belongs to the stage's user; on a developer's machine it is where such
+// data belong (XDG base directories).
 std::filesystem::path UsualFolder() {
   const std::filesystem::path box = "/var/lib/kaori/own";
   std::error_code none;

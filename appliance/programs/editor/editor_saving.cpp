@@ -14,6 +14,7 @@ constexpr Duration kSure = std::chrono::seconds(3);  // Within which Delete is p
 
 }  // namespace
 
+// Work without a name asks for one first and is saved when it is typed.
 void ExpressionEditor::Save(bool as_new) {
   const Work& work = session_.work();
   if (as_new) return input_.AskForName(Typing::For::kSaveAsNew, "");
@@ -21,6 +22,8 @@ void ExpressionEditor::Save(bool as_new) {
   NameAndSave(work.name, false);
 }
 
+// The slot in memory is filled at once, so that its key calls the expression in the next frame; that it is on
+// the disk is told by an outcome later. A name that is refused is asked for again with what was typed.
 void ExpressionEditor::NameAndSave(const std::string& name, bool as_new) {
   const int own = as_new ? -1 : session_.work().slot;
   const auto purpose = as_new ? Typing::For::kSaveAsNew : Typing::For::kSave;
@@ -59,6 +62,7 @@ void ExpressionEditor::Delete(Time now) {
   Did(session_.Rename(work.name, -1));
 }
 
+// The work counts as saved only now, as it was when it was written: an author who pulled on meanwhile has unsaved work.
 void ExpressionEditor::HandleOutcomes() {
   for (const Outcome& outcome : writer_.DrainOutcomes()) {
     switch (outcome.kind) {

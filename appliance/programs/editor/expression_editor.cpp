@@ -19,7 +19,9 @@ constexpr float kShow_per_s = 4;    // The handles come and go in a quarter of a
 constexpr float kChange_s = 0.25F;  // An expression that opening or closing calls.
 constexpr Duration kMessage = 4s;   // How long a message stands.
 constexpr float kLongestStep_s = 0.1F;
-constexpr float kLeastYield = 0.25F;  // Skin that gives way further is not forced to follow a pointer.
+// Skin that gives way further is not forced to follow a pointer: the pull would be more than four times the
+// way of the pointer.
+constexpr float kLeastYield = 0.25F;
 constexpr glm::vec2 kPictureMiddle{0.5F, 0.5F};
 
 void CallWhole(performance::State& state, std::uint16_t expression, float fade_s) {
@@ -29,12 +31,15 @@ void CallWhole(performance::State& state, std::uint16_t expression, float fade_s
 
 }  // namespace
 
+// What the commands of one frame work on; it lives as long as Play runs.
 struct ExpressionEditor::Situation {
   const show::Show& show;
   performance::State& state;
   Time presented_at;
 };
 
+// Presses come before dials and pointer, and each is obeyed before the next one is read: what a press means
+// depends on what the one before it did. The draft is renewed once, after everything that can change it.
 const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, performance::InputEvents& events,
                                               const show::Show& show, performance::State& state,
                                               Time presented_at) {
@@ -62,6 +67,7 @@ bool ExpressionEditor::HandlePress(const performance::Press& press, Situation& n
   return !PlaysOn(press, now.show, was_typing || input_.typing());
 }
 
+// A closed editor gets two kinds of commands only: Tab, and the call of an own expression.
 void ExpressionEditor::Obey(const Command& command, Situation& now) {
   if (command.verb == Verb::kToggle) return open_ ? Leave(now) : Start(now);
   if (!open_) return CallOwn(command.index, now);

@@ -1,5 +1,7 @@
 // The expression editor: an author makes an expression on the box, while the show plays. For people its
-// handles, which stand on the face, are called needles.
+// handles, which stand on the face, are called needles. It stands between board and performance: stage.cpp
+// hands it the frame's events first, and what it uses the performance does not see. docs/needles.play and the
+// guide say how it is used.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +23,8 @@
 
 namespace kaori::editor {
 
-// One thread, that of the stage; the disk is left to another one.
+// One thread, that of the stage; the disk is left to another one. A frame goes through it in this order:
+// Play, renewed(), the performance, Describe, drawing, Look.
 class ExpressionEditor {
  public:
   // Appends the box's own expressions, and the one in work, to the show's cast: kSlots + 1 of them, empty or not,
@@ -49,14 +52,18 @@ class ExpressionEditor {
     std::uint16_t index = 0;
     const Work* work = nullptr;
   };
+  // `work` is borrowed from the editor and holds until the next Play.
   const std::vector<Renewed>& renewed() const { return renewed_; }
 
+  // Whether the author is at work; while it is false nothing but Tab and the keys of own expressions is the editor's.
   bool open() const { return open_; }
   const Session& session() const { return session_; }
+  // The control point that is pulled; -1: none.
   int chosen() const { return chosen_; }
   std::uint16_t draft() const {
     return static_cast<std::uint16_t>(first_ + kSlots);
   }  // The work's expression.
+  // The cast's index of an own expression, 0 .. kSlots - 1.
   std::uint16_t own(int slot) const { return static_cast<std::uint16_t>(first_ + slot); }
 
   // Waits until all that was asked for was written, or was refused. For tests and an orderly end.
@@ -98,18 +105,31 @@ class ExpressionEditor {
   HandlePicker picker_;
   EditorInput input_;
   bool open_ = false;
+  // How much of handles and caption is there, 0 .. 1 before smoothing.
+  // How much of handles and caption is there, 0 .. 1 before smoothing.
   float shown_ = 0;
+  // -1: none; the constructor chooses nothing.
   int chosen_ = -1;
   std::uint16_t in_play_ = 0;  // Before the editor was opened.
+  // The work is shown as it was before, while C is held.
+  // The work is shown as it was before, while C is held.
   bool compared_ = false;
   bool help_ = true;
+  // The work has changed since the cast's draft was renewed.
+  // The work has changed since the cast's draft was renewed.
   bool draft_outdated_ = false;
   Time now_{};
   std::string message_;
   Time message_until_{};
+  // Until then a second Delete deletes.
+  // Until then a second Delete deletes.
   Time delete_until_{};
+  // Why nothing is written to the disk; empty where it is.
+  // Why nothing is written to the disk; empty where it is.
   std::string trouble_;
   std::vector<Renewed> renewed_;
+  // The board without what the editor uses; Play gives it.
+  // The board without what the editor uses; Play gives it.
   board::Snapshot rest_;
   WorkWriter writer_;
 };

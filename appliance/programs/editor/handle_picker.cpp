@@ -16,6 +16,7 @@ constexpr float kWidest = 1.2F;    // Tangent of the angle within which a handle
 constexpr float kHead_m = 0.008F;  // As far as a handle stands out of the skin (render/passes/handles).
 constexpr float kLeastFlat = 1e-9F;  // A carrier with less volume than this turns no way into a pull.
 
+// One row of a sparse matrix times the values: where a control point lies on the face as it was drawn.
 glm::vec3 MeanAt(const face::SparseRows& rows, std::size_t row, std::span<const glm::vec3> values) {
   glm::vec3 sum{};
   for (auto i = rows.row_start[row]; i < rows.row_start[row + 1]; ++i)
@@ -33,6 +34,7 @@ float Away(glm::vec2 position, glm::vec2 root, glm::vec2 head) {
 
 }  // namespace
 
+// The frames carry a pull from the parameter space to each face (face::FitFrames); a face's gain scales it.
 HandlePicker::HandlePicker(const face::Cast& cast) : handles_(cast.net.points.size()) {
   for (const face::Face& face : cast.faces) {
     frames_.push_back(face::FitFrames(cast.net, face::PointsOnFace(cast.net, face.positions)));
@@ -40,6 +42,8 @@ HandlePicker::HandlePicker(const face::Cast& cast) : handles_(cast.net.points.si
   }
 }
 
+// Positions are scaled by the aspect, so that distances in the picture are the same in both directions. A
+// handle whose root faces away from the camera is not seen and cannot be chosen.
 void HandlePicker::Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene,
                         float aspect) {
   view_.emplace(scene, cast.neck_pivot, aspect);
@@ -55,6 +59,7 @@ void HandlePicker::Look(const face::Cast& cast, const face::Shape& shape, const 
   }
 }
 
+// The whole handle counts, from its root to its head.
 std::optional<std::size_t> HandlePicker::Nearest(glm::vec2 position) const {
   const glm::vec2 at = glm::vec2(position.x * 2 - 1, 1 - position.y * 2) * glm::vec2(aspect_, 1);
   std::optional<std::size_t> nearest;
@@ -68,6 +73,8 @@ std::optional<std::size_t> HandlePicker::Nearest(glm::vec2 position) const {
   return nearest;
 }
 
+// The cost of a handle is how far ahead it lies plus kAside times how far aside; those outside of a cone of
+// 50 degrees to each side do not lie in that direction.
 std::optional<std::size_t> HandlePicker::Next(std::size_t from, glm::vec2 direction) const {
   const float length = glm::length(direction);
   if (from >= handles_.size() || !(length > 0)) return std::nullopt;
@@ -87,6 +94,8 @@ std::optional<std::size_t> HandlePicker::Next(std::size_t from, glm::vec2 direct
   return next;
 }
 
+// The way in metres, in the plane of the picture at the handle's depth, is taken back through the carrier of the
+// faces that are shown: pull = carrier^-1 way. A carrier that is flat (a face of no size there) gives no pull.
 glm::vec3 HandlePicker::PullAlong(std::size_t handle, glm::vec2 step) const {
   if (!view_ || handle >= handles_.size()) return {};
   const glm::vec3 way_m = view_->AtDepthOf(handles_[handle].root_m, {2 * step.x, -2 * step.y});
@@ -100,7 +109,8 @@ glm::vec2 HandlePicker::position(std::size_t handle) const {
   return {(at.x + 1) / 2, (1 - at.y) / 2};
 }
 
-// What takes a pull to a way of the face that was seen: see face::Carry.
+// What takes a pull to a way of the face that was seen: see face::Carry. Of several faces in a fade it is
+// their weighted mean, since pulls are weighted the same way.
 glm::mat3 HandlePicker::CarrierOf(std::size_t handle) const {
   glm::mat3 carrier(0.0F);
   for (const face::Term& face : faces_) {

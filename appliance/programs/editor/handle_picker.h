@@ -20,7 +20,8 @@ class HandlePicker {
   // Fits a frame to each handle on each face: takes some milliseconds. The cast is not kept.
   explicit HandlePicker(const face::Cast& cast);
 
-  // The face as it was drawn. `aspect` is the picture's width over its height.
+  // The face as it was drawn. `aspect` is the picture's width over its height. To be called after each frame;
+  // it allocates nothing.
   void Look(const face::Cast& cast, const face::Shape& shape, const scene::Scene& scene, float aspect);
 
   // The visible handle that is nearest to a position of the picture (0..1 from the left top), if one is near
@@ -34,6 +35,8 @@ class HandlePicker {
   // down), in the plane of the picture.
   glm::vec3 PullAlong(std::size_t handle, glm::vec2 step) const;
 
+  // Whether the handle stands on the side of the face that is turned to the camera. `handle` is below the
+  // number of control points, here and above.
   bool seen(std::size_t handle) const { return handles_[handle].seen; }
   glm::vec2 position(std::size_t handle) const;  // In the picture, 0..1 from the left top.
 

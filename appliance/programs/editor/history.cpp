@@ -4,6 +4,7 @@
 
 namespace kaori::editor {
 
+// The first step is fresh, so that before() always has one to stop at.
 void History::Begin(Work work) {
   steps_.clear();
   steps_.push_back({std::move(work), true});
@@ -32,6 +33,7 @@ bool History::Redo() {
   return true;
 }
 
+// From the step at which the work was begun to the last one that belongs to it, those that were undone included.
 void History::Rename(const Work& like) {
   std::size_t end = at_ + 1;
   while (end < steps_.size() && !steps_[end].fresh) ++end;

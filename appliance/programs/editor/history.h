@@ -8,7 +8,8 @@
 
 namespace kaori::editor {
 
-// There is always a step: undoable() of them lie before it, redoable() after it.
+// There is always a step: undoable() of them lie before it, redoable() after it. Steps are held whole: a step
+// is some kilobytes, and an evening has hundreds of them. References that it gives hold until the next change.
 class History {
  public:
   // Forgets all and begins with `work`.
@@ -21,6 +22,7 @@ class History {
   // The newest step goes on.
   void Replace(Work work);
 
+  // Each goes one step back or forth.
   bool Undo();  // False: there is nothing to undo.
   bool Redo();  // False: there is nothing to redo.
 
@@ -35,6 +37,8 @@ class History {
  private:
   struct Step {
     Work work;
+    // It came from elsewhere, and is not the work of the steps before it.
+    // The work came from elsewhere, and not from the steps before it.
     bool fresh = false;
   };
   std::size_t Start() const;

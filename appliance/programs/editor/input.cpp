@@ -12,6 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+// A turn of a dial pulls by a centimetre, a notch of the wheel by half a millimetre.
 constexpr float kPullPerTurn_m = 0.010F;
 constexpr float kPullPerNotch_m = 0.0005F;
 constexpr float kScalePerTurn = 2;  // A turn doubles the expression, or halves it.
@@ -29,6 +30,7 @@ constexpr int kWheelGesture = 100, kDragGesture = 101;
 
 }  // namespace
 
+// By positions of a US keyboard: HID says keys, and the layout of the keyboard is not known.
 char TypedBy(std::uint8_t usage, bool shift) {
   if (usage >= key::kA && usage < key::k1) return static_cast<char>((shift ? 'A' : 'a') + (usage - key::kA));
   if (usage == key::k0) return '0';
@@ -36,6 +38,8 @@ char TypedBy(std::uint8_t usage, bool shift) {
   return usage == key::kMinus || usage == key::kSpace ? '_' : '\0';
 }
 
+// One call of ReadPress or ReadMotion: what it looks at, and the commands so far. `show` is null where no
+// press is read.
 struct EditorInput::Reading {
   const show::Show* show;
   bool open;
@@ -56,6 +60,8 @@ std::vector<Command> EditorInput::ReadPress(const performance::Press& press, con
   return std::move(reading.commands);
 }
 
+// Whether C is held is asked of the board and not of events, since it counts for as long as it is held. An
+// absent pointer has its default position, which is no movement.
 std::vector<Command> EditorInput::ReadMotion(const board::Snapshot& board,
                                              const performance::InputEvents& events, bool open, Time now) {
   Reading reading{nullptr, open, now};
@@ -81,6 +87,8 @@ void EditorInput::Go(Reading& reading, glm::vec2 direction) {
   EndGesture();  // Another handle, another step.
 }
 
+// A name that is typed has the keyboard to itself. Tab and Shift with a digit work while the editor is closed
+// too. Keys that are none of the editor's may call an expression of the show: it is begun with.
 void EditorInput::ReadKey(Reading& reading, const performance::Press& press) {
   const std::uint8_t usage = press.code;
   if (typing_) return Type(reading, press);
@@ -127,6 +135,7 @@ void EditorInput::ReadKey(Reading& reading, const performance::Press& press) {
       reading.Do(Verb::kBeginFrom, call.call.index);
 }
 
+// Letters beyond the longest name are left out, so that what stands there is what will be saved.
 void EditorInput::Type(Reading& reading, const performance::Press& press) {
   const std::uint8_t usage = press.code;
   std::string& text = typing_->text;
@@ -146,6 +155,8 @@ void EditorInput::Type(Reading& reading, const performance::Press& press) {
   if (typed != '\0' && text.size() < kLongestName) text += typed;
 }
 
+// The first three dials of kEditorDials pull along u, v and outwards; the fourth scales, by a power so that a
+// turn back undoes a turn; the fifth shuts the lids.
 void EditorInput::ReadDials(Reading& reading, const performance::InputEvents& events,
                             std::int32_t counts_per_turn) {
   const auto per_turn = static_cast<float>(std::max(1, counts_per_turn));
@@ -168,6 +179,7 @@ void EditorInput::ReadDials(Reading& reading, const performance::InputEvents& ev
   }
 }
 
+// As keys repeat: the first step at once, another after 0.45 s, and then one each 0.18 s while the stick is held.
 void EditorInput::ReadStick(Reading& reading, const board::Stamped<board::Stick>& stick) {
   const glm::vec2 way{stick.value.x, stick.value.y};
   const float far = stick.source == board::SourceState::kLive ? glm::length(way) : 0.0F;
@@ -177,6 +189,8 @@ void EditorInput::ReadStick(Reading& reading, const board::Stamped<board::Stick>
   next_step_ = reading.now + (next_step_ ? kNextRepeat : kFirstRepeat);
 }
 
+// A press chooses a handle, and only a drag that began with one pulls: a button that was down when the editor
+// was opened does not.
 void EditorInput::ReadPointer(Reading& reading, const performance::InputEvents::Pointer& moved,
                               const board::Pointer& held) {
   if (moved.pressed) {

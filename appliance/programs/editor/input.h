@@ -42,7 +42,8 @@ enum class Verb : std::uint8_t {
   kDelete,
 };
 
-// What the author wants, in the editor's own terms. Fields that the verb does not name are unused.
+// What the author wants, in the editor's own terms. Fields that the verb does not name are unused. Commands
+// are obeyed in the order in which they were read, each before the next press is read.
 struct Command {
   Verb verb = Verb::kToggle;
   int index = 0;
@@ -62,7 +63,8 @@ struct Typing {
 // Which dials are the editor's while it is open, and not the performance's: u, v, outwards, scale, lids.
 inline constexpr std::array<std::size_t, 5> kEditorDials{1, 2, 3, 4, 5};
 
-// One thread. Allocates only where something was pressed or moved.
+// One thread. Allocates only where something was pressed or moved. It remembers what input means over time: a
+// name that is typed, a gesture, a stick that is held, a drag. It moves nothing itself.
 class EditorInput {
  public:
   // What one press asks for. Presses come one by one, each after what the one before it asked for was done: a

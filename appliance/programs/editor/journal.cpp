@@ -15,9 +15,10 @@
 namespace kaori::editor {
 namespace {
 
-// The file begins with this and the fingerprint of the control points.
+// The file begins with this and the fingerprint of the control points. The last letter is the format's version.
 constexpr std::array<char, 8> kMagic{'K', 'A', 'O', 'R', 'I', 'N', 'J', '1'};
 constexpr std::size_t kHeadBytes = kMagic.size() + sizeof(std::uint64_t);
+// More than any session writes; a journal that is larger is read to here and cut off.
 constexpr std::uint64_t kMostBytes = 256U << 20U;
 
 std::array<std::uint8_t, kHeadBytes> HeadOf(std::uint64_t fingerprint) {
@@ -27,6 +28,7 @@ std::array<std::uint8_t, kHeadBytes> HeadOf(std::uint64_t fingerprint) {
   return head;
 }
 
+// The lock keeps two editors from writing into one file. It belongs to the descriptor and ends with the process.
 Result<UniqueFd> OpenLocked(const std::filesystem::path& file) {
   UniqueFd fd(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (!fd.valid()) return FailErrno("open " + file.string());
@@ -49,6 +51,7 @@ Result<std::vector<std::uint8_t>> ReadAll(int fd, const std::string& name) {
   return bytes;
 }
 
+// Returns when the bytes are on the disk. The file's length is part of what fdatasync writes.
 Result<void> WriteAt(int fd, std::uint64_t at, std::span<const std::uint8_t> bytes, const std::string& name) {
   while (!bytes.empty()) {
     const ssize_t written = ::pwrite(fd, bytes.data(), bytes.size(), static_cast<off_t>(at));
@@ -88,6 +91,7 @@ Result<bool> Exchange(const std::filesystem::path& file, std::span<const std::ui
 
 }  // namespace
 
+// After an exchange another file stands under the name, which has to be opened and locked anew.
 Result<Journal::Opened> Journal::Open(const std::filesystem::path& file, std::uint64_t fingerprint) {
   auto fd = OpenLocked(file);
   if (!fd) return tl::unexpected(fd.error());
@@ -111,6 +115,8 @@ Result<Journal::Opened> Journal::Open(const std::filesystem::path& file, std::ui
   return opened;
 }
 
+// `end_` moves only when all of it is on the disk. A crash in between leaves bytes behind the end, which the
+// next Open finds torn and the next Append cuts off.
 Result<void> Journal::Append(std::span<const std::uint8_t> bytes) {
   std::vector<std::uint8_t> all;
   if (end_ == 0) {
@@ -127,6 +133,7 @@ Result<void> Journal::Append(std::span<const std::uint8_t> bytes) {
   return written;
 }
 
+// The head stays where there is one.
 Result<void> Journal::Clear() {
   end_ = std::min<std::uint64_t>(end_, kHeadBytes);
   return CutOff();

@@ -13,7 +13,7 @@
 
 namespace kaori::editor {
 
-// Any one thread.
+// Any one thread. Movable; the file stays locked for as long as the object lives, on the whole machine.
 class Journal {
  public:
   struct Opened;
@@ -29,7 +29,7 @@ class Journal {
   // fdatasync(2): no_space_on_device ...
   Result<void> Append(std::span<const std::uint8_t> bytes);
 
-  // Forgets all records.
+  // Forgets all records, on the disk too. Errors: as ftruncate(2).
   Result<void> Clear();
 
  private:
@@ -44,10 +44,15 @@ class Journal {
   std::uint64_t end_ = 0;  // Of the last whole record; 0: not even the head stands there.
 };
 
+// What Open found.
 struct Journal::Opened {
   Journal journal;
   std::vector<Record> records;
+  // Bytes behind the last whole record, which are left out.
+  // Bytes behind the last whole record, which are left out; and whether a journal of other control points was
+  // renamed.
   std::size_t torn_bytes = 0;
+  // A journal of other control points was renamed.
   bool put_aside = false;
 };
 

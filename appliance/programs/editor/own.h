@@ -11,12 +11,15 @@
 
 namespace kaori::editor {
 
-// For people: centimetres to a micrometre, what is alike on both sides once, and nothing of what does not move.
+// The work as a text that people can read and put into a show: centimetres to a micrometre, what is alike on
+// both sides once, and nothing of what does not move. ReadOwn of it gives the same work to that precision,
+// but for slot and origin. Pure.
 std::string WriteOwn(const Work& work, const Points& points);
 
 // `file` names the text in errors. The text may build ("from") on expressions of the cast. Errors:
 //   invalid_argument  no TOML, not one expression, an unknown key, a control point or an expression that the
 //                     cast has not, or a number out of range; file and line are named
+// No part of a move is more than 5 cm. The slot is -1: the file's name says it. Pure.
 Result<Work> ReadOwn(std::string_view text, const std::string& file, const Points& points,
                      const face::Cast& cast);
 

@@ -11,6 +11,7 @@ int OwnExpressions::free_slot() const {
   return free == slots_.end() ? -1 : static_cast<int>(free - slots_.begin());
 }
 
+// The words follow on "not saved: ".
 std::string OwnExpressions::ReasonAgainst(std::string_view name, int slot) const {
   if (!IsName(name)) return "a name is of letters, digits and _, a letter first";
   if (std::ranges::find(show_names_, name) != show_names_.end())

@@ -10,14 +10,17 @@
 
 namespace kaori::editor {
 
-// One thread. A slot is 0 to kSlots - 1; its key is one more, and 0 for the last.
+// One thread. A slot is 0 to kSlots - 1; its key is one more, and 0 for the last. What becomes of the files
+// is the WorkWriter's business, and the editor's to keep in step.
 class OwnExpressions {
  public:
   // `show_names` are those of the show's expressions, which no own expression may have.
   OwnExpressions(Slots slots, std::vector<std::string> show_names)
       : slots_(std::move(slots)), show_names_(std::move(show_names)) {}
 
+  // The expression of a slot; nothing where it is empty. Holds until the slot is changed.
   const std::optional<Work>& at(int slot) const { return slots_[static_cast<std::size_t>(slot)]; }
+  // Fills work.slot, which is a valid slot; what was there is replaced.
   void Put(const Work& work) { slots_[static_cast<std::size_t>(work.slot)] = work; }
   void Empty(int slot) { slots_[static_cast<std::size_t>(slot)].reset(); }
   int free_slot() const;  // The first one; -1: none.

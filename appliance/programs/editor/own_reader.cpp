@@ -12,9 +12,11 @@ namespace kaori::editor {
 namespace {
 
 constexpr float kMetresPerCentimetre = 0.01F;
+// The bound of Session: a file asks for no more than an author can.
 constexpr double kFarthest_cm = 5;
 
-// Reads one expression; keeps the first complaint, after which nothing that it read is used.
+// Reads one expression; keeps the first complaint, after which nothing that it read is used. "both", "left"
+// and "right" may name the same point; their moves add up, and to what "from" brings.
 class Reader {
  public:
   Reader(std::string file, const Points& points, const face::Cast& cast)
@@ -22,6 +24,7 @@ class Reader {
     work_.pulls_m.resize(points.size());
   }
 
+  // The file has the form of a show's expressions.toml with one expression, so that it can be copied there as it is.
   Result<Work> Read(const toml::Value& file) {
     const toml::Value* expressions = toml::Find(file, "expression");
     if (expressions == nullptr || expressions->list.size() != 1 ||
@@ -61,6 +64,7 @@ class Reader {
     work_.lids = {static_cast<float>((*lids)[0]), static_cast<float>((*lids)[1])};
   }
 
+  // A weighted sum of expressions of the show, as in its own recipes. Weights of more than 4 are a typing error.
   void ReadFrom(const toml::Value& value) {
     if (value.kind != toml::Value::Kind::kTable) return Complain(value, "from must be a table");
     for (const auto& [name, share] : value.table) {
@@ -88,7 +92,8 @@ class Reader {
     }
   }
 
-  // "both" leaves a point of the middle in the middle; "right" sees u the other way.
+  // "both" leaves a point of the middle in the middle; "right" sees u the other way. A name without ".l" or
+  // ".r" stands for the pair, or for a point of the middle. False: there is no such point.
   bool AddMove(std::string_view table, const std::string& name, glm::vec3 move_cm) {
     const glm::vec3 move_m = move_cm * kMetresPerCentimetre;
     const glm::vec3 mirrored_m = move_m * glm::vec3(-1, 1, 1);
@@ -98,6 +103,7 @@ class Reader {
     return (!left || Add(name + ".l", move_m)) && (!right || Add(name + ".r", mirrored_m));
   }
 
+  // False where the cast has no point of this name.
   bool Add(const std::string& point, glm::vec3 by_m) {
     const auto found = std::ranges::find(points_.names, point);
     if (found == points_.names.end()) return false;
@@ -105,6 +111,7 @@ class Reader {
     return true;
   }
 
+  // Nothing unless it is a list of exactly so many numbers.
   static std::optional<std::vector<double>> Numbers(const toml::Value& value, std::size_t count) {
     if (value.kind != toml::Value::Kind::kList || value.list.size() != count) return std::nullopt;
     std::vector<double> numbers;

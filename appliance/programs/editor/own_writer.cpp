@@ -30,8 +30,10 @@ std::string Move(glm::vec3 pull_m, double side) {
                      Number(static_cast<double>(pull_m.z) * kCentimetresPerMetre));
 }
 
+// As Move writes a pull that rounds to nothing.
 const std::string kNoMove = "[0, 0, 0]";
 
+// The lines of the three tables of a file, each point in one of them.
 struct Tables {
   std::string both, left, right;
 };
@@ -52,6 +54,7 @@ void AddPair(Tables& tables, std::string_view name, const std::string& left, con
   AddLine(tables.right, name, right);
 }
 
+// Both sides are compared as they will be written: what differs by less than a micrometre is alike.
 Tables TablesOf(const Work& work, const Points& points) {
   Tables tables;
   for (std::size_t i = 0; i < points.size(); ++i) {

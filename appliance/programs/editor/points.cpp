@@ -11,10 +11,11 @@
 namespace kaori::editor {
 namespace {
 
-// Two points that move vertices together by at least this weight have skin between them. Upper and lower lip
+// Two points that move a vertex together by at least this weight have skin between them. Upper and lower lip
 // lie on one place of the parameter space, but no vertex follows both.
 constexpr float kTogether = 0.02F;
 
+// By names alone: "corner.l" and "corner.r". A name whose other side is missing stands alone.
 std::vector<int> PartnersOf(const std::vector<std::string>& names) {
   std::map<std::string, int> index;
   for (std::size_t i = 0; i < names.size(); ++i) index[names[i]] = static_cast<int>(i);
@@ -29,6 +30,7 @@ std::vector<int> PartnersOf(const std::vector<std::string>& names) {
   return partners;
 }
 
+// In the parameter space, unrolled to the size of a head, so that the distance is about that along the skin.
 float PlacesApart_m(const face::ControlPoint& a, const face::ControlPoint& b) {
   return glm::length((a.uv - b.uv) * glm::vec2(face::kParameterWidth_m, face::kParameterHeight_m));
 }
@@ -46,7 +48,8 @@ void JoinNeighbours(const face::ControlNet& net, std::vector<float>& apart_m) {
       }
 }
 
-// Floyd and Warshall: the shortest way from each to each.
+// Floyd and Warshall: the shortest way from each to each. Cubic in the number of points: a million steps for
+// a hundred. Points that nothing joins stay infinitely far apart.
 void FindWays(std::size_t count, std::vector<float>& apart_m) {
   for (std::size_t over = 0; over < count; ++over)
     for (std::size_t a = 0; a < count; ++a) {
@@ -57,6 +60,7 @@ void FindWays(std::size_t count, std::vector<float>& apart_m) {
 }
 
 // The interpolant, where the points themselves lie. Edges of lips and lids follow wholly, a cheek by half.
+// follows = surface x to_cage, a dense matrix: point a's skin moves by follows[a][b] of a pull at b.
 std::vector<float> FollowsOf(const face::ControlNet& net) {
   const std::size_t count = net.points.size();
   std::vector<float> follows(count * count);

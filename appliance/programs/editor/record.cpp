@@ -10,14 +10,17 @@
 namespace kaori::editor {
 namespace {
 
+// Length and checksum.
 constexpr std::size_t kRecordHeadBytes = sizeof(std::uint32_t) + sizeof(std::uint64_t);
 constexpr std::uint32_t kRecordMostBytes = 1U << 20U;  // A longer record is no record.
 constexpr std::size_t kRecordLongestName = 200;
 
+// Undo and redo say which step by themselves; every other change brings the work as it was after it.
 bool CarriesWork(Change change) {
   return change != Change::kUndone && change != Change::kRedone;
 }
 
+// The machine's own byte order, which is little-endian wherever the box runs. A journal does not leave its box.
 template <class T>
 void Put(std::vector<std::uint8_t>& into, const T& value) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(&value);
@@ -39,7 +42,8 @@ void PutWork(std::vector<std::uint8_t>& into, const Work& work) {
   for (const glm::vec3& pull_m : work.pulls_m) Put(into, pull_m);
 }
 
-// Takes values off the front; after the first that is not there, all are empty.
+// Takes values off the front; after the first that is not there, all are empty. The lengths in a record are
+// not believed: nothing is read or allocated beyond the bytes that are there.
 class RecordParser {
  public:
   explicit RecordParser(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -88,6 +92,7 @@ Work ParseWork(RecordParser& parser) {
   return work;
 }
 
+// Bytes that are left over make a record of another version, which is not read either.
 std::optional<Record> DecodeOne(std::span<const std::uint8_t> bytes) {
   RecordParser parser(bytes);
   const auto kind = parser.Parse<std::uint8_t>();
@@ -109,6 +114,8 @@ void Encode(const Record& record, std::vector<std::uint8_t>& into) {
   into.insert(into.end(), body.begin(), body.end());
 }
 
+// Stops at the first record that is not whole: what follows it cannot be found, since lengths lead from one
+// to the next.
 Decoded Decode(std::span<const std::uint8_t> bytes) {
   Decoded decoded;
   while (bytes.size() - decoded.sound_bytes >= kRecordHeadBytes) {

@@ -14,12 +14,13 @@
 
 namespace kaori::editor {
 
+// One change of a session.
 struct Record {
   Change change = Change::kNone;
   Work work;  // As it was after the change.
 };
 
-// Appends the record's bytes. Names longer than 200 bytes are cut off.
+// Appends the record's bytes. Names longer than 200 bytes are cut off. Pure.
 void Encode(const Record& record, std::vector<std::uint8_t>& into);
 
 struct Decoded {
@@ -27,7 +28,7 @@ struct Decoded {
   std::size_t sound_bytes = 0;  // Up to the end of the last whole record.
 };
 
-// Reads as far as records are whole: one that was torn, and what follows it, is left out.
+// Reads as far as records are whole: one that was torn, and what follows it, is left out. Safe for any bytes. Pure.
 Decoded Decode(std::span<const std::uint8_t> bytes);
 
 }  // namespace kaori::editor

@@ -11,16 +11,21 @@ namespace {
 
 constexpr float kFarthest_m = 0.05F;  // No handle is pulled further: what is beyond is no face.
 constexpr float kReach_m = 0.012F;    // Of a smooth pull: half a cheek.
+// Handles that would follow by less are left alone: a file names every handle that moves.
 constexpr float kLeastShare = 0.02F;
 constexpr glm::vec3 kMirrored{-1, 1, 1};
 
+// How much a handle at this distance follows a pull, 1 at the pulled one: a bell curve of standard deviation
+// kReach_m, or nothing but the handle itself.
 float ShareAt(float apart_m, bool smooth) {
   if (!smooth) return apart_m > 0 ? 0.0F : 1.0F;
   const float share = std::exp(-apart_m * apart_m / (2 * kReach_m * kReach_m));
   return share < kLeastShare ? 0.0F : share;
 }
 
-// What a pull of `point` does to one handle of the face. A mirrored pull moves the middle nowhere sideways.
+// What a pull of `point` does to one handle of the face. A mirrored pull moves the middle nowhere sideways. A
+// handle follows the nearer one of the pulled point and its partner; on the partner's side u is mirrored.
+// Handles in the middle, or equally far from both, get no sideways part, since the two pulls cancel there.
 glm::vec3 PullOn(const Points& points, std::size_t handle, std::size_t point, glm::vec3 by_m, Spread spread) {
   const float apart_m = points.Apart_m(handle, point);
   if (!spread.mirror) return by_m * ShareAt(apart_m, spread.smooth);
@@ -41,6 +46,7 @@ bool Finite(glm::vec3 v) {
 
 }  // namespace
 
+// There is always work: at first a blank one, which counts as saved.
 Session::Session(Points points) : points_(std::move(points)) {
   Begin({.pulls_m = std::vector<glm::vec3>(points_.size())});
 }
@@ -60,6 +66,7 @@ Change Session::Replace(Work work) {
   return Change::kAdopted;
 }
 
+// The bound is for each axis of each handle, so that a pull at the end of the range still moves the others.
 Change Session::Pull(std::size_t point, glm::vec3 by_m, Gesture gesture) {
   if (point >= points_.size() || !Finite(by_m)) return Change::kNone;
   Work work = history_.now();
@@ -115,7 +122,8 @@ Change Session::Keep(const Work& saved) {
   return Change::kKept;
 }
 
-// A step that changes nothing is none: a dial at its end, a handle that is zero already.
+// A step that changes nothing is none: a dial at its end, a handle that is zero already. A gesture goes on in
+// the newest step only: after an undo it begins another one.
 Change Session::Step(Work work, Gesture gesture) {
   if (work == history_.now()) return Change::kNone;
   const bool goes_on = gesture != 0 && gesture == gesture_ && history_.redoable() == 0;
@@ -128,6 +136,8 @@ Change Session::Step(Work work, Gesture gesture) {
   return Change::kPushed;
 }
 
+// The order of the journal brings the history back; the pulls themselves are not worked out again, so that a
+// later version of the program finds the same work.
 void Session::Replay(Change change, const Work& work) {
   gesture_ = 0;
   if (change == Change::kUndone) Undo();
@@ -141,6 +151,8 @@ void Session::Replay(Change change, const Work& work) {
   if (change == Change::kKept) Keep(work);
 }
 
+// The skin at a point follows all handles around it, so that a pull spread over them moves it further than
+// one handle alone.
 float Session::Yield(std::size_t point) const {
   float yield = 0;
   for (std::size_t i = 0; i < points_.size(); ++i)
@@ -148,6 +160,7 @@ float Session::Yield(std::size_t point) const {
   return yield;
 }
 
+// Whether the work can be of these control points: their number, finite pulls, lids within 0..1, a slot that exists.
 bool Session::Fits(const Work& work) const {
   const auto within = [](float lid) { return lid >= 0 && lid <= 1; };
   return work.pulls_m.size() == points_.size() && std::ranges::all_of(work.pulls_m, Finite) &&

@@ -1,4 +1,5 @@
-// One author at work on one expression: what the author does to it, and the way back.
+// One author at work on one expression: what the author does to it, and the way back. The editor turns input
+// into these commands; the journal keeps the changes that they gave.
 #pragma once
 
 #include <cstdint>
@@ -41,18 +42,24 @@ class Session {
  public:
   explicit Session(Points points);
 
-  Change Begin(Work work);  // As saved; nothing can be undone.
+  // Begins with `work` as saved; nothing can be undone. Gives kBegun, or kNone where the work does not fit.
+  Change Begin(Work work);
+  // Puts other work in its place as a step that can be undone: kAdopted. It counts as unsaved where it
+  // differs from what was saved.
   Change Replace(Work work);
   // Pulls a control point by u, v and outwards of its own frame on the face; others follow as `spread` says.
+  // `by_m` is added to the pulls there are. Gives kPushed, or kReplaced where a gesture goes on.
   Change Pull(std::size_t point, glm::vec3 by_m, Gesture gesture = 0);
   Change Zero(std::size_t point);  // And its partner, where pulls are mirrored.
   // All pulls by a factor; lids stay.
   Change Scale(float factor, Gesture gesture = 0);
   // Both lids by this much, each within 0 open .. 1 shut.
   Change ShutLids(float by, Gesture gesture = 0);
+  // One step back, one forth: kUndone, kRedone.
   Change Undo();
   Change Redo();
-  // Of all steps since the work was begun: going back does not bring an old name back.
+  // Of all steps since the work was begun: going back does not bring an old name back. The caller
+  // has checked both (OwnExpressions::ReasonAgainst).
   Change Rename(std::string name, int slot);
   // `saved` is on the disk: the work is unsaved from here on where it differs.
   Change Keep(const Work& saved);
@@ -63,6 +70,7 @@ class Session {
   // How far the skin at the point goes with a pull of its handle, as pulls spread now: 1 is as far.
   float Yield(std::size_t point) const;
 
+  // The work, and as it was when it was begun; each holds until the next command.
   const Work& work() const { return history_.now(); }
   const Work& before() const { return history_.before(); }
   bool unsaved() const { return !(work() == saved_); }
@@ -70,6 +78,7 @@ class Session {
   std::size_t redoable() const { return history_.redoable(); }
   const Points& points() const { return points_; }
 
+  // How pulls spread from now on; the author's switches, which are no part of the work.
   Spread spread;
 
  private:

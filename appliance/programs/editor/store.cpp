@@ -13,10 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Far more than an expression with all of its control points takes.
 constexpr std::size_t kStoreMost_bytes = 1U << 20U;
 constexpr std::string_view kStoreAside = ".faulty";
 
-// "03-": the keys count from one.
+// "03-": the keys count from one. The name that follows is for people alone: only the number says which slot it is.
 std::string PrefixOf(int slot) {
   return fmt::format("{:02}-", slot + 1);
 }
@@ -45,6 +46,7 @@ int SlotOf(const fs::path& file) {
   return -1;
 }
 
+// Sorted, so that of two files for one slot the same one is read each time.
 std::vector<fs::path> FilesOf(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code none;  // A folder that is not there holds nothing.
@@ -54,6 +56,7 @@ std::vector<fs::path> FilesOf(const fs::path& folder) {
   return files;
 }
 
+// Files that were kept aside and could come back, under the names that they have now.
 std::vector<fs::path> AsidesOf(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code none;
@@ -105,6 +108,8 @@ Result<void> RemoveAllBut(const fs::path& folder, int slot, const fs::path& kept
 
 }  // namespace
 
+// What was aside before is tried after all others, so that it gets only slots and names that are free; a file
+// that was put aside just now is not tried again.
 Stored ReadStore(const fs::path& folder, const Points& points, const face::Cast& cast) {
   Stored stored;
   std::error_code ignored;  // A file that cannot be renamed was named; it stays where it is.
@@ -121,6 +126,8 @@ Stored ReadStore(const fs::path& folder, const Points& points, const face::Cast&
   return stored;
 }
 
+// The new file is whole before an old one of the same slot is removed: a crash in between leaves two, of
+// which the next ReadStore keeps one aside.
 Result<void> WriteToStore(const fs::path& folder, const Work& work, const Points& points) {
   std::error_code error;
   fs::create_directories(folder, error);

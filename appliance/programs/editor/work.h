@@ -12,12 +12,15 @@ namespace kaori::editor {
 // How many expressions of its own a box keeps; each has a key.
 inline constexpr int kSlots = 10;
 
+// An expression in work. Two of them are equal where all fields are, which is what "unsaved" asks.
 struct Work {
-  std::vector<glm::vec3> pulls_m{};  // As face::Expression::displacement: one for each control point.
-  std::array<float, 2> lids{};       // Shut by this much: the character's left, right.
-  std::string name{};                // Empty: it has none yet.
-  std::string origin{};              // The expression that it was begun from.
-  int slot = -1;                     // Of the own expression that saving replaces; -1: none yet.
+  // As face::Expression::displacement: one for each control point, along u, v and outwards of its frame on
+  // the reference face.
+  std::vector<glm::vec3> pulls_m{};
+  std::array<float, 2> lids{};  // Shut by this much: the character's left, right.
+  std::string name{};           // Empty: it has none yet.
+  std::string origin{};         // The expression that it was begun from.
+  int slot = -1;                // Of the own expression that saving replaces; -1: none yet.
 
   friend bool operator==(const Work&, const Work&) = default;
 };

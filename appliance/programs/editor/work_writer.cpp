@@ -15,12 +15,15 @@ bool WorkWriter::Requests::any() const {
   return !records.empty() || std::ranges::any_of(files, [](const auto& file) { return file.has_value(); });
 }
 
+// WriteAll runs on the writer's thread and nowhere else: journal, folder and points are its own from here on.
 WorkWriter::WorkWriter(std::optional<Journal> journal, std::filesystem::path folder, Points points)
     : journal_(std::move(journal)),
       folder_(std::move(folder)),
       points_(std::move(points)),
       writer_(kWriterPause, [this] { return WriteAll(); }) {}
 
+// A drag gives a change each frame; only where it ended matters, so that its changes are one record as long
+// as they were not written yet.
 void WorkWriter::Note(Change change, const Work& work) {
   if (change == Change::kNone || !journal_) return;
   std::unique_lock lock(mutex_);
@@ -58,6 +61,7 @@ std::vector<Outcome> WorkWriter::DrainOutcomes() {
   return std::exchange(outcomes_, {});
 }
 
+// The lock is held to take and to put back, never while the disk is waited for.
 bool WorkWriter::WriteAll() {
   Requests requests;
   {
@@ -70,6 +74,7 @@ bool WorkWriter::WriteAll() {
   return !asked_.any();
 }
 
+// The journal first: it is what a crash must not lose. Files are tried even where it failed.
 void WorkWriter::Attempt(Requests& requests) {
   if (!requests.any()) return;
   const auto noted = WriteRecords(requests.records);
@@ -77,7 +82,8 @@ void WorkWriter::Attempt(Requests& requests) {
   TellWhetherItWorks(noted ? saved : noted);
 }
 
-// All that is before a new beginning is of no use any more.
+// All that is before a new beginning is of no use any more. `records` is empty afterwards only where all of
+// it is on the disk; what is left is tried again.
 Result<void> WorkWriter::WriteRecords(std::vector<Record>& records) {
   if (records.empty() || !journal_) return {};
   const auto begun = std::find_if(records.rbegin(), records.rend(),

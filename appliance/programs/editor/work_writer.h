@@ -23,7 +23,8 @@ struct Outcome {
 };
 
 // Called by one thread. Its own thread writes the journal at most every half second, and waits for the disk;
-// files are written at once. What cannot be written stays in memory and is tried again every half second.
+// files are written at once. What cannot be written stays in memory and is tried again every half second. It
+// ends by trying once more to write what is left, whether that succeeds or not.
 class WorkWriter {
  public:
   // Without a journal nothing is noted.

@@ -15,10 +15,13 @@ constexpr std::string_view kHelp = R"(kaori-fdkeeper: keeps the graphics card op
   --socket PATH   the socket at which it listens; not given where the service manager passes one
 )";
 
-// The names of the descriptors in the service manager's store, which outlives this program too, and of its socket.
+// The names of the descriptors in the service manager's store, which outlives this program too, and of its
+// socket. The latter is FileDescriptorName= of the socket's unit.
 constexpr const char* kHeld = "card";
 constexpr const char* kPassed = "fdkeeper";
 
+// The socket of --socket, else the one that systemd has opened and passes on; it outlives the program, so
+// that a stage never finds it missing.
 kaori::Result<kaori::UniqueFd> Listener(const std::string& path) {
   if (!path.empty()) return kaori::ListenForPackets(path);
   if (auto passed = kaori::service::RetrieveFd(kPassed)) return std::move(*passed);
@@ -37,6 +40,7 @@ int main(int argc, char** argv) {
   if (!loop) return kaori::ExitWithError(loop.error());
   auto listener = Listener(socket);
   if (!listener) return kaori::ExitWithError(listener.error());
+  // The manager keeps the card's file even when this program ends, and gives it back at the next start.
   const auto keep = [](int fd) {
     if (auto kept = kaori::service::StoreFd(fd, kHeld); !kept)
       kaori::LogWarning("{}", kept.error().message());

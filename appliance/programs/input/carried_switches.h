@@ -10,9 +10,9 @@
 
 namespace kaori::input {
 
-// A decoder counts pushes from 0, and the board counts them since the board began. This class adds up the
-// difference. A switch that was held when the program died, and still is when the program is back, was pushed
-// once, not twice. `kWords` is the number of 32-bit words of switches.
+// A decoder counts pushes from 0 at each plug, and the board counts them since the board began. This class
+// adds up the difference. A switch that was held when the program died, and still is when the program is back,
+// was pushed once, not twice. `kWords` is the number of 32-bit words of switches. A plain value; one thread.
 template <std::size_t kWords>
 class CarriedSwitches {
  public:
@@ -31,7 +31,10 @@ class CarriedSwitches {
   void Accept(const decode::Switches<kWords>& now, Pressed pressed) {
     const Down before = std::exchange(down, now.down);
     for (std::size_t n = 0; n < pushes.size(); ++n) {
+      // The first sample after a plug counts each switch that it finds down as a push. Where the board
+      // already has that switch down, the push is the one that was counted before.
       const bool carried = !sampled_ && ((before[n / 32] & now.down[n / 32]) >> (n % 32) & 1U) != 0;
+      // Unsigned, so that the difference is right when the decoder's count wraps.
       const std::uint32_t counted = now.pushes[n] - seen_[n];
       const std::uint32_t more = carried && counted > 0 ? counted - 1 : counted;
       pushes[n] += more;
@@ -44,9 +47,10 @@ class CarriedSwitches {
     Accept(now, [](std::size_t) {});
   }
 
-  // Releases every switch; the counts stay.
+  // Releases every switch; the counts stay. A switch that is down again in the next sample is pushed anew.
   void Release() { down = {}; }
 
+  // Both are read from the board when the program starts, and written back after each sample.
   Down down{};
   Pushes pushes{};
 

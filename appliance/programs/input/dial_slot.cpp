@@ -6,8 +6,8 @@
 namespace kaori::input {
 namespace {
 
-// The kernel can wait seconds for a box that does not answer, and all other input waits with it: three tries
-// per plug are enough.
+// The kernel can wait seconds for a box that does not answer (the timeout of a USB control transfer is 5 s),
+// and all other input waits with it: three tries per plug are enough.
 constexpr int kMaxLampFailures = 3;
 constexpr Duration kLampRetry = std::chrono::seconds(5);
 
@@ -22,6 +22,8 @@ DialSlot::DialSlot(const board::Board& board, board::Writer<board::Surface> writ
   buttons_.pushes = surface_.value.pushes;
 }
 
+// The decoder begins with the counts of the board, and the first position that a wrapping dial reports counts as no
+// turn: a plug does not move a dial. A box that was just plugged in has all lamps dark, so that lit_ is unknown.
 Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   decode::DialSample before;
   before.counts = surface_.value.counts;
@@ -65,6 +67,7 @@ void DialSlot::Unplug(Time now) {
   Write();
 }
 
+// The time of the section is left as it was: releasing what nobody holds any more is no new input.
 void DialSlot::Tick(Time now, ports::HidChannel* device) {
   if (device == nullptr || !decoder_) return;
   if (!held_confirmed_ && now - plugged_ >= kHeldStateTrust) {
@@ -75,7 +78,8 @@ void DialSlot::Tick(Time now, ports::HidChannel* device) {
   ShowLamps(now, *device);
 }
 
-// A box that is busy is told at the next tick; a box that is gone is noticed when it is read.
+// A box that is busy is told at the next tick; a box that is gone is noticed when it is read. Only other
+// failures count against the plug, and the first two of them are tried again in silence.
 void DialSlot::ShowLamps(Time now, ports::HidChannel& device) {
   const std::uint32_t lit = board_.Read<board::Lamps>().value.lit;
   if (lit_ == lit || now < lamps_after_ || lamp_failures_ == kMaxLampFailures) return;
@@ -89,6 +93,7 @@ void DialSlot::ShowLamps(Time now, ports::HidChannel& device) {
                told.error().message());
 }
 
+// The carried switches are the truth about buttons; the section gets a copy.
 void DialSlot::Write() {
   surface_.value.buttons_down = buttons_.down[0];
   surface_.value.pushes = buttons_.pushes;

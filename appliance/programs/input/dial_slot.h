@@ -1,4 +1,5 @@
 // The slot of the dial and button box: counts and pushes go to the board, lamps from the board to the box.
+// Firmware of the box: firmware/wire has the bytes of its reports.
 #pragma once
 
 #include <optional>
@@ -10,6 +11,8 @@
 
 namespace kaori::input {
 
+// Counts accumulate over plugs and restarts: turning an unplugged box moves nothing, and a box that is
+// plugged in again goes on where its dials stood on the board.
 class DialSlot final : public DeviceSlot {
  public:
   // Borrows the board, which outlives the slot and whose section Lamps the box shows. `counts_per_turn` is
@@ -24,11 +27,13 @@ class DialSlot final : public DeviceSlot {
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
+  // Sends one output report where the lamps on the board differ from those that the box was last told.
   void ShowLamps(Time now, ports::HidChannel& device);
   void Write();
 
   const board::Board& board_;
   board::Writer<board::Surface> writer_;
+  // The section as it was published last, but for buttons, which buttons_ has.
   board::Stamped<board::Surface> surface_;
   CarriedSwitches<1> buttons_;
   std::optional<decode::DialBoxDecoder> decoder_;

@@ -29,6 +29,8 @@ constexpr Duration kLoosePlug = milliseconds(10);
 constexpr Duration kOldestReport = milliseconds(1000);  // An older time of arrival is a fault of the device.
 constexpr std::size_t kFirstStick = 1;
 
+// Whether a read would find something, without waiting. The loop wakes the service for any of its descriptors
+// without saying for which one.
 bool Readable(int fd) {
   pollfd poll{fd, POLLIN, 0};
   return ::poll(&poll, 1, 0) > 0;
@@ -41,12 +43,14 @@ std::string Printable(std::string text) {
   return text;
 }
 
+// The ports that the two sticks had before the program started (HashOfPort); 0 where the board knows of none.
 std::array<std::uint32_t, kSticks> PortsBefore(const board::Board& board) {
   return {board.Read<board::Stick>(0).value.port, board.Read<board::Stick>(1).value.port};
 }
 
 }  // namespace
 
+// All or none: writers that were acquired before the one that fails are given back when this returns.
 Result<InputWriters> InputWriters::Acquire(const board::Board& board) {
   auto surface = board.AcquireWriter<board::Surface>();
   if (!surface) return tl::unexpected(surface.error());
@@ -91,6 +95,8 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
   pointer.only_port = settings.pointer_port;
 }
 
+// Devices first, so that a stick which was plugged in is read in the same step; the tally lamp last, since it
+// shows what the lines say now.
 void InputService::Step() {
   const Time now = clock_.now();
   if (ScanIsDue(now)) Scan(now);
@@ -103,6 +109,8 @@ void InputService::Step() {
   lines_.SetTally(TallyLit(board_.Read<board::StageStatus>(), board_.Read<board::Lines>(), now));
 }
 
+// Listing ports costs system calls for each of them, so that it is done only when a bus has news, when a port
+// waits to be tried again, or when a slot has become free.
 bool InputService::ScanIsDue(Time now) const {
   const auto readable = [](const Bus& bus) { return !bus.failed() && Readable(bus.bus->pollable()); };
   if (scan_now_ || std::ranges::any_of(buses_, readable)) return true;
@@ -116,6 +124,8 @@ void InputService::Scan(Time now) {
   for (std::size_t bus = 0; bus < buses_.size(); ++bus) ScanBus(bus, now);
 }
 
+// Ports are tried in the order of PortBefore, so that two equal sticks get their roles by their ports and not by
+// which answers first. What was skipped is forgotten when its port is empty: the next device there is another one.
 void InputService::ScanBus(std::size_t bus, Time now) {
   auto ports = buses_[bus].bus->Ports();
   if (!ports) return HandleBusError(buses_[bus], ports.error());
@@ -132,12 +142,16 @@ void InputService::ScanBus(std::size_t bus, Time now) {
   }
 }
 
+// A bus that fails is not waited for, since its descriptor might be readable for ever; generation_ tells the
+// loop so. The same cause is not logged again.
 void InputService::HandleBusError(Bus& bus, const Error& error) {
   if (std::exchange(bus.failure, error.cause) == error.cause) return;
   LogWarning("{}; the bus is asked again every 250 ms", error.message());
   ++generation_;
 }
 
+// A device is opened before it can be known what it is: its report descriptor says so. A device that fills no
+// slot is closed again at the end of this function, so that other programs may use it.
 void InputService::TryToAttach(const BusPort& port, Time now) {
   auto device = buses_[port.bus].bus->Open(port.name);
   if (!device) return RetryLater(port, device.error());
@@ -152,6 +166,7 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
   Attach(*binding, port, std::move(*device), now);
 }
 
+// Where the slot cannot decode the device it stays empty for the next one, and the port is skipped until it is empty.
 void InputService::Attach(Binding& binding, const BusPort& port, std::unique_ptr<ports::HidChannel> device,
                           Time now) {
   if (auto plugged = binding.slot->Plug(device->identity(), now); !plugged)
@@ -187,6 +202,8 @@ void InputService::Skip(const BusPort& port, decode::DeviceKind kind, const std:
   skipped_.push_back({.port = port, .kind = kind});
 }
 
+// udev may give the device's file its group only after the device is listed, so that "permission denied" may
+// come first. Each new cause is one line.
 void InputService::RetryLater(const BusPort& port, const Error& error) {
   const auto known = std::ranges::find(skipped_, port, &SkippedPort::port);
   if (known != skipped_.end() && known->cause == error.cause) return;
@@ -195,6 +212,9 @@ void InputService::RetryLater(const BusPort& port, const Error& error) {
   skipped_.push_back({.port = port, .try_again = true, .cause = error.cause});
 }
 
+// The time of arrival is bounded on both sides: the kernel stamps it, but a faulty driver's stamp must not
+// date input into the future or hold it back by an hour. A report that is longer than the buffer counts as
+// far as it fits, and the decoder refuses its length.
 void InputService::ReadReports(Binding& binding, Time now) {
   std::array<std::uint8_t, kReportBytes> bytes;
   for (int i = 0; i < kReportsAtOnce; ++i) {
@@ -213,6 +233,7 @@ void InputService::ReadReports(Binding& binding, Time now) {
   binding.slot->Publish();
 }
 
+// A transfer that failed once is harmless on USB. ENODEV is final, and so are kFaultsToDetach others in a row.
 void InputService::HandleReadError(Binding& binding, const Error& error, Time now) {
   if (error.cause == std::errc::resource_unavailable_try_again) return;
   const bool gone = error.cause == std::errc::no_such_device || ++binding.faults == kFaultsToDetach;
@@ -234,12 +255,15 @@ void InputService::Detach(Binding& binding, const Error& error, Time now) {
         {.port = binding.port, .kind = binding.kind, .try_again = true, .not_before = now + kRetry});
 }
 
+// Once, half a second after the start: what was plugged in before the restart and has not come back by then
+// is gone, and its section must not stay live.
 void InputService::DetachAbsent(Time now) {
   absent_detached_ = true;
   for (Binding& binding : bindings_)
     if (!binding.device) binding.slot->Unplug(now);
 }
 
+// A port holds one device. One with several interfaces has a port for each (drivers/hid).
 bool InputService::IsAttached(const BusPort& port) const {
   return std::ranges::any_of(bindings_, [&](const Binding& p) { return p.device && p.port == port; });
 }

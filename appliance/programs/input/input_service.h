@@ -1,4 +1,5 @@
-// The input service: assigns each HID device to its slot and publishes what operators do with it on the board.
+// The input service: assigns each HID device to its slot and publishes what operators do with it on the
+// board. It knows no driver: buses and lines come in as ports, real or simulated.
 #pragma once
 
 #include <array>
@@ -19,7 +20,8 @@
 
 namespace kaori::input {
 
-// The writers of all sections that the service writes.
+// The writers of all sections that the service writes. One program at a time holds them, so that a second
+// kaori-input is refused when it starts.
 struct InputWriters {
   board::Writer<board::Surface> surface;
   std::array<board::Writer<board::Stick>, kSticks> sticks;
@@ -42,6 +44,7 @@ struct InputSources {
 class InputService {
  public:
   // Borrows the board, the buses and the clock, which all outlive the service.
+  // Nothing is opened yet: the first Step does that. `settings` is copied.
   InputService(const board::Board& board, InputWriters writers, InputSources sources,
                const InputSettings& settings, const Clock& clock);
 
@@ -51,7 +54,8 @@ class InputService {
   void Step();
 
   // The file descriptors to wait for. When generation() has changed, the same number may mean another
-  // descriptor: every watch must then be made anew.
+  // descriptor: every watch must then be made anew. Buses whose list failed are left out, and so are lines
+  // that could not be opened; they are asked again by time. The descriptors stay the service's.
   std::vector<int> pollables() const;
   std::uint32_t generation() const { return generation_ + lines_.generation(); }
 
@@ -110,13 +114,17 @@ class InputService {
   const Clock& clock_;
   std::vector<Bus> buses_;
   LineInputs lines_;
+  // The slots are made once and live as long as the service; devices come and go.
   std::array<Binding, 5> bindings_;  // Dial box, left stick, right stick, keyboard, pointer.
   StickRoles roles_;
+  // At most one entry for each port of a bus; it is dropped when the port is empty or the device is attached.
   std::vector<SkippedPort> skipped_;
   Time started_;
   Time next_scan_{};
   bool scan_now_ = true;
+  // Slots that stayed empty after the start were told so: see DetachAbsent.
   bool absent_detached_ = false;
+  // Counts changes of the set of descriptors; the lines count their own.
   std::uint32_t generation_ = 0;
 };
 

@@ -6,6 +6,7 @@ namespace kaori::input {
 
 using board::SourceState;
 
+// The log goes on too: its count is what readers remember.
 KeyboardSlot::KeyboardSlot(const board::Board& board, board::Writer<board::Keys> writer)
     : writer_(std::move(writer)) {
   const board::Stamped<board::Keys> before = board.Read<board::Keys>();
@@ -49,6 +50,8 @@ void KeyboardSlot::Unplug(Time now) {
   Write(now);
 }
 
+// A keyboard at rest sends nothing, so that keys which the board shows as held since before a restart are
+// released by time where no report confirms them.
 void KeyboardSlot::Tick(Time now, ports::HidChannel* device) {
   if (device == nullptr || held_confirmed_ || now - plugged_ < kHeldStateTrust) return;
   keys_.Release();

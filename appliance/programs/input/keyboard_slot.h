@@ -10,6 +10,8 @@
 
 namespace kaori::input {
 
+// One keyboard at a time; keys are physical positions (HID page 7), so that the language of the keyboard does
+// not matter. Held keys do not repeat: only the moment at which a key goes down is a press.
 class KeyboardSlot final : public DeviceSlot {
  public:
   // Reads the section once; the board is not kept.

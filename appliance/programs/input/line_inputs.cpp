@@ -20,6 +20,8 @@ LineInputs::LineInputs(const board::Board& board, board::Writer<board::Lines> wr
       value_(board.Read<board::Lines>().value),
       source_(board.Read<board::Lines>().source) {}
 
+// Edges before levels that settle by time: a change within the bounce of an earlier one is settled here once
+// the line has been quiet long enough.
 void LineInputs::Step(Time now) {
   if (open_ && !lines_ && now >= retry_at_) Open(now);
   if (lines_) HandleEdges(now);
@@ -42,6 +44,8 @@ void LineInputs::Open(Time now) {
   Begin(now);
 }
 
+// The switches as they stand when the lines appear. After a restart (the section is still live) differences
+// are pushes that happened meanwhile; after an absence they are not.
 void LineInputs::Begin(Time now) {
   const auto levels = lines_->Levels();
   if (!levels) return HandleLoss(levels.error(), now);
@@ -52,6 +56,8 @@ void LineInputs::Begin(Time now) {
   Write(now, SourceState::kLive);
 }
 
+// An edge carries the kernel's time of the interrupt, which is the stamp on the board. Edges of lines that
+// the board does not have are passed over.
 void LineInputs::HandleEdges(Time now) {
   bool any = false;
   for (int i = 0; i < kEdgesAtOnce; ++i) {
@@ -82,6 +88,8 @@ void LineInputs::SettleAll(Time now) {
   for (std::uint32_t line = 0; line < changed_at_.size(); ++line) Settle(line, now);
 }
 
+// Debouncing: the first edge counts at once, so that GO has no delay, and the line is then held for kBounce
+// whatever it does. Where it ends up in the other state, SettleAll finds the difference after that time.
 void LineInputs::Settle(std::uint32_t line, Time at) {
   const std::uint32_t bit = 1U << line;
   if (((levels_ ^ value_.active) & bit) == 0 || at - changed_at_[line] < kBounce) return;
@@ -91,13 +99,15 @@ void LineInputs::Settle(std::uint32_t line, Time at) {
   Write(at, SourceState::kLive);
 }
 
-// A failure is ignored here: a chip that is gone is noticed when it is read.
+// A failure is ignored here: a chip that is gone is noticed when it is read. Where no output is wired the
+// driver refuses, and that is ignored as well.
 void LineInputs::SetTally(bool lit) {
   if (!lines_ || shown_tally_ == lit) return;
   shown_tally_ = lit;
   static_cast<void>(lines_->Drive(0, lit));
 }
 
+// A foot switch that is gone must not stay trodden. The stage decides what lost lines mean for a blackout.
 void LineInputs::HandleLoss(const Error& error, Time now) {
   LogWarning("{}; all GPIO lines count as released", error.message());
   lines_.reset();

@@ -11,7 +11,8 @@
 
 namespace kaori::input {
 
-// Contacts bounce: after a change a line keeps its state for this long, whatever its edges say.
+// Contacts bounce: after a change a line keeps its state for this long, whatever its edges say. Switches of
+// this kind bounce for 1 to 10 ms, and nobody treads twice within it.
 inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 
 // Used by one thread. It starts from what the section holds: a line that was active before a restart and
@@ -19,6 +20,7 @@ inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 class LineInputs {
  public:
   // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
+  // `open` may be called any number of times, from Step alone.
   LineInputs(const board::Board& board, board::Writer<board::Lines> writer, ports::GpioOpener open);
 
   // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip needs.
@@ -27,6 +29,7 @@ class LineInputs {
   // Switches the tally lamp, output 0, where one is wired. A lamp that cannot be switched is ignored.
   void SetTally(bool lit);
 
+  // The descriptor that is readable when an edge waits; -1 while no lines are open.
   int pollable() const { return lines_ ? lines_->pollable() : -1; }
   std::uint32_t generation() const { return generation_; }  // Changes whenever pollable() may.
 

@@ -8,9 +8,11 @@
 namespace kaori::input {
 namespace {
 
+// In the order of board::Line.
 constexpr std::array<std::string_view, board::kLineCount> kInputNames{"go", "blackout", "service",
                                                                       "presence"};
 
+// The role of this name, for the caller to fill in; null for an unknown name.
 std::optional<std::uint32_t>* RoleNamed(std::string_view name, LineRoles& roles) {
   if (name == "tally") return &roles.tally;
   const auto at = std::ranges::find(kInputNames, name);
@@ -25,6 +27,8 @@ std::optional<std::uint32_t> ParseOffset(std::string_view text) {
   return offset;
 }
 
+// One contact with two roles would be a mistake of the wiring; the kernel would refuse the second request
+// anyway, with a message that helps nobody.
 bool Has(const LineRoles& roles, std::uint32_t offset) {
   return roles.tally == offset ||
          std::ranges::find(roles.inputs, std::optional(offset)) != roles.inputs.end();

@@ -44,11 +44,14 @@ struct Settings {
 };
 
 // Runs a step of the service whenever one of its file descriptors is readable.
+// Watches are made anew as a whole when the service's generation changes: the kernel reuses numbers of
+// descriptors, so that an old watch could stand for another device.
 class ServiceWatch {
  public:
   ServiceWatch(kaori::input::InputService& service, kaori::EventLoop& loop)
       : service_(service), loop_(loop) {}
 
+  // Runs the service and then follows its descriptors; called by the loop's timer and by every watch.
   void Step() {
     service_.Step();
     if (watched_.empty() || generation_ != service_.generation()) RenewWatches();
@@ -71,6 +74,7 @@ class ServiceWatch {
 
 using Buses = std::vector<std::unique_ptr<kaori::ports::HidBus>>;
 
+// Adds a bus that was opened, or passes on why it was not.
 template <class Bus>
 kaori::Result<void> Add(kaori::Result<std::unique_ptr<Bus>> bus, Buses& buses) {
   if (!bus) return tl::unexpected(bus.error());
@@ -116,6 +120,9 @@ kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path)
   return kaori::input::ReadSettings(path);
 }
 
+// The order follows what a failure means: settings that are wrong and a board that another kaori-input writes
+// end the program before any device is touched. GPIO lines are not worth ending for. The first step is made
+// before the loop runs, so that the board shows devices that are plugged in as soon as the program is there.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   const auto input_settings = ReadSettings(settings.file);
   if (!input_settings) return kaori::ExitWithError(input_settings.error());

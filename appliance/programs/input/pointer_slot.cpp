@@ -19,6 +19,7 @@ PointerSlot::PointerSlot(const board::Board& board, board::Writer<board::Pointer
   std::ranges::copy(pointer_.value.pushes, buttons_.pushes.begin());
 }
 
+// A mouse goes on from where the pointer stands; a tablet says its position itself with the first report.
 Result<void> PointerSlot::Plug(const ports::HidIdentity& identity, Time now) {
   decode::PointerSample before;
   before.x = pointer_.value.x;
@@ -68,6 +69,7 @@ void PointerSlot::Tick(Time now, ports::HidChannel* device) {
   Write();
 }
 
+// Buttons beyond the third one are decoded and not published.
 void PointerSlot::Write() {
   pointer_.value.buttons_down = buttons_.down[0] & kButtons;
   std::copy_n(buttons_.pushes.begin(), pointer_.value.pushes.size(), pointer_.value.pushes.begin());

@@ -10,7 +10,8 @@
 
 namespace kaori::input {
 
-// The position stays while nothing is plugged in, and over restarts of the program.
+// The position stays while nothing is plugged in, and over restarts of the program. It is of the picture,
+// 0..1 from the left top, and stops at its edges; the wheel counts notches, away from the operator positive.
 class PointerSlot final : public DeviceSlot {
  public:
   // Reads the section once; the board is not kept.

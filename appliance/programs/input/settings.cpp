@@ -21,6 +21,8 @@ class Reading {
  public:
   Reading(std::string path, const toml::Value& file) : path_(std::move(path)), file_(file) {}
 
+  // Each reads one key of a table such as "stick.left" into `into`, which keeps its value where the key is
+  // missing. Both ends of a range are allowed. Kinds are those of TOML: a whole number is written without quotes.
   void Number(std::string_view table, std::string_view key, float& into, float low, float high) {
     const toml::Value* value = Find(table, key, toml::Value::Kind::kNumber);
     if (value == nullptr) return;
@@ -54,6 +56,7 @@ class Reading {
 
  private:
   // The value of `key` in a table such as "stick.left"; null where there is none, or one of another kind.
+  // Notes that the key was asked for, which RefuseTheRest needs.
   const toml::Value* Find(std::string_view table, std::string_view key, toml::Value::Kind kind) {
     const toml::Value* owner = &file_;
     for (std::string_view rest = table; owner != nullptr && !rest.empty();) {
@@ -69,6 +72,7 @@ class Reading {
     return nullptr;
   }
 
+  // Values are compared by address: the tree stays as it was read, and so each value is one key of the file.
   void RefuseIn(const toml::Value& table, const std::string& prefix) {
     for (const auto& [key, value] : table.table) {
       if (value.kind == toml::Value::Kind::kTable)
@@ -102,6 +106,7 @@ void ReadStick(Reading& reading, std::size_t which, InputSettings& settings) {
 
 }  // namespace
 
+// The file is read once, when the program starts.
 Result<InputSettings> ReadSettings(const std::string& path) {
   const auto value = toml::ReadToml(path);
   if (!value) return tl::unexpected(value.error());

@@ -11,6 +11,8 @@
 
 namespace kaori::input {
 
+// Ports are names as the bus gives them ("1-4.1" of USB: bus, then the socket of each hub on the way), and
+// stay the same over restarts of the box. A slot with a named port takes a device at that port and no other.
 struct InputSettings {
   int counts_per_turn = 256;  // Counts of one turn of a dial.
   std::string dial_box_port;  // Empty: the first dial box that is found has the slot.
@@ -33,6 +35,8 @@ struct InputSettings {
 // What the file does not name keeps its default. Errors: those of opening the file, and
 //   invalid_argument  a syntax error, a key that does not exist, or a value of a wrong type or out of range.
 //                     The message names file, line and column.
+// Counts per turn are 1 to 2^20, counts of a mouse from edge to edge 1 to a million; dead_zone, reach and
+// curve are as decode::StickSettings says. Blocks for the disk.
 Result<InputSettings> ReadSettings(const std::string& path);
 
 }  // namespace kaori::input

@@ -25,6 +25,7 @@ std::string_view SplitFirstPart(std::string_view& text) {
   return part;
 }
 
+// Numbers of different length are ordered by it, since port names have no leading zeros.
 bool PartBefore(std::string_view a, std::string_view b) {
   const bool numbers = Digit(a[0]) && Digit(b[0]);
   if (numbers && a.size() != b.size()) return a.size() < b.size();
@@ -38,6 +39,7 @@ std::uint32_t HashOfPort(std::string_view port) {
   return hash == 0 ? 1 : hash;
 }
 
+// A name that begins with the other one comes after it.
 bool PortBefore(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
     const std::string_view left = SplitFirstPart(a);
@@ -54,6 +56,9 @@ StickRoles::StickRoles(const std::array<std::string, kSticks>& named,
     if (!named[role].empty()) named_[role] = HashOfPort(named[role]);
 }
 
+// A known port whose role is occupied belongs to a second device of the same name, and stays a spare: roles
+// never wander. A role that never had a port is given first, so that a third socket does not take over the
+// role of a stick that was pulled for a moment.
 std::optional<int> StickRoles::RoleOf(std::string_view port, const std::array<bool, kSticks>& occupied) {
   const std::uint32_t hash = HashOfPort(port);
   auto role = Known(hash);
@@ -64,6 +69,7 @@ std::optional<int> StickRoles::RoleOf(std::string_view port, const std::array<bo
   return role;
 }
 
+// What the settings name comes before what was remembered, for both roles.
 std::optional<int> StickRoles::Known(std::uint32_t hash) const {
   for (int role = 0; role < kSticks; ++role)
     if (named_[static_cast<std::size_t>(role)] == hash) return role;

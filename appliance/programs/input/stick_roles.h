@@ -17,6 +17,8 @@ std::uint32_t HashOfPort(std::string_view port);
 // The order of port names in which digits count as numbers: "1-2" comes before "1-10".
 bool PortBefore(std::string_view a, std::string_view b);
 
+// Pure: it remembers ports and asks no device. One thread. What it remembers is kept on the board by the
+// slots (Stick::port), so that it holds over restarts of the program, and is forgotten with the board.
 class StickRoles {
  public:
   // `named` are the ports that the settings give to the left and the right stick; an empty name leaves the
@@ -34,6 +36,8 @@ class StickRoles {
   std::optional<int> Known(std::uint32_t hash) const;
   std::optional<int> FirstOpen(const std::array<bool, kSticks>& occupied, bool remembered) const;
 
+  // Hashes, by role; 0 is none. named_ is from the settings, last_ from the last stick that had the role.
+  // Hashes, by role; 0 is none. named_ is from the settings, last_ from the last stick that had the role.
   std::array<std::uint32_t, kSticks> named_{};
   std::array<std::uint32_t, kSticks> last_{};
 };

@@ -11,6 +11,7 @@ namespace {
 // programs agree that the axes are neutral.
 constexpr Duration kEased = std::chrono::milliseconds(1750);
 
+// Whether the board shows nothing that a silent stick would contradict. The slider has no rest.
 bool AtRest(const board::Stick& stick) {
   return stick.x == 0 && stick.y == 0 && stick.twist == 0 && stick.hat < 0 && stick.buttons_down == 0;
 }
@@ -30,6 +31,7 @@ StickSlot::StickSlot(const board::Board& board, board::Writer<board::Stick> writ
   std::ranges::copy(stick_.value.pushes, buttons_.pushes.begin());
 }
 
+// Centres belong to the stick that was calibrated, which is told by its port.
 Result<void> StickSlot::Plug(const ports::HidIdentity& identity, Time now) {
   auto decoder = decode::JoystickDecoder::For(identity, settings_);
   if (!decoder) return tl::unexpected(decoder.error());
@@ -63,6 +65,8 @@ Result<void> StickSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   return {};
 }
 
+// Where the stick stands when its centre button goes down is its middle from now on; this sample is then
+// decoded with the new centre already.
 void StickSlot::CalibrateOnPush(const decode::StickSample& sample) {
   if (centre_button_ == 0) return;
   const std::uint32_t pushes = sample.buttons.pushes[static_cast<std::size_t>(centre_button_ - 1)];
@@ -75,6 +79,7 @@ void StickSlot::Publish() {
   if (std::exchange(changed_, false)) Write(stick_.at, SourceState::kLive);
 }
 
+// Axes stay as they were: the stage holds them for a moment and eases them out.
 void StickSlot::Unplug(Time now) {
   decoder_.reset();
   buttons_.Release();
@@ -82,6 +87,8 @@ void StickSlot::Unplug(Time now) {
   if (stick_.source == SourceState::kLive) Write(now, SourceState::kStale);
 }
 
+// A stick reports when something changes. One that has not reported since its plug is either at rest, or its
+// state is unknown until it moves; the two cases end in neutral axes, by way of stale.
 void StickSlot::Tick(Time now, ports::HidChannel* device) {
   if (device == nullptr || reported_) return;
   if (stick_.source == SourceState::kLive && AtRest(stick_.value)) return;

@@ -17,7 +17,8 @@ namespace kaori::input {
 // then on a stick that reports nothing is one at rest. So the face never jumps.
 class StickSlot final : public DeviceSlot {
  public:
-  // `which` is the section of the board: 0 left, 1 right. The board is not kept.
+  // `which` is the section of the board: 0 left, 1 right. The board is not kept. The settings are copied:
+  // dead zone, reach and curve go to the decoder at each plug.
   StickSlot(const board::Board& board, board::Writer<board::Stick> writer, int which,
             const InputSettings& settings);
 
@@ -29,6 +30,7 @@ class StickSlot final : public DeviceSlot {
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
+  // Takes the stick's position as its centre when the centre button went down.
   void CalibrateOnPush(const decode::StickSample& sample);
   void Write(Time at, board::SourceState source);
 

@@ -5,6 +5,8 @@
 namespace kaori::input {
 namespace {
 
+// A stage that draws slowly is not dead: its usual drawing time counts besides, so that a machine with a
+// frame every two seconds keeps its lamp.
 constexpr Duration kDead = std::chrono::seconds(1);
 constexpr int kTurns = 4;
 

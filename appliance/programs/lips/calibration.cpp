@@ -9,17 +9,23 @@
 namespace kaori::lips {
 namespace {
 
+// How long a learnable mouth must be seen in all: a pose is held for a second, and ten seconds of speech show
+// about every shape of a mouth. Time without a mouth does not count.
 constexpr Duration kPose = std::chrono::seconds(1);
 constexpr Duration kSpeech = std::chrono::seconds(10);
 constexpr Duration kSitsStill = std::chrono::seconds(60);  // An operator keeps the distance for this long.
 constexpr Duration kLongestFrame = std::chrono::milliseconds(200);  // A longer gap counts as this much.
+// Frames that are kept of a step: over a minute at 60 a second.
 constexpr std::size_t kMaxFrames = 4096;
 constexpr std::size_t kMaxChanges = 1000;  // Older changes can no longer be undone.
 
 constexpr float kMinTint = 20;  // Levels of chroma; less is grey.
 constexpr float kMaxAway = 18;  // Levels of chroma; farther samples mean two colours.
+// Thousandths of the chroma plane, as KeySettings has them: a paint of one even colour gets the least, and
+// each level of spread in the sample adds 8.
 constexpr float kMinSimilarity = 100, kMaxSimilarity = 260;
 constexpr float kSimilarityForALevel = 8;
+// The chroma plane is 255 levels wide.
 constexpr float kLevelsPerThousandth = 0.255F;
 constexpr float kSpillPart = 0.45F;  // Of the paint's tint; less is the paint's reflection on skin.
 constexpr float kMinSpill = 60, kMaxSpill = 160;
@@ -30,17 +36,20 @@ constexpr float kShortOf = 0.95F;
 constexpr float kMinOpening = 0.15F;  // Between shut and open, in widths of the mouth at rest.
 constexpr float kMinStretch = 0.06F;  // Of the width, from rest to narrow and to wide.
 
-// The quantile `part` (0 .. 1) of the values, which it reorders.
+// The quantile `part` (0 .. 1) of the values, which it reorders. The nearest value in rank, none
+// interpolated; `values` is not empty.
 float Quantile(std::vector<float>& values, float part) {
   const auto n = static_cast<std::ptrdiff_t>(part * static_cast<float>(values.size() - 1) + 0.5F);
   std::ranges::nth_element(values, values.begin() + n);
   return values[static_cast<std::size_t>(n)];
 }
 
+// Samples around a click: chroma relative to neutral, -128 .. 127, and the luma at the same places.
 struct Patch {
   std::vector<float> y, cb, cr;
 };
 
+// (x, y) is a sample of chroma. Chroma may be coarser than luma, which is read at the same place of the picture.
 Patch Around(const decode::Planes& planes, int x, int y, int half) {
   Patch patch;
   const decode::Plane& c = planes.cb;
@@ -79,6 +88,7 @@ struct Colour {
   float away = 0;
 };
 
+// Medians, so that a few samples of skin within the patch change nothing.
 Colour ColourOf(Patch patch) {
   const Patch samples = patch;
   Colour colour{Quantile(patch.y, 0.5F), Quantile(patch.cb, 0.5F), Quantile(patch.cr, 0.5F)};
@@ -92,6 +102,8 @@ Colour ColourOf(Patch patch) {
 
 }  // namespace
 
+// The paint is kept as an sRGB colour, since that is what a colour picker on a page shows. The spill is set
+// from the paint's own saturation: what has less than 0.45 of its tint is a reflection.
 Result<void> Calibration::SamplePaint(const decode::Planes& planes, float x, float y, int reach) {
   if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1) || planes.cb.width_px <= 0 || planes.cb.height_px <= 0)
     return FailInput("sample the paint: the click is outside the picture");
@@ -116,6 +128,7 @@ void Calibration::Begin(CalibrationStep step) {
   measurement_ = Measurement{step, {}, {}, {}, {}, {}};
 }
 
+// A gap between two frames counts as 200 ms at most, so that a camera that stutters does not end a step by itself.
 bool Calibration::Feed(const board::Lips& lips, Time at) {
   if (!measurement_ || !board::IsLearnable(lips) || lips.rest_width <= 0) return false;
   if (measurement_->last)
@@ -135,13 +148,17 @@ bool Calibration::Feed(const board::Lips& lips, Time at) {
 }
 
 // A stretched mouth that is held looks like one that came nearer to the camera. An operator who was measured
-// at rest a moment ago has not moved, so the measured rest width is scaled back.
+// at rest a moment ago has not moved, so the measured rest width is scaled back. Without this a stretched
+// mouth would be taken for one that came nearer, and the measured extent would shrink. With a marker the
+// distance is known, and nothing is to be corrected.
 float Calibration::ScaleOf(Measurement& measured) const {
   const float rest = settings_.gauge.rest_width;
   if (!shut_at_ || *measured.last - *shut_at_ > kSitsStill || rest <= 0 || settings_.marker) return 1;
   return Quantile(measured.rests, 0.5F) / rest;
 }
 
+// Medians of a held pose; of speech the ends of the distribution, but not its extremes, which are noise. The
+// clamps at the end keep the order shut < open and narrow < 1 < wide, which every reader relies on.
 LipSettings Calibration::Conclude(Measurement& measured) const {
   LipSettings to = settings_;
   Extents& extents = to.gauge.extents;
@@ -184,6 +201,7 @@ float Calibration::progress() const {
   return std::min(1.0F, static_cast<float>(Seconds(measurement_->seen) / Seconds(whole)));
 }
 
+// Whatever changes the settings passes here, so that it can be undone.
 void Calibration::Change(const LipSettings& to) {
   if (before_.size() >= kMaxChanges) before_.erase(before_.begin());
   before_.push_back(settings_);
@@ -191,6 +209,7 @@ void Calibration::Change(const LipSettings& to) {
   gesture_ = 0;
 }
 
+// A slider that is dragged sends dozens of values; they are one change.
 void Calibration::Set(const LipSettings& to, std::uint32_t gesture) {
   if (gesture != 0 && gesture == gesture_)
     settings_ = to;

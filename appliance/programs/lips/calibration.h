@@ -15,7 +15,8 @@
 namespace kaori::lips {
 
 // Turns commands and measured mouths into settings. It is pure: it uses no file and no clock. The settings
-// change when a step is done, all of its values at once, and every change can be undone.
+// change when a step is done, all of its values at once, and every change can be undone. One thread. Nothing
+// of it is drawn or saved: Tuning applies the settings that it gives.
 class Calibration {
  public:
   explicit Calibration(const LipSettings& settings) : settings_(settings) {}
@@ -27,12 +28,15 @@ class Calibration {
   Result<void> SamplePaint(const decode::Planes& planes, float x, float y, int reach = kReach);
 
   // Begins to measure a pose, which the operator holds for a second, or speech of ten seconds. A step that
-  // was under way is cancelled.
+  // was under way is cancelled. Poses can be measured in any order and as often as one likes; shut comes
+  // first where the mouth at rest is not yet known, since the other sizes are in its widths.
   void Begin(CalibrationStep step);
+  // Drops the step that is under way; the settings are as before.
   void Cancel() { measurement_.reset(); }
 
   // Adds a measured frame to the step that is under way. A frame without a learnable mouth (board/mouth.h)
-  // does not count; the step waits for better ones. Returns whether this frame completed the step.
+  // does not count; the step waits for better ones. Returns whether this frame completed the step. `at` is
+  // when the picture was exposed.
   bool Feed(const board::Lips& lips, Time at);
 
   std::optional<CalibrationStep> step() const;
@@ -45,6 +49,7 @@ class Calibration {
   bool Revert();
   // Undoes all but the first `changes`.
   void RevertTo(std::size_t changes);
+  // How many changes can be undone, 1000 at most.
   std::size_t changes() const { return before_.size(); }
 
   const LipSettings& settings() const { return settings_; }

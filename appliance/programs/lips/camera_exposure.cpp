@@ -21,6 +21,8 @@ constexpr float kFullyExposed = 0.8F;
 
 }  // namespace
 
+// From the histogram of a grid of samples: the level above which a tenth of them lies. Studio range (16 to
+// 235) is stretched where the camera says that it sends that.
 float BrightnessOf(const decode::Planes& planes) {
   std::array<int, 256> counts{};
   int all = 0;
@@ -33,6 +35,7 @@ float BrightnessOf(const decode::Planes& planes) {
   return std::clamp(planes.full_range ? luma / 255 : (luma - 16) / 219, 0.0F, 1.0F);
 }
 
+// Another opening means another search, and a mode that may have changed is one line in the log.
 void CameraExposure::Opened() {
   finding_since_.reset();
   if (tuning_ == nullptr || tuning_->mode() == mode_) return;
@@ -40,12 +43,15 @@ void CameraExposure::Opened() {
   Log("lip camera: {}", mode_);
 }
 
+// Held or still finding: the picture need not be looked at.
 bool CameraExposure::Observe(const decode::Planes& planes, Time now) {
   if (tuning_ == nullptr || held_) return false;
   if (finding_since_ && now - *finding_since_ < kFinding) return false;
   return Judge(planes, now);
 }
 
+// A covered lens starts the search anew, so that exposure is never held in the dark. A picture that is too
+// dark is believed only when the camera says that it exposes as long as it can, or after twice the time.
 bool CameraExposure::Judge(const decode::Planes& planes, Time now) {
   const float brightness = BrightnessOf(planes);
   if (brightness < kBlack) finding_since_.reset();
@@ -82,6 +88,7 @@ void CameraExposure::Free() {
   if (tuning_ != nullptr) tuning_->Set(ports::CameraHold::kFree);
 }
 
+// Controls that the camera lacks are named once: without them the picture may drift during the show.
 void CameraExposure::Hold() {
   held_ = true;
   freed_ = false;

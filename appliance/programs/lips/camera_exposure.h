@@ -18,7 +18,8 @@ float BrightnessOf(const decode::Planes& planes);
 // dark it has to be opened at a slower rate; otherwise exposure and colours are held as they are, over all
 // its openings, until they are freed for a calibration. Each decision is one line in the log. A covered lens
 // decides nothing. One thread; calls of the port take as long as the driver's controls do, below a
-// millisecond on V4L2.
+// millisecond on V4L2. The reason for holding: a camera that adjusts itself while the light on stage changes
+// also changes the paint's colour, and the key is lost.
 class CameraExposure {
  public:
   // Borrows the tuning; null means a camera without any.
@@ -27,13 +28,15 @@ class CameraExposure {
   // Call it after the camera was opened.
   void Opened();
 
-  // Examines a picture. Returns true where the camera must be opened again: it will be slower and see more.
+  // Examines a picture. Returns true where the camera must be opened again: it will be slower and see more. The
+  // planes are borrowed for the call. To be called with every picture; it looks at none while exposure is held.
   bool Observe(const decode::Planes& planes, Time now);
 
   // Free() lets the camera adjust itself for a calibration, and Hold() ends that. Freed this way it stays
   // free until Hold(), after which it is not judged again.
   void Free();
   void Hold();
+  // Exposure and colours are held now, over openings of the camera too.
   bool held() const { return held_; }
 
  private:

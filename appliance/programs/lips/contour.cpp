@@ -16,6 +16,7 @@ constexpr int kCloseToEnd = 20;           // Close to an end means a twentieth o
 constexpr int kOpeningColumns = 7;        // The opening is measured in this many columns,
 constexpr float kOpeningPart = 0.1F;      // over this part of the width to each side of the middle.
 
+// A mean of chroma over some samples, in levels of the camera (128 is neutral).
 struct Sum {
   float cb = 0;
   float cr = 0;
@@ -72,7 +73,7 @@ std::optional<Contour> ContourReader::Read(const decode::Planes& planes, const G
   return contour;
 }
 
-// Finds where the paint begins and ends in each row and column of its box.
+// Finds where the paint begins and ends in each row and column of its box. Only runs of the candidate's own regions count.
 bool ContourReader::Frame(const Grid& grid, Regions& regions, const Candidate& candidate) {
   const Region& mouth = candidate.mouth;
   reach_ = std::max(kMargin, mouth.width() / 12);
@@ -135,6 +136,7 @@ bool ContourReader::ReadPatch(const decode::Planes& planes, const Grid& grid) {
   return true;
 }
 
+// Points of the contour, finer than samples: left and right ones from rows, top and bottom ones from columns.
 void ContourReader::FindEdges(const Grid& grid) {
   for (auto* points : {&left_, &right_, &top_, &bottom_}) points->clear();
   for (int y = 0; y < box_.height(); ++y) {
@@ -190,6 +192,7 @@ ContourReader::Line ContourReader::ColumnOf(int x) const {
   return {&patch_[static_cast<std::size_t>(x)], box_.width(), box_.height()};
 }
 
+// Extremes along the mouth's axes: (c, s) runs along the mouth and (-s, c) across it, downwards.
 Contour ContourReader::Measure(float tilt_rad) const {
   const float c = std::cos(tilt_rad);
   const float s = std::sin(tilt_rad);
@@ -209,7 +212,8 @@ Contour ContourReader::Measure(float tilt_rad) const {
   return contour;
 }
 
-// The long axis of the contour, by the second moments of the points of its upper and lower edge.
+// The long axis of the contour, by the second moments of the points of its upper and lower edge. lean =
+// atan2(2 xy, xx - yy) / 2; slender is the difference of the two principal moments over their sum.
 void ContourReader::Lean(Contour& contour) const {
   double xx = 0, yy = 0, xy = 0;
   const auto& m = contour.middle;
@@ -226,6 +230,7 @@ void ContourReader::Lean(Contour& contour) const {
   contour.slender = static_cast<float>(std::hypot(2 * xy, xx - yy) / std::max(xx + yy, 1e-6));
 }
 
+// A whole mouth is pointed at its corners; a hand over one of them ends it in a wall of paint.
 std::array<float, 2> ContourReader::Blunt() const {
   int first = box_.width();
   int last = -1;

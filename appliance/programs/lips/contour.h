@@ -1,4 +1,6 @@
-// The edge of the paint, finer than the samples of chroma: the contour of the mouth in the picture.
+// The edge of the paint, finer than the samples of chroma: the contour of the mouth in the picture. The mask
+// finds the mouth to a sample; sizes come from here, by the place at which the colour crosses half-way
+// between paint and skin.
 #pragma once
 
 #include <array>

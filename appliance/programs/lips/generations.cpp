@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxLipSettings_bytes = 65536;
-// The checksum is the first line, so that a file that was cut short has one too.
+// The checksum is the first line, so that a file that was cut short has one too, which does not fit. It is
+// FNV-1a of all that follows: it finds damage and is no defence against people.
 constexpr std::string_view kSum = "# checksum ";
 constexpr std::string_view kAdvice = " of all lines below. Remove this line when you change them by hand.\n";
 
@@ -34,11 +35,13 @@ bool ChecksumFits(std::string_view file) {
   return end != std::string_view::npos && file.substr(0, end + 1) == ChecksumLine(file.substr(end + 1));
 }
 
+// Where the settings that were saved before lie.
 fs::path BeforeOf(const fs::path& file) {
   return file.string() + ".before";
 }
 
-// Returns nothing where there is no file.
+// Returns nothing where there is no file. A file without any "=" is one that lost its content, as a power cut
+// may leave it, and is not taken for defaults.
 Result<std::optional<LipSettings>> ReadOne(const fs::path& file) {
   std::error_code none;
   if (!fs::exists(file, none)) return std::nullopt;
@@ -61,6 +64,7 @@ void ReadInto(const fs::path& file, std::optional<LipSettings>& into, std::strin
 
 }  // namespace
 
+// Of two complaints that of the newer file stays.
 SavedSettings ReadGenerations(const fs::path& file) {
   SavedSettings kept;
   ReadInto(BeforeOf(file), kept.before, kept.complaint);
@@ -78,6 +82,7 @@ LipSettings SettingsFrom(const fs::path& file) {
   return kept.before.value_or(LipSettings{});
 }
 
+// The older generation is whole before the newer one is touched, so that one of the two can be read at any time.
 Result<void> WriteGeneration(const fs::path& file, const LipSettings& settings) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);

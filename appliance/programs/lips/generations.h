@@ -1,4 +1,5 @@
-// The lips' settings on the disk in two generations: FILE, and FILE.before.
+// The lips' settings on the disk in two generations: FILE, and FILE.before. The older one is there for an
+// operator who saved by mistake, and for a file that was damaged.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 namespace kaori::lips {
 
+// Each is empty where there is no such file, or none that can be read.
 struct SavedSettings {
   std::optional<LipSettings> now;
   std::optional<LipSettings> before;
@@ -18,7 +20,7 @@ struct SavedSettings {
 
 // Reads both generations; blocks for the disk. A file begins with a checksum of its lines. Where that does
 // not match, the file is damaged, or a person changed it and left the checksum in. A file without a checksum
-// was written by a person and is valid. A missing file is no complaint.
+// was written by a person and is valid. A missing file is no complaint. Files are of 64 KB at most.
 SavedSettings ReadGenerations(const std::filesystem::path& file);
 
 // Returns `now` of ReadGenerations, or else `before`, or else the settings of a new box; logs a complaint.

@@ -10,6 +10,7 @@ constexpr float kFirm = 0.75F;      // The soft key from which on a sample is pa
 
 }  // namespace
 
+// Only a mouth that is usable is remembered as the place to look at next.
 const board::Lips& LipMeter::Measure(const decode::Planes& planes, Time at) {
   NoteSize(planes.y);
   detection_ = Detect(planes, at);
@@ -18,12 +19,15 @@ const board::Lips& LipMeter::Measure(const decode::Planes& planes, Time at) {
   return lips;
 }
 
+// In pictures of another size the last position means nothing.
 void LipMeter::NoteSize(const decode::Plane& picture) {
   if (picture.width_px != width_px_ || picture.height_px != height_px_) search_.Forget();
   width_px_ = picture.width_px;
   height_px_ = picture.height_px;
 }
 
+// Each stage may find nothing, and then there is no mouth in this picture. The contour is measured along the
+// tilt that was known before it.
 std::optional<Detection> LipMeter::Detect(const decode::Planes& planes, Time at) {
   mask_.Read(planes, key_);
   const Grid& grid = mask_.grid();
@@ -47,7 +51,8 @@ std::optional<Detection> LipMeter::Detect(const decode::Planes& planes, Time at)
   return detection;
 }
 
-// Hysteresis: samples that are nearly paint count only together with some that are paint beyond doubt.
+// Hysteresis: samples that are nearly paint count only together with some that are paint beyond doubt. The
+// middle of each run stands for it, which is enough and costs little.
 bool LipMeter::IsPaint(const decode::Planes& planes, const Region& mouth) {
   int firm = 0;
   int all = 0;

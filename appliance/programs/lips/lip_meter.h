@@ -21,7 +21,8 @@ class LipMeter {
       : key_(settings.paint, settings.key), search_(settings.marker), gauge_(before, settings.gauge) {}
 
   // Measures the mouth in a picture that was exposed at `at`, and searches it first where the last one was.
-  // The planes are borrowed for the call. Without a mouth the sizes stay and the quality is 0.
+  // The planes are borrowed for the call. Without a mouth the sizes stay and the quality is 0. `at` rises
+  // from call to call.
   const board::Lips& Measure(const decode::Planes& planes, Time at);
 
   const board::Lips& lips() const { return gauge_.lips(); }

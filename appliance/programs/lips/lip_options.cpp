@@ -55,6 +55,7 @@ Result<Paint> ParsePaint(std::string_view text) {
   return Paint{*red, *green, *blue};
 }
 
+// from_chars and no stream: the decimal point is one in every language.
 Result<float> ParseRest(const std::string& text) {
   float rest = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rest);
@@ -84,6 +85,7 @@ std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into) {
   return options.Parse(argc, argv);
 }
 
+// The command line comes last: what is tried there is not saved by itself.
 Result<LipSettings> SettingsOf(const LipOptions& options) {
   LipSettings lips;
   if (!options.settings.empty()) lips = SettingsFrom(options.settings);

@@ -20,7 +20,7 @@ struct LipOptions {
 };
 
 // Parses the command line into `into`. Returns the exit status where the program has to end: after --help, or
-// for an unknown option.
+// for an unknown option. Values are not looked at here, but by whoever uses them.
 std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into);
 
 // The settings of the file, overridden by those of the command line. Blocks for the disk. Errors:

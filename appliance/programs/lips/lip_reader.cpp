@@ -30,6 +30,8 @@ LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board:
       last_frame_(clock.now()),
       last_activity_(clock.now()) {}
 
+// One frame a step: a camera that has more ready is readable again at once, and the board and the loudspeaker
+// get their turn in between.
 void LipReader::Step() {
   const Time now = clock_.now();
   if (!camera_ && now >= retry_at_) TryOpen(now);
@@ -37,6 +39,7 @@ void LipReader::Step() {
   CheckSilence(now);
 }
 
+// After a time-out the opening is no news.
 void LipReader::TryOpen(Time now) {
   retry_at_ = now + kRetry;
   camera_ = OpenOrLog(open_, logged_);
@@ -47,6 +50,7 @@ void LipReader::TryOpen(Time now) {
   exposure_.Opened();
 }
 
+// A frame that is damaged says nothing of the next one; any other failure says that the stream is over.
 void LipReader::HandleFrame(Time now) {
   const auto frame = camera_->Next();
   if (frame) return Measure(*frame, now);
@@ -60,6 +64,8 @@ void LipReader::HandleFrame(Time now) {
   }
 }
 
+// The section is written before anybody else looks at the picture: the face comes first. The frame is given
+// back to the camera when this returns.
 void LipReader::Measure(const ports::CameraFrame& frame, Time now) {
   const auto planes = planes_.Read(frame);
   if (!planes) return Drop(planes.error(), now);
@@ -97,6 +103,7 @@ void LipReader::Close(Time now, std::string_view why) {
   if (source_ == board::SourceState::kLive) Write(last_frame_, board::SourceState::kStale);
 }
 
+// The stamp stays that of the last picture, so that readers see how old the mouth is.
 void LipReader::CheckSilence(Time now) {
   if (source_ == board::SourceState::kLive && now - last_frame_ >= kSilence) {
     silence_log_.Silent(kSilence, now);

@@ -14,8 +14,9 @@
 
 namespace kaori::lips {
 
-// Used by one thread. After 150 ms without a frame, or when the camera is gone, the section becomes stale and its
-// sizes stay. A camera that is gone, or that sent nothing for 2 s, is opened again at once and then every 250 ms.
+// Used by one thread. After 150 ms without a frame, or when the camera is gone, the section becomes stale and
+// its sizes stay. A camera that is gone, or that sent nothing for 2 s, is opened again at once and then every
+// 250 ms. A damaged frame is dropped; one line in ten seconds says so.
 class LipReader {
  public:
   // Goes on from what `board` holds; the board is not kept. Borrows the clock, and `tuning`, which belongs to
@@ -27,7 +28,8 @@ class LipReader {
   // needs. Call it when pollable() is readable, and every 25 ms or sooner.
   void Step();
 
-  // Uses other settings from the next frame on; the mouth is searched in the whole picture again.
+  // Uses other settings from the next frame on; the mouth is searched in the whole picture again. What is
+  // known of the mouth goes on: its rest width, and the sizes until the next picture.
   void Use(const LipSettings& settings) { meter_ = LipMeter(settings, meter_.lips()); }
 
   // Sets a function that is called for each picture once its mouth is on the board. The planes are valid

@@ -8,7 +8,8 @@
 namespace kaori::lips {
 namespace {
 
-// How one setting is read from and written to the struct, as a number.
+// How one setting is read from and written to the struct, as a number. Names and ranges are in
+// setting_table.cpp, by the same index: a setting is added in both.
 struct Accessor {
   float (*get)(const LipSettings&);
   void (*set)(LipSettings&, float);
@@ -59,6 +60,7 @@ std::string_view Trimmed(std::string_view text) {
 }
 
 // Returns the complaint about a value, or nothing.
+// Ranges are checked here and nowhere else, for files, commands and tests alike.
 std::string SetValue(std::string_view name, float number, LipSettings& into) {
   for (std::size_t setting = 0; setting < kSettingCount; ++setting) {
     const SettingRange range = RangeOf(setting);
@@ -71,6 +73,7 @@ std::string SetValue(std::string_view name, float number, LipSettings& into) {
   return fmt::format("there is no setting {}", name);
 }
 
+// Ranges alone allow shut and open to cross; narrow and wide cannot, since 1 lies between them.
 bool AreBackwards(const Extents& extents) {
   return extents.shut >= extents.open;
 }
@@ -104,6 +107,7 @@ Result<LipSettings> WithValue(const LipSettings& settings, std::string_view name
   return changed;
 }
 
+// fmt writes the shortest text that reads back as the same float.
 std::string LipSettingsText(const LipSettings& settings) {
   std::string text = "# Settings of the lips. Lengths are in widths of the mouth at rest.\n";
   for (std::size_t setting = 0; setting < kSettingCount; ++setting)

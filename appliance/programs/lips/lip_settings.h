@@ -13,6 +13,7 @@
 namespace kaori::lips {
 
 // The range of an operator's mouth, in widths of the mouth at rest. The four mouth shapes are spread over it.
+// Defaults are those of an average mouth; shut is above 0, since painted lips have a height.
 struct Extents {
   float shut = 0.28F;    // The height when shut,
   float open = 0.85F;    // and when open as far as it goes.
@@ -21,6 +22,7 @@ struct Extents {
   friend bool operator==(const Extents&, const Extents&) = default;
 };
 
+// How measured sizes become the board's.
 struct GaugeSettings {
   // The width of the mouth at rest, in widths of the picture. 0: the board's, or else the median of the first second.
   float rest_width = 0;
@@ -29,6 +31,7 @@ struct GaugeSettings {
   friend bool operator==(const GaugeSettings&, const GaugeSettings&) = default;
 };
 
+// What the desk may change about the voice while it is heard.
 struct VoiceSettings {
   float opens_db = -38;  // Of full scale. Louder sound counts as a voice.
   // From the microphone to the loudspeaker. -1: as long as it takes until a picture of the mouth is presented.
@@ -36,6 +39,7 @@ struct VoiceSettings {
   friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };
 
+// A plain value; two that are equal need no saving.
 struct LipSettings {
   Paint paint;
   KeySettings key;
@@ -45,7 +49,7 @@ struct LipSettings {
   friend bool operator==(const LipSettings&, const LipSettings&) = default;
 };
 
-// The value of the setting with this number; see setting_table.h.
+// The value of the setting with this number; see setting_table.h. `setting` is below kSettingCount.
 float ValueOf(const LipSettings& settings, std::size_t setting);
 
 // Returns `settings` with one value changed. Errors:

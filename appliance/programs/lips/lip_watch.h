@@ -6,7 +6,7 @@
 
 namespace kaori::lips {
 
-// Borrows the reader and the loop, which outlive it.
+// Borrows the reader and the loop, which outlive it. One thread, that of the loop.
 class LipWatch {
  public:
   LipWatch(LipReader& reader, EventLoop& loop) : reader_(reader), loop_(loop) {}

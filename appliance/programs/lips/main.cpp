@@ -24,6 +24,7 @@ using kaori::lips::LipOptions;
 
 constexpr kaori::Duration kTick = 25ms;  // For silence and re-opening; frames wake the program by themselves.
 
+// For whoever sets up a box: which modes the camera has, and the rates that the reader would choose.
 int PrintModes(const LipOptions& options) {
   const kaori::SteadyClock clock;
   const auto text = kaori::camera::NamedCamera(options.device, clock).ModesText();
@@ -48,6 +49,8 @@ kaori::voice::SoundSources SoundOf(const LipOptions& options, const kaori::Clock
   return sound;
 }
 
+// The simulator's camera. Without links it fails each time, and the lips are absent: the show goes on by
+// voice or dial.
 kaori::ports::CameraOpener SimulatedCamera(const LipOptions& options) {
   if (!options.links.empty())
     return [links = options.links] { return kaori::camera::LocalCamera::Open(links); };
@@ -57,6 +60,8 @@ kaori::ports::CameraOpener SimulatedCamera(const LipOptions& options) {
   };
 }
 
+// Camera, service and voice share one thread and one loop. Settings that the service changes reach the voice
+// at each tick; the camera's reader gets them at once, by Tuning.
 int Play(const LipOptions& options, kaori::EventLoop& loop) {
   const auto lips = kaori::lips::SettingsOf(options);
   if (!lips) return kaori::ExitWithError(lips.error());

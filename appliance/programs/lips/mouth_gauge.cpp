@@ -8,6 +8,7 @@
 namespace kaori::lips {
 namespace {
 
+// The mouth at rest: how long it is looked at, how many pictures it takes at least, and how many are kept.
 constexpr Duration kLearn = std::chrono::seconds(1);
 constexpr std::size_t kMinToLearn = 8;
 constexpr std::size_t kMaxToLearn = 512;
@@ -42,6 +43,7 @@ float Ramp(float value, float low, float high) {
   return std::clamp((value - low) / (high - low), 0.0F, 1.0F);
 }
 
+// The share of the way that an exponential approach with this time constant does in `time`.
 float Share(Duration time, float follow_s) {
   return 1 - std::exp(-static_cast<float>(Seconds(time)) / follow_s);
 }
@@ -52,6 +54,8 @@ float MedianOf(std::vector<float>& values) {
   return *middle;
 }
 
+// A product of what speaks for a clean mouth: its size in the picture, how much of its box is paint, and the
+// contrast of its edge; halved where the picture's edge cuts it. 0 for proportions that no mouth has.
 float QualityOf(const Detection& detection) {
   const Contour& contour = detection.contour;
   const float width = contour.width_px / detection.picture_width_px;
@@ -78,6 +82,8 @@ void MouthGauge::SetRest(float width) {
   learning_.reset();
 }
 
+// The order matters: the tilt and the distance to the marker first, since sizes depend on them; what is
+// covered is measured no further; the mouth at rest is learnt only from what is good enough.
 const board::Lips& MouthGauge::Measure(const std::optional<Detection>& detection, Time at) {
   ++lips_.frames;
   lips_.quality = detection ? QualityOf(*detection) : 0;
@@ -98,6 +104,8 @@ const board::Lips& MouthGauge::Measure(const std::optional<Detection>& detection
   return lips_;
 }
 
+// The marker stands for the head: its distance to the upper lip of the shut mouth changes with the distance
+// of the camera only. An opening mouth lifts its upper lip, which is added back in the share that was learnt.
 MouthGauge::Sizes MouthGauge::SizesOf(const Detection& detection) {
   const float picture = detection.picture_width_px;
   Sizes sizes{detection.contour.width_px / picture, detection.contour.height_px / picture, 0};
@@ -110,7 +118,9 @@ MouthGauge::Sizes MouthGauge::SizesOf(const Detection& detection) {
   return sizes;
 }
 
-// What comes nearer to the marker from one frame to the next is the lip and not the head.
+// What comes nearer to the marker from one frame to the next is the lip and not the head. A regression
+// through the origin, products over squares, with weights that fade by kForget for each frame. Steps of more
+// than a tenth of the picture are another position and no movement.
 void MouthGauge::LearnUpperPart(float marker, float height) {
   const float nearer = upper_.marker - marker;
   const float higher = height - upper_.height;
@@ -123,6 +133,8 @@ void MouthGauge::LearnUpperPart(float marker, float height) {
   upper_.squares = std::max(upper_.squares, 1e-6F);
 }
 
+// With a marker the head's direction is seen; without one it is that of the mouth's long axis, followed
+// slowly, and the less the rounder the mouth is.
 void MouthGauge::FollowTilt(const Detection& detection, Time at) {
   const Contour& contour = detection.contour;
   if (detection.marker) {
@@ -138,7 +150,8 @@ void MouthGauge::FollowTilt(const Detection& detection, Time at) {
   tilt_rad_ += trust * share * (contour.lean_rad - tilt_rad_);
 }
 
-// A mouth ends in a pointed corner at each side; where a hand covers a corner it ends bluntly.
+// A mouth ends in a pointed corner at each side; where a hand covers a corner it ends bluntly. A mouth that
+// is covered for longer than kHidden is taken as it is: rather half a mouth than none.
 bool MouthGauge::IsHalfHidden(const Detection& detection, Time at) {
   const auto [left, right] = detection.contour.blunt;
   const bool wall = std::max(left, right) > kBlunt && std::abs(left - right) > kMaxUnlike;
@@ -149,7 +162,8 @@ bool MouthGauge::IsHalfHidden(const Detection& detection, Time at) {
   return at - *whole_ < kHidden;
 }
 
-// Without a marker a mouth with the proportions of the mouth at rest slowly shows how near the head is.
+// Without a marker a mouth with the proportions of the mouth at rest slowly shows how near the head is. Other
+// shapes of the mouth say nothing about the distance, and the last one known stays.
 void MouthGauge::FollowDistance(const Sizes& sizes, Time at) {
   if (lips_.rest_width <= 0 || sizes.marker > 0 || !seen_) return;
   const float thick = sizes.height / sizes.width;
@@ -160,6 +174,8 @@ void MouthGauge::FollowDistance(const Sizes& sizes, Time at) {
                  0.0F, 1.0F);
 }
 
+// Sizes are divided by the width at rest as it would be at this distance, and smoothed after that, so that
+// the filter's settings mean the same for every operator and camera.
 void MouthGauge::Show(const Detection& detection, const Sizes& sizes, Time at) {
   // Until the rest width is known the mouth counts as at rest.
   float rest = lips_.rest_width > 0 ? lips_.rest_width : sizes.width;
@@ -180,6 +196,7 @@ void MouthGauge::Show(const Detection& detection, const Sizes& sizes, Time at) {
                    lift(contour.left)};  // The operator's left is at the picture's right.
 }
 
+// Runs until the width is known, and again when a marker is first seen. Medians, since somebody may speak in that second.
 void MouthGauge::LearnRest(const Sizes& sizes, Time at) {
   if (lips_.rest_width > 0 && (lips_.rest_marker > 0 || sizes.marker <= 0)) return;
   if (!learning_) learning_ = Learning{at, {}, {}, {}};

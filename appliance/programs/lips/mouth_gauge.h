@@ -11,7 +11,7 @@
 
 namespace kaori::lips {
 
-// The mouth that was detected in a frame, with what its quality depends on.
+// The mouth that was detected in a frame, with what its quality depends on. It is of one picture and borrows nothing.
 struct Detection {
   Contour contour;
   float picture_width_px = 0;
@@ -29,10 +29,12 @@ class MouthGauge {
   // Goes on from `before`: its rest width where that is known, its frame count, and its sizes until paint is seen.
   explicit MouthGauge(const board::Lips& before, const GaugeSettings& settings = {});
 
-  // Measures a frame's mouth. Without one the sizes stay and the quality is 0.
+  // Measures a frame's mouth. Without one the sizes stay and the quality is 0. What it gives holds until the
+  // next call. `at` is when the picture was exposed.
   const board::Lips& Measure(const std::optional<Detection>& detection, Time at);
 
-  // Sets the width of the mouth at rest, in widths of the picture; 0 measures it again.
+  // Sets the width of the mouth at rest, in widths of the picture; 0 measures it again. The marker's distance
+  // is learnt anew as well.
   void SetRest(float width);
 
   const board::Lips& lips() const { return lips_; }

@@ -33,10 +33,13 @@ float MiddleY(const Region& region) {
   return static_cast<float>(region.top + region.bottom) / 2;
 }
 
+// Whether the region touches the picture's edge: what is beyond it is not known.
 bool IsCut(const Region& region, const Grid& grid) {
   return region.left == 0 || region.top == 0 || region.right == grid.width || region.bottom == grid.height;
 }
 
+// How far a region has the form of a mouth, by its proportions, its size and how much of its box is paint.
+// What fails is made unlikely and not impossible: a hand before the mouth leaves odd forms too.
 float Likeness(const Region& region, const Grid& grid) {
   const float width = static_cast<float>(region.width()) * grid.across_px;
   const float height = static_cast<float>(region.height()) * grid.down_px;
@@ -48,8 +51,8 @@ float Likeness(const Region& region, const Grid& grid) {
   return (odd ? kUnlikely : 1.0F) * (IsCut(region, grid) ? kCut : 1.0F);
 }
 
-// The other lip lies above or below the larger one, with its middle within the sides of that, no farther than
-// a mouth opens.
+// The other lip lies above or below the larger one, with its middle within the sides of that, no farther than a
+// mouth opens. A narrow part must touch the larger one, as a corner of the lip does that a highlight has cut off.
 bool BelongsTo(const Region& part, const Region& mouth, const Grid& grid) {
   if (IsCut(part, grid) || part.width() * 2 > mouth.width() * 3) return false;  // This is a shirt.
   const float middle = MiddleX(part);
@@ -72,6 +75,7 @@ bool IsMarker(const Region& dot, const Region& mouth) {
 
 }  // namespace
 
+// A tiny mouth among much speckle is noise that happens to be in one piece.
 const Candidate* MouthSearch::Find(Regions& regions, const Grid& grid, Time at) {
   const auto all = regions.Largest(kMinArea, kMaxRegions);
   const Region* best = nullptr;
@@ -89,6 +93,8 @@ const Candidate* MouthSearch::Find(Regions& regions, const Grid& grid, Time at) 
   return &candidate_;
 }
 
+// Area, form and position, multiplied. The position counts as a bell curve around the last mouth, whose reach
+// grows with the time since it was seen; before the first mouth every position is as good.
 float MouthSearch::Likelihood(const Region& region, const Grid& grid, Time at) const {
   const auto area = static_cast<float>(region.area);
   const auto picture = static_cast<float>(grid.width) * static_cast<float>(grid.height);
@@ -102,6 +108,7 @@ float MouthSearch::Likelihood(const Region& region, const Grid& grid, Time at) c
   return likely * std::max(std::exp(-times * times), kUnlikely);
 }
 
+// A dot above the mouth is a marker where one is worn, and else may be a lip.
 void MouthSearch::FindParts(std::span<const Region> all, const Region& largest, const Grid& grid) {
   candidate_.mouth = largest;
   candidate_.parts.assign(1, largest.name);
@@ -113,6 +120,7 @@ void MouthSearch::FindParts(std::span<const Region> all, const Region& largest, 
   }
 }
 
+// The largest of those that have the form of a marker.
 void MouthSearch::FindMarker(std::span<const Region> all) {
   candidate_.marker.reset();
   if (!wants_marker_) return;
@@ -124,7 +132,8 @@ void MouthSearch::FindMarker(std::span<const Region> all) {
   }
 }
 
-// The remembered width is the widest of late, so that pursed lips do not narrow the search.
+// The remembered width is the widest of late, so that pursed lips do not narrow the search. It shrinks by 2 %
+// for each picture, and never stays above twice what is seen.
 void MouthSearch::Remember(const Grid& grid, Time at) {
   const float width_px = static_cast<float>(candidate_.mouth.width()) * grid.across_px;
   const float before_px = last_ ? 0.98F * last_->width_px : 0;

@@ -9,17 +9,18 @@
 
 namespace kaori::lips {
 
-// What may be the mouth of a picture.
+// What may be the mouth of a picture. All in samples of the grid.
 struct Candidate {
   Region mouth;                      // The bounding box of its parts.
   std::vector<std::uint32_t> parts;  // The names of its regions; the lips of an open mouth may be apart.
   std::optional<Region> marker;      // The dot on nose or forehead, where one is worn and seen.
 };
 
-// Remembers where the last usable mouth was. The search prefers that position, and with time ever farther ones.
+// Remembers where the last usable mouth was. The search prefers that position, and with time ever farther
+// ones. Used by one thread; allocates nothing once it has seen a few pictures.
 class MouthSearch {
  public:
-  // `marker` says whether the operator wears a dot of the same paint on nose or forehead.
+  // `marker` says whether the operator wears a dot of the same paint on nose or forehead. Only then is a dot looked for.
   explicit MouthSearch(bool marker = false) : wants_marker_(marker) {}
 
   // Forgets the last position, which means nothing in pictures of another size.

@@ -18,6 +18,7 @@ float Share(float cutoff_hz, float dt_s) {
 
 }  // namespace
 
+// The speed is filtered first, with a fixed cut-off, and then sets the cut-off for the value.
 float OneEuro::Filter(float value, Time at) {
   if (!last_ || at <= last_->at || at - last_->at > kLongestGap) {
     last_ = Last{at, value, 0};

@@ -7,12 +7,14 @@
 
 namespace kaori::lips {
 
+// Units of the value are the caller's: here widths of the mouth at rest.
 struct OneEuroSettings {
   float least_cutoff_hz = 6;    // The cut-off of a value at rest; lower is stiller.
   float cutoff_per_speed = 20;  // More Hz for each unit per second of speed; higher follows sooner.
   friend bool operator==(const OneEuroSettings&, const OneEuroSettings&) = default;
 };
 
+// One filter for one value. Plain, and deterministic: time is in the argument.
 class OneEuro {
  public:
   explicit OneEuro(OneEuroSettings settings = {}) : settings_(settings) {}

@@ -5,10 +5,12 @@ namespace {
 
 constexpr auto kSamples = static_cast<std::size_t>(kBlock);
 
+// Positive or 0 within the half plane. The sum stays within 16 bits, which the vector forms rely on.
 int SideOf(const HalfPlane& half, int cb, int cr) {
   return half.cb * (cb - 128) + half.cr * (cr - 128) + half.offset;
 }
 
+// The or of three numbers is negative exactly where one of them is: one test for three comparisons.
 void KeyPlain(const ChromaRow& row, std::size_t blocks, const Wedge& wedge, std::uint64_t* into) {
   for (std::size_t block = 0; block < blocks; ++block) {
     std::uint64_t bits = 0;

@@ -1,4 +1,6 @@
 // Rows of chroma are keyed to bits, 64 samples a word, with the widest instructions that the processor has.
+// Keying touches every sample of a picture, so that this is written for the processor: AVX2, SSE2 and plain,
+// which give the same bits and are compared by a test.
 #pragma once
 
 #include <array>
@@ -24,7 +26,7 @@ struct ChromaRow {
 using Wedge = std::array<HalfPlane, 3>;
 
 // Writes `blocks` words to `into`; a bit is set where PaintKey::at is true. It reads 64 samples of `row` for
-// each word, and up to the end of the last sample's group of `step` bytes.
+// each word, and up to the end of the last sample's group of `step` bytes. Pure; any thread.
 using KeyBlocks = void (*)(const ChromaRow& row, std::size_t blocks, const Wedge& wedge, std::uint64_t* into);
 
 // All of them give the same bits. Sse2Key and Avx2Key are null where the processor lacks the instructions, or

@@ -27,6 +27,8 @@ KAORI_AVX2 inline __m256i Load16(const std::uint8_t* at) {
   return _mm256_castsi128_si256(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at)));
 }
 
+// The offset takes up that bytes are not centred: normal . (c - 128) + offset = normal . c + (offset - 128
+// (cb + cr)).
 KAORI_AVX2 inline Sides SidesOf(const Wedge& wedge) {
   Sides sides;
   for (std::size_t n = 0; n < wedge.size(); ++n) {
@@ -38,6 +40,7 @@ KAORI_AVX2 inline Sides SidesOf(const Wedge& wedge) {
   return sides;
 }
 
+// maddubs multiplies unsigned samples by the signed normal and adds Cb's and Cr's product.
 KAORI_AVX2 inline __m256i Side(__m256i pairs, const Sides& sides, int n) {
   return _mm256_adds_epi16(_mm256_maddubs_epi16(pairs, sides.normal[n]), sides.offset[n]);
 }
@@ -48,6 +51,8 @@ KAORI_AVX2 inline __m256i Signs(__m256i pairs, const Sides& sides) {
   return _mm256_or_si256(two, Side(pairs, sides, 2));
 }
 
+// 32 samples to 32 bits: packing keeps the sign of each sum, and movemask collects the signs; set bits of the
+// result are paint.
 KAORI_AVX2 inline std::uint64_t Paint(__m256i first, __m256i second, const Sides& sides) {
   const __m256i signs = _mm256_packs_epi16(Signs(first, sides), Signs(second, sides));
   const auto outside =

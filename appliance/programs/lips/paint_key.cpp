@@ -15,6 +15,7 @@ constexpr float kNoise = 3;            // Levels by which the wedge's point is b
 constexpr float kMinTangent = 0.1F;
 constexpr float kMaxTangent = 4;
 
+// The normal is scaled to a length of 64 and rounded; an offset is in levels before that.
 HalfPlane Half(float cb, float cr, float offset) {
   const float scale = kNormal / std::hypot(cb, cr);
   const auto whole = [](float value) {
@@ -27,6 +28,7 @@ int Side(const HalfPlane& half, std::uint8_t cb, std::uint8_t cr) {
   return half.cb * (cb - 128) + half.cr * (cr - 128) + half.offset;
 }
 
+// How far inside of the wedge a colour is: the least distance to its three sides, in 64ths of a level.
 int LeastSide(const std::array<HalfPlane, 3>& halves, std::uint8_t cb, std::uint8_t cr) {
   return std::min({Side(halves[0], cb, cr), Side(halves[1], cb, cr), Side(halves[2], cb, cr)});
 }
@@ -40,6 +42,10 @@ Chroma ChromaOf(Paint paint) {
   return {-0.168736F * r - 0.331264F * g + 0.5F * b, 0.5F * r - 0.418688F * g - 0.081312F * b};
 }
 
+// Side 0 cuts off what has too little tint along the paint's direction; sides 1 and 2 are the wedge's flanks,
+// whose tangent to the paint's direction is similarity over saturation: a paler paint needs a wider wedge for
+// the same distance. `soft` moves all of them outwards, so that the bits hold the soft edge too. A paint
+// without a hue has no wedge: its side 0 lies beyond every colour.
 PaintKey::PaintKey(Paint paint, const KeySettings& settings)
     : smooth_levels_(std::max(settings.smoothness * kPaintKeyLevelsPerThousandth, 1.0F)) {
   const Chroma want = ChromaOf(paint);

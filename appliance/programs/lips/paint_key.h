@@ -6,7 +6,7 @@
 
 namespace kaori::lips {
 
-// sRGB, as a colour picker shows it.
+// The colour of the paint in sRGB, as a colour picker shows it. The default is the blue theatre paint of the demo.
 struct Paint {
   std::uint8_t red = 20;
   std::uint8_t green = 60;
@@ -40,7 +40,8 @@ struct HalfPlane {
 
 // In light and in shade a paint keeps its hue and changes its saturation. A colour is therefore scaled to the
 // paint's saturation before it is compared: paint is a wedge whose point is neutral, cut off at the spill.
-// Luma does not count, so that half a mouth in shadow is still a mouth. Immutable; any thread.
+// Luma does not count, so that half a mouth in shadow is still a mouth. Immutable; any thread. Geometry in
+// levels of chroma: the soft edge is `smoothness` wide and lies around the wedge, half in and half out.
 class PaintKey {
  public:
   explicit PaintKey(Paint paint, const KeySettings& settings = {});

@@ -16,6 +16,8 @@ constexpr std::size_t kRowsAhead = 2;  // How many rows of the grid are prefetch
 // How far samples are read beyond the last one's chroma: YUYV is read up to the next luma.
 constexpr std::size_t kReadBeyond_bytes = 4;
 
+// Told by where the bytes lie, so that the reader of frames need not name its format. Nothing for layouts
+// that only the plain form reads.
 std::optional<Packing> PackingOf(const decode::Planes& planes) {
   const auto apart = planes.cr.bytes.data() - planes.cb.bytes.data();
   if (planes.cb.step_bytes == 4 && apart == 2) return Packing::kYuyv;
@@ -24,13 +26,15 @@ std::optional<Packing> PackingOf(const decode::Planes& planes) {
   return std::nullopt;
 }
 
+// One row of chroma that is being keyed.
 struct RowWork {
   ChromaRow row;
   int width;         // Samples.
   std::size_t left;  // Bytes from row.cb to the end of the frame.
 };
 
-// How many whole blocks lie within the row and the frame.
+// How many whole blocks lie within the row and the frame. The vector forms read 64 samples at a time and up
+// to the end of the last group; the last row of a frame may end before that.
 std::size_t WholeBlocks(const RowWork& work) {
   const auto in_row = static_cast<std::size_t>(work.width / kBlock);
   return std::min(in_row, work.left / (static_cast<std::size_t>(kBlock) * work.row.step));
@@ -58,7 +62,8 @@ void Prefetch(const decode::Plane& plane, std::size_t at) {
   for (std::size_t n = 0; n < row; n += kCacheLine_bytes) __builtin_prefetch(&plane.bytes[at + n]);
 }
 
-// Set where at least three of a sample and its four neighbours are set; 64 samples are counted at once, bit by bit.
+// Set where at least three of a sample and its four neighbours are set; 64 samples are counted at once, bit by
+// bit. A full adder for the three in the row, a half adder for the two in the column: three or more of five.
 std::uint64_t Vote(std::uint64_t left, std::uint64_t here, std::uint64_t right, std::uint64_t above,
                    std::uint64_t below) {
   const std::uint64_t odd_in_row = left ^ here ^ right;
@@ -84,6 +89,7 @@ Grid GridOf(const decode::Planes& planes) {
   return {c.width_px, c.height_px / step, step, across, down * static_cast<float>(step)};
 }
 
+// The raw bits have an empty row at each end, so that the vote needs no test at the edges.
 void PaintMask::Read(const decode::Planes& planes, const PaintKey& key) {
   grid_ = GridOf(planes);
   words_ = static_cast<std::size_t>(grid_.width + kBlock - 1) / kBlock;
@@ -106,6 +112,7 @@ void PaintMask::Read(const decode::Planes& planes, const PaintKey& key) {
   VoteOn(rows);
 }
 
+// Runs are counted on the way, by their first bits, so that Regions::Find can refuse noise before it looks at anything.
 void PaintMask::VoteOn(std::size_t rows) {
   runs_ = 0;
   for (std::size_t y = 0; y < rows; ++y) {

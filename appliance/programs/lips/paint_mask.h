@@ -24,10 +24,11 @@ struct Grid {
 // The grid of a picture; 0 x 0 where its two planes of chroma differ in size or layout.
 Grid GridOf(const decode::Planes& planes);
 
-// Keeps its buffers from frame to frame. Used by one thread.
+// Keeps its buffers from frame to frame. Used by one thread. Deterministic, and the same on every processor.
 class PaintMask {
  public:
-  // Keys a picture. The planes are borrowed for the call.
+  // Keys a picture. The planes are borrowed for the call. Allocates only for a picture that is larger than
+  // those before it. A picture without usable chroma gives an empty grid.
   void Read(const decode::Planes& planes, const PaintKey& key);
 
   const Grid& grid() const { return grid_; }

@@ -16,6 +16,7 @@ Region Hull(const Region& a, const Region& b) {
           std::max(a.bottom, b.bottom), a.area + b.area,        a.name};
 }
 
+// Row by row: runs are cut out of the bits, and joined to those of the row above.
 bool Regions::Find(const PaintMask& mask) {
   runs_.clear();
   regions_.clear();
@@ -33,7 +34,8 @@ bool Regions::Find(const PaintMask& mask) {
   return true;
 }
 
-// A run begins and ends where a bit differs from the one before it.
+// A run begins and ends where a bit differs from the one before it. 64 samples at a time, of which only the
+// edges cost anything.
 void Regions::CutRuns(std::span<const std::uint64_t> words, int row) {
   std::uint64_t before = 0;
   bool open = false;
@@ -70,6 +72,7 @@ void Regions::Join(std::size_t above, std::size_t here) {
   }
 }
 
+// A run with no contact above begins a region; otherwise it joins that of the first contact.
 void Regions::Add(Run& run, std::uint32_t label) {
   const Region alone{run.begin, run.row, run.end, run.row + 1, run.end - run.begin, 0};
   if (label == kNone) {
@@ -83,11 +86,13 @@ void Regions::Add(Run& run, std::uint32_t label) {
   regions_[run.label] = Hull(regions_[run.label], alone);
 }
 
+// Union-find with path halving.
 std::uint32_t Regions::RootOf(std::uint32_t label) {
   while (into_[label] != label) label = into_[label] = into_[into_[label]];
   return label;
 }
 
+// The box and the area of the united region are kept at its root.
 void Regions::Unite(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t into = RootOf(a);
   const std::uint32_t other = RootOf(b);

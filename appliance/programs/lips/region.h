@@ -10,7 +10,7 @@
 
 namespace kaori::lips {
 
-// The bounding box of a region in samples of the grid; `right` and `bottom` are exclusive.
+// The bounding box of a region in samples of the grid; `right` and `bottom` are exclusive. Areas count samples.
 struct Region {
   int left = 0;
   int top = 0;
@@ -26,7 +26,7 @@ struct Region {
 // The bounding box of both, with the name of `a` and both areas.
 Region Hull(const Region& a, const Region& b);
 
-// Samples of paint side by side in one row.
+// Samples of paint side by side in one row. `label` is where the run was put first; NameOf says where it belongs now.
 struct Run {
   int begin = 0;
   int end = 0;  // Exclusive.
@@ -34,7 +34,8 @@ struct Run {
   std::uint32_t label = 0;
 };
 
-// Keeps its buffers from frame to frame, so that it allocates nothing after a busy picture. Used by one thread.
+// Keeps its buffers from frame to frame, so that it allocates nothing after a busy picture. Used by one
+// thread. Connected means by sides or corners. What it gives holds until the next Find.
 class Regions {
  public:
   // Finds the regions of a mask. Returns false, without regions, where so many runs mean that all of it is noise.

@@ -7,8 +7,10 @@
 namespace kaori::lips {
 namespace {
 
+// The gate shuts at half the amplitude at which it opens, so that it does not flutter.
 constexpr float kGateHysteresis_db = 6;
 
+// None where no show is named: motions are then silent.
 Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
   if (options.pack.empty()) return std::vector<show::Sound>();
   show::LoadOptions load{.signed_by = {}, .on_verified_root = options.verified};

@@ -13,7 +13,7 @@ namespace kaori::lips {
 // and those of show::ReadPublicKey and show::LoadSounds.
 Result<voice::VoiceServiceSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips);
 
-// The gate and the delay for settings that change while the program runs. A delay of the command line has priority.
+// The gate and the delay for settings that change while the program runs. A delay of the command line has priority. Pure.
 voice::GateSettings GateOf(const VoiceSettings& voice);
 voice::DelaySetting DelayOf(const LipOptions& options, const VoiceSettings& voice);
 

@@ -13,7 +13,8 @@
 namespace kaori::stage {
 
 // Pure: it is told of flips and of drawing and asked for plans, and reads no clock. All its lengths are
-// fractions of the screen's period, so that it holds for any screen.
+// fractions of the screen's period, so that it holds for any screen. One thread; allocates nothing. The calls
+// for one frame come in the order Next, Drawn, Flipped.
 class FramePacer {
  public:
   struct Plan {
@@ -24,23 +25,29 @@ class FramePacer {
   // Off: each frame begins right after the flip before it.
   void Set(bool late) { late_ = late; }
 
-  // To be called for another screen: all that was learnt is forgotten but for the count of missed flips.
+  // To be called for another screen: all that was learnt is forgotten but for the count of missed flips. A
+  // plan that was given before stands for the old screen and is not to be drawn by.
   void Forget();
 
-  // To be called when a frame is presented.
+  // To be called when a frame is presented. `flip` says when scan-out began (CLOCK_MONOTONIC, the kernel's
+  // stamp) and the period. Counts the flip as missed where it came half a period or more after the blank that
+  // its frame was aimed at.
   void Flipped(const ports::Flip& flip);
 
-  // To be called when the frame of `plan` has been handed to the screen, at `done`.
+  // To be called when the frame of `plan` has been handed to the screen, at `done`. Each plan is handed in
+  // once. A `done` before the plan's begin counts as no time at all.
   void Drawn(const Plan& plan, Time done);
 
   // The plan for the next frame, of which nothing was begun yet: at once, where no flip was seen so far.
+  // Changes nothing: asking again later gives a later plan.
   Plan Next(Time now) const;
 
   // How many flips came later than was aimed at.
   std::uint32_t missed() const { return missed_; }
-  // What is kept in hand beyond the usual time of drawing.
+  // What is kept in hand beyond the usual time of drawing: between a sixteenth of the period and a whole one.
   Duration margin() const { return margin_; }
-  // The usual time from the beginning of a frame until the screen has it: the median of the newest frames.
+  // The usual time from the beginning of a frame until the screen has it: the median of the newest 15 frames;
+  // 0 before the first.
   Duration usual() const;
 
  private:

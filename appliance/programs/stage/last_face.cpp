@@ -15,10 +15,15 @@
 namespace kaori::stage {
 namespace {
 
+// Between two writings, which wear the disk; a scene that is called meanwhile is kept when it is over.
 constexpr Duration kBetween = std::chrono::seconds(30);
+// Seconds after the beginning of a blink (0.26 s long) from which on the eyes look awake, and the shut part
+// of a lid, 0..1, up to which they count as open.
 constexpr float kBlinkOver_s = 0.6F;
 constexpr float kOpenLids = 0.1F;
 
+// Reads the first `most` bytes of a file, or all of it where it is shorter. A file that grows beyond what the
+// format allows is read one byte further than that and so is refused as torn.
 Result<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& path, std::size_t most) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -29,6 +34,7 @@ Result<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& path, s
   return bytes;
 }
 
+// The state as LastFace::Writer puts it: the layout's number, then the bytes of performance::State.
 std::optional<performance::State> StateIn(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLayout = sizeof(std::uint32_t);
   board::Performance held;
@@ -39,6 +45,7 @@ std::optional<performance::State> StateIn(std::span<const std::uint8_t> bytes) {
   return board::Restore<performance::State>(held);
 }
 
+// Whether no fade of face, expression, style, backdrop or light is under way.
 bool Done(const performance::State& state) {
   const auto done = [](const performance::Mixture* mixture) { return mixture->progress >= 1; };
   return std::ranges::all_of(std::array{&state.faces, &state.expressions, &state.styles, &state.backdrops},
@@ -55,6 +62,7 @@ bool IsCalm(const performance::State& state, const scene::Scene& scene) {
          std::ranges::none_of(scene.weights.lids_shut, shut);
 }
 
+// Neither a blackout nor words on the screen shall greet whoever switches the box on.
 bool IsFit(const performance::State& state, const scene::Scene& scene) {
   return state.blackout <= 0 && !(scene.caption.shown > 0);
 }
@@ -67,6 +75,8 @@ Result<std::uint64_t> ShowMark(const std::filesystem::path& pack) {
   return wire::AddSum(wire::kEmptySum, *bytes);
 }
 
+// The checks go from the bytes to the meaning: the file's own sum, the show it belongs to, the layout of this
+// build, then every field. A state of another version is refused and not converted.
 Result<performance::State> RecallLastFace(const LastFaceFile& where, const show::Show& show,
                                           const board::Snapshot& board, Time presented_at) {
   const auto bytes = ReadBytes(where.file, wire::kLargestLastFace_bytes + 1);
@@ -82,6 +92,7 @@ Result<performance::State> RecallLastFace(const LastFaceFile& where, const show:
   return performance::Recalled(*state, board, presented_at);
 }
 
+// A board that has a state is newer than any disk: there the stage was restarted, and not the box.
 std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, const show::Show& show,
                                                  const board::Board& board,
                                                  board::Writer<board::Performance>& writer,
@@ -104,11 +115,13 @@ LastFace::LastFace(LastFaceFile where, Look look, const std::optional<performanc
 
 LastFace::~LastFace() = default;
 
+// Dials are compared as they are set, not as they are shown, since those follow for seconds.
 LastFace::Called LastFace::CalledOf(const performance::State& state) {
   return {.items = {state.faces.to, state.expressions.to, state.styles.to, state.backdrops.to, state.scene},
           .knobs = state.knobs};
 }
 
+// A writing that failed is tried again: what was thought to be kept is forgotten.
 void LastFace::Observe(const performance::State& state, const scene::Scene& scene, Time now) {
   seen_ = state;
   fit_ = IsFit(state, scene);
@@ -119,6 +132,8 @@ void LastFace::Observe(const performance::State& state, const scene::Scene& scen
   not_before_ = now + kBetween;
 }
 
+// The picture is read back from the graphics card here, on the stage's thread; only the disk is left to the
+// other one. `kept_` is set before the disk has it, so that a slow disk is asked once.
 bool LastFace::Keep() {
   SmallImage* const into = writer_->idle();
   if (into == nullptr || !look_(*into)) return false;
@@ -131,6 +146,7 @@ void LastFace::Finish() {
   writer_->Finish();
 }
 
+// Waits twice: for the writing that may be under way, since its buffers are in use, and for the new one.
 void LastFace::KeepNow() {
   if (!fit_) return;
   Finish();

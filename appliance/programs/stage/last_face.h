@@ -21,23 +21,28 @@
 namespace kaori::stage {
 
 // Where it is kept, and of which show (ShowMark).
+// The pack's mark tells that file and show belong together: a box with another show starts with that show's
+// own picture.
 struct LastFaceFile {
   std::filesystem::path file;
   std::uint64_t show = 0;
 };
 
-// Tells one show's pack from another by how it begins. Errors: those of open(2) and read(2).
+// Tells one show's pack from another by how it begins: a sum over the first wire::kShowMark_bytes, among
+// which lies the checksum of the content. Errors: those of open(2) and read(2).
 Result<std::uint64_t> ShowMark(const std::filesystem::path& pack);
 
 // The state that was kept, on this board, for a first frame that is presented at `presented_at`. Blocks for
 // the disk. Errors:
 //   no_such_file_or_directory  none was kept
 //   invalid_argument           a torn file, one of another show or another version
+// The fades of the kept state are done and its time is `presented_at` (performance::Recalled).
 Result<performance::State> RecallLastFace(const LastFaceFile& where, const show::Show& show,
                                           const board::Snapshot& board, Time presented_at);
 
 // Puts the state that was kept onto a board that has none yet, and gives it: a stage that starts then goes on
-// from there. Why it cannot be had is one line in the log, but for a box that never kept one.
+// from there. Why it cannot be had is one line in the log, but for a box that never kept one. Blocks for the
+// disk; called once, before the Stage is made, which then finds the state on the board as it would after a crash.
 std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, const show::Show& show,
                                                  const board::Board& board,
                                                  board::Writer<board::Performance>& writer,
@@ -45,13 +50,15 @@ std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, cons
 
 // Called by the stage's thread; a thread of its own writes. A face is kept within half a minute after a call
 // or a dial changed it, once no fade, motion or blink is under way; not in a blackout, nor with words on the
-// screen. Of the disk's errors each kind is logged once, and the show goes on.
+// screen. Of the disk's errors each kind is logged once, and the show goes on. The owner calls KeepNow before
+// it ends in order; a stage that is killed loses half a minute at most, and the file is never half written.
 class LastFace {
  public:
-  // Copies out what is on the screen; false where there is nothing.
+  // Copies out what is on the screen; false where there is nothing. Called on the stage's thread; it may wait
+  // for the graphics card.
   using Look = std::function<bool(SmallImage&)>;
 
-  // `recalled` is what lies there already.
+  // `recalled` is what lies there already, so that it is not written again; empty where there is nothing.
   LastFace(LastFaceFile where, Look look, const std::optional<performance::State>& recalled);
   // Waits for the disk.
   ~LastFace();
@@ -62,7 +69,8 @@ class LastFace {
   // for the picture twice a minute at most.
   void Observe(const performance::State& state, const scene::Scene& scene, Time now);
 
-  // Keeps what was observed last, however new, and waits for the disk: for an orderly end.
+  // Keeps what was observed last, however new, and waits for the disk: for an orderly end. Does nothing in a
+  // blackout, with words on the screen, or before the first frame.
   void KeepNow();
 
   // Waits until what was copied out is on the disk, or was refused.
@@ -83,7 +91,9 @@ class LastFace {
   std::unique_ptr<Writer> writer_;
   std::optional<Called> kept_;
   performance::State seen_;
-  bool fit_ = false;  // The frame that was observed last is one to keep.
+  // The frame that was observed last is one to keep: no blackout, no caption.
+  bool fit_ = false;
+  // True until the first frame was observed.
   bool first_ = true;
   Time not_before_{};
 };

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kPixel_bytes = 4;
 
+// A binary PPM without the fourth byte of each pixel: the boot splash reads it without any library.
 void MakePpm(const SmallImage& image, std::vector<std::uint8_t>& into) {
   into.clear();
   const std::string head = fmt::format("P6\n{} {}\n255\n", image.width_px, image.height_px);
@@ -21,6 +22,7 @@ void MakePpm(const SmallImage& image, std::vector<std::uint8_t>& into) {
     into.insert(into.end(), {image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]});
 }
 
+// The layout's number, little-endian, then as many bytes of the state as are in use.
 void MakeState(const board::Performance& performance, std::vector<std::uint8_t>& into) {
   into.assign(sizeof(std::uint32_t), 0);
   wire::PutU32(into, 0, performance.layout);
@@ -45,6 +47,8 @@ void LastFace::Writer::Write(const board::Performance& performance) {
   writer_.Ask();
 }
 
+// On the writer's own thread. The picture comes first and the end of the file says where
+// each part lies (firmware/wire/last_face.h).
 Result<void> LastFace::Writer::WriteOut() {
   MakePpm(image_, picture_);
   MakeState(performance_, state_);

@@ -1,4 +1,5 @@
-// The thread that waits for the disk while the last face is written.
+// The thread that waits for the disk while the last face is written. Buffers are reused, so that the second
+// writing and those after it allocate nothing.
 #pragma once
 
 #include <atomic>
@@ -13,8 +14,10 @@ namespace kaori::stage {
 class LastFace::Writer {
  public:
   explicit Writer(LastFaceFile where);
-  // To be filled for the next Write; null while one is under way.
+  // The image, to be filled for the next Write; null while a writing is under way. Owned by the writer.
   SmallImage* idle() { return writer_.busy() ? nullptr : &image_; }
+  // Hands the filled image over with its state, and returns without waiting. Only to be called where idle()
+  // gave the image.
   void Write(const board::Performance& performance);
 
   // The last writing failed; false from the next one on.

@@ -48,7 +48,8 @@ struct Settings {
   bool early = false, verified = false;
 };
 
-// None on a desk, where the simulator's screen is looked for, and none in a box that has none.
+// The graphics card of a box. Null on a desk, where the simulator's screen is looked for, and in a box that has
+// none: playing unseen keeps the lamps alive. Any other failure ends the program, and systemd starts it again.
 kaori::Result<std::unique_ptr<kaori::scanout::KmsCard>> CardOf(const Settings& settings) {
   if (settings.card.empty()) return nullptr;
   auto card = kaori::scanout::KmsCard::Open(settings.card, settings.fdkeeper);
@@ -72,13 +73,15 @@ kaori::Result<Screen> OpenScreen(kaori::scanout::KmsCard& card, const kaori::Clo
   return std::move(*screen);
 }
 
-// A card that comes later wants another start: what draws was chosen without it.
+// A card that comes later wants another start: what draws was chosen without it. The service manager then
+// starts the stage anew, and the fade goes on where it was.
 kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop) {
   std::error_code none;
   if (std::filesystem::exists(path, none)) loop.Stop();
   return kaori::Fail(std::errc::no_such_device, "find a graphics card");
 }
 
+// What the loading thread hands over: the editor has appended its expressions to the show before it is prepared.
 struct Loaded {
   std::unique_ptr<kaori::editor::ExpressionEditor> editor;
   std::unique_ptr<kaori::stage::PreparedShow> show;
@@ -115,6 +118,10 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
   return std::make_unique<kaori::stage::LastFace>(where, look, taken_up);
 }
 
+// The show is loaded on another thread beside Mesa, which takes about as long; everything else is this
+// thread's. The writers are acquired before the GL context is made, so that a second stage ends at once. Once
+// the first picture is shown the card is handed to the fd keeper (Preserve), so that the picture stays when
+// the stage ends in whatever way. The last face is kept when the loop has ended.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   // The show beside Mesa, which takes about as long.
   auto loading = std::async(std::launch::async, [&] { return LoadShow(settings); });

@@ -11,11 +11,13 @@ constexpr Duration kOldest = std::chrono::milliseconds(500);  // Older ones move
 
 }  // namespace
 
+// A stamp of the future counts as new.
 void MouthClock::Mean::Add(Duration age) {
   sum += std::max(age, Duration{});
   ++count;
 }
 
+// Lips without paint move no mouth and have no age; a silent voice has one, since it shuts the mouth.
 void MouthClock::Present(std::uint64_t frame, const board::Snapshot& board, const performance::State& state) {
   const bool seen = board.lips.source == board::SourceState::kLive && board.lips.value.quality > 0;
   frame_ = frame;
@@ -36,6 +38,7 @@ void MouthClock::Flip(const ports::Flip& flip) {
         flip.period / 2 + performance::MouthLag(shown_, flip.period));
 }
 
+// What nothing was measured of is 0, and the sums begin anew.
 void MouthClock::Report(board::StageStatus& into) {
   into.lips_age = lips_.mean();
   into.voice_age = voice_.mean();

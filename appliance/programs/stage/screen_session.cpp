@@ -14,6 +14,8 @@ constexpr Duration kLookPeriod = 250ms;   // How often a screen that is gone is 
 
 }  // namespace
 
+// The first look is made before anything is watched, so that the first picture is drawn as soon as possible.
+// Both timers run always; the step of an unseen stage does nothing while there is a screen.
 Result<void> ScreenSession::Begin() {
   const auto unseen = [this] {
     if (!stage_.has_screen()) stage_.StepUnseen();
@@ -35,6 +37,7 @@ void ScreenSession::Look() {
   if (screen) Watch(std::move(*screen));  // None is expected while nobody has plugged one in.
 }
 
+// Where the loop cannot watch the screen, the look every 250 ms still serves it, slowly.
 void ScreenSession::Watch(std::unique_ptr<ports::Scanout> screen) {
   Log("a screen is plugged in");
   watched_ = screen->pollable();
@@ -43,6 +46,8 @@ void ScreenSession::Watch(std::unique_ptr<ports::Scanout> screen) {
   Step();
 }
 
+// A stage that has let its screen go is watched no longer; the descriptor is closed already, and the loop
+// forgets the number.
 void ScreenSession::Step() {
   stage_.Step();
   if (!stage_.has_screen()) return loop_.Forget(watched_);

@@ -11,10 +11,13 @@
 
 namespace kaori::stage {
 
-// One thread, that of the loop; the stage and the loop must outlive it.
+// One thread, that of the loop; the stage and the loop must outlive it. With a screen the stage steps when a
+// flip is reported and when the alarm rings for its next frame; without one it moves 30 times a second, and a
+// screen is looked for four times a second.
 class ScreenSession {
  public:
-  // Opens the screen that is there now; fails while there is none, which is expected and not logged.
+  // Opens the screen that is there now; fails while there is none, which is expected and not logged. May block for
+  // the kernel's mode setting, some tens of milliseconds. The session owns what it gives, by way of the stage.
   using Open = std::function<Result<std::unique_ptr<ports::Scanout>>()>;
 
   ScreenSession(Stage& stage, EventLoop& loop, Alarm alarm, Open open)
@@ -25,7 +28,9 @@ class ScreenSession {
   Result<void> Begin();
 
  private:
+  // Looks for a screen where there is none, else steps the stage.
   void Look();
+  // Gives the screen to the stage and watches its descriptor.
   void Watch(std::unique_ptr<ports::Scanout> screen);
   void Step();
 

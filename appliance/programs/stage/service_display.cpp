@@ -11,6 +11,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
+// Twenty of the writer's periods of 25 ms, and three of the desk's of a second: what has been silent for
+// longer has ended, and its lines must not stay on the screen.
 constexpr Duration kGuideSilence = milliseconds(500);
 constexpr Duration kDeskSilence = milliseconds(3000);
 constexpr Duration kBlink = milliseconds(800);
@@ -18,10 +20,12 @@ constexpr Duration kFastBlink = milliseconds(200);
 constexpr std::uint32_t kPoses = 4;
 constexpr std::uint8_t kEnter = 0x28, kEscape = 0x29, kPadEnter = 0x58;  // HID page 7.
 
+// A blink from the clock alone, so that all lamps blink in step and nothing is remembered.
 bool IsOn(Time now, Duration period) {
   return now.time_since_epoch() % period < period / 2;
 }
 
+// Two or three short lines: they stand beside the face. The second one warns where no mouth is seen.
 std::vector<std::string> GuideLines(const board::LipsGuide& guide) {
   constexpr std::array<const char*, kPoses> kNames{"shut", "open", "wide", "narrow"};
   if (guide.step >= kPoses) return {"lips: all is taken", "Enter keeps it   Esc goes back"};
@@ -36,6 +40,8 @@ std::vector<std::string> GuideLines(const board::LipsGuide& guide) {
   return lines;
 }
 
+// The address to type, the code, and the first bytes of the certificate's fingerprint, which a visitor
+// compares with what the browser shows.
 std::vector<std::string> DeskLines(const board::Desk& desk) {
   const std::uint32_t a = desk.address, c = desk.certificate;
   std::vector<std::string> lines{fmt::format("{}://{}.{}.{}.{}:{}", desk.secure != 0 ? "https" : "http",
@@ -47,12 +53,14 @@ std::vector<std::string> DeskLines(const board::Desk& desk) {
   return lines;
 }
 
+// A code that has run out is not shown even where the desk hangs and cannot take it away.
 bool HasCode(const board::Stamped<board::Desk>& desk, Time now) {
   const Duration age = now - desk.at;
   return desk.source == board::SourceState::kLive && age < kDeskSilence &&
          age < FromSeconds(desk.value.valid_s);
 }
 
+// In front of what the editor may have put there; a caption that is not shown holds lines of an earlier frame.
 void Say(const std::vector<std::string>& lines, scene::Caption& caption) {
   if (!(caption.shown > 0)) caption.lines.clear();
   caption.shown = 1;
@@ -77,6 +85,7 @@ std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now) {
   return ((1U << guide.step) - 1) | (on ? 1U << guide.step : 0);
 }
 
+// One at a time: the calibration is what somebody stands before the box for.
 void ShowService(const board::Snapshot& board, Time now, scene::Scene& scene) {
   if (IsGuiding(board.lips_guide, now) && board.lips_guide.value.captions != 0)
     return Say(GuideLines(board.lips_guide.value), scene.caption);

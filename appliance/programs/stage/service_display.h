@@ -11,11 +11,13 @@
 
 namespace kaori::stage {
 
-// True while a calibration is under way at the box; one whose program has been silent for half a second is over.
+// True while a calibration is under way at the box; one whose program has been silent for half a second is
+// over. Pure, as all of this file; `now` is the time at which the frame is presented.
 bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now);
 
 // While it is, presses of buttons, Enter and Escape are the calibration's, which reads them from the board
-// itself: takes them out of `events`, so that nobody is called by them.
+// itself: takes them out of `events`, so that nobody is called by them. Other keys still play. Dials and
+// sticks are not touched.
 void ConsumeGuideInput(performance::InputEvents& events);
 
 // The lamps of buttons 1 to 4 are shut, open, wide, narrow: those that are taken are lit, the one that is

@@ -13,11 +13,14 @@ namespace kaori::stage {
 namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
+// The age of the lips is logged when it changes by more than a quarter and 5 ms, and not more often than
+// every ten seconds.
 constexpr Duration kSameAge = std::chrono::milliseconds(5);
 constexpr Duration kAgeQuiet = std::chrono::seconds(10);
 constexpr Duration kOldestInput = std::chrono::hours(1);             // What is older is as old.
 constexpr Duration kFarthestAhead = std::chrono::milliseconds(100);  // A screen that promises more is wrong.
 
+// Time of all threads of the process, Mesa's included, in user and kernel.
 Duration CpuOfProcess() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
@@ -27,10 +30,12 @@ Duration CpuOfProcess() {
   return time(usage.ru_utime) + time(usage.ru_stime);
 }
 
+// The newest stamp of what moves the face by hand or lips. A voice writes without a pause and would hide all others.
 Time NewestInput(const board::Snapshot& s) {
   return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
 }
 
+// The expected state of a screen that has no room for a picture, or no flip to tell of.
 bool Waits(const Error& error) {
   return error.cause == std::errc::resource_unavailable_try_again;
 }
@@ -49,6 +54,7 @@ Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
   return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*motion_now)};
 }
 
+// The count of frames and the last motion go on from the board, so that readers who compare them see no step back.
 Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock)
     : board_(board), snapshots_(board), writers_(std::move(writers)), studio_(studio), clock_(clock) {
   const auto kept = board::Restore<performance::State>(board.Read<board::Performance>().value);
@@ -59,6 +65,7 @@ Stage::Stage(const board::Board& board, StageWriters writers, Studio& studio, co
   pacer_.Set(false);
 }
 
+// The window goes before its screen: EGL would draw into memory that is gone.
 void Stage::SetScreen(std::unique_ptr<ports::Scanout> screen) {
   studio_.CloseWindow();
   screen_ = std::move(screen);
@@ -66,6 +73,8 @@ void Stage::SetScreen(std::unique_ptr<ports::Scanout> screen) {
   plan_.reset();
 }
 
+// Flips first: they free a buffer, and say when the next blank comes. Any error but Waits means that the
+// screen is gone, whatever it says.
 void Stage::Step() {
   if (!screen_) return;
   auto done = HandleFlips();
@@ -75,11 +84,13 @@ void Stage::Step() {
   SetScreen(nullptr);
 }
 
+// No status is written: a stage that nobody sees counts as dead for the tally lamp.
 void Stage::StepUnseen() {
   const Time now = clock_.now();
   Perform(ReadBoard(now), now);
 }
 
+// While the board settles on a new file its counters are adopted, not differenced.
 const board::Snapshot& Stage::ReadBoard(Time now) {
   const board::Snapshot& snapshot = snapshots_.Read(now);
   if (snapshots_.settling()) performance::ForgetCounters(state_.seen);
@@ -95,6 +106,7 @@ Result<void> Stage::HandleFlips() {
   }
 }
 
+// Only the newest frame's sampling time is known; a flip of an older one says nothing of it.
 void Stage::NoteFlip(const ports::Flip& flip) {
   pacer_.Flipped(flip);
   mouth_clock_.Flip(flip);
@@ -123,6 +135,9 @@ Result<void> Stage::DrawWhenDue() {
   return Draw(*picture);
 }
 
+// The order is what makes the input fresh: the board is read here, right before drawing and not when the plan
+// was made. The plan's time is bounded, since a screen's word is not believed without limit. What may wait
+// comes after Present: the report, the last face, and the rehearsal of one more shader.
 Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   const FramePacer::Plan plan = *std::exchange(plan_, std::nullopt);
   const Duration cpu_before = CpuOfProcess();
@@ -144,7 +159,8 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   return {};
 }
 
-// The editor takes its events first; what is left plays.
+// The editor takes its events first; what is left plays. Expressions that it changed are renewed before the
+// frame is animated, so that a pull is seen in the frame that reads it.
 performance::Performed Stage::Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
                                       Time presented_at) {
   if (!editor_) return performance::Animate(state_, snapshot, events, studio_.show(), presented_at);
@@ -155,6 +171,9 @@ performance::Performed Stage::Animate(const board::Snapshot& snapshot, performan
   return performed;
 }
 
+// One frame of the show without drawing. Events are handed on in this order: calibration, editor,
+// performance; each takes out what it uses. The state goes to the board with every frame: that is what a
+// stage which is killed resumes from.
 scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time presented_at) {
   performance::InputEvents events = performance::ReadEvents(state_.seen, snapshot);
   const bool guiding = IsGuiding(snapshot.lips_guide, presented_at);
@@ -193,6 +212,8 @@ void Stage::LogLipsAge(Time now) {
       Seconds(age) * 1e3, Seconds(status_.mouth_lag) * 1e3);
 }
 
+// Means are over a second at least; the first one begins with the first frame. Ages are bounded: a board on
+// which nothing was ever written has stamps of the machine's start.
 void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   const Time now = clock_.now();
   if (second_.frames == 0 && second_.began == Time{}) second_.began = state_.last;

@@ -1,4 +1,6 @@
-// The stage: reads the board as late as the frame allows, animates, draws, and presents.
+// The stage: reads the board as late as the frame allows, animates, draws, and presents. One frame is in
+// three times: the input is sampled at plan.begin, the animation is asked for plan.presented_at, and the flip
+// says when it really was presented.
 #pragma once
 
 #include <array>
@@ -20,7 +22,7 @@
 
 namespace kaori::stage {
 
-// What the stage writes to the board.
+// What the stage writes to the board. Who holds these is the one stage of the machine.
 struct StageWriters {
   board::Writer<board::Performance> performance;
   board::Writer<board::Lamps> lamps;
@@ -31,13 +33,16 @@ struct StageWriters {
   static Result<StageWriters> Acquire(const board::Board& board);
 };
 
-// One thread. The board, the studio and the clock must outlive it.
+// One thread. The board, the studio and the clock must outlive it. Nothing of it waits for a screen, a disk
+// or another program; the one wait of the process is in its event loop.
 class Stage {
  public:
-  // Goes on from the state that an earlier stage left on the board, if that is valid.
+  // Goes on from the state that an earlier stage left on the board, if that is valid. Else it opens the
+  // show's first scene. Draws nothing yet.
   Stage(const board::Board& board, StageWriters writers, Studio& studio, const Clock& clock);
 
-  // Lets an author make expressions in the show. `editor` was opened on the studio's show.
+  // Lets an author make expressions in the show. `editor` was opened on the studio's show. To be called
+  // before the first Step.
   void SetEditor(std::unique_ptr<editor::ExpressionEditor> editor) { editor_ = std::move(editor); }
   const editor::ExpressionEditor* expression_editor() const { return editor_.get(); }
 
@@ -45,7 +50,7 @@ class Stage {
   using AfterFrame = std::function<void(const performance::State&, const scene::Scene&, Time now)>;
   void CallAfterFrames(AfterFrame after) { after_frame_ = std::move(after); }
 
-  // The screen that shows the frames from now on; none when it was unplugged.
+  // The screen that shows the frames from now on, owned by the stage; null when it was unplugged.
   void SetScreen(std::unique_ptr<ports::Scanout> screen);
   bool has_screen() const { return screen_ != nullptr; }
   ports::Scanout* screen() const { return screen_.get(); }  // Until the next SetScreen or Step.
@@ -55,14 +60,16 @@ class Stage {
   void SampleLate() { pacer_.Set(true); }
 
   // Handles the flips that happened, and draws the next frame when the screen has room for it and it is time.
-  // Never waits for the screen. A screen that is gone is let go, with a line in the log.
+  // Never waits for the screen. A screen that is gone is let go, with a line in the log. To be called when
+  // the screen's descriptor is readable and at wakes_at(). A frame takes as long as drawing does; one of them
+  // is drawn at most.
   void Step();
 
   // When the next frame begins, if the screen waits for one; it may have passed.
   std::optional<Time> wakes_at() const;
 
   // To be called instead while there is no screen: the performance still moves, so that lamps answer and no
-  // jump is seen later.
+  // jump is seen later. Some 30 times a second are enough.
   void StepUnseen();
 
   // How long a frame usually takes, for the watchdog; 0 until 100 were drawn.
@@ -96,8 +103,11 @@ class Stage {
   bool resumed_ = false;
   FramePacer pacer_;
   std::optional<FramePacer::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
+  // Number of the newest frame that was presented, counted from 1 since this stage began.
+  // Number of the newest frame that was presented, counted from 1 since this stage began.
   std::uint64_t frame_ = 0;
-  Time read_{};  // When the input was sampled for that frame.
+  // When the input was sampled for that frame.
+  Time read_{};
   MouthClock mouth_clock_;
   AfterFrame after_frame_;
   Duration logged_age_{};

@@ -17,7 +17,8 @@ constexpr Duration kFactsPeriod = 1s;  // How often files are looked at.
 constexpr int kShare = 16;             // Of a frame's usual time, for lines that changed.
 constexpr Duration kGivenUp = 60s;     // How long a display that cannot show is left alone.
 
-// Whole or not at all: others read it.
+// Whole or not at all: others read it. The folder is in memory (/run), so that nothing is gained by waiting
+// for a disk; a failure leaves the old file and is nobody's business.
 void WriteWhole(const std::filesystem::path& path, const std::string& text) {
   const std::filesystem::path draft = path.string() + ".draft";
   if (!(std::ofstream(draft) << text)) return;
@@ -27,6 +28,7 @@ void WriteWhole(const std::filesystem::path& path, const std::string& text) {
 
 }  // namespace
 
+// A display that is busy with the last rows is no failure: what it was not shown is owed and comes at the next step.
 void StageStatusDisplay::Step(ports::Scanout* screen) {
   LookAtScreens(screen);
   ports::StatusDisplay* const display = screen == nullptr ? nullptr : screen->status_display();
@@ -38,6 +40,7 @@ void StageStatusDisplay::Step(ports::Scanout* screen) {
   silent_until_ = clock_.now() + kGivenUp;
 }
 
+// The facts hold the screens too, so that they are read anew when those change.
 void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
   auto outputs = screen == nullptr ? std::vector<ports::Output>() : screen->outputs();
   if (screens_ == outputs) return;
@@ -55,6 +58,7 @@ std::vector<status::Line> StageStatusDisplay::Lines() {
   return status::Describe(status::Look(board_, facts_, now));
 }
 
+// A display that was plugged in, or changed its mode, is blank or of another size: everything is drawn anew.
 Result<void> StageStatusDisplay::ShowNext(ports::StatusDisplay& display) {
   const bool anew = display.fresh() || !sheet_;
   const auto rows = anew ? DrawAnew(display) : DrawChanged();
@@ -71,6 +75,7 @@ Result<status::Sheet::Rows> StageStatusDisplay::DrawAnew(const ports::StatusDisp
   return status::Sheet::Rows{0, display.height_px()};
 }
 
+// Rows of the lines that were drawn, as one range; {0, 0} where nothing changed.
 status::Sheet::Rows StageStatusDisplay::DrawChanged() {
   const auto lines = Lines();
   const auto frame = board_.Read<board::StageStatus>().value.draw;

@@ -1,5 +1,5 @@
-// The stage's status display: shows on a screen beside the show's how the box does, and leaves a file for
-// others that says what screens there are.
+// The stage's status display: shows on a screen beside the show's how the box does, and leaves a file for others that
+// says what screens there are. It is the same text as kaori-status prints, drawn by processor in small portions.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,9 @@ class StageStatusDisplay {
   static constexpr Duration kPeriod = std::chrono::milliseconds(100);
 
  private:
+  // Writes the file of screens where they changed.
   void LookAtScreens(ports::Scanout* screen);
+  // Draws and shows some rows. Errors: device_or_resource_busy (later), and those of the display.
   Result<void> ShowNext(ports::StatusDisplay& display);
   Result<status::Sheet::Rows> DrawAnew(const ports::StatusDisplay& display);
   status::Sheet::Rows DrawChanged();

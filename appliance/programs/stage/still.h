@@ -9,7 +9,7 @@
 namespace kaori::stage {
 
 // A clock that stands still until it is let go, so that the first picture is the show's first moment,
-// whenever it is drawn.
+// whenever it is drawn. One thread.
 class StillClock final : public Clock {
  public:
   explicit StillClock(bool stands) : began_(clock_.now()), stands_(stands) {}

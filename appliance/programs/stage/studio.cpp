@@ -20,6 +20,8 @@ Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepa
   return studio;
 }
 
+// Drawing always goes to the canvas, which then is copied out: into the screen's memory, or by one more pass
+// into its window. So the picture of the last face can be read from it whatever the screen is.
 Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& picture) {
   if (canvas_.width_px() != picture.width_px || canvas_.height_px() != picture.height_px) {
     auto canvas = gl::Canvas::Make({.width_px = picture.width_px, .height_px = picture.height_px});
@@ -32,6 +34,7 @@ Result<void> Studio::Draw(const scene::Scene& scene, const ports::PixelBuffer& p
   return {};
 }
 
+// The window is made when its first picture comes, since only the screen knows it; so is the pass that copies.
 Result<void> Studio::ShowIn(void* window) {
   if (window_.native() != window) {
     CloseWindow();
@@ -49,6 +52,7 @@ Result<void> Studio::ShowIn(void* window) {
   return window_.Show();
 }
 
+// Scaled on the graphics card, so that few bytes are read back; the height follows the canvas's proportions.
 bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
   if (canvas_.width_px() == 0) return false;
   const int width_px = std::min(most_width_px, canvas_.width_px());

@@ -31,7 +31,8 @@ struct SmallImage {
   std::vector<std::uint8_t> pixels;
 };
 
-// A show, and what can be worked out of it without a graphics card: on any thread. It stays where it is.
+// A show, and what can be worked out of it without a graphics card: on any thread. It stays where it is. It
+// is made beside the opening of the GL context, which takes about as long.
 class PreparedShow {
  public:
   explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {}
@@ -46,18 +47,22 @@ class PreparedShow {
   passes::Preparation preparation_;  // Goes into a studio's painter.
 };
 
-// One thread: the one that opened it.
+// One thread: the one that opened it, since a GL context belongs to one. It owns the show from then on.
 class Studio {
  public:
   // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context and Painter.
   static Result<std::unique_ptr<Studio>> Open(show::Show show, void* gbm = nullptr);
   static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared, void* gbm = nullptr);
 
-  // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size changes.
+  // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size
+  // changes. Blocks until the processor has its pixels, or the graphics card its commands. Errors: those of
+  // gl::Canvas::Make, gl::Window and ScreenPass::Open.
   Result<void> Draw(const scene::Scene& scene, const ports::PixelBuffer& picture);
 
-  // The cast's expression of this index is from now on what these say; the next frame shows it. `displacement`
-  // has one for each control point, and `lids` are within 0..1. Takes 30 us for each face that has weight.
+  // The cast's expression of this index is from now on what these say; the next frame shows it.
+  // `displacement` has one for each control point, and `lids` are within 0..1. Takes 30 us for each face that
+  // has weight. To be called between frames. `expression` is below the cast's count; displacements are in
+  // metres along u, v and outwards.
   void Renew(std::uint16_t expression, std::span<const glm::vec3> displacement,
              const std::array<float, 2>& lids);
 

@@ -9,9 +9,11 @@
 namespace kaori::status {
 namespace {
 
+// kaori-boot leaves an empty file that is named after the profile.
 constexpr const char* kProfiles[] = {"stage", "kiosk", "bench"};
 constexpr std::size_t kMostLines = 64;  // Of any file.
 
+// Empty lines are left out; a file that cannot be read has none.
 std::vector<std::string> LinesOf(const std::filesystem::path& path) {
   std::vector<std::string> lines;
   std::istringstream file(ReadFile(path).value_or(""));

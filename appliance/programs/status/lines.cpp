@@ -15,7 +15,8 @@ namespace {
 using board::SourceState;
 using namespace std::chrono_literals;
 
-constexpr Duration kLate = 10s;         // A stage whose last picture is older shows none any more.
+// A stage whose last picture is older shows none any more.
+constexpr Duration kLate = 10s;
 constexpr double kWholeFrom = 10;       // Smaller numbers are shown with one decimal.
 constexpr std::size_t kHashShown = 12;  // How many digits of the hash are shown.
 
@@ -47,6 +48,7 @@ Line Title(const Facts& facts) {
   return {Mark::kTitle, "Kaori box", words};
 }
 
+// From the most basic thing to the finest: a screen, a stage, a picture that is not old, and only then figures.
 Line Show(const board::Stamped<board::StageStatus>& stage, bool has_screen, Time now) {
   if (!has_screen) return {Mark::kFault, "show", "There is no screen for the picture."};
   if (stage.source == SourceState::kAbsent)
@@ -73,6 +75,7 @@ struct Device {
   const char* absent;
 };
 
+// A stale section is told as an unplugged device, which is the usual cause of it.
 Line Of(const Device& device, SourceState source, Time at, Time now) {
   switch (source) {
     case SourceState::kLive:
@@ -91,6 +94,7 @@ Line Of(const Device& device, const board::Stamped<T>& section, Time now) {
   return Of(device, section.source, section.at, now);
 }
 
+// The same bound as the performance uses, so that what the status says is what the face does.
 Line Camera(const board::Stamped<board::Lips>& lips, Time now) {
   Line line =
       Of({"camera", "the voice moves the mouth, or it rests", "the voice moves the mouth, or it rests"}, lips,
@@ -101,6 +105,7 @@ Line Camera(const board::Stamped<board::Lips>& lips, Time now) {
           seen ? "It sees the mouth." : "It is plugged in and sees no painted mouth."};
 }
 
+// Silence is no fault.
 Line Microphone(const board::Stamped<board::Voice>& voice, Time now) {
   Line line =
       Of({"microphone", "the camera alone moves the mouth", "the camera alone moves the mouth"}, voice, now);
@@ -115,6 +120,7 @@ Line Loudspeaker(const board::Stamped<board::Sound>& sound, Time now) {
   return line;
 }
 
+// In the order of what matters most to whoever looks.
 Line Lines(const board::Stamped<board::Lines>& lines, Time now) {
   constexpr std::pair<board::Line, const char*> kNames[] = {
       {board::Line::kBlackout, "BLACKOUT"},
@@ -152,6 +158,7 @@ State Look(const board::Board& board, Facts facts, Time now) {
   return {board::ReadAll(board), board.Read<board::Sound>(), std::move(facts), now};
 }
 
+// The order is fixed, so that a line stays in its row of the picture while only its words change.
 std::vector<Line> Describe(const State& state) {
   std::vector<Line> lines{Title(state.facts)};
   for (const std::string& fault : state.facts.faults) lines.push_back({Mark::kFault, "fault", fault});

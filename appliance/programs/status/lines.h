@@ -15,6 +15,7 @@ namespace kaori::status {
 // What a line means: the title, a working part, a part that is missing, or a fault that somebody has to mend.
 enum class Mark : std::uint8_t { kTitle, kGood, kMissing, kFault };
 
+// One row of the status.
 struct Line {
   Mark mark = Mark::kGood;
   std::string what;   // "dial box"
@@ -23,6 +24,7 @@ struct Line {
   friend bool operator==(const Line&, const Line&) = default;
 };
 
+// All that the status depends on, at one moment.
 struct State {
   board::Snapshot board;
   board::Stamped<board::Sound> sound;

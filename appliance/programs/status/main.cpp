@@ -22,6 +22,8 @@ struct Settings {
   std::string board = "/run/kaori/board", settings = "/run/kaori-profile", picture, size = "1280x720";
 };
 
+// Board::Open and not Create: whoever looks at a box that is not running makes no board. The stage's file of
+// screens lies beside the board.
 int Tell(const Settings& settings, kaori::Size size) {
   namespace status = kaori::status;
   const auto board = kaori::board::Board::Open(settings.board);

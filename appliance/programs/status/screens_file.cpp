@@ -16,6 +16,7 @@ using ports::ModeOrigin;
 using ports::Output;
 using ports::OutputState;
 
+// A graphics card has a dozen connectors at most; the bound is for a file that is none.
 constexpr std::size_t kMostScreens = 64;
 constexpr std::array kOrigins{std::pair{ModeOrigin::kWanted, "wanted"},
                               std::pair{ModeOrigin::kSubstitute, "substitute"},
@@ -24,6 +25,7 @@ constexpr std::array kStates{std::pair{OutputState::kShowsPicture, "picture"},
                              std::pair{OutputState::kUnplugged, "unplugged"},
                              std::pair{OutputState::kShowsStatus, "status"}};
 
+// The word of a value; that of the first one for a value that is none.
 template <class Value, std::size_t kCount>
 const char* NameIn(const std::array<std::pair<Value, const char*>, kCount>& names, Value value) {
   for (const auto& [each, name] : names)
@@ -39,6 +41,7 @@ std::optional<Value> ValueIn(const std::array<std::pair<Value, const char*>, kCo
   return std::nullopt;
 }
 
+// The widths in the format keep each word within its array; a longer word makes the rest fail to fit.
 std::optional<Output> ParseScreen(const std::string& line) {
   std::array<char, 64> connector{};
   std::array<char, 16> origin{}, state{};

@@ -1,5 +1,5 @@
-// The file "screens" beside the board: which outputs the
-// stage drives, for the programs that say how the box does.
+// The file "screens" beside the board: which outputs the stage drives, for the programs that say how the box
+// does. kaori-stage writes it whole when outputs change; kaori-status and kaori-desk read it.
 #pragma once
 
 #include <span>

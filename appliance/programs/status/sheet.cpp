@@ -12,6 +12,7 @@ namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
 
+// A smaller picture has no room for a letter; the sums below want a height above 0.
 constexpr int kLeast_px = 16;
 constexpr int kRows = 20;         // A title, a show, nine devices and their kin, some screens and faults.
 constexpr int kLetters = 60;      // That fit beside each other, or the letters are made smaller.
@@ -19,6 +20,7 @@ constexpr int kNameLetters = 11;  // Of them for what a line is about.
 constexpr Colour kGround{16, 18, 22}, kName{150, 158, 170}, kWords{235, 238, 242};
 constexpr Colour kGreen{70, 190, 110}, kAmber{235, 170, 50}, kRed{240, 80, 70};
 
+// Colours of a traffic light, besides which each line says in words what it means.
 Colour ColourOf(Mark mark) {
   switch (mark) {
     case Mark::kTitle:
@@ -33,6 +35,7 @@ Colour ColourOf(Mark mark) {
   return kRed;
 }
 
+// A rectangle from left, bottom up to right, top, both exclusive, cut at the picture's edges.
 void Fill(image::Picture& picture, int left, int bottom, int right, int top, const Colour& colour) {
   for (int y = std::max(0, bottom); y < std::min(top, picture.height_px); ++y)
     for (int x = std::max(0, left); x < std::min(right, picture.width_px); ++x) {
@@ -53,6 +56,8 @@ Line LineAt(const std::vector<Line>& lines, std::size_t row, std::size_t rows) {
 
 }  // namespace
 
+// The height of a row follows the smaller of two demands: kRows of them one below the other, and kLetters
+// beside each other (a letter is about half as wide as its row is high).
 Sheet::Sheet(image::Lettering lettering, int width_px, int height_px)
     : lettering_(std::move(lettering)),
       picture_(image::Picture::Blank(std::max(width_px, kLeast_px), std::max(height_px, kLeast_px))),
@@ -61,11 +66,13 @@ Sheet::Sheet(image::Lettering lettering, int width_px, int height_px)
   Fill(picture_, 0, 0, picture_.width_px, picture_.height_px, kGround);
 }
 
+// Row 0 is at the top; pictures here have their first row at the bottom.
 Sheet::Rows Sheet::RowsOf(int row) const {
   const int end = picture_.height_px - pitch_px_ / 2 - row * pitch_px_;
   return {end - pitch_px_, end};
 }
 
+// The first row whose mark changed, else the first one whose words did. Rows without a line count as blank ones.
 std::optional<std::size_t> Sheet::Changed(const std::vector<Line>& lines) const {
   std::optional<std::size_t> changed;
   for (std::size_t row = 0; row < stands_.size(); ++row) {
@@ -86,6 +93,7 @@ std::optional<Sheet::Rows> Sheet::DrawNext(const std::vector<Line>& lines) {
   return RowsOf(static_cast<int>(*row));
 }
 
+// A square in the mark's colour, what the line is about, and its words; too long a text is shortened with dots.
 void Sheet::DrawRow(int row, const Line& line) {
   const auto [bottom, top] = RowsOf(row);
   Fill(picture_, 0, bottom, picture_.width_px, top, kGround);

@@ -10,7 +10,7 @@
 
 namespace kaori::status {
 
-// Used by one thread.
+// Used by one thread. It remembers what each row shows.
 class Sheet {
  public:
   // A picture of the given size, or of 16 x 16 pixels where that is smaller.

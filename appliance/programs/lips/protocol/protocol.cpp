@@ -12,13 +12,15 @@
 namespace kaori::lips {
 namespace {
 
-// The first word of each packet names its kind and the version of the protocol.
+// The first word of each packet names its kind and the version of the protocol, as four letters in memory:
+// "HKL1", "RKL1" and "PKL1". Another version of the protocol has another last letter and is not understood.
 constexpr std::uint32_t kHello = 0x314C4B48;    // "HKL1"
 constexpr std::uint32_t kReport = 0x314C4B52;   // "RKL1"
 constexpr std::uint32_t kPicture = 0x314C4B50;  // "PKL1"
 constexpr std::size_t kNoteBytes = 20;
 constexpr std::size_t kHelloBytes = 8;
 constexpr std::uint32_t kNoStep = 255;
+// What is longer is cut off, so that a report fits into kMaxPacketBytes.
 constexpr std::size_t kMaxComplaint = 160;
 
 // What follows the verb of a command.
@@ -52,6 +54,7 @@ std::string_view SplitWord(std::string_view& text) {
   return word;
 }
 
+// Removes the first word and reads all of it as a number.
 template <class T>
 bool SplitNumber(std::string_view& text, T& into) {
   const std::string_view word = SplitWord(text);
@@ -59,6 +62,7 @@ bool SplitNumber(std::string_view& text, T& into) {
   return error == std::errc{} && end == word.data() + word.size();
 }
 
+// Numbers must be finite: what is done with them need not look any more.
 bool ParseArguments(std::string_view& text, Arguments arguments, Command& into) {
   const bool named = arguments == Arguments::kName || arguments == Arguments::kNameAndNumbers;
   if (named) into.name = SplitWord(text);
@@ -124,6 +128,7 @@ class PacketReader {
 
 }  // namespace
 
+// Arguments stand in the order in which ParseArguments reads them.
 std::string CommandText(const Command& command) {
   const auto* verb = std::ranges::find(kVerbs, command.kind, &Verb::kind);
   std::string text = fmt::format("{} {}", command.number, verb->word);
@@ -133,6 +138,7 @@ std::string CommandText(const Command& command) {
   return verb->arguments == Arguments::kNumber ? text + fmt::format(" {}", command.a) : text;
 }
 
+// Words after the last argument are a fault, as unknown verbs are: a desk of another version is to be noticed.
 Result<Command> ParseCommand(std::string_view text) {
   Command command;
   if (text.size() > kMaxCommandBytes)
@@ -152,6 +158,7 @@ std::string_view NameOf(CalibrationStep step) {
   return kNames[static_cast<std::size_t>(step)];
 }
 
+// The size of the shared memory is in it, so that both ends agree on slots.
 std::vector<std::uint8_t> HelloPacket() {
   PacketWriter packet(kHello);
   packet.Put(kPictureSlots * kPictureSlotBytes);
@@ -178,6 +185,8 @@ std::vector<std::uint8_t> Packet(const Report& report) {
   return packet.Release();
 }
 
+// Values are read in the order in which Packet writes them; shares are clamped, all else is refused where it
+// is not finite or not known.
 std::optional<Report> ReadReport(std::span<const std::uint8_t> packet) {
   PacketReader reading(packet);
   if (reading.Word() != kReport) return std::nullopt;

@@ -3,6 +3,16 @@
 // The desk sends commands as text, one a packet: "7 sample 0.5 0.52". The lips send binary packets of
 // little-endian 32-bit words: first a hello, which carries the descriptor of the shared memory for pictures,
 // then reports and notes of pictures. Everything here is pure and may be called from any thread.
+//
+// The socket is of SOCK_SEQPACKET: a packet arrives whole or not at all, and in order. Either end closes the
+// connection over a packet that it does not understand, and drops packets that the other one does not take in
+// time. One desk at a time is connected; a newer one replaces it.
+//
+// Binary packets, word by word (f: IEEE single, u: unsigned):
+//   hello    "HKL1", u bytes of shared memory
+//   report   "RKL1", u answered, u length of the complaint and its bytes, u step (255: none), f progress,
+//            u done, u changes, u flags (1 unsaved, 2 saved, 4 before, 8 exposure free), 16 f values, 4 f box
+//   note     "PKL1", u slot, u number, u width, u height
 #pragma once
 
 #include <array>
@@ -54,7 +64,7 @@ struct Command {
 };
 inline constexpr std::size_t kMaxCommandBytes = 160;
 
-// The command as a packet.
+// The command as a packet. `command.kind` is one of the kinds; arguments that its verb does not have are left out.
 std::string CommandText(const Command& command);
 
 // The inverse of CommandText. Errors:
@@ -80,13 +90,16 @@ struct Report {
 };
 
 // A small picture that lies in slot `slot` of the shared memory: for each pixel R, G, B and how much the
-// pixel is paint, each 0 .. 255, top row first.
+// pixel is paint, each 0 .. 255, top row first. The slot belongs to the desk from this note on, until it
+// sends "return"; the lips write to no slot that is the desk's.
 struct PictureNote {
   std::uint32_t slot = 0;
   std::uint32_t number = 0;  // Counts the pictures.
   std::uint32_t width_px = 0;
   std::uint32_t height_px = 0;
 };
+// Slot n begins at byte n * kPictureSlotBytes of the shared memory. Three of them: one that is drawn, one on
+// its way, one that is copied.
 inline constexpr std::uint32_t kPictureSlots = 3;
 inline constexpr std::uint32_t kPictureMaxWidth_px = 400;
 inline constexpr std::uint32_t kPictureMaxHeight_px = 400;

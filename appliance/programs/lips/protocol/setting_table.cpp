@@ -5,6 +5,8 @@
 namespace kaori::lips {
 namespace {
 
+// The order is that of the settings file, of Report::values and of the accessors in lip_settings.cpp. A
+// setting that is inserted changes the protocol, and with it the letters of its packets.
 constexpr std::array<SettingRange, kSettingCount> kRanges{{
     {"paint.red", 0, 255},
     {"paint.green", 0, 255},

@@ -1,4 +1,5 @@
 // The settings of the lips by number and name, with their ranges: what a file, a packet and a page agree on.
+// It is a leaf that kaori-desk links without the rest of the lips.
 #pragma once
 
 #include <cstddef>

@@ -28,6 +28,7 @@ DeskConnection::~DeskConnection() {
   if (listener_.valid()) ::unlink(path_.c_str());
 }
 
+// A new desk gets shared memory of its own, so that an older one that hangs cannot write into its pictures.
 void DeskConnection::Accept() {
   auto peer = AcceptPeer(listener_.get());
   if (!peer) return;
@@ -40,6 +41,7 @@ void DeskConnection::Accept() {
   if (Send(HelloPacket(), pictures_.descriptor())) Log("lips: a desk is connected");
 }
 
+// A packet that is no command closes the connection; the desk connects again by itself within a quarter of a second.
 std::vector<Command> DeskConnection::ReceiveCommands(Time now) {
   Accept();
   std::vector<Command> commands;
@@ -61,12 +63,14 @@ std::vector<Command> DeskConnection::ReceiveCommands(Time now) {
   return commands;
 }
 
+// A slot that does not exist is passed over, as is one that is returned twice.
 void DeskConnection::HandlePictureCommand(const Command& command, Time now) {
   if (command.kind == CommandKind::kLook) wanted_until_ = now + kLookDuration;
   const auto slot = static_cast<std::size_t>(std::clamp(command.a, 0.0F, 1e3F));
   if (command.kind == CommandKind::kReturn && slot < in_use_.size()) in_use_[slot] = false;
 }
 
+// A report that could not be sent is sent at the next step, as it is then.
 void DeskConnection::SendReport(const Report& report, Time now) {
   if (!peer_.valid() || (report == sent_ && now - report_at_ < kReportPeriod)) return;
   if (!Send(Packet(report))) return;
@@ -74,6 +78,7 @@ void DeskConnection::SendReport(const Report& report, Time now) {
   report_at_ = now;
 }
 
+// The slot counts as in use only where the note could be sent: otherwise nobody would return it.
 void DeskConnection::SendPicture(const decode::Planes& planes, const PaintKey& key, Time now) {
   if (!peer_.valid() || now >= wanted_until_ || now - picture_at_ < kPicturePeriod) return;
   const auto slot = std::ranges::find(in_use_, false);

@@ -25,15 +25,17 @@ class DeskConnection {
   DeskConnection& operator=(DeskConnection&&) = delete;
   ~DeskConnection();
 
-  // Returns the commands that arrived; requests for pictures and returned slots are handled here.
+  // Returns the commands that arrived; requests for pictures and returned slots are handled here. It accepts
+  // a desk that waits, too. At most 64 commands at once.
   std::vector<Command> ReceiveCommands(Time now);
 
-  // Sends the report when it changed, and ten times a second.
+  // Sends the report when it changed, and ten times a second. Without a desk it does nothing.
   void SendReport(const Report& report, Time now);
 
   // Sends a small picture where one is wanted and due. The planes are borrowed for the call.
   void SendPicture(const decode::Planes& planes, const PaintKey& key, Time now);
 
+  // Since the program began, over all desks.
   std::uint32_t pictures_sent() const { return number_; }
 
  private:

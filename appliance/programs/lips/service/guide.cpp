@@ -9,6 +9,8 @@
 namespace kaori::lips {
 namespace {
 
+// How long the key is held: nobody leans on F12 for two seconds in a show. And after how long without a push
+// somebody has gone away.
 constexpr Duration kHold = std::chrono::seconds(2);
 constexpr Duration kIdleLimit = std::chrono::seconds(60);
 constexpr std::uint32_t kSaveStep = 4;  // The step after the four poses.
@@ -22,13 +24,15 @@ bool IsDown(const board::Keys& keys, std::size_t usage) {
 
 }  // namespace
 
-// The sums may wrap, since only differences count.
+// The sums may wrap, since only differences count. Every button of the box confirms, since an operator with
+// painted lips does not look for one of them.
 Guide::Pushes Guide::PushesOf(const board::Keys& keys, const board::Surface& surface) {
   return {keys.pushes[kEnter] + keys.pushes[kPadEnter] +
               std::accumulate(surface.pushes.begin(), surface.pushes.end(), 0U),
           keys.pushes[kEscape]};
 }
 
+// The key has to be let go before it can begin another calibration.
 void Guide::Step(const board::Stamped<board::Keys>& keys, const board::Stamped<board::Surface>& surface,
                  const board::Lips& lips, Tuning& tuning, Time now) {
   // A section that is absent says nothing: while the board is replaced nobody has pushed anything.
@@ -51,6 +55,7 @@ void Guide::Step(const board::Stamped<board::Keys>& keys, const board::Stamped<b
   if (pushes.confirms != before.confirms && !measurement_) BeginPose(tuning, now);
 }
 
+// The number of changes is noted, which is what Escape goes back to, whatever a desk has changed before.
 void Guide::Start(const board::Lips& lips, Tuning& tuning, Time now) {
   Log("lips: a calibration by keyboard begins");
   active_ = true;
@@ -76,6 +81,7 @@ void Guide::FollowStep(Tuning& tuning, Time now) {
   if (report.changes != before_step_) ++step_;
 }
 
+// The exposure is held from the first pose on: sizes that are measured under changing exposure differ.
 void Guide::BeginPose(Tuning& tuning, Time now) {
   idle_since_ = now;
   if (step_ == kSaveStep) {

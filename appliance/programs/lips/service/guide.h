@@ -15,13 +15,16 @@ namespace kaori::lips {
 // no clean mouth is seen, the paint is sampled first, and the camera may adjust its exposure. Enter, or any
 // push on the dial box, measures the pose whose lamp is lit (shut, open, wide, narrow); the fifth push saves
 // all of it to the disk. Escape, or a minute without a push, cancels the calibration and restores the
-// settings. Pure: time is in the arguments.
+// settings. Pure: time is in the arguments. It commands the Tuning as a desk does; both may be at work, and
+// each sees what the other changed. One thread.
 class Guide {
  public:
-  // Handles the operator's input and the mouth as it is measured now. Call it every 50 ms or sooner.
+  // Handles the operator's input and the mouth as it is measured now. Call it every 50 ms or sooner. While it
+  // is active, the stage takes these presses out of the show (stage/service_display.h).
   void Step(const board::Stamped<board::Keys>& keys, const board::Stamped<board::Surface>& surface,
             const board::Lips& lips, Tuning& tuning, Time now);
 
+  // A calibration by keys is under way.
   bool active() const { return active_; }
   // The state for the board; `captions` allows the screen to show it in words.
   board::LipsGuide state(bool captions) const;

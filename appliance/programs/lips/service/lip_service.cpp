@@ -4,6 +4,7 @@
 
 namespace kaori::lips {
 
+// Without service there is no socket, so that no desk can connect in a show; keys and the file work always.
 Result<std::unique_ptr<LipService>> LipService::Open(const LipServiceOptions& options, LipReader& reader,
                                                      const board::Board& board, const Clock& clock) {
   auto writer = board.AcquireWriter<board::LipsGuide>();
@@ -16,6 +17,7 @@ Result<std::unique_ptr<LipService>> LipService::Open(const LipServiceOptions& op
   return service;
 }
 
+// The reader calls back with each picture from here on, and is told to stop when the service ends.
 LipService::LipService(const LipServiceOptions& options, LipReader& reader, const board::Board& board,
                        board::Writer<board::LipsGuide> writer, const Clock& clock)
     : service_(options.service),
@@ -38,6 +40,7 @@ LipService::~LipService() {
   reader_.Watch(nullptr);
 }
 
+// Commands first, then what is due, then the keys, so that the report at the end tells of all of them.
 void LipService::Step() {
   const Time now = clock_.now();
   if (connection_)

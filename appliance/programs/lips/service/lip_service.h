@@ -21,11 +21,13 @@ struct LipServiceOptions {
   LipSettings now{};             // The settings in use.
 };
 
-// Used by one thread. Borrows reader, board and clock, which outlive it.
+// Used by one thread. Borrows reader, board and clock, which outlive it. It lies on the heap, since the
+// reader calls back into it.
 class LipService {
  public:
   // Errors: those of the desk's socket, and
   //   device_or_resource_busy  another program calibrates on this board
+  // Reads the settings' generations, and so blocks for the disk once.
   static Result<std::unique_ptr<LipService>> Open(const LipServiceOptions& options, LipReader& reader,
                                                   const board::Board& board, const Clock& clock);
 

@@ -38,6 +38,7 @@ float Between(const Chroma& a, const Chroma& b) {
   return std::hypot(a.cb - b.cb, a.cr - b.cr);
 }
 
+// Relative to neutral.
 Chroma MeanOf(const decode::Planes& planes, int left, int top, int side) {
   int cb = 0, cr = 0, count = 0;
   for (int y = top; y < std::min(top + side, planes.cb.height_px); ++y)
@@ -65,7 +66,8 @@ float Median(std::vector<float> values) {
   return *middle;
 }
 
-// The skin has the median colour of the picture's middle, most of which is face.
+// The skin has the median colour of the picture's middle, most of which is face. The middle half of its width
+// and three fifths of its height.
 Chroma SkinOf(const Cells& cells) {
   std::vector<float> cb, cr;
   for (int y = cells.height / 5; y < cells.height * 4 / 5; ++y)
@@ -76,7 +78,8 @@ Chroma SkinOf(const Cells& cells) {
   return cb.empty() ? Chroma{} : Chroma{Median(cb), Median(cr)};
 }
 
-// Whether both are one paint, though one of them may lie in shade.
+// Whether both are one paint, though one of them may lie in shade. In shade a paint keeps its hue, so that
+// the angle counts as well as the distance.
 bool IsSamePaint(const Chroma& a, const Chroma& b) {
   const float both = Tint(a) * Tint(b);
   return Between(a, b) < kSame || (both > 0 && a.cb * b.cb + a.cr * b.cr > kSameHue * both);
@@ -89,6 +92,7 @@ struct Patch {
   float x = 0, y = 0;
 };
 
+// Grows a patch from each cell that may be paint, and keeps the best. Each cell is visited once.
 class Search {
  public:
   explicit Search(const Cells& cells) : cells_(cells), skin_(SkinOf(cells)) {
@@ -143,6 +147,8 @@ class Search {
     patch.y += static_cast<float>(cell / cells_.width) + 0.5F;
   }
 
+  // What touches the picture's edge is clothes or wall, and what is too small or too large is no mouth: 0. Else
+  // the distance from the skin's colour, summed up over the patch, and less the farther it is from the middle.
   float WorthOf(const Patch& patch) const {
     const auto count = static_cast<float>(patch.cells.size());
     const float part = count / static_cast<float>(cells_.chroma.size());

@@ -26,6 +26,7 @@ int Scaled(int at, int of, int to) {
 
 }  // namespace
 
+// A whole fraction, so that pixels are left out evenly.
 SmallSize SmallSizeOf(const decode::Planes& planes, int max_px) {
   const int longest = std::max({planes.y.width_px, planes.y.height_px, 1});
   const int part = (longest + max_px - 1) / max_px;

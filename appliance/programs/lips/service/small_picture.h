@@ -18,7 +18,7 @@ struct SmallSize {
 SmallSize SmallSizeOf(const decode::Planes& planes, int max_px);
 
 // Writes R, G, B and the soft key (0 .. 255) of each pixel, top row first. `into` must have room for width x
-// height x 4 bytes.
+// height x 4 bytes. Nearest pixel, no filter: it is to show what the key sees. Pure.
 void DrawSmall(const decode::Planes& planes, const PaintKey& key, SmallSize size,
                std::span<std::uint8_t> into);
 

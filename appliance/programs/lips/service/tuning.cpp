@@ -52,6 +52,7 @@ Tuning::~Tuning() {
   if (saving_.valid()) saving_.wait();
 }
 
+// A save is answered when the disk has it, and a sample when a picture came; all other commands are answered here.
 void Tuning::Execute(const Command& command, Time now) {
   if (command.kind == CommandKind::kSample || command.kind == CommandKind::kFind) {
     if (waiting_) Answer(waiting_->command, "another command came before this one was done");
@@ -64,6 +65,7 @@ void Tuning::Execute(const Command& command, Time now) {
   Apply();
 }
 
+// Gives the complaint; empty: it is done.
 std::string Tuning::ExecuteNow(const Command& command) {
   switch (command.kind) {
     case CommandKind::kSet: {
@@ -110,6 +112,7 @@ std::string Tuning::SwitchTo(const std::optional<LipSettings>& settings, std::ui
   return {};
 }
 
+// On a thread of its own, with copies: the settings may change meanwhile.
 std::string Tuning::Save() {
   if (file_.empty()) return "there is no file to save the settings in";
   if (saving_.valid()) return "the settings are being saved already";
@@ -130,6 +133,7 @@ void Tuning::HandlePicture(const decode::Planes& planes, const LipMeter& meter, 
   Step(now);
 }
 
+// The command waited for this picture.
 void Tuning::SamplePaint(const decode::Planes& planes) {
   const Waiting waiting = *std::exchange(waiting_, std::nullopt);
   if (waiting.command.kind == CommandKind::kFind) {
@@ -153,6 +157,7 @@ void Tuning::RevertTo(std::size_t changes) {
   Apply();
 }
 
+// Only a difference reaches the reader: using settings starts its search anew.
 void Tuning::Apply() {
   if (calibration_.settings() != used_) {
     used_ = calibration_.settings();
@@ -161,6 +166,8 @@ void Tuning::Apply() {
   Refresh();
 }
 
+// The thread that writes is asked without waiting. After a save both generations are read back, so that the
+// report says what really lies there.
 void Tuning::Step(Time now) {
   if (waiting_ && now >= waiting_->until)
     Answer(std::exchange(waiting_, std::nullopt)->command, "no picture comes from the camera");
@@ -176,7 +183,8 @@ void Tuning::Step(Time now) {
   Refresh();
 }
 
-// A file that a person or another program replaces is used without a restart of the lips.
+// A file that a person or another program replaces is used without a restart of the lips. By its time of
+// change, once a second. Its settings are one change, which can be undone.
 void Tuning::CheckFile(Time now) {
   if (file_.empty() || saving_.valid() || now < check_file_at_) return;
   check_file_at_ = now + kFilePeriod;
@@ -191,6 +199,7 @@ void Tuning::CheckFile(Time now) {
   Apply();
 }
 
+// Brings the parts of the report that follow from other state up to date.
 void Tuning::Refresh() {
   report_.step = calibration_.step();
   report_.progress = calibration_.progress();

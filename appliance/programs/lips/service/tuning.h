@@ -22,7 +22,8 @@ struct TuningActions {
   std::function<void(bool free)> free_exposure;   // Frees the camera's exposure, or holds it.
 };
 
-// Used by the lips' thread. Files are written by another thread, so that no frame waits for a disk.
+// Used by the lips' thread. Files are written by another thread, so that no frame waits for a disk. Desk and
+// guide both act through it, so that every change has one history.
 class Tuning {
  public:
   // Reads the generations of `file`, and blocks for the disk. With an empty path saving fails with a complaint.
@@ -33,10 +34,12 @@ class Tuning {
   Tuning& operator=(const Tuning&) = delete;
 
   // Executes a command; report() then tells whether it succeeded, or why not. A command that needs a picture
-  // is executed with the next one, and fails after a second without one.
+  // is executed with the next one, and fails after a second without one. A later command that needs a picture
+  // takes the place of one that still waits, which is answered with a complaint.
   void Execute(const Command& command, Time now);
 
-  // Handles a measured picture. The planes are borrowed for the call.
+  // Handles a measured picture. The planes are borrowed for the call. It may replace the reader's meter by
+  // way of TuningActions::apply, so that the caller uses `meter` no more.
   void HandlePicture(const decode::Planes& planes, const LipMeter& meter, Time at, Time now);
 
   // Handles the end of a write, a file that another program changed, and commands whose picture did not come.
@@ -47,6 +50,7 @@ class Tuning {
 
   const Report& report() const { return report_; }
   const LipSettings& settings() const { return used_; }  // The settings in use.
+  // A file is being written.
   bool saving() const { return saving_.valid(); }
 
  private:

@@ -15,12 +15,16 @@ using std::chrono::milliseconds;
 // The delay before anything was measured: that of a camera and a screen of 60 Hz.
 constexpr Duration kUsual = milliseconds(70);
 constexpr Duration kClose = milliseconds(3);  // A smaller difference changes nothing.
+// How long another measurement must stand before it is used: the delay is not to wander with every figure,
+// since each change is heard.
 constexpr Duration kStands = std::chrono::seconds(1);
 constexpr Duration kFresh = std::chrono::seconds(2);  // The stage measures once a second.
 // An opening mouth is measured too small until the filter of the lips follows its speed. Measured with claps
 // of the lips, as kVoiceMouthLag is.
 constexpr Duration kLipsFilterLag = milliseconds(2);
 
+// The stage measures from what the camera sees, or from the voice where that has the mouth, until the screen
+// shows it; what lies before that in this program is added here.
 std::optional<Duration> Measured(const board::Snapshot& board, Time now) {
   const auto& status = board.stage_status;
   if (status.source != board::SourceState::kLive || now - status.at > kFresh) return std::nullopt;
@@ -45,6 +49,7 @@ Result<DelaySetting> ParseDelay(std::string_view text) {
   return DelaySetting(FromSeconds(ms / 1e3));
 }
 
+// A delay that a person had asked for comes from the settings again, and not from the board.
 DelayChoice::DelayChoice(const DelaySetting& setting, const board::Stamped<board::Sound>& before)
     : setting_(setting), chosen_(setting.value_or(kUsual)) {
   const bool measured = before.source != board::SourceState::kAbsent && before.value.automatic == 1;
@@ -56,6 +61,8 @@ void DelayChoice::Use(const DelaySetting& setting) {
   if (setting) chosen_ = *setting;
 }
 
+// A measurement that is close to the chosen delay ends the wait for another one, so that a single
+// odd figure starts nothing.
 Duration DelayChoice::Choose(const board::Snapshot& board, Time now) {
   if (setting_) return chosen_;
   const auto measured = Measured(board, now);

@@ -17,17 +17,20 @@ using DelaySetting = std::optional<Duration>;
 //   invalid_argument  anything else; the message names the text
 Result<DelaySetting> ParseDelay(std::string_view text);
 
-// Pure: time is in the arguments.
+// Decides, block by block, how late the voice is played. Pure: time is in the arguments. One thread.
 class DelayChoice {
  public:
   // Goes on with the measured delay of `before`, the section of the program's last run, if there is one.
   DelayChoice(const DelaySetting& setting, const board::Stamped<board::Sound>& before);
 
   // Returns the delay for the sound from `now` on. A measured delay is used once it was stable for a second.
+  // Between 0 and kLongestDelay. Reads the sections `stage_status` and `lips` of the snapshot.
   Duration Choose(const board::Snapshot& board, Time now);
 
   // Changes the setting, from the next sound on.
   void Use(const DelaySetting& setting);
+  // The delay that was chosen last; whether it is the measurement that chooses; and whether it has measured
+  // anything yet, since before that a usual delay of 70 ms is used.
   Duration chosen() const { return chosen_; }
   bool automatic() const { return !setting_; }
   bool measured() const { return !setting_ && measured_; }

@@ -10,6 +10,7 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
+// 65536 frames, 1.37 s: the longest delay, the devices' own buffers, and room for a program that was late.
 constexpr std::size_t kRing = 1U << 16U;
 constexpr std::size_t kFade = 480;  // A cross-fade of 10 ms.
 constexpr std::size_t kEdge = 96;   // Sound fades in and out within 2 ms at a gap.
@@ -17,6 +18,7 @@ constexpr std::size_t kEdge = 96;   // Sound fades in and out within 2 ms at a g
 constexpr double kStampShare = 0.02;
 // A time that is farther off means lost frames; less is enough where the driver says so itself (xrun).
 constexpr Duration kGap = milliseconds(20), kGapAtXrun = milliseconds(1);
+// The weight of the newest error of the position, for each 5 ms of sound that is read.
 constexpr double kErrorShare = 0.1;
 constexpr double kCorrection_frames = kSoundRate_hz / 2.0;  // An error is corrected in about half a second,
 constexpr double kMaxSpeedChange = 0.002;                   // by reading this much faster or slower at most.
@@ -28,6 +30,7 @@ constexpr Duration kTail = microseconds(2200);  // Between the last frame read a
 constexpr Duration kMaxNeeded =
     milliseconds(80);  // A microphone that is later has stalled and is not waited for.
 
+// The length of so many frames at 48 kHz.
 Duration Frames(double frames) {
   return FromSeconds(frames / kSoundRate_hz);
 }
@@ -36,6 +39,9 @@ Duration Frames(double frames) {
 
 DelayLine::DelayLine() : ring_(kRing) {}
 
+// Each block says when it was recorded. Small differences from what the count of frames says are jitter and
+// drift, which are followed slowly; a large one is a gap, which is filled with silence so that the time of
+// every frame in the ring stays right. Several channels become their mean.
 void DelayLine::Write(const ports::SoundBlock& block, const ports::SoundFormat& format) {
   const auto channels = static_cast<std::size_t>(std::max(format.channels, 1));
   const Duration off = block.at - newest_at_;
@@ -56,6 +62,7 @@ void DelayLine::Write(const ports::SoundBlock& block, const ports::SoundFormat& 
   newest_at_ += Frames(static_cast<double>(block.samples.size() / channels));
 }
 
+// The first frames after a gap are faded in.
 void DelayLine::Append(float sample) {
   if (soft_left_ > 0) sample *= static_cast<float>(kEdge - soft_left_--) / kEdge;
   ring_[static_cast<std::size_t>(newest_++) % kRing] = sample;
@@ -71,6 +78,8 @@ void DelayLine::Skip(std::int64_t frames) {
   soft_left_ = kEdge;
 }
 
+// What is needed at the least shrinks slowly, so that a delay which had to grow once comes back down when the
+// devices allow it.
 void DelayLine::Read(std::span<float> into, Time heard_at, Duration delay) {
   delay = std::clamp(delay, Duration{}, kLongestDelay);
   needed_ = std::max(needed_ - kForget, Duration{});
@@ -93,10 +102,13 @@ void DelayLine::MeasureNeed() {
   if (reading_ && now < kMaxNeeded) needed_ = std::max(needed_, now);
 }
 
+// Where in the ring's count the sound of this time lies, fractions of a frame included.
 double DelayLine::PositionOf(Time time) const {
   return static_cast<double>(newest_) + Seconds(time - newest_at_) * kSoundRate_hz;
 }
 
+// A large error, or a delay that was changed on purpose, moves the position at once under a cross-fade. A
+// small one changes the speed in proportion to its smoothed size: a change of 0.2 % in pitch is not heard.
 void DelayLine::Steer(double wanted, std::size_t frames, bool jump) {
   const double off = wanted - position_;
   if ((jump && std::abs(off) > 1) || std::abs(off) > kFar_frames) {
@@ -112,7 +124,9 @@ void DelayLine::Steer(double wanted, std::size_t frames, bool jump) {
   speed_ = 1 + std::clamp(error_ / kCorrection_frames, -kMaxSpeedChange, kMaxSpeedChange);
 }
 
-// A cubic (Catmull-Rom) through the four frames around the position; what is not held is silent, with soft edges.
+// A cubic (Catmull-Rom) through the four frames around the position; what is not held is silent, with soft
+// edges. With b and c the frames around t = 0..1 and a and d those before and after: b + t/2 (c - a + t (2a -
+// 5b + 4c - d + t (3(b - c) + d - a))).
 float DelayLine::At(double position) const {
   const double left = static_cast<double>(newest_) - 3 - position;
   const double kept = position - static_cast<double>(newest_) + static_cast<double>(kRing) - 3;

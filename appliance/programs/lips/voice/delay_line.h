@@ -11,7 +11,9 @@
 
 namespace kaori::voice {
 
+// The rate of microphone, loudspeaker and clips; a device that has no such rate is not used.
 inline constexpr int kSoundRate_hz = 48000;
+// The longest delay that can be asked for: a picture later than that is no picture of this voice.
 inline constexpr Duration kLongestDelay = std::chrono::milliseconds(500);
 
 // Holds the last 1.3 s. What the loudspeaker plays at a time was recorded one delay before. Where the clocks
@@ -22,7 +24,7 @@ class DelayLine {
  public:
   DelayLine();
 
-  // Appends a block at 48 kHz with one or two channels, recorded at `block.at`.
+  // Appends a block at 48 kHz with one or two channels, recorded at `block.at`. The samples are borrowed for the call.
   void Write(const ports::SoundBlock& block, const ports::SoundFormat& format);
 
   // Reads the next frames for the loudspeaker, one channel of -1 .. 1, at most 10 ms; the first of them is
@@ -32,7 +34,10 @@ class DelayLine {
 
   // These belong to the frames that were read last.
   Duration delay() const { return delay_; }
+  // How much faster than it was recorded the sound is read now, in millionths: the difference of the two
+  // devices' clocks once the line has settled.
   float drift_ppm() const { return static_cast<float>((speed_ - 1) * 1e6); }
+  // How often the position was moved under a cross-fade, since the construction.
   std::uint32_t jumps() const { return jumps_; }
 
  private:

@@ -9,7 +9,9 @@
 namespace kaori::voice {
 namespace {
 
-constexpr double kPreEmphasis = 0.9;  // Compensates most of a voice's fall towards high frequencies.
+// A voice falls by about 6 dB for each octave above its pitch; the difference to 0.9 of the sample before
+// compensates most of that, so that the predictor spends its order on resonances.
+constexpr double kPreEmphasis = 0.9;
 constexpr double kNoiseFloor = 1e-4;  // Of the power; it keeps the recursion well conditioned.
 
 using Correlation = std::array<double, kOrder + 1>;
@@ -33,7 +35,9 @@ Correlation Correlate(std::span<const float> samples) {
 
 }  // namespace
 
-// The recursion of Levinson and Durbin.
+// The recursion of Levinson and Durbin. Durbin 1960: in each order the reflection coefficient is what the
+// predictor so far leaves unexplained, over its error. The error stays positive by the noise floor, so that
+// the filter is stable.
 std::optional<Prediction> Predict(std::span<const float> samples) {
   const Correlation r = Correlate(samples);
   if (!std::isfinite(r[0]) || r[0] < 1e-12) return std::nullopt;
@@ -53,6 +57,8 @@ std::optional<Prediction> Predict(std::span<const float> samples) {
   return prediction;
 }
 
+// 1 / |A(z)|^2 on the unit circle, by Horner's rule from the highest coefficient down. The mean is taken off,
+// since loudness says nothing about the vowel.
 Envelope EnvelopeOf(const Prediction& prediction) {
   Envelope envelope{};
   for (std::size_t point = 0; point < kGrid; ++point) {

@@ -13,12 +13,14 @@ inline constexpr int kOrder = 12;            // The order of the predictor: abou
 inline constexpr std::size_t kGrid = 180;    // The envelope has so many points,
 inline constexpr float kGridStep_hz = 20;    // at this distance from 0 Hz on.
 
-// The predictor's coefficients, by Levinson and Durbin; [0] is 1. Nothing for silence.
+// The predictor's coefficients, by Levinson and Durbin; [0] is 1. Nothing for silence. The samples are at
+// kVoiceRate_hz, some 20 to 40 ms of them; borrowed. Pure, as all of this file.
 using Prediction = std::array<float, kOrder + 1>;
 std::optional<Prediction> Predict(std::span<const float> samples);
 
 // The magnitude in dB at n * kGridStep_hz, with a mean of 0.
 using Envelope = std::array<float, kGrid>;
+// The envelope of a prediction; frequencies go from 0 to 3580 Hz.
 Envelope EnvelopeOf(const Prediction& prediction);
 
 }  // namespace kaori::voice

@@ -12,7 +12,8 @@ constexpr float kCutOff = 5200 / 48000.0F;  // In parts of the rate; vowels pass
 constexpr std::size_t kLevelSamples = 120;  // The level is that of the newest 10 ms.
 constexpr float kFullScale = 32768;
 
-// A low pass: a sinc under a Hann window, with a sum of 1.
+// A low pass: a sinc under a Hann window, with a sum of 1. Symmetric, so that it delays all frequencies
+// alike: by 32 samples, 0.7 ms.
 template <std::size_t kTaps>
 std::array<float, kTaps> MakeLowPass() {
   std::array<float, kTaps> taps{};
@@ -30,6 +31,7 @@ std::array<float, kTaps> MakeLowPass() {
 
 }  // namespace
 
+// The level is taken from the decimated sound, so that hiss above the voice opens no gate.
 const Voice& Listener::Hear(const ports::SoundBlock& block, const ports::SoundFormat& format) {
   const auto channels = static_cast<std::size_t>(format.channels);
   if (block.xrun) moment_.fill(0);
@@ -47,6 +49,7 @@ const Voice& Listener::Hear(const ports::SoundBlock& block, const ports::SoundFo
   return voice_;
 }
 
+// Filters only every fourth time: the other results would be thrown away.
 void Listener::AddSample(float sample) {
   std::shift_left(recent_.begin(), recent_.end(), 1);
   recent_.back() = sample;

@@ -18,12 +18,15 @@ struct Voice {
   std::optional<VowelGuess> vowel;  // Of the last 30 ms; only while somebody speaks.
 };
 
-// Processes blocks at 48 kHz. Used by one thread; it allocates nothing.
+// Processes blocks at 48 kHz. Used by one thread; it allocates nothing. It remembers the last 30 ms, over the
+// borders of blocks of any length.
 class Listener {
  public:
   explicit Listener(const GateSettings& settings = {}) : gate_(settings) {}
 
-  // Processes a block, which is borrowed for the call. Frames that were lost before it (xrun) count as silence.
+  // Processes a block, which is borrowed for the call. Frames that were lost before it (xrun) count as
+  // silence. `format` has one or two channels at 48 kHz, as the caller has checked. What it gives holds until
+  // the next call.
   const Voice& Hear(const ports::SoundBlock& block, const ports::SoundFormat& format);
   // Changes the gate's settings from the next block on.
   void Use(const GateSettings& gate) { gate_.Use(gate); }

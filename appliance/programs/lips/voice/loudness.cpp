@@ -13,6 +13,8 @@ float Level_db(std::span<const float> samples) {
   return std::max(kSilent_db, static_cast<float>(10 * std::log10(mean)));
 }
 
+// The level follows exponentially, faster up than down: a consonant opens the gate at once, and a pause
+// within a word does not shut it. `hold` counts from the last time at which it was loud.
 bool Gate::Accept(float level_db, Time at, Duration length) {
   const float now_db = std::isnan(level_db) ? kSilent_db : std::max(level_db, kSilent_db);
   const Duration slowness = now_db > level_db_ ? settings_.rise : settings_.fall;

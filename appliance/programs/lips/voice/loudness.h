@@ -13,6 +13,7 @@ inline constexpr float kSilent_db = -100;  // The level of silence.
 // The level in dB of full scale (dBFS by RMS): a sine of full scale has -3 dB. Never below kSilent_db.
 float Level_db(std::span<const float> samples);
 
+// Levels are in dB of full scale.
 struct GateSettings {
   float opens_db = -38;  // The level at which the gate opens.
   float shuts_db = -44;  // The level below which it shuts; not above opens_db.
@@ -23,7 +24,7 @@ struct GateSettings {
   friend bool operator==(const GateSettings&, const GateSettings&) = default;
 };
 
-// Pure: time is in the arguments.
+// Pure: time is in the arguments. One thread.
 class Gate {
  public:
   explicit Gate(const GateSettings& settings = {}) : settings_(settings) {}
@@ -32,6 +33,7 @@ class Gate {
   // NaN is silence.
   bool Accept(float level_db, Time at, Duration length);
 
+  // Other settings from the next block on; an open gate stays open until they shut it.
   void Use(const GateSettings& settings) { settings_ = settings; }
 
   float level_db() const { return level_db_; }  // Smoothed.

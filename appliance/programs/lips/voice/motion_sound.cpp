@@ -20,6 +20,8 @@ float Sample(std::int16_t value) {
 
 }  // namespace
 
+// The stage writes where the motion stands at the time of each frame; where it began follows from that, and is told
+// anew with each frame. A motion that was playing already when this program started is not begun in its middle.
 void MotionSound::Follow(const board::Stamped<board::MotionNow>& now) {
   if (now.source != board::SourceState::kLive) {
     known_ = true;  // No motion was ever played, so that the first one is followed from its beginning.
@@ -37,6 +39,7 @@ void MotionSound::Follow(const board::Stamped<board::MotionNow>& now) {
   known_ = true;
 }
 
+// One clip fades out at a time: a third one within the fade makes the first of them end at once.
 void MotionSound::CutOff(float step) {
   if (now_.clip == nullptr) return;
   before_ = now_;
@@ -44,6 +47,7 @@ void MotionSound::CutOff(float step) {
   now_ = {};
 }
 
+// Begins a clip that is due, or jumps to where its motion is when the two have come apart.
 void MotionSound::Start(Time heard_at) {
   const auto position = static_cast<std::int64_t>(std::llround(Seconds(heard_at - began_) * kSoundRate_hz));
   if (position < 0) return;
@@ -56,6 +60,7 @@ void MotionSound::Start(Time heard_at) {
   pending_ = false;
 }
 
+// Adds to what is in `frames`: the voice.
 void MotionSound::Mix(std::span<float> frames, Time heard_at) {
   // A clip that begins within these frames begins at its exact frame.
   const auto silent = static_cast<std::int64_t>(std::llround(Seconds(began_ - heard_at) * kSoundRate_hz));
@@ -70,6 +75,7 @@ void MotionSound::Mix(std::span<float> frames, Time heard_at) {
   }
 }
 
+// A clip of one channel sounds on both sides.
 bool MotionSound::Playback::AddFrame(float& left, float& right) {
   const auto channels = static_cast<std::size_t>(clip->channels);
   const auto at = static_cast<std::size_t>(position++) * channels;

@@ -19,7 +19,8 @@ class MotionSound {
   // One clip for each motion of the show; motions without a sound have an empty one.
   explicit MotionSound(std::vector<show::Sound> clips) : clips_(std::move(clips)) {}
 
-  // Follows the board's section.
+  // Follows the board's section. To be called in each step; a motion that began and was followed by another
+  // in between is not heard. A motion whose number the show does not have is silent.
   void Follow(const board::Stamped<board::MotionNow>& now);
 
   // Adds the sound to frames of two channels, left and right, -1 .. 1, the first of which is heard at `heard_at`.

@@ -21,9 +21,12 @@ constexpr int kLeadDecay = 1000;
 constexpr Duration kPlayoutGap =
     milliseconds(10);                   // A larger change of the playout time is a gap and no jitter.
 constexpr double kPlayoutShare = 0.05;  // The weight of a new playout time.
+// A device that has accepted nothing for this long is closed and opened again: some drivers say "later" for
+// ever after a cable was pulled.
 constexpr Duration kStuck = milliseconds(1000);
 constexpr Duration kPublishPeriod = milliseconds(100);
 constexpr Duration kDelayLogPeriod = std::chrono::seconds(10);  // Between two log lines about the delay.
+// 0.1 s at most in one step: more than is ever wanted, and a bound for a device that accepts without end.
 constexpr int kChunksAtOnce = 40;
 
 float Ms(Duration time) {
@@ -47,6 +50,7 @@ Speaker::Speaker(ports::LoudspeakerOpener open, const board::Board& board, board
   chunk_.reserve(kChunk * 8);
 }
 
+// The delay is chosen and the motion followed in each step, with a loudspeaker and without one.
 void Speaker::Step() {
   const Time now = clock_.now();
   motion_sound_.Follow(board_.Read<board::MotionNow>());
@@ -56,6 +60,7 @@ void Speaker::Step() {
   if (now - published_at_ >= kPublishPeriod) Publish(now);
 }
 
+// Nothing is known yet of when a frame will be heard: the first chunks are silent and find that out.
 void Speaker::TryOpen(Time now) {
   retry_at_ = now + kRetry;
   loudspeaker_ = OpenOrLog(open_, logged_);
@@ -67,6 +72,8 @@ void Speaker::TryOpen(Time now) {
   Log("loudspeaker: opened");
 }
 
+// Keeps `lead_` of sound in the device beyond its own latency. What is written cannot be taken back, so that
+// more of it would make every change of the delay later.
 void Speaker::Fill(Time now) {
   lead_ = std::max(lead_ - (now - filled_at_) / kLeadDecay, kMinLead);
   filled_at_ = now;
@@ -79,6 +86,7 @@ void Speaker::Fill(Time now) {
 }
 
 // Makes the next chunk, unless one still waits, and writes it. Returns false where the device has no room now.
+// A device with one channel gets the mean of left and right; channels beyond the second repeat the right one.
 bool Speaker::WriteChunk() {
   if (pushed_ == chunk_.size()) {
     Mix();
@@ -104,6 +112,7 @@ void Speaker::Mix() {
   *heard_next_ += FromSeconds(static_cast<double>(kChunk) / kSoundRate_hz);
 }
 
+// Writes what is left of the chunk; false where the device took less, or failed.
 bool Speaker::Push() {
   const auto channels = static_cast<std::size_t>(loudspeaker_->format().channels);
   const auto playout = loudspeaker_->Write(std::span<const std::int16_t>(chunk_).subspan(pushed_));
@@ -117,7 +126,8 @@ bool Speaker::Push() {
   return pushed_ == chunk_.size();
 }
 
-// The device says when the frames that it accepted will be heard; the next frame is heard after the last of them.
+// The device says when the frames that it accepted will be heard; the next frame is heard after the last of
+// them. The time is smoothed, since drivers' times jitter; a gap, or a buffer that ran dry, sets it anew.
 void Speaker::NotePlayout(const ports::Playout& playout) {
   const Time now = clock_.now();
   stuck_since_ = now;
@@ -139,6 +149,7 @@ void Speaker::NotePlayout(const ports::Playout& playout) {
     *heard_next_ += FromSeconds(Seconds(off) * kPlayoutShare);
 }
 
+// The section becomes stale at once: the status says so to whoever looks.
 void Speaker::Close(Time now, std::string_view why) {
   loudspeaker_.reset();
   retry_at_ = now + kRetry;
@@ -160,6 +171,8 @@ void Speaker::Publish(Time now) {
   LogDelay();
 }
 
+// A delay that a person sets is logged at once; a measured one when it has been measured, and not more often
+// than every ten seconds.
 void Speaker::LogDelay() {
   if (choice_.automatic() && (!choice_.measured() || published_at_ < log_delay_after_)) return;
   if (std::exchange(logged_delay_, choice_.chosen()) == choice_.chosen()) return;

@@ -18,6 +18,7 @@
 
 namespace kaori::voice {
 
+// How late the voice is, and what motions sound like.
 struct SpeakerSettings {
   DelaySetting delay;
   std::vector<show::Sound> clips;  // One for each motion of the show; empty for a motion without a sound.
@@ -31,7 +32,7 @@ class Speaker {
   Speaker(ports::LoudspeakerOpener open, const board::Board& board, board::Writer<board::Sound> writer,
           SpeakerSettings settings, const Clock& clock);
 
-  // Records a block of the microphone.
+  // Records a block of the microphone. Without waiting; the samples are borrowed for the call.
   void Record(const ports::SoundBlock& block, const ports::SoundFormat& format) {
     line_.Write(block, format);
   }
@@ -73,6 +74,7 @@ class Speaker {
   std::vector<std::int16_t> chunk_;  // From `pushed_` on the device has not accepted it yet.
   std::size_t pushed_ = 0;
   board::Sound sound_;
+  // Of the section: live from the first frames that the device accepts, stale when it is gone.
   board::SourceState source_ = board::SourceState::kAbsent;
   Time retry_at_{};
   Time published_at_{};

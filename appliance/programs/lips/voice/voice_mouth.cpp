@@ -14,11 +14,14 @@ constexpr double kHeightHalfLife_s = 0.008;
 constexpr double kWidthHalfLife_s = 0.02;  // Lips become round slower than they open.
 constexpr Duration kLongestGap = std::chrono::seconds(1);
 
+// From kWhisper to 1, straight over the level in dB.
 float Loud(float level_db) {
   const float way = std::clamp((level_db - kQuiet_db) / (kLoud_db - kQuiet_db), 0.0F, 1.0F);
   return kWhisper + (1 - kWhisper) * way;
 }
 
+// Silence shuts the mouth at its rest width; a sound that is no vowel opens it a little and leaves the width
+// as it is, since consonants say nothing about it.
 MouthShare TargetOf(const Voice& voice, float width_now) {
   if (!voice.speaking) return {0, 0.5F};
   if (!voice.vowel) return {kConsonant * Loud(voice.level_db), width_now};

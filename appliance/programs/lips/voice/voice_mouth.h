@@ -7,9 +7,11 @@
 namespace kaori::voice {
 
 // The mean lag of the mouth behind the sound: the moment from which a vowel is recognised, and the smoothing.
+// Measured with claps; DelayChoice adds it to the delay of the voice.
 inline constexpr Duration kVoiceMouthLag = std::chrono::milliseconds(13);
 
-// Pure: time is in the argument.
+// Pure: time is in the argument. One thread. The mouth is in board::Voice's terms: height 0 shut .. 1 open,
+// width 0 narrow .. 1 wide.
 class VoiceMouth {
  public:
   // Moves the mouth to that of `voice`, at its time.

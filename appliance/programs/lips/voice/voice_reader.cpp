@@ -15,6 +15,7 @@ constexpr Duration kGiveUp =
 constexpr Duration kOldest = milliseconds(500);  // An older time of recording is a fault of the driver.
 constexpr int kBlocksAtOnce = 64;  // A microphone that sends without end must not hold the program up.
 
+// What Listener and DelayLine are made for; the drivers ask their devices for it.
 bool IsSupported(const ports::SoundFormat& format) {
   return format.rate_hz == 48000 && (format.channels == 1 || format.channels == 2);
 }
@@ -37,6 +38,7 @@ void VoiceReader::Step() {
   CheckSilence(now);
 }
 
+// Where nobody has plugged one in that is logged once (OpenOrLog), not four times a second.
 void VoiceReader::TryOpen(Time now) {
   retry_at_ = now + kVoiceReaderRetry;
   microphone_ = OpenOrLog(open_, logged_);
@@ -60,6 +62,8 @@ void VoiceReader::ReadBlocks(Time now) {
   }
 }
 
+// A stamp that cannot be is replaced before anything is computed from it. The loudspeaker gets the block
+// before the board is written: its deadline is nearer.
 void VoiceReader::Process(const ports::SoundBlock& recorded, Time now) {
   ports::SoundBlock block = recorded;
   block.at = PlausibleStamp(block.at, now, kOldest);
@@ -84,6 +88,7 @@ void VoiceReader::Close(Time now, std::string_view why) {
   writer_.Write(mouth_.mouth(), heard_at_, source_);
 }
 
+// Silence of the stream, not of the voice: a quiet room sends blocks too.
 void VoiceReader::CheckSilence(Time now) {
   if (source_ == board::SourceState::kLive && now - last_block_ >= kSilence) {
     silence_log_.Silent(kSilence, now);

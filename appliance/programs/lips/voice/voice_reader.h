@@ -15,7 +15,8 @@
 namespace kaori::voice {
 
 // Used by one thread. After 200 ms without a block, or when the microphone is gone, the section becomes
-// stale. A microphone that is gone, or that sent nothing for 2 s, is opened again every 250 ms.
+// stale. A microphone that is gone, or that sent nothing for 2 s, is opened again every 250 ms. A stream in
+// another format than 48 kHz with one or two channels is closed like one that failed.
 class VoiceReader {
  public:
   // Called with every block of the microphone, which is valid during the call only.

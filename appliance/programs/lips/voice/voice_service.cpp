@@ -11,6 +11,8 @@ constexpr Duration kTick = std::chrono::milliseconds(10);
 
 }  // namespace
 
+// The speaker is made first: the reader hands it every block, and is destroyed before it (members are
+// destroyed in reverse order).
 Result<std::unique_ptr<VoiceService>> VoiceService::Acquire(SoundSources sources,
                                                             VoiceServiceSettings settings,
                                                             const board::Board& board, const Clock& clock) {
@@ -41,6 +43,7 @@ Result<void> VoiceService::Join(EventLoop& loop) {
   return loop.Every(kTick, [this] { Step(); });
 }
 
+// What was heard is written to the line before the loudspeaker reads from it.
 void VoiceService::Step() {
   if (reader_) reader_->Step();
   if (speaker_) speaker_->Step();

@@ -10,7 +10,8 @@
 
 namespace kaori::voice {
 
-// How the devices are opened; an empty opener means that the box has no such device.
+// How the devices are opened; an empty opener means that the box has no such device. Openers are called again
+// and again by reader and speaker, on the loop's thread.
 struct SoundSources {
   ports::MicrophoneOpener microphone;
   ports::LoudspeakerOpener loudspeaker;
@@ -21,7 +22,7 @@ struct VoiceServiceSettings {
   SpeakerSettings speaker;
 };
 
-// Used by one thread.
+// Used by one thread. It stays at its address after Join, since the loop calls back into it.
 class VoiceService {
  public:
   // Acquires the sections of the devices that there are. Borrows the board and the clock, which outlive it.

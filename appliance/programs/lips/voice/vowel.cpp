@@ -7,12 +7,14 @@ namespace kaori::voice {
 namespace {
 
 constexpr std::size_t kLow = 10, kHigh = 165;  // 200 Hz to 3.3 kHz, between the pitch and the noise.
-constexpr float kSharpness = 0.08F;            // Per dB^2 of mean difference.
-constexpr float kDepth_db = 36;                // How much of the envelope below its peak is compared.
+// Per dB^2 of mean difference: a vowel that fits worse by 5 dB (RMS) has a seventh of the likelihood.
+constexpr float kSharpness = 0.08F;
+constexpr float kDepth_db = 36;  // How much of the envelope below its peak is compared.
 constexpr std::array kThroats = {0.9F, 1.0F, 1.1F,
                                  1.2F};  // Factors on the formants; a shorter throat sounds higher.
 
 // The formants of Japanese vowels for a man's throat: rounded means of published measurements.
+// One vowel: four formants, and the mouth with which it is spoken (MouthShare).
 struct Model {
   std::array<float, 4> formants_hz;
   MouthShare mouth;
@@ -23,7 +25,8 @@ constexpr std::array<Model, kVowelCount> kModels{{{{750, 1200, 2550, 3500}, {1.0
                                                   {{480, 1900, 2550, 3500}, {0.5F, 0.75F}},
                                                   {{480, 850, 2500, 3400}, {0.6F, 0.15F}}}};
 
-// The gain of a resonance in dB at `f_hz`; 0 dB at 0 Hz.
+// The gain of a resonance in dB at `f_hz`; 0 dB at 0 Hz. A two-pole resonance whose bandwidth is 60 Hz and a
+// twentieth of its frequency, as measured bandwidths of vowels are about.
 float Resonance_db(float f_hz, float formant_hz) {
   const float width_hz = 60 + formant_hz * 0.05F;
   const float square = formant_hz * formant_hz;
@@ -50,12 +53,14 @@ Envelope Expected(const Model& model, float throat) {
   return envelope;
 }
 
+// The envelope that a vowel has in one of the throats.
 struct Template {
   std::size_t vowel;
   Envelope envelope;
 };
 using Templates = std::array<Template, kVowelCount * kThroats.size()>;
 
+// Made at the first call, by one thread or several (C++ makes them wait): 20 envelopes of 180 points.
 const Templates& AllTemplates() {
   static const Templates templates = [] {
     Templates made{};
@@ -66,7 +71,9 @@ const Templates& AllTemplates() {
   return templates;
 }
 
-// The mean square of the difference without its mean and its tilt, since voices fall differently towards high frequencies.
+// The mean square of the difference without its mean and its tilt, since voices fall differently towards high
+// frequencies. It is the residual of a straight line fitted to the difference over points that lie around 0:
+// squares - sum^2 / n - tilt^2 / (n (n^2 - 1) / 12), over n.
 float Difference(const Envelope& a, const Envelope& b) {
   constexpr auto kCount = static_cast<float>(kHigh - kLow);
   constexpr float kMiddle = (kCount - 1) / 2;
@@ -81,6 +88,7 @@ float Difference(const Envelope& a, const Envelope& b) {
   return (squares - sum * sum / kCount - tilt * tilt / tilts) / kCount;
 }
 
+// A softmax of the differences. The mouth is the mean over all vowels, so that it does not leap where two are as likely.
 VowelGuess Weigh(const std::array<float, kVowelCount>& differences) {
   VowelGuess guess;
   const float least = *std::ranges::min_element(differences);
@@ -101,6 +109,7 @@ VowelGuess Weigh(const std::array<float, kVowelCount>& differences) {
 
 }  // namespace
 
+// The best throat counts for each vowel, since it is not known whose voice it is.
 std::optional<VowelGuess> GuessVowel(std::span<const float> samples) {
   const auto prediction = Predict(samples);
   if (!prediction) return std::nullopt;

@@ -10,6 +10,7 @@
 
 namespace kaori::voice {
 
+// The five vowels of Japanese, in its order.
 enum class Vowel : unsigned char { kA, kI, kU, kE, kO };
 inline constexpr std::size_t kVowelCount = 5;
 
@@ -26,7 +27,7 @@ struct VowelGuess {
 };
 
 // Compares a moment of 20 to 40 ms at kVoiceRate_hz with templates. Nothing for silence. Allocates nothing
-// after its first call.
+// after its first call. The samples are mono, -1 .. 1, and borrowed for the call. Any thread.
 std::optional<VowelGuess> GuessVowel(std::span<const float> samples);
 
 }  // namespace kaori::voice
