@@ -42,7 +42,7 @@ struct PressLog {
 //   writer   kaori-input, at each report of the device, up to 1000 times a second, and when it comes or goes
 //   readers  kaori-stage at each frame; kaori-lips, for its calibration, every 25 ms
 //   stale    the box is unplugged: all buttons are released, dials keep their counts
-// The counts are the device's own, carried on over plugs and restarts, so that only differences mean something.
+// The counts go on over plugs and restarts, wherever the dials themselves stand: only differences mean something.
 struct Surface {
   static constexpr const char* kName = "surface";
   std::array<std::int32_t, 8> counts{};  // Dials, accumulated; clockwise is positive.
