@@ -14,6 +14,7 @@ namespace {
 // Small enough to be drawn within a frame, and soft when it is enlarged.
 constexpr int kDropWidth_px = 384;
 constexpr int kDropHeight_px = 216;
+// Drops are as wide as most screens; others see less of them.
 constexpr float kDropAspect = 16.0F / 9;
 
 // By BackdropKind.
@@ -21,6 +22,7 @@ constexpr std::array<const char*, scene::kBackdropKindCount> kShaders{
     "drop_gradient.frag", "drop_studio.frag", "drop_curtain.frag", "drop_night.frag",   "drop_kitchen.frag",
     "drop_pine.frag",     "drop_lights.frag", "drop_rays.frag",    "drop_nursery.frag", "drop_picture.frag"};
 
+// Backdrops have no Frame block, so gl::Program is asked, not MakeProgram.
 Result<gl::Program> Make(std::string_view vertex, std::string_view fragment, std::string defines = {}) {
   return gl::Program::Make(
       {.library = ShaderLibrary(), .vertex = vertex, .fragment = fragment, .defines = std::move(defines)});
@@ -83,6 +85,7 @@ Result<BackdropPass> BackdropPass::Open(const face::Cast& cast) {
 // The heaviest first, those without weight last.
 BackdropPass::Mixture BackdropPass::MixtureOf(const scene::Scene& scene) {
   Mixture mixture{};
+  // What those that fade leave to the backdrop that stays.
   float rest = 1;
   for (std::size_t i = 0; i < scene::kMostFading; ++i) {
     if (scene.fading[i].weight <= 0) continue;
@@ -139,6 +142,7 @@ std::size_t BackdropPass::DropOf(const scene::Backdrop& backdrop, const Mixture&
   const auto shows = [&](const Drop& drop) { return drop.shows == backdrop; };
   auto drop = std::ranges::find_if(drops_, shows);
   if (drop == drops_.end()) {
+    // There is always one: a mixture has at most as many as there are drops, and this one is not among them.
     drop = std::ranges::find_if(drops_, [&](const Drop& d) {
       return !d.shows || std::ranges::none_of(mixture, [&](const scene::FadingBackdrop& m) {
         return m.weight > 0 && m.backdrop == *d.shows;
@@ -160,6 +164,7 @@ const gl::Texture& BackdropPass::MixDrops(const Mixture& mixture) {
     weights[count++] = m.weight;
   }
   if (count == 1) return drops_[drops[0]].target.texture();
+  // A unit without a drop of its own looks up the first one, with the weight 0.
   for (unsigned unit = 0; unit < kDrops; ++unit) drops_[drops[unit]].target.texture().Bind(unit);
   const Mix& mix = mixes_[count == 2 ? 1 : 2];
   small_.Begin();
@@ -191,6 +196,7 @@ void BackdropPass::Prepare(const scene::Scene& scene, int width_px, int height_p
   if (whole_.width_px() > 0) Enlarge(MixDrops(mixture));
 }
 
+// Kinds first, then the mixes of two and of four.
 void BackdropPass::WarmUp(std::size_t number) {
   Drop& drop = drops_.back();
   if (number < kinds_.size()) {

@@ -12,10 +12,11 @@
 namespace kaori::passes {
 namespace {
 
-// As many as body.frag mixes. Of more faces, the lightest lend no colour.
+// As many as body.frag mixes.
 constexpr int kMostTextures = 4;
 
-// The heaviest faces' textures, each once, and their weights with the sum 1.
+// The first four textures of the faces in their order, each once, and their weights. Of more, those that come
+// last lend no colour.
 struct Mixture {
   std::array<int, kMostTextures> textures{};
   glm::vec4 weights{};
@@ -91,6 +92,7 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
     answer += term.weight * look.surface;
     if (term.weight > kUnseen) mixture.Add(look.texture, term.weight);
   }
+  // What was left out leaves its weight to the others.
   mixture.weights /= glm::dot(mixture.weights, glm::vec4(1));
   const Variant& variant = VariantFor(mixture.count);
   const std::span used(mixture.textures.data(), static_cast<std::size_t>(mixture.count));

@@ -12,18 +12,21 @@
 
 namespace kaori::passes {
 
+// Weights of faces, their positions and normals are blended before (face::Composer); what is left to this
+// pass is their paint: up to four textures are mixed by weight in the shader.
 class BodyPass {
  public:
-  // Borrows the cast. Errors: invalid_argument (a shader).
+  // Borrows the cast. No texture is loaded yet. Errors: invalid_argument (a shader).
   static Result<BodyPass> Open(const face::Cast& cast);
 
-  // Draws the surface's fine mesh (Surface::WriteFine comes before) with the textures of the heaviest four
-  // faces, each by its weight. `dressed`: all hair and clothes of the faces are drawn, so that skin beneath
-  // need not be. A texture that is not loaded yet is loaded now, which stalls the frame: see LoadNext.
+  // Draws the surface's fine mesh (Surface::WriteFine comes before) with the first four textures of
+  // Shape::faces, each by its weight. `dressed`: all hair and clothes of the faces are drawn, so
+  // that skin beneath need not be. A texture that is not loaded yet is loaded now, which stalls the
+  // frame: see LoadNext.
   void Draw(const Surface& surface, const face::Shape& shape, bool dressed);
 
   // A skin is loaded when it is first drawn, so that the first face need not wait for the others. This loads
-  // one that no face has shown yet; false where none is left. Blocks for 10 to 40 ms.
+  // one that no face has shown yet; false where none is left. Blocks for 10 to 40 ms; between frames.
   bool LoadNext();
 
  private:
@@ -39,6 +42,7 @@ class BodyPass {
     // Softness, metal.
     glm::vec2 surface{};
   };
+  // `textures`: 1, 2 or 4.
   Result<void> AddVariant(int textures);
   const Variant& VariantFor(int textures) const;
   // The cast's texture of this index, loaded now where it is not there yet.

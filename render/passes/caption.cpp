@@ -94,6 +94,7 @@ void CaptionPass::WriteLetters(const std::vector<std::string>& lines, const gl::
   int y_px = picture.height_px;
   for (const std::string& line : fitting)
     lettering_.Draw(line, {.size_px = m.letters}, 0, y_px -= m.step, picture);
+  // A new texture, since texts differ in size; not in a frame of the show.
   letters_ = gl::Texture({.width_px = picture.width_px, .height_px = picture.height_px},
                          std::as_bytes(std::span(picture.rgbx)));
   border_px_ = m.border;

@@ -13,6 +13,8 @@
 
 namespace kaori::passes {
 
+// Letters are drawn by the processor (image::Lettering) into a texture, once for each text; a frame only
+// lays that down.
 class CaptionPass {
  public:
   // Errors: invalid_argument (a shader), not_enough_memory (the font).
@@ -38,14 +40,17 @@ class CaptionPass {
     // The longest line.
     int line_px = 0;
   };
+  // All from the canvas's size.
   static Measures MeasuresFor(const gl::Canvas& canvas);
-  // At most `most_px` high.
+  // The lines as they are drawn, at most `most_px` high together.
   std::vector<std::string> Fitting(const Measures& m, int most_px);
   CaptionPass(gl::Program program, image::Lettering lettering);
+  // Makes letters_ and the plate's box for these lines and this canvas.
   void WriteLetters(const std::vector<std::string>& lines, const gl::Canvas& canvas);
 
   gl::Program program_;
   image::Lettering lettering_;
+  // Where uniforms of the program are.
   int plate_, border_, opacity_;
   gl::Mesh everywhere_;
   gl::Texture letters_;
@@ -54,6 +59,7 @@ class CaptionPass {
   int canvas_width_px_ = 0;
   int canvas_height_px_ = 0;
   int border_px_ = 0;
+  // Where the plate lies on the canvas; empty where there is no line.
   gl::Box plate_box_;
 };
 

@@ -5,6 +5,7 @@
 namespace kaori::passes {
 namespace {
 
+// Two spaces part what belongs together from the next, as in lists of keys.
 constexpr std::string_view kWide = "  ";
 constexpr std::string_view kNarrow = " ";
 constexpr auto kNone = std::string_view::npos;
@@ -25,6 +26,8 @@ std::size_t LastGap(std::string_view text, std::string_view gap, const Fits& fit
   return last;
 }
 
+// Where the next line ends: at a wide gap if one fits, else at a narrow one, else behind the first word,
+// however long it is.
 std::size_t BreakAt(std::string_view text, const Fits& fits) {
   if (fits(text)) return text.size();
   for (const std::string_view gap : {kWide, kNarrow}) {

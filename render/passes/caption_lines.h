@@ -8,7 +8,7 @@
 
 namespace kaori::passes {
 
-// Whether a piece of text fits into one line.
+// Whether a piece of text fits into one line; a longer piece must not fit where a shorter one does not.
 using Fits = std::function<bool(std::string_view)>;
 
 // Appends the pieces of `line` to `into`: each as long as fits, broken at gaps of two spaces or more, and

@@ -37,6 +37,8 @@ std::vector<glm::vec3> CapDirections() {
   return directions;
 }
 
+// Counter-clockwise seen from outside. Half of the innermost ring's triangles have two corners in one place,
+// and draw nothing.
 std::vector<std::uint32_t> CapTriangles() {
   std::vector<std::uint32_t> indices;
   for (std::uint32_t ring = 0; ring < kRings; ++ring) {
@@ -63,6 +65,7 @@ class LidEdge {
   // The margin's height over the centre, in radii, at `x` radii to the character's left.
   float HeightAt(float x) const {
     const float wanted_m = ball_.centre.x + x * ball_.radius_m;
+    // The piece of the margin that holds x; the first or the last one beyond the corners.
     std::size_t j = 1;
     while (j + 1 < columns_ && edge_[j].x < wanted_m) ++j;
     const glm::vec3 a = edge_[j - 1];
@@ -127,7 +130,9 @@ void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& 
   program_.Use();
   for (std::size_t side = 0; side < 2; ++side) {
     const face::EyeBall& ball = shape.eyes[side];
+    // A tenth of a millimetre: such a ball is on its way to none.
     if (ball.radius_m < 1e-4F) continue;
+    // The shader compares with the distance from the gaze's axis, in radii: the sine of the iris's angle.
     const float reach = std::sin(std::min(shape.eye_look.iris_radius_m / ball.radius_m, 1.4F));
     gl::Program::Set(ball_, glm::vec4(ball.centre, ball.radius_m));
     gl::Program::Set(gaze_, HeadToIris(gaze[side]));

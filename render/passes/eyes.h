@@ -9,12 +9,15 @@
 
 namespace kaori::passes {
 
+// Each ball is the front cap of a sphere, of which the lids leave less to be seen; one mesh of unit
+// directions serves both eyes.
 class EyesPass {
  public:
-  // Borrows the topology. Errors: invalid_argument (a shader).
+  // Borrows the topology, whose lid rings say where the lids' edges are. Errors: invalid_argument (a shader).
   static Result<EyesPass> Open(const face::Topology& topology);
 
-  // `gaze`: the character's left, right. Lids shade the ball below them; a ball without a radius is left out.
+  // `gaze`: the character's left, right, turned about the ball's centre with the head. Lids shade the ball
+  // below them, by nine heights of the upper margin over it; a ball without a radius is left out.
   void Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const;
   // Dark balls that only hide what lies behind them, for the wireframe.
   void DrawDark(const face::Shape& shape) const;
@@ -25,7 +28,9 @@ class EyesPass {
   const face::Topology* topology_;
   gl::Program program_;
   gl::Program dark_;
+  // Where uniforms are, of program_ and then of dark_.
   int ball_, gaze_, lid_, iris_, dark_ball_;
+  // Unit directions from the ball's centre; cap_ borrows them.
   gl::Buffer directions_;
   gl::Mesh cap_;
 };

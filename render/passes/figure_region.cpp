@@ -45,6 +45,7 @@ glm::vec2 SeenPerMetre(const FrameBlock& frame) {
 // Collects rectangles into bands of equal height.
 class Bands {
  public:
+  // No span yet: from beyond to.
   explicit Bands(glm::vec2 canvas_px) : canvas_px_(canvas_px) {
     spans_.fill({static_cast<int>(canvas_px.x), 0});
   }

@@ -13,21 +13,24 @@ namespace kaori::passes {
 
 // Bands across the picture, from below, each a twentieth of its height; in each the figure lies within its
 // box, which may be empty. Tighter than one box round all, and on a software renderer every pixel that is
-// left out counts.
+// left out counts. Too large a region costs time; too small a one cuts the figure off.
 struct FigureRegion {
   static constexpr int kBands = 20;
   std::array<gl::Box, kBands> bands{};
-  // Encloses them all.
+  // Encloses them all; as high as the picture.
   gl::Box whole;
 };
 
-// For each face, the longest edge at each vertex of the cage, metres.
+// For each face, the longest edge at each vertex of the cage, metres: it bounds how far from that vertex the
+// fine mesh can be.
 using LongestEdges = std::vector<std::vector<float>>;
+// Once for a cast, on any thread.
 LongestEdges MeasureEdges(const face::Cast& cast);
 
-// Encloses the face, with what sticks out of it by `reach_m`, and all that is worn in this frame, hair as it
-// swings. Works on the cage: the fine mesh stays within part of an edge of it, which is what `edges` are for.
-// Allocates nothing.
+// Encloses the face, with what sticks out of it by `reach_m` (metres), and all that is worn in this frame,
+// hair as it swings. Works on the cage: the fine mesh stays within part of an edge of it, which is what
+// `edges` are for. `appearance` must have been weighed for this frame. Allocates nothing; projects each
+// vertex of the cage once or twice.
 FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
                         const LongestEdges& edges, float reach_m = 0);
 

@@ -10,15 +10,19 @@
 
 namespace kaori::passes {
 
+// As in 1993: one normal and one colour for a triangle. Corners are not shared, since a normal belongs to one
+// triangle alone; they are written anew for each frame.
 class FlatPass {
  public:
   // Borrows the cast. Errors: invalid_argument (a shader).
   static Result<FlatPass> Open(const face::Cast& cast);
 
-  // Needs the cage alone. The colour is the mean of the faces' SurfaceLook::flat by their weights.
+  // Needs the cage alone. The colour is the mean of the faces' SurfaceLook::flat by their weights. Writes
+  // three corners a triangle to the driver.
   void Draw(const face::Shape& shape);
 
  private:
+  // A corner of one facet, as flat.vert reads it.
   struct Corner {
     glm::vec3 position;
     glm::vec3 normal;

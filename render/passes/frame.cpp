@@ -46,6 +46,7 @@ FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canv
 
 glm::vec2 Project(const FrameBlock& f, glm::vec3 point, bool turns) {
   if (turns) {
+    // glm's constructor wants w first; the block holds x, y, z, w, as shaders read it.
     const glm::quat turn(f.turn.w, f.turn.x, f.turn.y, f.turn.z);
     point = turn * (point - glm::vec3(f.pivot)) + glm::vec3(f.pivot) + glm::vec3(f.shift);
   }

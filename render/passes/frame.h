@@ -16,6 +16,7 @@
 
 namespace kaori::passes {
 
+// The uniform buffer binding point of FrameBlock, in all programs.
 inline constexpr unsigned kFrameBinding = 0;
 
 // std140: matrices by columns, each vector 16 bytes. What each part means stands in frame.glsl.
@@ -38,14 +39,16 @@ struct Neck {
   float still_below_m = 0;
   float turns_above_m = 0;
 };
+// From the lowest vertex of the reference face: still up to 16 mm above it, turned with the head from
+// 62 mm on.
 Neck NeckOf(const face::Cast& cast);
 
 // `soft_share` 0..1: how much of the textured styles is today's soft light; the rest is the plain one of
 // 1993. `canvas_px`: width and height, neither 0.
 FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share);
 
-// A point of the head in the picture: x, y from -1 to 1. `turns`: it follows the head's whole turn, else none
-// of it.
+// A point of the head in the picture: x, y from -1 to 1, right and up, more outside of it. `turns`: it
+// follows the head's whole turn, else none of it. As the shaders place it.
 glm::vec2 Project(const FrameBlock& frame, glm::vec3 point, bool turns);
 
 // Compiles a program of the shader library and binds its Frame block to kFrameBinding. `defines` are lines

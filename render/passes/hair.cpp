@@ -52,6 +52,7 @@ void HairPass::DrawLocks(const PropMesh& hair, float presence) const {
   variant.program.Use();
   gl::Program::Set(variant.paint, hair.paint);
   gl::Program::Set(variant.gleam, hair.paint * 3.2F + kGleam);
+  // A little more than whole, so that the last tips are out before the variant without growth takes over.
   gl::Program::Set(variant.grown, presence * 1.2F);
   hair.mesh.Draw();
 }

@@ -9,11 +9,12 @@ namespace kaori::passes {
 
 class HairPass {
  public:
-  // Errors: invalid_argument (a shader).
+  // Compiles two variants of one shader. Errors: invalid_argument (a shader).
   static Result<HairPass> Open();
 
-  // `share` 0..1: how much of the hair the style shows. Where a lock has not grown to its whole length,
-  // samples of its pixels are left out instead of blended, so that nothing needs sorting.
+  // Draws the hair of all faces that are shown. `share` 0..1: how much of the hair the style shows. Where a
+  // lock has not grown to its whole length, samples of its pixels are left out (alpha to coverage) instead of
+  // blended, so that nothing needs sorting; it therefore needs a layer with samples.
   void Draw(const Appearance& appearance, float share) const;
 
  private:
@@ -24,7 +25,9 @@ class HairPass {
     int gleam = -1;
     int grown = -1;
   };
+  // `defines`: nothing, or GROWTH.
   static Result<Variant> MakeVariant(std::string defines);
+  // One prop's locks; `presence` 0..1.
   void DrawLocks(const PropMesh& hair, float presence) const;
 
   Variant whole_;

@@ -124,11 +124,13 @@ face::SparseRows BesideEachOther(const face::Cast& cast) {
   return rows;
 }
 
+// Metres; 0 where the point has none.
 float PullOf(const scene::Handles& handles, std::size_t point) {
   if (point >= handles.pulls_m.size() || !std::isfinite(handles.pulls_m[point])) return 0;
   return std::clamp(handles.pulls_m[point], 0.0F, kFarthestPull_m);
 }
 
+// Pulled handles are warm by the square root of their pull, so that small ones show.
 Role RoleOf(const scene::Handles& handles, std::size_t point) {
   if (static_cast<int>(point) == handles.chosen) return kChosen;
   if (static_cast<int>(point) == handles.partner) return kPartner;

@@ -17,6 +17,8 @@
 
 namespace kaori::passes {
 
+// One instanced draw for all handles; where they stand is read from a texture of floats, written
+// once a frame.
 class HandlesPass {
  public:
   // Borrows the cast's control net. Errors: invalid_argument (a shader).
@@ -28,7 +30,7 @@ class HandlesPass {
   enum class Among : std::uint8_t { kSkin, kWires };
   void Draw(const scene::Handles& handles, const face::Shape& shape, Among among = Among::kSkin);
 
-  // No handle ends farther from the face than this; 0 while none is shown.
+  // No handle ends farther from the face than this, metres; 0 while none is shown. For FindFigure.
   static float ReachOf(const scene::Handles& handles);
 
  private:
@@ -43,15 +45,18 @@ class HandlesPass {
   void Straighten(const face::Shape& shape);
   // Where one handle stands, how long it is and how it is painted.
   Texels Place(const scene::Handles& handles, const face::Shape& shape, std::size_t point) const;
+  // Draws one handle whatever stands before it; -1 and numbers beyond draw nothing.
   void DrawThrough(int point) const;
 
   const face::ControlNet* net_;
   // For each point, the points about it and how near they are.
   face::SparseRows beside_;
-  std::vector<glm::vec3> normals_;  // Of the skin at each point,
-  std::vector<glm::vec3> axes_;     // and what the points about it make of them.
+  // Of the skin at each point,
+  std::vector<glm::vec3> normals_;
+  std::vector<glm::vec3> axes_;  // and what the points about it make of them.
   gl::Program program_;
   int first_, opacity_, plain_;
+  // All handles of the frame, in the order of the net's points; written to texture_.
   std::vector<Texels> handles_;
   gl::Texture texture_;
   gl::Buffer corners_;

@@ -17,6 +17,7 @@ constexpr int kSteps = 4;
 constexpr glm::vec3 kPaint{0.0075F, 0.0048F, 0.0042F};
 
 // The vertex of the fine mesh that replaces a cage vertex: the one that leans on it most.
+// Catmull-Clark keeps the cage's vertices as the first of the fine ones, with most weight on themselves.
 face::Index OnFineMesh(const face::SparseRows& from_cage, face::Index cage) {
   face::Index best = 0;
   float most = -1;
@@ -60,6 +61,7 @@ std::vector<std::uint32_t> Strips(const std::array<std::vector<face::Index>, 2>&
 }
 
 // Catmull-Rom through the fine vertices of a margin.
+// At the ends the outermost vertex stands for the one beyond.
 glm::vec3 OnCurve(std::span<const glm::vec3> fine, std::span<const face::Index> margin, float column) {
   const auto last = static_cast<std::ptrdiff_t>(margin.size()) - 1;
   const auto j = std::min(static_cast<std::ptrdiff_t>(column), last - 1);

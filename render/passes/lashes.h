@@ -11,9 +11,12 @@
 
 namespace kaori::passes {
 
+// The strip is made anew for each frame from the composed lid, on the processor: lashes ride on the lid and
+// turn as it shuts.
 class LashesPass {
  public:
-  // Errors: invalid_argument (a shader).
+  // Finds the vertices of the fine mesh that lie on the lids' margins; borrows nothing. Errors:
+  // invalid_argument (a shader).
   static Result<LashesPass> Open(const face::Topology& topology);
 
   // Needs the fine mesh; without it, without lids that have rings, or with lashes too short to be seen, draws

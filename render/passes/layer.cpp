@@ -89,6 +89,7 @@ void LayerPass::Fill(const gl::Canvas& canvas, const gl::Box& box) const {
 void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind,
                     const Laying& laying) const {
   if (figure.whole.empty()) return;
+  // First: it may blit, which needs the scissor test off; BeginPicture turns it on again.
   canvas.BindLayer(0, figure.whole);
   const bool replaces = laying.opacity >= 1;
   gl::Apply({.depth = gl::Depth::kOff, .blend = replaces ? gl::Blend::kReplace : gl::Blend::kOver});

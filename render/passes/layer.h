@@ -10,9 +10,12 @@
 
 namespace kaori::passes {
 
+// Reads each sample of the layer, squares it to light, and blends light: with samples averaged first, edges
+// would be darker than they are. Knows what the last frame left on a canvas (Canvas::Stamp), so that a
+// backdrop at rest is not drawn again.
 class LayerPass {
  public:
-  // Errors: invalid_argument (a shader).
+  // On a context that reads samples, shaders for GLES 3.1. Errors: invalid_argument (a shader).
   static Result<LayerPass> Open();
 
   // The backdrop: square roots of light, as large as the canvas (BackdropPass::picture). Borrowed for the
@@ -24,6 +27,7 @@ class LayerPass {
     // 0: dark.
     float dim = 1;
   };
+  // How a layer is laid on what is there.
   struct Laying {
     // 1 replaces what is there.
     float opacity = 1;
@@ -32,11 +36,12 @@ class LayerPass {
     // Of the light on the figure.
     float exposure = 1;
   };
-  // The canvas's layer, where the figure is.
+  // Lays the canvas's layer, where the figure is, over the backdrop, and the result over the layers before
+  // it. The layer must have been drawn whole; it cannot be drawn on afterwards.
   void Lay(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind,
            const Laying& laying) const;
-  // The backdrop alone, everywhere but there. Called once a frame, before all layers: where it is
-  // in place from the last frame on this canvas, it is left alone.
+  // The backdrop alone, everywhere but there. Called once a frame, before all layers: where it is in place
+  // from the last frame on this canvas, only what the last figure covered is drawn. Sets the canvas's stamp.
   void LayBackdropAround(const gl::Canvas& canvas, const FigureRegion& figure, const Behind& behind);
 
  private:
@@ -60,6 +65,7 @@ class LayerPass {
   Variant backdrop_;
   gl::Mesh everywhere_;
 
+  // What the last call of LayBackdropAround left on the canvas of its stamp.
   std::uint64_t frame_ = 0;
   std::uint64_t last_version_ = 0;
   float last_dim_ = 0;

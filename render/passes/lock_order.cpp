@@ -27,6 +27,7 @@ class Locks {
   }
 
  private:
+  // Union-find with path halving (Tarjan and van Leeuwen 1984).
   std::uint32_t Root(std::uint32_t v) {
     while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
     return v;

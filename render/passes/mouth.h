@@ -10,7 +10,7 @@ namespace kaori::passes {
 
 class MouthPass {
  public:
-  // Errors: invalid_argument (a shader).
+  // Copies the mouth's anchor; borrows nothing. Errors: invalid_argument (a shader).
   static Result<MouthPass> Open(const face::Cast& cast);
 
   // Draws nothing while the lips touch. The lower teeth follow the jaw, the tongue nearly so; what the face
@@ -18,6 +18,7 @@ class MouthPass {
   void Draw(const Appearance& appearance, const face::Shape& shape) const;
 
  private:
+  // One prop, in the program that Draw has set.
   void DrawPart(const PropMesh& prop, float presence, const face::Shape& shape) const;
 
   gl::Program program_;

@@ -11,6 +11,7 @@ namespace {
 
 using scene::Style;
 
+// In the order in which they are laid: later ones over earlier ones.
 constexpr std::array kGroups{Group::kTextured, Group::kFlat, Group::kWire};
 
 // A quarter of a step of 8 bits: nobody sees what has less weight.
@@ -167,6 +168,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   Parts& p = *parts_;
   Sane(wanted, p.sane);
   const scene::Scene& scene = p.sane;
+  // The other styles need the cage alone.
   const bool fine = WeightOf(scene, Group::kTextured) > kPainterUnseen;
   const face::Shape& shape =
       p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
@@ -189,6 +191,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
     p.handles->Draw(scene.handles, shape,
                     group == Group::kWire ? HandlesPass::Among::kWires : HandlesPass::Among::kSkin);
     p.layer->Lay(canvas, figure, {behind, version, LightBehind(scene, group)},
+                 // The first group replaces, the next ones are blended: w1 / w1, w2 / (w1 + w2), ...
                  {.opacity = weight / laid,
                   .print = group == Group::kTextured ? print : 0,
                   .exposure = scene.light.exposure});

@@ -15,6 +15,8 @@ namespace kaori::passes {
 
 struct Preparation;
 
+// Opened once for a cast and a context; then Draw once a frame. Everything that it shows follows from the
+// Scene alone, so a frame can be drawn again: nothing is kept from frame to frame but what saves work.
 class Painter {
  public:
   // Compiles shaders and loads textures, which blocks. Borrows the context (current on this thread, as at
@@ -27,20 +29,22 @@ class Painter {
   ~Painter();
 
   // Makes the picture of `scene` on `canvas`, of any size. Values that are none are replaced (see
-  // sane_scene.h). Allocates nothing.
+  // sane_scene.h). Allocates nothing, but where a backdrop's picture, a skin, a caption or a canvas's size is
+  // new. Returns when the driver has the commands; the picture is finished when it is read or shown.
   void Draw(const scene::Scene& scene, const gl::Canvas& canvas);
 
   // The cast's expression of this index is not what it was: see face::Composer::Renew.
   void Renew(std::size_t expression);
 
-  // The face as it was drawn last; holds until the next Draw or WarmUpStep.
+  // The face as it was drawn last; empty before the first Draw. Holds until the next Draw or WarmUpStep. For
+  // the expression editor, which asks where its handles are.
   const face::Shape& shape() const;
 
   // Drivers finish a shader when it is first drawn with, and a skin is loaded when it is first shown, which
   // would stall a fade in the middle of the show. One step loads a skin, or draws, unseen, with a shader that
   // the default look has not used; call it between frames, once the first is out, while it returns true: more
-  // remain. Blocks for 10 to 40 ms. A canvas that cannot be made is
-  // no fault: shaders are then finished when they are needed.
+  // remain. Blocks for 10 to 40 ms. A canvas that cannot be made is no fault: shaders are then finished when
+  // they are needed.
   bool WarmUpStep();
 
  private:

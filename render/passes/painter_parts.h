@@ -35,7 +35,9 @@ enum class Group : std::uint8_t { kTextured, kFlat, kWire };
 struct Painter::Parts {
   Parts(const face::Cast& cast, Preparation prepared);
   Result<void> Open(const face::Cast& cast);
+  // Writes and binds the uniforms of a frame.
   FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
+  // Into the layer that is begun.
   void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
   // What a fade or a style needs beyond the default look, by shader.
   enum class Shader : std::uint8_t {
@@ -55,6 +57,7 @@ struct Painter::Parts {
   static constexpr std::array kWarmUpOrder{
       Shader::kMouth,    Shader::kHair, Shader::kClothes, Shader::kLayer,   Shader::kBody2,   Shader::kFlat,
       Shader::kDarkEyes, Shader::kWire, Shader::kPrint,   Shader::kHandles, Shader::kCaption, Shader::kBody4};
+  // Draws once with this shader on `backstage`, which must be there.
   void WarmUp(Shader shader);
   // Into the layer that is begun; the shape is composed with the detail that the group needs.
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
@@ -81,7 +84,9 @@ struct Painter::Parts {
   std::optional<BackdropPass> backdrop;
   std::optional<CaptionPass> caption;
   std::optional<LayerPass> layer;
+  // For warming up; gone when all is done.
   std::optional<gl::Canvas> backstage;
+  // Steps that are done.
   std::size_t warmed_up = 0;
   // What is drawn.
   scene::Scene sane;

@@ -4,6 +4,7 @@ namespace kaori::passes {
 namespace {
 
 // Two faces, and with them two textures, or four.
+// Faces that do not exist are left out by the composer.
 face::Weights CrossFade(std::uint16_t faces) {
   face::Weights weights;
   for (std::uint16_t face = 0; face < faces; ++face) weights.faces.Push(face, 1);
@@ -24,6 +25,7 @@ void Painter::Parts::WarmUp(Shader shader) {
   scene::Scene scene;
   scene.weights = CrossFade(shader == Shader::kBody4 ? 4 : 2);
   face::Shape shape = composer.Compose(scene.weights, face::Detail::kFine);
+  // A mouth that is open, or MouthPass would draw nothing.
   shape.jaw_drop_m = 0.01F;
   appearance.Weigh(shape.faces);
   surface.WriteFine(shape);

@@ -12,8 +12,9 @@
 
 namespace kaori::passes {
 
-// Borrows the cast, as its composer does.
+// Borrows the cast, as its composer does. Moved into the painter's Open; used once.
 struct Preparation {
+  // Builds all composites, measures edges and props, and sorts hair.
   explicit Preparation(const face::Cast& cast)
       : composer(cast), edges(MeasureEdges(cast)), props(FormsOf(cast.props)), worn(SeenWhenWorn(cast)) {}
 

@@ -71,6 +71,8 @@ struct Prism {
     Slice s = slice;
     for (std::size_t side = 0; side < kSides; ++side) {
       const glm::vec2 out = SideDirections()[side];
+      // Two neighbouring sides, at distances r0 and r1 from the axis and a turn apart, meet at r0 along the
+      // one and (r1 - r0 cos) / sin across it.
       const float along = (reach_m[(side + 1) % kSides] - reach_m[side] * std::cos(kTurn)) / std::sin(kTurn);
       s.outline[side] = out * reach_m[side] + glm::vec2(-out.y, out.x) * along;
     }

@@ -11,16 +11,19 @@
 
 namespace kaori::passes {
 
-// A part of a prop, as an upright prism about it. Metres; empty while low lies beyond high.
+// A part of a prop, as an upright prism about it: between two heights, and within twelve sides. Metres; empty
+// while low lies beyond high.
 struct Slice {
   static constexpr std::size_t kSides = 12;
   float low_m = 1e9F;
   float high_m = -1e9F;
-  std::array<glm::vec2, kSides> outline{};  // x, z.
+  // Corners of the prism, seen from above: x and z.
+  std::array<glm::vec2, kSides> outline{};
   // No triangle passes through it.
   bool empty() const { return low_m > high_m; }
 };
 
+// As many as there are bands in a FigureRegion.
 inline constexpr int kPropSlices = 20;
 
 // What is worked out of a prop before it goes to the driver.
@@ -37,8 +40,9 @@ struct PropForm {
 std::vector<PropForm> FormsOf(std::span<const face::Prop> props);
 
 // Attribute locations: 0 position, 1 normal, 2 shade; hair: 2 tangent, 3 along, across, shade, 4 number of
-// the lock.
+// the lock. The mesh borrows the two buffers beside it; on the thread of the context.
 struct PropMesh {
+  // Copies the prop to the driver; `form` is that of the prop.
   PropMesh(const face::Prop& prop, const PropForm& form);
   PropMesh(PropMesh&&) = default;
 
@@ -51,17 +55,18 @@ struct PropMesh {
 };
 
 // The props of a cast, and after Weigh how much of each is there, 0..1: the weights of the faces that wear
-// it.
+// it. A prop that two faces share stays while they cross-fade.
 class Appearance {
  public:
   Appearance(const face::Cast& cast, std::span<const PropForm> forms);
 
-  // Once a frame, before what is worn is drawn. `faces` sum to 1.
+  // Once a frame, before what is worn is drawn. `faces` as composed: indices exist, sum 1. Allocates nothing.
   void Weigh(const face::Terms& faces);
 
   // In the order of Cast::props, as presence counts them.
   std::span<const PropMesh> meshes() const { return meshes_; }
   float presence(std::size_t prop) const { return presence_[prop]; }
+  // Indices of props.
   std::span<const int> worn_by(std::size_t face) const { return worn_[face]; }
 
  private:

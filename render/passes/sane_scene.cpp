@@ -78,6 +78,7 @@ scene::Scene Sane(const scene::Scene& scene) {
 
 void Sane(const scene::Scene& scene, scene::Scene& s) {
   const scene::Scene fresh;
+  // Copying keeps the capacity of the lists in `s`.
   s = scene;
   for (scene::Gaze& g : s.gaze) g = {Turn(g.yaw_rad), Turn(g.pitch_rad)};
   s.head = Sane(scene.head);
@@ -87,6 +88,7 @@ void Sane(const scene::Scene& scene, scene::Scene& s) {
   s.backdrop = Sane(scene.backdrop);
   float rest = 1;
   for (scene::FadingBackdrop& f : s.fading) {
+    // A weight is at most what the others leave.
     f = {Sane(f.backdrop), Within(f.weight, 0, 0, rest)};
     rest -= f.weight;
   }

@@ -14,7 +14,7 @@ class ScreenPass {
   // Errors: not_supported (the driver decodes all sRGB texels that it reads), invalid_argument (a shader).
   static Result<ScreenPass> Open();
 
-  // On the current window, which has the canvas's size.
+  // On the current window (gl::Window::Begin), which has the canvas's size. Fills all of it.
   void Draw(const gl::Canvas& canvas) const;
 
  private:

@@ -13,11 +13,14 @@ namespace kaori::passes {
 using Triangles = std::vector<face::Triangle>;
 
 // For each face, the triangles of its fine mesh but those that it hides, when it is all alone, under its own
-// hair and clothes.
+// hair and clothes: the scalp and the neck's end, which would be shaded for nothing. Pure, on any thread.
 std::vector<Triangles> SeenWhenWorn(const face::Cast& cast);
 
+// The buffers that most passes draw the face from. Texture coordinates and indices are written once, all else
+// for each frame. On the thread of the context.
 class Surface {
  public:
+  // Copies what it needs of the cast; `worn` as from SeenWhenWorn.
   Surface(const face::Cast& cast, std::span<const Triangles> worn);
 
   // Copies the composed arrays to the driver: positions, normals and occlusion. What is drawn until the next
@@ -31,7 +34,7 @@ class Surface {
   const gl::Mesh& cage() const { return cage_mesh_; }
 
  private:
-  // What is written anew for each frame, of one of the two meshes.
+  // What is written anew for each frame, of one of the two meshes: an entry for each vertex.
   struct Arrays {
     explicit Arrays(std::size_t vertices);
     gl::Mesh Join(const gl::Buffer& uv, std::span<const face::Triangle> triangles) const;

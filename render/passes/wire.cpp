@@ -109,6 +109,7 @@ void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, floa
                         glm::vec4* points) const {
   const glm::quat turn = scene::TurnOf({.yaw_rad = gaze.yaw_rad, .pitch_rad = gaze.pitch_rad});
   for (const float part : {0.92F, 0.40F}) {
+    // An angle at the ball's centre: part of the iris's arc.
     const float away = part * iris_m / std::max(ball.radius_m, 1e-4F);
     for (std::size_t i = 0; i < kCircle; ++i) {
       const float round = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kCircle;
@@ -122,6 +123,7 @@ void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, floa
 // of points.
 void WirePass::WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) {
   const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
+  // The lowest vertex of the face as it is in this frame: faces differ in their necks.
   const float edge_m = std::ranges::min_element(shape.cage, lower)->y;
   for (std::size_t i = 0; i < cage_points_; ++i) {
     const float fade = glm::smoothstep(0.0F, kFade_m, shape.cage[i].y - edge_m);
@@ -149,6 +151,7 @@ void WirePass::Draw(const Surface& surface, const face::Shape& shape,
   body_.Use();
   gl::Program::Set(body_paint_, paint);
   surface.cage().Draw();
+  // The larger of both, so that lines that cross do not add up to a knot of light.
   gl::Apply({.cull = gl::Cull::kNone, .depth = gl::Depth::kTestOnly, .blend = gl::Blend::kBrightest});
   texture_.Bind(0);
   lines_.Use();

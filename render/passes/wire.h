@@ -13,9 +13,11 @@
 
 namespace kaori::passes {
 
+// Two draws: the dark body, pushed back a little, then the lines as ribbons that face the viewer, tested
+// against its depth.
 class WirePass {
  public:
-  // Errors: invalid_argument (a shader).
+  // Copies the wires and the faces' colours; borrows nothing. Errors: invalid_argument (a shader).
   static Result<WirePass> Open(const face::Cast& cast);
 
   // The surface's cage must be written. Each face's lines glow in a colour of its own; circles stand for iris
@@ -24,9 +26,11 @@ class WirePass {
 
  private:
   WirePass(gl::Program body, gl::Program lines, const face::Cast& cast);
+  // Fills points_ and the texture.
   void WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze);
+  // The colour of the lines.
   glm::vec3 Paint(const face::Terms& faces) const;
-  // `points`: where 2 circles of points go.
+  // Writes 2 circles of points from `points` on. `iris_m`: the radius of the iris along the ball.
   void WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m, glm::vec4* points) const;
 
   gl::Program body_;
@@ -34,6 +38,7 @@ class WirePass {
   int body_paint_, lines_paint_;
   // Of each face: what its lines glow in.
   std::vector<glm::vec3> glows_;
+  // How many points of the cage come before those of the circles.
   std::size_t cage_points_;
   // The cage's, then two circles for each eye; w: brightness.
   std::vector<glm::vec4> points_;
