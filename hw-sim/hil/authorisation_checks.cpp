@@ -10,15 +10,20 @@ namespace {
 
 using std::chrono::seconds;
 
+// For machines that have little of a processor: the box is emulated, and its neighbours work too.
 constexpr Duration kAuthorisationAnswer = seconds(120);
 constexpr Duration kAuthorisationLongest = seconds(120);
-constexpr std::uint32_t kPlayedOn = 2;  // Frames.
+// Frames that must come meanwhile: the show does not wait for a device that it does not know.
+constexpr std::uint32_t kPlayedOn = 2;
 
+// The profiles of these boxes. kKiosk authorises sticks and dials alone; kFaulty names one that does not
+// exist, and the settings that were good before name one that authorises everything.
 const Setup kKiosk{.keyboards = false, .settings = "profile = \"kiosk\"\n"};
 const Setup kFaulty{.settings = "# tonight\nprofile = \"open house\"\n",
                     .last_settings = "profile = \"bench\"\n"};
 constexpr std::string_view kFault = "box.toml, line 2: there is no profile \"open house\"";
 
+// A device that QEMU emulates. `number` is how the agent finds it again among the machine's devices.
 struct Kind {
   UnauthorisedDevice device;
   const char* name;
@@ -29,7 +34,8 @@ constexpr Kind kStorage{UnauthorisedDevice::kStorage, "a storage stick", "46f4:0
 constexpr Kind kNetwork{UnauthorisedDevice::kNetwork, "a network adapter", "0525:a4a2"};
 constexpr Kind kKeyboard{UnauthorisedDevice::kKeyboard, "a keyboard", "0627:0001"};
 
-// Whether the device with that vendor and product is authorised; nothing: it is not plugged in.
+// Whether the device with that vendor and product is authorised, as sysfs has it
+// (Documentation/usb/authorization.rst); nothing: it is not plugged in.
 std::optional<bool> IsAuthorised(Scene& scene, const char* number) {
   const auto devices = scene.target.agent().Ask("usb", kAuthorisationAnswer);
   std::istringstream lines(devices ? *devices : "");
@@ -39,6 +45,7 @@ std::optional<bool> IsAuthorised(Scene& scene, const char* number) {
   return std::nullopt;
 }
 
+// Errors: those of the board; timed_out where the show stands still.
 Result<void> AwaitFrames(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
@@ -50,16 +57,19 @@ Result<void> AwaitFrames(Scene& scene) {
   return {};
 }
 
-// Plugs it in, waits until udev has handled it, and unplugs it.
+// Plugs it in, waits until udev has handled it, and unplugs it. The show must play on all the while.
+// Fails where the device is not treated as wanted.
 Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
   if (auto ok = scene.target.machine().PlugUnauthorised(kind.device); !ok) return ok;
   const auto there = [&] { return IsAuthorised(scene, kind.number).has_value(); };
   if (!scene.target.Until(there, kAuthorisationLongest))
     return Fail(std::errc::timed_out, fmt::format("see {} in the machine", kind.name));
+  // The rules of udev authorise: before they have run every new device is unauthorised.
   if (auto ok = scene.target.agent().Ask("own /usr/bin/udevadm settle --timeout=90", kAuthorisationAnswer);
       !ok)
     return tl::unexpected(ok.error());
   auto played = AwaitFrames(scene);
+  // Asked before it is pulled, and told after: a device must not stay behind for the next one.
   const auto authorised = IsAuthorised(scene, kind.number);
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
   if (!scene.target.Until([&] { return !IsAuthorised(scene, kind.number); }, kAuthorisationLongest))
@@ -69,7 +79,7 @@ Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
   return FailInput(fmt::format("{} {}", kind.name, wanted ? "was not authorised" : "was authorised"));
 }
 
-// The control: what is not so is refused.
+// The control: the same steps with the wrong expectation must fail.
 template <const Kind& kind, bool wrong>
 Result<void> Refuses(Scene& scene) {
   if (WantAuthorised(scene, kind, wrong)) return FailInput(fmt::format("{} passes either way", kind.name));
@@ -90,6 +100,8 @@ Result<void> InAKiosk(Scene& scene) {
     if (auto ok = WantAuthorised(scene, kind, wanted); !ok) return ok;
   const auto board = scene.target.Board();
   if (!board) return tl::unexpected(board.error());
+  // Keyboards that were there when the kernel began have no event of their own:
+  // they are caught by another rule.
   if (board->keys_live) return FailInput("the keyboard that was plugged in before power came is alive");
   scene.finding.said =
       "keyboards stayed unauthorised, plugged in before power came and after; dials and sticks are live";

@@ -7,6 +7,7 @@ namespace {
 
 using nlohmann::json;
 
+// A section is live while its writer is there and its device delivers.
 bool Live(const json& section) {
   return section.at("source") == "live";
 }

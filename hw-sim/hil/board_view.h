@@ -7,15 +7,19 @@
 
 #include "drivers/base/result.h"
 
+// A joystick of the board. Values are the box's: after dead zone and centre.
 namespace kaori::hil {
 
+// `port` is a number that the box made of the port's name, so that equal sticks can be told apart.
 struct StickView {
   bool live = false;
+  // The box's program in numbers. `frames` counts from the program's start: a new one begins at 0.
   double x = 0;
   double y = 0;
   std::uint32_t port = 0;
 };
 
+// What the stage tells of itself.
 struct StageView {
   bool live = false;
   std::uint32_t frames = 0;
@@ -24,10 +28,12 @@ struct StageView {
   std::uint32_t face = 0;
   std::uint32_t expression = 0;
   std::uint32_t scene = 0;
-  std::int64_t read_ns =
-      0;  // When input was sampled for the frame that is on the screen, by the guest's clock.
+  // When input was sampled for the frame that is on the screen, by the guest's clock.
+  std::int64_t read_ns = 0;
 };
 
+// One look at all sections of the board, each as it was at that moment. A section whose writer is away
+// keeps its last values and is not live. Units are those of appliance/core/board.
 struct BoardView {
   std::int64_t now_ns = 0;  // The machine's clock.
   bool surface_live = false;
@@ -55,10 +61,12 @@ struct BoardView {
   std::uint32_t lamps = 0;
   StageView stage;
 
+  // `usage` is of HID page 7.
   bool key_down(std::uint8_t usage) const { return (keys_down[usage / 32U] >> (usage % 32U) & 1U) != 0; }
 };
 
-// Errors: invalid_argument (not what an agent sends).
+// Reads what the agent's question "board" answers: one JSON object. Errors:
+// invalid_argument (not what an agent sends). Pure.
 Result<BoardView> ReadBoardView(const std::string& json);
 
 }  // namespace kaori::hil

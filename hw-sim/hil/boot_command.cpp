@@ -13,7 +13,9 @@
 namespace kaori::hil {
 namespace {
 
+// Emulated on a busy computer; a quiet one needs half a minute.
 constexpr Duration kLongestBootTrace = std::chrono::minutes(10);
+// Times are told to a hundredth of a second, and the log is a file that is read again.
 constexpr Duration kReadAgain = std::chrono::milliseconds(20);
 
 // What a line of the log says, and what it means; in this order.
@@ -22,6 +24,8 @@ struct Mark {
   const char* meaning;
 };
 
+// The lines are those of the kernel, of systemd and of the stage. `second` may
+// be empty, which is in every line.
 constexpr std::array kMarks{
     Mark{"Linux version", "", "the kernel begins"},
     Mark{"Run /usr/bin/kaori-boot", "",
@@ -39,6 +43,7 @@ class Trace {
   explicit Trace(Time began) : began_(began) {}
 
   void Read(const std::string& console, Time now) {
+    // A line that has no end yet is read with the next look.
     std::istringstream lines(console.substr(read_));
     std::string line;
     while (std::getline(lines, line) && !lines.eof()) {
@@ -48,6 +53,7 @@ class Trace {
     }
   }
 
+  // The first picture is seen on the screen, since nothing is said of it.
   void Light(Time now) const {
     fmt::print("{:7.2f} s               (the screen shows the still)\n", Seconds(now - began_));
     std::fflush(stdout);
@@ -60,6 +66,7 @@ class Trace {
     if (passed_[n]) return;
     passed_[n] = true;
     fmt::print("{:7.2f} s  after {:5.2f}  {}\n", Seconds(now - began_),
+               // Marks may be passed at one look: the time between them is not known then.
                Seconds(now - std::max(before_, began_)), kMarks[n].meaning);
     std::fflush(stdout);
     before_ = now;
@@ -70,6 +77,7 @@ class Trace {
   std::array<bool, kMarks.size()> passed_{};
 };
 
+// Returns when the last mark is passed. Errors: timed_out, also where the machine ends before.
 Result<void> FollowTrace(Target& target, Time began, const std::string& shot) {
   Trace trace(began);
   bool lit = false;
@@ -89,6 +97,7 @@ Result<void> FollowTrace(Target& target, Time began, const std::string& shot) {
 
 Result<void> Boot(QemuOptions machine, const BootOptions& options, const Clock& clock) {
   const std::string shot = machine.folder + "/shot.png", console = ConsolePath(machine);
+  // The kernel's own lines are wanted, and "quiet" hides them.
   if (options.trace) machine.log_level = 7;
   auto target = Target::Open(std::move(machine), clock);
   if (!target) return tl::unexpected(target.error());
@@ -100,6 +109,7 @@ Result<void> Boot(QemuOptions machine, const BootOptions& options, const Clock& 
   if (options.trace)
     if (auto ok = FollowTrace(**target, began, shot); !ok) return ok;
   if (!options.shot.empty()) {
+    // The first frame is on the screen before systemd says that the stage has started.
     if (const auto times = AwaitStart(**target, began, shot); !times) return tl::unexpected(times.error());
     return (*target)->machine().Shoot(0, options.shot);
   }

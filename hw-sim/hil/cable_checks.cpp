@@ -12,8 +12,10 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kLongest = seconds(120);  // For machines that have little of a processor.
-constexpr double kHeld = 0.3;                // On the board, of a stick that is held at 0.8.
+// On the board, of a stick that is held at 0.8: dead zone and curve take some of it.
+constexpr double kHeld = 0.3;
 
+// Both ends included.
 int Between(std::mt19937& chance, int low, int high) {
   return std::uniform_int_distribution(low, high)(chance);
 }
@@ -24,6 +26,7 @@ int Between(std::mt19937& chance, int low, int high) {
 class HeldSticks {
  public:
   explicit HeldSticks(Scene& scene) : scene_(scene) { Turn(); }
+  // The sticks are let go of even where the check fails: the next one finds them at rest.
   ~HeldSticks() {
     devices().left_stick.Move(0, 0);
     devices().right_stick.Move(0, 0);
@@ -37,12 +40,15 @@ class HeldSticks {
     devices().left_stick.Move(0.8F, y);
     devices().right_stick.Move(-0.8F, y);
   }
+  // Whether the stick shows what was held since the last Turn; what is older has the other sign.
   bool new_on(const StickView& stick) const {
     return stick.live && (up_ ? stick.y > kHeld : stick.y < -kHeld);
   }
+  // Both sticks are in their own roles.
   bool right(const BoardView& board) const {
     return new_on(board.left) && new_on(board.right) && board.left.x > kHeld && board.right.x < -kHeld;
   }
+  // A stick is in the other one's role.
   bool swapped(const BoardView& board) const {
     return (new_on(board.left) && board.left.x < -kHeld) || (new_on(board.right) && board.right.x > kHeld);
   }
@@ -53,6 +59,7 @@ class HeldSticks {
   bool up_ = false;
 };
 
+// Mostly one stick or both, since they are equal; now and then one of the others.
 std::vector<std::string> Chosen(std::mt19937& chance) {
   const int which = Between(chance, 0, 9);
   if (which < 5) return {which % 2 == 0 ? "stick-left" : "stick-right"};
@@ -63,6 +70,7 @@ std::vector<std::string> Chosen(std::mt19937& chance) {
 // Pulls some devices one after another, and plugs them in another order.
 void Replug(Scene& scene, std::vector<std::string> names, HeldSticks& sticks) {
   for (const std::string& name : names) {
+    // Errors are none here: the names are those of the rig.
     static_cast<void>(scene.target.rig().Unplug(name));
     scene.target.For(milliseconds(Between(scene.chance, 0, 60)));
   }
@@ -75,12 +83,16 @@ void Replug(Scene& scene, std::vector<std::string> names, HeldSticks& sticks) {
   }
 }
 
+// What is told of a run. `found_s` has, for each round, how long the box
+// took to find what was plugged in.
 struct Tally {
   int replugs = 0;
   int swaps = 0;
   std::vector<double> found_s;
 };
 
+// One round of pulling and plugging, until the box has found everything.
+// Errors: those of the board; timed_out.
 Result<void> OneRound(Scene& scene, HeldSticks& sticks, Tally& tally) {
   const auto names = Chosen(scene.chance);
   Replug(scene, names, sticks);
@@ -88,6 +100,7 @@ Result<void> OneRound(Scene& scene, HeldSticks& sticks, Tally& tally) {
   tally.replugs += static_cast<int>(names.size());
   bool swapped = false;
   const auto found = [&](const BoardView& board) {
+    // A swap is noted whenever it is seen, however short it is.
     swapped |= sticks.swapped(board);
     return swapped || (sticks.right(board) && board.surface_live && board.keys_live && board.pointer_live);
   };
@@ -99,6 +112,7 @@ Result<void> OneRound(Scene& scene, HeldSticks& sticks, Tally& tally) {
   return {};
 }
 
+// The value below which this part of them lies; 0 of none.
 double Part(std::vector<double> values, double part) {
   std::ranges::sort(values);
   return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
@@ -111,6 +125,7 @@ Result<void> Replugs(Scene& scene) {
   if (!first) return tl::unexpected(first.error());
   Tally tally;
   Result<void> ok;
+  // The round that fails is the last: what it saw is in the finding.
   while (ok && tally.replugs < scene.replugs) ok = OneRound(scene, sticks, tally);
   scene.finding.figures["replugs"] = tally.replugs;
   scene.finding.figures["swaps"] = tally.swaps;
@@ -120,11 +135,14 @@ Result<void> Replugs(Scene& scene) {
   if (!ok) return FailInput(ok.error().message() + "; " + scene.finding.said);
   const auto last = scene.target.Board();
   if (!last) return tl::unexpected(last.error());
+  // The port's number is that of the socket: a role that moved would be seen
+  // here although nothing looks wrong.
   if (last->left.port != first->left.port || last->right.port != first->right.port)
     return FailInput("a role changed its port");
   return tally.swaps == 0 ? Result<void>{} : FailInput(scene.finding.said);
 }
 
+// Both cables are out before the devices behind them are exchanged.
 void Recable(Scene& scene, bool crossed) {
   for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.target.rig().Unplug(name));
   scene.target.For(milliseconds(300));
@@ -132,7 +150,8 @@ void Recable(Scene& scene, bool crossed) {
   for (const char* name : {"stick-left", "stick-right"}) static_cast<void>(scene.target.rig().Plug(name));
 }
 
-// The control of the check before: what it would call a swap, it must see where there is one.
+// The control of the check before: what it would call a swap, it must see where there is one. It is a
+// check of its own, so that the bench says in each run that a swap would be found.
 Result<void> Crossed(Scene& scene) {
   HeldSticks sticks(scene);
   Recable(scene, true);
@@ -152,6 +171,7 @@ Result<void> Crossed(Scene& scene) {
   return {};
 }
 
+// The box's dials are turned by nobody meanwhile: what differs afterwards was made by the re-plug.
 Result<void> PulledBox(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
@@ -163,6 +183,7 @@ Result<void> PulledBox(Scene& scene) {
   static_cast<void>(scene.target.rig().Plug("dial-box"));
   const auto back = [&](const BoardView& b) {
     return b.surface_live && b.counts == before->counts &&
+           // The lamps of a box that lost its power are dark: somebody must light them again.
            scene.target.rig().devices().dial_box.lamps() == b.lamps;
   };
   scene.finding.said = "counts stand, lamps are lit again";
@@ -171,6 +192,7 @@ Result<void> PulledBox(Scene& scene) {
   return {};
 }
 
+// SIGKILL, so that the program cannot tidy up; systemd starts it again.
 Result<void> InputKilled(Scene& scene) {
   HeldSticks sticks(scene);
   const auto before = scene.target.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
@@ -191,6 +213,7 @@ Result<void> InputKilled(Scene& scene) {
 
 }  // namespace
 
+// Each fails without the input program, which is its control.
 std::vector<Check> CableChecks() {
   return {{"pulled-box",
            "The dial box is pulled: its dials stay, its lamps come back with it",

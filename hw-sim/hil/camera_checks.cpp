@@ -10,15 +10,19 @@ using std::chrono::seconds;
 
 constexpr Duration kCameraLongest = seconds(90);  // For machines that have little of a processor.
 
+// The mouth is shut, measured for some seconds, and opened.
 Result<void> Camera(Scene& scene) {
   constexpr double kSeconds = 10;
   sim::LipCamera& camera = scene.target.rig().devices().camera;
   camera.SetMouth(0.3, 1);
   const auto seen = [](const BoardView& board) {
+    // Half of what the lip reader is sure of at best.
     return board.lips_live && board.lips_frames > 0 && board.lips_quality > 0.5;
   };
   const auto shut = scene.target.UntilBoard(seen, kCameraLongest, "see the lips");
   if (!shut) return tl::unexpected(shut.error());
+  // Frames over the cable and frames on the board are counted over the same
+  // stretch of time, by two clocks.
   const std::uint64_t sent = scene.target.rig().camera().frames_begun();
   scene.target.For(FromSeconds(kSeconds));
   const auto later = scene.target.Board();
@@ -27,6 +31,7 @@ Result<void> Camera(Scene& scene) {
   const double read_per_s =
       (later->lips_frames - shut->lips_frames) / (static_cast<double>(later->now_ns - shut->now_ns) / 1e9);
   camera.SetMouth(0.9, 1);
+  // Three tenths of the mouth's width at rest: noise moves the height by some hundredths.
   const auto open = [&](const BoardView& board) { return board.lips_height > later->lips_height + 0.3; };
   const auto opened = scene.target.UntilBoard(open, kCameraLongest, "see the mouth open");
   camera.SetMouth(0.25, 1);

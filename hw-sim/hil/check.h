@@ -13,14 +13,16 @@
 
 namespace kaori::hil {
 
+// A check that could not be tried is skipped with its reason, which is no pass.
 enum class Verdict { kPassed, kFailed, kSkipped };
 
+// A picture of the report.
 struct Picture {
   std::string file;  // In the report's folder.
   std::string caption;
 };
 
-// What a check found.
+// What a check found: its verdict, and what people look at to believe it.
 struct Finding {
   Verdict verdict = Verdict::kPassed;
   std::string said{};  // Why it failed or was skipped; else what was seen.
@@ -30,30 +32,35 @@ struct Finding {
   double took_s = 0;
 };
 
-// What a check works with.
+// What a check works with. Made anew for each check and each control; borrows everything.
 struct Scene {
   Target& target;
   Finding& finding;
   std::string folder;  // Of the report.
   int replugs = 20;
   int scenes = 0;  // Of the scenario, from its beginning; 0: all.
+  // Seeded from the command line, so that a run can be repeated.
   std::mt19937& chance;
   std::string play;  // The scenario that is played.
 
-  // Adds a picture of the screen to the finding. Errors: as VideoProtocol::Shoot.
+  // Adds a picture of the screen to the finding, with the name of the check and a number as its
+  // file. Errors: as VideoProtocol::Shoot.
   Result<void> Shoot(const std::string& name, const std::string& caption);
 
   // The same, of a picture that must show a face. Errors: also invalid_argument (it does not).
   Result<void> ShootFace(const std::string& name, const std::string& caption);
 
-  // Why this cannot be tried here; for a check to return.
+  // Why this cannot be tried here; for a check to return. The verdict becomes kSkipped.
   Result<void> Skip(std::string why);
 };
 
+// One check. Checks do not depend on each other: each finds a box that plays, and leaves it so.
 struct Check {
-  std::string name;      // One word, for --only.
-  std::string sentence;  // What is shown.
-  bool chosen = false;   // Of the part that runs each time.
+  // One word, for --only and for file names.
+  std::string name;
+  // What is shown, as a sentence that is true of a box.
+  std::string sentence;
+  bool chosen = false;  // Of the part that runs each time.
   // Errors become failures. A check that cannot run says so by Skip.
   std::function<Result<void>(Scene&)> run;
   Setup setup{};  // Of the box that it finds playing.
@@ -65,10 +72,10 @@ struct Check {
   bool powers = false;  // It switches the box on and off by itself; it finds it without power.
 };
 
-// In the order in which they are run.
+// In the order in which they are run; those that want the same setup stand together.
 std::vector<Check> AllChecks();
 
-// The parts of it.
+// The parts of it, one for each file.
 std::vector<Check> ScreenChecks();
 std::vector<Check> PlayChecks();
 std::vector<Check> InputChecks();

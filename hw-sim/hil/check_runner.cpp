@@ -10,6 +10,7 @@
 namespace kaori::hil {
 namespace {
 
+// Of a box that has just failed: it may not answer at all.
 constexpr Duration kLongestTrace = std::chrono::seconds(60);
 
 // What helps to find out why.
@@ -18,9 +19,10 @@ constexpr std::pair<const char*, const char*> kTraces[] = {
     {"the box's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 300"},
     {"its devices", "usb"}};
 
+// In a control nothing is expected to come, so waiting long would only cost time.
 constexpr Duration kControlPatience = std::chrono::seconds(20);
 
-// Plugs a device in again when it goes.
+// Plugs a device in again when it goes. Two seconds are enough for the box to notice the loss.
 class UnpluggedDevice {
  public:
   UnpluggedDevice(Scene& scene, std::string name) : scene_(scene), name_(std::move(name)) {
@@ -36,6 +38,7 @@ class UnpluggedDevice {
   std::string name_;
 };
 
+// Either is undone by its destructor.
 using Withdrawn = std::variant<std::monostate, PausedUnit, UnpluggedDevice>;
 
 // Stops a unit or unplugs a device until the result goes.
@@ -52,6 +55,7 @@ ReportedCheck CheckRunner::Run(const Check& check) {
   auto ok = Prepare(check);
   const Time began = target_.clock().now();
   Scene scene = SceneOf(finding);
+  // The bench lacks what the setup wants: no Xvfb, no kernel of its own.
   if (!ok && ok.error().cause == std::errc::not_supported) {
     finding.verdict = Verdict::kSkipped;
     finding.said = ok.error().message();
@@ -84,6 +88,7 @@ Result<void> CheckRunner::Prepare(const Check& check) {
 }
 
 Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
+  // What the control finds is not the check's: it goes into a finding that nobody sees.
   Finding unseen;
   Scene scene = SceneOf(unseen);
   scene.folder += "/control";  // Its pictures are not those of the check.
@@ -97,6 +102,7 @@ Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
 
 // What was withdrawn is there again afterwards; where the box does not recover the next check starts a new one.
 Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
+  // The braces bring back what was withdrawn before the box is asked to recover.
   const bool passed = [&] {
     const auto away = Withdraw(scene, check.fails_without);
     target_.SetPatience(kControlPatience);
@@ -124,6 +130,7 @@ void CheckRunner::AddTraces(const std::string& check, Finding& finding) {
   if (target_.machine().Shoot(0, options_.report + "/" + file))
     finding.pictures.push_back({file, "When it failed"});
   finding.texts.emplace_back("QEMU's log", target_.machine().log());
+  // A box that does not answer gives no text; the report then has QEMU's log alone.
   for (const auto& [name, question] : kTraces)
     if (const auto told = target_.agent().Ask(question, kLongestTrace))
       finding.texts.emplace_back(name, *told);

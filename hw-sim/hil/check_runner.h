@@ -11,42 +11,55 @@
 
 namespace kaori::hil {
 
+// Brings the target into the state that a check wants, runs it, and keeps what helps to find out why it
+// failed. One thread: that of the target's waiter.
 class CheckRunner {
  public:
+  // Options of all checks. `report` and `play` are a folder and a file; the numbers are those of Scene.
   struct Options {
     std::string report;  // The folder.
     std::string play;
     int replugs = 20;
     int scenes = 0;
     std::mt19937::result_type seed = 1;
-    bool controls = false;  // Each check that has passed is followed by its negative control.
+    // Each check that has passed is followed by its negative control: a check
+    // that cannot fail shows nothing.
+    bool controls = false;
   };
 
-  // The target outlives the runner.
+  // The target outlives the runner. Nothing is switched on yet.
   CheckRunner(Options options, Target& target)
       : options_(std::move(options)), target_(target), strategy_(target), chance_(options_.seed) {}
 
-  // A box that crashed in the check before is started anew. What went wrong is in the finding, with the last
-  // picture and what the box said.
+  // Runs one check, and its control where that is wanted. A box that crashed in the check before is
+  // started anew. What went wrong is in the finding, with the last picture and what the box said.
+  // Blocks for minutes. Never fails itself.
   ReportedCheck Run(const Check& check);
 
-  double boot_s() const { return boot_s_; }  // Of the first box; 0: none has played.
+  // From power to the first frames of the first box that played; 0: none has.
+  double boot_s() const { return boot_s_; }
+  // Switches the box off.
   void End() { strategy_.Off(); }
 
  private:
+  // The box plays as the setup says, or an error that is remembered. Errors: those of PlayStrategy::Play.
   Result<void> StartBox(const Setup& setup);
+  // Errors: as StartBox. A check that switches by itself finds the box without power.
   Result<void> Prepare(const Check& check);
+  // Fails where the control does not find wrong what is wrong.
   Result<void> Control(const Check& check, Finding& finding);
+  // Fails where the check passes although what it needs was withdrawn.
   Result<void> FailsWithout(const Check& check, Scene& scene);
   Scene SceneOf(Finding& finding);
+  // Adds the last picture and the logs to the finding; what cannot be had is left out.
   void AddTraces(const std::string& check, Finding& finding);
 
   Options options_;
   Target& target_;
   PlayStrategy strategy_;
   std::mt19937 chance_;
-  std::vector<std::pair<Setup, Error>>
-      failed_setups_;  // Setups whose box did not start, and why; none is waited for twice.
+  // Setups whose box did not start, and why; none is waited for twice.
+  std::vector<std::pair<Setup, Error>> failed_setups_;
   double boot_s_ = 0;
 };
 

@@ -6,6 +6,7 @@
 namespace kaori::hil {
 
 Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
+  // The number keeps several pictures of one check apart.
   const std::string file = fmt::format("{}-{}.png", name, finding.pictures.size());
   if (auto ok = target.machine().Shoot(0, folder + "/" + file); !ok) return ok;
   finding.pictures.push_back({file, caption});

@@ -17,10 +17,13 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+// With firmware the machine needs longer than with a kernel that QEMU loads.
 constexpr Duration kLongestStart = std::chrono::minutes(6);
-constexpr double kNearStill =
-    0.05;  // Mean difference between the still and the face on a screen of another size.
+// Mean difference between the still and the face on a screen of another size:
+// breath and scaling stay below.
+constexpr double kNearStill = 0.05;
 
+// Nothing but the disk: no devices, no sound, no agent.
 const Setup kAlone{.plugged = false, .sound = false, .agent = false};
 
 std::string BytesOf(const std::string& path) {
@@ -34,6 +37,7 @@ Result<std::string> WithFlippedBit(Scene& scene, std::uint64_t offset_bytes) {
   const std::string disk = options.image + "/kaori.disk", copy = options.folder + "/flipped.disk";
   const auto root = PartitionStart_bytes(disk, "root-a");
   if (!root) return tl::unexpected(root.error());
+  // A sparse copy: the disk is mostly empty.
   if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, options.folder + "/cp.log"); !ok)
     return tl::unexpected(ok.error());
   std::fstream file(copy, std::ios::binary | std::ios::in | std::ios::out);
@@ -45,7 +49,8 @@ Result<std::string> WithFlippedBit(Scene& scene, std::uint64_t offset_bytes) {
   return copy;
 }
 
-// Where the stage's program is in the root, by its first block.
+// Where the stage's program is in the root, by its first block: the file system stores files in
+// whole blocks, uncompressed ones at least.
 Result<std::uint64_t> StageInRoot_bytes(const std::string& image) {
   constexpr std::size_t kBlock_bytes = 4096;
   const std::string program = BytesOf(image + "/root/usr/bin/kaori-stage").substr(0, kBlock_bytes);
@@ -55,21 +60,25 @@ Result<std::uint64_t> StageInRoot_bytes(const std::string& image) {
   return at;
 }
 
+// Switches the machine on with this setup; the rig stays unplugged.
 Result<void> StartAlone(Scene& scene, const Setup& setup) {
   scene.target.machine().SetUp(setup);
   return scene.target.machine().On();
 }
 
+// systemd says so once the stage has drawn its first frame.
 bool FaceComes(Scene& scene, Duration longest) {
   return scene.target.UntilConsole({"Started ", "kaori-stage"}, longest);
 }
 
+// Starts a box with one flipped bit and waits until the kernel says that the block is corrupted.
 Result<void> WantRefused(Scene& scene, const char* what, std::uint64_t offset_bytes) {
   const auto disk = WithFlippedBit(scene, offset_bytes);
   if (!disk) return tl::unexpected(disk.error());
   Setup setup = kAlone;
   setup.disk = *disk;
   if (auto ok = StartAlone(scene, setup); !ok) return ok;
+  // dm-verity's line: "device-mapper: verity: 253:0: data block 1234 is corrupted".
   const bool refused = scene.target.UntilConsole({"data block", "is corrupted"}, kLongestStart);
   const bool played = FaceComes(scene, seconds(5));
   scene.finding.texts.emplace_back(fmt::format("the log with {} changed", what),
@@ -80,6 +89,8 @@ Result<void> WantRefused(Scene& scene, const char* what, std::uint64_t offset_by
   return played ? FailInput(fmt::format("the box plays with a flipped bit in {}", what)) : Result<void>{};
 }
 
+// The superblock is read when the root is mounted, the program when the stage
+// starts: verity guards both moments.
 Result<void> Verity(Scene& scene) {
   constexpr std::uint64_t kSuperBlock_bytes = 1024 + 64, kInProgram_bytes = 100;
   const auto stage = StageInRoot_bytes(scene.target.machine().options().image);
@@ -89,6 +100,7 @@ Result<void> Verity(Scene& scene) {
   return WantRefused(scene, "the stage's program", *stage + kInProgram_bytes);
 }
 
+// The control: it is the flipped bit that is refused, not the copy.
 Result<void> UnchangedPlays(Scene& scene) {
   if (auto ok = StartAlone(scene, kAlone); !ok) return ok;
   const bool plays = FaceComes(scene, kLongestStart);
@@ -96,6 +108,7 @@ Result<void> UnchangedPlays(Scene& scene) {
   return plays ? Result<void>{} : FailInput("the unchanged root does not play either");
 }
 
+// A kind of PC, by what its firmware finds the disk on and what its kernel draws with.
 struct Pc {
   const char* name;
   DiskBus disk_bus;
@@ -117,7 +130,8 @@ bool UntilPicture(Scene& scene, const std::string& file, const std::function<boo
   return false;
 }
 
-// Nothing is said on any line, so the screen is looked at: first the still comes, then it moves.
+// Nothing is said on any line, so the screen is looked at: first the still comes, then it moves. That a
+// face is on it is checked at the end, and kept as a picture.
 Result<void> WantFaceByFirmware(Scene& scene, const Pc& pc, const std::string& disk, Duration longest) {
   Setup setup = kAlone;
   setup.firmware = true;
@@ -133,6 +147,7 @@ Result<void> WantFaceByFirmware(Scene& scene, const Pc& pc, const std::string& d
   };
   const auto moves = [&] {
     const auto changed = ChangedPart(shot, lit);
+    // A single changed pixel is enough: a still does not change at all.
     return changed && *changed > 0;
   };
   Result<void> ok;
@@ -157,6 +172,7 @@ Result<void> Uefi(Scene& scene) {
 // The control: from an empty disk no still comes.
 Result<void> EmptyDiskStartsNothing(Scene& scene) {
   const std::string disk = scene.target.machine().options().folder + "/empty.disk";
+  // An empty file, made as long as a small disk.
   std::ofstream(disk).flush();
   std::filesystem::resize_file(disk, 64U << 20U);
   const bool played = WantFaceByFirmware(scene, kPcs[0], disk, seconds(60)).has_value();

@@ -11,15 +11,18 @@ namespace kaori::hil {
 namespace {
 
 constexpr std::uint64_t kBlock_bytes = 512;
+// Where the box reads its settings, on the data partition.
 constexpr const char* kSettings = "/settings/box.toml";
 constexpr const char* kLastSettings = "/settings/box.last-good.toml";
 
 // UEFI 2.10, table 5.5: the head of a GPT, and table 5.6: an entry.
 constexpr std::size_t kEntriesAt = 72, kEntryCount = 80, kEntrySize = 84;
 constexpr std::size_t kFirstBlock = 32, kName = 56, kNameLetters = 36;
+// A table that claims more entries, or shorter ones, is none of ours.
 constexpr std::uint64_t kMostEntries = 512, kLeastEntry_bytes = 128;
 
 template <std::size_t N>
+// A little-endian number of `length` bytes.
 std::uint64_t Number(const std::array<std::uint8_t, N>& bytes, std::size_t at, int length) {
   std::uint64_t number = 0;
   for (int n = length; n-- > 0;) number = number << 8 | bytes[at + static_cast<std::size_t>(n)];
@@ -40,6 +43,8 @@ std::string NameOf(const std::array<std::uint8_t, kLeastEntry_bytes>& entry) {
   return name;
 }
 
+// Replaces a file on the data partition. debugfs does not overwrite: a file that is there is removed
+// first, and a failure to remove it means that there was none.
 Result<void> Put(const std::string& data, const std::string& path, const std::string& text,
                  const std::string& folder) {
   const std::string source = folder + "/settings.toml", log = folder + "/debugfs.log";
@@ -71,6 +76,7 @@ Result<std::string> CopyWithSettings(const std::string& disk, const Setup& setup
   std::string copy = folder + "/settled.disk";
   if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, folder + "/cp.log"); !ok)
     return tl::unexpected(ok.error());
+  // "file?offset=bytes" is e2fsprogs' way to name a file system within a file.
   const std::string data = fmt::format("{}?offset={}", copy, *start);
   if (auto ok = Put(data, kSettings, setup.settings, folder); !ok) return tl::unexpected(ok.error());
   if (!setup.last_settings.empty())

@@ -10,12 +10,13 @@
 
 namespace kaori::hil {
 
-// Where the partition of that name begins on a disk with a GPT. Errors: those of the file, invalid_argument
-// (no GPT, no such partition).
+// Where the partition of that name begins on a disk with a GPT of 512-byte blocks. Reads the primary
+// table only. Errors: those of the file, invalid_argument (no GPT, no such partition).
 Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name);
 
-// Writes DISK's copy into the folder, with the settings of `setup`; gives its path. Needs cp and debugfs.
-// Errors: as above, and those of the programs.
+// Writes DISK's copy into the folder, with the settings of `setup`; gives its path. A second copy
+// replaces the first. Blocks while it copies. Needs cp and debugfs, which writes into ext4 without
+// mounting it. Errors: as above, and those of the programs.
 Result<std::string> CopyWithSettings(const std::string& disk, const Setup& setup, const std::string& folder);
 
 }  // namespace kaori::hil

@@ -9,8 +9,11 @@ namespace {
 
 using std::chrono::seconds;
 
+// For machines that have little of a processor.
 constexpr Duration kAnswer = seconds(90);
 constexpr Duration kGadgetLongest = seconds(180);
+// The kernel's dummy_hcd connects a device controller with a host controller within one machine:
+// real USB stacks on both sides, and no cable.
 constexpr std::string_view kGadget =
     "kaori-gadget --put dial-box=dummy_udc.0,stick-left=dummy_udc.1,stick-right=dummy_udc.2 --play "
     "/usr/share/kaori/kaori.play --loop";
@@ -21,6 +24,7 @@ void PlugRigs(Scene& scene, bool plugged) {
     static_cast<void>(plugged ? scene.target.rig().Plug(name) : scene.target.rig().Unplug(name));
 }
 
+// The scenario pushes buttons and moves sticks; both must arrive. Errors: those of the board; timed_out.
 Result<void> WantPlayed(Scene& scene, const BoardView& before) {
   const auto played = [&](const BoardView& board) {
     const bool moved = board.left.x != 0 || board.left.y != 0;
@@ -34,6 +38,7 @@ Result<void> WantPlayed(Scene& scene, const BoardView& before) {
 
 Result<void> Gadgets(Scene& scene) {
   AgentProtocol& agent = scene.target.agent();
+  // A kernel without dummy_hcd has no such controller: the image's own has not.
   if (!agent.Ask("read /sys/class/udc/dummy_udc.2/state", kAnswer))
     return scene.Skip("this kernel has no USB device controller dummy_udc.2");
   PlugRigs(scene, false);
@@ -59,6 +64,7 @@ std::vector<Check> GadgetChecks() {
            "The same devices by a USB gadget",
            false,
            Gadgets,
+           // Another kernel: that of the bench, with dummy_hcd.
            {.bench_kernel = true},
            "kaori-input.service"}};
 }

@@ -10,10 +10,13 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kInputLongest = seconds(90);
+// The kernel enumerates devices one after another, each with several requests.
 constexpr Duration kLongestFind = seconds(90);
+// Of the simulated dial box (firmware/wire/dial_box.h).
 constexpr int kCountsPerTurn = 256;
 constexpr std::uint8_t kKeyA = 0x04;
 
+// A board that was seen is a pass; its error is the check's.
 Result<void> Ok(const Result<BoardView>& board) {
   if (!board) return tl::unexpected(board.error());
   return {};
@@ -23,6 +26,7 @@ Result<void> Ok(const Result<BoardView>& board) {
 Result<void> Dials(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return Ok(before);
+  // An eighth of a turn for dial 0, a whole turn for dial 7.
   for (int dial = 0; dial < 8; ++dial) scene.target.rig().devices().dial_box.Turn(dial, 0.125 * (dial + 1));
   const auto turned = [&](const BoardView& board) {
     for (std::size_t n = 0; n < 8; ++n)
@@ -44,6 +48,8 @@ Result<void> ButtonsAndLamps(Scene& scene) {
     box.Release(button);
     const auto counted = [&](const BoardView& board) {
       const auto n = static_cast<std::size_t>(button);
+      // Lamps of the simulated box and of the board are the same: what the stage
+      // wants has arrived at the device.
       return board.pushes[n] == before->pushes[n] + 1 && board.lamps != 0 && box.lamps() == board.lamps;
     };
     if (auto ok = scene.target.UntilBoard(counted, kInputLongest,
@@ -62,6 +68,7 @@ Result<void> Sticks(Scene& scene) {
   devices.left_stick.Move(0.8F, -0.6F);
   devices.right_stick.Move(-0.7F, 0.9F);
   const auto moved = [](const BoardView& board) {
+    // Half of what was moved: dead zone and curve take some of it.
     return board.left.x > 0.4 && board.left.y < -0.3 && board.right.x < -0.4 && board.right.y > 0.4;
   };
   const auto there = scene.target.UntilBoard(moved, kInputLongest, "see both sticks moved");
@@ -70,6 +77,7 @@ Result<void> Sticks(Scene& scene) {
                                    there->right.x, there->right.y);
   devices.left_stick.Move(0, 0);
   devices.right_stick.Move(0, 0);
+  // A stick at rest is exactly 0, by its dead zone.
   const auto rests = [](const BoardView& board) { return board.left.x == 0 && board.right.y == 0; };
   return Ok(scene.target.UntilBoard(rests, kInputLongest, "see both sticks at rest"));
 }
@@ -89,6 +97,7 @@ Result<void> KeysAndPointer(Scene& scene) {
   return Ok(scene.target.UntilBoard(up, kInputLongest, "see key A up"));
 }
 
+// Waits until the box has every input device.
 Result<void> AllFound(Scene& scene) {
   const auto found = [](const BoardView& board) {
     return board.surface_live && board.left.live && board.right.live && board.keys_live && board.pointer_live;
@@ -96,6 +105,7 @@ Result<void> AllFound(Scene& scene) {
   return Ok(scene.target.UntilBoard(found, kLongestFind, "find the input devices"));
 }
 
+// The parts of the other checks, by the other driver, with a re-plug in between.
 Result<void> PlayByLibusb(Scene& scene) {
   if (auto ok = AllFound(scene); !ok) return ok;
   for (const auto& part : {Dials, ButtonsAndLamps, Sticks, KeysAndPointer})
@@ -113,6 +123,7 @@ Result<void> Libusb(Scene& scene) {
   const auto ask = [&](const std::string& question) {
     return scene.target.agent().Ask(question, seconds(60));
   };
+  // Two programs must not want one writer: the box's own is stopped first.
   if (auto ok = ask("own /usr/bin/systemctl stop kaori-input.service"); !ok)
     return tl::unexpected(ok.error());
   const auto program = ask("start /usr/bin/kaori-input --usb --board /run/kaori/board");
@@ -122,6 +133,7 @@ Result<void> Libusb(Scene& scene) {
   static_cast<void>(ask("end " + *program));
   if (auto ok = ask("own /usr/bin/systemctl start kaori-input.service"); !ok)
     return tl::unexpected(ok.error());
+  // The box's own program again, whatever the check found.
   scene.finding.said = "dials, buttons, lamps, sticks, keys and pointer; pulled and plugged";
   return played ? AllFound(scene) : played;
 }

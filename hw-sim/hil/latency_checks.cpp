@@ -12,18 +12,23 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+// For machines that have little of a processor.
 constexpr Duration kLatencyAnswer = seconds(60);
+// Longer than a frame of a slow machine, so that events do not overtake each other.
 constexpr Duration kBetween = milliseconds(90);
-constexpr std::int64_t kClockDoubt_ns = 3'000'000;  // The two clocks agree no better than a question takes.
+// The two clocks agree no better than a question takes to be answered.
+constexpr std::int64_t kClockDoubt_ns = 3'000'000;
 
 // All by the machine's clock.
 struct EventTimes {
-  std::vector<std::int64_t> sent_ns;     // When the simulated stick moved,
-  std::vector<std::int64_t> arrived_ns;  // when the board had it,
-  std::vector<std::pair<std::int64_t, std::int64_t>>
-      flips;  // when input was sampled for a frame, and when the frame was presented.
+  // When the simulated stick moved, when the board had it, and when input was sampled for a frame
+  // that was presented at the second time.
+  std::vector<std::int64_t> sent_ns;
+  std::vector<std::int64_t> arrived_ns;
+  std::vector<std::pair<std::int64_t, std::int64_t>> flips;
 };
 
+// Lines of the agent: "stick NANOSECONDS" and "flip SAMPLED PRESENTED".
 void ReadMoments(const std::string& told, EventTimes& moments) {
   std::istringstream lines(told);
   std::string kind;
@@ -35,7 +40,9 @@ void ReadMoments(const std::string& told, EventTimes& moments) {
   }
 }
 
-// What the machine's clock is ahead of ours, from the question that was answered soonest.
+// What the machine's clock is ahead of ours, from the question that was answered soonest:
+// the answer is taken to be made in the middle of its time, as NTP does (RFC 5905), so
+// half of that time bounds the error.
 Result<std::int64_t> ClockAhead(Scene& scene) {
   constexpr int kQuestions = 12;
   Duration soonest = Duration::max();
@@ -60,6 +67,7 @@ Result<EventTimes> Shake(Scene& scene, int watch_ms) {
   EventTimes moments;
   Time next = scene.target.clock().now();
   bool right = false;
+  // Called whenever the bench waits: while the agent watches, the stick is moved from here.
   scene.target.SetInput([&](Time now) {
     if (now < next) return;
     next = now + kBetween;
@@ -76,12 +84,15 @@ Result<EventTimes> Shake(Scene& scene, int watch_ms) {
   return moments;
 }
 
+// What an operator feels, in milliseconds: to the board, and to the scan-out of the frame that shows it.
 struct Latencies {
   std::vector<double> to_board_ms;
   std::vector<double> to_flip_ms;
 };
 
-// Of each event that was not overtaken by the next one before the board had it.
+// Of each event that was not overtaken by the next one before the board had it. An event
+// counts as arrived at the first change of the board after it, and as shown by the first
+// frame whose input was sampled after that.
 Latencies LatenciesOf(const EventTimes& moments) {
   Latencies ways;
   for (std::size_t n = 0; n + 1 < moments.sent_ns.size(); ++n) {
@@ -97,6 +108,7 @@ Latencies LatenciesOf(const EventTimes& moments) {
   return ways;
 }
 
+// The value below which this part of them lies; 0 of none.
 double LatencyPart(std::vector<double> values, double part) {
   std::ranges::sort(values);
   return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
@@ -104,6 +116,7 @@ double LatencyPart(std::vector<double> values, double part) {
 
 // In frames of the screen as it ran meanwhile: an emulated machine's milliseconds say little.
 void Tell(const EventTimes& moments, const Latencies& ways, Finding& finding) {
+  // The mean time from flip to flip while it was measured.
   const double frame_ms = static_cast<double>(moments.flips.back().second - moments.flips.front().second) /
                           1e6 / static_cast<double>(moments.flips.size() - 1);
   const double median = LatencyPart(ways.to_flip_ms, 0.5) / frame_ms,
@@ -123,6 +136,7 @@ Result<EventTimes> ShakeUntilSeen(Scene& scene) {
   constexpr int kWatchMs = 20'000, kMostWatches = 6;
   constexpr std::size_t kWantedFlips = 8;
   EventTimes all;
+  // Times of several watches are put together: each has its own offset of the clocks.
   for (int n = 0; n < kMostWatches && all.flips.size() < kWantedFlips; ++n) {
     const auto moments = Shake(scene, kWatchMs);
     if (!moments) return moments;

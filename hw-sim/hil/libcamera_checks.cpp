@@ -9,12 +9,15 @@ namespace {
 
 using std::chrono::seconds;
 
+// For machines that have little of a processor; libcamera itself needs seconds to start.
 constexpr Duration kLibcameraAnswer = seconds(120);
 constexpr Duration kLibcameraLongest = seconds(120);
 constexpr double kWatched_s = 10;
+// Tools of the bench's disk: the image has no libcamera.
 constexpr const char* kCameras = "tool kaori-lips --device libcamera: --modes";
 constexpr const char* kLips = "start-tool kaori-lips --device libcamera: --board /run/kaori/board";
 
+// What the lips measured over some seconds, by the machine's own clock. Errors: those of the board.
 Result<double> FramesPerSecond(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
@@ -25,6 +28,7 @@ Result<double> FramesPerSecond(Scene& scene) {
          (static_cast<double>(after->now_ns - before->now_ns) / 1e9);
 }
 
+// The mouth is shut, watched, and opened, as in the check of the camera by V4L2.
 Result<void> WatchLips(Scene& scene) {
   sim::LipCamera& camera = scene.target.rig().devices().camera;
   const auto seen = [](const BoardView& board) { return board.lips_live && board.lips_quality > 0.5; };
@@ -45,9 +49,11 @@ Result<void> WatchLips(Scene& scene) {
 
 Result<void> Libcamera(Scene& scene) {
   AgentProtocol& agent = scene.target.agent();
+  // The box's own lip program must let go of the camera; it comes back whatever is found here.
   const PausedUnit lips(scene, "kaori-lips.service");
   const auto cameras = agent.Ask(kCameras, kLibcameraAnswer);
   scene.finding.texts.emplace_back("libcamera's cameras", cameras ? *cameras : cameras.error().message());
+  // libcamera has no handler for every kernel's cameras: that is told, and no failure of the box.
   if (!cameras || cameras->find("libcamera:") == std::string::npos)
     return scene.Skip("libcamera shows no camera here; its output is in the report");
   const auto program = agent.Ask(kLips, kLibcameraAnswer);

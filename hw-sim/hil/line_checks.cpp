@@ -11,11 +11,14 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr Duration kLineLongest = seconds(90);  // For machines that have little of a processor.
+// From frame to frame the picture fades: a slow machine needs as long as its frames take.
 constexpr Duration kLongestFade = seconds(300);
 constexpr std::uint32_t kFade = 30;  // Frames, after which it is over.
-constexpr double kBlack = 0.004;     // Of the picture's points that are lit.
+// Of the picture's points that are lit: a black picture has none, and some of noise is forgiven.
+constexpr double kBlack = 0.004;
 
-// Numbers of the bridge's lines as docs/image.md wires them; those on the board are the same.
+// Numbers of the bridge's lines as docs/image.md wires them; those on the board are the same. The tally
+// lamp is an output; the others are switches.
 enum Line { kGo = 0, kBlackout = 1, kService = 2, kPresence = 3, kTally = 4 };
 
 // The box's own program has the lines. Without the kernel's chip there is nothing to try.
@@ -24,6 +27,7 @@ bool HasLines(Scene& scene) {
   return scene.target.UntilBoard(live, kLineLongest, "see the lines").has_value();
 }
 
+// Waits until the board has the line so. Errors: timed_out.
 Result<void> WantLine(Scene& scene, int line, bool on) {
   const auto stands = [&](const BoardView& board) {
     return (board.lines_active >> static_cast<unsigned>(line) & 1U) == (on ? 1U : 0U);
@@ -34,12 +38,14 @@ Result<void> WantLine(Scene& scene, int line, bool on) {
   return {};
 }
 
+// Moves a switch, and waits until the board has seen it.
 Result<void> Switch(Scene& scene, int line, bool on) {
   sim::GpioBridge& bridge = scene.target.rig().gpio();
   on ? bridge.Close(line) : bridge.Open(line);
   return WantLine(scene, line, on);
 }
 
+// Looks at the bridge's line itself: what the box drives, not what it says.
 Result<void> WantTally(Scene& scene, bool lit) {
   sim::GpioBridge& bridge = scene.target.rig().gpio();
   const auto shows = [&] { return bridge.drives(kTally) && bridge.high(kTally) == lit; };
@@ -47,6 +53,7 @@ Result<void> WantTally(Scene& scene, bool lit) {
   return FailInput(fmt::format("the tally lamp is not {}", lit ? "lit" : "dark"));
 }
 
+// Lines that change nothing on the screen: they are seen on the board alone.
 Result<void> AllSwitches(Scene& scene) {
   for (const int line : {kService, kPresence})
     for (const bool on : {true, false})
@@ -54,6 +61,7 @@ Result<void> AllSwitches(Scene& scene) {
   return {};
 }
 
+// A push of the foot switch calls the next scene; its release does nothing.
 Result<void> Go(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
@@ -80,13 +88,16 @@ Result<void> WantPicture(Scene& scene, const std::string& name, bool black) {
     const auto picture = LookAt(scene.folder + "/" + scene.finding.pictures.back().file);
     if (!picture) return tl::unexpected(picture.error());
     if (black ? picture->lit < kBlack : ShowsAFace(*picture)) return {};
+    // Both limits: frames where they come, time where they do not.
     if (const Time now = scene.target.clock().now(); now > latest || (now > until && faded()))
       return FailInput(fmt::format("the picture is not {}: {}", black ? "black" : "lit", Describe(*picture)));
+    // Only the last picture is kept.
     scene.finding.pictures.pop_back();
     scene.target.For(milliseconds(200));
   }
 }
 
+// The lamp says "on air": it is dark while the picture is black.
 Result<void> Blackout(Scene& scene) {
   for (const bool black : {true, false}) {
     if (auto ok = Switch(scene, kBlackout, black); !ok) return ok;
@@ -124,6 +135,7 @@ Result<void> LinesPulled(Scene& scene) {
   return Go(scene);
 }
 
+// The lamp must not say that the show plays while nothing does.
 Result<void> TallyWithoutStage(Scene& scene) {
   if (!HasLines(scene)) return scene.Skip("the kernel shows no chip for the bridge");
   const auto own = [&](const char* verb) {

@@ -51,6 +51,7 @@ log and its monitor are FOLDER/console.log and FOLDER/qmp
   --count-instructions  the machine's time is that of its instructions
 )";
 
+// The command line as it was given; numbers are texts, which are read where they are used.
 struct Settings {
   std::string image = "out/image", bench_disk, bench_kernel, report = "out/bench", figures, play, only;
   std::string scenes = "0", replugs = "200", seed = "1", size = "480x270", memory = "512",
@@ -62,10 +63,12 @@ struct Settings {
 
 constexpr int kNotTried = 2;  // The exit status where no check could be run at all.
 
+// Where the bench itself cannot work: no box was tried.
 int Exit(const kaori::Error& error) {
   return kaori::ExitWithError(error, kNotTried);
 }
 
+// --only names checks and counts alone; else --chosen leaves those that take long out.
 bool Wanted(const kaori::hil::Check& check, const Settings& settings) {
   if (!settings.only.empty())
     return ("," + settings.only + ",").find("," + check.name + ",") != std::string::npos;
@@ -83,7 +86,8 @@ std::string_view Mark(kaori::hil::Verdict verdict) {
   return verdict == kaori::hil::Verdict::kFailed ? "FAIL" : "skip";
 }
 
-// The hash of the root, which is on the command line before its salt.
+// The hash of the root, which is on the command line before its salt: "... sha256 HASH SALT", as
+// dm-mod.create has it. It tells in a report which image was tried.
 std::string RootHash(const std::string& image) {
   std::ifstream file(image + "/cmdline");
   for (std::string word, hash; file >> word; hash = word)
@@ -97,6 +101,7 @@ kaori::Result<std::string> MakeFolder() {
   return pattern;
 }
 
+// One line for each check, as it ends: a run takes long.
 void Tell(const kaori::hil::ReportedCheck& check) {
   const auto& [verdict, said, pictures, figures, texts, took_s] = check.finding;
   fmt::print("{}  {:6.1f} s  {}: {}\n", Mark(verdict), took_s, check.name, said);
@@ -124,6 +129,7 @@ int PrintCommand(const Settings& settings, const kaori::Size& size) {
     return Exit(
         kaori::Fail(std::errc::no_such_file_or_directory, "read " + settings.image + "/cmdline").value());
   const std::string disk = settings.disk.empty() ? settings.image + "/kaori.disk" : settings.disk;
+  // For others' machines: no graphics card, no agent, and the folder of the caller.
   const kaori::hil::Setup setup{
       .agent = false, .keeps_disk = settings.keep_disk, .graphics = kaori::hil::Graphics::kNone};
   for (const std::string& word : kaori::hil::QemuCommand(MachineOf(settings, settings.command, size), setup,
@@ -157,6 +163,7 @@ int RunChecks(const Settings& settings, const std::string& sockets, const kaori:
     report.checks.push_back(runner.Run(check));
     Tell(report.checks.back());
     report.boot_s = runner.boot_s();
+    // After each check: a run that is cut short leaves the report of what was done.
     if (auto ok = kaori::hil::WriteReport(report, settings.report); !ok) return Exit(ok.error());
   }
   runner.End();
@@ -207,6 +214,7 @@ int main(int argc, char** argv) {
   if (!settings.boot) std::filesystem::create_directories(settings.report);
   const auto folder = MakeFolder();
   if (!folder) return Exit(folder.error());
+  // Sockets and copies of disks are in this folder, and are gone afterwards.
   const int status =
       settings.boot ? BootImage(settings, *folder, *size) : RunChecks(settings, *folder, *size);
   std::filesystem::remove_all(*folder);

@@ -6,7 +6,8 @@
 
 namespace kaori::hil {
 
-// Without what ends a tag or an attribute; control letters, which XML cannot hold, become spaces.
+// Without what ends a tag or an attribute; control letters, which XML 1.0 cannot hold, become
+// spaces. What is not UTF-8 stays as it is.
 inline std::string Escaped(std::string_view text) {
   std::string out;
   for (const char letter : text) {

@@ -6,6 +6,8 @@
 namespace kaori::hil {
 namespace {
 
+// One page, with its style in it: a report is a file that is sent around. It
+// follows the reader's dark mode.
 constexpr std::string_view kStyle = R"css(
 :root { --ink: #1d2129; --soft: #667085; --paper: #f6f4ef; --card: #fff; --line: #e4e0d7;
         --good: #2f7d4f; --bad: #b3372f; --left: #9a7a1f; }
@@ -42,6 +44,7 @@ std::string_view NameOf(Verdict verdict) {
   return verdict == Verdict::kFailed ? "failed" : "skipped";
 }
 
+// A number with its meaning under it.
 std::string Tile(const std::string& value, std::string_view name) {
   return fmt::format("<div><b>{}</b><span>{}</span></div>\n", Escaped(value), Escaped(name));
 }
@@ -72,6 +75,7 @@ std::string Texts(const ReportedCheck& check) {
   return all;
 }
 
+// One check: its verdict, its sentence, what was seen, its pictures and texts.
 std::string Article(const ReportedCheck& check) {
   const std::string_view word = NameOf(check.finding.verdict);
   return fmt::format(
@@ -96,6 +100,7 @@ std::string Tiles(const Report& report) {
 }  // namespace
 
 std::string AsPage(const Report& report) {
+  // A run without a check counts as good, and says so by its numbers.
   const bool good = report.count(Verdict::kFailed) == 0;
   std::string articles;
   for (const ReportedCheck& check : report.checks) articles += Article(check);

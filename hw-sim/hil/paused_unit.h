@@ -7,6 +7,8 @@
 
 namespace kaori::hil {
 
+// Stops with systemctl and starts again at the end, also where the check fails. Blocks while
+// systemd does it, two minutes at most.
 class PausedUnit {
  public:
   // Borrows the scene.

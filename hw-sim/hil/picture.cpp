@@ -14,15 +14,21 @@
 namespace kaori::hil {
 namespace {
 
-constexpr int kDark = 40;  // Of 255.
+// Of 255: a backdrop that is nearly black is not lit.
+constexpr int kDark = 40;
+// Of 255: what compression and dithering change.
 constexpr int kShade = 6;
+// Of all pixels: a face fills more, a console's text less.
 constexpr double kLeastLit = 0.08;
+// Of 4096: skin and hair have hundreds, a console has a few.
 constexpr int kLeastColours = 60;
 
+// BT.709's weights in 256ths.
 int Luma(const std::uint8_t* rgb) {
   return (54 * rgb[0] + 183 * rgb[1] + 19 * rgb[2]) >> 8;
 }
 
+// A picture as R, G, B, the top row first.
 struct Points {
   int width_px = 0;
   int height_px = 0;
@@ -40,6 +46,7 @@ Result<Points> ReadPpm(const std::string& path) {
   const bool valid = file && kind == "P6" && range == 255 && points.width_px > 0 && points.height_px > 0 &&
                      points.width_px <= kMost_px && points.height_px <= kMost_px;
   if (!valid) return Fail(std::errc::io_error, "read " + path);
+  // One white space stands between the head and the pixels.
   file.get();
   points.rgb.resize(std::size_t(3) * static_cast<std::size_t>(points.width_px) *
                     static_cast<std::size_t>(points.height_px));
@@ -90,13 +97,16 @@ PictureView Measure(const Points& points) {
       const std::uint8_t* const point =
           &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
                     static_cast<std::size_t>(x))];
+      // Four bits of each colour: noise does not make a new one.
       seen.set(static_cast<std::size_t>(point[0] >> 4 << 8 | point[1] >> 4 << 4 | point[2] >> 4));
       lit += Luma(point) > kDark ? 1 : 0;
+      // The middle ninth: the middle third of both sides.
       if (x * 3 / width_px != 1 || y * 3 / height_px != 1) continue;
       ++middle;
       middle_luma += Luma(point) / 255.0;
     }
   }
+  // A pixel has three bytes.
   return {width_px, height_px, static_cast<double>(lit) * 3 / static_cast<double>(rgb.size()),
           static_cast<int>(seen.count()), middle > 0 ? middle_luma / static_cast<double>(middle) : 0};
 }
@@ -119,6 +129,7 @@ Result<double> ChangedPart(const std::string& file, const std::string& other_fil
   if (!one || !other) return tl::unexpected(one ? other.error() : one.error());
   if (one->width_px != other->width_px || one->height_px != other->height_px) return 1;
   std::size_t differ = 0;
+  // By brightness alone: colours that change without it are rounding.
   for (std::size_t at = 0; at < one->rgb.size(); at += 3)
     differ += std::abs(Luma(&one->rgb[at]) - Luma(&other->rgb[at])) > kShade ? 1 : 0;
   return static_cast<double>(differ) * 3 / static_cast<double>(one->rgb.size());
@@ -127,6 +138,7 @@ Result<double> ChangedPart(const std::string& file, const std::string& other_fil
 Result<double> MeanDifference(const std::string& file, const std::string& other_file) {
   const auto one = Read(file), other = Read(other_file);
   if (!one || !other) return tl::unexpected(one ? other.error() : one.error());
+  // 3 to 2, about the middle: what both pictures show, whatever their sides.
   constexpr int kColumns = 90, kRows = 60;
   int sum = 0;
   for (int row = 0; row < kRows; ++row)

@@ -7,6 +7,7 @@
 
 namespace kaori::hil {
 
+// What can be said of any picture: enough to tell a face from a console.
 struct PictureView {
   int width_px = 0;
   int height_px = 0;
@@ -15,7 +16,7 @@ struct PictureView {
   double middle_luma = 0;  // Mean of the middle ninth, 0..1.
 };
 
-// Errors: io_error (neither PNG nor binary PPM).
+// Reads a picture and measures it. Errors: io_error (neither PNG nor binary PPM).
 Result<PictureView> LookAt(const std::string& png);
 
 // Describes its size, its lit part and its number of colours in one line.
@@ -34,7 +35,8 @@ Result<double> ChangedPart(const std::string& file, const std::string& other);
 Result<void> WriteUpsideDown(const std::string& file, const std::string& target);
 Result<void> WriteBlack(const std::string& file, const std::string& target);
 
-// A face has lit pixels and many colours; a console, a cursor or a blank screen has not.
+// A face has lit pixels and many colours; a console, a cursor or a blank screen has not. It does not
+// know what a face is: a check that needs more compares with a picture. Pure.
 bool ShowsAFace(const PictureView& picture);
 
 }  // namespace kaori::hil

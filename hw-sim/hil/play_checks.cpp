@@ -15,7 +15,9 @@ using std::chrono::seconds;
 
 constexpr Duration kLongestFrame = seconds(300);  // With a new style's shaders, on a busy machine.
 
-// A scenario on the bench: its time is paused while a slow machine draws.
+// A scenario on the bench: its time is paused while a slow machine draws, so that every
+// scene is played to its end however long a frame takes. Plays within whatever waits on
+// the target; ends with this object.
 class HeldPlay {
  public:
   HeldPlay(sim::Scenario scenario, std::string name, Target& target)
@@ -24,6 +26,7 @@ class HeldPlay {
         last_(target.clock().now()),
         player_(std::move(scenario), target.rig(), last_) {
     target.SetInput([this](Time now) {
+      // The time since the last call counts only while the play is not held.
       if (now > last_ && !held_) played_ += now - last_;
       last_ = now;
       player_.Perform(start_ + played_);
@@ -35,6 +38,7 @@ class HeldPlay {
 
   const std::string& name() const { return name_; }  // Of its pictures.
   const sim::Scenario& scenario() const { return player_.scenario(); }
+  // Plays up to a time of the scenario, and holds it there. Blocks for as long as that takes.
   void PlayUntil(Duration at) {
     held_ = false;
     target_.Until([&] { return player_.position() >= at; }, at + seconds(1));
@@ -44,6 +48,7 @@ class HeldPlay {
   Result<void> AwaitFrame(const std::string& scene) {
     const auto now = target_.Board();
     if (!now) return tl::unexpected(now.error());
+    // By the guest's clock: a frame that was begun before shows older input.
     const auto drawn = [&](const BoardView& board) { return board.stage.read_ns >= now->now_ns; };
     if (auto ok = target_.UntilBoard(drawn, kLongestFrame, "wait for a frame of scene " + scene); !ok)
       return tl::unexpected(ok.error());
@@ -60,7 +65,7 @@ class HeldPlay {
   sim::Player player_;
 };
 
-// In each scene, when two thirds of it are over.
+// In each scene, when two thirds of it are over: what changes at its beginning has settled by then.
 Result<void> ShootScene(Scene& scene, HeldPlay& play, std::size_t beat) {
   const auto& beats = play.scenario().beats;
   const Duration ends = beat + 1 < beats.size() ? beats[beat + 1].at : play.scenario().length;
@@ -94,7 +99,8 @@ Result<void> Play(Scene& scene) {
   return {};
 }
 
-// Cables, lens and camera fail in turn; in the end all is there again.
+// Cables, lens and camera fail in turn; in the end all is there again. The scenario of
+// faults lies beside the one of the show.
 Result<void> Faults(Scene& scene) {
   const auto file = std::filesystem::path(scene.play).replace_filename("faults.play");
   const auto frames = PlayFile(scene, file, 0);

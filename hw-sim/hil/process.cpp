@@ -23,9 +23,12 @@ std::vector<char*> Pointers(const std::vector<std::string>& words) {
   return pointers;
 }
 
+// Runs in the child: between fork and exec nothing may fail, so nothing is checked.
 [[noreturn]] void Become(const std::vector<std::string>& words, const std::string& log,
                          const std::vector<std::string>& variables) {
+  // The kernel ends the child with the bench, also where the bench is killed.
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  // The loop of the bench blocks signals; a child must not inherit that.
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -34,6 +37,7 @@ std::vector<char*> Pointers(const std::vector<std::string>& words) {
   ::dup2(file, STDERR_FILENO);
   for (const std::string& variable : variables) ::putenv(const_cast<char*>(variable.c_str()));
   ::execvp(words[0].c_str(), Pointers(words).data());
+  // The status that shells give for a command that is not there.
   ::_exit(127);
 }
 
@@ -54,6 +58,7 @@ Process::~Process() {
 }
 
 bool Process::runs() const {
+  // WNOWAIT leaves the child to be reaped by the destructor.
   siginfo_t ended{};
   return number_ > 0 &&
          ::waitid(P_PID, static_cast<id_t>(number_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&

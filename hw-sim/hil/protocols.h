@@ -9,38 +9,45 @@
 
 namespace kaori::hil {
 
+// The plug of a box.
 class PowerProtocol {
  public:
   virtual ~PowerProtocol() = default;
+  // Gives the box power and returns; whether it starts is for others to see.
+  // Errors: those of the implementation.
   virtual Result<void> On() = 0;
   virtual void Off() = 0;  // As if the plug were pulled.
 };
 
+// What a box shows.
 class VideoProtocol {
  public:
   virtual ~VideoProtocol() = default;
-  // Writes the picture of screen `head` as PNG. Errors: no_such_device (no such head, or no power),
-  // timed_out.
+  // Writes the picture of screen `head` as PNG into `file`, an absolute path. Blocks until it is
+  // written. Errors: no_such_device (no such head, or no power), timed_out.
   virtual Result<void> Shoot(int head, const std::string& file) = 0;
 };
 
 // USB devices that no profile, or not every profile, authorises.
 enum class UnauthorisedDevice { kStorage, kNetwork, kKeyboard };
 
-// One at a time.
+// A USB socket of the box for such a device. One at a time.
 class UnauthorisedDeviceProtocol {
  public:
   virtual ~UnauthorisedDeviceProtocol() = default;
-  // Errors: no_such_device (no power), invalid_argument (QEMU's own message).
+  // Success means that the device is on the bus, not that the box uses it. Errors: no_such_device (no
+  // power), invalid_argument (QEMU's own message).
   virtual Result<void> PlugUnauthorised(UnauthorisedDevice device) = 0;
   virtual Result<void> PullUnauthorised() = 0;
 };
 
+// The program on the box's side that answers the bench (tests/hil); the image as it ships has none.
 class AgentProtocol {
  public:
   virtual ~AgentProtocol() = default;
-  // Asks the agent in the guest; see kaori-hil-agent. Errors: invalid_argument (its own error message),
-  // timed_out, no_such_device.
+  // Asks the agent in the guest; see kaori-hil-agent for its questions. Blocks until it answers,
+  // `longest` at most; simulated devices play on meanwhile. An answer that comes later would be taken
+  // for the next one's. Errors: invalid_argument (its own error message), timed_out, no_such_device.
   virtual Result<std::string> Ask(const std::string& question, Duration longest) = 0;
 };
 

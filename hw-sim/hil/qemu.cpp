@@ -13,11 +13,12 @@ namespace {
 
 constexpr Duration kLongestBeginning = std::chrono::seconds(60);  // Of QEMU itself, on a busy machine.
 
-// One for each gadget.
+// dummy_hcd makes so many controllers, one for each gadget.
 constexpr const char* kControllers = " dummy_hcd.num=3";
 
 // As QEMU calls it, on the port that the rig leaves free.
 std::string DeviceOf(UnauthorisedDevice device) {
+  // The rig has the ports 1 to 7 (qemu_command.cpp).
   constexpr const char* kPort = R"("id":"unauthorised","bus":"xhci.0","port":"8")";
   switch (device) {
     case UnauthorisedDevice::kStorage:
@@ -39,6 +40,7 @@ std::string TextOf(const std::string& path) {
 Result<void> QemuDriver::On() {
   if (setup_.bench_kernel && options_.bench_kernel.empty())
     return Fail(std::errc::not_supported, "start a kernel of the bench (none was named)");
+  // Pictures that the bench draws for the machine need a screen of X, which must be there before QEMU.
   if (setup_.graphics == Graphics::kVirgl) {
     auto window =
         XScreen::Open({options_.folder, WidthOf(options_, setup_), HeightOf(options_, setup_)}, waiter_);
@@ -47,6 +49,7 @@ Result<void> QemuDriver::On() {
   }
   if (auto ok = Start(); !ok) return ok;
   const std::string monitor = options_.folder + "/qmp";
+  // QEMU makes the socket of its monitor before it runs the guest.
   const auto begins = [&] { return !process_->runs() || std::filesystem::exists(monitor); };
   static_cast<void>(waiter_.Until(begins, kLongestBeginning));
   if (!process_->runs()) return FailInput("QEMU ended at once; it said: " + log());
@@ -75,6 +78,7 @@ Result<void> QemuDriver::Start() {
   for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp"})
     std::filesystem::remove(old, ignored);  // Of the machine before.
   std::vector<std::string> variables;
+  // SDL is told which screen, since a desktop's own may be there as well.
   if (window_) variables = {"DISPLAY=" + window_->name(), "SDL_VIDEODRIVER=x11"};
   auto process =
       Process::Start(QemuCommand(options_, setup_, line, *disk), options_.folder + "/qemu.log", variables);
@@ -84,6 +88,7 @@ Result<void> QemuDriver::Start() {
 }
 
 void QemuDriver::Off() {
+  // The monitor first: its line breaks with the process.
   qmp_.reset();
   process_.reset();
   window_.reset();
@@ -91,6 +96,7 @@ void QemuDriver::Off() {
 
 Result<void> QemuDriver::Shoot(int head, const std::string& file) {
   if (!qmp_) return Fail(std::errc::no_such_device, "take a picture of the screen");
+  // QEMU does not know what was drawn on the bench: the picture is read from X.
   if (window_) return window_->Shoot(file);
   return qmp_->Do(
       "screendump",

@@ -14,23 +14,28 @@
 
 namespace kaori::hil {
 
+// Owns the process of the machine and the line to its monitor. One thread: that of the waiter, in which
+// simulated devices play on while anything here waits.
 class QemuDriver final : public PowerProtocol, public VideoProtocol, public UnauthorisedDeviceProtocol {
  public:
-  // The waiter outlives the driver.
+  // Starts nothing. The waiter outlives the driver.
   QemuDriver(QemuOptions options, Waiter& waiter) : options_(std::move(options)), waiter_(waiter) {}
 
-  // Of the next time that power comes.
+  // Of the next time that power comes; a machine that runs stays as it is.
   void SetUp(const Setup& setup) { setup_ = setup; }
   const Setup& setup() const { return setup_; }
 
-  // Errors: those of the image's files and of starting the program; timed_out; not_supported (the bench lacks
-  // what the setup wants).
+  // Starts QEMU and waits until its monitor answers, a minute at most; the guest's start is not
+  // waited for. Errors: those of the image's files and of starting the program; timed_out;
+  // not_supported (the bench lacks what the setup wants).
   Result<void> On() override;
+  // Kills QEMU: the guest notices nothing, as with a pulled plug.
   void Off() override;
   Result<void> Shoot(int head, const std::string& file) override;
   Result<void> PlugUnauthorised(UnauthorisedDevice device) override;
   Result<void> PullUnauthorised() override;
 
+  // The processors' time of QEMU since it was started; zero while it is off.
   Duration worked() const { return process_ ? process_->worked() : Duration{}; }
   bool runs() const { return process_ && process_->runs(); }
   const QemuOptions& options() const { return options_; }
@@ -38,7 +43,9 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   std::string console() const;  // What a machine without an agent has said on its serial line so far.
 
  private:
+  // Prepares the disk and starts the process. Errors: as On.
   Result<void> Start();
+  // The disk's path: the image's own, another one, or a copy with other settings.
   Result<std::string> Disk();
 
   QemuOptions options_;

@@ -11,7 +11,9 @@
 namespace kaori::hil {
 namespace {
 
+// Seven sockets of the rig, and one for unauthorised devices.
 constexpr int kUsbPorts = 8;
+// Debian's package ovmf.
 constexpr const char* kFirmware = "/usr/share/ovmf/OVMF.fd";
 
 // The value of the last word "name=value"; empty where there is none.
@@ -31,6 +33,7 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
   const std::string size =
       fmt::format("id=screens,xres={},yres={}", WidthOf(options, setup), HeightOf(options, setup));
   if (setup.graphics == Graphics::kVirgl)
+    // A window as large as the screen of the machine: XScreen finds the picture in it.
     return Add(command, {"-display", "sdl,gl=on", "-device", "virtio-gpu-gl-pci," + size});
   Add(command, {"-display", options.window ? "gtk" : "none"});
   if (setup.graphics == Graphics::kVirtio)
@@ -39,6 +42,7 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
 }
 
 void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::string>& command) {
+  // "snapshot=on" writes to a temporary file: the image stays as it ships, whatever the guest does.
   Add(command, {"-drive", fmt::format("file={},if=none,id=disk,format=raw,{}", disk,
                                       setup.keeps_disk ? "cache=writethrough" : "snapshot=on")});
   if (setup.disk_bus == DiskBus::kSata) return Add(command, {"-device", "ide-hd,drive=disk"});
@@ -49,6 +53,8 @@ void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::strin
 // With a newer processor's instructions emulation is many times slower; the guest draws by itself.
 void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
   if (options.counts_instructions)
+    // With -icount an instruction takes 2^shift ns of the guest's time, and
+    // idle time is skipped: runs repeat.
     Add(command, {"-accel", "tcg,thread=single", "-icount", "shift=0,sleep=off"});
   else
     Add(command, {"-accel", "tcg,thread=multi"});
@@ -65,14 +71,17 @@ void AddKernel(const QemuOptions& options, const Setup& setup, const std::string
   Add(command, {"-append", command_line});
 }
 
-// The port after the last socket is free, for an unauthorised device.
+// The port after the last socket is free, for an unauthorised device. One xHCI controller whose USB 2
+// and USB 3 ports are as many, each with one device.
 void AddUsb(const QemuOptions& options, std::vector<std::string>& command) {
   Add(command, {"-device", fmt::format("qemu-xhci,id=xhci,p2={0},p3={0}", kUsbPorts)});
   for (std::size_t n = 0; n < sim::kUsbSockets.size(); ++n) {
     const std::string path = sim::UsbSocketPath(options.folder, sim::kUsbSockets[n]);
+    // QEMU listens and does not wait: a machine starts with nothing plugged in.
     Add(command, {"-chardev", fmt::format("socket,id=usb{},path={},server=on,wait=off", n, path)});
     Add(command, {"-device", fmt::format("usb-redir,chardev=usb{},bus=xhci.0,port={}", n, n + 1)});
   }
+  // A storage stick of 64 MiB of zeroes, and a network that leads nowhere, for unauthorised devices.
   Add(command, {"-blockdev", "null-co,node-name=stick,size=67108864,read-zeroes=on"});
   Add(command, {"-netdev", "hubport,id=net,hubid=0"});
 }
@@ -111,6 +120,7 @@ std::string ConsolePath(const QemuOptions& options) {
 std::string LoggedCommandLine(const std::string& of_the_image, int level) {
   constexpr std::string_view kQuiet = " quiet loglevel=3";
   std::string line = of_the_image;
+  // "quiet" would hide what the log is wanted for.
   if (const std::size_t at = line.find(kQuiet); at != std::string::npos) line.erase(at, kQuiet.size());
   return fmt::format(
       "{} console=ttyS0 loglevel={} systemd.log_target=console systemd.journald.forward_to_console=1 "
@@ -120,6 +130,7 @@ std::string LoggedCommandLine(const std::string& of_the_image, int level) {
 
 std::string BenchCommandLine(const std::string& of_the_image) {
   const auto or_else = [&](const std::string& name, const std::string& otherwise) {
+    // The last word counts, as it does for the kernel.
     const std::string value = WordOf(of_the_image, name);
     return value.empty() ? otherwise : value;
   };
@@ -133,6 +144,7 @@ std::string BenchCommandLine(const std::string& of_the_image) {
 
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk) {
+  // q35 is a PC with PCI Express and ICH9; the name shows in its threads.
   std::vector<std::string> command{"qemu-system-x86_64", "-M", "q35", "-name", "box,debug-threads=on"};
   Add(command, {"-no-reboot", "-vga", "none", "-net", "none"});
   AddProcessors(options, setup, command);

@@ -9,12 +9,13 @@
 
 namespace kaori::hil {
 
+// What a machine is, for all of its runs; a Setup says what differs for one check.
 struct QemuOptions {
   std::string image;           // The folder with bzImage, cmdline and kaori.disk; nothing in it is written.
   std::string bench_disk{};    // See tests/hil/bench_disk.
   std::string bench_kernel{};  // Empty: there is none.
-  std::string
-      usual_image{};  // The program that makes an image which starts in the usual way: tests/hil/usual_image.
+  // The program that makes an image which starts in the usual way: tests/hil/usual_image.
+  std::string usual_image{};
   std::string folder;  // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
   int width_px = 960;
   int height_px = 540;
@@ -26,19 +27,21 @@ struct QemuOptions {
   bool counts_instructions = false;
 };
 
-// The kernel's command line for the bench: that of the image, but the in-guest agent is started first and then
-// becomes what the image names; the serial line is the agent's.
+// The kernel's command line for the bench: that of the image, but the in-guest agent is started first and
+// then becomes what the image names; the serial line is the agent's. The kernel takes the last of equal
+// words, so the image's own stay and count no more; their values go on as kaori.root and the like. Pure.
 std::string BenchCommandLine(const std::string& of_the_image);
 
-// The same for a machine without an agent: kernel, systemd and journal write their log to the serial line. `level` is the
-// kernel's loglevel.
+// The same for a machine without an agent: kernel, systemd and journal write their log to the serial
+// line. `level` is the kernel's loglevel. Pure.
 std::string LoggedCommandLine(const std::string& of_the_image, int level = 6);
 
-// The program and its arguments. `command_line` is the kernel's; `disk` is the image's, or a copy of it.
+// The program and its arguments, for exec. `command_line` is the kernel's; `disk` is the
+// image's, or a copy of it. Reads no file. Pure.
 std::vector<std::string> QemuCommand(const QemuOptions& options, const Setup& setup,
                                      const std::string& command_line, const std::string& disk);
 
-// Of the screen, in pixels.
+// Of the screen, in pixels: the setup's, or else the machine's.
 int WidthOf(const QemuOptions& options, const Setup& setup);
 int HeightOf(const QemuOptions& options, const Setup& setup);
 

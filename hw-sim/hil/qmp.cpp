@@ -15,6 +15,7 @@ Result<Qmp> Qmp::Call(const std::string& path, Waiter& waiter) {
   if (!stream) return tl::unexpected(stream.error());
   Qmp qmp(std::move(*stream), waiter);
   if (auto greeting = qmp.NextLine(); !greeting) return tl::unexpected(greeting.error());
+  // Before this command QEMU accepts no other.
   if (auto ok = qmp.Do("qmp_capabilities"); !ok) return tl::unexpected(ok.error());
   return qmp;
 }
@@ -42,6 +43,7 @@ Result<void> Qmp::Do(const std::string& command, const std::string& arguments) {
     const auto line = NextLine();
     if (!line) return tl::unexpected(line.error());
     const auto answer = nlohmann::json::parse(*line, nullptr, false);
+    // An event has neither, and is passed over. What is no JSON is as well.
     if (answer.contains("return")) return {};
     if (answer.contains("error")) return FailInput(command + ": " + answer["error"].value("desc", "refused"));
   }

@@ -8,16 +8,20 @@
 
 namespace kaori::hil {
 
+// The monitor of one machine (QMP, docs/interop/qmp-spec.rst of QEMU). One thread: that of the waiter.
 class Qmp {
  public:
-  // Calls and greets. Errors: timed_out, no_such_device.
+  // Connects, reads the greeting and leaves the negotiation mode. Blocks, two minutes at most, while the
+  // waiter plays on. Errors: timed_out, no_such_device.
   static Result<Qmp> Call(const std::string& path, Waiter& waiter);
 
-  // `arguments` is JSON, an object. Errors: invalid_argument (QEMU's own message), timed_out, no_such_device.
+  // Does one command and waits for its answer, a minute at most. `arguments` is JSON, an object; it is
+  // not checked. Errors: invalid_argument (QEMU's own message), timed_out, no_such_device.
   Result<void> Do(const std::string& command, const std::string& arguments = "{}");
 
  private:
   Qmp(Stream stream, Waiter& waiter) : stream_(std::move(stream)), waiter_(&waiter) {}
+  // The next line, without its end. Errors: timed_out, no_such_device.
   Result<std::string> NextLine();
 
   Stream stream_;

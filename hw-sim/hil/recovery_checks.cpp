@@ -17,7 +17,8 @@ using std::chrono::seconds;
 constexpr double kMovedByItself = 0.06;
 constexpr Duration kRecoveryAnswer = seconds(120);
 
-// A small screen, so that the stage is back sooner; no devices, whose drivers would need time.
+// A small screen, so that the stage is back sooner; no devices, whose drivers would need time. The
+// watchdog's machine is smaller yet: it only has to run.
 const Setup kSmall{.plugged = false, .sound = false, .width_px = 480, .height_px = 270};
 const Setup kWatched{
     .plugged = false, .sound = false, .watchdog_resets = true, .width_px = 320, .height_px = 180};
@@ -30,11 +31,15 @@ struct Death {
   Duration longest;  // Until the stage draws again.
 };
 
+// Killed: no destructor runs. Stopped: as an update does it. Frozen: the
+// watchdog of systemd must notice it.
 constexpr std::array kDeaths{
     Death{"killed", "signal kaori-stage 9", 40, seconds(120)},
     Death{"stopped", "start /usr/bin/systemctl restart kaori-stage.service", 20, seconds(180)},
     Death{"frozen", "signal kaori-stage 19", 2, seconds(360)}};
 
+// Pictures that were looked at while the stage was away; `largest` is the
+// difference of the worst of them.
 struct Watch {
   std::string face;  // The picture before.
   int pictures = 0;
@@ -42,6 +47,7 @@ struct Watch {
   double largest = 0;
 };
 
+// Compares the screen with the face before. Errors: those of the picture.
 Result<void> Look(Scene& scene, Watch& watch) {
   const std::string file = scene.folder + "/held-now.png";
   if (auto ok = scene.target.machine().Shoot(0, file); !ok) return ok;
@@ -71,7 +77,8 @@ Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
   while (scene.target.clock().now() < until) {
     if (auto ok = Look(scene, watch); !ok) return ok;
     const auto board = scene.target.Board();
-    // A new stage counts its frames from the beginning.
+    // A new stage counts its frames from the beginning. A stage that was frozen is live on the board
+    // until its silence is noticed: only new counts tell.
     if (board && board->stage.live && board->stage.frames > 0 && board->stage.frames < before->stage.frames)
       return Reap(scene, death, *told);
     scene.target.For(milliseconds(20));
@@ -88,6 +95,7 @@ Result<void> AwaitSomeFrames(Scene& scene) {
   return {};
 }
 
+// Every death is watched by pictures alone: what an audience would see.
 Result<void> Held(Scene& scene) {
   if (auto ok = scene.ShootFace("held", "Before the stage ends for the first time"); !ok) return ok;
   Watch watch{.face = scene.folder + "/" + scene.finding.pictures.back().file};
@@ -121,6 +129,7 @@ Result<void> WrongPicturesAreFound(Scene& scene) {
   return {};
 }
 
+// The unit of systemd says so once; the words changed with systemd's version.
 Result<void> WantArmed(Scene& scene) {
   const auto log =
       scene.target.agent().Ask("own /usr/bin/journalctl -b --no-pager -o cat _PID=1", kRecoveryAnswer);
@@ -134,8 +143,10 @@ Result<void> WantArmed(Scene& scene) {
 Result<void> Restart(Scene& scene) {
   if (auto ok = WantArmed(scene); !ok) return ok;
   const Time frozen = scene.target.clock().now();
-  // The agent is in the same group and freezes too: no answer is expected.
+  // The agent is in the same group and freezes too: no answer is expected. SIGSTOP does not work on the
+  // first program, and the freezer of its group does.
   static_cast<void>(scene.target.agent().Ask("write /sys/fs/cgroup/init.scope/cgroup.freeze 1", seconds(2)));
+  // Twice the watchdog's time and more: emulation is slow.
   const bool ended = scene.target.Until([&] { return !scene.target.machine().runs(); }, seconds(400));
   const double after_s = Seconds(scene.target.clock().now() - frozen);
   scene.finding.figures["watchdog_restart_s"] = after_s;

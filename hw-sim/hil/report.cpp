@@ -13,6 +13,7 @@
 namespace kaori::hil {
 namespace {
 
+// JUnit has no place for what a passed test saw but its output.
 std::string Case(const ReportedCheck& check) {
   const std::string head = fmt::format(R"(    <testcase classname="bench" name="{}: {}" time="{:.1f}")",
                                        Escaped(check.name), Escaped(check.sentence), check.finding.took_s);
@@ -69,6 +70,8 @@ Result<void> WriteReport(const Report& report, const std::string& folder) {
 
 Result<void> MergeFigures(const Report& report, const std::string& path) {
   auto figures = nlohmann::json::object();
+  // A file that is not there is an empty object; one that cannot be read is
+  // an error, lest it be replaced.
   if (const auto text = ReadFile(path, {.most_levels = kMostLevels}))
     figures = nlohmann::json::parse(*text, nullptr, false);
   else if (text.error().cause != std::errc::no_such_file_or_directory)

@@ -9,33 +9,40 @@
 
 namespace kaori::hil {
 
+// A check with what was found, as it goes into the report.
 struct ReportedCheck {
   std::string name;
   std::string sentence;
   Finding finding;
 };
 
+// All that a run has found, in the order of its checks.
 struct Report {
   std::string image;      // Which one.
   std::string root_hash;  // Of its root; empty where it is not known.
+  // From power to the first frames of the first box; 0 where none played.
   double boot_s = 0;
   std::vector<ReportedCheck> checks;
 
+  // How many checks have this verdict.
   int count(Verdict verdict) const;
 };
 
+// The report as JUnit's XML, one testcase for each check, as test servers read it. Pure.
 std::string AsJUnit(const Report& report);
+// The report as one page of HTML; pictures are beside it. Pure.
 std::string AsPage(const Report& report);
 
-// The file name of a check's text in the report's folder: "tools-v4l2-compliance.txt".
+// The file name of a check's text in the report's folder: "tools-v4l2-compliance.txt". Pure.
 std::string TextFile(const std::string& check, const std::string& text);
 
-// Writes report.xml and report.html into the folder, and what tools and logs said beside them. Errors: those
-// of the files.
+// Writes report.xml and report.html into the folder, and what tools and logs said beside them. Each file
+// is replaced as a whole. Blocks for the disk. Errors: those of the files.
 Result<void> WriteReport(const Report& report, const std::string& folder);
 
-// Sets what was measured in a JSON object that others write too; makes it where it is not there. Errors:
-// those of the file, invalid_argument (not a JSON object).
+// Sets what was measured in a JSON object that others write too; makes it where it is not
+// there. Other entries stay, in the order of their names. Errors: those of the file,
+// invalid_argument (not a JSON object).
 Result<void> MergeFigures(const Report& report, const std::string& path);
 
 }  // namespace kaori::hil

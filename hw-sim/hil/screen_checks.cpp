@@ -11,14 +11,19 @@ namespace {
 
 using std::chrono::seconds;
 
+// A stage that comes back reads its show again, on a busy machine.
 constexpr Duration kLongestReturn = seconds(240);
 constexpr Duration kScreenLongestFrame = seconds(300);  // With a new style's shaders, on a busy machine.
+// Pictures over some seconds, from the kill on.
 constexpr int kShotsWhileAway = 12;
 
+// The picture that was added to the finding last.
 Result<PictureView> LastPicture(const Scene& scene) {
   return LookAt(scene.folder + "/" + scene.finding.pictures.back().file);
 }
 
+// The speed is that of a processor that draws by itself and is emulated: it says
+// little, and is compared with itself.
 Result<void> Face(Scene& scene) {
   if (auto ok = scene.ShootFace("face", "The first face"); !ok) return ok;
   const auto picture = LastPicture(scene);
@@ -49,6 +54,7 @@ Result<void> Alone(Scene& scene) {
   if (!before) return tl::unexpected(before.error());
   const auto later = [&](const BoardView& board) {
     return board.stage.live && board.stage.frames >= before->stage.frames + kFrames;
+    // Frames are waited for, not seconds: a slow machine moves as far in as many frames.
   };
   if (auto ok = scene.target.UntilBoard(later, kScreenLongestFrame, "see it play alone"); !ok)
     return tl::unexpected(ok.error());
@@ -57,6 +63,7 @@ Result<void> Alone(Scene& scene) {
                                  scene.folder + "/" + scene.finding.pictures[1].file);
   if (!moved) return tl::unexpected(moved.error());
   if (*moved < kMoved) return FailInput("nothing moves");
+  // The box has played without them: now they come one after another.
   if (auto ok = scene.target.PlugAll(); !ok) return ok;
   const auto found = [](const BoardView& board) {
     return board.surface_live && board.left.live && board.right.live && board.lips_live;
@@ -68,7 +75,8 @@ Result<void> Alone(Scene& scene) {
   return {};
 }
 
-// The kernel keeps the last picture; systemd starts the program again.
+// The kernel keeps the last picture; systemd starts the program again. The kernel keeps a framebuffer as
+// long as the fd keeper has the card's file.
 Result<void> StageKilled(Scene& scene) {
   const auto before = scene.target.Board();
   if (!before) return tl::unexpected(before.error());
@@ -86,6 +94,7 @@ Result<void> StageKilled(Scene& scene) {
     scene.target.For(std::chrono::milliseconds(150));
   }
   const auto returned = [&](const BoardView& board) {
+    // Another count of frames: fewer of a new program, or more where it was back between two looks.
     return board.stage.live && board.stage.frames != before->stage.frames &&
            board.now_ns - before->now_ns > 0;
   };
@@ -98,6 +107,7 @@ Result<void> StageKilled(Scene& scene) {
 
 }  // namespace
 
+// Both look for a face, so their control is a picture without one.
 std::vector<Check> ScreenChecks() {
   return {{"face", "The face is on the screen", true, Face, {}, {}, BlackIsNoFace},
           {"stage-killed",

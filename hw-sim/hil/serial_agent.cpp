@@ -5,6 +5,7 @@
 namespace kaori::hil {
 namespace {
 
+// STX, which no log has in it.
 constexpr char kBegin = '\x02';
 constexpr std::size_t kVerdictBytes = 3;  // "OK " or "NO ".
 constexpr Duration kSerialAgentAskAgain = std::chrono::seconds(2);
@@ -20,6 +21,7 @@ std::optional<AgentAnswer> ParseAnswer(std::string& waiting) {
   std::size_t length = 0;
   const char* const end = waiting.data() + line_end;
   const char* const number = waiting.data() + std::min(1 + kVerdictBytes, line_end);
+  // A byte of 2 that begins no answer is noise: looked for behind it.
   if (std::from_chars(number, end, length).ptr != end) return waiting.erase(0, 1), ParseAnswer(waiting);
   if (waiting.size() < line_end + 1 + length) return std::nullopt;
   AgentAnswer answer{waiting.compare(1, kVerdictBytes, "OK ") == 0, waiting.substr(line_end + 1, length)};
@@ -35,6 +37,7 @@ Result<void> SerialAgentDriver::Find(Duration longest) {
   for (Duration waited{}; waited < longest; waited += kSerialAgentAskAgain) {
     const auto answer = Ask("hello", kSerialAgentAskAgain);
     if (answer) {
+      // A hello that was asked twice is answered twice.
       waiter_.For(std::chrono::milliseconds(500));  // Answers to earlier calls may be on their way.
       stream_->Read();
       stream_->Drop(stream_->waiting().size());
@@ -55,6 +58,7 @@ Result<std::string> SerialAgentDriver::Ask(const std::string& question, Duration
   const auto answered = [&] {
     there = stream_->Read();
     waiting_ += stream_->waiting();
+    // The stream's bytes are gathered here, since an answer may come in many pieces.
     stream_->Drop(stream_->waiting().size());
     answer = ParseAnswer(waiting_);
     return answer || !there;

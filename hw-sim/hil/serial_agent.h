@@ -10,21 +10,28 @@
 
 namespace kaori::hil {
 
-// Removes the first whole answer from `waiting`, and what is before it, which is noise of the line.
-// Nothing: it has not come yet.
+// An answer of the agent: "yes" with a result, or "no" with the reason.
 struct AgentAnswer {
   bool yes = false;
   std::string text;
 };
+
+// Removes the first whole answer from `waiting`, and what is before it, which is noise of the line. Nothing: it has
+// not come yet. Pure.
 std::optional<AgentAnswer> ParseAnswer(std::string& waiting);
 
+// Questions are lines; an answer is a byte of 2, "OK " or "NO ", the length of the text in decimal, the
+// end of the line, and the text. The line may be noisy: the guest's kernel writes to it before the
+// agent has it. One thread: that of the waiter.
 class SerialAgentDriver final : public AgentProtocol {
  public:
-  // The waiter outlives the driver.
+  // Calls nobody yet. The waiter outlives the driver.
   SerialAgentDriver(std::string path, Waiter& waiter) : path_(std::move(path)), waiter_(waiter) {}
 
-  // Calls the machine, and asks until the agent answers. Errors: timed_out, no_such_device.
+  // Calls the machine, and asks "hello" until the agent answers, `longest` at most for
+  // each. Errors: timed_out, no_such_device.
   Result<void> Find(Duration longest);
+  // Forgets the machine: the next Ask fails until another Find.
   void Lose() { stream_.reset(); }
 
   Result<std::string> Ask(const std::string& question, Duration longest) override;
@@ -33,6 +40,7 @@ class SerialAgentDriver final : public AgentProtocol {
   std::string path_;
   Waiter& waiter_;
   std::optional<Stream> stream_;
+  // What has come and is no whole answer yet.
   std::string waiting_;
 };
 

@@ -11,6 +11,7 @@ enum class Graphics { kVirtio, kVirgl, kVga, kNone };
 // Where the image's disk is attached.
 enum class DiskBus { kVirtio, kSata, kNvme };
 
+// All that differs between the boxes of two checks. Checks with equal setups share a box that plays.
 struct Setup {
   bool plugged = true;    // The simulated devices are plugged in before power comes.
   bool sound = true;      // It has sound cards.

@@ -15,6 +15,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+// For machines that have little of a processor.
 constexpr Duration kSoundAnswer = seconds(120);
 constexpr Duration kSoundLongest = seconds(120);
 constexpr const char* kVoice = "/tmp/voice.wav";
@@ -22,6 +23,7 @@ constexpr int kVoiceSeconds = 4;
 constexpr double kLike = 0.6;   // Of a voice that is heard; what is none stays below a third.
 constexpr double kOpen = 0.25;  // How far a mouth must move.
 
+// A question whose answer does not matter.
 Result<void> Ask(Scene& scene, const std::string& question) {
   const auto told = scene.target.agent().Ask(question, kSoundAnswer);
   if (!told) return tl::unexpected(told.error());
@@ -41,6 +43,8 @@ std::vector<std::string> CardsOf(Scene& scene, const std::string& kind) {
   return numbers;
 }
 
+// How much what the card's loudspeaker has played so far is like the voice
+// (sim::Likeness); 0 where nothing was played.
 double HeardVoice(Scene& scene) {
   const auto heard = sim::ReadWav(SoundPath(scene.target.machine().options()));
   return heard ? sim::Likeness(sim::SayVowels(seconds(kVoiceSeconds)), *heard) : 0;
@@ -52,16 +56,19 @@ Result<void> Sound(Scene& scene) {
   const auto hears = [](const BoardView& board) { return board.voice_live && board.voice_blocks > 0; };
   if (auto ok = scene.target.UntilBoard(hears, kSoundLongest, "see that the box hears its microphone"); !ok)
     return tl::unexpected(ok.error());
+  // Nobody else may have the cards meanwhile.
   const PausedUnit others(scene, "kaori-lips.service");
   if (auto ok = Ask(
           scene,
           fmt::format("tool arecord -q -D hw:{},0 -d 1 -f S16_LE -r 48000 -c 2 /tmp/heard.wav", cards[1]));
       !ok)
     return ok;
+  // The control within the check: before a voice is played none is heard.
   const double before = HeardVoice(scene);
   if (before >= kLike) return FailInput("a voice is heard before one speaks");
   static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
   for (const std::string& question : {fmt::format("voice {} {}", kVoice, kVoiceSeconds),
+                                      // "plughw" converts the voice's one channel to the card's two.
                                       fmt::format("tool aplay -q -D plughw:{},0 {}", cards[0], kVoice)})
     if (auto ok = Ask(scene, question); !ok) return ok;
   const double after = HeardVoice(scene);
@@ -77,6 +84,7 @@ Result<void> Sound(Scene& scene) {
 struct Mouth {
   bool spoke = false;
   double least = 1, most = 0, loudest_db = -100;
+  // Only while it speaks: at rest the height is that of the lips.
   void See(const BoardView& board) {
     spoke |= board.voice_speaking;
     loudest_db = std::max(loudest_db, board.voice_level_db);
@@ -92,11 +100,13 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
     return tl::unexpected(ok.error());
   if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
   const auto speaker = scene.target.agent().Ask(
+      // What is played into one side of the loop is heard at the other.
       fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice), kSoundAnswer);
   if (!speaker) return tl::unexpected(speaker.error());
   Mouth mouth;
   const auto moved = [&](const BoardView& board) {
     mouth.See(board);
+    // Likeness is asked last, since it reads a file that grows.
     return mouth.spoke && mouth.most - mouth.least >= kOpen && HeardVoice(scene) >= kLike;
   };
   const auto heard =
@@ -116,6 +126,7 @@ Result<void> Voice(Scene& scene) {
   if (cards.empty() || loops.empty())
     return scene.Skip("this kernel has no loop of sound (snd-aloop) beside its card");
   const PausedUnit others(scene, "kaori-lips.service");
+  // Ten times as long as the voice that is compared, so that it goes on while the box is watched.
   if (auto ok = Ask(scene, fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
   static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
   const auto program = scene.target.agent().Ask(

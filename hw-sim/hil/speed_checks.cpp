@@ -12,17 +12,20 @@ using std::chrono::seconds;
 
 constexpr Setup kWindow{
     .plugged = false, .sound = false, .graphics = Graphics::kVirgl, .width_px = 960, .height_px = 540};
+// What looks smooth enough; a real card draws every frame of its screen.
 constexpr double kLeast_hz = 15;
 constexpr int kWindows = 4;  // The best of them counts: neighbours may have had the processors in others.
 constexpr Duration kOfAWindow = seconds(8);
 constexpr std::uint32_t kWarm = 40;  // Frames, in which shaders and skins come.
 constexpr Duration kLongestWarm = seconds(180);
 
+// How fast the box draws, and what it costs this computer.
 struct Pace {
   double frames_hz = 0;  // By the machine's own clock.
   double worked_ms = 0;  // Of the processors' time, for each frame.
 };
 
+// Counts frames over a stretch of the machine's own time. Errors: those of the board.
 Result<Pace> Measure(Scene& scene) {
   const auto before = scene.target.Board();
   const Duration worked = scene.target.machine().worked();
@@ -32,6 +35,7 @@ Result<Pace> Measure(Scene& scene) {
   if (!after) return tl::unexpected(after.error());
   const double frames = after->stage.frames - before->stage.frames;
   return Pace{frames / (static_cast<double>(after->now_ns - before->now_ns) / 1e9),
+              // All of QEMU's threads: what draws for the machine is among them.
               1e3 * Seconds(scene.target.machine().worked() - worked) / std::max(1.0, frames)};
 }
 

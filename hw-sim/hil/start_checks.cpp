@@ -12,6 +12,7 @@
 namespace kaori::hil {
 namespace {
 
+// Medians of three: one start that was disturbed does not count.
 constexpr int kRounds = 3;
 // Goals, as shares of the usual way's first face.
 constexpr double kMostFirstLight = 0.15;
@@ -19,11 +20,14 @@ constexpr double kMostFirstFace = 0.35;
 
 const Setup kOurs{.plugged = false, .sound = false, .agent = false};
 
+// Of an odd number of values, as kRounds is.
 double Median(std::vector<double> values) {
   std::ranges::sort(values);
   return values[values.size() / 2];
 }
 
+// Switches on, waits for the first face, and switches off. Errors: those of
+// the machine and of AwaitStart.
 Result<StartTimes> StartOnce(Scene& scene, const Setup& setup) {
   scene.target.machine().SetUp(setup);
   const Time began = scene.target.clock().now();
@@ -48,6 +52,7 @@ Result<Setup> UsualWay(Scene& scene) {
   return setup;
 }
 
+// Of each round: our times as shares of the usual way's, and all times in seconds.
 struct Shares {
   std::vector<double> light, face, light_s, face_s, usual_s;
 };
@@ -89,7 +94,8 @@ Result<void> StartsSoon(Scene& scene) {
   return MeetsGoals(light, face) ? Result<void>{} : FailInput(scene.finding.said);
 }
 
-// The control: a box that starts in the usual way misses both goals.
+// The control: a box that starts in the usual way misses both goals. Nothing is started: the goals' own
+// function is tried with times that miss one or both.
 Result<void> UsualWayIsTooSlow(Scene&) {
   for (const auto& [light, face] : {std::pair{0.151, 0.1}, {0.1, 0.485}, {1.0, 1.0}})
     if (MeetsGoals(light, face)) return FailInput("a start that is too slow passes");

@@ -7,8 +7,8 @@ namespace {
 
 constexpr Duration kLongestFirstFace = std::chrono::minutes(15);
 constexpr Duration kLookAtScreen = std::chrono::milliseconds(100);
-constexpr int kColoursOfAPicture =
-    100;  // Of 4096. QEMU's own text on a screen that nobody has lit has fewer.
+// Of 4096. QEMU's own text on a screen that nobody has lit has fewer.
+constexpr int kColoursOfAPicture = 100;
 
 }  // namespace
 
@@ -25,6 +25,7 @@ Result<StartTimes> AwaitStart(Target& target, Time began, const std::string& sho
       times.light_s = Seconds(target.clock().now() - began);
     if (target.UntilConsole({"Started ", "kaori-stage"}, kLookAtScreen)) {
       times.face_s = Seconds(target.clock().now() - began);
+      // Looks at the screen were too seldom to see the still: the face came first.
       if (times.light_s == 0) times.light_s = times.face_s;
       return times;
     }

@@ -6,6 +6,7 @@ namespace {
 // Emulation on a busy machine is slow; on a quiet one a box plays after half a minute.
 constexpr Duration kLongestBoot = std::chrono::minutes(8);
 constexpr Duration kStrategyLongestFind = std::chrono::minutes(3);
+// The first is drawn before the stage's loop runs: some more say that it does.
 constexpr std::uint32_t kFirstFrames = 3;
 
 }  // namespace
@@ -35,6 +36,7 @@ void PlayStrategy::Recover() {
 Result<void> PlayStrategy::SwitchOn() {
   const Time began = target_.clock().now();
   const bool plugged = target_.machine().setup().plugged;
+  // Devices are plugged in before power comes, as on a stage.
   if (auto ok = plugged ? target_.PlugAll() : target_.PullAll(); !ok) return ok;
   if (auto ok = target_.machine().On(); !ok) return ok;
   if (auto ok = target_.agent().Find(kLongestBoot); !ok) return ok;

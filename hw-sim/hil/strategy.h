@@ -7,25 +7,30 @@
 
 namespace kaori::hil {
 
-// A playing box has power, set up as wanted, and shows frames; where the devices are plugged in, those of the
-// input devices were found.
+// Switches the box of a target on and off so that a check finds what it wants. A playing box
+// has power, set up as wanted, and shows frames; where the devices are plugged in, those of
+// the input devices were found. One thread.
 class PlayStrategy {
  public:
   explicit PlayStrategy(Target& target) : target_(target) {}
 
-  // A box that plays with that setup is left as it is. Errors: timed_out, named by what did not come;
-  // not_supported (the bench lacks what the setup wants).
+  // Brings the box to play with that setup; one that plays so already is left as it is.
+  // Blocks for minutes. Errors: timed_out, named by what did not come; not_supported (the
+  // bench lacks what the setup wants).
   Result<void> Play(const Setup& setup);
+  // Takes its power. Does nothing where it has none.
   void Off();
 
   // After something was withdrawn from a playing box: waits until it plays as its setup says, and switches it off where it
   // does not, so that the next Play starts it anew.
   void Recover();
 
-  double boot_s() const { return boot_s_; }  // From power to the first frames, of the last time.
+  // From power to the first frames, of the last time; 0 before.
+  double boot_s() const { return boot_s_; }
 
  private:
   Result<void> SwitchOn();
+  // Errors: timed_out.
   Result<void> AwaitFrames();
   Result<void> AwaitInputDevices();
 

@@ -22,6 +22,7 @@ Result<Stream> Stream::Call(const std::string& path, Waiter& waiter, Duration lo
 }
 
 bool Stream::Read() {
+  // More than a question's answer; the socket is read until it is empty.
   std::array<char, 65536> part;
   while (true) {
     const ssize_t got = ::recv(socket_.get(), part.data(), part.size(), MSG_DONTWAIT);

@@ -10,16 +10,20 @@
 
 namespace kaori::hil {
 
+// A byte stream in both directions, with what came and was not used yet. One thread: that of the waiter.
 class Stream {
  public:
-  // Calls until somebody listens. Errors: timed_out.
+  // Calls until somebody listens, `longest` at most; simulated devices play
+  // on meanwhile. Errors: timed_out.
   static Result<Stream> Call(const std::string& path, Waiter& waiter, Duration longest);
 
   int pollable() const { return socket_.get(); }
 
-  // Reads what has arrived, without waiting. False: the other end is gone.
+  // Reads what has arrived behind what waits, without waiting. False: the other end is
+  // gone; what came before is still there.
   bool Read();
   const std::string& waiting() const { return waiting_; }
+  // Removes what was used, from the beginning.
   void Drop(std::size_t bytes) { waiting_.erase(0, bytes); }
 
   // Short texts only: the socket's buffer must hold them. Errors: no_such_device.

@@ -13,9 +13,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
+// How often whatever is waited for is looked at.
 constexpr Duration kLookAgain = milliseconds(20);
 constexpr Duration kInputStep = milliseconds(4);  // Simulated input moves in steps of this.
 constexpr Duration kAskAgain = milliseconds(100);
+// An emulated machine that starts its programs answers slowly.
 constexpr Duration kLongestAnswer = std::chrono::seconds(90);
 
 std::string DescribeSticks(const BoardView& board) {
@@ -25,6 +27,7 @@ std::string DescribeSticks(const BoardView& board) {
   return fmt::format("left {}, right {}", one(board.left), one(board.right));
 }
 
+// The log is read anew at each look: it is short, and no state can be wrong.
 bool HasLine(const std::string& text, std::initializer_list<std::string_view> parts) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
@@ -53,12 +56,15 @@ bool Target::Until(const std::function<bool()>& done, Duration longest, int fd) 
     return std::min({until, now + (input_ ? kInputStep : kLookAgain), rig_->next_due()});
   };
   while (true) {
+    // Input first: what is done now leaves with this Pump.
     if (input_) input_(clock_.now());
     rig_->Pump();
     if (done()) return true;
     const Time now = clock_.now();
     if (now >= until) return false;
+    // Rounded up: a wait that ends too soon would only be asked again.
     const auto wait = std::chrono::ceil<milliseconds>(std::max(wake_at(now) - now, Duration::zero()));
+    // A negative fd is passed over by poll(2).
     std::array<pollfd, 2> fds{{{rig_->pollable(), POLLIN, 0}, {fd, POLLIN, 0}}};
     ::poll(fds.data(), fds.size(), static_cast<int>(wait.count()));
   }
@@ -78,6 +84,7 @@ Result<BoardView> Target::UntilBoard(const std::function<bool(const BoardView&)>
     if (board && right(*board)) return board;
     if (clock_.now() >= until)
       return Fail(std::errc::timed_out,
+                  // What is seen of the sticks helps to tell a dead box from a wrong one.
                   what + " (" + (board ? DescribeSticks(*board) : board.error().message()) + ")");
     For(kAskAgain);
   }

@@ -15,12 +15,15 @@
 
 namespace kaori::hil {
 
-// One thread: devices are played on while anything waits.
+// Everything that a check can touch. Devices are played on while anything waits: whoever waits
+// in another way stops them. One thread.
 class Target final : public Waiter {
  public:
-  // Errors: those of the folder for sockets and of the simulator.
+  // Makes the simulator; no machine runs and nothing is plugged in. Errors: those of the
+  // folder for sockets and of the simulator.
   static Result<std::unique_ptr<Target>> Open(QemuOptions options, const Clock& clock);
 
+  // As Waiter says.
   bool Until(const std::function<bool()>& done, Duration longest, int fd = -1) override;
 
   sim::UsbRig& rig() { return *rig_; }
@@ -28,10 +31,12 @@ class Target final : public Waiter {
   SerialAgentDriver& agent() { return agent_; }
   const Clock& clock() const { return clock_; }
 
-  // The board as it is now. Errors: as AgentProtocol::Ask, and of a board that is not there yet.
+  // The board as it is now, by a question to the agent. Blocks until it answers, 90 s at most. Errors:
+  // as AgentProtocol::Ask, and of a board that is not there yet.
   Result<BoardView> Board();
 
-  // Looks at the board until `right`; gives the last view. Errors: timed_out, named by `what`.
+  // Looks at the board until `right`, ten times a second; gives the last view. A look that fails is
+  // tried again. Errors: timed_out, named by `what` and with what was seen last.
   Result<BoardView> UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
                                const std::string& what);
 
@@ -40,13 +45,14 @@ class Target final : public Waiter {
   bool UntilConsole(std::initializer_list<std::string_view> parts, Duration longest);
 
   // UntilBoard waits no longer than this: in the control of a check nothing is expected to come.
+  // ResetPatience: as long as it is told.
   void SetPatience(Duration patience) { patience_ = patience; }
   void ResetPatience() { patience_ = Duration::max(); }
 
   // Whoever moves while anything waits: called before each look at the devices. Empty: nobody.
   void SetInput(std::function<void(Time)> input) { input_ = std::move(input); }
 
-  // Plugs in everything that a box has. Errors: none but of our own.
+  // Plugs in everything that a box has, or pulls everything. Errors: none but of our own.
   Result<void> PlugAll();
   Result<void> PullAll();
 

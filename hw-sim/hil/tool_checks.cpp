@@ -6,8 +6,10 @@
 namespace kaori::hil {
 namespace {
 
+// v4l2-compliance tries everything that a camera can be asked for.
 constexpr Duration kToolLongest = std::chrono::minutes(3);
 
+// A question to the agent whose answer is kept under this name.
 struct Tool {
   const char* name;
   const char* question;
@@ -64,6 +66,7 @@ Result<void> Tools(Scene& scene) {
     const auto said = scene.target.agent().Ask(tool.question, kToolLongest);
     scene.finding.texts.emplace_back(tool.name, said ? *said : said.error().message());
     answered += said.has_value() ? 1 : 0;
+    // The others may lack here and there; without a camera this list says nothing.
     if (!said && std::string_view(tool.name) == "v4l2-ctl") return FailInput("v4l2-ctl sees no camera");
   }
   scene.finding.said = fmt::format("{} outputs, {} without complaint", scene.finding.texts.size(), answered);

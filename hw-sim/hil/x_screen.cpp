@@ -17,21 +17,25 @@ namespace kaori::hil {
 namespace {
 
 constexpr Duration kXScreenLongest = std::chrono::seconds(60);
-constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;  // Of QEMU's window.
-constexpr int kFirstNumber = 100;                                   // People's own screens have small ones.
+// Of QEMU's window before its machine has a screen.
+constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;
+constexpr int kFirstNumber = 100;  // People's own screens have small ones.
 constexpr int kNumbers = 10'000;
 
-// Big-endian 32-bit words of the dump's head, by their index (X11/XWDFile.h).
+// Big-endian 32-bit words of the dump's head, by their index (X11/XWDFile.h). kHeadBytes counts the head
+// with the window's name; the colour table lies between it and the points.
 constexpr std::size_t kHeadBytes = 0, kWidth = 4, kHeight = 5, kByteOrder = 7, kBitsOfPoint = 11,
                       kLineBytes = 12, kColours = 19, kHeadWords = 25;
 constexpr std::size_t kColourBytes = 12, kPointBytes = 4;
 
+// A dump's points, from the top row on; rows may be padded.
 struct Dump {
   std::uint32_t width_px = 0, height_px = 0;
   std::size_t line_bytes = 0;
   std::span<const std::uint8_t> points;
 };
 
+// Nothing: the bytes are no dump, or one that is read otherwise.
 std::optional<Dump> Understand(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHeadWords * 4) return std::nullopt;
   const auto word = [&](std::size_t n) {
@@ -48,6 +52,7 @@ std::optional<Dump> Understand(std::span<const std::uint8_t> bytes) {
   return dump;
 }
 
+// Whether the part lies within the dump.
 bool Holds(const Dump& dump, const DumpPart& part) {
   return part.width_px > 0 && part.height_px > 0 && part.x_px + part.width_px <= dump.width_px &&
          part.y_px + part.height_px <= dump.height_px;
@@ -65,6 +70,7 @@ std::vector<std::uint8_t> Rgb(const Dump& dump, const DumpPart& part) {
   return rgb;
 }
 
+// Along one axis: how large the screen must be, and where the window begins.
 struct Sides {
   std::size_t screen_px = 0, before_px = 0, window_px = 0;
 };
@@ -101,6 +107,7 @@ Result<XScreen> XScreen::Open(const Options& options, Waiter& waiter) {
   std::string name = fmt::format(":{}", number);
   const std::string socket = fmt::format("/tmp/.X11-unix/X{}", number);
   std::error_code none;
+  // Xvfb makes the socket itself; one that is left over would be taken for it.
   std::filesystem::remove(socket, none);  // Of a bench that had our number before us.
   const Sides across = SidesFor(options.width_px, kBegunWidth_px);
   const Sides down = SidesFor(options.height_px, kBegunHeight_px);

@@ -10,14 +10,16 @@
 
 namespace kaori::hil {
 
+// A rectangle of a picture, from its left top.
 struct DumpPart {
   std::size_t x_px = 0, y_px = 0, width_px = 0, height_px = 0;
 };
 
-// A part of an X window dump of 32 bits a point, blue first, as PNG. Errors: io_error (no dump, of another
-// kind, or smaller).
+// Writes a part of an X window dump of 32 bits a point, blue first, as PNG. Errors: io_error
+// (no dump, of another kind, or smaller).
 Result<void> WriteDumpAsPng(const std::string& dump, const DumpPart& part, const std::string& file);
 
+// Owns the Xvfb process; it ends with this object. Nobody else can see its screen.
 class XScreen {
  public:
   struct Options {
@@ -26,12 +28,14 @@ class XScreen {
     int height_px = 540;
   };
 
-  // Errors: not_supported (there is no Xvfb), timed_out.
+  // Starts Xvfb and waits until it listens, a minute at most; simulated devices play on. Errors:
+  // not_supported (there is no Xvfb), timed_out.
   static Result<XScreen> Open(const Options& options, Waiter& waiter);
 
   const std::string& name() const { return name_; }  // ":7", for DISPLAY.
 
-  // The picture in the machine's window, as PNG. Errors: io_error.
+  // Writes the picture in the machine's window, as PNG: reads Xvfb's memory, in which a frame
+  // may be half drawn. Errors: io_error.
   Result<void> Shoot(const std::string& file) const;
 
  private:

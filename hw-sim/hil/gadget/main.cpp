@@ -20,6 +20,7 @@ constexpr std::string_view kHelp = R"(kaori-gadget: simulated devices at this ma
   --loop                       again and again
 )";
 
+// Reports are due once a millisecond at most.
 constexpr kaori::Duration kStep = std::chrono::milliseconds(1);
 
 struct Settings {
@@ -47,6 +48,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   auto scenario = settings.play.empty() ? kaori::sim::Scenario{} : kaori::sim::LoadScenario(settings.play);
   if (!scenario) return kaori::ExitWithError(scenario.error());
+  // configfs and devices where the kernel has them.
   kaori::sim::GadgetRig rig({}, clock);
   if (auto ok = PutAll(settings.put, rig); !ok) return kaori::ExitWithError(ok.error());
   kaori::sim::Player player(std::move(*scenario), rig, clock.now());
