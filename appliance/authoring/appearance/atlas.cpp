@@ -10,6 +10,7 @@
 namespace kaori::appearance {
 namespace {
 
+// What is interpolated over a triangle, one number each.
 enum Value { kEyeRing, kEyeSide, kMouthRing, kMouthSide, kBag, kEar, kSpout, kValues };
 using Values = std::array<float, kValues>;
 
@@ -20,6 +21,8 @@ Values Unsign(const sculpt::PaintAttributes& a) {
           a.ear_ring,           a.spout};
 }
 
+// The cage's values on the fine mesh, as plain means: PaintAttributes of whole rings become
+// halves between them.
 std::vector<Values> OnFineMesh(const face::SparseRows& rows,
                                const std::vector<sculpt::PaintAttributes>& cage) {
   std::vector<Values> fine(rows.rows(), Values{});
@@ -32,11 +35,13 @@ std::vector<Values> OnFineMesh(const face::SparseRows& rows,
   return fine;
 }
 
+// A corner of a triangle in the texture: where, in texels, and with which values (borrowed).
 struct Corner {
   glm::vec2 at_px;
   const Values* values;
 };
 
+// Twice the signed area of (a, b, p).
 float Edge(glm::vec2 a, glm::vec2 b, glm::vec2 p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
@@ -47,6 +52,8 @@ void Store(Texel& texel, const std::array<Corner, 3>& corners, const std::array<
     for (std::size_t c = 0; c < 3; ++c) v[i] += share[c] * (*corners[c].values)[i];
   }
   texel.eye_ring = v[kEyeRing];
+  // At the corners of an eye the side passes through 0 over a whole ring's width; half of that
+  // is soft enough.
   texel.eye_upper = SmoothStep(-0.5F, 0.5F, v[kEyeSide]);
   texel.mouth_ring = v[kMouthRing];
   texel.mouth_upper = SmoothStep(-0.5F, 0.5F, v[kMouthSide]);
@@ -66,6 +73,7 @@ void RasteriseTriangle(Atlas& atlas, const std::array<Corner, 3>& t) {
   const auto clip = [last](float value) { return std::clamp(static_cast<int>(value), 0, last); };
   for (int y = clip(y_low); y <= clip(y_high + 1); ++y) {
     for (int x = clip(x_low); x <= clip(x_high + 1); ++x) {
+      // The texel's centre: TexelFromTexture has shifted by half a texel.
       const glm::vec2 p(x, y);
       const std::array<float, 3> share{Edge(t[1].at_px, t[2].at_px, p) / area,
                                        Edge(t[2].at_px, t[0].at_px, p) / area,
@@ -79,6 +87,7 @@ void RasteriseTriangle(Atlas& atlas, const std::array<Corner, 3>& t) {
   }
 }
 
+// Places everywhere, nothing covered.
 Atlas EmptyAtlas(int size_px) {
   Atlas atlas{size_px,
               std::vector<Texel>(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px))};
@@ -92,6 +101,7 @@ Atlas EmptyAtlas(int size_px) {
   return atlas;
 }
 
+// From 0..1, v up, to texels from the upper left, whose centres are whole numbers.
 glm::vec2 TexelFromTexture(glm::vec2 unit, int size_px) {
   const auto size = static_cast<float>(size_px);
   return {unit.x * size - 0.5F, (1 - unit.y) * size - 0.5F};

@@ -7,11 +7,13 @@
 namespace kaori::appearance {
 namespace {
 
+// The collar sits just under the chin's shadow.
 constexpr NeckLine kLine{-13.0F, -12.0F};
 
-// A bow of two loops and two tails, each a flat tube.
+// A bow of two loops and two tails, each a flat tube, and a knot; about `knot_cm`.
 void AddBow(ClothMesh& mesh, glm::vec3 knot_cm) {
-  const Skull torso{{0, -40, -8}, {1, 1, 1}};  // Outwards is forwards.
+  // Outwards is forwards: a skull far behind says so to AddLock.
+  const Skull torso{{0, -40, -8}, {1, 1, 1}};
   for (const float side : {1.0F, -1.0F}) {
     const LockShape loop{1.5F, 0.42F, 0.35F, 0.45F, 0.75F, 0.75F, 10};
     AddLock(
@@ -36,6 +38,7 @@ void AddBow(ClothMesh& mesh, glm::vec3 knot_cm) {
 }  // namespace
 
 Garment SewBlouse(const std::string& face, const ClothesLook& look, const Neck& neck) {
+  // Shoulders, the joints' depth, chest and folds of a slender woman.
   const Torso torso{neck, look.shoulders_cm - 3, 19.4F, 4.4F, 0.24F};
   ClothMesh body;
   AddBody(body, torso, kLine, 0);

@@ -8,14 +8,16 @@
 namespace kaori::appearance {
 namespace {
 
+// Locks over the sheets; fewer show the sheet as one piece, more cost triangles.
 constexpr int kCurtainLocks = 22;
 constexpr int kTips = 15;          // Of the fringe's sheet,
 constexpr int kColumnsPerTip = 4;  // each drawn with so many columns.
 constexpr int kFringeRows = 10;
 constexpr int kFringeLocks = 13;
-constexpr float kFringeOverlap_deg = 3;  // The fringe reaches this far under the curtain.
+// The fringe reaches this far under the curtain, so that no gap opens between them.
+constexpr float kFringeOverlap_deg = 3;
 
-// A tip of the fringe: where it starts and ends round the head, and how it falls.
+// A tip of the fringe's sheet: where it starts and ends round the head, and how it falls.
 struct Tip {
   float from_deg = 0;
   float to_deg = 0;
@@ -23,6 +25,7 @@ struct Tip {
   float lean_deg = 0;  // Its end lies to one side.
 };
 
+// Tips of uneven widths, over 2 * half_deg in all: even ones look like a comb.
 std::array<Tip, kTips> ShareOutTips(float half_deg, Dice& dice) {
   std::array<float, kTips> widths{};
   float sum = 0;
@@ -37,13 +40,14 @@ std::array<Tip, kTips> ShareOutTips(float half_deg, Dice& dice) {
   return tips;
 }
 
-// One column of the fringe's sheet: at `x` 0..1 across a tip.
+// One column of the fringe's sheet.
 struct Column {
   float around_deg = 0;
   float end_y_cm = 0;
   float lean_deg = 0;
 };
 
+// At `x` 0..1 across a tip.
 Column ColumnOf(const HairLook& look, const Tip& tip, float x) {
   const float round = 1 - std::pow(std::abs(2 * x - 1), 1.6F);  // 1 in the middle of the tip, 0 in the notch.
   Column c;
@@ -53,6 +57,7 @@ Column ColumnOf(const HairLook& look, const Tip& tip, float x) {
   return c;
 }
 
+// The last tip's far edge is the sheet's.
 std::vector<Column> FringeColumns(const HairLook& look, Dice& dice) {
   std::vector<Column> columns;
   const auto tips = ShareOutTips(look.opens_at_deg + kFringeOverlap_deg, dice);
@@ -65,6 +70,7 @@ std::vector<Column> FringeColumns(const HairLook& look, Dice& dice) {
   return columns;
 }
 
+// Strands of noise raise the sheet a little towards its ends.
 glm::vec3 FringePoint(const HairLook& look, const Column& column, float t) {
   Fringe fringe;
   fringe.end_y_cm = column.end_y_cm;
@@ -74,6 +80,7 @@ glm::vec3 FringePoint(const HairLook& look, const Column& column, float t) {
   return OnFringe(look.skull, fringe, column.around_deg + column.lean_deg * t * t * t, t);
 }
 
+// A solid that gets thin towards the tips; rows lie closer at the root, where it bends most.
 void AddFringeSheet(ClothMesh& mesh, const HairLook& look, Dice& dice) {
   const std::vector<Column> columns = FringeColumns(look, dice);
   Patch sheet{kFringeRows, static_cast<int>(columns.size()), false, {}, {}, {}};
@@ -90,6 +97,7 @@ void AddFringeSheet(ClothMesh& mesh, const HairLook& look, Dice& dice) {
   });
 }
 
+// A lock over the sheet, of chance width and length.
 void AddFringeLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
   shape.width_cm = dice.Between(0.8F, 2.6F);
@@ -108,6 +116,7 @@ void AddFringeLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice
   AddLock(mesh, look.skull, path, shape);
 }
 
+// Seeds differ by one from part to part, so that a change of one part leaves the others.
 void AddFringe(ClothMesh& mesh, const HairLook& look) {
   Dice dice(look.seed + 1);
   AddFringeSheet(mesh, look, dice);
@@ -118,7 +127,8 @@ void AddFringe(ClothMesh& mesh, const HairLook& look) {
   }
 }
 
-// Three locks a side close the curtain's edge and lie along the cheek.
+// Three locks a side close the curtain's edge and lie along the cheek; those nearer to the face are
+// shorter and narrower.
 void AddFramingLocks(ClothMesh& mesh, const HairLook& look) {
   constexpr std::array<glm::vec3, 3> kLocks{{{-2, 1.0F, 1.7F}, {3, 0.5F, 2.4F}, {9, 0.15F, 2.8F}}};
   for (const float side : {1.0F, -1.0F}) {

@@ -13,11 +13,13 @@
 namespace kaori::appearance {
 namespace {
 
-constexpr int kPieces = 5;              // Straight pieces that draw a bent stroke.
+// Straight pieces that draw a bent stroke: hairs bend little.
+constexpr int kPieces = 5;
 constexpr float kSoftEdge_cm = 0.014F;  // About half a texel where the texture is finest.
 
 using Bent = std::array<glm::vec2, kPieces + 1>;
 
+// The quadratic Bézier at even steps of its parameter.
 Bent Flatten(const Stroke& s) {
   Bent points{};
   for (int i = 0; i <= kPieces; ++i) {
@@ -28,6 +30,7 @@ Bent Flatten(const Stroke& s) {
   return points;
 }
 
+// How near a line comes to a point, and where on it.
 struct Nearest {
   float distance_cm = 1e9F;
   float along = 0;  // 0 at the root .. 1 at the tip.
@@ -45,6 +48,8 @@ Nearest NearestOn(const Bent& line, glm::vec2 p) {
   return best;
 }
 
+// How opaque the stroke is at this distance: narrower towards the tip, by the square of the way, and fading
+// out in its last part.
 float Coverage(const Stroke& stroke, Nearest n) {
   const float half_cm = stroke.half_width_cm * (1 - 0.85F * n.along * n.along);
   return stroke.opacity * SmoothStep(half_cm + kSoftEdge_cm, half_cm - kSoftEdge_cm, n.distance_cm) *
@@ -62,10 +67,12 @@ bool InMouth(const Texel& texel) {
   return texel.bag > 0.05F;
 }
 
+// Texels from (x0, y0) to (x1, y1), both included.
 struct Box {
   int x0, y0, x1, y1;
 };
 
+// The map to the texture is monotone in each axis, so the corners of the stroke's box give those in texels.
 Box BoxOf(const Stroke& s, int size_px) {
   const float margin_cm = s.half_width_cm + kSoftEdge_cm;
   const glm::vec2 low = glm::min(glm::min(s.root_cm, s.tip_cm), s.bend_cm) - margin_cm;
@@ -76,7 +83,7 @@ Box BoxOf(const Stroke& s, int size_px) {
   return {clip(top_left.x), clip(top_left.y), clip(bottom_right.x + 1), clip(bottom_right.y + 1)};
 }
 
-// The texels above, below and beside one, as many as there are.
+// The texels above, below and beside one, as many as there are. To be walked by a range-for.
 class Around {
  public:
   Around(std::size_t texel, int size_px) {
@@ -122,6 +129,7 @@ void Paint::MixGloss(float amount, float over) {
   gloss = gloss * (1 - a) + over * a;
 }
 
+// Nearest texel; what is painted there so far.
 glm::vec3 Canvas::Sample(glm::vec2 place_cm) const {
   const glm::vec2 at = TexelFromPlace(place_cm, atlas_.size_px);
   return texels_[IndexOf(std::lround(at.x), std::lround(at.y), atlas_.size_px)].colour;
@@ -134,12 +142,14 @@ void Canvas::Draw(const Stroke& stroke) {
     for (int x = box.x0; x <= box.x1; ++x) {
       const std::size_t i = IndexOf(x, y, atlas_.size_px);
       const Nearest nearest = NearestOn(line, atlas_.texels[i].place_cm);
+      // Strokes are judged in places, not in texels: texels differ in size over the surface.
       if (nearest.distance_cm > stroke.half_width_cm + kSoftEdge_cm || InMouth(atlas_.texels[i])) continue;
       texels_[i].Mix(Coverage(stroke, nearest), stroke.colour);
     }
   }
 }
 
+// Only neighbours of earlier waves: those of this one are not marked yet.
 void Canvas::FillFrom(std::size_t texel, const std::vector<std::uint8_t>& filled) {
   Paint sum;
   float count = 0;
@@ -168,6 +178,7 @@ void Canvas::FillOutside() {
   }
 }
 
+// Gloss is linear, 0..255.
 face::Texture Canvas::Finish() && {
   FillOutside();
   std::vector<std::uint8_t> rgba;

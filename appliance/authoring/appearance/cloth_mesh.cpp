@@ -11,16 +11,19 @@ namespace {
 
 constexpr float kMetresPerCm = 0.01F;
 
+// Below a length of 1e-7 a vector has no direction.
 glm::vec3 UnitOr(glm::vec3 v, glm::vec3 otherwise) {
   const float length = glm::length(v);
   return length > 1e-7F ? v / length : otherwise;
 }
 
+// Rows end at their edges, columns wrap where the patch is closed.
 std::size_t At(const Patch& p, int row, int column) {
   const int c = p.closed_across ? (column + p.columns) % p.columns : std::clamp(column, 0, p.columns - 1);
   return static_cast<std::size_t>(std::clamp(row, 0, p.rows - 1) * p.columns + c);
 }
 
+// By central differences; one-sided at the edges.
 glm::vec3 Along(const Patch& p, int row, int column) {
   return p.points[At(p, row + 1, column)] - p.points[At(p, row - 1, column)];
 }
@@ -31,6 +34,7 @@ glm::vec3 Across(const Patch& p, int row, int column) {
 
 }  // namespace
 
+// Rows go down, columns to the character's left: down x left is outwards.
 std::vector<glm::vec3> PatchNormals(const Patch& patch) {
   std::vector<glm::vec3> normals(patch.points.size());
   for (int row = 0; row < patch.rows; ++row) {
@@ -57,6 +61,7 @@ face::Index ClothMesh::Append(const Patch& patch, const std::vector<glm::vec3>& 
   return first;
 }
 
+// Counter-clockwise as given; where a tip closes, one of the two triangles has no area and is left out.
 void ClothMesh::Quad(face::Index a, face::Index b, face::Index c, face::Index d) {
   const auto apart = [this](face::Index i, face::Index j) {
     return glm::distance(mesh_.vertices[i].position, mesh_.vertices[j].position) > 1e-7F;
@@ -79,6 +84,8 @@ void ClothMesh::Cells(const Patch& patch, face::Index first, bool flipped) {
   }
 }
 
+// `wall` joins two neighbouring points of the edge to their copies behind; edges are walked so that
+// walls look outwards.
 void ClothMesh::Rim(const Patch& patch, face::Index front, face::Index back) {
   const auto wall = [&](int r0, int c0, int r1, int c1) {
     const auto a = static_cast<face::Index>(At(patch, r0, c0));
@@ -116,6 +123,8 @@ void ClothMesh::AddSolid(const Patch& patch, const std::function<float(int, int)
   Rim(patch, front, back);
 }
 
+// Normals are sums of the areas of the triangles about a vertex; 1e6 keeps square millimetres in metres away
+// from UnitOr's bound.
 face::Prop ClothMesh::Finish(std::string name, face::Part part, glm::vec3 colour) && {
   for (const face::Triangle& t : mesh_.triangles) {
     const glm::vec3 a = mesh_.vertices[t[0]].position;

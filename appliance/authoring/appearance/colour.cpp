@@ -40,6 +40,7 @@ std::array<std::uint8_t, kSteps + 1> MakeTable() {
 
 }  // namespace
 
+// Seven characters, all of them used: "#12345g" is no colour.
 std::optional<glm::vec3> ColourFromHex(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   unsigned value = 0;

@@ -10,10 +10,12 @@ namespace {
 
 constexpr int kCapRows = 8;
 constexpr int kCapColumns = 32;
+// Nearer to the skull than any hair, so that only gaps show it.
 constexpr float kCapOffset_cm = 0.12F;
 constexpr int kCurtainRows = 15;
 constexpr int kCurtainColumns = 65;
-constexpr float kLocksAcross = 14;  // A sheet counts as so many locks, for the stripes on it.
+// A sheet counts as so many locks, for the stripes on it: hair.frag stripes by the fraction of `across`.
+constexpr float kLocksAcross = 14;
 constexpr float kSheet_cm = 0.35F;  // Thickness of the curtain.
 
 // The part of the way that step i of `count` has come: 0 .. 1.
@@ -54,6 +56,8 @@ Fall FallOf(const HairLook& look, float around_deg) {
   return fall;
 }
 
+// A solid from temple to temple round the back, thin at its ends and edges. Two octaves of noise make
+// its ends uneven.
 void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
   Patch sheet{kCurtainRows, kCurtainColumns, false, {}, {}, {}};
   for (int row = 0; row < kCurtainRows; ++row) {
@@ -75,6 +79,7 @@ void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
   });
 }
 
+// A lock over the sheet that drifts a little to one side, as hair that was combed and fell back.
 void AddCurtainLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
   shape.width_cm = dice.Between(1.5F, 3.4F);
@@ -95,6 +100,7 @@ void AddCurtainLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dic
 
 }  // namespace
 
+// From the crown down to a rim that stays under the hairline in front and reaches the nape behind.
 void AddCap(ClothMesh& mesh, const HairLook& look) {
   Patch cap{kCapRows, kCapColumns, true, {}, {}, {}};
   const float front_deg = std::max(20.0F, look.parting_deg + 2);

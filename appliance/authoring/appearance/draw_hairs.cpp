@@ -11,7 +11,7 @@
 namespace kaori::appearance {
 namespace {
 
-// Counter-clockwise, as u runs to the character's left and v up.
+// Turned counter-clockwise, as u runs to the character's left and v up.
 glm::vec2 Turned(glm::vec2 d, float degrees) {
   const float c = std::cos(degrees * kRadPerDeg);
   const float s = std::sin(degrees * kRadPerDeg);
@@ -87,9 +87,12 @@ Stroke HairlineHair(const ScalpLook& look, Dice& dice) {
           look.colour * dice.Between(0.7F, 1.5F)};
 }
 
+// Freckles fade to either side of their middle.
 constexpr float kFrecklesFade_cm = 2.6F;  // To either side of their middle.
 
 // Multiplying the skin by a brownish shade darkens it as blood and shadow do, at every colour of skin.
+// A crease as strokes on both sides, from broad and faint to narrow. Multiplying the skin by a brownish shade
+// darkens it as blood and shadow do, at every colour of skin.
 void DrawCrease(Canvas& canvas, const Crease& crease, float amount, glm::vec3 base) {
   if (amount <= 0) return;
   constexpr int kLayers = 5;  // From broad and faint to narrow: a soft crease.
@@ -107,6 +110,7 @@ void DrawCrease(Canvas& canvas, const Crease& crease, float amount, glm::vec3 ba
 
 }  // namespace
 
+// A band along the path; under hairs a soft shadow, alone a painted brow.
 void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint) {
   if (look.amount <= 0) return;
   const glm::vec2 p = texel.mirrored();
@@ -125,6 +129,7 @@ void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint) {
 void DrawBrows(Canvas& canvas, const BrowLook& look) {
   if (look.amount <= 0) return;
   for (const float side : {1.0F, -1.0F}) {
+    // Each side has a seed of its own: brows that are mirror images look stamped.
     Dice dice(side > 0 ? 11 : 12);
     for (int i = 0; i < look.hairs; ++i) DrawOnSide(canvas, BrowHair(look, dice), side);
   }
@@ -152,6 +157,7 @@ void DrawLines(Canvas& canvas, const SkinLook& look) {
     for (const Crease& crease : kind->creases) DrawCrease(canvas, crease, kind->amount, look.base);
 }
 
+// As many as 130, about one side or the other.
 void DrawFreckles(Canvas& canvas, const SkinLook& look) {
   Dice dice(41);
   const int count = static_cast<int>(look.freckles * 130);

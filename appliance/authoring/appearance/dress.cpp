@@ -19,6 +19,7 @@ namespace {
 
 constexpr float kDressMetresPerCm = 0.01F;
 
+// Its number in the cast.
 int AddProp(face::Cast& cast, face::Prop prop) {
   cast.props.push_back(std::move(prop));
   return static_cast<int>(cast.props.size()) - 1;
@@ -29,6 +30,7 @@ std::array<int, 3> AddMouth(face::Cast& cast) {
   return {AddProp(cast, CarveUpperTeeth()), AddProp(cast, CarveLowerTeeth()), AddProp(cast, CarveTongue())};
 }
 
+// Hair and what is gathered of it are one prop, so they swing alike.
 void AddHair(face::Cast& cast, const HairLook& look, face::Face& face) {
   if (look.cut == "none") return;
   ClothMesh mesh;
@@ -48,6 +50,7 @@ void AddGear(face::Cast& cast, const std::vector<GearLook>& gear, face::Face& fa
   }
 }
 
+// Nothing for "none".
 Garment SewOn(const face::Face& face, const ClothesLook& look, const Neck& neck) {
   if (look.cut == "blouse") return SewBlouse(face.name, look, neck);
   if (look.cut == "knit") return SewKnit(face.name, look, neck);
@@ -79,6 +82,7 @@ face::EyeLook EyesOf(const EyePaint& paint) {
           paint.lash_wing_cm * kDressMetresPerCm};
 }
 
+// What all faces of a cast are dressed with; borrowed.
 struct Studio {
   const Atlas& atlas;
   const std::vector<sculpt::PaintAttributes>& attributes;
@@ -86,6 +90,7 @@ struct Studio {
   const DressOptions& options;
 };
 
+// Shade last: it needs all that the face wears.
 void DressFace(const Studio& studio, const FaceLook& look, face::Cast& cast, face::Face& face) {
   face.props.assign(studio.mouth.begin(), studio.mouth.end());
   face.eye_look = EyesOf(look.eyes);
@@ -106,6 +111,7 @@ bool IsSize(int px) {
 
 Result<void> Dress(const std::filesystem::path& show_folder, face::Cast& cast, const DressOptions& options) {
   if (!IsSize(options.texture_px)) return FailInput("texture size: must be a power of two, 64 to 4096");
+  // The cage is built anew: a cast does not keep the names of its vertices.
   const sculpt::Cage cage = sculpt::BuildCage();
   if (cage.vertices.size() != cast.topology.vertex_count)
     return FailInput("dress: the cast has another topology");

@@ -10,11 +10,13 @@ namespace {
 constexpr NeckLine kFurLine{-14.6F, -12.6F};
 constexpr NeckLine kStrap{-13.6F, -11.6F};
 
-// Tufts lie on the chest like tiles, each row over the next below.
+// Tufts lie on the chest like tiles, each row over the next below. From `from_deg` to `to_deg`
+// round the body.
 void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg, std::uint32_t seed) {
   constexpr int kRows = 5;
   constexpr float kSpacing_deg = 9;
   Dice dice(seed);
+  // Says only which way is outwards.
   const Skull chest{{0, -40, -4}, {1, 1, 1}};
   for (int row = kRows - 1; row >= 0; --row) {
     const float shift = row % 2 == 0 ? 0 : kSpacing_deg / 2;
@@ -36,10 +38,12 @@ void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg,
 }  // namespace
 
 Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& neck) {
+  // Shoulders, the joints' depth, chest and folds: a broad breast in loose fur.
   const Torso torso{neck, look.shoulders_cm - 3, 19.5F, 3.6F, 0.3F};
   ClothMesh coat;
   AddBody(coat, torso, kFurLine, 0);
   AddTufts(coat, torso, 52, 309, 3);
+  // The bib closes what the coat leaves open in front.
   ClothMesh bib;
   AddTufts(bib, torso, -46, 47, 4);
   ClothMesh strap;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kBodyRows = 24;
 constexpr int kBodyColumns = 64;
-constexpr float kHem_deg = -58;  // The cloth ends this far below the middle of the chest: out of the picture.
+// The cloth ends this far below the middle of the chest: out of the picture.
+constexpr float kHem_deg = -58;
 constexpr int kCollarColumns = 57;
 constexpr int kStandRows = 4;
 constexpr int kFallRows = 6;
@@ -28,19 +29,23 @@ glm::vec3 BodyPoint(const Torso& torso, const NeckLine& line, float around_deg, 
   return torso.At(around_deg, top_deg + (kHem_deg - top_deg) * t, row == 1 ? 0 : off_cm);
 }
 
-// What falls gets shorter towards rounded ends, longer towards pointed ones.
+// Width of what falls: less towards rounded ends (a quarter circle over 26 degrees), more
+// towards pointed ones.
 float FallWidth(const Collar& collar, float from_end_deg) {
   if (!collar.rounded) return collar.fall_cm + collar.point_cm * std::exp(-from_end_deg / 22);
   const float x = Clamp01(from_end_deg / 26);
   return collar.fall_cm * (0.35F + 0.65F * std::sqrt(1 - (1 - x) * (1 - x)));
 }
 
+// The collar's stand, from inside the neck up to the fold.
 glm::vec3 StandPoint(const Neck& neck, float around_deg, float y_cm, int row) {
   constexpr float kDrop_cm[kStandRows] = {1.5F, 0.55F, 0.0F, 0.12F};
   constexpr float kOff_cm[kStandRows] = {-0.4F, 0.22F, 0.42F, 0.8F};
   return neck.At(around_deg, y_cm - kDrop_cm[row], kOff_cm[row]);
 }
 
+// Rows 0 to 3 stand, the others fall: from the fold the collar hangs free at first and then settles
+// on the cloth.
 glm::vec3 CollarPoint(const Torso& torso, const Collar& collar, float share, int row) {
   const float fallen = row < kStandRows ? 0 : GarmentPartsShare(row - kStandRows + 1, kFallRows + 1);
   const float gap = collar.gap_deg + collar.spread_deg * fallen;
@@ -63,6 +68,7 @@ float NeckLine::At(float around_deg) const {
   return front_y_cm + (back_y_cm - front_y_cm) * back;
 }
 
+// Rows go down, columns round from the front.
 void AddBody(ClothMesh& mesh, const Torso& torso, const NeckLine& line, float off_cm) {
   Patch body{kBodyRows, kBodyColumns, true, {}, {}, {}};
   for (int row = 0; row < kBodyRows; ++row) {
@@ -88,6 +94,7 @@ void AddCollar(ClothMesh& mesh, const Torso& torso, const Collar& collar) {
   mesh.AddSolid(patch, [](int row, int) { return row < kStandRows ? 0.1F : 0.16F; });
 }
 
+// A torus; ribs are four columns each.
 void AddNeckRing(ClothMesh& mesh, const Neck& neck, const NeckRing& ring) {
   constexpr int kSection = 10;
   const int columns = ring.ribs > 0 ? ring.ribs * 4 : 64;
@@ -109,6 +116,7 @@ void AddDisc(ClothMesh& mesh, glm::vec3 centre_cm, glm::vec3 out, float radius_c
   constexpr int kColumns = 16;
   const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), out));
   const glm::vec3 y = glm::cross(out, x);
+  // Radius and height of rings from the middle of the face to behind the edge, in radii.
   constexpr glm::vec2 kProfile[] = {{0, 0.3F}, {0.75F, 0.32F}, {0.95F, 0.24F}, {1, 0.1F}, {0.96F, -0.15F}};
   Patch disc{5, kColumns, true, {}, {}, {}};
   for (const glm::vec2 ring : kProfile) {

@@ -22,7 +22,7 @@ Points Mirrored(Points points) {
   return points;
 }
 
-// Smoothly through all points (Catmull and Rom), t 0 .. 1.
+// Smoothly through all points (Catmull and Rom 1974), t 0 .. 1; the end points stand for those beyond.
 glm::vec3 OnCurve(const Points& points, float t) {
   const auto last = static_cast<int>(points.size()) - 1;
   const float at = Clamp01(t) * static_cast<float>(last);
@@ -33,6 +33,7 @@ glm::vec3 OnCurve(const Points& points, float t) {
   return b + 0.5F * s * (c - a + s * (2.0F * a - 5.0F * b + 4.0F * c - d + s * (3.0F * (b - c) + d - a)));
 }
 
+// Enough for a bend at each point.
 int RingsOf(const Points& path) {
   return 5 * static_cast<int>(path.size()) + 4;
 }
@@ -44,7 +45,7 @@ void AddRod(ClothMesh& mesh, const Points& path, float radius_cm) {
                  .columns = 10});
 }
 
-// Two halves, so that no tube bites its own tail.
+// A ring as two halves that overlap by 1 %, so that no tube bites its own tail: a tube's ends must not meet.
 void AddHoop(ClothMesh& mesh, const GearLook& look, glm::vec3 centre_cm, glm::vec3 facing) {
   const glm::vec3 out = glm::normalize(facing);
   const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), out));
@@ -62,7 +63,7 @@ void AddHoop(ClothMesh& mesh, const GearLook& look, glm::vec3 centre_cm, glm::ve
   }
 }
 
-// A flat, round cap: a short fat rod.
+// A flat, round cap, slightly domed: a short fat rod.
 void AddCap(ClothMesh& mesh, const GearLook& look, glm::vec3 centre_cm, glm::vec3 facing) {
   const glm::vec3 out = glm::normalize(facing) * look.thickness_cm;
   AddTube(mesh, {.path = [=](float t) { return centre_cm + out * t; },
@@ -71,6 +72,7 @@ void AddCap(ClothMesh& mesh, const GearLook& look, glm::vec3 centre_cm, glm::vec
                  .columns = 28});
 }
 
+// Mirroring a tube's path keeps its winding: tubes are made anew, not mirrored as meshes.
 void AddOne(ClothMesh& mesh, const GearLook& look, bool mirrored) {
   const glm::vec3 centre = mirrored ? Mirrored(look.centre_cm) : look.centre_cm;
   const glm::vec3 facing = mirrored ? Mirrored(look.facing) : look.facing;
@@ -86,6 +88,7 @@ void AddOne(ClothMesh& mesh, const GearLook& look, bool mirrored) {
   }
 }
 
+// Six columns a lock show its ridge.
 void AddBundle(ClothMesh& mesh, const Bundle& bundle, bool mirrored) {
   const Points path = mirrored ? Mirrored(bundle.path_cm) : bundle.path_cm;
   AddTube(mesh, {.path = [&](float t) { return OnCurve(path, t); },

@@ -8,8 +8,9 @@
 
 namespace kaori::appearance {
 
-// Mirrored pieces are added twice, once on each side. Gear has no strands: its shine is even.
+// Adds one piece. Mirrored pieces are added twice, once on each side. Gear has no strands: its shine is even.
 void AddGear(ClothMesh& mesh, const GearLook& look);
+// Adds all gathered hair, mirrored ones on both sides. Paths have two points at least.
 void AddBundles(ClothMesh& mesh, const std::vector<Bundle>& bundles);
 
 }  // namespace kaori::appearance

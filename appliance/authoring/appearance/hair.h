@@ -13,12 +13,12 @@ namespace kaori::appearance {
 // from lock to lock comes of look.seed, the same on every machine.
 void CutBob(ClothMesh& mesh, const HairLook& look);
 
-// Short hair, combed back from the hairline; the nape as in a bob.
+// Short hair, combed back from the hairline; the nape as in a bob. Needs look.hairline_deg.
 void CutSwept(ClothMesh& mesh, const HairLook& look);
 
-// Pieces that the cuts share: a cap that closes every gap to the scalp, and the curtain from `opens_at_deg`
-// round the back with its locks.
+// A cap close to the skull that closes every gap to the scalp; single-sided.
 void AddCap(ClothMesh& mesh, const HairLook& look);
+// The curtain from `opens_at_deg` round the back, with as many locks over it.
 void AddCurtain(ClothMesh& mesh, const HairLook& look, int locks);
 
 }  // namespace kaori::appearance

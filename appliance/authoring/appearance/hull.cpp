@@ -7,6 +7,7 @@ namespace kaori::appearance {
 // A robot's: a smooth body of sheet metal, a neck of rings, and bolts along the seam.
 Garment SewHull(const std::string& face, const ClothesLook& look, const Neck& neck) {
   constexpr NeckLine kSeam{-15.2F, -13.8F};
+  // Sheet metal: a little chest, no folds.
   const Torso torso{neck, look.shoulders_cm - 3, 19.8F, 0.6F, 0};
   ClothMesh body;
   AddBody(body, torso, kSeam, 0);
@@ -17,6 +18,7 @@ Garment SewHull(const std::string& face, const ClothesLook& look, const Neck& ne
   ClothMesh bolts;
   for (const float around : {-75.0F, -45.0F, -15.0F, 15.0F, 45.0F, 75.0F}) {
     const glm::vec3 at = torso.At(around, torso.ElevationAt(around, kSeam.At(around) - 2.6F), 0.05F);
+    // The direction off the surface, by two points of one ray.
     const glm::vec3 above = torso.At(around, torso.ElevationAt(around, kSeam.At(around) - 2.6F), 1.05F);
     AddDisc(bolts, at, glm::normalize(above - at), 0.55F);
   }

@@ -18,12 +18,14 @@ float JacketShare(int i, int count) {
   return static_cast<float>(i) / static_cast<float>(count - 1);
 }
 
-// Half the opening between the jacket's fronts, round the body, at an elevation.
+// Half the opening between the jacket's fronts, degrees round the body, at an elevation: wide at the neck,
+// closed at kClosesAt_deg.
 float OpeningAt(float elevation_deg) {
   const float open = Clamp01((elevation_deg - kClosesAt_deg) / (kOpensAt_deg - kClosesAt_deg));
   return 1.5F + 44 * open * open + 16 * open;
 }
 
+// From one front round the back to the other, higher at the nape.
 void AddJacketBody(ClothMesh& mesh, const Torso& torso) {
   constexpr int kRows = 20;
   constexpr int kColumns = 49;
@@ -41,7 +43,8 @@ void AddJacketBody(ClothMesh& mesh, const Torso& torso) {
   mesh.AddSolid(patch, [](int, int) { return 0.4F; });
 }
 
-// How wide the lapel is along its edge: narrow at the neck, a notch, wide below it, a point at the closing.
+// How wide the lapel is along its edge, t 0 at the neck .. 1 at the closing: narrow at the neck, a notch,
+// wide below it, a point at the closing.
 float LapelWidth_deg(float t) {
   constexpr float kNotch = 0.3F;
   const float upper = 13 + 12 * t / kNotch;
@@ -49,6 +52,7 @@ float LapelWidth_deg(float t) {
   return t < kNotch ? upper : lower;
 }
 
+// `side` +1 is the character's left; columns run so that the face of the cloth looks outwards on both.
 void AddLapel(ClothMesh& mesh, const Torso& torso, float side) {
   constexpr int kRows = 22;
   constexpr int kColumns = 6;
@@ -66,7 +70,7 @@ void AddLapel(ClothMesh& mesh, const Torso& torso, float side) {
   mesh.AddSolid(patch, [](int, int) { return 0.16F; });
 }
 
-// From the lapels round the back of the neck.
+// From the lapels round the back of the neck; standing off it most in its middle.
 void AddJacketCollar(ClothMesh& mesh, const Torso& torso) {
   constexpr int kRows = 5;
   constexpr int kColumns = 41;
@@ -85,6 +89,7 @@ void AddJacketCollar(ClothMesh& mesh, const Torso& torso) {
   mesh.AddSolid(patch, [](int, int) { return 0.3F; });
 }
 
+// A knot, then a strip that widens downwards; both lie on the middle of the body.
 void AddTie(ClothMesh& mesh, const Torso& torso, glm::vec3 knot_cm) {
   constexpr int kRows = 16;
   constexpr int kColumns = 7;
@@ -111,6 +116,7 @@ Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& 
   ClothMesh shirt;
   Torso under = torso;  // The shirt lies well under the jacket.
   under.shoulders_cm -= 4;
+  // Pulled in, so that it never comes through the jacket.
   AddBody(shirt, under, kJacketLine, -0.4F);
   AddCollar(shirt, torso, {kJacketLine, 2.4F, 2.0F, false, 3, 22, 0.4F});
   ClothMesh jacket;

@@ -16,11 +16,13 @@ struct Band {
   float off_cm = 0.4F;
 };
 
-// The inner edge: degrees round over the way, and the height there.
+// The inner edge over the way from the nape (0) to its end (1): degrees round, and the height
+// there in centimetres.
 constexpr glm::vec2 kAround_deg[] = {{0, 180}, {0.30F, 110}, {0.5F, 64}, {0.72F, 16}, {1, -34}};
 constexpr glm::vec2 kHeight_cm[] = {
     {0, -11.7F}, {0.30F, -12.3F}, {0.5F, -13.4F}, {0.72F, -17.2F}, {1, -24.0F}};
 
+// `across` 0 is the inner edge, 1 the outer one.
 glm::vec3 BandPoint(const Torso& torso, const Band& band, float t, float across) {
   const float around = Table(kAround_deg, t);
   const float inner_deg = torso.ElevationAt(band.side * around, Table(kHeight_cm, t) + band.raised_cm);
@@ -52,6 +54,7 @@ Garment SewKimono(const std::string& face, const ClothesLook& look, const Neck& 
   ClothMesh body;
   AddBody(body, torso, kKimonoLine, 0);
   ClothMesh under;
+  // The right one first, the left one over it, as a kimono is worn.
   AddBand(under, torso, {-1, 0.9F, 15, 0.3F});
   AddBand(under, torso, {1, 0.9F, 15, 0.45F});
   ClothMesh over;

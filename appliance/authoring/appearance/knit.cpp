@@ -2,6 +2,7 @@
 
 namespace kaori::appearance {
 
+// A body with many folds, and a rolled collar: two rings of ribs, one above the other.
 Garment SewKnit(const std::string& face, const ClothesLook& look, const Neck& neck) {
   constexpr NeckLine kLine{-13.2F, -12.4F};
   const Torso torso{neck, look.shoulders_cm - 3, 19.2F, 0, 0.3F};

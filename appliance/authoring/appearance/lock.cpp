@@ -11,7 +11,7 @@
 namespace kaori::appearance {
 namespace {
 
-// Round the lens: five steps over its face, three behind.
+// Round the lens: five steps over its face, three behind, where fewer are seen.
 constexpr std::array<float, 8> kSection_deg{0, 36, 72, 108, 144, 180, 240, 300};
 constexpr float kBackDepth = 0.35F;  // The back is flatter than the face.
 

@@ -12,17 +12,22 @@ namespace kaori::appearance {
 struct LockShape {
   float width_cm = 2;
   float thickness_cm = 0.4F;
-  float root = 0.3F;         // Width at the root, as a part of the width.
-  float full_from = 0.45F;   // Full width is reached here along the lock,
-  float tapers_from = 0.7F;  // and left here.
-  float tip = 0.05F;         // Width just before the tip closes.
+  // Width at the root, as a part of the width.
+  float root = 0.3F;
+  // The full width is reached here along the lock, and left at `tapers_from`.
+  float full_from = 0.45F;
+  float tapers_from = 0.7F;
+  // Width just before the tip closes, as a part of the width.
+  float tip = 0.05F;
+  // Cross-sections from root to tip; 3 at least.
   int rings = 11;
 };
 
-using Path = std::function<glm::vec3(float t)>;  // t 0 at the root .. 1 at the tip; centimetres.
+// The middle of the lock: t 0 at the root .. 1 at the tip; centimetres.
+using Path = std::function<glm::vec3(float t)>;
 
 // Adds shape.rings times eight points. `path` is asked for points a little before and after t, too, always
-// within 0 .. 1; the skull says which way is outwards.
+// within 0 .. 1; it must not stand still. The skull says which way is outwards.
 void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape);
 
 }  // namespace kaori::appearance

@@ -52,6 +52,7 @@ glm::vec2 Pair(Section& s, std::string_view key) {
   return {};
 }
 
+// A pair that is none is left out, after its fault.
 std::vector<glm::vec2> Positions(Section& s, std::string_view key) {
   std::vector<glm::vec2> positions;
   const Value* value = s.Find(key);
@@ -65,6 +66,7 @@ std::vector<glm::vec2> Positions(Section& s, std::string_view key) {
   return positions;
 }
 
+// An empty table after a fault of form; Table() answers 0 for it.
 Knots Pairs(Section& s, std::string_view key) {
   Knots knots;
   const Value* value = s.Find(key);

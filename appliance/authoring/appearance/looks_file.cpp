@@ -16,21 +16,24 @@ namespace {
 using toml::Section;
 using toml::Value;
 
-constexpr int kMostHairs = 5000;  // Of a brow or a moustache, a side.
+// Of a brow or a moustache, a side: more would take minutes to draw.
+constexpr int kMostHairs = 5000;
 
-// In centimetres; outside of it a length was meant in metres or in millimetres.
+// In centimetres; outside of these a length was meant in metres or in millimetres.
 constexpr toml::Range kIrisRadius_cm{0.1, 8};
 constexpr toml::Range kLash_cm{0, 5};
 constexpr float kLeastBrow_cm = 0.3F, kFarthestBrow_cm = 30;  // How far from the nose a brow ends.
 
 const glm::vec3 kInsideOfAMouth = Hex("#4a1214");
 
+// Spots are asked for only where their amount is not 0, and the table of a hide only for that hide.
 SkinLook ReadSkin(Section s) {
   s.AllowOnly({"hide", "base", "blush", "blush_amount", "blush_at", "blush_radii", "freckles", "freckles_at",
                "freckles_spread", "stubble", "lines", "wrinkles", "gloss", "nostrils", "nostrils_at",
                "nostril_radii", "coat", "metal", "shell"});
   SkinLook skin;
   constexpr std::array<std::string_view, 5> kHides{"skin", "coat", "metal", "paint", "shell"};
+  // Words stand in the order of Hide.
   skin.hide = static_cast<Hide>(OneOf(s, "hide", kHides));
   skin.base = Colour(s, "base");
   skin.blush = Colour(s, "blush");
@@ -113,6 +116,8 @@ ScalpLook ReadScalp(Section s) {
 
 }  // namespace
 
+// Parts that are left out wear nothing: no brows, no hair, no clothes. skin, lids, lips, eyes and surface
+// must be there.
 Result<FaceLook> ReadLook(const std::filesystem::path& file) {
   const Result<Value> value = toml::ReadToml(file);
   if (!value) return tl::unexpected(value.error());

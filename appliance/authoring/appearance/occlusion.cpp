@@ -11,7 +11,7 @@
 namespace kaori::appearance {
 namespace {
 
-// Evenly over the sphere: a spiral by the golden angle.
+// Directions evenly over the sphere: a spiral by the golden angle, pi (3 - sqrt 5).
 glm::vec3 SphereDirection(int i, int count) {
   const float y = 1 - 2 * (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
   const float r = std::sqrt(1 - y * y);
@@ -19,14 +19,15 @@ glm::vec3 SphereDirection(int i, int count) {
   return {r * std::cos(a), y, r * std::sin(a)};
 }
 
-// A depth picture seen from far away along -`to_light`; larger is nearer to the light.
-// Orthographic, since the light comes from afar: x and y span the picture, z points to the light. All in
-// metres before Project, in pixels and metres of depth after it.
+// A depth picture seen from far away along -`to_light`; larger is nearer to the light. Orthographic, since
+// the light comes from afar: x and y span the picture, z points to the light. All in metres before Project,
+// in pixels and metres of depth after it.
 class DepthPicture {
  public:
   DepthPicture(glm::vec3 to_light, const OcclusionSettings& settings)
       : size_(settings.picture_px),
         z_(to_light),
+        // Any axis across the light; the fixed vector is parallel to none of the directions.
         x_(glm::normalize(glm::cross(to_light, glm::vec3(0.3F, 0.8F, 0.5F)))),
         y_(glm::cross(to_light, x_)),
         depth_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_),
@@ -41,6 +42,7 @@ class DepthPicture {
     return {(glm::dot(p, x_) - origin_.x) * scale_, (glm::dot(p, y_) - origin_.y) * scale_, glm::dot(p, z_)};
   }
 
+  // Triangles of either winding, in projected coordinates; a pixel counts by its middle.
   void Draw(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (std::abs(area) < 1e-9F) return;
@@ -87,6 +89,7 @@ bool Inside(const glm::vec3& p, const OcclusionSettings& s) {
          p.z < s.high_m.z;
 }
 
+// With a corner in the box.
 std::vector<face::Triangle> TrianglesInside(const Shell& shell, const OcclusionSettings& settings) {
   std::vector<face::Triangle> inside;
   for (const face::Triangle& t : shell.triangles) {
@@ -107,6 +110,7 @@ std::vector<float> MeasureOpenness(const Shell& shell, const std::vector<Probe>&
                                    const OcclusionSettings& settings) {
   const std::vector<face::Triangle> triangles = TrianglesInside(shell, settings);
   std::vector<float> seen(probes.size(), 0);
+  // Not 0, for a probe that no direction lies before.
   std::vector<float> total(probes.size(), 1e-6F);
   std::vector<glm::vec3> projected(shell.positions.size());
   for (int i = 0; i < settings.directions; ++i) {

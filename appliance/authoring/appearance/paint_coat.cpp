@@ -45,6 +45,7 @@ glm::vec2 Lie(glm::vec2 p, float ear_ring, const CoatLook& coat) {
                         glm::vec2(0, 1e-3F));
 }
 
+// Where no stroke begins: outside the surface, in the mouth, on lids, lips and nose.
 bool Bald(const Texel& t, const CoatLook& coat) {
   return !t.covered || t.bag > 0 || t.eye_ring > 3.4F || t.mouth_ring > 4.4F ||
          Nose(t.mirrored(), coat) > 0.1F;

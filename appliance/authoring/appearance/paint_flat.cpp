@@ -12,10 +12,11 @@
 namespace kaori::appearance {
 namespace {
 
+// Half a seam's width; a rivet's radius is three times that.
 constexpr float kSeam_cm = 0.05F;  // Half a seam's width.
 constexpr float kRivet_cm = 0.17F;
 
-// How far from the nearest seam, and how far along it.
+// How far from the nearest seam (signed, x), and how far along it (y).
 glm::vec2 ToSeam(glm::vec2 p, const ShellLook& shell) {
   glm::vec2 best(1e3F, 0);
   for (const float u : shell.upright_cm) {
@@ -28,6 +29,7 @@ glm::vec2 ToSeam(glm::vec2 p, const ShellLook& shell) {
   return best;
 }
 
+// A dark line, a light edge beside it, and rivets in a row half a centimetre from it, lit from above.
 void PaintSeam(glm::vec2 p, const SkinLook& look, Paint& paint) {
   const glm::vec2 seam = ToSeam(p, look.shell);
   paint.Mix(0.85F * SmoothStep(kSeam_cm * 1.8F, kSeam_cm, std::abs(seam.x)), look.base * 0.12F);
@@ -52,6 +54,7 @@ void PaintEnamel(glm::vec2 place, Paint& paint) {
 
 }  // namespace
 
+// One colour with 3 % of clouds, blush and nostrils.
 void PaintFlat(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};
@@ -61,6 +64,7 @@ void PaintFlat(const Texel& texel, const SkinLook& look, Paint& paint) {
             look.base * 0.25F);
 }
 
+// Seams end before eyes and mouth.
 void PaintShell(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};

@@ -3,6 +3,7 @@
 namespace kaori::appearance {
 namespace {
 
+// The ground; all else is mixed over it.
 void PaintHide(const Texel& texel, const SkinLook& look, Paint& paint) {
   switch (look.hide) {
     case Hide::kSkin:
@@ -36,8 +37,10 @@ void PaintTexel(const Texel& texel, const FaceLook& look, Paint& paint) {
 face::Texture PaintFace(const Atlas& atlas, const FaceLook& look) {
   Canvas canvas(atlas);
   for (std::size_t i = 0; i < atlas.texels.size(); ++i) {
+    // Texels outside are filled by Finish.
     if (atlas.texels[i].covered) PaintTexel(atlas.texels[i], look, canvas.at(i));
   }
+  // Fur first, since it takes its colour from what is there; brows last, over all.
   if (look.skin.hide == Hide::kCoat) DrawFur(canvas, look.skin.coat);
   DrawLines(canvas, look.skin);
   DrawFreckles(canvas, look.skin);

@@ -13,17 +13,21 @@ namespace {
 
 constexpr int kFaceSmoothing = 3;
 constexpr int kPropSmoothing = 2;
-constexpr float kLidFloor = 0.85F;   // Lids stay light: their edge lies in a groove beside the ball.
-constexpr float kSkinFloor = 0.24F;  // Light that skin passes on reaches every fold.
+// Lids stay light: their edge lies in a groove beside the ball.
+constexpr float kLidFloor = 0.85F;
+// Light that skin passes on reaches every fold: less looks like soot in the corners of mouth and nose.
+constexpr float kSkinFloor = 0.24F;
 constexpr float kHairFloor = 0.18F;
 constexpr float kSkinLift_m = 0.0035F;
-constexpr float kPropLift_m = 0.0015F;  // Locks lie close to each other.
+// Locks lie close to each other: a lift like the skin's would pass over them.
+constexpr float kPropLift_m = 0.0015F;
 
 // Teeth and tongue lie within the mouth, whose darkness is set and not measured.
 bool ThrowsShade(const face::Prop& prop) {
   return prop.part == face::Part::kHair || prop.part == face::Part::kClothes;
 }
 
+// Triangles count on from what the shell has.
 void Append(Shell& shell, const face::Prop& prop) {
   const auto first = static_cast<face::Index>(shell.positions.size());
   for (const face::PropVertex& v : prop.vertices) shell.positions.push_back(v.position);
@@ -41,7 +45,8 @@ Shell ShellOf(const face::Cast& cast, const face::Face& face) {
   return shell;
 }
 
-// The mouth's bag gets darker inwards; it is not measured, since it is shut while it is.
+// What is measured, held above a floor by where it is. The mouth's bag is not measured, since it is shut
+// while it is: it gets a fixed 0.35.
 float AdjustedOpenness(const sculpt::PaintAttributes& a, float measured) {
   if (a.bag > 0.5F) return 0.35F;
   if (std::abs(a.mouth_ring) >= 5.5F) return std::max(measured, 0.55F);
@@ -69,6 +74,7 @@ void AddPropProbes(const face::Prop& prop, std::vector<Probe>& probes) {
   for (const face::PropVertex& v : prop.vertices) probes.push_back({v.position, v.normal, kPropLift_m});
 }
 
+// Smoothed first, so that floors stay floors.
 void FinishSkin(const std::vector<sculpt::PaintAttributes>& attributes, const face::Topology& topology,
                 std::vector<float>& open) {
   SmoothOver(topology.triangles, kFaceSmoothing, open);
@@ -97,6 +103,7 @@ void ShadeFace(const std::vector<sculpt::PaintAttributes>& attributes, int direc
   OcclusionSettings settings;
   settings.directions = directions;
   const std::vector<float> open = MeasureOpenness(shell, probes, settings);
+  // Probes were listed as the skin's, then each prop's in order; openness comes back so.
   auto next = open.begin() + static_cast<std::ptrdiff_t>(face.positions.size());
   face.occlusion.assign(open.begin(), next);
   FinishSkin(attributes, cast.topology, face.occlusion);

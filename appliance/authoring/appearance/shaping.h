@@ -38,16 +38,19 @@ inline float Bell2(glm::vec2 p, glm::vec2 centre, glm::vec2 width) {
 // Smooth value noise, 0..1, period about one unit; the same everywhere and always.
 float Noise(float x, float y);
 
-// Through the knots (x ascending, y) without overshoot between them; constant outside.
+// Through the knots (x ascending, y) without overshoot between them; constant outside. 0 without knots.
 float Table(std::span<const glm::vec2> knots, float x);
 
-// Chance that is the same on every machine: xorshift, not the library's distributions.
+// Chance that is the same on every machine: xorshift, not the library's distributions, which
+// differ between libraries.
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : state_(seed * 2654435761U + 0x9E3779B9U) {}
-  float Unit();  // 0..1
+  // 0 .. 1, 1 excluded.
+  float Unit();
   float Between(float low, float high) { return low + (high - low) * Unit(); }
-  float Spread() { return Unit() + Unit() + Unit() - 1.5F; }  // About 0, deviation 0.5.
+  // About 0, between -1.5 and 1.5, deviation 0.5: a sum of three looks normal enough.
+  float Spread() { return Unit() + Unit() + Unit() - 1.5F; }
 
  private:
   std::uint32_t state_;

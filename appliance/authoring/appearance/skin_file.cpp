@@ -7,6 +7,7 @@
 namespace kaori::appearance {
 namespace {
 
+// Both numbers of the radii must be positive.
 Spot ReadSpot(toml::Section& s, std::string_view at, std::string_view radii) {
   const Spot spot{Pair(s, at), Pair(s, radii)};
   if (!(spot.radii_cm.x > 0 && spot.radii_cm.y > 0)) s.Fault(radii, "must be greater than 0");
@@ -62,6 +63,7 @@ MetalLook ReadMetal(toml::Section s) {
   return {Real(s, "lid_groove"), Real(s, "knob"), Real(s, "belly")};
 }
 
+// A level seam is written [v, from, to].
 ShellLook ReadShell(toml::Section s) {
   s.AllowOnly({"upright_seams", "level_seams", "rivets"});
   ShellLook shell;

@@ -7,7 +7,7 @@
 namespace kaori::appearance {
 
 // [skin.lines] and [skin.wrinkles]: an amount, and creases = [{ path = [[x, y], [x, y], [x, y]], half_width,
-// strength }].
+// strength }]. Faults go to the section, here and below.
 Creases ReadCreases(toml::Section s);
 
 CoatLook ReadCoat(toml::Section s);    // [skin.coat]

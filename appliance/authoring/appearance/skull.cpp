@@ -10,8 +10,10 @@
 namespace kaori::appearance {
 namespace {
 
-constexpr float kHangsFrom = 0.5F;  // The part of a fall that lies on the skull.
-constexpr float kAxisZ_cm = -1.0F;  // What hangs, hangs round this axis.
+// The part of a fall that lies on the skull; from here on it hangs.
+constexpr float kHangsFrom = 0.5F;
+// What hangs, hangs round this axis, somewhat behind the skull's middle.
+constexpr float kAxisZ_cm = -1.0F;
 
 // Where falling hair starts: a small whorl, a little behind the top.
 glm::vec3 CrownDirection(float around_deg) {
@@ -19,13 +21,16 @@ glm::vec3 CrownDirection(float around_deg) {
   return glm::normalize(glm::vec3(0.10F * std::sin(a), 1, 0.10F * std::cos(a) - 0.12F));
 }
 
-// A finger's breadth beside the middle.
+// Where the hair of a direction starts: at the whorl, or a finger's breadth beside the parting, on
+// its own side.
 glm::vec3 RootOf(const Fall& fall, float around_deg) {
   if (fall.parting_deg <= 0) return CrownDirection(around_deg);
   const float beside = 0.035F * std::sin(around_deg * kRadPerDeg);
   return glm::normalize(Direction(0, fall.parting_deg) + glm::vec3(beside, 0, 0));
 }
 
+// s 0 at the widest part of the skull .. 1 at the end. The radius grows by the flare halfway, and shrinks by
+// the curl towards the end and, behind, by a tuck that follows the neck.
 glm::vec3 Hanging(const Skull& skull, const Fall& fall, glm::vec3 equator_cm, float s) {
   const bool behind = equator_cm.z < kAxisZ_cm;
   const float tuck = behind ? 0.10F * s * Clamp01((kAxisZ_cm - equator_cm.z) / 6) : 0;
@@ -37,6 +42,7 @@ glm::vec3 Hanging(const Skull& skull, const Fall& fall, glm::vec3 equator_cm, fl
 
 }  // namespace
 
+// The ray from the centre meets the ellipsoid of the radii + offset at 1 / |d / radii|.
 glm::vec3 Skull::Above(glm::vec3 direction, float offset_cm) const {
   return centre_cm + direction / glm::length(direction / (radii_cm + offset_cm));
 }
@@ -47,6 +53,7 @@ glm::vec3 Direction(float around_deg, float elevation_deg) {
   return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
 }
 
+// Spherical linear interpolation (Shoemake 1985); the clamp keeps equal directions from dividing by 0.
 glm::vec3 GreatCircle(glm::vec3 from, glm::vec3 to, float t) {
   const float angle = std::acos(std::clamp(glm::dot(from, to), -0.9999F, 0.9999F));
   return (std::sin((1 - t) * angle) * from + std::sin(t * angle) * to) / std::sin(angle);
@@ -73,6 +80,7 @@ glm::vec3 OnFringe(const Skull& skull, const Fringe& fringe, float around_deg, f
   return skull.Above(d, offset_cm) + d * (0.2F * SmoothStep(0.5F, 0.9F, t));
 }
 
+// A quadratic curve on the sphere: two great circles, mixed as de Casteljau does.
 glm::vec3 OnComb(const Skull& skull, const Comb& comb, float t) {
   const glm::vec3 first = GreatCircle(comb.from, comb.over, t);
   const glm::vec3 second = GreatCircle(comb.over, comb.to, t);

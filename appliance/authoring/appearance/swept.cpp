@@ -16,7 +16,8 @@ constexpr float kHalf_deg = 104;  // The combed top reaches this far round, to b
 constexpr int kLocks = 24;
 constexpr float kSweptLocksAcross = 11;  // The sheet counts as so many locks, for the stripes on it.
 
-// Combed from the hairline at `around_deg` back over the top, a little to the character's right.
+// Combed from the hairline at `around_deg` back over the top, a little to the character's right, so that a
+// side parting shows.
 Comb CombFrom(const HairLook& look, float around_deg) {
   const float from_front = std::abs(around_deg);
   const float elevation = Table(look.hairline_deg, from_front);
@@ -30,6 +31,7 @@ Comb CombFrom(const HairLook& look, float around_deg) {
   return comb;
 }
 
+// The combed top as one sheet; rows lie closer at the hairline.
 void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
   Patch sheet{kRows, kColumns, false, {}, {}, {}};
   for (int row = 0; row < kRows; ++row) {
@@ -47,6 +49,7 @@ void AddTopSheet(ClothMesh& mesh, const HairLook& look) {
   mesh.AddPatch(sheet);
 }
 
+// A lock over the sheet, which ends before the sheet does.
 void AddTopLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
   shape.width_cm = dice.Between(1.3F, 2.6F);
@@ -66,6 +69,7 @@ void AddTopLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& d
 }  // namespace
 
 void CutSwept(ClothMesh& mesh, const HairLook& look) {
+  // Sides and nape hang as in a bob, close to the head.
   HairLook nape = look;
   nape.volume_cm *= 0.5F;  // The top lies over it.
   AddCurtain(mesh, nape, 0);

@@ -13,6 +13,7 @@ constexpr int kTeeth = 10;           // In an arch, left to right,
 constexpr int kColumnsPerTooth = 6;  // each with so many columns.
 constexpr int kTeethColumns = kTeeth * kColumnsPerTooth + 1;
 
+// One arch of teeth, in the reference face's mouth.
 struct Arch {
   float root_y_cm;  // Where teeth leave the gum,
   float edge_y_cm;  // and where they bite.
@@ -36,6 +37,8 @@ float Roundness(int column) {
   return column % kColumnsPerTooth == 0 ? 0 : std::sqrt(1 - x * x);
 }
 
+// t runs -1 .. 1 from right to left: x by a sine and z by a cosine, an arch that is round in front. Gaps lie
+// back a little, and edges curve as a smile does.
 glm::vec3 ToothPoint(const Arch& arch, int row, int column) {
   const float t = static_cast<float>(column) / (kTeethColumns - 1) * 2 - 1;
   const glm::vec2 p = kProfile[static_cast<std::size_t>(row)];
@@ -57,6 +60,7 @@ float ToothShade(int row, int column) {
   return Clamp01(side * gap * gum);
 }
 
+// The lower arch is listed from left to right, since its rows go up.
 face::Prop CarveArch(const Arch& arch, face::Part part) {
   const int rows = static_cast<int>(kProfile.size());
   const bool upper = part == face::Part::kUpperTeeth;
@@ -83,6 +87,7 @@ constexpr int kTongueRows = 12;
 constexpr int kTongueColumns = 20;
 
 // A flat ellipsoid with a groove along its middle, its tip in front.
+// Centimetres: polar 0 is the tip, in front.
 glm::vec3 TonguePoint(int row, int column) {
   const float polar = kPi * static_cast<float>(row) / (kTongueRows - 1);
   const float a = -2 * kPi * static_cast<float>(column) / kTongueColumns;

@@ -10,7 +10,9 @@
 namespace kaori::appearance {
 namespace {
 
-constexpr float kNoStrands = -100;  // Below 0 there are no stripes.
+// Below 0 there are no stripes: hair.frag asks.
+constexpr float kNoStrands = -100;
+// Of the radius: how deep the grooves between the locks of gathered hair are.
 constexpr float kRidgeDepth = 0.16F;
 constexpr float kStep = 0.01F;
 
@@ -37,6 +39,7 @@ glm::vec3 AnySide(glm::vec3 along) {
   return glm::normalize(glm::cross(along, other));
 }
 
+// A ridge is a half wave of a sine, so that locks are round and grooves sharp.
 void AddRing(Patch& patch, const TubeShape& shape, float t, float radius_cm, glm::vec3 side) {
   const glm::vec3 along = DirectionAt(shape, t);
   const glm::vec3 front = glm::cross(side, along);
@@ -70,6 +73,7 @@ void AddTube(ClothMesh& mesh, const TubeShape& shape) {
   mesh.AddPatch(patch);
 }
 
+// By rows from the upper pole to the lower one.
 void AddBall(ClothMesh& mesh, glm::vec3 centre_cm, glm::vec3 radii_cm) {
   constexpr int kRows = 13;
   constexpr int kColumns = 24;

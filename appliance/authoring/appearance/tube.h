@@ -7,19 +7,27 @@
 
 namespace kaori::appearance {
 
+// A tube by its middle line and its radius along it. What `path` and `radius_cm` borrow must live
+// until AddTube returns.
 struct TubeShape {
-  std::function<glm::vec3(float)> path;   // t 0 .. 1; centimetres. Ends must not lie on each other.
-  std::function<float(float)> radius_cm;  // Over t.
+  // t 0 .. 1; centimetres. Ends must not lie on each other.
+  std::function<glm::vec3(float)> path;
+  // Over t.
+  std::function<float(float)> radius_cm;
   int rings = 16;
   int columns = 12;
-  int ridges = 0;         // Locks side by side; 0: round.
-  float twist_turns = 0;  // The ridges wind so far from end to end.
-  bool strands = false;   // Drawn as hair: striped, and swinging at its tip.
+  // Locks side by side; 0: round.
+  int ridges = 0;
+  // The ridges wind so far from end to end.
+  float twist_turns = 0;
+  // Drawn as hair: striped, and swinging at its tip.
+  bool strands = false;
 };
 
+// Adds rings * columns points; both ends close in a point. 4 rings at least.
 void AddTube(ClothMesh& mesh, const TubeShape& shape);
 
-// A ball with three radii.
+// A ball with three radii, its poles along y; without strands.
 void AddBall(ClothMesh& mesh, glm::vec3 centre_cm, glm::vec3 radii_cm);
 
 }  // namespace kaori::appearance

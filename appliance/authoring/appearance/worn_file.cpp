@@ -21,6 +21,7 @@ constexpr std::size_t kMostPathPoints = 32;
 constexpr double kFarthest_cm = 60;
 constexpr float kLeastSkull_cm = 1;
 
+// Both must be given: hair that grows on the wrong skull shows skin.
 Skull ReadSkull(Section& s) {
   const Skull skull{s.Point_cm("skull_centre", kFarthest_cm), s.Point_cm("skull_radii", kFarthest_cm)};
   const glm::vec3 r = skull.radii_cm;
@@ -41,6 +42,7 @@ std::vector<glm::vec3> ReadPath(Section& s) {
   return path;
 }
 
+// [[hair.bundle]].
 Bundle ReadBundle(Section s) {
   s.AllowOnly({"path", "radius", "locks", "twist", "mirrored"});
   Bundle bundle;
@@ -99,6 +101,7 @@ GearLook ReadGear(Section s) {
   if (rod) gear.path_cm = ReadPath(s);
   if (!rod) gear.centre_cm = s.Point_cm("centre", kFarthest_cm);
   if (ring || gear.shape == GearLook::Shape::kDisc) ReadFacing(s, gear);
+  // One radius, or three.
   gear.radii_cm = s.Has("radius") ? glm::vec3(Real(s, "radius")) : glm::vec3(s.Point("radii"));
   const glm::vec3 r = gear.radii_cm;
   if (!(r.x > 0 && r.y > 0 && (r.z > 0 || ring))) s.Fault("radii", "must be greater than 0");

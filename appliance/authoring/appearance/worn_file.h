@@ -6,6 +6,8 @@
 
 namespace kaori::appearance {
 
+// Faults go to the section: words and keys that do not exist, lengths that are no centimetres, angles
+// out of range.
 HairLook ReadHair(toml::Section s);
 GearLook ReadGear(toml::Section s);
 ClothesLook ReadClothes(toml::Section s);
