@@ -163,6 +163,7 @@ void Card::DropMaster() const {
   Ioctl(fd_.get(), DRM_IOCTL_DROP_MASTER, nullptr);
 }
 
+// Any one of them: a screen that the stage has not taken over yet must not go dark.
 bool Card::IsShown(const std::vector<Splash>& pictures) const {
   return std::ranges::any_of(pictures, [&](const Splash& splash) {
     drm_mode_crtc now{};

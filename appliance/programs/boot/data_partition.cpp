@@ -37,6 +37,7 @@ std::optional<fs::path> DiskOfRoot(const fs::path& blocks) {
 
 }  // namespace
 
+// Partitions are folders of their disk's folder in sysfs.
 std::optional<std::string> FindDataPartition(const fs::path& blocks) {
   const auto disk = DiskOfRoot(blocks);
   if (!disk) return std::nullopt;

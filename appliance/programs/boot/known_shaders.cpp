@@ -62,6 +62,8 @@ bool IsBelowRoot(std::string_view folder) {
 
 }  // namespace
 
+// Names are written where they belong and the file is then made as long as Mesa expects it; what lies in
+// between reads as zeros, which are no name.
 bool TellKnownShaders(const std::filesystem::path& list, const std::filesystem::path& root) {
   const auto text = ReadFile(list);
   if (!text) return text.error().cause == std::errc::no_such_file_or_directory;

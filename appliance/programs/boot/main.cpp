@@ -38,6 +38,7 @@ It shows the boot splash, mounts the data partition, /proc, /sys and /run, appli
 It has no options, and does nothing unless it is process 1, as the kernel starts it (init=/usr/bin/kaori-boot).
 )";
 
+// Paths of the image: read-only below /usr, kept on the data partition below /var/lib/kaori, in memory below /run.
 constexpr const char* kStill = "/usr/share/kaori/still.ppm";
 constexpr const char* kLastFace = "/var/lib/kaori/own/last-face";
 constexpr const char* kPack = "/usr/share/kaori/kaori.kaori";
@@ -74,6 +75,7 @@ struct Pipe {
   UniqueFd read_end, write_end;
 };
 
+// Closed on exec, so that systemd inherits neither end.
 std::optional<Pipe> MakePipe() {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
@@ -133,6 +135,7 @@ void Report(const std::string& line) {
   [[maybe_unused]] const auto written = ::write(log.get(), record.data(), record.size());
 }
 
+// Nothing that is kept may bring devices, rights or programs with it.
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
 
 // Mounts what a show keeps. Where this fails systemd tries once more, and the show plays without. /proc and

@@ -69,6 +69,7 @@ std::string ParseScreen(std::string_view value, std::string& screen) {
 // its own may hold anything.
 class Reading {
  public:
+  // One line without its comment and its blanks.
   void Parse(std::string_view line) {
     ++number_;
     if (line.starts_with('[')) section_ = line;
@@ -91,6 +92,7 @@ class Reading {
  private:
   static constexpr std::string_view kLines = "[lines]";
 
+  // A setting of the top, or a wire of [lines]; gives what is wrong with it.
   std::string ParseSetting(std::string_view line) {
     const auto equals = line.find('=');
     if (equals == std::string_view::npos) return "expected a name, = and a value";

@@ -18,7 +18,9 @@ namespace kaori::boot {
 //                       where it is the only one it is the show's
 // and in the section [lines] what ParseWire takes. Other sections are others' business.
 struct Profile {
+  // "stage", "kiosk" or "bench".
   std::string name = "stage";
+  // As the section [lines] says, over the box's default.
   Wiring wiring{};
   std::string status_screen{};  // Empty: none.
   std::string fault{};          // One line that names file and line; empty: none.

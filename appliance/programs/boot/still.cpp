@@ -86,6 +86,7 @@ void LayRow(const Still& still, const Between& rows, std::span<const Between> co
 
 }  // namespace
 
+// The members are filled in the order in which they stand in the file, width before height.
 std::optional<Still> ReadStill(std::span<const std::uint8_t> file) {
   Header header(file);
   if (!header.Begins("P6")) return std::nullopt;

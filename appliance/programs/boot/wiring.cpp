@@ -57,6 +57,7 @@ std::string CheckWiring(const Wiring& wiring) {
   return {};
 }
 
+// In systemd's form of an EnvironmentFile. Without any line the chip is empty, and kaori-input then opens none.
 std::string EnvironmentOf(const Wiring& wiring) {
   std::string words;
   for (std::size_t n = 0; n < kLineNames.size(); ++n) {

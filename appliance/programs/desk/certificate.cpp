@@ -25,6 +25,7 @@ constexpr std::int64_t kLasts_s = 825 * kDay_s;
 constexpr std::int64_t kRenew_s = 30 * kDay_s;
 // Key and certificate take about 1 KB together.
 constexpr std::size_t kMaxPem_bytes = 65536;
+// The file holds the key and then the certificate: here the second one begins (RFC 7468).
 constexpr std::string_view kBegin = "-----BEGIN CERTIFICATE-----";
 
 struct CloseKey {

@@ -12,6 +12,7 @@
 
 namespace kaori::desk {
 
+// What the desk serves with: the PEM of key and certificate, and the mark by which people know it.
 struct OwnCertificate {
   web::Certificate pem;
   // The first four bytes of its SHA-256, big-endian, which people compare on two screens.

@@ -27,6 +27,7 @@ constexpr int kQuality = 80;
 
 constexpr const char* kText = "text/plain; charset=utf-8";
 constexpr const char* kJson = "application/json";
+// RFC 2046: a part of a multipart answer ends with "--" and the boundary of its header.
 constexpr std::string_view kBoundary = "--kaori\r\n";
 constexpr std::string_view kCookie = "kaori-desk=";
 constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
@@ -177,6 +178,7 @@ web::HttpServer::Answer Desk::Answer(const Request& request) {
   return AnswerPaired(request);
 }
 
+// What is read comes by GET and what is done by POST, for which the guard wants an Origin.
 web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
   if (request.method == "POST") {
     if (request.path == "/do") return ExecuteCommand(request);

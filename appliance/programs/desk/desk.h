@@ -62,18 +62,28 @@ class Desk {
 
  private:
   Desk(DeskOptions options, const board::Board& board, board::Writer<board::Desk> writer, const Clock& clock);
+  // Answers any request that the guard let through; AnswerPaired those of a visitor who has a session.
   web::HttpServer::Answer Answer(const web::Request& request);
   web::HttpServer::Answer AnswerPaired(const web::Request& request);
+  // A file of the page, in the visitor's language.
   web::Reply Page(const web::Request& request);
+  // Tries the code in the body, and sets the cookie of a new session.
   web::Reply Pair(const web::Request& request);
+  // Ends the visitor's session and takes the cookie away.
   web::Reply EndSession(const web::Request& request);
+  // Hands a command on to the lips; 400 for one that is none, 503 where the lips are gone.
   web::Reply ExecuteCommand(const web::Request& request);
+  // Says whether the visitor is paired, and shows the code to one who is not.
   web::Reply Hello(bool paired);
   web::Reply Status();
+  // The endless answer that belongs to a path; null where there is none.
   web::Feed* FeedOf(const std::string& path);
+  // The state of lips and stage as JSON (state_json.h).
   std::string State();
+  // Each sends to its feeds what is due, and nothing where nobody listens.
   void SendPictures(Time now);
   void SendState(Time now);
+  // Writes the section `desk`, for the stage to show.
   void PublishCode(Time now);
 
   DeskOptions options_;
@@ -83,17 +93,22 @@ class Desk {
   Pairing pairing_;
   LipConnection lips_;
   web::JpegEncoder jpeg_;
+  // The view that is being encoded; reused from picture to picture.
   std::vector<std::uint8_t> composed_;
+  // One feed for each view, and one for the states; they outlive the server's connections.
   std::array<std::unique_ptr<web::Feed>, kViewCount> pictures_;
   std::array<std::uint32_t, kViewCount> sent_{};  // The number of the picture that each feed sent last.
   web::Feed states_;
+  // The state that was sent last, when, and when the code was written last.
   std::string state_;
   Time state_at_{};
   Time code_at_{};
   // A session has ended: its feeds cannot be told apart from those of others, so that all are closed and the
   // pages of the rest connect again.
   bool dismiss_ = false;  // Feeds are to be closed at the next step.
+  // IPv4 of the page's address, 0xC0A80001 for 192.168.0.1.
   std::uint32_t address_ = 0;
+  // Last: its connections use all the others.
   std::unique_ptr<web::HttpServer> server_;
 };
 

@@ -21,6 +21,7 @@ void LipConnection::Step(Time now) {
   if (socket_.valid()) ReceivePackets();
 }
 
+// No report is there yet, so that live() is false until the lips have answered.
 void LipConnection::Connect(Time now) {
   retry_at_ = now + kRetry;
   auto socket = ConnectToPeer(path_);
@@ -72,6 +73,7 @@ void LipConnection::Copy(const lips::PictureNote& note) {
   static_cast<void>(SendNow({.kind = lips::CommandKind::kReturn, .a = static_cast<float>(note.slot)}));
 }
 
+// The number is used up even where sending fails, so that none stands for two commands.
 Result<std::uint32_t> LipConnection::Send(lips::Command command) {
   command.number = ++number_;
   if (auto sent = SendNow(command); !sent) return tl::unexpected(sent.error());

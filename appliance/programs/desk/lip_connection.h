@@ -18,6 +18,7 @@ namespace kaori::desk {
 // themselves lie in shared memory, whose descriptor comes with the first packet.
 class LipConnection {
  public:
+  // `path` is that of the lips' socket (lips::ServicePath); nothing is connected yet.
   explicit LipConnection(std::string path) : path_(std::move(path)) {}
 
   // Connects, and handles the packets that wait. Call it every 20 ms or sooner.
@@ -48,21 +49,28 @@ class LipConnection {
   const Picture& picture() const { return picture_; }
 
  private:
+  // Tries to connect; not again before a quarter of a second has passed.
   void Connect(Time now);
+  // Handles all packets that wait, 64 at most.
   void ReceivePackets();
+  // Handles one packet; `descriptor` is what came with it. False: it breaks the protocol.
   bool Handle(std::span<const std::uint8_t> packet, UniqueFd descriptor);
   // Copies a picture out of the shared memory and gives its slot back.
   void Copy(const lips::PictureNote& note);
+  // Sends a command as it is, with the number that it has.
   Result<void> SendNow(const lips::Command& command);
+  // Forgets the connection and what belonged to it.
   void Disconnect();
 
   std::string path_;
   UniqueFd socket_;
+  // The lips' memory, mapped for reading pictures; not valid before the hello.
   SharedMemory pictures_;
   std::optional<lips::Report> report_;
   Picture picture_;
   // The number of the newest command; numbers go on from the highest that the lips have answered.
   std::uint32_t number_ = 0;
+  // No connection is tried before the first time, and no pictures are asked for before the second.
   Time retry_at_{};
   Time request_at_{};
 };

@@ -50,6 +50,7 @@ std::filesystem::path FolderOf(const Settings& settings) {
   return std::filesystem::path(home == nullptr ? "." : home) / ".local/state/kaori";
 }
 
+// The certificate is loaded, or made, before anything listens.
 kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
   kaori::desk::DeskOptions options;
   const std::string& port = settings.port;

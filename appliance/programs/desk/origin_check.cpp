@@ -60,6 +60,7 @@ std::optional<std::string> Refusal(const web::Visitor& visitor, const OriginRule
   return std::nullopt;
 }
 
+// A machine that cannot name itself still has localhost.
 std::vector<std::string> OwnNames() {
   std::vector<std::string> names{"localhost"};
   std::array<char, 256> host{};

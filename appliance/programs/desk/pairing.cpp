@@ -15,6 +15,7 @@ constexpr Duration kCodeLasts = std::chrono::minutes(5);
 constexpr Duration kShownFor = std::chrono::minutes(2);
 constexpr Duration kMinute = std::chrono::minutes(1);
 constexpr Duration kSessionLasts = std::chrono::hours(8);
+// How many wrong codes within a minute lock the desk, and how many sessions there are at once.
 constexpr std::size_t kMostTries = 5;
 constexpr std::size_t kMostSessions = 4;
 constexpr std::uint32_t kCodes = 1'000'000;

@@ -21,6 +21,7 @@ enum class Verdict : std::uint8_t { kAccepted, kWrongCode, kLocked };
 // most, for eight hours each, in memory only; a fifth ends the oldest. Used by one thread. Borrows the clock.
 class Pairing {
  public:
+  // Tests give random bytes of their own, and so know the code.
   explicit Pairing(const Clock& clock, RandomBytes random_bytes = FillWithKernelRandom);
 
   // Tries a code. If it is right, `session` is set to the name of a new session, 64 hexadecimal digits; else
@@ -31,6 +32,7 @@ class Pairing {
   bool Knows(std::string_view session) const;
   // Ends it, if there is one of this name.
   void EndSession(std::string_view session);
+  // Sessions that have not run out, as of the last Step.
   std::size_t sessions() const { return sessions_.size(); }
 
   // Shows the code again, for a visitor without a session. It is shown for two minutes, and longer where
@@ -47,21 +49,26 @@ class Pairing {
   Duration valid() const;  // How much longer the code is valid.
 
  private:
+  // A visitor who is authorised, until that time.
   struct Session {
     std::string name;
     Time until;
   };
+  // Makes another code, whose five minutes begin now.
   void RenewCode();
   bool IsCode(std::string_view text) const;
+  // A name that nobody can guess.
   std::string NewName() const;
 
   const Clock& clock_;
   RandomBytes random_bytes_;
+  // The code, until when it is valid, and until when it is shown though there are sessions.
   std::uint32_t code_ = 0;
   Time code_until_{};
   Time shown_until_{};
   std::vector<Time> wrong_;  // The times of wrong codes within the last minute.
   std::vector<Session> sessions_;
+  // What Step has to report: a new code, or whether it is shown.
   bool changed_ = true;
   bool was_shown_ = false;
 };

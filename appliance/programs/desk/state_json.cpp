@@ -32,6 +32,7 @@ json::Object MouthJson(const DeskFacts& facts) {
           {"wide", Rounded(mouth.wide)}};
 }
 
+// Ranges go with the values, so that the page's sliders know nothing by themselves.
 json::Object SettingsJson(const lips::Report& report) {
   json::Object settings;
   for (std::size_t n = 0; n < lips::kSettingCount; ++n) {
@@ -84,6 +85,7 @@ double WeightOf(std::string_view entry) {
 
 }  // namespace
 
+// The age when presented is that of a stage which draws: a status of two seconds ago says nothing of now.
 std::string StateJson(const DeskFacts& facts) {
   constexpr std::array<const char*, 3> kStates{"absent", "live", "stale"};
   const board::StageStatus& stage = facts.stage.value;

@@ -10,6 +10,7 @@
 namespace kaori::desk {
 namespace {
 
+// The size at which the page shows it.
 constexpr int kWidth_px = 960, kHeight_px = 540;
 
 }  // namespace

@@ -25,6 +25,7 @@ std::uint8_t Shown(View view, const std::uint8_t* rgbp, std::size_t channel) {
 
 }  // namespace
 
+// The fourth byte of a pixel is left as it was: JPEG does not look at it.
 void Compose(View view, std::span<const std::uint8_t> rgbp, std::vector<std::uint8_t>& rgbx) {
   rgbx.resize(rgbp.size() / 4 * 4);
   for (std::size_t at = 0; at < rgbx.size(); at += 4)

@@ -28,6 +28,7 @@ std::string HandleLine(const Session& session, int chosen) {
                      side * pull_mm.x + 0.0F, pull_mm.y + 0.0F, pull_mm.z + 0.0F);
 }
 
+// Lids are said only where they are shut at all.
 std::string SpreadLine(const Session& session) {
   std::string line = fmt::format("mirror {}   smooth {}", session.spread.mirror ? "on" : "off",
                                  session.spread.smooth ? "on" : "off");

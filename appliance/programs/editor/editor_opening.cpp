@@ -41,6 +41,7 @@ void Replay(const std::vector<Record>& records, Session& session) {
       work.name.empty() ? "without a name" : work.name, session.undoable());
 }
 
+// An empty folder (UsualFolder has found none) is an error here, which the caller turns into work in memory.
 Result<void> MakeFolder(const std::filesystem::path& folder) {
   if (folder.empty()) return Fail(std::errc::no_such_file_or_directory, "find a folder for own expressions");
   std::error_code error;

@@ -190,6 +190,7 @@ void ExpressionEditor::CallOwn(int slot, Situation& now) {
   if (own_.at(slot)) CallWhole(now.state, own(slot), At(now.state.knobs, Knob::kFade));
 }
 
+// The one place that knows of the journal: no change can be made without its being noted.
 void ExpressionEditor::Did(Change change) {
   if (change == Change::kNone) return;
   draft_outdated_ = true;
@@ -226,6 +227,7 @@ void ExpressionEditor::Say(std::string message) {
   message_until_ = now_ + kMessage;
 }
 
+// What is compared with is the work as it was begun.
 void ExpressionEditor::ShowDraft() {
   if (input_.comparing() != compared_) draft_outdated_ = true;
   compared_ = input_.comparing();
@@ -260,6 +262,7 @@ const board::Snapshot& ExpressionEditor::RemoveUsedInput(const board::Snapshot& 
   return rest_;
 }
 
+// The handles' pulls are lengths: how far each is pulled, and not where to.
 void ExpressionEditor::Describe(scene::Scene& scene) const {
   if (!(shown_ > 0)) return;
   const float shown = performance::SmoothStep(shown_);

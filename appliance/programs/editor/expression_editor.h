@@ -71,32 +71,46 @@ class ExpressionEditor {
 
  private:
   struct Kept;  // What an earlier session left on the disk.
+  // `show_names` are those of the show's own expressions, before any were appended.
   ExpressionEditor(Kept kept, const face::Cast& cast, std::vector<std::string> show_names);
 
   struct Situation;
+  // Does one command; the three after it take the kinds of commands apart and say whether it was theirs.
   void Obey(const Command& command, Situation& now);
   bool ObeyPull(const Command& command);
+  // Pulls the chosen handle along with the pointer.
   void Drag(const Command& command);
   bool ObeyChoice(const Command& command);
   void ObeyKeeping(const Command& command, Situation& now);
+  // Opens the editor on what is in play, and closes it again, with the expression that is then called.
   void Start(Situation& now);
   void Leave(Situation& now);
+  // Calls an own expression in the show; nothing where the slot is empty.
   void CallOwn(int slot, Situation& now);
+  // To be told of every change of the session: the draft is renewed, and the journal notes it.
   void Did(Change change);
+  // Takes up other work: a given one, or that of an expression of the cast.
   void BeginWith(const std::optional<Work>& work);
   void BeginFrom(std::uint16_t expression, const show::Show& show);
+  // Says where an expression has a part that control points cannot hold, and that is lost by editing it.
   void WarnOfResidual(std::uint16_t expression, const show::Show& show);
   std::optional<Work> WorkOf(std::uint16_t expression, const show::Show& show) const;
+  // editor_saving.cpp: names, slots and files.
   void Save(bool as_new);
   void NameAndSave(const std::string& name, bool as_new);
   void Name(const std::string& name);
   void Delete(Time now);
+  // Chooses a handle; nothing leaves the choice as it is.
   void Choose(std::optional<std::size_t> handle);
+  // Shows a message for four seconds; it replaces the one before.
   void Say(std::string message);
   void HandleOutcomes();
+  // Renews the cast's draft where the work, or what of it is shown, has changed.
   void ShowDraft();
+  // Whether the press was the editor's: then it does not play.
   bool HandlePress(const performance::Press& press, Situation& now);
   static bool PlaysOn(const performance::Press& press, const show::Show& show, bool typing);
+  // Takes dials, pointer, held keys and the right stick out of what the performance sees.
   const board::Snapshot& RemoveUsedInput(const board::Snapshot& board, performance::InputEvents& events);
 
   std::size_t first_;  // Index of the first own expression in the cast.
@@ -110,6 +124,7 @@ class ExpressionEditor {
   float shown_ = 0;
   // -1: none; the constructor chooses nothing.
   int chosen_ = -1;
+  // The expression that was in play before the editor was opened.
   std::uint16_t in_play_ = 0;  // Before the editor was opened.
   // The work is shown as it was before, while C is held.
   // The work is shown as it was before, while C is held.
@@ -127,10 +142,12 @@ class ExpressionEditor {
   // Why nothing is written to the disk; empty where it is.
   // Why nothing is written to the disk; empty where it is.
   std::string trouble_;
+  // Of this frame; see renewed().
   std::vector<Renewed> renewed_;
   // The board without what the editor uses; Play gives it.
   // The board without what the editor uses; Play gives it.
   board::Snapshot rest_;
+  // Last: it waits for the disk when the editor goes.
   WorkWriter writer_;
 };
 

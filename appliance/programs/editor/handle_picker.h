@@ -42,17 +42,21 @@ class HandlePicker {
 
  private:
   struct Handle {
+    // Where it stands on the skin, in the cast's frame.
     glm::vec3 root_m{};
     glm::vec2 at{};    // Its root, from the picture's middle in halves of its height; right and up.
     glm::vec2 head{};  // The same of its head.
     bool seen = false;
   };
+  // The matrix that takes a pull (u, v, outwards) to metres in the cast's frame, on the faces that were shown.
   glm::mat3 CarrierOf(std::size_t handle) const;
 
   std::vector<std::vector<face::Frame>> frames_;  // Of each face.
+  // By how much each face exaggerates expressions (face::Face::expression_gain).
   std::vector<float> gains_;
   std::vector<Handle> handles_;
   face::Terms faces_;  // Of the face that was seen.
+  // The camera of the last picture, and its width over its height; no view before the first Look.
   std::optional<scene::View> view_;
   float aspect_ = 1;
 };

@@ -11,6 +11,7 @@ void History::Begin(Work work) {
   at_ = 0;
 }
 
+// What was undone is dropped: there is one line of steps, and no tree.
 void History::Push(Work work, bool fresh) {
   steps_.resize(at_ + 1);
   steps_.push_back({std::move(work), fresh});

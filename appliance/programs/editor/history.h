@@ -29,6 +29,7 @@ class History {
   // Gives all steps since the work was begun another name and slot: neither is a step.
   void Rename(const Work& like);
 
+  // The step in work.
   const Work& now() const { return steps_[at_].work; }
   const Work& before() const;  // The work as it was begun.
   std::size_t undoable() const { return at_; }
@@ -41,9 +42,11 @@ class History {
     // The work came from elsewhere, and not from the steps before it.
     bool fresh = false;
   };
+  // The index of the step with which the work was begun.
   std::size_t Start() const;
 
   std::vector<Step> steps_{1};
+  // The step in work; those behind it were undone.
   std::size_t at_ = 0;
 };
 

@@ -49,6 +49,7 @@ struct EditorInput::Reading {
   void Do(Verb verb, int index = 0) { commands.push_back({.verb = verb, .index = index}); }
 };
 
+// A button that calls an expression begins from it while the editor is open.
 std::vector<Command> EditorInput::ReadPress(const performance::Press& press, const show::Show& show,
                                             bool open, Time now) {
   Reading reading{&show, open, now};

@@ -17,6 +17,7 @@
 
 namespace kaori::editor {
 
+// What a command asks for. Fields of Command are named where a verb has any.
 enum class Verb : std::uint8_t {
   kToggle,    // Opens or closes the editor.
   kGo,        // Chooses the next handle in direction `a`, right and up.
@@ -85,23 +86,30 @@ class EditorInput {
   bool comparing() const { return comparing_; }  // C is held.
 
  private:
+  // What one call looks at, with the commands that it has found so far.
   struct Reading;
+  // Each adds the commands that its device asks for: a key, a key of a name that is typed, the dials, the
+  // right stick, the pointer.
   void ReadKey(Reading& reading, const performance::Press& press);
   void Type(Reading& reading, const performance::Press& press);
   void ReadDials(Reading& reading, const performance::InputEvents& events, std::int32_t counts_per_turn);
   void ReadStick(Reading& reading, const board::Stamped<board::Stick>& stick);
   void ReadPointer(Reading& reading, const performance::InputEvents::Pointer& moved,
                    const board::Pointer& held);
+  // Chooses the next handle in a direction of the picture.
   void Go(Reading& reading, glm::vec2 direction);
+  // The number of the gesture to which a movement of this control belongs now; a long rest begins another one.
   Gesture GestureOf(int kind, Time now);
   void EndGesture() { gesture_kind_ = -1; }
 
   std::optional<Typing> typing_;
   bool comparing_ = false;
+  // The number, the control and the last movement of the newest gesture; numbers begin with 1.
   Gesture last_gesture_ = 0;
   int gesture_kind_ = -1;
   Time gesture_at_{};
   std::optional<Time> next_step_;  // Of a stick that is held.
+  // The left button was pressed while the editor was open, and is still down.
   bool dragging_ = false;
 };
 

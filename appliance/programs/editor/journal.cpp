@@ -36,6 +36,7 @@ Result<UniqueFd> OpenLocked(const std::filesystem::path& file) {
   return Fail(std::errc::device_or_resource_busy, "open " + file.string());
 }
 
+// pread leaves the descriptor's position alone; a file that shrinks meanwhile gives what it has.
 Result<std::vector<std::uint8_t>> ReadAll(int fd, const std::string& name) {
   struct stat status {};
   if (::fstat(fd, &status) < 0) return FailErrno("read " + name);

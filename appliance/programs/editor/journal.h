@@ -33,6 +33,7 @@ class Journal {
   Result<void> Clear();
 
  private:
+  // Cuts the file off behind the last whole record. Errors: as ftruncate(2).
   Result<void> CutOff();
 
   Journal(UniqueFd fd, std::filesystem::path file, std::uint64_t fingerprint)

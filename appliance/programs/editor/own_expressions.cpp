@@ -22,6 +22,7 @@ std::string OwnExpressions::ReasonAgainst(std::string_view name, int slot) const
   return {};
 }
 
+// The tenth is called by 0.
 std::string OwnExpressions::Contents() const {
   std::string contents;
   for (int slot = 0; slot < kSlots; ++slot)

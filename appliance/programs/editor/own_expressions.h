@@ -22,6 +22,7 @@ class OwnExpressions {
   const std::optional<Work>& at(int slot) const { return slots_[static_cast<std::size_t>(slot)]; }
   // Fills work.slot, which is a valid slot; what was there is replaced.
   void Put(const Work& work) { slots_[static_cast<std::size_t>(work.slot)] = work; }
+  // Empties the slot in memory.
   void Empty(int slot) { slots_[static_cast<std::size_t>(slot)].reset(); }
   int free_slot() const;  // The first one; -1: none.
 

@@ -43,6 +43,7 @@ class Reader {
     if (complaint_.empty()) complaint_ = fmt::format("{}:{}: {}", file_, at.line, what);
   }
 
+  // Keys of a show's expressions that the box's own do not have are named as such.
   void ReadItem(std::string_view key, const toml::Value& value) {
     if (key == "name") return ReadName(value);
     if (key == "lids") return ReadLids(value);
@@ -79,6 +80,7 @@ class Reader {
     }
   }
 
+  // Written as "not within", so that NaN is refused as well.
   void ReadMoves(std::string_view table, const toml::Value& value) {
     if (value.kind != toml::Value::Kind::kTable)
       return Complain(value, fmt::format("{} must be a table", table));

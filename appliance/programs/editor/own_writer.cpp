@@ -48,6 +48,7 @@ void AddMiddle(Tables& tables, const std::string& name, glm::vec3 pull_m) {
           name, Move(pull_m, 1));
 }
 
+// A pair that moves alike is one line of "both"; otherwise each side has its own, without its ".l" or ".r".
 void AddPair(Tables& tables, std::string_view name, const std::string& left, const std::string& right) {
   if (left == right) return AddLine(tables.both, name, left);
   AddLine(tables.left, name, left);
@@ -70,6 +71,7 @@ Tables TablesOf(const Work& work, const Points& points) {
 
 }  // namespace
 
+// Tables that nothing moves in are left out, and so are lids that are open.
 std::string WriteOwn(const Work& work, const Points& points) {
   std::string text = fmt::format("{}[[expression]]\nname = \"{}\"\n", kRemark, work.name);
   if (work.lids != std::array<float, 2>{})

@@ -88,6 +88,7 @@ void Even(Points& points) {
 
 }  // namespace
 
+// Neighbours first, then the ways over them; the mirror image is evened out last.
 Points PointsOf(const face::ControlNet& net) {
   Points points;
   const std::size_t count = net.points.size();

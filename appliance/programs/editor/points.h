@@ -21,6 +21,7 @@ struct Points {
   // way leads round the corner of the mouth.
   float Apart_m(std::size_t a, std::size_t b) const { return apart_m[a * size() + b]; }
   float Follows(std::size_t skin, std::size_t handle) const { return follows[skin * size() + handle]; }
+  // Whether the point is on the character's right side. Points of the middle are on neither.
   bool OnTheRight(std::size_t point) const { return partners[point] >= 0 && names[point].ends_with(".r"); }
 };
 

@@ -61,6 +61,7 @@ class RecordParser {
     return {reinterpret_cast<const char*>(taken.data()), taken.size()};
   }
 
+  // Too many wanted: all that is left is gone, so that nothing after it is read from the wrong place.
   std::span<const std::uint8_t> ParseBytes(std::size_t count) {
     if (count > bytes_.size()) {
       short_ = true;
@@ -80,6 +81,7 @@ class RecordParser {
   bool short_ = false;
 };
 
+// In the order of PutWork. The count of pulls is not believed further than bytes are there.
 Work ParseWork(RecordParser& parser) {
   Work work;
   work.slot = parser.Parse<std::int32_t>();
@@ -105,6 +107,7 @@ std::optional<Record> DecodeOne(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
+// The body is made first, since its length and its checksum stand before it.
 void Encode(const Record& record, std::vector<std::uint8_t>& into) {
   std::vector<std::uint8_t> body;
   Put(body, static_cast<std::uint8_t>(record.change));

@@ -23,6 +23,7 @@ struct Record {
 // Appends the record's bytes. Names longer than 200 bytes are cut off. Pure.
 void Encode(const Record& record, std::vector<std::uint8_t>& into);
 
+// What Decode found.
 struct Decoded {
   std::vector<Record> records;
   std::size_t sound_bytes = 0;  // Up to the end of the last whole record.

@@ -51,6 +51,7 @@ Session::Session(Points points) : points_(std::move(points)) {
   Begin({.pulls_m = std::vector<glm::vec3>(points_.size())});
 }
 
+// A journal that is replayed comes here too, and after it whatever else the session did.
 Change Session::Begin(Work work) {
   if (!Fits(work)) return Change::kNone;
   saved_ = work;
@@ -75,6 +76,7 @@ Change Session::Pull(std::size_t point, glm::vec3 by_m, Gesture gesture) {
   return Step(std::move(work), gesture);
 }
 
+// A step of its own, never part of a gesture.
 Change Session::Zero(std::size_t point) {
   if (point >= points_.size()) return Change::kNone;
   Work work = history_.now();
@@ -84,6 +86,7 @@ Change Session::Zero(std::size_t point) {
   return Step(std::move(work), 0);
 }
 
+// A pull at the bound stays there, so that turning back does not bring back its exact size.
 Change Session::Scale(float factor, Gesture gesture) {
   if (!std::isfinite(factor)) return Change::kNone;
   Work work = history_.now();
@@ -108,6 +111,7 @@ Change Session::Redo() {
   return history_.Redo() ? Change::kRedone : Change::kNone;
 }
 
+// Gives kRenamed even where nothing changed: it is a decision, and the journal keeps it.
 Change Session::Rename(std::string name, int slot) {
   Work like = history_.now();
   like.name = std::move(name);
@@ -116,6 +120,7 @@ Change Session::Rename(std::string name, int slot) {
   return Change::kRenamed;
 }
 
+// What the author does next is a new step, though the dial may still be turning.
 Change Session::Keep(const Work& saved) {
   saved_ = saved;
   gesture_ = 0;

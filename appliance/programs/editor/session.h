@@ -40,6 +40,7 @@ struct Spread {
 // further than 5 cm.
 class Session {
  public:
+  // Begins with blank work that counts as saved.
   explicit Session(Points points);
 
   // Begins with `work` as saved; nothing can be undone. Gives kBegun, or kNone where the work does not fit.
@@ -73,7 +74,9 @@ class Session {
   // The work, and as it was when it was begun; each holds until the next command.
   const Work& work() const { return history_.now(); }
   const Work& before() const { return history_.before(); }
+  // Whether the work differs from what was saved or begun with.
   bool unsaved() const { return !(work() == saved_); }
+  // How many steps lie before the work, and behind it.
   std::size_t undoable() const { return history_.undoable(); }
   std::size_t redoable() const { return history_.redoable(); }
   const Points& points() const { return points_; }
@@ -82,11 +85,14 @@ class Session {
   Spread spread;
 
  private:
+  // Makes `work` the newest step, or lets the newest one go on where it is of the same gesture.
   Change Step(Work work, Gesture gesture);
+  // Whether the work can be of these control points; other work is refused.
   bool Fits(const Work& work) const;
 
   Points points_;
   History history_;
+  // What is on the disk, or what was begun with.
   Work saved_;
   Gesture gesture_ = 0;  // Of the newest step; 0 when it is closed.
 };

@@ -97,6 +97,7 @@ Result<void> Remove(const fs::path& file) {
   return {};
 }
 
+// Removes every file of the slot but `kept`, and gives the last error; those that can be removed are.
 Result<void> RemoveAllBut(const fs::path& folder, int slot, const fs::path& kept) {
   Result<void> outcome;
   for (const fs::path& file : FilesOf(folder)) {

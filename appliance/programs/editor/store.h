@@ -16,6 +16,7 @@ namespace kaori::editor {
 // The own expressions by slot; nothing in a slot that is empty.
 using Slots = std::array<std::optional<Work>, kSlots>;
 
+// What the folder holds.
 struct Stored {
   Slots slots;
   std::vector<std::string> complaints;  // A line for each file that was not read, with its reason.

@@ -47,6 +47,7 @@ void WorkWriter::Remove(const Work& work) {
   Request({work, true});
 }
 
+// At once and not after the pause: an author who saves wants to switch the box off.
 void WorkWriter::Request(FileRequest file) {
   {
     const std::scoped_lock lock(mutex_);
@@ -55,6 +56,7 @@ void WorkWriter::Request(FileRequest file) {
   writer_.Ask(/*at_once=*/true);
 }
 
+// The flag is cleared under the lock, so that no outcome is left behind unseen.
 std::vector<Outcome> WorkWriter::DrainOutcomes() {
   const std::scoped_lock lock(mutex_);
   has_outcomes_.store(false, std::memory_order_release);
@@ -99,6 +101,7 @@ Result<void> WorkWriter::WriteRecords(std::vector<Record>& records) {
   return written;
 }
 
+// Each file stands for itself: one that cannot be written does not keep the others.
 Result<void> WorkWriter::WriteFiles(Requests& requests) {
   Result<void> outcome;
   for (auto& file : requests.files) {

@@ -37,10 +37,12 @@ class WorkWriter {
 
   // Writes the file of work.slot, or removes it. A later request for the same slot replaces one that was not done yet.
   void Save(const Work& work);
+  // Both return at once; an outcome tells what became of it.
   void Remove(const Work& work);
 
   // What became of requests since the last call; never waits for the disk.
   bool has_outcomes() const { return has_outcomes_.load(std::memory_order_acquire); }
+  // Gives each outcome once, the oldest first.
   std::vector<Outcome> DrainOutcomes();
 
   // Waits until all that was asked for has been tried once. For tests, and for an orderly end.
@@ -51,17 +53,22 @@ class WorkWriter {
     Work work;
     bool remove = false;
   };
+  // What was asked for and is not on the disk yet: records in order, and at most one file for each slot.
   struct Requests {
     std::vector<Record> records;
     std::array<std::optional<FileRequest>, kSlots> files;
     bool any() const;
   };
 
+  // The writer's function, on its own thread: tries everything once, and gives whether nothing is left.
   bool WriteAll();
+  // Each writes what it can and takes that out of what it was given.
   void Attempt(Requests& requests);
   Result<void> WriteRecords(std::vector<Record>& records);
   Result<void> WriteFiles(Requests& requests);
+  // Puts what could not be written in front of what has been asked for since.
   void PutBack(Requests& requests);
+  // Adds an outcome; TellWhetherItWorks only where the disk has begun to fail, or to work again.
   void Tell(Outcome outcome);
   void TellWhetherItWorks(const Result<void>& outcome);
   void Request(FileRequest file);
@@ -71,6 +78,7 @@ class WorkWriter {
   Points points_;
 
   std::mutex mutex_;  // Of what follows, but for has_outcomes_.
+  // Shared by both threads, under the mutex.
   Requests asked_;
   std::vector<Outcome> outcomes_;
   std::atomic<bool> has_outcomes_ = false;

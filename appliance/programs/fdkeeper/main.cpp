@@ -30,6 +30,7 @@ kaori::Result<kaori::UniqueFd> Listener(const std::string& path) {
 
 }  // namespace
 
+// FdKeeper (drivers/base/fd_keeper.h) has the protocol: a stage asks for the card, and gives it away.
 int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-fdkeeper");
   std::string socket;

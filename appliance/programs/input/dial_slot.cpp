@@ -42,6 +42,7 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   return {};
 }
 
+// Counts are the decoder's, which goes on from those of the board; pushes come by way of the carried switches.
 Result<void> DialSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());

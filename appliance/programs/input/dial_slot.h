@@ -29,6 +29,7 @@ class DialSlot final : public DeviceSlot {
  private:
   // Sends one output report where the lamps on the board differ from those that the box was last told.
   void ShowLamps(Time now, ports::HidChannel& device);
+  // Publishes the section as it is, with the carried buttons.
   void Write();
 
   const board::Board& board_;
@@ -40,8 +41,10 @@ class DialSlot final : public DeviceSlot {
   std::optional<std::uint32_t> lit_;  // As the box was last told; empty after a plug, when all are dark.
   Time lamps_after_{};                // No lamp report is sent before this time.
   int lamp_failures_ = 0;             // Since the plug.
+  // When the box was plugged in, from which kHeldStateTrust counts.
   Time plugged_{};
   bool held_confirmed_ = true;  // False while held buttons are known only from before the plug.
+  // A report was accepted that is not published yet.
   bool changed_ = false;
 };
 

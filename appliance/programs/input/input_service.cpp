@@ -180,6 +180,7 @@ void InputService::Attach(Binding& binding, const BusPort& port, std::unique_ptr
   ++generation_;
 }
 
+// Of the kinds with one slot; two sticks are told apart by their ports.
 InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const BusPort& port) {
   if (kind == decode::DeviceKind::kJoystick) return StickBinding(port);
   for (Binding& binding : bindings_) {
@@ -240,6 +241,7 @@ void InputService::HandleReadError(Binding& binding, const Error& error, Time no
   if (gone) Detach(binding, error, now);
 }
 
+// The slot is told at once, so that no button stays held while nobody can let it go.
 void InputService::Detach(Binding& binding, const Error& error, Time now) {
   LogWarning("{}: {}; waiting until it is plugged in again", binding.slot->name(), error.message());
   binding.device.reset();
@@ -268,6 +270,7 @@ bool InputService::IsAttached(const BusPort& port) const {
   return std::ranges::any_of(bindings_, [&](const Binding& p) { return p.device && p.port == port; });
 }
 
+// A bus that failed is left out: its descriptor may be readable for ever.
 std::vector<int> InputService::pollables() const {
   std::vector<int> fds;
   for (const Bus& bus : buses_)

@@ -57,6 +57,7 @@ class InputService {
   // descriptor: every watch must then be made anew. Buses whose list failed are left out, and so are lines
   // that could not be opened; they are asked again by time. The descriptors stay the service's.
   std::vector<int> pollables() const;
+  // Changes whenever pollables() may have changed; it may wrap.
   std::uint32_t generation() const { return generation_ + lines_.generation(); }
 
   // How many devices fill a slot now.
@@ -89,28 +90,41 @@ class InputService {
   struct SkippedPort {
     BusPort port;
     decode::DeviceKind kind = decode::DeviceKind::kOther;
+    // The device could not be opened (`cause`, as it was logged) or was pulled at once: it is tried again,
+    // but not before `not_before`.
     bool try_again = false;
     std::errc cause{};
     Time not_before{};
   };
 
+  // Lists the ports of all buses, or of one, and tries to attach what is new there.
   void Scan(Time now);
   void ScanBus(std::size_t bus, Time now);
+  // Whether a bus has news, or something waits to be tried again.
   bool ScanIsDue(Time now) const;
+  // A bus that cannot list its ports: logged once for each cause, and asked again every 250 ms.
   void HandleBusError(Bus& bus, const Error& error);
+  // Opens the device at a port, finds out what it is, and gives it to a slot or skips it.
   void TryToAttach(const BusPort& port, Time now);
+  // Leaves a port alone until its device is pulled, or until a slot of this kind becomes free.
   void Skip(const BusPort& port, decode::DeviceKind kind, const std::string& why);
+  // A device that is there and cannot be opened: tried again every 250 ms.
   void RetryLater(const BusPort& port, const Error& error);
+  // The free slot for a device of this kind at this port; null where there is none.
   Binding* BindingFor(decode::DeviceKind kind, const BusPort& port);
   Binding* StickBinding(const BusPort& port);
   void Attach(Binding& binding, const BusPort& port, std::unique_ptr<ports::HidChannel> device, Time now);
+  // Decodes the reports that wait, 256 at most, and publishes once.
   void ReadReports(Binding& binding, Time now);
+  // Detaches the device where the error means that it is gone; a single failed transfer is passed over.
   void HandleReadError(Binding& binding, const Error& error, Time now);
   void Detach(Binding& binding, const Error& error, Time now);
+  // Tells the slots that stayed empty after the start that their device is gone.
   void DetachAbsent(Time now);
   bool IsAttached(const BusPort& port) const;
 
   const board::Board& board_;
+  // All times are of this clock, CLOCK_MONOTONIC: it is read once in each step.
   const Clock& clock_;
   std::vector<Bus> buses_;
   LineInputs lines_;

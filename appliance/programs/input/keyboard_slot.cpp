@@ -28,6 +28,7 @@ Result<void> KeyboardSlot::Plug(const ports::HidIdentity& identity, Time now) {
   return {};
 }
 
+// Keys are logged with the modifiers that are held in the same report.
 Result<void> KeyboardSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());

@@ -25,13 +25,16 @@ class KeyboardSlot final : public DeviceSlot {
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
+  // Publishes the section with this stamp.
   void Write(Time at);
 
   board::Writer<board::Keys> writer_;
   CarriedSwitches<8> keys_;
+  // Goes on from the board, as the counts in keys_ do.
   board::PressLog log_;
   std::optional<decode::KeyboardDecoder> decoder_;
   board::SourceState source_;
+  // When the newest report arrived, and when the keyboard was plugged in.
   Time at_{};
   Time plugged_{};
   bool held_confirmed_ = true;  // As in DialSlot.

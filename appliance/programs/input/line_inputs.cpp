@@ -28,6 +28,8 @@ void LineInputs::Step(Time now) {
   if (lines_) SettleAll(now);
 }
 
+// A chip that is missing is asked for every second and logged once for each cause, since a box without foot
+// switches is a box all the same.
 void LineInputs::Open(Time now) {
   retry_at_ = now + kLineRetry;
   auto lines = open_();

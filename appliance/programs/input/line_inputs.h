@@ -34,16 +34,23 @@ class LineInputs {
   std::uint32_t generation() const { return generation_; }  // Changes whenever pollable() may.
 
  private:
+  // Tries to open the lines; on success begins with them as they stand.
   void Open(Time now);
+  // Reads all levels and makes the section live.
   void Begin(Time now);
+  // Settles the edges that wait, each at the kernel's time of it.
   void HandleEdges(Time now);
+  // Asks for all levels, since the kernel may have dropped edges.
   void ReadLevels(Time now);
+  // Brings one line of the board up to its level, unless it changed within the bounce.
   void Settle(std::uint32_t line, Time at);
   void SettleAll(Time now);
+  // The chip is gone: all lines are released, and it is opened again later.
   void HandleLoss(const Error& error, Time now);
   void Write(Time at, board::SourceState source);
 
   board::Writer<board::Lines> writer_;
+  // How the lines are opened; empty where the box has none.
   ports::GpioOpener open_;
   std::unique_ptr<ports::GpioLines> lines_;
   board::Lines value_;

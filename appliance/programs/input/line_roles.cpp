@@ -20,6 +20,7 @@ std::optional<std::uint32_t>* RoleNamed(std::string_view name, LineRoles& roles)
   return &roles.inputs[static_cast<std::size_t>(at - kInputNames.begin())];
 }
 
+// All of the text must be the number: "1x" is a typing error and not line 1.
 std::optional<std::uint32_t> ParseOffset(std::string_view text) {
   std::uint32_t offset = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), offset);

@@ -82,6 +82,7 @@ kaori::Result<void> Add(kaori::Result<std::unique_ptr<Bus>> bus, Buses& buses) {
   return {};
 }
 
+// A bus of real devices and the simulator's may run side by side: a desk with a real keyboard and simulated dials.
 kaori::Result<Buses> OpenBuses(const Settings& settings, const kaori::Clock& clock) {
   Buses buses;
   kaori::Result<void> ok;

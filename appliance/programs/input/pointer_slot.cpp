@@ -37,6 +37,7 @@ Result<void> PointerSlot::Plug(const ports::HidIdentity& identity, Time now) {
   return {};
 }
 
+// Position and wheel are sums of the decoder's, which goes on from those of the board.
 Result<void> PointerSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());

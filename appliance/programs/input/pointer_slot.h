@@ -26,9 +26,11 @@ class PointerSlot final : public DeviceSlot {
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
+  // Publishes the section as it is, with the carried buttons.
   void Write();
 
   board::Writer<board::Pointer> writer_;
+  // For the decoder of the next device; how many counts of a mouse are the picture's width and height.
   decode::PointerSettings settings_;
   board::Stamped<board::Pointer> pointer_;
   CarriedSwitches<1> buttons_;

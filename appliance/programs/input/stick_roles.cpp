@@ -80,6 +80,7 @@ std::optional<int> StickRoles::Known(std::uint32_t hash) const {
   return std::nullopt;
 }
 
+// A role that the settings give to a port is never given to another one.
 std::optional<int> StickRoles::FirstOpen(const std::array<bool, kSticks>& occupied, bool remembered) const {
   for (int role = 0; role < kSticks; ++role) {
     const auto i = static_cast<std::size_t>(role);

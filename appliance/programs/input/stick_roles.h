@@ -33,7 +33,9 @@ class StickRoles {
   std::optional<int> RoleOf(std::string_view port, const std::array<bool, kSticks>& occupied);
 
  private:
+  // The role that belongs to this port by the settings, by its name, or by what was there before.
   std::optional<int> Known(std::uint32_t hash) const;
+  // The first free role that no setting names and that had a port before, or never had one.
   std::optional<int> FirstOpen(const std::array<bool, kSticks>& occupied, bool remembered) const;
 
   // Hashes, by role; 0 is none. named_ is from the settings, last_ from the last stick that had the role.

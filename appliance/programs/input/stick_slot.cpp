@@ -49,6 +49,7 @@ Result<void> StickSlot::Plug(const ports::HidIdentity& identity, Time now) {
   return {};
 }
 
+// A report makes the section live again, whatever it was: the stick has said where it stands.
 Result<void> StickSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   if (const auto decoded = decoder_->Decode(report, at); !decoded) return tl::unexpected(decoded.error());
   CalibrateOnPush(decoder_->sample());

@@ -32,6 +32,7 @@ class StickSlot final : public DeviceSlot {
  private:
   // Takes the stick's position as its centre when the centre button went down.
   void CalibrateOnPush(const decode::StickSample& sample);
+  // Publishes the section with this stamp and state.
   void Write(Time at, board::SourceState source);
 
   board::Writer<board::Stick> writer_;
@@ -42,6 +43,7 @@ class StickSlot final : public DeviceSlot {
   board::Stamped<board::Stick> stick_;
   CarriedSwitches<1> buttons_;
   std::optional<decode::JoystickDecoder> decoder_;
+  // When the stick was plugged in, from which the waits of Tick count.
   Time plugged_{};
   bool reported_ = false;  // A report arrived since the plug, or the stick counts as one at rest.
   bool changed_ = false;

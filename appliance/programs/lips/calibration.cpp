@@ -32,6 +32,7 @@ constexpr float kMinSpill = 60, kMaxSpill = 160;
 
 // An operator does not quite reach the extreme of a held pose again, so that a little less counts as all of it.
 constexpr float kShutSlack = 0.03F;
+// Of the way from rest to the extreme, or of the height.
 constexpr float kShortOf = 0.95F;
 constexpr float kMinOpening = 0.15F;  // Between shut and open, in widths of the mouth at rest.
 constexpr float kMinStretch = 0.06F;  // Of the width, from rest to narrow and to wide.
@@ -195,6 +196,7 @@ std::optional<CalibrationStep> Calibration::step() const {
   return measurement_ ? std::optional(measurement_->step) : std::nullopt;
 }
 
+// By the time for which a learnable mouth was seen, not by the clock.
 float Calibration::progress() const {
   if (!measurement_) return 0;
   const Duration whole = measurement_->step == CalibrationStep::kSpeak ? kSpeech : kPose;

@@ -19,12 +19,15 @@ namespace kaori::lips {
 // of it is drawn or saved: Tuning applies the settings that it gives.
 class Calibration {
  public:
+  // Begins with the settings in use; nothing can be undone yet.
   explicit Calibration(const LipSettings& settings) : settings_(settings) {}
+
+  // Samples of chroma to each side of a click: 9 x 9 of them.
+  static constexpr int kReach = 4;
 
   // Sets the paint's colour to the median of the samples of chroma around a click at (x, y), in parts of the
   // picture from its left top corner, `reach` samples to each side; their spread sets the similarity. Errors:
   //   invalid_argument  the click is outside, on grey, or on more than one colour; nothing changed
-  static constexpr int kReach = 4;
   Result<void> SamplePaint(const decode::Planes& planes, float x, float y, int reach = kReach);
 
   // Begins to measure a pose, which the operator holds for a second, or speech of ten seconds. A step that
@@ -39,6 +42,7 @@ class Calibration {
   // when the picture was exposed.
   bool Feed(const board::Lips& lips, Time at);
 
+  // The step that is under way, if any.
   std::optional<CalibrationStep> step() const;
   float progress() const;  // Of the step that is under way, 0 .. 1; 0 without one.
 
@@ -55,14 +59,20 @@ class Calibration {
   const LipSettings& settings() const { return settings_; }
 
  private:
+  // What a step has seen so far. `rests` are the rest widths that the gauge had at each frame, in widths of
+  // the picture; heights and widths are in widths of the mouth at rest.
   struct Measurement {
     CalibrationStep step;
     std::optional<Time> last;  // The time of the newest frame that counted.
     Duration seen{};
     std::vector<float> heights, widths, rests;
   };
+  // Notes the settings that there are and takes over others.
   void Change(const LipSettings& to);
+  // The settings that a step which is done leads to. It reorders what was measured.
   LipSettings Conclude(Measurement& measured) const;
+  // By how much the gauge has taken the mouth for nearer than it was, since shut was measured; 1 where that
+  // is not known.
   float ScaleOf(Measurement& measured) const;
 
   LipSettings settings_;

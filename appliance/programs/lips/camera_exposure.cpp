@@ -17,6 +17,7 @@ constexpr Duration kFinding = std::chrono::seconds(2);  // A camera needs as lon
 constexpr Duration kFindingLimit = 2 * kFinding;
 constexpr float kBlack = 0.08F;  // The lens is covered, or the light is off.
 constexpr float kDark = 0.25F;   // Skin at a fifteenth of full light, where noise hides the paint.
+// A camera that uses this part of its longest exposure can hardly expose more.
 constexpr float kFullyExposed = 0.8F;
 
 }  // namespace
@@ -80,6 +81,7 @@ void CameraExposure::HoldUnlessFreed() {
   if (!freed_) Hold();
 }
 
+// A calibration begins anew: what was decided about darkness before it is forgotten.
 void CameraExposure::Free() {
   held_ = false;
   freed_ = true;

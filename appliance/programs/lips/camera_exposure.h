@@ -40,13 +40,17 @@ class CameraExposure {
   bool held() const { return held_; }
 
  private:
+  // Decides by one picture; true: the camera is to be opened again.
   bool Judge(const decode::Planes& planes, Time now);
+  // Holds, unless a calibration has freed the exposure.
   void HoldUnlessFreed();
 
+  // Null for a camera that has no controls: then nothing is ever decided.
   ports::CameraTuning* tuning_;
   std::string mode_;                   // As it was logged last.
   std::vector<std::string> missing_;   // The controls that cannot be held, as they were logged last.
   std::optional<Time> finding_since_;  // Since when it sees light and looks for its exposure.
+  // Held; freed by a calibration; the warning of a dark picture was logged.
   bool held_ = false;
   bool freed_ = false;
   bool dark_logged_ = false;

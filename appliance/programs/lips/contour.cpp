@@ -60,6 +60,7 @@ Point FarthestOfThree(const std::vector<Point>& points, float dx, float dy) {
 
 }  // namespace
 
+// Lean and Opening come after Measure, whose middle they start from.
 std::optional<Contour> ContourReader::Read(const decode::Planes& planes, const Grid& grid, Regions& regions,
                                            const Candidate& candidate, float tilt_rad) {
   if (!Frame(grid, regions, candidate) || !ReadPatch(planes, grid)) return std::nullopt;

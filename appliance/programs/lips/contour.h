@@ -22,6 +22,7 @@ struct Point {
 };
 
 // Sizes are measured along the mouth's own axes, which are turned by the tilt.
+// Positions are in the picture's own axes; only sizes are along the mouth's.
 struct Contour {
   float width_px = 0;
   float height_px = 0;
@@ -50,6 +51,7 @@ class ContourReader {
     int width() const { return right - left; }
     int height() const { return bottom - top; }
   };
+  // From the first sample of paint in a row or column to behind its last, relative to the box.
   struct Span {
     int begin;
     int end;
@@ -61,25 +63,37 @@ class ContourReader {
     float At(int n) const { return first[n * step]; }
   };
 
+  // Where the paint begins and ends in each row and column of its box, to a sample.
   bool Frame(const Grid& grid, Regions& regions, const Candidate& candidate);
+  // How much paint each sample of the box has, on the line between the mean colours; false where the two hardly differ.
   bool ReadPatch(const decode::Planes& planes, const Grid& grid);
+  // The finer edges, as points of the picture.
   void FindEdges(const Grid& grid);
+  // The place on a line, in samples, at which the paint ends near `at`, going outwards (1 or -1); nothing
+  // where there is no clear step.
   std::optional<float> Edge(const Line& line, int at, int outwards) const;
+  // A position of the patch, in samples, as pixels of the picture. The middle of a sample is at + 0.5.
   Point ToPicture(const Grid& grid, float x, float y) const;
   Line RowOf(int y) const;
   Line ColumnOf(int x) const;
+  // Sizes and positions along the tilted axes; Lean adds what the contour says of the tilt itself.
   Contour Measure(float tilt_rad) const;
   void Lean(Contour& contour) const;
+  // How high the paint still is close to its two ends.
   std::array<float, 2> Blunt() const;
+  // The gap between the lips in pixels: the median over some columns about the middle.
   float Opening(const Grid& grid, const Contour& contour, float tilt_rad) const;
+  // The gap in one column, in samples; 0 where the lips touch.
   float GapIn(int column) const;
 
+  // What is examined: the candidate's box and some samples around it.
   Box box_{};
   int reach_ = 4;  // How many samples are examined on each side of a coarse edge.
   float contrast_ = 0;
   std::vector<Span> rows_;  // From the first to the last sample of paint; empty where end <= begin.
   std::vector<Span> columns_;
   std::vector<float> patch_;  // How much each sample has of the paint's colour: 0 nothing, 1 all of it.
+  // Points of the contour by the side of the mouth on which they lie, in the order of rows and columns.
   std::vector<Point> left_, right_, top_, bottom_;
 };
 

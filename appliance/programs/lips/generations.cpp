@@ -29,6 +29,7 @@ std::string WithChecksum(const LipSettings& settings) {
   return ChecksumLine(text) + text;
 }
 
+// The whole first line must be the one that would be written for these lines.
 bool ChecksumFits(std::string_view file) {
   if (!file.starts_with(kSum)) return true;
   const auto end = file.find('\n');
@@ -72,6 +73,7 @@ SavedSettings ReadGenerations(const fs::path& file) {
   return kept;
 }
 
+// The lips start in any case: a new box and one whose disk is broken play with the defaults.
 LipSettings SettingsFrom(const fs::path& file) {
   const SavedSettings kept = ReadGenerations(file);
   if (!kept.complaint.empty())

@@ -25,6 +25,7 @@ class LipMeter {
   // from call to call.
   const board::Lips& Measure(const decode::Planes& planes, Time at);
 
+  // The sizes as they are on the board, from the last picture with a mouth.
   const board::Lips& lips() const { return gauge_.lips(); }
 
   // These belong to the picture that was measured last.
@@ -33,11 +34,15 @@ class LipMeter {
   const std::optional<Detection>& detection() const { return detection_; }
 
  private:
+  // Forgets the last position where the picture has another size.
   void NoteSize(const decode::Plane& picture);
+  // Key, regions, search and contour; nothing where one of them finds no mouth.
   std::optional<Detection> Detect(const decode::Planes& planes, Time at);
+  // Whether enough of a mouth's samples are paint beyond doubt.
   bool IsPaint(const decode::Planes& planes, const Region& mouth);
 
   PaintKey key_;
+  // The stages of a picture, in their order; each keeps its buffers.
   PaintMask mask_;
   Regions regions_;
   MouthSearch search_;

@@ -45,6 +45,7 @@ std::optional<std::uint8_t> ParseLevel(std::string_view& text, bool comma) {
   return level;
 }
 
+// Three levels of sRGB, as a colour picker shows them, and nothing behind them.
 Result<Paint> ParsePaint(std::string_view text) {
   const std::string whole(text);
   const auto red = ParseLevel(text, true);

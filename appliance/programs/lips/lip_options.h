@@ -9,6 +9,7 @@
 
 namespace kaori::lips {
 
+// The options as texts; whether they mean anything is found out where they are used.
 struct LipOptions {
   // Each as given, and empty where it was not; the help text says what they mean.
   std::string board = "/dev/shm/kaori-board";

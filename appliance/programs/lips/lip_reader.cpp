@@ -19,6 +19,8 @@ constexpr Duration kOldest = milliseconds(150);  // An older time of capture is 
 
 }  // namespace
 
+// Rest width and sizes go on from the board, so that a restart in the middle of a show needs no new second of
+// rest. Both times begin now: silence counts from the start of the program.
 LipReader::LipReader(ports::CameraOpener open, const board::Board& board, board::Writer<board::Lips> writer,
                      const LipSettings& settings, const Clock& clock, ports::CameraTuning* tuning)
     : open_(std::move(open)),

@@ -48,12 +48,19 @@ class LipReader {
   int opened() const { return opened_; }  // How often a camera was opened.
 
  private:
+  // Tries to open the camera; not again before a quarter of a second has passed.
   void TryOpen(Time now);
+  // Asks the camera for its next frame, and handles what comes or why none does.
   void HandleFrame(Time now);
+  // One frame from its bytes to the board.
   void Measure(const ports::CameraFrame& frame, Time now);
+  // A damaged frame: what was measured before it stays.
   void Drop(const Error& error, Time now);
+  // The camera failed: the section becomes stale and the camera is opened again.
   void Close(Time now, std::string_view why);
+  // A camera that sends nothing: stale after 150 ms, opened again after 2 s.
   void CheckSilence(Time now);
+  // Publishes the meter's sizes with this stamp and state.
   void Write(Time at, board::SourceState source);
 
   ports::CameraOpener open_;
@@ -64,6 +71,7 @@ class LipReader {
   decode::PlaneReader planes_;
   std::unique_ptr<ports::Camera> camera_;
   board::SourceState source_;
+  // Of the newest frame, to log a change of it.
   ports::CameraFormat format_;
   Time last_frame_;     // When the newest valid frame was measured.
   Time last_activity_;  // When the camera was opened, or sent its last valid frame.
@@ -73,6 +81,7 @@ class LipReader {
   SilenceLog silence_log_{"lip camera", "the lips are stale"};
   std::errc logged_{};  // The failure that was logged last; the same is not logged again.
   int opened_ = 0;
+  // Who looks at each picture after the board was written; may be empty.
   Watcher watcher_;
 };
 

@@ -52,6 +52,7 @@ constexpr std::array kAccessors{
 
 static_assert(kAccessors.size() == kSettingCount);
 
+// Without blanks at both ends; "\r" is one, for files from other systems.
 std::string_view Trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
@@ -99,6 +100,7 @@ float ValueOf(const LipSettings& settings, std::size_t setting) {
   return kAccessors[setting].get(settings);
 }
 
+// The change is tried on a copy, so that one which is refused leaves nothing behind.
 Result<LipSettings> WithValue(const LipSettings& settings, std::string_view name, float value) {
   LipSettings changed = settings;
   const std::string complaint = SetValue(name, value, changed);
@@ -115,6 +117,7 @@ std::string LipSettingsText(const LipSettings& settings) {
   return text;
 }
 
+// A setting that stands twice has its last value.
 Result<LipSettings> ParseLipSettings(std::string_view text, const std::string& name) {
   LipSettings settings;
   for (int number = 1; !text.empty(); ++number) {

@@ -4,6 +4,8 @@
 
 namespace kaori::lips {
 
+// The count of openings is compared besides the number of the descriptor, since the kernel gives a number
+// that was just freed to the next file.
 void LipWatch::Step() {
   reader_.Step();
   if (watched_ == reader_.pollable() && opened_ == reader_.opened()) return;

@@ -17,6 +17,7 @@ class LipWatch {
  private:
   LipReader& reader_;
   EventLoop& loop_;
+  // The descriptor that the loop watches, and of which opening of the camera it is.
   int watched_ = -1;
   int opened_ = 0;
 };

@@ -48,6 +48,7 @@ float Share(Duration time, float follow_s) {
   return 1 - std::exp(-static_cast<float>(Seconds(time)) / follow_s);
 }
 
+// It reorders the values, of which there is one at least; of an even number it is the upper middle one.
 float MedianOf(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -76,6 +77,7 @@ MouthGauge::MouthGauge(const board::Lips& before, const GaugeSettings& settings)
   if (settings.rest_width > 0) SetRest(settings.rest_width);
 }
 
+// 0 begins to learn with the next learnable mouth.
 void MouthGauge::SetRest(float width) {
   lips_.rest_width = width;
   lips_.rest_marker = 0;

@@ -48,18 +48,27 @@ class MouthGauge {
     float height;
     float marker;  // From the marker to the upper lip of the shut mouth; 0: there is no marker.
   };
+  // The sizes of this picture's mouth, before distance and smoothing.
   Sizes SizesOf(const Detection& detection);
+  // Learns how much of an opening the upper lip does.
   void LearnUpperPart(float marker, float height);
+  // How the head leans, and how far it is; each where this picture says anything about it.
   void FollowTilt(const Detection& detection, Time at);
   void FollowDistance(const Sizes& sizes, Time at);
+  // Whether something covers one corner of the mouth.
   bool IsHalfHidden(const Detection& detection, Time at);
+  // Writes sizes and corners to lips_, in widths of the mouth at rest.
   void Show(const Detection& detection, const Sizes& sizes, Time at);
+  // Measures the mouth at rest where it is not known, for a second.
   void LearnRest(const Sizes& sizes, Time at);
 
+  // The result, as the board has it; rest width and marker distance are kept in it as well.
   board::Lips lips_;
+  // A filter for each size; they are reset where no mouth is seen.
   OneEuro height_;
   OneEuro width_;
   OneEuro opening_;
+  // What the second of the mouth at rest has seen so far, in widths of the picture.
   struct Learning {
     Time since;
     std::vector<float> widths, heights, markers;
@@ -69,11 +78,14 @@ class MouthGauge {
   float tilt_rad_ = 0;
   // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head is slow.
   struct UpperPart {
+    // A regression through the origin: products over squares. It begins with a fifth, and with so little
+    // weight that the first frames outweigh it.
     float marker = 0, height = 0;  // Those of the last frame.
     float products = 0.2F * 1e-3F, squares = 1e-3F;
     float value() const { return products / squares; }
   };
   UpperPart upper_;
+  // When the last mouth was measured.
   std::optional<Time> seen_;
   std::optional<Time> whole_;  // When the mouth was last seen whole.
 };

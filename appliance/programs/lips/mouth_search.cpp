@@ -19,6 +19,7 @@ constexpr float kCut =
 constexpr float kMouthSearchMinFilled =
     0.12F;  // The part of the bounding box that is paint, as in MouthGauge.
 constexpr float kMouthSearchThinnest = 0.04F;  // Height over width.
+// A wide open mouth is higher than wide, but not by more than this.
 constexpr float kMouthSearchThickest = 2.5F;
 constexpr float kWidest = 0.7F;       // Widths of the picture.
 constexpr float kNear = 0.6F;         // A mouth moves by this many of its widths at most between two frames,

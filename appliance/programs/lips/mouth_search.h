@@ -33,14 +33,18 @@ class MouthSearch {
   void Remember(const Grid& grid, Time at);
 
  private:
+  // The last mouth that was confirmed: its middle and its width, in pixels of the picture.
   struct Last {
     float x_px;
     float y_px;
     float width_px;
     Time at;
   };
+  // How likely a region is the larger part of the mouth: 0 .. 1, to be compared with those of other regions.
   float Likelihood(const Region& region, const Grid& grid, Time at) const;
+  // Fills candidate_ with the regions that make one mouth with the largest of them.
   void FindParts(std::span<const Region> all, const Region& largest, const Grid& grid);
+  // Adds the marker to candidate_, where one is worn and seen.
   void FindMarker(std::span<const Region> all);
 
   bool wants_marker_;

@@ -26,6 +26,7 @@ class OneEuro {
   void Reset() { last_.reset(); }
 
  private:
+  // The last value as it was given, and its speed, filtered, in units a second.
   struct Last {
     Time at;
     float value;

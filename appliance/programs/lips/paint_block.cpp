@@ -31,6 +31,7 @@ KeyBlocks PlainKey(Packing) {
   return &KeyPlain;
 }
 
+// Asked once a picture: the answer costs a look at the processor's features.
 KeyBlocks WidestKey(Packing packing) {
   if (const KeyBlocks key = Avx2Key(packing)) return key;
   if (const KeyBlocks key = Sse2Key(packing)) return key;

@@ -68,6 +68,8 @@ KAORI_AVX2 inline __m256i PairsOfYuyv(const std::uint8_t* at) {
   return _mm256_permute4x64_epi64(packed, kInOrder);
 }
 
+// Sixteen samples of each plane, interleaved as Cb Cr Cb Cr; the order is put right before, since AVX2
+// interleaves within halves of 128 bits.
 KAORI_AVX2 inline __m256i PairsOfPlanes(const std::uint8_t* cb, const std::uint8_t* cr) {
   const __m256i blue = _mm256_permute4x64_epi64(Load16(cb), kInOrder);
   const __m256i red = _mm256_permute4x64_epi64(Load16(cr), kInOrder);
@@ -104,6 +106,7 @@ KAORI_AVX2 void KeyPlanar(const ChromaRow& row, std::size_t blocks, const Wedge&
 
 }  // namespace
 
+// The file is compiled for any x86-64; only these functions are for AVX2, and run where the processor has it.
 KeyBlocks Avx2Key(Packing packing) {
   if (!__builtin_cpu_supports("avx2")) return nullptr;
   if (packing == Packing::kPlanar) return &KeyPlanar;

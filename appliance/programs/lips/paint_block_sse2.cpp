@@ -16,6 +16,7 @@ __m128i Load(const std::uint8_t* at) {
 // Cb and Cr side by side as 16-bit numbers, as the instruction that multiplies and adds pairs (pmaddwd) needs them.
 class Sides {
  public:
+  // As in SidesOf of the AVX2 form: the offset takes up that samples are bytes around 128.
   explicit Sides(const Wedge& wedge) {
     for (std::size_t n = 0; n < wedge.size(); ++n) {
       const HalfPlane& half = wedge[n];
@@ -71,6 +72,7 @@ void KeyNv12(const ChromaRow& row, std::size_t blocks, const Wedge& wedge, std::
   }
 }
 
+// The planes are interleaved first, and are then as those of NV12.
 void KeyPlanar(const ChromaRow& row, std::size_t blocks, const Wedge& wedge, std::uint64_t* into) {
   const Sides sides(wedge);
   for (std::size_t block = 0; block < blocks; ++block) {

@@ -35,6 +35,7 @@ int LeastSide(const std::array<HalfPlane, 3>& halves, std::uint8_t cb, std::uint
 
 }  // namespace
 
+// The full-range matrix of JFIF, whose coefficients are those of BT.601.
 Chroma ChromaOf(Paint paint) {
   const auto r = static_cast<float>(paint.red);
   const auto g = static_cast<float>(paint.green);

@@ -44,6 +44,7 @@ struct HalfPlane {
 // levels of chroma: the soft edge is `smoothness` wide and lies around the wedge, half in and half out.
 class PaintKey {
  public:
+  // Works the three sides out once; every setting is safe, within its range or not.
   explicit PaintKey(Paint paint, const KeySettings& settings = {});
 
   // How far inside the wedge a colour lies, in levels; negative outside. Bytes are those of a camera, 128 is neutral.
@@ -59,7 +60,9 @@ class PaintKey {
   const std::array<HalfPlane, 3>& weak() const { return weak_; }
 
  private:
+  // The wedge with half of the soft edge around it: a colour is paint, or nearly so, on the positive side of all three.
   std::array<HalfPlane, 3> weak_;
+  // The width of the soft edge.
   float smooth_levels_;
 };
 

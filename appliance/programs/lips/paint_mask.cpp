@@ -80,6 +80,7 @@ bool SameShape(const decode::Plane& a, const decode::Plane& b) {
 
 }  // namespace
 
+// Rows are left out until a sample covers about as much of the picture down as across.
 Grid GridOf(const decode::Planes& planes) {
   const decode::Plane& c = planes.cb;
   if (!SameShape(c, planes.cr) || c.width_px <= 0 || c.height_px <= 0) return {};

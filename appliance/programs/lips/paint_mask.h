@@ -40,11 +40,13 @@ class PaintMask {
   }
 
  private:
+  // Drops specks and fills pinholes: each sample follows the majority of itself and its four neighbours.
   void VoteOn(std::size_t rows);
 
   Grid grid_;
   std::size_t words_ = 0;  // For each row.
   std::size_t runs_ = 0;
+  // Bits as they were keyed, with an empty row above and below, and as they were voted.
   std::vector<std::uint64_t> raw_;
   std::vector<std::uint64_t> voted_;
 };

@@ -101,6 +101,7 @@ void Regions::Unite(std::uint32_t a, std::uint32_t b) {
   into_[other] = into;
 }
 
+// Only roots are regions; the others have gone into them.
 std::span<const Region> Regions::Largest(int min_area, std::size_t most) {
   largest_.clear();
   specks_ = 0;

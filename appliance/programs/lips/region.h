@@ -52,14 +52,20 @@ class Regions {
   std::uint32_t NameOf(const Run& run) { return RootOf(run.label); }
 
  private:
+  // Appends the runs of one row.
   void CutRuns(std::span<const std::uint64_t> words, int row);
+  // Gives the runs from `here` on a label, by their contacts with those from `above` on.
   void Join(std::size_t above, std::size_t here);
+  // Puts a run into a region, or begins a region with it.
   void Add(Run& run, std::uint32_t label);
+  // The label of the region into which this one went.
   std::uint32_t RootOf(std::uint32_t label);
+  // Makes one region of two.
   void Unite(std::uint32_t a, std::uint32_t b);
 
   std::vector<Run> runs_;
   std::vector<Region> regions_;  // By label; only the roots of the union-find forest count.
+  // The parent of each label; a root is its own.
   std::vector<std::uint32_t> into_;
   std::vector<Region> largest_;
   int specks_ = 0;

@@ -51,15 +51,19 @@ class FramePacer {
   Duration usual() const;
 
  private:
+  // The first vertical blank at or after `at` that lies behind the last flip.
   Time BlankAfter(Time at) const;
+  // One step wider, or narrower; both keep the margin within its bounds.
   void Widen();
   void Narrow();
+  // The longest of the frames that are remembered.
   Duration longest() const;
 
   static constexpr std::size_t kRemembered = 31;
   bool late_ = true;
   std::optional<ports::Flip> last_;
   std::optional<Time> aimed_;  // The blank at which the frame that the screen has should be presented.
+  // How long the newest frames took, as a ring; drawn_ counts all since Forget.
   std::array<Duration, kRemembered> spent_{};
   std::size_t drawn_ = 0;
   Duration margin_{};

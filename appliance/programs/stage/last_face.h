@@ -84,11 +84,14 @@ class LastFace {
     std::array<float, performance::kKnobCount> knobs{};
     friend bool operator==(const Called&, const Called&) = default;
   };
+  // The part of a state that operators have set.
   static Called CalledOf(const performance::State& state);
+  // Copies picture and state out and hands them to the writer; false where the writer is busy or there is no picture.
   bool Keep();
 
   Look look_;
   std::unique_ptr<Writer> writer_;
+  // What the file holds, or will when the writer is done; nothing where that is not known.
   std::optional<Called> kept_;
   performance::State seen_;
   // The frame that was observed last is one to keep: no blackout, no caption.

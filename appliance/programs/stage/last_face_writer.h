@@ -27,6 +27,7 @@ class LastFace::Writer {
   void Finish() { writer_.Finish(); }
 
  private:
+  // Writes picture, state and end as one file. Errors: those of WriteWholeFile.
   Result<void> WriteOut();
 
   LastFaceFile where_;

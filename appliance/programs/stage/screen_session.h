@@ -32,6 +32,7 @@ class ScreenSession {
   void Look();
   // Gives the screen to the stage and watches its descriptor.
   void Watch(std::unique_ptr<ports::Scanout> screen);
+  // Steps the stage and sets the alarm for its next frame.
   void Step();
 
   Stage& stage_;

@@ -80,16 +80,26 @@ class Stage {
   const performance::State& state() const { return state_; }
 
  private:
+  // Reads all flips that the screen reports. Errors: those of Scanout::ReadFlip but for "later".
   Result<void> HandleFlips();
+  // Tells pacer, mouth clock and status of one.
   void NoteFlip(const ports::Flip& flip);
+  // Draws the next frame where the screen has room and its time has come.
   Result<void> DrawWhenDue();
+  // One frame from the board to Present.
   Result<void> Draw(const ports::PixelBuffer& picture);
+  // The board as it is now; holds until the next call.
   const board::Snapshot& ReadBoard(Time now);
+  // The performance of this frame, with the editor before it where there is one.
   performance::Performed Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
                                  Time presented_at);
+  // Moves the show on to `presented_at`, writes state, motion and lamps to the board, and gives the scene.
   scene::Scene Perform(const board::Snapshot& snapshot, Time presented_at);
+  // Writes which motion plays, for its sound.
   void WriteMotionNow(Time presented_at);
+  // One line when the age of the lips is known, and when it has become another one.
   void LogLipsAge(Time now);
+  // Writes the section stage_status; `cpu` is what this frame took.
   void Report(const board::Snapshot& snapshot, Duration cpu);
 
   const board::Board& board_;
@@ -99,6 +109,7 @@ class Stage {
   const Clock& clock_;
   std::unique_ptr<ports::Scanout> screen_;
   std::unique_ptr<editor::ExpressionEditor> editor_;
+  // The state of the show, as it was written to the board last.
   performance::State state_;
   bool resumed_ = false;
   FramePacer pacer_;
@@ -112,6 +123,7 @@ class Stage {
   AfterFrame after_frame_;
   Duration logged_age_{};
   Time age_quiet_until_{};
+  // Both as they were written to the board last; they go on from an earlier stage.
   board::MotionNow motion_now_;
   board::StageStatus status_;
   struct Second {  // What is averaged over a second.

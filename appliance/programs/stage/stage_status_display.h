@@ -34,8 +34,10 @@ class StageStatusDisplay {
   void LookAtScreens(ports::Scanout* screen);
   // Draws and shows some rows. Errors: device_or_resource_busy (later), and those of the display.
   Result<void> ShowNext(ports::StatusDisplay& display);
+  // A blank sheet of the display's size; all of its rows are to be shown. Errors: not_enough_memory.
   Result<status::Sheet::Rows> DrawAnew(const ports::StatusDisplay& display);
   status::Sheet::Rows DrawChanged();
+  // The status as it is now; files are read once a second.
   std::vector<status::Line> Lines();
 
   const board::Board& board_;

@@ -84,6 +84,7 @@ class Studio {
   const std::string& renderer() const { return context_->renderer(); }
 
  private:
+  // Copies the canvas into a window of the screen (an EGL surface's native window).
   Result<void> ShowIn(void* window);
   Studio(std::unique_ptr<gl::Context> context, std::unique_ptr<PreparedShow> prepared)
       : context_(std::move(context)), prepared_(std::move(prepared)) {}
@@ -91,10 +92,13 @@ class Studio {
   std::unique_ptr<gl::Context> context_;  // First in, last out: the rest lives in it.
   std::unique_ptr<PreparedShow> prepared_;
   std::unique_ptr<passes::Painter> painter_;
+  // What was drawn last, at the size of the screen; the window that it was shown in, where the screen has one.
   gl::Canvas canvas_;
   gl::Window window_;
   std::optional<passes::ScreenPass> screen_pass_;
+  // For ReadSmall, at the size that was asked for last.
   std::optional<gl::SmallPicture> small_;
+  // Some of the drawing's shaders were never used.
   bool unprepared_ = true;
 };
 

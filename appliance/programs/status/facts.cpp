@@ -29,6 +29,7 @@ std::string WordOf(const std::filesystem::path& path) {
 
 }  // namespace
 
+// All files are small and lie in memory (/run), so that reading them anew each second costs next to nothing.
 Facts ReadFacts(const Places& places) {
   Facts facts{{},
               WordOf(places.settings / "root_hash"),

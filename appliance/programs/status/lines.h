@@ -26,6 +26,7 @@ struct Line {
 
 // All that the status depends on, at one moment.
 struct State {
+  // All sections but `sound`, which follows.
   board::Snapshot board;
   board::Stamped<board::Sound> sound;
   Facts facts;

@@ -67,6 +67,7 @@ std::string FormatScreens(std::span<const Output> outputs) {
   return text;
 }
 
+// The order is kept: it is that of the outputs' parts of the picture.
 std::vector<Output> ParseScreens(std::string_view text) {
   std::vector<Output> outputs;
   while (!text.empty() && outputs.size() < kMostScreens) {

@@ -29,13 +29,17 @@ class Sheet {
   const image::Picture& picture() const { return picture_; }
 
  private:
+  // The row to draw next, counted from the top; nothing where all rows stand as they should.
   std::optional<std::size_t> Changed(const std::vector<Line>& lines) const;
+  // Draws a row anew, its ground included.
   void DrawRow(int row, const Line& line);
+  // The picture's rows that a row of text covers.
   Rows RowsOf(int row) const;
 
   image::Lettering lettering_;
   image::Picture picture_;
   int pitch_px_;  // The height of one line.
+  // What each row shows; nothing before it was drawn once.
   std::vector<std::optional<Line>> stands_;
 };
 

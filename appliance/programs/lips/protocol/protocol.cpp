@@ -97,6 +97,7 @@ class PacketWriter {
 class PacketReader {
  public:
   explicit PacketReader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
+  // Each takes its bytes off the front; a packet that ends early is noted and never read beyond its end.
   std::uint32_t Word() {
     if (left_.size() < 4) return Missing();
     const std::uint32_t word = wire::GetU32(left_, 0);
@@ -215,6 +216,7 @@ std::vector<std::uint8_t> Packet(const PictureNote& note) {
   return packet.Release();
 }
 
+// A note that fits can be read without a look at the shared memory's size.
 std::optional<PictureNote> ReadPictureNote(std::span<const std::uint8_t> packet) {
   if (packet.size() != kNoteBytes) return std::nullopt;
   PacketReader reading(packet);

@@ -55,6 +55,7 @@ enum class CommandKind : std::uint8_t {
   kReturn,    // Gives the picture slot a back: its picture has been copied.
 };
 
+// A command of the desk. Fields that its kind does not name are unused.
 struct Command {
   std::uint32_t number = 0;  // Given by the desk; the lips name it in Report::answered.
   CommandKind kind{};
@@ -107,6 +108,7 @@ inline constexpr std::uint32_t kPictureSlotBytes = kPictureMaxWidth_px * kPictur
 
 // No packet of the lips is longer.
 inline constexpr std::size_t kMaxPacketBytes = 512;
+// Packets of the lips. The hello is sent first, together with the descriptor of the shared memory (SCM_RIGHTS).
 std::vector<std::uint8_t> HelloPacket();
 std::vector<std::uint8_t> Packet(const Report& report);
 std::vector<std::uint8_t> Packet(const PictureNote& note);

@@ -12,12 +12,14 @@ namespace kaori::lips {
 namespace {
 
 constexpr int kCommandsAtOnce = 64;  // A desk that sends without end must not hold the lips up.
+// A page asks again every half second; pictures come 16 times a second at most, and reports ten times.
 constexpr Duration kLookDuration = std::chrono::seconds(2);
 constexpr Duration kPicturePeriod = std::chrono::milliseconds(60);
 constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
 
 }  // namespace
 
+// A socket's file that a killed program left behind is replaced (ListenForPackets).
 Result<DeskConnection> DeskConnection::Open(const std::string& path) {
   auto listener = ListenForPackets(path);
   if (!listener) return tl::unexpected(listener.error());

@@ -23,6 +23,7 @@ class DeskConnection {
   static Result<DeskConnection> Open(const std::string& path);
   DeskConnection(DeskConnection&&) = default;
   DeskConnection& operator=(DeskConnection&&) = delete;
+  // Removes the socket's file, so that desks see at once that nobody listens.
   ~DeskConnection();
 
   // Returns the commands that arrived; requests for pictures and returned slots are handled here. It accepts
@@ -41,16 +42,21 @@ class DeskConnection {
  private:
   DeskConnection(UniqueFd listener, std::string path)
       : listener_(std::move(listener)), path_(std::move(path)) {}
+  // Takes the newest desk that waits, in place of the one there is.
   void Accept();
+  // Handles kLook and kReturn.
   void HandlePictureCommand(const Command& command, Time now);
+  // Sends a packet, with a descriptor where one is given. False: there is no desk, or it does not read.
   bool Send(const std::vector<std::uint8_t>& packet, int descriptor = -1);
 
   UniqueFd listener_;
   std::string path_;
   UniqueFd peer_;
+  // Where small pictures are drawn; made anew for each desk.
   SharedMemory pictures_;
   std::array<bool, kPictureSlots> in_use_{};  // The desk has not given the slot back yet.
   std::uint32_t number_ = 0;
+  // Until when a desk wants pictures, and when the last one and the last report were sent.
   Time wanted_until_{};
   Time picture_at_{};
   Time report_at_{};

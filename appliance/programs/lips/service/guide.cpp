@@ -96,6 +96,7 @@ void Guide::BeginPose(Tuning& tuning, Time now) {
       {.kind = CommandKind::kBegin, .name = std::string(NameOf(static_cast<CalibrationStep>(step_)))}, now);
 }
 
+// Undone rather than overwritten, so that changes which a desk made before the calibration stay.
 void Guide::Abandon(Tuning& tuning) {
   Log("lips: the calibration by keyboard was cancelled; the settings are as before");
   tuning.RevertTo(before_);

@@ -30,19 +30,25 @@ class Guide {
   board::LipsGuide state(bool captions) const;
 
  private:
+  // Sums of counters on the board: pushes that confirm, and pushes of Escape.
   struct Pushes {
     std::uint32_t confirms = 0;
     std::uint32_t cancels = 0;
     bool operator==(const Pushes&) const = default;
   };
   static Pushes PushesOf(const board::Keys& keys, const board::Surface& surface);
+  // Begins with the first pose. The exposure is freed, and where the mouth is not clean the paint is looked for.
   void Start(const board::Lips& lips, Tuning& tuning, Time now);
+  // Goes on to the next pose when one is measured.
   void FollowStep(Tuning& tuning, Time now);
+  // Measures the pose that is due, or saves after the last one.
   void BeginPose(Tuning& tuning, Time now);
+  // Undoes what this calibration has changed.
   void Abandon(Tuning& tuning);
 
   bool active_ = false;
   std::uint32_t step_ = 0;  // As in board::LipsGuide.
+  // A pose is being measured; a learnable mouth is seen now; how far the measurement is.
   bool measurement_ = false;
   bool seen_ = false;
   float progress_ = 0;
@@ -51,6 +57,7 @@ class Guide {
   std::optional<Time> held_since_;  // Since when F12 or Insert is held.
   bool released_ = true;            // The key was released since the last calibration began.
   Pushes seen_pushes_;
+  // When something was last pushed or measured.
   Time idle_since_{};
 };
 

@@ -31,6 +31,7 @@ class LipService {
   static Result<std::unique_ptr<LipService>> Open(const LipServiceOptions& options, LipReader& reader,
                                                   const board::Board& board, const Clock& clock);
 
+  // The reader must still be there: it is told to call back no more.
   ~LipService();
   LipService(const LipService&) = delete;
   LipService& operator=(const LipService&) = delete;
@@ -44,6 +45,7 @@ class LipService {
  private:
   LipService(const LipServiceOptions& options, LipReader& reader, const board::Board& board,
              board::Writer<board::LipsGuide> writer, const Clock& clock);
+  // Writes the section lips_guide while a calibration is under way, and once when it ends.
   void ShowGuide(Time now);
   bool ServiceSwitched() const;
 
@@ -55,6 +57,7 @@ class LipService {
   Tuning tuning_;
   Guide guide_;
   std::optional<DeskConnection> connection_;
+  // The section says that a calibration is under way.
   bool shown_ = false;
 };
 

@@ -50,6 +50,7 @@ Chroma MeanOf(const decode::Planes& planes, int left, int top, int side) {
   return {static_cast<float>(cb) / all, static_cast<float>(cr) / all};
 }
 
+// 64 cells across, whatever the picture's size: a mouth covers a dozen of them.
 Cells CellsOf(const decode::Planes& planes) {
   const decode::Plane& c = planes.cb;
   const int side = std::max(1, c.width_px / kAcross);
@@ -99,6 +100,7 @@ class Search {
     visited_.assign(cells.chroma.size(), false);
   }
 
+  // The cell to sample; nothing where no patch is worth anything.
   std::optional<int> Best() {
     float most = 0;
     std::optional<int> best;
@@ -116,12 +118,15 @@ class Search {
  private:
   bool IsPaint(const Chroma& c) const { return Tint(c) > kMinTint && Between(c, skin_) > kMinUnlike; }
 
+  // The neighbours at the four sides; -1 beyond the picture's edge.
   std::array<int, 4> Around(int n) const {
     const int x = n % cells_.width, y = n / cells_.width;
     return {x > 0 ? n - 1 : -1, x + 1 < cells_.width ? n + 1 : -1, y > 0 ? n - cells_.width : -1,
             y + 1 < cells_.height ? n + cells_.width : -1};
   }
 
+  // All connected cells of one paint, breadth first. They are compared with the seed and not with each other,
+  // so that a patch does not creep along a gradient.
   Patch Grow(int seed) {
     Patch patch;
     patch.cells.push_back(seed);
@@ -177,6 +182,7 @@ class Search {
 
 }  // namespace
 
+// Pictures of less than 8 samples have no cells to speak of.
 std::optional<Point> FindPaint(const decode::Planes& planes) {
   if (planes.cb.width_px < 8 || planes.cb.height_px < 8) return std::nullopt;
   const Cells cells = CellsOf(planes);

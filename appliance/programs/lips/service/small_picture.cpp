@@ -33,6 +33,7 @@ SmallSize SmallSizeOf(const decode::Planes& planes, int max_px) {
   return {std::max(1, planes.y.width_px / part), std::max(1, planes.y.height_px / part)};
 }
 
+// Luma and chroma are looked up separately, since their planes differ in size.
 void DrawSmall(const decode::Planes& planes, const PaintKey& key, SmallSize size,
                std::span<std::uint8_t> into) {
   std::uint8_t* at = into.data();

@@ -9,6 +9,7 @@
 
 namespace kaori::lips {
 
+// Both sides at least 1.
 struct SmallSize {
   int width_px = 0;
   int height_px = 0;

@@ -16,6 +16,7 @@ constexpr Duration kFilePeriod = std::chrono::seconds(1);
 constexpr int kReachFound =
     2;  // A smaller reach around a point that is known to be paint, since lips may be thin.
 
+// When the file was changed; the same "never" for one that is not there.
 std::filesystem::file_time_type TimeOf(const std::filesystem::path& file) {
   std::error_code none;
   const auto at = std::filesystem::last_write_time(file, none);
@@ -26,6 +27,7 @@ std::string ComplaintOf(const Result<void>& done) {
   return done ? std::string() : done.error().message();
 }
 
+// The upright box around the mouth's sizes, in parts of the picture: a tilted mouth sticks out a little.
 std::array<float, 4> BoxOf(const LipMeter& meter, const decode::Planes& planes) {
   const auto& detection = meter.detection();
   if (!detection || planes.y.width_px <= 0 || planes.y.height_px <= 0) return {};
@@ -106,6 +108,7 @@ std::string Tuning::Begin(const std::string& name) {
   return "there is no calibration step " + name;
 }
 
+// Nothing stands for a generation that was never saved.
 std::string Tuning::SwitchTo(const std::optional<LipSettings>& settings, std::uint32_t gesture) {
   if (!settings) return "no settings are saved";
   calibration_.Set(*settings, gesture);
@@ -121,6 +124,7 @@ std::string Tuning::Save() {
   return {};
 }
 
+// A sample before a step: a colour that changes now is measured with from the next picture on.
 void Tuning::HandlePicture(const decode::Planes& planes, const LipMeter& meter, Time at, Time now) {
   if (waiting_) SamplePaint(planes);
   const auto step = calibration_.step();
@@ -151,6 +155,7 @@ void Tuning::Answer(const Command& command, std::string complaint) {
   report_.complaint = std::move(complaint);
 }
 
+// A step that is under way would add a change after it, and is cancelled.
 void Tuning::RevertTo(std::size_t changes) {
   calibration_.Cancel();
   calibration_.RevertTo(changes);

@@ -58,26 +58,35 @@ class Tuning {
     Command command;
     Time until;
   };
+  // Executes a command that needs no picture, and gives why it failed; so do the three after it.
   std::string ExecuteNow(const Command& command);
   std::string Begin(const std::string& name);
   std::string SwitchTo(const std::optional<LipSettings>& settings, std::uint32_t gesture = 0);
   std::string Save();
+  // Executes the command that waited for a picture.
   void SamplePaint(const decode::Planes& planes);
+  // Puts a command's outcome into the report.
   void Answer(const Command& command, std::string complaint);
+  // Brings the lips up to the calibration's settings.
   void Apply();
+  // Takes up a settings file that somebody else has replaced.
   void CheckFile(Time now);
+  // Brings the report up to date.
   void Refresh();
 
   Calibration calibration_;
   std::filesystem::path file_;
   TuningActions actions_;
+  // The settings that the lips use, and those that the file has in its two generations.
   LipSettings used_;
   SavedSettings saved_;
   std::optional<Waiting> waiting_;
   Report report_;
+  // The write that is under way, with what it writes and the command that asked for it.
   std::future<Result<void>> saving_;
   LipSettings being_saved_;
   std::uint32_t save_number_ = 0;
+  // The file's time of change when it was last read.
   std::filesystem::file_time_type file_at_{};
   Time check_file_at_{};
 };

@@ -38,6 +38,7 @@ class DelayChoice {
  private:
   DelaySetting setting_;
   Duration chosen_;
+  // chosen_ comes from a measurement of this run.
   bool measured_ = false;
   std::optional<Duration> other_;  // Another delay that is being measured,
   Time other_since_{};             // and since when.

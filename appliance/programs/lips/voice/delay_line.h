@@ -41,14 +41,20 @@ class DelayLine {
   std::uint32_t jumps() const { return jumps_; }
 
  private:
+  // Adds a frame; Skip adds silent ones in place of lost frames.
   void Append(float sample);
   void Skip(std::int64_t frames);
+  // Notes how late a read was for what had been written by then.
   void MeasureNeed();
+  // The position that was recorded at this time.
   double PositionOf(Time time) const;
+  // Moves the position to where it is wanted, at once or by the speed.
   void Steer(double wanted, std::size_t frames, bool jump);
+  // The sound at a position between frames; silent outside of what is held.
   float At(double position) const;
   float NextFrame();
 
+  // The newest frames, one channel of -1 .. 1; frame n of all lies at n modulo its size.
   std::vector<float> ring_;
   std::int64_t newest_ = 0;  // How many frames were written since the beginning,
   Time newest_at_{};         // and the smoothed time of the next one.
@@ -56,6 +62,7 @@ class DelayLine {
   std::size_t soft_left_ = 0;  // Frames until the beginning after a gap has full volume.
 
   double position_ = 0;  // Where the line is read, in frames since the beginning.
+  // Frames that the position goes on for each frame that is played.
   double speed_ = 1;
   double error_ = 0;  // How far the position is behind the target, smoothed.
   bool reading_ = false;

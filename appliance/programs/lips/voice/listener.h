@@ -36,6 +36,7 @@ class Listener {
   static constexpr std::size_t kTaps = 65;     // The taps of the low pass before every fourth sample is kept.
   static constexpr std::size_t kMoment = 360;  // 30 ms at kVoiceRate_hz.
 
+  // Adds a sample at 48 kHz, -1 .. 1; every fourth one brings a sample of the moment.
   void AddSample(float sample);
   float LowPassed() const;
 
@@ -43,6 +44,7 @@ class Listener {
   Voice voice_;
   std::array<float, kTaps> recent_{};    // Samples at 48 kHz, the oldest first.
   std::array<float, kMoment> moment_{};  // Samples at kVoiceRate_hz, the oldest first.
+  // Samples since the last one that was kept.
   int phase_ = 0;
 };
 

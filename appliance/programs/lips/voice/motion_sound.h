@@ -37,15 +37,20 @@ class MotionSound {
     // Adds one frame. Returns false when the clip or its fade is over.
     bool AddFrame(float& left, float& right);
   };
+  // Begins the clip that is pending, or moves one that is off, for a frame that is heard at this time.
   void Start(Time heard_at);
+  // Lets the clip that plays fade out, by `step` a frame, beside the next one.
   void CutOff(float step);
 
   std::vector<show::Sound> clips_;
+  // The motion that the board named last, and its count of starts.
   std::int32_t motion_ = -1;
   std::uint32_t starts_ = 0;
   bool known_ = false;    // The section was read: a motion that began before the program did stays silent.
   bool pending_ = false;  // The sound of the motion has not begun yet.
+  // When the motion's beginning was presented.
   Time began_{};
+  // The clip that plays, and the one that fades out.
   Playback now_, before_;
 };
 

@@ -47,13 +47,21 @@ class Speaker {
  private:
   static constexpr std::size_t kChunk = 120;  // Frames: 2.5 ms.
 
+  // Tries to open the loudspeaker; not again before a quarter of a second has passed.
   void TryOpen(Time now);
+  // Writes chunks until enough sound waits in the device.
   void Fill(Time now);
+  // Writes one chunk; false where the device has no room for all of it now.
   bool WriteChunk();
+  // Makes the next chunk of voice and motions, for the time at which it will be heard.
   void Mix();
+  // Hands the device what is left of the chunk.
   bool Push();
+  // Learns from a write when the next frame will be heard.
   void NotePlayout(const ports::Playout& playout);
+  // The device failed: the section becomes stale and the device is opened again.
   void Close(Time now, std::string_view why);
+  // Writes the section `sound`, ten times a second.
   void Publish(Time now);
   void LogDelay();
 
@@ -69,6 +77,7 @@ class Speaker {
   Duration lead_{};                 // How much sound waits in the device,
   Time filled_at_{};                // and when it was last filled up to that.
   Duration depth_{};                // The device's own latency, from a write until it is heard.
+  // The voice of one chunk, and the chunk with all that sounds in it, left and right.
   std::array<float, kChunk> voice_{};
   std::array<float, 2 * kChunk> mixed_{};
   std::vector<std::int16_t> chunk_;  // From `pushed_` on the device has not accepted it yet.

@@ -22,6 +22,7 @@ bool IsSupported(const ports::SoundFormat& format) {
 
 }  // namespace
 
+// Nothing goes on from an earlier run: a voice is over within a second.
 VoiceReader::VoiceReader(ports::MicrophoneOpener open, board::Writer<board::Voice> writer,
                          const GateSettings& gate, const Clock& clock, BlockHandler handler)
     : open_(std::move(open)),

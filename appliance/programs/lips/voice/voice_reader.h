@@ -39,10 +39,15 @@ class VoiceReader {
   int opened() const { return opened_; }
 
  private:
+  // Tries to open the microphone; not again before a quarter of a second has passed.
   void TryOpen(Time now);
+  // Processes the blocks that wait, 64 at most.
   void ReadBlocks(Time now);
+  // One block: to the listener, the handler, and the board.
   void Process(const ports::SoundBlock& block, Time now);
+  // The microphone failed: the section becomes stale and the device is opened again.
   void Close(Time now, std::string_view why);
+  // A microphone that sends nothing: stale after 200 ms, opened again after 2 s.
   void CheckSilence(Time now);
 
   ports::MicrophoneOpener open_;

@@ -41,8 +41,10 @@ class VoiceService {
   void Use(const GateSettings& gate, const DelaySetting& delay);
 
  private:
+  // Watches the microphone that is open now.
   void Watch();
 
+  // Null where the box has no such device. The reader calls the speaker, and so is destroyed first.
   std::unique_ptr<Speaker> speaker_;
   std::unique_ptr<VoiceReader> reader_;
   EventLoop* loop_ = nullptr;
