@@ -42,12 +42,19 @@ struct PcmStatus {
 // destructor closes the device; what is queued is dropped.
 class AlsaPcm {
  public:
+  // Every call is one of ALSA's; the device ends with the object.
   virtual ~AlsaPcm() = default;
+  // What the device was set to; it does not change.
   virtual ports::SoundFormat format() const = 0;
   virtual int pollable() const = 0;  // Readable when a period was captured, or can be written.
+  // Starts a stream that was prepared; a capture stream records from then on. Playback starts by itself.
   virtual int Start() = 0;
+  // Makes a stream that was stopped by an overrun or underrun ready again. What was queued is gone.
   virtual int Prepare() = 0;
+  // Takes a suspended stream up where it was; -ENOSYS where the hardware cannot,
+  // -EAGAIN while it is still suspended.
   virtual int Resume() = 0;
+  // What the kernel counts at this moment. A stream that is not running has a delay of 0.
   virtual int Status(PcmStatus& into) = 0;
   // Whole frames of interleaved samples; they return how many frames were read or
   // written, which may be fewer than asked for. -EAGAIN: none now. -EPIPE: an overrun or

@@ -34,6 +34,7 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
  private:
   // Reads what the loudspeaker has told since the last call. Errors: as Write.
   Result<void> ReadNotes();
+  // Applies one packet: the hello first, notes of what was played afterwards.
   Result<void> HandlePacket(std::span<const std::uint8_t> packet);
   // Between two notes the queue is reckoned by the rate, so that stamps do not jump. Zero where it must have
   // run empty by then.
@@ -43,6 +44,7 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
   UniqueFd socket_;
   std::string name_;
   const Clock& clock_;
+  // As the hello says; the default until it has come.
   ports::SoundFormat format_;
   // How many frames the device queues at most, as its hello says. Kept as
   // a double, since the reckoned queue is one.
@@ -53,6 +55,7 @@ class LocalLoudspeaker final : public ports::Loudspeaker {
   // The count of underruns that was told by Playout::xrun already.
   std::uint32_t reported_underruns_ = 0;
   std::vector<std::uint8_t> packet_;
+  // A packet made no sense. Every later call says so.
   bool broken_ = false;
 };
 

@@ -16,6 +16,7 @@ inline constexpr const char* kAnySound = "any";
 // A capture or playback device of a sound card.
 struct SoundDevice {
   std::string name;  // As ALSA calls it: "hw:1,0".
+  // On USB: somebody has plugged it in for this box.
   bool usb = false;
   bool on_screen_cable = false;  // HDMI, DisplayPort.
 };

@@ -43,18 +43,22 @@ class BackgroundWriter {
   void Finish();
 
  private:
+  // The thread's function: waits for work, does it, and lets the pause pass.
   void Run();
 
   std::chrono::milliseconds pause_;
   Write write_;
   std::mutex mutex_;
   std::condition_variable changed_;
+  // Written under the mutex and read without it: the frame path must not wait for the thread.
   std::atomic<bool> busy_ = false;
   // How often Ask was called, and how many of these calls a call of `write` has
   // covered. Both are guarded by the mutex, as all below are.
   std::uint64_t asked_ = 0;
   std::uint64_t tried_ = 0;
+  // The pause is to be cut short: somebody waits for the disk.
   bool at_once_ = false;
+  // The destructor runs: the thread ends after one more try.
   bool ending_ = false;
   std::thread thread_;  // Last: it uses all the others.
 };

@@ -9,6 +9,7 @@ namespace kaori {
 // stamps camera frames, flips and GPIO edges on the same clock, so that they can be compared without a
 // conversion. It stands still while the machine is suspended, which a box never is.
 using Duration = std::chrono::nanoseconds;
+// A moment of CLOCK_MONOTONIC in nanoseconds since the machine's start, signed, so that differences work.
 using Time = std::chrono::time_point<std::chrono::steady_clock, Duration>;
 
 // The clock that is passed in wherever the present matters, so that a rehearsal and the tests can run
@@ -20,6 +21,7 @@ class Clock {
   virtual Time now() const = 0;
 };
 
+// The machine's clock: now() is one call of the vDSO and costs some tens of nanoseconds.
 class SteadyClock final : public Clock {
  public:
   Time now() const override { return std::chrono::steady_clock::now(); }

@@ -16,6 +16,7 @@ namespace kaori {
 // their own descriptor included; what such a handler captured stays alive until it has returned.
 class EventLoop {
  public:
+  // Runs in the thread of the loop and must not block: all other descriptors wait for it.
   using Handler = std::function<void()>;
 
   // Blocks SIGINT and SIGTERM for this thread and those it starts later: from here on they end Run(). Ignores
@@ -44,11 +45,13 @@ class EventLoop {
   Result<void> RunEvery(Duration period, Handler handler);
 
  private:
+  // What is watched. A handler that is null stands for the signals, which stop the loop.
   struct Watched {
     int fd;
     Handler handler;
   };
   explicit EventLoop(UniqueFd epoll) : epoll_(std::move(epoll)) {}
+  // Calls the handler of a descriptor, if it is still watched.
   void Dispatch(int fd);
 
   UniqueFd epoll_;

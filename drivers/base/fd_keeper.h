@@ -50,12 +50,15 @@ class FdKeeper {
   // A failure to accept is not reported: the client sees a refused
   // connection, and it is the client that acts on it.
   void Accept();
+  // Reads a client's request, answers it and dismisses the client.
   void Answer(int client);
 
   // Watches the listener and each client. Outlives the keeper.
   EventLoop& loop_;
   UniqueFd listener_;
+  // None: nobody has given a descriptor yet.
   std::optional<UniqueFd> held_;
+  // Called before the client's connection ends.
   std::function<void(int)> received_;
   // In the order in which they came. Each is here exactly as long as the loop watches it.
   std::vector<UniqueFd> clients_;

@@ -13,6 +13,7 @@
 namespace kaori::json {
 
 class Value;
+// In order; values of different kinds may stand in one list.
 using List = std::vector<Value>;
 // In the order in which it is written; names are not compared. A map would
 // sort the entries, and a report is read by people.

@@ -35,6 +35,7 @@ class Options {
     bool* flag;
     bool needed;
   };
+  // Null where no option of this name was declared.
   const Option* Find(std::string_view name) const;
 
   std::string_view help_;

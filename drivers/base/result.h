@@ -22,8 +22,10 @@ enum class ErrorKind : std::uint8_t {
 // fits best; callers decide by it, people read message(). Values, not classes: an
 // error is compared, copied and passed on like a number.
 struct [[nodiscard]] Error {
+  // What callers decide by. Zero is no error and never stands here.
   std::errc cause{};
   std::string attempt;  // What was tried and on which object: "open /dev/hidraw0".
+  // Follows from the cause, but for kInput, which only the place that found the fault can know.
   ErrorKind kind = ErrorKind::kSystem;
 
   // The line for people: "open /dev/hidraw0: No such device"; for kInput the attempt alone.

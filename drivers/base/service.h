@@ -41,6 +41,7 @@ class Watchdog {
   // Tell.
   Result<void> Beat(Duration turn);
 
+  // Twenty times a second: a limit of 250 ms leaves room for some that come late.
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);
 
   // After this silence the manager kills the program. Between 250 ms and what WATCHDOG_USEC allows.
@@ -49,7 +50,9 @@ class Watchdog {
  private:
   explicit Watchdog(Duration longest) : longest_(longest), limit_(longest) {}
 
+  // What WATCHDOG_USEC allows.
   Duration longest_;
+  // What the manager was told last.
   Duration limit_;
 };
 

@@ -21,6 +21,7 @@ class SharedMemory {
   SharedMemory() = default;
   SharedMemory(SharedMemory&& other) noexcept
       : bytes_(std::exchange(other.bytes_, {})), descriptor_(std::move(other.descriptor_)) {}
+  // Ends the mapping that it had.
   SharedMemory& operator=(SharedMemory&& other) noexcept;
   ~SharedMemory() { Unmap(); }
 
@@ -43,6 +44,7 @@ class SharedMemory {
 
  private:
   void Unmap();
+  // Maps the descriptor's memory and owns both. Errors: those of mmap(2).
   static Result<SharedMemory> Map(UniqueFd descriptor, std::size_t bytes);
 
   std::span<std::uint8_t> bytes_;

@@ -26,7 +26,9 @@ class SilenceLog {
 
  private:
   std::string source_, consequence_;
+  // No silence is logged before this time.
   Time quiet_until_{};
+  // How many silences were left out since the last line.
   int unsaid_ = 0;
   // The silence is in the log, and so will be its end. True at the
   // beginning, so that the first sample is logged too.

@@ -13,6 +13,7 @@ namespace kaori {
 class UniqueFd {
  public:
   UniqueFd() = default;
+  // Owns `fd`, which nobody else may close; -1 makes an empty one.
   explicit UniqueFd(int fd) : fd_(fd) {}
   UniqueFd(UniqueFd&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   UniqueFd& operator=(UniqueFd&& other) noexcept {
@@ -31,6 +32,7 @@ class UniqueFd {
   bool valid() const { return fd_ >= 0; }
   // Gives the descriptor away without closing it, and holds none afterwards.
   int release() { return std::exchange(fd_, -1); }
+  // Closes what it holds, if anything.
   void reset() {
     if (fd_ >= 0) ::close(std::exchange(fd_, -1));
   }

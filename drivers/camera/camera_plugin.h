@@ -35,8 +35,11 @@ class CameraLibrary : public ports::CameraTuning {
 // together: kVersion is raised with every change of the interface between them, since C++
 // classes cross it and a mismatch would crash.
 struct CameraPlugin {
+  // Raised with every change of CameraPlugin, CameraLibrary or the ports that they use.
   static constexpr std::uint32_t kVersion = 1;
+  // The name that dlsym(3) looks for: a variable of the type CameraPlugin.
   static constexpr const char* kSymbol = "kaori_camera_plugin";
+  // First, and of fixed size: it can be read whatever the rest of the struct has become.
   std::uint32_t version = kVersion;
   CameraLibrary* (*start)() = nullptr;  // The caller owns the result. Null: the library does not start.
 };

@@ -41,7 +41,9 @@ class LocalCamera final : public ports::Camera {
 
   UniqueFd socket_;
   std::string name_;
+  // How many slots there are, and how long each is.
   wire::CameraHello hello_;
+  // All slots, read only by agreement: the simulator writes into those that are not lent.
   SharedMemory memory_;
   std::optional<std::uint32_t> borrowed_;  // The slot whose bytes the caller reads.
   bool broken_ = false;                    // The hello made no sense.

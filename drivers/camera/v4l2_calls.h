@@ -13,6 +13,7 @@ namespace kaori::camera {
 // blocks, but for STREAMON and S_FMT of slow webcams: tenths of a second. One thread.
 class V4l2Calls {
  public:
+  // The kernel's calls have no state; a test's camera has.
   virtual ~V4l2Calls() = default;
   // Non-blocking; invalid on failure.
   virtual UniqueFd Open(const std::string& path) = 0;

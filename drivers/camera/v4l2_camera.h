@@ -49,6 +49,7 @@ class V4l2Camera final : public ports::Camera {
   // A mapped buffer.
   struct Buffer {
     std::uint8_t* memory = nullptr;
+    // Of the mapping; a frame may be shorter.
     std::size_t bytes = 0;
   };
   // A buffer with a whole frame.
@@ -56,6 +57,7 @@ class V4l2Camera final : public ports::Camera {
     std::uint32_t index = 0;
     std::uint32_t bytes = 0;
     std::uint32_t sequence = 0;
+    // When it was exposed, as StampOf reads it.
     Time at{};
   };
   V4l2Camera(std::string path, const V4l2Preferences& preferences, const Clock& clock, V4l2Calls& calls);
@@ -63,6 +65,7 @@ class V4l2Camera final : public ports::Camera {
   Result<void> Start();
   // Requests the buffers; the kernel may give more or fewer than were asked for.
   Result<void> MapBuffers();
+  // Maps one buffer of the kernel for reading, until the camera ends. Errors: as Open.
   Result<void> MapBuffer(std::uint32_t index);
   // Queues a buffer for the kernel to fill. Errors: as Next.
   Result<void> GiveBack(std::uint32_t index);
@@ -93,6 +96,7 @@ class V4l2Camera final : public ports::Camera {
   std::optional<Filled> held_;  // The frame that the caller reads.
   std::optional<Error> broken_;
   Time newest_{};  // When the last frame came, or the stream started.
+  // The driver reports another input signal by an event.
   bool watches_source_ = false;
 };
 

@@ -13,6 +13,7 @@ namespace kaori::camera {
 
 // A control's V4L2_CID_..., and its value.
 struct V4l2Value {
+  // V4L2_CID_EXPOSURE_ABSOLUTE and its like.
   std::uint32_t control = 0;
   std::int32_t value = 0;
   friend bool operator==(const V4l2Value&, const V4l2Value&) = default;

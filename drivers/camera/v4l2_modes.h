@@ -28,6 +28,7 @@ struct V4l2Preferences {
 // A format, a size and a rate that the camera has. The rate is kept as the camera's own
 // fraction, so that it is set without rounding.
 struct V4l2Mode {
+  // V4L2's code of the format: V4L2_PIX_FMT_YUYV and its like.
   std::uint32_t fourcc = 0;
   ports::CameraFormat format;
   // Seconds from frame to frame, as a fraction; 0/1 where the camera does not tell: it keeps its own.

@@ -46,6 +46,7 @@ class V4l2Source final : public ports::CameraTuning {
   V4l2Preferences preferences_;
   const Clock& clock_;
   V4l2Calls& calls_;
+  // The mode of the camera that was opened last; none before.
   std::optional<V4l2Mode> mode_;
   // None while free. Values that were read when the show was held; an opening sets them again.
   std::optional<std::vector<V4l2Value>> held_;

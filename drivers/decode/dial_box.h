@@ -60,6 +60,7 @@ class DialBoxDecoder {
  private:
   // Where the dial is in the reports, and what was read there last.
   struct Dial {
+    // Which element of which field.
     ElementRef where;
     std::optional<std::int64_t> position;  // Of a wrapping dial, once seen.
   };

@@ -30,6 +30,7 @@ struct StickSettings {
   float dead_zone = 0.05f;  // Of the way to the end, around the centre: 0 there, and no jump at its edge.
   float reach = 1.0f;       // Of the way to the end at which the axis says 1: worn sticks do not get there.
   float curve = 0.0f;       // 0 straight .. 1 cubic: fine about the centre.
+  // A throttle whose device counts towards its user.
   bool slider_reversed = false;
 };
 
@@ -69,6 +70,7 @@ class JoystickDecoder {
   Centres centres() const;
   void SetCentres(const Centres& centres);
 
+  // The newest sample, also after Release and CalibrateCentre.
   const StickSample& sample() const { return sample_; }
 
  private:
@@ -76,13 +78,16 @@ class JoystickDecoder {
   // rests. A stick that is worn or bent rests elsewhere than in the middle.
   struct Axis {
     ElementRef where;
+    // min and max are the ends of the logical range; the centre lies between them.
     std::int64_t min = 0, middle = 0, centre = 0, max = 0;
     std::optional<std::int64_t> raw;  // None before a report had it.
   };
   JoystickDecoder(ReportLayout layout, const StickSettings& settings);
   // The first absolute input of this usage; none where the device has no such axis.
   std::optional<Axis> FindAxis(Usage usage) const;
+  // The slider, throttle or Z axis, in this order.
   std::optional<Axis> FindSlider() const;
+  // The axes that have a centre, in the order of Centres.
   std::array<const std::optional<Axis>*, 3> centred() const { return {&x_, &y_, &twist_}; }
   std::array<std::optional<Axis>*, 3> centred() { return {&x_, &y_, &twist_}; }
   // These read one report into the axes' raw values, and into the sample's hat.

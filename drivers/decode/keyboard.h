@@ -36,6 +36,7 @@ class KeyboardDecoder {
   // To be called when the cable was pulled: no key stays held.
   void Release();
 
+  // The newest sample, also after Release.
   const KeySample& sample() const { return sample_; }
 
  private:

@@ -14,6 +14,7 @@ namespace kaori::decode {
 // width_px and 0 <= y < height_px: nothing is checked for a single sample, since the reader of
 // the frame has checked that all of them lie within `bytes`.
 struct Plane {
+  // From the first sample on; samples of other planes may lie between.
   std::span<const std::uint8_t> bytes;
   int width_px = 0;
   int height_px = 0;
@@ -53,6 +54,7 @@ class PlaneReader {
 
  private:
   class Jpeg;
+  // Decompresses into the reader's own memory. Errors: as Read.
   Result<Planes> ReadJpeg(const ports::CameraFrame& frame);
 
   std::unique_ptr<Jpeg> jpeg_;  // Made at the first JPEG.

@@ -49,6 +49,7 @@ class PointerDecoder {
   // To be called when the cable was pulled: buttons go up, the position stays.
   void Release();
 
+  // The newest sample, also after Release.
   const PointerSample& sample() const { return sample_; }
 
  private:

@@ -16,7 +16,9 @@ enum class ItemType : std::uint8_t { kMain = 0, kGlobal = 1, kLocal = 2, kReserv
 // One short item (HID 1.11, section 6.2.2.2). Whether its data are signed
 // depends on the tag, so both readings are here.
 struct Item {
+  // Which of the three groups of items; reserved ones are passed over.
   ItemType type = ItemType::kMain;
+  // Which item of its group (HID 1.11, sections 6.2.2.4, 6.2.2.7 and 6.2.2.8).
   std::uint8_t tag = 0;
   std::uint8_t data_bytes = 0;       // 0, 1, 2 or 4.
   std::uint32_t unsigned_value = 0;  // The data, widened with zeros.
@@ -41,6 +43,7 @@ class ItemReader {
   Item ParseShortItem(std::uint8_t data_bytes);
 
   std::span<const std::uint8_t> descriptor_;
+  // The byte at which the next item begins.
   std::size_t at_ = 0;
 };
 

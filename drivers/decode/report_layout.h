@@ -14,7 +14,9 @@ namespace kaori::decode {
 // without bounds four bytes could ask for 4 GiB of fields.
 inline constexpr std::size_t kMaxDescriptorBytes = 4096;
 inline constexpr std::size_t kMaxUsages = 12288;  // For one main item.
+// Fields with values; padding does not count.
 inline constexpr std::size_t kMaxFieldsPerReport = 256;
+// Globals that Push can save at a time.
 inline constexpr std::size_t kMaxGlobalStack = 4;
 inline constexpr std::size_t kMaxReportBytes = 16384;  // Report id included.
 // Of one element; values of up to kMaxValueBits are read. Wider elements are for vendors' data.
@@ -34,12 +36,14 @@ using Usage = std::uint32_t;
 struct UsageRange {
   Usage first = 0;
   Usage last = 0;
+  // The number of the first element that they are for.
   std::uint32_t start = 0;
 };
 
 // One main item with data: `count` elements of `bits` bits each. Padding and elements of more than
 // kMaxValueBits bits occupy bits of the report, but have no field.
 struct ReportField {
+  // The direction of its report.
   ReportKind kind = ReportKind::kInput;
   std::uint8_t report_id = 0;     // 0 where reports have no ids.
   bool is_array = false;          // An element names a usage; else every element has its own usage.
@@ -48,6 +52,7 @@ struct ReportField {
   bool has_null = false;          // A value outside the logical range says "no value".
   std::uint32_t offset_bits = 0;  // From the first byte after the report id.
   std::uint32_t bits = 0;         // 1..32.
+  // How many elements, or places of an array.
   std::uint32_t count = 0;
   std::int64_t logical_min = 0;  // Negative: elements are signed.
   std::int64_t logical_max = 0;
@@ -55,6 +60,7 @@ struct ReportField {
   // The field's ranges are those of ReportLayout::usages from here up
   // to, but without, usages_end: at least one.
   std::uint32_t usages_begin = 0;
+  // The index behind the last of its ranges.
   std::uint32_t usages_end = 0;
 };
 
@@ -65,6 +71,7 @@ struct ReportShape {
   std::uint32_t bits = 0;  // Without the report id.
   std::uint32_t fields = 0;
 
+  // Rounded up: a report is sent in whole bytes.
   std::size_t bytes() const { return (bits + 7u) / 8u; }
 };
 

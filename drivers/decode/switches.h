@@ -33,6 +33,7 @@ struct Switches {
 template <std::size_t kWords>
 class SwitchReader {
  public:
+  // Bit n % 32 of word n / 32: switch n.
   using Mask = std::array<std::uint32_t, kWords>;
 
   // Usage `first` of usage page `page` is switch 0, the next usage switch 1, and so on.

@@ -38,11 +38,13 @@ class UsageList {
   Range RangeTo(const Range& maximum) const;
   // Adds a range that `item` ended. Errors: invalid_argument.
   Result<void> Add(const Item& item, Range range);
+  // Opens or closes a set of alternative usages. Errors: invalid_argument.
   Result<void> Delimit(const Item& item);
 
   std::vector<Range> usages_;
   // Usages so far, each of a range counted by itself.
   std::size_t count_ = 0;
+  // The usage minimum that waits for its maximum.
   Range minimum_;
   int delimiter_depth_ = 0;
   int alternatives_ = 0;  // Within delimiters only the first usage counts.

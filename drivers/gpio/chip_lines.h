@@ -15,6 +15,7 @@ namespace kaori::gpio {
 // Which lines of a chip are used, and how: from the show's profile, in the order of their roles.
 struct Wiring {
   std::vector<LineWiring> inputs{};  // 32 at most; the index is the line's number in the port.
+  // The index is the line's number in Drive.
   std::vector<LineWiring> outputs{};
 };
 
@@ -33,6 +34,7 @@ class ChipLines final : public ports::GpioLines {
   Result<void> Drive(std::uint32_t line, bool active) override;
 
  private:
+  // One input with the edge that was read ahead of it.
   struct Input {
     std::unique_ptr<InputLine> line;  // Null where none is wired: it is never active.
     std::optional<LineEdge> next;     // Read from the kernel, and not yet given.

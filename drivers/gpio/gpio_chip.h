@@ -22,6 +22,7 @@ struct LineWiring {
 // An edge of one line. The kernel stamps it when the interrupt comes, not when a program reads it.
 struct LineEdge {
   Time at{};  // CLOCK_MONOTONIC: the kernel's stamp, or when a polled line was read.
+  // After the edge; active-low wiring is already undone.
   bool active = false;
 };
 
@@ -30,6 +31,7 @@ struct LineEdge {
 //   io_error        the line could not be read
 class InputLine {
  public:
+  // Releases the line for others.
   virtual ~InputLine() = default;
 
   // Readable when ReadEdge may give an edge.
@@ -46,6 +48,7 @@ class InputLine {
 class OutputLine {
  public:
   virtual ~OutputLine() = default;
+  // Sets the level; active_low is already undone by the kernel.
   virtual Result<void> Drive(bool active) = 0;
 };
 

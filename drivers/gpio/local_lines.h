@@ -50,6 +50,7 @@ class LocalLines final : public ports::GpioLines {
   UniqueFd socket_;
   std::string name_;
   std::uint32_t inputs_ = 0;  // How many there are; of both 32 at most.
+  // Of both 32 at most: the bits of a level.
   std::uint32_t outputs_ = 0;
   std::uint32_t active_ = 0;  // Bit n: input line n.
   bool broken_ = false;

@@ -45,9 +45,11 @@ class HidrawBus final : public ports::HidBus {
   };
   // A device as udev tells it, before its node is opened.
   struct Node {
+    // Of the node: "/dev/hidraw3".
     std::string path;
     std::uint16_t vendor = 0;
     std::uint16_t product = 0;
+    // The device's own name, for people; may be empty.
     std::string name;
   };
   explicit HidrawBus(const Clock& clock) : clock_(clock) {}

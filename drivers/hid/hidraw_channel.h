@@ -45,6 +45,7 @@ class HidrawChannel final : public ports::HidChannel {
   ports::HidIdentity identity_;
   const Clock& clock_;
   std::deque<std::vector<std::uint8_t>> initial_;  // Answers that Read has not given yet.
+  // Noted once; from then on no call touches the node.
   bool gone_ = false;
 };
 

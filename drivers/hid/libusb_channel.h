@@ -54,9 +54,12 @@ class LibusbChannel final : public ports::HidChannel {
   struct Transfer {
     enum class State { kIdle, kSubmitted, kCompleted };
     LibusbChannel* channel = nullptr;
+    // libusb's structure; it lives as long as the channel, and is used again for each report.
     std::unique_ptr<libusb_transfer, FreeTransfer> handle;
+    // For a control transfer the eight bytes of its setup come first.
     std::vector<std::uint8_t> bytes;
     State state = State::kIdle;
+    // When its call-back ran.
     Time at{};
     std::uint64_t order = 0;  // Of arrival.
   };
@@ -86,6 +89,7 @@ class LibusbChannel final : public ports::HidChannel {
   // libusb's call-back, with the Transfer as its user data; it leads
   // to HandleDone of the transfer's channel.
   static void OnDone(libusb_transfer* done);
+  // Notes how a transfer ended; runs inside Handle and HandleFor only.
   void HandleDone(Transfer& transfer);
 
   std::unique_ptr<LibusbSession> session_;
@@ -98,9 +102,11 @@ class LibusbChannel final : public ports::HidChannel {
   std::unique_ptr<libusb_device_handle, Close> handle_;
   // Counts completed reports, so that they are given in their order.
   std::uint64_t arrivals_ = 0;
+  // The interface is ours, and must be given back.
   bool claimed_ = false;
   // The destructor runs: call-backs only end their transfers.
   bool closing_ = false;
+  // The device was unplugged; what arrived before is still given.
   bool gone_ = false;
   // A transfer failed: told once, by the next Read that has no report. The next try may succeed.
   bool broken_ = false;

@@ -23,12 +23,14 @@ struct UsbHidInterface {
     void operator()(libusb_device* device) const;
   };
   std::string port;  // As HidrawBus names it: "1-4.2", or "1-4.2:1.1".
+  // bInterfaceNumber, which requests to the interface name.
   int number = 0;
   std::uint16_t descriptor_bytes = 0;  // Of its report descriptor; 0 where it tells none.
   std::uint8_t in_endpoint = 0;        // Interrupt endpoints; 0 where it has none.
   std::uint8_t out_endpoint = 0;
   // wMaxPacketSize of the IN endpoint, without the bits for extra transactions.
   std::uint16_t in_packet_bytes = 0;
+  // A reference: the device's structure stays until it is let go of.
   std::unique_ptr<libusb_device, Unref> device;
 };
 
@@ -66,11 +68,13 @@ class LibusbSession {
   LibusbSession(libusb_context* context, UniqueFd epoll, UniqueFd waiting);
   // libusb tells which of its descriptors are to be watched; these keep the epoll set the same.
   void Watch(int fd, short events);
+  // libusb's notices of its own descriptors; `self` is the session.
   static void OnAdded(int fd, short events, void* self);
   static void OnRemoved(int fd, void* self);
 
   // Declared before the context, which must end first.
   UniqueFd epoll_;
+  // Readable by hand: see SetReadable.
   UniqueFd readable_;
   std::unique_ptr<libusb_context, Exit> context_;
 };

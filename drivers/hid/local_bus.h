@@ -52,6 +52,7 @@ class LocalHidBus final : public ports::HidBus {
   void Connect(const std::string& port);
   // Reads the hello where it has come, and settles the connection's state by it.
   void ReceiveHello(const std::string& port, Connection& connection);
+  // The socket of a port: "<folder>/hid.<port>".
   std::string PathOf(const std::string& port) const;
 
   std::string folder_;

@@ -18,6 +18,7 @@ enum class PixelFormat : std::uint8_t { kYuyv, kNv12, kMjpeg };
 
 // How a frame's bytes are to be read. Width and height count pixels of Y, and are even.
 struct CameraFormat {
+  // Of the picture, in pixels of Y.
   int width_px = 0;
   int height_px = 0;
   PixelFormat pixels = PixelFormat::kYuyv;
@@ -40,6 +41,7 @@ struct CameraFrame {
 // chose it. No call blocks. One thread. Closing a device that hangs may take as long as the kernel does.
 class Camera {
  public:
+  // Ends the stream: frames that were given are gone.
   virtual ~Camera() = default;
 
   // A descriptor that is readable when Next would give a frame, or when the camera is gone. It belongs to the

@@ -25,6 +25,7 @@ enum class CameraHold : std::uint8_t {
 // is no error: what was set counts for the next opening.
 class CameraTuning {
  public:
+  // The camera keeps what was set last.
   virtual ~CameraTuning() = default;
 
   // The mode of the camera that was opened last, for people: "320 x 240 YUYV at 120 frames/s". Empty before.

@@ -22,6 +22,7 @@ struct GpioEdge {
 // offsets. What an output does after their release is up to the chip. No call blocks. One thread.
 class GpioLines {
  public:
+  // Releases the lines for others.
   virtual ~GpioLines() = default;
 
   // A descriptor that is readable when ReadEdge may give an

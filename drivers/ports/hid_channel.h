@@ -35,6 +35,7 @@ struct HidInput {
 // device is released with the channel, which ends before its bus. No call blocks. One thread.
 class HidChannel {
  public:
+  // Closes the device: another program may open it.
   virtual ~HidChannel() = default;
 
   // A descriptor that is readable when Read would give a report,

@@ -25,6 +25,7 @@ struct Playout {
 // the queue runs empty. What is queued at its end is cut off. No call blocks. One thread.
 class Loudspeaker {
  public:
+  // Cuts off what is queued.
   virtual ~Loudspeaker() = default;
 
   // A descriptor that is readable when Write would queue frames, or when the loudspeaker is gone. It belongs

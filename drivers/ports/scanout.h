@@ -30,6 +30,7 @@ struct EglSurface {
 
 // Where the next frame is drawn.
 struct PixelBuffer {
+  // In pixels; the same in every frame until the screen is opened anew.
   int width_px = 0;
   int height_px = 0;
   std::variant<PixelMemory, EglSurface> target;
@@ -51,6 +52,7 @@ struct Flip {
 // One frame goes round at a time: Acquire, draw, Present, ReadFlip. No call blocks. One thread.
 class Scanout {
  public:
+  // Never blanks the screens where the implementation's header says so.
   virtual ~Scanout() = default;
 
   // A descriptor that is readable when ReadFlip would give a flip, or when the screen is gone. It belongs to

@@ -36,6 +36,7 @@ using DrmAtomic = std::unique_ptr<drmModeAtomicReq, DrmFree<drmModeAtomicFree>>;
 // A connector, a CRTC or a plane: its id and its kind (DRM_MODE_OBJECT_...). Ids are unique on a
 // card and stay the same while it is there.
 struct DrmObject {
+  // KMS's number of the object, above 0.
   std::uint32_t id = 0;
   std::uint32_t kind = 0;
 };

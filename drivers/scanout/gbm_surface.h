@@ -25,6 +25,7 @@ struct GbmFree {
 // that are made of them belong to the card's other file, which the fd keeper holds, and keep the last
 // picture: the kernel frees a buffer only when its last framebuffer and its last handle are gone.
 struct GbmDevice {
+  // Closes after the device that draws with it.
   UniqueFd file;
   std::unique_ptr<gbm_device, GbmFree> device;
 
@@ -58,7 +59,9 @@ class GbmSurface final : public KmsSurface {
  private:
   // A buffer of the surface, and the framebuffer that was made of it.
   struct Buffer {
+    // gbm's buffer; it belongs to the surface.
     gbm_bo* object;
+    // KMS's number of the framebuffer that was made of it.
     std::uint32_t framebuffer;
   };
   // The buffer's framebuffer, made where it is new. Errors: what the card says.
@@ -69,6 +72,7 @@ class GbmSurface final : public KmsSurface {
   std::vector<Buffer> buffers_;  // Every one that was locked so far: a handful.
   // The buffer that is presented next or shown, and the one before it; null: none.
   gbm_bo* front_ = nullptr;
+  // null: none. A buffer may be drawn into again only once the screens show a newer one.
   gbm_bo* previous_ = nullptr;
 };
 

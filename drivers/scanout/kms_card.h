@@ -54,6 +54,7 @@ class KmsCard {
 
   // Declared first: the kernel object and screens use it until they end.
   UniqueFd shows_;
+  // Ends before the file that shows, whose master authenticated it.
   GbmDevice draws_;
   std::string fd_keeper_;
   bool kept_ = false;  // The service manager has a copy of the file.

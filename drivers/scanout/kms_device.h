@@ -20,8 +20,10 @@ namespace kaori::scanout {
 
 // A connector of the card, and the screen that is plugged into it. A snapshot.
 struct KmsConnector {
+  // KMS's number of the connector, which stays the same while the card is there.
   std::uint32_t id = 0;
   std::string name;  // By kind and number, as printed beside the socket, if at all: "HDMI-A-1".
+  // A screen is there, and its modes were read.
   bool plugged = false;
   std::uint32_t crtcs = 0;  // Bit n: the card's n-th CRTC can drive it.
   // As the screen's EDID lists them, the preferred one usually first; empty
@@ -72,7 +74,9 @@ class KmsDevice {
 
   // The card's objects in its own order; empty where the card does not answer.
   virtual std::vector<std::uint32_t> Connectors() = 0;
+  // The index of a CRTC in this list is its bit in the masks of connectors and planes.
   virtual std::vector<std::uint32_t> Crtcs() = 0;
+  // Planes that hold a CRTC's whole picture; a CRTC without one cannot be used.
   virtual std::vector<KmsPlane> PrimaryPlanes() = 0;
 
   // Whether the CRTC shows a picture now, of whatever program: after a start that of the boot splash.
@@ -91,6 +95,7 @@ class KmsDevice {
   // Makes the mode known to the card, as a property blob that commits refer to. To be destroyed; a mode that
   // is shown stays shown. Errors: what the card says.
   virtual Result<std::uint32_t> CreateModeBlob(const drmModeModeInfo& mode) = 0;
+  // Forgets a mode; a CRTC that shows it goes on.
   virtual void DestroyModeBlob(std::uint32_t blob) = 0;
 
   // Applies all of `settings` at the next vertical blank, or none of them, and returns before that
@@ -127,6 +132,7 @@ class KmsDevice {
 // The buffers that EGL draws the show into, in the card's memory, all of one size.
 class KmsSurface {
  public:
+  // Gives the buffers back; the framebuffers stay.
   virtual ~KmsSurface() = default;
 
   // The native window for EGL. Valid as long as the surface.

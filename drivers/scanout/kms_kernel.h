@@ -60,6 +60,7 @@ class KmsKernel final : public KmsDevice {
   // which lives as long as the program.
   struct Known {
     std::uint32_t object;
+    // A literal: compared by its letters.
     const char* property;
     std::uint32_t id;
   };
@@ -75,6 +76,7 @@ class KmsKernel final : public KmsDevice {
   // Events read from the card; [from_, until_) is not yet passed on. A read(2) gives
   // whole events only, as many as fit.
   std::array<std::byte, 1024> events_{};
+  // Where the next event begins, and where what was read ends.
   std::size_t from_ = 0;
   std::size_t until_ = 0;
 };

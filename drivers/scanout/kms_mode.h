@@ -14,7 +14,9 @@ namespace kaori::scanout {
 
 // A mode, and how it came about.
 struct ChosenMode {
+  // Timings and size, as KMS wants them in a blob.
   drmModeModeInfo mode{};
+  // Why it is this mode, for people.
   ports::ModeOrigin origin = ports::ModeOrigin::kSafeGuess;
 };
 

@@ -14,6 +14,7 @@ namespace kaori::scanout {
 
 // A connector with a screen, and what it is driven by: one CRTC, one primary plane, one mode.
 struct KmsOutput {
+  // KMS's numbers of connector, CRTC and plane; the name is the connector's.
   std::uint32_t connector = 0;
   std::string name;
   std::uint32_t crtc = 0;

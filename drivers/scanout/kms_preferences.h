@@ -15,6 +15,7 @@ namespace kaori::scanout {
 // A mode that the card would not show on a connector, as with too little memory or
 // a cable that is too long for it.
 struct KmsRefusal {
+  // KMS's number of the connector.
   std::uint32_t connector = 0;
   drmModeModeInfo mode{};
 };

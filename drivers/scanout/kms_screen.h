@@ -36,6 +36,7 @@ class KmsScreen final : public ports::Scanout {
                                                  KmsPreferences& preferences);
   ~KmsScreen() override;
 
+  // The screens and where their parts of the picture lie; does not change while this object lives.
   const KmsWall& wall() const { return wall_; }
 
   int pollable() const override { return card_.pollable(); }
@@ -54,6 +55,7 @@ class KmsScreen final : public ports::Scanout {
   // A screen, and what is known of it since the last check.
   struct Panel {
     KmsPanel at;
+    // What is known since the last check.
     PanelState state = PanelState::kNew;
     bool flip_pending = false;
     std::uint32_t mode = 0;  // The mode's blob; 0 before the first picture.
@@ -87,6 +89,7 @@ class KmsScreen final : public ports::Scanout {
   void HandleFlip(const KmsFlip& flip);
   // The first panel whose screen is plugged in: its flips are the frame's. Null: there is none.
   Panel* First();
+  // Whether a screen that is plugged in has not shown the frame yet.
   bool FlipIsPending() const;
   // Removes what earlier programs left on the card's file.
   void RemoveOldFramebuffers();
@@ -103,9 +106,11 @@ class KmsScreen final : public ports::Scanout {
   std::vector<std::uint32_t> undriven_;
   std::vector<KmsSetting> settings_;  // Of a commit; kept, so that no frame allocates.
   Time checked_at_{};                 // When connectors were checked last.
+  // When Present succeeded last: a flip that takes too long is counted from here.
   Time presented_at_{};
   std::uint64_t frame_ = 0;    // The one presented last.
   std::optional<Time> shown_;  // When it was presented; until ReadFlip returns it.
+  // Acquire was called since the last Present.
   bool acquired_ = false;
   bool others_removed_ = false;  // No framebuffer of another program is left.
   std::optional<Error> gone_;    // What every call says once the screen is gone.

@@ -13,6 +13,7 @@ namespace kaori::scanout {
 // The part of a framebuffer that a screen shows, from its left top; as large as the
 // screen's mode. Nothing is scaled.
 struct KmsPart {
+  // KMS's number of the framebuffer.
   std::uint32_t framebuffer = 0;
   int x_px = 0;
   int y_px = 0;

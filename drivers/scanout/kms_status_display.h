@@ -22,6 +22,7 @@ class KmsStatusDisplay final : public ports::StatusDisplay {
   static Result<std::unique_ptr<KmsStatusDisplay>> Open(KmsDevice& card, KmsOutput output);
   ~KmsStatusDisplay() override;
 
+  // What the display is driven by; does not change.
   const KmsOutput& output() const { return output_; }
   // Whether the framebuffer is this display's, or one that an earlier program left on its screen and that
   // stays until the first Show.
@@ -44,6 +45,7 @@ class KmsStatusDisplay final : public ports::StatusDisplay {
   KmsDumbBuffer buffer_;
   std::uint32_t mode_;    // The mode's blob.
   std::uint32_t before_;  // The framebuffer that an earlier program left on the screen; 0: none, or removed.
+  // The first Show succeeded: from then on the CRTC is ours.
   bool shown_ = false;
   std::vector<KmsSetting> settings_;
 };

@@ -18,7 +18,9 @@ struct KmsPanel {
 
 // The screens of the show as one picture, and the one that is not part of it.
 struct KmsWall {
+  // In the order of the picture's parts, from the left top.
   std::vector<KmsPanel> panels;
+  // Of the whole picture, cells without a screen included.
   int width_px = 0;
   int height_px = 0;
   std::optional<KmsOutput> status;  // The status display: shows no part of the picture.

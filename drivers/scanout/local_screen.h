@@ -38,6 +38,7 @@ class LocalScreen final : public ports::Scanout {
   Result<void> ReadHello();
   // The next packet's length. Errors: resource_unavailable_try_again (there is none), no_such_device.
   Result<std::size_t> Receive(std::span<std::uint8_t> into, UniqueFd* descriptor);
+  // Of one slot: R, G, B, X without padding.
   std::size_t picture_bytes() const { return std::size_t{hello_.width_px} * hello_.height_px * 4; }
 
   UniqueFd socket_;

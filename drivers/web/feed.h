@@ -47,6 +47,7 @@ class Feed {
   // returns how many; MHD's codes for the end, and 0 with a suspended connection, as
   // MHD_ContentReaderCallback says. `position` is MHD's count, which is not needed.
   static std::ptrdiff_t Read(void* listener, std::uint64_t position, char* into, std::size_t most);
+  // Forgets a listener whose connection has ended.
   static void Leave(void* listener);
   // Resumes a connection that waits for a message; does nothing for one that is still receiving.
   void Wake(Listener& listener);
@@ -56,6 +57,7 @@ class Feed {
   // Only this message is kept: late listeners miss the ones before.
   std::string newest_;
   std::uint64_t number_ = 0;  // Of the newest message; 0 before the first.
+  // No listener gets anything any more.
   bool ended_ = false;
   std::vector<std::unique_ptr<Listener>> listeners_;
 };

@@ -26,23 +26,29 @@ namespace kaori::web {
 // The headers by which a guard admits or refuses a request; empty where it has none. Browsers set Origin
 // and Sec-Fetch-Site by themselves, and no page can forge them. The views end with the guard's call.
 struct Visitor {
+  // "GET", "POST" ...
   std::string_view method{};
+  // The host that the client believes to speak to, with its port.
   std::string_view host{};
+  // "scheme://host:port" of the page that sent the request.
   std::string_view origin{};
   std::string_view fetch_site{};  // Sec-Fetch-Site.
 };
 
 // A whole request. The strings are the client's own: of any content, and bounded in length by MHD.
 struct Request {
+  // "GET", "POST" ...
   std::string method;
   std::string path;  // Without the query.
   std::string body;  // kMostBodyBytes at most; longer ones are refused unread.
+  // As the client sent it, unparsed.
   std::string cookie{};
   std::string languages{};  // Its Accept-Language.
 };
 
 // A whole reply.
 struct Reply {
+  // An HTTP status (RFC 9110, 15).
   unsigned status = 200;
   std::string content_type = "text/plain; charset=utf-8";
   std::string body;
@@ -54,6 +60,7 @@ inline constexpr std::size_t kMostBodyBytes = 4096;
 
 // A certificate chain and its private key, both as PEM.
 struct Certificate {
+  // The server's own certificate first, then those that signed it.
   std::string chain;
   std::string key;
 };
@@ -66,9 +73,11 @@ using Guard = std::function<std::optional<std::string>(const Visitor&)>;
 // descriptors that clients can use up.
 struct ServerOptions {
   std::uint16_t port = 0;  // 0: any free one.
+  // Counts where `address` is empty.
   Reach reach = Reach::kThisMachine;
   std::string address{};                     // One IPv4 address of this machine; empty: as `reach` says.
   std::optional<Certificate> certificate{};  // HTTPS with it, HTTP without.
+  // Connections at a time, of all clients and of one; more are closed at once.
   unsigned most_connections = 64;
   unsigned most_of_one_address = 64;
   Guard guard{};  // Called with the headers, before the body is read; null: all are accepted.
@@ -108,6 +117,7 @@ class HttpServer {
   // A request while it arrives.
   struct Exchange;
   struct Callbacks;  // Those that MHD calls.
+  // What CloseSlowConnections needs to know; made and ended by MHD's notices.
   struct Connection {
     int fd;
     Duration limit;  // For what has been under way since `since`; zero: none.
@@ -128,6 +138,7 @@ class HttpServer {
   EventLoop& loop_;
   const Clock& clock_;
   Handler handler_;
+  // Null before Start, and where that failed.
   MHD_Daemon* daemon_ = nullptr;
   std::vector<Feed*> feeds_;  // Every feed that a handler returned so far.
   // A list: MHD keeps pointers to its elements.

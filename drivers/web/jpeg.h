@@ -12,6 +12,7 @@ namespace kaori::web {
 
 // A picture of 8-bit R, G, B, X; rows without padding. Borrowed.
 struct Picture {
+  // Of the picture; at most 8192 a side.
   int width_px = 0;
   int height_px = 0;
   std::span<const std::uint8_t> rgbx;
@@ -36,6 +37,7 @@ class JpegEncoder {
   };
   std::unique_ptr<void, Close> handle_;
   unsigned char* buffer_ = nullptr;  // Allocated by the library, and grown as needed.
+  // What the buffer holds at most.
   unsigned long buffer_bytes_ = 0;
 };
 

@@ -8,6 +8,7 @@ namespace kaori::web {
 // One file of a page. Everything lives as long as the program.
 struct PageFile {
   std::string_view path;  // "/" is the page itself.
+  // The Content-Type header with which it is served.
   std::string_view content_type;
   std::string_view bytes;
 };

@@ -80,8 +80,10 @@ struct DialBoxReport {
 
 // What the box tells of itself when it is asked by GET_REPORT (HID 1.11, 7.2.1).
 struct DialBoxFeature {
+  // Two numbers, as in version 1.4.
   std::uint16_t firmware_major = 0;
   std::uint16_t firmware_minor = 0;
+  // Of this one box; 0 where none was given.
   std::uint32_t serial = 0;
 };
 

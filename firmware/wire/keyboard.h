@@ -65,6 +65,7 @@ inline constexpr auto kKeyboardDescriptor = std::to_array<std::uint8_t>({
 // The keys that are held, each independent of all others: n-key rollover. The modifiers are
 // the usages E0..E7 and so the low bits of the last word.
 struct KeyboardReport {
+  // 256 bits, of which those of the usages 00..03 are not used.
   std::array<std::uint32_t, 8> down{};
 
   constexpr bool held(std::uint8_t usage) const { return ((down[usage / 32] >> (usage % 32)) & 1u) != 0; }

@@ -40,10 +40,13 @@ constexpr std::uint64_t AddSum(std::uint64_t sum, std::span<const std::uint8_t> 
 // What a file holds, or is to hold. Borrows the file's bytes, which must outlive it.
 struct LastFace {
   std::uint64_t show = 0;  // AddSum(kEmptySum, the pack's first kShowMark_bytes).
+  // As it lies in the file: a PPM with its head.
   std::span<const std::uint8_t> picture;
+  // As it lies in the file: a layout's number, then the bytes.
   std::span<const std::uint8_t> state;
 };
 
+// The seal as bytes.
 using LastFaceEnd = std::array<std::uint8_t, kLastFaceEnd_bytes>;
 
 // The last 32 bytes of a file that holds this picture and this state. The sum covers the seal's own

@@ -52,6 +52,7 @@ constexpr std::optional<LinesHello> DecodeLinesHello(std::span<const std::uint8_
   return LinesHello{GetU32(bytes, 4), GetU32(bytes, 8), GetU32(bytes, 12)};
 }
 
+// Tells when and how an input line changed.
 constexpr std::array<std::uint8_t, kLineEdgeBytes> Encode(const LineEdge& edge) {
   std::array<std::uint8_t, kLineEdgeBytes> bytes{};
   PutU64(bytes, 0, static_cast<std::uint64_t>(edge.at_ns));
@@ -66,6 +67,7 @@ constexpr std::optional<LineEdge> DecodeLineEdge(std::span<const std::uint8_t> b
   return LineEdge{GetI64(bytes, 0), GetU32(bytes, 8), GetU32(bytes, 12)};
 }
 
+// Says what an output line is to be.
 constexpr std::array<std::uint8_t, kLineDriveBytes> Encode(const LineDrive& drive) {
   std::array<std::uint8_t, kLineDriveBytes> bytes{};
   PutU32(bytes, 0, drive.line);

@@ -25,24 +25,31 @@ inline constexpr std::size_t kScreenPresentBytes = 12;
 
 // The first packet of a HID device. `name_bytes` of UTF-8 and `descriptor_bytes` follow it.
 struct HidHello {
+  // USB ids, as a real device of its kind has them.
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
+  // Lengths of what follows, in bytes; both may be 0.
   std::uint16_t name_bytes = 0;
   std::uint16_t descriptor_bytes = 0;
 };
 // The first packet of a camera. Slot n begins at n * slot_bytes of the memory whose descriptor comes
 // beside it. A slot belongs to the driver from the frame packet until it is returned.
 struct CameraHello {
+  // How many frames the memory holds, and how long each slot is; 64 slots and 64 MiB at most.
   std::uint32_t slots = 0;
   std::uint32_t slot_bytes = 0;
 };
 // A frame lies in a slot. Sizes are in pixels of Y; `bytes` is how much of the slot is used.
 struct CameraFrameNote {
+  // When the frame was read out, on CLOCK_MONOTONIC.
   std::int64_t at_ns = 0;
+  // Counts frames, those that were not sent included.
   std::uint32_t sequence = 0;
   std::uint32_t slot = 0;
+  // Of the picture; even where the format shares colours.
   std::uint32_t width_px = 0;
   std::uint32_t height_px = 0;
+  // From row to row of Y, or of YUYV; 0 for JPEG.
   std::uint32_t stride_bytes = 0;
   std::uint32_t pixels = 0;  // ports::PixelFormat.
   std::uint32_t bytes = 0;
@@ -50,19 +57,25 @@ struct CameraFrameNote {
 // The first packet of a screen. A slot belongs to the screen from
 // its Present until the flip of a later one.
 struct ScreenHello {
+  // 2 to 8.
   std::uint32_t slots = 0;
+  // Of the picture; a slot is width_px * height_px * 4 bytes.
   std::uint32_t width_px = 0;
   std::uint32_t height_px = 0;
+  // From one vertical blank to the next.
   std::int64_t period_ns = 0;
 };
 // `slot` is scanned out from `at_ns` on (CLOCK_MONOTONIC). What was scanned out before it is free again.
 struct ScreenFlip {
+  // The vertical blank, on CLOCK_MONOTONIC.
   std::int64_t at_ns = 0;
+  // The number that ScreenPresent gave.
   std::uint64_t frame = 0;
   std::uint32_t slot = 0;
 };
 // Asks for a slot to be scanned out from the next vertical blank on. `frame` comes back with the flip.
 struct ScreenPresent {
+  // The driver's own number of the frame.
   std::uint64_t frame = 0;
   std::uint32_t slot = 0;
 };
@@ -74,10 +87,12 @@ constexpr void PutU64(std::span<std::uint8_t> into, std::size_t at, std::uint64_
   PutU32(into, at + 4, static_cast<std::uint32_t>(value >> 32));
 }
 
+// Reads 8 bytes, the low word first.
 constexpr std::uint64_t GetU64(std::span<const std::uint8_t> from, std::size_t at) {
   return GetU32(from, at) | (static_cast<std::uint64_t>(GetU32(from, at + 4)) << 32);
 }
 
+// A time: two's complement of 64 bits.
 constexpr std::int64_t GetI64(std::span<const std::uint8_t> from, std::size_t at) {
   return static_cast<std::int64_t>(GetU64(from, at));
 }
@@ -103,6 +118,7 @@ constexpr std::optional<HidHello> DecodeHidHello(std::span<const std::uint8_t> b
   return hello;
 }
 
+// The memory's descriptor goes beside these bytes.
 constexpr std::array<std::uint8_t, kCameraHelloBytes> Encode(const CameraHello& hello) {
   std::array<std::uint8_t, kCameraHelloBytes> bytes{};
   PutU32(bytes, 0, kCameraHello);
@@ -111,11 +127,13 @@ constexpr std::array<std::uint8_t, kCameraHelloBytes> Encode(const CameraHello& 
   return bytes;
 }
 
+// None for a packet of another length or kind.
 constexpr std::optional<CameraHello> DecodeCameraHello(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kCameraHelloBytes || GetU32(bytes, 0) != kCameraHello) return std::nullopt;
   return CameraHello{GetU32(bytes, 4), GetU32(bytes, 8)};
 }
 
+// The slot belongs to the driver from this packet on.
 constexpr std::array<std::uint8_t, kCameraFrameBytes> Encode(const CameraFrameNote& note) {
   std::array<std::uint8_t, kCameraFrameBytes> bytes{};
   PutU64(bytes, 0, static_cast<std::uint64_t>(note.at_ns));
@@ -143,6 +161,7 @@ constexpr std::optional<CameraFrameNote> DecodeCameraFrame(std::span<const std::
                          .bytes = GetU32(bytes, 32)};
 }
 
+// The memory's descriptor goes beside these bytes.
 constexpr std::array<std::uint8_t, kScreenHelloBytes> Encode(const ScreenHello& hello) {
   std::array<std::uint8_t, kScreenHelloBytes> bytes{};
   PutU32(bytes, 0, kScreenHello);
@@ -159,6 +178,7 @@ constexpr std::optional<ScreenHello> DecodeScreenHello(std::span<const std::uint
   return ScreenHello{GetU32(bytes, 4), GetU32(bytes, 8), GetU32(bytes, 12), GetI64(bytes, 16)};
 }
 
+// What was scanned out before is free again.
 constexpr std::array<std::uint8_t, kScreenFlipBytes> Encode(const ScreenFlip& flip) {
   std::array<std::uint8_t, kScreenFlipBytes> bytes{};
   PutU64(bytes, 0, static_cast<std::uint64_t>(flip.at_ns));
@@ -167,11 +187,13 @@ constexpr std::array<std::uint8_t, kScreenFlipBytes> Encode(const ScreenFlip& fl
   return bytes;
 }
 
+// None for a packet of another length.
 constexpr std::optional<ScreenFlip> DecodeScreenFlip(std::span<const std::uint8_t> bytes) {
   if (bytes.size() != kScreenFlipBytes) return std::nullopt;
   return ScreenFlip{GetI64(bytes, 0), GetU64(bytes, 8), GetU32(bytes, 16)};
 }
 
+// The slot belongs to the screen from this packet on.
 constexpr std::array<std::uint8_t, kScreenPresentBytes> Encode(const ScreenPresent& present) {
   std::array<std::uint8_t, kScreenPresentBytes> bytes{};
   PutU64(bytes, 0, present.frame);

@@ -20,16 +20,19 @@ inline constexpr std::size_t kPlayedBytes = 20;
 
 // The first packet of a microphone. `channels` is 1 or 2.
 struct MicrophoneHello {
+  // 48000 for the devices of ours; drivers accept others.
   std::uint32_t rate_hz = 0;
   std::uint32_t channels = 0;
 };
 // Stands before the samples of a block. `at_ns` is when the first of them was heard, on CLOCK_MONOTONIC.
 struct SoundBlockNote {
+  // When the first frame was heard, on CLOCK_MONOTONIC.
   std::int64_t at_ns = 0;
   std::uint32_t lost = 0;  // 1: frames were lost before this block.
 };
 // The first packet of a loudspeaker.
 struct LoudspeakerHello {
+  // Of the device's own crystal, nominally.
   std::uint32_t rate_hz = 0;
   std::uint32_t channels = 0;
   // As many may be queued. The driver keeps count of what it sent and of what PlayedNote told,
@@ -38,6 +41,7 @@ struct LoudspeakerHello {
 };
 // Sent as the sound plays. The driver derives from it when a frame that it queues now will be heard.
 struct PlayedNote {
+  // When the last of the frames was over, on CLOCK_MONOTONIC.
   std::int64_t at_ns = 0;
   // Since the hello, without the silence that was played while the queue was dry.
   std::uint64_t frames = 0;
@@ -57,6 +61,7 @@ constexpr std::optional<MicrophoneHello> DecodeMicrophoneHello(std::span<const s
   return MicrophoneHello{GetU32(bytes, 4), GetU32(bytes, 8)};
 }
 
+// The caller appends the samples.
 constexpr std::array<std::uint8_t, kSoundBlockBytes> Encode(const SoundBlockNote& note) {
   std::array<std::uint8_t, kSoundBlockBytes> bytes{};
   PutU64(bytes, 0, static_cast<std::uint64_t>(note.at_ns));

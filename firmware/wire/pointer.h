@@ -63,7 +63,9 @@ inline constexpr auto kPointerDescriptor = std::to_array<std::uint8_t>({
 // One input report: where the pointer is now, and what the wheel turned since the last one.
 struct PointerReport {
   std::uint8_t buttons_down = 0;  // Bit 0: the left one, 1: the right, 2: the middle.
+  // 0 at the left edge, 65535 at the right one.
   std::uint16_t x = kPointerMiddle;
+  // 0 at the upper edge, 65535 at the lower one.
   std::uint16_t y = kPointerMiddle;
   std::int8_t wheel = 0;  // Notches since the last report; away from the user is positive.
   friend bool operator==(const PointerReport&, const PointerReport&) = default;

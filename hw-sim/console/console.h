@@ -59,8 +59,11 @@ class Console {
   Result<void> StartTicking();
   // Looks at everything once and sends what is due.
   void Tick();
+  // Sends the newest picture where a page has room for it and its time has come.
   void ShowPicture(Time now);
+  // Sends what the loudspeaker has played since the last tick.
   void PassSoundOn();
+  // Sends the state where it differs from the last one, or a second has passed.
   void TellState(Time now);
   // What the page shows of the devices, as StateJson has it.
   std::string StateNow();
@@ -75,6 +78,7 @@ class Console {
   // Lets go of what the last page held, once that page has left.
   void LetGoAlone();
   web::Reply OnePicture();
+  // The screen as JPEG. Errors: no_message_available (it is dark), those of JpegEncoder.
   Result<std::string> EncodeLatest();
 
   ConsoleOptions options_;
@@ -86,6 +90,7 @@ class Console {
   EditorWatch editor_watch_;
   Rate shown_;                    // Frames the screen has shown.
   std::uint64_t sent_frame_ = 0;  // frames_shown() of the last picture that was sent.
+  // When the last picture and the last state were sent.
   Time picture_at_{};
   // The state that was sent last: an equal one is not sent again, but for the sign of life.
   std::string state_;
@@ -94,9 +99,11 @@ class Console {
   web::Feed states_;
   web::Feed sounds_;
   SoundPackets packets_;
+  // What pages hold down; let go when the last one leaves.
   Held held_;
   bool played_ = false;  // A page listened at the last tick.
   UniqueFd ticks_;
+  // Ends first: its handlers use all the others.
   std::unique_ptr<web::HttpServer> server_;
 };
 

@@ -12,6 +12,7 @@
 
 namespace kaori::console {
 
+// Of the dial box.
 inline constexpr int kDialCount = 8;
 
 // Watches the simulated controls from the outside, as somebody who stands by the box, and
@@ -32,6 +33,7 @@ class DialValues {
   std::optional<double> value(int dial) const;
 
  private:
+  // A dial's value, and what of the box changes it.
   struct Dial {
     DialLabel label;
     double value = 0;
@@ -43,6 +45,7 @@ class DialValues {
   };
 
   std::array<Dial, kDialCount> dials_;
+  // As at the last call: a push is a button that was not down before.
   std::uint32_t buttons_down_ = 0;
   std::array<bool, 256> keys_down_{};
 };

@@ -23,6 +23,7 @@ class EditorWatch {
   // Compares with the call before; some 100 calls a second see every push.
   void Follow(const Seen& now);
 
+  // Whether the stage shows them, as far as one can tell from outside.
   bool open() const { return open_; }
 
  private:

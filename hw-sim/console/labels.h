@@ -15,6 +15,7 @@ namespace kaori::console {
 struct DialLabel {
   std::string text{};
   std::string unit{};  // "%" (of 1), "s", or "".
+  // The ends of the value, in the label's unit; equal where there is none.
   double low = 0;
   double high = 0;
   double per_turn = 0;  // Added by one turn clockwise.
@@ -22,9 +23,11 @@ struct DialLabel {
   // Buttons and keys of these groups put it to 1: what is called comes whole.
   std::vector<std::string> filled_by{};
 
+  // Whether the page shows a number.
   bool has_value() const { return high > low; }
 };
 
+// What a button of the box does.
 struct ButtonLabel {
   std::string text{};
   std::string group{};  // Buttons of one group have one colour: "face", "expression", "style", "scene" or "".
@@ -32,11 +35,13 @@ struct ButtonLabel {
 
 // The words beside a stick's two axes, its twist and its slider.
 struct StickLabel {
+  // What the stick itself does when it is moved.
   std::string text{};
   std::string twist{};
   std::string slide{};
 };
 
+// A key that the show uses; others are not drawn.
 struct KeyLabel {
   std::uint8_t usage = 0;  // HID keyboard usage.
   std::string text{};
@@ -46,6 +51,7 @@ struct KeyLabel {
 // All that is written on the devices, for one show: made by the authoring tool from the show's
 // files. An empty text leaves the number alone.
 struct Labels {
+  // The show's name, as the page's heading.
   std::string show{};
   std::array<DialLabel, 8> dials;
   std::array<ButtonLabel, 32> buttons;

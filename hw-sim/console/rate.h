@@ -22,6 +22,7 @@ class Rate {
   double per_s() const { return per_s_; }
 
  private:
+  // The counter at the last look.
   std::uint64_t count_ = 0;
   Time at_{};
   double per_s_ = 0;

@@ -22,6 +22,7 @@ class DialBox final : public HidDevice {
   // for the next turn. What is no number, or further than 1000 turns, is ignored. Each
   // change is told to the context's watcher.
   void Turn(int dial, double turns);
+  // Down and up; a button that is so already is left alone.
   void Push(int button);
   void Release(int button);
   std::uint32_t lamps() const { return lamps_; }  // Bit n: lamp n is lit.

@@ -12,6 +12,7 @@ namespace kaori::sim {
 // whose interrupts Linux emulates by polling. One thread.
 class GpioBridge final : public UsbDevice {
  public:
+  // Numbered 0 to 7, as the part's pins GPIO.0 to GPIO.7.
   static constexpr int kLines = 8;
 
   GpioBridge();

@@ -17,6 +17,7 @@ using Report = std::vector<std::uint8_t>;
 
 // Who the device is, as a host reads it when it is plugged in.
 struct HidDeviceName {
+  // USB ids, under which drivers find it.
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string name;
@@ -30,6 +31,7 @@ class HidDevice {
  public:
   // Does not change.
   virtual ~HidDevice() = default;
+  // Lives as long as the device.
   virtual HidDeviceName device_name() const = 0;
 
   // When the next report may leave; nothing while there is none.

@@ -25,6 +25,7 @@ struct InputDevices {
   // numbers out of its range, and cables are ignored.
   void Do(const OperatorAction& action);
 
+  // Each is a device of its own; the names are those of PortName.
   DialBox dial_box;
   StickPod left_stick;
   StickPod right_stick;
@@ -40,6 +41,7 @@ struct InputDevices {
 class DeviceRig {
  public:
   virtual ~DeviceRig() = default;
+  // Lives as long as the rig.
   virtual InputDevices& devices() = 0;
 
   // Does one action, cables included; does not block. An action that changes nothing is no error.

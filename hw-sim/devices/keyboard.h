@@ -20,6 +20,7 @@ class Keyboard final : public HidDevice {
   // Test's side. `usage` is of HID page 7: 0x04..0xDF keys, 0xE0..0xE7 modifiers; others are ignored.
   void Press(std::uint8_t usage) { Set(usage, true); }
   void Release(std::uint8_t usage) { Set(usage, false); }
+  // Whether the key is down now, reported or not.
   bool held(std::uint8_t usage) const { return waiting_.newest().held(usage); }
   std::uint8_t lights() const { return lights_; }  // Bit 0 num lock, 1 caps lock, 2 scroll lock.
 
@@ -41,6 +42,7 @@ class Keyboard final : public HidDevice {
 
   const DeviceContext& context_;
   ReportQueue<wire::KeyboardReport> waiting_{&Next};
+  // Bits of the last output report.
   std::uint8_t lights_ = 0;
 };
 

@@ -18,11 +18,13 @@ inline constexpr std::array<std::string_view, 4> kLineNames{"go", "blackout", "s
 // to 3 (switches that stay) differ only for whoever operates them. One thread.
 class LinePanel {
  public:
+  // The numbers of the lines.
   static constexpr int kInputs = static_cast<int>(kLineNames.size());
   static constexpr int kOutputs = 1;  // Line 0: the tally lamp.
 
   // An input that changed, and when.
   struct Edge {
+    // The context's clock, when the switch moved.
     Time at{};
     int line = 0;
     bool closed = false;
@@ -43,14 +45,17 @@ class LinePanel {
   std::optional<Edge> NextEdge();
   // A host came: it reads the levels, and older edges are gone. A host that left drives nothing.
   void HostCame() { edges_.clear(); }
+  // The lamp goes dark: nobody drives it.
   void HostLeft() { tally_ = false; }
   // Drives an output; others than 0 are ignored, as no lamp is wired to them.
   void Drive(int output, bool active);
 
  private:
+  // Moves a switch, and keeps the edge for the host.
   void Set(int line, bool closed);
 
   const DeviceContext& context_;
+  // Bit n: the switch of line n is closed.
   std::uint32_t closed_ = 0;
   std::deque<Edge> edges_;
   bool tally_ = false;

@@ -25,11 +25,13 @@ class LipCamera {
   // Test's side. Sizes are in widths of the mouth at rest, held within 0.02 .. 2 (height) and 0.1 .. 2
   // (width). Numbers that are none leave a size as it is.
   void SetMouth(double height, double width);
+  // A covered lens sees nothing but noise.
   void CoverLens(bool covered);
   void Stall(bool stalled);                         // No frames while stalled; their numbers go by.
   void SendGarbage() { spoil_ = Spoil::kMessage; }  // The next frame comes with nonsense for its numbers.
   void Scramble() { spoil_ = Spoil::kPixels; }      // The next frame's bytes are noise.
   void SetFormat(ports::CameraFormat format);       // Even sizes up to 1920 x 1080; others are ignored.
+  // As it is held within its range.
   Mouth mouth() const { return mouth_; }
   bool covered() const { return covered_; }
   bool stalled() const { return stalled_; }

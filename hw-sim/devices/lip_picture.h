@@ -10,6 +10,7 @@ namespace kaori::sim {
 struct YuyvPicture {
   int width_px = 0;
   int height_px = 0;
+  // Row 0 on top, without padding.
   std::span<std::uint8_t> bytes;
 };
 
@@ -23,7 +24,9 @@ inline constexpr double kRestMouthOfPicture = 0.28;
 // Sizes of the paint's outline, in widths of the mouth at rest; what is higher than shut lips opens between
 // them.
 struct Mouth {
+  // Between the outer edges of the painted lips.
   double height = 0.25;
+  // From corner to corner of the painted lips.
   double width = 1;
   friend bool operator==(const Mouth&, const Mouth&) = default;
 };

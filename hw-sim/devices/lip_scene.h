@@ -28,6 +28,7 @@ struct HeadPose {
 
 // The person before the camera. Everything but `mouth` is what an ideal lip reader would not see.
 struct Operator {
+  // What a lip reader is to measure.
   Mouth mouth;
   // How far the corner at the picture's left, and right, is raised.
   double smile_left = 0;
@@ -42,6 +43,7 @@ struct Operator {
 
 // The light that falls on the whole scene; 1 of white shows colours as they are. More saturates the chip.
 struct StageLight {
+  // How much light there is; 1 is what the camera was set for.
   double level = 1;
   Rgb colour{1, 1, 1};
   // To the right of this line on the face, in widths from its middle,
@@ -53,6 +55,7 @@ struct StageLight {
 // What the camera adds to the picture, in this order: gain and balance on linear
 // light, noise on the encoded bytes.
 struct LensAndChip {
+  // What the chip multiplies all light by.
   double gain = 1;
   Rgb balance{1, 1, 1};        // What the white balance multiplies.
   double noise_steps = 2;      // Standard deviation, of luma and of chroma.

@@ -17,6 +17,7 @@ namespace kaori::sim {
 // turn; a frame is one of each. One thread.
 class Loudspeaker {
  public:
+  // Left and right.
   static constexpr int kChannels = 2;
   static constexpr std::size_t kRoomFrames = 2880;  // 60 ms.
 
@@ -42,7 +43,9 @@ class Loudspeaker {
   // much there is, unless the simulator itself was late. Play begins the sound where none was
   // playing; PlayUntil moves it on to `now`.
   ports::SoundFormat format() const { return {48000, kChannels}; }
+  // Gives it frames, at `now`.
   void Play(std::span<const std::int16_t> samples, Time now);
+  // Plays what was given, up to `now`; nothing more where that runs out.
   void PlayUntil(Time now);
   void Silence();  // Nobody plays any more: what waits is dropped.
   std::uint64_t played_frames() const { return played_ + lost_; }  // Since the last Silence.
@@ -50,6 +53,7 @@ class Loudspeaker {
   std::uint32_t dry() const { return dry_; }                       // How often nothing was there to play.
 
  private:
+  // The crystal's own rate.
   double rate_hz() const { return 48000 * (1 + ppm_ * 1e-6); }
   // How many frames the crystal would have played by `now` beyond those that were played.
   std::size_t Due(Time now) const;
@@ -59,9 +63,11 @@ class Loudspeaker {
   const DeviceContext& context_;
   std::deque<std::int16_t> waiting_;  // Given, and not yet played.
   std::deque<Heard> heard_;
+  // Frames come out in time; false where it stalls or has run dry.
   bool playing_ = false;
   Time start_{};  // When frame `start_frame_` was heard.
   std::uint64_t start_frame_ = 0;
+  // Frames since the last Silence; those that were lost are counted apart.
   std::uint64_t played_ = 0;
   std::uint64_t lost_ = 0;
   Time played_at_{};

@@ -32,6 +32,7 @@ class Microphone {
 
   // Appliance's side.
   ports::SoundFormat format() const { return {kSynthRate_hz, 1}; }
+  // What is sent in one packet.
   struct Block {
     Time at{};          // When its first frame was heard.
     bool lost = false;  // Frames were lost before it.
@@ -55,9 +56,12 @@ class Microphone {
   VoiceSynth synth_;
   Time start_;              // When frame `first_` was heard,
   std::int64_t first_ = 0;  // since which the crystal is what it is.
+  // How much faster the crystal runs, in millionths.
   double ppm_ = 0;
   std::int64_t heard_ = 0;  // Frames since the beginning.
+  // Heard, and not yet sent.
   std::vector<std::int16_t> waiting_;
+  // Blocks that are to be lost still.
   int to_lose_ = 0;
   bool lost_ = false;
   bool stalled_ = false;

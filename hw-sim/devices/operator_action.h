@@ -24,6 +24,7 @@ enum class DevicePort : std::uint8_t {
   kLoudspeaker,
   kLines
 };
+// How many ports there are.
 inline constexpr int kDevicePortCount = 10;
 
 // "dial-box", "stick-left", "stick-right", "keyboard", "camera", "screen", "pointer", "microphone",
@@ -54,6 +55,7 @@ enum class Verb : std::uint8_t {
 // Indices begin with 0, keys are usages of HID page 7. Values are those of the verb; what a verb does
 // not use is 0, so that equal actions are equal values.
 struct OperatorAction {
+  // Whose control it is.
   DevicePort port = DevicePort::kDialBox;
   Verb verb = Verb::kTurn;
   int index = 0;
@@ -65,11 +67,13 @@ struct OperatorAction {
 // What all simulated devices share: the time, and who is told of each action. One
 // thread; it outlives the devices.
 struct DeviceContext {
+  // The one clock of the simulation.
   const Clock& clock;
   // May be empty. Called after every action that changed something, by whatever way
   // it came; it must not act itself.
   std::function<void(const OperatorAction&)> watcher;
 
+  // Tells the watcher, if there is one.
   void Notify(const OperatorAction& action) const {
     if (watcher) watcher(action);
   }

@@ -21,6 +21,7 @@ class Pointer final : public HidDevice {
   void Release(int button);
   // Away from the operator is positive; parts of a notch are kept for the next turn.
   void Roll(double notches);
+  // Exact, as they were set; reports have counts.
   double x() const { return x_; }
   double y() const { return y_; }
   std::uint8_t buttons_down() const { return waiting_.newest().buttons_down; }

@@ -65,11 +65,13 @@ class ReportQueue {
   }
 
  private:
+  // A report that waits.
   struct Waiting {
     Time due;
     State state;
   };
 
+  // Adds a report that is due no sooner than its place in the line allows.
   void Append(Time now) {
     // Reports keep their distance also when they gather faster than they may leave.
     const Time after_last = waiting_.empty() ? free_at_ : waiting_.back().due + kReportPeriod;
@@ -77,8 +79,10 @@ class ReportQueue {
   }
 
   State (*next_from_)(const State&);
+  // The state that the last report said.
   State sent_{};
   std::deque<Waiting> waiting_;
+  // When the next report may leave, after the last one.
   Time free_at_{};
   bool hosted_ = false;
 };

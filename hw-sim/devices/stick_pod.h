@@ -26,6 +26,7 @@ class StickPod final : public HidDevice {
   float y() const { return y_; }
   float twist() const { return twist_; }
   float slider() const { return slider_; }
+  // 0 up, clockwise in eighths to 7; -1 centred.
   int hat() const;
   std::uint16_t buttons_down() const { return waiting_.newest().buttons_down; }
 

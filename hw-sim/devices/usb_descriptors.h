@@ -17,16 +17,20 @@ enum class UsbTransfer : std::uint8_t { kControl, kIsochronous, kBulk, kInterrup
 // An endpoint, as its descriptor of 7 bytes says it (USB 2.0, 9.6.6).
 struct UsbEndpoint {
   std::uint8_t address = 0;  // Bit 7: towards the host.
+  // wMaxPacketSize.
   UsbTransfer transfer = UsbTransfer::kControl;
   std::uint16_t max_packet_bytes = 0;
   std::uint8_t interval = 0;  // As its descriptor has it.
+  // The number of the interface that it belongs to.
   std::uint8_t interface = 0;
 };
 
 // An interface, as its descriptor of 9 bytes says it (USB 2.0, 9.6.5). `kind` is its class code.
 struct UsbInterface {
+  // bInterfaceNumber, from 0.
   std::uint8_t number = 0;
   std::uint8_t kind = 0;  // The class.
+  // bInterfaceSubClass and bInterfaceProtocol.
   std::uint8_t subclass = 0;
   std::uint8_t protocol = 0;
 };

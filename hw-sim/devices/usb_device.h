@@ -29,13 +29,18 @@ struct UsbSetup {
 // What a host reads first (USB 2.0, 9.6). One configuration, as every device of ours has. Numbers are in
 // the machine's order here; the descriptors are little-endian.
 struct UsbDescriptors {
+  // Devices of ours run at high speed: a real host polls them in microframes then.
   UsbSpeed speed = UsbSpeed::kHigh;
   std::uint8_t device_class = 0;  // 0: said by each interface.
+  // bDeviceSubClass and bDeviceProtocol.
   std::uint8_t device_subclass = 0;
   std::uint8_t device_protocol = 0;
+  // idVendor and idProduct.
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
+  // bcdDevice: 0x0100 is release 1.00.
   std::uint16_t release_bcd = 0x0100;
+  // ASCII, for the string descriptors.
   std::string maker;
   std::string name;
   UsbBytes configuration;  // The whole of it: interfaces, endpoints, class descriptors.
@@ -45,6 +50,7 @@ struct UsbDescriptors {
 // answers by itself what every device answers alike (see usb_descriptors.h). One thread; no call blocks.
 class UsbDevice {
  public:
+  // The cable must be out.
   virtual ~UsbDevice() = default;
 
   // Does not change.

@@ -14,6 +14,7 @@ struct HidShape {
   bool numbers_reports = false;  // Its reports begin with their number.
   bool is_keyboard = false;      // That is what it says first.
 };
+// Pure.
 HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor);
 
 // Has the device's reports go over USB: interrupt transfers one way,
@@ -24,6 +25,7 @@ HidShape ShapeOf(std::span<const std::uint8_t> report_descriptor);
 // (device class definition for HID 1.11). One thread.
 class UsbHid final : public UsbDevice {
  public:
+  // Addresses of the endpoints; bit 7 is towards the host.
   static constexpr std::uint8_t kIn = 0x81;
   static constexpr std::uint8_t kOut = 0x01;
 
@@ -45,6 +47,7 @@ class UsbHid final : public UsbDevice {
 
   HidDevice& device_;
   bool host_is_new_ = false;  // It came since NextIn was last called, and something is not at rest.
+  // Of the device's own report descriptor.
   HidShape shape_;
   UsbDescriptors descriptors_;
 };

@@ -13,6 +13,7 @@ namespace kaori::sim {
 // missing from the numbers of the camera as well. One thread.
 class UvcCamera final : public UsbDevice {
  public:
+  // The address of its one endpoint.
   static constexpr std::uint8_t kIn = 0x81;
   static constexpr std::size_t kPayloadBytes = 65536;  // Of the longest payload, its header included.
 
@@ -40,6 +41,7 @@ class UvcCamera final : public UsbDevice {
   LipCamera& camera_;
   Duration period_;
   UsbDescriptors descriptors_;
+  // One frame, drawn and then cut into payloads.
   UsbBytes picture_;
   // The frame that is under way, cut into payloads, each behind its header.
   UsbBytes payloads_;

@@ -9,12 +9,15 @@ namespace kaori::sim {
 
 // One camera: a size, a rate, YUYV. The period is in units of 100 ns, as UVC counts.
 struct UvcMode {
+  // Of the one frame size.
   std::uint16_t width_px = 640;
   std::uint16_t height_px = 480;
+  // From frame to frame: 30 frames/s.
   std::uint32_t period_100ns = 333333;
   std::uint32_t payload_bytes = 65536;  // Of the longest payload.
   std::uint8_t endpoint = 0x81;
 
+  // Two bytes a pixel.
   std::uint32_t frame_bytes() const { return std::uint32_t{width_px} * height_px * 2; }
 };
 

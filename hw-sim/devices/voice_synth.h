@@ -7,6 +7,7 @@
 
 namespace kaori::sim {
 
+// Samples in a second.
 inline constexpr int kSynthRate_hz = 48000;
 inline constexpr int kSynthVowels = 5;  // a, i, u, e, o.
 
@@ -27,6 +28,7 @@ class VoiceSynth {
   std::int16_t Next();
 
  private:
+  // Resonances of the throat; those above matter little to a vowel.
   static constexpr std::size_t kFormants = 4;
   // Moves the formants on towards the vowel, and makes the resonances from them.
   void Shape();
@@ -37,11 +39,14 @@ class VoiceSynth {
   // From -1 to 1, evenly spread.
   double Noise();
 
+  // What is said, as Say held it within its range.
   int vowel_ = 0;
   double loudness_ = 0;
   double gain_ = 0;   // On its way to the loudness.
   double phase_ = 0;  // Of the pitch, in turns.
+  // The two poles of the glottis' low pass.
   std::array<double, 2> pulse_{};
+  // Where the resonances are now, on their way to the vowel's.
   std::array<double, kFormants> formants_hz_{750, 1200, 2550, 3500};
   // y = (1 - b - c) x + b y[-1] + c y[-2]: gain 1 at 0 Hz.
   struct Resonance {
@@ -51,8 +56,10 @@ class VoiceSynth {
   };
   std::array<Resonance, kFormants> resonances_;
   int to_shape_ = 0;  // Samples until the throat moves on.
+  // The throat's last output, whose change is what the lips radiate.
   double radiated_ = 0;
   double level_ = 1e-4;  // Mean square of the voice before its gain: every vowel is as loud.
+  // The state of the noise; its beginning is as good as any other.
   std::uint32_t random_ = 1993;
 };
 

@@ -33,6 +33,7 @@ class LibcameraHold {
   int changes() const { return changes_; }
 
  private:
+  // Of the controls that can be held; none where the camera has not told one.
   struct Values {
     std::optional<std::int32_t> exposure_us;
     std::optional<float> gain;
@@ -41,6 +42,7 @@ class LibcameraHold {
   mutable std::mutex mutex_;
   Values found_;
   std::optional<Values> held_;  // None: free.
+  // Calls of Set so far.
   int changes_ = 0;
 };
 
@@ -75,6 +77,7 @@ class LibcameraDevice final : public RequestDevice {
   Result<void> Queue(std::uint32_t buffer) override;
 
   const RequestStream& stream() const { return stream_; }
+  // Frames in a second; 0 where the camera keeps a rate of its own.
   double rate_hz() const { return frame_us_ > 0 ? 1e6 / static_cast<double>(frame_us_) : 0; }
   const FrameTimes& times() const { return times_; }
   // Names, for people, of what cannot be held.
@@ -86,13 +89,16 @@ class LibcameraDevice final : public RequestDevice {
   // The steps of Open, in this order.
   Result<void> Configure();
   Result<void> MapBuffers();
+  // Maps the planes of one buffer, which must lie behind one another. Errors: as Open.
   Result<void> MapBuffer(std::uint32_t index, libcamera::FrameBuffer& buffer);
+  // Sets rate and controls and starts the stream. Errors: as Open.
   Result<void> Start(std::size_t rung);
   void HandleCompleted(libcamera::Request* request);  // In the library's thread.
 
   std::shared_ptr<libcamera::Camera> camera_;
   LibcameraHold& hold_;
   int written_ = 0;  // LibcameraHold::changes() when the camera's controls were set last.
+  // The destructor gives back what was acquired, and stops what streams.
   bool acquired_ = false;
   bool streams_ = false;
   std::unique_ptr<libcamera::CameraConfiguration> configuration_;

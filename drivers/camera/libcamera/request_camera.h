@@ -17,10 +17,13 @@ namespace kaori::camera {
 
 // A request that the library has completed.
 struct CompletedRequest {
+  // Its number on the device.
   std::uint32_t buffer = 0;
   bool whole = false;  // Filled without a fault.
+  // How many of them were filled.
   std::uint32_t bytes = 0;
   std::uint32_t sequence = 0;
+  // The library's stamp, on CLOCK_MONOTONIC.
   Time at{};
 };
 
@@ -40,9 +43,11 @@ class Completions {
   int pollable() const { return wake_.get(); }
   // All requests that were completed since the last call, the oldest first.
   std::vector<CompletedRequest> DrainAll();
+  // Whether the camera was unplugged; it stays so.
   bool disconnected() const;
 
  private:
+  // Makes the descriptor readable. With the mutex held.
   void Wake() const;
 
   mutable std::mutex mutex_;
@@ -56,8 +61,11 @@ class Completions {
 // and mapped for as long as the device lives.
 class RequestDevice {
  public:
+  // Ends the stream: no buffer is touched by the hardware afterwards.
   virtual ~RequestDevice() = default;
+  // Lives as long as the device.
   virtual Completions& completions() = 0;
+  // How many there are; does not change.
   virtual std::uint32_t buffers() const = 0;
   // The mapped bytes of a buffer. They belong to the library while it is queued.
   virtual std::span<const std::uint8_t> memory(std::uint32_t buffer) const = 0;
