@@ -34,6 +34,7 @@ std::string PicturePart(std::string_view jpeg) {
                      kBoundary);
 }
 
+// What a page asks for that is none of ours.
 Reply NotFound(const std::string& path) {
   return {404, kText, path + " is not here\n"};
 }
@@ -124,6 +125,7 @@ void Console::PassSoundOn() {
   if (packets_.ready() && sounds_.awaited()) sounds_.Publish(packets_.Next());
 }
 
+// Asks the stage's monitor each time: it looks at its file once a second at most.
 std::string Console::StateNow() {
   const auto on_stage = options_.on_stage ? options_.on_stage() : std::nullopt;
   return StateJson(rig_, values_, editor_watch_, on_stage, shown_.per_s());

@@ -36,6 +36,7 @@ bool IsAddress(const std::string& name) {
   return ::inet_pton(AF_INET, name.c_str(), &parsed) == 1;
 }
 
+// Names and addresses are compared as they are written: browsers write host names in lower case.
 bool NamesThisMachine(std::string_view host, bool on_network) {
   const auto name = NameIn(host);
   if (!name) return false;

@@ -15,6 +15,7 @@ double Rounded(double value) {
   return std::round(value * 1e4) / 1e4;
 }
 
+// As the page draws them; hat and buttons are whole numbers.
 Json StickJson(const sim::StickPod& stick) {
   return {{"x", Rounded(stick.x())},           {"y", Rounded(stick.y())}, {"twist", Rounded(stick.twist())},
           {"slider", Rounded(stick.slider())}, {"hat", stick.hat()},      {"buttons", stick.buttons_down()}};

@@ -13,6 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Usages of real keys: below are error codes, above there are none (HID Usage Tables 1.3, page 7).
 constexpr std::uint64_t kFirstUsage = 0x04;
 constexpr std::uint64_t kLastUsage = 0xE7;
 // Far more keys than a show explains; they bound what a wrong file makes the page draw.
@@ -26,6 +27,7 @@ bool ReadText(const Json& json, const char* name, std::string& into) {
   return true;
 }
 
+// A number that is left out keeps its default.
 bool ReadNumber(const Json& json, const char* name, double& into) {
   if (!json.contains(name)) return true;
   if (!json[name].is_number()) return false;
@@ -63,6 +65,7 @@ bool ReadStick(const Json& json, StickLabel& into) {
          ReadText(json, "slide", into.slide);
 }
 
+// The usage is needed; the rest may be left out.
 bool ReadKey(const Json& json, KeyLabel& into) {
   if (!json.is_object() || !json.contains("usage") || !json["usage"].is_number_unsigned()) return false;
   const auto usage = json["usage"].get<std::uint64_t>();

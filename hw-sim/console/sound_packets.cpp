@@ -5,6 +5,7 @@
 namespace kaori::console {
 namespace {
 
+// Number of frames and rate, as sound.js reads them.
 constexpr std::size_t kHeadBytes = 8;
 // The drift of a simulated crystal, some ppm, is not heard: packets tell the nominal rate.
 constexpr std::uint32_t kRate_hz = 48'000;

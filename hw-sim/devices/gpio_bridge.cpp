@@ -9,6 +9,7 @@ namespace {
 constexpr std::uint16_t kVendor = 0x10C4, kProduct = 0xEA90;
 // HID's class, and the types of its descriptors (HID 1.11, 7.1).
 constexpr std::uint8_t kHidClass = 3, kHidKind = 0x21, kReportKind = 0x22;
+// Addresses of the two interrupt endpoints.
 constexpr std::uint8_t kIn = 0x81, kOut = 0x01;
 
 // bmRequestType and bRequest of what the driver sends (USB 2.0, 9.3; HID 1.11, 7.2).
@@ -22,6 +23,7 @@ constexpr std::uint8_t kUsbConfig = 0x20;
 
 // The main item of a report, its size in the low bits: which way it goes (HID 1.11, 6.2.2.4).
 enum class Way : std::uint8_t { kInput = 0x81, kOutput = 0x91, kFeature = 0xB1 };
+// One report of the descriptor.
 struct ReportShape {
   std::uint8_t number;
   std::uint8_t bytes;  // Behind the number.
@@ -68,6 +70,7 @@ UsbBytes Configuration() {
   return ConfigurationOf(1, bytes);
 }
 
+// 0 for a line that does not exist: it changes nothing.
 std::uint8_t Bit(int line) {
   return line >= 0 && line < GpioBridge::kLines ? static_cast<std::uint8_t>(1U << static_cast<unsigned>(line))
                                                 : std::uint8_t{0};

@@ -5,6 +5,7 @@
 namespace kaori::sim {
 namespace {
 
+// The last modifier, right GUI.
 constexpr std::uint8_t kLastUsage = 0xE7;
 // Num, caps and scroll lock, compose and kana.
 constexpr std::uint8_t kLightBits = 0x1F;

@@ -13,6 +13,7 @@ namespace {
 constexpr int kMostWidth = 1920;
 constexpr int kMostHeight = 1080;
 constexpr std::uint8_t kDarkLuma = 19;  // Less 3 of noise is black.
+// Cb and Cr without colour.
 constexpr std::uint8_t kGrey = 128;
 
 // Two columns share their colour in YUYV, and two rows as well in NV12.

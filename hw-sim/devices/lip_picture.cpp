@@ -39,6 +39,7 @@ std::uint32_t Scatter(std::uint32_t x) {  // The finaliser of MurmurHash3.
   return x ^ (x >> 16);
 }
 
+// The same table in every run.
 std::array<std::uint8_t, kNoiseBytes> MakeNoise() {
   std::array<std::uint8_t, kNoiseBytes> noise;
   for (std::size_t n = 0; n < noise.size(); ++n) {
@@ -134,6 +135,7 @@ void PaintPixelPair(std::span<std::uint8_t> pair, double row, const Column& left
   pair[3] = Byte(cr);
 }
 
+// What depends on the column alone is worked out once for all rows.
 std::vector<Column> Columns(const MouthPixels& mouth, int first, int end) {
   std::vector<Column> columns(static_cast<std::size_t>(end - first));
   for (int x = first; x < end; ++x) {

@@ -49,11 +49,13 @@ std::array<float, kCurve + 1> MakeCurve() {
   return table;
 }
 
+// Linear light to sRGB, by a table of kCurve steps.
 float Encode(float linear) {
   static const auto curve = MakeCurve();
   return curve[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * kCurve)];
 }
 
+// sRGB to linear light, by a table of its 256 values.
 Rgb Linear(const Rgb& colour) {
   static const auto table = MakeLinear();
   const auto one = [](float value) {
@@ -67,6 +69,7 @@ Rgb Mix(const Rgb& a, const Rgb& b, float part) {
           a.blue + (b.blue - a.blue) * part};
 }
 
+// Light of one colour on a surface of another.
 Rgb Times(const Rgb& a, const Rgb& b, float level) {
   return {a.red * b.red * level, a.green * b.green * level, a.blue * b.blue * level};
 }
@@ -177,6 +180,7 @@ class Moment {
   float half_width_, half_height_, half_opening_, drop_;
 };
 
+// Y, Cb and Cr in steps of a byte, not yet rounded.
 struct Ycc {
   float y = 0, cb = 0, cr = 0;
 };
@@ -223,6 +227,7 @@ void AddMoment(const Moment& moment, const YuyvPicture& size, float share, std::
   }
 }
 
+// The way between two poses, each number by itself.
 HeadPose Between(const HeadPose& a, const HeadPose& b, double part) {
   const auto mix = [part](double from, double to) { return from + (to - from) * part; };
   return {mix(a.x, b.x), mix(a.y, b.y), mix(a.scale, b.scale), mix(a.tilt_rad, b.tilt_rad)};

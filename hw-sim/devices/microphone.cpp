@@ -44,6 +44,7 @@ Time Microphone::TimeOf(std::int64_t frame) const {
   return start_ + FromSeconds(static_cast<double>(frame - first_) / (kSynthRate_hz * (1 + ppm_ * 1e-6)));
 }
 
+// The voice is made sample by sample up to `now`; nothing is made twice.
 void Microphone::HearUntil(Time now) {
   const auto until =
       first_ + static_cast<std::int64_t>(Seconds(now - start_) * kSynthRate_hz * (1 + ppm_ * 1e-6));
@@ -55,6 +56,7 @@ void Microphone::HearUntil(Time now) {
   for (; heard_ < until; ++heard_) waiting_.push_back(synth_.Next());
 }
 
+// Blocks that are to be lost are made and dropped, so that the voice goes on behind them.
 std::optional<Microphone::Block> Microphone::NextBlock(Time now) {
   HearUntil(now);
   while (waiting_.size() >= kBlockFrames) {

@@ -6,6 +6,7 @@
 namespace kaori::sim {
 namespace {
 
+// HID's logical ranges of the axes and the slider.
 constexpr float kAxisEnd = 32767;
 constexpr float kSliderEnd = 65535;
 

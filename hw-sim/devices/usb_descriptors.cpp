@@ -11,6 +11,7 @@ namespace {
 // Descriptor types (USB 2.0, table 9-5).
 constexpr std::uint8_t kDeviceKind = 1, kConfigurationKind = 2, kStringKind = 3, kInterfaceKind = 4,
                        kEndpointKind = 5;
+// bLength of a configuration descriptor.
 constexpr std::size_t kConfigurationHeaderBytes = 9;
 constexpr std::uint8_t kMakerString = 1, kNameString = 2;  // No serial number: two equal devices are equal.
 

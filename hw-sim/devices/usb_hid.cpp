@@ -30,6 +30,7 @@ constexpr std::uint8_t kOutputItem = 0x90, kReportIdItem = 0x84, kItemMask = 0xF
 // Usage page Generic Desktop and usage Keyboard, as our keyboard's descriptor begins.
 constexpr std::array<std::uint8_t, 4> kDesktopKeyboard{0x05, 0x01, 0x09, 0x06};
 
+// Appends.
 void Add(const UsbBytes& part, UsbBytes& whole) {
   whole.insert(whole.end(), part.begin(), part.end());
 }

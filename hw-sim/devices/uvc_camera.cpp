@@ -16,6 +16,7 @@ constexpr std::uint16_t kUvcCameraVendor = 0x1209,
 constexpr std::uint8_t kUvcCameraToInterface = 0x21, kUvcCameraFromInterface = 0xA1, kToEndpoint = 0x02,
                        kUvcCameraClearFeature = 0x01;
 constexpr std::uint8_t kSetCur = 0x01, kGetLen = 0x85, kGetInfo = 0x86;
+// wIndex and the high byte of wValue of the two controls (UVC 1.1, 4.3.1).
 constexpr std::uint8_t kStreamingInterface = 1, kProbeControl = 1, kCommitControl = 2;
 // GET_INFO's answer: the control can be read and set (UVC 1.1, table 4-3).
 constexpr std::uint8_t kCanGetAndSet = 3;

@@ -11,7 +11,9 @@ namespace {
 // association is USB's own (0x0B).
 constexpr std::uint8_t kVideoClass = 0x0E, kControlSubclass = 1, kStreamingSubclass = 2;
 constexpr std::uint8_t kClassInterface = 0x24, kAssociation = 0x0B;
+// bInterfaceNumber of the two interfaces.
 constexpr std::uint8_t kControlInterface = 0, kStreamInterface = 1;
+// Ids by which units and terminals refer to each other.
 constexpr std::uint8_t kCameraTerminal = 1, kOutputTerminal = 2;
 // The clock of the device's time stamps, of which it sends none.
 constexpr std::uint32_t kClockHz = 48'000'000;

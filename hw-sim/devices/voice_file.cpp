@@ -27,6 +27,7 @@ std::size_t SamplesIn(Duration length) {
   return static_cast<std::size_t>(std::llround(Seconds(length) * kSynthRate_hz));
 }
 
+// A little-endian number of `length` bytes.
 void Put(std::string& bytes, std::uint32_t value, int length) {
   for (int n = 0; n < length; ++n) bytes += static_cast<char>(value >> (8 * n) & 0xFF);
 }
@@ -47,6 +48,7 @@ std::vector<float> Thinned(std::span<const std::int16_t> samples) {
   return means;
 }
 
+// The scalar product.
 double Product(std::span<const float> one, std::span<const float> other) {
   double sum = 0;
   for (std::size_t n = 0; n < one.size(); ++n) sum += double{one[n]} * double{other[n]};

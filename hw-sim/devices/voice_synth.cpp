@@ -7,6 +7,7 @@
 namespace kaori::sim {
 namespace {
 
+// A man's voice.
 constexpr double kPitch_hz = 125;
 constexpr double kGlottis_hz = 100;  // Above it a pulse falls by 12 dB an octave.
 // Samples from one move of the throat to the next: cosines are too dear for every sample.
@@ -18,6 +19,7 @@ constexpr double kAttack_s = 0.002;
 constexpr double kLevel_s = 0.03;
 constexpr double kLoud = 0.1;               // RMS of full scale at loudness 1.
 constexpr double kVoiceSynthRoom = 0.0003;  // A quiet room: -70 dB.
+// Keeps the level from being divided by zero while it is measured for the first time.
 constexpr double kLeast = 1e-9;
 
 // Where Japanese vowels resonate, for a man's throat: means of published measurements, rounded.

@@ -12,19 +12,25 @@ namespace kaori::hil {
 
 // `port` is a number that the box made of the port's name, so that equal sticks can be told apart.
 struct StickView {
+  // Its device is there and delivers; else the values are those that were read last.
   bool live = false;
   // The box's program in numbers. `frames` counts from the program's start: a new one begins at 0.
   double x = 0;
   double y = 0;
+  // Equal sticks differ in it alone.
   std::uint32_t port = 0;
 };
 
 // What the stage tells of itself.
 struct StageView {
   bool live = false;
+  // Presented since the program began.
   std::uint32_t frames = 0;
+  // Vertical blanks at which no new frame was ready.
   std::uint32_t missed_flips = 0;
+  // As the stage measures it.
   double frames_per_s = 0;
+  // Numbers of what is shown, as the show counts them, from 0.
   std::uint32_t face = 0;
   std::uint32_t expression = 0;
   std::uint32_t scene = 0;
@@ -36,28 +42,42 @@ struct StageView {
 // keeps its last values and is not live. Units are those of appliance/core/board.
 struct BoardView {
   std::int64_t now_ns = 0;  // The machine's clock.
+  // Of the dial box.
   bool surface_live = false;
+  // Accumulated; clockwise is positive; 256 a turn of the simulated box.
   std::array<std::int32_t, 8> counts{};
+  // Bit n: button n is held.
   std::uint32_t buttons = 0;
+  // How often each button was pressed; wraps after 2^32.
   std::array<std::uint32_t, 32> pushes{};
   StickView left;
   StickView right;
   bool keys_live = false;
+  // Bit u % 32 of word u / 32: the key of usage u is held.
   std::array<std::uint32_t, 8> keys_down{};
   bool pointer_live = false;
+  // 0 at the left and the upper edge, 1 at the right and the lower one.
   double pointer_x = 0;
   double pointer_y = 0;
   bool lines_live = false;
+  // Bit n: input line n is active.
   std::uint32_t lines_active = 0;
   bool lips_live = false;
+  // Camera frames that were measured since the lip program began.
   std::uint32_t lips_frames = 0;
+  // In widths of the mouth at rest.
   double lips_height = 0;
+  // 0 nothing was found .. 1 the lip reader is sure.
   double lips_quality = 0;
   bool voice_live = false;
   bool voice_speaking = false;
+  // Of full scale; -100 is silence.
   double voice_level_db = -100;
+  // How far the voice opens the mouth, as lips_height does.
   double voice_height = 0;
+  // Blocks of sound that were heard since the program began.
   std::uint32_t voice_blocks = 0;
+  // Bit n: the stage wants lamp n lit.
   std::uint32_t lamps = 0;
   StageView stage;
 

@@ -24,11 +24,14 @@ struct Picture {
 
 // What a check found: its verdict, and what people look at to believe it.
 struct Finding {
+  // What Skip does not change is a pass, until the runner finds an error.
   Verdict verdict = Verdict::kPassed;
   std::string said{};  // Why it failed or was skipped; else what was seen.
+  // In the report's folder; the first is the one that counts for a list.
   std::vector<Picture> pictures{};
   std::map<std::string, double> figures{};                   // For out/boot.json.
   std::vector<std::pair<std::string, std::string>> texts{};  // Name and content: outputs of tools.
+  // Of the check and its control, without the start of the box.
   double took_s = 0;
 };
 
@@ -37,6 +40,7 @@ struct Scene {
   Target& target;
   Finding& finding;
   std::string folder;  // Of the report.
+  // How many cables the check of re-plugs pulls.
   int replugs = 20;
   int scenes = 0;  // Of the scenario, from its beginning; 0: all.
   // Seeded from the command line, so that a run can be repeated.

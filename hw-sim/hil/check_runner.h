@@ -18,9 +18,11 @@ class CheckRunner {
   // Options of all checks. `report` and `play` are a folder and a file; the numbers are those of Scene.
   struct Options {
     std::string report;  // The folder.
+    // The file of a scenario; other scenarios lie beside it.
     std::string play;
     int replugs = 20;
     int scenes = 0;
+    // Of Scene::chance.
     std::mt19937::result_type seed = 1;
     // Each check that has passed is followed by its negative control: a check
     // that cannot fail shows nothing.
@@ -57,6 +59,7 @@ class CheckRunner {
   Options options_;
   Target& target_;
   PlayStrategy strategy_;
+  // One for all checks of a run.
   std::mt19937 chance_;
   // Setups whose box did not start, and why; none is waited for twice.
   std::vector<std::pair<Setup, Error>> failed_setups_;

@@ -9,6 +9,7 @@ namespace kaori::hil {
 
 // What can be said of any picture: enough to tell a face from a console.
 struct PictureView {
+  // Of the whole picture.
   int width_px = 0;
   int height_px = 0;
   double lit = 0;          // Part of the pixels that are brighter than near black, 0..1.

@@ -15,6 +15,7 @@
 namespace kaori::hil {
 namespace {
 
+// argv for exec: pointers into `words`, and a null.
 std::vector<char*> Pointers(const std::vector<std::string>& words) {
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);

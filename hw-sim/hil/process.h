@@ -21,6 +21,7 @@ class Process {
   static Result<Process> Start(const std::vector<std::string>& words, const std::string& log,
                                const std::vector<std::string>& variables = {});
   Process(Process&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  // The old child goes with `other`.
   Process& operator=(Process&& other) noexcept {
     std::swap(number_, other.number_);
     return *this;

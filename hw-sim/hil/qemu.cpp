@@ -30,6 +30,7 @@ std::string DeviceOf(UnauthorisedDevice device) {
   }
 }
 
+// Empty where there is no such file.
 std::string TextOf(const std::string& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};

@@ -37,6 +37,7 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
 
   // The processors' time of QEMU since it was started; zero while it is off.
   Duration worked() const { return process_ ? process_->worked() : Duration{}; }
+  // Its process has not ended; the guest may be dead all the same.
   bool runs() const { return process_ && process_->runs(); }
   const QemuOptions& options() const { return options_; }
   std::string log() const;      // What QEMU complained of.
@@ -51,8 +52,10 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   QemuOptions options_;
   Waiter& waiter_;
   Setup setup_;
+  // Only with Graphics::kVirgl. Ends after the machine that shows there.
   std::optional<XScreen> window_;
   std::optional<Process> process_;
+  // Is there while the machine has power.
   std::optional<Qmp> qmp_;
 };
 

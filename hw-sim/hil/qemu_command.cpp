@@ -41,6 +41,7 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
   if (setup.graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
 }
 
+// "disk" is the drive's name, whatever it is attached to.
 void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::string>& command) {
   // "snapshot=on" writes to a temporary file: the image stays as it ships, whatever the guest does.
   Add(command, {"-drive", fmt::format("file={},if=none,id=disk,format=raw,{}", disk,

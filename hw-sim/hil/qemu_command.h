@@ -17,9 +17,12 @@ struct QemuOptions {
   // The program that makes an image which starts in the usual way: tests/hil/usual_image.
   std::string usual_image{};
   std::string folder;  // For sockets and logs; the devices' sockets are named as UsbSocketPath does.
+  // Of the screen, where the setup does not say otherwise.
   int width_px = 960;
   int height_px = 540;
+  // Screens of the virtio card.
   int heads = 1;
+  // Of the guest's memory; the image plays with 512.
   int memory_mib = 512;
   int log_level = 6;    // Of the kernel, on the serial line of a machine without an agent; 7 shows all.
   bool window = false;  // The screen is shown in a window; otherwise nowhere.

@@ -22,6 +22,7 @@ struct Report {
   std::string root_hash;  // Of its root; empty where it is not known.
   // From power to the first frames of the first box; 0 where none played.
   double boot_s = 0;
+  // In the order in which they were run.
   std::vector<ReportedCheck> checks;
 
   // How many checks have this verdict.

@@ -8,6 +8,7 @@ namespace {
 // STX, which no log has in it.
 constexpr char kBegin = '\x02';
 constexpr std::size_t kVerdictBytes = 3;  // "OK " or "NO ".
+// A guest that boots throws away what it is asked before its agent runs.
 constexpr Duration kSerialAgentAskAgain = std::chrono::seconds(2);
 
 }  // namespace

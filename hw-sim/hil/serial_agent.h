@@ -12,6 +12,7 @@ namespace kaori::hil {
 
 // An answer of the agent: "yes" with a result, or "no" with the reason.
 struct AgentAnswer {
+  // False: the text is the agent's error.
   bool yes = false;
   std::string text;
 };

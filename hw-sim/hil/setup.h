@@ -24,6 +24,7 @@ struct Setup {
   bool keeps_disk = false;       // What the machine writes to its disk is kept.
   bool bench_kernel = false;     // The box's own settings, and simulated hardware besides.
   bool stock = false;  // A processor with every instruction that QEMU emulates, and 2 GiB of memory.
+  // Without a card the machine is for those who want its log.
   Graphics graphics = Graphics::kVirtio;
   DiskBus disk_bus = DiskBus::kVirtio;
   int width_px = 0;  // Of the screen; 0: as for the other checks.

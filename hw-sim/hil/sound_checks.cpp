@@ -18,6 +18,7 @@ using std::chrono::seconds;
 // For machines that have little of a processor.
 constexpr Duration kSoundAnswer = seconds(120);
 constexpr Duration kSoundLongest = seconds(120);
+// In the guest.
 constexpr const char* kVoice = "/tmp/voice.wav";
 constexpr int kVoiceSeconds = 4;
 constexpr double kLike = 0.6;   // Of a voice that is heard; what is none stays below a third.

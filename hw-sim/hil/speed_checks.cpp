@@ -15,6 +15,7 @@ constexpr Setup kWindow{
 // What looks smooth enough; a real card draws every frame of its screen.
 constexpr double kLeast_hz = 15;
 constexpr int kWindows = 4;  // The best of them counts: neighbours may have had the processors in others.
+// Long enough for a hundred frames of a machine that is fast enough.
 constexpr Duration kOfAWindow = seconds(8);
 constexpr std::uint32_t kWarm = 40;  // Frames, in which shaders and skins come.
 constexpr Duration kLongestWarm = seconds(180);

@@ -5,6 +5,7 @@
 namespace kaori::hil {
 namespace {
 
+// A machine that starts in the usual way, on a busy computer.
 constexpr Duration kLongestFirstFace = std::chrono::minutes(15);
 constexpr Duration kLookAtScreen = std::chrono::milliseconds(100);
 // Of 4096. QEMU's own text on a screen that nobody has lit has fewer.

@@ -29,12 +29,14 @@ class PlayStrategy {
   double boot_s() const { return boot_s_; }
 
  private:
+  // Gives power and waits until the show plays. Errors: as Play.
   Result<void> SwitchOn();
   // Errors: timed_out.
   Result<void> AwaitFrames();
   Result<void> AwaitInputDevices();
 
   Target& target_;
+  // The box was brought to play and nobody has taken its power since.
   bool plays_ = false;
   double boot_s_ = 0;
 };

@@ -20,6 +20,7 @@ constexpr Duration kAskAgain = milliseconds(100);
 // An emulated machine that starts its programs answers slowly.
 constexpr Duration kLongestAnswer = std::chrono::seconds(90);
 
+// What most checks wait for: in the message of a wait that was in vain.
 std::string DescribeSticks(const BoardView& board) {
   const auto one = [](const StickView& stick) {
     return fmt::format("{} {:.2f} {:.2f}", stick.live ? "live" : "away", stick.x, stick.y);

@@ -29,6 +29,7 @@ class Target final : public Waiter {
   sim::UsbRig& rig() { return *rig_; }
   QemuDriver& machine() { return machine_; }
   SerialAgentDriver& agent() { return agent_; }
+  // The clock of this computer; the guest has its own.
   const Clock& clock() const { return clock_; }
 
   // The board as it is now, by a question to the agent. Blocks until it answers, 90 s at most. Errors:
@@ -64,6 +65,7 @@ class Target final : public Waiter {
   QemuDriver machine_;
   SerialAgentDriver agent_;
   std::function<void(Time)> input_;
+  // Of UntilBoard; the longest there is where nobody set one.
   Duration patience_ = Duration::max();
 };
 

@@ -20,6 +20,7 @@ constexpr Duration kXScreenLongest = std::chrono::seconds(60);
 // Of QEMU's window before its machine has a screen.
 constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;
 constexpr int kFirstNumber = 100;  // People's own screens have small ones.
+// So many benches may run at a time before two want one number.
 constexpr int kNumbers = 10'000;
 
 // Big-endian 32-bit words of the dump's head, by their index (X11/XWDFile.h). kHeadBytes counts the head
@@ -58,6 +59,7 @@ bool Holds(const Dump& dump, const DumpPart& part) {
          part.y_px + part.height_px <= dump.height_px;
 }
 
+// Blue, green, red and a byte of nothing, as X keeps 24 bits in little-endian order.
 std::vector<std::uint8_t> Rgb(const Dump& dump, const DumpPart& part) {
   std::vector<std::uint8_t> rgb;
   rgb.reserve(3 * part.width_px * part.height_px);

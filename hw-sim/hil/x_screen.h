@@ -41,6 +41,7 @@ class XScreen {
  private:
   XScreen(Process program, std::string name, std::string memory, const DumpPart& window)
       : program_(std::move(program)), name_(std::move(name)), memory_(std::move(memory)), window_(window) {}
+  // Ends with this object.
   Process program_;
   std::string name_;
   std::string memory_;  // The file that is its memory: an X window dump.

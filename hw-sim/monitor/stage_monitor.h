@@ -13,6 +13,7 @@ namespace kaori::sim {
 
 // What the stage shows now. Both count as the show does, from 0; the labels have their names.
 struct OnStage {
+  // Numbers of the show's scenes and ways of drawing.
   std::uint32_t scene = 0;
   std::uint32_t style = 0;
 };
@@ -31,6 +32,7 @@ class StageMonitor {
  private:
   std::string path_;
   const Clock& clock_;
+  // Mapped for reading; none while there is no file.
   std::optional<board::Board> board_;
   Time look_at_{};  // When the file is looked for again.
 };

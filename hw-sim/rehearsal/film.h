@@ -13,8 +13,10 @@ namespace kaori::sim {
 // What a film is to be; sides are even.
 struct FilmOptions {
   std::string file;  // The ending says the format: .mp4 is H.264.
+  // Of every picture; even.
   int width_px = 0;
   int height_px = 0;
+  // Pictures in a second of the film.
   double hz = 30;
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr std::int64_t kChannels = Loudspeaker::kChannels;
 // A millisecond: less is rounding, more is a break that can be heard.
 constexpr std::int64_t kJoinedFrames = FilmSound::kRate_hz / 1000;
+// Of a RIFF head with one "fmt " and one "data" chunk.
 constexpr std::size_t kHeadBytes = 44;
 constexpr std::uint32_t kFrameBytes = 2 * kChannels;
 

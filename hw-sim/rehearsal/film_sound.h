@@ -35,11 +35,14 @@ class FilmSound {
  private:
   FilmSound(std::string file, std::ofstream stream, Time begin)
       : file_(std::move(file)), stream_(std::move(stream)), begin_(begin) {}
+  // Appends frames; counts them.
   void Write(std::span<const std::int16_t> samples);
+  // Appends silence of so many frames.
   void WriteSilence(std::int64_t frames);
 
   std::string file_;
   std::ofstream stream_;
+  // The time of the film's first frame of sound.
   Time begin_;
   std::int64_t frames_ = 0;  // Written.
 };

@@ -22,6 +22,7 @@ namespace kaori::sim {
 // programs learn it from the devices.
 struct RehearsalOptions {
   std::string folder;  // Where the board and the links lie; made if it is not there.
+  // Of the screen and of the pictures.
   int width_px = 960;
   int height_px = 540;
   double hz = 30;                     // Of the screen.
@@ -53,6 +54,7 @@ class Rehearsal {
 
   // The test's side of every device.
   Rig& rig() { return *rig_; }
+  // What the programs have written; valid as long as the rehearsal.
   const board::Board& board() const { return board_; }
   const stage::Stage& stage() const { return *stage_; }
   Time now() const { return clock_.now(); }
@@ -63,6 +65,7 @@ class Rehearsal {
       : board_(std::move(board)), bus_(std::move(bus)) {}
   // Each opens its part of Open. Errors: as Open.
   Result<void> OpenParts(const RehearsalOptions& options, stage::Studio& studio);
+  // Connects to the panel and has it answer. Errors: those of LocalLines.
   Result<std::unique_ptr<ports::GpioLines>> OpenLines();
   // The microphone and the loudspeaker; the sounds are those of the show's motions. Errors: as Open.
   Result<void> OpenVoice(const RehearsalOptions& options, const show::Show& show);
@@ -79,6 +82,7 @@ class Rehearsal {
   std::unique_ptr<lips::LipReader> lips_;
   std::unique_ptr<voice::VoiceService> voice_;
   std::unique_ptr<stage::Stage> stage_;
+  // The folder of the local link.
   std::string links_;
   Time began_{};
 };

@@ -24,6 +24,7 @@ constexpr auto kKeys = std::to_array<Key>({
 });
 
 constexpr std::string_view kDigits = "1234567890";  // In the order of the usages from 1E.
+// Of keys without a name of their own.
 constexpr std::string_view kUsage = "usage-";
 
 constexpr std::array<std::string_view, 8> kHats{"up",   "up-right",  "right", "down-right",
@@ -43,6 +44,7 @@ std::string Lower(std::string_view name) {
   return lower;
 }
 
+// a to z, and the digits.
 std::optional<std::uint8_t> OneLetter(char c) {
   if (c >= 'a' && c <= 'z') return static_cast<std::uint8_t>(0x04 + (c - 'a'));
   const auto digit = kDigits.find(c);

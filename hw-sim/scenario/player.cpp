@@ -19,6 +19,7 @@ bool OnSameControl(const OperatorAction& a, const OperatorAction& b) {
   return a.port == b.port && a.verb == b.verb && a.index == b.index;
 }
 
+// The numbers of an action that move.
 struct Values {
   double a = 0;
   double b = 0;

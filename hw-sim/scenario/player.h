@@ -24,6 +24,7 @@ class Player {
   // Begins again; controls stay where they are.
   void Restart(Time start);
 
+  // Every action has been done, and its time is over.
   bool finished() const { return position_ >= scenario_.length; }
   Duration position() const { return position_; }  // At the last Perform.
   std::string_view beat() const;                   // The scene that plays; empty before the first.
@@ -33,6 +34,7 @@ class Player {
   // An action that is under way. Values are what `a` and `b` were when it began; a dial's are what was
   // turned so far. `timed` points into the scenario, which does not change.
   struct Motion {
+    // Points into scenario_.
     const TimedAction* timed;
     double from_a;
     double from_b;
@@ -48,8 +50,10 @@ class Player {
   Scenario scenario_;
   DeviceRig& rig_;
   Time start_;
+  // How far the play is, from its beginning.
   Duration position_{};
   bool began_ = false;
+  // The first action that has not begun.
   std::size_t next_ = 0;
   std::vector<Motion> motions_;
 };

@@ -37,6 +37,7 @@ inline constexpr Duration kTap = std::chrono::milliseconds(100);
 
 // What was read: with a problem the scenario may be half of what was meant.
 struct Reading {
+  // Of all lines that could be read.
   Scenario scenario;
   std::vector<Problem> problems;  // The first hundred; with any, the scenario is not to be played.
 };

@@ -26,7 +26,9 @@ class Recorder {
   // The watcher that the rig calls.
   void Notify(const OperatorAction& action);
 
+  // Told of nothing any more once the recorder has gone.
   Rig& rig_;
+  // The scenario's zero.
   Time start_;
   std::function<void(const TimedAction&)> note_;
   std::vector<TimedAction> actions_;

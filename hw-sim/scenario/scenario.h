@@ -19,6 +19,7 @@ struct TimedAction {
 
 // A named part of the play; it lasts until the next one. It does nothing: players tell it to people.
 struct Beat {
+  // After the beginning of the scenario.
   Duration at{};
   std::string name;
   friend bool operator==(const Beat&, const Beat&) = default;

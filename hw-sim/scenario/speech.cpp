@@ -34,6 +34,7 @@ Mouth VowelMouth(char vowel) {
   }
 }
 
+// Lips that meet, as for m, b and p.
 constexpr Mouth kShut{0.22, 0.96};
 constexpr int kHummed = 2;  // An n that ends a word is a faint u.
 constexpr double kHum = 0.3;

@@ -16,6 +16,7 @@
 namespace kaori::sim {
 namespace {
 
+// Counted as people do, from 1.
 constexpr int kDials = static_cast<int>(wire::kDials);
 constexpr int kBoxButtons = static_cast<int>(wire::kDialBoxButtons);
 constexpr int kStickButtons = static_cast<int>(wire::kStickPodButtons);
@@ -233,6 +234,7 @@ struct StatementForm {
   std::string_view token;
   void (*read)(Tokenizer&, std::string_view token, Statement&);
 };
+// Looked through from the front: a scenario has some hundred lines.
 constexpr auto kForms = std::to_array<StatementForm>({
     {"dial", ReadDial},         {"push", ReadBoxButton},  {"hold", ReadBoxButton},
     {"release", ReadBoxButton}, {"left", ReadStick},      {"right", ReadStick},

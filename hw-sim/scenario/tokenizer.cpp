@@ -8,6 +8,7 @@
 namespace kaori::sim {
 namespace {
 
+// A day: longer times are slips of the keyboard.
 constexpr double kLongestTime_s = 24 * 60 * 60;
 // Nobody writes more, and looking for columns takes time with the square of the length.
 constexpr std::size_t kLongestLine_bytes = 1000;

@@ -14,12 +14,14 @@ namespace kaori::sim {
 struct Problem {
   int line = 0;    // From 1.
   int column = 0;  // In characters, from 1.
+  // A sentence for people, without line and column.
   std::string what;
 };
 
 // A word of a line; it points into the line.
 struct Token {
   std::string_view text;  // Without its quotes.
+  // Of its first letter, or of its quote.
   int column = 0;
 };
 
@@ -34,6 +36,7 @@ class Tokenizer {
 
   // No more words, or no more use in asking.
   bool AtEnd() const { return bad_ || next_ >= tokens_.size(); }
+  // The line has a problem; nothing more can be read of it.
   bool bad() const { return bad_; }
   // Whether the next word is `word`; goes on to the one behind it if so.
   bool Accept(std::string_view word);
@@ -61,8 +64,10 @@ class Tokenizer {
   void Split(std::string_view line);
 
   std::vector<Token> tokens_;
+  // Index of the next word.
   std::size_t next_ = 0;
   int number_;
+  // Behind the last word.
   int end_column_ = 1;
   int last_column_ = 1;
   bool bad_ = false;

@@ -61,6 +61,7 @@ std::string OnCamera(const OperatorAction& action) {
   return fmt::format("lips {} {}", action.a, action.b);
 }
 
+// A silent voice is "off", whatever vowel it had.
 std::string OnSound(const OperatorAction& action) {
   if (action.verb == Verb::kStall)
     return fmt::format("{} {}", PortName(action.port), action.index != 0 ? "stall" : "run");

@@ -13,6 +13,7 @@ namespace {
 
 // The report_length that HidGadget sets.
 constexpr std::size_t kLongestReport = 64;
+// A host that never stops sending must not hold the loop.
 constexpr int kReportsAtOnce = 64;
 
 }  // namespace

@@ -28,6 +28,7 @@ class GadgetPort {
   Result<void> Plug();
   // Pulls the cable: the box sees a device that is gone. What was not sent is lost.
   void Unplug();
+  // The cable is in; whether the box has enumerated the device is not known here.
   bool plugged() const { return file_.valid(); }
 
   // Readable when the host sent a report; -1 while unplugged. The number changes with each Plug.

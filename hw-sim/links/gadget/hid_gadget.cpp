@@ -16,6 +16,7 @@
 namespace kaori::sim {
 namespace {
 
+// Folders of the one function, of the one configuration, and of texts in English.
 constexpr std::string_view kFunction = "/functions/hid.0";
 constexpr std::string_view kConfiguration = "/configs/c.1";
 constexpr std::string_view kEnglish = "/strings/0x409";

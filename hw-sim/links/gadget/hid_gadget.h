@@ -10,6 +10,7 @@ namespace kaori::sim {
 
 // Where the kernel keeps gadgets and their files; tests have folders of their own.
 struct GadgetRoom {
+  // A folder of configfs.
   std::string gadgets = "/sys/kernel/config/usb_gadget";
   std::string devices = "/dev";
 };

@@ -17,6 +17,7 @@ std::optional<Time> CameraPort::next_due() const {
   return timing_.start + (last_ + 1) * timing_.period;
 }
 
+// Nothing is lent yet: a driver that crashed gives nothing back.
 bool CameraPort::Greet() {
   // New memory for each driver: one that is still mapped by the driver before
   // cannot be written into by this one.

@@ -13,6 +13,7 @@ namespace kaori::sim {
 // When frames are exposed: the camera's crystal is the clock itself.
 struct CameraTiming {
   Time start{};  // Frame n is read out at start + n * period.
+  // From frame to frame.
   Duration period{};
 };
 
@@ -41,6 +42,7 @@ class CameraPort final : public LinkPort {
   wire::CameraFrameNote Describe(std::int64_t number, std::size_t slot, std::size_t bytes) const;
 
   LipCamera& camera_;
+  // Of the camera's crystal.
   CameraTiming timing_;
   std::int64_t last_ = -1;           // The newest frame that was read out, sent or not.
   SharedMemory memory_;              // Of all slots; new for each driver.

@@ -26,7 +26,9 @@ class LinkPort {
   Result<void> Plug();
   // Hangs up and removes the socket.
   void Unplug();
+  // A driver finds the socket.
   bool plugged() const { return listener_.valid(); }
+  // A driver has the device open.
   bool connected() const { return peer_.valid(); }
 
   // Accepts, receives, and sends what is due. A driver that talks without end is stopped after some
@@ -42,6 +44,7 @@ class LinkPort {
   // outlives the port. Unplugged at first.
   LinkPort(std::string path, int epoll) : path_(std::move(path)), epoll_(epoll) {}
 
+  // -1 while nobody is connected.
   int peer() const { return peer_.get(); }
   const std::string& path() const { return path_; }
   // Ends the connection; the driver may come again.
@@ -63,6 +66,7 @@ class LinkPort {
  private:
   // Lets the newest driver in; a driver before it is hung up on.
   void Accept();
+  // Reads the driver's packets, some hundred at most.
   void Receive();
   // Adds a descriptor to the epoll set; its number is all that the set knows of it.
   void Join(int fd);
@@ -70,6 +74,7 @@ class LinkPort {
   std::string path_;
   int epoll_;
   UniqueFd listener_;
+  // The driver that has the device; one at a time.
   UniqueFd peer_;
 };
 

@@ -28,6 +28,7 @@ class LoudspeakerPort final : public LinkPort {
   const Clock& clock_;
   // When the driver was told last, and what: a note that says the same again is not sent.
   Time told_at_{};
+  // Frames and underruns of the last note.
   std::uint64_t told_frames_ = 0;
   std::uint32_t told_dry_ = 0;
 };

@@ -46,6 +46,7 @@ Result<UniqueFd> LockFolder(const std::string& folder) {
   return fd;
 }
 
+// Watched by the same epoll set as the sockets.
 Result<UniqueFd> MakeTimer(int epoll) {
   UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
   if (!timer.valid()) return FailErrno("create the simulator's timer");

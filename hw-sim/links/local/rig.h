@@ -23,9 +23,11 @@ namespace kaori::sim {
 // How the simulated box is set up; everything else is as the devices have it.
 struct RigOptions {
   std::string folder;  // Made if it is not there; what a simulator that was killed left in it is replaced.
+  // Of the simulated screen's one mode.
   int screen_width_px = 960;
   int screen_height_px = 540;
   Duration screen_period = std::chrono::nanoseconds(16'666'667);
+  // Of the lip camera; even sides, up to 1920 x 1080.
   int camera_width_px = 640;
   int camera_height_px = 480;
   Duration camera_period = std::chrono::nanoseconds(33'333'333);
@@ -77,6 +79,7 @@ class Rig final : public DeviceRig {
   // invalid_argument (no such port), those of sockets.
   Result<void> Plug(std::string_view name);
   Result<void> Unplug(std::string_view name);
+  // False for a name that is no port.
   bool plugged(std::string_view name) const;
   bool connected(std::string_view name) const;  // A program has the device open.
 
@@ -103,6 +106,7 @@ class Rig final : public DeviceRig {
   Result<void> PlugAll();
   // Null where there is no such port.
   LinkPort* port(std::string_view name) const;
+  // Errors: invalid_argument (no HID device of that name).
   Result<HidPort*> hid_port(std::string_view name) const;
   // Sets the timer to next_due().
   void ArmTimer();
@@ -113,8 +117,10 @@ class Rig final : public DeviceRig {
   Screen screen_;
   Loudspeaker loudspeaker_;
   UniqueFd lock_;  // On the folder.
+  // Of all sockets and the timer.
   UniqueFd epoll_;
   UniqueFd timer_;
+  // In the order of DevicePort.
   std::array<std::unique_ptr<LinkPort>, kDevicePortCount> ports_;
 };
 

@@ -22,6 +22,7 @@ constexpr std::uint8_t kFromDevice = 0x80;
 RedirWire& Wire(void* priv) {
   return *static_cast<RedirWire*>(priv);
 }
+// Where the parser's call-backs lead.
 RedirRequests& Requests(void* priv) {
   return Wire(priv).requests();
 }
@@ -54,6 +55,7 @@ int OnRead(void* priv, std::uint8_t* data, int count) {
   return got < 0 && (errno == EAGAIN || errno == EINTR) ? 0 : -1;
 }
 
+// As OnRead.
 int OnWrite(void* priv, std::uint8_t* data, int count) {
   const ssize_t sent =
       ::send(Wire(priv).pollable(), data, static_cast<std::size_t>(count), MSG_DONTWAIT | MSG_NOSIGNAL);
@@ -142,6 +144,7 @@ std::uint8_t IntervalOf(const UsbEndpoint& endpoint, UsbSpeed speed) {
   return static_cast<std::uint8_t>(std::min(255, 1 << std::clamp(endpoint.interval - 1, 0, 15)));
 }
 
+// The protocol's table of interfaces, 32 at most.
 usb_redir_interface_info_header InterfacesOf(const UsbContents& contents) {
   usb_redir_interface_info_header info{};
   info.interface_count = static_cast<std::uint32_t>(contents.interfaces.size());
@@ -154,6 +157,7 @@ usb_redir_interface_info_header InterfacesOf(const UsbContents& contents) {
   return info;
 }
 
+// The protocol's table of endpoints: all 32, those that are not there included.
 usb_redir_ep_info_header EndpointsOf(const UsbContents& contents, UsbSpeed speed) {
   usb_redir_ep_info_header info{};
   std::fill(std::begin(info.type), std::end(info.type), kNoEndpoint);

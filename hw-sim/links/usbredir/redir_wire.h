@@ -32,12 +32,16 @@ class RedirRequests {
  public:
   virtual ~RedirRequests() = default;
   virtual void Greeted() = 0;  // The machine said hello: a device may be announced.
+  // Number 0 takes the configuration away.
   virtual void SetConfiguration(std::uint64_t id, std::uint8_t number) = 0;
   virtual void GetConfiguration(std::uint64_t id) = 0;
+  // Our interfaces have setting 0 alone.
   virtual void SetAlternate(std::uint64_t id, std::uint8_t interface, std::uint8_t number) = 0;
   virtual void GetAlternate(std::uint64_t id, std::uint8_t interface) = 0;
+  // A request on endpoint 0; `data` is what the host sends with it.
   virtual void Control(std::uint64_t id, const UsbSetup& setup, std::span<const std::uint8_t> data) = 0;
   virtual void Listen(std::uint64_t id, std::uint8_t endpoint, bool begins) = 0;  // To an interrupt endpoint.
+  // A report for an OUT endpoint, to be acknowledged by InterruptOutDone.
   virtual void InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::span<const std::uint8_t> data) = 0;
   // For an IN endpoint `data` is empty: the machine asks for data.
   virtual void Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) = 0;
@@ -68,14 +72,20 @@ class RedirWire {
   // What lies behind the cable; said before it is connected, and anew before each answer to a
   // configuration, as the protocol wants it. Connect: the cable is in; Disconnect: it was pulled.
   void Describe(const UsbDescriptors& descriptors);
+  // The machine enumerates the device then.
   void Connect(const UsbDescriptors& descriptors);
+  // The machine forgets the device and all that it asked of it.
   void Disconnect();
 
   // Answers to requests; `id` is the request's. Nothing is sent before Write.
 
+  // Answers SetConfiguration and GetConfiguration; `number` is the one that holds now.
   void ConfigurationStatus(std::uint64_t id, RedirStatus status, std::uint8_t number);
+  // Answers SetAlternate and GetAlternate; the setting is 0.
   void AlternateStatus(std::uint64_t id, RedirStatus status, std::uint8_t interface);
+  // Answers Listen; it always succeeds.
   void ListenStatus(std::uint64_t id, std::uint8_t endpoint);
+  // Answers Isochronous: there is no such endpoint.
   void IsochronousStatus(std::uint64_t id, std::uint8_t endpoint);
   // `data` goes back to a host that reads, wLength bytes at most; of a request that
   // writes the whole length is acknowledged.
@@ -99,6 +109,7 @@ class RedirWire {
   };
   UniqueFd socket_;
   RedirRequests& requests_;
+  // Keeps what is read in part and what is to be written.
   std::unique_ptr<usbredirparser, Destroy> parser_;
 };
 

@@ -37,6 +37,7 @@ class UsbRig final : public DeviceRig {
   // Reads, answers and sends what is due at clock.now(). Call it when pollable() is readable, and at
   // next_due().
   void Pump();
+  // Of all connections; readable when a machine has said something.
   int pollable() const { return epoll_.get(); }
   Time next_due() const;  // Time::max() while nothing waits.
 
@@ -65,6 +66,7 @@ class UsbRig final : public DeviceRig {
   InputDevices devices_;
   // The same devices as a USB host sees them.
   UsbHid dial_box_, left_stick_, right_stick_, keyboard_, pointer_;
+  // The camera's stream on USB; devices().camera draws its pictures.
   UvcCamera camera_;
   GpioBridge gpio_;
   UniqueFd epoll_;

@@ -90,6 +90,7 @@ void UsbredirPort::WatchForRoom() {
   ::epoll_ctl(epoll_, EPOLL_CTL_MOD, wire_->pollable(), &event);
 }
 
+// A burst of one endpoint is bounded; bulk requests are as many as the machine has asked for.
 void UsbredirPort::SendDue(Time now) {
   for (const std::uint8_t endpoint : listened_to_) {
     for (int n = 0; n < kTransfersAtOnce; ++n) {

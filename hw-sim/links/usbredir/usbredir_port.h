@@ -27,6 +27,7 @@ class UsbredirPort final : private RedirRequests {
   // Pump, and of a pulled cable at once.
   void Plug();
   void Unplug();
+  // The cable is in, whether or not a machine is there.
   bool plugged() const { return plugged_; }
 
   bool connected() const { return wire_ != nullptr; }  // A machine is there.
@@ -76,7 +77,9 @@ class UsbredirPort final : private RedirRequests {
 
   std::string path_;
   int epoll_;
+  // What is at the end of the cable now.
   UsbDevice* device_;
+  // Null while no machine is there.
   std::unique_ptr<RedirWire> wire_;
   Time call_at_{};                         // When the machine is called again.
   bool plugged_ = false;                   // The cable is in.
