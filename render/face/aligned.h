@@ -11,6 +11,7 @@
 
 namespace kaori::face {
 
+// Of all processors that the box runs on, and no less than the widest vector.
 inline constexpr std::size_t kCacheLine_bytes = 64;
 inline constexpr std::size_t kLineFloats = kCacheLine_bytes / sizeof(float);
 
@@ -30,6 +31,7 @@ class AlignedFloats {
 
   float* data() { return values_.get(); }
   const float* data() const { return values_.get(); }
+  // In floats, padding included.
   std::size_t size() const { return size_; }
   // The first `count` vertices; three floats each, packed.
   std::span<glm::vec3> vertices(std::size_t count) { return {reinterpret_cast<glm::vec3*>(data()), count}; }
@@ -41,6 +43,7 @@ class AlignedFloats {
   struct Free {
     void operator()(float* p) const { ::operator delete[](p, std::align_val_t{kCacheLine_bytes}); }
   };
+  // Throws bad_alloc; nothing is allocated after a show has begun.
   static float* Allocate(std::size_t floats) {
     return static_cast<float*>(::operator new[](floats * sizeof(float), std::align_val_t{kCacheLine_bytes}));
   }

@@ -102,6 +102,7 @@ constexpr Kernels WideKernels(std::index_sequence<kBefore...> /*below*/) {
 }
 #endif
 
+// Both extensions are asked for: AVX2 without FMA exists.
 Kernels FastestKernels() {
 #if defined(KAORI_WIDE_UNITS)
   if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) {

@@ -22,6 +22,7 @@ struct Stream {
 // Streams that give way: their sum is multiplied, float by float, by 1 - given_away * share. By this the
 // mouth of an expression yields to the channels that speak.
 struct Yielding {
+  // Borrowed.
   std::span<const Stream> streams;
   // 0..1 for each float; aligned and padded like a stream. Not looked at where there are no streams.
   const float* share = nullptr;

@@ -41,6 +41,7 @@ struct EyeLook {
 // Where the shared teeth and tongue sit in a face: p -> (p - anchor) * scale + anchor + offset, in metres,
 // with Cast::mouth_anchor. Blended with the face; the shares count 0 hidden .. 1 shown.
 struct MouthFit {
+  // 1 and no offset: as the reference face wears them.
   float scale = 1;
   glm::vec3 offset{};
   float upper_teeth = 1;
@@ -134,6 +135,7 @@ enum class Part : std::uint8_t { kHair, kUpperTeeth, kLowerTeeth, kTongue, kClot
 // `along` and `across` run 0..1 over a lock of hair, from the root and from one edge; teeth, tongue and
 // clothes use `shade` alone.
 struct PropVertex {
+  // Metres, the head's frame at rest.
   glm::vec3 position{};
   // Unit.
   glm::vec3 normal{};
@@ -147,8 +149,10 @@ struct PropVertex {
 
 // A mesh that does not deform.
 struct Prop {
+  // Unique in its cast by custom: tools match props by it.
   std::string name;
   Part part = Part::kHair;
+  // Linear RGB; the whole prop has one.
   glm::vec3 colour{};
   std::vector<PropVertex> vertices;
   // Of its own vertices.

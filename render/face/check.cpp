@@ -115,6 +115,7 @@ void CheckProp(const Prop& prop, Faults& faults) {
   if (std::ranges::any_of(prop.vertices, wrong)) faults.Add(item + ": a vertex holds what is not a number");
 }
 
+// Sizes first: they say how many bytes there must be.
 void CheckTexture(std::size_t index, const Texture& texture, Faults& faults) {
   const std::string item = fmt::format("texture {}", index);
   if (texture.width_px <= 0 || texture.height_px <= 0) {

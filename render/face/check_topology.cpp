@@ -84,6 +84,7 @@ void CheckFine(const FineMesh& fine, std::size_t cage_vertices, Faults& faults) 
 
 }  // namespace
 
+// Unfolding is looked at only where coordinates and corners can be read.
 void CheckTopology(const Topology& topology, Faults& faults) {
   const std::size_t vertices = topology.vertex_count;
   if (vertices == 0) faults.Add("topology: has no vertices");

@@ -106,6 +106,7 @@ Composer::Work::Work(const Cast& cast)
   yielding.reserve(kTerms * kTerms);
 }
 
+// Only what has weight: an expression in work is composed on a face when that face is shown.
 void Composer::Work::Refresh(const Cast& cast, const Weights& weights) {
   for (const Term& face : weights.faces) {
     for (const Term& term : weights.expressions) composites.Refresh(cast, face.index, term.index);
@@ -145,6 +146,7 @@ void Composer::Work::BlendCage(float mouth_given_away) {
   Blend(bases, composites.face_floats() - moving, cage.data() + moving);
 }
 
+// The fine mesh smooths lids off the ball's curve, so they are fitted once more.
 void Composer::Work::Refine(const Shape& of) {
   ApplyToVertices(mesh.from_cage, cage.data(), fine.data());
   for (std::size_t side = 0; side < 2; ++side) {
@@ -152,6 +154,7 @@ void Composer::Work::Refine(const Shape& of) {
   }
 }
 
+// The cage's normals are needed in every style: handles stand by them.
 void Composer::Work::ComputeNormals(Detail detail) {
   cage_surface.Compute(cage.data(), cage_normals.data());
   if (detail == Detail::kCage) return;
@@ -197,6 +200,7 @@ void Composer::Renew(std::size_t expression) {
   work_->composites.Outdate(cast_, expression);
 }
 
+// The order: weights, sum, occlusion, the few numbers of a face, lids, fine mesh, normals.
 const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   // From here on indices exist and faces sum to 1.
   Weights playable = Playable(weights, cast_.faces.size(), cast_.expressions.size());

@@ -51,6 +51,7 @@ struct Shape {
 // finds nothing in the cast: then nothing here can fail, and there are no errors to return.
 class Composer {
  public:
+  // Builds all composites, and allocates all that it needs but what Renew says.
   explicit Composer(const Cast& cast);
   ~Composer();
   Composer(Composer&&) noexcept;
@@ -70,6 +71,7 @@ class Composer {
   const Shape& shape() const { return shape_; }
 
  private:
+  // Arrays and streams of the sum, on the heap so that a composer can move.
   struct Work;
   const Cast& cast_;
   std::unique_ptr<Work> work_;

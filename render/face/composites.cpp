@@ -24,6 +24,7 @@ bool MovesSomething(const Expression& expression) {
          std::ranges::any_of(expression.residual, moves);
 }
 
+// One row of a matrix applied to numbers.
 float MeanAt(const SparseRows& rows, std::size_t row, std::span<const float> values) {
   float sum = 0;
   for (auto i = rows.row_start[row]; i < rows.row_start[row + 1]; ++i)
@@ -52,6 +53,7 @@ Composites::Composites(const Cast& cast)
     for (std::size_t j = 0; j < expressions_; ++j) Refresh(cast, face, j);
 }
 
+// The array of an expression that moved nothing so far is made here, which is the one allocation.
 void Composites::Outdate(const Cast& cast, std::size_t expression) {
   AlignedFloats& faces = displacements_[expression];
   if (faces.size() == 0 && !MovesSomething(cast.expressions[expression])) return;
@@ -59,6 +61,7 @@ void Composites::Outdate(const Cast& cast, std::size_t expression) {
   for (std::size_t face = 0; face < faces_; ++face) outdated_[face * expressions_ + expression] = 1;
 }
 
+// A byte a face and expression says whether there is anything to do.
 void Composites::Refresh(const Cast& cast, std::size_t face, std::size_t expression) {
   std::uint8_t& outdated = outdated_[face * expressions_ + expression];
   if (outdated == 0) return;

@@ -24,6 +24,7 @@ class Composites {
   // FindFaults (check.h) finds nothing in the cast.
   explicit Composites(const Cast& cast);
 
+  // Counts of the cast that it was built of.
   std::size_t faces() const { return faces_; }
   std::size_t expressions() const { return expressions_; }
 
@@ -55,6 +56,7 @@ class Composites {
   std::size_t bytes() const;
 
  private:
+  // The steps of construction, in this order.
   void CopyBases(const Cast& cast);
   void FindJaw(const Cast& cast);
   void FitFaces(const Cast& cast);

@@ -73,6 +73,7 @@ void ShutColumn(const LidRig& rig, int column, float shut, std::span<glm::vec3> 
 
 }  // namespace
 
+// Along the ray from the centre.
 void PushOut(glm::vec3& vertex, const glm::vec3& centre, float radius_m) {
   const glm::vec3 from = vertex - centre;
   const float square = glm::dot(from, from);
@@ -82,6 +83,8 @@ void PushOut(glm::vec3& vertex, const glm::vec3& centre, float radius_m) {
   vertex = centre + (at_centre ? glm::vec3{0, 0, radius_m} : from * (radius_m * glm::inversesqrt(square)));
 }
 
+// `down` tells which way the gap must point: an expression may have carried the upper margin below
+// the lower one.
 void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage) {
   if (rig.rings == 0) return;
   const glm::vec3 down = Down(rig, cage);
@@ -92,6 +95,7 @@ void ShutLids(const LidRig& rig, float shut, std::span<glm::vec3> cage) {
   }
 }
 
+// A shut lid needs it most: its straight way has cut through the ball.
 void FitLids(const LidRig& rig, const EyeBall& ball, std::span<glm::vec3> cage) {
   if (!(ball.radius_m > 0)) return;
   // All rings, each to its own radius, whether the lids are shut or open.

@@ -20,7 +20,9 @@ namespace kaori::face {
 // "face \"dog\", occlusion".
 class Faults {
  public:
+  // A line that is ready.
   void Add(std::string fault) { lines_.push_back(std::move(fault)); }
+  // All lines, in the order in which they were found; the list is empty afterwards.
   std::vector<std::string> Release() { return std::move(lines_); }
 
   // Each adds a line that begins with `item` where the thing is not as it has to be, and answers whether it
@@ -47,8 +49,8 @@ inline bool IsFinite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The parts of FindFaults; see check.h.
-// Everything that stands in a Topology: sizes, indices, unfolding, twins, lids and the fine mesh.
+// The parts of FindFaults; see check.h. Everything that stands in a Topology: sizes, indices, unfolding,
+// twins, lids and the fine mesh.
 void CheckTopology(const Topology& topology, Faults& faults);
 
 }  // namespace kaori::face

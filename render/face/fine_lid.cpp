@@ -60,6 +60,7 @@ FineLid::FineLid(const LidRig& rig, const FineMesh& mesh) {
   FindNeighbours(ring_of, rig, mesh);
 }
 
+// Sets, so that a neighbour that two triangles share counts once; done once for a topology.
 void FineLid::FindNeighbours(const std::vector<float>& ring_of, const LidRig& rig, const FineMesh& mesh) {
   const auto edge = static_cast<float>(rig.margin_ring);
   // A quarter of a ring from rim and edge: what lies on them stays.
@@ -80,6 +81,7 @@ void FineLid::FindNeighbours(const std::vector<float>& ring_of, const LidRig& ri
   relaxed_.resize(skin_.size());
 }
 
+// All means are taken before any vertex moves (Jacobi).
 void FineLid::Relax(float shut, std::span<glm::vec3> fine) {
   for (std::size_t i = 0; i < skin_.size(); ++i) {
     glm::vec3 sum{};
@@ -90,6 +92,7 @@ void FineLid::Relax(float shut, std::span<glm::vec3> fine) {
   for (std::size_t i = 0; i < skin_.size(); ++i) fine[skin_[i]] = relaxed_[i];
 }
 
+// Relaxing comes first: it draws the skin towards the ball.
 void FineLid::Fit(const EyeBall& ball, float shut, std::span<glm::vec3> fine) {
   if (!(ball.radius_m > 0)) return;
   if (shut > 0)

@@ -35,12 +35,14 @@ class FineLid {
   // One step towards the mean of the neighbours, `shut` times half the way, all at once.
   void Relax(float shut, std::span<glm::vec3> fine);
 
+  // All that are kept off the ball: rim, skin and edge.
   std::vector<Vertex> vertices_;
   // Of them, those that relaxing moves: neither rim nor edge.
   std::vector<Index> skin_;
   // Where in neighbours_ each of skin_ begins; and the end.
   std::vector<std::uint32_t> first_;
   std::vector<Index> neighbours_;
+  // Where skin_ goes in one step, so that a step reads nothing that it has written.
   std::vector<glm::vec3> relaxed_;
 };
 

@@ -83,6 +83,7 @@ Frame FitFrame(const ControlNet& net, std::span<const glm::vec3> on_face, std::s
 
 }  // namespace
 
+// Rows sum to 1, so this is a point of the face.
 std::vector<glm::vec3> PointsOnFace(const ControlNet& net, std::span<const glm::vec3> positions) {
   std::vector<glm::vec3> points(net.surface.rows());
   for (std::size_t row = 0; row < points.size(); ++row) {
@@ -113,6 +114,7 @@ void Carry(const Expression& expression, std::span<const Frame> frames, float ga
   }
 }
 
+// By the frames of both faces at the same point.
 std::vector<glm::mat3> Turns(std::span<const Frame> reference, std::span<const Frame> face) {
   std::vector<glm::mat3> turns;
   for (std::size_t i = 0; i < face.size(); ++i) {

@@ -21,6 +21,7 @@ namespace kaori::face {
 // Three directions at right angles, all of the same length: the size of the face there, 1 on a face as large
 // as the parameter space says (kParameterWidth_m by kParameterHeight_m).
 struct Frame {
+  // Along rising u, along rising v, and their cross product, out of the face.
   glm::vec3 along_u{1, 0, 0};
   glm::vec3 along_v{0, 1, 0};
   glm::vec3 outwards{0, 0, 1};

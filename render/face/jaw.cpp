@@ -10,6 +10,7 @@ constexpr float kYields = 0.5F;
 
 }  // namespace
 
+// Drops are compared as they are written, on the reference face.
 void LimitJaw(const Cast& cast, Weights& weights) {
   if (weights.channels.empty()) return;
   const auto point = std::ranges::find(cast.net.points, "LC", &ControlPoint::name);

@@ -18,6 +18,7 @@ float JawDropOfFace_m(const Composites& composites, std::size_t face, const Weig
 
 }  // namespace
 
+// A ball that only one face has grows with that face's weight.
 std::array<EyeBall, 2> MixEyes(std::span<const Face> faces, const Weights& weights) {
   std::array<EyeBall, 2> mixed{};
   for (const Term& t : weights.faces) {

@@ -13,7 +13,9 @@ namespace kaori::face {
 
 // `weights` as from Playable, in all of these: indices exist, faces sum to 1. [0] is the character's left.
 std::array<EyeBall, 2> MixEyes(std::span<const Face> faces, const Weights& weights);
+// Iris and lashes, by the weights of the faces.
 EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights);
+// Scale, offset and presence of teeth and tongue, by the weights of the faces.
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights);
 
 // By the operator and by the expressions together: left, right, 0 open .. 1 shut. Either shuts what the other

@@ -25,6 +25,7 @@ class SurfaceNormals {
   // Allocates nothing; one thread at a time.
   void Compute(const float* positions, float* normals);
 
+  // How many quads and triangles there are.
   std::size_t patches() const { return patches_.size(); }
 
  private:

@@ -4,6 +4,7 @@
 
 namespace kaori::face {
 
+// A vertex is loaded as four floats, of which the last is the next vertex's first and is ignored.
 void ApplyToVertices(const SparseRows& rows, const float* in, float* out) {
   const Index* column = rows.column.data();
   const float* weight = rows.weight.data();

@@ -16,12 +16,14 @@ namespace kaori::face {
 class Texels {
  public:
   Texels() = default;
+  // Takes the bytes over.
   Texels(std::vector<std::uint8_t> own) : own_(std::move(own)) {}
   Texels(std::initializer_list<std::uint8_t> own) : own_(own) {}
   // `there` holds while `keeper` lives. A page of a file is read when a texel on it is first looked at.
   Texels(std::span<const std::uint8_t> there, std::shared_ptr<const void> keeper)
       : there_(there), keeper_(std::move(keeper)) {}
 
+  // Whichever of the two holds them.
   std::span<const std::uint8_t> bytes() const { return keeper_ ? there_ : std::span(own_); }
   const std::uint8_t* data() const { return bytes().data(); }
   std::size_t size() const { return bytes().size(); }

@@ -35,6 +35,7 @@ struct SparseRows {
   std::vector<std::uint32_t> row_start;
   std::vector<Index> column;
   std::vector<float> weight;
+  // As row_start says; columns are not counted anywhere.
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
 };
 
@@ -78,6 +79,7 @@ struct LidRig {
 
 // Arrays hold one entry for each vertex of the cage, unless they say otherwise.
 struct Topology {
+  // Of the cage.
   Index vertex_count = 0;
   // Vertices [0, moving_count) can move with expressions; the others (neck, back of the head) differ with the
   // face alone. At most vertex_count.

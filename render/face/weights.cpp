@@ -39,6 +39,7 @@ float PartOf1(float value) {
 
 }  // namespace
 
+// Full lists keep what is heaviest.
 void Terms::Push(std::uint16_t index, float weight) {
   if (size_ < kCapacity) {
     terms_[static_cast<std::size_t>(size_++)] = {index, weight};
@@ -66,6 +67,7 @@ bool operator==(const Terms& a, const Terms& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
+// Indices first, then sums: a face that does not exist has no part in the sum.
 Weights Playable(const Weights& weights, std::size_t faces, std::size_t expressions) {
   return {.faces = WithSumOne(PlayableTerms(weights.faces, faces)),
           .expressions = PlayableTerms(weights.expressions, expressions),

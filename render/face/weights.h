@@ -20,6 +20,7 @@ struct Term {
 // A short list without allocation. Beyond the capacity the lightest term, by magnitude, is dropped.
 class Terms {
  public:
+  // More faces or expressions than a show fades at once; past it the shape loses what is least seen.
   static constexpr int kCapacity = 32;
 
   const Term* begin() const { return terms_.data(); }
@@ -32,6 +33,7 @@ class Terms {
   void Push(std::uint16_t index, float weight);
   // Adds to the term of this index where there is one, else appends.
   void Add(std::uint16_t index, float weight);
+  // Of the weights, signs counted.
   float sum() const;
   // Equal terms in the same order.
   friend bool operator==(const Terms& a, const Terms& b);

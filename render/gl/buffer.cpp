@@ -27,6 +27,7 @@ Buffer::Buffer(BufferUse use, std::size_t size_bytes) : size_bytes_(size_bytes) 
                use == BufferUse::kStatic ? GL_STATIC_DRAW : GL_STREAM_DRAW);
 }
 
+// Mapped, so that no copy of ours is made.
 void Buffer::Write(std::span<const std::byte> bytes) {
   assert(bytes.size() <= size_bytes_);
   if (bytes.empty()) return;

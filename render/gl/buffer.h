@@ -17,6 +17,7 @@ enum class BufferUse { kStatic, kEachFrame };
 class Buffer {
  public:
   Buffer() = default;
+  // Storage without content. `size_bytes` may be 0: such a buffer is never read.
   Buffer(BufferUse use, std::size_t size_bytes);
 
   // Holds a copy of `values`.
@@ -36,6 +37,7 @@ class Buffer {
 
   // 0: no buffer.
   unsigned id() const { return handle_.id(); }
+  // As made.
   std::size_t size_bytes() const { return size_bytes_; }
 
  private:

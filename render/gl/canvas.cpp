@@ -88,6 +88,7 @@ void ForgetDepth() {
 
 }  // namespace
 
+// Framebuffers stay bound: whoever draws next binds its own.
 Result<Canvas> Canvas::Make(const CanvasOptions& options) {
   const auto attempt = fmt::format("make a canvas of {} x {} pixels", options.width_px, options.height_px);
   if (!IsValid(options)) return FailInput(attempt);
@@ -152,6 +153,7 @@ void Canvas::Within(const Box& box) const {
   glScissor(box.left_px, box.bottom_px, box.width_px, box.height_px);
 }
 
+// Where shaders read samples the layer is bound as it is, and nothing is copied.
 void Canvas::BindLayer(unsigned unit, const Box& box) const {
   glBindFramebuffer(GL_FRAMEBUFFER, layer_frame_.id());
   ForgetDepth();
@@ -187,6 +189,7 @@ void Canvas::ShrinkTo(unsigned framebuffer, int width_px, int height_px) const {
                     GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
+// The driver waits for the GPU here; frames for a screen without GL pay for it.
 void Canvas::ReadPixels(std::span<std::uint8_t> bytes) const {
   assert(bytes.size() >= std::size_t(options_.width_px) * std::size_t(options_.height_px) * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_.id());

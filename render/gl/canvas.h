@@ -22,6 +22,7 @@ struct Box {
   int bottom_px = 0;
   int width_px = 0;
   int height_px = 0;
+  // Whether it holds no pixel.
   bool empty() const { return width_px <= 0 || height_px <= 0; }
 };
 
@@ -74,15 +75,18 @@ class Canvas {
 
   int width_px() const { return options_.width_px; }
   int height_px() const { return options_.height_px; }
+  // All of the canvas.
   Box whole() const { return {0, 0, options_.width_px, options_.height_px}; }
 
  private:
   explicit Canvas(const CanvasOptions& options) : options_(options) {}
+  // Each makes one of the framebuffers; false where the driver cannot draw on it.
   bool MakePicture();
   bool MakeLayer(bool reads_samples);
   void AttachLayerColour(bool reads_samples);
 
   CanvasOptions options_;
+  // The picture, sRGB-coded.
   Texture picture_;
   Handle samples_texture_;  // The layer's samples: a texture where shaders read single samples,
   Handle samples_;          // else a renderbuffer,

@@ -118,6 +118,7 @@ bool Context::ReadsSamples() {
   return major > 3 || (major == 3 && minor >= 1);
 }
 
+// GLES 3 lists extensions one by one; names are compared whole, since some begin like others.
 bool Context::Offers(std::string_view extension) {
   GLint count = 0;
   glGetIntegerv(GL_NUM_EXTENSIONS, &count);
@@ -128,6 +129,8 @@ bool Context::Offers(std::string_view extension) {
   return false;
 }
 
+// Without a surface (EGL_KHR_surfaceless_context): drawing goes to framebuffer objects, and to windows when
+// they are begun.
 Result<std::unique_ptr<Context>> Context::Open(void* gbm) {
   auto egl = std::make_unique<Egl>();
   egl->display = DisplayOf(gbm);

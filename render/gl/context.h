@@ -43,6 +43,7 @@ class Context {
   struct Egl;
   explicit Context(std::unique_ptr<Egl> egl);
 
+  // Given back in its destructor, in reverse order.
   std::unique_ptr<Egl> egl_;
   std::string renderer_;
 };

@@ -11,6 +11,7 @@ enum class Cull : std::uint8_t { kNone, kBack };
 enum class Depth : std::uint8_t { kOff, kTestAndWrite, kTestOnly };
 // How a fragment meets the colour that is there.
 enum class Blend : std::uint8_t {
+  // The fragment takes the place of what is there.
   kReplace,
   kOver,       // Colour over what is there, by the fragment's alpha (not premultiplied).
   kBrightest,  // The larger of both, channel by channel.

@@ -14,7 +14,9 @@ class Handle {
   Handle() = default;
   // Takes the object over; `destroy` is called once, with `id`, unless that is 0.
   Handle(unsigned id, Delete destroy) : id_(id), destroy_(destroy) {}
+  // The other is left without an object.
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)), destroy_(other.destroy_) {}
+  // The objects change places; the old one goes with `other`.
   Handle& operator=(Handle&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(destroy_, other.destroy_);

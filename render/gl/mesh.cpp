@@ -49,6 +49,7 @@ Mesh::Mesh(std::initializer_list<VertexStream> streams, int vertex_count)
   glBindVertexArray(0);
 }
 
+// Vertex arrays remember buffers and indices; nothing else is bound.
 void Mesh::Draw() const {
   if (element_count_ == 0) return;
   glBindVertexArray(array_.id());

@@ -25,6 +25,7 @@ struct Attribute {
 
 // One buffer of a mesh: vertex n begins at n * stride_bytes.
 struct VertexStream {
+  // Borrowed; it lives as long as the mesh.
   const Buffer& buffer;
   int stride_bytes = 0;
   std::initializer_list<Attribute> attributes;
@@ -47,6 +48,7 @@ class Mesh {
   void DrawInstances(int instances) const;
 
  private:
+  // The vertex array object; element_count_ are indices, or vertices where there are none.
   Handle array_;
   Buffer indices_;
   int element_count_ = 0;

@@ -24,7 +24,9 @@ struct ShaderFile {
 
 // `library` holds every file that a program or an #include "name" asks for. Texts carry no #version line.
 struct ProgramSource {
+  // Borrowed during Make.
   std::span<const ShaderFile> library;
+  // Names of files of the library.
   std::string_view vertex;
   std::string_view fragment;
   // Lines such as "#define TEXTURES 4\n", before both texts.

@@ -52,8 +52,7 @@ Result<void> Append(std::span<const ShaderFile> library, std::string_view name, 
   return {};
 }
 
-// "3:12..." at the start of `text` -> "body.vert:12...".
-// Text that begins otherwise is left as it is.
+// "3:12..." at the start of `text` -> "body.vert:12...". Text that begins otherwise is left as it is.
 std::string NameFile(std::string_view text, std::span<const std::string_view> files) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -78,6 +77,7 @@ Result<WholeText> Assemble(const ProgramSource& source, std::string_view file) {
   return whole;
 }
 
+// Line by line; lines that are not understood pass as they are.
 std::string NameFiles(std::string_view log, std::span<const std::string_view> files) {
   constexpr std::string_view kPrefix = "ERROR: ";
   std::string named;

@@ -13,6 +13,7 @@ void SmallPictureFramebufferDelete(unsigned id) {
 
 }  // namespace
 
+// sRGB like the canvas's picture, so that the blit filters light and keeps the coding.
 Result<SmallPicture> SmallPicture::Make(int width_px, int height_px) {
   SmallPicture small(width_px, height_px);
   small.picture_ = Texture({.width_px = width_px, .height_px = height_px, .texels = Texels::kSrgb8}, {});

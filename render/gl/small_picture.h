@@ -26,6 +26,7 @@ class SmallPicture {
   int height_px() const { return height_px_; }
 
  private:
+  // Without objects of GL; Make adds them.
   SmallPicture(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {}
 
   int width_px_;

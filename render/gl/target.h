@@ -18,6 +18,7 @@ class Target {
   // Drawing goes to all of it from here on: sets framebuffer and viewport, and turns the scissor test off.
   void Begin() const;
 
+  // What was drawn; bind it when drawing goes elsewhere.
   const Texture& texture() const { return texture_; }
   int width_px() const { return options_.width_px; }
   int height_px() const { return options_.height_px; }

@@ -104,6 +104,7 @@ void Texture::Write(int rows, std::span<const std::byte> pixels) {
   WriteLevel(0, options_.width_px, rows, pixels);
 }
 
+// From the first row on; the texture stays bound to the active unit.
 void Texture::WriteLevel(int level, int width_px, int rows, std::span<const std::byte> pixels) const {
   const Format f = FormatOf(options_.texels);
   glBindTexture(GL_TEXTURE_2D, handle_.id());

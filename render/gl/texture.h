@@ -48,6 +48,7 @@ class Texture {
   unsigned id() const { return handle_.id(); }
 
  private:
+  // One level of the mipmaps, 0 the whole picture.
   void WriteLevel(int level, int width_px, int rows, std::span<const std::byte> pixels) const;
 
   Handle handle_;

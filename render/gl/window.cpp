@@ -40,6 +40,7 @@ Window& Window::operator=(Window&& other) noexcept {
   return *this;
 }
 
+// The context is made current with the surface each time: other windows may have been drawn to since.
 Result<void> Window::Begin(int width_px, int height_px) const {
   if (!eglMakeCurrent(display_, surface_, surface_, context_))
     return Fail(std::errc::protocol_error, "draw into the screen's window");

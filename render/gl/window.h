@@ -13,6 +13,7 @@ class Window {
   // `native` is a gbm_surface of the context's card. Errors: protocol_error (EGL takes no such window).
   static Result<Window> Make(const Context& context, void* native);
   ~Window();
+  // The other is left without a surface.
   Window(Window&& other) noexcept;
   Window& operator=(Window&& other) noexcept;
 
@@ -28,6 +29,8 @@ class Window {
   Result<void> Show() const;
 
  private:
+  // EGL's handles and the gbm_surface, as void* so that EGL's headers, which define short names, stay
+  // in one file.
   void* display_ = nullptr;
   void* context_ = nullptr;
   void* surface_ = nullptr;

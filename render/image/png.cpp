@@ -69,6 +69,7 @@ Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture) {
   return bytes;
 }
 
+// The file is read by the bounded reader first; libpng then sees memory alone.
 Result<Picture> ReadPng(const std::filesystem::path& file) {
   const auto bytes = ReadFile(file, {.most_bytes = kMostPng_bytes});
   if (!bytes) return tl::unexpected(bytes.error());

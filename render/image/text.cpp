@@ -30,6 +30,7 @@ FT_UInt GlyphOf(FT_Face face, char32_t code) {
 
 // Calls `each(glyph, x)` with x in 64ths of a pixel from the line's left end; returns where the line ends.
 template <class Each>
+// Left to right, with the font's kerning; scripts that join their letters are not shaped.
 FT_Pos Walk(FT_Face face, std::string_view text, const Each& each) {
   FT_Pos x = 0;
   FT_UInt before = 0;
@@ -92,6 +93,7 @@ void Lettering::EndFace::operator()(FT_FaceRec_* face) const {
   FT_Done_Face(face);
 }
 
+// The face borrows the library and the font's bytes.
 Result<Lettering> Lettering::Open() {
   Lettering made;
   FT_Library library = nullptr;
@@ -125,6 +127,7 @@ int Lettering::height_px(int size_px) {
   return Ceil(face_->size->metrics.ascender) + Descent_px(face_.get());
 }
 
+// The baseline lies the descent above the box's lower edge.
 void Lettering::Draw(std::string_view text, const TextStyle& style, int x_px, int y_px, Picture& into) {
   SetSize(style.size_px);
   const int baseline = y_px + Descent_px(face_.get());

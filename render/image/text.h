@@ -11,6 +11,7 @@
 #include "render/image/png.h"
 
 struct FT_FaceRec_;
+// FreeType's own types, declared here so that its headers stay in one file.
 struct FT_LibraryRec_;
 
 namespace kaori::image {
@@ -42,6 +43,7 @@ class Lettering {
 
   // The box of a line: what Draw moves on to the right, and how high letters with all their strokes are.
   int width_px(std::string_view text, int size_px);
+  // Of every line of this size, whatever letters it has.
   int height_px(int size_px);
 
   // Draws one line; its box's lower left corner comes to (x_px, y_px), row 0 at the bottom. What lies outside
@@ -59,6 +61,7 @@ class Lettering {
 
   Lettering() = default;
 
+  // Sets the font's size in pixels where it is another.
   void SetSize(int size_px);
 
   // Outlives the face.

@@ -37,6 +37,7 @@ Letter Follow(std::string_view text, const Lead& lead) {
 
 }  // namespace
 
+// The first byte's upper bits say how many follow; 10xxxxxx begins nothing.
 Letter FirstLetter(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   for (const Lead& lead : kLeads)

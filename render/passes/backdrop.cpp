@@ -39,6 +39,7 @@ bool Same(const scene::FadingBackdrop& a, const scene::FadingBackdrop& b) {
 
 }  // namespace
 
+// Uniforms that a kind does not use are -1, which Set accepts.
 Result<void> BackdropPass::AddKinds() {
   for (std::size_t i = 0; i < kShaders.size(); ++i) {
     auto program = Make("drop.vert", kShaders[i]);
@@ -53,6 +54,7 @@ Result<void> BackdropPass::AddKinds() {
   return {};
 }
 
+// 1, 2 and 4 drops: 1 << i.
 Result<void> BackdropPass::AddMixes() {
   for (std::size_t i = 0; i < mixes_.size(); ++i) {
     auto program = Make("canvas.vert", "backdrop_mix.frag", fmt::format("#define DROPS {}\n", 1U << i));
@@ -64,6 +66,7 @@ Result<void> BackdropPass::AddMixes() {
   return {};
 }
 
+// Ten bits a channel for drops: they are enlarged five times, and steps of eight bits would show.
 Result<BackdropPass> BackdropPass::Open(const face::Cast& cast) {
   BackdropPass pass;
   pass.cast_ = &cast;
@@ -186,6 +189,7 @@ void BackdropPass::Enlarge(const gl::Texture& drop) {
   everywhere_.Draw();
 }
 
+// Compared exactly: a fade changes weights in every frame, a scene at rest in none.
 void BackdropPass::Prepare(const scene::Scene& scene, int width_px, int height_px) {
   const Mixture mixture = MixtureOf(scene);
   const bool new_size = FitWhole(width_px, height_px);

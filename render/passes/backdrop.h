@@ -44,6 +44,7 @@ class BackdropPass {
  private:
   // As many as can be seen at once: those that fade, and the one that stays.
   static constexpr std::size_t kDrops = scene::kMostFading + 1;
+  // Backdrops and their weights, the heaviest first; weights sum to 1, and those without weight do not count.
   using Mixture = std::array<scene::FadingBackdrop, kDrops>;
 
   // A way of drawing a backdrop, and where its uniforms are.
@@ -82,6 +83,7 @@ class BackdropPass {
   // From a drop's size to that of whole_.
   void Enlarge(const gl::Texture& drop);
 
+  // Borrowed.
   const face::Cast* cast_ = nullptr;
   std::array<Kind, scene::kBackdropKindCount> kinds_;
   // Of 1, 2 and 4 drops; the first enlarges.
@@ -93,9 +95,11 @@ class BackdropPass {
   std::vector<gl::Texture> pictures_;
   // Several drops, mixed.
   gl::Target small_;
+  // The picture; without a size where there was no memory.
   gl::Target whole_;
   // What whole_ shows.
   Mixture mixed_{};
+  // 0 before the first Prepare.
   std::uint64_t version_ = 0;
 };
 

@@ -22,6 +22,7 @@ struct Mixture {
   glm::vec4 weights{};
   int count = 0;
 
+  // Faces of one texture add up their weights.
   void Add(int texture, float weight) {
     for (int i = 0; i < count; ++i) {
       if (textures[static_cast<std::size_t>(i)] != texture) continue;
@@ -84,6 +85,7 @@ bool BodyPass::LoadNext() {
   return true;
 }
 
+// Softness and metal are blended as numbers, paint in the shader.
 void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dressed) {
   Mixture mixture;
   glm::vec2 answer{};

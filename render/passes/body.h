@@ -44,6 +44,7 @@ class BodyPass {
   };
   // `textures`: 1, 2 or 4.
   Result<void> AddVariant(int textures);
+  // The shader that draws this many textures, 1 to 4.
   const Variant& VariantFor(int textures) const;
   // The cast's texture of this index, loaded now where it is not there yet.
   const gl::Texture& Skin(int texture);

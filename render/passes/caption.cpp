@@ -103,6 +103,7 @@ void CaptionPass::WriteLetters(const std::vector<std::string>& lines, const gl::
                                          picture.height_px + 2 * m.border};
 }
 
+// The scissor box is the plate, so the one triangle covers no more.
 void CaptionPass::Draw(const scene::Caption& caption, const gl::Canvas& canvas) {
   if (!(caption.shown > 0) || caption.lines.empty()) return;
   const bool same_size = canvas_width_px_ == canvas.width_px() && canvas_height_px_ == canvas.height_px();

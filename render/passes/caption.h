@@ -58,6 +58,7 @@ class CaptionPass {
   std::vector<std::string> lines_;
   int canvas_width_px_ = 0;
   int canvas_height_px_ = 0;
+  // What letters_ and plate_box_ were made for.
   int border_px_ = 0;
   // Where the plate lies on the canvas; empty where there is no line.
   gl::Box plate_box_;

@@ -38,6 +38,7 @@ std::size_t BreakAt(std::string_view text, const Fits& fits) {
 
 }  // namespace
 
+// At least one piece, so that an empty line stays a line.
 void BreakLine(std::string_view line, const Fits& fits, std::vector<std::string>& into) {
   std::string_view rest = Trimmed(line);
   do {

@@ -7,6 +7,7 @@
 
 namespace kaori::passes {
 
+// Each face's clothes are laid over those before it, in one layer and one depth.
 class ClothesPass {
  public:
   // Errors: invalid_argument (a shader).
@@ -16,6 +17,7 @@ class ClothesPass {
   void Draw(const Appearance& appearance, const face::Terms& faces) const;
 
  private:
+  // The clothes of one face, in the program that Draw has set.
   void DrawWorn(const Appearance& appearance, std::size_t face) const;
 
   gl::Program program_;

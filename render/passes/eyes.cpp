@@ -76,6 +76,7 @@ class LidEdge {
 
  private:
   static constexpr std::size_t kMost = 64;
+  // As iterators want it.
   std::ptrdiff_t Count() const { return static_cast<std::ptrdiff_t>(columns_); }
 
   face::EyeBall ball_;
@@ -125,6 +126,7 @@ Result<EyesPass> EyesPass::Open(const face::Topology& topology) {
   return EyesPass(std::move(*program), std::move(*dark), topology);
 }
 
+// One draw for each ball: uniforms differ, the mesh is the same.
 void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const {
   gl::Apply({});
   program_.Use();
@@ -142,6 +144,7 @@ void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& 
   }
 }
 
+// Pushed back a little, so that iris and pupil, which lie on the ball, win.
 void EyesPass::DrawDark(const face::Shape& shape) const {
   gl::Apply({.push_back = true});
   dark_.Use();

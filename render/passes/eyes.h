@@ -25,7 +25,9 @@ class EyesPass {
  private:
   EyesPass(gl::Program program, gl::Program dark, const face::Topology& topology);
 
+  // Borrowed.
   const face::Topology* topology_;
+  // The eye as it is seen, and a dark ball for the wireframe.
   gl::Program program_;
   gl::Program dark_;
   // Where uniforms are, of program_ and then of dark_.

@@ -22,6 +22,7 @@ struct Span {
   int to_px = 0;
 };
 
+// Of the face at rest; expressions are allowed for by kEdgeShare.
 std::vector<float> LongestEdgesOf(const face::Topology& topology, const face::Face& face) {
   std::vector<float> longest_m(topology.vertex_count);
   for (const face::Triangle& t : topology.triangles) {
@@ -61,6 +62,7 @@ class Bands {
     }
   }
 
+  // Bands are cut so that together they are as high as the picture, whatever its height.
   FigureRegion Region() const {
     FigureRegion region;
     Span all{static_cast<int>(canvas_px_.x), 0};

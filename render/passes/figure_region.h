@@ -16,6 +16,7 @@ namespace kaori::passes {
 // left out counts. Too large a region costs time; too small a one cuts the figure off.
 struct FigureRegion {
   static constexpr int kBands = 20;
+  // From below; each as wide as the figure is there.
   std::array<gl::Box, kBands> bands{};
   // Encloses them all; as high as the picture.
   gl::Box whole;

@@ -38,6 +38,7 @@ void FlatPass::WriteFacets(const face::Shape& shape) {
   }
 }
 
+// The corners are written whole; a cage has some 5000 triangles.
 void FlatPass::Draw(const face::Shape& shape) {
   WriteFacets(shape);
   buffer_.Write(std::as_bytes(std::span(corners_)));

@@ -28,11 +28,13 @@ class FlatPass {
     glm::vec3 normal;
   };
   FlatPass(gl::Program program, const face::Cast& cast);
+  // Fills corners_ from the cage.
   void WriteFacets(const face::Shape& shape);
 
   const face::Cast* cast_;
   gl::Program program_;
   int paint_;
+  // Three for each triangle, in the order of the triangles.
   std::vector<Corner> corners_;
   gl::Buffer buffer_;
   gl::Mesh mesh_;

@@ -29,6 +29,7 @@ Neck NeckOf(const face::Cast& cast) {
   return {cast.neck_pivot, edge_m + kStill_m, edge_m + kTurns_m};
 }
 
+// Numbers that share a vec4 are there to fill std140's padding.
 FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share) {
   FrameBlock f{};
   f.view = scene::ViewOf(scene.camera);
@@ -44,6 +45,7 @@ FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canv
   return f;
 }
 
+// As HeadToCamera in frame.glsl, without breath, for which callers leave a margin.
 glm::vec2 Project(const FrameBlock& f, glm::vec3 point, bool turns) {
   if (turns) {
     // glm's constructor wants w first; the block holds x, y, z, w, as shaders read it.

@@ -21,14 +21,22 @@ inline constexpr unsigned kFrameBinding = 0;
 
 // std140: matrices by columns, each vector 16 bytes. What each part means stands in frame.glsl.
 struct FrameBlock {
+  // World to camera, and camera to clip space.
   glm::mat4 view;
   glm::mat4 projection;
+  // The head's rotation, a quaternion: x, y, z, w.
   glm::vec4 turn;
+  // xyz: the point about which the head turns; w: below this height the neck does not turn.
   glm::vec4 pivot;
+  // xyz: how far the head is moved; w: above this height it turns wholly.
   glm::vec4 shift;
+  // xyz: unit direction towards the key light, camera's frame; w: exposure.
   glm::vec4 key;
+  // xyz: the same of the fill light; w: share of today's soft light.
   glm::vec4 fill;
+  // xyz: the world's up in the camera's frame; w: metres that breath lifts the shoulders.
   glm::vec4 up;
+  // xy: how far tips of hair swing, radians, sideways and forwards; zw: the canvas in pixels.
   glm::vec4 sway;
 };
 

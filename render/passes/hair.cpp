@@ -37,6 +37,7 @@ Result<HairPass> HairPass::Open() {
   return pass;
 }
 
+// Every prop of hair by itself: each has its own presence while faces cross-fade.
 void HairPass::Draw(const Appearance& appearance, float share) const {
   for (std::size_t i = 0; i < appearance.meshes().size(); ++i) {
     const PropMesh& prop = appearance.meshes()[i];

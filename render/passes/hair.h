@@ -7,6 +7,7 @@
 
 namespace kaori::passes {
 
+// All hair is one kind of mesh, lit by its tangents (Kajiya and Kay 1989) in the vertex shader.
 class HairPass {
  public:
   // Compiles two variants of one shader. Errors: invalid_argument (a shader).

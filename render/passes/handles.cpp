@@ -62,6 +62,7 @@ glm::vec2 Round(int step, int steps) {
   return {std::cos(angle), std::sin(angle)};
 }
 
+// Rings of the head from the far pole on, then the shaft's upper and lower end.
 std::vector<Corner> HandleCorners() {
   std::vector<Corner> corners;
   for (int ring = 0; ring <= kHandleRings; ++ring) {
@@ -205,6 +206,7 @@ void HandlesPass::DrawThrough(int point) const {
   handle_.Draw();
 }
 
+// What glimmers through is drawn first, without depth; then all handles, with depth, over it.
 void HandlesPass::Draw(const scene::Handles& handles, const face::Shape& shape, Among among) {
   if (Grown(handles.shown) == 0 || handles_.empty()) return;
   Straighten(shape);

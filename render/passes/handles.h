@@ -40,6 +40,7 @@ class HandlesPass {
     glm::vec4 axis;   // xyz: unit, out of the face; w: the head's radius, metres.
     glm::vec4 paint;  // rgb: of the head, as far as w says; the rest is plain.
   };
+  // Works out which points lie beside each other on the reference face.
   HandlesPass(gl::Program program, const face::Cast& cast);
   // Sets axes_: unit, out of the face as it is about each point.
   void Straighten(const face::Shape& shape);
@@ -55,6 +56,7 @@ class HandlesPass {
   std::vector<glm::vec3> normals_;
   std::vector<glm::vec3> axes_;  // and what the points about it make of them.
   gl::Program program_;
+  // Where uniforms are.
   int first_, opacity_, plain_;
   // All handles of the frame, in the order of the net's points; written to texture_.
   std::vector<Texels> handles_;

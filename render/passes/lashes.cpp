@@ -16,8 +16,8 @@ namespace {
 constexpr int kSteps = 4;
 constexpr glm::vec3 kPaint{0.0075F, 0.0048F, 0.0042F};
 
-// The vertex of the fine mesh that replaces a cage vertex: the one that leans on it most.
-// Catmull-Clark keeps the cage's vertices as the first of the fine ones, with most weight on themselves.
+// The vertex of the fine mesh that replaces a cage vertex: the one that leans on it most. Catmull-Clark keeps
+// the cage's vertices as the first of the fine ones, with most weight on themselves.
 face::Index OnFineMesh(const face::SparseRows& from_cage, face::Index cage) {
   face::Index best = 0;
   float most = -1;
@@ -60,8 +60,8 @@ std::vector<std::uint32_t> Strips(const std::array<std::vector<face::Index>, 2>&
   return indices;
 }
 
-// Catmull-Rom through the fine vertices of a margin.
-// At the ends the outermost vertex stands for the one beyond.
+// Catmull-Rom through the fine vertices of a margin. At the ends the outermost vertex stands for the one
+// beyond.
 glm::vec3 OnCurve(std::span<const glm::vec3> fine, std::span<const face::Index> margin, float column) {
   const auto last = static_cast<std::ptrdiff_t>(margin.size()) - 1;
   const auto j = std::min(static_cast<std::ptrdiff_t>(column), last - 1);
@@ -128,6 +128,7 @@ void LashesPass::Grow(const face::Shape& shape, std::size_t side) {
   }
 }
 
+// Both sides of the strip are drawn: it is seen from below, too.
 void LashesPass::Draw(const face::Shape& shape) {
   constexpr float kUnseen_m = 1e-4F;
   if (points_.empty() || shape.fine.empty() || shape.eye_look.lash_length_m < kUnseen_m) return;

@@ -34,6 +34,7 @@ class LashesPass {
   std::array<std::vector<face::Index>, 2> margins_;
   // Root, tip, root, tip ...; the left eye first.
   std::vector<glm::vec3> points_;
+  // points_ of this frame.
   gl::Buffer buffer_;
   gl::Mesh strip_;
 };

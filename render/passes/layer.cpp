@@ -65,6 +65,7 @@ LayerPass::Variant LayerPass::Named(gl::Program program) {
   return v;
 }
 
+// Print is a variant of its own, so that other figures do not pay for its dots.
 Result<LayerPass> LayerPass::Open() {
   auto backdrop = MakeLayer("backdrop.frag", "");
   if (!backdrop) return tl::unexpected(backdrop.error());
@@ -80,6 +81,7 @@ Result<LayerPass> LayerPass::Open() {
   return pass;
 }
 
+// One triangle over all, cut to the box by the scissor test.
 void LayerPass::Fill(const gl::Canvas& canvas, const gl::Box& box) const {
   if (box.empty()) return;
   canvas.Within(box);

@@ -57,6 +57,7 @@ class LayerPass {
     int opacity = -1;
     int print = -1;
   };
+  // Asks where the uniforms are.
   static Variant Named(gl::Program program);
 
   // Of the figure, as it is and as a poster's print. They read the layer's samples where the context can.

@@ -12,6 +12,7 @@ namespace {
 // Which lock each vertex belongs to: what triangles join hangs together.
 class Locks {
  public:
+  // Corners of a triangle are of one lock.
   explicit Locks(const face::Prop& prop) : parent_(prop.vertices.size()) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (const face::Triangle& t : prop.triangles) {
@@ -44,6 +45,7 @@ std::vector<float> LockNumbers(const face::Prop& hair) {
   return numbers;
 }
 
+// A stable sort by the lock's reach keeps each lock's triangles in their order.
 std::vector<face::Triangle> OuterLocksFirst(const face::Prop& hair, const std::vector<float>& numbers) {
   glm::vec3 middle{};
   for (const face::PropVertex& v : hair.vertices)

@@ -58,6 +58,7 @@ Result<MouthPass> MouthPass::Open(const face::Cast& cast) {
   return pass;
 }
 
+// Both sides are drawn: an arch of teeth is open behind.
 void MouthPass::Draw(const Appearance& appearance, const face::Shape& shape) const {
   if (shape.jaw_drop_m < kShut_m) return;
   gl::Apply({.cull = gl::Cull::kNone});

@@ -8,6 +8,8 @@
 
 namespace kaori::passes {
 
+// Props of the parts upper teeth, lower teeth and tongue, each fitted by a scale, an offset and the jaw's
+// motion in the shader.
 class MouthPass {
  public:
   // Copies the mouth's anchor; borrows nothing. Errors: invalid_argument (a shader).

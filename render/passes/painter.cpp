@@ -87,6 +87,7 @@ Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
   for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
 }
 
+// All are opened, so that all shaders are compiled by the time of the first frame.
 Result<void> Painter::Parts::Open(const face::Cast& cast) {
   Result<void> outcome;
   Keep(BodyPass::Open(cast), body, outcome);

@@ -48,6 +48,7 @@ class Painter {
   bool WarmUpStep();
 
  private:
+  // Composer, passes and buffers; in painter_parts.h.
   struct Parts;
   explicit Painter(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;

@@ -33,7 +33,9 @@ namespace kaori::passes {
 enum class Group : std::uint8_t { kTextured, kFlat, kWire };
 // Passes are optional only while Open makes them; afterwards all are there.
 struct Painter::Parts {
+  // Takes over what was prepared.
   Parts(const face::Cast& cast, Preparation prepared);
+  // Opens all passes, and goes on after a fault; the first one is the error.
   Result<void> Open(const face::Cast& cast);
   // Writes and binds the uniforms of a frame.
   FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
@@ -61,16 +63,21 @@ struct Painter::Parts {
   void WarmUp(Shader shader);
   // Into the layer that is begun; the shape is composed with the detail that the group needs.
   void DrawTextured(const scene::Scene& scene, const face::Shape& shape);
+  // As in 1993, with clothes, eyes and mouth.
   void DrawFlat(const scene::Scene& scene, const face::Shape& shape);
+  // Lines over a dark body.
   void DrawWire(const scene::Scene& scene, const face::Shape& shape);
 
   face::Composer composer;
   // Of each face, how much of a poster it is.
   std::vector<float> prints;
+  // Where the neck bends, from the reference face.
   Neck neck;
   LongestEdges edges;
   Appearance appearance;
+  // The face as composed for this frame.
   Surface surface;
+  // The uniforms that all passes share.
   gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
   std::optional<BodyPass> body;
   std::optional<EyesPass> eyes;

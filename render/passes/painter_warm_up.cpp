@@ -3,8 +3,7 @@
 namespace kaori::passes {
 namespace {
 
-// Two faces, and with them two textures, or four.
-// Faces that do not exist are left out by the composer.
+// Two faces, and with them two textures, or four. Faces that do not exist are left out by the composer.
 face::Weights CrossFade(std::uint16_t faces) {
   face::Weights weights;
   for (std::uint16_t face = 0; face < faces; ++face) weights.faces.Push(face, 1);

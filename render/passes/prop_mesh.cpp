@@ -136,6 +136,7 @@ Appearance::Appearance(const face::Cast& cast, std::span<const PropForm> forms)
   for (const face::Face& f : cast.faces) worn_.push_back(f.props);
 }
 
+// A face that wears a prop twice would count twice, which the clamp bounds.
 void Appearance::Weigh(const face::Terms& faces) {
   std::ranges::fill(presence_, 0.0F);
   for (const face::Term& term : faces) {

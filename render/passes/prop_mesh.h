@@ -46,10 +46,12 @@ struct PropMesh {
   PropMesh(const face::Prop& prop, const PropForm& form);
   PropMesh(PropMesh&&) = default;
 
+  // Copied from the prop; what else it says is in the buffers.
   face::Part part;
   glm::vec3 paint;
   std::array<Slice, kPropSlices> slices;
   gl::Buffer vertices;
+  // Of locks, one for each vertex; empty where it is no hair.
   gl::Buffer numbers;
   gl::Mesh mesh;
 };
@@ -58,6 +60,7 @@ struct PropMesh {
 // it. A prop that two faces share stays while they cross-fade.
 class Appearance {
  public:
+  // Copies all props to the driver.
   Appearance(const face::Cast& cast, std::span<const PropForm> forms);
 
   // Once a frame, before what is worn is drawn. `faces` as composed: indices exist, sum 1. Allocates nothing.

@@ -76,6 +76,7 @@ scene::Scene Sane(const scene::Scene& scene) {
   return sane;
 }
 
+// Everything is copied and then mended in place.
 void Sane(const scene::Scene& scene, scene::Scene& s) {
   const scene::Scene fresh;
   // Copying keeps the capacity of the lists in `s`.

@@ -6,6 +6,7 @@
 
 namespace kaori::passes {
 
+// Without the extension codes would be decoded on reading and not coded again on writing.
 Result<ScreenPass> ScreenPass::Open() {
   constexpr const char* kCodes = "GL_EXT_texture_sRGB_decode";
   if (!gl::Context::Offers(kCodes)) return Fail(std::errc::not_supported, std::string("find ") + kCodes);

@@ -9,6 +9,7 @@
 
 namespace kaori::passes {
 
+// Used where a screen is drawn to by GL; other screens get their pixels by ReadPixels.
 class ScreenPass {
  public:
   // Errors: not_supported (the driver decodes all sRGB texels that it reads), invalid_argument (a shader).

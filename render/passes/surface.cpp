@@ -52,6 +52,7 @@ Triangles SeenOn(const face::Topology& topology, const face::Face& face, const s
 
 }  // namespace
 
+// By occlusion alone: what is dark for hair and collar is not seen, and needs no look at them.
 std::vector<Triangles> SeenWhenWorn(const face::Cast& cast) {
   const std::vector<bool> rigid = RigidVertices(cast.topology);
   std::vector<Triangles> seen;
@@ -84,6 +85,7 @@ Surface::Surface(const face::Cast& cast, std::span<const Triangles> worn)
   for (const Triangles& seen : worn) worn_meshes_.push_back(fine_.Join(fine_uv_, seen));
 }
 
+// Three buffers rather than one: composed arrays are copied as they are.
 void Surface::WriteFine(const face::Shape& shape) {
   fine_.positions.Write(std::as_bytes(shape.fine));
   fine_.normals.Write(std::as_bytes(shape.fine_normals));

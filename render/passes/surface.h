@@ -26,11 +26,13 @@ class Surface {
   // Copies the composed arrays to the driver: positions, normals and occlusion. What is drawn until the next
   // call has them. The shape must have been composed with Detail::kFine for the first.
   void WriteFine(const face::Shape& shape);
+  // The same of the cage, for the wireframe.
   void WriteCage(const face::Shape& shape);
 
   // The fine mesh, whole; and what of it is seen when `face` is all alone.
   const gl::Mesh& fine() const { return fine_mesh_; }
   const gl::Mesh& fine_worn(std::size_t face) const { return worn_meshes_[face]; }
+  // The cage, whole.
   const gl::Mesh& cage() const { return cage_mesh_; }
 
  private:

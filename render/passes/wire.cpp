@@ -48,6 +48,7 @@ void AppendRibbon(std::uint32_t from, std::uint32_t to, std::vector<RibbonCorner
   for (const glm::vec2& corner : kCorners) corners.push_back({{from, to}, corner});
 }
 
+// Four corners a line, each with both ends' numbers: the shader finds its direction in the picture.
 std::vector<RibbonCorner> RibbonCorners(const face::Topology& topology) {
   std::vector<RibbonCorner> corners;
   for (const face::Line& line : topology.wires) AppendRibbon(line[0], line[1], corners);

@@ -33,6 +33,7 @@ class WirePass {
   // Writes 2 circles of points from `points` on. `iris_m`: the radius of the iris along the ball.
   void WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, float iris_m, glm::vec4* points) const;
 
+  // The dark body, and the lines.
   gl::Program body_;
   gl::Program lines_;
   int body_paint_, lines_paint_;

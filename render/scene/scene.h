@@ -40,6 +40,7 @@ struct Gaze {
   float pitch_rad = 0;
 };
 
+// The key light is fixed to the camera; a fill light stands on its other side (render/passes/frame.cpp).
 struct Light {
   // Direction towards the key light, in the camera's frame (+X right, +Y up, +Z to the viewer); need not be a
   // unit.
@@ -50,7 +51,9 @@ struct Light {
 
 // Looks at its target from a distance, always upright.
 struct Camera {
+  // A little below the eyes, where the face's middle is in the picture.
   glm::vec3 target_m{0.0F, -0.004F, 0.0F};
+  // From the target; Sane keeps it within 0.3 to 5 m.
   float distance_m = 0.95F;
   // Round the target; positive looks from the character's left.
   float yaw_rad = 0;
@@ -77,6 +80,7 @@ inline constexpr int kBackdropKindCount = 10;
 
 // Colours are linear RGB.
 struct Backdrop {
+  // Of the gradient, and the two main colours of the other kinds.
   glm::vec3 top{0.053F, 0.080F, 0.144F};
   glm::vec3 bottom{0.011F, 0.014F, 0.030F};
   BackdropKind kind = BackdropKind::kGradient;
@@ -120,6 +124,7 @@ struct Caption {
 // All that a painter needs to know besides the cast. Values that are no numbers, or lie far out, are replaced
 // before they are drawn (render/passes/sane_scene.h), so a writer of scenes need not check them.
 struct Scene {
+  // What is composed: faces, expressions, channels and lids.
   face::Weights weights;
   // The character's left, right.
   std::array<Gaze, 2> gaze{};
@@ -136,6 +141,7 @@ struct Scene {
   glm::vec2 hair_sway_rad{};
   // -1 out .. 1 in.
   float breath = 0;
+  // Of the expression editor; none in a show.
   Handles handles;
   Caption caption;
 };

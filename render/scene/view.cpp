@@ -16,6 +16,7 @@ constexpr float kNearest = 1e-3F;
 
 }  // namespace
 
+// Rotations about +X turn the face down and about +Z to the right shoulder, hence the signs.
 glm::quat TurnOf(const Head& head) {
   return glm::angleAxis(head.yaw_rad, glm::vec3(0, 1, 0)) *
          glm::angleAxis(-head.pitch_rad, glm::vec3(1, 0, 0)) *

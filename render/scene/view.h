@@ -36,6 +36,7 @@ class View {
   bool Faces(glm::vec3 point_m, glm::vec3 normal) const;
 
  private:
+  // With the head's turn and shift: from the head at rest to the world.
   glm::vec3 Turned(glm::vec3 point_m) const;
 
   glm::quat turn_;

@@ -46,6 +46,7 @@ float Edge(glm::vec2 a, glm::vec2 b, glm::vec2 p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
+// A texel on an edge is stored by both triangles: the second one's values are the same there.
 void Store(Texel& texel, const std::array<Corner, 3>& corners, const std::array<float, 3>& share) {
   Values v{};
   for (std::size_t i = 0; i < kValues; ++i) {

@@ -39,6 +39,7 @@ struct Texel {
 
 // A square of texels, made once for a cast and borrowed by every canvas.
 struct Atlas {
+  // Of a side.
   int size_px = 0;
   std::vector<Texel> texels;  // Row-major, top row first.
 

@@ -37,6 +37,7 @@ void AddBow(ClothMesh& mesh, glm::vec3 knot_cm) {
 
 }  // namespace
 
+// Three props: each has one colour.
 Garment SewBlouse(const std::string& face, const ClothesLook& look, const Neck& neck) {
   // Shoulders, the joints' depth, chest and folds of a slender woman.
   const Torso torso{neck, look.shoulders_cm - 3, 19.4F, 4.4F, 0.24F};

@@ -145,6 +145,7 @@ void AddFramingLocks(ClothMesh& mesh, const HairLook& look) {
 
 }  // namespace
 
+// From the scalp outwards.
 void CutBob(ClothMesh& mesh, const HairLook& look) {
   AddCap(mesh, look);
   AddCurtain(mesh, look, kCurtainLocks);

@@ -36,6 +36,7 @@ struct Nearest {
   float along = 0;  // 0 at the root .. 1 at the tip.
 };
 
+// Over all straight pieces: the nearest point of each is the foot of the perpendicular, or an end.
 Nearest NearestOn(const Bent& line, glm::vec2 p) {
   Nearest best;
   for (int i = 0; i < kPieces; ++i) {
@@ -135,6 +136,7 @@ glm::vec3 Canvas::Sample(glm::vec2 place_cm) const {
   return texels_[IndexOf(std::lround(at.x), std::lround(at.y), atlas_.size_px)].colour;
 }
 
+// Every texel of the box is asked how near the bent line is.
 void Canvas::Draw(const Stroke& stroke) {
   const Bent line = Flatten(stroke);
   const Box box = BoxOf(stroke, atlas_.size_px);

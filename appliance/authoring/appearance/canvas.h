@@ -15,6 +15,7 @@ namespace kaori::appearance {
 
 // What a texel holds while it is painted.
 struct Paint {
+  // Linear RGB.
   glm::vec3 colour{};
   float gloss = 0;  // 0 matt .. 1 wet.
 
@@ -26,9 +27,12 @@ struct Paint {
 
 // A hair: a bent line (quadratic Bézier) that is widest at its root and ends in a point.
 struct Stroke {
+  // Places of the unrolled surface: where it starts, the middle control point of its curve, and
+  // where it ends.
   glm::vec2 root_cm{};
   glm::vec2 bend_cm{};
   glm::vec2 tip_cm{};
+  // At its root; it ends in a point.
   float half_width_cm = 0.02F;
   // At its root, 0..1.
   float opacity = 1;

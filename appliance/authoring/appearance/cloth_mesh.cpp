@@ -46,6 +46,7 @@ std::vector<glm::vec3> PatchNormals(const Patch& patch) {
   return normals;
 }
 
+// Normals come in Finish, when all triangles are known.
 face::Index ClothMesh::Append(const Patch& patch, const std::vector<glm::vec3>& points) {
   const auto first = static_cast<face::Index>(mesh_.vertices.size());
   for (int row = 0; row < patch.rows; ++row) {
@@ -70,6 +71,7 @@ void ClothMesh::Quad(face::Index a, face::Index b, face::Index c, face::Index d)
   if (apart(a, c) && apart(c, d) && apart(a, d)) mesh_.triangles.push_back({a, c, d});
 }
 
+// Rows go down and columns to the character's left, so a, b, c, d is counter-clockwise from outside.
 void ClothMesh::Cells(const Patch& patch, face::Index first, bool flipped) {
   const int cells = patch.closed_across ? patch.columns : patch.columns - 1;
   for (int row = 0; row + 1 < patch.rows; ++row) {
@@ -107,6 +109,7 @@ void ClothMesh::AddPatch(const Patch& patch) {
   Cells(patch, Append(patch, patch.points), false);
 }
 
+// The rim shares the vertices of front and back, so its edges are shaded as rounded ones.
 void ClothMesh::AddSolid(const Patch& patch, const std::function<float(int, int)>& thickness_cm) {
   const std::vector<glm::vec3> normals = PatchNormals(patch);
   std::vector<glm::vec3> behind = patch.points;

@@ -16,6 +16,7 @@ namespace kaori::appearance {
 // A grid of points: rows run along a lock or down a garment, columns across, counter-clockwise seen from
 // outside when rows go down and columns go to the character's left. Row-major; rows * columns points.
 struct Patch {
+  // Two at least of each.
   int rows = 0;
   int columns = 0;
   bool closed_across = false;  // The last column joins the first.

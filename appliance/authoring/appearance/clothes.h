@@ -30,6 +30,7 @@ Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& nec
 
 // What garments share begins here. Where a collar sits: lower in front than at the back, by a cosine between.
 struct NeckLine {
+  // Heights of the edge in front and behind, in the cast's frame.
   float front_y_cm = -13.2F;
   float back_y_cm = -12.0F;
   // The height at this turn from the front.
@@ -61,10 +62,12 @@ struct NeckRing {
   NeckLine line;
   float off_cm = 0.5F;  // The section's middle, off the skin.
   float half_thickness_cm = 0.5F;
+  // Half of the section's height; it is upright.
   float half_height_cm = 1;
   // How many round the neck; 0: smooth.
   int ribs = 0;
 };
+// A closed ring; `neck` gives its course, `ring.line` its height.
 void AddNeckRing(ClothMesh& mesh, const Neck& neck, const NeckRing& ring);
 
 // A round button or tag, facing `out` (a unit vector, not along y), slightly domed.

@@ -118,6 +118,7 @@ void AddCap(ClothMesh& mesh, const HairLook& look) {
   mesh.AddPatch(cap);
 }
 
+// Locks stand over the sheet at even steps, each a little off its place.
 void AddCurtain(ClothMesh& mesh, const HairLook& look, int locks) {
   AddCurtainSheet(mesh, look);
   Dice dice(look.seed);

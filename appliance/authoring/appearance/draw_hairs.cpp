@@ -126,6 +126,8 @@ void PaintBrowBase(const Texel& texel, const BrowLook& look, Paint& paint) {
   paint.MixGloss(amount, 0.1F);
 }
 
+// Hairs are drawn from a sequence of their own a side, in which neither colour nor amount has a part:
+// changing those moves no hair.
 void DrawBrows(Canvas& canvas, const BrowLook& look) {
   if (look.amount <= 0) return;
   for (const float side : {1.0F, -1.0F}) {

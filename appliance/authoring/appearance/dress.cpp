@@ -109,6 +109,7 @@ bool IsSize(int px) {
 
 }  // namespace
 
+// Mouth first: its three props have the numbers 0 to 2 on every face.
 Result<void> Dress(const std::filesystem::path& show_folder, face::Cast& cast, const DressOptions& options) {
   if (!IsSize(options.texture_px)) return FailInput("texture size: must be a power of two, 64 to 4096");
   // The cage is built anew: a cast does not keep the names of its vertices.

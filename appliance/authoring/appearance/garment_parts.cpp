@@ -81,6 +81,7 @@ void AddBody(ClothMesh& mesh, const Torso& torso, const NeckLine& line, float of
   mesh.AddPatch(body);
 }
 
+// Columns lie closer at the two ends, where the collar turns.
 void AddCollar(ClothMesh& mesh, const Torso& torso, const Collar& collar) {
   constexpr int kRows = kStandRows + kFallRows;
   Patch patch{kRows, kCollarColumns, false, {}, {}, {}};
@@ -112,6 +113,7 @@ void AddNeckRing(ClothMesh& mesh, const Neck& neck, const NeckRing& ring) {
   mesh.AddPatch(patch);
 }
 
+// Two directions across `out` span the disc; its profile makes it look turned.
 void AddDisc(ClothMesh& mesh, glm::vec3 centre_cm, glm::vec3 out, float radius_cm) {
   constexpr int kColumns = 16;
   const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), out));

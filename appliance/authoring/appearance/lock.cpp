@@ -53,6 +53,7 @@ void AddRing(Patch& patch, const Skull& skull, const Path& path, const LockShape
 
 }  // namespace
 
+// The section is closed across; the last ring closes in a point, and Quad leaves out what has no area there.
 void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape) {
   Patch patch;
   patch.rows = shape.rings;

@@ -10,6 +10,7 @@ namespace kaori::appearance {
 
 // Sizes of a lock in the middle, and how it changes along its length, 0 at the root and 1 at the tip.
 struct LockShape {
+  // The lens is this wide and this thick where it is full; its face is rounder than its back.
   float width_cm = 2;
   float thickness_cm = 0.4F;
   // Width at the root, as a part of the width.

@@ -18,6 +18,7 @@ float RealOr(Section& s, std::string_view key, float otherwise) {
   return static_cast<float>(s.NumberOr(key, otherwise));
 }
 
+// NaN fails the comparison, and is a fault.
 float Share(Section& s, std::string_view key, float otherwise) {
   const float value = RealOr(s, key, otherwise);
   if (!(value >= 0 && value <= 1)) s.Fault(key, "must lie between 0 and 1");
@@ -91,6 +92,7 @@ Knots PairsOrNone(Section& s, std::string_view key) {
   return s.Has(key) ? Pairs(s, key) : Knots{};
 }
 
+// The fault lists all words, and says which may have been meant.
 std::size_t OneOf(Section& s, std::string_view key, std::span<const std::string_view> words) {
   const std::string word = s.Text(key);
   std::string list;

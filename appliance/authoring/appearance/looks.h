@@ -25,12 +25,14 @@ enum class Hide { kSkin, kCoat, kMetal, kPaint, kShell };
 // A round spot on each cheek, or a pair of nostrils: its middle on the character's left, and how far it
 // reaches (to 1/e, where it fades as a bell).
 struct Spot {
+  // On the unrolled surface, as all places of a look.
   glm::vec2 at_cm{};
   glm::vec2 radii_cm{1, 1};
 };
 
 // A soft crease of age: a broad stroke of little strength through three points, on both sides of the face.
 struct Crease {
+  // Start, control point and end of a bent stroke.
   std::array<glm::vec2, 3> path_cm{};
   float half_width_cm = 0;
   float strength = 0;  // 0 .. 1, times the amount of its kind.
@@ -45,6 +47,7 @@ struct Creases {
 struct CoatLook {
   // `dots` are light ones over the eyes.
   Spot nose, nostrils, dots;
+  // The slit between nose and mouth: where it fades in and out, by height.
   glm::vec2 slit_top_cm{}, slit_bottom_cm{};
   glm::vec2 muzzle_y_cm{}, muzzle_x_cm{};  // Cream from the first to the second; outwards it ends at x.
   glm::vec2 blaze_x_cm{}, blaze_bottom_cm{}, blaze_top_cm{};
@@ -66,6 +69,7 @@ struct ShellLook {
   struct Level {
     float v_cm, from_cm, to_cm;
   };
+  // u of the upright seams; the other half has their mirror images.
   std::vector<float> upright_cm;
   std::vector<Level> level;
   float rivets_cm = 1.5F;  // From rivet to rivet.
@@ -73,8 +77,10 @@ struct ShellLook {
 
 // [skin]: the hide and what is painted on it everywhere.
 struct SkinLook {
+  // The hide decides which of `coat`, `metal` and `shell` counts.
   Hide hide = Hide::kSkin;
   glm::vec3 base{};
+  // The colour of blood under the skin: cheeks by `blush_amount`, nose, chin and ears by a fixed part.
   glm::vec3 blush{};
   float blush_amount = 0;
   // Of a shell: a disc, whose edge fades from the first to the second radius.
@@ -113,6 +119,7 @@ struct BrowLook {
 
 // [lids]. Paint of the lids: shadow up to the fold, and a line along the lashes.
 struct LidLook {
+  // Amounts are 0..1 in all of these.
   glm::vec3 shadow{};
   float shadow_amount = 0;
   glm::vec3 liner{};
@@ -157,6 +164,7 @@ struct ScalpLook {
 
 // [eyes]. The iris and its lashes. `lash_wing_cm` is how far the outermost lash sticks out beyond the corner.
 struct EyePaint {
+  // As face::EyeLook, in centimetres.
   glm::vec3 iris{};
   float iris_radius_cm = 1;
   float lash_length_cm = 0;
@@ -180,6 +188,7 @@ struct Bundle {
 struct HairLook {
   std::string cut = "none";  // "none", "bob" or "swept".
   glm::vec3 colour{};
+  // Hair lies on it, not on the sculpted face: it should be the face's own first body.
   Skull skull;
   // Of all that varies from lock to lock.
   std::uint32_t seed = 1;
@@ -245,6 +254,8 @@ struct SurfacePaint {
 
 // Everything that looks/NAME.toml says.
 struct FaceLook {
+  // Parts whose table is left out have the values of their type: no brows, no scalp, no hair, no
+  // gear, no clothes.
   SkinLook skin;
   BrowLook brows;
   LidLook lids;

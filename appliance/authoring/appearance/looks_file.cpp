@@ -54,6 +54,7 @@ SkinLook ReadSkin(Section s) {
   return skin;
 }
 
+// A brow's path must end at a length that a face has: the most telling number for a file in another unit.
 BrowLook ReadBrows(Section s) {
   s.AllowOnly({"colour", "amount", "path", "half_width", "hairs", "smudge"});
   BrowLook brows;

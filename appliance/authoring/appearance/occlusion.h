@@ -29,6 +29,7 @@ struct Probe {
 // How closely is measured. The box holds a head and its shoulders, in metres of the cast's frame (+x the
 // character's left, +y up, +z forwards).
 struct OcclusionSettings {
+  // Each is one depth picture; probes see about half of them.
   int directions = 72;
   // Of a side of each depth picture; a pixel is about 3 mm.
   int picture_px = 192;

@@ -58,6 +58,7 @@ void PaintWhiskerSpots(glm::vec2 p, const CoatLook& coat, Paint& paint) {
 
 }  // namespace
 
+// Large patches first, then the face's dark parts: nose, slit and nostrils lie over all.
 void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   const CoatLook& coat = look.coat;

@@ -29,6 +29,7 @@ void PaintSoot(glm::vec2 place, float belly_cm, Paint& paint) {
 
 }  // namespace
 
+// Metal, soot and blush first; then the groove with its light edge, and what is black over all.
 void PaintMetal(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};

@@ -57,6 +57,8 @@ void PaintNostrils(glm::vec2 p, const SkinLook& look, Paint& paint) {
 
 }  // namespace
 
+// Numbers in braces are places and radii of the reference face; all faces share its unrolled surface, so
+// they fit each.
 void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint) {
   const glm::vec2 p = texel.mirrored();
   paint = {look.base, look.gloss};

@@ -34,6 +34,7 @@ void PaintTexel(const Texel& texel, const FaceLook& look, Paint& paint) {
 
 }  // namespace
 
+// Texels first, then strokes, in the order in which one lies over the other.
 face::Texture PaintFace(const Atlas& atlas, const FaceLook& look) {
   Canvas canvas(atlas);
   for (std::size_t i = 0; i < atlas.texels.size(); ++i) {

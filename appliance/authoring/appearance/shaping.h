@@ -45,6 +45,7 @@ float Table(std::span<const glm::vec2> knots, float x);
 // differ between libraries.
 class Dice {
  public:
+  // The seed is spread by a large odd factor (Knuth's multiplicative hash), so that 0 and neighbours do too.
   explicit Dice(std::uint32_t seed) : state_(seed * 2654435761U + 0x9E3779B9U) {}
   // 0 .. 1, 1 excluded.
   float Unit();

@@ -34,6 +34,7 @@ Creases ReadCreases(toml::Section s) {
   return creases;
 }
 
+// Every key must be there: a coat without one of its parts is no dog's.
 CoatLook ReadCoat(toml::Section s) {
   s.AllowOnly({"nose", "nose_radii", "nostrils", "nostril_radii", "dots", "dot_radii", "slit_top",
                "slit_bottom", "muzzle_y", "muzzle_x", "blaze_x", "blaze_bottom", "blaze_top", "crown_y",

@@ -59,6 +59,8 @@ glm::vec3 GreatCircle(glm::vec3 from, glm::vec3 to, float t) {
   return (std::sin((1 - t) * angle) * from + std::sin(t * angle) * to) / std::sin(angle);
 }
 
+// The first half of t lies on the skull along a great circle, from the root to the widest part; the
+// second half hangs.
 glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t) {
   const glm::vec3 equator = Direction(around_deg, 0);
   if (t >= kHangsFrom) {
@@ -71,6 +73,7 @@ glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t
   return skull.Above(GreatCircle(RootOf(fall, around_deg), equator, s), offset_cm);
 }
 
+// The end's elevation is the one at which the skull, raised by the offset, has the wanted height.
 glm::vec3 OnFringe(const Skull& skull, const Fringe& fringe, float around_deg, float t) {
   const float height = (fringe.end_y_cm - skull.centre_cm.y) / (skull.radii_cm.y + fringe.offset_cm);
   const float elevation_deg = std::asin(std::clamp(height, -1.0F, 1.0F)) / kRadPerDeg;

@@ -6,6 +6,7 @@
 
 namespace kaori::appearance {
 
+// An ellipsoid.
 struct Skull {
   glm::vec3 centre_cm{0, 3, -0.9F};
   glm::vec3 radii_cm{7.35F, 8.1F, 8.9F};
@@ -22,6 +23,7 @@ glm::vec3 GreatCircle(glm::vec3 from, glm::vec3 to, float t);
 
 // Hair that falls from the crown over the widest part of the skull and hangs from there.
 struct Fall {
+  // The height of the ends.
   float end_y_cm = -8;
   // Above the skull, once clear of the crown.
   float offset_cm = 0.4F;
@@ -38,6 +40,7 @@ glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t
 
 // Hair that falls from the crown over the forehead and ends there, at a height.
 struct Fringe {
+  // The height of the ends, and how far above the skull it lies.
   float end_y_cm = 3.2F;
   float offset_cm = 0.4F;
   float sweep_deg = 0;  // The ends lie this much further round.
@@ -47,6 +50,7 @@ glm::vec3 OnFringe(const Skull& skull, const Fringe& fringe, float around_deg, f
 
 // Hair combed from a hairline over the top to the back, by three unit directions.
 struct Comb {
+  // Where it starts, what it passes towards, and where it ends.
   glm::vec3 from{0, 0, 1};
   glm::vec3 over{0, 1, 0};
   glm::vec3 to{0, 0, -1};

@@ -86,8 +86,8 @@ face::Prop CarveArch(const Arch& arch, face::Part part) {
 constexpr int kTongueRows = 12;
 constexpr int kTongueColumns = 20;
 
-// A flat ellipsoid with a groove along its middle, its tip in front.
-// Centimetres: polar 0 is the tip, in front.
+// A flat ellipsoid with a groove along its middle, its tip in front. Centimetres: polar 0 is the tip, in
+// front.
 glm::vec3 TonguePoint(int row, int column) {
   const float polar = kPi * static_cast<float>(row) / (kTongueRows - 1);
   const float a = -2 * kPi * static_cast<float>(column) / kTongueColumns;

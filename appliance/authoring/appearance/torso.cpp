@@ -75,6 +75,7 @@ Slice SliceAt(const face::Face& face, float y_cm) {
 
 }  // namespace
 
+// The cone's axis leans; a height beyond top or bottom goes on along it.
 glm::vec3 Neck::At(float around_deg, float y_cm, float off_cm) const {
   const float t = (y_cm - top_cm.y) / (bottom_cm.y - top_cm.y);
   const glm::vec2 radii = top_radii_cm + (bottom_radii_cm - top_radii_cm) * t + off_cm;
@@ -83,6 +84,7 @@ glm::vec3 Neck::At(float around_deg, float y_cm, float off_cm) const {
   return {radii.x * std::sin(a), y_cm, centre.z + radii.y * std::cos(a)};
 }
 
+// Middle and half widths of two slices; the neck's front and back need not be alike, its sides are.
 Neck MeasureNeck(const face::Face& face) {
   Neck neck;
   const Slice top = SliceAt(face, neck.top_cm.y);

@@ -10,6 +10,7 @@ namespace kaori::appearance {
 
 // A neck as an oval cone: measured on the face, so that collars fit it.
 struct Neck {
+  // The axis from under the chin down to the shoulders.
   glm::vec3 top_cm{0, -12.5F, -3};
   glm::vec3 bottom_cm{0, -17, -3.8F};
   glm::vec2 top_radii_cm{3.5F, 3.5F};  // Sideways, forwards.

@@ -14,6 +14,7 @@ struct TubeShape {
   std::function<glm::vec3(float)> path;
   // Over t.
   std::function<float(float)> radius_cm;
+  // Cross-sections along it, and points round each.
   int rings = 16;
   int columns = 12;
   // Locks side by side; 0: round.

@@ -30,6 +30,7 @@ Skull ReadSkull(Section& s) {
   return skull;
 }
 
+// All points are read, so that all faults are told.
 std::vector<glm::vec3> ReadPath(Section& s) {
   std::vector<glm::vec3> path;
   for (const glm::dvec3& p : s.Points("path")) {
@@ -64,6 +65,7 @@ void ReadFacing(Section& s, GearLook& gear) {
 
 }  // namespace
 
+// Both cuts need `ends`, since "swept" has a nape like a bob's; `hairline` is asked for by "swept" alone.
 HairLook ReadHair(Section s) {
   s.AllowOnly({"cut", "colour", "skull_centre", "skull_radii", "seed", "volume", "flare", "curl", "opens_at",
                "ends", "fringe", "fringe_sweep", "framing", "parting", "hairline", "bundle"});
@@ -90,6 +92,7 @@ HairLook ReadHair(Section s) {
   return hair;
 }
 
+// Which keys are asked for follows from the shape; others of the list are allowed and not looked at.
 GearLook ReadGear(Section s) {
   s.AllowOnly({"shape", "colour", "path", "centre", "facing", "radii", "radius", "thickness", "mirrored"});
   constexpr std::array<std::string_view, 4> kShapes{"rod", "ring", "ball", "disc"};

@@ -109,6 +109,7 @@ std::string Replace(const Sparse& sparse, bool normalised, std::size_t rows, Num
 
 }  // namespace
 
+// The base's count and columns are judged first: they size the answer also where the base has no bytes.
 Numbers ReadNumbers(const Accessor& accessor) {
   const Rows& base = accessor.base;
   Numbers numbers;
@@ -128,6 +129,7 @@ Numbers ReadNumbers(const Accessor& accessor) {
   return numbers;
 }
 
+// glTF allows no signed integers and no floats here.
 Indices ReadIndices(const Rows& rows) {
   Indices indices;
   indices.fault = FaultOf(rows);

@@ -32,6 +32,7 @@ struct Feature {
   glm::vec3 motion{};
 };
 
+// Shares of the motions, scaled to metres.
 std::vector<Feature> FeaturesOf(const HeadShape& head) {
   const std::size_t count = head.positions.size();
   const std::vector<float> jaw = Shares(head.jaw, count);
@@ -158,6 +159,8 @@ std::optional<Bridge> Bridge::Between(const HeadShape& from, const HeadShape& to
   return bridge;
 }
 
+// What rests at its spot rests here; smoothing comes last, over all vertices, so that the edge of a
+// motion is soft.
 Offsets Bridge::Carry(const Offsets& from) const {
   Offsets carried(spots_.size(), glm::vec3(0));
   for (std::size_t v = 0; v < spots_.size(); ++v) {

@@ -57,6 +57,7 @@ class Bridge {
   std::size_t landmarks() const { return landmarks_; }
 
  private:
+  // Spots are found afterwards.
   Bridge(std::vector<glm::vec3> from, sculpt::Warp forth, MeshGraph surface)
       : from_(std::move(from)), forth_(std::move(forth)), surface_(std::move(surface)) {}
 

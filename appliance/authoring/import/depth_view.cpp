@@ -87,6 +87,7 @@ class DepthView {
     return seen;
   }
 
+  // At the cell below a point.
   float At(const glm::vec3& p) const { return depth_[Cell(Column(p.x), Row(p.y))]; }
 
  private:
@@ -122,6 +123,7 @@ class DepthView {
 
 }  // namespace
 
+// A vertex is seen where nothing in its cell lies clearly before it.
 std::vector<bool> SeenFromFront(const HeadShape& head) {
   DepthView view(head.positions);
   for (const Triangle& t : head.triangles)

@@ -24,8 +24,8 @@ constexpr float kSkinBelow_rad = 0.5F;  // and the lower.
 constexpr float kReach = 2.0F;          // Radii from the ball's centre: nothing moves beyond,
 constexpr float kNear = 1.45F;          // and all the lid within.
 
-// How far up a point lies, seen from the ball's centre: 0 straight ahead.
-// An angle about the ball's level axis (x). Positive is up.
+// How far up a point lies, seen from the ball's centre: 0 straight ahead. An angle about the ball's level
+// axis (x). Positive is up.
 float Elevation(const glm::vec3& from_centre) {
   return std::atan2(from_centre.y, from_centre.z);
 }
@@ -86,6 +86,7 @@ glm::vec3 Lowered(const glm::vec3& from, float turn_rad) {
 
 }  // namespace
 
+// What the balls' own columns show, without those of the corners.
 std::optional<EyeOpening> OpeningOf(const HeadShape& head, std::size_t side) {
   const face::EyeBall& ball = head.eyes[side];
   if (!(ball.radius_m > 0)) return std::nullopt;
@@ -97,6 +98,8 @@ std::optional<EyeOpening> OpeningOf(const HeadShape& head, std::size_t side) {
   return width_m < kLeastWidth * ball.radius_m ? std::nullopt : std::optional(std::move(opening));
 }
 
+// A corner lies at half the height of the opening's last column, the middles at the edges half-way
+// between the corners.
 LidMarks MarksOf(const EyeOpening& opening, const HeadShape& head, std::size_t side) {
   const std::vector<bool> seen = SeenFromFront(head);
   const BallColumn& right = opening.columns.front();
@@ -112,6 +115,7 @@ LidMarks MarksOf(const EyeOpening& opening, const HeadShape& head, std::size_t s
           NearestSeen(head, seen, {middle.x_m, middle.low_m})};
 }
 
+// Every vertex near the ball turns by the opening above or below it; columns without an opening move nothing.
 Offsets ShutLids(const EyeOpening& opening, const HeadShape& head, std::size_t side) {
   const face::EyeBall& ball = head.eyes[side];
   Offsets offsets(head.positions.size(), glm::vec3(0));

@@ -34,6 +34,7 @@ face::FineMesh Cage(const std::vector<Triangle>& triangles, const std::vector<In
 
 }  // namespace
 
+// A triangle that is joined with the next one takes that one along.
 std::vector<mesh::Polygon> PolygonsOf(const std::vector<Triangle>& triangles) {
   std::vector<mesh::Polygon> polygons;
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -24,6 +24,7 @@ const char* Side(std::size_t side) {
   return side == 0 ? "left" : "right";
 }
 
+// Marks and motion come from one opening, so that landmarks and blink agree.
 std::string CompleteEye(std::size_t side, HeadShape& head) {
   if (!(head.eyes[side].radius_m > 0))
     return fmt::format("{} eye: no ball was found: it does not shut", Side(side));
@@ -50,6 +51,7 @@ std::string CompleteBrow(std::size_t side, HeadShape& head) {
   return fmt::format("{} brow: by form, above the eye", Side(side));
 }
 
+// The graph is made here, of the skin alone, and is needed by both steps.
 std::string CompleteMouth(const std::vector<PartOf>& part, HeadShape& head) {
   if (!(head.eyes[0].radius_m > 0 && head.eyes[1].radius_m > 0))
     return "mouth: not found, since the eyes were not";

@@ -32,6 +32,7 @@ class Builder {
     model_.file = file;
   }
 
+  // Presets and picture are looked for only in a file without a fault.
   std::optional<Model> Build() {
     // Findings may hold faults of other files already.
     const std::size_t before = findings_.size();
@@ -50,6 +51,8 @@ class Builder {
   // Names the mesh in work.
   void Fault(std::string_view reason) { findings_.Add(model_.file, item_, reason); }
 
+  // Vertices are those of the file, primitive by primitive; nothing is welded, so that
+  // several files correspond.
   void AddMesh(const PlacedMesh& placed) {
     const tinygltf::Mesh& mesh = from_.meshes[static_cast<std::size_t>(placed.mesh)];
     const std::string& name =
@@ -156,6 +159,7 @@ class Builder {
     return &model_.targets.back();
   }
 
+  // Strips, fans, lines and points are refused.
   void AddTriangles(const tinygltf::Primitive& primitive, Index first, bool mirrored) {
     // The library says -1 where the file says nothing, which means triangles.
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1)

@@ -82,6 +82,7 @@ class Walk {
  public:
   explicit Walk(const tinygltf::Model& model) : model_(model), seen_(model.nodes.size()) {}
 
+  // All scenes count, not only the one that the file opens with.
   std::vector<PlacedMesh> All() {
     std::vector<int> roots;
     for (const tinygltf::Scene& scene : model_.scenes)
@@ -201,6 +202,7 @@ std::optional<tinygltf::Model> ParseGltf(const std::string& file, std::span<cons
   return model;
 }
 
+// Views are compared with their buffers here, whatever the library has checked.
 std::optional<Accessor> FindAccessor(const tinygltf::Model& model, int index) {
   const tinygltf::Accessor* from = At(model.accessors, index);
   if (from == nullptr) return std::nullopt;

@@ -27,6 +27,7 @@ std::optional<Accessor> FindAccessor(const tinygltf::Model& model, int index);
 
 // A mesh as a node of the scene places it; `mesh` and `node` are indices that exist in the model.
 struct PlacedMesh {
+  // Indices into the document, and where the node places it: metres, the scene's axes.
   int mesh = 0;
   int node = 0;
   glm::mat4 to_world{1};

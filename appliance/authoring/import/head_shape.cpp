@@ -48,6 +48,7 @@ std::optional<LidMarks> MarksOf(const face::LidRig& rig, const std::vector<glm::
 
 }  // namespace
 
+// The whole expression on the reference face, at weight 1.
 Offsets OffsetsOfCast(const face::Cast& cast, const face::Expression& expression) {
   face::Composer composer(cast);
   face::Weights weights;

@@ -20,6 +20,7 @@ using Offsets = std::vector<glm::vec3>;
 // Where the lids of one eye are, open, at the ends and in the middle of their margins. Taken from a cast's
 // own lid rings (face::LidRig), or from what is seen of the ball.
 struct LidMarks {
+  // At the nose and at the temple, then the middles of both margins.
   glm::vec3 inner{};
   glm::vec3 outer{};
   glm::vec3 upper{};

@@ -135,6 +135,8 @@ void Reorder(const std::vector<Index>& order, std::vector<T>& values) {
 
 }  // namespace
 
+// The first model decides for all what is skin, since they have one topology; its shapes and features
+// are the heads'.
 Heads SplitHeads(const std::vector<Model>& models, float eyes_z_m, Findings& findings) {
   const Model& first = models.front();
   Heads heads;
@@ -168,6 +170,7 @@ Offsets OffsetsOfRole(const Heads& heads, std::string_view name) {
   return sum;
 }
 
+// Roles first, form where there is none.
 HeadShape ShapeOfHeads(const Heads& heads) {
   const Head& first = heads.heads.front();
   HeadShape shape{first.positions, {}, first.eyes, {}, {}, {}};

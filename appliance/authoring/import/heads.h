@@ -18,6 +18,7 @@ namespace kaori::import {
 struct Head {
   // The file's name without its ending; "woman-2" where two files have one.
   std::string name;
+  // By skin vertex.
   std::vector<glm::vec3> positions;
   // Fitted to the eyeballs' vertices; radius 0 where the file has none.
   std::array<face::EyeBall, 2> eyes{};
@@ -27,6 +28,7 @@ struct Head {
 // A target of the artist's, or a preset: the weighted sum of some. One offset for each skin vertex of
 // the first head.
 struct Shape {
+  // As the file spells it.
   std::string name;
   Offsets offsets;
   // What its name means by the tables of roles.h; none where it is nobody's word.

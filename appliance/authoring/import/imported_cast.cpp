@@ -98,6 +98,8 @@ std::vector<float> MouthShareOf(const HeadShape& head) {
   return share;
 }
 
+// The artist's texture coordinates serve twice: as they are for the texture, brought to the unit square for
+// the parameter space.
 face::Topology MakeTopology(const Heads& heads, const HeadShape& head, Index moving, const MeshGraph& graph) {
   face::Topology topology;
   topology.vertex_count = static_cast<Index>(heads.skin.size());
@@ -152,6 +154,7 @@ face::Face MakeFace(const Head& head) {
 
 }  // namespace
 
+// A stable partition by the longest offset of any shape.
 Index OrderByMotion(Heads& heads, std::vector<WantedShape>& shapes) {
   const std::vector<float> mobility_m = Mobility(shapes, heads.skin.size());
   std::vector<Index> order(heads.skin.size());

@@ -12,6 +12,7 @@ namespace kaori::import {
 
 // A shape that is to become an expression of the cast; offsets in metres by skin vertex of the first head.
 struct WantedShape {
+  // Unique among all that are wanted.
   std::string name;
   face::ExpressionKind kind = face::ExpressionKind::kChannel;
   Offsets offsets;  // Empty: nothing moves.

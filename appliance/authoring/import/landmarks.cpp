@@ -41,6 +41,7 @@ class Finder {
  public:
   explicit Finder(const HeadShape& head) : head_(head), seen_(SeenFromFront(head)) {}
 
+  // In this order, since the profile needs the mouth's height.
   std::vector<Landmark> Find() {
     FindEyes();
     FindMouth();

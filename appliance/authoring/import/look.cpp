@@ -62,6 +62,7 @@ void ShadeFaces(const std::vector<PartOf>& part, face::Cast& cast) {
   }
 }
 
+// The artist's picture is one for all heads: they share its texture coordinates.
 std::string GiveSkin(const Model& model, const Heads& heads, const Lender& lender, face::Cast& cast) {
   const bool painted = lender.show != nullptr && !lender.spots.empty() && !lender.show->textures.empty();
   std::string remark = painted ? "skin: painted as the show's faces are" : "skin: plain";

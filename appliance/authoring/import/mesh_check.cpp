@@ -39,6 +39,7 @@ bool AreNumbers(const Model& model, const std::string& item, const std::vector<V
   return wrong == 0;
 }
 
+// The largest side of the box, since a bust is higher than it is wide.
 void CheckSize(const Model& model, Findings& findings) {
   glm::vec3 least = model.positions.front();
   glm::vec3 most = least;
@@ -79,6 +80,8 @@ void CheckSameTopology(const Model& reference, const Model& other, Findings& fin
   }
 }
 
+// Two bounds: what has no area at all cannot be painted, what is turned over by more than a sliver
+// folds the chart.
 void CheckUnfolding(const Model& model, std::span<const Triangle> triangles, Findings& findings) {
   double all = 0;
   for (const Triangle& t : triangles) all += std::abs(PlaceArea(model, t));

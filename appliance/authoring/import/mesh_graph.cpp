@@ -71,6 +71,7 @@ void MeshGraph::NumberPieces() {
   for (Index v = 0; v < weld_.size(); ++v) piece_[v] = piece_[weld_[v]];
 }
 
+// Dijkstra (1959) with a binary heap and lazy deletion: O(reached edges log reached vertices).
 void MeshGraph::Spread(Index source, std::size_t name, Nearest& nearest) const {
   using Entry = std::pair<float, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;

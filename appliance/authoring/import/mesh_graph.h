@@ -63,13 +63,16 @@ class MeshGraph {
   void Smooth(float share, std::vector<glm::vec3>& values) const;
 
  private:
+  // Fills piece_ and pieces_.
   void NumberPieces();
 
   // Compressed rows: neighbours of v are neighbour_[start_[v]] .. neighbour_[start_[v + 1]].
   std::vector<glm::vec3> positions_;
+  // For each vertex the one that stands for it.
   std::vector<Index> weld_;
   std::vector<std::size_t> start_;
   std::vector<Index> neighbour_;
+  // By vertex, copies too.
   std::vector<std::size_t> piece_;
   std::size_t pieces_ = 0;
 };

@@ -37,6 +37,7 @@ struct Preset {
 // Where a mesh of the file ended up in the model: vertices [first, first + count). Its name helps to tell
 // teeth from tongue.
 struct MeshRange {
+  // In the artist's spelling; that of the node where the mesh has none.
   std::string name;
   Index first = 0;
   Index count = 0;
@@ -48,6 +49,7 @@ struct MeshRange {
 struct Model {
   // The file's name without its folder, as findings show it.
   std::string file;
+  // In the scene's frame: nodes have been applied.
   std::vector<glm::vec3> positions;
   // The artist's texture coordinates, which are also the parameter space; as many as positions, v up.
   std::vector<glm::vec2> uv;
@@ -64,6 +66,7 @@ struct Model {
 
 // What a file may hold at most, so that a wrong one cannot ask for all memory.
 inline constexpr std::size_t kMostFile_bytes = 512U << 20U;
+// Of all meshes together.
 inline constexpr std::size_t kMostVertices = 1'000'000;
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 inline constexpr std::size_t kMostTargets = 1024;

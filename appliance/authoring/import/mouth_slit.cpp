@@ -56,6 +56,8 @@ class LipFinder {
   LipFinder(const HeadShape& head, const MeshGraph& graph)
       : head_(head), graph_(graph), seen_(SeenFromFront(head)), eyes_m_(BetweenEyes_m(head)) {}
 
+  // One search along the skin for each vertex about the mouth, cut off a little beyond the
+  // distance that counts.
   std::vector<LipPair> Find() {
     const auto nose = NoseTip();
     if (!nose) return {};

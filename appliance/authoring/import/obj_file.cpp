@@ -87,6 +87,7 @@ class ObjFileBuilder {
     model_.file = std::move(file);
   }
 
+  // Two passes over the corners; see the class.
   std::optional<Model> Build() {
     const std::size_t before = findings_.size();
     for (const tinyobj::shape_t& shape : loaded_.shapes) ListCorners(shape);

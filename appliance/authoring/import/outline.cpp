@@ -101,6 +101,7 @@ class Pairing {
   Pairing(const HeadShape& from, const HeadShape& to)
       : from_(from), to_(to), marks_from_(FindLandmarks(from)), marks_to_(FindLandmarks(to)) {}
 
+  // Landmarks come first and are never left out; scalp and neck fill the gaps between them.
   std::vector<sculpt::Pull> Run() {
     for (const Landmark& mark : marks_from_)
       if (const auto same = Find(marks_to_, mark.name.c_str())) Add(mark.at, *same);
@@ -127,6 +128,7 @@ class Pairing {
     if (out_from && out_to) Add(from + *out_from * way, to + *out_to * way);
   }
 
+  // Five rings of twelve rays each; the highest one nearly meets the crown.
   void AddScalp() {
     const glm::vec3 from = MiddleOf(from_);
     const glm::vec3 to = MiddleOf(to_);
@@ -135,6 +137,7 @@ class Pairing {
         AddRay(from, to, Way(360.0F * static_cast<float>(i) / kAround, elevation));
   }
 
+  // Three rings; what is below the shorter neck is left to the warp.
   void AddNeck() {
     const auto chin_from = Find(marks_from_, "chin");
     const auto chin_to = Find(marks_to_, "chin");

@@ -36,6 +36,7 @@ struct Piece {
   glm::vec3 middle() const { return 0.5F * (least + most); }
 };
 
+// By the graph's numbers, so welded seams do not part a piece.
 std::vector<Piece> PiecesOf(const Model& model, const MeshGraph& graph) {
   std::vector<Piece> pieces(graph.pieces());
   for (Index v = 0; v < model.positions.size(); ++v) {
@@ -118,6 +119,7 @@ class Sorter {
         jaw_(FindTarget(model, "jaw_open")),
         tongue_(FindTarget(model, "tongue_out")) {}
 
+  // The skin is found first, since what lies inside it depends on its box.
   std::vector<PartOf> Sort() {
     std::vector<PartOf> parts(model_.positions.size(), PartOf::kSkin);
     // By the diagonal of the box: the skin is the largest piece, whatever its number of vertices.

@@ -39,6 +39,7 @@ class Chooser {
     most_m_ = std::max(kStill_m, *std::ranges::max_element(mobility_m));
   }
 
+  // Points that move get the number that is asked for, counting landmarks that move; then as many at rest.
   PointChoice Choose(const PointOptions& options) {
     for (const Landmark& landmark : FindLandmarks(head_))
       Add(NearestVertex(landmark.at), PointName(landmark.name));

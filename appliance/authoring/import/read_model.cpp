@@ -49,6 +49,7 @@ std::optional<Model> Decode(const std::filesystem::path& file, const std::vector
 
 }  // namespace
 
+// The error's own text names the path again, so only its cause is told.
 std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& findings) {
   const auto bytes = ReadBytes(file);
   if (!bytes) {

@@ -10,6 +10,7 @@ namespace kaori::import {
 
 // One shape of the artist's: what it means, and how well control points alone say it.
 struct ReportedShape {
+  // As the artist spells it.
   std::string name;
   // "ARKit eyeBlinkLeft"; empty: not known.
   std::string meaning;
@@ -17,6 +18,7 @@ struct ReportedShape {
 };
 // One role of a show and where it came from.
 struct ReportedRole {
+  // As a show spells it: "jaw_open".
   std::string name;
   // "ARKit: 1 x jawOpen"; "the show's own, carried over"; "by form"; empty: nothing.
   std::string made_of;
@@ -25,6 +27,7 @@ struct ReportedRole {
 
 // Filled step by step by Import, in the order in which people read it.
 struct Report {
+  // What was found, counted and done, a sentence each.
   std::vector<std::string> remarks;
   std::vector<ReportedShape> shapes;
   std::vector<ReportedRole> roles;

@@ -11,8 +11,10 @@ namespace kaori::import {
 // One line of the table: this style's shape has `weight` of its whole in this role. All strings live as long
 // as the program.
 struct RoleEntry {
+  // What a show plays.
   std::string_view role;
   NameStyle style;
+  // A shape of the style, in its own spelling, and how much of it.
   std::string_view shape;
   float weight;
 };

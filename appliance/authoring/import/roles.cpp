@@ -102,6 +102,7 @@ class Maker {
     return std::nullopt;
   }
 
+  // Goes through the whole table: it has about a hundred lines.
   std::optional<Role> Make(std::string_view name, NameStyle style) const {
     Role role{std::string(name), style, {}};
     bool has_first = false;
@@ -139,6 +140,7 @@ std::string_view NameOf(NameStyle style) {
   return "";
 }
 
+// Styles in their order; a preset's name counts whole, a target's by its last part.
 std::optional<Meaning> MeaningOf(std::string_view name, NameOrigin origin) {
   const std::string letters = WithSideSpelled(LastPart(name));
   for (const NameStyle style : kInOrder) {
@@ -165,6 +167,7 @@ std::vector<Role> FindRoles(const std::vector<std::optional<Meaning>>& meanings)
   return roles;
 }
 
+// Only whole entries mean the role: a jaw that is 0.7 of an "a" is no "a".
 const Target* FindTarget(const Model& model, std::string_view role) {
   for (const Target& target : model.targets) {
     const auto meaning = MeaningOf(target.name, NameOrigin::kTarget);

@@ -26,6 +26,8 @@ struct FitError {
 // moving ones, which come first.
 class ShapeFit {
  public:
+  // `reference`: positions of the cage's vertices on the reference face. The time grows with the fourth power
+  // of the number of control points.
   ShapeFit(const face::ControlNet& net, std::span<const glm::vec3> reference);
 
   // Least squares over all moving vertices, min |W d - offsets|^2 with a little weight on d itself, solved in
@@ -36,9 +38,11 @@ class ShapeFit {
                        FitError& error) const;
 
  private:
+  // Displacements of the points in the head's axes, metres.
   std::vector<glm::dvec3> Solve(const Offsets& offsets) const;
 
   const face::ControlNet& net_;
+  // Of the reference face, by point.
   std::vector<face::Frame> frames_;
   // Of the normal matrix, |points| x |points|, row by row.
   std::vector<double> inverse_;

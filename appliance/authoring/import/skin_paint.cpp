@@ -28,6 +28,7 @@ constexpr Colour kTongue{186, 92, 92, 120};
 // Calls paint(x, y, shares) for each pixel of a triangle of texture coordinates (v up), kMargin beyond its
 // edges; shares may be negative there. Rows run down.
 template <class Paint>
+// Barycentric shares at the middle of each pixel of the box.
 void ForPixels(const std::array<glm::vec2, 3>& uv, Paint paint) {
   const auto pixel = [](const glm::vec2& p) {
     return glm::vec2(p.x, 1 - p.y) * static_cast<float>(kSide_px);

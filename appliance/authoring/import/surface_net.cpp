@@ -32,6 +32,7 @@ class SurfaceNetBuilder {
         columns_(ColumnsOf(choice)),
         rows_(positions.size()) {}
 
+  // Joined once, filled, smoothed, packed.
   face::SparseRows Build(const std::vector<Triangle>& triangles) {
     JoinPoints(triangles);
     for (Index v = 0; v < rows_.size(); ++v)
@@ -117,6 +118,7 @@ class SurfaceNetBuilder {
     }
   }
 
+  // Copies of a seam get the row of their weld, so that both sides move alike.
   face::SparseRows Sparse() const {
     face::SparseRows sparse;
     sparse.row_start.push_back(0);

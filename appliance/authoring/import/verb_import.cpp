@@ -81,6 +81,7 @@ class Writing {
  public:
   Writing(std::filesystem::path out, ProgressLine& progress) : out_(std::move(out)), progress_(progress) {}
 
+  // One pack where --out names one; else packs and reports into the folder, each file whole.
   Result<void> Packs(const import::Imported& made) {
     if (is_pack()) return Save(made.heads, out_);
     // Folders above it, too, are made where they are missing.

@@ -80,6 +80,7 @@ Preset Expression(const tinygltf::Model& model, std::string name, const tinygltf
 
 }  // namespace
 
+// A file has one of the two extensions; both are read where a tool wrote both.
 std::vector<Preset> VrmPresets(const tinygltf::Model& model) {
   std::vector<Preset> presets;
   if (const auto vrm = model.extensions.find("VRM"); vrm != model.extensions.end()) {

@@ -106,6 +106,7 @@ std::vector<std::size_t> FacesToBeLike(const std::vector<std::string>& names, st
   return like;
 }
 
+// Each head has a warp of its own, from the face that it is like.
 std::string DressLike(const Heads& heads, const Lender& lender, face::Cast& cast) {
   if (lender.show == nullptr) return "hair and clothes: none; a show lends them";
   const bool lacks_teeth = !HaveTeeth(heads);

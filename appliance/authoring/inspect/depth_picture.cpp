@@ -68,6 +68,7 @@ DepthPicture::Range DepthPicture::Span(float low, float high, float origin) cons
           static_cast<int>(std::clamp(std::ceil((high - origin) / pixel_m_), -1.0F, last))};
 }
 
+// Incremental edge functions along each row: this is the inner loop of all inspections.
 void DepthPicture::Draw(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const Range columns = Span(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), window_.low_m.x);
   const Range rows = Span(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), window_.low_m.y);

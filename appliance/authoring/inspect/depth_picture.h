@@ -54,6 +54,7 @@ class DepthPicture {
   // Whether nothing was drawn there.
   bool Empty(const glm::vec2& position) const;
 
+  // Of a side.
   int pixels() const { return pixels_; }
   // The position of a pixel's middle, x and y from 0 at the lower left; also of pixels beyond the edges.
   glm::vec2 Middle(int x, int y) const;
@@ -65,6 +66,7 @@ class DepthPicture {
   };
   // The pixels along one axis that a stretch touches, within the picture; `origin` is the window's edge.
   Range Span(float low, float high, float origin) const;
+  // Must lie within the picture.
   float& Pixel(int x, int y);
 
   Window window_;

@@ -22,6 +22,8 @@ glm::vec3 UnitNormal(std::span<const glm::vec3> fine, const face::Triangle& tria
 
 }  // namespace
 
+// Two passes: normals of all triangles that meet the skin, summed by welded vertex; then each triangle of the
+// skin against the sums at its corners.
 Folds FindFolds(std::span<const glm::vec3> fine, const face::FineMesh& mesh, const std::vector<bool>& skin) {
   const auto weld = [&](face::Index v) { return std::min(v, mesh.twin[v]); };
   // By vertex; what no skin meets costs nothing.

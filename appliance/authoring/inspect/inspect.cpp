@@ -54,6 +54,7 @@ class Inspector {
     for (Pose& pose : poses_) face::LimitJaw(cast, pose.weights);
   }
 
+  // Poses are kept, and only their face is exchanged.
   Inspection InspectFace(std::uint16_t face) {
     found_ = {};
     for (std::size_t i = 0; i < poses_.size(); ++i) {

@@ -120,7 +120,6 @@ std::array<float, 2> BallsSeen_m2(const face::Shape& shape, std::span<const face
     const face::EyeBall& eye = shape.eyes[side];
     if (!(eye.radius_m > 0)) continue;
     std::vector<Look> looks = LooksAt(eye, sides);
-    // Mostly the lids hide all; the rest of the head is drawn only if they do not.
     // Mostly the lids hide all; the rest of the head (a nose, a brow) is drawn only if they do not.
     seen_m2[side] = BallSeen_m2(looks, eye.radius_m, CloseTo(eye, shape, triangles), true);
     if (seen_m2[side] > 0) seen_m2[side] = BallSeen_m2(looks, eye.radius_m, All(shape, triangles), false);

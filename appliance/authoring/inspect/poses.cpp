@@ -70,6 +70,7 @@ Pose Shut(Pose pose) {
 
 }  // namespace
 
+// Expression 0 is "neutral": with an extra it would be that extra alone.
 std::vector<Pose> PosesToSee(const std::vector<face::Expression>& expressions) {
   std::vector<Pose> poses;
   const auto add = [&poses](const Pose& pose, bool also_shut) {

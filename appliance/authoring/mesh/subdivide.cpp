@@ -57,6 +57,7 @@ class Subdivision {
     }
   }
 
+  // Vertices, polygons' middles, then edges as the polygons are split.
   face::FineMesh Build() {
     // Fine vertices 0 .. n-1 are the cage's own, so that an index of the cage stays valid.
     for (Index v = 0; v < weld_.size(); ++v) AddVertex(VertexPoint(weld_[v]), {{v, 1.0}}, weld_[v]);
@@ -176,6 +177,7 @@ class Subdivision {
 
 }  // namespace
 
+// Copies are met in ascending order, so of three the first two become a pair.
 std::vector<Index> Twins(const std::vector<Index>& weld) {
   std::vector<Index> twin(weld.size());
   std::iota(twin.begin(), twin.end(), 0U);

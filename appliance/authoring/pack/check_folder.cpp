@@ -77,6 +77,7 @@ class Checker {
         faces_(NamesIn(folder_ / "faces" / "cast.toml", "faces")),
         expressions_(NamesIn(folder_ / "expressions.toml", "expression")) {}
 
+  // Shapes, looks, names, script: each fault is told once, by the first step that finds it.
   FolderCheck Check() {
     CheckShapes();
     CheckLooks();
@@ -99,6 +100,7 @@ class Checker {
     return std::nullopt;
   }
 
+  // Errors hold one fault a line; each becomes an entry.
   void AddLines(std::string_view lines, const std::string& file) {
     while (!lines.empty()) {
       const std::string_view line = lines.substr(0, lines.find('\n'));

@@ -102,6 +102,7 @@ void CompareTopology(const face::Topology& a, const face::Topology& b, Lines& li
     lines.emplace_back("topology: vertices lie elsewhere in the parameter space");
 }
 
+// Counts that differ end the comparison of positions; all else is still compared.
 void CompareFace(const std::string& item, const face::Face& a, const face::Face& b, Lines& lines) {
   if (a.positions.size() != b.positions.size()) {
     lines.push_back(fmt::format("{}: {} vertices are now {}", item, a.positions.size(), b.positions.size()));
@@ -117,6 +118,7 @@ void CompareFace(const std::string& item, const face::Face& a, const face::Face&
                                 b.expression_gain));
 }
 
+// By texel, without looking at how much each changed: a new stroke is a change.
 void CompareTexture(const std::string& item, const face::Texture* a, const face::Texture* b, Lines& lines) {
   if (a == nullptr || b == nullptr) {
     if (a != b) lines.push_back(item + (b == nullptr ? ": texture is gone" : ": texture is new"));
@@ -136,6 +138,7 @@ void CompareTexture(const std::string& item, const face::Texture* a, const face:
                                 400.0 * static_cast<double>(changed) / static_cast<double>(a->rgba.size())));
 }
 
+// Vertices are compared one by one only where the triangles are the same: else numbers mean nothing.
 void CompareProp(const std::string& item, const face::Prop& a, const face::Prop& b, Lines& lines) {
   if (a.vertices.size() != b.vertices.size() || a.triangles != b.triangles) {
     lines.push_back(fmt::format("{}: {} triangles are now {}, joined anew", item, a.triangles.size(),

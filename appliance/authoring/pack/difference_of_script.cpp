@@ -117,6 +117,7 @@ void CompareScene(const std::string& item, const ScriptedScene& a, const Scripte
   if (a.scene.key_usage != b.scene.key_usage) lines.push_back(item + ": is called by another key");
 }
 
+// All buttons, then keys that are new or changed, then keys that are gone, then channels.
 void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
   // A box has a fixed number of buttons.
   for (std::size_t i = 0; i < a.buttons.size(); ++i)

@@ -15,6 +15,7 @@ namespace kaori::authoring {
 
 // Counts, names and measurements of one pack.
 struct Facts {
+  // The show's name.
   std::string show;
   std::uint64_t file_bytes = 0;
   std::string signed_by;  // The public key in hexadecimal; empty: nobody.
@@ -23,6 +24,7 @@ struct Facts {
 
   // Of the surface that is drawn: the fine mesh, or the cage where there is none.
   std::size_t triangles_on_face = 0;
+  // The mesh that expressions move.
   std::size_t triangles_of_cage = 0;
   std::size_t vertices_of_cage = 0;
   std::size_t control_points = 0;
@@ -32,11 +34,13 @@ struct Facts {
   std::vector<std::string> mouth_shapes;
   std::vector<std::string> channels;
   std::size_t props = 0;
+  // Hair, clothes and gear of all faces together.
   std::size_t triangles_of_props = 0;
   std::size_t textures = 0;
   std::size_t motions = 0;
   std::size_t scenes = 0;
 
+  // In all poses.
   inspect::Inspection looks;
 };
 

@@ -21,6 +21,7 @@ ProgressLine::~ProgressLine() {
   if (on_terminal_ && shown_) fmt::print(stderr, "{}", kEraseLine);
 }
 
+// Without a terminal every step is a line, so that a log shows where the time went.
 void ProgressLine::Step(std::string_view what) {
   const std::string line = fmt::format("[{:5.1f} s] {}", seconds(), what);
   if (on_terminal_)

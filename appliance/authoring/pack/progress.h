@@ -25,12 +25,15 @@ class ProgressLine {
   // A line that stays; the next Step stands below it.
   void Note(std::string_view what);
 
+  // Since the object was made, of the monotonic clock.
   double seconds() const { return Seconds(clock_.now() - begun_); }
 
  private:
   SteadyClock clock_;
   Time begun_;
+  // Standard error is one.
   bool on_terminal_;
+  // A step stands on the line.
   bool shown_ = false;
 };
 

@@ -72,6 +72,7 @@ std::string UsageOf(const Verb& verb) {
   return usage;
 }
 
+// Words and options may be mixed; an option's value is the argument behind it, whatever it looks like.
 Result<Arguments> ParseArguments(const Verb& verb, std::span<char* const> args) {
   Arguments arguments;
   for (std::size_t i = 0; i < args.size(); ++i) {

@@ -32,6 +32,7 @@ struct Option {
 
 // All text must outlive the program's run: literals.
 struct Verb {
+  // The word on the command line.
   std::string_view name;
   std::vector<std::string_view>
       words;  // What it is called with: "FOLDER", "FILE"; last, "FILE...": one or more.

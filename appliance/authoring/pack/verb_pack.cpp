@@ -36,6 +36,7 @@ Result<void> MakePack(const std::filesystem::path& folder, const std::filesystem
   return show::SavePack(*show, file, signer);
 }
 
+// The progress line ends before the result or the error is printed.
 int RunPack(const Arguments& arguments) {
   const auto signer = ReadSigner(arguments);
   if (!signer) return ExitWithError(signer.error());

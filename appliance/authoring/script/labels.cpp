@@ -67,6 +67,7 @@ struct Label {
   const char* group = "";
 };
 
+// Indices are in range: the show is valid.
 Label LabelOf(const show::Call& call, const show::Show& show) {
   const auto labelled = [](const std::string& text, const char* group) { return Label{text, group}; };
   switch (call.kind) {
@@ -117,6 +118,7 @@ json::List KeysJson(const show::Show& show) {
 
 }  // namespace
 
+// Only ASCII letters are made large: the name may be in any script.
 std::string Readable(std::string name) {
   std::ranges::replace(name, '_', ' ');
   if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');

@@ -45,6 +45,7 @@ class CurveReader {
   CurveReader(Script& script, std::string item, bool degrees)
       : script_(script), item_(std::move(item)), degrees_(degrees) {}
 
+  // A value that is no pair ends the curve; wrong numbers are told and reading goes on.
   std::vector<show::MotionKey> Read(const toml::Value& pairs) {
     for (const toml::Value& pair : pairs.list) {
       if (!IsPair(pair)) {

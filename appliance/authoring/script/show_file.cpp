@@ -80,6 +80,7 @@ void ReadScript(Script& script, toml::Section file) {
 
 }  // namespace
 
+// A file that cannot be read is one fault: the error of reading it.
 std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::Show& show, KnownNames known) {
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};

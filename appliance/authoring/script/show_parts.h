@@ -42,6 +42,7 @@ std::uint16_t IndexOf(toml::Section& section, std::string_view key, const char* 
 // a fault then.
 std::uint16_t FaceNamed(Script& script, toml::Section& section, std::string_view key,
                         const std::string& name);
+// By the cast's list of expressions, of every kind.
 std::uint16_t ExpressionNamed(Script& script, toml::Section& section, std::string_view key,
                               const std::string& name);
 

@@ -61,6 +61,7 @@ std::optional<Bytes> Chunk(Bytes file, std::string_view name) {
 // What the chunk "fmt " says, as far as it counts here.
 struct Format {
   std::uint32_t channels, rate_hz, bits;
+  // Bytes of one sample of all channels.
   std::size_t frame_bytes() const { return std::size_t{channels} * bits / 8; }
 };
 
@@ -168,6 +169,7 @@ Result<show::Sound> Decode(Bytes file) {
 
 }  // namespace
 
+// Decode's errors are ends of sentences about the sound.
 Result<show::Sound> ReadWave(const std::filesystem::path& file) {
   const auto bytes = ReadFile(file, {.most_bytes = kMost_bytes});
   if (!bytes) return tl::unexpected(bytes.error());

@@ -60,6 +60,7 @@ double Frontness(GridPoint at) {
 
 }  // namespace
 
+// x, y and z are curves of their own.
 std::vector<glm::dvec3> AimedGrid(const AimTable& table, const AimScale& scale) {
   std::vector<glm::dvec3> grid(static_cast<std::size_t>((kColumns + 1) * (kRows + 1)));
   for (int axis = 0; axis < 3; ++axis) FillAxis(table, axis, grid);

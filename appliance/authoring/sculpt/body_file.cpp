@@ -34,6 +34,7 @@ Body ReadEllipsoid(toml::Section& section) {
   return body;
 }
 
+// Two radii, for its two ends; the larger one counts against the bounds.
 Body ReadCapsule(toml::Section& section) {
   section.AllowOnly({"capsule", "from", "to", "radii", "mirrored", "blend"});
   Body body{.shape = Body::Shape::kCapsule,
@@ -49,6 +50,7 @@ Body ReadCapsule(toml::Section& section) {
   return body;
 }
 
+// Rounding takes its radius off the halves, so it can be no larger than the least of them.
 Body ReadBox(toml::Section& section) {
   section.AllowOnly({"box", "centre", "half", "rounding", "mirrored", "blend"});
   Body body{.shape = Body::Shape::kBox,

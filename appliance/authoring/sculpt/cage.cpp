@@ -11,6 +11,7 @@ constexpr int kMovingColumns = 16;
 constexpr int kMovingRow0 = 3;
 constexpr int kMovingRow1 = 33;
 
+// Eyes and mouth always; of the grid the front up to the ear.
 bool CanMove(const Key& key) {
   if (key.region == Region::kEye || key.region == Region::kMouth) return true;
   return key.region == Region::kGrid && key.a <= kMovingColumns && key.b >= kMovingRow0 &&
@@ -75,6 +76,7 @@ void AddOnce(std::vector<Index>& list, Index vertex) {
 
 }  // namespace
 
+// Moving vertices of both sides, then still ones of both sides.
 Cage BuildCage() {
   Cage cage;
   cage.half = BuildHalfTopology();
@@ -102,6 +104,7 @@ std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dve
   return whole;
 }
 
+// By the quads' edges, each once, in the order of the quads.
 std::vector<std::vector<Index>> Neighbours(const Cage& cage) {
   std::vector<std::vector<Index>> neighbours(cage.vertices.size());
   for (const Quad& quad : cage.quads) {

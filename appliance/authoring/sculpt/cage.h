@@ -33,7 +33,9 @@ struct CageVertex {
 // comes before the right one, both in the order of the half; so numbers are the same for every cast, and
 // packs made at different times can be compared.
 struct Cage {
+  // The half that both sides are made of.
   HalfTopology half;
+  // Their numbers are those of Topology and Face::positions.
   std::vector<CageVertex> vertices;
   Index moving_count = 0;
   std::vector<Index> left;   // By vertex of the half: the cage's vertex on the character's left,
@@ -50,6 +52,7 @@ Cage BuildCage();
 
 // The half's values on the whole cage, in the order of its vertices; x and u are mirrored on the right.
 std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::dvec3>& half);
+// The same for places: v stays, u is mirrored on the right.
 std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dvec2>& half);
 
 // For each vertex the vertices at the far ends of its quad edges, seams closed: lists hold welded vertices,

@@ -71,6 +71,7 @@ struct Complaints {
 
 }  // namespace
 
+// All faces are read, whatever is wrong with the first, so that an author mends all faults at once.
 Result<CastRecipe> ReadCastRecipe(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "cast.toml";
   const Result<toml::Value> value = toml::ReadToml(path);

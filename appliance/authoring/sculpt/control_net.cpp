@@ -109,6 +109,7 @@ struct Lender {
   double share = 1;
 };
 
+// Rings behind the lid's edge follow it wholly; those of the mouth's bag less and less.
 Lender LenderOf(const Key& key) {
   if (key.region == Region::kEye && key.b > kLidRing) return {{key.region, key.a, kLidRing}, 1};
   if (key.region == Region::kMouth && key.b > kLipContactRing) {

@@ -23,6 +23,7 @@ double Cross(glm::dvec2 a, glm::dvec2 b) {
 // One run of Qhull. Its memory ends with it.
 class Hull {
  public:
+  // qh_zero must come first: it makes the struct fit to be freed.
   explicit Hull(std::vector<double> coordinates) : coordinates_(std::move(coordinates)) {
     qh_zero(&hull_, nullptr);
     // d: Delaunay; Qbb, Qz: well scaled also for points on a circle; Qt: triangles only; Pp: no remarks.
@@ -40,6 +41,8 @@ class Hull {
     qh_memfreeshort(&hull_, &left, &left_bytes);
   }
 
+  // Facets of the lower hull of the paraboloid are the Delaunay triangles; those of the upper hull
+  // are left out.
   std::vector<Corners3> Triangles() {
     std::vector<Corners3> triangles;
     if (!ok_) return triangles;
@@ -79,6 +82,7 @@ class Hull {
 
 }  // namespace
 
+// Fewer than three points span nothing, and Qhull would complain of them.
 std::vector<Corners3> Delaunay(const std::vector<glm::dvec2>& points) {
   if (points.size() < 3) return {};
   std::vector<double> coordinates;

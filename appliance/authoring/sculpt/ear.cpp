@@ -64,6 +64,7 @@ glm::dvec3 RingPoint(const std::vector<Body>& bodies, const EarRecipe& ear, cons
 // A patch whose four sides are given: a Coons fill of the cap from the innermost ring (Coons 1967): both
 // ruled surfaces less the bilinear one.
 template <class Point, class Side>
+// s runs along columns, t along rows, 0..1 over the block.
 Point Fill(const Side& side, int column, int row) {
   const Block& b = kEarBlock;
   const double s = static_cast<double>(column - b.column0) / (b.column1 - b.column0);
@@ -90,6 +91,7 @@ void PlaceCap(const HalfTopology& half, HalfShape& shape) {
 
 }  // namespace
 
+// Columns grow to the back, so forward is the middle column less this one.
 glm::dvec2 OnEarDisc(GridPoint at) {
   const double half_width = 0.5 * (kEarBlock.column1 - kEarBlock.column0);
   const double half_height = 0.5 * (kEarBlock.row1 - kEarBlock.row0);

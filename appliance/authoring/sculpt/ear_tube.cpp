@@ -50,6 +50,7 @@ void CloseEnd(const HalfTopology& half, const Tube& tube, HalfShape& shape) {
 
 }  // namespace
 
+// Ring k is station k; the rim of the grid stays, and the first ring bridges to it.
 void DrawOutEar(const HalfTopology& half, const Tube& tube, HalfShape& shape) {
   for (int k = 1; k <= kEarRings; ++k) {
     const TubeSection section = SectionAt(tube, static_cast<std::size_t>(k));

@@ -54,6 +54,7 @@ class Reader {
   }
 
  private:
+  // A point is a place, or a vertex whose place is asked of the reference.
   void ReadPoints(toml::Section section) {
     for (const auto& [name, value] : section.table().table) {
       const std::optional<Key> vertex = AsVertex(value.text);
@@ -85,6 +86,7 @@ class Reader {
     }
   }
 
+  // An expression with a fault is kept all the same: later ones may build on it.
   void ReadExpression(toml::Section section) {
     section.AllowOnly({"name", "kind", "lids", "from", "both", "left", "right"});
     AuthoredExpression expression{.name = section.Text("name")};
@@ -148,6 +150,7 @@ class Reader {
     return from;
   }
 
+  // By point name; a name that is no point is a fault, with one that may be meant.
   Moves ReadMoves(toml::Section section) {
     Moves moves;
     for (const auto& [name, value] : section.table().table) {

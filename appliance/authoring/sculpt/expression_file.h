@@ -23,6 +23,7 @@ namespace kaori::sculpt {
 
 // A control point as written: once for a pair, its place on the left half (u >= 0).
 struct AuthoredPoint {
+  // Without a side; the net adds ".l" and ".r".
   std::string name;
   glm::dvec2 place_cm{};
   // Has a mirror image on the right: it does not lie in the middle.
@@ -45,12 +46,14 @@ struct AuthoredExpression {
   std::map<std::string, double> from{};
   // On both sides alike; `left` and `right` add to one side alone.
   Moves both{};
+  // Of one side alone, added to `both`; in the middle `right` pulls against `left`.
   Moves left{};
   Moves right{};
 };
 
 // Points keep the file's order, which becomes that of every displacement list in the pack.
 struct ExpressionFile {
+  // In the file's order.
   std::vector<AuthoredPoint> points;
   // Points that never move, on the left and in the middle.
   std::vector<glm::dvec2> border_cm;

@@ -48,6 +48,7 @@ std::size_t CountPoints(const std::vector<AuthoredPoint>& points) {
 
 }  // namespace
 
+// Lids are not summed up from what an expression builds on: they are said by each.
 std::vector<face::Expression> MakeExpressions(const ExpressionFile& file) {
   std::vector<face::Expression> made;
   const std::size_t count = CountPoints(file.points);

@@ -111,6 +111,7 @@ glm::dvec2 PlaceInHole(const EyeRecipe& eye, glm::dvec2 lid, int k) {
 
 }  // namespace
 
+// The straight line between the corners, plus an arch that is 0 at both.
 glm::dvec2 LidCurve(const EyeRecipe& eye, double s, bool upper) {
   // s is mixed with its cosine, which puts more vertices into the corners, where the curve turns.
   const double t = 0.55 * s + 0.45 * (1 - std::cos(kPi * s)) / 2;

@@ -65,6 +65,7 @@ std::array<face::EyeBall, 2> MakeEyes(const Ball& left) {
 
 }  // namespace
 
+// The first fault ends it; CheckFolder asks for each face by itself.
 Result<std::vector<ShapedFace>> ShapeFaces(const Cage& cage, const CastRecipe& cast) {
   const Shaper shaper(cage, cast);
   std::vector<ShapedFace> faces;

@@ -25,6 +25,7 @@ void FitRing(const HalfTopology& half, const Ball& ball, int k, double radius, H
 
 }  // namespace
 
+// Rings are fitted one by one; none depends on another.
 void FitLids(const HalfTopology& half, const Ball& ball, HalfShape& shape) {
   const double edge = ball.radius + ball.lid_thickness;
   for (int k = 1; k < kLidRing; ++k) FitRing(half, ball, k, edge + kSkinOverLid_cm, shape);

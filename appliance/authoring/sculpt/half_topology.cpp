@@ -19,6 +19,7 @@ struct Extent {
   std::size_t count() const { return static_cast<std::size_t>(count_a) * static_cast<std::size_t>(count_b); }
 };
 
+// Regions with rings count their rim as ring 0.
 constexpr Extent ExtentOf(Region region) {
   switch (region) {
     case Region::kGrid:
@@ -86,6 +87,7 @@ std::vector<GridPoint> OpenRim(const Block& block) {
 // from it: changing it makes all older packs different.
 class Builder {
  public:
+  // Rims before rings, since ring 0 is grid vertices.
   HalfTopology Build() {
     half_.eye_rim = ClosedRim(kEyeBlock);
     half_.mouth_rim = OpenRim(kMouthBlock);
@@ -222,6 +224,7 @@ std::optional<Key> AsVertex(std::string_view name) {
   return std::nullopt;
 }
 
+// Wraps and shifts as Slot says; asserts that the vertex is there.
 Index HalfTopology::At(Region region, int a, int b) const {
   const Index vertex = table[static_cast<std::size_t>(region)][Slot(region, a, b)];
   assert(vertex != kNobody);

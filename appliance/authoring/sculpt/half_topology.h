@@ -25,6 +25,8 @@ inline constexpr int kRows = 36;
 struct Block {
   int column0, column1, row0, row1;
 };
+// Eye, mouth and ear. The corners of a block have five edges, about which shading is uneven; lids and lips
+// lie some rings away.
 inline constexpr Block kEyeBlock{3, 11, 20, 26};
 inline constexpr Block kMouthBlock{0, 6, 11, 15};
 inline constexpr Block kEarBlock{16, 20, 14, 22};
@@ -36,6 +38,7 @@ inline constexpr Block kEarBlock{16, 20, 14, 22};
 inline constexpr int kEyeRim = 28;
 inline constexpr int kEyeRings = 7;
 inline constexpr int kLidRing = 5;
+// Not closed: it runs from the middle of the face above the mouth to the middle below.
 inline constexpr int kMouthRim = 17;
 inline constexpr int kMouthCorner = 8;
 inline constexpr int kMouthRings = 10;

@@ -26,6 +26,7 @@ void SwapRows(SquareMatrix& a, std::vector<glm::dvec3>& right, std::size_t i, st
   std::swap(right[i], right[j]);
 }
 
+// Rows that have a zero there already are left alone.
 void ClearBelow(SquareMatrix& a, std::vector<glm::dvec3>& right, std::size_t pivot) {
   for (std::size_t row = pivot + 1; row < a.size; ++row) {
     const double factor = a(row, pivot) / a(pivot, pivot);

@@ -11,6 +11,7 @@ namespace kaori::sculpt {
 // n x n, row by row, all zero at first.
 struct SquareMatrix {
   explicit SquareMatrix(std::size_t n) : size(n), value(n * n) {}
+  // Not checked.
   double& operator()(std::size_t row, std::size_t column) { return value[row * size + column]; }
 
   std::size_t size;

@@ -18,6 +18,7 @@ class Pchip {
   double At(double x) const;
 
  private:
+  // Knots, values, and the slopes that keep the curve monotone.
   std::vector<double> x_;
   std::vector<double> y_;
   std::vector<double> slope_;

@@ -51,6 +51,7 @@ struct EyeRecipe {
 
 // The shut mouth at rest, seen from the front; `y` is the height of the line between the lips.
 struct MouthRecipe {
+  // From the middle to a corner.
   double half_width = 0;
   double y = 0;
   // Of the lips, in the middle, above and below that line.
@@ -71,12 +72,14 @@ struct EarRecipe {
 
 // A vertex, and where it goes.
 struct Landmark {
+  // On the left half or in the middle.
   Key vertex;
   glm::dvec3 target{};
 };
 
 // A solid of round bodies, onto which the grid is projected.
 struct Carved {
+  // Only the table of the cast is stretched; bodies are this face's own.
   AimScale scale;
   std::vector<Body> bodies;
   std::vector<Landmark>
@@ -97,11 +100,13 @@ struct Tube {
 
 // The reference face pulled to landmarks.
 struct Warped {
+  // Where vertices of the reference face go; mirrored on the right.
   std::vector<Landmark> landmarks;
   glm::dvec3 eye_shift{};  // The ball goes here from its place in the reference face,
   double eye_scale = 1;    // and so do four points of the lids' margin, scaled about it.
   double eye_radius = 0;
   double lid_thickness = 0.13;
+  // Of the grid, after the warp.
   int smoothing_steps = 0;
   Tube ear;
 };
@@ -110,10 +115,12 @@ struct Warped {
 struct Spout {
   glm::dvec3 foot{};  // Start and end of its axis.
   glm::dvec3 tip{};
+  // Half of the foot's width and height, where it stands on the body.
   double foot_width = 0;
   double foot_height = 0;
   double foot_out = 0;  // How far the foot stands out along the axis.
   double rim_radius = 0;
+  // How far the inside lies below the rim, and how wide it is there.
   double hole_depth = 0;
   double hole_radius = 0;
 };
@@ -121,9 +128,11 @@ struct Spout {
 // A turned body with a spout for a nose and a handle for ears. The profile says radius and height by grid
 // row, the angles (round the axis from the front) by grid column; both are smooth in between.
 struct Turned {
+  // Grid rows, and radius and height of the body at each.
   std::vector<double> profile_rows;
   std::vector<double> profile_radius;
   std::vector<double> profile_y;
+  // Grid columns that the angles are given for.
   std::vector<double> columns;
   std::vector<double> angles_deg;  // Round the axis from the front.
   double knob_y = 0;               // The crown's seam lies across the knob.
@@ -139,8 +148,10 @@ struct Turned {
 
 // One face's file, read. `file` is its path, for faults that are found later.
 struct FaceRecipe {
+  // From the list in cast.toml.
   std::string name;
   std::string file;
+  // Which way of shaping it, and all that belongs to it.
   std::variant<Carved, Warped, Turned> shape;
   // As face::MouthFit, in centimetres.
   double teeth_scale = 1;
@@ -148,11 +159,13 @@ struct FaceRecipe {
   double upper_teeth = 1;
   double lower_teeth = 1;
   double tongue = 1;
+  // As face::Face::expression_gain.
   double expression_gain = 1;
 };
 
 // faces/cast.toml, and the faces in its order.
 struct CastRecipe {
+  // Of the reference face; others stretch it.
   AimTable aim;
   std::vector<FaceRecipe> faces;  // The first is the reference face, and carved.
 };

@@ -10,6 +10,7 @@ namespace kaori::sculpt {
 // A round body of the solid; all lengths in centimetres, in the frame of recipe.h.
 struct Body {
   enum class Shape { kEllipsoid, kCapsule, kBox };
+  // Added to all bodies before it, or cut from them.
   enum class Join { kAdd, kCut };
   Shape shape = Shape::kEllipsoid;
   Join join = Join::kAdd;

@@ -18,6 +18,7 @@ glm::dvec2 UnitFromPlace(glm::dvec2 place_cm);
 // is where brows and lashes need the texels. Piecewise linear with its knots on lines of the mesh's grid, so
 // that no triangle bends across one; the two are each other's inverse. Left and right are mirror images.
 glm::dvec2 TextureFromPlace(glm::dvec2 place_cm);
+// The way back, also outside the picture.
 glm::dvec2 PlaceFromTexture(glm::dvec2 texture);
 
 }  // namespace kaori::sculpt

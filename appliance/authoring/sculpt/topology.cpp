@@ -88,6 +88,8 @@ face::LidRig MakeLidRig(const Cage& cage, const std::vector<Index>& side) {
 
 }  // namespace
 
+// Everything here follows from the cage and the reference's places; no face's shape has a part in it but
+// in the diagonals.
 face::Topology MakeTopology(const Cage& cage, const HalfShape& reference) {
   const std::vector<glm::dvec2> places = WholePlaces(cage, reference.place);
   face::Topology topology;

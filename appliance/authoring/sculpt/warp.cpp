@@ -38,6 +38,7 @@ std::optional<Warp> Warp::Through(std::vector<Pull> pulls) {
   return warp;
 }
 
+// The sum is a displacement, so a warp without weights leaves every point.
 glm::dvec3 Warp::operator()(glm::dvec3 p) const {
   glm::dvec3 q = p;
   for (std::size_t i = 0; i < pulls_.size(); ++i) q += weight_[i] * glm::distance(p, pulls_[i].from);

@@ -14,6 +14,7 @@ class Flaws {
  public:
   // Nothing was inspected: every On() is empty.
   Flaws() : summary_("not inspected") {}
+  // Copies what it needs of the inspection.
   explicit Flaws(const inspect::Inspection& inspection);
 
   // "3 folds", "lids 0.2 mm² with brow_up", "5 flaws, 3 folds with a"; empty: none. A pose belongs to the
@@ -22,11 +23,14 @@ class Flaws {
 
   // For the sheet's head: "0 folds, 2 lid gaps, 0 teeth through lips".
   const std::string& summary() const { return summary_; }
+  // Whether anything was found.
   bool any() const { return !found_.empty(); }
 
+  // The label of the cell that shows shut lids; also the end of such poses' names.
   static constexpr const char* kLidsShut = "lids shut";
 
  private:
+  // How many flaws a cell has, and the first of them in words.
   struct Found {
     int count = 0;
     std::string first;

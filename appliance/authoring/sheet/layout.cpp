@@ -28,6 +28,7 @@ class Arranger {
         label_px_(std::clamp(cell.width_px / 11, kSmallestLabel_px, kLargestLabel_px)),
         rows_width_px_(RowNamesWidth()) {}
 
+  // The width must be known before lines are laid, the height comes of them.
   Layout Run() {
     layout_.width_px = WidestRow() + 2 * kMargin_px;
     AddLine(sheet_.title, {kTitle_px, kWhite});

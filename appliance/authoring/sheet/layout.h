@@ -27,6 +27,7 @@ struct Label {
 
 // Where all of one sheet goes; nothing is drawn yet.
 struct Layout {
+  // Of the whole sheet.
   int width_px = 0;
   int height_px = 0;
   // The pictures alone, in the order of the sheet's sections and their cells.

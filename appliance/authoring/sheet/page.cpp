@@ -38,6 +38,7 @@ std::string Quoted(const json::Value& data) {
 
 }  // namespace
 
+// The page's script is part of page.html; only data is put in here.
 std::string Page(const std::vector<LaidOut>& sheets, const std::string& show, const std::string& about) {
   json::List data;
   for (const LaidOut& sheet : sheets) data.emplace_back(SheetData(sheet));

@@ -77,6 +77,7 @@ class Planner {
  public:
   Planner(const show::Show& show, const Flaws& flaws) : show_(show), cast_(show.cast), flaws_(flaws) {}
 
+  // The most telling sheet, at half size: flaws of all faces at a glance.
   Sheet WholeCast() const {
     const auto expressions = OfKind(cast_, ExpressionKind::kExpression);
     Section grid{.in_a_row = static_cast<int>(expressions.size()), .rows = FaceNames(cast_)};
@@ -221,6 +222,7 @@ std::string CountsOf(const face::Cast& cast) {
                      Counted(OfKind(cast, ExpressionKind::kChannel).size(), "channel"));
 }
 
+// Sheets for the whole cast first; a face's own sheet is looked up by name.
 std::vector<Sheet> PlanSheets(const show::Show& show, const Flaws& flaws) {
   const Planner planner(show, flaws);
   std::vector<Sheet> sheets{planner.WholeCast(), planner.Sides(), planner.Styles()};

@@ -12,28 +12,33 @@ namespace kaori::authoring {
 
 // One picture: what is drawn, and what it is called.
 struct Cell {
+  // By which the page can be searched, as by label and flaws.
   std::string face;
   // The expression, the side, the style: what it is besides the face.
   std::string label;
   // As Flaws::On; empty: none. A cell with flaws is framed in red.
   std::string flaws;
+  // What the studio draws.
   scene::Scene scene;
 };
 
 // Cells in rows. With `rows` or `columns` names stand at the left and above; with `columns`, none
 // under the cells.
 struct Section {
+  // Empty: none.
   std::string heading{};
   int in_a_row = 8;
   std::vector<std::string> rows{};
   std::vector<std::string> columns{};
   std::vector<Cell> cells{};
 
+  // Whether labels stand under the cells.
   bool has_labels() const { return columns.empty(); }
 };
 
 // One picture file.
 struct Sheet {
+  // Its name in the folder: "cast.png".
   std::string file;
   std::string title;
   // A line below the title.

@@ -53,6 +53,7 @@ class Drawing {
  public:
   Drawing(stage::Studio& studio, image::Lettering& lettering) : studio_(studio), lettering_(lettering) {}
 
+  // Pictures first, then texts over them.
   Result<image::Picture> Draw(const LaidOut& laid_out) {
     const auto& [sheet, layout] = laid_out;
     image::Picture whole = Paper(layout.width_px, layout.height_px);
