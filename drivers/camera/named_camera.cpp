@@ -5,7 +5,9 @@
 namespace kaori::camera {
 namespace {
 
+// A name that begins so is libcamera's; behind it stands libcamera's own name of the camera, or nothing.
 constexpr std::string_view kLibcamera = "libcamera:";
+// Of the plug-in's file, without its folder and its ending.
 constexpr const char* kLibcameraPlugin = "kaori-camera-libcamera";
 
 }  // namespace

@@ -16,6 +16,7 @@ struct V4l2Format {
   std::uint32_t stride_bytes = 0;  // 0 for MJPEG.
   std::uint32_t frame_bytes = 0;   // A whole uncompressed frame; 0 for MJPEG, whose frames vary.
 
+  // Size and layout of the pixels, as the frames carry them.
   const ports::CameraFormat& format() const { return mode.format; }
 };
 

@@ -14,7 +14,9 @@ Result<std::unique_ptr<ports::Camera>> V4l2Source::Open() {
   return camera;
 }
 
-// Every rung tries less of the cable: a camera that shares its USB bus gets what is left.
+// Every rung tries less of the cable: a camera that shares its USB bus gets what is left. The
+// kernel answers VIDIOC_STREAMON with ENOSPC where the bus has no room for the stream; any other
+// error would be the same at a slower rate.
 Result<std::unique_ptr<V4l2Camera>> V4l2Source::OpenFastest() {
   for (;;) {
     auto camera = V4l2Camera::Open(path_, preferences_, clock_, calls_);
@@ -43,6 +45,8 @@ std::optional<float> V4l2Source::exposure() const {
   return static_cast<float>(*exposure_s * mode_->rate_hz());
 }
 
+// What the automatics have found is kept as values: each opening writes them again, also after a re-plug. A
+// camera that is away keeps what was held before.
 std::vector<std::string> V4l2Source::Set(ports::CameraHold hold) {
   if (hold == ports::CameraHold::kFree) {
     held_.reset();
@@ -52,6 +56,7 @@ std::vector<std::string> V4l2Source::Set(ports::CameraHold hold) {
   return Apply();
 }
 
+// The ladder is made anew each time, of the modes of the camera that is plugged in now.
 bool V4l2Source::Slower() {
   const UniqueFd fd = calls_.Open(path_);
   const auto modes = fd.valid() ? ListModes(calls_, fd.get()) : Result<std::vector<V4l2Mode>>();

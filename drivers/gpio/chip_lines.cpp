@@ -25,6 +25,7 @@ Result<void> WatchIn(const UniqueFd& epoll, int fd) {
 
 }  // namespace
 
+// All or none: lines that were requested before one that fails are released with `lines`.
 Result<std::unique_ptr<ChipLines>> ChipLines::Request(std::unique_ptr<GpioChip> chip, const Wiring& wiring) {
   if (wiring.inputs.size() > kMostInputs) return FailInput("request more than 32 GPIO inputs");
   UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
@@ -58,6 +59,7 @@ Result<void> ChipLines::AddInput(const LineWiring& wiring) {
   return {};
 }
 
+// Asks every line, so that the levels of two lines may be from different moments. Edges tell their order.
 Result<std::uint32_t> ChipLines::Levels() {
   std::uint32_t active = 0;
   for (std::size_t n = 0; n < inputs_.size(); ++n) {

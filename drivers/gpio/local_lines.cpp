@@ -17,6 +17,8 @@ constexpr std::uint32_t kMostLines = 32;  // The bits of a level.
 
 }  // namespace
 
+// A panel that is unplugged and one that was never there are alike. A socket that may not be opened is
+// another matter: waiting would not mend it.
 Result<std::unique_ptr<LocalLines>> LocalLines::Connect(const std::string& folder, const std::string& port) {
   const std::string path = folder + "/lines." + port;
   auto socket = ConnectToPeer(path);
@@ -28,6 +30,7 @@ Result<std::unique_ptr<LocalLines>> LocalLines::Connect(const std::string& folde
 Result<void> LocalLines::Greet(Duration patience) {
   const auto patience_ms = std::chrono::duration_cast<std::chrono::milliseconds>(patience).count();
   pollfd waiting{socket_.get(), POLLIN, 0};
+  // A panel that hangs up also ends the wait; the reading below says that it has gone.
   if (::poll(&waiting, 1, static_cast<int>(patience_ms)) <= 0)
     return Fail(std::errc::timed_out, "wait for the lines of " + name_);
   std::array<std::uint8_t, wire::kMaxLinkPacket> buffer;
@@ -41,6 +44,8 @@ Result<void> LocalLines::Greet(Duration patience) {
   return {};
 }
 
+// The levels as the edges that were given so far have left them: a level never tells
+// of an edge that is still to be read.
 Result<std::uint32_t> LocalLines::Levels() {
   if (broken_) return Broken();
   if (gone_) return Gone();
@@ -59,6 +64,7 @@ Result<ports::GpioEdge> LocalLines::ReadEdge() {
   }
   const auto edge = wire::DecodeLineEdge(std::span(buffer).first(packet->bytes));
   if (!edge || edge->line >= inputs_) return Broken();
+  // Below 32: the hello was checked.
   const std::uint32_t bit = 1U << edge->line;
   active_ = edge->active != 0 ? active_ | bit : active_ & ~bit;
   return ports::GpioEdge{Time(Duration(edge->at_ns)), edge->line, edge->active != 0};

@@ -36,6 +36,8 @@ class PolledInput final : public InputLine {
   Result<LineEdge> ReadEdge() override {
     const auto nothing = [] {
       return Fail(std::errc::resource_unavailable_try_again, "read an edge of a polled GPIO line");
+      // A read of the timer takes its expirations, and fails with EAGAIN until the next. Several
+      // that have passed are one look at the line.
     };
     // Before its turn the line is not read at all: reading a chip behind USB takes milliseconds.
     std::uint64_t ticks = 0;
@@ -43,6 +45,7 @@ class PolledInput final : public InputLine {
     const auto level = plain_->Level();
     if (!level) return tl::unexpected(level.error());
     if (std::exchange(active_, *level) == *level) return nothing();
+    // The time at which the change was found: the change itself lies up to a period earlier.
     return LineEdge{.at = clock_.now(), .active = *level};
   }
 

@@ -12,6 +12,7 @@ bool Live(const json& section) {
   return section.at("source") == "live";
 }
 
+// A stick's section; "left" and "right" have the same fields.
 StickView Stick(const json& section) {
   return {Live(section), section.at("x"), section.at("y"), section.at("port")};
 }
@@ -27,6 +28,8 @@ StageView Stage(const json& section) {
           .read_ns = section.at("read_ns")};
 }
 
+// The sections of the devices that the puppeteer holds. The names are those that
+// `board` of the in-guest agent prints.
 void ParseInput(const json& board, BoardView& view) {
   const json& surface = board.at("surface");
   view.surface_live = Live(surface);
@@ -42,6 +45,7 @@ void ParseInput(const json& board, BoardView& view) {
   view.pointer_y = board.at("pointer").at("y");
 }
 
+// The sections of the other devices, and what stands beside all sections.
 void ParseRest(const json& board, BoardView& view) {
   view.now_ns = board.at("now_ns");
   view.lines_live = Live(board.at("lines"));

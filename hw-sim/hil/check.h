@@ -20,6 +20,7 @@ enum class Verdict { kPassed, kFailed, kSkipped };
 struct Picture {
   std::string file;  // In the report's folder.
   std::string caption;
+  // Under the picture, and its text for those who cannot see it.
 };
 
 // What a check found: its verdict, and what people look at to believe it.

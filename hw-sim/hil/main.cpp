@@ -95,6 +95,7 @@ std::string RootHash(const std::string& image) {
   return {};
 }
 
+// For sockets, whose paths have 108 bytes at most (unix(7)): the report's folder may lie too deep.
 kaori::Result<std::string> MakeFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "kaori-bench-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) return kaori::FailErrno("make a folder for sockets");
@@ -108,6 +109,8 @@ void Tell(const kaori::hil::ReportedCheck& check) {
   std::fflush(stdout);
 }
 
+// A window only for a person who looks: with --shot the picture alone counts. A memory
+// that is no number is the least one.
 kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& folder,
                                   const kaori::Size& size) {
   return {.image = settings.image,
@@ -122,6 +125,7 @@ kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& f
           .counts_instructions = settings.count_instructions};
 }
 
+// Starts nothing: who runs the command decides when, and where it ends.
 int PrintCommand(const Settings& settings, const kaori::Size& size) {
   std::ifstream file(settings.image + "/cmdline");
   std::string line;
@@ -146,6 +150,8 @@ int BootImage(const Settings& settings, const std::string& folder, const kaori::
   return ok ? 0 : Exit(ok.error());
 }
 
+// The exit status: 0 where no check failed (skipped ones are no failure), 1 where one did,
+// kNotTried where the bench could not work.
 int RunChecks(const Settings& settings, const std::string& sockets, const kaori::Size& size) {
   const kaori::SteadyClock clock;
   auto target = kaori::hil::Target::Open(MachineOf(settings, sockets, size), clock);

@@ -56,6 +56,7 @@ std::string Spaced(std::string name) {
   return name;
 }
 
+// Pictures are files beside the page, and load as the reader comes to them.
 std::string Pictures(const Finding& finding) {
   if (finding.pictures.empty()) return {};
   std::string all = "<div class=\"pictures\">";
@@ -67,6 +68,7 @@ std::string Pictures(const Finding& finding) {
   return all + "</div>\n";
 }
 
+// Each text is in the page, folded, and a file of its own for those who search.
 std::string Texts(const ReportedCheck& check) {
   std::string all;
   for (const auto& [name, text] : check.finding.texts)
@@ -85,6 +87,8 @@ std::string Article(const ReportedCheck& check) {
       Pictures(check.finding), Texts(check));
 }
 
+// The tallies, the start's time, and then each figure of each check, to four
+// digits: MergeFigures writes them whole.
 std::string Tiles(const Report& report) {
   std::string tiles = Tile(std::to_string(report.count(Verdict::kPassed)), "checks passed");
   tiles += Tile(std::to_string(report.count(Verdict::kFailed)), "failed");

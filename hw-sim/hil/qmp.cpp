@@ -22,6 +22,7 @@ Result<Qmp> Qmp::Call(const std::string& path, Waiter& waiter) {
 
 Result<std::string> Qmp::NextLine() {
   bool there = true;
+  // An end that has gone also ends the wait; a line that came before is still read.
   const auto whole = [&] {
     there = stream_.Read();
     return !there || stream_.waiting().find('\n') != std::string::npos;

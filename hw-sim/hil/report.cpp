@@ -35,6 +35,8 @@ int Report::count(Verdict verdict) const {
       std::ranges::count(checks, verdict, [](const ReportedCheck& check) { return check.finding.verdict; }));
 }
 
+// As tools of continuous integration read it: `time` is in seconds, and a skipped
+// test is neither passed nor failed.
 std::string AsJUnit(const Report& report) {
   double took_s = 0;
   std::string cases;
@@ -59,6 +61,7 @@ std::string TextFile(const std::string& check, const std::string& text) {
   return name + ".txt";
 }
 
+// Texts come before the page that links to them.
 Result<void> WriteReport(const Report& report, const std::string& folder) {
   for (const ReportedCheck& check : report.checks)
     for (const auto& [name, text] : check.finding.texts)

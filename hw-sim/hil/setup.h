@@ -5,10 +5,12 @@
 
 namespace kaori::hil {
 
-// The graphics card of the machine. kVirgl: a virtio card whose GLES is drawn on the bench, in a window under Xvfb.
+// The graphics card of the machine. kVirtio: pictures are drawn by the box's processor. kVirgl: a virtio card
+// whose GLES is drawn on the bench, in a window under Xvfb. kVga: as a PC's firmware finds it. kNone: no card.
 enum class Graphics { kVirtio, kVirgl, kVga, kNone };
 
-// Where the image's disk is attached.
+// Where the image's disk is attached: each bus has a driver of its own in the
+// kernel, and another name for the disk.
 enum class DiskBus { kVirtio, kSata, kNvme };
 
 // All that differs between the boxes of two checks. Checks with equal setups share a box that plays.

@@ -11,6 +11,7 @@ constexpr std::uint32_t kFirstFrames = 3;
 
 }  // namespace
 
+// A box with this setup that still runs is kept: a start takes half a minute at least.
 Result<void> PlayStrategy::Play(const Setup& setup) {
   if (plays_ && target_.machine().setup() == setup && target_.machine().runs()) return {};
   Off();
@@ -20,12 +21,15 @@ Result<void> PlayStrategy::Play(const Setup& setup) {
   return {};
 }
 
+// The agent first: its socket ends with the machine.
 void PlayStrategy::Off() {
   target_.agent().Lose();
   target_.machine().Off();
   plays_ = false;
 }
 
+// After a check. A box that does not play by itself again is switched off, so that
+// the next check starts a fresh one.
 void PlayStrategy::Recover() {
   if (!plays_) return;
   auto ok = AwaitFrames();
@@ -41,6 +45,7 @@ Result<void> PlayStrategy::SwitchOn() {
   if (auto ok = target_.machine().On(); !ok) return ok;
   if (auto ok = target_.agent().Find(kLongestBoot); !ok) return ok;
   if (auto ok = AwaitFrames(); !ok) return ok;
+  // Until the first face: finding the devices goes on behind it.
   boot_s_ = Seconds(target_.clock().now() - began);
   return plugged ? AwaitInputDevices() : Result<void>{};
 }

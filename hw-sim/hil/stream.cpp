@@ -10,6 +10,7 @@
 
 namespace kaori::hil {
 
+// Each turn of the waiter tries once: a machine makes its sockets some time after it was started.
 Result<Stream> Stream::Call(const std::string& path, Waiter& waiter, Duration longest) {
   UniqueFd socket;
   const auto called = [&] {
@@ -32,6 +33,8 @@ bool Stream::Read() {
   }
 }
 
+// The socket does not block. What its buffer cannot hold counts as a machine that has gone, since nothing
+// reads there any more; MSG_NOSIGNAL makes an error of what would be SIGPIPE.
 Result<void> Stream::Say(std::string_view text) {
   const ssize_t sent = ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL);
   if (sent == static_cast<ssize_t>(text.size())) return {};

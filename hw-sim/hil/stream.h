@@ -10,7 +10,8 @@
 
 namespace kaori::hil {
 
-// A byte stream in both directions, with what came and was not used yet. One thread: that of the waiter.
+// A byte stream in both directions, with what came and was not used yet. Movable; the connection ends
+// with it. One thread: that of the waiter.
 class Stream {
  public:
   // Calls until somebody listens, `longest` at most; simulated devices play

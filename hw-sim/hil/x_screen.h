@@ -22,6 +22,7 @@ Result<void> WriteDumpAsPng(const std::string& dump, const DumpPart& part, const
 // Owns the Xvfb process; it ends with this object. Nobody else can see its screen.
 class XScreen {
  public:
+  // How large the machine's screen is, and where files go.
   struct Options {
     std::string folder;  // For its picture and its log.
     int width_px = 960;  // Of the machine's own screen.

@@ -35,6 +35,8 @@ const char* NameOf(PixelFormat pixels) {
   return pixels == PixelFormat::kNv12 ? "NV12" : "YUYV";
 }
 
+// The costs of two formats that fit differ by less than the penalty, so that it decides alone. Of formats
+// without a fitting width the smallest wins.
 double CostOf(const CameraFormat& format) {
   const bool fits = format.width_px >= kLeastWidth_px && format.width_px <= kMostWidth_px;
   return BytesPerPixel(format.pixels) * format.width_px * format.height_px * (fits ? 1 : kPenalty);
@@ -55,6 +57,7 @@ std::string NameOf(const CameraFormat& format, double rate_hz) {
                      : picture + " at the camera's own rate";
 }
 
+// Rung 0 is the camera's fastest; each further rung is the next of the slower ones that the camera can do.
 std::optional<std::int64_t> FrameTimeOf(const FrameTimes& can, std::size_t rung) {
   if (rung == 0) return can.shortest_us;
   for (const std::int64_t slower_us : kSlower_us) {

@@ -42,6 +42,8 @@ std::vector<CameraFormat> FormatsOf(const libcamera::StreamFormats& formats) {
   return found;
 }
 
+// libcamera's calls give negated errno values: EBUSY of a camera that another program has acquired, ENODEV of
+// one that was unplugged, EACCES of one that is not in a state for the call.
 std::errc CauseOf(int result) {
   if (result == -EBUSY) return std::errc::device_or_resource_busy;
   return result == -ENODEV || result == -EACCES ? std::errc::no_such_device : std::errc::io_error;
@@ -70,6 +72,8 @@ void LibcameraHold::Note(const libcamera::ControlList& metadata) {
     found_.colour_gains = {{(*gains)[0], (*gains)[1]}};
 }
 
+// Holds what the frames so far told: a camera that has delivered none yet keeps its own start values. The
+// count makes the next request carry the controls.
 void LibcameraHold::Set(ports::CameraHold hold) {
   const std::lock_guard lock(mutex_);
   held_.reset();
@@ -89,6 +93,8 @@ void LibcameraHold::Write(const libcamera::ControlInfoMap& has, libcamera::Contr
     list.set(controls::ColourGains, {(*held_->colour_gains)[0], (*held_->colour_gains)[1]});
 }
 
+// The steps follow libcamera's states of a camera: available, acquired, configured, running. What a failed
+// step leaves behind the destructor gives back.
 Result<std::unique_ptr<LibcameraDevice>> LibcameraDevice::Open(std::shared_ptr<libcamera::Camera> camera,
                                                                const LibcameraPreferences& preferences) {
   std::unique_ptr<LibcameraDevice> device(new LibcameraDevice(std::move(camera), preferences.hold));
@@ -117,6 +123,7 @@ LibcameraDevice::~LibcameraDevice() {
   if (acquired_) camera_->release();
 }
 
+// Of libcamera's roles Viewfinder is that of live pictures: a moderate size at the full rate.
 Result<void> LibcameraDevice::Configure() {
   configuration_ = camera_->generateConfiguration({libcamera::StreamRole::Viewfinder});
   if (!configuration_ || configuration_->empty())
@@ -141,6 +148,7 @@ Result<void> LibcameraDevice::Configure() {
   return {};
 }
 
+// A request is made for each buffer, for good; its cookie is the number of the buffer.
 Result<void> LibcameraDevice::MapBuffers() {
   libcamera::Stream* stream = configuration_->at(0).stream();
   allocator_ = std::make_unique<libcamera::FrameBufferAllocator>(camera_);
@@ -157,7 +165,8 @@ Result<void> LibcameraDevice::MapBuffers() {
   return {};
 }
 
-// Planes lie behind one another in one piece of memory, as the frame's reader wants them.
+// Planes lie behind one another in one piece of memory from offset 0, as the frame's
+// reader wants them and mmap needs it.
 Result<void> LibcameraDevice::MapBuffer(std::uint32_t index, libcamera::FrameBuffer& buffer) {
   std::size_t end = 0;
   for (const auto& plane : buffer.planes()) {
@@ -204,6 +213,7 @@ Result<void> LibcameraDevice::Queue(std::uint32_t buffer) {
   return {};
 }
 
+// In the library's thread. Drivers stamp frames by the monotonic clock, as V4L2 does: it is that of Time.
 void LibcameraDevice::HandleCompleted(libcamera::Request* request) {
   if (request->status() == libcamera::Request::RequestCancelled) return;  // The stream ends.
   hold_.Note(request->metadata());

@@ -9,6 +9,8 @@
 namespace kaori::camera {
 namespace {
 
+// The cameras of this machine as libcamera knows them. It owns the camera manager, of which libcamera permits
+// one in a process. All calls come from the loop's thread.
 class Libcamera final : public CameraLibrary {
  public:
   bool Start() { return cameras_.start() == 0; }
@@ -38,6 +40,7 @@ class Libcamera final : public CameraLibrary {
     hold_.Set(hold);
     return lacks_;
   }
+  // A camera that was never opened has told no rates, and so has no slower rung.
   bool Slower() override {
     if (!FrameTimeOf(times_, rung_ + 1)) return false;
     ++rung_;

@@ -40,6 +40,7 @@ void Completions::Wake() const {
   ::eventfd_write(wake_.get(), 1);
 }
 
+// All buffers go to the device at once, which fills them in turn.
 Result<std::unique_ptr<RequestCamera>> RequestCamera::Start(std::unique_ptr<RequestDevice> device,
                                                             const RequestStream& stream, const Clock& clock) {
   std::unique_ptr<RequestCamera> camera(new RequestCamera(std::move(device), stream, clock));
@@ -52,6 +53,8 @@ RequestCamera::RequestCamera(std::unique_ptr<RequestDevice> device, const Reques
                              const Clock& clock)
     : device_(std::move(device)), stream_(stream), clock_(clock), newest_(clock.now()) {}
 
+// The frame that was given last goes back first: its memory is the device's again from here on. Of several
+// that wait the newest whole one is given; those before it were never looked at.
 Result<CameraFrame> RequestCamera::Next() {
   if (broken_) return tl::unexpected(*broken_);
   if (auto ok = GiveBackHeld(); !ok) return tl::unexpected(ok.error());
@@ -91,6 +94,7 @@ Result<void> RequestCamera::Queue(std::uint32_t buffer) {
   return {};
 }
 
+// What is broken stays so: whoever wants the camera opens it anew.
 tl::unexpected<Error> RequestCamera::Broken(std::errc cause, const char* verb) {
   held_.reset();
   broken_ = Error{cause, verb + stream_.name};

@@ -20,7 +20,7 @@ constexpr std::string_view kHelp = R"(kaori-gadget: simulated devices at this ma
   --loop                       again and again
 )";
 
-// Reports are due once a millisecond at most.
+// Reports are due once a millisecond at most, as a full-speed device is polled (USB 2.0 5.7.4).
 constexpr kaori::Duration kStep = std::chrono::milliseconds(1);
 
 struct Settings {
@@ -44,6 +44,8 @@ kaori::Result<void> PutAll(const std::string& text, kaori::sim::GadgetRig& rig) 
   return {};
 }
 
+// Blocks until the program is told to end. Without a scenario the player is finished from the
+// start, and the devices answer and rest.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   auto scenario = settings.play.empty() ? kaori::sim::Scenario{} : kaori::sim::LoadScenario(settings.play);

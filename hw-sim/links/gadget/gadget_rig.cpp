@@ -2,6 +2,7 @@
 
 namespace kaori::sim {
 
+// InputDevices has a camera, which is at no controller here: its format counts for nothing.
 GadgetRig::GadgetRig(GadgetRoom room, const Clock& clock)
     : room_(std::move(room)),
       context_{clock, {}},
@@ -31,10 +32,12 @@ Result<void> GadgetRig::Put(DevicePort port, const std::string& controller) {
   auto gadget = HidGadget::Make(room_, "kaori-" + std::string(PortName(port)), device->device_name());
   if (!gadget) return tl::unexpected(gadget.error());
   auto& gadget_port = ports_[port];
+  // Where plugging in fails the port stays: `plug` of the scenario tries again.
   gadget_port = std::make_unique<GadgetPort>(std::move(*gadget), controller, *device);
   return gadget_port->Plug();
 }
 
+// A port whose cable is out does nothing.
 void GadgetRig::Pump() {
   for (auto& [name, port] : ports_) port->Pump(context_.clock.now());
 }

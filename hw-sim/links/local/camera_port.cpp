@@ -46,6 +46,7 @@ void CameraPort::SendDue(Time now) {
   SendFrame(number, static_cast<std::size_t>(slot - lent_.begin()));
 }
 
+// Draws first, announces then: the driver may read the slot as soon as the packet is there.
 void CameraPort::SendFrame(std::int64_t number, std::size_t slot) {
   const auto room = memory_.bytes().subspan(slot * kSlotBytes, kSlotBytes);
   const std::size_t bytes = camera_.Shoot(static_cast<std::uint32_t>(number), room);

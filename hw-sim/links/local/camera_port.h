@@ -24,7 +24,8 @@ class CameraPort final : public LinkPort {
   // One that the driver looks at, one that waits, one being drawn, one to spare.
   static constexpr std::size_t kSlots = 4;
 
-  // Borrows the camera.
+  // Borrows the camera. `path` and `epoll` are LinkPort's; the camera counts frames from
+  // timing.start, whether a driver is there or not.
   CameraPort(std::string path, int epoll, LipCamera& camera, CameraTiming timing)
       : LinkPort(std::move(path), epoll), camera_(camera), timing_(timing) {}
 

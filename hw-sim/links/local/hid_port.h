@@ -36,7 +36,8 @@ class HidPort final : public LinkPort {
 
   HidDevice& device_;
   const Clock& clock_;
-  Report unsent_;  // Left the device, but the driver reads too slowly.
+  // Left the device, but the driver reads too slowly. It is sent before any later report.
+  Report unsent_;
 };
 
 }  // namespace kaori::sim

@@ -17,6 +17,8 @@ constexpr int kCallsAtOnce = 16;  // Drivers that connect; only the last one sta
 
 }  // namespace
 
+// The socket is what a driver looks for, so that the device is there from here
+// on; it starts as after power came.
 Result<void> LinkPort::Plug() {
   if (plugged()) return {};
   auto listener = ListenForPackets(path_);
@@ -35,6 +37,7 @@ void LinkPort::Unplug() {
   PowerChanged();
 }
 
+// A newcomer is greeted before packets are read, so that those that are read are the newcomer's.
 void LinkPort::Pump(Time now) {
   if (!plugged()) return;
   Accept();
@@ -70,6 +73,7 @@ void LinkPort::Receive() {
   }
 }
 
+// A packet leaves whole or not at all (SOCK_SEQPACKET): a full queue costs one packet, and no connection.
 bool LinkPort::Send(std::span<const std::uint8_t> packet, int descriptor) {
   const auto sent = SendPacket(peer(), packet, descriptor);
   if (!sent && sent.error().cause != std::errc::resource_unavailable_try_again) HangUp();
@@ -82,6 +86,7 @@ void LinkPort::HangUp() {
   PeerLeft();
 }
 
+// A socket that cannot be watched is still served at each Pump, only later.
 void LinkPort::Join(int fd) {
   epoll_event event{};
   event.events = EPOLLIN;

@@ -15,6 +15,7 @@ std::optional<Time> LoudspeakerPort::next_due() const {
   return told_at_ + kTellPeriod;
 }
 
+// The driver reckons from the room how much it may send ahead of the first note.
 bool LoudspeakerPort::Greet() {
   const ports::SoundFormat format = loudspeaker_.format();
   told_at_ = clock_.now();
@@ -29,10 +30,12 @@ void LoudspeakerPort::Handle(std::span<const std::uint8_t> packet) {
   if (packet.size() % (2 * Loudspeaker::kChannels) != 0) return HangUp();
   std::vector<std::int16_t> samples(packet.size() / 2);
   for (std::size_t n = 0; n < samples.size(); ++n)
+    // Signed 16 bits, little endian, a frame's channels in turn.
     samples[n] = static_cast<std::int16_t>(wire::GetU16(packet, 2 * n));
   loudspeaker_.Play(samples, clock_.now());
 }
 
+// Plays what is due before telling of it: the note is of now.
 void LoudspeakerPort::SendDue(Time now) {
   loudspeaker_.PlayUntil(now);
   if (now - told_at_ < kTellPeriod) return;

@@ -20,6 +20,7 @@ bool MicrophonePort::Greet() {
 
 void MicrophonePort::SendDue(Time now) {
   while (const auto block = microphone_.NextBlock(now)) {
+    // Note and samples are one packet, so that no block is ever taken for another's.
     const auto head =
         wire::Encode(wire::SoundBlockNote{block->at.time_since_epoch().count(), block->lost ? 1U : 0U});
     std::vector<std::uint8_t> packet(head.size() + 2 * block->samples.size());

@@ -60,6 +60,7 @@ Result<UniqueFd> MakeTimer(int epoll) {
 
 }  // namespace
 
+// The screen counts its vertical blanks from the opening.
 Rig::Rig(RigOptions options, const Clock& clock)
     : options_(std::move(options)),
       context_{clock, {}},
@@ -67,6 +68,7 @@ Rig::Rig(RigOptions options, const Clock& clock)
       screen_({options_.screen_width_px, options_.screen_height_px, options_.screen_period}, clock.now()),
       loudspeaker_(context_) {}
 
+// Takes the sockets away: a socket without a listener would look like a device that refuses.
 Rig::~Rig() {
   for (auto& port : ports_) {
     if (port) port->Unplug();
@@ -93,6 +95,7 @@ Result<std::unique_ptr<Rig>> Rig::Open(RigOptions options, const Clock& clock) {
   return rig;
 }
 
+// All cables are in at first. Every port is made here, so that none is null afterwards.
 Result<void> Rig::PlugAll() {
   const auto path = [this](DevicePort port) { return PathOf(options_.folder, port); };
   const auto add = [this](DevicePort at, std::unique_ptr<LinkPort> port) {
@@ -123,6 +126,7 @@ Result<void> Rig::PlugAll() {
   return {};
 }
 
+// One time for all ports: what fell due together leaves together.
 void Rig::Pump() {
   const Time now = context_.clock.now();
   for (auto& port : ports_) port->Pump(now);
@@ -143,6 +147,8 @@ void Rig::ArmTimer() {
   const Time due = next_due();
   itimerspec spec{};
   if (due != Time::max()) {
+    // Zero would disarm the timer (timerfd_settime(2)). What is due already expires at
+    // once, since the time is absolute.
     const auto since_start = std::max(due.time_since_epoch(), Duration(1));
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(since_start);
     spec.it_value = {seconds.count(), (since_start - seconds).count()};
@@ -175,6 +181,7 @@ Result<void> Rig::Unplug(std::string_view name) {
   return {};
 }
 
+// The rig owns cables and what it alone has; everything else is for the devices.
 Result<void> Rig::Do(const OperatorAction& action) {
   if (action.verb == Verb::kPlug) return Plug(PortName(action.port));
   if (action.verb == Verb::kUnplug) return Unplug(PortName(action.port));

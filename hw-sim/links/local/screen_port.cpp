@@ -10,6 +10,7 @@ std::size_t PictureBytes(const ScreenMode& mode) {
 
 }  // namespace
 
+// A picture waits for the next vertical blank alone; without one the screen needs no time.
 std::optional<Time> ScreenPort::next_due() const {
   if (!waiting_) return std::nullopt;
   return screen_.blank_at(last_blank_ + 1);
@@ -31,6 +32,7 @@ bool ScreenPort::Greet() {
       drawn_.descriptor());
 }
 
+// A driver that speaks of a slot that there is not cannot be understood: it may come again.
 void ScreenPort::Handle(std::span<const std::uint8_t> packet) {
   const auto present = wire::DecodeScreenPresent(packet);
   if (!present || present->slot >= kSlots) return HangUp();
@@ -60,6 +62,7 @@ void ScreenPort::Flip(const wire::ScreenPresent& present, Time at) {
   Send(wire::Encode(wire::ScreenFlip{at.time_since_epoch().count(), present.frame, present.slot}));
 }
 
+// Power came or went: the screen is dark, and the memory of former drivers is nobody's any more.
 void ScreenPort::PowerChanged() {
   screen_.Darken();
   shown_ = {};

@@ -45,6 +45,7 @@ UsbRig::UsbRig(const std::string& folder, const Clock& clock, UniqueFd epoll)
         std::make_unique<UsbredirPort>(UsbSocketPath(folder, kUsbSockets[n]), epoll_.get(), *devices[n]);
 }
 
+// Nothing is called yet: each port calls its machine once its cable is in.
 Result<std::unique_ptr<UsbRig>> UsbRig::Open(const std::string& folder, const Clock& clock) {
   UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
   if (!epoll.valid()) return FailErrno("create the simulator's epoll set");
@@ -84,6 +85,7 @@ Result<void> UsbRig::Unplug(std::string_view name) {
   return {};
 }
 
+// Ports 1 and 2 are those of the sticks, as kUsbSockets has them.
 void UsbRig::CrossSticks(bool crossed) {
   ports_[1]->Hold(crossed ? right_stick_ : left_stick_);
   ports_[2]->Hold(crossed ? left_stick_ : right_stick_);

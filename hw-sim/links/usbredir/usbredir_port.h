@@ -33,9 +33,7 @@ class UsbredirPort final : private RedirRequests {
   bool connected() const { return wire_ != nullptr; }  // A machine is there.
   bool configured() const { return configured_; }      // It has enumerated the device.
   // A program in the machine listens to an interrupt endpoint: its HID driver has opened the device.
-  bool listened() const {
-    return !listened_to_.empty();
-  }  // A program in it listens to an interrupt endpoint.
+  bool listened() const { return !listened_to_.empty(); }
 
   // Another device at the end of the cable, which must be out.
   void Hold(UsbDevice& device) { device_ = &device; }
