@@ -34,6 +34,7 @@ namespace kaori::board {
 
 namespace internal {
 
+// The right to write one section: its lock, its pages, and what was published last. board.cpp has it.
 class OwnSection;
 
 // The sections that this process writes by one board object; the board moves them with itself. The board owns

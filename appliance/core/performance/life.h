@@ -9,7 +9,8 @@ namespace kaori::performance {
 struct Idle {
   scene::Head head;
   scene::Gaze gaze;
-  float breath = 0;  // -1 out .. 1 in.
+  // -1 out .. 1 in; Scene::breath.
+  float breath = 0;
 };
 
 // `amount` 0..1. Blinks start in state.blink_s; a gaze stick that is moved quiets the glances. Pure:

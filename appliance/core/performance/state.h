@@ -73,12 +73,16 @@ struct State {
   // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
   std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.
+  // Left, right, as on the board.
   std::array<StickNow, 2> sticks;
   std::array<float, 2> blink_s{10, 10};  // Since a blink began: the character's left, right.
   std::array<float, 2> lids_held{};
   std::array<Playing, kVoices> voices;
+  // What the face does by itself, and how its hair swings.
   Life life;
   Sway sway;
+  // Head, gaze and brows as the sticks have them, eased; idle motion and registered motions come on top and
+  // are no state.
   scene::Head head;
   scene::Gaze gaze;
   float brow = 0;  // -1 frown .. 1 raised.
@@ -93,6 +97,7 @@ struct State {
   float go_quiet_s = 10;           // Since the last GO.
   std::uint16_t black_wanted = 0;  // 1: the switch is on, or was when it was lost.
   std::uint16_t black_scene = 0;   // The scene at the last look at that switch.
+  // The scene that was entered last; GO enters the next one.
   std::uint16_t scene = 0;
 };
 static_assert(std::is_trivially_copyable_v<State>);

@@ -14,7 +14,9 @@
 namespace kaori::show {
 
 struct LoadOptions {
-  std::optional<PublicKey> signed_by{};  // Refuse every pack that this key has not signed.
+  // Refuse every pack that this key has not signed; without a key a signature is checked where there is one,
+  // and any signer will do.
+  std::optional<PublicKey> signed_by{};
   // The file lies on a read-only file system whose every block the kernel checks, as the box's root: its
   // checksum is not made again, and it is read where it lies: textures when they are first looked at.
   bool on_verified_root = false;

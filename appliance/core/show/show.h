@@ -101,6 +101,7 @@ struct Channels {
 struct Show {
   std::string name;
   face::Cast cast;
+  // By the number of the button, from 0; kNothing for one that calls nothing.
   std::array<Call, kButtonCount> buttons{};
   std::vector<KeyCall> keys;
   std::vector<Motion> motions;

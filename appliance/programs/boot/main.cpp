@@ -50,6 +50,7 @@ constexpr const char* kData = "/var/lib/kaori";
 constexpr const char* kProfiles = "/run/kaori-profile";
 constexpr const char* kSystem = "/usr/lib/systemd/systemd";
 
+// The process id by which the program knows that the kernel has started it, and its status when it is misused.
 constexpr pid_t kFirstProcess = 1;
 constexpr int kMisused = 2;
 constexpr int kLongestMount_ms = 1000;         // A disk that takes longer is not waited for, and

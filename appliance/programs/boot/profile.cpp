@@ -13,8 +13,10 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kNames{"stage", "kiosk", "bench"};
 constexpr std::string_view kBlank = " \t\r";
+// Far more than a person writes; process 1 reads nothing without a bound.
 constexpr std::size_t kMostProfile_bytes = 1 << 16;
 
+// Without blanks at both ends; "\r" is one, for files from other systems.
 std::string_view Trim(std::string_view words) {
   const auto first = words.find_first_not_of(kBlank);
   if (first == std::string_view::npos) return {};
@@ -116,6 +118,7 @@ class Reading {
 
 }  // namespace
 
+// The text is cut into lines here; the last one need not end.
 Profile ReadProfile(std::string_view text) {
   Reading reading;
   while (!text.empty() && !reading.ended()) {

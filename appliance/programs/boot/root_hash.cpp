@@ -10,6 +10,7 @@ namespace {
 // versions, devices and sizes, the digest's name, and the root hash.
 constexpr std::string_view kTable = " verity ";
 constexpr std::string_view kDigest = " sha256 ";  // The hash follows.
+// A SHA-256 in small hexadecimal digits, as veritysetup prints it.
 constexpr std::size_t kDigits = 64;
 
 bool IsDigit(char letter) {

@@ -10,6 +10,7 @@ namespace kaori::boot {
 
 // Borrows the bytes it was read from. Top row first; red, green and blue, 8 bits each, of sRGB.
 struct Still {
+  // Both sides are 1 .. 8192.
   int width_px = 0;
   int height_px = 0;
   std::span<const std::uint8_t> rgb;

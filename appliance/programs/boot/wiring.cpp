@@ -7,6 +7,7 @@
 namespace kaori::boot {
 namespace {
 
+// The bounds of kaori-input (input/line_roles.h) for lines, and of the kernel (GPIO_MAX_NAME_SIZE is 32) for labels.
 constexpr int kMostLine = 63;
 constexpr std::size_t kLongestLabel = 32;
 

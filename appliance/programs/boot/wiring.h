@@ -13,7 +13,8 @@ inline constexpr std::array<std::string_view, 5> kLineNames{"go", "blackout", "s
 
 // The default is the box's own USB bridge with all five lines in order.
 struct Wiring {
-  std::string chip = "cp2112_gpio";  // Its label.
+  // The chip's label, as gpioinfo(1) shows it.
+  std::string chip = "cp2112_gpio";
   // The chip's line for each of kLineNames; nothing: not wired.
   std::array<std::optional<int>, kLineNames.size()> lines{0, 1, 2, 3, 4};
   friend bool operator==(const Wiring&, const Wiring&) = default;

@@ -21,6 +21,7 @@ struct OwnCertificate {
 
 // What a new certificate is made for; a stored one is not compared with it.
 struct CertificateOptions {
+  // Host names that the certificate is good for, besides the addresses (OwnNames).
   std::vector<std::string> names;
   std::uint32_t address = 0;  // IPv4, as OwnAddress() gives it.
   std::int64_t now_s = 0;     // The wall clock, in seconds since 1970.

@@ -15,12 +15,14 @@ namespace {
 using web::Reply;
 using web::Request;
 
+// A page has a connection for its events and one for each picture that it shows.
 constexpr unsigned kMaxConnections = 64;
 constexpr unsigned kMaxOfOneAddress = 24;  // A browser opens six; one host must not keep the others out.
 // A page draws the mouth from the states: 16 a second look continuous.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(60);
 // An unchanged state is sent this often, since listeners that are gone are noticed only when something is sent.
 constexpr Duration kKeepAlive = std::chrono::seconds(1);
+// How often the section is written anew where nothing has changed.
 constexpr Duration kCodePeriod = std::chrono::seconds(1);
 // Of the JPEG, 0 to 100: paint and skin stay apart.
 constexpr int kQuality = 80;
@@ -191,6 +193,7 @@ web::HttpServer::Answer Desk::AnswerPaired(const Request& request) {
   return NotFound(request.path);
 }
 
+// 503: nothing that the visitor has done wrong.
 Reply Desk::Status() {
   auto png = StatusPng(board_, clock_.now());
   if (!png) return {503, kText, png.error().message() + "\n"};

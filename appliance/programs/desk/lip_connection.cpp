@@ -9,6 +9,7 @@
 namespace kaori::desk {
 namespace {
 
+// Lips that start are found within this time.
 constexpr Duration kRetry = std::chrono::milliseconds(250);
 // The lips send pictures for two seconds after each request, so that a lost one costs nothing.
 constexpr Duration kRequestPeriod = std::chrono::milliseconds(500);

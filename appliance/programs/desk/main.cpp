@@ -1,4 +1,11 @@
 // kaori-desk: serves the page on which the lips are calibrated, in the service profile only.
+//
+// One thread and one event loop, in which libmicrohttpd runs too. It runs in service only: in a show there is
+// no page and no open port.
+//
+// It ends with status 2 where it is started without --service or misused, and with 1 where the port, the
+// board or the certificate cannot be had. Lips that do not run are no error: the page says so, and the desk
+// connects when they are there.
 #include <charconv>
 #include <cstdlib>
 #include <ctime>

@@ -14,6 +14,7 @@ namespace {
 constexpr Duration kCodeLasts = std::chrono::minutes(5);
 constexpr Duration kShownFor = std::chrono::minutes(2);
 constexpr Duration kMinute = std::chrono::minutes(1);
+// An evening: rehearsal, show and the time between them.
 constexpr Duration kSessionLasts = std::chrono::hours(8);
 // How many wrong codes within a minute lock the desk, and how many sessions there are at once.
 constexpr std::size_t kMostTries = 5;

@@ -16,6 +16,7 @@ struct DeskFacts {
   board::Stamped<board::StageStatus> stage;
   std::optional<lips::Report> report;  // Empty while the lips do not answer.
   std::uint32_t picture = 0;           // The number of the newest picture; 0: there is none.
+  // On the board's clock; ages are told for this moment.
   Time now{};
 };
 

@@ -17,6 +17,7 @@ struct CaptionFacts {
   // The chosen control point; -1: none.
   int chosen = -1;
   const std::optional<Typing>& typing;
+  // The work is shown as it was begun, while a key is held.
   bool comparing = false;
   bool help = true;     // All keys, or how to see them.
   std::string own;      // The own expressions and their keys.

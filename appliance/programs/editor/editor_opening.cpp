@@ -13,6 +13,7 @@ namespace {
 // In the folder of the own expressions: both belong to the box and survive an update of its system.
 constexpr const char* kJournalName = "needles.journal";
 
+// In the order of their indices.
 std::vector<std::string> NamesOf(const face::Cast& cast) {
   std::vector<std::string> names;
   for (const face::Expression& expression : cast.expressions) names.push_back(expression.name);

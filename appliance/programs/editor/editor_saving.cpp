@@ -40,6 +40,7 @@ void ExpressionEditor::NameAndSave(const std::string& name, bool as_new) {
   Say(fmt::format("{} is called by Shift+{}", name, (slot + 1) % kSlots));
 }
 
+// The work keeps its slot: a name alone saves nothing.
 void ExpressionEditor::Name(const std::string& name) {
   if (std::string against = own_.ReasonAgainst(name, session_.work().slot); !against.empty()) {
     Say("not named: " + against);

@@ -2,6 +2,14 @@
 // handles, which stand on the face, are called needles. It stands between board and performance: stage.cpp
 // hands it the frame's events first, and what it uses the performance does not see. docs/needles.play and the
 // guide say how it is used.
+//
+//   input.h            what the author's presses and movements ask for
+//   session.h          the work: pulls of control points, and the way back
+//   history.h          its steps
+//   handle_picker.h    where the handles stand in the picture
+//   caption.h          what is written beside the face
+//   own.h, store.h     the box's own expressions as texts and files
+//   record.h, journal.h, work_writer.h   every change on the disk, so that a crash loses next to nothing
 #pragma once
 
 #include <cstdint>

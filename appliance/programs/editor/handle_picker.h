@@ -1,4 +1,6 @@
-// Where the handles stand in the picture that was shown last: to choose one, and to pull it where a pointer goes.
+// Where the handles stand in the picture that was shown last: to choose one, and to pull it where a pointer
+// goes. A handle is a control point as it stands on the face that was drawn: a root on the skin and a head
+// above it along the normal.
 #pragma once
 
 #include <optional>

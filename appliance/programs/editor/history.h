@@ -1,4 +1,5 @@
-// Every step of a session, to go back and forth over. Pure; steps are held whole.
+// Every step of a session, to go back and forth over. Pure; steps are held whole. A session's history goes
+// over several expressions: each that is taken up is one more step, and undo leads back to the one before.
 #pragma once
 
 #include <cstddef>

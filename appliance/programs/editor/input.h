@@ -1,4 +1,13 @@
 // The author's input: what dials, right stick, buttons, keys and pointer ask for while the editor is open.
+//
+//   dials 2 3 4        pull along u, v and outwards: a centimetre a turn
+//   dials 5 6          scale all pulls; shut the lids
+//   right stick        goes to the next handle in its direction
+//   pointer, wheel     chooses and drags; pulls outwards
+//   buttons, keys      that call expressions begin from them
+//   arrows             choose; the letters are in the caption (caption.cpp)
+//
+// Dials count from 1 as they are labelled, and from 0 in kEditorDials.
 #pragma once
 
 #include <array>
@@ -47,9 +56,12 @@ enum class Verb : std::uint8_t {
 // are obeyed in the order in which they were read, each before the next press is read.
 struct Command {
   Verb verb = Verb::kToggle;
+  // Into the cast's expressions, or a slot; what else it is stands at the verb.
   int index = 0;
   float amount = 0;
+  // A position or a direction of the picture, as the verb says.
   glm::vec2 a{};
+  // Along u, v and outwards.
   glm::vec3 by_m{};
   Gesture gesture = 0;
   std::string text{};

@@ -1,4 +1,13 @@
 // An expression of the box's own, as text: the form of a show's expressions.toml.
+//
+//   [[expression]]
+//   name = "my_smile"
+//   lids = [0.1, 0.1]
+//
+//   [expression.both]
+//   B2 = [0.1, 0.4, 0]
+//
+// Moves are [u, v, outwards] in centimetres; outwards from the middle of the face is positive u on both sides.
 #pragma once
 
 #include <string>

@@ -133,6 +133,7 @@ class Reader {
 
 }  // namespace
 
+// The parser's fault is told first: what follows needs a table.
 Result<Work> ReadOwn(std::string_view text, const std::string& file, const Points& points,
                      const face::Cast& cast) {
   const auto value = toml::Parse(text, file);

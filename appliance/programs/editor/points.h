@@ -1,4 +1,6 @@
-// What the editor knows of a cast's control points: their names, their partners, and how far each is from each.
+// What the editor knows of a cast's control points: their names, their partners, and how far each is from
+// each. Distances are what a smooth pull spreads by: along the skin, so that a pull of the upper lip does not
+// reach across the mouth to the lower one.
 #pragma once
 
 #include <cstdint>

@@ -33,6 +33,7 @@ void PutText(std::vector<std::uint8_t>& into, const std::string& text) {
   into.insert(into.end(), text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length));
 }
 
+// In the order that record.h gives.
 void PutWork(std::vector<std::uint8_t>& into, const Work& work) {
   Put(into, static_cast<std::int32_t>(work.slot));
   Put(into, work.lids);

@@ -60,6 +60,7 @@ Change Session::Begin(Work work) {
   return Change::kBegun;
 }
 
+// The step is fresh, so that comparing shows the adopted work and not what was there before it.
 Change Session::Replace(Work work) {
   if (!Fits(work)) return Change::kNone;
   history_.Push(std::move(work), true);
@@ -94,6 +95,7 @@ Change Session::Scale(float factor, Gesture gesture) {
   return Step(std::move(work), gesture);
 }
 
+// Both lids go by as much, and the one that is at its end waits for the other.
 Change Session::ShutLids(float by, Gesture gesture) {
   if (!std::isfinite(by)) return Change::kNone;
   Work work = history_.now();

@@ -126,12 +126,14 @@ void WorkWriter::PutBack(Requests& requests) {
     if (!asked_.files[slot]) asked_.files[slot] = std::move(requests.files[slot]);
 }
 
+// Called by the writer's thread; the flag spares the stage a lock in every frame.
 void WorkWriter::Tell(Outcome outcome) {
   const std::scoped_lock lock(mutex_);
   outcomes_.push_back(std::move(outcome));
   has_outcomes_.store(true, std::memory_order_release);
 }
 
+// Only the change is told, since a full disk is tried twice a second.
 void WorkWriter::TellWhetherItWorks(const Result<void>& outcome) {
   if (outcome.has_value() != failing_) return;  // As before.
   failing_ = !outcome;

@@ -1,4 +1,5 @@
-// Writes what the editor wants kept, on a thread of its own: no frame waits for a disk.
+// Writes what the editor wants kept, on a thread of its own: no frame waits for a disk. The stage's thread hands
+// over values and asks for outcomes; the lock between the two threads is never held while a disk is waited for.
 #pragma once
 
 #include <array>

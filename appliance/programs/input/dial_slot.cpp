@@ -59,6 +59,7 @@ void DialSlot::Publish() {
   if (std::exchange(changed_, false)) Write();
 }
 
+// A section that was never live stays absent: there never was a box.
 void DialSlot::Unplug(Time now) {
   decoder_.reset();
   buttons_.Release();

@@ -27,6 +27,7 @@ constexpr int kFaultsToDetach = 64;  // One failed transfer is harmless; this ma
 // A device that is gone sooner than this after its plug has a loose cable, and must not keep the program busy.
 constexpr Duration kLoosePlug = milliseconds(10);
 constexpr Duration kOldestReport = milliseconds(1000);  // An older time of arrival is a fault of the device.
+// Index of the left stick among the bindings; the right one follows.
 constexpr std::size_t kFirstStick = 1;
 
 // Whether a read would find something, without waiting. The loop wakes the service for any of its descriptors

@@ -41,6 +41,10 @@ struct InputSources {
 
 // The service runs in one thread and goes on from what the board holds. A device that cannot be read, opened
 // or recognised is logged once and never stops the service of the others.
+//
+// A device is in one of three states: it fills a slot (Binding), its port is skipped (SkippedPort: a spare, a
+// device of another kind, or one that could not be opened), or its port is empty. A device that fails goes
+// back through Scan like one that was just plugged in.
 class InputService {
  public:
   // Borrows the board, the buses and the clock, which all outlive the service.

@@ -16,6 +16,7 @@ KeyboardSlot::KeyboardSlot(const board::Board& board, board::Writer<board::Keys>
   source_ = before.source;
 }
 
+// Live before the first report: a keyboard on which nothing is held sends none.
 Result<void> KeyboardSlot::Plug(const ports::HidIdentity& identity, Time now) {
   auto decoder = decode::KeyboardDecoder::For(identity);
   if (!decoder) return tl::unexpected(decoder.error());

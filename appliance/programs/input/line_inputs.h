@@ -53,6 +53,7 @@ class LineInputs {
   // How the lines are opened; empty where the box has none.
   ports::GpioOpener open_;
   std::unique_ptr<ports::GpioLines> lines_;
+  // The section as it was published last.
   board::Lines value_;
   board::SourceState source_;
   std::uint32_t levels_ = 0;  // As last reported, bit n for line n; the board follows once a line settled.

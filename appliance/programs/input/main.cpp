@@ -1,4 +1,13 @@
 // kaori-input: reads the operators' devices and publishes their input on the board.
+//
+// One thread and one event loop: it wakes for each report of a device, each edge of a line, and every 5 ms.
+// It reads nothing of what other programs do but the lamps and the stage's status, and writes seven sections
+// of the board (InputWriters).
+//
+// It ends with status 1 where the settings are faulty, the board cannot be had, or another kaori-input writes
+// it, and with 2 where it is misused; a device that is missing or fails never ends it. After a restart a
+// button that is still held counts as one push, dials keep their values and sticks their roles, since all of
+// that stands on the board.
 #include <memory>
 #include <string>
 #include <vector>

@@ -93,7 +93,7 @@ class Reading {
   std::string complaint_;
 };
 
-// Each key has bounds of its own; they are not compared with each other.
+// Each key has bounds of its own; a reach below the dead zone is put right by decode::Shape.
 void ReadStick(Reading& reading, std::size_t which, InputSettings& settings) {
   const std::string table = which == 0 ? "stick.left" : "stick.right";
   decode::StickSettings& stick = settings.sticks[which];

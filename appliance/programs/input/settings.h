@@ -18,8 +18,10 @@ struct InputSettings {
   std::string dial_box_port;  // Empty: the first dial box that is found has the slot.
   std::string keyboard_port;  // Empty: the first keyboard.
   std::string pointer_port;   // Empty: the first mouse or tablet.
+  // How many counts of a mouse are the width and the height of the picture.
   decode::PointerSettings pointer;
   std::array<std::string, kSticks> stick_ports;  // Left, right; empty: see StickRoles.
+  // Left, right: dead zone, reach and curve, as parts of the way from the middle to the end.
   std::array<decode::StickSettings, kSticks> sticks;
   // The button, counted from 1, that is pushed while nobody touches the stick: where it rests is its centre. 0: none.
   std::array<int, kSticks> centre_buttons{};

@@ -12,6 +12,7 @@ constexpr int kTurns = 4;
 
 }  // namespace
 
+// By the stamp and not by the state: a stage that was killed leaves its section live.
 bool TallyLit(const board::Stamped<board::StageStatus>& stage, const board::Stamped<board::Lines>& lines,
               Time now) {
   if (stage.source != board::SourceState::kLive) return false;

@@ -24,6 +24,7 @@ constexpr float kMaxAway = 18;  // Levels of chroma; farther samples mean two co
 // Thousandths of the chroma plane, as KeySettings has them: a paint of one even colour gets the least, and
 // each level of spread in the sample adds 8.
 constexpr float kMinSimilarity = 100, kMaxSimilarity = 260;
+// Thousandths of similarity for each level by which half of the samples differ from the median.
 constexpr float kSimilarityForALevel = 8;
 // The chroma plane is 255 levels wide.
 constexpr float kLevelsPerThousandth = 0.255F;

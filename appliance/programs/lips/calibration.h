@@ -1,4 +1,12 @@
 // The calibration of an operator's paint and mouth on site, in under a minute.
+//
+//   shut     the width and height of the mouth at rest: rest_width, mouth.shut
+//   open     held as far as it goes: mouth.open
+//   wide     stretched: mouth.wide
+//   narrow   pursed: mouth.narrow
+//   speak    ten seconds of speech: all four of mouth.*, by the ends of what was seen
+//
+// A sample of the paint sets paint.*, key.similarity and key.spill.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,7 @@
 // The lip camera's exposure: found by the camera, as fast as the light allows, and then held for the show.
+//   finding   two seconds, from the first picture that is not black: the camera adjusts itself
+//   held      exposure and colours stay as they are, in the next openings too
+//   freed     a calibration has asked for it; until it holds them again
 #pragma once
 
 #include <optional>

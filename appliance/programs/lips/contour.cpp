@@ -185,6 +185,7 @@ Point ContourReader::ToPicture(const Grid& grid, float x, float y) const {
           (static_cast<float>(box_.top) + y + 0.5F) * grid.down_px};
 }
 
+// Rows and columns of the patch look alike to Edge and GapIn.
 ContourReader::Line ContourReader::RowOf(int y) const {
   return {&patch_[static_cast<std::size_t>(y) * static_cast<std::size_t>(box_.width())], 1, box_.width()};
 }

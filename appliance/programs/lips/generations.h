@@ -20,7 +20,8 @@ struct SavedSettings {
 
 // Reads both generations; blocks for the disk. A file begins with a checksum of its lines. Where that does
 // not match, the file is damaged, or a person changed it and left the checksum in. A file without a checksum
-// was written by a person and is valid. A missing file is no complaint. Files are of 64 KB at most.
+// was written by a person and is valid. A missing file is no complaint. Files are of 64 KB at most. Fails in
+// no other way than by its complaint.
 SavedSettings ReadGenerations(const std::filesystem::path& file);
 
 // Returns `now` of ReadGenerations, or else `before`, or else the settings of a new box; logs a complaint.

@@ -1,4 +1,15 @@
 // From a camera's picture to the mouth's sizes: key, regions, search, contour and gauge, one after the other.
+//
+// What happens to a picture, in this order:
+//
+//   key       paint_key.h      each sample of chroma: paint or not, by three half planes of the Cb/Cr plane
+//   mask      paint_mask.h     one bit for each sample of a square grid, without single specks
+//   regions   region.h         runs of paint, joined into connected regions
+//   search    mouth_search.h   which regions are the mouth, by form, size and where the last mouth was
+//   contour   contour.h        the edge of the paint, finer than a sample, and the gap between the lips
+//   gauge     mouth_gauge.h    sizes in widths of the mouth at rest, wherever the head is, smoothed
+//
+// Luma takes no part in finding the paint: half a mouth in shadow is still a mouth.
 #pragma once
 
 #include "appliance/core/board/sections.h"

@@ -119,6 +119,7 @@ void LipReader::CheckSilence(Time now) {
   retry_at_ = now;
 }
 
+// The end of a silence is logged where its beginning was (SilenceLog).
 void LipReader::Write(Time at, board::SourceState source) {
   if (source == board::SourceState::kLive && source_ != source) silence_log_.Speaks();
   source_ = source;

@@ -1,4 +1,6 @@
-// From the lip camera to the board: opens the camera, measures each frame, and recovers from every failure of it.
+// From the lip camera to the board: opens the camera, measures each frame, and recovers from every failure of
+// it. The stamp on the board is the middle of the exposure, as the driver says it, so that whoever reads it
+// knows how old the mouth is.
 #pragma once
 
 #include <functional>

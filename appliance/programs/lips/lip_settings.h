@@ -26,6 +26,7 @@ struct Extents {
 struct GaugeSettings {
   // The width of the mouth at rest, in widths of the picture. 0: the board's, or else the median of the first second.
   float rest_width = 0;
+  // Of height, width and opening alike.
   OneEuroSettings smoothing;
   Extents extents;
   friend bool operator==(const GaugeSettings&, const GaugeSettings&) = default;
@@ -42,6 +43,7 @@ struct VoiceSettings {
 // A plain value; two that are equal need no saving.
 struct LipSettings {
   Paint paint;
+  // What counts as paint.
   KeySettings key;
   bool marker = false;  // The operator wears a dot of the same paint on nose or forehead, above the mouth.
   GaugeSettings gauge;

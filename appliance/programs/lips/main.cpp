@@ -1,4 +1,12 @@
 // kaori-lips: measures the operator's painted lips and voice and publishes them on the board.
+//
+// One thread and one event loop, besides threads of libcamera where such a camera is used and one for a
+// moment while settings are saved. Pictures and sound never leave the program, but for small pictures that a
+// paired visitor of the desk looks at.
+//
+// Camera, microphone and loudspeaker may each be missing, come and go: the sections on the board then say
+// absent or stale. It ends with status 1 where an option has a wrong value or another kaori-lips writes the
+// board, and with 2 where it is misused.
 #include <cstdio>
 
 #include "appliance/core/board/watch.h"

@@ -20,8 +20,10 @@ constexpr float kThickest = 4.0F;
 constexpr float kMinFilled = 0.12F;
 constexpr float kMinContrast = 10;  // Levels between paint and skin.
 constexpr float kMaxSize = 4.0F;    // The largest size that the board allows.
+// 40 degrees: no head leans further while it speaks into a camera.
 constexpr float kMaxTilt_rad = 0.7F;
 constexpr float kFollowTilt_s = 0.2F;  // A head leans slower than a mouth moves.
+// A head comes nearer within seconds; a mouth that rests is a matter of tenths.
 constexpr float kFollowDistance_s = 2.5F;
 constexpr float kSameShape =
     0.1F;  // A mouth whose proportions differ less than this from those at rest is at rest.
@@ -29,6 +31,7 @@ constexpr float kMaxNearer = 0.35F;  // A larger change is pursed or stretched l
 // A mouth that still has this part of its height close to one corner is covered there,
 constexpr float kBlunt = 0.55F;
 constexpr float kMaxUnlike = 0.25F;  // if the other corner is more pointed by this much.
+// The upper lip never does more than this part of an opening.
 constexpr float kMaxUpperPart = 0.6F;
 constexpr float kMaxStep =
     0.1F;  // Widths of the picture between two frames; a larger step is another position.

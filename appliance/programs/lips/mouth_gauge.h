@@ -1,4 +1,11 @@
 // From a mouth's contour in the picture to its sizes in widths of the mouth at rest, wherever the head is.
+//
+// With w, h the size of the paint's outline in widths of the picture, and r the width of the mouth at rest:
+//
+//   width = w / r',  height = h / r',  r' = r m / m0
+//
+// where m is the distance from the marker to the upper lip of the shut mouth now and m0 what it was at rest.
+// Without a marker r' = r, and r follows mouths that have the proportions of the mouth at rest.
 #pragma once
 
 #include <optional>
@@ -13,6 +20,7 @@ namespace kaori::lips {
 
 // The mouth that was detected in a frame, with what its quality depends on. It is of one picture and borrows nothing.
 struct Detection {
+  // Sizes and positions in pixels of the picture.
   Contour contour;
   float picture_width_px = 0;
   float filled = 1;             // The part of its bounding box that is paint.
@@ -44,6 +52,7 @@ class MouthGauge {
 
  private:
   struct Sizes {  // In widths of the picture.
+    // Width and height as the contour has them, over the width of the picture.
     float width;
     float height;
     float marker;  // From the marker to the upper lip of the shut mouth; 0: there is no marker.

@@ -24,6 +24,7 @@ constexpr float kMouthSearchThickest = 2.5F;
 constexpr float kWidest = 0.7F;       // Widths of the picture.
 constexpr float kNear = 0.6F;         // A mouth moves by this many of its widths at most between two frames,
 constexpr float kRoams_per_s = 2.5F;  // and by this many more a second while it is not seen.
+// The factor of what speaks against a mouth; never 0, so that two bad regions can still be compared.
 constexpr float kUnlikely = 1e-4F;
 constexpr float kMinLikelihood = 0.03F;  // A less likely region is no mouth: rather none than a shirt.
 

@@ -1,4 +1,6 @@
-// Which regions of paint are the mouth, and which one is the marker; blue clothes and passing hands are neither.
+// Which regions of paint are the mouth, and which one is the marker; blue clothes and passing hands are
+// neither. Each region gets a likelihood by its area, its form and its distance from the last mouth; the best
+// one is the larger part of the mouth, and others that lie as its second lip would are added to it.
 #pragma once
 
 #include <optional>

@@ -12,6 +12,8 @@ constexpr float kWeak = 0.25F;  // A colour outside by less than this part of th
 constexpr float kPaintKeyMinTint = 6;  // Levels. Neutral is never paint, whatever the settings are.
 constexpr float kGreyPaint = 20;       // Levels. A colour of less saturation cannot be a paint.
 constexpr float kNoise = 3;            // Levels by which the wedge's point is blunted.
+// The wedge's half angle lies between 6 and 76 degrees: a narrower one holds no paint in changing light, and
+// a wider one is a half plane.
 constexpr float kMinTangent = 0.1F;
 constexpr float kMaxTangent = 4;
 

@@ -28,7 +28,7 @@ struct Chroma {
   float cr = 0;
 };
 
-// The chroma of a paint by ITU-R BT.601, full range.
+// The chroma of a paint by ITU-R BT.601, full range. In levels, relative to neutral.
 Chroma ChromaOf(Paint paint);
 
 // A half of the chroma plane: cb * x + cr * y + offset >= 0, with a normal of length 64.

@@ -1,4 +1,5 @@
-// Runs of paint in the mask, joined into connected regions.
+// Runs of paint in the mask, joined into connected regions. Connected-component labelling in one pass over
+// the rows, with a union-find forest for regions that meet later.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,8 @@ namespace kaori::lips {
 
 // Reads the sounds of motions from the show, if one is named; blocks for the disk. Errors:
 //   invalid_argument  --sound-delay is no delay
-// and those of show::ReadPublicKey and show::LoadSounds.
+// and those of show::ReadPublicKey and show::LoadSounds. A show that cannot be read is an error, and not
+// silence: the box would be found mute in the middle of an evening.
 Result<voice::VoiceServiceSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips);
 
 // The gate and the delay for settings that change while the program runs. A delay of the command line has priority. Pure.

@@ -15,6 +15,12 @@ namespace kaori::stage {
 // Pure: it is told of flips and of drawing and asked for plans, and reads no clock. All its lengths are
 // fractions of the screen's period, so that it holds for any screen. One thread; allocates nothing. The calls
 // for one frame come in the order Next, Drawn, Flipped.
+//
+//   last flip            begin = blank - usual - margin      presented_at = blank
+//       |---------------------|-------- usual --------|-- margin --|
+//             waiting            sample, draw, Present    in hand
+//
+// The blank is the first one that a frame begun now would usually reach; where the time is short it begins at once.
 class FramePacer {
  public:
   struct Plan {

@@ -108,6 +108,7 @@ std::optional<performance::State> ResumeLastFace(const LastFaceFile& where, cons
   return *state;
 }
 
+// What was recalled is what lies on the disk, so that a show in which nobody touches anything writes nothing.
 LastFace::LastFace(LastFaceFile where, Look look, const std::optional<performance::State>& recalled)
     : look_(std::move(look)), writer_(std::make_unique<Writer>(std::move(where))) {
   if (recalled) kept_ = CalledOf(*recalled);

@@ -1,4 +1,13 @@
 // kaori-stage: draws the face that the board describes.
+//
+// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, one that
+// writes the last face, and one that writes the journal of the needles; the frame path waits for none of them.
+//
+// The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for,
+// and watches the loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at
+// any moment is started anew and goes on from the state on the board, while the fd keeper keeps the last
+// picture on the screen. It ends with status 1 where the show, the board, GL or the card cannot be had, and
+// with 2 where it is misused; a screen that is missing never ends it.
 #include <future>
 
 #include "appliance/core/board/watch.h"

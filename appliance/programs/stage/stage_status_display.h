@@ -43,6 +43,7 @@ class StageStatusDisplay {
   const board::Board& board_;
   const Clock& clock_;
   status::Places places_;
+  // As they were read last, and when; Time{}: they are to be read anew.
   status::Facts facts_;
   Time facts_read_{};
   std::optional<std::vector<ports::Output>> screens_;  // As they were written last.

@@ -12,6 +12,7 @@ namespace {
 constexpr int kMostWidth_px = 960;
 constexpr std::size_t kHeld_bytes = 4, kWritten_bytes = 3;
 
+// R, G, B of each pixel: a PPM has no fourth byte.
 std::vector<std::uint8_t> WithoutFourth(const std::vector<std::uint8_t>& pixels) {
   std::vector<std::uint8_t> kept;
   kept.reserve(pixels.size() / kHeld_bytes * kWritten_bytes);

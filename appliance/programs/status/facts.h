@@ -1,4 +1,5 @@
-// What the status knows beside the board: how the box was started, and its screens.
+// What the status knows beside the board: how the box was started, and its screens. The board says how
+// devices and programs do; what is no device, and does not change, is in these files.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +29,8 @@ struct Facts {
   friend bool operator==(const Facts&, const Facts&) = default;
 };
 
-// Reads the files; a missing one leaves its value empty. Blocks for the disk.
+// Reads the files; a missing one leaves its value empty. Blocks for the disk. Of a file of many lines the
+// first 64 are read.
 Facts ReadFacts(const Places& places);
 
 }  // namespace kaori::status

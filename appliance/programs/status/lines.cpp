@@ -20,6 +20,7 @@ constexpr Duration kLate = 10s;
 constexpr double kWholeFrom = 10;       // Smaller numbers are shown with one decimal.
 constexpr std::size_t kHashShown = 12;  // How many digits of the hash are shown.
 
+// Two digits that count are enough for people.
 std::string Number(double value) {
   return value < kWholeFrom ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
 }
@@ -39,6 +40,7 @@ std::string FrameTime(Duration length) {
   return length < 1s ? Number(Seconds(length) * 1e3) + " ms" : Number(Seconds(length)) + " s";
 }
 
+// A box whose root file system is not verified says so in its first line: nobody can know then what it runs.
 Line Title(const Facts& facts) {
   std::string words =
       facts.profile.empty() ? "This program was not started as a box" : "Profile " + facts.profile;
@@ -113,6 +115,7 @@ Line Microphone(const board::Stamped<board::Voice>& voice, Time now) {
   return line;
 }
 
+// The delay is the one in use, not the one that was asked for.
 Line Loudspeaker(const board::Stamped<board::Sound>& sound, Time now) {
   Line line = Of({"loudspeaker", "the voice is not played", "the voice is not played"}, sound, now);
   if (sound.source == SourceState::kLive)
@@ -136,6 +139,7 @@ Line Lines(const board::Stamped<board::Lines>& lines, Time now) {
   return line;
 }
 
+// Each with what the show does without it: whoever reads this has to decide whether to mend it now.
 void AddDevices(const State& state, std::vector<Line>& lines) {
   const auto& b = state.board;
   const Time now = state.now;
@@ -170,6 +174,7 @@ std::vector<Line> Describe(const State& state) {
   return lines;
 }
 
+// The marks are ASCII, for terminals of every kind.
 std::string TextOf(const std::vector<Line>& lines) {
   std::string text;
   for (const auto& [mark, what, words] : lines) {

@@ -1,4 +1,8 @@
 // The status of the box in sentences: what works, what is missing, and what is wrong.
+//
+//     Kaori box    Profile stage; the root file system is verified, hash 0123456789ab.
+//     show         The show has 60 frames a second, 4.1 ms each; none was late.
+//   - left stick   It was unplugged 2 minutes ago; the head moves by itself.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +33,7 @@ struct State {
   // All sections but `sound`, which follows.
   board::Snapshot board;
   board::Stamped<board::Sound> sound;
+  // What is known beside the board; `now` is the time at which ages are told.
   Facts facts;
   Time now{};
 };

@@ -59,6 +59,7 @@ std::optional<Output> ParseScreen(const std::string& line) {
 
 }  // namespace
 
+// A connector's name has no blanks: the kernel makes it of letters, digits and dashes.
 std::string FormatScreens(std::span<const Output> outputs) {
   std::string text;
   for (const Output& output : outputs)

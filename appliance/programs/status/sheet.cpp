@@ -84,6 +84,7 @@ std::optional<std::size_t> Sheet::Changed(const std::vector<Line>& lines) const 
   return changed;
 }
 
+// The row counts as drawn even where its letters did not fit.
 std::optional<Sheet::Rows> Sheet::DrawNext(const std::vector<Line>& lines) {
   const auto row = Changed(lines);
   if (!row) return std::nullopt;
@@ -112,6 +113,7 @@ void Sheet::DrawRow(int row, const Line& line) {
   draw(line.words, colour, words_px, picture_.width_px - pitch_px_ / 2);
 }
 
+// Row by row until none has changed, as the status display does over time.
 Result<image::Picture> DrawAll(const std::vector<Line>& lines, int width_px, int height_px) {
   auto lettering = image::Lettering::Open();
   if (!lettering) return tl::unexpected(lettering.error());

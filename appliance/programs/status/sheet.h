@@ -1,4 +1,5 @@
-// The status picture: lines of text one below the other, each drawn again only when it changed.
+// The status picture: lines of text one below the other, each drawn again only when it changed. Row by row,
+// since the stage draws it beside the show and has only a small part of a frame's time for it.
 #pragma once
 
 #include <optional>

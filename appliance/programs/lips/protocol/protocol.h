@@ -58,6 +58,7 @@ enum class CommandKind : std::uint8_t {
 // A command of the desk. Fields that its kind does not name are unused.
 struct Command {
   std::uint32_t number = 0;  // Given by the desk; the lips name it in Report::answered.
+  // What the fields after it mean is said at the kind.
   CommandKind kind{};
   float a = 0;
   float b = 0;

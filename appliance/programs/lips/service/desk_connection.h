@@ -1,4 +1,5 @@
-// The lips' end of the connection to a desk: commands come in, reports and small pictures go out, and nothing blocks.
+// The lips' end of the connection to a desk: commands come in, reports and small pictures go out, and nothing
+// blocks. The protocol is in protocol/protocol.h; the desk's end of it is desk/lip_connection.h.
 #pragma once
 
 #include <array>

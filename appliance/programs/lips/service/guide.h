@@ -1,4 +1,6 @@
-// The calibration by keyboard and lamps at the box, without a page: hold F12, then hold four poses and push for each.
+// The calibration by keyboard and lamps at the box, without a page: hold F12, then hold four poses and push
+// for each. What the operator sees of it are the lamps of buttons 1 to 4, and captions where the screen may
+// show them (stage/service_display.h).
 #pragma once
 
 #include <array>

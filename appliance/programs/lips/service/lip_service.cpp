@@ -36,6 +36,7 @@ LipService::LipService(const LipServiceOptions& options, LipReader& reader, cons
   });
 }
 
+// The reader outlives the service and must not call it any more.
 LipService::~LipService() {
   reader_.Watch(nullptr);
 }

@@ -11,6 +11,7 @@
 namespace kaori::lips {
 namespace {
 
+// A camera that works sends 15 pictures in this time at the least.
 constexpr Duration kPictureTimeout = std::chrono::seconds(1);
 constexpr Duration kFilePeriod = std::chrono::seconds(1);
 constexpr int kReachFound =

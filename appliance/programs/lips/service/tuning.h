@@ -1,4 +1,6 @@
-// Changes the lips' settings while they are in use, by commands of a desk and by keys at the box.
+// Changes the lips' settings while they are in use, by commands of a desk and by keys at the box. A command
+// or a key becomes a change of the Calibration; a change is applied to the lips at once, and is on the disk
+// only when it is saved.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,8 @@
 // The delay line of the voice, from the microphone's clock to the loudspeaker's, without clicks.
+//
+// A frame that is heard at time t was recorded at t - delay. Blocks bring their times of recording with them
+// and the loudspeaker says when a frame will be heard, both on CLOCK_MONOTONIC; what lies between the two
+// clocks is measured and steered, never assumed.
 #pragma once
 
 #include <cstddef>

@@ -59,6 +59,7 @@ void Listener::AddSample(float sample) {
   moment_.back() = LowPassed();
 }
 
+// Symmetric taps: their order does not matter.
 float Listener::LowPassed() const {
   static const std::array<float, kTaps> taps = MakeLowPass<kTaps>();
   float sum = 0;

@@ -1,4 +1,5 @@
-// From a microphone's blocks to a voice: its level, whether somebody speaks, and which vowel it is.
+// From a microphone's blocks to a voice: its level, whether somebody speaks, and which vowel it is. 48 kHz
+// become 12 kHz first: vowels lie below 4 kHz, and a quarter of the samples costs a quarter of the work.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The level of the voice, and the gate that says whether somebody speaks.
+// The level of the voice, and the gate that says whether somebody speaks. The gate tells a voice from the
+// noise of a stage: it opens at one level, shuts at a lower one, and stays open over pauses within a word.
 #pragma once
 
 #include <cstdint>

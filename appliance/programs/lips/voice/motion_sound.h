@@ -1,4 +1,5 @@
-// The recorded sounds of registered motions, in time with their curves.
+// The recorded sounds of registered motions, in time with their curves. The stage says on the board which
+// motion stands where at which time; the sound follows that, also after the loudspeaker was gone for a while.
 #pragma once
 
 #include <cstddef>

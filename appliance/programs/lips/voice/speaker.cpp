@@ -39,6 +39,7 @@ std::int16_t Sample16(float sample) {
 
 }  // namespace
 
+// A chunk has up to eight channels without another allocation.
 Speaker::Speaker(ports::LoudspeakerOpener open, const board::Board& board, board::Writer<board::Sound> writer,
                  SpeakerSettings settings, const Clock& clock)
     : open_(std::move(open)),

@@ -1,4 +1,10 @@
 // Runs microphone and loudspeaker in the program's event loop.
+//
+//   microphone -> VoiceReader -> Listener (level, gate, vowel) -> VoiceMouth -> section `voice`
+//                             -> DelayLine -> Speaker (with MotionSound) -> loudspeaker, section `sound`
+//
+// The mouth that the voice would make is on the board at once; the voice itself is played as late as the
+// stage shows the operator's mouth, so that the audience sees and hears them together.
 #pragma once
 
 #include <memory>
