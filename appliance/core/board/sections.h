@@ -23,9 +23,9 @@ enum class SourceState : std::uint32_t { kAbsent, kLive, kStale };
 // Values are plain words without pointers, so that they mean the same in every process.
 
 // The newest presses of a section's buttons or keys, so that a reader that looks seldom still learns which
-// came first. Counters alone say how often, but not in which order.
-// A reader that remembers `count` of its last look reads the presses from there to the newest `count`; where
-// more than kKept lie between, the older ones are lost and only counted.
+// came first. Counters alone say how often, but not in which order. A reader that remembers `count` of its
+// last look reads the presses from there to the newest `count`; where more than kKept lie between, the older
+// ones are lost and only counted.
 struct PressLog {
   static constexpr std::size_t kKept = 32;  // A power of two, so that `count` may wrap.
   struct Press {

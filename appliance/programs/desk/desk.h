@@ -32,7 +32,7 @@ namespace kaori::desk {
 // Without a certificate the desk serves plain HTTP, which is for tests.
 struct DeskOptions {
   // 0 stands for any free port; Desk::address() then tells it.
-  std::uint16_t port = 8443;  // 0: any free port.
+  std::uint16_t port = 8443;
   web::Reach reach = web::Reach::kNetwork;
   std::optional<web::Certificate> certificate{};
   std::uint32_t fingerprint = 0;  // The fingerprint of the certificate; see OwnCertificate.
@@ -103,9 +103,9 @@ class Desk {
   std::string state_;
   Time state_at_{};
   Time code_at_{};
-  // A session has ended: its feeds cannot be told apart from those of others, so that all are closed and the
-  // pages of the rest connect again.
-  bool dismiss_ = false;  // Feeds are to be closed at the next step.
+  // Feeds are to be closed at the next step: a session has ended, and its feeds cannot be told apart from those
+  // of others, so that all are closed and the pages of the rest connect again.
+  bool dismiss_ = false;
   // IPv4 of the page's address, 0xC0A80001 for 192.168.0.1.
   std::uint32_t address_ = 0;
   // Last: its connections use all the others.

@@ -14,7 +14,6 @@ namespace kaori::editor {
 struct CaptionFacts {
   const Session& session;
   // The chosen control point; -1: none.
-  // The chosen control point; -1: none.
   int chosen = -1;
   const std::optional<Typing>& typing;
   // The work is shown as it was begun, while a key is held.

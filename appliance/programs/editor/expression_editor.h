@@ -83,7 +83,8 @@ class ExpressionEditor {
   ExpressionEditor(Kept kept, const face::Cast& cast, std::vector<std::string> show_names);
 
   struct Situation;
-  // Does one command; the three after it take the kinds of commands apart and say whether it was theirs.
+  // Does one command. ObeyPull, ObeyChoice and ObeyKeeping have one kind of commands each; the first two say
+  // whether it was theirs.
   void Obey(const Command& command, Situation& now);
   bool ObeyPull(const Command& command);
   // Pulls the chosen handle along with the pointer.
@@ -128,31 +129,25 @@ class ExpressionEditor {
   EditorInput input_;
   bool open_ = false;
   // How much of handles and caption is there, 0 .. 1 before smoothing.
-  // How much of handles and caption is there, 0 .. 1 before smoothing.
   float shown_ = 0;
   // -1: none; the constructor chooses nothing.
   int chosen_ = -1;
   // The expression that was in play before the editor was opened.
-  std::uint16_t in_play_ = 0;  // Before the editor was opened.
-  // The work is shown as it was before, while C is held.
+  std::uint16_t in_play_ = 0;
   // The work is shown as it was before, while C is held.
   bool compared_ = false;
   bool help_ = true;
-  // The work has changed since the cast's draft was renewed.
   // The work has changed since the cast's draft was renewed.
   bool draft_outdated_ = false;
   Time now_{};
   std::string message_;
   Time message_until_{};
   // Until then a second Delete deletes.
-  // Until then a second Delete deletes.
   Time delete_until_{};
-  // Why nothing is written to the disk; empty where it is.
   // Why nothing is written to the disk; empty where it is.
   std::string trouble_;
   // Of this frame; see renewed().
   std::vector<Renewed> renewed_;
-  // The board without what the editor uses; Play gives it.
   // The board without what the editor uses; Play gives it.
   board::Snapshot rest_;
   // Last: it waits for the disk when the editor goes.

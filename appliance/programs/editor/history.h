@@ -39,7 +39,6 @@ class History {
  private:
   struct Step {
     Work work;
-    // It came from elsewhere, and is not the work of the steps before it.
     // The work came from elsewhere, and not from the steps before it.
     bool fresh = false;
   };

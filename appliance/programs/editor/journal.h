@@ -50,8 +50,6 @@ struct Journal::Opened {
   Journal journal;
   std::vector<Record> records;
   // Bytes behind the last whole record, which are left out.
-  // Bytes behind the last whole record, which are left out; and whether a journal of other control points was
-  // renamed.
   std::size_t torn_bytes = 0;
   // A journal of other control points was renamed.
   bool put_aside = false;

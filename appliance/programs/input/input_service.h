@@ -47,8 +47,8 @@ struct InputSources {
 // back through Scan like one that was just plugged in.
 class InputService {
  public:
-  // Borrows the board, the buses and the clock, which all outlive the service.
-  // Nothing is opened yet: the first Step does that. `settings` is copied.
+  // Borrows the board, the buses and the clock, which all outlive the service. Nothing is opened yet: the
+  // first Step does that. `settings` is copied.
   InputService(const board::Board& board, InputWriters writers, InputSources sources,
                const InputSettings& settings, const Clock& clock);
 

@@ -13,9 +13,8 @@ namespace kaori::input {
 
 inline constexpr std::uint32_t kMaxOffset = 63;  // More than any chip that the box drives has.
 
-// Offsets on the chip; an empty one is not wired.
-// It says nothing of polarity: inputs are switches to ground with a pull-up, the output lights at a high
-// level (main.cpp).
+// Offsets on the chip; an empty one is not wired. It says nothing of polarity: inputs are switches to ground
+// with a pull-up, the output lights at a high level (main.cpp).
 struct LineRoles {
   std::array<std::optional<std::uint32_t>, board::kLineCount> inputs{};  // By board::Line.
   std::optional<std::uint32_t> tally{};  // The output of a lamp that is lit while the show is live.

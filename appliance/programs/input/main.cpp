@@ -52,9 +52,9 @@ struct Settings {
   bool hidraw = false, usb = false;
 };
 
-// Runs a step of the service whenever one of its file descriptors is readable.
-// Watches are made anew as a whole when the service's generation changes: the kernel reuses numbers of
-// descriptors, so that an old watch could stand for another device.
+// Runs a step of the service whenever one of its file descriptors is readable. Watches are made anew as a
+// whole when the service's generation changes: the kernel reuses numbers of descriptors, so that an old watch
+// could stand for another device.
 class ServiceWatch {
  public:
   ServiceWatch(kaori::input::InputService& service, kaori::EventLoop& loop)

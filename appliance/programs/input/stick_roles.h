@@ -39,7 +39,6 @@ class StickRoles {
   std::optional<int> FirstOpen(const std::array<bool, kSticks>& occupied, bool remembered) const;
 
   // Hashes, by role; 0 is none. named_ is from the settings, last_ from the last stick that had the role.
-  // Hashes, by role; 0 is none. named_ is from the settings, last_ from the last stick that had the role.
   std::array<std::uint32_t, kSticks> named_{};
   std::array<std::uint32_t, kSticks> last_{};
 };

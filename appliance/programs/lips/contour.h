@@ -21,8 +21,8 @@ struct Point {
   float y = 0;
 };
 
-// Sizes are measured along the mouth's own axes, which are turned by the tilt.
-// Positions are in the picture's own axes; only sizes are along the mouth's.
+// Sizes are measured along the mouth's own axes, which are turned by the tilt. Positions are in the picture's
+// own axes; only sizes are along the mouth's.
 struct Contour {
   float width_px = 0;
   float height_px = 0;

@@ -60,8 +60,8 @@ std::string_view Trimmed(std::string_view text) {
   return text;
 }
 
-// Returns the complaint about a value, or nothing.
-// Ranges are checked here and nowhere else, for files, commands and tests alike.
+// Returns the complaint about a value, or nothing. Ranges are checked here and nowhere else, for files,
+// commands and tests alike.
 std::string SetValue(std::string_view name, float number, LipSettings& into) {
   for (std::size_t setting = 0; setting < kSettingCount; ++setting) {
     const SettingRange range = RangeOf(setting);

@@ -87,9 +87,10 @@ class MouthGauge {
   float tilt_rad_ = 0;
   // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head is slow.
   struct UpperPart {
+    // Those of the last frame.
+    float marker = 0, height = 0;
     // A regression through the origin: products over squares. It begins with a fifth, and with so little
     // weight that the first frames outweigh it.
-    float marker = 0, height = 0;  // Those of the last frame.
     float products = 0.2F * 1e-3F, squares = 1e-3F;
     float value() const { return products / squares; }
   };

@@ -20,8 +20,8 @@ constexpr int kNarrow = 250;
 constexpr int kNarrowFast = 8;
 constexpr std::size_t kNewest = 15;  // Half of them are new within 8 frames of a step.
 
-// Clocks of screens are told in whole kHz: a smaller change is none.
-// A screen that changes its mode sends flips of another period: all that was learnt belongs to the old one.
+// Clocks of screens are told in whole kHz: a smaller change is none. A screen that changes its mode sends
+// flips of another period: all that was learnt belongs to the old one.
 bool IsSamePeriod(Duration one, Duration other) {
   return std::chrono::abs(one - other) * 100 < one;
 }

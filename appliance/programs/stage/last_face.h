@@ -20,9 +20,8 @@
 
 namespace kaori::stage {
 
-// Where it is kept, and of which show (ShowMark).
-// The pack's mark tells that file and show belong together: a box with another show starts with that show's
-// own picture.
+// Where it is kept, and of which show (ShowMark). The pack's mark tells that file and show belong together: a
+// box with another show starts with that show's own picture.
 struct LastFaceFile {
   std::filesystem::path file;
   std::uint64_t show = 0;

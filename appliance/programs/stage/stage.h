@@ -115,7 +115,6 @@ class Stage {
   FramePacer pacer_;
   std::optional<FramePacer::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
   // Number of the newest frame that was presented, counted from 1 since this stage began.
-  // Number of the newest frame that was presented, counted from 1 since this stage began.
   std::uint64_t frame_ = 0;
   // When the input was sampled for that frame.
   Time read_{};

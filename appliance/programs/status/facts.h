@@ -21,7 +21,6 @@ struct Facts {
   std::string profile;    // "stage", "kiosk" or "bench"; empty where no box was started.
   std::string root_hash;  // 64 digits; empty where the root file system is not verified.
   std::string screen;     // The screen of the status display, by name or number; empty: there is none.
-  // What kaori-boot could not do, a line each.
   // What kaori-boot could not do, one line each, in the order in which it happened.
   std::vector<std::string> faults;
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.

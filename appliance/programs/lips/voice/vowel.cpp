@@ -13,8 +13,8 @@ constexpr float kDepth_db = 36;  // How much of the envelope below its peak is c
 constexpr std::array kThroats = {0.9F, 1.0F, 1.1F,
                                  1.2F};  // Factors on the formants; a shorter throat sounds higher.
 
-// The formants of Japanese vowels for a man's throat: rounded means of published measurements.
-// One vowel: four formants, and the mouth with which it is spoken (MouthShare).
+// The formants of Japanese vowels for a man's throat: rounded means of published measurements. One vowel:
+// four formants, and the mouth with which it is spoken (MouthShare).
 struct Model {
   std::array<float, 4> formants_hz;
   MouthShare mouth;
