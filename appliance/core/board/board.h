@@ -43,6 +43,7 @@ struct OwnSections {
   OwnSections() = default;
   OwnSections(const OwnSections&) = delete;
   OwnSections& operator=(const OwnSections&) = delete;
+  // Tells each writer that is still there that its board is gone.
   ~OwnSections();
   std::vector<OwnSection*> members;
 };
@@ -81,6 +82,7 @@ Stamped<T> FromWords(const ValueArray<T>& words) {
 // see Writer<T>. One thread, that of its board.
 class SectionWriter {
  public:
+  // Made by Board::AcquireWriter alone.
   explicit SectionWriter(std::unique_ptr<internal::OwnSection> section);
   SectionWriter(SectionWriter&&) noexcept;
   SectionWriter& operator=(SectionWriter&&) noexcept;
@@ -164,6 +166,7 @@ class Board {
     return {};
   }
 
+  // Where the board lies, as it was opened; other files of the programs lie beside it.
   const std::string& path() const { return path_; }
 
  private:
@@ -171,6 +174,7 @@ class Board {
       : path_(std::move(path)), file_(std::move(file)), mapping_(std::move(mapping)) {}
   // Maps an opened and checked file.
   static Result<Board> Over(const std::string& path, UniqueFd file);
+  // The untyped half of AcquireWriter.
   Result<SectionWriter> AcquireSection(Section section) const;
   // The untyped half of Read: `value` has the words of the section; false where that generation cannot be had.
   bool Fetch(Section section, std::uint32_t age, std::span<std::uint32_t> value) const;

@@ -99,10 +99,12 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
 
 }  // namespace internal
 
+// The whole board as this build has it: about 45 KB, most of it four copies of `performance`.
 inline constexpr std::array<SectionPlace, kSectionCount> kPlaces = internal::PlaceSections();
 inline constexpr std::size_t kBoardWords = kPlaces.back().at_word + SectionWords(kPlaces.back().value_words);
 inline constexpr std::size_t kBoardBytes = kBoardWords * sizeof(std::uint32_t);
 
+// Where a section lies. `section` is one of the enumerators.
 constexpr const SectionPlace& Place(Section section) {
   return kPlaces[static_cast<std::size_t>(section)];
 }

@@ -44,6 +44,7 @@ void ReplaceVanishedPages(int /*signal*/, siginfo_t* info, void* /*context*/) {
   errno = cause;
 }
 
+// Installs the handler, once in a process; `earlier` is what was there before.
 bool CatchVanishedPages() {
   struct sigaction action {};
   action.sa_sigaction = ReplaceVanishedPages;
@@ -68,6 +69,7 @@ void Leave(std::uintptr_t begin) {
 
 }  // namespace
 
+// The handler is there before the first page is touched, and the table has the mapping before anybody gets it.
 Result<Mapping> Mapping::Map(int fd, bool writable, const std::string& path) {
   static const bool catches = CatchVanishedPages();
   if (!catches) return FailErrno("catch SIGBUS for board " + path);

@@ -19,6 +19,7 @@ class Mapping {
   // Maps kBoardBytes of `fd`, which may be closed afterwards; `path` is for messages. Any thread. Errors:
   // those of mmap(2) and sigaction(2); too_many_files_open where a process maps more than 256 boards at once.
   static Result<Mapping> Map(int fd, bool writable, const std::string& path);
+  // Moving keeps the addresses: whoever holds words() may go on.
   Mapping(Mapping&& other) noexcept : words_(std::exchange(other.words_, nullptr)) {}
   Mapping& operator=(Mapping&& other) noexcept {
     std::swap(words_, other.words_);

@@ -15,6 +15,7 @@ inline constexpr float kUsableMouth = 0.3F;
 // It is stricter, since what is learnt wrongly stays and what is followed wrongly is over at the next picture.
 inline constexpr float kLearnableMouth = 0.5F;
 
+// Neither looks at the section's SourceState, which callers do.
 inline bool IsUsable(const Lips& lips) {
   return lips.quality >= kUsableMouth;
 }

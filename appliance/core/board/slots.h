@@ -17,6 +17,7 @@
 namespace kaori::board {
 
 using Word = std::atomic<std::uint32_t>;
+// An atomic that locks would lock in one process only, and the file's layout counts on its size.
 static_assert(Word::is_always_lock_free && sizeof(Word) == sizeof(std::uint32_t));
 
 // The number of slots is a power of two, so that generations find their slot over the wrap of 32 bits as

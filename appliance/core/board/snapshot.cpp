@@ -15,6 +15,7 @@ void KeepAbsent(Stamped<T>& now, const Stamped<T>& before) {
   if (now.source == SourceState::kAbsent) now = before;
 }
 
+// Section by section: each writer moves in its own time.
 void KeepAbsent(Snapshot& now, const Snapshot& before) {
   KeepAbsent(now.surface, before.surface);
   for (std::size_t i = 0; i < now.sticks.size(); ++i) KeepAbsent(now.sticks[i], before.sticks[i]);

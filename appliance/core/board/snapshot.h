@@ -29,6 +29,7 @@ Snapshot ReadAll(const Board& board);
 // Snapshots that do not blink while the board is replaced beneath their reader. One thread; the board must outlive it.
 class SnapshotReader {
  public:
+  // Borrows the board. Until the first Read nothing has been read.
   explicit SnapshotReader(const Board& board) : board_(board), moves_(board.moves()) {}
 
   // As ReadAll. While the board is spoilt everything stays as it was; for a second after it was replaced so

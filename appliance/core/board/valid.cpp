@@ -55,6 +55,7 @@ bool Valid(const Pointer& pointer) {
   return Within(pointer.x, 0, 1) && Within(pointer.y, 0, 1);
 }
 
+// The bounds of shut, open, narrow and wide are those that PositionOf divides by.
 bool Valid(const Lips& lips) {
   return Within(lips.height, 0, kMaxLip) && Within(lips.width, 0, kMaxLip) && Within(lips.quality, 0, 1) &&
          Within(lips.rest_width, 0, 1) && Within(lips.opening, 0, kMaxLip) &&
@@ -91,6 +92,7 @@ bool Valid(const Lamps& /*any bits are lamps*/) {
   return true;
 }
 
+// Spans are not negative: readers add them up and format them.
 bool Valid(const StageStatus& status) {
   const auto possible = [](Duration length) { return length >= Duration{} && length <= kLongestSpan; };
   return std::ranges::all_of(std::array{status.input_age, status.draw, status.margin, status.frame_cpu,

@@ -47,6 +47,7 @@ class Copier {
     return {std::span(stored->data(), stored->size()), keeper_};
   }
 
+  // A text, whatever its bytes; names are checked by nobody and are shown to people only.
   std::string Text(const flatbuffers::String* stored) {
     return stored == nullptr || !Reserve(stored->size()) ? std::string() : stored->str();
   }

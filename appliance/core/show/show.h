@@ -103,6 +103,7 @@ struct Show {
   face::Cast cast;
   // By the number of the button, from 0; kNothing for one that calls nothing.
   std::array<Call, kButtonCount> buttons{};
+  // Keys that call what buttons call; motions and scenes have keys of their own.
   std::vector<KeyCall> keys;
   std::vector<Motion> motions;
   std::vector<StageScene> scenes;

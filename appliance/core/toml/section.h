@@ -22,6 +22,7 @@ class Faults {
 
   // An item has one fault, and so has all that lies within it: what follows from the first is not said.
   void Add(int line, std::string_view item, std::string_view reason);
+  // Whether anything is wrong so far.
   bool any() const { return !items_.empty(); }
   const std::string& file() const { return file_; }
   const std::vector<std::string>& lines() const { return lines_; }  // "file:line: item: reason", each.
@@ -70,6 +71,7 @@ class Section {
   Section Part(std::string_view key);
   std::vector<Section> Parts(std::string_view key);  // Tables written [[key]]; none is no fault.
 
+  // Whether the key is there, of whatever kind.
   bool Has(std::string_view key) const { return Find(key) != nullptr; }
   // The value itself, for what is read by hand; null is no fault.
   const Value* Find(std::string_view key) const { return toml::Find(*table_, key); }

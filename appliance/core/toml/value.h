@@ -17,6 +17,7 @@ namespace kaori::toml {
 struct Value {
   enum class Kind { kNumber, kText, kSwitch, kList, kTable };
   Kind kind = Kind::kTable;
+  // Positions are the parser's; the value of a key begins behind its "=".
   int line = 0;  // Where the value begins, counted from 1; of a table written [name], its header.
   int column = 0;
   double number = 0;  // Finite. Whole numbers are exact up to 2^53.

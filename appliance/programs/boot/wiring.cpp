@@ -50,6 +50,7 @@ std::string ParseWire(std::string_view key, std::string_view value, Wiring& wiri
   return {};
 }
 
+// The kernel would refuse the second request for a line when the box starts; here the settings file is named.
 std::string CheckWiring(const Wiring& wiring) {
   for (std::size_t a = 0; a < kLineNames.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)

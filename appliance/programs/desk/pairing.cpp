@@ -59,6 +59,7 @@ bool Pairing::IsCode(std::string_view text) const {
   return SameText(text, fmt::format("{:06}", code_));
 }
 
+// Hexadecimal, so that it needs no quoting in a cookie.
 std::string Pairing::NewName() const {
   std::array<std::uint8_t, kNameBytes> bytes;
   random_bytes_(bytes);

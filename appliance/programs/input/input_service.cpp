@@ -72,6 +72,7 @@ Result<InputWriters> InputWriters::Acquire(const board::Board& board) {
                       std::move(*lines)};
 }
 
+// Slots read their sections here, before any device is opened.
 InputService::InputService(const board::Board& board, InputWriters writers, InputSources sources,
                            const InputSettings& settings, const Clock& clock)
     : board_(board),
@@ -191,6 +192,7 @@ InputService::Binding* InputService::BindingFor(decode::DeviceKind kind, const B
   return nullptr;
 }
 
+// Spares stay spares: StickRoles gives no role that another stick has.
 InputService::Binding* InputService::StickBinding(const BusPort& port) {
   std::array<bool, kSticks> occupied{};
   for (std::size_t i = 0; i < occupied.size(); ++i)

@@ -49,6 +49,7 @@ std::string ParseRole(std::string_view word, LineRoles& roles) {
 
 }  // namespace
 
+// A comma at the end leaves an empty word behind it, which is an unknown role.
 Result<LineRoles> ParseLineRoles(std::string_view text) {
   LineRoles roles;
   for (bool more = true; more;) {

@@ -67,6 +67,7 @@ class ServiceWatch {
   }
 
  private:
+  // A descriptor that cannot be watched is still read every 5 ms.
   void RenewWatches() {
     for (const int fd : watched_) loop_.Forget(fd);
     watched_ = service_.pollables();

@@ -252,6 +252,7 @@ std::array<float, 2> ContourReader::Blunt() const {
   return {height(first + in), height(last - in)};
 }
 
+// The median: a tooth or a highlight in one column is no lip.
 float ContourReader::Opening(const Grid& grid, const Contour& contour, float tilt_rad) const {
   std::array<float, kOpeningColumns> gaps{};
   for (int n = 0; n < kOpeningColumns; ++n) {

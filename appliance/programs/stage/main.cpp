@@ -96,6 +96,7 @@ struct Loaded {
   std::unique_ptr<kaori::stage::PreparedShow> show;
 };
 
+// Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a graphics card.
 kaori::Result<Loaded> LoadShow(const Settings& settings) {
   kaori::show::LoadOptions options{.signed_by = {}, .on_verified_root = settings.verified};
   if (!settings.trust.empty()) {

@@ -42,6 +42,7 @@ bool Waits(const Error& error) {
 
 }  // namespace
 
+// All or none, as InputWriters.
 Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
   auto performance = board.AcquireWriter<board::Performance>();
   if (!performance) return tl::unexpected(performance.error());

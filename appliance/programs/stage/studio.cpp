@@ -8,6 +8,7 @@ Result<std::unique_ptr<Studio>> Studio::Open(show::Show show, void* gbm) {
   return Open(std::make_unique<PreparedShow>(std::move(show)), gbm);
 }
 
+// The context first, since everything else lives in it; the studio exists before its painter, which borrows its cast.
 Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepared, void* gbm) {
   auto context = gl::Context::Open(gbm);
   if (!context) return tl::unexpected(context.error());
@@ -69,6 +70,7 @@ bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
   return true;
 }
 
+// The vectors are as long as before, so that this allocates nothing.
 void Studio::Renew(std::uint16_t index, std::span<const glm::vec3> displacement,
                    const std::array<float, 2>& lids) {
   face::Expression& expression = prepared_->show_.cast.expressions[index];

@@ -171,6 +171,7 @@ bool IsHello(std::span<const std::uint8_t> packet) {
          wire::GetU32(packet, 4) == kPictureSlots * kPictureSlotBytes;
 }
 
+// In the order that protocol.h lists.
 std::vector<std::uint8_t> Packet(const Report& report) {
   PacketWriter packet(kReport);
   packet.Put(report.answered);

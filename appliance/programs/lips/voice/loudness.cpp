@@ -5,6 +5,7 @@
 
 namespace kaori::voice {
 
+// Summed up in double: a second of quiet sound is thousands of tiny squares.
 float Level_db(std::span<const float> samples) {
   double power = 0;
   for (const float sample : samples) power += static_cast<double>(sample) * static_cast<double>(sample);

@@ -161,6 +161,7 @@ void Speaker::Close(Time now, std::string_view why) {
   Publish(now);
 }
 
+// The delay is bounded for the board: a device that lies about its latency must not make the section invalid.
 void Speaker::Publish(Time now) {
   published_at_ = now;
   sound_.delay_ms = std::clamp(Ms(line_.delay()), 0.0F, 1000.0F);

@@ -49,6 +49,7 @@ void VoiceReader::TryOpen(Time now) {
   if (logged_ != std::errc::timed_out) Log("microphone: opened");
 }
 
+// The format is asked with each block: a driver may settle on it only when sound flows.
 void VoiceReader::ReadBlocks(Time now) {
   for (int n = 0; n < kBlocksAtOnce; ++n) {
     const auto block = microphone_->Read();
