@@ -59,7 +59,7 @@ Time AlsaMicrophone::TimeOfOldest() {
 Result<void> AlsaMicrophone::RecoverStream(long answer) {
   // The next block follows a gap.
   xrun_ = true;
-  const auto recovered = Recover(*pcm_, answer, name_);
+  auto recovered = Recover(*pcm_, answer, name_);
   if (!recovered) {
     // The bus resumes by itself: the next Read tries again.
     if (recovered.error().cause == std::errc::resource_unavailable_try_again) return recovered;

@@ -134,7 +134,8 @@ class Writer {
     text_ += bracket;
   }
   void BreakLine() {
-    if (indent_ > 0) text_.append(1, '\n').append(static_cast<std::size_t>(indent_ * depth_), ' ');
+    if (indent_ > 0)
+      text_.append(1, '\n').append(static_cast<std::size_t>(indent_) * static_cast<std::size_t>(depth_), ' ');
   }
 
   int indent_;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -143,7 +144,7 @@ template <class Test>
 std::vector<V4l2Mode> PreferThose(std::vector<V4l2Mode> modes, const Test& is_good) {
   std::vector<V4l2Mode> good;
   std::ranges::copy_if(modes, std::back_inserter(good), is_good);
-  return good.empty() ? modes : good;
+  return good.empty() ? std::move(modes) : std::move(good);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ Result<std::uint32_t> GbmSurface::FramebufferOf(gbm_bo* buffer) {
   // EGL goes round the same few buffers, so each becomes a framebuffer once.
   const auto known = std::ranges::find(buffers_, buffer, &Buffer::object);
   if (known != buffers_.end()) return known->framebuffer;
-  const auto made = AddFramebuffer(card_, buffer);
+  auto made = AddFramebuffer(card_, buffer);
   if (made) buffers_.push_back({buffer, *made});
   return made;
 }

@@ -4,7 +4,6 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace kaori::web {
 namespace {
@@ -99,7 +98,7 @@ std::ptrdiff_t Feed::Read(void* context, std::uint64_t, char* into, std::size_t 
     listener.sent_bytes = 0;
   }
   const std::size_t bytes = std::min(most, listener.sending.size() - listener.sent_bytes);
-  std::memcpy(into, listener.sending.data() + listener.sent_bytes, bytes);
+  std::copy_n(listener.sending.data() + listener.sent_bytes, bytes, into);
   listener.sent_bytes += bytes;
   return static_cast<std::ptrdiff_t>(bytes);
 }

@@ -138,7 +138,7 @@ Result<EventTimes> ShakeUntilSeen(Scene& scene) {
   EventTimes all;
   // Times of several watches are put together: each has its own offset of the clocks.
   for (int n = 0; n < kMostWatches && all.flips.size() < kWantedFlips; ++n) {
-    const auto moments = Shake(scene, kWatchMs);
+    auto moments = Shake(scene, kWatchMs);
     if (!moments) return moments;
     all.sent_ns.insert(all.sent_ns.end(), moments->sent_ns.begin(), moments->sent_ns.end());
     all.arrived_ns.insert(all.arrived_ns.end(), moments->arrived_ns.begin(), moments->arrived_ns.end());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -42,8 +43,8 @@ bool HasLine(const std::string& text, std::initializer_list<std::string_view> pa
 Target::Target(QemuOptions options, std::unique_ptr<sim::UsbRig> rig, const Clock& clock)
     : clock_(clock),
       rig_(std::move(rig)),
-      machine_(options, *this),
-      agent_(options.folder + "/serial", *this) {}
+      machine_(std::move(options), *this),
+      agent_(machine_.options().folder + "/serial", *this) {}
 
 Result<std::unique_ptr<Target>> Target::Open(QemuOptions options, const Clock& clock) {
   auto rig = sim::UsbRig::Open(options.folder, clock);

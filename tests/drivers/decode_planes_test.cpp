@@ -119,7 +119,7 @@ TEST(Planes, RefuseAPictureThatIsTooLarge) {
   PlaneReader reader;
   Bytes bomb = BlueJpeg(36, 18, TJSAMP_420);
   const Bytes frame_start = {0xFF, 0xC0};  // Then 2 bytes of length, 1 of precision, height, width.
-  const auto at = std::ranges::search(bomb, frame_start).begin();
+  const auto at = std::search(bomb.begin(), bomb.end(), frame_start.begin(), frame_start.end());
   ASSERT_NE(at, bomb.end());
   at[5] = at[7] = 0x40;
   at[6] = at[8] = 0;
@@ -134,7 +134,7 @@ TEST(Planes, SurviveACameraThatRewritesItsPictureMeanwhile) {
   constexpr int kSide_px = 256;
   Bytes jpeg = BlueJpeg(kSide_px, kSide_px, TJSAMP_420);
   const Bytes frame_start = {0xFF, 0xC0};
-  const auto at = std::ranges::search(jpeg, frame_start).begin();
+  const auto at = std::search(jpeg.begin(), jpeg.end(), frame_start.begin(), frame_start.end());
   ASSERT_NE(at, jpeg.end());
   std::uint8_t& sampling = at[11];  // Of Y.
   ASSERT_EQ(sampling, 0x22);

@@ -14,20 +14,21 @@
 namespace kaori::board {
 namespace {
 
-// Where boards are mapped, for the handler, which may take no lock: a table of fixed size that is scanned. 0
-// is a free entry. A program has one mapping for the board and one for each section that it writes, seven at
-// most; tests have many boards.
+// Where boards are mapped, for the handler, which may take no lock: a table of fixed size that is scanned.
+// Null is a free entry. A program has one mapping for the board and one for each section that it writes,
+// seven at most; tests have many boards.
 constexpr std::size_t kMostMappings = 256;
-std::array<std::atomic<std::uintptr_t>, kMostMappings> mapped;
+std::array<std::atomic<void*>, kMostMappings> mapped;
 struct sigaction earlier {};
 
-// The beginning of the board that holds `address`, or 0. Async-signal-safe.
-std::uintptr_t MappingAround(std::uintptr_t address) {
+// The beginning of the board that holds `address`, or null. Async-signal-safe.
+void* MappingAround(const void* address) {
   for (const auto& entry : mapped) {
-    const std::uintptr_t begin = entry.load(std::memory_order_relaxed);
-    if (begin != 0 && address >= begin && address - begin < kBoardBytes) return begin;
+    void* const begin = entry.load(std::memory_order_relaxed);
+    const auto offset = reinterpret_cast<std::uintptr_t>(address) - reinterpret_cast<std::uintptr_t>(begin);
+    if (begin != nullptr && offset < kBoardBytes) return begin;
   }
-  return 0;
+  return nullptr;
 }
 
 // The handler of SIGBUS. A touch of a page behind the end of the file raises it; MAP_FIXED puts private zero
@@ -36,10 +37,10 @@ std::uintptr_t MappingAround(std::uintptr_t address) {
 // interrupted. A SIGBUS of anything else gets the handler that was there before ours.
 void ReplaceVanishedPages(int /*signal*/, siginfo_t* info, void* /*context*/) {
   const int cause = errno;
-  const std::uintptr_t begin = MappingAround(reinterpret_cast<std::uintptr_t>(info->si_addr));
+  void* const begin = MappingAround(info->si_addr);
   const bool replaced =
-      begin != 0 && ::mmap(reinterpret_cast<void*>(begin), kBoardBytes, PROT_READ | PROT_WRITE,
-                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
+      begin != nullptr && ::mmap(begin, kBoardBytes, PROT_READ | PROT_WRITE,
+                                 MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
   if (!replaced) ::sigaction(SIGBUS, &earlier, nullptr);  // It is raised again, for whom it concerns.
   errno = cause;
 }
@@ -53,17 +54,17 @@ bool CatchVanishedPages() {
 }
 
 // Claims a free entry of the table; false: all are in use.
-bool Enter(std::uintptr_t begin) {
+bool Enter(void* begin) {
   return std::ranges::any_of(mapped, [begin](auto& entry) {
-    std::uintptr_t none = 0;
+    void* none = nullptr;
     return entry.compare_exchange_strong(none, begin);
   });
 }
 
-void Leave(std::uintptr_t begin) {
+void Leave(void* begin) {
   for (auto& entry : mapped) {
-    std::uintptr_t same = begin;
-    if (entry.compare_exchange_strong(same, 0)) return;
+    void* same = begin;
+    if (entry.compare_exchange_strong(same, nullptr)) return;
   }
 }
 
@@ -77,8 +78,7 @@ Result<Mapping> Mapping::Map(int fd, bool writable, const std::string& path) {
   void* at = ::mmap(nullptr, kBoardBytes, protection, MAP_SHARED, fd, 0);
   if (at == MAP_FAILED) return FailErrno("map board " + path);
   Mapping mapping(static_cast<Word*>(at));
-  if (!Enter(reinterpret_cast<std::uintptr_t>(at)))
-    return Fail(std::errc::too_many_files_open, "map board " + path);
+  if (!Enter(at)) return Fail(std::errc::too_many_files_open, "map board " + path);
   return mapping;
 }
 
@@ -86,7 +86,7 @@ Result<Mapping> Mapping::Map(int fd, bool writable, const std::string& path) {
 // the handler put zeros over the pages of whoever got the addresses.
 Mapping::~Mapping() {
   if (words_ == nullptr) return;
-  Leave(reinterpret_cast<std::uintptr_t>(words_));
+  Leave(words_);
   ::munmap(words_, kBoardBytes);
 }
 

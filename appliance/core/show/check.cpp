@@ -93,8 +93,8 @@ void CheckSound(const std::string& item, const Sound& sound, Faults& faults) {
     return faults.push_back(fmt::format("{}: a sound of {} channels", item, sound.channels));
   const auto channels = static_cast<std::size_t>(sound.channels);
   if (sound.samples.size() % channels != 0) faults.push_back(item + ": its sound ends within a frame");
-  const auto frames = static_cast<float>(sound.samples.size() / channels);
-  if (frames > kLongestMotion_s * static_cast<float>(kSoundRate_hz))
+  const std::size_t frames = sound.samples.size() / channels;
+  if (static_cast<float>(frames) > kLongestMotion_s * static_cast<float>(kSoundRate_hz))
     faults.push_back(fmt::format("{}: its sound is longer than {} s", item, kLongestMotion_s));
 }
 

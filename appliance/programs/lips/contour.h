@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -60,7 +61,7 @@ class ContourReader {
     const float* first;
     int step;
     int count;
-    float At(int n) const { return first[n * step]; }
+    float At(int n) const { return first[std::ptrdiff_t{n} * step]; }
   };
 
   // Where the paint begins and ends in each row and column of its box, to a sample.

@@ -27,7 +27,7 @@ bool LoudspeakerPort::Greet() {
 
 void LoudspeakerPort::Handle(std::span<const std::uint8_t> packet) {
   // Half a frame cannot be played: left and right would change places from then on.
-  if (packet.size() % (2 * Loudspeaker::kChannels) != 0) return HangUp();
+  if (packet.size() % (2 * std::size_t{Loudspeaker::kChannels}) != 0) return HangUp();
   std::vector<std::int16_t> samples(packet.size() / 2);
   for (std::size_t n = 0; n < samples.size(); ++n)
     // Signed 16 bits, little endian, a frame's channels in turn.
