@@ -97,7 +97,7 @@ face::Weights MiddleOfTwoFades() {
 // One head of the default cast's size (about 2700 vertices), and a composer for it.
 struct Stage {
   Stage(int faces, int expressions)
-      : cast(testing::MakeSyntheticCast(
+      : cast(tests::MakeSyntheticCast(
             {.columns = 64, .rows = 40, .faces = faces, .expressions = expressions})),
         composer(cast) {}
   face::Cast cast;

@@ -130,7 +130,7 @@ Metric OverBareDraw(const face::Cast& cast, passes::Painter& painter, int rounds
 
 struct SyntheticStage {
   SyntheticStage(const gl::Context& context, int faces, int expressions)
-      : cast(testing::MakeSyntheticCast({.faces = faces, .expressions = expressions})) {
+      : cast(tests::MakeSyntheticCast({.faces = faces, .expressions = expressions})) {
     cast.textures = {{.width_px = 1, .height_px = 1, .rgba = {200, 180, 170, 0}}};
     painter = std::move(*passes::Painter::Open(context, cast));
   }

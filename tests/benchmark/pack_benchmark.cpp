@@ -96,7 +96,7 @@ Times TimeFrames(stage::Studio& studio, int frames) {
 }
 
 void MeasureLarge(const std::filesystem::path& file, int rounds, std::vector<Metric>& metrics) {
-  if (!show::SavePack(testing::MakeLargeShow(), file)) return;
+  if (!show::SavePack(tests::MakeLargeShow(), file)) return;
   metrics.push_back(Figure("pack.large.load_ms", "ms", TimeLoads(file, rounds).wall_ms));
   const double before_mb = RssMb();
   auto show = Load(file);

@@ -18,7 +18,7 @@ void* Counted(std::size_t bytes, std::size_t alignment) {
 
 }  // namespace
 
-std::size_t kaori::testing::AllocationCount() {
+std::size_t kaori::tests::AllocationCount() {
   return count;
 }
 

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 // Calls of operator new, of any form, on any thread, since the program started.
 std::size_t AllocationCount();
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -5,7 +5,7 @@
 
 #include "appliance/authoring/sculpt/sculpt.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 face::Cast SculptedCast() {
@@ -23,4 +23,4 @@ const face::Cast& DefaultCast() {
   return cast;
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

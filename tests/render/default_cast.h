@@ -3,10 +3,10 @@
 
 #include "render/face/cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 // Sculpted once in a test program, in a fraction of a second. Fails the program with the sculptor's message if
 // the show's files have a fault.
 const face::Cast& DefaultCast();
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

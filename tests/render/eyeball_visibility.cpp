@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 constexpr int kPixels = 160;  // Across the ball.
@@ -83,4 +83,4 @@ float BallSeen_m2(const face::EyeBall& ball, const Surface& surface, const ViewA
   return static_cast<float>(seen) * map.pixel_m2();
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -7,7 +7,7 @@
 
 #include "render/face/cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 struct Surface {
   std::span<const glm::vec3> positions;
@@ -22,4 +22,4 @@ struct ViewAngle {
 // Square metres of the ball's outline that no part of the surface hides, seen along Z from far away.
 float BallSeen_m2(const face::EyeBall& ball, const Surface& surface, const ViewAngle& angle);
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

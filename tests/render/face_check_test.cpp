@@ -10,7 +10,7 @@
 #include "tests/render/default_cast.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using ::testing::Contains;
@@ -171,4 +171,4 @@ TEST(Check, FindsEveryFaultOfACastThatIsEmpty) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -11,7 +11,7 @@
 #include "tests/render/face_reference.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Cast;
@@ -219,4 +219,4 @@ TEST(Terms, DropTheLightestWhenThereAreTooMany) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -10,7 +10,7 @@
 #include "tests/render/face_reference.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Cast;
@@ -120,4 +120,4 @@ TEST(Composing, IsContinuousInTheWeights) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

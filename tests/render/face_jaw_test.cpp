@@ -11,7 +11,7 @@
 #include "tests/render/default_cast.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 float Drop_m(const face::Cast& cast, face::Weights weights) {
@@ -94,4 +94,4 @@ TEST(Faces, HaveNoFoldsHalfWayFromTheFirst) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

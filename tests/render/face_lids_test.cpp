@@ -12,7 +12,7 @@
 #include "tests/render/eyeball_visibility.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Cast;
@@ -200,4 +200,4 @@ TEST(Lids, PushAVertexOutOfTheVeryMiddleOfTheBall) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

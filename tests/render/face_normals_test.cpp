@@ -9,7 +9,7 @@
 #include "render/face/composer.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::AlignedFloats;
@@ -105,4 +105,4 @@ TEST(Normals, AreEqualOnBothSidesOfTheSeam) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

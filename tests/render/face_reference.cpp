@@ -7,7 +7,7 @@
 #include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Cast;
@@ -142,4 +142,4 @@ double LargestError_m(const Positions& wanted, std::span<const glm::vec3> got) {
   return largest;
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -9,7 +9,7 @@
 #include "render/face/cast.h"
 #include "render/face/weights.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 using Positions = std::vector<glm::dvec3>;
 
@@ -26,4 +26,4 @@ double HeadHeight_m(const face::Cast& cast);
 // The largest distance between the two, metres; both have the same number of vertices.
 double LargestError_m(const Positions& wanted, std::span<const glm::vec3> got);
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

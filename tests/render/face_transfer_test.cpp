@@ -8,7 +8,7 @@
 #include "tests/render/default_cast.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Cast;
@@ -120,4 +120,4 @@ TEST(Transfer, TriesHarderWhereTheFaceHasToldItTo) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -39,11 +39,11 @@ constexpr ShaderFile kFiles[] = {
 // The painter's context is current while any test of this program runs.
 class Gl : public ::testing::Test {
  protected:
-  void SetUp() override { testing::PassStudio::Shared(); }
+  void SetUp() override { tests::PassStudio::Shared(); }
 };
 
 TEST_F(Gl, OpensWithoutAScreen) {
-  EXPECT_FALSE(testing::PassStudio::Shared().context().renderer().empty());
+  EXPECT_FALSE(tests::PassStudio::Shared().context().renderer().empty());
 }
 
 TEST_F(Gl, CompilesWhatItIncludes) {

@@ -10,9 +10,9 @@ namespace kaori {
 namespace {
 
 using scene::BackdropKind;
-using testing::Difference;
-using testing::PassStudio;
-using testing::Picture;
+using tests::Difference;
+using tests::PassStudio;
+using tests::Picture;
 
 constexpr int kBackdropWidth_px = 160;
 constexpr int kBackdropHeight_px = 90;
@@ -23,7 +23,7 @@ scene::Backdrop Drop(int kind) {
 
 // Nobody stands before it.
 scene::Scene Empty(int kind) {
-  scene::Scene scene = testing::PlainScene(scene::Style::kSoft);
+  scene::Scene scene = tests::PlainScene(scene::Style::kSoft);
   scene.camera.target_m.y = 1;
   scene.backdrop = Drop(kind);
   return scene;
@@ -83,7 +83,7 @@ TEST(Backdrop, StandsStillAndComesBackAsItWas) {
   PassStudio& studio = PassStudio::Shared();
   const auto canvas = gl::Canvas::Make({.width_px = kBackdropWidth_px, .height_px = kBackdropHeight_px});
   ASSERT_TRUE(canvas) << canvas.error().message();
-  scene::Scene scene = testing::PlainScene(scene::Style::kSoft);
+  scene::Scene scene = tests::PlainScene(scene::Style::kSoft);
   scene.backdrop = Drop(static_cast<int>(BackdropKind::kKitchen));
   const Picture before = studio.DrawOn(*canvas, scene);
   EXPECT_EQ(studio.DrawOn(*canvas, scene).bytes, before.bytes);

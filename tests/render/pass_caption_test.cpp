@@ -11,11 +11,11 @@ namespace kaori {
 namespace {
 
 using scene::Style;
-using testing::Difference;
 using ::testing::ElementsAre;
-using testing::PassStudio;
-using testing::Picture;
-using testing::PlainScene;
+using tests::Difference;
+using tests::PassStudio;
+using tests::Picture;
+using tests::PlainScene;
 
 std::vector<std::string> Broken(std::string_view line, std::size_t most) {
   std::vector<std::string> pieces;

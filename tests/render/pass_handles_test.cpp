@@ -13,10 +13,10 @@ namespace kaori {
 namespace {
 
 using scene::Style;
-using testing::Difference;
-using testing::PassStudio;
-using testing::Picture;
-using testing::PlainScene;
+using tests::Difference;
+using tests::PassStudio;
+using tests::Picture;
+using tests::PlainScene;
 
 constexpr int kHandlesWidth_px = 480;
 constexpr int kHandlesHeight_px = 360;
@@ -214,12 +214,12 @@ TEST(Handles, AllocateNothing) {
   scene.caption = {.shown = 1,
                    .lines = {"handle MC.l   u +2.4   mirror on   smooth on", "expression: Smile"}};
   for (int frame = 0; frame < 20; ++frame) studio.painter().Draw(scene, *canvas);
-  const std::size_t before = testing::AllocationCount();
+  const std::size_t before = tests::AllocationCount();
   for (int frame = 0; frame < 200; ++frame) {
     scene.handles.chosen = frame % 3;
     studio.painter().Draw(scene, *canvas);
   }
-  EXPECT_EQ(testing::AllocationCount() - before, 0U);
+  EXPECT_EQ(tests::AllocationCount() - before, 0U);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace kaori {
 namespace {
 
 using scene::Style;
-using testing::Difference;
-using testing::PassStudio;
-using testing::Picture;
-using testing::PlainScene;
+using tests::Difference;
+using tests::PassStudio;
+using tests::Picture;
+using tests::PlainScene;
 
 constexpr Style kStyles[] = {Style::kWire, Style::kFlat, Style::kBare, Style::kHair, Style::kSoft};
 
@@ -244,9 +244,9 @@ TEST(Painter, AllocatesNothingForAThousandFrames) {
     studio.painter().Draw(scene, *canvas);
   };
   for (int frame = 0; frame < 20; ++frame) draw(frame);
-  const std::size_t before = testing::AllocationCount();
+  const std::size_t before = tests::AllocationCount();
   for (int frame = 0; frame < 1000; ++frame) draw(frame);
-  EXPECT_EQ(testing::AllocationCount() - before, 0U);
+  EXPECT_EQ(tests::AllocationCount() - before, 0U);
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 namespace kaori {
 namespace {
 
-using testing::Difference;
-using testing::PassStudio;
-using testing::Picture;
+using tests::Difference;
+using tests::PassStudio;
+using tests::Picture;
 
 constexpr int kPrintWidth_px = 400;
 constexpr int kPrintHeight_px = 300;
@@ -42,7 +42,7 @@ class Press {
 };
 
 scene::Scene Plain() {
-  scene::Scene scene = testing::PlainScene(scene::Style::kSoft);
+  scene::Scene scene = tests::PlainScene(scene::Style::kSoft);
   scene.backdrop = {{0.02F, 0.02F, 0.02F}, {0.02F, 0.02F, 0.02F}};
   return scene;
 }

@@ -4,7 +4,7 @@
 
 #include "drivers/base/log.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 template <class T>
@@ -84,4 +84,4 @@ scene::Scene PlainScene(scene::Style style) {
   return scene;
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -7,7 +7,7 @@
 #include "render/passes/painter.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 struct Picture {
   int width_px = 0;
@@ -45,4 +45,4 @@ class PassStudio {
 // The reference face, neutral, in one style.
 scene::Scene PlainScene(scene::Style style);
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -8,7 +8,7 @@
 #include "render/gl/canvas.h"
 #include "tests/render/pass_studio.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 std::vector<std::uint8_t> PictureOf(const face::Cast& cast) {
@@ -31,4 +31,4 @@ TEST(Surface, OfAFaceWithoutOcclusionIsOpenEverywhere) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

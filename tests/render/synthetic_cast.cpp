@@ -9,7 +9,7 @@
 
 #include "tests/render/synthetic_head.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Expression;
@@ -180,4 +180,4 @@ std::size_t PointNamed(const face::Cast& cast, const char* name) {
   return static_cast<std::size_t>(at - cast.net.points.begin());
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -4,7 +4,7 @@
 
 #include "render/face/cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 struct SyntheticSize {
   int columns = 32;  // Of the grid round the head; even.
@@ -24,4 +24,4 @@ face::Cast MakeSyntheticCast(const SyntheticSize& size = {});
 std::uint16_t ExpressionNamed(const face::Cast& cast, const char* name);
 std::size_t PointNamed(const face::Cast& cast, const char* name);
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -4,7 +4,7 @@
 
 #include "tests/render/synthetic_head.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Index;
@@ -78,4 +78,4 @@ face::FineMesh HalveQuads(const face::Topology& topology) {
   return means.Finish();
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

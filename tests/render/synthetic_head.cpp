@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Index;
@@ -258,4 +258,4 @@ face::Face ShapeHead(const std::vector<HeadVertex>& vertices, const HeadShape& s
   return face;
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

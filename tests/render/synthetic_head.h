@@ -6,7 +6,7 @@
 
 #include "render/face/cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 enum class Lip : std::uint8_t { kNone, kUpper, kLower };
 
@@ -37,4 +37,4 @@ face::FineMesh HalveQuads(const face::Topology& topology);
 
 face::Face ShapeHead(const std::vector<HeadVertex>& vertices, const HeadShape& shape);
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -14,8 +14,8 @@ namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
 using board::SourceState;
-using testing::Asked;
 using ::testing::HasSubstr;
+using tests::Asked;
 
 class DeskProgram : public ::testing::Test {
  protected:
@@ -47,14 +47,14 @@ class DeskProgram : public ::testing::Test {
   }
 
   std::string Ask(const Asked& asked) {
-    testing::Visitor visitor(port_, [] {});
-    visitor.Send(testing::RequestOf(asked, port_));
-    return visitor.Receive(testing::IsWhole);
+    tests::Visitor visitor(port_, [] {});
+    visitor.Send(tests::RequestOf(asked, port_));
+    return visitor.Receive(tests::IsWhole);
   }
   std::string Pair() {
     const std::string code = fmt::format("{:06}", board_->Read<board::Desk>().value.code);
     const std::string reply = Ask({.method = "POST", .path = "/pair", .body = code});
-    EXPECT_EQ(testing::StatusOf(reply), 204) << reply;
+    EXPECT_EQ(tests::StatusOf(reply), 204) << reply;
     const auto at = reply.find("kaori-desk=");
     return reply.substr(at, reply.find(';', at) - at);
   }
@@ -79,11 +79,11 @@ TEST_F(DeskProgram, ChangesTheLipsOfAPairedVisitor) {
   StartAll();
   const std::string cookie = Pair();
   EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":true"); }));
-  EXPECT_EQ(testing::StatusOf(
+  EXPECT_EQ(tests::StatusOf(
                 Ask({.method = "POST", .path = "/do", .body = "set mouth.open 0.7 1", .cookie = cookie})),
             200);
   EXPECT_TRUE(Await([&] { return Lips().value.open == 0.7F; }));
-  EXPECT_EQ(testing::StatusOf(Ask({.method = "POST", .path = "/do", .body = "save", .cookie = cookie})), 200);
+  EXPECT_EQ(tests::StatusOf(Ask({.method = "POST", .path = "/do", .body = "save", .cookie = cookie})), 200);
   EXPECT_TRUE(Await([&] { return std::filesystem::exists(house_.File("lips.settings")); }));
   house_.Kill("kaori-lips");
   EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":false"); })) << "and the page says so";
@@ -97,8 +97,8 @@ TEST_F(DeskProgram, DoesNotDisturbTheLipsWhenItDies) {
   StartAll();
   for (int round = 0; round < 3; ++round) {
     const std::uint32_t code = board_->Read<board::Desk>().value.code;
-    testing::Visitor looker(port_, [] {});
-    looker.Send(testing::RequestOf({.path = "/picture", .cookie = Pair()}, port_));
+    tests::Visitor looker(port_, [] {});
+    looker.Send(tests::RequestOf({.path = "/picture", .cookie = Pair()}, port_));
     house_.Kill("kaori-desk");
     const std::uint32_t frames = Lips().value.frames;
     EXPECT_TRUE(Await([&] { return Lips().value.frames > frames + 5; }, 2s));

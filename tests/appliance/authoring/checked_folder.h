@@ -10,7 +10,7 @@
 
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 class CheckedFolder : public PackTest {
  protected:
@@ -38,4 +38,4 @@ class CheckedFolder : public PackTest {
   const std::filesystem::path show_ = folder_ / "show";
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -76,7 +76,7 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 Model ExportedHead() {
-  const face::Cast& cast = testing::DefaultCast();
+  const face::Cast& cast = tests::DefaultCast();
   const HeadShape shape = ShapeOfCast(cast);
   Model model;
   model.file = "head";
@@ -109,7 +109,7 @@ const show::Show& DefaultShow() {
   static const show::Show show = [] {
     show::Show made;
     made.name = "default";
-    made.cast = testing::DefaultCast();
+    made.cast = tests::DefaultCast();
     made.cast.props = {Cap(made.cast.faces.front())};
     for (face::Face& face : made.cast.faces) face.props = {0};
     made.cast.textures.push_back({1, 1, {200, 150, 120, 40}});

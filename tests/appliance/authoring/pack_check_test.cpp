@@ -5,7 +5,7 @@
 
 #include "tests/appliance/authoring/checked_folder.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using authoring::CheckFolder;
@@ -86,4 +86,4 @@ TEST(CheckFolder, SaysThatThereIsNoSuchFolder) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

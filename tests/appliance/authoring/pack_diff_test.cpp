@@ -4,7 +4,7 @@
 #include "appliance/authoring/pack/difference.h"
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using authoring::Differences;
@@ -78,4 +78,4 @@ TEST(PackDiff, SaysWhatASceneDoesOtherwise) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

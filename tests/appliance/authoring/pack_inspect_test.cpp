@@ -15,7 +15,7 @@
 #include "render/face/composer.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 // A flat field of quads in the plane z = 0, a millimetre wide each.
@@ -220,4 +220,4 @@ TEST(Inspect, PlaysTheTwoSidesOfAChannelTogether) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -6,7 +6,7 @@
 #include "appliance/core/show/pack.h"
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using authoring::Arguments;
@@ -69,4 +69,4 @@ TEST_F(AtelierInfo, NamesAllThatAProgramAsksFor) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -10,7 +10,7 @@
 
 #include "appliance/authoring/sculpt/sculpt.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 std::filesystem::path DefaultShowFolder() {
   return KAORI_DEFAULT_SHOW;
@@ -58,4 +58,4 @@ std::string ShowCopy::Complaint() const {
   return done ? std::string() : done.error().message();
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

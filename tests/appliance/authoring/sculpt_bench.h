@@ -6,7 +6,7 @@
 
 #include "render/face/cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 std::filesystem::path DefaultShowFolder();
 
@@ -31,4 +31,4 @@ class ShowCopy {
   std::filesystem::path folder_;
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -14,7 +14,7 @@
 #include "render/face/composer.h"
 #include "tests/appliance/authoring/sculpt_bench.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Index;
@@ -243,4 +243,4 @@ TEST_F(OnEveryFace, PursedLipsComeForward) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -15,7 +15,7 @@
 #include "render/face/composer.h"
 #include "tests/appliance/authoring/sculpt_bench.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using sculpt::Cage;
@@ -259,4 +259,4 @@ TEST(SculptedFaces, KeepTheirLidsOutsideTheBall) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -9,7 +9,7 @@
 #include "appliance/authoring/sculpt/sculpt.h"
 #include "tests/appliance/authoring/sculpt_bench.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -167,4 +167,4 @@ TEST(ShowFiles, AFaultLeavesTheCastAsItWas) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -15,7 +15,7 @@
 #include "appliance/authoring/sculpt/texture_map.h"
 #include "tests/appliance/authoring/sculpt_bench.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using face::Index;
@@ -186,4 +186,4 @@ TEST(PaintAttributes, KnowLipsLidsBagAndEar) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

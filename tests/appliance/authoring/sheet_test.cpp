@@ -25,7 +25,7 @@ using ::testing::Not;
 show::Show ShowOf(int faces) {
   show::Show show;
   show.name = "Small";
-  show.cast = kaori::testing::MakeSyntheticCast({.faces = faces});
+  show.cast = kaori::tests::MakeSyntheticCast({.faces = faces});
   show.cast.textures = {{1, 1, {200, 150, 120, 40}}};
   show.scenes.emplace_back().name = "studio";
   return show;

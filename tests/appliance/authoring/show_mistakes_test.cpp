@@ -7,7 +7,7 @@
 #include "appliance/authoring/pack/check_folder.h"
 #include "tests/appliance/authoring/checked_folder.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using authoring::CheckFolder;
@@ -219,4 +219,4 @@ TEST_F(CheckedFolder, FindsNothingWrongWithTheExpressionOfTheGuide) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

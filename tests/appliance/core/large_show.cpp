@@ -4,7 +4,7 @@
 
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 constexpr int kTexture_px = 512;
@@ -32,4 +32,4 @@ show::Show MakeLargeShow() {
   return show;
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

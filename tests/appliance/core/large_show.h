@@ -3,9 +3,9 @@
 
 #include "appliance/core/show/show.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 // 16 faces with a texture each, 40 expressions, and more than 100 000 triangles on a face.
 show::Show MakeLargeShow();
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

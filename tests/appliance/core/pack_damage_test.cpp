@@ -10,7 +10,7 @@
 #include "appliance/core/show/pack_layout.h"
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using show::EncodePack;
@@ -144,4 +144,4 @@ TEST(PackContent, TablesThatShareTheirArraysAreNotUnfolded) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -12,7 +12,7 @@
 #include "appliance/core/show/pack.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 inline show::Show SmallShow() {
   show::Show show;
@@ -58,4 +58,4 @@ class PackTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

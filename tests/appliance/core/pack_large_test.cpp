@@ -9,7 +9,7 @@
 #include "tests/appliance/core/large_show.h"
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 constexpr std::size_t kMegabyte = 1'000'000;
@@ -64,4 +64,4 @@ TEST_F(LargeShow, LoadsAndPlaysTenFrames) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

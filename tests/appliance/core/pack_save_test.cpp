@@ -11,7 +11,7 @@
 #include "tests/appliance/core/pack_fixture.h"
 #include "tests/appliance/core/small_disk.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using show::SavePack;
@@ -94,4 +94,4 @@ TEST_F(SavedPack, IsMadeOfItsPiecesInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

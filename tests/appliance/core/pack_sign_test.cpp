@@ -6,7 +6,7 @@
 #include "appliance/core/show/pack_container.h"
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using show::EncodePack;
@@ -92,4 +92,4 @@ TEST_F(SignedPack, FilesThatHoldAnotherKeyOrNoneAreNamed) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -9,7 +9,7 @@
 #include "appliance/core/show/check.h"
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using show::EncodePack;
@@ -201,4 +201,4 @@ INSTANTIATE_TEST_SUITE_P(Each, AFaultOfAShow, ::testing::ValuesIn(kShowFaults),
                          [](const auto& fault) { return std::string(fault.param.name); });
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 // While it lives, no file of this process grows beyond `bytes`: what a full disk is to a writer.
 class SmallDisk {
@@ -27,4 +27,4 @@ class SmallDisk {
   rlimit before_{};
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

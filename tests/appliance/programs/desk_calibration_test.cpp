@@ -10,7 +10,7 @@
 #include "appliance/core/board/mouth.h"
 #include "tests/appliance/programs/desk_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
@@ -208,4 +208,4 @@ TEST_F(DeskCalibration, WorksByLampsAloneOutOfService) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

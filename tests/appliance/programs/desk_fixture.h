@@ -14,7 +14,7 @@
 #include "tests/appliance/core/board_file.h"
 #include "tests/appliance/programs/desk_operator.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 class LipFixture {
  public:
@@ -101,4 +101,4 @@ class LipFixture {
   board::Surface buttons_;
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

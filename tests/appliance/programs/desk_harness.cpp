@@ -24,7 +24,7 @@
 #include "drivers/base/log.h"
 #include "tests/appliance/programs/desk_operator.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -137,7 +137,7 @@ Result<void> Play(const std::string& folder, bool plain) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests
 
 int main(int argc, char** argv) {
   kaori::SetLogName("desk-harness");
@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
     kaori::Log("usage: desk-harness FOLDER [--plain]");
     return EXIT_FAILURE;
   }
-  if (auto played = kaori::testing::Play(argv[1], argc > 2); !played) {
+  if (auto played = kaori::tests::Play(argv[1], argc > 2); !played) {
     kaori::Log("{}", played.error().message());
     return EXIT_FAILURE;
   }

@@ -14,7 +14,7 @@
 #include "drivers/ports/camera.h"
 #include "hw-sim/devices/lip_scene.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 // What the test changes; it outlives the camera.
 struct OperatorHand {
@@ -86,4 +86,4 @@ class OperatorCamera final : public ports::Camera {
   std::array<std::vector<std::uint8_t>, 4> pictures_;
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

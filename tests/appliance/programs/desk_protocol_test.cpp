@@ -7,7 +7,7 @@
 #include "drivers/base/packet_socket.h"
 #include "tests/appliance/programs/desk_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using namespace std::chrono_literals;
@@ -297,4 +297,4 @@ TEST(ProtocolPackets, OfAnyLengthAndContentAreSurvived) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -15,7 +15,7 @@
 
 #include "drivers/base/unique_fd.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 class Visitor {
  public:
@@ -109,4 +109,4 @@ inline std::string RequestOf(const Asked& asked, std::uint16_t port) {
   return text + asked.more + "\r\n" + asked.body;
 }
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

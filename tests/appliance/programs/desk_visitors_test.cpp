@@ -8,7 +8,7 @@
 #include "tests/appliance/programs/desk_fixture.h"
 #include "tests/appliance/programs/desk_visitor.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
@@ -268,4 +268,4 @@ TEST_F(DeskVisitors, ReadThePageInTheirLanguage) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

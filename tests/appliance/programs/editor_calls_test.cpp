@@ -5,7 +5,7 @@
 
 #include "tests/appliance/programs/editor_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using EditorCalls = EditorPlay;
@@ -212,4 +212,4 @@ TEST_F(EditorCalls, AnEmptyPlaceIsNotCalled) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

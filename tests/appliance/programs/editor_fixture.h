@@ -16,7 +16,7 @@
 #include "tests/appliance/core/board_file.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
 using editor::ExpressionEditor;
@@ -167,4 +167,4 @@ class EditorPlay : public ::testing::Test {
   scene::Scene scene_;
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -4,7 +4,7 @@
 #include "tests/appliance/programs/editor_fixture.h"
 #include "tests/render/allocation_count.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using ::testing::HasSubstr;
@@ -244,4 +244,4 @@ TEST_F(EditorPlay, TakeNothingFromTheHeapWhileTheyAreShut) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

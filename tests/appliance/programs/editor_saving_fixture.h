@@ -13,7 +13,7 @@
 #include "tests/appliance/core/small_disk.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 using editor::Change;
 using editor::Journal;
@@ -65,4 +65,4 @@ class HandleKeeping : public ::testing::Test {
   editor::Points points_ = editor::PointsOf(cast_.net);
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

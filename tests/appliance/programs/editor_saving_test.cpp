@@ -1,7 +1,7 @@
 // What the handles keep: the journal and the folder of own expressions, and disks that are full or torn.
 #include "tests/appliance/programs/editor_saving_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 TEST_F(HandleKeeping, AJournalGivesBackWhatWasWrittenIntoIt) {
@@ -192,4 +192,4 @@ TEST_F(HandleKeeping, AFaultyFileThatIsMendedComesBackToItsFreePlaceOnly) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

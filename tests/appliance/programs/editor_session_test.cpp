@@ -9,7 +9,7 @@
 #include "tests/render/default_cast.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using editor::Change;
@@ -233,4 +233,4 @@ TEST_F(HandleSession, RefusesWorkThatDoesNotFitTheFace) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -14,7 +14,7 @@
 #include "tests/render/default_cast.h"
 #include "tests/render/synthetic_cast.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using std::chrono::milliseconds;
@@ -103,4 +103,4 @@ TEST(OwnExpression, IsMadeAnewForAFrameInTwoMilliseconds) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

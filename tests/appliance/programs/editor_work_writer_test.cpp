@@ -1,7 +1,7 @@
 // The thread that writes: what it keeps, in which order, and what it does on a full disk.
 #include "tests/appliance/programs/editor_saving_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 class HandleScribe : public HandleKeeping {
@@ -75,4 +75,4 @@ TEST_F(HandleScribe, WorksInMemoryOnAFullDiskAndWritesAllWhenThereIsRoom) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

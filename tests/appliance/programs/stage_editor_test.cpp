@@ -9,7 +9,7 @@
 #include "tests/appliance/programs/stage_screen.h"
 #include "tests/render/allocation_count.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
@@ -98,4 +98,4 @@ TEST_F(StageWithAnEditor, TakeNothingFromTheHeapWhileTheyAreShut) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

@@ -214,7 +214,7 @@ TEST_F(LastFaceTest, AFullDiskLeavesTheFaceThatWasKeptBefore) {
   Push(3);
   ::testing::internal::CaptureStderr();
   {
-    const kaori::testing::SmallDisk full(1000);
+    const kaori::tests::SmallDisk full(1000);
     Play(32s);
     keeper_->KeepNow();
   }

@@ -10,7 +10,7 @@
 #include "drivers/base/unique_fd.h"
 #include "drivers/ports/scanout.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 
 // The test's side; it outlives the screen.
 struct ScreenHand {
@@ -62,4 +62,4 @@ class HeldScreen final : public ports::Scanout {
   UniqueFd event_;
 };
 
-}  // namespace kaori::testing
+}  // namespace kaori::tests

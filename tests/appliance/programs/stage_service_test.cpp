@@ -8,7 +8,7 @@
 #include "tests/appliance/core/pack_fixture.h"
 #include "tests/appliance/programs/stage_screen.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
@@ -157,4 +157,4 @@ TEST_F(StageInService, PlaysNoPushThatTakesAPoseAndLightsTheGuidesLamps) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

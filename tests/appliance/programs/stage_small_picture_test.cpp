@@ -7,7 +7,7 @@
 #include "appliance/programs/stage/studio.h"
 #include "tests/appliance/core/pack_fixture.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 constexpr int kWidth_px = 96, kHeight_px = 54;
@@ -76,4 +76,4 @@ TEST_F(SmallPictureTest, IsNeverLargerThanThePicture) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests

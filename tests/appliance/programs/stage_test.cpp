@@ -13,7 +13,7 @@
 #include "tests/appliance/programs/stage_screen.h"
 #include "tests/render/allocation_count.h"
 
-namespace kaori::testing {
+namespace kaori::tests {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
@@ -273,4 +273,4 @@ TEST_F(StageTest, TellsWhichMotionPlaysAndWhenItBegan) {
 }
 
 }  // namespace
-}  // namespace kaori::testing
+}  // namespace kaori::tests
