@@ -62,14 +62,14 @@ json::List DialsJson() {
 }
 
 // Text and group of one control; empty for one that calls nothing.
-struct Label {
+struct CallLabel {
   std::string text;
   const char* group = "";
 };
 
 // Indices are in range: the show is valid.
-Label LabelOf(const show::Call& call, const show::Show& show) {
-  const auto labelled = [](const std::string& text, const char* group) { return Label{text, group}; };
+CallLabel LabelOf(const show::Call& call, const show::Show& show) {
+  const auto labelled = [](const std::string& text, const char* group) { return CallLabel{text, group}; };
   switch (call.kind) {
     case show::CallKind::kFace:
       return labelled(Readable(show.cast.faces[call.index].name), "face");
@@ -86,7 +86,7 @@ Label LabelOf(const show::Call& call, const show::Show& show) {
 }
 
 json::Object ButtonJson(const show::Call& call, const show::Show& show) {
-  const Label label = LabelOf(call, show);
+  const CallLabel label = LabelOf(call, show);
   return {{"text", label.text}, {"group", label.group}};
 }
 
@@ -110,7 +110,7 @@ json::List KeysJson(const show::Show& show) {
   for (const show::Motion& motion : show.motions) add(motion.key_usage, Readable(motion.name), "motion");
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
   for (const show::KeyCall& key : show.keys) {
-    const Label label = LabelOf(key.call, show);
+    const CallLabel label = LabelOf(key.call, show);
     add(key.key_usage, label.text, label.group);
   }
   return keys;

@@ -43,7 +43,7 @@ std::string Page(const std::vector<LaidOut>& sheets, const std::string& show, co
   json::List data;
   for (const LaidOut& sheet : sheets) data.emplace_back(SheetData(sheet));
   constexpr std::string_view kMark = "@DATA@";
-  std::string page(kPage);
+  std::string page(kSheetPage);
   page.replace(page.find(kMark), kMark.size(),
                Quoted(json::Object{{"name", show}, {"about", about}, {"sheets", std::move(data)}}));
   return page;

@@ -6,6 +6,6 @@
 namespace kaori::authoring {
 
 // Contains "@DATA@" once, which stands for the sheets' description, JSON.
-extern const std::string_view kPage;
+extern const std::string_view kSheetPage;
 
 }  // namespace kaori::authoring

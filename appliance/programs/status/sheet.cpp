@@ -105,8 +105,8 @@ void Sheet::DrawRow(int row, const Line& line) {
     Fill(picture_, pitch_px_ / 2, bottom + pitch_px_ / 4, pitch_px_, top - pitch_px_ / 4,
          ColourOf(line.mark));
   const Colour& colour = line.mark == Mark::kGood ? kWords : ColourOf(line.mark);
-  const auto draw = [&](std::string_view text, const Colour& in, int x_px, int end_px) {
-    lettering_.Draw(image::Shorten(lettering_, text, size_px, end_px - x_px), {size_px, in}, x_px, bottom,
+  const auto draw = [&, y_px = bottom](std::string_view text, const Colour& in, int x_px, int end_px) {
+    lettering_.Draw(image::Shorten(lettering_, text, size_px, end_px - x_px), {size_px, in}, x_px, y_px,
                     picture_);
   };
   draw(line.what, line.mark == Mark::kTitle ? kWords : kName, names_px, words_px);

@@ -30,7 +30,7 @@ double BytesPerPixel(PixelFormat pixels) {
   return 0;
 }
 
-const char* NameOf(PixelFormat pixels) {
+const char* NameOfPixels(PixelFormat pixels) {
   if (pixels == PixelFormat::kMjpeg) return "MJPEG";
   return pixels == PixelFormat::kNv12 ? "NV12" : "YUYV";
 }
@@ -52,7 +52,8 @@ std::optional<CameraFormat> ChooseFormat(std::span<const CameraFormat> offered) 
 }
 
 std::string NameOf(const CameraFormat& format, double rate_hz) {
-  const auto picture = fmt::format("{} x {} {}", format.width_px, format.height_px, NameOf(format.pixels));
+  const auto picture =
+      fmt::format("{} x {} {}", format.width_px, format.height_px, NameOfPixels(format.pixels));
   return rate_hz > 0 ? fmt::format("{} at {:.4g} frames/s", picture, rate_hz)
                      : picture + " at the camera's own rate";
 }
