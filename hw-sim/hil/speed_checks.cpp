@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::seconds;
 
-constexpr Setup kWindow{
+const Setup kWindow{
     .plugged = false, .sound = false, .graphics = Graphics::kVirgl, .width_px = 960, .height_px = 540};
 // What looks smooth enough; a real card draws every frame of its screen.
 constexpr double kLeast_hz = 15;
