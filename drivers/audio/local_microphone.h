@@ -34,15 +34,20 @@ class LocalMicrophone final : public ports::Microphone {
   Result<std::span<const std::uint8_t>> Receive();
   // Reads the format, which the first packet has. Errors: as Read.
   Result<void> ReadHello();
+  // Every later Read fails like this one: a peer that sends nonsense once is not trusted again.
   tl::unexpected<Error> Broken();
 
   UniqueFd socket_;
+  // For errors: the socket's path.
   std::string name_;
+  // As the hello told it; the default of the type until then.
   ports::SoundFormat format_;
   // Room for the longest packet of the link.
   std::array<std::uint8_t, wire::kMaxLinkPacket> packet_;
   std::vector<std::int16_t> samples_;  // What the caller reads.
+  // The hello was read, and format_ holds.
   bool greeted_ = false;
+  // A packet made no sense, or the device is gone.
   bool broken_ = false;
 };
 

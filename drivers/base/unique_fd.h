@@ -15,6 +15,7 @@ class UniqueFd {
   UniqueFd() = default;
   // Owns `fd`, which nobody else may close; -1 makes an empty one.
   explicit UniqueFd(int fd) : fd_(fd) {}
+  // The other one is empty afterwards.
   UniqueFd(UniqueFd&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   UniqueFd& operator=(UniqueFd&& other) noexcept {
     if (this != &other) {
@@ -38,6 +39,7 @@ class UniqueFd {
   }
 
  private:
+  // -1 while there is none.
   int fd_ = -1;
 };
 

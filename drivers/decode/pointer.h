@@ -58,8 +58,10 @@ class PointerDecoder {
   // edge to edge. Several fields of one axis are applied in the order of the descriptor.
   float Moved(const InputReport& report, std::span<const ElementRef> axis, float from, float counts) const;
 
+  // Of the device's descriptor.
   ReportLayout layout_;
   PointerSettings settings_;
+  // Elements of X, Y and the wheel, in the order of the descriptor.
   std::vector<ElementRef> x_, y_, wheel_;  // A device may have an axis in several reports.
   SwitchReader<1> buttons_;
   PointerSample sample_;

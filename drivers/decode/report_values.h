@@ -14,6 +14,7 @@ namespace kaori::decode {
 // An input report that has been checked: a known id, and exactly its
 // length. Reading its elements needs no further check.
 struct InputReport {
+  // 0 where the descriptor has no ids.
   std::uint8_t id = 0;
   std::span<const std::uint8_t> payload;  // Without the id. Borrowed.
 };
@@ -36,6 +37,7 @@ inline bool in_range(const ReportField& field, std::int64_t value) {
 // One element of a variable input field. Valid for the layout in which it was found.
 struct ElementRef {
   std::uint32_t field = 0;  // Index into ReportLayout::fields.
+  // Which of the field's elements, from 0.
   std::uint32_t element = 0;
 };
 
@@ -55,6 +57,7 @@ void VisitHeld(const ReportLayout& layout, const InputReport& report, std::uint3
 // Whether a usage of `field` is on usage page `page`.
 bool HoldsPage(const ReportLayout& layout, const ReportField& field, std::uint32_t page);
 
+// HoldsPage comes first: it spares fields of other pages the walk over their elements.
 template <class Visit>
 void VisitHeld(const ReportLayout& layout, const InputReport& report, std::uint32_t page, Visit visit) {
   for (const ReportField& field : layout.fields) {

@@ -18,7 +18,8 @@ struct Switches {
   std::array<std::uint32_t, kWords> down{};         // Bit n % 32 of word n / 32: switch n is held.
   std::array<std::uint32_t, kWords * 32> pushes{};  // Wraps after 2^32.
 
-  // Sets `down`, and counts a push for each switch that was not down before.
+  // Sets `down`, and counts a push for each switch that was not down before. A switch that went down and up
+  // again between two reports leaves no trace in them.
   void Become(const std::array<std::uint32_t, kWords>& now) {
     for (std::size_t n = 0; n < pushes.size(); ++n) {
       const std::uint32_t bit = std::uint32_t{1} << (n % 32);
@@ -69,7 +70,9 @@ class SwitchReader {
     return it != reports_.end() ? it->held : reports_.emplace_back(ByReport{id, {}}).held;
   }
 
+  // Usages outside of this page are not looked at.
   std::uint32_t page_;
+  // The usage of switch 0, without its page.
   std::uint32_t first_;
   std::vector<ByReport> reports_;  // 255 at most.
 };

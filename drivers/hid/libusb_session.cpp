@@ -13,6 +13,7 @@ namespace kaori::hid {
 namespace {
 
 constexpr std::uint8_t kHidDescriptor = 0x21;  // HID 1.11, section 6.2.1.
+// Its type within the HID descriptor (HID 1.11, section 7.1).
 constexpr std::uint8_t kLibusbSessionReportDescriptor = 0x22;
 // The longest chain of hubs.
 constexpr int kMaxPortDepth = 7;  // USB 3.2, section 10.
@@ -87,6 +88,7 @@ void AddInterfaces(libusb_device* device, std::vector<UsbHidInterface>& into) {
 
 }  // namespace
 
+// Codes of libusb 1.0. Other failures are io_error: the caller opens anew, which tells more.
 tl::unexpected<Error> FailUsb(int code, std::string attempt) {
   switch (code) {
     case LIBUSB_ERROR_NO_DEVICE:
@@ -158,6 +160,8 @@ void LibusbSession::SetReadable(bool readable) {
     ::eventfd_read(readable_.get(), &count);  // Non-blocking: empty is as good.
 }
 
+// LIBUSB_ERROR_INTERRUPTED is a signal that came in between; the descriptor stays
+// readable, so that the next call goes on.
 Result<void> LibusbSession::Handle() {
   timeval at_once{};
   const int code = libusb_handle_events_timeout_completed(context_.get(), &at_once, nullptr);
@@ -165,6 +169,7 @@ Result<void> LibusbSession::Handle() {
   return {};
 }
 
+// The result counts for nothing: whoever closes looks at its own transfers.
 void LibusbSession::HandleFor(int ms) {
   timeval wait{.tv_sec = 0, .tv_usec = suseconds_t{ms} * 1000};
   libusb_handle_events_timeout_completed(context_.get(), &wait, nullptr);

@@ -46,6 +46,7 @@ class LibusbSession {
 
   // Readable while libusb has something to handle, or SetReadable(true) counts. Level-triggered.
   int pollable() const { return epoll_.get(); }
+  // Borrowed, for libusb's own calls; no events are handled but by this object.
   libusb_context* context() const { return context_.get(); }
 
   // While true, pollable() is readable whatever USB does: a completed report waits to be read.
@@ -76,6 +77,7 @@ class LibusbSession {
   UniqueFd epoll_;
   // Readable by hand: see SetReadable.
   UniqueFd readable_;
+  // Ends first, since it closes the descriptors that epoll_ watches.
   std::unique_ptr<libusb_context, Exit> context_;
 };
 

@@ -26,7 +26,9 @@ class LocalHidChannel final : public ports::HidChannel {
   Result<void> Write(std::span<const std::uint8_t> report) override;
 
  private:
+  // Closing it is how this end unplugs.
   UniqueFd socket_;
+  // Of the hello; a device that changes must come again.
   ports::HidIdentity identity_;
 };
 

@@ -38,19 +38,20 @@ using DrmAtomic = std::unique_ptr<drmModeAtomicReq, DrmFree<drmModeAtomicFree>>;
 struct DrmObject {
   // KMS's number of the object, above 0.
   std::uint32_t id = 0;
+  // DRM_MODE_OBJECT_CONNECTOR and the like.
   std::uint32_t kind = 0;
 };
 
-// A property of an object. KMS knows properties by ids that differ from
-// card to card, and people by names.
+// A property of an object, as KMS has them: 64 bits, whose meaning the property's kind says (a
+// number, an enumerator, an object's or a blob's id). KMS knows properties by ids that differ
+// from card to card, and people by names.
 struct DrmValue {
   std::uint32_t property = 0;  // The property's id.
   std::uint64_t value = 0;     // Its value now.
 };
 
-// Looks a property up by its name, which asks the kernel for every property of
-// the object: not for the frame path.
-// Errors: not_supported  the object has no property of this name.
+// Looks a property up by its name, which asks the kernel for every property of the object: not for the frame
+// path. Errors: not_supported (the object has no property of this name).
 Result<DrmValue> FindProperty(int card, DrmObject object, const char* name);
 
 }  // namespace kaori::scanout

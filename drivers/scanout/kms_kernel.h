@@ -1,6 +1,5 @@
-// Each call of KmsDevice is one or a few ioctls of libdrm, without a copy of the card's
-// state but for the ids of properties.
-// The kernel's KMS, on the card's own file.
+// The kernel's KMS, on the card's own file. Each call of KmsDevice is one or a few ioctls of libdrm, without a
+// copy of the card's state but for the ids of properties.
 #pragma once
 
 #include <xf86drm.h>
@@ -69,6 +68,7 @@ class KmsKernel final : public KmsDevice {
   // The id of a setting's property. Errors: not_supported.
   Result<std::uint32_t> IdOf(const KmsSetting& setting);
 
+  // The card's file, borrowed.
   int card_;
   HotplugMonitor hotplug_;
   // A few dozen at most, searched from the front: some nanoseconds each.

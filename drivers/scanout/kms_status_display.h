@@ -33,6 +33,8 @@ class KmsStatusDisplay final : public ports::StatusDisplay {
   int width_px() const override { return output_.chosen.mode.hdisplay; }
   int height_px() const override { return output_.chosen.mode.vdisplay; }
   bool fresh() const override { return !shown_; }
+  // Errors: invalid_argument (another size, rows out of range), and what the card says. The first call sets
+  // the mode; later ones show the same framebuffer again.
   Result<void> Show(std::span<const std::uint8_t> rgbx, int first, int end) override;
 
  private:
@@ -40,13 +42,16 @@ class KmsStatusDisplay final : public ports::StatusDisplay {
   // Copies one row of the picture into the buffer, which is another way up.
   void Write(std::span<const std::uint8_t> rgbx, int row);
 
+  // Borrowed; the mode and the mapping are given back to it at the end.
   KmsDevice& card_;
   KmsOutput output_;
+  // Mapped for as long as this object lives.
   KmsDumbBuffer buffer_;
   std::uint32_t mode_;    // The mode's blob.
   std::uint32_t before_;  // The framebuffer that an earlier program left on the screen; 0: none, or removed.
   // The first Show succeeded: from then on the CRTC is ours.
   bool shown_ = false;
+  // Of the commit that is made last; kept for its memory.
   std::vector<KmsSetting> settings_;
 };
 

@@ -42,11 +42,15 @@ class LocalScreen final : public ports::Scanout {
   std::size_t picture_bytes() const { return std::size_t{hello_.width_px} * hello_.height_px * 4; }
 
   UniqueFd socket_;
+  // Zeroes until the screen has answered.
   wire::ScreenHello hello_;
+  // All slots, one behind another.
   SharedMemory memory_;
   std::uint32_t next_slot_ = 0;  // The slot to draw into: never the one that is shown.
+  // Acquire gave the slot away, and Present has not yet come.
   bool acquired_ = false;
   std::optional<std::uint64_t> presented_;  // Waits for its flip.
+  // The simulator hung up: every later call fails.
   bool gone_ = false;
 };
 

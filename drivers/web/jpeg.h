@@ -12,7 +12,7 @@ namespace kaori::web {
 
 // A picture of 8-bit R, G, B, X; rows without padding. Borrowed.
 struct Picture {
-  // Of the picture; at most 8192 a side.
+  // In pixels; at least 1 and at most 8192 a side.
   int width_px = 0;
   int height_px = 0;
   std::span<const std::uint8_t> rgbx;
@@ -32,6 +32,7 @@ class JpegEncoder {
   Result<std::string> Encode(const Picture& picture, int quality);
 
  private:
+  // The compressor of libjpeg-turbo, and what it holds.
   struct Close {
     void operator()(void* handle) const;
   };

@@ -48,13 +48,16 @@ class DialBox final : public HidDevice {
   };
   // What the next report starts from: buttons as they are, nothing turned.
   static wire::DialBoxReport Next(const wire::DialBoxReport& last) { return {last.buttons_down, {}}; }
+  // Push and Release; a button that is so already is told to nobody.
   void SetButton(int button, bool down);
   // Adds to the report that waits; may make several reports of one turn.
   void AddCounts(int dial, std::int64_t counts);
 
   const DeviceContext& context_;
+  // Reports that are on their way, with what was turned since the one before.
   ReportQueue<wire::DialBoxReport> waiting_{&Next};
   std::array<Dial, wire::kDials> dials_{};
+  // Bit n: lamp n is lit. Set by the host alone.
   std::uint32_t lamps_ = 0;
 };
 

@@ -21,6 +21,7 @@ void DoOnStick(StickPod& stick, const OperatorAction& action) {
   if (action.verb == Verb::kRelease) stick.Release(action.index);
 }
 
+// There are no keys beyond usage 255: a report could not name them.
 void DoOnKeyboard(Keyboard& keyboard, const OperatorAction& action) {
   if (action.index < 0 || action.index > 0xFF) return;
   const auto usage = static_cast<std::uint8_t>(action.index);
@@ -63,6 +64,7 @@ InputDevices::InputDevices(const DeviceContext& context, ports::CameraFormat cam
       microphone(context),
       lines(context) {}
 
+// A port has one device; those without one, such as the screen, have nothing that an operator does.
 void InputDevices::Do(const OperatorAction& action) {
   if (action.port == DevicePort::kDialBox) DoOnBox(dial_box, action);
   if (action.port == DevicePort::kStickLeft) DoOnStick(left_stick, action);

@@ -37,9 +37,9 @@ class LipCamera {
   bool stalled() const { return stalled_; }
   ports::CameraFormat format() const { return format_; }
 
-  // Appliance's side. Room that every frame of the present format fits into; JPEG is given that of YUYV.
-  // row of Y, or of YUYV; 0 for MJPEG.
+  // Appliance's side. Bytes that every frame of the present format fits into; JPEG is given as many as YUYV.
   std::size_t frame_bytes() const;
+  // Of a row of Y, or of YUYV; 0 for MJPEG.
   std::uint32_t stride_bytes() const;
 
   // Draws frame `sequence` into `into` (frame_bytes of room); the same numbers give the same bytes.
@@ -58,6 +58,7 @@ class LipCamera {
   Mouth mouth_;
   bool covered_ = false;
   bool stalled_ = false;
+  // Of the next frame alone.
   Spoil spoil_ = Spoil::kNothing;
   std::vector<std::uint8_t> backdrop_;  // YUYV: the face without its mouth; painted for the first frame.
   std::vector<std::uint8_t> picture_;   // YUYV: where other formats are made from.

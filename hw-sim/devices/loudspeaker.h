@@ -19,7 +19,8 @@ class Loudspeaker {
  public:
   // Left and right.
   static constexpr int kChannels = 2;
-  static constexpr std::size_t kRoomFrames = 2880;  // 60 ms.
+  // 60 ms. What is given beyond it is lost.
+  static constexpr std::size_t kRoomFrames = 2880;
 
   // Borrows the context.
   explicit Loudspeaker(const DeviceContext& context) : context_(context) {}
@@ -31,8 +32,8 @@ class Loudspeaker {
     std::vector<std::int16_t> samples;  // Left, right.
   };
 
-  // Test's side. What was heard since the last call, the last ten seconds at most, the oldest first. A
-  // break between two blocks is silence, or a stall.
+  // Test's side. What was heard since the last call, the oldest first, the last 4000 blocks at most: a block
+  // is what was played between two looks. A break between two blocks is silence, or a stall.
   std::vector<Heard> DrainHeard();
   double level_db() const { return level_db_; }  // Of what was heard last; -100 is silence.
   void SetDrift(double ppm) { ppm_ = ppm; }      // Its crystal runs so much faster, from the next start on.
@@ -61,18 +62,23 @@ class Loudspeaker {
   void Remember(std::size_t frames);
 
   const DeviceContext& context_;
+  // Left and right in turn, so that it always holds an even number.
   std::deque<std::int16_t> waiting_;  // Given, and not yet played.
+  // For DrainHeard; a block is what was played between two looks.
   std::deque<Heard> heard_;
   // Frames come out in time; false where it stalls or has run dry.
   bool playing_ = false;
   Time start_{};  // When frame `start_frame_` was heard.
+  // Counted as played_, without those that were lost.
   std::uint64_t start_frame_ = 0;
   // Frames since the last Silence; those that were lost are counted apart.
   std::uint64_t played_ = 0;
   std::uint64_t lost_ = 0;
+  // Of the last frame that was played.
   Time played_at_{};
   std::uint32_t dry_ = 0;
   double level_db_ = -100;
+  // How much faster the crystal runs, in millionths.
   double ppm_ = 0;
   bool stalled_ = false;
 };

@@ -15,7 +15,8 @@ namespace kaori::sim {
 // or later than the clock has them. One thread.
 class Microphone {
  public:
-  static constexpr int kBlockFrames = 240;  // 5 ms.
+  // 5 ms, the period that the box asks sound cards for.
+  static constexpr int kBlockFrames = 240;
 
   // Begins to hear at the context's present time. Borrows the context.
   explicit Microphone(const DeviceContext& context) : context_(context), start_(context.clock.now()) {}
@@ -53,6 +54,7 @@ class Microphone {
   void HearUntil(Time now);
 
   const DeviceContext& context_;
+  // Makes the samples, in the order of time.
   VoiceSynth synth_;
   Time start_;              // When frame `first_` was heard,
   std::int64_t first_ = 0;  // since which the crystal is what it is.
@@ -63,6 +65,7 @@ class Microphone {
   std::vector<std::int16_t> waiting_;
   // Blocks that are to be lost still.
   int to_lose_ = 0;
+  // The next block tells of it, once.
   bool lost_ = false;
   bool stalled_ = false;
 };

@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, kDevicePortCount> kPortNames{
 
 }  // namespace
 
+// Both directions use one table, so that a name is read back as the port that it was written for.
 std::string_view PortName(DevicePort port) {
   return kPortNames[static_cast<std::size_t>(port)];
 }

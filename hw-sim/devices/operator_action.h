@@ -48,6 +48,7 @@ enum class Verb : std::uint8_t {
   kCoverLens,  // `index` 1 covers, 0 uncovers.
   kStall,      // Camera, microphone or loudspeaker stops (`index` 1) or goes on (0).
   kVoice,      // The voice says vowel `index` (0 to 4: a, i, u, e, o), `a` loud: 0 silent, 1 as one speaks.
+  // The port's cable; no device sees these.
   kPlug,
   kUnplug,
 };
@@ -58,7 +59,9 @@ struct OperatorAction {
   // Whose control it is.
   DevicePort port = DevicePort::kDialBox;
   Verb verb = Verb::kTurn;
+  // Which dial, button, key, line or vowel; of some verbs a switch, 0 or 1.
   int index = 0;
+  // The verb's numbers, in the units and ranges of the device's own call.
   double a = 0;
   double b = 0;
   friend bool operator==(const OperatorAction&, const OperatorAction&) = default;

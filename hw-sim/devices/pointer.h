@@ -8,8 +8,8 @@
 
 namespace kaori::sim {
 
-// Absolute: what is moved to is where the pen is, whatever the screen's size. One thread.
-// One thread.
+// Absolute: what is moved to is where the pen is, whatever the screen's size. Nothing is told
+// of a pen that does not move. One thread.
 class Pointer final : public HidDevice {
  public:
   // Borrows the context.
@@ -44,7 +44,9 @@ class Pointer final : public HidDevice {
   void AddNotches(int notches);
 
   const DeviceContext& context_;
+  // Position and buttons as the next reports say them.
   ReportQueue<wire::PointerReport> waiting_{&Next};
+  // Of the picture, 0 .. 1; the middle at first.
   double x_ = 0.5;
   double y_ = 0.5;
   double unrolled_ = 0;  // Part of a notch.

@@ -16,12 +16,14 @@ inline constexpr Duration kReportPeriod = std::chrono::milliseconds(1);
 // A host that is stopped for good must not eat memory: beyond this many reports, edges merge after all.
 inline constexpr std::size_t kMaxWaitingReports = 1024;
 
-// State is the report as a struct. `at_rest_next` makes the state from which the next report starts:
-// what a report says once, such as turns, is 0 in it, what stands, such as buttons, is kept. A device
-// changes the state that waits, and a link takes it out when it is due. One thread.
+// State is the report as a struct. `at_rest_next` makes the state from which the next report starts: what a
+// report says once, such as turns, is 0 in it, what stands, such as buttons, is kept. A device changes the
+// state that waits, and a link takes it out when it is due. One thread. A state in which nothing happens has
+// no report: a device at rest is silent, as real ones with an idle rate of 0 are (HID 1.11, 7.2.4).
 template <class State>
 class ReportQueue {
  public:
+  // The function must be pure; it is called for each report that is made.
   explicit ReportQueue(State (*at_rest_next)(const State&)) : next_from_(at_rest_next) {}
 
   // The state to change. `would_merge(last, back)` says whether the change would wipe out one that
@@ -65,7 +67,7 @@ class ReportQueue {
   }
 
  private:
-  // A report that waits.
+  // A report that waits. Due times rise by kReportPeriod at least.
   struct Waiting {
     Time due;
     State state;
@@ -81,9 +83,11 @@ class ReportQueue {
   State (*next_from_)(const State&);
   // The state that the last report said.
   State sent_{};
+  // The oldest first; the last one may still change.
   std::deque<Waiting> waiting_;
   // When the next report may leave, after the last one.
   Time free_at_{};
+  // Nobody reads: one report gathers all.
   bool hosted_ = false;
 };
 

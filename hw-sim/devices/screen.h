@@ -32,6 +32,7 @@ struct Shown {
 // screen holds no pixels itself: it borrows those of the link. One thread.
 class Screen {
  public:
+  // The first vertical blank is at `start`.
   Screen(ScreenMode mode, Time start) : mode_(mode), start_(start) {}
 
   // Test's side. On a new mode the program loses the screen and must open it anew;
@@ -56,7 +57,9 @@ class Screen {
 
  private:
   ScreenMode mode_;
+  // When blank 0 was.
   Time start_;
+  // None while it is dark.
   std::optional<Shown> latest_;
   std::uint64_t frames_shown_ = 0;
   std::uint32_t mode_changes_ = 0;

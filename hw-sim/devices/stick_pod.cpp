@@ -86,6 +86,7 @@ void StickPod::SetButton(int button, bool down) {
   if (button < 0 || button >= static_cast<int>(wire::kStickPodButtons)) return;
   const auto bit = static_cast<std::uint16_t>(1u << button);
   if (((buttons_down() & bit) != 0) == down) return;
+  // An edge that would undo the edge of the same button before it gets a report of its own.
   auto& report = waiting_.Change(context_.clock.now(), [bit](const auto& before, const auto& back) {
     return ((before.buttons_down ^ back.buttons_down) & bit) != 0;
   });
@@ -107,6 +108,7 @@ Report StickPod::Standing() const {
   return StickPodBytes(waiting_.newest());
 }
 
+// A host assumes the rest of a control that it was never told of: one that is elsewhere is told at once.
 void StickPod::HostCame() {
   waiting_.set_hosted(true);
   if (!waiting_.next_due() && Standing() != StickPodBytes({})) Change();

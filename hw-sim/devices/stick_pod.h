@@ -41,14 +41,19 @@ class StickPod final : public HidDevice {
   void PowerCycle() override { waiting_.Forget(); }
 
  private:
+  // Nothing in this report is said once: all of it stands.
   static wire::StickPodReport Next(const wire::StickPodReport& last) { return last; }
   // The report that waits, for a change that may share it with others.
   wire::StickPodReport& Change();
+  // Told to the watcher only where it changes.
   void SetButton(int button, bool down);
 
+  // Which of the two: for the watcher, and for nothing else.
   DevicePort port_;
   const DeviceContext& context_;
+  // Positions and buttons as the next reports say them.
   ReportQueue<wire::StickPodReport> waiting_{&Next};
+  // Exact, as they were set; the slider 0 .. 1, the others -1 .. 1.
   float x_ = 0;
   float y_ = 0;
   float twist_ = 0;

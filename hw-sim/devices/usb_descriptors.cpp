@@ -58,6 +58,7 @@ UsbBytes StringDescriptor(std::string_view text) {
   return bytes;
 }
 
+// Index 0 lists the languages (USB 2.0, 9.6.7).
 std::optional<UsbBytes> StringNumber(const UsbDescriptors& descriptors, std::uint8_t index) {
   if (index == 0) return UsbBytes{4, kStringKind, 0x09, 0x04};  // English (United States) is all we speak.
   if (index == kMakerString) return StringDescriptor(descriptors.maker);
@@ -81,6 +82,8 @@ std::optional<UsbBytes> Descriptor(const UsbDescriptors& descriptors, const UsbS
 
 }  // namespace
 
+// Descriptors lie behind one another, each with its length first (USB 2.0, 9.5). A length below 2 or beyond
+// the end ends the walk: the rest cannot be read.
 UsbContents ContentsOf(std::span<const std::uint8_t> configuration) {
   UsbContents contents;
   while (configuration.size() >= 2 && configuration[0] >= 2 && configuration[0] <= configuration.size()) {
@@ -99,6 +102,7 @@ UsbContents ContentsOf(std::span<const std::uint8_t> configuration) {
   return contents;
 }
 
+// USB 2.0, 9.6.3: one configuration with the number 1, without a string.
 UsbBytes ConfigurationOf(std::uint8_t interfaces, std::span<const std::uint8_t> contents) {
   const auto total = static_cast<std::uint16_t>(kConfigurationHeaderBytes + contents.size());
   // wTotalLength counts the header too; 0x80 is bus powered, 50 counts in units of 2 mA.
@@ -108,12 +112,14 @@ UsbBytes ConfigurationOf(std::uint8_t interfaces, std::span<const std::uint8_t> 
   return bytes;
 }
 
+// USB 2.0, 9.6.5: setting 0 alone, without a string.
 UsbBytes InterfaceDescriptor(const UsbInterface& interface, std::uint8_t endpoints) {
   return {9,         kInterfaceKind, interface.number,   0,
           endpoints, interface.kind, interface.subclass, interface.protocol,
           0};
 }
 
+// USB 2.0, 9.6.6.
 UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint) {
   return {7,
           kEndpointKind,
@@ -124,6 +130,8 @@ UsbBytes EndpointDescriptor(const UsbEndpoint& endpoint) {
           endpoint.interval};
 }
 
+// USB 2.0, 9.4. Status is two bytes: bus powered, no remote wakeup, not halted. Features
+// are acknowledged and change nothing.
 std::optional<UsbBytes> AnswerStandard(const UsbDescriptors& descriptors, const UsbSetup& setup) {
   // Requests of a class or a vendor have bits there.
   if ((setup.type & kTypeMask) != 0) return std::nullopt;

@@ -41,7 +41,7 @@ class UvcCamera final : public UsbDevice {
   LipCamera& camera_;
   Duration period_;
   UsbDescriptors descriptors_;
-  // One frame, drawn and then cut into payloads.
+  // One frame, as the camera drew it.
   UsbBytes picture_;
   // The frame that is under way, cut into payloads, each behind its header.
   UsbBytes payloads_;

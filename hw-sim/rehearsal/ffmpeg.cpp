@@ -50,6 +50,7 @@ Result<Ffmpeg> Ffmpeg::Start(std::vector<std::string> arguments, std::string fil
   UniqueFd messages(::memfd_create("ffmpeg", MFD_CLOEXEC));
   if (!messages.valid()) return FailErrno("make room for what ffmpeg says");
   std::array<int, 2> ends{};
+  // Close-on-exec, or the child would hold the writing end of its own input and never see its end.
   if (::pipe2(ends.data(), O_CLOEXEC) < 0) return FailErrno("make a pipe");
   const UniqueFd read_end(ends[0]);
   UniqueFd write_end(ends[1]);
@@ -66,7 +67,8 @@ Ffmpeg::Ffmpeg(Ffmpeg&& other) noexcept
       process_(std::exchange(other.process_, -1)) {}
 
 Ffmpeg::~Ffmpeg() {
-  // An error has nobody to go to here: whoever wants it calls Finish.
+  // Waits for the process, so that none is left behind. An error has nobody to go to
+  // here: whoever wants it calls Finish.
   [[maybe_unused]] const auto done = Finish();
 }
 
@@ -81,6 +83,7 @@ Result<void> Ffmpeg::Write(std::span<const std::uint8_t> bytes) {
   return {};
 }
 
+// Blocks until ffmpeg has written what it got.
 Result<void> Ffmpeg::Finish() {
   if (process_ < 0) return {};
   // The end of its input is what ends it.
@@ -96,6 +99,7 @@ Result<void> Ffmpeg::Finish() {
               "write the film " + file_ + (said.empty() ? "" : " (ffmpeg: " + said + ")"));
 }
 
+// A closed pipe alone does not say why. Where ffmpeg ended well all the same, it is the pipe that broke.
 Result<void> Ffmpeg::GaveUp() {
   if (auto why = Finish(); !why) return why;
   return Fail(std::errc::broken_pipe, "write the film " + file_);

@@ -38,7 +38,9 @@ class Ffmpeg {
   // Ends it and gives the error that it ended with.
   Result<void> GaveUp();
 
+  // What is removed where it could not be finished.
   std::string file_;
+  // The writing end; closed by Finish.
   UniqueFd pipe_;
   // What ffmpeg said, in memory: a pipe could fill up and hold it.
   UniqueFd messages_;

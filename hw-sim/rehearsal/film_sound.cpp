@@ -57,6 +57,7 @@ Result<FilmSound> FilmSound::Start(const std::string& file, Time begin) {
   return FilmSound(file, std::move(stream), begin);
 }
 
+// A block's time says where in the film it belongs; frames_ says where the file ends so far.
 void FilmSound::Add(const std::vector<Loudspeaker::Heard>& heard) {
   for (const Loudspeaker::Heard& block : heard) {
     std::span<const std::int16_t> samples(block.samples);
@@ -73,11 +74,12 @@ void FilmSound::Add(const std::vector<Loudspeaker::Heard>& heard) {
   }
 }
 
+// Sound that is already longer stays in the file, behind what the head counts.
 Result<void> FilmSound::Finish(Duration length) {
   const std::int64_t wanted = FramesIn(length);
   if (wanted > frames_) WriteSilence(wanted - frames_);
-  // The lengths in the head: a reader stops there, whatever lies behind.
-  const auto head = WavHead(wanted);  // A reader stops there.
+  // A reader stops at the lengths in the head, whatever lies behind.
+  const auto head = WavHead(wanted);
   stream_.seekp(0);
   stream_.write(reinterpret_cast<const char*>(head.data()), head.size());
   stream_.close();

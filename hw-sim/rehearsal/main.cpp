@@ -47,6 +47,7 @@ struct FilmInTheMaking {
   kaori::sim::Film pictures;
   std::optional<kaori::sim::FilmSound> sound{};  // Since the first picture.
 
+  // `heard` may be of before the picture: FilmSound leaves out what was heard before the first one.
   Result<void> Add(const kaori::sim::Shown& shown, const std::vector<kaori::sim::Loudspeaker::Heard>& heard) {
     if (!sound) {
       auto started = kaori::sim::FilmSound::Start(sound_file, shown.at);
@@ -69,6 +70,7 @@ struct FilmInTheMaking {
 struct Outputs {
   std::unique_ptr<FilmInTheMaking> film;
   std::string pictures;
+  // Pictures in a second of the show.
   int hz = 30;
 
   Result<void> Write(const kaori::sim::Shown& shown, const std::vector<kaori::sim::Loudspeaker::Heard>& heard,

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration kTick = 1ms;  // A simulated millisecond: reports leave no more often.
-// Ticks: a simulated second for a device to get its slot, or for a picture to come.
+// In ticks: a simulated second for a device to get its slot, or for a picture to come.
 constexpr int kPatience = 1000;
 constexpr int kHidDevices = 5;  // Dial box, two sticks, keyboard, pointer.
 

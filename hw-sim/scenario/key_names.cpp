@@ -7,6 +7,7 @@
 namespace kaori::sim {
 namespace {
 
+// What people write, and what a report says.
 struct Key {
   std::string_view name;
   std::uint8_t usage;
@@ -27,6 +28,7 @@ constexpr std::string_view kDigits = "1234567890";  // In the order of the usage
 // Of keys without a name of their own.
 constexpr std::string_view kUsage = "usage-";
 
+// By direction, from 0.
 constexpr std::array<std::string_view, 8> kHats{"up",   "up-right",  "right", "down-right",
                                                 "down", "down-left", "left",  "up-left"};
 
@@ -54,6 +56,7 @@ std::optional<std::uint8_t> OneLetter(char c) {
 
 }  // namespace
 
+// 0x3A is F1. Numbers below 0x04 are errors that keyboards report, and above 0xE7 there is no key.
 std::optional<std::uint8_t> KeyNamed(std::string_view name) {
   const std::string lower = Lower(name);
   if (lower.size() == 1) return OneLetter(lower[0]);
@@ -71,6 +74,7 @@ std::optional<std::uint8_t> KeyNamed(std::string_view name) {
   return std::nullopt;
 }
 
+// The order of KeyNamed, so that each name is read back as its usage.
 std::string KeyName(std::uint8_t usage) {
   if (usage >= 0x04 && usage <= 0x1D) return std::string(1, static_cast<char>('a' + usage - 0x04));
   if (usage >= 0x1E && usage <= 0x27) return std::string(1, kDigits[static_cast<std::size_t>(usage - 0x1E)]);

@@ -76,6 +76,7 @@ void Player::Begin(const TimedAction& timed) {
   motions_.push_back({&timed, from.a, from.b});
 }
 
+// Those that have arrived took their last step just now, which went exactly to the end.
 void Player::MoveAll(Duration to) {
   for (Motion& motion : motions_) Move(motion, to);
   std::erase_if(motions_, [to](const Motion& m) { return to >= m.timed->at + m.timed->over; });
@@ -98,6 +99,7 @@ void Player::Move(Motion& motion, Duration to) {
   static_cast<void>(rig_.Do(action));
 }
 
+// By the position, so that a beat whose time is passed in one step is named all the same.
 std::string_view Player::beat() const {
   std::string_view name;
   for (const Beat& beat : scenario_.beats) {

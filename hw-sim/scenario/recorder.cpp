@@ -16,6 +16,7 @@ void Recorder::Notify(const OperatorAction& action) {
     actions_.push_back(timed);
 }
 
+// Without beats: nobody names the scenes of what was only done.
 Scenario Recorder::scenario() const {
   Scenario scenario{actions_, {}, {}};
   PutInOrder(scenario);

@@ -4,6 +4,7 @@
 
 namespace kaori::sim {
 
+// Stable: what was written first is done first.
 void PutInOrder(Scenario& scenario) {
   std::ranges::stable_sort(scenario.actions, {}, &TimedAction::at);
   std::ranges::stable_sort(scenario.beats, {}, &Beat::at);

@@ -13,6 +13,7 @@ namespace kaori::sim {
 struct TimedAction {
   Duration at{};    // After the beginning.
   Duration over{};  // Zero: at once; else the control moves there, easing in and out.
+  // What is done; a verb that may not take time has over = 0.
   OperatorAction action;
   friend bool operator==(const TimedAction&, const TimedAction&) = default;
 };

@@ -13,8 +13,10 @@ constexpr Mouth kAtRest{};
 // What is said in an equal part of the time.
 struct Syllable {
   bool shuts_first = false;  // m, b, p: the lips meet before it.
+  // What the mouth looks like while the vowel is held.
   Mouth mouth;
   int vowel = 0;  // As Verb::kVoice numbers them.
+  // As Verb::kVoice has it.
   double loudness = 1;
 };
 
@@ -36,7 +38,8 @@ Mouth VowelMouth(char vowel) {
 
 // Lips that meet, as for m, b and p.
 constexpr Mouth kShut{0.22, 0.96};
-constexpr int kHummed = 2;  // An n that ends a word is a faint u.
+// An n that ends a word is a faint u: the vowel with the narrowest mouth.
+constexpr int kHummed = 2;
 constexpr double kHum = 0.3;
 constexpr std::string_view kLabials = "mbp";
 
@@ -83,6 +86,8 @@ bool CanSay(std::string_view text) {
   return std::ranges::all_of(text, sayable) && !Syllables(text).empty();
 }
 
+// Each syllable: the lips meet where it begins with a labial, then open to the vowel's shape,
+// and are held for the rest of its part.
 std::vector<TimedAction> Speak(std::string_view text, Duration at, Duration over) {
   const auto syllables = Syllables(text);
   // The way back to rest takes as long as half a syllable.

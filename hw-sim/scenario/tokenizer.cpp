@@ -20,6 +20,7 @@ int ColumnAt(std::string_view line, std::size_t byte) {
   return column;
 }
 
+// A carriage return too, so that files with lines of Windows are read.
 bool IsSpace(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
@@ -75,6 +76,7 @@ bool Tokenizer::Accept(std::string_view token) {
   return true;
 }
 
+// A sign counts: "press pointer -1" is then a bad number, and no other word.
 bool Tokenizer::NumberFollows() const {
   if (AtEnd()) return false;
   const char first = tokens_[next_].text.empty() ? ' ' : tokens_[next_].text.front();

@@ -69,6 +69,7 @@ std::string OnSound(const OperatorAction& action) {
   return action.a > 0 ? fmt::format("voice {} {}", kVowelLetters[vowel], action.a) : "voice off";
 }
 
+// Doubles, in the shortest decimals that read back as the same.
 std::string OnPointer(const OperatorAction& action) {
   if (action.verb == Verb::kMove) return fmt::format("pointer {} {}", action.a, action.b);
   if (action.verb == Verb::kRoll) return fmt::format("roll pointer {}", action.a);
@@ -80,6 +81,7 @@ std::string OnLines(const OperatorAction& action) {
   return fmt::format("line {} {}", kLineNames[line], action.verb == Verb::kPush ? "on" : "off");
 }
 
+// Cables first: they belong to no device.
 std::string Text(const OperatorAction& action) {
   if (action.verb == Verb::kPlug) return fmt::format("plug {}", PortName(action.port));
   if (action.verb == Verb::kUnplug) return fmt::format("unplug {}", PortName(action.port));
@@ -106,6 +108,7 @@ std::string WriteBeat(const Beat& beat) {
 std::string WriteScenario(const Scenario& scenario) {
   std::string text;
   auto beat = scenario.beats.begin();
+  // A beat stands before the actions of its time, as its name is for what follows.
   const auto write_beats_until = [&](Duration at) {
     for (; beat != scenario.beats.end() && beat->at <= at; ++beat) text += WriteBeat(*beat) + "\n";
   };

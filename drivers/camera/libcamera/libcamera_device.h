@@ -39,7 +39,9 @@ class LibcameraHold {
     std::optional<float> gain;
     std::optional<std::array<float, 2>> colour_gains;  // Red, blue.
   };
+  // Over all that is below it but the count.
   mutable std::mutex mutex_;
+  // What the newest request told; controls that it left out keep what an earlier one told.
   Values found_;
   std::optional<Values> held_;  // None: free.
   // Calls of Set so far.
@@ -67,18 +69,22 @@ class LibcameraDevice final : public RequestDevice {
                                                        const LibcameraPreferences& preferences);
   LibcameraDevice(const LibcameraDevice&) = delete;
   LibcameraDevice& operator=(const LibcameraDevice&) = delete;
+  // Stops the stream first, so that no completion comes after it, and releases the camera.
   ~LibcameraDevice() override;
 
   Completions& completions() override { return completions_; }
   std::uint32_t buffers() const override { return static_cast<std::uint32_t>(requests_.size()); }
+  // Mapped for reading, and valid as long as the device.
   std::span<const std::uint8_t> memory(std::uint32_t buffer) const override { return memory_[buffer]; }
   // Also sends the controls where they changed since the last request. Errors:
   // those of RequestDevice::Queue.
   Result<void> Queue(std::uint32_t buffer) override;
 
+  // As the camera has set it, which may be another format than was chosen.
   const RequestStream& stream() const { return stream_; }
   // Frames in a second; 0 where the camera keeps a rate of its own.
   double rate_hz() const { return frame_us_ > 0 ? 1e6 / static_cast<double>(frame_us_) : 0; }
+  // Both 0 where the camera lets nobody choose its rate.
   const FrameTimes& times() const { return times_; }
   // Names, for people, of what cannot be held.
   std::vector<std::string> lacks() const { return lacks_; }
@@ -95,22 +101,29 @@ class LibcameraDevice final : public RequestDevice {
   Result<void> Start(std::size_t rung);
   void HandleCompleted(libcamera::Request* request);  // In the library's thread.
 
+  // Shared with the library, as its interface wants it.
   std::shared_ptr<libcamera::Camera> camera_;
   LibcameraHold& hold_;
   int written_ = 0;  // LibcameraHold::changes() when the camera's controls were set last.
   // The destructor gives back what was acquired, and stops what streams.
   bool acquired_ = false;
   bool streams_ = false;
+  // Refers to the camera; its first stream is the one that is used.
   std::unique_ptr<libcamera::CameraConfiguration> configuration_;
+  // Owns the buffers of the stream.
   std::unique_ptr<libcamera::FrameBufferAllocator> allocator_;
+  // One for each buffer, and with its number.
   std::vector<std::unique_ptr<libcamera::Request>> requests_;
   // The mapped bytes of each buffer, with the requests' indices.
   std::vector<std::span<const std::uint8_t>> memory_;
   std::vector<bool> fresh_;  // Requests that were never queued.
+  // What is told of every frame.
   RequestStream stream_;
   FrameTimes times_;
+  // From frame to frame, as it was set; 0 where the camera keeps a rate of its own.
   std::int64_t frame_us_ = 0;
   Completions completions_;
+  // Found at the start of the stream.
   std::vector<std::string> lacks_;
 };
 

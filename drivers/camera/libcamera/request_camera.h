@@ -17,11 +17,12 @@ namespace kaori::camera {
 
 // A request that the library has completed.
 struct CompletedRequest {
-  // Its number on the device.
+  // The number of its buffer on the device.
   std::uint32_t buffer = 0;
   bool whole = false;  // Filled without a fault.
-  // How many of them were filled.
+  // How many bytes of the buffer were filled.
   std::uint32_t bytes = 0;
+  // Of the frame, as the camera counts: gaps are frames that were lost before us.
   std::uint32_t sequence = 0;
   // The library's stamp, on CLOCK_MONOTONIC.
   Time at{};
@@ -34,7 +35,7 @@ class Completions {
   Completions();
 
   // The library's side; any thread. Disconnect: the camera was unplugged.
-  // Neither waits for the other side.
+  // Neither waits for the other side; each makes the descriptor readable.
   void Add(const CompletedRequest& request);
   void Disconnect();
 
@@ -50,9 +51,12 @@ class Completions {
   // Makes the descriptor readable. With the mutex held.
   void Wake() const;
 
+  // Over the two below it.
   mutable std::mutex mutex_;
   std::vector<CompletedRequest> waiting_;
+  // For good.
   bool disconnected_ = false;
+  // An eventfd; its count says nothing, only that there is something.
   UniqueFd wake_;
 };
 
@@ -97,13 +101,17 @@ class RequestCamera final : public ports::Camera {
   RequestCamera(std::unique_ptr<RequestDevice> device, const RequestStream& stream, const Clock& clock);
   // Queues a buffer with the library; its failure ends the stream.
   Result<void> Queue(std::uint32_t buffer);
+  // Queues the held frame's buffer again, if there is one. Errors: as Queue.
   Result<void> GiveBackHeld();
   // Whether the request has a frame of the stream's length, within its buffer.
   bool is_whole(const CompletedRequest& request) const;
+  // Keeps the error for all later calls, and returns it.
   tl::unexpected<Error> Broken(std::errc cause, const char* verb);
 
+  // Ends after everything that borrows its memory.
   std::unique_ptr<RequestDevice> device_;
   RequestStream stream_;
+  // Of the stall alone; frames have the library's stamps.
   const Clock& clock_;
   // The frame that the caller reads.
   std::optional<CompletedRequest> held_;
