@@ -37,6 +37,8 @@ std::string Says(const show::Show& show, const show::Call& call) {
       return "style " + StyleName(call.index);
     case show::CallKind::kScene:
       return "scene " + NameOf(show.scenes, call.index);
+    case show::CallKind::kCue:
+      return fmt::format("cue call {}", call.index);
   }
   return "nothing";
 }

@@ -22,8 +22,9 @@ show::Call ReadCall(Script& script, toml::Section& section, const std::string& k
   if (kind == "style") return {show::CallKind::kStyle, StyleNamed(section, key, name)};
   if (kind == "scene")
     return {show::CallKind::kScene, IndexOf(section, key, "scene", script.show.scenes, name)};
-  section.Fault(key, fmt::format("\"{}\" is none of face, expression, style, scene{}", kind,
-                                 toml::DidYouMean(kind, {"face", "expression", "style", "scene"})));
+  if (kind == "cue") return {show::CallKind::kCue, CueVerbNamed(section, key, name)};
+  section.Fault(key, fmt::format("\"{}\" is none of face, expression, style, scene, cue{}", kind,
+                                 toml::DidYouMean(kind, {"face", "expression", "style", "scene", "cue"})));
   return {};
 }
 

@@ -36,6 +36,8 @@ constexpr std::array<Dial, performance::kKnobCount> kDials{{
 // Styles for people; show.toml has words of its own.
 constexpr std::array<const char*, scene::kStyleCount> kStyles{"Wireframe", "Flat", "No hair", "Hair",
                                                               "Soft light"};
+constexpr std::array<const char*, show::kCueVerbCount> kCueVerbs{"GO",    "Back",  "Stop",
+                                                                 "Pause", "Panic", "Blackout"};
 
 // As people write it: a float's 1.4 is not 1.39999998.
 double Short(float value) {
@@ -79,6 +81,8 @@ CallLabel LabelOf(const show::Call& call, const show::Show& show) {
       return labelled(kStyles[call.index], "style");
     case show::CallKind::kScene:
       return labelled(Readable(show.scenes[call.index].name), "scene");
+    case show::CallKind::kCue:
+      return labelled(kCueVerbs[call.index], "cue");
     case show::CallKind::kNothing:
       break;
   }

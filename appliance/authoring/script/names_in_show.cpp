@@ -2,6 +2,8 @@
 #include <array>
 #include <vector>
 
+#include <fmt/ranges.h>
+
 #include "appliance/authoring/script/key_names.h"
 #include "appliance/authoring/script/show_parts.h"
 #include "appliance/authoring/script/taken_keys.h"
@@ -12,6 +14,8 @@ namespace {
 // In the order of scene::Style.
 constexpr std::array<std::string_view, scene::kStyleCount> kStyleNames{"wire", "flat", "bare", "hair",
                                                                        "soft"};
+constexpr std::array<std::string_view, show::kCueVerbCount> kCueVerbNames{"go",    "back",  "stop",
+                                                                          "pause", "panic", "blackout"};
 
 }  // namespace
 
@@ -33,11 +37,22 @@ std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std
   return 0;
 }
 
+std::uint16_t CueVerbNamed(toml::Section& section, std::string_view key, const std::string& name) {
+  const auto it = std::ranges::find(kCueVerbNames, name);
+  if (it != kCueVerbNames.end()) return static_cast<std::uint16_t>(it - kCueVerbNames.begin());
+  section.Fault(
+      key, fmt::format("the cue list knows no \"{}\"; it knows {}", name, fmt::join(kCueVerbNames, ", ")));
+  return 0;
+}
+
 std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view key, const std::string& name,
                        const std::string& user) {
   const auto usage = KeyUsage(name);
   if (!usage) {
-    section.Fault(key, fmt::format("there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12", name));
+    section.Fault(
+        key, fmt::format(
+                 "there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12, enter, backspace, escape, tab",
+                 name));
     return 0;
   }
   if (const auto use = UseOfTheBox(*usage); !use.empty()) {

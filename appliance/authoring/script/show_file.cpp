@@ -1,6 +1,8 @@
 #include "appliance/authoring/script/show_file.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 #include "appliance/authoring/script/backdrop_file.h"
@@ -78,6 +80,16 @@ void ReadScript(Script& script, toml::Section file) {
   if (file.Has("channels")) ReadChannels(script, file.Part("channels"));
 }
 
+// Reads the list, and returns its file's faults.
+std::vector<std::string> CueFaults(const Script& of_show, const std::filesystem::path& file) {
+  const auto value = toml::ReadToml(file);
+  if (!value) return {value.error().message()};
+  toml::Faults faults(file.string());
+  Script script{.folder = of_show.folder, .known = of_show.known, .show = of_show.show, .faults = faults};
+  ReadCueList(script, toml::Section(*value, "", faults));
+  return faults.lines();
+}
+
 }  // namespace
 
 // A file that cannot be read is one fault: the error of reading it.
@@ -87,7 +99,10 @@ std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::S
   toml::Faults faults(file.string());
   Script script{.folder = file.parent_path(), .known = known, .show = show, .faults = faults};
   ReadScript(script, toml::Section(*value, "", faults));
-  return faults.lines();
+  std::vector<std::string> lines = faults.lines();
+  const std::filesystem::path cues = script.folder / "cues.toml";
+  if (std::filesystem::exists(cues)) std::ranges::copy(CueFaults(script, cues), std::back_inserter(lines));
+  return lines;
 }
 
 }  // namespace kaori::authoring

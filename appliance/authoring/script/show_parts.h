@@ -49,6 +49,9 @@ std::uint16_t ExpressionNamed(Script& script, toml::Section& section, std::strin
 // "wire" .. "soft", as numbers of scene::Style; 0, and a fault of `key`, for other names.
 std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std::string& name);
 
+// "go" .. "blackout", as numbers of show::CueVerb.
+std::uint16_t CueVerbNamed(toml::Section& section, std::string_view key, const std::string& name);
+
 // The HID usage of the key that `name` names; 0, and a fault of `key`, where there is none, where the box
 // uses it, or where something else of the show has it. `user` is who wants it: "scene "night"".
 std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view key, const std::string& name,
@@ -61,6 +64,9 @@ toml::Section Named(Script& script, const char* kind, const toml::Section& secti
 // One [[motion]]: name, key, sound, and a curve for each other key: a list of pairs [second, value] that
 // starts and ends at 0. Angles are degrees in the file and radians in the motion.
 show::Motion ReadMotion(Script& script, toml::Section section);
+
+// The cue list, of cues.toml. Scenes and motions must have been read.
+void ReadCueList(Script& script, toml::Section file);
 
 // Fills the 32 buttons, given as rows of texts such as "face kaori". Scenes must have been read, since
 // buttons name them.

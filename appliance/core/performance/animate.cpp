@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
 #include "appliance/core/performance/motions.h"
@@ -65,6 +66,24 @@ scene::Gaze Sum(const scene::Gaze& a, const scene::Gaze& b, const scene::Gaze& c
   return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad};
 }
 
+// What of the cue list's calls is on, for its lamp.
+bool IsOn(const State& state, show::CueVerb verb) {
+  switch (verb) {
+    case show::CueVerb::kGo:
+      return state.cue_run.pending >= 0;
+    case show::CueVerb::kPause:
+      return state.cue_run.paused != 0;
+    case show::CueVerb::kPanic:
+      return state.cue_run.panicking != 0;
+    case show::CueVerb::kBlackout:
+      return state.black_called != 0;
+    case show::CueVerb::kBack:
+    case show::CueVerb::kStop:
+      return false;
+  }
+  return false;
+}
+
 // A button is lit while what it calls is the call that counts: the newest one of its kind, from the press on
 // and not when its fade is over.
 std::uint32_t Lamps(const State& state, const show::Show& show) {
@@ -78,6 +97,8 @@ std::uint32_t Lamps(const State& state, const show::Show& show) {
         return call.index == state.styles.to;
       case show::CallKind::kScene:
         return call.index == state.scene;
+      case show::CallKind::kCue:
+        return IsOn(state, static_cast<show::CueVerb>(call.index));
       case show::CallKind::kNothing:
         break;
     }
@@ -108,12 +129,17 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
   PlayPresses(state, events, show);
   TurnKnobs(state, events, board.surface.value.counts_per_turn);
   HandleLines(state, board.lines, events.go, show, dt_s);
+  PlayCues(state, board, show, dt_s);
   FollowKnobs(state, dt_s);
   MoveSticks(state, board, dt_s);
+  const float play_s = PlayTime(state, dt_s);
   for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
-    Advance(*mixture, dt_s);
+    Advance(*mixture, play_s);
   if (state.backstage.duration_s > 0)
-    state.backstage.progress = std::min(1.0F, state.backstage.progress + dt_s / state.backstage.duration_s);
+    state.backstage.progress = std::min(1.0F, state.backstage.progress + play_s / state.backstage.duration_s);
+  Advance(state.cue_light, play_s);
+  Advance(state.present, play_s);
+  SettleCues(state, show);
 }
 
 // Turns the state into the weights of the frame: faces s_i, expressions t_j and channels c_k of P = sum_i s_i
@@ -172,7 +198,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
 
   scene::Scene& scene = performed.scene;
   const Idle idle = Live(state, At(state.shown, Knob::kLife), dt_s);
-  const Motion motion = PlayMotions(state, show, dt_s);
+  const Motion motion = PlayMotions(state, show, PlayTime(state, dt_s));
   scene.head = Sum(state.head, idle.head, motion.head);
   scene.gaze[0] = scene.gaze[1] = Sum(state.gaze, idle.gaze, motion.gaze);
   scene.breath = idle.breath;
@@ -180,7 +206,8 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   Swing(state.sway, scene.head, dt_s);
   scene.hair_sway_rad = state.sway.angle_rad;
   HangBackdrops(state.backdrops, show, scene);
-  scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight) * Unblacked(state);
+  scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight) *
+                         LevelNow(state.cue_light) * Unblacked(state);
   performed.lamps = Lamps(state, show);
   return performed;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "appliance/core/board/lines.h"
+#include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/ease.h"
-#include "appliance/core/performance/operator_input.h"
 
 namespace kaori::performance {
 namespace {
@@ -16,16 +16,7 @@ using board::SourceState;
 // once can close twice, far beyond the debouncing of contacts); and where the count of seconds since the last
 // GO stops, as State says.
 constexpr float kBlackoutFade_s = 0.4F;
-constexpr float kGoGuard_s = 0.3F;
 constexpr float kGoLongAgo_s = 10;
-
-// The next scene of the show's list, with its own fade and the whole stage in view: GO never ends a show.
-void Go(State& state, const show::Show& show) {
-  if (state.go_quiet_s < kGoGuard_s || show.scenes.empty()) return;
-  state.go_quiet_s = 0;
-  const auto next = static_cast<std::uint16_t>((state.scene + 1U) % show.scenes.size());
-  EnterScene(state, show, next, show.scenes[next].fade_s);
-}
 
 // Whether the picture shall be black. A live line says so itself. Lines that were never there want nothing;
 // stale ones keep what was wanted, until a scene is called: the operators have taken over by hand.
@@ -49,9 +40,10 @@ void BeginLines(State& state, const board::Stamped<board::Lines>& lines) {
 void HandleLines(State& state, const board::Stamped<board::Lines>& lines, bool go, const show::Show& show,
                  float dt_s) {
   state.go_quiet_s = std::min(kGoLongAgo_s, state.go_quiet_s + dt_s);
-  if (go) Go(state, show);
+  if (go) CallCue(state, show, show::CueVerb::kGo);
   Want(state, lines);
-  state.blackout = Travel(state.blackout, state.black_wanted != 0 ? 1.0F : 0.0F, dt_s, 1 / kBlackoutFade_s);
+  const bool black = state.black_wanted != 0 || state.black_called != 0;
+  state.blackout = Travel(state.blackout, black ? 1.0F : 0.0F, dt_s, 1 / kBlackoutFade_s);
 }
 
 float Unblacked(const State& state) {

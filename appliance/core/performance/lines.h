@@ -11,9 +11,9 @@ namespace kaori::performance {
 // starts with the blackout switch on starts black.
 void BeginLines(State& state, const board::Stamped<board::Lines>& lines);
 
-// GO calls the next scene, after the last one the first; a second GO within 0.3 s is a foot that slipped.
-// Blackout is on its way, 0.4 s from one end to the other. Lines that were lost hold it, until a scene is
-// called: a box whose cable broke must not stay black. `go`: the foot switch was trodden since the last frame.
+// GO plays the cue that stands by (cues.h). Blackout is on its way, 0.4 s from one end to the other. Lines that were
+// lost hold it, until a scene is called: a box whose cable broke must not stay black. `go`: the foot switch was
+// trodden since the last frame.
 void HandleLines(State& state, const board::Stamped<board::Lines>& lines, bool go, const show::Show& show,
                  float dt_s);
 

@@ -46,16 +46,16 @@ void Add(Motion& motion, const show::MotionCurve& curve, float value) {
   }
 }
 
+}  // namespace
+
 // A motion lasts as long as its longest curve or its sound, so that its last word is not cut off.
-float End(const show::Motion& played) {
+float EndOf(const show::Motion& motion) {
   const auto frames =
-      static_cast<float>(played.sound.samples.size()) / static_cast<float>(played.sound.channels);
+      static_cast<float>(motion.sound.samples.size()) / static_cast<float>(motion.sound.channels);
   float end_s = frames / static_cast<float>(show::kSoundRate_hz);
-  for (const auto& curve : played.curves) end_s = std::max(end_s, curve.keys.back().at_s);
+  for (const auto& curve : motion.curves) end_s = std::max(end_s, curve.keys.back().at_s);
   return end_s;
 }
-
-}  // namespace
 
 const Playing* Youngest(const State& state) {
   const Playing* youngest = nullptr;
@@ -75,7 +75,7 @@ Motion PlayMotions(State& state, const show::Show& show, float dt_s) {
     voice.at_s += dt_s;
     if (&voice != youngest || voice.gain < 1) voice.gain = Travel(voice.gain, 0, dt_s, 1 / kFadeOut_s);
     for (const auto& curve : played.curves) Add(sum, curve, voice.gain * At(curve, voice.at_s));
-    if (voice.gain <= 0 || voice.at_s >= End(played)) voice.motion = -1;
+    if (voice.gain <= 0 || voice.at_s >= EndOf(played)) voice.motion = -1;
   }
   return sum;
 }

@@ -23,4 +23,7 @@ Motion PlayMotions(State& state, const show::Show& show, float dt_s);
 // Valid until the state changes.
 const Playing* Youngest(const State& state);
 
+// When the last of a motion's curves and its sound have ended, in seconds from its beginning.
+float EndOf(const show::Motion& motion);
+
 }  // namespace kaori::performance

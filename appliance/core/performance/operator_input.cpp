@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/ease.h"
 
 namespace kaori::performance {
@@ -35,6 +36,14 @@ void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, f
   At(state.knobs, knob) = At(state.shown, knob) = 1;
 }
 
+// A scene that is called out of turn. Where the list consists of the scenes, it goes on from there.
+void CallScene(State& state, const show::Show& show, std::uint16_t scene) {
+  EnterScene(state, show, scene, show.scenes[scene].fade_s);
+  if (!show.cue_list.of_scenes) return;
+  state.cue_run.active = scene - 1;
+  state.cue_run.standby = scene;
+}
+
 // Faces, expressions and styles fade as long as the Fade dial says, scenes as long as they say themselves.
 void Obey(State& state, const show::Call& call, const show::Show& show) {
   const float fade_s = At(state.knobs, Knob::kFade);
@@ -42,25 +51,21 @@ void Obey(State& state, const show::Call& call, const show::Show& show) {
     case show::CallKind::kNothing:
       break;
     case show::CallKind::kFace:
-      CallWhole(state, state.faces, Knob::kFace, call.index, fade_s);
+      CallFace(state, call.index, fade_s);
       break;
     case show::CallKind::kExpression:
-      CallWhole(state, state.expressions, Knob::kExpression, call.index, fade_s);
+      CallExpression(state, call.index, fade_s);
       break;
     case show::CallKind::kStyle:
       Call(state.styles, call.index, fade_s, 1);
       break;
     case show::CallKind::kScene:
-      EnterScene(state, show, call.index, show.scenes[call.index].fade_s);
+      CallScene(state, show, call.index);
+      break;
+    case show::CallKind::kCue:
+      CallCue(state, show, static_cast<show::CueVerb>(call.index));
       break;
   }
-}
-
-// No playing voice is cut off for it: that would be a jump. Eight keys within a quarter of a second are no
-// playing, the ninth is not heard.
-void PlayMotion(State& state, int motion) {
-  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.motion < 0; });
-  if (free != state.voices.end()) *free = {motion, 0, 1};
 }
 
 // A key does all that the show has for it. X shuts the character's left eye and Z the right one, which is how
@@ -73,8 +78,7 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show) {
   for (std::size_t i = 0; i < show.motions.size(); ++i)
     if (show.motions[i].key_usage == usage) PlayMotion(state, static_cast<int>(i));
   for (std::size_t i = 0; i < show.scenes.size(); ++i)
-    if (show.scenes[i].key_usage == usage)
-      EnterScene(state, show, static_cast<std::uint16_t>(i), show.scenes[i].fade_s);
+    if (show.scenes[i].key_usage == usage) CallScene(state, show, static_cast<std::uint16_t>(i));
 }
 
 // How much a stick counts, 0..1. A stick that comes back gets its full share within 0.3 s.
@@ -92,6 +96,20 @@ float HatBrow(std::int32_t hat) {
 }
 
 }  // namespace
+
+void CallFace(State& state, std::uint16_t face, float fade_s) {
+  CallWhole(state, state.faces, Knob::kFace, face, fade_s);
+}
+
+void CallExpression(State& state, std::uint16_t expression, float fade_s) {
+  CallWhole(state, state.expressions, Knob::kExpression, expression, fade_s);
+}
+
+// No playing voice is cut off: that would be a jump.
+void PlayMotion(State& state, std::int32_t motion) {
+  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.motion < 0; });
+  if (free != state.voices.end()) *free = {motion, 0, 1};
+}
 
 // State::shown is smoothed behind these values, which leap with each detent.
 void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_turn) {
@@ -119,8 +137,8 @@ void PlayPresses(State& state, const InputEvents& events, const show::Show& show
 // The exposure's fade begins at what it is now, in the middle of another fade too.
 void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {
   const show::StageScene& scene = show.scenes[index];
-  CallWhole(state, state.faces, Knob::kFace, scene.face, fade_s);
-  CallWhole(state, state.expressions, Knob::kExpression, scene.expression, fade_s);
+  CallFace(state, scene.face, fade_s);
+  CallExpression(state, scene.expression, fade_s);
   Call(state.styles, static_cast<std::uint16_t>(scene.style), fade_s, 1);
   Call(state.backdrops, index, fade_s, 1);
   const float exposure = ExposureNow(state.backstage);

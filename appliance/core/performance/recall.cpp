@@ -15,10 +15,14 @@ State Recalled(const State& kept, const board::Snapshot& board, Time presented_a
     mixture->progress = 1;
   state.backstage.progress = 1;
   state.shown = state.knobs;
+  for (Fading* level : {&state.cue_light, &state.present}) level->progress = 1;
+  // The list stands where it stood; what waited for a moment of that evening stands by.
+  if (state.cue_run.pending >= 0) state.cue_run.standby = state.cue_run.pending;
+  state.cue_run = {.active = state.cue_run.active, .standby = state.cue_run.standby};
   state.voices = {};
   state.blink_s = State().blink_s;
   state.lids_held = {};
-  state.black_wanted = 0;
+  state.black_wanted = state.black_called = 0;
   BeginLines(state, board.lines);
   return state;
 }

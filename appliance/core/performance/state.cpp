@@ -24,7 +24,21 @@ bool Within(const glm::vec3& v, float far) {
 
 // A fade that lasts longer than any show allows would hold the face for ever.
 bool IsValidFade(float progress, float duration_s) {
-  return Within({progress}, 0, 1) && Within({duration_s}, 0, show::kLongestFade_s);
+  return Within({progress}, 0, 1) && Within({duration_s}, 0, show::kLongestCueFade_s);
+}
+
+bool IsValidFading(const Fading& f) {
+  return Within({f.from, f.to}, 0, 1) && IsValidFade(f.progress, f.duration_s);
+}
+
+bool IsValidCueRun(const CueRun& run, const show::CueList& list) {
+  const auto count = static_cast<std::int32_t>(list.cues.size());
+  const bool waits = run.phase != CueRun::Phase::kIdle;
+  return run.active >= -1 && run.active < count && run.standby >= 0 && run.standby <= count &&
+         run.pending >= -1 && run.pending < count && run.phase <= CueRun::Phase::kPerson &&
+         waits == (run.pending >= 0) &&
+         Within({run.left_s, run.held_s}, 0, show::kLongestWait_s + show::kLongestCueFade_s) &&
+         run.paused <= 1 && run.jumping <= 1 && run.panicking <= 1;
 }
 
 // The bounds leave room for rounding: weights were normalised once a call.
@@ -69,7 +83,7 @@ bool IsValidClocks(const State& s) {
   return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
          Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s, s.lips_lost_s}, 0, 10) &&
          Within({s.blackout}, 0, 1) && Within({s.go_quiet_s}, 0, 10) && s.black_wanted <= 1 &&
-         Within({s.life.to_next_blink_s, s.life.to_next_glance_s}, -1, 10) &&
+         s.black_called <= 1 && Within({s.life.to_next_blink_s, s.life.to_next_glance_s}, -1, 10) &&
          Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said,
                  s.mouth_voice},
                 0, 1);
@@ -91,7 +105,8 @@ bool IsValid(const State& state, const show::Show& show) {
          IsValidMixture(state.styles, scene::kStyleCount) &&
          (show.scenes.empty() || IsValidMixture(state.backdrops, show.scenes.size())) &&
          IsValidBackstage(state.backstage) && IsValidKnobs(state) && IsValidPose(state) &&
-         IsValidClocks(state) && IsValidVoices(state, show) &&
+         IsValidClocks(state) && IsValidFading(state.cue_light) && IsValidFading(state.present) &&
+         IsValidCueRun(state.cue_run, show.cue_list) && IsValidVoices(state, show) &&
          (show.scenes.empty() || state.scene < show.scenes.size());
 }
 

@@ -51,6 +51,33 @@ struct Life {
   glm::vec2 glance_rad{};  // Yaw and pitch that a glance adds to the gaze.
 };
 
+// A level on its way from one value to another.
+struct Fading {
+  float from = 1, to = 1;
+  float progress = 1;  // 0 at the call .. 1 when the fade has run.
+  float duration_s = 0;
+};
+
+// Where the cue list stands. Indices are into the show's cues.
+struct CueRun {
+  enum class Phase : std::uint32_t {
+    kIdle,     // Nothing waits; GO plays the cue that stands by.
+    kFollow,   // `pending` begins when the active cue has ended,
+    kPreWait,  // is on its pre-wait,
+    kPerson,   // or waits for a person.
+  };
+  std::int32_t active = -1;   // The cue that was played last; -1: none was.
+  std::int32_t standby = 0;   // What GO plays next; the number of cues: the list is over.
+  std::int32_t pending = -1;  // The cue of the chain that comes by itself; -1: none.
+  Phase phase = Phase::kIdle;
+  float left_s = 0;          // Of the phase: until `pending` begins, or until its wait for a person gives up.
+  float held_s = 0;          // For how long the person has done what the cue waits for.
+  std::uint32_t paused = 0;  // 1: waits, fades and motions stand still.
+  std::uint32_t jumping = 0;    // 1: the picture is on its way to the tracked state of `active`.
+  std::uint32_t panicking = 0;  // 1: the panic scene is on its way; a second call is at once.
+  std::uint32_t refused = 0;    // GOs that the guard or the end of the list refused, counted.
+};
+
 // A swinging tip of hair: angle and speed, sideways and forwards.
 struct Sway {
   glm::vec2 angle_rad{};
@@ -61,7 +88,7 @@ struct Sway {
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 7;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 8;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // When the last frame was to be presented.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -69,6 +96,8 @@ struct State {
   Mixture faces, expressions, styles;  // Indices into the cast, and scene::Style.
   Mixture backdrops;                   // Of scenes, by their numbers.
   Backstage backstage;
+  CueRun cue_run;
+  Fading cue_light, present;  // As cues set them, 0..1.
   // What the dials say (see kKnobRanges), and the same smoothed, which is what the face shows. They begin as a
   // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
@@ -95,6 +124,7 @@ struct State {
   float lips_lost_s = 10;          // Since the lips were seen well.
   float blackout = 0;              // 0 lit .. 1 black, on its way.
   float go_quiet_s = 10;           // Since the last GO.
+  std::uint16_t black_called = 0;  // 1: black by a call; the switch blacks out besides.
   std::uint16_t black_wanted = 0;  // 1: the switch is on, or was when it was lost.
   std::uint16_t black_scene = 0;   // The scene at the last look at that switch.
   // The scene that was entered last; GO enters the next one.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "appliance/core/show/check_cues.h"
 #include "render/face/check.h"
 
 namespace kaori::show {
@@ -30,6 +31,8 @@ std::size_t Count(const Show& show, CallKind kind) {
       return scene::kStyleCount;
     case CallKind::kScene:
       return show.scenes.size();
+    case CallKind::kCue:
+      return kCueVerbCount;
   }
   return 0;
 }
@@ -163,6 +166,7 @@ std::vector<std::string> CheckShow(const Show& show) {
   for (const Motion& motion : show.motions) CheckMotion(show, motion, faults);
   for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);
   CheckChannels(show, faults);
+  CheckCueList(show, faults);
   return faults;
 }
 

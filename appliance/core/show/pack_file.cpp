@@ -138,9 +138,12 @@ Result<Show> DecodeChecked(Content opened, const std::string& name) {
   auto show = DecodeContent(content->bytes(), content);
   if (!show) return Refuse(name, show.error());
   const auto faults = CheckShow(*show);
-  if (faults.empty()) return show;
-  return FailInput(name + ": " + faults.front() +
-                   (faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more faults)" : ""));
+  if (!faults.empty())
+    return FailInput(
+        name + ": " + faults.front() +
+        (faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " more faults)" : ""));
+  Track(*show);
+  return show;
 }
 
 // The signature is checked before the content is read: it covers the checksum, and what is not trusted

@@ -5,6 +5,7 @@
 
 #include "appliance/core/show/pack_content.h"
 #include "appliance/core/show/pack_copier.h"
+#include "appliance/core/show/pack_cues.h"
 #include "appliance/core/show/pack_layout.h"
 
 namespace kaori::show {
@@ -181,6 +182,7 @@ Show Read(Copier& from, const pack::Pack& stored) {
   show.motions = from.Tables<Motion>(stored.motions(), ReadMotion);
   show.scenes = from.Tables<StageScene>(stored.scenes(), ReadScene);
   show.channels = ReadChannels(from, stored);
+  show.cue_list = ReadCueList(from, stored.cue_list());
   const auto blink = from.Numbers(stored.blink());
   std::copy_n(blink.begin(), std::min(blink.size(), show.cast.blink.size()), show.cast.blink.begin());
   return show;

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "appliance/core/show/pack_content.h"
+#include "appliance/core/show/pack_cues.h"
 #include "appliance/core/show/pack_layout.h"
 
 namespace kaori::show {
@@ -170,11 +171,12 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto brow_up = to.CreateVector(show.channels.brow_up.data(), show.channels.brow_up.size());
   const auto mouth = to.CreateVector(show.channels.mouth.data(), show.channels.mouth.size());
   const auto blink = to.CreateVector(show.cast.blink.data(), show.cast.blink.size());
+  const auto cue_list = WriteCueList(to, show.cue_list);
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, motions, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
-                          show.channels.lids_down, mouth, blink, keys);
+                          show.channels.lids_down, mouth, blink, keys, cue_list);
 }
 
 }  // namespace

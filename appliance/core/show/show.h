@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "appliance/core/show/cue.h"
 #include "render/face/cast.h"
 #include "render/scene/scene.h"
 
@@ -25,8 +26,8 @@ inline constexpr std::size_t kMostItems =
     4096;  // Faces, expressions, props ...: each has an index of 16 bits.
 inline constexpr std::uint16_t kKeyUsages = 256;
 
-// What pushing a lit button of the box does. `index` is into faces, expressions, styles or scenes.
-enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene };
+// What pushing a lit button of the box does. `index` is into faces, expressions, styles or scenes, or a CueVerb.
+enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene, kCue };
 // An index that is out of range is a fault of the show, which CheckShow finds.
 struct Call {
   CallKind kind = CallKind::kNothing;
@@ -108,6 +109,7 @@ struct Show {
   std::vector<Motion> motions;
   std::vector<StageScene> scenes;
   Channels channels;
+  CueList cue_list;
 };
 
 }  // namespace kaori::show

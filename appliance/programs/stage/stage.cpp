@@ -193,7 +193,8 @@ scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time presented_at) 
 // While a motion plays, and once when none does any more: its sound follows.
 void Stage::WriteMotionNow(Time presented_at) {
   const performance::Playing* plays = performance::Youngest(state_);
-  if (plays != nullptr && plays->gain < 1) plays = nullptr;  // Cut off by one that has ended since.
+  // Cut off by one that has ended since, or held by a pause.
+  if (plays != nullptr && (plays->gain < 1 || state_.cue_run.paused != 0)) plays = nullptr;
   if (plays == nullptr && motion_now_.motion < 0) return;
   const bool begins =
       plays != nullptr && (plays->motion != motion_now_.motion || plays->at_s < motion_now_.at_s);

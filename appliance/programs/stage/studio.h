@@ -35,7 +35,9 @@ struct SmallImage {
 // is made beside the opening of the GL context, which takes about as long.
 class PreparedShow {
  public:
-  explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {}
+  explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {
+    if (show_.cue_list.tracked.empty()) show::Track(show_);
+  }
   PreparedShow(const PreparedShow&) = delete;
   PreparedShow& operator=(const PreparedShow&) = delete;
 

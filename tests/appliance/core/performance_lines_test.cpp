@@ -15,6 +15,7 @@ class LinesTest : public PerformanceTest {
   LinesTest() {
     show_.scenes.resize(3);
     show_.scenes[2] = show_.scenes[0];
+    show::Track(show_);
     Come();
   }
   void Come() { board_.lines.source = SourceState::kLive; }
@@ -100,13 +101,16 @@ TEST_F(LinesTest, AStageThatStartsInABlackoutIsBlackFromItsFirstFrame) {
   EXPECT_EQ(state_.scene, 0) << "what was pushed before is not pushed now";
 }
 
-TEST_F(LinesTest, GoCallsTheNextSceneAndAfterTheLastTheFirst) {
-  for (const int scene : {1, 2, 0, 1}) {
+TEST_F(LinesTest, GoCallsTheNextSceneAndAfterTheLastNone) {
+  Tread();
+  Run(1s);
+  EXPECT_EQ(state_.scene, 1);
+  EXPECT_FLOAT_EQ(Weight(performed_.scene.weights.faces, 4), 1) << "the scene's own face";
+  for (const int scene : {2, 2}) {
     Tread();
-    EXPECT_EQ(state_.scene, scene);
+    EXPECT_EQ(state_.scene, scene) << "a slip after the end does not open the show again";
     Run(1s);
   }
-  EXPECT_FLOAT_EQ(Weight(performed_.scene.weights.faces, 4), 1) << "the scene's own face";
 }
 
 TEST_F(LinesTest, GoGoesOnFromASceneThatAKeyCalled) {

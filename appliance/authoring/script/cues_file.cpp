@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "appliance/authoring/script/show_parts.h"
+
+namespace kaori::authoring {
+namespace {
+
+constexpr std::array<std::string_view, 3> kNexts{"no", "continue", "follow"};
+
+// What cues may wait for, each under the key of its seconds.
+struct PersonKey {
+  std::string_view key;
+  show::CuePerson person;
+};
+constexpr std::array<PersonKey, 3> kPersons{{{"mouth_shut_s", show::CuePerson::kMouthShut},
+                                             {"voice_quiet_s", show::CuePerson::kVoiceQuiet},
+                                             {"presence_s", show::CuePerson::kPresence}}};
+
+float SecondsOr(toml::Section& section, std::string_view key, float otherwise, float most_s) {
+  const auto value = static_cast<float>(section.NumberOr(key, otherwise));
+  if (!(value >= 0 && value <= most_s))
+    section.Fault(key, fmt::format("is {} s, not within 0 to {}", value, most_s));
+  return value;
+}
+
+// One cue's keys, or those of [list].
+class CueReader {
+ public:
+  CueReader(Script& script, toml::Section& section) : script_(script), section_(section) {}
+
+  // "dog", or { name = "dog", in_s = 2 }. `index_of(section, key, name)` looks the name up.
+  template <class IndexOfName>
+  std::optional<show::CueCall> Call(std::string_view key, float otherwise_s, IndexOfName index_of) {
+    const toml::Value* value = section_.Find(key);
+    if (value == nullptr) return std::nullopt;
+    if (value->kind == toml::Value::Kind::kText)
+      return show::CueCall{index_of(section_, key, value->text), otherwise_s};
+    toml::Section part = section_.Part(key);
+    part.AllowOnly({"name", "in_s"});
+    const std::string name = part.Text("name");
+    const std::uint16_t index = name.empty() ? std::uint16_t{0} : index_of(part, "name", name);
+    return show::CueCall{index, SecondsOr(part, "in_s", otherwise_s, show::kLongestCueFade_s)};
+  }
+
+  // 0.4, or { to = 0.4, in_s = 2 }.
+  std::optional<show::CueLevel> Level(std::string_view key) {
+    const toml::Value* value = section_.Find(key);
+    if (value == nullptr) return std::nullopt;
+    if (value->kind == toml::Value::Kind::kNumber) return show::CueLevel{Share(section_, key), 0};
+    toml::Section part = section_.Part(key);
+    part.AllowOnly({"to", "in_s"});
+    const float to = Share(part, "to");
+    return show::CueLevel{to, SecondsOr(part, "in_s", 0, show::kLongestCueFade_s)};
+  }
+
+  std::optional<show::CueCall> Scene(std::string_view key) {
+    const auto named = [this](toml::Section& section, std::string_view at, const std::string& name) {
+      return IndexOf(section, at, "scene", script_.show.scenes, name);
+    };
+    auto call = Call(key, -1, named);
+    if (call && call->in_s < 0)
+      call->in_s = script_.show.scenes.empty() ? 0 : script_.show.scenes[call->index].fade_s;
+    return call;
+  }
+
+  std::int32_t Motion() {
+    if (!section_.Has("motion")) return -1;
+    return IndexOf(section_, "motion", "motion", script_.show.motions, section_.Text("motion"));
+  }
+
+  show::CueNext Next() {
+    const std::string name = section_.TextOr("continue", kNexts.front());
+    const auto found = std::ranges::find(kNexts, name);
+    if (found != kNexts.end()) return static_cast<show::CueNext>(found - kNexts.begin());
+    section_.Fault("continue", fmt::format("\"{}\" is none of no, continue, follow", name));
+    return show::CueNext::kGo;
+  }
+
+  show::CueWait Wait() {
+    if (!section_.Has("wait_for")) return {};
+    toml::Section part = section_.Part("wait_for");
+    part.AllowOnly({"mouth_shut_s", "voice_quiet_s", "presence_s", "at_most_s"});
+    const auto given = [&part](const PersonKey& person) { return part.Has(person.key); };
+    if (std::ranges::count_if(kPersons, given) != 1) {
+      part.Fault("", "wants one of mouth_shut_s, voice_quiet_s, presence_s");
+      return {};
+    }
+    const PersonKey& person = *std::ranges::find_if(kPersons, given);
+    if (!part.Has("at_most_s"))
+      part.Fault("at_most_s", "is missing: nobody may come, and the evening must go on");
+    const float for_s = SecondsOr(part, person.key, 0, show::kLongestWait_s);
+    const float at_most_s = SecondsOr(part, "at_most_s", for_s, show::kLongestWait_s);
+    if (at_most_s < for_s || !(at_most_s > 0))
+      part.Fault("at_most_s", fmt::format("is {} s, shorter than what is waited for", at_most_s));
+    return {person.person, for_s, at_most_s};
+  }
+
+ private:
+  static float Share(toml::Section& section, std::string_view key) {
+    const auto value = static_cast<float>(section.Number(key));
+    if (!(value >= 0 && value <= 1)) section.Fault(key, fmt::format("is {}, not within 0 to 1", value));
+    return value;
+  }
+
+  Script& script_;
+  toml::Section& section_;
+};
+
+std::string ReadNumber(Script& script, toml::Section& section) {
+  std::string number = section.Text("number");
+  if (number.empty()) return number;
+  if (!show::IsCueNumber(number)) {
+    section.Fault("number", fmt::format("\"{}\" is no number of a cue: digits and single dots", number));
+    return number;
+  }
+  const auto& cues = script.show.cue_list.cues;
+  if (!cues.empty() && show::IsCueNumber(cues.back().number) &&
+      show::CompareCueNumbers(number, cues.back().number) <= 0)
+    section.Fault("number", fmt::format("{} stands after {}; numbers must rise from cue to cue", number,
+                                        cues.back().number));
+  return number;
+}
+
+show::Cue ReadCue(Script& script, toml::Section section) {
+  section.AllowOnly({"number", "name", "act", "notes", "pre_wait_s", "scene", "face", "expression", "style",
+                     "light", "present", "motion", "continue", "wait_for"});
+  CueReader read(script, section);
+  show::Cue cue;
+  cue.number = ReadNumber(script, section);
+  cue.name = section.TextOr("name", "");
+  cue.act = section.TextOr("act", "");
+  cue.notes = section.TextOr("notes", "");
+  cue.pre_wait_s = SecondsOr(section, "pre_wait_s", 0, show::kLongestWait_s);
+  cue.scene = read.Scene("scene");
+  const auto face = [&script](toml::Section& at, std::string_view key, const std::string& name) {
+    return FaceNamed(script, at, key, name);
+  };
+  const auto expression = [&script](toml::Section& at, std::string_view key, const std::string& name) {
+    return ExpressionNamed(script, at, key, name);
+  };
+  cue.face = read.Call("face", 1, face);
+  cue.expression = read.Call("expression", 1, expression);
+  cue.style = read.Call("style", 1, StyleNamed);
+  cue.light = read.Level("light");
+  cue.present = read.Level("present");
+  cue.motion = read.Motion();
+  cue.next = read.Next();
+  cue.wait = read.Wait();
+  return cue;
+}
+
+// A [[cue]] by its number: faults call it "cue 2.10" rather than "cue[7]".
+toml::Section Numbered(Script& script, const toml::Section& section, std::size_t count) {
+  const toml::Value* number = section.Find("number");
+  const bool numbered =
+      number != nullptr && number->kind == toml::Value::Kind::kText && !number->text.empty();
+  return {section.table(), numbered ? fmt::format("cue {}", number->text) : fmt::format("cue[{}]", count),
+          script.faults};
+}
+
+void ReadList(Script& script, toml::Section section) {
+  section.AllowOnly({"go_guard_ms", "goto_s", "panic"});
+  show::CueList& list = script.show.cue_list;
+  const double guard_ms = section.NumberOr("go_guard_ms", 300);
+  if (!(guard_ms >= 0 && guard_ms <= 1000 * show::kLongestGoGuard_s))
+    section.Fault("go_guard_ms",
+                  fmt::format("is {} ms, not within 0 to {}", guard_ms, 1000 * show::kLongestGoGuard_s));
+  list.go_guard_s = static_cast<float>(guard_ms / 1000);
+  list.goto_s = SecondsOr(section, "goto_s", list.goto_s, show::kLongestFade_s);
+  list.panic = CueReader(script, section).Scene("panic").value_or(list.panic);
+}
+
+}  // namespace
+
+void ReadCueList(Script& script, toml::Section file) {
+  file.AllowOnly({"list", "cue"});
+  if (file.Has("list")) ReadList(script, file.Part("list"));
+  std::size_t count = 0;
+  for (const toml::Section& cue : file.Parts("cue"))
+    script.show.cue_list.cues.push_back(ReadCue(script, Numbered(script, cue, ++count)));
+  if (count == 0) file.Fault("cue", "there is none; without this file GO calls the scenes in their order");
+  if (count > show::kMostCues)
+    file.Fault("cue", fmt::format("there are {}, and {} is the most", count, show::kMostCues));
+  if (count > 0 && script.show.cue_list.cues.back().next != show::CueNext::kGo)
+    script.faults.Add(file.Parts("cue").back().table().line,
+                      fmt::format("cue {}", script.show.cue_list.cues.back().number),
+                      "it is the last one: no cue continues or follows it");
+}
+
+}  // namespace kaori::authoring

@@ -1,0 +1,277 @@
+#include "appliance/core/performance/cues.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+#include "appliance/core/board/lines.h"
+#include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/ease.h"
+#include "appliance/core/performance/motions.h"
+#include "appliance/core/performance/operator_input.h"
+
+namespace kaori::performance {
+namespace {
+
+using Phase = CueRun::Phase;
+
+constexpr float kMouthShut =
+    0.08F;  // Open less than this is shut: lips that are pressed are not told from it.
+constexpr float kLeavesGain = 0.999F;  // Below 1 a motion fades out by itself.
+
+const show::Cue& CueAt(const show::Show& show, std::int32_t index) {
+  return show.cue_list.cues[static_cast<std::size_t>(index)];
+}
+
+std::int32_t EndOfChainAt(const show::Show& show, std::int32_t index) {
+  return static_cast<std::int32_t>(show::EndOfChain(show.cue_list, static_cast<std::size_t>(index)));
+}
+
+void Fade(Fading& fading, const show::CueLevel& level) {
+  fading = {LevelNow(fading), level.value, level.in_s > 0 ? 0.0F : 1.0F, level.in_s};
+}
+
+// How long a cue takes from the moment at which it is played until all that it began has run.
+float LengthOf(const show::Cue& cue, const show::Show& show) {
+  float length_s = 0;
+  for (const auto* call : {&cue.scene, &cue.face, &cue.expression, &cue.style})
+    if (*call) length_s = std::max(length_s, (*call)->in_s);
+  for (const auto* level : {&cue.light, &cue.present})
+    if (*level) length_s = std::max(length_s, (*level)->in_s);
+  if (cue.motion >= 0)
+    length_s = std::max(length_s, EndOf(show.motions[static_cast<std::size_t>(cue.motion)]));
+  return length_s;
+}
+
+void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
+  if (cue.scene) EnterScene(state, show, cue.scene->index, cue.scene->in_s);
+  if (cue.face) CallFace(state, cue.face->index, cue.face->in_s);
+  if (cue.expression) CallExpression(state, cue.expression->index, cue.expression->in_s);
+  if (cue.style) Call(state.styles, cue.style->index, cue.style->in_s, 1);
+  if (cue.light) Fade(state.cue_light, *cue.light);
+  if (cue.present) Fade(state.present, *cue.present);
+  if (cue.motion >= 0) PlayMotion(state, cue.motion);
+}
+
+void Wait(CueRun& run, std::int32_t cue, Phase phase, float left_s) {
+  run.pending = cue;
+  run.phase = phase;
+  run.left_s = left_s;
+  run.held_s = 0;
+}
+
+void Begin(CueRun& run, const show::Show& show, std::int32_t cue) {
+  Wait(run, cue, Phase::kPreWait, CueAt(show, cue).pre_wait_s);
+}
+
+// Plays the cue that was pending, and lets the next one of its chain wait.
+void Play(State& state, const show::Show& show) {
+  CueRun& run = state.cue_run;
+  const std::int32_t index = std::exchange(run.pending, -1);
+  const show::Cue& cue = CueAt(show, index);
+  SetAll(state, cue, show);
+  run.active = index;
+  run.jumping = run.panicking = 0;
+  run.phase = Phase::kIdle;
+  const bool last = index + 1 == static_cast<std::int32_t>(show.cue_list.cues.size());
+  if (last || cue.next == show::CueNext::kGo) return;
+  if (cue.next == show::CueNext::kContinue)
+    Begin(run, show, index + 1);
+  else
+    Wait(run, index + 1, Phase::kFollow, LengthOf(cue, show));
+}
+
+bool PersonDoes(const State& state, const board::Snapshot& board, show::CuePerson person) {
+  switch (person) {
+    case show::CuePerson::kNobody:
+      return true;
+    case show::CuePerson::kMouthShut:
+      return state.mouth_open < kMouthShut;
+    case show::CuePerson::kVoiceQuiet:
+      return board.voice.source != board::SourceState::kLive || board.voice.value.speaking == 0;
+    case show::CuePerson::kPresence:
+      return board.lines.source == board::SourceState::kLive &&
+             board::IsOn(board.lines.value, board::Line::kPresence);
+  }
+  return true;
+}
+
+// The pending cue's wait by dt_s; the time that is left over when it has ended, or nothing while it goes on.
+std::optional<float> WaitOn(CueRun& run, bool person_does, float for_s, float dt_s) {
+  run.left_s -= dt_s;
+  if (run.phase == Phase::kPerson) run.held_s = person_does ? run.held_s + dt_s : 0.0F;
+  const bool satisfied = run.phase == Phase::kPerson && person_does && run.held_s >= for_s;
+  if (!satisfied && run.left_s > 0) return std::nullopt;
+  const float over_s = std::clamp(-run.left_s, 0.0F, dt_s);
+  run.left_s = 0;
+  return over_s;
+}
+
+// What is left of a chain is set at once, before another cue is played.
+void FinishChain(State& state, const show::Show& show) {
+  while (state.cue_run.pending >= 0) Play(state, show);
+}
+
+void SoftenMotions(State& state) {
+  for (Playing& voice : state.voices) voice.gain = std::min(voice.gain, kLeavesGain);
+}
+
+// What waits does not come; GO plays it.
+void Stop(State& state) {
+  CueRun& run = state.cue_run;
+  if (run.pending >= 0) run.standby = run.pending;
+  run.pending = -1;
+  run.phase = Phase::kIdle;
+  run.paused = 0;
+  SoftenMotions(state);
+}
+
+void Go(State& state, const show::Show& show) {
+  CueRun& run = state.cue_run;
+  const auto count = static_cast<std::int32_t>(show.cue_list.cues.size());
+  if (state.go_quiet_s < show.cue_list.go_guard_s || run.standby >= count) {
+    ++run.refused;
+    return;
+  }
+  state.go_quiet_s = 0;
+  run.paused = 0;
+  FinishChain(state, show);
+  const std::int32_t cue = run.standby;
+  run.standby = EndOfChainAt(show, cue) + 1;
+  Begin(run, show, cue);
+}
+
+bool IsRunning(const State& state) {
+  const auto fades = [](const Mixture* m) { return m->progress < 1; };
+  const std::initializer_list<const Mixture*> mixtures{&state.faces, &state.expressions, &state.styles,
+                                                       &state.backdrops};
+  return state.cue_run.pending >= 0 || std::ranges::any_of(mixtures, fades) || state.cue_light.progress < 1 ||
+         state.present.progress < 1 ||
+         std::ranges::any_of(state.voices, [](const Playing& v) { return v.motion >= 0; });
+}
+
+void Back(State& state, const show::Show& show) {
+  CueRun& run = state.cue_run;
+  if (run.paused == 0 && IsRunning(state)) {
+    run.paused = 1;
+    return;
+  }
+  if (run.active < 0) {
+    run.paused = 0;
+    return;
+  }
+  std::int32_t first = run.active;  // Of the active cue's chain.
+  while (first > 0 && CueAt(show, first - 1).next != show::CueNext::kGo) --first;
+  GoToCue(state, show, first - 1);
+}
+
+void Panic(State& state, const show::Show& show) {
+  CueRun& run = state.cue_run;
+  const bool again = run.panicking != 0 && state.backdrops.progress < 1;
+  Stop(state);
+  if (show.scenes.empty()) return;
+  const show::CueCall& panic = show.cue_list.panic;
+  const float in_s = again ? 0 : panic.in_s;
+  EnterScene(state, show, panic.index, in_s);
+  Fade(state.cue_light, {1, in_s});
+  Fade(state.present, {1, in_s});
+  run.panicking = 1;
+  run.jumping = 0;
+}
+
+void Settle(Mixture& mixture, const show::TrackedState::Item& item, float amount) {
+  if (mixture.progress < 1 || mixture.to != item.now || amount < 1) return;
+  mixture.duration_s = 0;
+  mixture.from.clear();
+  if (item.before != item.now) mixture.from.Push(item.before, 1);
+}
+
+void Settle(Fading& fading) {
+  if (fading.progress >= 1) fading = {fading.to, fading.to, 1, 0};
+}
+
+}  // namespace
+
+float LevelNow(const Fading& fading) {
+  return Mix(fading.from, fading.to, SmoothStep(fading.progress));
+}
+
+void Advance(Fading& fading, float dt_s) {
+  if (fading.duration_s > 0) fading.progress = std::min(1.0F, fading.progress + dt_s / fading.duration_s);
+}
+
+void CallCue(State& state, const show::Show& show, show::CueVerb verb) {
+  if (show.cue_list.tracked.empty()) return;
+  switch (verb) {
+    case show::CueVerb::kGo:
+      return Go(state, show);
+    case show::CueVerb::kBack:
+      return Back(state, show);
+    case show::CueVerb::kStop:
+      return Stop(state);
+    case show::CueVerb::kPause:
+      state.cue_run.paused = 1 - state.cue_run.paused;
+      return;
+    case show::CueVerb::kPanic:
+      return Panic(state, show);
+    case show::CueVerb::kBlackout:
+      state.black_called = state.black_called == 0 ? 1 : 0;
+      return;
+  }
+}
+
+void GoToCue(State& state, const show::Show& show, std::int32_t index) {
+  Stop(state);
+  CueRun& run = state.cue_run;
+  const float in_s = show.cue_list.goto_s;
+  const std::int32_t end = index < 0 ? -1 : EndOfChainAt(show, index);
+  const show::TrackedState& tracked = show.cue_list.tracked[static_cast<std::size_t>(end + 1)];
+  if (!show.scenes.empty()) EnterScene(state, show, tracked.scene.now, in_s);
+  CallFace(state, tracked.face.now, in_s);
+  CallExpression(state, tracked.expression.now, in_s);
+  Call(state.styles, tracked.style.now, in_s, 1);
+  Fade(state.cue_light, {tracked.light, in_s});
+  Fade(state.present, {tracked.present, in_s});
+  run.active = end;
+  run.standby = end + 1;
+  run.jumping = 1;
+  run.panicking = 0;
+}
+
+float PlayTime(const State& state, float dt_s) {
+  return state.cue_run.paused != 0 ? 0 : dt_s;
+}
+
+void PlayCues(State& state, const board::Snapshot& board, const show::Show& show, float dt_s) {
+  CueRun& run = state.cue_run;
+  float left_s = PlayTime(state, dt_s);
+  if (run.paused != 0) return;
+  while (run.pending >= 0) {
+    const show::CueWait& wait = CueAt(show, run.pending).wait;
+    const auto over_s = WaitOn(run, PersonDoes(state, board, wait.person), wait.for_s, left_s);
+    if (!over_s) return;
+    left_s = *over_s;
+    if (run.phase == Phase::kFollow)
+      Begin(run, show, run.pending);
+    else if (run.phase == Phase::kPreWait && wait.person != show::CuePerson::kNobody)
+      Wait(run, run.pending, Phase::kPerson, wait.at_most_s);
+    else
+      Play(state, show);
+  }
+}
+
+void SettleCues(State& state, const show::Show& show) {
+  if (show.cue_list.tracked.empty()) return;
+  const auto after = static_cast<std::size_t>(state.cue_run.active + 1);
+  const show::TrackedState& tracked = show.cue_list.tracked[after];
+  Settle(state.faces, tracked.face, At(state.shown, Knob::kFace));
+  Settle(state.expressions, tracked.expression, At(state.shown, Knob::kExpression));
+  Settle(state.styles, tracked.style, 1);
+  Settle(state.backdrops, tracked.scene, 1);
+  Settle(state.cue_light);
+  Settle(state.present);
+  if (state.backstage.progress >= 1)
+    state.backstage = {state.backstage.exposure_to, state.backstage.exposure_to, 1, 0};
+}
+
+}  // namespace kaori::performance

@@ -1,0 +1,87 @@
+#include "appliance/core/show/check_cues.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace kaori::show {
+namespace {
+
+// One cue, or the list itself, and what is wrong with it.
+class CueChecker {
+ public:
+  CueChecker(std::string item, std::vector<std::string>& faults) : item_(std::move(item)), faults_(faults) {}
+
+  void Fault(const std::string& reason) { faults_.push_back(item_ + ": " + reason); }
+
+  // NaN lies within nothing.
+  void Within(const char* what, float value, float high) {
+    if (!(value >= 0 && value <= high)) Fault(fmt::format("{} is {}, not within 0 to {}", what, value, high));
+  }
+
+  void Call(const char* what, const std::optional<CueCall>& call, std::size_t count) {
+    if (!call) return;
+    if (call->index >= count) Fault(fmt::format("there is no {} {}", what, call->index));
+    Within(fmt::format("the fade of its {}", what).c_str(), call->in_s, kLongestCueFade_s);
+  }
+
+  void Level(const char* what, const std::optional<CueLevel>& level) {
+    if (!level) return;
+    Within(what, level->value, 1);
+    Within(fmt::format("the fade of its {}", what).c_str(), level->in_s, kLongestCueFade_s);
+  }
+
+ private:
+  std::string item_;
+  std::vector<std::string>& faults_;
+};
+
+void CheckWait(CueChecker& check, const CueWait& wait) {
+  if (wait.person > CuePerson::kPresence) return check.Fault("it waits for nothing that is known");
+  check.Within("its wait", wait.for_s, kLongestWait_s);
+  check.Within("its longest wait", wait.at_most_s, kLongestWait_s);
+  if (wait.person != CuePerson::kNobody && !(wait.at_most_s > 0))
+    check.Fault("a wait for a person wants at_most_s, or the evening may hang");
+  if (wait.for_s > wait.at_most_s && wait.person != CuePerson::kNobody)
+    check.Fault("it waits longer than its longest wait");
+}
+
+void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults) {
+  CueChecker check(fmt::format("cue {}", cue.number), faults);
+  if (!IsCueNumber(cue.number)) check.Fault("its number is not of digits and single dots");
+  check.Within("its pre-wait", cue.pre_wait_s, kLongestWait_s);
+  check.Call("scene", cue.scene, show.scenes.size());
+  check.Call("face", cue.face, show.cast.faces.size());
+  check.Call("expression", cue.expression, show.cast.expressions.size());
+  check.Call("style", cue.style, scene::kStyleCount);
+  check.Level("light", cue.light);
+  check.Level("present", cue.present);
+  if (cue.motion < -1 || cue.motion >= static_cast<int>(show.motions.size()))
+    check.Fault(fmt::format("there is no motion {}", cue.motion));
+  if (cue.next > CueNext::kFollow) check.Fault("what begins the next cue is not known");
+  CheckWait(check, cue.wait);
+}
+
+}  // namespace
+
+void CheckCueList(const Show& show, std::vector<std::string>& faults) {
+  const CueList& list = show.cue_list;
+  CueChecker check("cue list", faults);
+  if (list.cues.size() > kMostCues)
+    return check.Fault(fmt::format("{} cues, and {} at most can be played", list.cues.size(), kMostCues));
+  check.Within("go_guard", list.go_guard_s, kLongestGoGuard_s);
+  check.Within("goto", list.goto_s, kLongestFade_s);
+  if (!show.scenes.empty()) check.Call("scene of panic", list.panic, show.scenes.size());
+  for (const Cue& cue : list.cues) CheckCue(show, cue, faults);
+  const auto not_rising = [](const Cue& a, const Cue& b) {
+    return CompareCueNumbers(a.number, b.number) >= 0;
+  };
+  for (auto at = list.cues.begin();; ++at) {
+    at = std::adjacent_find(at, list.cues.end(), not_rising);
+    if (at == list.cues.end()) break;
+    faults.push_back(
+        fmt::format("cue {}: stands after cue {}; numbers must rise", (at + 1)->number, at->number));
+  }
+}
+
+}  // namespace kaori::show

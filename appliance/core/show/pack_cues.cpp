@@ -1,0 +1,92 @@
+#include "appliance/core/show/pack_cues.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace kaori::show {
+namespace {
+
+// Values of an enum of 8 bits; what does not fit becomes one that CheckShow refuses.
+template <class Enum>
+Enum AsEnum(std::uint32_t value) {
+  return static_cast<Enum>(std::min<std::uint32_t>(value, std::numeric_limits<std::uint8_t>::max()));
+}
+
+std::optional<pack::CueCall> Stored(const std::optional<CueCall>& call) {
+  if (!call) return std::nullopt;
+  return pack::CueCall(call->index, call->in_s);
+}
+
+std::optional<pack::CueLevel> Stored(const std::optional<CueLevel>& level) {
+  if (!level) return std::nullopt;
+  return pack::CueLevel(level->value, level->in_s);
+}
+
+template <class T>
+const T* Address(const std::optional<T>& value) {
+  return value ? &*value : nullptr;
+}
+
+std::optional<CueCall> Held(const pack::CueCall* call) {
+  if (call == nullptr) return std::nullopt;
+  const auto most = std::numeric_limits<std::uint16_t>::max();
+  return CueCall{static_cast<std::uint16_t>(std::min<std::uint32_t>(call->index(), most)), call->in_s()};
+}
+
+std::optional<CueLevel> Held(const pack::CueLevel* level) {
+  if (level == nullptr) return std::nullopt;
+  return CueLevel{level->value(), level->in_s()};
+}
+
+flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, const Cue& cue) {
+  const auto number = to.CreateString(cue.number);
+  const auto name = to.CreateString(cue.name);
+  const auto act = to.CreateString(cue.act);
+  const auto notes = to.CreateString(cue.notes);
+  const auto scene = Stored(cue.scene), face = Stored(cue.face), expression = Stored(cue.expression);
+  const auto style = Stored(cue.style);
+  const auto light = Stored(cue.light), present = Stored(cue.present);
+  return pack::CreateCue(to, number, name, act, notes, cue.pre_wait_s, Address(scene), Address(face),
+                         Address(expression), Address(style), Address(light), Address(present), cue.motion,
+                         static_cast<std::uint32_t>(cue.next), static_cast<std::uint32_t>(cue.wait.person),
+                         cue.wait.for_s, cue.wait.at_most_s);
+}
+
+Cue ReadCue(Copier& from, const pack::Cue& stored) {
+  return {.number = from.Text(stored.number()),
+          .name = from.Text(stored.name()),
+          .act = from.Text(stored.act()),
+          .notes = from.Text(stored.notes()),
+          .pre_wait_s = stored.pre_wait_s(),
+          .scene = Held(stored.scene()),
+          .face = Held(stored.face()),
+          .expression = Held(stored.expression()),
+          .style = Held(stored.style()),
+          .light = Held(stored.light()),
+          .present = Held(stored.present()),
+          .motion = stored.motion(),
+          .next = AsEnum<CueNext>(stored.next()),
+          .wait = {AsEnum<CuePerson>(stored.wait_person()), stored.wait_for_s(), stored.wait_at_most_s()}};
+}
+
+}  // namespace
+
+flatbuffers::Offset<pack::CueList> WriteCueList(flatbuffers::FlatBufferBuilder& to, const CueList& list) {
+  std::vector<flatbuffers::Offset<pack::Cue>> offsets;
+  if (!list.of_scenes)
+    for (const Cue& cue : list.cues) offsets.push_back(WriteCue(to, cue));
+  const auto cues = to.CreateVector(offsets);
+  const pack::CueCall panic(list.panic.index, list.panic.in_s);
+  return pack::CreateCueList(to, list.go_guard_s, list.goto_s, &panic, cues);
+}
+
+CueList ReadCueList(Copier& from, const pack::CueList* stored) {
+  if (stored == nullptr) return {};
+  return {.go_guard_s = stored->go_guard_s(),
+          .goto_s = stored->goto_s(),
+          .panic = Held(stored->panic()).value_or(CueCall{0, 1.0F}),
+          .cues = from.Tables<Cue>(stored->cues(), ReadCue),
+          .tracked = {}};
+}
+
+}  // namespace kaori::show

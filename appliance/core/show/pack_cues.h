@@ -1,0 +1,13 @@
+// The cue list of a show, as tables of a pack.
+#pragma once
+
+#include "appliance/core/show/pack_copier.h"
+
+namespace kaori::show {
+
+flatbuffers::Offset<pack::CueList> WriteCueList(flatbuffers::FlatBufferBuilder& to, const CueList& list);
+
+// A list that is absent reads as one without cues. What does not fit reads as what CheckShow refuses. Does not Track.
+CueList ReadCueList(Copier& from, const pack::CueList* stored);
+
+}  // namespace kaori::show
