@@ -46,7 +46,11 @@ Json ValuesJson(const DialValues& values) {
 
 Json OnStageJson(const std::optional<OnStage>& on_stage) {
   if (!on_stage) return {};
-  return {{"scene", on_stage->scene}, {"style", on_stage->style}};
+  const OnStage& now = *on_stage;
+  return {{"scene", now.scene},     {"style", now.style},     {"cue", now.cue},
+          {"standby", now.standby}, {"pending", now.pending}, {"left_s", std::ceil(now.left_s * 10) / 10},
+          {"paused", now.paused},   {"black", now.black},     {"panicking", now.panicking},
+          {"waiting", now.waiting}, {"refused", now.refused}};
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ constexpr std::uint64_t kFirstUsage = 0x04;
 constexpr std::uint64_t kLastUsage = 0xE7;
 // Far more keys than a show explains; they bound what a wrong file makes the page draw.
 constexpr std::size_t kMostKeys = 64;
+constexpr std::size_t kMostCues = 2000;  // As a show may have.
 
 // An entry that is left out is empty; one of another kind is not, and fails the whole file.
 bool ReadText(const Json& json, const char* name, std::string& into) {
@@ -74,6 +75,15 @@ bool ReadKey(const Json& json, KeyLabel& into) {
          ReadText(json, "group", into.group);
 }
 
+bool ReadCue(const Json& json, CueLabel& into) {
+  if (!json.is_object()) return false;
+  const bool by_itself = json.contains("by_itself");
+  if (by_itself && !json["by_itself"].is_boolean()) return false;
+  into.by_itself = by_itself && json["by_itself"].get<bool>();
+  return ReadText(json, "number", into.number) && ReadText(json, "text", into.text) &&
+         ReadText(json, "act", into.act) && ReadText(json, "notes", into.notes);
+}
+
 bool ReadButton(const Json& json, ButtonLabel& into) {
   return ReadText(json, "text", into.text) && ReadText(json, "group", into.group);
 }
@@ -97,6 +107,8 @@ std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (!ReadTexts(json, "styles", into.styles)) return "styles";
   // Rows have a fixed length, but the keys: as many as the file has, or one row of the most.
   if (json.contains("keys")) into.keys.assign(std::min(json["keys"].size(), kMostKeys), {});
+  if (json.contains("cues")) into.cues.assign(std::min(json["cues"].size(), kMostCues), {});
+  if (auto fault = ReadRow(json, "cues", into.cues, ReadCue)) return fault;
   if (auto fault = ReadRow(json, "dials", into.dials, ReadDial)) return fault;
   if (auto fault = ReadRow(json, "buttons", into.buttons, ReadButton)) return fault;
   if (auto fault = ReadRow(json, "sticks", into.sticks, ReadStick)) return fault;
@@ -124,7 +136,7 @@ Result<Labels> LoadLabels(const std::string& path) {
 std::string LabelsJson(const Labels& labels) {
   Json json{{"show", labels.show},     {"dials", Json::array()},  {"buttons", Json::array()},
             {"sticks", Json::array()}, {"scenes", labels.scenes}, {"styles", labels.styles},
-            {"keys", Json::array()}};
+            {"keys", Json::array()},   {"cues", Json::array()}};
   for (const auto& dial : labels.dials) json["dials"].push_back(DialJson(dial));
   for (const auto& button : labels.buttons)
     json["buttons"].push_back({{"text", button.text}, {"group", button.group}});
@@ -132,6 +144,12 @@ std::string LabelsJson(const Labels& labels) {
     json["sticks"].push_back({{"text", stick.text}, {"twist", stick.twist}, {"slide", stick.slide}});
   for (const auto& key : labels.keys)
     json["keys"].push_back({{"usage", key.usage}, {"text", key.text}, {"group", key.group}});
+  for (const auto& cue : labels.cues)
+    json["cues"].push_back({{"number", cue.number},
+                            {"text", cue.text},
+                            {"act", cue.act},
+                            {"notes", cue.notes},
+                            {"by_itself", cue.by_itself}});
   // Text that is not UTF-8 is shown with replacement signs: a label never stops the page.
   return json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
 }

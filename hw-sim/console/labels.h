@@ -48,6 +48,15 @@ struct KeyLabel {
   std::string group{};  // "blink", "motion", "scene" or "".
 };
 
+// A cue of the show's list, as whoever calls it reads it.
+struct CueLabel {
+  std::string number{};
+  std::string text{};
+  std::string act{};  // Where an act begins.
+  std::string notes{};
+  bool by_itself = false;  // No GO is waited for: the cue before brings it.
+};
+
 // All that is written on the devices, for one show: made by the authoring tool from the show's
 // files. An empty text leaves the number alone.
 struct Labels {
@@ -59,6 +68,8 @@ struct Labels {
   // Names by the show's numbers, which OnStage uses; of the ways of drawing too.
   std::vector<std::string> scenes{};
   std::vector<std::string> styles{};
+  // In their order, by which OnStage counts.
+  std::vector<CueLabel> cues{};
   // In the order in which the page shows them. What every show has, until it says more.
   std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
 };
@@ -71,7 +82,8 @@ Result<Labels> LoadLabels(const std::string& path);
 
 // {"show":text, "dials":[{"text","unit","low","high","per_turn","start","filled_by":[..]}..],
 //  "buttons":[{"text","group"}..], "sticks":[{"text","twist","slide"}..],
-//  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..]}
+//  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..],
+//  "cues":[{"number","text","act","notes","by_itself"}..]}
 std::string LabelsJson(const Labels& labels);
 
 }  // namespace kaori::console

@@ -9,12 +9,11 @@ constexpr Duration kSilence = std::chrono::seconds(2);
 
 }  // namespace
 
-std::optional<OnStage> StageMonitor::Read() {
+std::optional<board::StageStatus> StageMonitor::Read() {
   const Time now = clock_.now();
   if (board_) {
     const auto status = board_->Read<board::StageStatus>();
-    if (status.source == board::SourceState::kLive && now - status.at < kSilence)
-      return OnStage{status.value.scene, status.value.style};
+    if (status.source == board::SourceState::kLive && now - status.at < kSilence) return status.value;
   }
   // Looked for anew, since a stage that was started again may have made another file.
   if (now < look_at_) return std::nullopt;

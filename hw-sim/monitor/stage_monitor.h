@@ -1,8 +1,7 @@
-// Which scene and which way of drawing are on stage, read from the box's board. For the page that people look at: no
+// What is on stage, and where the cue list stands, read from the box's board. For the page that people look at: no
 // simulated device knows of it, as no real one would.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -10,13 +9,6 @@
 #include "drivers/base/clock.h"
 
 namespace kaori::sim {
-
-// What the stage shows now. Both count as the show does, from 0; the labels have their names.
-struct OnStage {
-  // Numbers of the show's scenes and ways of drawing.
-  std::uint32_t scene = 0;
-  std::uint32_t style = 0;
-};
 
 // Maps the board for reading and copies one section out of it. One thread. Reads only:
 // the board is neither made nor changed.
@@ -27,7 +19,7 @@ class StageMonitor {
 
   // Nothing while no stage draws. Does not block; where there is no board, or a stage that has been silent for two
   // seconds, the file is looked for anew once a second.
-  std::optional<OnStage> Read();
+  std::optional<board::StageStatus> Read();
 
  private:
   std::string path_;

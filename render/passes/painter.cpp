@@ -182,9 +182,15 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const std::uint64_t version = p.backdrop->version();
   p.layer->LayBackdropAround(canvas, figure, {behind, version, MixedLightBehind(scene)});
   const float print = PrintShare(p.prints, shape.faces);
-  float laid = 0;
+  // Who has left leaves a layer without a figure, by which the others are thinned.
+  float laid = 1 - scene.present;
+  if (laid > kPainterUnseen) {
+    canvas.BeginLayer(figure.bands, figure.whole);
+    p.layer->Lay(canvas, figure, {behind, version, MixedLightBehind(scene)},
+                 {.opacity = 1, .print = 0, .exposure = scene.light.exposure});
+  }
   for (const Group group : kGroups) {
-    const float weight = WeightOf(scene, group);
+    const float weight = WeightOf(scene, group) * scene.present;
     if (weight <= kPainterUnseen) continue;
     laid += weight;
     canvas.BeginLayer(figure.bands, figure.whole);

@@ -95,6 +95,7 @@ void Sane(const scene::Scene& scene, scene::Scene& s) {
   }
   s.hair_sway_rad.x = Within(scene.hair_sway_rad.x, 0, -kSway_rad, kSway_rad);
   s.hair_sway_rad.y = Within(scene.hair_sway_rad.y, 0, -kSway_rad, kSway_rad);
+  s.present = Within(scene.present, 1, 0, 1);
   s.breath = Within(scene.breath, 0, -1, 1);
 }
 

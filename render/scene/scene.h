@@ -137,6 +137,8 @@ struct Scene {
   Backdrop backdrop;
   // Weights sum to 1 at most.
   std::array<FadingBackdrop, kMostFading> fading;
+  // 0: the character has left the picture, and the backdrop stands alone .. 1: is there whole.
+  float present = 1;
   // How far tips of hair swing: sideways, forwards.
   glm::vec2 hair_sway_rad{};
   // -1 out .. 1 in.

@@ -37,13 +37,11 @@ Result<void> Play(const std::string& folder, std::uint16_t port) {
   if (!loop) return tl::unexpected(loop.error());
   auto rig = sim::Rig::Open({.folder = folder, .wakes_by_timer = true}, clock);
   if (!rig) return tl::unexpected(rig.error());
-  auto console = Console::Open({.port = port,
-                                .labels = HarnessLabels(),
-                                .on_stage =
-                                    [] {
-                                      return OnStage{1, 0};
-                                    }},
-                               **rig, *loop);
+  auto console =
+      Console::Open({.port = port,
+                     .labels = HarnessLabels(),
+                     .on_stage = [] { return OnStage{.scene = 1, .style = 0, .cue = 0, .standby = 1}; }},
+                    **rig, *loop);
   if (!console) return tl::unexpected(console.error());
   auto stage = ToyStage::Open(folder);
   if (!stage) return tl::unexpected(stage.error());

@@ -120,6 +120,22 @@ json::List KeysJson(const show::Show& show) {
   return keys;
 }
 
+// A show without a list of its own has its scenes as cues (show::Track), and its page lists none.
+json::List CuesJson(const show::CueList& list) {
+  json::List cues;
+  if (list.of_scenes) return cues;
+  for (std::size_t i = 0; i < list.cues.size(); ++i) {
+    const show::Cue& cue = list.cues[i];
+    const bool by_itself = i > 0 && list.cues[i - 1].next != show::CueNext::kGo;
+    cues.push_back(json::Object{{"number", cue.number},
+                                {"text", cue.name},
+                                {"act", cue.act},
+                                {"notes", cue.notes},
+                                {"by_itself", by_itself}});
+  }
+  return cues;
+}
+
 }  // namespace
 
 // Only ASCII letters are made large: the name may be in any script.
@@ -133,10 +149,10 @@ std::string LabelsJson(const show::Show& show) {
   json::List buttons, scenes;
   for (const show::Call& call : show.buttons) buttons.emplace_back(ButtonJson(call, show));
   for (const show::StageScene& scene : show.scenes) scenes.emplace_back(Readable(scene.name));
-  const json::Object labels{{"show", show.name},     {"dials", DialsJson()},
-                            {"buttons", buttons},    {"sticks", SticksJson()},
-                            {"scenes", scenes},      {"styles", json::ListOf(kStyles)},
-                            {"keys", KeysJson(show)}};
+  const json::Object labels{{"show", show.name},      {"dials", DialsJson()},
+                            {"buttons", buttons},     {"sticks", SticksJson()},
+                            {"scenes", scenes},       {"styles", json::ListOf(kStyles)},
+                            {"keys", KeysJson(show)}, {"cues", CuesJson(show.cue_list)}};
   // A name that is not UTF-8 is shown with replacement characters.
   return json::Write(labels, 1) + '\n';
 }

@@ -50,9 +50,9 @@ std::uint16_t KeyNamed(Script& script, toml::Section& section, std::string_view 
   const auto usage = KeyUsage(name);
   if (!usage) {
     section.Fault(
-        key, fmt::format(
-                 "there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12, enter, backspace, escape, tab",
-                 name));
+        key,
+        fmt::format("there is no key \"{}\"; keys are a to z, 0 to 9, f1 to f12, enter, backspace, escape",
+                    name));
     return 0;
   }
   if (const auto use = UseOfTheBox(*usage); !use.empty()) {

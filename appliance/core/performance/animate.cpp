@@ -208,6 +208,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   HangBackdrops(state.backdrops, show, scene);
   scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight) *
                          LevelNow(state.cue_light) * Unblacked(state);
+  scene.present = LevelNow(state.present);
   performed.lamps = Lamps(state, show);
   return performed;
 }

@@ -84,13 +84,6 @@ bool IsCueNumber(std::string_view text) {
          text.back() != '.' && text.find("..") == std::string_view::npos;
 }
 
-std::optional<std::size_t> FindCue(const CueList& list, std::string_view number) {
-  const auto same = [number](const Cue& cue) { return CompareCueNumbers(cue.number, number) == 0; };
-  const auto found = std::ranges::find_if(list.cues, same);
-  if (found == list.cues.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - list.cues.begin());
-}
-
 std::size_t EndOfChain(const CueList& list, std::size_t cue) {
   while (cue + 1 < list.cues.size() && list.cues[cue].next != CueNext::kGo) ++cue;
   return cue;

@@ -59,7 +59,6 @@ enum class CuePerson : std::uint8_t {
   kVoiceQuiet,  // Nobody speaks into the microphone.
   kPresence,    // Somebody stands before the box.
 };
-inline constexpr int kCuePersonCount = 4;
 
 struct CueWait {
   CuePerson person = CuePerson::kNobody;
@@ -107,9 +106,6 @@ struct CueList {
 // Part by part, as numbers: 2 < 2.5 < 2.10 < 3. Both consist of digits and single dots (IsCueNumber).
 std::strong_ordering CompareCueNumbers(std::string_view a, std::string_view b);
 bool IsCueNumber(std::string_view text);
-
-// The cue of this number, counted from 0; none where there is no such cue.
-std::optional<std::size_t> FindCue(const CueList& list, std::string_view number);
 
 // The cue at which the chain of `cue` ends: that after which GO is waited for.
 std::size_t EndOfChain(const CueList& list, std::size_t cue);

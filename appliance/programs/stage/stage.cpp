@@ -35,6 +35,13 @@ Time NewestInput(const board::Snapshot& s) {
   return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
 }
 
+std::uint32_t CueStateOf(const performance::State& state) {
+  const performance::CueRun& run = state.cue_run;
+  return (run.paused != 0 ? board::kCuesPaused : 0U) | (run.panicking != 0 ? board::kCuesPanicking : 0U) |
+         (state.black_called != 0 ? board::kCuesBlack : 0U) |
+         (run.phase == performance::CueRun::Phase::kPerson ? board::kCuesWaiting : 0U);
+}
+
 // The expected state of a screen that has no room for a picture, or no flip to tell of.
 bool Waits(const Error& error) {
   return error.cause == std::errc::resource_unavailable_try_again;
@@ -233,6 +240,12 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   status_.expression = state_.expressions.to;
   status_.style = state_.styles.to;
   status_.scene = state_.scene;
+  status_.cue_active = state_.cue_run.active;
+  status_.cue_standby = state_.cue_run.standby;
+  status_.cue_pending = state_.cue_run.pending;
+  status_.cue_left_s = std::max(0.0F, state_.cue_run.left_s);
+  status_.cue_state = CueStateOf(state_);
+  status_.gos_refused = state_.cue_run.refused;
   status_.input_age = std::clamp(state_.last - NewestInput(snapshot), Duration{}, kOldestInput);
   status_.draw = pacer_.usual();
   status_.margin = pacer_.margin();

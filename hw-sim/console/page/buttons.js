@@ -5,7 +5,7 @@ import {onState, tell} from './wire.js';
 const kColumns = 8;
 const kCaptions = new Map([
   ['face', 'Faces'], ['expression', 'Expressions'], ['style', 'Drawing styles'], ['scene', 'Scenes'],
-  ['blink', 'Eyes'], ['motion', 'Motions'],
+  ['cue', 'Cue list'], ['blink', 'Eyes'], ['motion', 'Motions'],
 ]);
 
 // What stands above the first button of each run of one group.

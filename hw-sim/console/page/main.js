@@ -1,6 +1,7 @@
 // Puts the page together from the labels, and keeps its few words true.
 import {makeButtons} from './buttons.js';
 import {makeCables} from './cables.js';
+import {makeCues} from './cues.js';
 import {makeDials} from './dials.js';
 import {onDrag} from './drag.js';
 import {editorIsOpen, makeEditor, pointing} from './editor.js';
@@ -79,6 +80,7 @@ async function begin() {
   makeSwitches($('lines'));
   $('rate').before(makeSound());
   makeKeys($('keys'), labels.keys);
+  makeCues($('cues'), labels);
   makeEditor($('stage'), $('picture'));
   makePicture($('picture'));
   makeCables();

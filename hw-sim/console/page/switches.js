@@ -3,7 +3,7 @@ import {make, onHold} from './drag.js';
 import {onState, tell} from './wire.js';
 
 // Line, caption, what it does. GO is held; the others latch.
-const kGo = ['go', 'GO', 'The foot switch: calls the next scene'];
+const kGo = ['go', 'GO', 'The foot switch: plays the cue that stands by'];
 const kLatching = [
   ['blackout', 'Blackout', 'Fades the picture to black and back; everything plays on beneath'],
   ['service', 'Service', 'The key switch: the screen says how the lips are calibrated'],

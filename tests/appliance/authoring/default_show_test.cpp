@@ -70,5 +70,17 @@ TEST(DefaultShow, HasAKeyForEachStyleAndSceneAndNoKeyForTwo) {
   for (const int key : keys) EXPECT_EQ(keys.count(key), 1U) << key;
 }
 
+TEST(DefaultShow, HasACueForEachBeatOfThePlayAndAKeyForEachCallOfTheList) {
+  const show::CueList& list = DefaultShow().cue_list;
+  EXPECT_GE(list.cues.size(), 40U);
+  for (const char* beat :
+       {"1", "2", "3", "4", "10", "13", "20", "22", "24", "26", "28", "30", "32", "33", "34", "40"})
+    EXPECT_EQ(std::ranges::count(list.cues, beat, &show::Cue::number), 1) << beat;
+  std::set<int> verbs;
+  for (const show::KeyCall& key : DefaultShow().keys)
+    if (key.call.kind == show::CallKind::kCue) verbs.insert(key.call.index);
+  EXPECT_EQ(verbs.size(), static_cast<std::size_t>(show::kCueVerbCount));
+}
+
 }  // namespace
 }  // namespace kaori::authoring

@@ -27,7 +27,7 @@ const Mistake kInTheScript[] = {
     {"ButtonOfNoFace", "show.toml", "face kaori\"", "face karoi\"",
      "show.toml:[0-9]+: button 1: there is no face \"karoi\"; did you mean \"kaori\"[?]"},
     {"ButtonOfNoKind", "show.toml", "\"face kaori\"", "\"fcae kaori\"",
-     "show.toml:[0-9]+: button 1: \"fcae\" is none of face, expression, style, scene; did you mean "
+     "show.toml:[0-9]+: button 1: \"fcae\" is none of face, expression, style, scene, cue; did you mean "
      "\"face\"[?]"},
     {"ButtonTooFew", "show.toml", "\"expression sleepy\"", "",
      "show.toml:[0-9]+: buttons: 31 are given; the box has 32"},
@@ -53,7 +53,8 @@ const Mistake kInTheScript[] = {
     {"KeyOfTheCalibration", "show.toml", "key = \"f10\"", "key = \"f12\"",
      "scene \"fair\".key: the key \"f12\" belongs to the box: it begins the calibration of the lips"},
     {"KeyThatIsNone", "show.toml", "key = \"f10\"", "key = \"f13\"",
-     "show.toml:[0-9]+: scene \"fair\".key: there is no key \"f13\"; keys are a to z, 0 to 9, f1 to f12"},
+     "show.toml:[0-9]+: scene \"fair\".key: there is no key \"f13\"; keys are a to z, 0 to 9, f1 to f12, "
+     "enter"},
     {"FormerWord", "show.toml", "", "[[take]]\nname = \"wave\"\nlids = [[0, 0], [1, 0]]\n",
      "show.toml:[0-9]+: take: a registered motion is now written \\[\\[motion\\]\\]"},
     {"TableThatIsNone", "show.toml", "", "[[sceen]]\nname = \"b\"\n",
@@ -81,6 +82,43 @@ const Mistake kInTheScript[] = {
      "show.toml:[0-9]+: scene \"noh\".backdrop.picture: .*attic.png: No such file"},
     {"ChannelOfNoExpression", "show.toml", "lids_up = \"lids_up\"", "lids_up = \"lid_up\"",
      "show.toml:[0-9]+: channels.lids_up: there is no expression \"lid_up\"; did you mean \"lids_up\"[?]"},
+};
+
+const Mistake kInTheCues[] = {
+    {"CueOfNoFace", "cues.toml", "{ name = \"poster\", in_s = 0 }", "{ name = \"pester\", in_s = 0 }",
+     "cues.toml:[0-9]+: cue 1.scene.name: there is no scene \"pester\"; did you mean \"poster\"[?]"},
+    {"CueOfNoExpression", "cues.toml", "name = \"surprised\", in_s = 0.6", "name = \"suprised\", in_s = 0.6",
+     "cues.toml:[0-9]+: cue 2.1.expression.name: there is no expression \"suprised\"; did you mean"},
+    {"CueOfNoMotion", "cues.toml", "motion = \"bow\"", "motion = \"bough\"",
+     "cues.toml:[0-9]+: cue 6.motion: there is no motion \"bough\""},
+    {"CueOfANumberThatFalls", "cues.toml", "number = \"3.1\"", "number = \"2.9\"",
+     "cues.toml:[0-9]+: cue 2.9.number: 2.9 stands after 3; numbers must rise"},
+    {"CueOfANumberThatIsTaken", "cues.toml", "number = \"2\"", "number = \"1\"",
+     "cues.toml:[0-9]+: cue 1.number: 1 stands after 1; numbers must rise"},
+    {"CueOfNoNumber", "cues.toml", "number = \"14\"", "number = \"fourteen\"",
+     "cues.toml:[0-9]+: cue fourteen.number: \"fourteen\" is no number of a cue: digits and single dots"},
+    {"CueOfANumberWithoutQuotes", "cues.toml", "number = \"14\"", "number = 14",
+     "cues.toml:[0-9]+: cue\\[[0-9]+\\].number: must be a text in quotes"},
+    {"CueThatWaitsForEver", "cues.toml", "voice_quiet_s = 1.2, at_most_s = 20", "voice_quiet_s = 1.2",
+     "cues.toml:[0-9]+: cue 3.wait_for.at_most_s: is missing: nobody may come, and the evening must go on"},
+    {"CueThatWaitsForTwo", "cues.toml", "voice_quiet_s = 1.2, ", "voice_quiet_s = 1.2, mouth_shut_s = 1, ",
+     "cues.toml:[0-9]+: cue 3.wait_for: wants one of mouth_shut_s, voice_quiet_s, presence_s"},
+    {"CueOfAFadeInMilliseconds", "cues.toml", "in_s = 2.5", "in_s = 2500",
+     "cues.toml:[0-9]+: cue 11.style.in_s: is 2500 s, not within 0 to 1800"},
+    {"CueOfLightInPercent", "cues.toml", "to = 0.55", "to = 55",
+     "cues.toml:[0-9]+: cue 1.light.to: is 55, not within 0 to 1"},
+    {"CueOfAWordThatIsNone", "cues.toml", "continue = \"follow\"", "continue = \"folow\"",
+     "cues.toml:[0-9]+: cue 2.1.continue: \"folow\" is none of no, continue, follow"},
+    {"CueOfAKeyThatIsNone", "cues.toml", "pre_wait_s = 0.5", "pre_wait = 0.5",
+     "cues.toml:[0-9]+: cue 3.1.pre_wait: is not known here; did you mean \"pre_wait_s\"[?]"},
+    {"LastCueThatContinues", "cues.toml", "", "continue = \"follow\"\n",
+     "cues.toml:[0-9]+: cue 40: it is the last one: no cue continues or follows it"},
+    {"PanicOfNoScene", "cues.toml", "{ name = \"studio\", in_s = 1.0 }", "{ name = \"sudio\" }",
+     "cues.toml:[0-9]+: list.panic.name: there is no scene \"sudio\"; did you mean \"studio\"[?]"},
+    {"GuardInSeconds", "cues.toml", "go_guard_ms = 300", "go_guard_s = 0.3",
+     "cues.toml:[0-9]+: list.go_guard_s: is not known here"},
+    {"KeyOfNoCallOfTheList", "show.toml", "\"cue go\"", "\"cue goo\"",
+     "show.toml:[0-9]+: keys.enter: the cue list knows no \"goo\"; it knows go, back, stop"},
 };
 
 const Mistake kInTheCast[] = {
@@ -167,6 +205,7 @@ std::string NameOf(const ::testing::TestParamInfo<Mistake>& mistake) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InTheScript, AMistake, ::testing::ValuesIn(kInTheScript), NameOf);
+INSTANTIATE_TEST_SUITE_P(InTheCues, AMistake, ::testing::ValuesIn(kInTheCues), NameOf);
 INSTANTIATE_TEST_SUITE_P(InTheCast, AMistake, ::testing::ValuesIn(kInTheCast), NameOf);
 INSTANTIATE_TEST_SUITE_P(InALook, AMistake, ::testing::ValuesIn(kInALook), NameOf);
 INSTANTIATE_TEST_SUITE_P(InTheExpressions, AMistake, ::testing::ValuesIn(kInTheExpressions), NameOf);

@@ -28,6 +28,14 @@ inline show::Show SmallShow() {
   show.motions = {{"nod", 0x1E, {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
   show.motions[0].sound = {2, {1, -1, 32767, -32768}};
   show.channels.brow_frown = 4;
+  show.cue_list.goto_s = 2;
+  show.cue_list.cues = {
+      {.number = "1", .name = "opening", .notes = "with the drum", .scene = show::CueCall{0, 3.0F}},
+      {.number = "1.5",
+       .pre_wait_s = 0.5F,
+       .light = show::CueLevel{0.25F, 1.0F},
+       .motion = 0,
+       .wait = {show::CuePerson::kVoiceQuiet, 1, 20}}};
   return show;
 }
 

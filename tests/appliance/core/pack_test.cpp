@@ -41,6 +41,15 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->scenes[0].backdrop, show.scenes[0].backdrop);
   EXPECT_EQ(loaded->cast.faces[2].surface.print, 0.75F);
   EXPECT_EQ(loaded->channels.brow_frown, 4);
+  const show::CueList& list = loaded->cue_list;
+  EXPECT_EQ(list.goto_s, 2);
+  ASSERT_EQ(list.cues.size(), 2U);
+  EXPECT_EQ(list.cues[0].notes, "with the drum");
+  EXPECT_EQ(list.cues[0].scene->in_s, 3);
+  EXPECT_FALSE(list.cues[1].scene);
+  EXPECT_EQ(list.cues[1].light->value, 0.25F);
+  EXPECT_EQ(list.cues[1].wait.person, show::CuePerson::kVoiceQuiet);
+  EXPECT_EQ(list.tracked.size(), 3U) << "what stands after each cue is known at once";
   EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
 }
 
@@ -111,9 +120,27 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 const ShowFault kShowFaults[] = {
     {"ButtonOfNoKnownKind",
      [](Show& s) {
-       s.buttons[7] = {show::CallKind{5}, 0};
+       s.buttons[7] = {show::CallKind{6}, 0};
      },
      "button 8: calls number 0 of 0"},
+    {"CueOfNoFace",
+     [](Show& s) {
+       s.cue_list.cues[1].face = show::CueCall{99, 1};
+     },
+     "cue 1.5: there is no face 99"},
+    {"CueOfNoMotion", [](Show& s) { s.cue_list.cues[1].motion = 7; }, "cue 1.5: there is no motion 7"},
+    {"CueThatStandsBeforeItself", [](Show& s) { s.cue_list.cues[1].number = "0.9"; },
+     "cue 0.9: stands after cue 1; numbers must rise"},
+    {"CueWithoutANumber", [](Show& s) { s.cue_list.cues[1].number = "x"; },
+     "cue x: its number is not of digits and single dots"},
+    {"CueThatWaitsForEver", [](Show& s) { s.cue_list.cues[1].wait.at_most_s = 0; },
+     "cue 1.5: a wait for a person wants at_most_s"},
+    {"CueOfNoLight",
+     [](Show& s) { s.cue_list.cues[1].light->value = std::numeric_limits<float>::quiet_NaN(); },
+     "cue 1.5: light is nan"},
+    {"CueOfNoKindOfNext", [](Show& s) { s.cue_list.cues[0].next = show::CueNext{9}; },
+     "cue 1: what begins the next cue is not known"},
+    {"PanicOfNoScene", [](Show& s) { s.cue_list.panic.index = 5; }, "cue list: there is no scene of panic 5"},
     {"ButtonForAStyleThatIsNone",
      [](Show& s) {
        s.buttons[0] = {show::CallKind::kStyle, 5};

@@ -1,0 +1,63 @@
+// The cue list: what was played, what comes by itself, and what GO plays next, with the notes of whoever calls the show.
+import {make} from './drag.js';
+import {tapKey} from './keys.js';
+import {onState} from './wire.js';
+
+const kIcons = new Map([['GO', 'go']]);
+
+// What the list is doing, in words; nothing while it only stands by.
+function doing(now, cues) {
+  if (!now) return '';
+  const coming = cues[now.pending];
+  const comes = coming && (now.waiting ? `${coming.number} waits for a person, ${now.left_s.toFixed(1)} s at most`
+                                       : `${coming.number} comes in ${now.left_s.toFixed(1)} s`);
+  return [now.paused && 'Paused', now.black && 'Blackout', now.panicking && 'Panic', comes,
+          now.standby >= cues.length && 'The list is over: GO is refused',
+          now.refused > 0 && `${now.refused} GO refused`].filter(Boolean).join(' \u00b7 ');
+}
+
+function makeRow(cue) {
+  const row = make('li', {class: cue.by_itself ? 'chained' : ''}, make('span', {class: 'number'}, cue.number),
+                   make('span', {class: 'title'}, cue.text));
+  if (cue.notes) row.append(make('span', {class: 'notes'}, cue.notes));
+  if (cue.act) row.dataset.act = cue.act;
+  return row;
+}
+
+function mark(rows, now) {
+  rows.forEach((row, n) => {
+    row.classList.toggle('active', n === now?.cue);
+    row.classList.toggle('pending', n === now?.pending);
+    row.classList.toggle('standby', n === now?.standby);
+    if (n === now?.standby) row.setAttribute('aria-current', 'step');
+    else row.removeAttribute('aria-current');
+  });
+}
+
+// The row that stands by is brought into the list's own window; the page itself does not move.
+function show(list, row) {
+  if (row) list.scrollTop = row.offsetTop - list.offsetTop - list.clientHeight / 3;
+}
+
+export function makeCues(parent, {cues, keys}) {
+  if (cues.length === 0) return parent.remove();
+  const calls = make('div', {class: 'calls', role: 'group', 'aria-label': 'Calls of the cue list'},
+                     ...keys.filter(({group}) => group === 'cue').map(({usage, text}) => {
+                       const button = make('button', {type: 'button', class: kIcons.get(text) ?? ''}, text);
+                       button.addEventListener('mousedown', (event) => event.preventDefault());
+                       button.addEventListener('click', () => tapKey(usage));
+                       return button;
+                     }));
+  const words = make('p', {class: 'doing', 'aria-live': 'polite'});
+  const rows = cues.map(makeRow);
+  const list = make('ol', {'aria-label': 'Cues', tabindex: '0'}, ...rows);
+  parent.append(calls, words, list);
+  let standby = -2;
+  onState(({on_stage: now}) => {
+    const text = doing(now, cues);
+    if (words.textContent !== text) words.textContent = text;
+    mark(rows, now);
+    if (now && now.standby !== standby) show(list, rows[Math.min(now.standby, rows.length - 1)]);
+    standby = now?.standby ?? -2;
+  });
+}
