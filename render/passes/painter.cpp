@@ -48,7 +48,7 @@ float LightBehind(const scene::Scene& s, Group group) {
 
 // What all groups show together where there is no figure.
 float MixedLightBehind(const scene::Scene& s) {
-  return LightBehind(s) * (1 - (1 - kWireBackdrop) * WeightOf(s, Group::kWire));
+  return LightBehind(s) * (1 - (1 - kWireBackdrop) * WeightOf(s, Group::kWire) * s.present);
 }
 
 // Of the textured styles alone.
@@ -186,7 +186,7 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   float laid = 1 - scene.present;
   if (laid > kPainterUnseen) {
     canvas.BeginLayer(figure.bands, figure.whole);
-    p.layer->Lay(canvas, figure, {behind, version, MixedLightBehind(scene)},
+    p.layer->Lay(canvas, figure, {behind, version, LightBehind(scene)},
                  {.opacity = 1, .print = 0, .exposure = scene.light.exposure});
   }
   for (const Group group : kGroups) {

@@ -114,6 +114,33 @@ TEST(Painter, ShowsNothingInTheDark) {
   }
 }
 
+TEST(Painter, LeavesTheBackdropAloneWhenTheFigureHasLeft) {
+  PassStudio& studio = PassStudio::Shared();
+  for (const Style style : {Style::kSoft, Style::kWire}) {
+    scene::Scene scene = PlainScene(style);
+    scene.backdrop = {{0.2F, 0.4F, 0.6F}, {0.6F, 0.4F, 0.2F}};
+    const Picture there = studio.Draw(scene);
+    scene.present = 0;
+    const Picture empty = studio.Draw(scene);
+    scene.camera.target_m.y = 3;  // Looks past the figure.
+    EXPECT_LT(Difference(empty, studio.Draw(scene)), 0.01) << static_cast<int>(style);
+    EXPECT_GT(Difference(empty, there), 1);
+  }
+}
+
+TEST(Painter, LeavesStepByStepWithoutTurningBack) {
+  PassStudio& studio = PassStudio::Shared();
+  scene::Scene scene = PlainScene(Style::kSoft);
+  const Picture there = studio.Draw(scene);
+  double gone = -1e-9;
+  for (int step = 0; step <= 8; ++step) {
+    scene.present = 1 - static_cast<float>(step) / 8;
+    const double now = Difference(there, studio.Draw(scene));
+    EXPECT_GT(now, gone) << step;
+    gone = now;
+  }
+}
+
 TEST(Painter, MixesTheSkinsOfFacesThatCrossFade) {
   PassStudio& studio = PassStudio::Shared();
   scene::Scene scene = PlainScene(Style::kBare);
