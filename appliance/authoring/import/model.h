@@ -60,8 +60,6 @@ struct Model {
   std::vector<Preset> presets;
   // The first texture, still encoded as PNG or JPEG, and not looked at; empty: none.
   std::vector<std::uint8_t> picture;
-  // Linear; of the first material without a picture.
-  glm::vec3 colour{0.72F, 0.50F, 0.40F};
 };
 
 // What a file may hold at most, so that a wrong one cannot ask for all memory.

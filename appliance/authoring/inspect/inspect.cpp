@@ -166,7 +166,9 @@ Inspection Inspect(const face::Cast& cast, const std::function<void(const std::s
       found[face] = inspector.InspectFace(static_cast<std::uint16_t>(face));
     }
   };
-  std::vector<std::jthread> workers(std::min<std::size_t>(found.size(), std::thread::hardware_concurrency()));
+  // Where the number of processors is not known, it is 0.
+  const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::jthread> workers(std::min(found.size(), processors));
   for (std::jthread& worker : workers) worker = std::jthread(work);
   workers.clear();  // Each has finished.
   return Sum(std::move(found));
