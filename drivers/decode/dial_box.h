@@ -70,8 +70,10 @@ class DialBoxDecoder {
   // position. The first position of a wrapping dial is no turn.
   std::int32_t Turned(Dial& dial, std::int64_t value) const;
 
+  // Of the device's own descriptor.
   ReportLayout layout_;
   std::vector<Dial> dials_;
+  // Of the Button page, from button 1.
   SwitchReader<1> buttons_;
   DialSample sample_;
 };

@@ -22,6 +22,7 @@ struct StickSample {
   float twist = 0;        // -1 counter-clockwise .. 1 clockwise, seen from above.
   float slider = 0;       // 0 .. 1 from the device's lowest value to its highest.
   std::int32_t hat = -1;  // 0 up, clockwise in eighths to 7; -1 centred.
+  // Of the Button page: button 1 is switch 0.
   Switches<1> buttons;
 };
 
@@ -77,6 +78,7 @@ class JoystickDecoder {
   // An axis, in the device's logical units. The middle is the descriptor's; the centre is where it
   // rests. A stick that is worn or bent rests elsewhere than in the middle.
   struct Axis {
+    // In which report and field it is.
     ElementRef where;
     // min and max are the ends of the logical range; the centre lies between them.
     std::int64_t min = 0, middle = 0, centre = 0, max = 0;
@@ -98,9 +100,11 @@ class JoystickDecoder {
   // Derives the sample's axes from the raw values.
   void UpdateAxes();
 
+  // Of the device's own descriptor.
   ReportLayout layout_;
   StickSettings settings_;
   std::optional<Axis> x_, y_, twist_, slider_;
+  // None where the device has no hat.
   std::optional<ElementRef> hat_;
   SwitchReader<1> buttons_;
   StickSample sample_;

@@ -44,7 +44,9 @@ class KeyboardDecoder {
   // Whether the report has a usage of an error in place of keys (HID Usage Tables 1.3, section 10).
   bool is_phantom(const InputReport& report) const;
 
+  // Of the device's own descriptor.
   ReportLayout layout_;
+  // All 256 usages of the keyboard page.
   SwitchReader<8> keys_;
   KeySample sample_;
 };

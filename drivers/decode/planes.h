@@ -16,11 +16,13 @@ namespace kaori::decode {
 struct Plane {
   // From the first sample on; samples of other planes may lie between.
   std::span<const std::uint8_t> bytes;
+  // In samples of this plane, which may be fewer than the picture's.
   int width_px = 0;
   int height_px = 0;
   std::uint32_t stride_bytes = 0;  // From a row to the next.
   std::uint32_t step_bytes = 1;    // From a sample to the next: packed formats interleave.
 
+  // Not checked: x and y lie within the plane.
   std::uint8_t at(int x, int y) const {
     return bytes[static_cast<std::size_t>(y) * stride_bytes + static_cast<std::size_t>(x) * step_bytes];
   }
@@ -30,6 +32,7 @@ struct Plane {
 // Y, with as many samples or fewer: sample (x, y) of Cb lies at (x * y.width_px /
 // cb.width_px, ...) of Y. Borrowed from a frame or a reader.
 struct Planes {
+  // Of the whole picture's size.
   Plane y;
   Plane cb;
   Plane cr;
@@ -53,6 +56,7 @@ class PlaneReader {
   Result<Planes> Read(const ports::CameraFrame& frame);
 
  private:
+  // libjpeg-turbo's decompressor with the memory that it fills.
   class Jpeg;
   // Decompresses into the reader's own memory. Errors: as Read.
   Result<Planes> ReadJpeg(const ports::CameraFrame& frame);

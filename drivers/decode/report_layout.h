@@ -21,6 +21,7 @@ inline constexpr std::size_t kMaxGlobalStack = 4;
 inline constexpr std::size_t kMaxReportBytes = 16384;  // Report id included.
 // Of one element; values of up to kMaxValueBits are read. Wider elements are for vendors' data.
 inline constexpr std::uint32_t kMaxFieldBits = 256;
+// A value of so many bits and any logical range fits into 64 bits with its sign.
 inline constexpr std::uint32_t kMaxValueBits = 32;
 // Our own bound: Linux is limited by its memory alone.
 inline constexpr std::size_t kMaxCollectionDepth = 64;
@@ -34,6 +35,7 @@ using Usage = std::uint32_t;
 // The usages first..last, for the elements (or array values) from `start` on. One range stands for
 // any number of elements, so that "every key" costs one entry.
 struct UsageRange {
+  // Both are included.
   Usage first = 0;
   Usage last = 0;
   // The number of the first element that they are for.
@@ -66,9 +68,11 @@ struct ReportField {
 
 // One report: its id and its length, which an input report must have exactly.
 struct ReportShape {
+  // With the id it names the report.
   ReportKind kind = ReportKind::kInput;
   std::uint8_t id = 0;
   std::uint32_t bits = 0;  // Without the report id.
+  // How many of ReportLayout::fields it has; padding has none.
   std::uint32_t fields = 0;
 
   // Rounded up: a report is sent in whole bytes.
@@ -78,8 +82,10 @@ struct ReportShape {
 // All reports of a device, as its decoder needs them. Made once when a device is opened; reading by it
 // allocates nothing. Collections are flattened: of the tree only the application is kept.
 struct ReportLayout {
+  // In the order in which the descriptor speaks of them first.
   std::vector<ReportShape> reports;
   std::vector<ReportField> fields;  // In the order of the descriptor.
+  // Of all fields, one behind the other.
   std::vector<UsageRange> usages;
 
   // The usage ranges of `field`, which must be one of `fields`.

@@ -18,6 +18,7 @@ class UsageList {
 
   // No usage was named: the main item is padding, or a field that means nothing to us.
   bool empty() const { return usages_.empty(); }
+  // A set that is still open at a main item is an error of the descriptor.
   bool delimiter_open() const { return delimiter_depth_ > 0; }
 
   // `page` is the usage page that holds at the main item: a usage of one or two bytes belongs to
@@ -41,11 +42,13 @@ class UsageList {
   // Opens or closes a set of alternative usages. Errors: invalid_argument.
   Result<void> Delimit(const Item& item);
 
+  // In the order of the descriptor.
   std::vector<Range> usages_;
   // Usages so far, each of a range counted by itself.
   std::size_t count_ = 0;
   // The usage minimum that waits for its maximum.
   Range minimum_;
+  // 0 or 1: sets within sets are refused.
   int delimiter_depth_ = 0;
   int alternatives_ = 0;  // Within delimiters only the first usage counts.
 };

@@ -47,12 +47,15 @@ class LocalLines final : public ports::GpioLines {
   // Notes that the panel is gone, and that the protocol was broken; both are told by every later call.
   tl::unexpected<Error> Gone();
 
+  // Readable when the panel tells an edge, or has gone.
   UniqueFd socket_;
+  // For errors: the socket's path.
   std::string name_;
   std::uint32_t inputs_ = 0;  // How many there are; of both 32 at most.
   // Of both 32 at most: the bits of a level.
   std::uint32_t outputs_ = 0;
   std::uint32_t active_ = 0;  // Bit n: input line n.
+  // The panel said what makes no sense: reading fails from then on.
   bool broken_ = false;
   bool gone_ = false;  // The panel was unplugged: every call says so.
 };

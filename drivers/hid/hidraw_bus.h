@@ -64,7 +64,9 @@ class HidrawBus final : public ports::HidBus {
 
   // Stamps the reports of every channel that this bus opens.
   const Clock& clock_;
+  // Owns one reference; the monitor has one of its own.
   std::unique_ptr<udev, Unref> udev_;
+  // Hears of hidraw nodes that come and go.
   std::unique_ptr<udev_monitor, Unref> monitor_;
   std::map<std::string, Node> nodes_;  // By port.
   // Vendors and products that answered no request for initial reports.

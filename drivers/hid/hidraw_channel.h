@@ -41,8 +41,11 @@ class HidrawChannel final : public ports::HidChannel {
   // One GET_REPORT; its answer goes to the end of `initial_`.
   Result<void> RequestReport(const decode::InitialReport& report);
 
+  // Opened for reading and writing, without blocking.
   UniqueFd node_;
+  // Read once, when it was opened.
   ports::HidIdentity identity_;
+  // Stamps reports: hidraw has no stamps of its own.
   const Clock& clock_;
   std::deque<std::vector<std::uint8_t>> initial_;  // Answers that Read has not given yet.
   // Noted once; from then on no call touches the node.

@@ -53,6 +53,7 @@ class LibusbChannel final : public ports::HidChannel {
   // kSubmitted: libusb owns the bytes; kCompleted: they are a report that Read has not given yet.
   struct Transfer {
     enum class State { kIdle, kSubmitted, kCompleted };
+    // Whose call-backs these are.
     LibusbChannel* channel = nullptr;
     // libusb's structure; it lives as long as the channel, and is used again for each report.
     std::unique_ptr<libusb_transfer, FreeTransfer> handle;
@@ -92,10 +93,14 @@ class LibusbChannel final : public ports::HidChannel {
   // Notes how a transfer ended; runs inside Handle and HandleFor only.
   void HandleDone(Transfer& transfer);
 
+  // This channel's alone, so that its descriptor tells of this device.
   std::unique_ptr<LibusbSession> session_;
+  // Holds a reference to the device, so that its port and number stay known.
   UsbHidInterface interface_;
   const Clock& clock_;
+  // Read once, when it was opened.
   ports::HidIdentity identity_;
+  // Several are submitted at a time, so that no report waits for the program.
   std::array<Transfer, kReads> reads_;
   std::array<Transfer, kWrites> writes_;
   // Closes before the transfers are freed: then libusb has let them go.

@@ -36,13 +36,15 @@ class LocalHidBus final : public ports::HidBus {
   // A connection to the device at a port, until its channel gets it.
   struct Connection {
     State state = State::kConnecting;
+    // Becomes the channel's with Open.
     UniqueFd socket;
+    // Of the hello; valid in kReady.
     ports::HidIdentity identity;
   };
 
   LocalHidBus(std::string folder, UniqueFd epoll) : folder_(std::move(folder)), epoll_(std::move(epoll)) {}
-  // Errors: those of inotify_init1(2) and inotify_add_watch(2).
-  // Makes and watches the folder, and connects to every device in it.
+  // Makes and watches the folder, and connects to every device in it. Errors: those of
+  // inotify_init1(2) and inotify_add_watch(2).
   Result<void> WatchFolder();
   // Applies the folder's pending notices. Errors: those of watching it anew.
   Result<void> DrainNotices();
@@ -55,10 +57,13 @@ class LocalHidBus final : public ports::HidBus {
   // The socket of a port: "<folder>/hid.<port>".
   std::string PathOf(const std::string& port) const;
 
+  // Where simulators make their sockets.
   std::string folder_;
+  // Of the watch and all connections that wait for a hello.
   UniqueFd epoll_;
   UniqueFd watch_;         // inotify on the folder.
   bool watching_ = false;  // The folder was there when it was last looked for.
+  // By port.
   std::map<std::string, Connection> connections_;
 };
 

@@ -52,13 +52,16 @@ class Feed {
   // Resumes a connection that waits for a message; does nothing for one that is still receiving.
   void Wake(Listener& listener);
 
+  // Of the answer's head.
   std::string content_type_;
+  // Sent to each listener before its first message.
   std::string opening_;
   // Only this message is kept: late listeners miss the ones before.
   std::string newest_;
   std::uint64_t number_ = 0;  // Of the newest message; 0 before the first.
   // No listener gets anything any more.
   bool ended_ = false;
+  // Owned here; MHD knows them by their address.
   std::vector<std::unique_ptr<Listener>> listeners_;
 };
 

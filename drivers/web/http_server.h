@@ -50,6 +50,7 @@ struct Request {
 struct Reply {
   // An HTTP status (RFC 9110, 15).
   unsigned status = 200;
+  // With its character set, as a header has it.
   std::string content_type = "text/plain; charset=utf-8";
   std::string body;
   std::string cookie{};  // A Set-Cookie header; empty: none.
@@ -62,6 +63,7 @@ inline constexpr std::size_t kMostBodyBytes = 4096;
 struct Certificate {
   // The server's own certificate first, then those that signed it.
   std::string chain;
+  // Of the server's own certificate.
   std::string key;
 };
 
@@ -79,6 +81,7 @@ struct ServerOptions {
   std::optional<Certificate> certificate{};  // HTTPS with it, HTTP without.
   // Connections at a time, of all clients and of one; more are closed at once.
   unsigned most_connections = 64;
+  // Of one client's address; by default as many as of all.
   unsigned most_of_one_address = 64;
   Guard guard{};  // Called with the headers, before the body is read; null: all are accepted.
 };

@@ -32,10 +32,10 @@ class JpegEncoder {
   Result<std::string> Encode(const Picture& picture, int quality);
 
  private:
-  // The compressor of libjpeg-turbo, and what it holds.
   struct Close {
     void operator()(void* handle) const;
   };
+  // The compressor of libjpeg-turbo; null where it could not be made.
   std::unique_ptr<void, Close> handle_;
   unsigned char* buffer_ = nullptr;  // Allocated by the library, and grown as needed.
   // What the buffer holds at most.

@@ -10,6 +10,7 @@ struct PageFile {
   std::string_view path;  // "/" is the page itself.
   // The Content-Type header with which it is served.
   std::string_view content_type;
+  // Part of the program: lives as long as it does.
   std::string_view bytes;
 };
 

@@ -13,6 +13,7 @@ namespace kaori::console {
 // A label tells people; nothing that is played depends on it.
 // A dial has no end; what it plays may have one. Where `low` and `high` differ the page shows that value.
 struct DialLabel {
+  // What turning it does.
   std::string text{};
   std::string unit{};  // "%" (of 1), "s", or "".
   // The ends of the value, in the label's unit; equal where there is none.
@@ -29,6 +30,7 @@ struct DialLabel {
 
 // What a button of the box does.
 struct ButtonLabel {
+  // What pushing it does.
   std::string text{};
   std::string group{};  // Buttons of one group have one colour: "face", "expression", "style", "scene" or "".
 };
@@ -44,6 +46,7 @@ struct StickLabel {
 // A key that the show uses; others are not drawn.
 struct KeyLabel {
   std::uint8_t usage = 0;  // HID keyboard usage.
+  // What it does.
   std::string text{};
   std::string group{};  // "blink", "motion", "scene" or "".
 };
@@ -62,6 +65,7 @@ struct CueLabel {
 struct Labels {
   // The show's name, as the page's heading.
   std::string show{};
+  // From the upper left, as on the box.
   std::array<DialLabel, 8> dials;
   std::array<ButtonLabel, 32> buttons;
   std::array<StickLabel, 2> sticks;  // Left, right.

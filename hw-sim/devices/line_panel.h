@@ -26,7 +26,9 @@ class LinePanel {
   struct Edge {
     // The context's clock, when the switch moved.
     Time at{};
+    // 0 .. 3, as kLineNames has them.
     int line = 0;
+    // The switch is on.
     bool closed = false;
   };
 
@@ -57,7 +59,9 @@ class LinePanel {
   const DeviceContext& context_;
   // Bit n: the switch of line n is closed.
   std::uint32_t closed_ = 0;
+  // The oldest first.
   std::deque<Edge> edges_;
+  // The lamp is lit: output 0 is driven.
   bool tally_ = false;
 };
 

@@ -8,6 +8,7 @@ namespace kaori::sim {
 
 // 4 bytes hold two pixels: Y Cb Y Cr, BT.601 of limited range. Width is even; bytes = width * height * 2.
 struct YuyvPicture {
+  // Even: two pixels share their colour.
   int width_px = 0;
   int height_px = 0;
   // Row 0 on top, without padding.

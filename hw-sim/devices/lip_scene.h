@@ -45,10 +45,12 @@ struct Operator {
 struct StageLight {
   // How much light there is; 1 is what the camera was set for.
   double level = 1;
+  // Each channel's part of the level; white is 1, 1, 1.
   Rgb colour{1, 1, 1};
   // To the right of this line on the face, in widths from its middle,
   // `shadow_level` of the light is left.
   std::optional<double> shadow_from;
+  // Of the light, 0 .. 1.
   double shadow_level = 0.4;
 };
 
@@ -64,6 +66,7 @@ struct LensAndChip {
 
 // One frame: a moment, or the stretch of time during which the shutter was open.
 struct LipScene {
+  // Who is before the camera at the end of the exposure.
   Operator person;
   // Where the head was when the shutter opened: the picture is smeared from
   // there to the person's own pose.

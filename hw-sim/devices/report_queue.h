@@ -69,6 +69,7 @@ class ReportQueue {
  private:
   // A report that waits. Due times rise by kReportPeriod at least.
   struct Waiting {
+    // No earlier than that: a link may come later.
     Time due;
     State state;
   };

@@ -17,8 +17,9 @@ enum class UsbTransfer : std::uint8_t { kControl, kIsochronous, kBulk, kInterrup
 // An endpoint, as its descriptor of 7 bytes says it (USB 2.0, 9.6.6).
 struct UsbEndpoint {
   std::uint8_t address = 0;  // Bit 7: towards the host.
-  // wMaxPacketSize.
+  // The low bits of bmAttributes.
   UsbTransfer transfer = UsbTransfer::kControl;
+  // wMaxPacketSize: bits 0 to 10 are bytes, 11 and 12 further transactions of high speed.
   std::uint16_t max_packet_bytes = 0;
   std::uint8_t interval = 0;  // As its descriptor has it.
   // The number of the interface that it belongs to.
@@ -37,6 +38,7 @@ struct UsbInterface {
 
 // What a configuration holds, flat: endpoints name their interface. Class descriptors are passed over.
 struct UsbContents {
+  // In the order of the descriptors; further settings of an interface come again.
   std::vector<UsbInterface> interfaces;
   std::vector<UsbEndpoint> endpoints;
 };

@@ -45,10 +45,12 @@ class UsbHid final : public UsbDevice {
   // HID's own descriptors, which are asked for at the interface (HID 1.11, 7.1.1).
   std::optional<UsbBytes> Descriptor(std::uint8_t kind) const;
 
+  // What it carries to the host; borrowed.
   HidDevice& device_;
   bool host_is_new_ = false;  // It came since NextIn was last called, and something is not at rest.
   // Of the device's own report descriptor.
   HidShape shape_;
+  // Made of the device's own name and report descriptor.
   UsbDescriptors descriptors_;
 };
 

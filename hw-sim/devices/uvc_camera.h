@@ -38,7 +38,9 @@ class UvcCamera final : public UsbDevice {
   // The stream starts anew with the next read, and so does the count of its frames.
   void EndStream();
 
+  // Draws the pictures; borrowed.
   LipCamera& camera_;
+  // From frame to frame, as the descriptors promise it.
   Duration period_;
   UsbDescriptors descriptors_;
   // One frame, as the camera drew it.

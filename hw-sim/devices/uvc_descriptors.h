@@ -15,6 +15,7 @@ struct UvcMode {
   // From frame to frame: 30 frames/s.
   std::uint32_t period_100ns = 333333;
   std::uint32_t payload_bytes = 65536;  // Of the longest payload.
+  // Bit 7: towards the host.
   std::uint8_t endpoint = 0x81;
 
   // Two bytes a pixel.

@@ -41,6 +41,7 @@ class VoiceSynth {
 
   // What is said, as Say held it within its range.
   int vowel_ = 0;
+  // 0 is silence, 1 as one speaks.
   double loudness_ = 0;
   double gain_ = 0;   // On its way to the loudness.
   double phase_ = 0;  // Of the pitch, in turns.

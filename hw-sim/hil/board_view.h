@@ -14,14 +14,14 @@ namespace kaori::hil {
 struct StickView {
   // Its device is there and delivers; else the values are those that were read last.
   bool live = false;
-  // The box's program in numbers. `frames` counts from the program's start: a new one begins at 0.
+  // Between the stops, -1 .. 1: right and forwards are positive.
   double x = 0;
   double y = 0;
   // Equal sticks differ in it alone.
   std::uint32_t port = 0;
 };
 
-// What the stage tells of itself.
+// What the stage tells of itself. A new program counts from 0 again.
 struct StageView {
   bool live = false;
   // Presented since the program began.

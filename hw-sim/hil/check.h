@@ -19,6 +19,7 @@ enum class Verdict { kPassed, kFailed, kSkipped };
 // A picture of the report.
 struct Picture {
   std::string file;  // In the report's folder.
+  // What people are to see in it.
   std::string caption;
   // Under the picture, and its text for those who cannot see it.
 };
@@ -38,7 +39,9 @@ struct Finding {
 
 // What a check works with. Made anew for each check and each control; borrows everything.
 struct Scene {
+  // The box with its devices, as the check finds it.
   Target& target;
+  // Gets what the check finds.
   Finding& finding;
   std::string folder;  // Of the report.
   // How many cables the check of re-plugs pulls.
@@ -82,22 +85,39 @@ std::vector<Check> AllChecks();
 
 // The parts of it, one for each file.
 std::vector<Check> ScreenChecks();
+// Scenarios of input and of faults, played through the box's own drivers.
 std::vector<Check> PlayChecks();
+// What every input device says arrives on the board, and lamps are lit.
 std::vector<Check> InputChecks();
+// Cables are pulled and plugged in any order.
 std::vector<Check> CableChecks();
+// The lip camera by our own driver.
 std::vector<Check> CameraChecks();
+// Foot switch, blackout and tally by a GPIO bridge.
 std::vector<Check> LineChecks();
+// The machine's own sound card.
 std::vector<Check> SoundChecks();
+// The lip camera by libcamera's handler of USB video.
 std::vector<Check> LibcameraChecks();
+// A voice in a loop of the kernel.
 std::vector<Check> LoopChecks();
+// The devices by a Linux USB gadget within the machine.
 std::vector<Check> GadgetChecks();
+// From an event on the cable to the frame that shows it.
 std::vector<Check> LatencyChecks();
+// What well-known tools say of the devices.
 std::vector<Check> ToolChecks();
+// USB devices without a role stay unauthorised.
 std::vector<Check> AuthorisationChecks();
+// Frames a second where the bench draws for the box.
 std::vector<Check> SpeedChecks();
+// Without any device.
 std::vector<Check> AloneChecks();
+// A changed root is refused, and UEFI starts the disk.
 std::vector<Check> DiskChecks();
+// The last picture stays, and a box that hangs starts again.
 std::vector<Check> RecoveryChecks();
+// How soon the first picture and the first face come.
 std::vector<Check> StartChecks();
 
 }  // namespace kaori::hil

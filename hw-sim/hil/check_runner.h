@@ -20,6 +20,7 @@ class CheckRunner {
     std::string report;  // The folder.
     // The file of a scenario; other scenarios lie beside it.
     std::string play;
+    // As Scene has them.
     int replugs = 20;
     int scenes = 0;
     // Of Scene::chance.
@@ -52,17 +53,20 @@ class CheckRunner {
   Result<void> Control(const Check& check, Finding& finding);
   // Fails where the check passes although what it needs was withdrawn.
   Result<void> FailsWithout(const Check& check, Scene& scene);
+  // What a check works with, for this finding.
   Scene SceneOf(Finding& finding);
   // Adds the last picture and the logs to the finding; what cannot be had is left out.
   void AddTraces(const std::string& check, Finding& finding);
 
   Options options_;
   Target& target_;
+  // Brings the box to play as each check wants it.
   PlayStrategy strategy_;
   // One for all checks of a run.
   std::mt19937 chance_;
   // Setups whose box did not start, and why; none is waited for twice.
   std::vector<std::pair<Setup, Error>> failed_setups_;
+  // Of the first box that played; 0: none has.
   double boot_s_ = 0;
 };
 

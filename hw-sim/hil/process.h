@@ -38,6 +38,7 @@ class Process {
 
  private:
   explicit Process(pid_t number) : number_(number) {}
+  // Of the child, whose parent we are; -1: none.
   pid_t number_ = -1;
 };
 

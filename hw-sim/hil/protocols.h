@@ -38,6 +38,7 @@ class UnauthorisedDeviceProtocol {
   // Success means that the device is on the bus, not that the box uses it. Errors: no_such_device (no
   // power), invalid_argument (QEMU's own message).
   virtual Result<void> PlugUnauthorised(UnauthorisedDevice device) = 0;
+  // Pulls what was plugged in. Errors: as above; where there is none QEMU says so (invalid_argument).
   virtual Result<void> PullUnauthorised() = 0;
 };
 

@@ -11,6 +11,7 @@ namespace kaori::hil {
 
 // A check with what was found, as it goes into the report.
 struct ReportedCheck {
+  // As Check has it.
   std::string name;
   std::string sentence;
   Finding finding;

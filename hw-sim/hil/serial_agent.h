@@ -14,6 +14,7 @@ namespace kaori::hil {
 struct AgentAnswer {
   // False: the text is the agent's error.
   bool yes = false;
+  // The result, or why there is none.
   std::string text;
 };
 
@@ -38,8 +39,10 @@ class SerialAgentDriver final : public AgentProtocol {
   Result<std::string> Ask(const std::string& question, Duration longest) override;
 
  private:
+  // Of the socket at the machine's serial line.
   std::string path_;
   Waiter& waiter_;
+  // None: no machine was found, or it was lost.
   std::optional<Stream> stream_;
   // What has come and is no whole answer yet.
   std::string waiting_;

@@ -12,6 +12,7 @@ namespace kaori::hil {
 // the input devices were found. One thread.
 class PlayStrategy {
  public:
+  // Borrows the target. Nothing is switched on yet.
   explicit PlayStrategy(Target& target) : target_(target) {}
 
   // Brings the box to play with that setup; one that plays so already is left as it is.
@@ -33,11 +34,13 @@ class PlayStrategy {
   Result<void> SwitchOn();
   // Errors: timed_out.
   Result<void> AwaitFrames();
+  // Waits for those that the setup plugs in. Errors: timed_out.
   Result<void> AwaitInputDevices();
 
   Target& target_;
   // The box was brought to play and nobody has taken its power since.
   bool plays_ = false;
+  // Of the last start; 0 before the first.
   double boot_s_ = 0;
 };
 

@@ -26,6 +26,7 @@ class Target final : public Waiter {
   // As Waiter says.
   bool Until(const std::function<bool()>& done, Duration longest, int fd = -1) override;
 
+  // Its devices hang at the machine's USB sockets.
   sim::UsbRig& rig() { return *rig_; }
   QemuDriver& machine() { return machine_; }
   SerialAgentDriver& agent() { return agent_; }
@@ -48,6 +49,7 @@ class Target final : public Waiter {
   // UntilBoard waits no longer than this: in the control of a check nothing is expected to come.
   // ResetPatience: as long as it is told.
   void SetPatience(Duration patience) { patience_ = patience; }
+  // As long as each call is told.
   void ResetPatience() { patience_ = Duration::max(); }
 
   // Whoever moves while anything waits: called before each look at the devices. Empty: nobody.
@@ -64,6 +66,7 @@ class Target final : public Waiter {
   std::unique_ptr<sim::UsbRig> rig_;
   QemuDriver machine_;
   SerialAgentDriver agent_;
+  // Null: nobody moves.
   std::function<void(Time)> input_;
   // Of UntilBoard; the longest there is where nobody set one.
   Duration patience_ = Duration::max();

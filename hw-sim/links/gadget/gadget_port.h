@@ -46,6 +46,7 @@ class GadgetPort {
   bool Send(const Report& report);
 
   HidGadget gadget_;
+  // Its name in /sys/class/udc.
   std::string controller_;
   HidDevice& device_;
   UniqueFd file_;  // /dev/hidgN; invalid while unplugged.

@@ -12,6 +12,7 @@ namespace kaori::sim {
 struct GadgetRoom {
   // A folder of configfs.
   std::string gadgets = "/sys/kernel/config/usb_gadget";
+  // Where /dev/hidgN appear.
   std::string devices = "/dev";
 };
 

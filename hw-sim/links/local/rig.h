@@ -26,10 +26,12 @@ struct RigOptions {
   // Of the simulated screen's one mode.
   int screen_width_px = 960;
   int screen_height_px = 540;
+  // From one vertical blank to the next: 60 Hz.
   Duration screen_period = std::chrono::nanoseconds(16'666'667);
   // Of the lip camera; even sides, up to 1920 x 1080.
   int camera_width_px = 640;
   int camera_height_px = 480;
+  // From frame to frame: 30 frames/s.
   Duration camera_period = std::chrono::nanoseconds(33'333'333);
   // With a SteadyClock: pollable() also wakes when something falls due. With a
   // ManualClock whoever advances it calls Pump.
@@ -112,6 +114,7 @@ class Rig final : public DeviceRig {
   void ArmTimer();
 
   RigOptions options_;
+  // Passed to all devices; its watcher is whom Watch named.
   DeviceContext context_;
   InputDevices devices_;
   Screen screen_;
@@ -119,6 +122,7 @@ class Rig final : public DeviceRig {
   UniqueFd lock_;  // On the folder.
   // Of all sockets and the timer.
   UniqueFd epoll_;
+  // Expires at next_due(); invalid where nobody wanted it.
   UniqueFd timer_;
   // In the order of DevicePort.
   std::array<std::unique_ptr<LinkPort>, kDevicePortCount> ports_;

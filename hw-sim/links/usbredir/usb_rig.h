@@ -69,6 +69,7 @@ class UsbRig final : public DeviceRig {
   // The camera's stream on USB; devices().camera draws its pictures.
   UvcCamera camera_;
   GpioBridge gpio_;
+  // Of all connections.
   UniqueFd epoll_;
   std::array<std::unique_ptr<UsbredirPort>, kUsbSockets.size()> ports_;  // In the order of kUsbSockets.
 };
