@@ -37,6 +37,7 @@ class Card {
   bool IsShown(const std::vector<Splash>& pictures) const;
 
  private:
+  // Not valid where the card could not be opened. Closing it would clear the screens.
   UniqueFd fd_;
 };
 

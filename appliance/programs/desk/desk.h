@@ -56,6 +56,7 @@ class Desk {
   // The page's address, such as "https://192.168.0.1:8443/".
   std::string address() const;
 
+  // For tests, which read the code from it.
   const Pairing& pairing() const { return pairing_; }
   // Open connections of browsers, of 64 at most and 24 from one address.
   std::size_t connections() const { return server_->connections(); }

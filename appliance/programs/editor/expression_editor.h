@@ -65,6 +65,7 @@ class ExpressionEditor {
 
   // Whether the author is at work; while it is false nothing but Tab and the keys of own expressions is the editor's.
   bool open() const { return open_; }
+  // The author's work, for tests and for what is drawn.
   const Session& session() const { return session_; }
   // The control point that is pulled; -1: none.
   int chosen() const { return chosen_; }
@@ -103,6 +104,7 @@ class ExpressionEditor {
   void BeginFrom(std::uint16_t expression, const show::Show& show);
   // Says where an expression has a part that control points cannot hold, and that is lost by editing it.
   void WarnOfResidual(std::uint16_t expression, const show::Show& show);
+  // The expression of the cast as work without a name; of an own one the work itself, and nothing for an empty slot.
   std::optional<Work> WorkOf(std::uint16_t expression, const show::Show& show) const;
   // editor_saving.cpp: names, slots and files.
   void Save(bool as_new);
@@ -118,6 +120,7 @@ class ExpressionEditor {
   void ShowDraft();
   // Whether the press was the editor's: then it does not play.
   bool HandlePress(const performance::Press& press, Situation& now);
+  // Whether a press still plays while the editor is open.
   static bool PlaysOn(const performance::Press& press, const show::Show& show, bool typing);
   // Takes dials, pointer, held keys and the right stick out of what the performance sees.
   const board::Snapshot& RemoveUsedInput(const board::Snapshot& board, performance::InputEvents& events);

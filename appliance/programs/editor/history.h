@@ -33,6 +33,7 @@ class History {
   // The step in work.
   const Work& now() const { return steps_[at_].work; }
   const Work& before() const;  // The work as it was begun.
+  // Steps before and behind the one in work.
   std::size_t undoable() const { return at_; }
   std::size_t redoable() const { return steps_.size() - 1 - at_; }
 

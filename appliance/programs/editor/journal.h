@@ -41,6 +41,7 @@ class Journal {
 
   UniqueFd fd_;
   std::filesystem::path file_;
+  // Of the control points; it goes into the head of an empty file.
   std::uint64_t fingerprint_ = 0;
   std::uint64_t end_ = 0;  // Of the last whole record; 0: not even the head stands there.
 };

@@ -79,6 +79,7 @@ class Session {
   // How many steps lie before the work, and behind it.
   std::size_t undoable() const { return history_.undoable(); }
   std::size_t redoable() const { return history_.redoable(); }
+  // The control points, as of the cast that the session was made for.
   const Points& points() const { return points_; }
 
   // How pulls spread from now on; the author's switches, which are no part of the work.

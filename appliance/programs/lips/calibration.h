@@ -64,6 +64,7 @@ class Calibration {
   // How many changes can be undone, 1000 at most.
   std::size_t changes() const { return before_.size(); }
 
+  // The settings with all changes that were not undone.
   const LipSettings& settings() const { return settings_; }
 
  private:

@@ -65,13 +65,16 @@ class LipReader {
   // Publishes the meter's sizes with this stamp and state.
   void Write(Time at, board::SourceState source);
 
+  // Opens the camera anew each time; what it gives is owned by camera_.
   ports::CameraOpener open_;
   board::Writer<board::Lips> writer_;
   const Clock& clock_;
   LipMeter meter_;
   CameraExposure exposure_;
+  // Makes planes of luma and chroma out of any format that the camera sends, a compressed one included.
   decode::PlaneReader planes_;
   std::unique_ptr<ports::Camera> camera_;
+  // Of the section, as it was written last.
   board::SourceState source_;
   // Of the newest frame, to log a change of it.
   ports::CameraFormat format_;

@@ -47,6 +47,7 @@ struct LipSettings {
   KeySettings key;
   bool marker = false;  // The operator wears a dot of the same paint on nose or forehead, above the mouth.
   GaugeSettings gauge;
+  // What counts as a voice, and how late it is played.
   VoiceSettings voice;
   friend bool operator==(const LipSettings&, const LipSettings&) = default;
 };

@@ -84,6 +84,7 @@ class MouthGauge {
   };
   std::optional<Learning> learning_;
   float rest_height_ = 0.25F;  // In widths of the mouth at rest.
+  // The tilt as followed so far, within 0.7 rad each way.
   float tilt_rad_ = 0;
   // How much of an opening mouth is the rise of its upper lip: a regression over the frames in which the head is slow.
   struct UpperPart {

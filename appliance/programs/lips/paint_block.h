@@ -33,6 +33,7 @@ using KeyBlocks = void (*)(const ChromaRow& row, std::size_t blocks, const Wedge
 // the program was built for another architecture.
 KeyBlocks WidestKey(Packing packing);  // Never null.
 KeyBlocks PlainKey(Packing packing);   // Never null: works sample by sample on any processor.
+// For tests, which compare all of them; the program asks for WidestKey.
 KeyBlocks Sse2Key(Packing packing);
 KeyBlocks Avx2Key(Packing packing);
 

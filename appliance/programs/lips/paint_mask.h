@@ -31,6 +31,7 @@ class PaintMask {
   // those before it. A picture without usable chroma gives an empty grid.
   void Read(const decode::Planes& planes, const PaintKey& key);
 
+  // The grid of the picture that was read last.
   const Grid& grid() const { return grid_; }
   std::size_t runs() const { return runs_; }  // How many runs of paint all rows have together.
 

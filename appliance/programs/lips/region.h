@@ -20,6 +20,7 @@ struct Region {
   int area = 0;            // Its samples of paint.
   std::uint32_t name = 0;  // The name of its runs: see Regions::NameOf.
 
+  // In samples of the grid.
   int width() const { return right - left; }
   int height() const { return bottom - top; }
 };

@@ -23,6 +23,7 @@ struct Facts {
   std::string screen;     // The screen of the status display, by name or number; empty: there is none.
   // What kaori-boot could not do, one line each, in the order in which it happened.
   std::vector<std::string> faults;
+  // As the stage wrote them last; they stay there when the stage is gone.
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.
 
   friend bool operator==(const Facts&, const Facts&) = default;

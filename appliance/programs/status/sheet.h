@@ -37,6 +37,7 @@ class Sheet {
   // The picture's rows that a row of text covers.
   Rows RowsOf(int row) const;
 
+  // Letters as they were drawn once; a sheet owns its own.
   image::Lettering lettering_;
   image::Picture picture_;
   int pitch_px_;  // The height of one line.

@@ -39,6 +39,7 @@ class LipService {
   // Handles commands of the desk and keys, and sends reports. It never blocks. Call it every 50 ms or sooner.
   void Step();
 
+  // For the main loop, which hands the voice's settings on, and for tests.
   const Tuning& tuning() const { return tuning_; }
   const Guide& guide() const { return guide_; }
 

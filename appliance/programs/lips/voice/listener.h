@@ -31,6 +31,7 @@ class Listener {
   const Voice& Hear(const ports::SoundBlock& block, const ports::SoundFormat& format);
   // Changes the gate's settings from the next block on.
   void Use(const GateSettings& gate) { gate_.Use(gate); }
+  // The voice as of the last block.
   const Voice& voice() const { return voice_; }
 
  private:

@@ -38,6 +38,7 @@ class Gate {
   void Use(const GateSettings& settings) { settings_ = settings; }
 
   float level_db() const { return level_db_; }  // Smoothed.
+  // Whether somebody speaks, as of the last level.
   bool open() const { return open_; }
 
  private:

@@ -65,11 +65,13 @@ class Speaker {
   void Publish(Time now);
   void LogDelay();
 
+  // Opens the loudspeaker anew each time; what it gives is owned by loudspeaker_.
   ports::LoudspeakerOpener open_;
   const board::Board& board_;
   board::Writer<board::Sound> writer_;
   const Clock& clock_;
   DelayChoice choice_;
+  // The voice on its way, filled by Record whether a loudspeaker is there or not.
   DelayLine line_;
   MotionSound motion_sound_;
   std::unique_ptr<ports::Loudspeaker> loudspeaker_;

@@ -53,6 +53,7 @@ class VoiceReader {
   ports::MicrophoneOpener open_;
   board::Writer<board::Voice> writer_;
   const Clock& clock_;
+  // Who gets each block besides: the speaker. May be empty.
   BlockHandler handler_;
   Listener listener_;
   VoiceMouth mouth_;
