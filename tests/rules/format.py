@@ -11,7 +11,12 @@ import sys
 
 import words
 
-SOURCES = (".h", ".cpp", ".c")
+# Kind -> endings, and how the first line of a file without an ending begins.
+KINDS = {
+    "source": ((".h", ".cpp", ".c"), rb"(?!)"),
+    "shell": ((".sh",), rb"#!.*\b(ba|da)?sh\b|# shellcheck shell="),
+    "python": ((".py",), rb"#!.*\bpython"),
+}
 AT_ONCE = 100
 
 
@@ -19,8 +24,7 @@ def of_kind(root, kind):
     """Paths of the tree that are sources, shell scripts or Python, by their ending or their first line."""
     for path, file in words.files(root):
         first = b"" if file.suffix else file.read_bytes()[:64].split(b"\n")[0]
-        if kind == "source" and file.suffix in SOURCES or kind == "shell" and (file.suffix == ".sh" or b"bash" in first) \
-                or kind == "python" and (file.suffix == ".py" or b"python" in first):
+        if file.suffix in KINDS[kind][0] or re.match(KINDS[kind][1], first):
             yield path
 
 

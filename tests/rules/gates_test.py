@@ -92,9 +92,11 @@ class Format(Tree):
     def test_names_faults_of_scripts_with_and_without_an_ending(self):
         self.write("a.sh", "#!/usr/bin/env bash\nlocal x=$(ls)\n")
         self.write("tool", "#!/usr/bin/env bash\nx=(--a $1)\necho \"${x[@]}\"\n")
+        self.write("plain", "#!/bin/sh\nx=$1\nlocal y=1\n")
+        self.write("part", "# shellcheck shell=bash\nx=(--a $1)\necho \"${x[@]}\"\n")
         found = "\n".join(format.offences(self.root))
-        self.assertIn("a.sh:2", found)
-        self.assertIn("tool:2", found)
+        for file in ("a.sh:2", "tool:2", "plain:3", "part:2"):
+            self.assertIn(file, found)
 
     def test_names_faults_of_python(self):
         self.write("a.py", "import os\n")
