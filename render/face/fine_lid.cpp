@@ -22,7 +22,8 @@ std::vector<float> RingsOfCage(const LidRig& rig, std::size_t vertices) {
   std::vector<float> ring_of(vertices, kNoRing);
   for (int ring = 0; ring < rig.rings; ++ring) {
     for (int column = 0; column < rig.columns; ++column) {
-      const auto i = static_cast<std::size_t>(ring * rig.columns + column);
+      const auto i = static_cast<std::size_t>(ring) * static_cast<std::size_t>(rig.columns) +
+                     static_cast<std::size_t>(column);
       ring_of[rig.upper[i]] = static_cast<float>(ring);
       ring_of[rig.lower[i]] = static_cast<float>(ring);
     }

@@ -77,6 +77,7 @@ constexpr bool kDebug = false;
 #endif
 
 // What drivers merely notice is left out: there is much of it.
+// NOLINTNEXTLINE(readability-function-size): the parameters are GL's.
 void GL_APIENTRY LogMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* text,
                             const void*) {
   if (severity != GL_DEBUG_SEVERITY_NOTIFICATION) LogWarning("GL: {}", text);

@@ -11,6 +11,7 @@ void DeleteMesh(unsigned id) {
 
 // An attribute of the buffer and the vertex array that are bound.
 void Describe(const Attribute& a, int stride_bytes) {
+  // GL takes the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
   const auto* offset = reinterpret_cast<const void*>(static_cast<std::intptr_t>(a.offset_bytes));
   glEnableVertexAttribArray(a.location);
   // GLES has a function of its own for integers that are not to become floats.

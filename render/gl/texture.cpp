@@ -64,13 +64,15 @@ Rgba8 Halve(std::span<const std::byte> from, int width_px, int height_px) {
   half.bytes.resize(columns * static_cast<std::size_t>(half.height_px) * 4);
   const std::size_t right = width_px > 1 ? 4 : 0;
   const std::size_t below = height_px > 1 ? wide * 4 : 0;
+  const auto code = [](std::byte channel) { return std::to_integer<unsigned>(channel); };
   for (std::size_t y = 0; y < static_cast<std::size_t>(half.height_px); ++y) {
     const std::byte* row = from.data() + y * 2 * wide * 4;
     std::byte* to = half.bytes.data() + y * columns * 4;
     for (std::size_t x = 0; x < columns; ++x, row += 2 * right, to += 4) {
       for (std::size_t c = 0; c < 4; ++c) {
-        const auto code = [row, c](std::size_t at) { return std::to_integer<unsigned>(row[at + c]); };
-        to[c] = static_cast<std::byte>((code(0) + code(right) + code(below) + code(right + below) + 2) / 4);
+        const unsigned sum =
+            code(row[c]) + code(row[right + c]) + code(row[below + c]) + code(row[right + below + c]);
+        to[c] = static_cast<std::byte>((sum + 2) / 4);
       }
     }
   }

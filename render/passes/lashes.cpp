@@ -33,7 +33,7 @@ face::Index OnFineMesh(const face::SparseRows& from_cage, face::Index cage) {
 
 std::vector<face::Index> MarginOnFineMesh(const face::Topology& topology, const face::LidRig& rig) {
   std::vector<face::Index> margin;
-  const std::size_t first = static_cast<std::size_t>(rig.margin_ring * rig.columns);
+  const std::size_t first = static_cast<std::size_t>(rig.margin_ring) * static_cast<std::size_t>(rig.columns);
   for (std::size_t j = 0; j < static_cast<std::size_t>(rig.columns); ++j) {
     margin.push_back(OnFineMesh(topology.fine.from_cage, rig.upper[first + j]));
   }

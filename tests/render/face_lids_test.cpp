@@ -33,7 +33,8 @@ Weights Wearing(std::size_t face, std::size_t expression, float shut) {
 }
 
 std::size_t At(const LidRig& rig, int ring, int column) {
-  return static_cast<std::size_t>(ring * rig.columns + column);
+  return static_cast<std::size_t>(ring) * static_cast<std::size_t>(rig.columns) +
+         static_cast<std::size_t>(column);
 }
 
 // The widest gap between the margins, metres.

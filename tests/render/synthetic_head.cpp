@@ -126,7 +126,7 @@ class Sketch {
   }
 
   static std::size_t LidAt(int ring, int column) {
-    return static_cast<std::size_t>(ring * kLidColumns + column);
+    return static_cast<std::size_t>(ring) * kLidColumns + static_cast<std::size_t>(column);
   }
 
   // Counter-clockwise from outside: the character's left eye runs to the viewer's right.

@@ -11,7 +11,7 @@ namespace kaori::appearance {
 namespace {
 
 // What is interpolated over a triangle, one number each.
-enum Value { kEyeRing, kEyeSide, kMouthRing, kMouthSide, kBag, kEar, kSpout, kValues };
+enum ValueIndex { kEyeRing, kEyeSide, kMouthRing, kMouthSide, kBag, kEar, kSpout, kValues };
 using Values = std::array<float, kValues>;
 
 // Rings lose their sign here: interpolated, a sign would drag a ring through 0 where it changes.

@@ -20,7 +20,8 @@ glm::vec3 UnitOr(glm::vec3 v, glm::vec3 otherwise) {
 // Rows end at their edges, columns wrap where the patch is closed.
 std::size_t At(const Patch& p, int row, int column) {
   const int c = p.closed_across ? (column + p.columns) % p.columns : std::clamp(column, 0, p.columns - 1);
-  return static_cast<std::size_t>(std::clamp(row, 0, p.rows - 1) * p.columns + c);
+  return static_cast<std::size_t>(std::clamp(row, 0, p.rows - 1)) * static_cast<std::size_t>(p.columns) +
+         static_cast<std::size_t>(c);
 }
 
 // By central differences; one-sided at the edges.

@@ -186,7 +186,7 @@ TEST(Landmarks, AreFoundOnTheShowsOwnHead) {
     return found == marks.end() ? glm::vec3(9) : found->at;
   };
   const face::LidRig& rig = cast.topology.lids[0];
-  const auto margin = static_cast<std::size_t>(rig.margin_ring * rig.columns);
+  const auto margin = static_cast<std::size_t>(rig.margin_ring) * static_cast<std::size_t>(rig.columns);
   const auto& p = cast.faces[0].positions;
   EXPECT_LT(glm::distance(at("left eye, inner corner"), p[rig.upper[margin]]), 0.006F);
   EXPECT_LT(glm::distance(at("left eye, outer corner"),

@@ -237,7 +237,8 @@ TEST(SculptedFaces, ShutTheirEyesWithoutAGap) {
     const face::Shape& shape = composer.Compose(weights, face::Detail::kCage);
     for (const face::LidRig& rig : cast.topology.lids) {
       for (int j = 0; j < rig.columns; ++j) {
-        const auto at = static_cast<std::size_t>(rig.margin_ring * rig.columns + j);
+        const auto at = static_cast<std::size_t>(rig.margin_ring) * static_cast<std::size_t>(rig.columns) +
+                        static_cast<std::size_t>(j);
         EXPECT_LT(glm::distance(shape.cage[rig.upper[at]], shape.cage[rig.lower[at]]), 2e-4F)
             << cast.faces[f].name << " column " << j;
       }

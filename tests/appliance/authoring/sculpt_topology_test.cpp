@@ -113,7 +113,7 @@ TEST(SculptedTopology, GivesTheLipsAllAndTheBrowsNothingOfTheMouth) {
 TEST(SculptedTopology, LidRigsMeetInTheCorners) {
   for (const face::LidRig& rig : TheTopology().lids) {
     for (int k = 0; k < rig.rings; ++k) {
-      const auto inner = static_cast<std::size_t>(k * rig.columns);
+      const auto inner = static_cast<std::size_t>(k) * static_cast<std::size_t>(rig.columns);
       const auto outer = inner + static_cast<std::size_t>(rig.columns - 1);
       EXPECT_EQ(rig.upper[inner], rig.lower[inner]);
       EXPECT_EQ(rig.upper[outer], rig.lower[outer]);
