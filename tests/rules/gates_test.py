@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Each gate names what was written wrong on purpose, and lets pass what is right."""
 
+import contextlib
+import io
 import json
 import pathlib
 import shutil
@@ -109,27 +111,52 @@ class Tidy(Tree):
         shutil.copy(REPOSITORY / ".clang-tidy", self.root)
         (self.root / "build").mkdir()
         (self.root / "build/build.ninja").write_text("")
-        command = f"/usr/bin/c++ -std=c++20 -o CMakeFiles/a.dir/a.o -c {self.root}/drivers/a.cpp"
-        (self.root / "build/compile_commands.json").write_text(
-            json.dumps([{"directory": str(self.root / "build"), "file": f"{self.root}/drivers/a.cpp", "command": command}]))
 
-    def found(self):
-        return list(tidy.offences(self.root, self.root / "build"))
+    def found(self, *files, **options):
+        entries = []
+        for file in files:
+            command = f"/usr/bin/c++ -I{self.root} -DKAORI_NAME='\"{file}\"' -o CMakeFiles/{file}.o -c {self.root}/{file}"
+            entries.append({"directory": str(self.root / "build"), "file": f"{self.root}/{file}", "command": command})
+        (self.root / "build/compile_commands.json").write_text(json.dumps(entries))
+        with contextlib.redirect_stderr(io.StringIO()):
+            return tidy.offences(self.root, self.root / "build", **options)
 
     def test_names_a_warning_until_it_is_mended(self):
         self.write("drivers/a.cpp", "int* Nothing() { return 0; }\n")
         for _ in range(2):
-            found = self.found()
+            found = self.found("drivers/a.cpp")
             self.assertEqual(len(found), 1, found)
             self.assertTrue(found[0].startswith("drivers/a.cpp:1:"), found)
             self.assertIn("modernize-use-nullptr", found[0])
         self.write("drivers/a.cpp", "int* Nothing() { return nullptr; }\n")
-        self.assertEqual(self.found(), [])
-        self.assertEqual(self.found(), [])
+        self.assertEqual(self.found("drivers/a.cpp"), [])
+        self.assertEqual(self.found("drivers/a.cpp"), [])
 
     def test_does_not_pass_what_does_not_compile(self):
         self.write("drivers/a.cpp", "int Broken( {\n")
-        self.assertTrue(self.found())
+        self.assertTrue(self.found("drivers/a.cpp"))
+
+    def test_names_a_warning_of_a_header_each_time(self):
+        self.write("drivers/a.h", "#pragma once\ninline int* Nothing() { return 0; }\n")
+        self.write("drivers/a.cpp", '#include "drivers/a.h"\n')
+        for _ in range(2):
+            found = self.found("drivers/a.cpp")
+            self.assertEqual([line.split(":")[0] for line in found], ["drivers/a.h"], found)
+
+    def test_reads_sources_together_that_have_names_in_common(self):
+        wrong = "int* Nothing() { return 0; }\n"
+        self.write("drivers/a.cpp", "namespace {\nint Size() {\n  return 1;\n}\n}  // namespace\nint a = Size();\n")
+        self.write("drivers/b.cpp", "namespace {\nint Size() {\n  return 2;\n}\n}  // namespace\nint b = Size();\n" + wrong)
+        self.write("drivers/c.cpp", "namespace b { int Of(); }\n" + wrong.replace("Nothing", "Other"))  # A name of b.cpp.
+        for name in ("d", "e"):
+            self.write(f"drivers/{name}.cpp", f"const char* {name} = KAORI_NAME;\nint main() {{ return *{name}; }}\n")
+        found = self.found(*(f"drivers/{name}.cpp" for name in "abcde"))
+        self.assertEqual([line.split(":")[0] for line in found], ["drivers/b.cpp", "drivers/c.cpp"], found)
+
+    def test_finds_with_the_analyzer_what_only_it_finds(self):
+        self.write("drivers/a.cpp", "int Divide(int by) {\n  if (by == 0) return 1 / by;\n  return by;\n}\n")
+        self.assertEqual(self.found("drivers/a.cpp"), [])
+        self.assertIn("clang-analyzer-core.DivideZero", "".join(self.found("drivers/a.cpp", analyze=True)))
 
 
 if __name__ == "__main__":
