@@ -15,6 +15,7 @@ namespace {
 
 using Phase = CueRun::Phase;
 
+// Open less than this, of 0..1, is shut: lips that are pressed are not told from it.
 constexpr float kMouthShut =
     0.08F;  // Open less than this is shut: lips that are pressed are not told from it.
 constexpr float kLeavesGain = 0.999F;  // Below 1 a motion fades out by itself.
@@ -23,10 +24,12 @@ const show::Cue& CueAt(const show::Show& show, std::int32_t index) {
   return show.cue_list.cues[static_cast<std::size_t>(index)];
 }
 
+// The index of the cue after which GO is waited for, counted from `index`, which is a cue of the list.
 std::int32_t EndOfChainAt(const show::Show& show, std::int32_t index) {
   return static_cast<std::int32_t>(show::EndOfChain(show.cue_list, static_cast<std::size_t>(index)));
 }
 
+// From where the level is now, in the middle of another fade too.
 void Fade(Fading& fading, const show::CueLevel& level) {
   fading = {LevelNow(fading), level.value, level.in_s > 0 ? 0.0F : 1.0F, level.in_s};
 }
@@ -43,6 +46,7 @@ float LengthOf(const show::Cue& cue, const show::Show& show) {
   return length_s;
 }
 
+// The order is that of show::Track: the scene first, so that a face or a style named beside it stays.
 void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.scene) EnterScene(state, show, cue.scene->index, cue.scene->in_s);
   if (cue.face) CallFace(state, cue.face->index, cue.face->in_s);
@@ -53,6 +57,7 @@ void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.motion >= 0) PlayMotion(state, cue.motion);
 }
 
+// One cue waits at a time: a chain is a cue that waits after another.
 void Wait(CueRun& run, std::int32_t cue, Phase phase, float left_s) {
   run.pending = cue;
   run.phase = phase;
@@ -60,6 +65,7 @@ void Wait(CueRun& run, std::int32_t cue, Phase phase, float left_s) {
   run.held_s = 0;
 }
 
+// A cue without a pre-wait waits for 0 s, and is played by the next PlayCues.
 void Begin(CueRun& run, const show::Show& show, std::int32_t cue) {
   Wait(run, cue, Phase::kPreWait, CueAt(show, cue).pre_wait_s);
 }
@@ -81,6 +87,8 @@ void Play(State& state, const show::Show& show) {
     Wait(run, index + 1, Phase::kFollow, LengthOf(cue, show));
 }
 
+// Whether what is waited for is so now. A microphone that is gone is quiet, and a sensor that is gone sees
+// nobody: the longest wait ends that.
 bool PersonDoes(const State& state, const board::Snapshot& board, show::CuePerson person) {
   switch (person) {
     case show::CuePerson::kNobody:
@@ -112,11 +120,12 @@ void FinishChain(State& state, const show::Show& show) {
   while (state.cue_run.pending >= 0) Play(state, show);
 }
 
+// A gain just below 1 is what PlayMotions fades out from.
 void SoftenMotions(State& state) {
   for (Playing& voice : state.voices) voice.gain = std::min(voice.gain, kLeavesGain);
 }
 
-// What waits does not come; GO plays it.
+// What waits does not come; GO plays it. The list then goes on from there, so that a stop loses no cue.
 void Stop(State& state) {
   CueRun& run = state.cue_run;
   if (run.pending >= 0) run.standby = run.pending;
@@ -126,6 +135,7 @@ void Stop(State& state) {
   SoftenMotions(state);
 }
 
+// What stands by afterwards is the cue behind the chain that begins now: cues of a chain are never called by themselves.
 void Go(State& state, const show::Show& show) {
   CueRun& run = state.cue_run;
   const auto count = static_cast<std::int32_t>(show.cue_list.cues.size());
@@ -141,6 +151,7 @@ void Go(State& state, const show::Show& show) {
   Begin(run, show, cue);
 }
 
+// Anything that PAUSE would hold.
 bool IsRunning(const State& state) {
   const auto fades = [](const Mixture* m) { return m->progress < 1; };
   const std::initializer_list<const Mixture*> mixtures{&state.faces, &state.expressions, &state.styles,
@@ -150,6 +161,8 @@ bool IsRunning(const State& state) {
          std::ranges::any_of(state.voices, [](const Playing& v) { return v.motion >= 0; });
 }
 
+// The first push holds, as the hand on a light desk does; the second goes to what stood before the chain of
+// the active cue.
 void Back(State& state, const show::Show& show) {
   CueRun& run = state.cue_run;
   if (run.paused == 0 && IsRunning(state)) {
@@ -165,6 +178,7 @@ void Back(State& state, const show::Show& show) {
   GoToCue(state, show, first - 1);
 }
 
+// The panic scene with full light and presence. The list keeps its place, and GO goes on with it.
 void Panic(State& state, const show::Show& show) {
   CueRun& run = state.cue_run;
   const bool again = run.panicking != 0 && state.backdrops.progress < 1;
@@ -179,6 +193,7 @@ void Panic(State& state, const show::Show& show) {
   run.jumping = 0;
 }
 
+// Only where the mixture shows what the list has: after a call by hand there is nothing to settle.
 void Settle(Mixture& mixture, const show::TrackedState::Item& item, float amount) {
   if (mixture.progress < 1 || mixture.to != item.now || amount < 1) return;
   mixture.duration_s = 0;
@@ -220,6 +235,7 @@ void CallCue(State& state, const show::Show& show, show::CueVerb verb) {
   }
 }
 
+// tracked[0] is the opening, so that tracked[end + 1] is what stands after the cue `end`.
 void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   Stop(state);
   CueRun& run = state.cue_run;
@@ -242,6 +258,8 @@ float PlayTime(const State& state, float dt_s) {
   return state.cue_run.paused != 0 ? 0 : dt_s;
 }
 
+// Several cues may be due within one frame; each gets the time that the wait before it left over, so that
+// long frames play the list at the same moments as short ones.
 void PlayCues(State& state, const board::Snapshot& board, const show::Show& show, float dt_s) {
   CueRun& run = state.cue_run;
   float left_s = PlayTime(state, dt_s);

@@ -12,16 +12,19 @@
 
 namespace kaori::performance {
 
-// Does at once what a person called. A GO within the list's guard after the last one, or after the last cue, is refused and
-// counted. A GO while a chain of cues still waits first plays what is left of that chain, so that nothing which the
-// list sets is ever missed. `show.cue_list` is tracked (show::Track).
+// Does at once what a person called. A GO within the list's guard after the last one, or after the last cue,
+// is refused and counted. A GO while a chain of cues still waits first plays what is left of that chain, so
+// that nothing which the list sets is ever missed. `show.cue_list` is tracked (show::Track). Does nothing
+// where the list was not tracked. Allocates nothing.
 void CallCue(State& state, const show::Show& show, show::CueVerb verb);
 
-// Fades within the list's goto_s into what stands after cue number `index`, whatever was played before, and stands by for
-// the cue after it. A cue that others follow by themselves is jumped to with all of those. -1: as the show opens.
+// Fades within the list's goto_s into what stands after cue number `index`, whatever was played before, and
+// stands by for the cue after it. A cue that others follow by themselves is jumped to with all of those. -1:
+// as the show opens. What waits is stopped first. `index` is -1 or below the number of cues.
 void GoToCue(State& state, const show::Show& show, std::int32_t index);
 
-// Moves the waits of the list on by dt_s and plays the cues that have become due, each by itself.
+// Moves the waits of the list on by dt_s and plays the cues that have become due, each by itself. `dt_s` is
+// the time of the frame, pause or not. To be called once a frame, after what people called.
 void PlayCues(State& state, const board::Snapshot& board, const show::Show& show, float dt_s);
 
 // Of dt_s, what passes for fades, motions and waits: nothing while the list is paused.

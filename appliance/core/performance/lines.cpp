@@ -12,9 +12,7 @@ namespace {
 using board::Line;
 using board::SourceState;
 
-// The length of a blackout's fade; the guard within which a second GO is none (a foot switch that is trodden
-// once can close twice, far beyond the debouncing of contacts); and where the count of seconds since the last
-// GO stops, as State says.
+// The length of a blackout's fade, and where the count of seconds since the last GO stops, as State says.
 constexpr float kBlackoutFade_s = 0.4F;
 constexpr float kGoLongAgo_s = 10;
 

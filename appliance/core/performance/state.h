@@ -127,7 +127,7 @@ struct State {
   std::uint16_t black_called = 0;  // 1: black by a call; the switch blacks out besides.
   std::uint16_t black_wanted = 0;  // 1: the switch is on, or was when it was lost.
   std::uint16_t black_scene = 0;   // The scene at the last look at that switch.
-  // The scene that was entered last; GO enters the next one.
+  // The scene that was entered last.
   std::uint16_t scene = 0;
 };
 static_assert(std::is_trivially_copyable_v<State>);

@@ -36,6 +36,7 @@ class CueChecker {
   std::vector<std::string>& faults_;
 };
 
+// A wait for a person needs an end of its own, so that no sensor can stop an evening.
 void CheckWait(CueChecker& check, const CueWait& wait) {
   if (wait.person > CuePerson::kPresence) return check.Fault("it waits for nothing that is known");
   check.Within("its wait", wait.for_s, kLongestWait_s);
@@ -64,6 +65,7 @@ void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults
 
 }  // namespace
 
+// Numbers are compared between neighbours: where each rises, the whole list does.
 void CheckCueList(const Show& show, std::vector<std::string>& faults) {
   const CueList& list = show.cue_list;
   CueChecker check("cue list", faults);

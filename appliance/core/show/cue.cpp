@@ -26,6 +26,7 @@ std::strong_ordering CompareDigits(std::string_view a, std::string_view b) {
   return a.size() != b.size() ? a.size() <=> b.size() : a.compare(b) <=> 0;
 }
 
+// What was called before stays known, as Mixture::from has it in the performance.
 void SetItem(TrackedState::Item& item, std::uint16_t index) {
   item = {index, item.now};
 }
@@ -46,6 +47,7 @@ void Add(TrackedState& state, const Cue& cue, const Show& show) {
   if (cue.present) state.present = cue.present->value;
 }
 
+// The first scene, as performance::Opening enters it.
 TrackedState OpeningState(const Show& show) {
   TrackedState state;
   if (show.scenes.empty()) return state;
@@ -57,6 +59,7 @@ TrackedState OpeningState(const Show& show) {
   return state;
 }
 
+// Numbered from 1, with the scenes' own fades: a show without a list plays as it did before there were lists.
 void MakeCuesOfScenes(Show& show) {
   show.cue_list.of_scenes = true;
   for (std::size_t i = 1; i < show.scenes.size(); ++i) {

@@ -22,6 +22,7 @@ std::optional<pack::CueLevel> Stored(const std::optional<CueLevel>& level) {
   return pack::CueLevel(level->value, level->in_s);
 }
 
+// FlatBuffers' way of a struct that may be absent: a null pointer. Borrows the value.
 template <class T>
 const T* Address(const std::optional<T>& value) {
   return value ? &*value : nullptr;
