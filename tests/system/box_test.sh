@@ -39,6 +39,20 @@ expect "image knows no --loud" image --loud
 "$BOX" help | grep -q -e '--listen ADDRESS' || { echo "box help does not tell of --listen"; failures=$((failures + 1)); }
 "$BOX" help | grep -q './box demo --record' || { echo "box help does not tell of films"; failures=$((failures + 1)); }
 
+# A build that waits for another one says so. In a copy, with programs that do nothing in place of those that build.
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+(cd "$REPOSITORY" && cp --parents box appliance/demo.sh docs/pictures.sh tests/tests.sh tests/hil/bench.sh rootfs/image/image.sh "$copy")
+mkdir -p "$copy/bin" "$copy/out/build/release"
+printf '#!/bin/sh\nshift 2\nfor p; do echo "installed $p"; done\n' >"$copy/bin/dpkg-query"
+printf '#!/bin/sh\n' | tee "$copy/bin/apt-get" "$copy/bin/ninja" >"$copy/bin/cmake"
+chmod +x "$copy"/bin/*
+waits="another build of this folder is running"
+said=$(PATH="$copy/bin:$PATH" timeout 20 "$copy/box" build 2>&1)
+[[ $said == *"building (release)"* && $said != *"$waits"* ]] || { echo "box build, alone, said: $said"; failures=$((failures + 1)); }
+said=$(PATH="$copy/bin:$PATH" flock "$copy/out/build/release/box.lock" timeout 2 "$copy/box" build 2>&1)
+[[ $said == *"$waits"* ]] || { echo "box build beside another build said: $said"; failures=$((failures + 1)); }
+
 # What ./box fuzz starts are the targets that there are, each with the inputs that are kept for it.
 targets=$(sed -n 's/^kaori_fuzz(\([a-z_]*\).*/\1/p' "$REPOSITORY/tests/fuzz/CMakeLists.txt" | sort)
 kept=$(ls "$REPOSITORY/tests/fuzz/corpus" | sort)

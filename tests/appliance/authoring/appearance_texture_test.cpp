@@ -9,6 +9,7 @@
 #include "appliance/authoring/appearance/atlas.h"
 #include "appliance/authoring/appearance/canvas.h"
 #include "appliance/authoring/appearance/colour.h"
+#include "appliance/authoring/appearance/painter.h"
 #include "appliance/authoring/sculpt/cage.h"
 #include "tests/appliance/authoring/appearance_fixture.h"
 
@@ -92,6 +93,43 @@ TEST(AppearanceCanvas, DrawsAStrokeWhereItLiesAndNowhereElse) {
   EXPECT_GT(canvas.Sample({0.2F, 2}).r, 0.5F);
   EXPECT_EQ(canvas.Sample({0.2F, 3}).r, 0);
   EXPECT_EQ(canvas.Sample({-0.8F, 2}).r, 0);
+}
+
+// The mean place of what a moustache of this recipe covers, on the side of positive x.
+glm::vec2 MiddleOfMoustache(const MoustacheLook& look) {
+  Canvas canvas(SmallAtlas());
+  DrawMoustache(canvas, look);
+  glm::vec2 sum{};
+  float weight = 0;
+  for (std::size_t i = 0; i < SmallAtlas().texels.size(); ++i) {
+    const glm::vec2 place_cm = SmallAtlas().texels[i].place_cm;
+    if (place_cm.x <= 0) continue;
+    sum += canvas.at(i).colour.r * place_cm;
+    weight += canvas.at(i).colour.r;
+  }
+  return sum / weight;
+}
+
+TEST(AppearanceMoustache, LiesWhereItsRecipePutsIt) {
+  const MoustacheLook look{.amount = 1,
+                           .colour = {1, 1, 1},
+                           .from_cm = 0.03F,
+                           .reach_cm = 2,
+                           .y_cm = -4.9F,
+                           .thickness_cm = 0.24F,
+                           .thins_over_cm = 2.3F,
+                           .turns_over_cm = 1.4F,
+                           .hairs = 330};
+  const glm::vec2 middle_cm = MiddleOfMoustache(look);
+  MoustacheLook other = look;
+  other.y_cm += 1;
+  EXPECT_NEAR(MiddleOfMoustache(other).y, middle_cm.y + 1, 0.05F);
+  other = look;
+  other.from_cm += 0.5F;
+  EXPECT_NEAR(MiddleOfMoustache(other).x, middle_cm.x + 0.5F, 0.1F);
+  other = look;
+  other.reach_cm = 1;
+  EXPECT_NEAR(MiddleOfMoustache(other).x, middle_cm.x - 0.5F, 0.15F);
 }
 
 TEST(AppearanceTextures, AreOneForEachFaceAndComplete) {

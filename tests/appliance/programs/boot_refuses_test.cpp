@@ -29,9 +29,20 @@ Ran RunProgram(const std::string& command) {
 }
 
 // As root among mounts of our own, so that a program which does mount harms nobody.
-std::string AmongOwnMounts(const std::string& command) {
+std::string AmongOwnMounts(const std::string& command, const std::string& besides = "") {
   const std::string user = ::geteuid() == 0 ? "" : "--user --map-root-user ";
-  return "unshare " + user + "--mount sh -c '" + command + "'";
+  return "unshare " + user + besides + "--mount sh -c '" + command + "'";
+}
+
+// As process 1 among processes, mounts and devices of its own. In systemd's place stands ls(1), which gets the
+// program's arguments.
+Ran RunAsFirstProcess(const std::string& arguments) {
+  return RunProgram(
+      AmongOwnMounts("mount -t tmpfs none /dev && touch /dev/kmsg && "
+                     "mount -t tmpfs none /usr/lib/systemd && "
+                     "cp /bin/ls /usr/lib/systemd/systemd && exec " KAORI_BOOT " " +
+                         arguments,
+                     "--pid --fork "));
 }
 
 TEST(BootProgram, DoesNothingUnlessItIsTheFirstProcess) {
@@ -56,6 +67,18 @@ TEST(BootProgram, HasAPageOfHelp) {
   const Ran ran = RunProgram(AmongOwnMounts(KAORI_BOOT " --help"));
   EXPECT_EQ(ran.status, 0);
   EXPECT_THAT(ran.said, HasSubstr("does nothing unless it is process 1"));
+}
+
+TEST(BootProgram, AppliesTheSettingsAndLeavesSystemdNoDescriptorOfItsOwn) {
+  if (RunProgram(AmongOwnMounts("test -d /usr/lib/systemd && mount -t tmpfs none /dev", "--pid --fork "))
+          .status != 0)
+    GTEST_SKIP() << "no machine of its own can be made here, or it has no folder for systemd";
+  // The test itself may have been started with some.
+  const Ran inherited = RunProgram(AmongOwnMounts("ls /proc/self/fd", "--pid --fork "));
+  const Ran ran = RunAsFirstProcess("/proc/self/fd /run/kaori-profile");
+  EXPECT_EQ(ran.status, 0);
+  EXPECT_EQ(ran.said, "/proc/self/fd:\n" + inherited.said +
+                          "\n/run/kaori-profile:\nfaults\nlines\nroot_hash\nstage\nstatus_screen\n");
 }
 
 }  // namespace
