@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "render/gl/draw_state.h"
-#include "render/passes/caption_lines.h"
+#include "render/image/break_line.h"
 #include "render/passes/shader_library.h"
 
 namespace kaori::passes {
@@ -73,7 +73,7 @@ Result<CaptionPass> CaptionPass::Open() {
 std::vector<std::string> CaptionPass::Fitting(const Measures& m, int most_px) {
   std::vector<std::string> lines;
   const auto fits = [&](std::string_view text) { return lettering_.width_px(text, m.letters) <= m.line_px; };
-  for (const std::string& line : lines_) BreakLine(line, fits, lines);
+  for (const std::string& line : lines_) image::BreakLine(line, fits, lines);
   const auto most = static_cast<std::size_t>(std::max(most_px / m.step, 1));
   if (lines.size() > most) lines.resize(most);
   for (std::string& line : lines) line = image::Shorten(lettering_, line, m.letters, m.line_px);

@@ -1,13 +1,18 @@
 #include <algorithm>
 #include <string>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "render/image/break_line.h"
 #include "render/image/text.h"
 #include "render/image/utf8.h"
 
 namespace kaori::image {
 namespace {
+
+using ::testing::ElementsAre;
 
 struct Box {
   int left = 1 << 20;
@@ -141,6 +146,33 @@ TEST(Utf8, RefusesWhatIsNoLetter) {
     EXPECT_EQ(FirstLetter(text).code, U'\uFFFD');
     EXPECT_EQ(FirstLetter(text).bytes, 1U);
   }
+}
+
+// The pieces of a line, of `most` letters each.
+std::vector<std::string> Broken(std::string_view line, std::size_t most) {
+  std::vector<std::string> pieces;
+  BreakLine(
+      line, [most](std::string_view text) { return text.size() <= most; }, pieces);
+  return pieces;
+}
+
+TEST(LinesOfText, AreBrokenAtWideGapsFirst) {
+  EXPECT_THAT(Broken("M mirror   S smooth   Z undo", 20), ElementsAre("M mirror   S smooth", "Z undo"));
+  EXPECT_THAT(Broken("M mirror   S smooth   Z undo", 12), ElementsAre("M mirror", "S smooth", "Z undo"));
+}
+
+TEST(LinesOfText, AreBrokenBetweenWordsWhereNoWideGapHelps) {
+  EXPECT_THAT(Broken("a name that is long   b", 12), ElementsAre("a name that", "is long   b"));
+}
+
+TEST(LinesOfText, LeaveAWordWhole) {
+  EXPECT_THAT(Broken("Donaudampfschiff kapitaen", 5), ElementsAre("Donaudampfschiff", "kapitaen"));
+}
+
+TEST(LinesOfText, KeepEmptyLinesAndLoseOuterSpaces) {
+  EXPECT_THAT(Broken("", 5), ElementsAre(""));
+  EXPECT_THAT(Broken("   ", 5), ElementsAre(""));
+  EXPECT_THAT(Broken("  a  ", 5), ElementsAre("a"));
 }
 
 }  // namespace

@@ -1,47 +1,18 @@
 // Captions in pictures: lines that are broken, a plate at the left below, and what stays of it.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "render/passes/caption_lines.h"
 #include "tests/render/pass_studio.h"
 
 namespace kaori {
 namespace {
 
 using scene::Style;
-using ::testing::ElementsAre;
 using tests::Difference;
 using tests::PassStudio;
 using tests::Picture;
 using tests::PlainScene;
-
-std::vector<std::string> Broken(std::string_view line, std::size_t most) {
-  std::vector<std::string> pieces;
-  passes::BreakLine(
-      line, [most](std::string_view text) { return text.size() <= most; }, pieces);
-  return pieces;
-}
-
-TEST(CaptionLines, AreBrokenAtWideGapsFirst) {
-  EXPECT_THAT(Broken("M mirror   S smooth   Z undo", 20), ElementsAre("M mirror   S smooth", "Z undo"));
-  EXPECT_THAT(Broken("M mirror   S smooth   Z undo", 12), ElementsAre("M mirror", "S smooth", "Z undo"));
-}
-
-TEST(CaptionLines, AreBrokenBetweenWordsWhereNoWideGapHelps) {
-  EXPECT_THAT(Broken("a name that is long   b", 12), ElementsAre("a name that", "is long   b"));
-}
-
-TEST(CaptionLines, LeaveAWordWhole) {
-  EXPECT_THAT(Broken("Donaudampfschiff kapitaen", 5), ElementsAre("Donaudampfschiff", "kapitaen"));
-}
-
-TEST(CaptionLines, KeepEmptyLinesAndLoseOuterSpaces) {
-  EXPECT_THAT(Broken("", 5), ElementsAre(""));
-  EXPECT_THAT(Broken("   ", 5), ElementsAre(""));
-  EXPECT_THAT(Broken("  a  ", 5), ElementsAre("a"));
-}
 
 constexpr int kWidth_px = 480;
 constexpr int kHeight_px = 270;

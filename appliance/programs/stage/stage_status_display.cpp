@@ -1,12 +1,11 @@
 #include "appliance/programs/stage/stage_status_display.h"
 
 #include <algorithm>
-#include <fstream>
-#include <system_error>
 #include <utility>
 
 #include "appliance/programs/status/screens_file.h"
 #include "drivers/base/log.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::stage {
 namespace {
@@ -16,17 +15,17 @@ using namespace std::chrono_literals;
 constexpr Duration kFactsPeriod = 1s;  // How often files are looked at.
 constexpr int kShare = 16;             // Of a frame's usual time, for lines that changed.
 constexpr Duration kGivenUp = 60s;     // How long a display that cannot show is left alone.
-
-// Whole or not at all: others read it. The folder is in memory (/run), so that nothing is gained by waiting
-// for a disk; a failure leaves the old file and is nobody's business.
-void WriteWhole(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path draft = path.string() + ".draft";
-  if (!(std::ofstream(draft) << text)) return;
-  std::error_code none;
-  std::filesystem::rename(draft, path, none);
-}
+constexpr auto kDiskPause = 1s;        // Before a file that could not be written is tried again.
 
 }  // namespace
+
+StageStatusDisplay::StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places)
+    : board_(board), clock_(clock), places_(std::move(places)), writer_(kDiskPause, [this] {
+        std::unique_lock lock(text_mutex_);
+        const std::string text = screens_text_;
+        lock.unlock();
+        return WriteWholeFile(places_.screens, {AsBytes(text)}).has_value();
+      }) {}
 
 // A display that is busy with the last rows is no failure: what it was not shown is owed and comes at the next step.
 void StageStatusDisplay::Step(ports::Scanout* screen) {
@@ -44,7 +43,11 @@ void StageStatusDisplay::Step(ports::Scanout* screen) {
 void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
   auto outputs = screen == nullptr ? std::vector<ports::Output>() : screen->outputs();
   if (screens_ == outputs) return;
-  WriteWhole(places_.screens, status::FormatScreens(outputs));
+  {
+    const std::scoped_lock lock(text_mutex_);
+    screens_text_ = status::FormatScreens(outputs);
+  }
+  writer_.Ask();
   screens_ = std::move(outputs);
   facts_read_ = {};
 }

@@ -2,15 +2,15 @@
 // says what screens there are. It is the same text as kaori-status prints, drawn by processor in small portions.
 #pragma once
 
-#include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "appliance/core/board/board.h"
 #include "appliance/programs/status/facts.h"
 #include "appliance/programs/status/sheet.h"
+#include "drivers/base/background_writer.h"
 #include "drivers/base/clock.h"
 #include "drivers/ports/scanout.h"
 
@@ -19,8 +19,7 @@ namespace kaori::stage {
 // One thread. The board and the clock must outlive it.
 class StageStatusDisplay {
  public:
-  StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places)
-      : board_(board), clock_(clock), places_(std::move(places)) {}
+  StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places);
 
   // To be called every kPeriod, with the screen that shows the show; null while there is none. Draws lines
   // that changed, for a small part of a frame's usual time, and one at least: so no frame is late for it. A
@@ -50,6 +49,9 @@ class StageStatusDisplay {
   std::optional<status::Sheet> sheet_;
   bool owed_ = false;  // The display has rows that it has not shown.
   Time silent_until_{};
+  std::mutex text_mutex_;
+  std::string screens_text_;  // For the thread that writes it, so that no frame waits for a disk.
+  BackgroundWriter writer_;   // Last: it uses all the others.
 };
 
 }  // namespace kaori::stage

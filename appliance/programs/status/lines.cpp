@@ -119,7 +119,8 @@ Line Microphone(const board::Stamped<board::Voice>& voice, Time now) {
 Line Loudspeaker(const board::Stamped<board::Sound>& sound, Time now) {
   Line line = Of({"loudspeaker", "the voice is not played", "the voice is not played"}, sound, now);
   if (sound.source == SourceState::kLive)
-    line.words = fmt::format("It plays {:.0f} ms after the microphone.", sound.value.delay_ms);
+    line.words = fmt::format("It plays {:.0f} ms after the microphone; it ran dry {} times.",
+                             sound.value.delay_ms, sound.value.xruns);
   return line;
 }
 

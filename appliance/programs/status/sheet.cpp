@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <utility>
+
+#include "render/image/break_line.h"
 
 namespace kaori::status {
 namespace {
@@ -14,9 +17,11 @@ using Colour = std::array<std::uint8_t, 3>;
 
 // A smaller picture has no room for a letter; the sums below want a height above 0.
 constexpr int kLeast_px = 16;
-constexpr int kRows = 20;         // A title, a show, nine devices and their kin, some screens and faults.
-constexpr int kLetters = 60;      // That fit beside each other, or the letters are made smaller.
+constexpr int kRows = 22;     // A title, a show, eight devices, some of them in two rows, screens and faults.
+constexpr int kLetters = 66;  // That fit beside each other, or the letters are made smaller.
 constexpr int kNameLetters = 11;  // Of them for what a line is about.
+constexpr int kNameWidth = 60;    // Of a letter there, in hundredths of its size,
+constexpr int kWordWidth = 54;    // and in a sentence: a little more than the mean.
 constexpr Colour kGround{16, 18, 22}, kName{150, 158, 170}, kWords{235, 238, 242};
 constexpr Colour kGreen{70, 190, 110}, kAmber{235, 170, 50}, kRed{240, 80, 70};
 
@@ -50,8 +55,7 @@ void Fill(image::Picture& picture, int left, int bottom, int right, int top, con
 Line LineAt(const std::vector<Line>& lines, std::size_t row, std::size_t rows) {
   if (row + 1 < rows || lines.size() <= rows)
     return row < lines.size() ? lines[row] : Line{Mark::kTitle, "", ""};
-  return {Mark::kMissing, "more",
-          fmt::format("{} lines for which there is no room", lines.size() - rows + 1)};
+  return {Mark::kMissing, "more", fmt::format("{} rows for which there is no room", lines.size() - rows + 1)};
 }
 
 }  // namespace
@@ -62,6 +66,8 @@ Sheet::Sheet(image::Lettering lettering, int width_px, int height_px)
     : lettering_(std::move(lettering)),
       picture_(image::Picture::Blank(std::max(width_px, kLeast_px), std::max(height_px, kLeast_px))),
       pitch_px_(std::max(1, std::min(picture_.height_px / kRows, picture_.width_px * 2 / kLetters))),
+      size_px_(std::max(1, pitch_px_ * 7 / 10)),
+      words_px_(pitch_px_ * 3 / 2 + kNameLetters * size_px_ * kNameWidth / 100),
       stands_(static_cast<std::size_t>(std::max(1, (picture_.height_px - pitch_px_) / pitch_px_))) {
   Fill(picture_, 0, 0, picture_.width_px, picture_.height_px, kGround);
 }
@@ -72,11 +78,26 @@ Sheet::Rows Sheet::RowsOf(int row) const {
   return {end - pitch_px_, end};
 }
 
+// Letters are counted, and not measured: that takes no time beside the show. DrawRow cuts what is too long all the
+// same.
+std::vector<Line> Sheet::Broken(const std::vector<Line>& lines) const {
+  const int letters = (picture_.width_px - pitch_px_ / 2 - words_px_) * 100 / (size_px_ * kWordWidth);
+  const auto fits = [letters](std::string_view text) { return static_cast<int>(text.size()) <= letters; };
+  std::vector<Line> rows;
+  for (const Line& line : lines) {
+    std::vector<std::string> pieces;
+    image::BreakLine(line.words, fits, pieces);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      rows.push_back({line.mark, i == 0 ? line.what : std::string(), std::move(pieces[i])});
+  }
+  return rows;
+}
+
 // The first row whose mark changed, else the first one whose words did. Rows without a line count as blank ones.
-std::optional<std::size_t> Sheet::Changed(const std::vector<Line>& lines) const {
+std::optional<std::size_t> Sheet::Changed(const std::vector<Line>& rows) const {
   std::optional<std::size_t> changed;
   for (std::size_t row = 0; row < stands_.size(); ++row) {
-    const Line line = LineAt(lines, row, stands_.size());
+    const Line line = LineAt(rows, row, stands_.size());
     if (stands_[row] == line) continue;
     if (!stands_[row] || stands_[row]->mark != line.mark) return row;
     if (!changed) changed = row;
@@ -86,9 +107,10 @@ std::optional<std::size_t> Sheet::Changed(const std::vector<Line>& lines) const 
 
 // The row counts as drawn even where its letters did not fit.
 std::optional<Sheet::Rows> Sheet::DrawNext(const std::vector<Line>& lines) {
-  const auto row = Changed(lines);
+  const std::vector<Line> rows = Broken(lines);
+  const auto row = Changed(rows);
   if (!row) return std::nullopt;
-  const Line line = LineAt(lines, *row, stands_.size());
+  const Line line = LineAt(rows, *row, stands_.size());
   DrawRow(static_cast<int>(*row), line);
   stands_[*row] = line;
   return RowsOf(static_cast<int>(*row));
@@ -99,18 +121,16 @@ void Sheet::DrawRow(int row, const Line& line) {
   const auto [bottom, top] = RowsOf(row);
   Fill(picture_, 0, bottom, picture_.width_px, top, kGround);
   if (line.what.empty() && line.words.empty()) return;
-  const int size_px = std::max(1, pitch_px_ * 7 / 10);
-  const int names_px = pitch_px_ * 3 / 2, words_px = names_px + kNameLetters * size_px * 6 / 10;
-  if (line.mark != Mark::kTitle)
+  if (line.mark != Mark::kTitle && !line.what.empty())
     Fill(picture_, pitch_px_ / 2, bottom + pitch_px_ / 4, pitch_px_, top - pitch_px_ / 4,
          ColourOf(line.mark));
   const Colour& colour = line.mark == Mark::kGood ? kWords : ColourOf(line.mark);
-  const auto draw = [&, y_px = bottom](std::string_view text, const Colour& in, int x_px, int end_px) {
-    lettering_.Draw(image::Shorten(lettering_, text, size_px, end_px - x_px), {size_px, in}, x_px, y_px,
+  const auto draw = [&](std::string_view text, const Colour& in, int x_px, int end_px) {
+    lettering_.Draw(image::Shorten(lettering_, text, size_px_, end_px - x_px), {size_px_, in}, x_px, bottom,
                     picture_);
   };
-  draw(line.what, line.mark == Mark::kTitle ? kWords : kName, names_px, words_px);
-  draw(line.words, colour, words_px, picture_.width_px - pitch_px_ / 2);
+  draw(line.what, line.mark == Mark::kTitle ? kWords : kName, pitch_px_ * 3 / 2, words_px_);
+  draw(line.words, colour, words_px_, picture_.width_px - pitch_px_ / 2);
 }
 
 // Row by row until none has changed, as the status display does over time.

@@ -22,16 +22,19 @@ class Sheet {
     int first = 0;
     int end = 0;
   };
-  // Draws one line that changed, so that a caller with little time draws one now and then, and returns its
-  // rows. A line whose mark changed comes first. Returns nothing when the picture is up to date. The last row
-  // counts the lines for which there is no room.
+  // Draws one row of text that changed, so that a caller with little time draws one now and then, and returns
+  // its rows of pixels. A line that is too long goes on in the next row of text. A row whose mark changed comes
+  // first. Returns nothing when the picture is up to date. The last row counts those for which there is no
+  // room.
   std::optional<Rows> DrawNext(const std::vector<Line>& lines);
 
   const image::Picture& picture() const { return picture_; }
 
  private:
+  // The lines as rows of text.
+  std::vector<Line> Broken(const std::vector<Line>& lines) const;
   // The row to draw next, counted from the top; nothing where all rows stand as they should.
-  std::optional<std::size_t> Changed(const std::vector<Line>& lines) const;
+  std::optional<std::size_t> Changed(const std::vector<Line>& rows) const;
   // Draws a row anew, its ground included.
   void DrawRow(int row, const Line& line);
   // The picture's rows that a row of text covers.
@@ -40,7 +43,9 @@ class Sheet {
   // Letters as they were drawn once; a sheet owns its own.
   image::Lettering lettering_;
   image::Picture picture_;
-  int pitch_px_;  // The height of one line.
+  int pitch_px_;  // From row to row of text.
+  int size_px_;   // Of its letters.
+  int words_px_;  // Where the words begin, behind what a line is about.
   // What each row shows; nothing before it was drawn once.
   std::vector<std::optional<Line>> stands_;
 };

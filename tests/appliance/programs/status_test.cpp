@@ -233,6 +233,33 @@ TEST_F(StatusSheet, MissingThingsAreAmberAndFaultsAreRed) {
   EXPECT_GT(Count(DrawAll(lines_, 640, 480).value(), {0, 480}, 240, 80, 70), 100);
 }
 
+// The longest sentences of all, on screens that are not wide.
+TEST_F(StatusSheet, EverySentenceIsShownToItsEnd) {
+  State state{.board = {}, .sound = {}, .facts = {}, .now = Time{} + 1h};
+  state.facts.profile = "stage";
+  state.facts.root_hash = std::string(64, '8');
+  state.facts.faults = {
+      "box.toml, line 12: there is no setting status_scren; do you mean status_screen? It is passed over"};
+  state.facts.screens = {MadeOutput(ports::ModeOrigin::kSafeGuess, ports::OutputState::kUnplugged)};
+  const Time pulled = state.now - 50s;
+  for (auto& stick : state.board.sticks) stick = {{}, pulled, SourceState::kStale};
+  state.board.surface.at = state.board.keys.at = state.board.lips.at = state.board.voice.at =
+      state.board.lines.at = state.sound.at = pulled;
+  state.board.surface.source = state.board.keys.source = state.board.lips.source = state.board.voice.source =
+      state.board.lines.source = state.sound.source = SourceState::kStale;
+  state.board.lines.value.active = 15;
+  const auto lines = Describe(state);
+  for (const auto& [width_px, height_px] : {std::pair{640, 480}, {1024, 768}}) {
+    const auto picture = DrawAll(lines, width_px, height_px).value();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      auto other = lines;
+      other[i].words.back() = other[i].words.back() == '#' ? '.' : '#';
+      EXPECT_NE(DrawAll(other, width_px, height_px).value().rgbx, picture.rgbx)
+          << width_px << " x " << height_px << ": " << lines[i].words;
+    }
+  }
+}
+
 TEST_F(StatusSheet, LinesForWhichThereIsNoRoomAreCounted) {
   lines_.assign(200, {Mark::kGood, "screen", "there"});
   const auto picture = DrawAll(lines_, 640, 480).value();

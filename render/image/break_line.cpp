@@ -1,8 +1,8 @@
-#include "render/passes/caption_lines.h"
+#include "render/image/break_line.h"
 
 #include <algorithm>
 
-namespace kaori::passes {
+namespace kaori::image {
 namespace {
 
 // Two spaces part what belongs together from the next, as in lists of keys.
@@ -48,4 +48,4 @@ void BreakLine(std::string_view line, const Fits& fits, std::vector<std::string>
   } while (!rest.empty());
 }
 
-}  // namespace kaori::passes
+}  // namespace kaori::image

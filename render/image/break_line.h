@@ -1,4 +1,4 @@
-// Lines of a caption, broken where they would be too long.
+// Lines of text, broken where they would be too long.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kaori::passes {
+namespace kaori::image {
 
 // Whether a piece of text fits into one line; a longer piece must not fit where a shorter one does not.
 using Fits = std::function<bool(std::string_view)>;
@@ -16,4 +16,4 @@ using Fits = std::function<bool(std::string_view)>;
 // An empty line stays an empty line. Pure.
 void BreakLine(std::string_view line, const Fits& fits, std::vector<std::string>& into);
 
-}  // namespace kaori::passes
+}  // namespace kaori::image
