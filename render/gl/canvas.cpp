@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cassert>
+#include <utility>
 
 #include "render/gl/context.h"
 
@@ -16,22 +16,11 @@ namespace {
 // As many as layer.frag reads.
 constexpr int kSamples = 4;
 
-void DeleteFramebuffer(unsigned id) {
-  glDeleteFramebuffers(1, &id);
-}
 void DeleteRenderbuffer(unsigned id) {
   glDeleteRenderbuffers(1, &id);
 }
 void DeleteCanvasTexture(unsigned id) {
   glDeleteTextures(1, &id);
-}
-
-// A framebuffer without anything attached, which stays bound.
-Handle NewFramebuffer() {
-  GLuint id = 0;
-  glGenFramebuffers(1, &id);
-  glBindFramebuffer(GL_FRAMEBUFFER, id);
-  return Handle(id, DeleteFramebuffer);
 }
 
 // With samples; it stays bound.
@@ -52,18 +41,8 @@ Handle NewSamplesTexture(const CanvasOptions& o) {
   return Handle(id, DeleteCanvasTexture);
 }
 
-// To the framebuffer that is bound, as its only colour.
-void AttachTexture(GLenum kind, unsigned id) {
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, id, 0);
-}
-
 void AttachRenderbuffer(GLenum attachment, const Handle& renderbuffer) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer.id());
-}
-
-// Whether the driver can draw on what is attached.
-bool Complete() {
-  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 // Drawing goes to this framebuffer, seen as a picture of the canvas's size, and within `box`.
@@ -100,35 +79,33 @@ Result<Canvas> Canvas::Make(const CanvasOptions& options) {
 
 // The picture has no depth: layers are laid on it in order.
 bool Canvas::MakePicture() {
-  picture_ =
-      Texture({.width_px = options_.width_px, .height_px = options_.height_px, .texels = Texels::kSrgb8}, {});
-  picture_frame_ = NewFramebuffer();
-  AttachTexture(GL_TEXTURE_2D, picture_.id());
-  return Complete();
+  auto picture = Target::Make(
+      {.width_px = options_.width_px, .height_px = options_.height_px, .texels = Texels::kSrgb8});
+  if (picture) picture_ = std::move(*picture);
+  return picture.has_value();
 }
 
 // Sixteen bits of depth are enough: all that is drawn lies within 0.9 m (scene::ProjectionOf).
 bool Canvas::MakeLayer(bool reads_samples) {
+  // Where shaders cannot read samples, a renderbuffer is resolved into a texture by a blit, which averages
+  // square roots instead of light: edges are a little darker then.
+  if (!reads_samples) {
+    auto layer = Target::Make({.width_px = options_.width_px, .height_px = options_.height_px});
+    if (!layer) return false;
+    layer_ = std::move(*layer);
+  }
   depth_ = NewRenderbuffer(options_, GL_DEPTH_COMPONENT16);
   layer_frame_ = NewFramebuffer();
   AttachRenderbuffer(GL_DEPTH_ATTACHMENT, depth_);
-  AttachLayerColour(reads_samples);
-  return Complete();
-}
-
-// Where shaders cannot read samples, a renderbuffer is resolved into a texture by a blit, which averages
-// square roots instead of light: edges are a little darker then.
-void Canvas::AttachLayerColour(bool reads_samples) {
   if (reads_samples) {
     samples_texture_ = NewSamplesTexture(options_);
-    AttachTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_texture_.id());
-    return;
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
+                           samples_texture_.id(), 0);
+  } else {
+    samples_ = NewRenderbuffer(options_, GL_RGBA8);
+    AttachRenderbuffer(GL_COLOR_ATTACHMENT0, samples_);
   }
-  layer_ = Texture({.width_px = options_.width_px, .height_px = options_.height_px}, {});
-  samples_ = NewRenderbuffer(options_, GL_RGBA8);
-  AttachRenderbuffer(GL_COLOR_ATTACHMENT0, samples_);
-  resolved_frame_ = NewFramebuffer();
-  AttachTexture(GL_TEXTURE_2D, layer_.id());
+  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 // Only the parts are cleared: what lies outside of them is never read.
@@ -146,7 +123,7 @@ void Canvas::BeginLayer(std::span<const Box> parts, const Box& whole) const {
 }
 
 void Canvas::BeginPicture() const {
-  Aim(picture_frame_.id(), options_, {});
+  Aim(picture_.id(), options_, {});
 }
 
 void Canvas::Within(const Box& box) const {
@@ -162,8 +139,8 @@ void Canvas::BindLayer(unsigned unit, const Box& box) const {
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_texture_.id());
     return;
   }
-  glBindTexture(GL_TEXTURE_2D, layer_.id());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_frame_.id());
+  glBindTexture(GL_TEXTURE_2D, layer_.texture().id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, layer_.id());
   glDisable(GL_SCISSOR_TEST);
   // A resolve copies samples to the same place: GLES 3.0 allows no other box, and demands NEAREST.
   const int right = box.left_px + box.width_px;
@@ -174,28 +151,19 @@ void Canvas::BindLayer(unsigned unit, const Box& box) const {
 
 // The texture decodes sRGB where it is looked up, unless it is told not to. It is looked up nowhere else.
 void Canvas::BindPictureCodes(unsigned unit) const {
-  picture_.Bind(unit);
+  picture_.texture().Bind(unit);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
 // The two y of the target change places, which turns the picture over on its way.
-void Canvas::ShrinkTo(unsigned framebuffer, int width_px, int height_px) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_frame_.id());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+void Canvas::ShrinkTo(const Target& target) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.id());
   glDisable(GL_SCISSOR_TEST);
-  glBlitFramebuffer(0, 0, options_.width_px, options_.height_px, 0, height_px, width_px, 0,
+  glBlitFramebuffer(0, 0, options_.width_px, options_.height_px, 0, target.height_px(), target.width_px(), 0,
                     GL_COLOR_BUFFER_BIT, GL_LINEAR);
-}
-
-// The driver waits for the GPU here; frames for a screen without GL pay for it.
-void Canvas::ReadPixels(std::span<std::uint8_t> bytes) const {
-  assert(bytes.size() >= std::size_t(options_.width_px) * std::size_t(options_.height_px) * 4);
-  glBindFramebuffer(GL_FRAMEBUFFER, picture_frame_.id());
-  // Rows of four-byte pixels are always aligned.
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, options_.width_px, options_.height_px, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
 }  // namespace kaori::gl

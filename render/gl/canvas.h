@@ -6,7 +6,7 @@
 
 #include "drivers/base/result.h"
 #include "render/gl/handle.h"
-#include "render/gl/texture.h"
+#include "render/gl/target.h"
 
 namespace kaori::gl {
 
@@ -52,16 +52,15 @@ class Canvas {
 
   // Waits until the picture is finished and copies it out: R, G, B, X; the bottom row first. `bytes` holds
   // width * height * 4. Codes are copied, not light.
-  void ReadPixels(std::span<std::uint8_t> bytes) const;
+  void ReadPixels(std::span<std::uint8_t> bytes) const { picture_.ReadPixels(bytes); }
 
   // The picture as a texture whose codes are read as they are, without smoothing, but by texelFetch. Needs
   // EXT_texture_sRGB_decode. The picture must not be drawn on meanwhile.
   void BindPictureCodes(unsigned unit) const;
 
-  // Copies the picture onto a framebuffer of another size, upside down: its top row becomes the first.
-  // Smoothed between the four nearest pixels: shrunk to less than half, it skips some. Leaves the
-  // scissor test off.
-  void ShrinkTo(unsigned framebuffer, int width_px, int height_px) const;
+  // Copies the picture onto a target of another size, upside down: its top row becomes the first. Smoothed
+  // between the four nearest pixels: shrunk to less than half, it skips some. Leaves the scissor test off.
+  void ShrinkTo(const Target& target) const;
 
   // Who drew the picture last, and as which frame. A pass that finds the stamp that it set last may count on
   // the picture as it left it; whoever else draws on the picture sets another, or none.
@@ -83,22 +82,16 @@ class Canvas {
   // Each makes one of the framebuffers; false where the driver cannot draw on it.
   bool MakePicture();
   bool MakeLayer(bool reads_samples);
-  void AttachLayerColour(bool reads_samples);
 
   CanvasOptions options_;
-  // The picture, sRGB-coded.
-  Texture picture_;
+  Target picture_;
   Handle samples_texture_;  // The layer's samples: a texture where shaders read single samples,
   Handle samples_;          // else a renderbuffer,
-  Texture layer_;           // which is resolved into this.
+  Target layer_;            // which is resolved into this.
   // Sixteen bits, with the layer's samples; never read by shaders.
   Handle depth_;
-  // With the picture alone.
-  Handle picture_frame_;
   // With the samples and the depth.
   Handle layer_frame_;
-  // With layer_; 0 where shaders read samples.
-  Handle resolved_frame_;
   // Belongs to the picture, which drawing changes as well.
   mutable Stamp stamp_;
 };

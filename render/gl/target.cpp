@@ -3,24 +3,30 @@
 #include <GLES3/gl3.h>
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace kaori::gl {
 namespace {
 
-void TargetFramebufferDelete(unsigned id) {
+void DeleteFramebuffer(unsigned id) {
   glDeleteFramebuffers(1, &id);
 }
 
 }  // namespace
+
+Handle NewFramebuffer() {
+  GLuint id = 0;
+  glGenFramebuffers(1, &id);
+  glBindFramebuffer(GL_FRAMEBUFFER, id);
+  return Handle(id, DeleteFramebuffer);
+}
 
 // Formats that a driver may refuse to draw on (floats) show only here.
 Result<Target> Target::Make(const TextureOptions& options) {
   Target target;
   target.options_ = options;
   target.texture_ = Texture(options, {});
-  GLuint id = 0;
-  glGenFramebuffers(1, &id);
-  target.frame_ = Handle(id, TargetFramebufferDelete);
-  glBindFramebuffer(GL_FRAMEBUFFER, id);
+  target.frame_ = NewFramebuffer();
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture_.id(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return target;
   return Fail(std::errc::not_enough_memory,
@@ -32,6 +38,13 @@ void Target::Begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.id());
   glViewport(0, 0, options_.width_px, options_.height_px);
   glDisable(GL_SCISSOR_TEST);
+}
+
+void Target::ReadPixels(std::span<std::uint8_t> bytes) const {
+  assert(bytes.size() >= std::size_t(options_.width_px) * std::size_t(options_.height_px) * 4);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.id());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);  // Rows of four-byte pixels are always aligned.
+  glReadPixels(0, 0, options_.width_px, options_.height_px, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
 }  // namespace kaori::gl

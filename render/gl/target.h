@@ -1,11 +1,17 @@
 // A texture that is drawn on, without samples or depth.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "drivers/base/result.h"
 #include "render/gl/handle.h"
 #include "render/gl/texture.h"
 
 namespace kaori::gl {
+
+// A framebuffer without anything attached, which stays bound.
+Handle NewFramebuffer();
 
 // Pixels are written as the texture's kind has them; what was there is kept. On the thread of its context.
 // Its texture must not be looked up while it is drawn on.
@@ -18,6 +24,12 @@ class Target {
   // Drawing goes to all of it from here on: sets framebuffer and viewport, and turns the scissor test off.
   void Begin() const;
 
+  // Waits until the picture is finished and copies it out: R, G, B, X; the row at v = 0 first. `bytes` holds
+  // width * height * 4.
+  void ReadPixels(std::span<std::uint8_t> bytes) const;
+
+  // Of its framebuffer.
+  unsigned id() const { return frame_.id(); }
   // What was drawn; bind it when drawing goes elsewhere.
   const Texture& texture() const { return texture_; }
   int width_px() const { return options_.width_px; }

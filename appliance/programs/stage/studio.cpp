@@ -59,14 +59,16 @@ bool Studio::ReadSmall(int most_width_px, SmallImage& into) {
   const int width_px = std::min(most_width_px, canvas_.width_px());
   const int height_px = std::max(1, canvas_.height_px() * width_px / canvas_.width_px());
   if (!small_ || small_->width_px() != width_px || small_->height_px() != height_px) {
-    auto small = gl::SmallPicture::Make(width_px, height_px);
+    auto small =
+        gl::Target::Make({.width_px = width_px, .height_px = height_px, .texels = gl::Texels::kSrgb8});
     if (!small) return false;
     small_.emplace(std::move(*small));
   }
   into.width_px = width_px;
   into.height_px = height_px;
   into.pixels.resize(std::size_t(width_px) * std::size_t(height_px) * 4);
-  small_->Read(canvas_, into.pixels);
+  canvas_.ShrinkTo(*small_);
+  small_->ReadPixels(into.pixels);
   return true;
 }
 

@@ -15,7 +15,7 @@
 #include "drivers/ports/scanout.h"
 #include "render/gl/canvas.h"
 #include "render/gl/context.h"
-#include "render/gl/small_picture.h"
+#include "render/gl/target.h"
 #include "render/gl/window.h"
 #include "render/passes/painter.h"
 #include "render/passes/preparation.h"
@@ -98,8 +98,7 @@ class Studio {
   gl::Canvas canvas_;
   gl::Window window_;
   std::optional<passes::ScreenPass> screen_pass_;
-  // For ReadSmall, at the size that was asked for last.
-  std::optional<gl::SmallPicture> small_;
+  std::optional<gl::Target> small_;
   // Some of the drawing's shaders were never used.
   bool unprepared_ = true;
 };
