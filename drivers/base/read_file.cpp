@@ -30,20 +30,38 @@ tl::unexpected<Error> TooLarge(const std::string& attempt, std::size_t most_byte
   return FailInput(attempt + ": it is larger than " + SizeText(most_bytes), std::errc::file_too_large);
 }
 
-// Fills `text` from `fd`, and makes it longer where the file is longer than it said.
-Result<void> ReadAll(int fd, std::size_t most_bytes, const std::string& attempt, std::string& text) {
+struct OpenedFile {
+  UniqueFd fd;
+  std::uintmax_t said_bytes = 0;  // 0 where it does not know its size.
+};
+
+Result<OpenedFile> OpenRegular(const std::filesystem::path& file, const std::string& attempt) {
+  // O_NOCTTY: a terminal that is named by mistake must not become the one that this process obeys.
+  UniqueFd fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  struct stat status {};
+  if (!fd.valid() || ::fstat(fd.get(), &status) < 0) return FailErrno(attempt);
+  if (S_ISDIR(status.st_mode)) return Fail(std::errc::is_a_directory, attempt);
+  if (!S_ISREG(status.st_mode))
+    return FailInput(attempt + ": it is " + KindOf(status.st_mode) + ", not a file");
+  return OpenedFile{std::move(fd), static_cast<std::uintmax_t>(status.st_size)};
+}
+
+// Reads on until the end or `most_bytes`, whatever size the file said it has.
+Result<std::string> ReadUpTo(const OpenedFile& file, std::size_t most_bytes, const std::string& attempt) {
+  std::string text;
   std::size_t have = 0;
-  while (true) {
-    if (have == text.size()) text.resize(have + kPiece_bytes);
-    const ssize_t got = ::read(fd, text.data() + have, text.size() - have);
+  while (have < most_bytes) {
+    // One more than it said finds the end.
+    if (have == text.size())
+      text.resize(std::min<std::uintmax_t>(most_bytes, std::max(have + kPiece_bytes, file.said_bytes + 1)));
+    const ssize_t got = ::read(file.fd.get(), text.data() + have, text.size() - have);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return FailErrno(attempt);
     if (got == 0) break;
     have += static_cast<std::size_t>(got);
-    if (have > most_bytes) return TooLarge(attempt, most_bytes);
   }
   text.resize(have);
-  return {};
+  return text;
 }
 
 // Walks over a text as the lexers of TOML and JSON do: quotes hide brackets, and "#" begins a comment.
@@ -133,22 +151,23 @@ Result<void> CheckLevels(std::string_view text, int most_levels, const std::stri
 
 Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits& limits) {
   const std::string attempt = "read " + file.string();
-  // O_NOCTTY: a terminal that is named by mistake must not become the one that this process obeys.
-  const UniqueFd fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
-  struct stat status {};
-  if (!fd.valid() || ::fstat(fd.get(), &status) < 0) return FailErrno(attempt);
-  if (S_ISDIR(status.st_mode)) return Fail(std::errc::is_a_directory, attempt);
-  if (!S_ISREG(status.st_mode))
-    return FailInput(attempt + ": it is " + KindOf(status.st_mode) + ", not a file");
-  if (static_cast<std::uintmax_t>(status.st_size) > limits.most_bytes)
-    return TooLarge(attempt, limits.most_bytes);
-  std::string text(static_cast<std::size_t>(status.st_size) + 1, '\0');  // One more finds the end.
-  if (auto read = ReadAll(fd.get(), limits.most_bytes, attempt, text); !read)
-    return tl::unexpected(read.error());
+  const auto opened = OpenRegular(file, attempt);
+  if (!opened) return tl::unexpected(opened.error());
+  if (opened->said_bytes > limits.most_bytes) return TooLarge(attempt, limits.most_bytes);
+  auto text = ReadUpTo(*opened, limits.most_bytes + 1, attempt);
+  if (!text) return text;
+  if (text->size() > limits.most_bytes) return TooLarge(attempt, limits.most_bytes);
   if (limits.most_levels > 0)
-    if (auto flat = CheckLevels(text, limits.most_levels, file.string()); !flat)
+    if (auto flat = CheckLevels(*text, limits.most_levels, file.string()); !flat)
       return tl::unexpected(flat.error());
   return text;
+}
+
+Result<std::string> ReadBeginning(const std::filesystem::path& file, std::size_t most_bytes) {
+  const std::string attempt = "read " + file.string();
+  return OpenRegular(file, attempt).and_then([&](const OpenedFile& opened) {
+    return ReadUpTo(opened, most_bytes, attempt);
+  });
 }
 
 }  // namespace kaori

@@ -34,6 +34,9 @@ struct ReadLimits {
 //   bad_message        more than `most_levels`; the line is named (kInput)
 Result<std::string> ReadFile(const std::filesystem::path& file, const ReadLimits& limits = {});
 
+// The first `most_bytes` of a file, or all of it where it is shorter; otherwise as ReadFile, without file_too_large.
+Result<std::string> ReadBeginning(const std::filesystem::path& file, std::size_t most_bytes);
+
 // As ReadFile does, for a text that is there already. `name` is what the error says
 // of it. Where the text is no valid TOML or JSON the answer may be wrong; the parser
 // then refuses the text in any case. Errors: bad_message.

@@ -112,12 +112,6 @@ Result<void> OneRound(Scene& scene, HeldSticks& sticks, Tally& tally) {
   return {};
 }
 
-// The value below which this part of them lies; 0 of none.
-double Part(std::vector<double> values, double part) {
-  std::ranges::sort(values);
-  return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
-
 Result<void> Replugs(Scene& scene) {
   HeldSticks sticks(scene);
   const auto first = scene.target.UntilBoard([&](const BoardView& b) { return sticks.right(b); }, kLongest,
@@ -131,7 +125,7 @@ Result<void> Replugs(Scene& scene) {
   scene.finding.figures["swaps"] = tally.swaps;
   scene.finding.said = fmt::format(
       "{} re-plugs in random order, {} swaps; found again after {:.2f} s (median), {:.2f} s at most",
-      tally.replugs, tally.swaps, Part(tally.found_s, 0.5), Part(tally.found_s, 1));
+      tally.replugs, tally.swaps, Quantile(tally.found_s, 0.5), Quantile(tally.found_s, 1));
   if (!ok) return FailInput(ok.error().message() + "; " + scene.finding.said);
   const auto last = scene.target.Board();
   if (!last) return tl::unexpected(last.error());

@@ -80,6 +80,9 @@ struct Check {
   bool powers = false;  // It switches the box on and off by itself; it finds it without power.
 };
 
+// The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.
+double Quantile(std::vector<double> values, double part);
+
 // In the order in which they are run; those that want the same setup stand together.
 std::vector<Check> AllChecks();
 

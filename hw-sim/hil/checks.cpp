@@ -1,9 +1,16 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/picture.h"
 
 namespace kaori::hil {
+
+double Quantile(std::vector<double> values, double part) {
+  std::ranges::sort(values);
+  return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
 
 Result<void> Scene::Shoot(const std::string& name, const std::string& caption) {
   // The number keeps several pictures of one check apart.

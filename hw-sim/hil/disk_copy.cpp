@@ -1,16 +1,19 @@
 #include "hw-sim/hil/disk_copy.h"
 
-#include <array>
-#include <fstream>
+#include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 #include "hw-sim/hil/process.h"
 
 namespace kaori::hil {
 namespace {
 
-constexpr std::uint64_t kBlock_bytes = 512;
+constexpr std::size_t kBlock_bytes = 512;
 // Where the box reads its settings, on the data partition.
 constexpr const char* kSettings = "/settings/box.toml";
 constexpr const char* kLastSettings = "/settings/box.last-good.toml";
@@ -21,25 +24,20 @@ constexpr std::size_t kFirstBlock = 32, kName = 56, kNameLetters = 36;
 // A table that claims more entries, or shorter ones, is none of ours.
 constexpr std::uint64_t kMostEntries = 512, kLeastEntry_bytes = 128;
 
-template <std::size_t N>
+constexpr std::size_t kMostTable_bytes = std::size_t{1}
+                                         << 20U;  // Of the disk, with its head and all entries.
+
 // A little-endian number of `length` bytes.
-std::uint64_t Number(const std::array<std::uint8_t, N>& bytes, std::size_t at, int length) {
+std::uint64_t Number(std::string_view bytes, std::size_t at, std::size_t length) {
   std::uint64_t number = 0;
-  for (int n = length; n-- > 0;) number = number << 8 | bytes[at + static_cast<std::size_t>(n)];
+  for (std::size_t n = length; n-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + n]);
   return number;
 }
 
-template <std::size_t N>
-bool ReadAt(std::ifstream& file, std::uint64_t at, std::array<std::uint8_t, N>& bytes) {
-  file.seekg(static_cast<std::streamoff>(at));
-  return static_cast<bool>(file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(N)));
-}
-
 // Names are UTF-16; ours have plain letters only.
-std::string NameOf(const std::array<std::uint8_t, kLeastEntry_bytes>& entry) {
+std::string NameOf(std::string_view entry) {
   std::string name;
-  for (std::size_t n = 0; n < kNameLetters && entry[kName + 2 * n] != 0; ++n)
-    name += static_cast<char>(entry[kName + 2 * n]);
+  for (std::size_t n = 0; n < kNameLetters && entry[kName + 2 * n] != 0; ++n) name += entry[kName + 2 * n];
   return name;
 }
 
@@ -48,7 +46,7 @@ std::string NameOf(const std::array<std::uint8_t, kLeastEntry_bytes>& entry) {
 Result<void> Put(const std::string& data, const std::string& path, const std::string& text,
                  const std::string& folder) {
   const std::string source = folder + "/settings.toml", log = folder + "/debugfs.log";
-  if (std::ofstream file(source); !(file << text).flush()) return FailErrno("write " + source);
+  if (auto ok = WriteWholeFile(source, {AsBytes(text)}); !ok) return ok;
   static_cast<void>(RunToEnd({"debugfs", "-w", "-R", fmt::format("rm {}", path), data}, log));
   return RunToEnd({"debugfs", "-w", "-R", fmt::format("write {} {}", source, path), data}, log);
 }
@@ -56,17 +54,18 @@ Result<void> Put(const std::string& data, const std::string& path, const std::st
 }  // namespace
 
 Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name) {
-  std::ifstream file(disk, std::ios::binary);
-  if (!file) return FailErrno("open " + disk);
-  std::array<std::uint8_t, kBlock_bytes> head{};
-  if (!ReadAt(file, kBlock_bytes, head) || std::string(head.begin(), head.begin() + 8) != "EFI PART")
+  const auto table = ReadBeginning(disk, kMostTable_bytes);
+  if (!table) return tl::unexpected(table.error());
+  const std::string_view bytes = *table, head = bytes.substr(std::min(bytes.size(), kBlock_bytes));
+  if (head.size() < kBlock_bytes || !head.starts_with("EFI PART"))
     return FailInput(disk + " has no partition table");
   const std::uint64_t entries = Number(head, kEntriesAt, 8) * kBlock_bytes;
   const std::uint64_t size = Number(head, kEntrySize, 4);
   const std::uint64_t count = std::min(Number(head, kEntryCount, 4), kMostEntries);
-  std::array<std::uint8_t, kLeastEntry_bytes> entry{};
-  for (std::uint64_t n = 0; n < count && ReadAt(file, entries + n * size, entry); ++n)
-    if (NameOf(entry) == name) return Number(entry, kFirstBlock, 8) * kBlock_bytes;
+  for (std::uint64_t at = entries; at < entries + count * size && at + kLeastEntry_bytes <= bytes.size();
+       at += size)
+    if (const auto entry = bytes.substr(at, kLeastEntry_bytes); NameOf(entry) == name)
+      return Number(entry, kFirstBlock, 8) * kBlock_bytes;
   return FailInput(disk + " has no partition " + name);
 }
 

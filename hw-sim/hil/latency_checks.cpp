@@ -108,27 +108,21 @@ Latencies LatenciesOf(const EventTimes& moments) {
   return ways;
 }
 
-// The value below which this part of them lies; 0 of none.
-double LatencyPart(std::vector<double> values, double part) {
-  std::ranges::sort(values);
-  return values.empty() ? 0 : values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
-
 // In frames of the screen as it ran meanwhile: an emulated machine's milliseconds say little.
 void Tell(const EventTimes& moments, const Latencies& ways, Finding& finding) {
   // The mean time from flip to flip while it was measured.
   const double frame_ms = static_cast<double>(moments.flips.back().second - moments.flips.front().second) /
                           1e6 / static_cast<double>(moments.flips.size() - 1);
-  const double median = LatencyPart(ways.to_flip_ms, 0.5) / frame_ms,
-               p99 = LatencyPart(ways.to_flip_ms, 0.99) / frame_ms;
+  const double median = Quantile(ways.to_flip_ms, 0.5) / frame_ms,
+               p99 = Quantile(ways.to_flip_ms, 0.99) / frame_ms;
   finding.figures["event_to_flip_frames_median"] = median;
   finding.figures["event_to_flip_frames_p99"] = p99;
-  finding.figures["event_to_board_ms_median"] = LatencyPart(ways.to_board_ms, 0.5);
+  finding.figures["event_to_board_ms_median"] = Quantile(ways.to_board_ms, 0.5);
   finding.said = fmt::format(
       "{} events: to the board {:.1f} ms (median), {:.1f} ms (p99); to the flip {:.2f} frames (median), "
       "{:.2f} (p99), of {:.0f} ms",
-      ways.to_flip_ms.size(), LatencyPart(ways.to_board_ms, 0.5), LatencyPart(ways.to_board_ms, 0.99), median,
-      p99, frame_ms);
+      ways.to_flip_ms.size(), Quantile(ways.to_board_ms, 0.5), Quantile(ways.to_board_ms, 0.99), median, p99,
+      frame_ms);
 }
 
 // Watches until enough frames came: a busy machine draws one in many seconds.

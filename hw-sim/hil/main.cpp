@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -89,8 +89,8 @@ std::string_view Mark(kaori::hil::Verdict verdict) {
 // The hash of the root, which is on the command line before its salt: "... sha256 HASH SALT", as
 // dm-mod.create has it. It tells in a report which image was tried.
 std::string RootHash(const std::string& image) {
-  std::ifstream file(image + "/cmdline");
-  for (std::string word, hash; file >> word; hash = word)
+  std::istringstream line(kaori::hil::ReadCommandLine(image).value_or(""));
+  for (std::string word, hash; line >> word; hash = word)
     if (hash == "sha256") return word;
   return {};
 }
@@ -127,17 +127,14 @@ kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& f
 
 // Starts nothing: who runs the command decides when, and where it ends.
 int PrintCommand(const Settings& settings, const kaori::Size& size) {
-  std::ifstream file(settings.image + "/cmdline");
-  std::string line;
-  if (!std::getline(file, line))
-    return Exit(
-        kaori::Fail(std::errc::no_such_file_or_directory, "read " + settings.image + "/cmdline").value());
+  const auto line = kaori::hil::ReadCommandLine(settings.image);
+  if (!line) return Exit(line.error());
   const std::string disk = settings.disk.empty() ? settings.image + "/kaori.disk" : settings.disk;
   // For others' machines: no graphics card, no agent, and the folder of the caller.
   const kaori::hil::Setup setup{
       .agent = false, .keeps_disk = settings.keep_disk, .graphics = kaori::hil::Graphics::kNone};
   for (const std::string& word : kaori::hil::QemuCommand(MachineOf(settings, settings.command, size), setup,
-                                                         kaori::hil::LoggedCommandLine(line), disk))
+                                                         kaori::hil::LoggedCommandLine(*line), disk))
     fmt::print("{}\n", word);
   return 0;
 }

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
+
+#include "drivers/base/read_file.h"
 
 namespace kaori::hil {
 namespace {
@@ -69,8 +69,7 @@ bool Process::runs() const {
 // The name of the program, which may hold anything, ends with the last parenthesis; see proc(5).
 Duration Process::worked() const {
   constexpr int kFieldsBefore = 11;  // From the state on; then user's and system's time, in ticks.
-  std::ifstream file("/proc/" + std::to_string(number_) + "/stat");
-  const std::string line(std::istreambuf_iterator<char>(file), {});
+  const std::string line = ReadFile("/proc/" + std::to_string(number_) + "/stat").value_or("");
   std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
   std::string skipped;
   for (int n = 0; n < kFieldsBefore; ++n) fields >> skipped;
@@ -86,8 +85,7 @@ Result<void> RunToEnd(const std::vector<std::string>& words, const std::string& 
   int status = 0;
   ::waitpid(number, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
-  std::ifstream file(log);
-  return FailInput(words[0] + " failed: " + std::string(std::istreambuf_iterator<char>(file), {}));
+  return FailInput(words[0] + " failed: " + ReadFile(log).value_or("it left no log"));
 }
 
 }  // namespace kaori::hil

@@ -1,11 +1,10 @@
 #include "hw-sim/hil/qemu.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
 #include "hw-sim/hil/disk_copy.h"
 
 namespace kaori::hil {
@@ -32,8 +31,7 @@ std::string DeviceOf(UnauthorisedDevice device) {
 
 // Empty where there is no such file.
 std::string TextOf(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return ReadFile(path, {.most_bytes = std::size_t{256} << 20U}).value_or("");
 }
 
 }  // namespace
@@ -67,14 +65,13 @@ Result<std::string> QemuDriver::Disk() {
 }
 
 Result<void> QemuDriver::Start() {
-  const std::string path = ImageOf(options_, setup_) + "/cmdline";
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line)) return Fail(std::errc::no_such_file_or_directory, "read " + path);
+  const auto of_the_image = ReadCommandLine(ImageOf(options_, setup_));
+  if (!of_the_image) return tl::unexpected(of_the_image.error());
   const auto disk = Disk();
   if (!disk) return tl::unexpected(disk.error());
-  line = setup_.agent ? BenchCommandLine(line) + (setup_.bench_kernel ? kControllers : "")
-                      : LoggedCommandLine(line, options_.log_level);
+  const std::string line = setup_.agent
+                               ? BenchCommandLine(*of_the_image) + (setup_.bench_kernel ? kControllers : "")
+                               : LoggedCommandLine(*of_the_image, options_.log_level);
   std::error_code ignored;
   for (const std::string& old : {ConsolePath(options_), options_.folder + "/qmp"})
     std::filesystem::remove(old, ignored);  // Of the machine before.

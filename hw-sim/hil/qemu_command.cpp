@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
 #include "hw-sim/links/usbredir/usb_rig.h"
 
 namespace kaori::hil {
@@ -127,6 +128,12 @@ std::string LoggedCommandLine(const std::string& of_the_image, int level) {
       "{} console=ttyS0 loglevel={} systemd.log_target=console systemd.journald.forward_to_console=1 "
       "systemd.show_status=1",
       line, level);
+}
+
+Result<std::string> ReadCommandLine(const std::string& image) {
+  return ReadFile(image + "/cmdline").map([](const std::string& text) {
+    return text.substr(0, text.find('\n'));
+  });
 }
 
 std::string BenchCommandLine(const std::string& of_the_image) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/base/result.h"
 #include "hw-sim/hil/setup.h"
 
 namespace kaori::hil {
@@ -29,6 +30,9 @@ struct QemuOptions {
   // Each instruction takes a nanosecond of the guest's time, whatever else this computer does meanwhile.
   bool counts_instructions = false;
 };
+
+// The kernel's command line, of an image's folder. Errors: those of ReadFile.
+Result<std::string> ReadCommandLine(const std::string& image);
 
 // The kernel's command line for the bench: that of the image, but the in-guest agent is started first and
 // then becomes what the image names; the serial line is the agent's. The kernel takes the last of equal

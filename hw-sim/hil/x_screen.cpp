@@ -5,21 +5,22 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
+
 namespace kaori::hil {
 namespace {
 
 constexpr Duration kXScreenLongest = std::chrono::seconds(60);
-// Of QEMU's window before its machine has a screen.
-constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;
-constexpr int kFirstNumber = 100;  // People's own screens have small ones.
+constexpr std::size_t kMostDump_bytes = std::size_t{256} << 20U;
+constexpr std::size_t kBegunWidth_px = 640, kBegunHeight_px = 480;  // Of QEMU's window.
+constexpr int kFirstNumber = 100;                                   // People's own screens have small ones.
 // So many benches may run at a time before two want one number.
 constexpr int kNumbers = 10'000;
 
@@ -88,9 +89,9 @@ Sides SidesFor(int window, std::size_t begun_px) {
 }  // namespace
 
 Result<void> WriteDumpAsPng(const std::string& dump_file, const DumpPart& part, const std::string& file) {
-  std::ifstream stream(dump_file, std::ios::binary);
-  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(stream), {});
-  const auto dump = Understand(bytes);
+  const auto bytes = ReadFile(dump_file, {.most_bytes = kMostDump_bytes});
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto dump = Understand(AsBytes(*bytes));
   if (!dump || !Holds(*dump, part)) return Fail(std::errc::io_error, "read the screen in " + dump_file);
   const auto rgb = Rgb(*dump, part);
   png_image image{};

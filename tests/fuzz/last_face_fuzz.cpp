@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "appliance/core/last_face/last_face.h"
 #include "appliance/programs/boot/profile.h"
 #include "appliance/programs/boot/still.h"
-#include "firmware/wire/last_face.h"
 #include "tests/fuzz/check.h"
 
 namespace {
@@ -24,11 +24,12 @@ void Lay(const Still& still) {
 }
 
 void ReadWhole(std::span<const std::uint8_t> body, std::size_t picture) {
-  const kaori::wire::LastFace face{.show = 0, .picture = body.first(picture), .state = body.subspan(picture)};
-  const auto end = kaori::wire::EndOf(face);
+  const kaori::last_face::Content face{
+      .show = 0, .picture = body.first(picture), .state = body.subspan(picture)};
+  const auto end = kaori::last_face::EndOf(face);
   std::vector<std::uint8_t> file(body.begin(), body.end());
   std::copy(end.begin(), end.end(), std::back_inserter(file));
-  const auto read = kaori::wire::ReadLastFace(file);
+  const auto read = kaori::last_face::Read(file);
   kaori::fuzz::Promise(read && read->picture.size() == picture && read->state.size() == body.size() - picture,
                        "what was written can be read");
   if (const auto still = kaori::boot::ReadStill(read->picture)) Lay(*still);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Seeds each wrong include in a house of its own, and sees the checkers name it."""
+"""Seeds each wrong include in a tree of its own, and sees the checkers name it."""
 
 import contextlib
 import pathlib
@@ -40,6 +40,7 @@ AGAINST = (
     ("render/passes/a.cpp", '"drivers/scanout/kms.h"', "render/passes/ may include only"),
     ("render/passes/a.cpp", '"appliance/core/show/show.h"', "render/passes/ may include only"),
     ("appliance/core/board/a.h", '"render/scene/scene.h"', "appliance/core/board/ may include only"),
+    ("appliance/core/last_face/a.h", '"appliance/core/board/board.h"', "appliance/core/last_face/ may include only"),
     ("appliance/core/show/a.h", '"appliance/core/board/board.h"', "appliance/core/show/ may include only"),
     ("appliance/core/performance/a.h", '"drivers/ports/hid_channel.h"', "appliance/core/performance/ may include only"),
     ("appliance/authoring/a.h", '"appliance/programs/input/input.h"', "appliance/authoring/ may include only"),
@@ -94,8 +95,8 @@ ALONG = (
 
 
 @contextlib.contextmanager
-def house(path, text):
-    """A house of one file, in a folder that goes away."""
+def tree(path, text):
+    """A tree of one file, in a folder that goes away."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / path
         file.parent.mkdir(parents=True)
@@ -104,12 +105,12 @@ def house(path, text):
 
 
 def against_direction(path, text):
-    with house(path, text) as root:
+    with tree(path, text) as root:
         return list(direction.offences(root))
 
 
 def against_shape(path, text):
-    with house(path, text) as root:
+    with tree(path, text) as root:
         return list(shape.offences(root))
 
 

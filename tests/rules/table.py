@@ -1,4 +1,4 @@
-"""The direction of the house, as data: who may include whom, and who may touch which library."""
+"""The direction, as data: who may include whom, and who may touch which library."""
 
 SOURCE_ROOMS = ("firmware", "drivers", "render", "appliance", "hw-sim", "tests")
 SOURCE_SUFFIXES = (".h", ".hpp", ".c", ".cc", ".cpp")
@@ -7,7 +7,7 @@ _BASE = ("firmware/wire/", "drivers/base/")
 _PORTS = _BASE + ("drivers/ports/",)
 _DECODE = _PORTS + ("drivers/decode/",)
 _DRAWING = ("drivers/base/", "render/face/", "render/scene/")
-_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "toml", "show", "performance"))
+_CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml", "show", "performance"))
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
@@ -27,10 +27,11 @@ MAY_INCLUDE = (
     ("render/gl/", _DRAWING),
     ("render/passes/", _DRAWING + ("render/gl/", "render/image/", "render/shaders/")),
     ("appliance/core/board/", _PORTS),
+    ("appliance/core/last_face/", _BASE),
     ("appliance/core/toml/", ("drivers/base/",)),
     ("appliance/core/show/", _DRAWING),
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
-    ("appliance/programs/boot/", _BASE),
+    ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/",)),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
     ("appliance/programs/input/", _DECODE + ("appliance/core/board/", "appliance/core/toml/")),
     ("appliance/programs/editor/", _PROGRAM),

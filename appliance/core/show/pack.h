@@ -22,6 +22,10 @@ struct LoadOptions {
   bool on_verified_root = false;
 };
 
+// What the options --trust (a file with a public key; empty: anybody may sign, or nobody) and --verified ask for.
+// Errors: those of ReadPublicKey.
+Result<LoadOptions> LoadOptionsOf(const std::filesystem::path& trust, bool verified);
+
 // Reads and checks a pack; blocks for the file. The file is read once into memory of our own before anything
 // in it is believed, so that nobody can change or shorten it between the check and the use. A damaged,
 // truncated or foreign file, one of another version, one that is not signed as asked, and a show that

@@ -167,6 +167,11 @@ bool IsSound(const Sound& sound) {
 
 }  // namespace
 
+Result<LoadOptions> LoadOptionsOf(const std::filesystem::path& trust, bool verified) {
+  if (trust.empty()) return LoadOptions{.on_verified_root = verified};
+  return ReadPublicKey(trust).map([&](const PublicKey& key) { return LoadOptions{key, verified}; });
+}
+
 Result<Show> LoadPack(const std::filesystem::path& file, const LoadOptions& options) {
   auto content = OpenContent(file.string(), options);
   if (!content) return tl::unexpected(content.error());

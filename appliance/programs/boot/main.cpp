@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <string>
 
+#include "appliance/core/last_face/last_face.h"
 #include "appliance/programs/boot/ahead.h"
 #include "appliance/programs/boot/card.h"
 #include "appliance/programs/boot/data_partition.h"
@@ -26,7 +27,6 @@
 #include "appliance/programs/boot/still.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
-#include "firmware/wire/last_face.h"
 
 namespace {
 
@@ -96,9 +96,9 @@ void AwaitStage(const kaori::boot::Card& card, const std::vector<kaori::boot::Sp
 
 // The last face is shown only where the stage will resume it: not without the disk on which its state lies.
 std::optional<kaori::boot::Still> ChooseStill() {
-  namespace wire = kaori::wire;
-  const auto last = kaori::boot::ReadLastStill(Map(kLastFace, wire::kLargestLastFace_bytes + 1),
-                                               Map(kPack, wire::kShowMark_bytes));
+  namespace last_face = kaori::last_face;
+  const auto last = kaori::boot::ReadLastStill(Map(kLastFace, last_face::kLargest_bytes + 1),
+                                               Map(kPack, last_face::kShowMark_bytes));
   return last ? last : kaori::boot::ReadStill(Map(kStill));
 }
 

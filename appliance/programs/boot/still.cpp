@@ -1,10 +1,9 @@
 #include "appliance/programs/boot/still.h"
+#include "appliance/core/last_face/last_face.h"
 
 #include <algorithm>
 #include <string_view>
 #include <vector>
-
-#include "firmware/wire/last_face.h"
 
 namespace kaori::boot {
 namespace {
@@ -103,8 +102,8 @@ std::optional<Still> ReadStill(std::span<const std::uint8_t> file) {
 // The stage will not resume a face of another show, so that the splash must not show it either.
 std::optional<Still> ReadLastStill(std::span<const std::uint8_t> file,
                                    std::span<const std::uint8_t> pack_begin) {
-  const auto face = wire::ReadLastFace(file);
-  if (!face || face->show != wire::AddSum(wire::kEmptySum, pack_begin)) return std::nullopt;
+  const auto face = last_face::Read(file);
+  if (!face || face->show != Fnv1a(pack_begin)) return std::nullopt;
   return ReadStill(face->picture);
 }
 

@@ -20,7 +20,7 @@ struct Still {
 // more than 8192 pixels.
 std::optional<Still> ReadStill(std::span<const std::uint8_t> file);
 
-// The picture of the last face (firmware/wire/last_face.h); none where the file is torn, or of a show whose
+// The picture of the last face (appliance/core/last_face); none where the file is torn, or of a show whose
 // pack does not begin so.
 std::optional<Still> ReadLastStill(std::span<const std::uint8_t> file,
                                    std::span<const std::uint8_t> pack_begin);

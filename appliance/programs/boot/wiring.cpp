@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+
+#include "drivers/base/number.h"
 
 namespace kaori::boot {
 namespace {
@@ -42,10 +43,8 @@ std::string ParseWire(std::string_view key, std::string_view value, Wiring& wiri
     line.reset();
     return {};
   }
-  int number = -1;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-  if (error != std::errc{} || end != value.data() + value.size() || number < 0 || number > kMostLine)
-    return "expected a number of 0 to 63, or \"none\"";
+  const auto number = ParseNumber<int>(value);
+  if (!number || *number < 0 || *number > kMostLine) return "expected a number of 0 to 63, or \"none\"";
   line = number;
   return {};
 }

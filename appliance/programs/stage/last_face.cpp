@@ -1,16 +1,16 @@
 #include "appliance/programs/stage/last_face.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "appliance/core/board/performance_state.h"
+#include "appliance/core/last_face/last_face.h"
 #include "appliance/core/performance/recall.h"
 #include "appliance/programs/stage/last_face_writer.h"
+#include "drivers/base/checksum.h"
 #include "drivers/base/log.h"
-#include "firmware/wire/last_face.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::stage {
 namespace {
@@ -21,18 +21,6 @@ constexpr Duration kBetween = std::chrono::seconds(30);
 // of a lid, 0..1, up to which they count as open.
 constexpr float kBlinkOver_s = 0.6F;
 constexpr float kOpenLids = 0.1F;
-
-// Reads the first `most` bytes of a file, or all of it where it is shorter. A file that grows beyond what the
-// format allows is read one byte further than that and so is refused as torn.
-Result<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& path, std::size_t most) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return FailErrno("read " + path.string());
-  std::vector<std::uint8_t> bytes(most);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(most));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
-}
 
 // The state as LastFace::Writer puts it: the layout's number, then the bytes of performance::State.
 std::optional<performance::State> StateIn(std::span<const std::uint8_t> bytes) {
@@ -70,21 +58,19 @@ bool IsFit(const performance::State& state, const scene::Scene& scene) {
 }  // namespace
 
 Result<std::uint64_t> ShowMark(const std::filesystem::path& pack) {
-  const auto bytes = ReadBytes(pack, wire::kShowMark_bytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return wire::AddSum(wire::kEmptySum, *bytes);
+  return ReadBeginning(pack, last_face::kShowMark_bytes).map([](const auto& text) { return Fnv1a(text); });
 }
 
 // The checks go from the bytes to the meaning: the file's own sum, the show it belongs to, the layout of this
 // build, then every field. A state of another version is refused and not converted.
 Result<performance::State> RecallLastFace(const LastFaceFile& where, const show::Show& show,
                                           const board::Snapshot& board, Time presented_at) {
-  const auto bytes = ReadBytes(where.file, wire::kLargestLastFace_bytes + 1);
+  const auto bytes = ReadBeginning(where.file, last_face::kLargest_bytes + 1);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto refuse = [&](const char* why) {
     return FailInput("go on from " + where.file.string() + ": " + why);
   };
-  const auto face = wire::ReadLastFace(*bytes);
+  const auto face = last_face::Read(AsBytes(*bytes));
   if (!face) return refuse("it is torn");
   if (face->show != where.show) return refuse("it is of another show");
   const auto state = StateIn(face->state);

@@ -1,6 +1,6 @@
 // The last face of a show, kept while the box is off: a small picture, which the box shows at once when it is
 // switched on, and the state from which the stage then plays on, so that nothing jumps between the two. The
-// file's format is in firmware/wire/last_face.h.
+// file's format is in appliance/core/last_face.
 #pragma once
 
 #include <cstdint>

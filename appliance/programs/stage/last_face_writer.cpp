@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "appliance/core/last_face/last_face.h"
 #include "drivers/base/log.h"
 #include "drivers/base/whole_file.h"
-#include "firmware/wire/last_face.h"
 
 namespace kaori::stage {
 namespace {
@@ -52,7 +52,7 @@ void LastFace::Writer::Write(const board::Performance& performance) {
 Result<void> LastFace::Writer::WriteOut() {
   MakePpm(image_, picture_);
   MakeState(performance_, state_);
-  const auto end = wire::EndOf({.show = where_.show, .picture = picture_, .state = state_});
+  const auto end = last_face::EndOf({.show = where_.show, .picture = picture_, .state = state_});
   return WriteWholeFile(where_.file, {picture_, state_, end});
 }
 

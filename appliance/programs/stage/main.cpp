@@ -98,13 +98,9 @@ struct Loaded {
 
 // Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a graphics card.
 kaori::Result<Loaded> LoadShow(const Settings& settings) {
-  kaori::show::LoadOptions options{.signed_by = {}, .on_verified_root = settings.verified};
-  if (!settings.trust.empty()) {
-    const auto key = kaori::show::ReadPublicKey(settings.trust);
-    if (!key) return tl::unexpected(key.error());
-    options.signed_by = *key;
-  }
-  auto show = kaori::show::LoadPack(settings.pack, options);
+  const auto options = kaori::show::LoadOptionsOf(settings.trust, settings.verified);
+  if (!options) return tl::unexpected(options.error());
+  auto show = kaori::show::LoadPack(settings.pack, *options);
   if (!show) return tl::unexpected(show.error());
   kaori::Log("{} is read", show->name);
   auto editor = kaori::editor::ExpressionEditor::Open(

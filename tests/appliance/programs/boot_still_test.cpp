@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "appliance/core/last_face/last_face.h"
 #include "appliance/programs/boot/still.h"
-#include "firmware/wire/last_face.h"
 
 namespace kaori::boot {
 namespace {
@@ -113,10 +113,10 @@ std::vector<std::uint8_t> LastFaceOf(std::string_view pack, std::string_view pic
   const auto bytes = [](std::string_view text) {
     return std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   };
-  const wire::LastFace face{
-      .show = wire::AddSum(wire::kEmptySum, bytes(pack)), .picture = bytes(picture), .state = bytes("state")};
+  const last_face::Content face{
+      .show = Fnv1a(bytes(pack)), .picture = bytes(picture), .state = bytes("state")};
   std::vector<std::uint8_t> file;
-  const auto end = wire::EndOf(face);
+  const auto end = last_face::EndOf(face);
   for (const std::span<const std::uint8_t> part :
        {face.picture, face.state, std::span<const std::uint8_t>(end)})
     std::ranges::copy(part, std::back_inserter(file));
@@ -147,7 +147,7 @@ TEST(LastStill, OfATornFileIsNone) {
 }
 
 TEST(LastStill, OfAFileThatIsTooLargeIsNone) {
-  const std::vector<std::uint8_t> huge(wire::kLargestLastFace_bytes + 1);
+  const std::vector<std::uint8_t> huge(last_face::kLargest_bytes + 1);
   EXPECT_FALSE(ReadLastStill(huge, {}));
 }
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "appliance/core/last_face/last_face.h"
 #include "appliance/programs/stage/last_face.h"
-#include "firmware/wire/last_face.h"
 #include "tests/appliance/core/board_file.h"
 #include "tests/appliance/core/performance_fixture.h"
 #include "tests/appliance/core/small_disk.h"
