@@ -10,7 +10,7 @@
 #include "hw-sim/links/local/rig.h"
 #include "tests/benchmark/figures.h"
 #include "tests/benchmark/lips_benchmark.h"
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::benchmark {
 namespace {
@@ -71,7 +71,7 @@ class LipSystem {
 
   Duration period_;
   SteadyClock clock_;
-  test::House system_;
+  test::ProgramRunner system_;
   std::unique_ptr<sim::Rig> rig_;
   std::optional<board::Board> board_;
   std::mt19937 random_{3};

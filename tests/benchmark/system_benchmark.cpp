@@ -12,7 +12,7 @@
 #include "appliance/core/performance/state.h"
 #include "hw-sim/links/local/rig.h"
 #include "tests/benchmark/figures.h"
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::benchmark {
 namespace {
@@ -81,7 +81,7 @@ class SystemUnderTest {
 
  private:
   SteadyClock clock_;
-  test::House system_;
+  test::ProgramRunner system_;
   std::string pack_;
   std::unique_ptr<sim::Rig> rig_;
 };

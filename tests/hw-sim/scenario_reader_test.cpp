@@ -217,7 +217,7 @@ TEST(ScenarioReader, NamesTheFileThatIsNotThere) {
   EXPECT_EQ(loaded.error().message(), "read /nowhere/x.play: No such file or directory");
 }
 
-TEST(ScenarioReader, ReadsThePlaysThatComeWithTheHouse) {
+TEST(ScenarioReader, ReadsThePlaysThatComeWithTheSimulator) {
   for (const char* name : {"warm-up", "kaori", "faults"}) {
     const auto loaded = LoadScenario(std::string(KAORI_PLAYS) + "/" + name + ".play");
     ASSERT_TRUE(loaded) << loaded.error().attempt;

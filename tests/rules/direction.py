@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads every #include and names those that run against the direction of the house.
+"""Reads every #include and names those that run against the direction.
 
 Usage: direction.py ROOT     prints "file:line: include: rule" for each, and exits 1 when there is one.
 """
@@ -23,7 +23,7 @@ class Include:
 
 
 def sources(root):
-    """Every source file of the house, as (path from the root, Path)."""
+    """Every source file, as (path from the root, Path)."""
     found = [file for room in table.SOURCE_ROOMS for file in sorted((root / room).rglob("*"))
              if file.suffix in table.SOURCE_SUFFIXES and "node_modules" not in file.parts]
     if not found:
@@ -51,7 +51,7 @@ def own_folder(path):
 def check_quoted(include):
     """The rule that a "quoted" include breaks, or None."""
     if not include.target.startswith(table.EVERYTHING) or ".." in include.target.split("/"):
-        return "a quoted include starts at the root with one of the house's rooms"
+        return "a quoted include starts at the root with one of its folders"
     room, allowed = room_of(include.path) or (None, ())
     if room is None:
         return "this folder is no room of tests/rules/table.py"

@@ -9,8 +9,8 @@
 
 #include "appliance/core/board/snapshot.h"
 #include "hw-sim/links/local/rig.h"
-#include "tests/system/house.h"
 #include "tests/system/pose.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::test {
 namespace {
@@ -42,7 +42,7 @@ const Loss kLosses[] = {
 class ABoxWhoseBoardWas : public ::testing::TestWithParam<Loss> {
  protected:
   ABoxWhoseBoardWas() {
-    rig_ = sim::Rig::Open({.folder = house_.links(),
+    rig_ = sim::Rig::Open({.folder = programs_.links(),
                            .screen_width_px = 320,
                            .screen_height_px = 180,
                            .screen_period = milliseconds(33)},
@@ -56,11 +56,12 @@ class ABoxWhoseBoardWas : public ::testing::TestWithParam<Loss> {
     Start("kaori-stage");
   }
   void Start(const std::string& program) {
-    std::vector<std::string> options{"--links", house_.links(), "--board", house_.board()};
+    std::vector<std::string> options{"--links", programs_.links(), "--board", programs_.board()};
     if (program == "kaori-stage")
-      options.insert(options.end(),
-                     {"--pack", (House::Programs().parent_path() / "shows" / "kaori.kaori").string()});
-    house_.Start(program, options);
+      options.insert(
+          options.end(),
+          {"--pack", (ProgramRunner::Programs().parent_path() / "shows" / "kaori.kaori").string()});
+    programs_.Start(program, options);
   }
 
   bool Until(const std::function<bool()>& condition, Duration patience = seconds(30)) {
@@ -78,7 +79,7 @@ class ABoxWhoseBoardWas : public ::testing::TestWithParam<Loss> {
 
   // As a program that starts now would see the box.
   bool Plays() const {
-    const auto board = board::Board::Open(house_.board());
+    const auto board = board::Board::Open(programs_.board());
     if (!board) return false;
     const board::Snapshot all = board::ReadAll(*board);
     return all.surface.source == SourceState::kLive && all.sticks[0].source == SourceState::kLive &&
@@ -87,10 +88,10 @@ class ABoxWhoseBoardWas : public ::testing::TestWithParam<Loss> {
            clock_.now() - all.stage_status.at < milliseconds(500) &&
            clock_.now() - all.lips.at < milliseconds(500);
   }
-  Pose PoseNow() const { return PoseOn(board::Board::Open(house_.board()).value()); }
+  Pose PoseNow() const { return PoseOn(board::Board::Open(programs_.board()).value()); }
 
   SteadyClock clock_;
-  House house_;
+  ProgramRunner programs_;
   std::unique_ptr<sim::Rig> rig_;
 };
 INSTANTIATE_TEST_SUITE_P(Lost, ABoxWhoseBoardWas, ::testing::ValuesIn(kLosses),
@@ -98,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(Lost, ABoxWhoseBoardWas, ::testing::ValuesIn(kLosses),
 
 TEST_P(ABoxWhoseBoardWas, PlaysOnOneGoodBoardWithinTwoSecondsAndItsPictureStays) {
   StartBox();
-  ASSERT_TRUE(Until([&] { return Plays(); })) << house_.LogOf("kaori-stage") << house_.LogOf("kaori-input");
+  ASSERT_TRUE(Until([&] { return Plays(); }))
+      << programs_.LogOf("kaori-stage") << programs_.LogOf("kaori-input");
   rig_->left_stick().Move(0.6F, -0.3F);
   rig_->dial_box().Turn(2, -0.2);
   rig_->dial_box().Push(1);
@@ -106,12 +108,12 @@ TEST_P(ABoxWhoseBoardWas, PlaysOnOneGoodBoardWithinTwoSecondsAndItsPictureStays)
   Hold(seconds(2));
   const Pose before = PoseNow();
   ASSERT_GT(before.head_yaw_rad, 0.1F);
-  const pid_t stage = house_.PidOf("kaori-stage");
-  GetParam().harm(house_.board());
-  ASSERT_TRUE(Until([&] { return Plays(); }, kHealed)) << house_.LogOf("kaori-stage");
+  const pid_t stage = programs_.PidOf("kaori-stage");
+  GetParam().harm(programs_.board());
+  ASSERT_TRUE(Until([&] { return Plays(); }, kHealed)) << programs_.LogOf("kaori-stage");
   for (const char* program : {"kaori-input", "kaori-lips", "kaori-stage"})
-    EXPECT_TRUE(house_.Runs(program)) << house_.LogOf(program);
-  EXPECT_EQ(house_.PidOf("kaori-stage"), stage);
+    EXPECT_TRUE(programs_.Runs(program)) << programs_.LogOf(program);
+  EXPECT_EQ(programs_.PidOf("kaori-stage"), stage);
   EXPECT_EQ(Differs(before, PoseNow()), "");
   Hold(milliseconds(1500));
   EXPECT_EQ(Differs(before, PoseNow()), "") << "nor later, when all have moved";
@@ -127,17 +129,17 @@ TEST_P(ABoxWhoseBoardWas, PlaysOnOneGoodBoardWithinTwoSecondsAndItsPictureStays)
 
 TEST_P(ABoxWhoseBoardWas, HoldsNothingThatNobodyHolds) {
   StartBox();
-  ASSERT_TRUE(Until([&] { return Plays(); })) << house_.LogOf("kaori-stage");
+  ASSERT_TRUE(Until([&] { return Plays(); })) << programs_.LogOf("kaori-stage");
   rig_->keyboard().Press(kHeldKey);
   rig_->dial_box().Push(3);
   Hold(seconds(1));
-  house_.Kill("kaori-input");
-  GetParam().harm(house_.board());
+  programs_.Kill("kaori-input");
+  GetParam().harm(programs_.board());
   rig_->keyboard().Release(kHeldKey);
   const Pose before = [&] {
     Pose pose;
     Until([&] {
-      const auto board = board::Board::Open(house_.board());
+      const auto board = board::Board::Open(programs_.board());
       if (!board) return false;
       pose = PoseOn(*board);
       return board->Read<board::StageStatus>().source == SourceState::kLive;
@@ -146,7 +148,7 @@ TEST_P(ABoxWhoseBoardWas, HoldsNothingThatNobodyHolds) {
   }();
   EXPECT_EQ(before.keys_down[0] >> kHeldKey & 1U, 0U);
   Start("kaori-input");
-  ASSERT_TRUE(Until([&] { return Plays(); })) << house_.LogOf("kaori-input");
+  ASSERT_TRUE(Until([&] { return Plays(); })) << programs_.LogOf("kaori-input");
   Hold(seconds(2));
   const Pose now = PoseNow();
   EXPECT_EQ(now.keys_down, decltype(now.keys_down){});

@@ -7,7 +7,7 @@
 
 #include "appliance/core/board/board.h"
 #include "tests/appliance/programs/desk_visitor.h"
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::test {
 namespace {
@@ -20,26 +20,26 @@ using tests::Asked;
 class DeskProgram : public ::testing::Test {
  protected:
   void StartLips() {
-    house_.Start("kaori-lips", {"--board", house_.board(), "--links", house_.links(), "--service",
-                                "--settings", house_.File("lips.settings")});
+    programs_.Start("kaori-lips", {"--board", programs_.board(), "--links", programs_.links(), "--service",
+                                   "--settings", programs_.File("lips.settings")});
   }
   void StartDesk() {
-    std::filesystem::remove(house_.File("address"));
-    house_.Start("kaori-desk", {"--service", "--board", house_.board(), "--port", "0", "--plain", "--local",
-                                "--address-file", house_.File("address")});
-    ASSERT_TRUE(Await([this] { return ReadPort(); })) << house_.LogOf("kaori-desk");
-    board_ = board::Board::Create(house_.board()).value();
+    std::filesystem::remove(programs_.File("address"));
+    programs_.Start("kaori-desk", {"--service", "--board", programs_.board(), "--port", "0", "--plain",
+                                   "--local", "--address-file", programs_.File("address")});
+    ASSERT_TRUE(Await([this] { return ReadPort(); })) << programs_.LogOf("kaori-desk");
+    board_ = board::Board::Create(programs_.board()).value();
     ASSERT_TRUE(Await([this] { return board_->Read<board::Desk>().source == SourceState::kLive; }));
   }
   void StartAll() {
-    house_.Start("kaori-sim", {"--links", house_.links()});
+    programs_.Start("kaori-sim", {"--links", programs_.links()});
     StartLips();
     StartDesk();
     ASSERT_TRUE(Await([this] { return Lips().source == SourceState::kLive; }));
   }
 
   bool ReadPort() {
-    std::ifstream file(house_.File("address"));
+    std::ifstream file(programs_.File("address"));
     std::string address;
     if (!std::getline(file, address) || file.eof()) return false;
     port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
@@ -63,14 +63,14 @@ class DeskProgram : public ::testing::Test {
   }
   board::Stamped<board::Lips> Lips() const { return board_->Read<board::Lips>(); }
 
-  House house_;
+  ProgramRunner programs_;
   std::optional<board::Board> board_;
   std::uint16_t port_ = 0;
 };
 
 TEST_F(DeskProgram, RefusesToServeABoxThatPlaysInOneLine) {
-  EXPECT_EQ(house_.RunToEnd("kaori-desk", {"--board", house_.board()}), 2);
-  const std::string log = house_.LogOf("kaori-desk");
+  EXPECT_EQ(programs_.RunToEnd("kaori-desk", {"--board", programs_.board()}), 2);
+  const std::string log = programs_.LogOf("kaori-desk");
   EXPECT_THAT(log, HasSubstr("--service"));
   EXPECT_EQ(std::ranges::count(log, '\n'), 1);
 }
@@ -84,8 +84,8 @@ TEST_F(DeskProgram, ChangesTheLipsOfAPairedVisitor) {
             200);
   EXPECT_TRUE(Await([&] { return Lips().value.open == 0.7F; }));
   EXPECT_EQ(tests::StatusOf(Ask({.method = "POST", .path = "/do", .body = "save", .cookie = cookie})), 200);
-  EXPECT_TRUE(Await([&] { return std::filesystem::exists(house_.File("lips.settings")); }));
-  house_.Kill("kaori-lips");
+  EXPECT_TRUE(Await([&] { return std::filesystem::exists(programs_.File("lips.settings")); }));
+  programs_.Kill("kaori-lips");
   EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":false"); })) << "and the page says so";
   StartLips();
   EXPECT_TRUE(Await([&] { return State(cookie, "\"lips\":true"); }));
@@ -99,7 +99,7 @@ TEST_F(DeskProgram, DoesNotDisturbTheLipsWhenItDies) {
     const std::uint32_t code = board_->Read<board::Desk>().value.code;
     tests::Visitor looker(port_, [] {});
     looker.Send(tests::RequestOf({.path = "/picture", .cookie = Pair()}, port_));
-    house_.Kill("kaori-desk");
+    programs_.Kill("kaori-desk");
     const std::uint32_t frames = Lips().value.frames;
     EXPECT_TRUE(Await([&] { return Lips().value.frames > frames + 5; }, 2s));
     EXPECT_EQ(Lips().source, SourceState::kLive);
@@ -110,11 +110,11 @@ TEST_F(DeskProgram, DoesNotDisturbTheLipsWhenItDies) {
 }
 
 TEST_F(DeskProgram, FindsNoWayIntoLipsThatAreNotInService) {
-  house_.Start("kaori-sim", {"--links", house_.links()});
-  house_.Start("kaori-lips", {"--board", house_.board(), "--links", house_.links()});
+  programs_.Start("kaori-sim", {"--links", programs_.links()});
+  programs_.Start("kaori-lips", {"--board", programs_.board(), "--links", programs_.links()});
   StartDesk();
   ASSERT_TRUE(Await([this] { return Lips().source == SourceState::kLive; }));
-  EXPECT_FALSE(std::filesystem::exists(house_.board() + ".lips"));
+  EXPECT_FALSE(std::filesystem::exists(programs_.board() + ".lips"));
   const std::string cookie = Pair();
   EXPECT_TRUE(State(cookie, "\"lips\":false"));
 }

@@ -12,7 +12,7 @@
 #include "appliance/programs/editor/journal.h"
 #include "appliance/programs/editor/keys.h"
 #include "hw-sim/links/local/rig.h"
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::test {
 namespace {
@@ -27,8 +27,8 @@ constexpr Duration kNothingOlder = std::chrono::seconds(1);
 
 class AnAuthorAtTheBox : public ::testing::Test {
  protected:
-  AnAuthorAtTheBox() : board_(board::Board::Create(house_.board()).value()) {
-    rig_ = sim::Rig::Open({.folder = house_.links(),
+  AnAuthorAtTheBox() : board_(board::Board::Create(programs_.board()).value()) {
+    rig_ = sim::Rig::Open({.folder = programs_.links(),
                            .screen_width_px = 160,
                            .screen_height_px = 90,
                            .screen_period = milliseconds(33)},
@@ -36,12 +36,14 @@ class AnAuthorAtTheBox : public ::testing::Test {
                .value();
   }
 
-  static std::string Pack() { return (House::Programs().parent_path() / "shows" / "kaori.kaori").string(); }
-  std::string Own() const { return house_.File("own"); }
+  static std::string Pack() {
+    return (ProgramRunner::Programs().parent_path() / "shows" / "kaori.kaori").string();
+  }
+  std::string Own() const { return programs_.File("own"); }
 
   void StartStage() {
-    house_.Start("kaori-stage",
-                 {"--links", house_.links(), "--board", house_.board(), "--pack", Pack(), "--own", Own()});
+    programs_.Start("kaori-stage", {"--links", programs_.links(), "--board", programs_.board(), "--pack",
+                                    Pack(), "--own", Own()});
   }
 
   bool Between() {
@@ -62,7 +64,7 @@ class AnAuthorAtTheBox : public ::testing::Test {
     rig_->keyboard().Press(usage);
     ASSERT_TRUE(Until([&] { return presses() != before && Seen().key_presses == presses(); }));
     rig_->keyboard().Release(usage);
-    ASSERT_TRUE(Until([&] { return !editor::IsDown(board_.Read<board::Keys>().value, usage); }));
+    ASSERT_TRUE(Until([&] { return !board::IsDown(board_.Read<board::Keys>().value, usage); }));
   }
 
   // What the stage has taken in.
@@ -86,19 +88,19 @@ class AnAuthorAtTheBox : public ::testing::Test {
   }
 
   SteadyClock clock_;
-  House house_;
+  ProgramRunner programs_;
   board::Board board_;
   std::unique_ptr<sim::Rig> rig_;
 };
 
 TEST_F(AnAuthorAtTheBox, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
-  house_.Start("kaori-input", {"--links", house_.links(), "--board", house_.board()});
+  programs_.Start("kaori-input", {"--links", programs_.links(), "--board", programs_.board()});
   StartStage();
   const auto frames = [&] { return board_.Read<board::StageStatus>().value.frames; };
   ASSERT_TRUE(Until([&] {
     return board_.Read<board::Keys>().source == board::SourceState::kLive &&
            board_.Read<board::Surface>().source == board::SourceState::kLive && frames() > 2;
-  })) << house_.LogOf("kaori-stage");
+  })) << programs_.LogOf("kaori-stage");
   Strike(key::kTab);
   const std::int32_t at_first = Seen().dials[kOutwards];
   for (int round = 0; round < 3; ++round) {
@@ -110,7 +112,7 @@ TEST_F(AnAuthorAtTheBox, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
       seen.emplace_back(clock_.now(), Seen().dials[kOutwards]);
     }
     const Time killed = clock_.now();
-    house_.Kill("kaori-stage");
+    programs_.Kill("kaori-stage");
     std::int32_t sure = 0;
     for (const auto& [at, count] : seen)
       if (killed - at > kNothingOlder) sure = count;
@@ -118,8 +120,8 @@ TEST_F(AnAuthorAtTheBox, LoseNothingOlderThanASecondWhenTheStageIsKilled) {
     EXPECT_GE(PulledInJournal() + 0.01F, static_cast<float>(sure - at_first)) << "round " << round;
     StartStage();
     const std::uint32_t frames_then = frames();
-    ASSERT_TRUE(Until([&] { return frames() > frames_then; })) << house_.LogOf("kaori-stage");
-    EXPECT_THAT(house_.LogOf("kaori-stage"), HasSubstr("unsaved needle work is taken up again"));
+    ASSERT_TRUE(Until([&] { return frames() > frames_then; })) << programs_.LogOf("kaori-stage");
+    EXPECT_THAT(programs_.LogOf("kaori-stage"), HasSubstr("unsaved needle work is taken up again"));
     Strike(key::kTab);
   }
 }

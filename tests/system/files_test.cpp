@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::test {
 namespace {
@@ -137,7 +137,7 @@ class NoFile : public ::testing::TestWithParam<std::tuple<FileOption, Offer>> {
   ~NoFile() override { fs::remove_all(folder_); }
 
   pid_t Start(const FileOption& option) {
-    std::vector<std::string> words{(House::Programs() / option.program).string()};
+    std::vector<std::string> words{(ProgramRunner::Programs() / option.program).string()};
     for (std::string word : option.words) {
       if (word == "@") word = (folder_ / option.file).string();
       if (word.starts_with('%')) word = folder_.string() + word.substr(1);

@@ -8,8 +8,8 @@
 
 #include "appliance/core/board/snapshot.h"
 #include "hw-sim/links/local/rig.h"
-#include "tests/system/house.h"
 #include "tests/system/pose.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::test {
 namespace {
@@ -23,22 +23,24 @@ constexpr std::uint8_t kKeyQ = 0x14;
 // The programs of the box before a screen small enough for a processor without a GPU.
 class Programs : public ::testing::Test {
  protected:
-  Programs() : board_(board::Board::Create(house_.board()).value()) {}
+  Programs() : board_(board::Board::Create(programs_.board()).value()) {}
 
   void StartBox() {
     for (const char* program : {"kaori-input", "kaori-lips", "kaori-stage"}) Start(program);
   }
 
   void Start(const std::string& program, std::vector<std::string> more = {}) {
-    std::vector<std::string> options{"--links", house_.links()};
-    if (program != "kaori-sim") options.insert(options.end(), {"--board", house_.board()});
+    std::vector<std::string> options{"--links", programs_.links()};
+    if (program != "kaori-sim") options.insert(options.end(), {"--board", programs_.board()});
     if (program == "kaori-sim") options.insert(options.end(), {"--size", "320x180", "--hz", "30"});
     if (program == "kaori-stage") options.insert(options.end(), {"--pack", Pack()});
     options.insert(options.end(), more.begin(), more.end());
-    house_.Start(program, options);
+    programs_.Start(program, options);
   }
 
-  static std::string Pack() { return (House::Programs().parent_path() / "shows" / "kaori.kaori").string(); }
+  static std::string Pack() {
+    return (ProgramRunner::Programs().parent_path() / "shows" / "kaori.kaori").string();
+  }
 
   bool AllLive() const {
     const board::Snapshot all = board::ReadAll(board_);
@@ -53,8 +55,8 @@ class Programs : public ::testing::Test {
   // What must go on while `dead` is away. Programs that depend on it wait for it, and that is no fault.
   void ExpectOthersRun(const std::string& dead) {
     for (const char* other : {"kaori-input", "kaori-lips", "kaori-stage"})
-      EXPECT_TRUE(other == dead || house_.Runs(other))
-          << other << " died with " << dead << ": " << house_.LogOf(other);
+      EXPECT_TRUE(other == dead || programs_.Runs(other))
+          << other << " died with " << dead << ": " << programs_.LogOf(other);
     if (dead == "kaori-sim") return;
     const std::uint32_t frames_then = frames();
     const std::uint32_t lips_then = lip_frames();
@@ -99,7 +101,7 @@ class Programs : public ::testing::Test {
   // What the test itself does between two looks.
   virtual bool Between() { return true; }
 
-  House house_;
+  ProgramRunner programs_;
   board::Board board_;
 };
 
@@ -107,7 +109,7 @@ class Programs : public ::testing::Test {
 class HeldControls : public Programs {
  protected:
   HeldControls() {
-    rig_ = sim::Rig::Open({.folder = house_.links(),
+    rig_ = sim::Rig::Open({.folder = programs_.links(),
                            .screen_width_px = 320,
                            .screen_height_px = 180,
                            .screen_period = milliseconds(33)},
@@ -142,7 +144,7 @@ class HeldControls : public Programs {
 TEST_F(HeldControls, StayWhereTheyAreWhenProgramsAreKilledTwentyTimes) {
   StartBox();
   ASSERT_TRUE(Await([&] { return Between() && AllLive() && frames() > 0; }, std::chrono::seconds(30)))
-      << house_.LogOf("kaori-input") << house_.LogOf("kaori-lips") << house_.LogOf("kaori-stage");
+      << programs_.LogOf("kaori-input") << programs_.LogOf("kaori-lips") << programs_.LogOf("kaori-stage");
   PlayControls();
   Hold(milliseconds(500));
   Pose pose;
@@ -153,7 +155,7 @@ TEST_F(HeldControls, StayWhereTheyAreWhenProgramsAreKilledTwentyTimes) {
   for (int round = 0; round < 20; ++round) {
     const std::string& victim = programs[random() % programs.size()];
     SCOPED_TRACE(victim + ", round " + std::to_string(round));
-    house_.Kill(victim);
+    programs_.Kill(victim);
     ASSERT_TRUE(Await([&] { return Between() && !Serves(victim); }));
     ExpectOthersRun(victim);
     Start(victim);
@@ -161,30 +163,30 @@ TEST_F(HeldControls, StayWhereTheyAreWhenProgramsAreKilledTwentyTimes) {
     const std::uint32_t lips_then = lip_frames();
     ASSERT_TRUE(HoldsUntil(pose, [&] {
       return Serves(victim) && frames() > frames_then && lip_frames() > lips_then;
-    })) << house_.LogOf(victim);
+    })) << programs_.LogOf(victim);
   }
 }
 
-class WholeHouse : public Programs {
+class WholeBox : public Programs {
  protected:
   void WritePlay() {
-    std::ofstream(house_.File("input.play")) << "scene input\n"
-                                                "at 0.5s dial 1 turn 0.4\n"
-                                                "at 0.5s dial 3 turn -0.25\n"
-                                                "at 0.6s push 2\n";
+    std::ofstream(programs_.File("input.play")) << "scene input\n"
+                                                   "at 0.5s dial 1 turn 0.4\n"
+                                                   "at 0.5s dial 3 turn -0.25\n"
+                                                   "at 0.6s push 2\n";
   }
 
   bool Back(const std::string& program, std::uint32_t frames_then, std::uint32_t lips_then) const {
-    return house_.Runs(program) && AllLive() && frames() > frames_then && lip_frames() > lips_then;
+    return programs_.Runs(program) && AllLive() && frames() > frames_then && lip_frames() > lips_then;
   }
 };
 
-TEST_F(WholeHouse, KeepsItsPoseWhenAnyProgramIsKilledTwentyTimes) {
+TEST_F(WholeBox, KeepsItsPoseWhenAnyProgramIsKilledTwentyTimes) {
   WritePlay();
-  Start("kaori-sim", {"--play", house_.File("input.play")});
+  Start("kaori-sim", {"--play", programs_.File("input.play")});
   StartBox();
   ASSERT_TRUE(Await([&] { return AllLive() && frames() > 0; }, std::chrono::seconds(30)))
-      << house_.LogOf("kaori-sim") << house_.LogOf("kaori-stage");
+      << programs_.LogOf("kaori-sim") << programs_.LogOf("kaori-stage");
   ASSERT_TRUE(Await([&] { return board_.Read<board::Surface>().value.pushes[1] == 1; }));
   Hold(milliseconds(500));
   Pose pose;
@@ -195,13 +197,13 @@ TEST_F(WholeHouse, KeepsItsPoseWhenAnyProgramIsKilledTwentyTimes) {
   for (int round = 0; round < 20; ++round) {
     const std::string& victim = programs[random() % programs.size()];
     SCOPED_TRACE(victim + ", round " + std::to_string(round));
-    house_.Kill(victim);
+    programs_.Kill(victim);
     ExpectOthersRun(victim);
     Start(victim);
     const std::uint32_t frames_then = frames();
     const std::uint32_t lips_then = lip_frames();
     ASSERT_TRUE(HoldsUntil(pose, [&] { return Back(victim, frames_then, lips_then); }))
-        << house_.LogOf(victim);
+        << programs_.LogOf(victim);
   }
 }
 
@@ -211,32 +213,32 @@ TEST_F(Programs, RefuseToPlayTwiceOnOneBoard) {
   ASSERT_TRUE(
       Await([&] { return !board_.AcquireWriter<board::Lines>() && !board_.AcquireWriter<board::Lips>(); }));
   for (const std::string program : {"kaori-input", "kaori-lips"}) {
-    House second;
-    EXPECT_EQ(second.RunToEnd(program, {"--board", house_.board(), "--links", second.links()}), 1);
+    ProgramRunner second;
+    EXPECT_EQ(second.RunToEnd(program, {"--board", programs_.board(), "--links", second.links()}), 1);
     EXPECT_THAT(second.LogOf(program), HasSubstr("held by process"));
-    EXPECT_TRUE(house_.Runs(program));
-    EXPECT_EQ(house_.Stop(program), 0) << "and ends when it is asked to";
+    EXPECT_TRUE(programs_.Runs(program));
+    EXPECT_EQ(programs_.Stop(program), 0) << "and ends when it is asked to";
   }
 }
 
 TEST_F(Programs, RefuseASecondStageOnOneBoardAndTheFirstPlaysOn) {
   Start("kaori-stage");
   ASSERT_TRUE(Await([&] { return !board_.AcquireWriter<board::Lamps>(); }, std::chrono::seconds(30)));
-  House second;
+  ProgramRunner second;
   EXPECT_EQ(second.RunToEnd("kaori-stage",
-                            {"--board", house_.board(), "--pack", Pack(), "--links", second.links()}),
+                            {"--board", programs_.board(), "--pack", Pack(), "--links", second.links()}),
             1);
   EXPECT_THAT(second.LogOf("kaori-stage"), HasSubstr("held by process"));
-  EXPECT_TRUE(house_.Runs("kaori-stage"));
+  EXPECT_TRUE(programs_.Runs("kaori-stage"));
 }
 
 TEST_F(Programs, SayWhatIsWrongWithTheirOptionsInOneLine) {
-  EXPECT_EQ(house_.RunToEnd("kaori-lips", {"--links", house_.links(), "--paint", "blue"}), 1);
-  EXPECT_THAT(house_.LogOf("kaori-lips"), HasSubstr("--paint blue: expected three numbers"));
-  EXPECT_EQ(house_.RunToEnd("kaori-input", {"--board", "/no/such/folder/board"}), 1);
-  EXPECT_THAT(house_.LogOf("kaori-input"), HasSubstr("make board /no/such/folder/board"));
-  EXPECT_EQ(house_.RunToEnd("kaori-input", {"--help"}), 0);
-  EXPECT_EQ(house_.RunToEnd("kaori-lips", {"--bored"}), 2);
+  EXPECT_EQ(programs_.RunToEnd("kaori-lips", {"--links", programs_.links(), "--paint", "blue"}), 1);
+  EXPECT_THAT(programs_.LogOf("kaori-lips"), HasSubstr("--paint blue: expected three numbers"));
+  EXPECT_EQ(programs_.RunToEnd("kaori-input", {"--board", "/no/such/folder/board"}), 1);
+  EXPECT_THAT(programs_.LogOf("kaori-input"), HasSubstr("make board /no/such/folder/board"));
+  EXPECT_EQ(programs_.RunToEnd("kaori-input", {"--help"}), 0);
+  EXPECT_EQ(programs_.RunToEnd("kaori-lips", {"--bored"}), 2);
 }
 
 }  // namespace

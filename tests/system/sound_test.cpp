@@ -9,7 +9,7 @@
 
 #include "appliance/core/board/board.h"
 #include "tests/appliance/programs/voice_claps.h"
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::test {
 namespace {
@@ -23,7 +23,7 @@ constexpr std::uint32_t kMostLate = 25;  // Of some 330 frames, and of chunks of
 class SoundInRealTime : public ::testing::Test {
  protected:
   SoundInRealTime()
-      : rig_(sim::Rig::Open({.folder = house_.links(),
+      : rig_(sim::Rig::Open({.folder = programs_.links(),
                              .screen_width_px = 128,
                              .screen_height_px = 72,
                              .screen_period = kScreenPeriod,
@@ -31,12 +31,12 @@ class SoundInRealTime : public ::testing::Test {
                              .wakes_by_timer = true},
                             clock_)
                  .value()) {
-    const std::vector<std::string> both{"--board", house_.board(), "--links", house_.links()};
-    for (const char* program : {"kaori-input", "kaori-lips"}) house_.Start(program, both);
+    const std::vector<std::string> both{"--board", programs_.board(), "--links", programs_.links()};
+    for (const char* program : {"kaori-input", "kaori-lips"}) programs_.Start(program, both);
     std::vector<std::string> stage = both;
     stage.insert(stage.end(),
-                 {"--pack", (House::Programs().parent_path() / "shows" / "kaori.kaori").string()});
-    house_.Start("kaori-stage", stage);
+                 {"--pack", (ProgramRunner::Programs().parent_path() / "shows" / "kaori.kaori").string()});
+    programs_.Start("kaori-stage", stage);
   }
 
   // Pumps the devices and calls `act` until `done`. Returns false after a minute.
@@ -56,12 +56,12 @@ class SoundInRealTime : public ::testing::Test {
   }
 
   SteadyClock clock_;
-  House house_;
+  ProgramRunner programs_;
   std::unique_ptr<sim::Rig> rig_;
 };
 
 TEST_F(SoundInRealTime, MeetsTheMouth) {
-  const auto board = board::Board::Create(house_.board()).value();
+  const auto board = board::Board::Create(programs_.board()).value();
   ASSERT_TRUE(Until([](Time) {},
                     [&] {
                       return rig_->screen().frames_shown() > 30 &&
@@ -69,7 +69,7 @@ TEST_F(SoundInRealTime, MeetsTheMouth) {
                              board.Read<board::Voice>().source == board::SourceState::kLive &&
                              board.Read<board::Sound>().source == board::SourceState::kLive;
                     }))
-      << house_.LogOf("kaori-lips") << house_.LogOf("kaori-stage");
+      << programs_.LogOf("kaori-lips") << programs_.LogOf("kaori-stage");
   rig_->dial_box().Turn(6, -1);
   tests::Claps first(*rig_, clock_.now() + 500ms, 4);
   const auto move = [](tests::Claps& claps) {
@@ -104,9 +104,9 @@ TEST_F(SoundInRealTime, MeetsTheMouth) {
 }
 
 TEST_F(SoundInRealTime, TheDelayIsSaidInTheLog) {
-  ASSERT_TRUE(
-      Until([](Time) {}, [&] { return house_.LogOf("kaori-lips").find("as measured") != std::string::npos; }))
-      << house_.LogOf("kaori-lips");
+  ASSERT_TRUE(Until([](Time) {},
+                    [&] { return programs_.LogOf("kaori-lips").find("as measured") != std::string::npos; }))
+      << programs_.LogOf("kaori-lips");
 }
 
 }  // namespace

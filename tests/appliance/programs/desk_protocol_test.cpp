@@ -21,12 +21,12 @@ constexpr sim::Rgb kProtocolGreen{0.05F, 0.62F, 0.2F};
 class DeskProtocol : public ::testing::Test {
  protected:
   DeskProtocol() {
-    house_.StartLips();
-    house_.each_step = [this] {
-      if (connection_) connection_->Step(house_.clock.now());
+    fixture_.StartLips();
+    fixture_.each_step = [this] {
+      if (connection_) connection_->Step(fixture_.clock.now());
     };
-    connection_.emplace(lips::ServicePath(house_.board.path()));
-    house_.Play(1500ms);
+    connection_.emplace(lips::ServicePath(fixture_.board.path()));
+    fixture_.Play(1500ms);
   }
 
   // What the lips answer to it; empty: done.
@@ -34,8 +34,8 @@ class DeskProtocol : public ::testing::Test {
     const auto number = connection_->Send(std::move(command));
     if (!number) return number.error().message();
     for (int n = 0; n < 60; ++n) {
-      house_.Play(50ms);
-      if (house_.lips->tuning().saving()) house_.AwaitSaved();
+      fixture_.Play(50ms);
+      if (fixture_.lips->tuning().saving()) fixture_.AwaitSaved();
       if (connection_->report() && connection_->report()->answered == *number)
         return connection_->report()->complaint;
     }
@@ -47,7 +47,7 @@ class DeskProtocol : public ::testing::Test {
     return -1;
   }
 
-  LipFixture house_;
+  LipFixture fixture_;
   std::optional<desk::LipConnection> connection_;
 };
 
@@ -59,12 +59,12 @@ TEST_F(DeskProtocol, ReportsTheSettingsOfTheLips) {
 }
 
 TEST_F(DeskProtocol, ChangesTheLipsWhileTheyPlay) {
-  house_.hand.scene.person.paint = kProtocolGreen;
-  house_.Play(300ms);
-  EXPECT_LT(house_.Seen().quality, 0.5F);
+  fixture_.hand.scene.person.paint = kProtocolGreen;
+  fixture_.Play(300ms);
+  EXPECT_LT(fixture_.Seen().quality, 0.5F);
   EXPECT_EQ(Do({.kind = CommandKind::kSample, .a = 0.5F, .b = 0.55F}), "");
-  house_.Play(300ms);
-  EXPECT_GT(house_.Seen().quality, 0.8F);
+  fixture_.Play(300ms);
+  EXPECT_GT(fixture_.Seen().quality, 0.8F);
   EXPECT_GT(Value("paint.green"), 100);
   EXPECT_EQ(Do({.kind = CommandKind::kSample, .a = 0.02F, .b = 0.1F}),
             "sample the paint: the colour here is grey");
@@ -78,15 +78,15 @@ TEST_F(DeskProtocol, FindsAnyPaintByItselfInAnyLightBesideABlueShirt) {
        {kBlue, kProtocolGreen, sim::Rgb{0.78F, 0.06F, 0.38F}, {0.9F, 0.85F, 0.1F}, {0.5F, 0.1F, 0.7F}}) {
     for (const sim::Rgb& light : {sim::Rgb{1, 1, 1}, {1.1F, 0.85F, 0.6F}, {0.5F, 0.5F, 0.5F}}) {
       for (const bool shirt : {false, true}) {
-        house_.hand.scene.person.paint = paint;
-        house_.hand.scene.light.colour = light;
-        house_.hand.scene.person.shirt.reset();
-        if (shirt) house_.hand.scene.person.shirt = sim::Rgb{0.13F, 0.25F, 0.7F};
-        house_.StartLips();
-        house_.Play(600ms);
+        fixture_.hand.scene.person.paint = paint;
+        fixture_.hand.scene.light.colour = light;
+        fixture_.hand.scene.person.shirt.reset();
+        if (shirt) fixture_.hand.scene.person.shirt = sim::Rgb{0.13F, 0.25F, 0.7F};
+        fixture_.StartLips();
+        fixture_.Play(600ms);
         ASSERT_EQ(Do({.kind = CommandKind::kFind}), "") << paint.red << " " << light.red << " " << shirt;
-        house_.Play(300ms);
-        EXPECT_GT(house_.Seen().quality, 0.7F) << paint.red << " " << light.red << " " << shirt;
+        fixture_.Play(300ms);
+        EXPECT_GT(fixture_.Seen().quality, 0.7F) << paint.red << " " << light.red << " " << shirt;
         const auto& box = connection_->report()->box;
         EXPECT_NEAR((box[0] + box[2]) / 2, 0.5F, 0.05F) << paint.red << " " << light.red << " " << shirt;
         EXPECT_NEAR((box[1] + box[3]) / 2, 0.52F, 0.05F);
@@ -96,8 +96,8 @@ TEST_F(DeskProtocol, FindsAnyPaintByItselfInAnyLightBesideABlueShirt) {
 }
 
 TEST_F(DeskProtocol, FindsNoPaintOnABareFace) {
-  house_.hand.scene.person.paint = {0.80F, 0.59F, 0.47F};  // Skin.
-  house_.Play(300ms);
+  fixture_.hand.scene.person.paint = {0.80F, 0.59F, 0.47F};  // Skin.
+  fixture_.Play(300ms);
   EXPECT_EQ(Do({.kind = CommandKind::kFind}), "no paint was found in the picture");
 }
 
@@ -123,8 +123,8 @@ TEST_F(DeskProtocol, LearnsFromTenSecondsOfSpeech) {
   EXPECT_EQ(Do({.kind = CommandKind::kBegin, .name = "speak"}), "");
   for (int n = 0; n < 75 && connection_->report()->step; ++n) {
     const double swing = n % 5 / 4.0;
-    house_.hand.scene.person.mouth = {0.25 + 0.45 * swing, 0.8 + 0.35 * (n % 7 / 6.0)};
-    house_.Play(150ms);
+    fixture_.hand.scene.person.mouth = {0.25 + 0.45 * swing, 0.8 + 0.35 * (n % 7 / 6.0)};
+    fixture_.Play(150ms);
   }
   EXPECT_FALSE(connection_->report()->step) << "ten seconds are over";
   EXPECT_EQ(connection_->report()->done, 1U << static_cast<unsigned>(CalibrationStep::kSpeak));
@@ -163,20 +163,20 @@ TEST_F(DeskProtocol, UsesAFileThatSomebodyElseChangedWithoutARestart) {
   EXPECT_EQ(Do({.kind = CommandKind::kSave}), "");
   lips::LipSettings other;
   other.key.spill = 123;
-  std::ofstream(house_.settings_file()) << lips::LipSettingsText(other);
-  std::filesystem::last_write_time(house_.settings_file(),
+  std::ofstream(fixture_.settings_file()) << lips::LipSettingsText(other);
+  std::filesystem::last_write_time(fixture_.settings_file(),
                                    std::filesystem::file_time_type::clock::now() + 5s);
-  house_.Play(1500ms);
+  fixture_.Play(1500ms);
   EXPECT_EQ(Value("key.spill"), 123);
-  std::ofstream(house_.settings_file()) << "key.spill = kettle\n";
-  std::filesystem::last_write_time(house_.settings_file(),
+  std::ofstream(fixture_.settings_file()) << "key.spill = kettle\n";
+  std::filesystem::last_write_time(fixture_.settings_file(),
                                    std::filesystem::file_time_type::clock::now() + 9s);
-  house_.Play(1500ms);
+  fixture_.Play(1500ms);
   EXPECT_EQ(Value("key.spill"), 123) << "a file with a mistake changes nothing";
 }
 
 TEST_F(DeskProtocol, SaysWhyItCannotSave) {
-  std::filesystem::create_directories(house_.settings_file() / "a folder" / "in its place");
+  std::filesystem::create_directories(fixture_.settings_file() / "a folder" / "in its place");
   EXPECT_NE(Do({.kind = CommandKind::kSave}), "");
   EXPECT_TRUE(connection_->live()) << "and the lips go on";
 }
@@ -184,8 +184,8 @@ TEST_F(DeskProtocol, SaysWhyItCannotSave) {
 TEST_F(DeskProtocol, CarriesPicturesWhileSomebodyLooksAndNoneOtherwise) {
   EXPECT_EQ(connection_->picture().number, 0U);
   for (int n = 0; n < 20; ++n) {
-    connection_->RequestPictures(house_.clock.now());
-    house_.Play(50ms);
+    connection_->RequestPictures(fixture_.clock.now());
+    fixture_.Play(50ms);
   }
   const auto& picture = connection_->picture();
   EXPECT_NEAR(picture.number, 15, 3) << "fifteen a second";
@@ -197,53 +197,53 @@ TEST_F(DeskProtocol, CarriesPicturesWhileSomebodyLooksAndNoneOtherwise) {
   EXPECT_GT(at(160, 132, 3), 200) << "are paint";
   EXPECT_GT(at(160, 40, 0), at(160, 40, 2)) << "skin";
   EXPECT_LT(at(160, 40, 3), 20) << "is none";
-  house_.Play(3s);
+  fixture_.Play(3s);
   const auto seen = connection_->picture().number;
-  house_.Play(3s);
+  fixture_.Play(3s);
   EXPECT_EQ(connection_->picture().number, seen) << "nobody looks any more";
 }
 
 TEST_F(DeskProtocol, DoesNotHoldTheLipsWhereTheDeskNeverReads) {
   connection_.reset();
-  const UniqueFd deaf = ConnectToPeer(lips::ServicePath(house_.board.path())).value();
+  const UniqueFd deaf = ConnectToPeer(lips::ServicePath(fixture_.board.path())).value();
   const std::string look = "1 look";
   for (int n = 0; n < 50; ++n) {
     static_cast<void>(
         SendPacket(deaf.get(), {reinterpret_cast<const std::uint8_t*>(look.data()), look.size()}));
-    house_.Play(100ms);
-    ASSERT_EQ(house_.board.Read<board::Lips>().source, board::SourceState::kLive);
+    fixture_.Play(100ms);
+    ASSERT_EQ(fixture_.board.Read<board::Lips>().source, board::SourceState::kLive);
   }
-  EXPECT_LT(house_.clock.now() - house_.board.Read<board::Lips>().at, 50ms);
+  EXPECT_LT(fixture_.clock.now() - fixture_.board.Read<board::Lips>().at, 50ms);
 }
 
 TEST_F(DeskProtocol, ClosesTheConnectionToADeskThatSendsNonsenseAndAcceptsTheNextOne) {
   connection_.reset();
   for (const std::string text : {"", "kettle", "1", "1 set", "99999999999 undo", "1 sample a b"}) {
-    const UniqueFd mad = ConnectToPeer(lips::ServicePath(house_.board.path())).value();
+    const UniqueFd mad = ConnectToPeer(lips::ServicePath(fixture_.board.path())).value();
     static_cast<void>(
         SendPacket(mad.get(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
-    house_.Play(100ms);
-    EXPECT_EQ(house_.board.Read<board::Lips>().source, board::SourceState::kLive);
+    fixture_.Play(100ms);
+    EXPECT_EQ(fixture_.board.Read<board::Lips>().source, board::SourceState::kLive);
   }
-  connection_.emplace(lips::ServicePath(house_.board.path()));
-  house_.Play(300ms);
+  connection_.emplace(lips::ServicePath(fixture_.board.path()));
+  fixture_.Play(300ms);
   EXPECT_TRUE(connection_->live());
 }
 
 TEST_F(DeskProtocol, NoticesThatTheLipsAreGoneAndConnectsAgain) {
-  house_.lips.reset();
-  house_.Play(50ms);
+  fixture_.lips.reset();
+  fixture_.Play(50ms);
   EXPECT_FALSE(connection_->live());
   EXPECT_FALSE(connection_->Send({.kind = CommandKind::kUndo}));
-  house_.StartLips();
-  house_.Play(600ms);
+  fixture_.StartLips();
+  fixture_.Play(600ms);
   EXPECT_TRUE(connection_->live());
 }
 
 TEST_F(DeskProtocol, SurvivesLipsThatSendNonsense) {
   connection_.reset();
-  house_.lips.reset();
-  const std::string path = lips::ServicePath(house_.board.path());
+  fixture_.lips.reset();
+  const std::string path = lips::ServicePath(fixture_.board.path());
   const UniqueFd mad = ListenForPackets(path).value();
   connection_.emplace(path);
   std::vector<std::vector<std::uint8_t>> packets{
@@ -252,11 +252,11 @@ TEST_F(DeskProtocol, SurvivesLipsThatSendNonsense) {
   packets.push_back(
       lips::Packet(lips::PictureNote{.slot = 0, .number = 1, .width_px = 400, .height_px = 400}));
   for (const auto& packet : packets) {
-    house_.Play(300ms);
+    fixture_.Play(300ms);
     const auto peer = AcceptPeer(mad.get());
     ASSERT_TRUE(peer);
     ASSERT_TRUE(SendPacket(peer->get(), packet));
-    house_.Play(50ms);
+    fixture_.Play(50ms);
     EXPECT_FALSE(connection_->live());
     EXPECT_EQ(connection_->picture().number, 0U);
   }

@@ -19,13 +19,13 @@ using ::testing::Not;
 class DeskVisitors : public ::testing::Test {
  protected:
   DeskVisitors() : loop_(EventLoop::Open().value()) {
-    house_.hand.scene.person.paint = {0.05F, 0.62F, 0.2F};
-    house_.StartLips();
-    desk_ =
-        desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine}, house_.board, loop_, house_.clock)
-            .value();
-    house_.each_step = [this] { desk_->Step(); };
-    house_.Play(100ms);
+    fixture_.hand.scene.person.paint = {0.05F, 0.62F, 0.2F};
+    fixture_.StartLips();
+    desk_ = desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine}, fixture_.board, loop_,
+                             fixture_.clock)
+                .value();
+    fixture_.each_step = [this] { desk_->Step(); };
+    fixture_.Play(100ms);
     const std::string address = desk_->address();
     port_ = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
   }
@@ -56,7 +56,7 @@ class DeskVisitors : public ::testing::Test {
     return reply.substr(at, reply.find(';', at) - at);
   }
 
-  LipFixture house_;
+  LipFixture fixture_;
   EventLoop loop_;
   std::unique_ptr<desk::Desk> desk_;
   std::uint16_t port_ = 0;
@@ -75,15 +75,16 @@ TEST_F(DeskVisitors, GetThePageAndNothingElseWithoutACode) {
 }
 
 TEST_F(DeskVisitors, AreAuthorisedByTheCodeOnTheBoard) {
-  const board::Stamped<board::Desk> shown = house_.board.Read<board::Desk>();
+  const board::Stamped<board::Desk> shown = fixture_.board.Read<board::Desk>();
   EXPECT_EQ(shown.source, board::SourceState::kLive);
   EXPECT_EQ(shown.value.code, desk_->pairing().code());
   EXPECT_EQ(shown.value.port, port_);
   EXPECT_GT(shown.value.valid_s, 200);
   const std::string cookie = Pair();
   EXPECT_THAT(Ask({.path = "/state", .cookie = "other=1; " + cookie}), HasSubstr("\"lips\":true"));
-  house_.Play(100ms);
-  EXPECT_EQ(house_.board.Read<board::Desk>().source, board::SourceState::kAbsent) << "no code on the screen";
+  fixture_.Play(100ms);
+  EXPECT_EQ(fixture_.board.Read<board::Desk>().source, board::SourceState::kAbsent)
+      << "no code on the screen";
   EXPECT_EQ(Status({.method = "POST", .path = "/leave", .cookie = cookie}), 204);
   EXPECT_EQ(Status({.path = "/state", .cookie = cookie}), 401);
 }
@@ -98,7 +99,7 @@ TEST_F(DeskVisitors, SeeTheStatusOfTheBoxOncePaired) {
 TEST_F(DeskVisitors, MayTryFiveTimesAMinute) {
   for (int n = 0; n < 5; ++n) EXPECT_EQ(Try(WrongCode()), 403);
   EXPECT_EQ(Try(desk_->pairing().code()), 429) << "not even the right one";
-  house_.Play(61s);
+  fixture_.Play(61s);
   EXPECT_EQ(Try(desk_->pairing().code()), 204);
 }
 
@@ -107,9 +108,9 @@ TEST_F(DeskVisitors, FindTheCodeUsedUpAndRenewed) {
   Pair();
   EXPECT_EQ(Try(first), 403);
   const std::uint32_t second = desk_->pairing().code();
-  house_.reader.reset();  // Five minutes of pictures are not needed.
-  house_.lips.reset();
-  house_.Play(301s);
+  fixture_.reader.reset();  // Five minutes of pictures are not needed.
+  fixture_.lips.reset();
+  fixture_.Play(301s);
   EXPECT_NE(desk_->pairing().code(), second);
 }
 
@@ -154,11 +155,11 @@ TEST_F(DeskVisitors, WhoSendByteByByteAreDisconnectedAfterTenSeconds) {
   const std::string request = RequestOf({}, port_);
   for (int second = 0; second < 9; ++second) {
     ASSERT_TRUE(slow.Send(request.substr(static_cast<std::size_t>(second), 1)));
-    house_.Play(1s);
+    fixture_.Play(1s);
   }
   EXPECT_EQ(desk_->connections(), 1U);
   slow.Send(request.substr(9, 1));
-  house_.Play(2s);
+  fixture_.Play(2s);
   EXPECT_TRUE(slow.IsCutOff());
   EXPECT_EQ(desk_->connections(), 0U);
 }
@@ -169,7 +170,7 @@ TEST_F(DeskVisitors, WhoSendABodyByteByByteAreDisconnectedToo) {
       "POST /pair HTTP/1.1\r\nHost: 127.0.0.1\r\nOrigin: http://127.0.0.1\r\nContent-Length: 6\r\n\r\n"));
   for (int second = 0; second < 5; ++second) {
     slow.Send("1");
-    house_.Play(2200ms);
+    fixture_.Play(2200ms);
   }
   EXPECT_TRUE(slow.IsCutOff());
 }
@@ -177,9 +178,9 @@ TEST_F(DeskVisitors, WhoSendABodyByteByByteAreDisconnectedToo) {
 TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreDisconnected) {
   desk_.reset();
   const auto own =
-      desk::LoadOrMakeCertificate(house_.folder(), {{"localhost"}, 0x7F000001, 1'795'000'000}).value();
+      desk::LoadOrMakeCertificate(fixture_.folder(), {{"localhost"}, 0x7F000001, 1'795'000'000}).value();
   desk_ = desk::Desk::Open({.port = 0, .reach = web::Reach::kThisMachine, .certificate = own.pem},
-                           house_.board, loop_, house_.clock)
+                           fixture_.board, loop_, fixture_.clock)
               .value();
   const std::string address = desk_->address();
   EXPECT_TRUE(address.starts_with("https://"));
@@ -192,9 +193,9 @@ TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreDisconnected) {
   EXPECT_TRUE(garbage.IsCutOff());
   Visitor silent = Come();
   silent.Send("\x16\x03\x01");
-  house_.Play(9s);
+  fixture_.Play(9s);
   EXPECT_EQ(desk_->connections(), 1U);
-  house_.Play(2s);
+  fixture_.Play(2s);
   EXPECT_TRUE(silent.IsCutOff()) << "in the middle of the handshake";
   EXPECT_EQ(desk_->connections(), 0U);
 }
@@ -202,11 +203,11 @@ TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreDisconnected) {
 TEST_F(DeskVisitors, GetNoSecureDeskWithAnInvalidCertificate) {
   desk_.reset();
   const auto opened = desk::Desk::Open(
-      {.port = 0, .reach = web::Reach::kThisMachine, .certificate = web::Certificate{"a", "b"}}, house_.board,
-      loop_, house_.clock);
+      {.port = 0, .reach = web::Reach::kThisMachine, .certificate = web::Certificate{"a", "b"}},
+      fixture_.board, loop_, fixture_.clock);
   ASSERT_FALSE(opened);
   EXPECT_THAT(opened.error().message(), HasSubstr("certificate"));
-  house_.each_step = nullptr;
+  fixture_.each_step = nullptr;
 }
 
 TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
@@ -216,18 +217,18 @@ TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
     desk_->Step();
   }
   EXPECT_LE(desk_->connections(), 24U);
-  house_.Play(11s);
+  fixture_.Play(11s);
   crowd.clear();
   EXPECT_EQ(Status({}), 200) << "once the crowd is gone";
 }
 
 TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneWithoutAVisitor) {
-  house_.Play(3s);
+  fixture_.Play(3s);
   {
     Visitor unpaired = Come();
     unpaired.Send(RequestOf({.path = "/picture"}, port_));
     EXPECT_EQ(StatusOf(unpaired.Receive(IsWhole)), 401);
-    house_.Play(1s);
+    fixture_.Play(1s);
   }
   const auto pictures = [this](const std::string& cookie) {
     const std::string state = Ask({.path = "/state", .cookie = cookie});
@@ -239,13 +240,13 @@ TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneWithoutAVisitor
   paired.Send(RequestOf({.path = "/picture", .cookie = cookie}, port_));
   std::string stream;
   for (int n = 0; n < 20 && stream.find("image/jpeg") == std::string::npos; ++n) {
-    house_.Play(50ms);
+    fixture_.Play(50ms);
     stream += paired.Receive([](const std::string& got) { return !got.empty(); });
   }
   EXPECT_THAT(stream, HasSubstr("image/jpeg"));
   EXPECT_GT(pictures(cookie), 0);
   EXPECT_EQ(Status({.method = "POST", .path = "/leave", .cookie = cookie}), 204);
-  house_.Play(100ms);
+  fixture_.Play(100ms);
   const auto ended = [](const std::string& got) { return ("\r\n" + got).ends_with("\r\n0\r\n\r\n"); };
   EXPECT_TRUE(ended(paired.Receive(ended))) << "who left sees no more";
 }
@@ -253,12 +254,12 @@ TEST_F(DeskVisitors, SeePicturesOnlyWhilePairedAndTheLipsDrawNoneWithoutAVisitor
 TEST_F(DeskVisitors, ReadWhetherTheLipsAreGone) {
   const std::string cookie = Pair();
   EXPECT_EQ(Status({.method = "POST", .path = "/do", .body = "undo", .cookie = cookie}), 200);
-  house_.lips.reset();
-  house_.Play(500ms);
+  fixture_.lips.reset();
+  fixture_.Play(500ms);
   EXPECT_THAT(Ask({.path = "/state", .cookie = cookie}), HasSubstr("\"lips\":false"));
   EXPECT_EQ(Status({.method = "POST", .path = "/do", .body = "undo", .cookie = cookie}), 503);
-  house_.StartLips();
-  house_.Play(600ms);
+  fixture_.StartLips();
+  fixture_.Play(600ms);
   EXPECT_THAT(Ask({.path = "/state", .cookie = cookie}), HasSubstr("\"lips\":true"));
 }
 

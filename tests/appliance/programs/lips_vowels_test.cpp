@@ -77,20 +77,20 @@ class Vowels : public ::testing::Test {
     auto studio = stage::Studio::Open(std::move(*show));
     ASSERT_TRUE(studio) << studio.error().message();
     studio_ = std::move(*studio);
-    auto house =
+    auto rehearsal =
         sim::Rehearsal::Open({.folder = folder_, .width_px = 320, .height_px = 180, .hz = kHz}, *studio_);
-    ASSERT_TRUE(house) << house.error().message();
-    house_ = std::move(*house);
-    house_->rig().dial_box().Turn(6, -1);  // Life off: only the lips move her.
-    house_->rig().dial_box().Push(0);
+    ASSERT_TRUE(rehearsal) << rehearsal.error().message();
+    rehearsal_ = std::move(*rehearsal);
+    rehearsal_->rig().dial_box().Turn(6, -1);  // Life off: only the lips move her.
+    rehearsal_->rig().dial_box().Push(0);
     Play(0.2);
-    house_->rig().dial_box().Release(0);
+    rehearsal_->rig().dial_box().Release(0);
     Play(1.5);  // She is there, and her operator's mouth at rest is known.
   }
 
   void Play(double seconds) {
     for (int n = 0; n < static_cast<int>(seconds * kHz); ++n) {
-      const auto shown = house_->NextPicture();
+      const auto shown = rehearsal_->NextPicture();
       ASSERT_TRUE(shown) << shown.error().message();
       shown_ = *shown;
     }
@@ -122,7 +122,7 @@ class Vowels : public ::testing::Test {
 
   std::filesystem::path folder_;
   std::unique_ptr<stage::Studio> studio_;
-  std::unique_ptr<sim::Rehearsal> house_;
+  std::unique_ptr<sim::Rehearsal> rehearsal_;
   sim::Shown shown_;
 };
 
@@ -131,7 +131,7 @@ TEST_F(Vowels, AreToldApartByOpeningAndWidthOnTheDrawnFace) {
   std::array<Vertices, 5> said;
   for (std::size_t n = 0; n < kVowels.size(); ++n) {
     const sim::Mouth mouth = MouthOf(kVowels[n]);
-    house_->rig().camera().SetMouth(mouth.height, mouth.width);
+    rehearsal_->rig().camera().SetMouth(mouth.height, mouth.width);
     Play(0.5);
     said[n] = Drawn();
     Keep(kVowels[n]);

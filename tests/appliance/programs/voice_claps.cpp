@@ -119,9 +119,9 @@ double ClapReport::worst_apart_ms() const {
 
 namespace {
 
-Result<void> Play(sim::Rehearsal& house, Claps& claps, Time end) {
-  while (house.now() < end) {
-    const auto shown = house.NextPicture([&](Time now) { claps.Move(now); });
+Result<void> Play(sim::Rehearsal& rehearsal, Claps& claps, Time end) {
+  while (rehearsal.now() < end) {
+    const auto shown = rehearsal.NextPicture([&](Time now) { claps.Move(now); });
     if (!shown) return tl::unexpected(shown.error());
     claps.Watch();
   }
@@ -131,23 +131,23 @@ Result<void> Play(sim::Rehearsal& house, Claps& claps, Time end) {
 }  // namespace
 
 Result<ClapReport> ClapIn(const std::string& folder, stage::Studio& studio, const ClapOptions& options) {
-  auto house = sim::Rehearsal::Open({.folder = folder,
-                                     .width_px = 128,
-                                     .height_px = 72,
-                                     .hz = options.screen_hz,
-                                     .camera_hz = options.camera_hz},
-                                    studio);
-  if (!house) return tl::unexpected(house.error());
-  sim::Rig& rig = (*house)->rig();
+  auto rehearsal = sim::Rehearsal::Open({.folder = folder,
+                                         .width_px = 128,
+                                         .height_px = 72,
+                                         .hz = options.screen_hz,
+                                         .camera_hz = options.camera_hz},
+                                        studio);
+  if (!rehearsal) return tl::unexpected(rehearsal.error());
+  sim::Rig& rig = (*rehearsal)->rig();
   rig.dial_box().Turn(6, -1);  // Life off: only the mouth moves her.
   rig.microphone().SetDrift(options.microphone_ppm);
   rig.loudspeaker().SetDrift(options.loudspeaker_ppm);
   rig.camera().CoverLens(options.covered);
-  Claps first(rig, (*house)->now() + 300ms, 3);  // Whoever leads shall be measured, too.
-  if (auto ok = Play(**house, first, (*house)->now() + 3s); !ok) return tl::unexpected(ok.error());
-  Claps claps(rig, (*house)->now() + 700ms, options.claps);
-  if (auto ok = Play(**house, claps, claps.end()); !ok) return tl::unexpected(ok.error());
-  const board::Board& board = (*house)->board();
+  Claps first(rig, (*rehearsal)->now() + 300ms, 3);  // Whoever leads shall be measured, too.
+  if (auto ok = Play(**rehearsal, first, (*rehearsal)->now() + 3s); !ok) return tl::unexpected(ok.error());
+  Claps claps(rig, (*rehearsal)->now() + 700ms, options.claps);
+  if (auto ok = Play(**rehearsal, claps, claps.end()); !ok) return tl::unexpected(ok.error());
+  const board::Board& board = (*rehearsal)->board();
   return ClapReport{claps.Measured(), Seconds(board.Read<board::StageStatus>().value.lips_age) * 1e3,
                     static_cast<double>(board.Read<board::Sound>().value.delay_ms)};
 }

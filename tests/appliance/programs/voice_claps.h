@@ -71,7 +71,7 @@ struct ClapOptions {
   double microphone_ppm = 0, loudspeaker_ppm = 0;
 };
 
-// In a whole house on one simulated clock: waits until what is measured stands, and claps. Errors: those of
+// In a rehearsal: waits until what is measured stands, and claps. Errors: those of
 // the rehearsal.
 Result<ClapReport> ClapIn(const std::string& folder, stage::Studio& studio, const ClapOptions& options);
 

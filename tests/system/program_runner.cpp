@@ -1,4 +1,4 @@
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -33,22 +33,22 @@ constexpr int kLookEvery_ms = 1;
 
 }  // namespace
 
-House::House() {
-  std::string name = (std::filesystem::temp_directory_path() / "kaori-house-XXXXXX").string();
+ProgramRunner::ProgramRunner() {
+  std::string name = (std::filesystem::temp_directory_path() / "kaori-box-XXXXXX").string();
   folder_ = ::mkdtemp(name.data());
   std::filesystem::create_directory(links());
 }
 
-House::~House() {
+ProgramRunner::~ProgramRunner() {
   while (!running_.empty()) Kill(running_.begin()->first);
   std::filesystem::remove_all(folder_);
 }
 
-std::filesystem::path House::Programs() {
+std::filesystem::path ProgramRunner::Programs() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path();
 }
 
-void House::Start(const std::string& program, const std::vector<std::string>& options) {
+void ProgramRunner::Start(const std::string& program, const std::vector<std::string>& options) {
   const std::string path = (Programs() / program).string();
   const std::string log = File(program + ".log");
   const pid_t pid = ::fork();
@@ -56,23 +56,23 @@ void House::Start(const std::string& program, const std::vector<std::string>& op
   running_[program] = pid;
 }
 
-void House::Kill(const std::string& program) {
+void ProgramRunner::Kill(const std::string& program) {
   ::kill(running_.at(program), SIGKILL);
   Reap(program);
 }
 
-int House::Stop(const std::string& program) {
+int ProgramRunner::Stop(const std::string& program) {
   ::kill(running_.at(program), SIGTERM);
   return Reap(program);
 }
 
-int House::RunToEnd(const std::string& program, const std::vector<std::string>& options) {
+int ProgramRunner::RunToEnd(const std::string& program, const std::vector<std::string>& options) {
   Start(program, options);
   if (!Await([&] { return !Runs(program); })) ::kill(running_.at(program), SIGKILL);
   return Reap(program);
 }
 
-bool House::Runs(const std::string& program) const {
+bool ProgramRunner::Runs(const std::string& program) const {
   const auto it = running_.find(program);
   if (it == running_.end()) return false;
   siginfo_t ended{};
@@ -81,19 +81,19 @@ bool House::Runs(const std::string& program) const {
   return ended.si_pid == 0;
 }
 
-int House::Reap(const std::string& program) {
+int ProgramRunner::Reap(const std::string& program) {
   int status = 0;
   ::waitpid(running_.at(program), &status, 0);
   running_.erase(program);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-pid_t House::PidOf(const std::string& program) const {
+pid_t ProgramRunner::PidOf(const std::string& program) const {
   const auto it = running_.find(program);
   return it == running_.end() ? -1 : it->second;
 }
 
-std::string House::LogOf(const std::string& program) const {
+std::string ProgramRunner::LogOf(const std::string& program) const {
   std::ifstream file(File(program + ".log"));
   std::stringstream text;
   text << file.rdbuf();

@@ -1,4 +1,4 @@
-// A house of real programs: processes that are started, killed and watched, in a folder of their own.
+// Real programs: processes that are started, killed and watched, in a folder of their own.
 #pragma once
 
 #include <sys/types.h>
@@ -14,12 +14,12 @@
 namespace kaori::test {
 
 // Programs lie beside the test's own. Everything is killed and removed at the end, also when the test dies.
-class House {
+class ProgramRunner {
  public:
-  House();
-  House(const House&) = delete;
-  House& operator=(const House&) = delete;
-  ~House();
+  ProgramRunner();
+  ProgramRunner(const ProgramRunner&) = delete;
+  ProgramRunner& operator=(const ProgramRunner&) = delete;
+  ~ProgramRunner();
 
   std::string board() const { return (folder_ / "board").string(); }
   std::string links() const { return (folder_ / "links").string(); }
