@@ -9,6 +9,7 @@
 
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/number.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/whole_file.h"
@@ -52,9 +53,8 @@ struct Settings {
 
 // A number between `low` and `high`, both included. The error names the option, for people.
 kaori::Result<double> Number(const std::string& name, const std::string& text, double low, double high) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == '\0' && value >= low && value <= high) return value;
+  if (const auto value = kaori::ParseNumber<double>(text); value && *value >= low && *value <= high)
+    return *value;
   return kaori::FailInput(fmt::format("{} {}: expected a number from {} to {}", name, text, low, high));
 }
 

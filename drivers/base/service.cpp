@@ -9,9 +9,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
+
+#include "drivers/base/number.h"
 
 namespace kaori::service {
 namespace {
@@ -31,16 +32,9 @@ std::string_view Variable(const char* name) {
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
 
-std::optional<std::int64_t> Number(std::string_view text) {
-  std::int64_t value = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 // What is addressed to another process, as by a parent that forked, is not ours.
 bool IsForUs(const char* name) {
-  const auto process = Number(Variable(name));
+  const auto process = ParseNumber<std::int64_t>(Variable(name));
   return !process || *process == ::getpid();
 }
 
@@ -110,7 +104,7 @@ Result<void> StoreFd(int fd, std::string_view name) {
 }
 
 std::optional<UniqueFd> RetrieveFd(std::string_view name) {
-  const auto count = Number(Variable("LISTEN_FDS"));
+  const auto count = ParseNumber<std::int64_t>(Variable("LISTEN_FDS"));
   if (!count || !IsForUs("LISTEN_PID")) return std::nullopt;
   std::string_view names = Variable("LISTEN_FDNAMES");
   for (int i = 0; i < *count; ++i) {
@@ -125,7 +119,7 @@ std::optional<UniqueFd> RetrieveFd(std::string_view name) {
 }
 
 std::optional<Watchdog> Watchdog::Wanted() {
-  const auto longest_us = Number(Variable("WATCHDOG_USEC"));
+  const auto longest_us = ParseNumber<std::int64_t>(Variable("WATCHDOG_USEC"));
   if (!longest_us || *longest_us <= 0 || !IsForUs("WATCHDOG_PID")) return std::nullopt;
   return Watchdog(std::chrono::microseconds(*longest_us));
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/base/open_cause.h"
+
 namespace kaori::camera {
 namespace {
 
@@ -13,12 +15,6 @@ using ports::CameraFrame;
 // One that the caller reads, one being filled, two for a busy moment.
 constexpr std::uint32_t kBuffers = 4;
 constexpr std::uint32_t kMostBuffers = 32;  // V4L2's own limit.
-
-// A node that vanished meanwhile is no fault, but a camera that was pulled.
-std::errc CauseOfOpen(int error) {
-  const bool pulled = error == ENOENT || error == ENXIO || error == ENODEV || error == EIO;
-  return pulled ? std::errc::no_such_device : static_cast<std::errc>(error == EPERM ? EACCES : error);
-}
 
 // A request about one buffer, as every ioctl on buffers wants it. The type and the memory say which
 // queue is meant; the kernel fills in the rest.

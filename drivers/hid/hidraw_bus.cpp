@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "drivers/base/open_cause.h"
 #include "drivers/decode/recognise.h"
 #include "drivers/hid/hidraw_channel.h"
 
@@ -54,12 +55,6 @@ std::string PortOf(udev_device* device, udev_device* hid) {
   const auto uniq = Text(udev_device_get_property_value(hid, "HID_UNIQ"));
   if (phys.empty()) return std::string(uniq.empty() ? Text(udev_device_get_sysname(hid)) : uniq);
   return std::string(phys) + (uniq.empty() ? "" : "/") + std::string(uniq);
-}
-
-// A node that vanished between the listing and its opening is no fault, but a device that was pulled.
-std::errc CauseOfOpen(int error) {
-  const bool pulled = error == ENOENT || error == ENXIO || error == ENODEV || error == EIO;
-  return pulled ? std::errc::no_such_device : static_cast<std::errc>(error == EPERM ? EACCES : error);
 }
 
 }  // namespace

@@ -12,9 +12,8 @@
 namespace kaori::hid {
 namespace {
 
-constexpr std::uint8_t kHidDescriptor = 0x21;  // HID 1.11, section 6.2.1.
-// Its type within the HID descriptor (HID 1.11, section 7.1).
-constexpr std::uint8_t kLibusbSessionReportDescriptor = 0x22;
+constexpr std::uint8_t kHidDescriptorKind = 0x21;  // HID 1.11, section 6.2.1.
+constexpr std::uint8_t kReportDescriptorKind = 0x22;
 // The longest chain of hubs.
 constexpr int kMaxPortDepth = 7;  // USB 3.2, section 10.
 
@@ -44,7 +43,7 @@ std::string PortOf(libusb_device* device) {
 std::uint16_t ReportDescriptorBytes(std::span<const std::uint8_t> extra) {
   while (extra.size() >= 2 && extra[0] >= 2 && extra[0] <= extra.size()) {
     const auto one = extra.first(extra[0]);
-    if (one[1] == kHidDescriptor && one.size() >= 9 && one[6] == kLibusbSessionReportDescriptor)
+    if (one[1] == kHidDescriptorKind && one.size() >= 9 && one[6] == kReportDescriptorKind)
       return static_cast<std::uint16_t>(one[7] | (one[8] << 8));
     extra = extra.subspan(extra[0]);
   }

@@ -5,9 +5,13 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace kaori::web {
 namespace {
 
+// The boundary of multipart/x-mixed-replace (RFC 2046, 5.1.1). Every part ends with it.
+constexpr std::string_view kBoundary = "--kaori\r\n";
 // The most that MHD asks for at a time.
 constexpr std::size_t kBlockBytes = 32768;
 // What the kernel buffers for one listener: about one picture, so that a slow one sees recent pictures.
@@ -106,6 +110,14 @@ std::ptrdiff_t Feed::Read(void* context, std::uint64_t, char* into, std::size_t 
 void Feed::Leave(void* context) {
   const auto* leaving = static_cast<Listener*>(context);
   std::erase_if(leaving->feed->listeners_, [&](const auto& l) { return l.get() == leaving; });
+}
+
+PictureFeed::PictureFeed() : Feed("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary)) {}
+
+// A part ends with the next boundary, since browsers show one when that arrives.
+void PictureFeed::PublishPicture(std::string_view jpeg) {
+  Publish(fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg,
+                      kBoundary));
 }
 
 }  // namespace kaori::web

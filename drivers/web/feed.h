@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct MHD_Connection;
@@ -63,6 +64,14 @@ class Feed {
   bool ended_ = false;
   // Owned here; MHD knows them by their address.
   std::vector<std::unique_ptr<Listener>> listeners_;
+};
+
+// Pictures that a browser shows in place of each other, in an <img> (multipart/x-mixed-replace).
+class PictureFeed : public Feed {
+ public:
+  PictureFeed();
+  // As Publish.
+  void PublishPicture(std::string_view jpeg);
 };
 
 }  // namespace kaori::web

@@ -25,14 +25,6 @@ constexpr Duration kStatePeriod = std::chrono::milliseconds(50);
 constexpr Duration kSignOfLife = std::chrono::seconds(1);
 
 constexpr const char* kText = "text/plain; charset=utf-8";
-// The boundary of multipart/x-mixed-replace (RFC 2046, 5.1.1). Every part ends with it.
-constexpr std::string_view kBoundary = "--kaori\r\n";
-
-// A part of the endless picture, closed by the next boundary: browsers show a part when it is closed.
-std::string PicturePart(std::string_view jpeg) {
-  return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg,
-                     kBoundary);
-}
 
 // What a page asks for that is none of ours.
 Reply NotFound(const std::string& path) {
@@ -46,7 +38,6 @@ Console::Console(ConsoleOptions options, sim::Rig& rig, EventLoop& loop)
       rig_(rig),
       loop_(loop),
       values_(options_.labels),
-      pictures_("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary)),
       // A browser that lost the events' connection tries again after 500 ms
       // ("retry", HTML: server-sent events).
       states_("text/event-stream", "retry: 500\n\n"),
@@ -114,7 +105,7 @@ void Console::ShowPicture(Time now) {
   if (!jpeg) return;  // The screen is dark: the page keeps its last picture and says so from the state.
   picture_at_ = now;
   sent_frame_ = rig_.screen().frames_shown();
-  pictures_.Publish(PicturePart(*jpeg));
+  pictures_.PublishPicture(*jpeg);
 }
 
 // What nobody listens to is forgotten: a page that asks for sound hears what is played from then on.

@@ -95,7 +95,7 @@ class Console {
   // The state that was sent last: an equal one is not sent again, but for the sign of life.
   std::string state_;
   Time state_at_{};
-  web::Feed pictures_;
+  web::PictureFeed pictures_;
   web::Feed states_;
   web::Feed sounds_;
   SoundPackets packets_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "firmware/wire/bytes.h"
+#include "hw-sim/devices/usb_requests.h"
 
 namespace kaori::sim {
 namespace {
@@ -15,9 +16,7 @@ constexpr std::uint8_t kDeviceKind = 1, kConfigurationKind = 2, kStringKind = 3,
 constexpr std::size_t kConfigurationHeaderBytes = 9;
 constexpr std::uint8_t kMakerString = 1, kNameString = 2;  // No serial number: two equal devices are equal.
 
-// Standard requests (USB 2.0, table 9-4), and the bits of bmRequestType.
-constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kDescriptorsGetDescriptor = 6;
-constexpr std::uint8_t kFromDevice = 0x80, kTypeMask = 0x60;
+constexpr std::uint8_t kTypeMask = 0x60;  // Of bmRequestType; 0: a standard request.
 
 std::uint8_t Low(std::uint16_t value) {
   return static_cast<std::uint8_t>(value & 0xFF);
@@ -136,7 +135,7 @@ std::optional<UsbBytes> AnswerStandard(const UsbDescriptors& descriptors, const 
   // Requests of a class or a vendor have bits there.
   if ((setup.type & kTypeMask) != 0) return std::nullopt;
   const bool asks = (setup.type & kFromDevice) != 0;
-  if (asks && setup.request == kDescriptorsGetDescriptor) return Descriptor(descriptors, setup);
+  if (asks && setup.request == kGetDescriptor) return Descriptor(descriptors, setup);
   if (asks && setup.request == kGetStatus) return UsbBytes{0, 0};
   if (!asks && (setup.request == kClearFeature || setup.request == kSetFeature)) return UsbBytes{};
   return std::nullopt;

@@ -5,23 +5,21 @@
 #include <utility>
 
 #include "hw-sim/devices/usb_descriptors.h"
+#include "hw-sim/devices/usb_requests.h"
 
 namespace kaori::sim {
 namespace {
 
 // The class, and for a keyboard the boot subclass and its protocol (HID 1.11, 4.2 and 4.3).
-constexpr std::uint8_t kUsbHidHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
-constexpr std::uint8_t kUsbHidHidKind = 0x21, kUsbHidReportKind = 0x22;
+constexpr std::uint8_t kHidClass = 3, kBoots = 1, kKeyboardProtocol = 1;
+constexpr std::uint8_t kHidDescriptorKind = 0x21, kReportDescriptorKind = 0x22;
 // The longest packet of an interrupt endpoint at full speed; all our reports fit into one.
 constexpr std::uint16_t kPacketBytes = 64;
 constexpr std::uint8_t kEveryMicroframe = 1;
 
-// Requests (7.2 of the class definition), and the standard one that asks for HID's own descriptors.
-constexpr std::uint8_t kUsbHidToInterface = 0x21, kUsbHidFromInterface = 0xA1,
-                       kUsbHidStandardFromInterface = 0x81;
-constexpr std::uint8_t kUsbHidGetDescriptor = 0x06;
-constexpr std::uint8_t kUsbHidGetReport = 0x01, kGetIdle = 0x02, kGetProtocol = 0x03;
-constexpr std::uint8_t kUsbHidSetReport = 0x09, kUsbHidSetIdle = 0x0A, kSetProtocol = 0x0B;
+// Requests (7.2 of the class definition).
+constexpr std::uint8_t kGetReport = 0x01, kGetIdle = 0x02, kGetProtocol = 0x03;
+constexpr std::uint8_t kSetReport = 0x09, kSetIdle = 0x0A, kSetProtocol = 0x0B;
 constexpr std::uint8_t kInputReport = 1, kOutputReport = 2;
 
 // Items of a report descriptor: what stands before the length of their data.
@@ -38,21 +36,20 @@ void Add(const UsbBytes& part, UsbBytes& whole) {
 // HID 1.11, 6.2.1: version 1.11, no country, one descriptor of type report and its length.
 UsbBytes HidDescriptor(std::size_t report_descriptor_bytes) {
   return {9,
-          kUsbHidHidKind,
+          kHidDescriptorKind,
           0x11,
           0x01,
           0,
           1,
-          kUsbHidReportKind,
+          kReportDescriptorKind,
           static_cast<std::uint8_t>(report_descriptor_bytes & 0xFF),
           static_cast<std::uint8_t>(report_descriptor_bytes >> 8)};
 }
 
 // A keyboard says so outside its reports too, for hosts that start (4.2 and 4.3 of the class definition).
 UsbBytes Configuration(std::size_t report_descriptor_bytes, const HidShape& shape) {
-  UsbInterface interface { .kind = kUsbHidHidClass };
-  if (shape.is_keyboard)
-    interface = {.kind = kUsbHidHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
+  UsbInterface interface { .kind = kHidClass };
+  if (shape.is_keyboard) interface = {.kind = kHidClass, .subclass = kBoots, .protocol = kKeyboardProtocol};
   UsbBytes bytes = InterfaceDescriptor(interface, shape.takes_output ? 2 : 1);
   Add(HidDescriptor(report_descriptor_bytes), bytes);
   Add(EndpointDescriptor({UsbHid::kIn, UsbTransfer::kInterrupt, kPacketBytes, kEveryMicroframe}), bytes);
@@ -90,26 +87,25 @@ UsbHid::UsbHid(HidDevice& device) : device_(device) {
 
 std::optional<UsbBytes> UsbHid::Descriptor(std::uint8_t kind) const {
   const auto report = device_.device_name().descriptor;
-  if (kind == kUsbHidReportKind) return UsbBytes(report.begin(), report.end());
-  if (kind == kUsbHidHidKind) return HidDescriptor(report.size());
+  if (kind == kReportDescriptorKind) return UsbBytes(report.begin(), report.end());
+  if (kind == kHidDescriptorKind) return HidDescriptor(report.size());
   return std::nullopt;
 }
 
 std::optional<UsbBytes> UsbHid::Answer(const UsbSetup& setup, std::span<const std::uint8_t> data) {
   const auto kind = static_cast<std::uint8_t>(setup.value >> 8);
-  if (setup.type == kUsbHidStandardFromInterface && setup.request == kUsbHidGetDescriptor)
-    return Descriptor(kind);
-  if (setup.type == kUsbHidFromInterface) {
-    if (setup.request == kUsbHidGetReport && kind == kInputReport) return device_.Standing();
+  if (setup.type == kStandardFromInterface && setup.request == kGetDescriptor) return Descriptor(kind);
+  if (setup.type == kClassFromInterface) {
+    if (setup.request == kGetReport && kind == kInputReport) return device_.Standing();
     // An idle rate of 0: reports leave on change only.
     if (setup.request == kGetIdle) return UsbBytes{0};
     // 1 is the report protocol. A host that asks for the boot protocol gets the same report,
     // whose first 8 bytes are the boot report.
     if (setup.request == kGetProtocol) return UsbBytes{1};
   }
-  if (setup.type == kUsbHidToInterface) {
-    if (setup.request == kUsbHidSetIdle || setup.request == kSetProtocol) return UsbBytes{};
-    if (setup.request == kUsbHidSetReport && kind == kOutputReport) return HandleOut(kOut, data), UsbBytes{};
+  if (setup.type == kClassToInterface) {
+    if (setup.request == kSetIdle || setup.request == kSetProtocol) return UsbBytes{};
+    if (setup.request == kSetReport && kind == kOutputReport) return HandleOut(kOut, data), UsbBytes{};
   }
   return std::nullopt;
 }

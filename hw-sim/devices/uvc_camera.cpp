@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "hw-sim/devices/usb_requests.h"
 #include "hw-sim/devices/uvc_descriptors.h"
 
 namespace kaori::sim {
 namespace {
 
-constexpr std::uint16_t kUvcCameraVendor = 0x1209,
-                        kUvcCameraProduct = 0x0005;  // A pid.codes test id: for development only.
+constexpr std::uint16_t kCameraVendor = 0x1209,
+                        kCameraProduct = 0x0005;  // A pid.codes test id: for development only.
 
-// Class requests (UVC 1.1, 4.2), and the standard one that Linux sends to a
-// bulk endpoint when it ends a stream.
-constexpr std::uint8_t kUvcCameraToInterface = 0x21, kUvcCameraFromInterface = 0xA1, kToEndpoint = 0x02,
-                       kUvcCameraClearFeature = 0x01;
+// Whom the standard request is for that Linux sends to a bulk endpoint when it ends a stream.
+constexpr std::uint8_t kToEndpoint = 0x02;
 constexpr std::uint8_t kSetCur = 0x01, kGetLen = 0x85, kGetInfo = 0x86;
 // wIndex and the high byte of wValue of the two controls (UVC 1.1, 4.3.1).
 constexpr std::uint8_t kStreamingInterface = 1, kProbeControl = 1, kCommitControl = 2;
@@ -57,8 +56,8 @@ UvcCamera::UvcCamera(LipCamera& camera, Duration period) : camera_(camera), peri
   descriptors_.device_class = 0xEF;
   descriptors_.device_subclass = 0x02;
   descriptors_.device_protocol = 0x01;
-  descriptors_.vendor = kUvcCameraVendor;
-  descriptors_.product = kUvcCameraProduct;
+  descriptors_.vendor = kCameraVendor;
+  descriptors_.product = kCameraProduct;
   descriptors_.maker = "Kaori";
   descriptors_.name = "Simulated lip camera";
   descriptors_.configuration = UvcConfiguration(ModeOf(camera, period));
@@ -67,14 +66,14 @@ UvcCamera::UvcCamera(LipCamera& camera, Duration period) : camera_(camera), peri
 
 std::optional<UsbBytes> UvcCamera::Answer(const UsbSetup& setup, std::span<const std::uint8_t>) {
   // The stream ended: the next read begins a new one.
-  if (setup.type == kToEndpoint && setup.request == kUvcCameraClearFeature) return EndStream(), UsbBytes{};
+  if (setup.type == kToEndpoint && setup.request == kClearFeature) return EndStream(), UsbBytes{};
   const auto control = static_cast<std::uint8_t>(setup.value >> 8);
   const bool ours =
       (setup.index & 0xFF) == kStreamingInterface && (control == kProbeControl || control == kCommitControl);
   if (!ours) return std::nullopt;
   // Whatever is asked for, the camera has one mode; the host reads it back by GET_CUR and uses it.
-  if (setup.type == kUvcCameraToInterface && setup.request == kSetCur) return UsbBytes{};
-  if (setup.type != kUvcCameraFromInterface) return std::nullopt;
+  if (setup.type == kClassToInterface && setup.request == kSetCur) return UsbBytes{};
+  if (setup.type != kClassFromInterface) return std::nullopt;
   const UsbBytes probe = UvcProbe(ModeOf(camera_, period_));
   if (setup.request == kGetInfo) return UsbBytes{kCanGetAndSet};
   if (setup.request == kGetLen) return UsbBytes{static_cast<std::uint8_t>(probe.size()), 0};

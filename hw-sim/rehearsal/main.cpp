@@ -11,6 +11,7 @@
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "drivers/base/log.h"
+#include "drivers/base/number.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "hw-sim/rehearsal/film.h"
@@ -184,7 +185,7 @@ int main(int argc, char** argv) {
   options.Text("--pictures", settings.pictures).Text("--size", settings.size).Text("--hz", settings.hz);
   if (const auto status = options.Parse(argc, argv)) return *status;
   const auto size = kaori::ParseSize(settings.size);
-  const int hz = std::atoi(settings.hz.c_str());
+  const int hz = kaori::ParseNumber<int>(settings.hz).value_or(0);
   if (!size || hz < 1 || hz > 240 || size->width_px % 2 != 0 || size->height_px % 2 != 0) {
     kaori::LogError("--size is two even numbers such as 960x540, --hz 1 to 240");
     return 2;

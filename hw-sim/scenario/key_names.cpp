@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cctype>
-#include <charconv>
+
+#include "drivers/base/number.h"
 
 namespace kaori::sim {
 namespace {
@@ -32,14 +33,6 @@ constexpr std::string_view kUsage = "usage-";
 constexpr std::array<std::string_view, 8> kHats{"up",   "up-right",  "right", "down-right",
                                                 "down", "down-left", "left",  "up-left"};
 
-// The whole text, or nothing.
-std::optional<int> Whole(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::string Lower(std::string_view name) {
   std::string lower(name);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -64,11 +57,11 @@ std::optional<std::uint8_t> KeyNamed(std::string_view name) {
     if (key.name == lower) return key.usage;
   }
   if (lower.starts_with('f')) {
-    const auto number = Whole(std::string_view(lower).substr(1));
+    const auto number = ParseNumber<int>(std::string_view(lower).substr(1));
     if (number && *number >= 1 && *number <= 12) return static_cast<std::uint8_t>(0x3A + *number - 1);
   }
   if (lower.starts_with(kUsage)) {
-    const auto number = Whole(std::string_view(lower).substr(kUsage.size()));
+    const auto number = ParseNumber<int>(std::string_view(lower).substr(kUsage.size()));
     if (number && *number >= 0x04 && *number <= 0xE7) return static_cast<std::uint8_t>(*number);
   }
   return std::nullopt;

@@ -1,9 +1,10 @@
 #include "hw-sim/scenario/tokenizer.h"
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "drivers/base/number.h"
 
 namespace kaori::sim {
 namespace {
@@ -29,10 +30,8 @@ bool IsSpace(char c) {
 // Independent of the locale, as strtod is not.
 std::optional<double> WholeNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = ParseNumber<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace
@@ -105,11 +104,8 @@ std::optional<double> Tokenizer::Number(std::string_view expected, double low, d
 std::optional<int> Tokenizer::Numbered(std::string_view thing, int last) {
   const auto token = Next(fmt::format("the number of a {}", thing));
   if (!token) return std::nullopt;
-  int value = 0;
-  const auto [end, error] =
-      std::from_chars(token->text.data(), token->text.data() + token->text.size(), value);
-  const bool whole = error == std::errc{} && end == token->text.data() + token->text.size();
-  if (whole && value >= 1 && value <= last) return value;
+  const auto value = ParseNumber<int>(token->text);
+  if (value && *value >= 1 && *value <= last) return value;
   Complain(token->column, fmt::format("no {0} {1}; {0}s are 1 to {2}", thing, token->text, last));
   return std::nullopt;
 }

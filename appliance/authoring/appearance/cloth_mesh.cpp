@@ -9,8 +9,6 @@
 namespace kaori::appearance {
 namespace {
 
-constexpr float kMetresPerCm = 0.01F;
-
 // Below a length of 1e-7 a vector has no direction.
 glm::vec3 UnitOr(glm::vec3 v, glm::vec3 otherwise) {
   const float length = glm::length(v);

@@ -13,6 +13,9 @@
 
 namespace kaori::appearance {
 
+// Of what looks say, in what a cast says.
+inline constexpr float kMetresPerCm = 0.01F;
+
 // A grid of points: rows run along a lock or down a garment, columns across, counter-clockwise seen from
 // outside when rows go down and columns go to the character's left. Row-major; rows * columns points.
 struct Patch {

@@ -18,11 +18,6 @@ constexpr int kCurtainColumns = 65;
 constexpr float kLocksAcross = 14;
 constexpr float kSheet_cm = 0.35F;  // Thickness of the curtain.
 
-// The part of the way that step i of `count` has come: 0 .. 1.
-float ShareOf(int i, int count) {
-  return static_cast<float>(i) / static_cast<float>(count - 1);
-}
-
 // Degrees from the front, whichever side: tables of looks are the same left and right.
 float FromFront(float around_deg) {
   const float a = std::fmod(std::abs(around_deg), 360.0F);
@@ -61,10 +56,10 @@ Fall FallOf(const HairLook& look, float around_deg) {
 void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
   Patch sheet{kCurtainRows, kCurtainColumns, false, {}, {}, {}};
   for (int row = 0; row < kCurtainRows; ++row) {
-    const float t = ShareOf(row, kCurtainRows);
+    const float t = StepShare(row, kCurtainRows);
     sheet.along.push_back(t);
     for (int c = 0; c < kCurtainColumns; ++c) {
-      const float around = look.opens_at_deg + (360 - 2 * look.opens_at_deg) * ShareOf(c, kCurtainColumns);
+      const float around = look.opens_at_deg + (360 - 2 * look.opens_at_deg) * StepShare(c, kCurtainColumns);
       Fall fall = FallOf(look, around);
       fall.end_y_cm += 0.5F * (Noise(around * 0.3F, 3) - 0.5F) + 0.35F * (Noise(around * 1.3F, 7) - 0.5F);
       fall.offset_cm += Ripple(around, t, look.seed);
@@ -72,10 +67,10 @@ void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
     }
   }
   for (int c = 0; c < kCurtainColumns; ++c)
-    sheet.across.push_back(kLocksAcross * ShareOf(c, kCurtainColumns));
+    sheet.across.push_back(kLocksAcross * StepShare(c, kCurtainColumns));
   mesh.AddSolid(sheet, [](int row, int c) {
     const float edge = static_cast<float>(std::min(c, kCurtainColumns - 1 - c));
-    const float at_end = 1 - 0.75F * SmoothStep(0.75F, 1, ShareOf(row, kCurtainRows));
+    const float at_end = 1 - 0.75F * SmoothStep(0.75F, 1, StepShare(row, kCurtainRows));
     return kSheet_cm * at_end * (0.3F + 0.7F * Clamp01(edge / 2));
   });
 }
@@ -107,7 +102,7 @@ void AddCap(ClothMesh& mesh, const HairLook& look) {
   const float front_deg = std::max(20.0F, look.parting_deg + 2);
   const Knots rim_deg{{0, front_deg}, {45, front_deg - 3}, {58, -8}, {85, -14}, {180, -35}};
   for (int row = 0; row < kCapRows; ++row) {
-    const float t = ShareOf(row, kCapRows);
+    const float t = StepShare(row, kCapRows);
     cap.along.push_back(t * 0.6F);
     for (int c = 0; c < kCapColumns; ++c) {
       const float around = 360 * static_cast<float>(c) / kCapColumns;
@@ -115,7 +110,7 @@ void AddCap(ClothMesh& mesh, const HairLook& look) {
       cap.points.push_back(look.skull.Above(Direction(around, elevation), kCapOffset_cm));
     }
   }
-  for (int c = 0; c < kCapColumns; ++c) cap.across.push_back(kLocksAcross * ShareOf(c, kCapColumns));
+  for (int c = 0; c < kCapColumns; ++c) cap.across.push_back(kLocksAcross * StepShare(c, kCapColumns));
   mesh.AddPatch(cap);
 }
 
@@ -125,7 +120,7 @@ void AddCurtain(ClothMesh& mesh, const HairLook& look, int locks) {
   Dice dice(look.seed);
   const float width_deg = 360 - 2 * look.opens_at_deg;
   for (int i = 0; i < locks; ++i) {
-    const float around = look.opens_at_deg + width_deg * (ShareOf(i, locks) + 0.012F * dice.Spread());
+    const float around = look.opens_at_deg + width_deg * (StepShare(i, locks) + 0.012F * dice.Spread());
     AddCurtainLock(mesh, look, around, dice);
   }
 }

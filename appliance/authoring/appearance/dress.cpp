@@ -17,8 +17,6 @@
 namespace kaori::appearance {
 namespace {
 
-constexpr float kDressMetresPerCm = 0.01F;
-
 // Its number in the cast.
 int AddProp(face::Cast& cast, face::Prop prop) {
   cast.props.push_back(std::move(prop));
@@ -68,7 +66,7 @@ Garment Sew(const face::Face& face, const ClothesLook& look) {
   neck.bottom_cm.y -= look.rise_cm;
   Garment garment = SewOn(face, look, neck);
   for (face::Prop& prop : garment) {
-    for (face::PropVertex& v : prop.vertices) v.position.y += look.rise_cm * kDressMetresPerCm;
+    for (face::PropVertex& v : prop.vertices) v.position.y += look.rise_cm * kMetresPerCm;
   }
   return garment;
 }
@@ -78,8 +76,8 @@ void AddClothes(face::Cast& cast, const ClothesLook& look, face::Face& face) {
 }
 
 face::EyeLook EyesOf(const EyePaint& paint) {
-  return {paint.iris, paint.iris_radius_cm * kDressMetresPerCm, paint.lash_length_cm * kDressMetresPerCm,
-          paint.lash_wing_cm * kDressMetresPerCm};
+  return {paint.iris, paint.iris_radius_cm * kMetresPerCm, paint.lash_length_cm * kMetresPerCm,
+          paint.lash_wing_cm * kMetresPerCm};
 }
 
 // What all faces of a cast are dressed with; borrowed.

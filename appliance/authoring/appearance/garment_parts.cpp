@@ -16,16 +16,12 @@ constexpr int kCollarColumns = 57;
 constexpr int kStandRows = 4;
 constexpr int kFallRows = 6;
 
-float GarmentPartsShare(int i, int count) {
-  return static_cast<float>(i) / static_cast<float>(count - 1);
-}
-
 // The two inner rows lie inside the neck; the others go down the body.
 glm::vec3 BodyPoint(const Torso& torso, const NeckLine& line, float around_deg, int row, float off_cm) {
   const float top_y_cm = line.At(around_deg) - 0.5F;
   if (row == 0) return torso.neck.At(around_deg, top_y_cm - 0.6F, -0.5F);
   const float top_deg = torso.ElevationAt(around_deg, top_y_cm);
-  const float t = GarmentPartsShare(row - 1, kBodyRows - 1);
+  const float t = StepShare(row - 1, kBodyRows - 1);
   return torso.At(around_deg, top_deg + (kHem_deg - top_deg) * t, row == 1 ? 0 : off_cm);
 }
 
@@ -47,7 +43,7 @@ glm::vec3 StandPoint(const Neck& neck, float around_deg, float y_cm, int row) {
 // Rows 0 to 3 stand, the others fall: from the fold the collar hangs free at first and then settles
 // on the cloth.
 glm::vec3 CollarPoint(const Torso& torso, const Collar& collar, float share, int row) {
-  const float fallen = row < kStandRows ? 0 : GarmentPartsShare(row - kStandRows + 1, kFallRows + 1);
+  const float fallen = row < kStandRows ? 0 : StepShare(row - kStandRows + 1, kFallRows + 1);
   const float gap = collar.gap_deg + collar.spread_deg * fallen;
   const float around = gap + (360 - 2 * gap) * share;
   const float y_cm = collar.line.At(around);
@@ -72,7 +68,7 @@ float NeckLine::At(float around_deg) const {
 void AddBody(ClothMesh& mesh, const Torso& torso, const NeckLine& line, float off_cm) {
   Patch body{kBodyRows, kBodyColumns, true, {}, {}, {}};
   for (int row = 0; row < kBodyRows; ++row) {
-    body.along.push_back(GarmentPartsShare(row, kBodyRows));
+    body.along.push_back(StepShare(row, kBodyRows));
     for (int c = 0; c < kBodyColumns; ++c) {
       const float around = 360 * static_cast<float>(c) / kBodyColumns;
       body.points.push_back(BodyPoint(torso, line, around, row, off_cm));
@@ -87,7 +83,7 @@ void AddCollar(ClothMesh& mesh, const Torso& torso, const Collar& collar) {
   Patch patch{kRows, kCollarColumns, false, {}, {}, {}};
   for (int row = 0; row < kRows; ++row) {
     for (int c = 0; c < kCollarColumns; ++c) {
-      const float share = GarmentPartsShare(c, kCollarColumns);
+      const float share = StepShare(c, kCollarColumns);
       const float eased = share + 0.06F * std::sin(2 * kPi * share) * -1;  // Closer columns at the ends.
       patch.points.push_back(CollarPoint(torso, collar, eased, row));
     }

@@ -14,10 +14,6 @@ constexpr float kOpensAt_deg = 58;    // Elevation of the jacket's neck edge;
 constexpr float kClosesAt_deg = -22;  // its fronts meet here.
 constexpr float kJacketHem_deg = -58;
 
-float JacketShare(int i, int count) {
-  return static_cast<float>(i) / static_cast<float>(count - 1);
-}
-
 // Half the opening between the jacket's fronts, degrees round the body, at an elevation: wide at the neck,
 // closed at kClosesAt_deg.
 float OpeningAt(float elevation_deg) {
@@ -32,11 +28,11 @@ void AddJacketBody(ClothMesh& mesh, const Torso& torso) {
   Patch patch{kRows, kColumns, false, {}, {}, {}};
   for (int row = 0; row < kRows; ++row) {
     for (int c = 0; c < kColumns; ++c) {
-      const float back = 0.5F - 0.5F * std::cos(2 * kPi * JacketShare(c, kColumns));
+      const float back = 0.5F - 0.5F * std::cos(2 * kPi * StepShare(c, kColumns));
       const float top_deg = kOpensAt_deg + 6 * back;
-      const float elevation = top_deg + (kJacketHem_deg - top_deg) * JacketShare(row, kRows);
+      const float elevation = top_deg + (kJacketHem_deg - top_deg) * StepShare(row, kRows);
       const float opening = OpeningAt(std::min(elevation, kOpensAt_deg));
-      const float around = opening + (360 - 2 * opening) * JacketShare(c, kColumns);
+      const float around = opening + (360 - 2 * opening) * StepShare(c, kColumns);
       patch.points.push_back(torso.At(around, elevation, 0.55F));
     }
   }
@@ -58,10 +54,10 @@ void AddLapel(ClothMesh& mesh, const Torso& torso, float side) {
   constexpr int kColumns = 6;
   Patch patch{kRows, kColumns, false, {}, {}, {}};
   for (int row = 0; row < kRows; ++row) {
-    const float t = JacketShare(row, kRows);
+    const float t = StepShare(row, kRows);
     const float elevation = kOpensAt_deg + (kClosesAt_deg - kOpensAt_deg) * t;
     for (int c = 0; c < kColumns; ++c) {
-      const float across = side > 0 ? JacketShare(c, kColumns) : 1 - JacketShare(c, kColumns);
+      const float across = side > 0 ? StepShare(c, kColumns) : 1 - StepShare(c, kColumns);
       const float around = OpeningAt(elevation) - 1 + LapelWidth_deg(t) * across;
       const float off_cm = 0.75F + 0.22F * std::sin(kPi * (1 - across) * 0.6F + 0.2F);
       patch.points.push_back(torso.At(side * around, elevation, off_cm));
@@ -76,11 +72,11 @@ void AddJacketCollar(ClothMesh& mesh, const Torso& torso) {
   constexpr int kColumns = 41;
   Patch patch{kRows, kColumns, false, {}, {}, {}};
   for (int row = 0; row < kRows; ++row) {
-    const float t = JacketShare(row, kRows);
+    const float t = StepShare(row, kRows);
     for (int c = 0; c < kColumns; ++c) {
-      const float around = 52 + 256 * JacketShare(c, kColumns);
+      const float around = 52 + 256 * StepShare(c, kColumns);
       const float back = 0.5F - 0.5F * std::cos(around * kRadPerDeg);
-      const float ends = std::min(JacketShare(c, kColumns), 1 - JacketShare(c, kColumns)) * 256;
+      const float ends = std::min(StepShare(c, kColumns), 1 - StepShare(c, kColumns)) * 256;
       const float top_deg = kOpensAt_deg + 4 + 8 * back - 9 * Bell(ends, 14);
       patch.points.push_back(
           torso.At(around, top_deg - 15 * t, 0.6F + 0.45F * std::sin(kPi * (0.3F + 0.7F * t))));
@@ -96,11 +92,11 @@ void AddTie(ClothMesh& mesh, const Torso& torso, glm::vec3 knot_cm) {
   const float top_deg = Torso::ElevationOf(knot_cm);
   Patch patch{kRows, kColumns, false, {}, {}, {}};
   for (int row = 0; row < kRows; ++row) {
-    const float t = JacketShare(row, kRows);
+    const float t = StepShare(row, kRows);
     const float knot = 1 - SmoothStep(0.02F, 0.13F, t);
     const float half_cm = t < 0.13F ? 1.1F - 0.35F * SmoothStep(0.02F, 0.13F, t) : 0.72F + 1.1F * t;
     for (int c = 0; c < kColumns; ++c) {
-      const float x = JacketShare(c, kColumns) * 2 - 1;
+      const float x = StepShare(c, kColumns) * 2 - 1;
       glm::vec3 p = torso.At(0, top_deg - 75 * t, 0.4F);
       p.z += (0.35F + 0.75F * knot) * (1 - x * x) + 0.15F;
       patch.points.push_back(p + glm::vec3(half_cm * x, 0, 0));

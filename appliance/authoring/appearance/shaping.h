@@ -17,6 +17,11 @@ inline float Clamp01(float x) {
   return x < 0 ? 0 : x > 1 ? 1 : x;
 }
 
+// How far step i of `count` steps is, from 0 of the first to 1 of the last.
+inline float StepShare(int i, int count) {
+  return static_cast<float>(i) / static_cast<float>(count - 1);
+}
+
 // 0 at `from`, 1 at `to`, smooth between; `to` may be the smaller.
 inline float SmoothStep(float from, float to, float x) {
   const float t = Clamp01((x - from) / (to - from));

@@ -133,13 +133,6 @@ Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to
   return matched;
 }
 
-// The value of `values` at a spot, linear within the triangle.
-template <class T>
-T Mix(const std::vector<T>& values, const Spot& spot) {
-  return spot.shares.x * values[spot.corners[0]] + spot.shares.y * values[spot.corners[1]] +
-         spot.shares.z * values[spot.corners[2]];
-}
-
 }  // namespace
 
 std::optional<Bridge> Bridge::Between(const HeadShape& from, const HeadShape& to,
@@ -165,9 +158,9 @@ Offsets Bridge::Carry(const Offsets& from) const {
   Offsets carried(spots_.size(), glm::vec3(0));
   for (std::size_t v = 0; v < spots_.size(); ++v) {
     const Spot& spot = spots_[v];
-    const glm::vec3 moved = Mix(from, spot);
+    const glm::vec3 moved = spot.Of(from);
     if (moved == glm::vec3(0)) continue;
-    const glm::dvec3 at(Mix(from_, spot));
+    const glm::dvec3 at(spot.Of(from_));
     const float near = 1 - glm::smoothstep(kNear_m, kFar_m, spot.distance_m);
     // The difference of where the warp leads the moved and the resting point: the warp's turn and stretch at
     // that place, also for motions that are not small.
@@ -179,7 +172,7 @@ Offsets Bridge::Carry(const Offsets& from) const {
 
 std::vector<float> Bridge::Carry(const std::vector<float>& from) const {
   std::vector<float> carried;
-  for (const Spot& spot : spots_) carried.push_back(Mix(from, spot));
+  for (const Spot& spot : spots_) carried.push_back(spot.Of(from));
   return carried;
 }
 

@@ -22,6 +22,12 @@ struct Spot {
   // From the vertex, warped onto the other head, to that point. Bridge::Carry fades motion out by it, since a
   // spot that is far off says little (the inside of a nose that the other head has not).
   float distance_m = 0;
+
+  // Of one value for each vertex of the other head, what lies here: linear within the triangle.
+  template <class T>
+  T Of(const std::vector<T>& values) const {
+    return shares.x * values[corners[0]] + shares.y * values[corners[1]] + shares.z * values[corners[2]];
+  }
 };
 
 // The correspondence of two heads, computed once and then used for every shape that is carried. It goes one

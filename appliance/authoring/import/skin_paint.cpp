@@ -117,13 +117,6 @@ std::array<glm::vec2, 3> Corners(const Triangle& t, Value value) {
   return {value(t[0]), value(t[1]), value(t[2])};
 }
 
-// The value at a spot, linear within its triangle.
-template <class T>
-T OnSpot(const std::vector<T>& values, const Spot& spot) {
-  return spot.shares.x * values[spot.corners[0]] + spot.shares.y * values[spot.corners[1]] +
-         spot.shares.z * values[spot.corners[2]];
-}
-
 // How much of the show's paint is used at a point of its first face (metres, origin between the eyes): all of
 // it between temples, hairline and chin, none where hair is painted, on ears and neck. The bounds are read
 // off the cast's own woman.
@@ -176,8 +169,8 @@ face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, cons
   std::vector<Colour> at_edge;
   // One for each skin vertex: where it lies on the show's texture, and how much of the paint counts there.
   for (const Spot& spot : spots) {
-    place.push_back(OnSpot(show.topology.texture, spot));
-    shown.push_back(ShownAt(OnSpot(show.faces.front().positions, spot)));
+    place.push_back(spot.Of(show.topology.texture));
+    shown.push_back(ShownAt(spot.Of(show.faces.front().positions)));
     if (shown.back() > 0.02F && shown.back() < 0.4F) at_edge.push_back(At(source, place.back()));
   }
   Painting painting(GroundOf(at_edge));

@@ -1,7 +1,6 @@
 #include "appliance/authoring/import/verb_import.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "appliance/authoring/pack/progress.h"
 #include "appliance/authoring/sheet/sheet.h"
 #include "appliance/core/show/pack.h"
+#include "drivers/base/number.h"
 #include "drivers/base/program.h"
 #include "drivers/base/whole_file.h"
 
@@ -39,10 +39,8 @@ what not, and how many millimetres control points alone miss; the rest is kept b
 // A whole number from 10 to 1000; fewer points cannot say a mouth, more make the fit slow, whose time grows
 // with their fourth power.
 std::optional<std::size_t> Count(std::string_view text) {
-  std::size_t count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && count >= 10 && count <= 1000 ? std::optional(count) : std::nullopt;
+  const auto count = ParseNumber<std::size_t>(text);
+  return count && *count >= 10 && *count <= 1000 ? count : std::nullopt;
 }
 
 // "kaori,granny" as two names.

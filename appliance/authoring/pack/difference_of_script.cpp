@@ -6,12 +6,10 @@
 
 #include "appliance/authoring/pack/difference_parts.h"
 #include "appliance/authoring/script/backdrop_file.h"
+#include "appliance/authoring/script/style_names.h"
 
 namespace kaori::authoring {
 namespace {
-
-// The words of show.toml.
-constexpr std::array<const char*, scene::kStyleCount> kStyles{"wire", "flat", "bare", "hair", "soft"};
 
 // "nothing" for a number that no item has, so that two packs can be compared whatever they hold.
 template <class Items>
@@ -20,7 +18,7 @@ std::string NameOf(const Items& items, std::size_t index) {
 }
 
 std::string StyleName(std::size_t style) {
-  return style < kStyles.size() ? kStyles[style] : "nothing";
+  return style < kStyleNames.size() ? kStyleNames[style] : "nothing";
 }
 
 // "face dog": what a button or key calls, in the same words as in show.toml. Names are compared, not numbers:

@@ -3,14 +3,10 @@
 #include "appliance/authoring/pack/check_folder.h"
 #include "appliance/authoring/pack/progress.h"
 #include "appliance/authoring/pack/verbs.h"
+#include "appliance/authoring/sheet/plan.h"
 
 namespace kaori::authoring {
 namespace {
-
-// "1 fault", "3 faults".
-std::string Counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 // Lines go to standard output, the sum to standard error, so that `check > file` keeps the lines alone.
 int RunCheck(const Arguments& arguments) {

@@ -4,15 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "appliance/core/board/keys.h"
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/state.h"
 #include "drivers/base/json.h"
 
 namespace kaori::authoring {
 namespace {
-
-// The keys of blinks, by HID usage page 7, as core/performance plays them.
-constexpr std::uint16_t kSpace = 0x2C, kZ = 0x1D, kX = 0x1B;
 
 // What a dial of the box is called on the page, its unit, and what fills it: a call of the group `called_by`
 // comes whole and fills the dial; a scene does so too. Null: only the operator turns it.
@@ -107,22 +105,16 @@ json::List KeysJson(const show::Show& show) {
   const auto add = [&keys](std::uint16_t usage, const std::string& text, const char* group) {
     if (usage != 0) keys.push_back(json::Object{{"usage", usage}, {"text", text}, {"group", group}});
   };
-  add(kSpace, "Blink", "blink");
+  add(board::key::kSpace, "Blink", "blink");
   // As the audience sees the face: its left is the character's right.
-  add(kZ, "Wink left", "blink");  // As the audience sees the face.
-  add(kX, "Wink right", "blink");
+  add(board::key::kZ, "Wink left", "blink");
+  add(board::key::kX, "Wink right", "blink");
   for (const show::Motion& motion : show.motions) add(motion.key_usage, Readable(motion.name), "motion");
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
-  const auto add_call = [&](const show::KeyCall& key) {
+  for (const show::KeyCall& key : show.keys) {
     const CallLabel label = LabelOf(key.call, show);
     add(key.key_usage, label.text, label.group);
-  };
-  for (const show::KeyCall& key : show.keys)
-    if (key.call.kind != show::CallKind::kCue) add_call(key);
-  // In the order of the calls, GO first, and not by the names of their keys.
-  for (std::uint16_t verb = 0; verb < show::kCueVerbCount; ++verb)
-    for (const show::KeyCall& key : show.keys)
-      if (key.call.kind == show::CallKind::kCue && key.call.index == verb) add_call(key);
+  }
   return keys;
 }
 

@@ -6,14 +6,12 @@
 
 #include "appliance/authoring/script/key_names.h"
 #include "appliance/authoring/script/show_parts.h"
+#include "appliance/authoring/script/style_names.h"
 #include "appliance/authoring/script/taken_keys.h"
 
 namespace kaori::authoring {
 namespace {
 
-// In the order of scene::Style.
-constexpr std::array<std::string_view, scene::kStyleCount> kStyleNames{"wire", "flat", "bare", "hair",
-                                                                       "soft"};
 constexpr std::array<std::string_view, show::kCueVerbCount> kCueVerbNames{"go",    "back",  "stop",
                                                                           "pause", "panic", "blackout"};
 

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "appliance/core/board/keys.h"
+
 namespace kaori::authoring {
 namespace {
+
+namespace key = board::key;
 
 // A key and what the box does with it.
 struct TakenKey {
@@ -12,18 +16,18 @@ struct TakenKey {
   std::string_view use;
 };
 
-constexpr std::string_view kEditor = "the expression editor uses it";
+constexpr std::string_view kWinks = "it winks", kEditor = "the expression editor uses it";
 // Space has no name in show.toml, so it need not stand here.
-constexpr std::array<TakenKey, 10> kTakenKeys{{{0x1D, "it winks"},                                 // z
-                                               {0x1B, "it winks"},                                 // x
-                                               {0x06, kEditor},                                    // c
-                                               {0x0B, kEditor},                                    // h
-                                               {0x10, kEditor},                                    // m
-                                               {0x11, kEditor},                                    // n
-                                               {0x13, kEditor},                                    // p
-                                               {0x16, kEditor},                                    // s
-                                               {0x1C, kEditor},                                    // y
-                                               {0x45, "it begins the calibration of the lips"}}};  // f12
+constexpr std::array<TakenKey, 10> kTakenKeys{{{key::kZ, kWinks},
+                                               {key::kX, kWinks},
+                                               {key::kC, kEditor},
+                                               {key::kH, kEditor},
+                                               {key::kM, kEditor},
+                                               {key::kN, kEditor},
+                                               {key::kP, kEditor},
+                                               {key::kS, kEditor},
+                                               {key::kY, kEditor},
+                                               {key::kF12, "it begins the calibration of the lips"}}};
 
 }  // namespace
 

@@ -12,6 +12,9 @@
 
 namespace kaori::sculpt {
 
+// Of what recipes say, in what a cast says.
+inline constexpr double kMetresPerCentimetre = 0.01;
+
 // A shape of one half, in centimetres: position, and place (u, v) on the unrolled surface (texture_map.h), of
 // each vertex of HalfTopology.
 struct HalfShape {

@@ -5,9 +5,6 @@
 namespace kaori::sculpt {
 namespace {
 
-// Files are written in centimetres, casts hold metres.
-constexpr double kMetresPerCentimetre = 0.01;
-
 // Adds what a side's moves say of a point; on the right, u runs the other way, which `side` turns (0: no
 // part of it).
 void AddMove(const Moves& moves, const std::string& point, double side, glm::vec3& displacement) {

@@ -9,14 +9,12 @@
 namespace kaori::sculpt {
 namespace {
 
-constexpr double kFacesMetresPerCentimetre = 0.01;
-
 // The only places where lengths of this folder become metres are here and in expressions.cpp.
 glm::vec3 Metres(glm::dvec3 p_cm) {
-  return glm::vec3(p_cm * kFacesMetresPerCentimetre);
+  return glm::vec3(p_cm * kMetresPerCentimetre);
 }
 float Metres(double length_cm) {
-  return static_cast<float>(length_cm * kFacesMetresPerCentimetre);
+  return static_cast<float>(length_cm * kMetresPerCentimetre);
 }
 
 // Shapes a face by the kind of its recipe (a visitor). The reference is carved once, since animals and

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "appliance/authoring/script/style_names.h"
+
 namespace kaori::authoring {
 namespace {
 
@@ -14,7 +16,6 @@ constexpr int kInARow = 8;
 constexpr float kClose_m = 0.78F;  // Near enough to see a lip, far enough for hair and ears.
 // A little to the side: straight ahead, depth cannot be judged.
 constexpr float kTurned_rad = 0.2F;
-constexpr std::array<const char*, scene::kStyleCount> kStyles{"wire", "flat", "bare", "hair", "soft"};
 
 // A side and the camera's yaw towards it; the names are the character's own sides.
 struct Side {
@@ -107,10 +108,10 @@ class Planner {
 
   Sheet Styles() const {
     Section grid{.in_a_row = scene::kStyleCount, .rows = FaceNames(cast_)};
-    for (const char* style : kStyles) grid.columns.emplace_back(style);
+    for (const char* style : kStyleNames) grid.columns.emplace_back(style);
     for (std::uint16_t f = 0; f < cast_.faces.size(); ++f)
-      for (std::size_t style = 0; style < kStyles.size(); ++style) {
-        grid.cells.push_back(Plain(f, kStyles[style]));
+      for (std::size_t style = 0; style < kStyleNames.size(); ++style) {
+        grid.cells.push_back(Plain(f, kStyleNames[style]));
         grid.cells.back().scene.styles = {};
         grid.cells.back().scene.styles[style] = 1;
         grid.cells.back().scene.head.yaw_rad = 0.35F;
@@ -209,11 +210,11 @@ class Planner {
   const Flaws& flaws_;
 };
 
+}  // namespace
+
 std::string Counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
-
-}  // namespace
 
 std::string CountsOf(const face::Cast& cast) {
   return fmt::format("{}, {}, {}, {}", Counted(cast.faces.size(), "face"),

@@ -1,6 +1,7 @@
 // Which pictures a contact sheet is made of, before any is drawn.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct Sheet {
   float size = 1;
   std::vector<Section> sections;
 };
+
+// "1 face", "2 faces".
+std::string Counted(std::size_t count, const char* what);
 
 // For people: "11 faces, 22 expressions, 12 mouth shapes, 9 channels".
 std::string CountsOf(const face::Cast& cast);

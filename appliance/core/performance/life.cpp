@@ -78,7 +78,7 @@ Idle Live(State& state, float amount, float dt_s) {
   idle.head.pitch_rad = amount * (0.012F * Wave(t, 0.13F, 0.5F) + 0.010F * breath);
   idle.head.roll_rad = amount * 0.014F * Wave(t, 0.083F, 0.9F);
   const float free = amount * (1 - HandOnGaze(state));
-  // The eyes stay on the house while the head sways.
+  // The eyes stay on the audience while the head sways.
   idle.gaze.yaw_rad = free * state.life.glance_rad.x - idle.head.yaw_rad;
   idle.gaze.pitch_rad = free * state.life.glance_rad.y - idle.head.pitch_rad;
   return idle;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "appliance/core/board/keys.h"
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/ease.h"
@@ -10,9 +11,9 @@
 namespace kaori::performance {
 namespace {
 
-constexpr float kKnobHalfLife_s = 0.03F;  // A detent is a step; the eye shall not see it.
+namespace key = board::key;
 
-constexpr std::uint8_t kKeySpace = 0x2C, kKeyZ = 0x1D, kKeyX = 0x1B;  // HID usage page 7.
+constexpr float kKnobHalfLife_s = 0.03F;  // A detent is a step; the eye shall not see it.
 
 // What a stick pushed to its end does: 35, 23 and 20 degrees of the head and a lean of 12 cm to the audience;
 // 31 and 22 degrees of the gaze. Signs are those of scene.h: the character's left is the operator's right.
@@ -23,11 +24,6 @@ constexpr float kHeadHalfLife_s = 0.05F, kGazeHalfLife_s = 0.012F, kBrowHalfLife
 constexpr float kHoldLost_s = 0.25F;  // A stick that is unplugged counts for this long,
 constexpr float kEaseLost_s = 1.0F;   // then eases to neutral in this time.
 constexpr float kEaseFound_s = 0.3F;
-
-// Whether a key is held; an unplugged keyboard holds none, its slot has released them.
-bool Down(const board::Keys& keys, std::uint8_t usage) {
-  return (keys.down[usage / 32U] >> (usage % 32U)) & 1U;
-}
 
 // A fresh call takes over whole, whatever its dial said about the one before. The mixture keeps the old
 // dial's share as its beginning, so that the change of the dial is not seen either.
@@ -71,8 +67,8 @@ void Obey(State& state, const show::Call& call, const show::Show& show) {
 // A key does all that the show has for it. X shuts the character's left eye and Z the right one, which is how
 // they lie before the operator.
 void Struck(State& state, std::uint16_t usage, const show::Show& show) {
-  if (usage == kKeySpace || usage == kKeyX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
-  if (usage == kKeySpace || usage == kKeyZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
+  if (usage == key::kSpace || usage == key::kX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
+  if (usage == key::kSpace || usage == key::kZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
   for (const show::KeyCall& key : show.keys)
     if (key.key_usage == usage) Obey(state, key.call, show);
   for (std::size_t i = 0; i < show.motions.size(); ++i)
@@ -167,8 +163,8 @@ void MoveSticks(State& state, const board::Snapshot& board, float dt_s) {
 }
 
 std::array<float, 2> Lids(State& state, const board::Keys& keys, float dt_s) {
-  const bool both = Down(keys, kKeySpace);
-  const std::array<bool, 2> held{both || Down(keys, kKeyX), both || Down(keys, kKeyZ)};
+  const bool both = IsDown(keys, key::kSpace);
+  const std::array<bool, 2> held{both || IsDown(keys, key::kX), both || IsDown(keys, key::kZ)};
   std::array<float, 2> shut{};
   for (std::size_t eye = 0; eye < shut.size(); ++eye) {
     state.blink_s[eye] = std::min(10.0F, state.blink_s[eye] + dt_s);

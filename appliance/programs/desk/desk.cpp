@@ -29,17 +29,9 @@ constexpr int kQuality = 80;
 
 constexpr const char* kText = "text/plain; charset=utf-8";
 constexpr const char* kJson = "application/json";
-// RFC 2046: a part of a multipart answer ends with "--" and the boundary of its header.
-constexpr std::string_view kBoundary = "--kaori\r\n";
 constexpr std::string_view kCookie = "kaori-desk=";
 constexpr std::array<std::string_view, kViewCount> kPicturePaths{"/picture", "/picture/both",
                                                                  "/picture/mask"};
-
-// A part of the endless picture. It ends with the next boundary, since browsers show a part when that arrives.
-std::string PicturePart(std::string_view jpeg) {
-  return fmt::format("Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n{}\r\n{}", jpeg.size(), jpeg,
-                     kBoundary);
-}
 
 // The session in a Cookie header, empty where there is none. A cookie whose name only ends like ours is another one.
 std::string SessionIn(std::string_view cookies) {
@@ -70,8 +62,6 @@ Desk::Desk(DeskOptions options, const board::Board& board, board::Writer<board::
       pairing_(clock),
       lips_(lips::ServicePath(board.path())),
       states_("text/event-stream", "retry: 500\n\n") {
-  for (auto& feed : pictures_)
-    feed = std::make_unique<web::Feed>("multipart/x-mixed-replace; boundary=kaori", std::string(kBoundary));
   address_ = options_.reach == web::Reach::kNetwork ? OwnAddress() : 0x7F000001U;
 }
 
@@ -107,7 +97,7 @@ void Desk::Step() {
   const Time now = clock_.now();
   lips_.Step(now);
   if (std::exchange(dismiss_, false)) {
-    for (auto& feed : pictures_) feed->Dismiss();
+    for (auto& feed : pictures_) feed.Dismiss();
     states_.Dismiss();
   }
   SendPictures(now);
@@ -119,15 +109,15 @@ void Desk::Step() {
 // The lips draw pictures only while a paired page shows them; each view is encoded once for all listeners.
 void Desk::SendPictures(Time now) {
   const bool looked_at =
-      std::ranges::any_of(pictures_, [](const auto& feed) { return feed->listeners() > 0; });
+      std::ranges::any_of(pictures_, [](const auto& feed) { return feed.listeners() > 0; });
   if (looked_at && pairing_.sessions() > 0) lips_.RequestPictures(now);
   const LipConnection::Picture& picture = lips_.picture();
   for (std::size_t view = 0; view < kViewCount; ++view) {
-    if (!pictures_[view]->awaited() || sent_[view] == picture.number) continue;
+    if (!pictures_[view].awaited() || sent_[view] == picture.number) continue;
     sent_[view] = picture.number;
     Compose(static_cast<View>(view), picture.rgbp, composed_);
     const auto jpeg = jpeg_.Encode({picture.width_px, picture.height_px, composed_, false}, kQuality);
-    if (jpeg) pictures_[view]->Publish(PicturePart(*jpeg));
+    if (jpeg) pictures_[view].PublishPicture(*jpeg);
   }
 }
 
@@ -205,7 +195,7 @@ web::Feed* Desk::FeedOf(const std::string& path) {
   if (path == "/events") return &states_;
   const auto* at = std::ranges::find(kPicturePaths, path);
   return at == kPicturePaths.end() ? nullptr
-                                   : pictures_[static_cast<std::size_t>(at - kPicturePaths.begin())].get();
+                                   : &pictures_[static_cast<std::size_t>(at - kPicturePaths.begin())];
 }
 
 // The page has the visitor's language from the first letter on.

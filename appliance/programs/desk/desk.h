@@ -96,8 +96,7 @@ class Desk {
   web::JpegEncoder jpeg_;
   // The view that is being encoded; reused from picture to picture.
   std::vector<std::uint8_t> composed_;
-  // One feed for each view, and one for the states; they outlive the server's connections.
-  std::array<std::unique_ptr<web::Feed>, kViewCount> pictures_;
+  std::array<web::PictureFeed, kViewCount> pictures_;
   std::array<std::uint32_t, kViewCount> sent_{};  // The number of the picture that each feed sent last.
   web::Feed states_;
   // The state that was sent last, when, and when the code was written last.

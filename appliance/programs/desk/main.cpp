@@ -6,7 +6,6 @@
 // It ends with status 2 where it is started without --service or misused, and with 1 where the port, the
 // board or the certificate cannot be had. Lips that do not run are no error: the page says so, and the desk
 // connects when they are there.
-#include <charconv>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "appliance/programs/desk/desk.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/number.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/service.h"
@@ -60,10 +60,9 @@ std::filesystem::path FolderOf(const Settings& settings) {
 // The certificate is loaded, or made, before anything listens.
 kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
   kaori::desk::DeskOptions options;
-  const std::string& port = settings.port;
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), options.port);
-  if (error != std::errc{} || end != port.data() + port.size())
-    return kaori::FailInput("--port " + port + ": expected a number from 0 to 65535");
+  const auto port = kaori::ParseNumber<std::uint16_t>(settings.port);
+  if (!port) return kaori::FailInput("--port " + settings.port + ": expected a number from 0 to 65535");
+  options.port = *port;
   if (settings.local) options.reach = kaori::web::Reach::kThisMachine;
   if (settings.plain) return options;
   const auto own = kaori::desk::LoadOrMakeCertificate(

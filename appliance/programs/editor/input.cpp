@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "appliance/programs/editor/keys.h"
+#include "appliance/programs/editor/own.h"
 
 namespace kaori::editor {
 namespace {
@@ -22,8 +23,6 @@ constexpr Duration kPause = 800ms;  // A control that rests so long begins a new
 constexpr float kStickGoes = 0.6F;    // Pushed so far a stick goes to the next handle,
 constexpr float kStickRests = 0.35F;  // and let back so far it may go again.
 constexpr Duration kFirstRepeat = 450ms, kNextRepeat = 180ms;
-
-constexpr std::size_t kLongestName = 24;
 
 // Kinds of gestures that are not a dial.
 constexpr int kWheelGesture = 100, kDragGesture = 101;

@@ -10,6 +10,7 @@
 // Moves are [u, v, outwards] in centimetres; outwards from the middle of the face is positive u on both sides.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -32,7 +33,9 @@ std::string WriteOwn(const Work& work, const Points& points);
 Result<Work> ReadOwn(std::string_view text, const std::string& file, const Points& points,
                      const face::Cast& cast);
 
-// Letters, digits and "_", a letter first, 24 at most.
+inline constexpr std::size_t kLongestName = 24;
+
+// Letters, digits and "_", a letter first, kLongestName at most.
 bool IsName(std::string_view name);
 
 }  // namespace kaori::editor

@@ -13,7 +13,6 @@ constexpr std::string_view kRemark =
     "end of\n"
     "# the show's expressions.toml.\n";
 constexpr double kCentimetresPerMetre = 100;
-constexpr std::size_t kOwnWriterLongestName = 24;
 
 // Four digits behind the point, none of them an idle zero. Zero has no sign.
 std::string Number(double value) {
@@ -87,7 +86,7 @@ std::string WriteOwn(const Work& work, const Points& points) {
 bool IsName(std::string_view name) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !name.empty() && name.size() <= kOwnWriterLongestName && letter(name.front()) &&
+  return !name.empty() && name.size() <= kLongestName && letter(name.front()) &&
          std::ranges::all_of(name, allowed);
 }
 

@@ -1,9 +1,10 @@
 #include "appliance/programs/input/line_roles.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <utility>
+
+#include "drivers/base/number.h"
 
 namespace kaori::input {
 namespace {
@@ -22,10 +23,8 @@ std::optional<std::uint32_t>* RoleNamed(std::string_view name, LineRoles& roles)
 
 // All of the text must be the number: "1x" is a typing error and not line 1.
 std::optional<std::uint32_t> ParseOffset(std::string_view text) {
-  std::uint32_t offset = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), offset);
-  if (error != std::errc{} || end != text.data() + text.size() || offset > kMaxOffset) return std::nullopt;
-  return offset;
+  const auto offset = ParseNumber<std::uint32_t>(text);
+  return offset && *offset <= kMaxOffset ? offset : std::nullopt;
 }
 
 // One contact with two roles would be a mistake of the wiring; the kernel would refuse the second request

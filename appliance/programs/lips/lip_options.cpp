@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "appliance/programs/lips/generations.h"
+#include "drivers/base/number.h"
 #include "drivers/base/options.h"
 
 namespace kaori::lips {
@@ -58,11 +59,10 @@ Result<Paint> ParsePaint(std::string_view text) {
 
 // from_chars and no stream: the decimal point is one in every language.
 Result<float> ParseRest(const std::string& text) {
-  float rest = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rest);
-  if (error != std::errc{} || end != text.data() + text.size() || !(rest >= 0.05F && rest <= 0.95F))
+  const auto rest = ParseNumber<float>(text);
+  if (!rest || !(*rest >= 0.05F && *rest <= 0.95F))
     return FailInput("--rest " + text + ": expected a number of 0.05 to 0.95");
-  return rest;
+  return *rest;
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 #include "appliance/programs/lips/lip_settings.h"
 
 #include <array>
-#include <charconv>
 
 #include <fmt/format.h>
+
+#include "drivers/base/number.h"
 
 namespace kaori::lips {
 namespace {
@@ -87,11 +88,9 @@ std::string ParseLine(std::string_view line, LipSettings& into) {
   if (equals == std::string_view::npos) return "a line needs a name, = and a number";
   const std::string_view name = Trimmed(line.substr(0, equals));
   const std::string_view text = Trimmed(line.substr(equals + 1));
-  float number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size())
-    return fmt::format("{} is not a number", text);
-  return SetValue(name, number, into);
+  const auto number = ParseNumber<float>(text);
+  if (!number) return fmt::format("{} is not a number", text);
+  return SetValue(name, *number, into);
 }
 
 }  // namespace

@@ -13,13 +13,9 @@ constexpr float kGateHysteresis_db = 6;
 // None where no show is named: motions are then silent.
 Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
   if (options.pack.empty()) return std::vector<show::Sound>();
-  show::LoadOptions load{.signed_by = {}, .on_verified_root = options.verified};
-  if (!options.trust.empty()) {
-    const auto key = show::ReadPublicKey(options.trust);
-    if (!key) return tl::unexpected(key.error());
-    load.signed_by = *key;
-  }
-  return show::LoadSounds(options.pack, load);
+  return show::LoadOptionsOf(options.trust, options.verified).and_then([&](const show::LoadOptions& load) {
+    return show::LoadSounds(options.pack, load);
+  });
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view kFunction = "/functions/hid.0";
 constexpr std::string_view kConfiguration = "/configs/c.1";
 constexpr std::string_view kEnglish = "/strings/0x409";
-constexpr std::size_t kHidGadgetLongestReport = 64;
+constexpr std::size_t kReportLength_bytes = 64;
 
 // An attribute of configfs takes its value in one write; a second write would be a second value.
 Result<void> Set(const std::string& path, std::string_view value) {
@@ -69,7 +69,7 @@ Result<void> HidGadget::Describe(const HidDeviceName& identity) const {
       // No boot protocol: a BIOS does not read these devices.
       {function + "/protocol", "0"},
       {function + "/subclass", "0"},
-      {function + "/report_length", std::to_string(kHidGadgetLongestReport)},
+      {function + "/report_length", std::to_string(kReportLength_bytes)},
       {function + "/report_desc", std::string(descriptor)}};
   for (const auto& [file, value] : values)
     if (auto ok = Set(file, value); !ok) return ok;

@@ -8,6 +8,7 @@
 
 #include "drivers/base/log.h"
 #include "hw-sim/devices/usb_descriptors.h"
+#include "hw-sim/devices/usb_requests.h"
 
 namespace kaori::sim {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 constexpr std::uint8_t kNoEndpoint = 255;
 // The length of packets on endpoint 0, as the device descriptor says it.
 constexpr std::uint16_t kControlPacketBytes = 64;
-constexpr std::uint8_t kFromDevice = 0x80;
 
 // The parser gives its user's pointer to every call-back: that of the wire.
 RedirWire& Wire(void* priv) {

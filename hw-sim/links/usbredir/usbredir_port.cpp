@@ -6,15 +6,15 @@
 
 #include "drivers/base/stream_socket.h"
 #include "hw-sim/devices/usb_descriptors.h"
+#include "hw-sim/devices/usb_requests.h"
 
 namespace kaori::sim {
 namespace {
 
 // A machine that starts takes seconds until its socket listens; one that runs answers at once.
 constexpr Duration kCallAgain = std::chrono::milliseconds(100);
-constexpr std::size_t kInterruptBytes = 64;             // The longest report of a device of ours.
-constexpr int kTransfersAtOnce = 256;                   // Of one endpoint: the others have their turn.
-constexpr std::uint8_t kUsbredirPortFromDevice = 0x80;  // Bit 7 of an endpoint's address (USB 2.0, 9.6.6).
+constexpr std::size_t kInterruptBytes = 64;  // The longest report of a device of ours.
+constexpr int kTransfersAtOnce = 256;        // Of one endpoint: the others have their turn.
 
 }  // namespace
 
@@ -170,7 +170,7 @@ void UsbredirPort::InterruptOut(std::uint64_t id, std::uint8_t endpoint, std::sp
 
 // A request for data waits until the device has some; data for the device is done at once.
 void UsbredirPort::Bulk(const RedirBulk& request, std::span<const std::uint8_t> data) {
-  if ((request.endpoint & kUsbredirPortFromDevice) != 0 && announced_) return bulk_in_.push_back(request);
+  if ((request.endpoint & kFromDevice) != 0 && announced_) return bulk_in_.push_back(request);
   if (announced_) device_->HandleOut(request.endpoint, data);
   // Without a device the transfer fails, as on a cable that was just pulled.
   wire_->Bulk(request, announced_ ? RedirStatus::kDone : RedirStatus::kIoError, {}, data.size());

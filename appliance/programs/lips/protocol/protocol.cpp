@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "drivers/base/number.h"
 #include "firmware/wire/bytes.h"
 
 namespace kaori::lips {
@@ -57,9 +57,9 @@ std::string_view SplitWord(std::string_view& text) {
 // Removes the first word and reads all of it as a number.
 template <class T>
 bool SplitNumber(std::string_view& text, T& into) {
-  const std::string_view word = SplitWord(text);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), into);
-  return error == std::errc{} && end == word.data() + word.size();
+  const auto number = ParseNumber<T>(SplitWord(text));
+  if (number) into = *number;
+  return number.has_value();
 }
 
 // Numbers must be finite: what is done with them need not look any more.

@@ -3,11 +3,14 @@
 #include <numeric>
 #include <utility>
 
+#include "appliance/core/board/keys.h"
 #include "appliance/core/board/mouth.h"
 #include "drivers/base/log.h"
 
 namespace kaori::lips {
 namespace {
+
+namespace key = board::key;
 
 // How long the key is held: nobody leans on F12 for two seconds in a show. And after how long without a push
 // somebody has gone away.
@@ -15,21 +18,15 @@ constexpr Duration kHold = std::chrono::seconds(2);
 constexpr Duration kIdleLimit = std::chrono::seconds(60);
 constexpr std::uint32_t kSaveStep = 4;  // The step after the four poses.
 constexpr float kCleanMouth = 0.8F;     // The quality from which on the paint need not be sampled first.
-constexpr std::size_t kEnter = 0x28, kEscape = 0x29, kF12 = 0x45, kInsert = 0x49,
-                      kPadEnter = 0x58;  // Usages of HID page 7.
-
-bool IsDown(const board::Keys& keys, std::size_t usage) {
-  return ((keys.down[usage / 32] >> (usage % 32)) & 1U) != 0;
-}
 
 }  // namespace
 
 // The sums may wrap, since only differences count. Every button of the box confirms, since an operator with
 // painted lips does not look for one of them.
 Guide::Pushes Guide::PushesOf(const board::Keys& keys, const board::Surface& surface) {
-  return {keys.pushes[kEnter] + keys.pushes[kPadEnter] +
+  return {keys.pushes[key::kEnter] + keys.pushes[key::kPadEnter] +
               std::accumulate(surface.pushes.begin(), surface.pushes.end(), 0U),
-          keys.pushes[kEscape]};
+          keys.pushes[key::kEscape]};
 }
 
 // The key has to be let go before it can begin another calibration.
@@ -40,8 +37,8 @@ void Guide::Step(const board::Stamped<board::Keys>& keys, const board::Stamped<b
       keys.source != board::SourceState::kAbsent || surface.source != board::SourceState::kAbsent;
   const Pushes pushes = published ? PushesOf(keys.value, surface.value) : seen_pushes_;
   const Pushes before = std::exchange(seen_pushes_, pushes);
-  const bool down =
-      keys.source == board::SourceState::kLive && (IsDown(keys.value, kF12) || IsDown(keys.value, kInsert));
+  const bool down = keys.source == board::SourceState::kLive &&
+                    (IsDown(keys.value, key::kF12) || IsDown(keys.value, key::kInsert));
   if (!down) held_since_.reset();
   if (!down) released_ = true;
   if (down && !held_since_) held_since_ = now;

@@ -1,11 +1,11 @@
 #include "appliance/programs/lips/voice/delay_choice.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 
 #include "appliance/programs/lips/voice/delay_line.h"
 #include "appliance/programs/lips/voice/voice_mouth.h"
+#include "drivers/base/number.h"
 
 namespace kaori::voice {
 namespace {
@@ -42,11 +42,10 @@ Duration Milliseconds(float ms) {
 
 Result<DelaySetting> ParseDelay(std::string_view text) {
   if (text == "auto") return DelaySetting();
-  double ms = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
-  if (error != std::errc{} || end != text.data() + text.size() || !(ms >= 0 && ms <= 500))
+  const auto ms = ParseNumber<double>(text);
+  if (!ms || !(*ms >= 0 && *ms <= 500))
     return FailInput("--sound-delay " + std::string(text) + ": expected auto, off, or 0 to 500 milliseconds");
-  return DelaySetting(FromSeconds(ms / 1e3));
+  return DelaySetting(FromSeconds(*ms / 1e3));
 }
 
 // A delay that a person had asked for comes from the settings again, and not from the board.

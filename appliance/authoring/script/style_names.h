@@ -1,0 +1,14 @@
+// The styles' names: the words of show.toml.
+#pragma once
+
+#include <array>
+
+#include "render/scene/scene.h"
+
+namespace kaori::authoring {
+
+// In the order of scene::Style.
+inline constexpr std::array<const char*, scene::kStyleCount> kStyleNames{"wire", "flat", "bare", "hair",
+                                                                         "soft"};
+
+}  // namespace kaori::authoring
