@@ -49,30 +49,29 @@ test('docs/console.png', {skip: !kWanted.includes('console')}, () => withBrowser
 
 // The desk on a large screen in English, and on a telephone in Japanese.
 test('docs/desk.png', {skip: !kWanted.includes('desk')}, () => withBrowser(async (browser, file) => {
-  const Bench = desk_tests.DeskBench ?? desk_tests.Desk;
-  const bench = new Bench();
+  const harness = new desk_tests.DeskHarness();
   try {
-    const page = await desk_tests.visit(browser, await bench.address(), {viewport: {width: 1024, height: 640}, locale: 'en-GB'});
-    await desk_tests.pair(page, bench);
-    await page.getByRole('button', {name: 'Find it'}).click();
+    const page = await desk_tests.visit(browser, await harness.address(), {viewport: {width: 1024, height: 640}, locale: 'en-GB'});
+    await desk_tests.pair(page, harness);
+    await page.getByRole('button', {name: 'Find the paint'}).click();
     await until('a mouth', async () => (await desk_tests.stateOf(page)).mouth.quality > 0.8);
-    bench.tell('mouth 0.25 1');
+    harness.tell('mouth 0.25 1');
     await pause(400);
     await page.getByRole('button', {name: /^Shut/}).click();
-    await until('shut taken', async () => (await desk_tests.stateOf(page)).report.taken.includes('shut'));
-    bench.tell('mouth 0.8 0.95');
+    await until('shut taken', async () => (await desk_tests.stateOf(page)).report.done.includes('shut'));
+    harness.tell('mouth 0.8 0.95');
     await page.getByRole('radio', {name: 'Paint'}).click();
     await pause(kSettle_ms);
     await page.screenshot({path: file('large.png')});
-    const phone = await desk_tests.visit(browser, await bench.address(),
+    const phone = await desk_tests.visit(browser, await harness.address(),
                                          {viewport: {width: 296, height: 640}, isMobile: true, hasTouch: true, locale: 'ja-JP'});
-    await desk_tests.pair(phone, bench);
+    await desk_tests.pair(phone, harness);
     await phone.getByRole('radio').nth(1).click();
     await pause(kSettle_ms);
     await phone.screenshot({path: file('phone.png')});
     execFileSync('ffmpeg', ['-loglevel', 'error', '-y', '-i', file('large.png'), '-i', file('phone.png'),
                             '-filter_complex', 'hstack', join(kDocs, 'desk.png')]);
   } finally {
-    await bench.close();
+    await harness.close();
   }
 }));

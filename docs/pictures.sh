@@ -12,6 +12,6 @@ pictures() {
   done
   need "${BUILD_PACKAGES[@]}" "${PICTURES_PACKAGES[@]}"
   need_node
-  build release programs desk-bench
+  build release programs desk-harness
   exec docs/pictures.py make "${options[@]}" --build "$BUILD"
 }

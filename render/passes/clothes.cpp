@@ -1,65 +1,52 @@
 #include "render/passes/clothes.h"
 
-#include <algorithm>
-
 #include "render/gl/draw_state.h"
-#include "render/passes/frame.h"
 
 namespace kaori::passes {
-namespace {
 
-// Far enough to leave the picture.
-constexpr float kSunk_m = 0.14F;
-// A face with less weight than this dresses nobody: one step of 8 bits.
-constexpr float kGone = 0.004F;
-
-bool WearsClothes(const Appearance& appearance, std::size_t face) {
-  return std::ranges::any_of(appearance.worn_by(face), [&](int prop) {
-    return appearance.meshes()[static_cast<std::size_t>(prop)].part == face::Part::kClothes;
-  });
+Result<ClothesPass::Variant> ClothesPass::MakeVariant(std::string defines) {
+  auto program = MakeProgram("clothes.vert", "clothes.frag", std::move(defines));
+  if (!program) return tl::unexpected(program.error());
+  Variant v;
+  v.paint = program->Find("paint");
+  v.fit = program->Find("fit");
+  v.collar = program->Find("collar_px");
+  v.shrinks_from = program->Find("shrinks_from");
+  v.shrinks_to = program->Find("shrinks_to");
+  v.program = std::move(*program);
+  return v;
 }
-
-// The part of the faces that wears anything.
-float Dressed(const Appearance& appearance, const face::Terms& faces) {
-  float dressed = 0;
-  for (const face::Term& term : faces) dressed += WearsClothes(appearance, term.index) ? term.weight : 0.0F;
-  return std::clamp(dressed, 0.0F, 1.0F);
-}
-
-}  // namespace
 
 Result<ClothesPass> ClothesPass::Open() {
-  auto program = MakeProgram("clothes.vert", "clothes.frag");
-  if (!program) return tl::unexpected(program.error());
+  auto whole = MakeVariant("");
+  if (!whole) return tl::unexpected(whole.error());
+  auto changing = MakeVariant("#define CHANGING\n");
+  if (!changing) return tl::unexpected(changing.error());
   ClothesPass pass;
-  pass.paint_ = program->Find("paint");
-  pass.sunk_ = program->Find("sunk_m");
-  pass.opacity_ = program->Find("opacity");
-  pass.program_ = std::move(*program);
+  pass.whole_ = std::move(*whole);
+  pass.changing_ = std::move(*changing);
   return pass;
 }
 
-// Each face's clothes over those before it, by its part of what is laid so far: the mean of all by their
-// weights.
-void ClothesPass::Draw(const Appearance& appearance, const face::Terms& faces) const {
-  program_.Use();
-  gl::Program::Set(sunk_, kSunk_m * (1 - Dressed(appearance, faces)));
-  float laid = 0;
-  for (const face::Term& term : faces) {
-    if (term.weight < kGone || !WearsClothes(appearance, term.index)) continue;
-    laid += term.weight;
-    const bool first = laid <= term.weight;
-    gl::Apply({.blend = first ? gl::Blend::kReplace : gl::Blend::kOver});
-    gl::Program::Set(opacity_, term.weight / laid);
-    DrawWorn(appearance, term.index);
+void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
+                       const FrameBlock& frame) const {
+  const Variant& variant = dressing.whole() ? whole_ : changing_;
+  gl::Apply({});
+  variant.program.Use();
+  gl::Program::Set(variant.collar, HeightInPicture_px(frame, {0, dressing.collar_m, 0}, Follows::kBody));
+  gl::Program::Set(variant.shrinks_from, glm::vec4(dressing.shrinks_from, dressing.share));
+  gl::Program::Set(variant.shrinks_to, dressing.shrinks_to);
+  for (const WornGarments& worn : dressing.worn()) {
+    gl::Program::Set(variant.fit, glm::vec4(worn.from, worn.to, worn.rise_m, worn.widen_m));
+    DrawWorn(appearance, variant, worn.face);
   }
 }
 
-void ClothesPass::DrawWorn(const Appearance& appearance, std::size_t face) const {
+void ClothesPass::DrawWorn(const Appearance& appearance, const Variant& variant, std::size_t face) {
   for (const int index : appearance.worn_by(face)) {
     const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
     if (prop.part != face::Part::kClothes) continue;
-    gl::Program::Set(paint_, prop.paint);
+    gl::Program::Set(variant.paint, prop.paint);
     prop.mesh.Draw();
   }
 }

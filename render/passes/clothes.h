@@ -1,8 +1,10 @@
-// Shoulders and collar. Clothes of faces that cross-fade melt into each other; where a face wears none, they
-// sink.
+// Shoulders and collar. Of faces that cross-fade each dresses a part of the picture of its own, from the collar
+// down, and the parts wander; where a face has no neck to wear them on, clothes shrink into it.
 #pragma once
 
 #include "render/gl/program.h"
+#include "render/passes/dressing.h"
+#include "render/passes/frame.h"
 #include "render/passes/prop_mesh.h"
 
 namespace kaori::passes {
@@ -13,15 +15,23 @@ class ClothesPass {
   // Errors: invalid_argument (a shader).
   static Result<ClothesPass> Open();
 
-  // `faces` as composed, and weighed by the appearance. Clothes breathe, but do not turn with the head.
-  void Draw(const Appearance& appearance, const face::Terms& faces) const;
+  // `dressing` of the faces that the appearance was weighed for. Clothes breathe and lean with the head, but do
+  // not turn with it. No pixel shows garments of two faces.
+  void Draw(const Appearance& appearance, const Dressing& dressing, const FrameBlock& frame) const;
 
  private:
+  // Clothes as they were sewn, and clothes that give way to others: the latter discards fragments, which costs
+  // more.
+  struct Variant {
+    gl::Program program;
+    int paint = -1, fit = -1, collar = -1, shrinks_from = -1, shrinks_to = -1;
+  };
+  static Result<Variant> MakeVariant(std::string defines);
   // The clothes of one face, in the program that Draw has set.
-  void DrawWorn(const Appearance& appearance, std::size_t face) const;
+  static void DrawWorn(const Appearance& appearance, const Variant& variant, std::size_t face);
 
-  gl::Program program_;
-  int paint_ = -1, sunk_ = -1, opacity_ = -1;
+  Variant whole_;
+  Variant changing_;
 };
 
 }  // namespace kaori::passes

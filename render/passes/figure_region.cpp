@@ -92,14 +92,14 @@ class Bands {
 };
 
 // The slice's prism, with a margin, as the rectangle that encloses its corners in the picture.
-void AddSlice(const FrameBlock& frame, const Slice& slice, bool turns, float margin_m, Bands& bands) {
+void AddSlice(const FrameBlock& frame, const Slice& slice, Follows follows, float margin_m, Bands& bands) {
   const float low_m = slice.low_m - margin_m;
   const float high_m = slice.high_m + margin_m;
   glm::vec2 low{1e9F};
   glm::vec2 high{-1e9F};
   for (const glm::vec2& corner : slice.outline) {
     for (const float y_m : {low_m, high_m}) {
-      const glm::vec2 seen = Project(frame, {corner.x, y_m, corner.y}, turns);
+      const glm::vec2 seen = Project(frame, {corner.x, y_m, corner.y}, follows);
       low = glm::min(low, seen);
       high = glm::max(high, seen);
     }
@@ -109,13 +109,13 @@ void AddSlice(const FrameBlock& frame, const Slice& slice, bool turns, float mar
 }
 
 // Hair reaches as far beyond its slices as its tips swing; everything as far as breath lifts it.
-void AddProp(const FrameBlock& frame, const PropMesh& prop, Bands& bands) {
-  const bool turns = prop.part != face::Part::kClothes;
+void AddProp(const FrameBlock& frame, const PropMesh& prop, const Reaches& reaches, Bands& bands) {
+  const bool clothes = prop.part == face::Part::kClothes;
   const float swing_rad = std::max(std::abs(frame.sway.x), std::abs(frame.sway.y));
-  const float margin_m =
-      kSoftEdge_m + (prop.part == face::Part::kHair ? kSwing_m * swing_rad : 0.0F) + std::abs(frame.up.w);
+  const float margin_m = kSoftEdge_m + (clothes ? reaches.clothes_m : reaches.hair_m + kSwing_m * swing_rad) +
+                         std::abs(frame.up.w);
   for (const Slice& slice : prop.slices) {
-    if (!slice.empty()) AddSlice(frame, slice, turns, margin_m, bands);
+    if (!slice.empty()) AddSlice(frame, slice, clothes ? Follows::kBody : Follows::kHead, margin_m, bands);
   }
 }
 
@@ -128,21 +128,21 @@ LongestEdges MeasureEdges(const face::Cast& cast) {
 }
 
 FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
-                        const LongestEdges& edges, float reach_m) {
+                        const LongestEdges& edges, const Reaches& reaches) {
   Bands bands({frame.sway.z, frame.sway.w});
   const glm::vec2 per_metre = SeenPerMetre(frame);
   for (std::size_t i = 0; i < shape.cage.size(); ++i) {
-    float margin_m = std::max(kLashes_m, reach_m) + std::abs(frame.up.w);
+    float margin_m = std::max(kLashes_m, reaches.handles_m) + std::abs(frame.up.w);
     for (const face::Term& f : shape.faces) margin_m += f.weight * kEdgeShare * edges[f.index][i];
     const glm::vec3 p = shape.cage[i];
-    const glm::vec2 turned = Project(frame, p, true);
+    const glm::vec2 turned = Project(frame, p, Follows::kSkin);
     const bool neck = p.y < frame.shift.w;  // It turns by less.
-    const glm::vec2 still = neck ? Project(frame, p, false) : turned;
+    const glm::vec2 still = neck ? Project(frame, p, Follows::kBody) : turned;
     const glm::vec2 margin = per_metre * margin_m;
     bands.Add(glm::min(turned, still) - margin, glm::max(turned, still) + margin);
   }
   for (std::size_t i = 0; i < appearance.meshes().size(); ++i) {
-    if (appearance.presence(i) > 0) AddProp(frame, appearance.meshes()[i], bands);
+    if (appearance.presence(i) > 0) AddProp(frame, appearance.meshes()[i], reaches, bands);
   }
   return bands.Region();
 }

@@ -28,11 +28,18 @@ using LongestEdges = std::vector<std::vector<float>>;
 // Once for a cast, on any thread.
 LongestEdges MeasureEdges(const face::Cast& cast);
 
-// Encloses the face, with what sticks out of it by `reach_m` (metres), and all that is worn in this frame,
-// hair as it swings. Works on the cage: the fine mesh stays within part of an edge of it, which is what
-// `edges` are for. `appearance` must have been weighed for this frame. Allocates nothing; projects each
-// vertex of the cage once or twice.
+// How far things reach beyond where they are at rest, metres: the editor's handles out of the skin, clothes
+// and hair that are fitted to another neck and head.
+struct Reaches {
+  float handles_m = 0;
+  float clothes_m = 0;
+  float hair_m = 0;
+};
+
+// Encloses the face, with what sticks out of it, and all that is worn in this frame, hair as it swings. Works on
+// the cage: the fine mesh stays within part of an edge of it, which is what `edges` are for. `appearance` must
+// have been weighed for this frame. Allocates nothing; projects each vertex of the cage once or twice.
 FigureRegion FindFigure(const FrameBlock& frame, const face::Shape& shape, const Appearance& appearance,
-                        const LongestEdges& edges, float reach_m = 0);
+                        const LongestEdges& edges, const Reaches& reaches = {});
 
 }  // namespace kaori::passes

@@ -13,6 +13,9 @@ namespace {
 constexpr float kStill_m = 0.016F;
 constexpr float kTurns_m = 0.062F;
 
+// As frame.glsl.
+constexpr float kLeanPerMetre = 3.3F;
+
 // Full breath lifts the shoulders by this much.
 constexpr float kBreath_m = 0.004F;
 
@@ -45,15 +48,28 @@ FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canv
   return f;
 }
 
+float LeanShare(const FrameBlock& f, float height_m) {
+  return std::clamp(1 - (f.shift.w - height_m) * kLeanPerMetre, 0.0F, 1.0F);
+}
+
 // As HeadToCamera in frame.glsl, without breath, for which callers leave a margin.
-glm::vec2 Project(const FrameBlock& f, glm::vec3 point, bool turns) {
-  if (turns) {
+glm::vec3 Placed(const FrameBlock& f, glm::vec3 point, Follows follows) {
+  const float share = follows == Follows::kHead ? 1.0F : LeanShare(f, point.y);
+  if (follows != Follows::kBody) {
     // glm's constructor wants w first; the block holds x, y, z, w, as shaders read it.
     const glm::quat turn(f.turn.w, f.turn.x, f.turn.y, f.turn.z);
-    point = turn * (point - glm::vec3(f.pivot)) + glm::vec3(f.pivot) + glm::vec3(f.shift);
+    point = turn * (point - glm::vec3(f.pivot)) + glm::vec3(f.pivot);
   }
-  const glm::vec4 clip = f.projection * f.view * glm::vec4(point, 1);
+  return point + share * glm::vec3(f.shift);
+}
+
+glm::vec2 Project(const FrameBlock& f, glm::vec3 point, Follows follows) {
+  const glm::vec4 clip = f.projection * f.view * glm::vec4(Placed(f, point, follows), 1);
   return glm::vec2(clip) / std::max(clip.w, 1e-3F);
+}
+
+float HeightInPicture_px(const FrameBlock& f, glm::vec3 point, Follows follows) {
+  return (0.5F + 0.5F * Project(f, point, follows).y) * f.sway.w;
 }
 
 Result<gl::Program> MakeProgram(std::string_view vertex, std::string_view fragment, std::string defines) {

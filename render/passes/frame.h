@@ -6,6 +6,8 @@
 // frame at rest (face/cast.h); shaders turn the head. Colours are linear RGB.
 #pragma once
 
+#include <cstdint>
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -55,9 +57,23 @@ Neck NeckOf(const face::Cast& cast);
 // 1993. `canvas_px`: width and height, neither 0.
 FrameBlock MakeFrame(const scene::Scene& scene, const Neck& neck, glm::vec2 canvas_px, float soft_share);
 
-// A point of the head in the picture: x, y from -1 to 1, right and up, more outside of it. `turns`: it
-// follows the head's whole turn, else none of it. As the shaders place it.
-glm::vec2 Project(const FrameBlock& frame, glm::vec3 point, bool turns);
+// What a point of the figure follows, as frame.glsl moves it.
+enum class Follows : std::uint8_t {
+  kHead,  // The head's whole turn and shift.
+  kSkin,  // The head's turn; below the head only a part of its shift. The neck lies between this and kBody.
+  kBody,  // No turn, and a part of the shift.
+};
+
+// 0..1: how much of the head's shift a height of the figure at rest follows, as frame.glsl.
+float LeanShare(const FrameBlock& frame, float height_m);
+
+// A point of the figure at rest, where the frame moves it. Breath is left out.
+glm::vec3 Placed(const FrameBlock& frame, glm::vec3 point, Follows follows);
+
+// The same in the picture: x, y from -1 to 1, right and up, more outside of it.
+glm::vec2 Project(const FrameBlock& frame, glm::vec3 point, Follows follows);
+// Its height there, pixels from below.
+float HeightInPicture_px(const FrameBlock& frame, glm::vec3 point, Follows follows);
 
 // Compiles a program of the shader library and binds its Frame block to kFrameBinding. `defines` are lines
 // such as "#define TEXTURES 4\n". Errors: as gl::Program::Make.

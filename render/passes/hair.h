@@ -1,11 +1,43 @@
-// Hair: locks with a band of light. It grows out of the head while its face, or the style with hair, fades
-// in.
+// Hair: locks with a band of light, and the hard things that are worn with it.
 #pragma once
 
 #include "render/gl/program.h"
+#include "render/passes/frame.h"
+#include "render/passes/head_fit.h"
 #include "render/passes/prop_mesh.h"
 
 namespace kaori::passes {
+
+// One face's hair in a frame.
+struct WornHair {
+  std::uint16_t face = 0;
+  // Of the order in which hair replaces hair, 0 at the crown .. 1 at the tips: it is seen where the order lies
+  // within [from, to), and no other face's is.
+  float from = 0;
+  float to = 1;
+  // 0..1: what is left of its length, where others have none; and of the face's hard things.
+  float grown = 1;
+  float present = 1;
+  // It is as it was cut: nothing of the above matters.
+  bool whole = true;
+  HeadFit::Motion motion{};
+};
+
+// All hair of a frame, in the order of the faces in the cast.
+class Hairdo {
+ public:
+  // `faces` as composed, sum 1; `share` 0..1: how much of the hair the style shows. Allocates nothing.
+  void Comb(const Appearance& appearance, const HeadFit& fit, const face::Terms& faces, float share);
+
+  std::span<const WornHair> worn() const { return {worn_.data(), count_}; }
+  // How far hair lies beyond its place at rest.
+  float reach_m() const { return reach_m_; }
+
+ private:
+  std::array<WornHair, face::Terms::kCapacity> worn_{};
+  std::size_t count_ = 0;
+  float reach_m_ = 0;
+};
 
 // All hair is one kind of mesh, lit by its tangents (Kajiya and Kay 1989) in the vertex shader.
 class HairPass {
@@ -13,23 +45,27 @@ class HairPass {
   // Compiles two variants of one shader. Errors: invalid_argument (a shader).
   static Result<HairPass> Open();
 
-  // Draws the hair of all faces that are shown. `share` 0..1: how much of the hair the style shows. Where a
-  // lock has not grown to its whole length, samples of its pixels are left out (alpha to coverage) instead of
-  // blended, so that nothing needs sorting; it therefore needs a layer with samples.
-  void Draw(const Appearance& appearance, float share) const;
+  // Hair of two faces shares the picture as clothes do. Where faces have none, hair shortens into the scalp.
+  // Samples of pixels are left out (alpha to coverage) instead of blended, so that nothing
+  // needs sorting; it therefore needs a layer with samples.
+  void Draw(const Appearance& appearance, const Hairdo& hairdo, const FrameBlock& frame) const;
 
  private:
-  // Whole hair, and hair that grows: the latter discards samples, which costs more.
+  // Whole hair, and hair that grows or gives way: the latter discards samples, which costs more.
   struct Variant {
     gl::Program program;
     int paint = -1;
     int gleam = -1;
     int grown = -1;
+    int part = -1;
+    int motion = -1;
+    int span = -1;
   };
   // `defines`: nothing, or GROWTH.
   static Result<Variant> MakeVariant(std::string defines);
-  // One prop's locks; `presence` 0..1.
-  void DrawLocks(const PropMesh& hair, float presence) const;
+  // One face's hair, and the hard things that are worn with it. `span_px`: where the order of hair begins, and its
+  // length.
+  void DrawWorn(const Appearance& appearance, const WornHair& worn, glm::vec2 span_px) const;
 
   Variant whole_;
   Variant growing_;

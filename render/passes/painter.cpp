@@ -81,7 +81,9 @@ void Keep(Result<T> made, std::optional<T>& into, Result<void>& outcome) {
 Painter::Parts::Parts(const face::Cast& cast, Preparation prepared)
     : composer(std::move(prepared.composer)),
       neck(NeckOf(cast)),
+      necks(cast),
       edges(std::move(prepared.edges)),
+      head_fit(std::move(prepared.head_fit)),
       appearance(cast, prepared.props),
       surface(cast, prepared.worn) {
   for (const face::Face& f : cast.faces) prints.push_back(f.surface.print);
@@ -108,9 +110,9 @@ Result<void> Painter::Parts::Open(const face::Cast& cast) {
 // Front to back, so that what is hidden costs little.
 void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& shape) {
   surface.WriteFine(shape);
-  hair->Draw(appearance, HairShare(scene));
+  hair->Draw(appearance, hairdo, block);
   lashes->Draw(shape);
-  clothes->Draw(appearance, shape.faces);
+  clothes->Draw(appearance, dressing, block);
   body->Draw(surface, shape, HairShare(scene) > kPainterWhole);
   eyes->Draw(shape, scene.gaze);
   mouth->Draw(appearance, shape);
@@ -118,7 +120,7 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
 
 // Of 1993: no hair, no lashes; eyes and mouth as ever.
 void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shape) {
-  clothes->Draw(appearance, shape.faces);
+  clothes->Draw(appearance, dressing, block);
   flat->Draw(shape);
   eyes->Draw(shape, scene.gaze);
   mouth->Draw(appearance, shape);
@@ -142,12 +144,11 @@ void Painter::Parts::DrawGroup(Group group, const scene::Scene& scene, const fac
   }
 }
 
-// Writes what all shaders of this frame share, and gives it for what is worked out here.
-FrameBlock Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas& canvas) {
-  const FrameBlock block = MakeFrame(scene, neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
+// Writes what all shaders of this frame share, and keeps it for what is worked out here.
+void Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas& canvas) {
+  block = MakeFrame(scene, neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
   frame.Write(std::as_bytes(std::span(&block, 1)));
   frame.BindUniforms(kFrameBinding);
-  return block;
 }
 
 Painter::Painter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -174,9 +175,13 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
   const face::Shape& shape =
       p.composer.Compose(scene.weights, fine ? face::Detail::kFine : face::Detail::kCage);
   p.appearance.Weigh(shape.faces);
-  const FrameBlock frame = p.BindFrame(scene, canvas);
-  const FigureRegion figure =
-      FindFigure(frame, shape, p.appearance, p.edges, HandlesPass::ReachOf(scene.handles));
+  p.dressing = p.necks.Dress(shape.faces);
+  p.hairdo.Comb(p.appearance, p.head_fit, shape.faces, HairShare(scene));
+  p.BindFrame(scene, canvas);
+  const FigureRegion figure = FindFigure(p.block, shape, p.appearance, p.edges,
+                                         {.handles_m = HandlesPass::ReachOf(scene.handles),
+                                          .clothes_m = p.dressing.reach_m(),
+                                          .hair_m = p.hairdo.reach_m()});
   p.backdrop->Prepare(scene, canvas.width_px(), canvas.height_px());
   const gl::Texture& behind = p.backdrop->picture();
   const std::uint64_t version = p.backdrop->version();

@@ -12,6 +12,7 @@
 #include "render/passes/body.h"
 #include "render/passes/caption.h"
 #include "render/passes/clothes.h"
+#include "render/passes/dressing.h"
 #include "render/passes/eyes.h"
 #include "render/passes/figure_region.h"
 #include "render/passes/flat.h"
@@ -38,7 +39,7 @@ struct Painter::Parts {
   // Opens all passes, and goes on after a fault; the first one is the error.
   Result<void> Open(const face::Cast& cast);
   // Writes and binds the uniforms of a frame.
-  FrameBlock BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
+  void BindFrame(const scene::Scene& scene, const gl::Canvas& canvas);
   // Into the layer that is begun.
   void DrawGroup(Group group, const scene::Scene& scene, const face::Shape& shape);
   // What a fade or a style needs beyond the default look, by shader.
@@ -73,11 +74,18 @@ struct Painter::Parts {
   std::vector<float> prints;
   // Where the neck bends, from the reference face.
   Neck neck;
+  Necks necks;
+  // Of the frame that is drawn.
+  Dressing dressing;
   LongestEdges edges;
+  HeadFit head_fit;
   Appearance appearance;
+  // Of the frame that is drawn.
+  Hairdo hairdo;
   // The face as composed for this frame.
   Surface surface;
   // The uniforms that all passes share.
+  FrameBlock block{};
   gl::Buffer frame{gl::BufferUse::kEachFrame, sizeof(FrameBlock)};
   std::optional<BodyPass> body;
   std::optional<EyesPass> eyes;

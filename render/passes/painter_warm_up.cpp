@@ -27,6 +27,7 @@ void Painter::Parts::WarmUp(Shader shader) {
   // A mouth that is open, or MouthPass would draw nothing.
   shape.jaw_drop_m = 0.01F;
   appearance.Weigh(shape.faces);
+  dressing = necks.Dress(shape.faces);
   surface.WriteFine(shape);
   surface.WriteCage(shape);
   BindFrame(scene, *backstage);
@@ -36,9 +37,10 @@ void Painter::Parts::WarmUp(Shader shader) {
     case Shader::kMouth:
       return mouth->Draw(appearance, shape);
     case Shader::kHair:
-      return hair->Draw(appearance, 0.5F);
+      hairdo.Comb(appearance, head_fit, shape.faces, 0.5F);
+      return hair->Draw(appearance, hairdo, block);
     case Shader::kClothes:
-      return clothes->Draw(appearance, shape.faces);
+      return clothes->Draw(appearance, dressing, block);
     case Shader::kBody2:
     case Shader::kBody4:
       return body->Draw(surface, shape, false);

@@ -7,6 +7,7 @@
 #include "render/face/cast.h"
 #include "render/face/composer.h"
 #include "render/passes/figure_region.h"
+#include "render/passes/head_fit.h"
 #include "render/passes/prop_mesh.h"
 #include "render/passes/surface.h"
 
@@ -16,10 +17,15 @@ namespace kaori::passes {
 struct Preparation {
   // Builds all composites, measures edges and props, and sorts hair.
   explicit Preparation(const face::Cast& cast)
-      : composer(cast), edges(MeasureEdges(cast)), props(FormsOf(cast.props)), worn(SeenWhenWorn(cast)) {}
+      : composer(cast),
+        edges(MeasureEdges(cast)),
+        head_fit(cast),
+        props(FormsOf(cast.props)),
+        worn(SeenWhenWorn(cast)) {}
 
   face::Composer composer;
   LongestEdges edges;
+  HeadFit head_fit;
   // In the order of Cast::props.
   std::vector<PropForm> props;
   // For each face, what is seen of it under its hair and clothes.

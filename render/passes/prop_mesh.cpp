@@ -33,6 +33,9 @@ gl::Mesh MeshOf(const face::Prop& prop, const gl::Buffer& vertices, const gl::Bu
                   indices);
 }
 
+// Hard things say `across` far below 0, as hair.frag.
+constexpr float kHardAcross = -50;
+
 constexpr auto kSides = Slice::kSides;
 
 // Where each side looks. Asked of for every corner of every lock, so worked out once.
@@ -123,6 +126,7 @@ std::vector<PropForm> FormsOf(std::span<const face::Prop> props) {
 
 PropMesh::PropMesh(const face::Prop& prop, const PropForm& form)
     : part(prop.part),
+      hard(prop.part == face::Part::kHair && !prop.vertices.empty() && prop.vertices[0].across < kHardAcross),
       paint(prop.colour),
       slices(form.slices),
       vertices(gl::Buffer::Of(std::span<const face::PropVertex>(prop.vertices))),

@@ -48,6 +48,8 @@ struct PropMesh {
 
   // Copied from the prop; what else it says is in the buffers.
   face::Part part;
+  // Worn with hair, but no hair: glasses, hairpins.
+  bool hard;
   glm::vec3 paint;
   std::array<Slice, kPropSlices> slices;
   gl::Buffer vertices;

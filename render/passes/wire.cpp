@@ -22,8 +22,20 @@ constexpr std::size_t kCircles = 4;
 // Beyond white: cyan pales.
 constexpr float kEyeBrightness = 2.6F;
 
-// From the lower edge of the neck upwards lines fade in over this height.
-constexpr float kFade_m = 0.045F;
+// Lines fade in over this part of the parameter space's height: the neck, which has no end in the picture.
+// As wire_body.vert.
+constexpr float kFadedBelow = 0.01F;
+constexpr float kSeenAbove = 0.15F;
+
+std::vector<float> FadesOf(const face::Topology& topology) {
+  std::vector<float> fades;
+  for (const glm::vec2& place : topology.texture) {
+    const float seen = glm::smoothstep(kFadedBelow, kSeenAbove, place.y);
+    fades.push_back(seen * seen);
+  }
+  fades.resize(topology.vertex_count, 1.0F);
+  return fades;
+}
 
 // Lines glow in the colour of the flat-shaded face, deeper and as bright as can be.
 std::vector<glm::vec3> GlowsOf(const face::Cast& cast) {
@@ -86,6 +98,7 @@ WirePass::WirePass(gl::Program body, gl::Program lines, const face::Cast& cast)
       lines_paint_(lines_.Find("paint")),
       glows_(GlowsOf(cast)),
       cage_points_(cast.topology.vertex_count),
+      fades_(FadesOf(cast.topology)),
       points_(static_cast<std::size_t>(TextureRows(cage_points_ + kCircles * kCircle) * kTexture_px)),
       texture_(
           {.width_px = kTexture_px, .height_px = TextureRows(points_.size()), .texels = gl::Texels::kFloat4},
@@ -123,13 +136,7 @@ void WirePass::WriteEye(const face::EyeBall& ball, const scene::Gaze& gaze, floa
 // Vertices have no index into a buffer of other vertices, so both ends of a line are looked up in a texture
 // of points.
 void WirePass::WritePoints(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) {
-  const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
-  // The lowest vertex of the face as it is in this frame: faces differ in their necks.
-  const float edge_m = std::ranges::min_element(shape.cage, lower)->y;
-  for (std::size_t i = 0; i < cage_points_; ++i) {
-    const float fade = glm::smoothstep(0.0F, kFade_m, shape.cage[i].y - edge_m);
-    points_[i] = glm::vec4(shape.cage[i], fade);
-  }
+  for (std::size_t i = 0; i < cage_points_; ++i) points_[i] = glm::vec4(shape.cage[i], fades_[i]);
   for (std::size_t side = 0; side < 2; ++side) {
     WriteEye(shape.eyes[side], gaze[side], shape.eye_look.iris_radius_m,
              &points_[cage_points_ + side * 2 * kCircle]);

@@ -41,6 +41,8 @@ class WirePass {
   std::vector<glm::vec3> glows_;
   // How many points of the cage come before those of the circles.
   std::size_t cage_points_;
+  // Of each vertex of the cage: how much of its lines is seen.
+  std::vector<float> fades_;
   // The cage's, then two circles for each eye; w: brightness.
   std::vector<glm::vec4> points_;
   gl::Texture texture_;

@@ -1,17 +1,34 @@
-// Shoulders: they breathe, but do not turn with the head.
+// Shoulders: they breathe and lean with the head, but do not turn with it. CHANGING: they are fitted to a neck
+// that is shared with another face's clothes.
 #include "frame.glsl"
 #include "light.glsl"
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float open;
 uniform vec3 paint;
-uniform float sunk_m;
 out vec3 lit;
+#ifdef CHANGING
+uniform vec4 fit;           // x, y: see clothes.frag; z: rises by, metres; w: widens about the neck by, metres.
+uniform vec4 shrinks_from;  // xyz: the lower end of the neck that the clothes were sewn for; w: what is left of them, 0..1.
+uniform vec3 shrinks_to;    // The lower end of the neck.
+
+vec3 Fitted(vec3 p) {
+  p.y += fit.z;
+  vec2 away = p.xz - shrinks_from.xz;
+  float from_neck = max(length(away), 1e-4);
+  p.xz += away / from_neck * (fit.w * (1.0 - smoothstep(0.05, 0.14, from_neck)));
+  return shrinks_to + shrinks_from.w * (p - shrinks_from.xyz);
+}
+#endif
 
 void main() {
   vec3 n = mat3(view) * normal;
-  vec3 breathing = position * vec3(1.0 + 3.0 * up.w, 1.0, 1.0 + 3.0 * up.w);
-  vec3 p = (view * vec4(breathing + vec3(0.0, up.w - sunk_m, 0.0), 1.0)).xyz;
+  vec3 p = position;
+#ifdef CHANGING
+  p = Fitted(p);
+#endif
+  vec3 breathing = p * vec3(1.0 + 3.0 * up.w, 1.0, 1.0 + 3.0 * up.w) + vec3(0.0, up.w, 0.0);
+  p = (view * vec4(breathing + shift.xyz * LeanShare(p.y), 1.0)).xyz;
   float edge = 1.0 - clamp(dot(n, normalize(-p)), 0.0, 1.0);
   float sky = SkyShare(n);
   vec3 soft = paint * (Ramp(dot(n, key.xyz), 0.4) * kKeyColour * 0.85 + kSky * (0.5 + 0.7 * sky)) * open;

@@ -4,7 +4,7 @@ layout(std140) uniform Frame {
   mat4 projection;
   vec4 turn;        // The head's rotation, a quaternion.
   vec4 pivot;       // xyz: the head turns about this point; w: below this height the neck does not turn.
-  vec4 shift;       // xyz: how far the head is moved; w: above this height it turns fully.
+  vec4 shift;       // xyz: how far the head is moved; w: above this height it turns and moves fully.
   vec4 key;         // xyz: unit direction towards the key light, camera's frame; w: exposure.
   vec4 fill;        // xyz: as key, of the fill light; w: share of today's soft light, the rest is 1993's plain one.
   vec4 up;          // xyz: the world's up in the camera's frame; w: metres that breath lifts the shoulders.
@@ -19,6 +19,10 @@ float TurnShare(vec3 p) {
   return smoothstep(pivot.w, shift.w, height);
 }
 
+// How far a height of the figure follows the head's shift: the head wholly, the body below it the less the lower, as one
+// leans in from the hip. Neck and clothes of one height move alike, so that nothing comes through a collar.
+float LeanShare(float y) { return clamp(1.0 - (shift.w - y) * 3.3, 0.0, 1.0); }
+
 vec4 PartOfTurn(float share) { return normalize(mix(vec4(0.0, 0.0, 0.0, 1.0), turn, share)); }
 
 // A point of the head to the camera's frame, and the direction `n` with it.
@@ -26,7 +30,7 @@ vec3 HeadToCamera(vec3 p, inout vec3 n) {
   float share = TurnShare(p);
   vec4 q = PartOfTurn(share);
   n = mat3(view) * Rotate(q, n);
-  vec3 turned = Rotate(q, p - pivot.xyz) + pivot.xyz + shift.xyz * share;
+  vec3 turned = Rotate(q, p - pivot.xyz) + pivot.xyz + shift.xyz * LeanShare(p.y);
   turned.y += up.w * (1.0 - 0.4 * share);
   return (view * vec4(turned, 1.0)).xyz;
 }

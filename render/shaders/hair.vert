@@ -10,6 +10,31 @@ layout(location = 4) in float lock_number; // 0..1, one for each lock.
 uniform vec3 paint;
 out vec4 lit;
 out vec2 uv;
+#ifdef GROWTH
+uniform vec2 grown;              // x: hair is there up to here, along the lock; y: how far hard things have sunk into the head.
+uniform highp vec4 motion[20];   // To the head of the frame, see head_fit.h.
+const vec3 kMiddle = vec3(0.0, 0.03, -0.01);
+
+// Hair that has not its whole length lies down towards its end, and at last sinks into the scalp. In between it stands off
+// a little: the scalp that faces have together is not quite where the motion says.
+vec3 Bedded(vec3 p) {
+  float sunk = 0.025 * smoothstep(grown.x - 0.20, grown.x, lock.x) + 0.16 * smoothstep(0.4, 0.0, grown.x);
+  float length_left = min(grown.x / 1.35, 1.0);
+  sunk -= 0.10 * length_left * (1.0 - length_left);
+  return mix(p, kMiddle, sunk + 0.22 * grown.y);
+}
+
+vec3 Fitted(vec3 p) {
+  vec3 q = (p - kMiddle) * 10.0;
+  p += motion[0].xyz + motion[1].xyz * q.x + motion[2].xyz * q.y + motion[3].xyz * q.z;
+  p += motion[4].xyz * (q.x * q.x) + motion[5].xyz * (q.y * q.y) + motion[6].xyz * (q.z * q.z);
+  p += motion[7].xyz * (q.x * q.y) + motion[8].xyz * (q.y * q.z) + motion[9].xyz * (q.z * q.x);
+  p += q.x * q.x * (motion[10].xyz * q.x + motion[11].xyz * q.y + motion[12].xyz * q.z);
+  p += q.y * q.y * (motion[13].xyz * q.x + motion[14].xyz * q.y + motion[15].xyz * q.z);
+  p += q.z * q.z * (motion[16].xyz * q.x + motion[17].xyz * q.y + motion[18].xyz * q.z);
+  return p + motion[19].xyz * (q.x * q.y * q.z);
+}
+#endif
 
 // The lower and further along, the more a point swings.
 vec3 Swing(vec3 p) {
@@ -21,7 +46,11 @@ vec3 Swing(vec3 p) {
 void main() {
   vec3 n = normal;
   vec3 t = tangent;
+#ifdef GROWTH
+  vec3 p = RigidToCamera(Swing(Fitted(Bedded(position))), n);
+#else
   vec3 p = RigidToCamera(Swing(position), n);
+#endif
   t = normalize(mat3(view) * Rotate(turn, t));
   vec3 toward_eye = normalize(-p);
   float facing = clamp(dot(n, toward_eye), 0.0, 1.0);

@@ -26,14 +26,16 @@ BareDraw::BareDraw(const face::Cast& cast, const scene::Scene& scene, glm::vec2 
       eyes_(Must(passes::EyesPass::Open(cast.topology))),
       hair_(Must(passes::HairPass::Open())),
       clothes_(Must(passes::ClothesPass::Open())),
+      dressing_(passes::Necks(cast).Dress(shape_.faces)),
       backdrop_(Must(passes::BackdropPass::Open(cast))),
       layer_(Must(passes::LayerPass::Open())),
       frame_(gl::BufferUse::kStatic, sizeof(passes::FrameBlock)) {
   surface_.WriteFine(shape_);
   appearance_.Weigh(shape_.faces);
-  const passes::FrameBlock frame = passes::MakeFrame(scene, passes::NeckOf(cast), canvas_px, 1);
-  frame_.Write(std::as_bytes(std::span(&frame, 1)));
-  figure_ = passes::FindFigure(frame, shape_, appearance_, passes::MeasureEdges(cast));
+  hairdo_.Comb(appearance_, passes::HeadFit(cast), shape_.faces, 1);
+  block_ = passes::MakeFrame(scene, passes::NeckOf(cast), canvas_px, 1);
+  frame_.Write(std::as_bytes(std::span(&block_, 1)));
+  figure_ = passes::FindFigure(block_, shape_, appearance_, passes::MeasureEdges(cast));
 }
 
 void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
@@ -42,8 +44,8 @@ void BareDraw::Draw(const gl::Canvas& canvas, std::span<std::uint8_t> bytes) {
   const passes::LayerPass::Behind behind{backdrop_.picture(), backdrop_.version()};
   layer_.LayBackdropAround(canvas, figure_, behind);
   canvas.BeginLayer(figure_.bands, figure_.whole);
-  hair_.Draw(appearance_, 1);
-  clothes_.Draw(appearance_, shape_.faces);
+  hair_.Draw(appearance_, hairdo_, block_);
+  clothes_.Draw(appearance_, dressing_, block_);
   body_.Draw(surface_, shape_, true);
   eyes_.Draw(shape_, scene_.gaze);
   layer_.Lay(canvas, figure_, behind, {});

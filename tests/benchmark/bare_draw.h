@@ -34,8 +34,11 @@ class BareDraw {
   passes::EyesPass eyes_;
   passes::HairPass hair_;
   passes::ClothesPass clothes_;
+  passes::Hairdo hairdo_;
+  passes::Dressing dressing_;
   passes::BackdropPass backdrop_;
   passes::LayerPass layer_;
+  passes::FrameBlock block_{};
   gl::Buffer frame_;
   passes::FigureRegion figure_;
 };

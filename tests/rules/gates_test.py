@@ -128,8 +128,11 @@ class Tidy(Tree):
             self.assertEqual(len(found), 1, found)
             self.assertTrue(found[0].startswith("drivers/a.cpp:1:"), found)
             self.assertIn("modernize-use-nullptr", found[0])
+            self.assertEqual(tidy.count(self.root, self.root / "build"), 1)
         self.write("drivers/a.cpp", "int* Nothing() { return nullptr; }\n")
+        self.assertIsNone(tidy.count(self.root, self.root / "build"))
         self.assertEqual(self.found("drivers/a.cpp"), [])
+        self.assertEqual(tidy.count(self.root, self.root / "build"), 0)
         self.assertEqual(self.found("drivers/a.cpp"), [])
 
     def test_does_not_pass_what_does_not_compile(self):

@@ -205,21 +205,34 @@ class Checker:
         return sorted(of_tree)
 
 
-def offences(root, build, analyze=False):
-    """Every warning once."""
-    checker, unknown, found, told = Checker(root, build, analyze), [], set(), time.monotonic()
-    for source in sources(root, build):
+def remembered(checker):
+    """What was found in sources that are as they were then, and the other sources."""
+    found, unread = set(), []
+    for source in sources(checker.root, checker.build):
         known = checker.look_up(source)
         found.update(known or ())
         if known is None:
-            unknown.append(source)
+            unread.append(source)
+    return found, unread
+
+
+def count(root, build):
+    """The number of warnings, or None where a source was not read since it changed."""
+    found, unread = remembered(Checker(root, build, analyze=False))
+    return None if unread else len(found)
+
+
+def offences(root, build, analyze=False):
+    """Every warning once."""
+    checker, told = Checker(root, build, analyze), time.monotonic()
+    found, unread = remembered(checker)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        running = [pool.submit(checker.read, together) for together in readings(root, unknown)]
-        for count, done in enumerate(concurrent.futures.as_completed(running), 1):
+        running = [pool.submit(checker.read, together) for together in readings(root, unread)]
+        for number, done in enumerate(concurrent.futures.as_completed(running), 1):
             found.update(done.result())
             if time.monotonic() - told > PROGRESS_S:
                 told = time.monotonic()
-                print(f"clang-tidy: {count} of {len(running)} parts", file=sys.stderr, flush=True)
+                print(f"clang-tidy: {number} of {len(running)} parts", file=sys.stderr, flush=True)
     return sorted(line.replace(f"{root}/", "") for line in found)
 
 

@@ -38,8 +38,12 @@ void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg,
 }  // namespace
 
 Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& neck) {
+  constexpr float kWider_cm = 0.3F;  // A dog's neck is no oval: its sides must not come through the coat.
+  Neck wide = neck;
+  wide.top_radii_cm += kWider_cm;
+  wide.bottom_radii_cm += kWider_cm;
   // Shoulders, the joints' depth, chest and folds: a broad breast in loose fur.
-  const Torso torso{neck, look.shoulders_cm - 3, 19.5F, 3.6F, 0.3F};
+  const Torso torso{wide, look.shoulders_cm - 3, 19.5F, 3.6F, 0.3F};
   ClothMesh coat;
   AddBody(coat, torso, kFurLine, 0);
   AddTufts(coat, torso, 52, 309, 3);

@@ -111,10 +111,16 @@ json::List KeysJson(const show::Show& show) {
   add(board::key::kX, "Wink right", "blink");
   for (const show::Motion& motion : show.motions) add(motion.key_usage, Readable(motion.name), "motion");
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
-  for (const show::KeyCall& key : show.keys) {
+  const auto add_call = [&](const show::KeyCall& key) {
     const CallLabel label = LabelOf(key.call, show);
     add(key.key_usage, label.text, label.group);
-  }
+  };
+  for (const show::KeyCall& key : show.keys)
+    if (key.call.kind != show::CallKind::kCue) add_call(key);
+  // In the order of the calls, GO first, and not by the names of their keys.
+  for (std::uint16_t verb = 0; verb < show::kCueVerbCount; ++verb)
+    for (const show::KeyCall& key : show.keys)
+      if (key.call.kind == show::CallKind::kCue && key.call.index == verb) add_call(key);
   return keys;
 }
 

@@ -39,6 +39,17 @@ function show(list, row) {
   if (row) list.scrollTop = row.offsetTop - list.offsetTop - list.clientHeight / 3;
 }
 
+// Beside GO: what it plays next.
+export function makeStandby(parent, {cues}) {
+  const words = make('p', {id: 'standby', 'aria-live': 'polite'});
+  parent.append(words);
+  onState(({on_stage: now}) => {
+    const cue = now && cues[now.standby];
+    const text = cue ? `Next: ${cue.number} ${cue.text}` : '';
+    if (words.textContent !== text) words.textContent = text;
+  });
+}
+
 export function makeCues(parent, {cues, keys}) {
   if (cues.length === 0) return parent.remove();
   const calls = make('div', {class: 'calls', role: 'group', 'aria-label': 'Calls of the cue list'},

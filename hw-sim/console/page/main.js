@@ -1,7 +1,7 @@
 // Puts the page together from the labels, and keeps its few words true.
 import {makeButtons} from './buttons.js';
 import {makeCables} from './cables.js';
-import {makeCues} from './cues.js';
+import {makeCues, makeStandby} from './cues.js';
 import {makeDials} from './dials.js';
 import {onDrag} from './drag.js';
 import {editorIsOpen, makeEditor, pointing} from './editor.js';
@@ -81,6 +81,7 @@ async function begin() {
   $('rate').before(makeSound());
   makeKeys($('keys'), labels.keys);
   makeCues($('cues'), labels);
+  makeStandby($('lines'), labels);
   makeEditor($('stage'), $('picture'));
   makePicture($('picture'));
   makeCables();

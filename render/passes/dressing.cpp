@@ -1,0 +1,132 @@
+#include "render/passes/dressing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace kaori::passes {
+namespace {
+
+// The neck's lower end: the lowest row of the parameter space.
+constexpr float kLowestRow = 0.004F;
+// The neck is measured this far below the collar's upper end, within half of that; what lies before it is the
+// jaw.
+constexpr float kBelowCollar_m = 0.020F;
+constexpr float kBeforeNeck_m = 0.030F;
+// With so little neck left, clothes have shrunk to nothing.
+constexpr float kShrunk = 0.3F;
+// Smaller clothes are bared from their hem on, which would come into the picture.
+constexpr float kSeenWhole = 0.5F;
+// A face with less weight than this dresses nobody: one step of 8 bits.
+constexpr float kUndressed = 0.004F;
+
+}  // namespace
+
+face::Terms InOrderOfCast(const face::Terms& faces) {
+  std::array<face::Term, face::Terms::kCapacity> terms{};
+  std::ranges::copy(faces, terms.begin());
+  const auto end = terms.begin() + faces.size();
+  std::sort(terms.begin(), end, [](const auto& a, const auto& b) { return a.index < b.index; });
+  face::Terms sorted;
+  for (auto term = terms.begin(); term != end; ++term) sorted.Push(term->index, std::max(term->weight, 0.0F));
+  return sorted;
+}
+
+float Dressing::reach_m() const {
+  if (whole()) return 0;
+  float reach = glm::distance(shrinks_from, shrinks_to);
+  for (const WornGarments& w : worn()) reach = std::max(reach, std::abs(w.rise_m) + std::abs(w.widen_m));
+  return reach;
+}
+
+Necks::Necks(const face::Cast& cast) {
+  for (const face::Face& f : cast.faces) {
+    Neck neck;
+    MeasureEnd(cast.topology, f, neck);
+    MeasureCollar(cast, f, neck);
+    necks_.push_back(neck);
+  }
+}
+
+void Necks::MeasureEnd(const face::Topology& topology, const face::Face& face, Neck& neck) {
+  const auto lowest = std::ranges::min_element(topology.uv, {}, [](const glm::vec2& uv) { return uv.y; });
+  if (lowest == topology.uv.end()) return;
+  std::vector<glm::vec3> row;
+  for (std::size_t i = 0; i < topology.uv.size(); ++i) {
+    if (topology.uv[i].y < lowest->y + kLowestRow) row.push_back(face.positions[i]);
+  }
+  for (const glm::vec3& p : row) neck.end_m += p / static_cast<float>(row.size());
+  for (const glm::vec3& p : row)
+    neck.end_radius_m = std::max(neck.end_radius_m, std::abs(p.x - neck.end_m.x));
+}
+
+void Necks::MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& neck) {
+  neck.collar_m = -1e9F;
+  for (const int index : face.props) {
+    const face::Prop& prop = cast.props[static_cast<std::size_t>(index)];
+    if (prop.part != face::Part::kClothes) continue;
+    for (const face::PropVertex& v : prop.vertices) neck.collar_m = std::max(neck.collar_m, v.position.y);
+    neck.dressed = neck.dressed || !prop.vertices.empty();
+  }
+  for (const glm::vec3& p : face.positions) {
+    const bool at_collar = std::abs(p.y + kBelowCollar_m - neck.collar_m) < kBelowCollar_m / 2;
+    if (at_collar && p.z < kBeforeNeck_m) neck.half_width_m = std::max(neck.half_width_m, std::abs(p.x));
+  }
+}
+
+// A face without clothes either has no neck, and then all shrink to nothing with it, or it bares its neck from
+// below.
+Dressing Necks::Dress(const face::Terms& faces) const {
+  Dressing d;
+  const face::Terms sorted = InOrderOfCast(faces);
+  float dressed = 0;
+  float half_width_m = 0;
+  float radius_m = 0;
+  for (const face::Term& t : sorted) {
+    const Neck& neck = necks_[t.index];
+    if (!neck.dressed || t.weight < kUndressed) continue;
+    dressed += t.weight;
+    d.collar_m += t.weight * neck.collar_m;
+    half_width_m += t.weight * neck.half_width_m;
+    radius_m += t.weight * neck.end_radius_m;
+    d.shrinks_from += t.weight * neck.end_m;
+  }
+  if (dressed <= 0) return d;
+  d.collar_m /= dressed;
+  half_width_m /= dressed;
+  radius_m = std::max(radius_m / dressed, 1e-4F);
+  d.shrinks_from /= dressed;
+  d.shrinks_to = dressed * d.shrinks_from;
+  d.share = dressed;
+  float bare = 0;
+  float all = dressed;
+  for (const face::Term& t : sorted) {
+    const Neck& neck = necks_[t.index];
+    if (neck.dressed) continue;
+    const float has_neck = std::min(neck.end_radius_m / radius_m, 1.0F);
+    all += t.weight;
+    bare += t.weight * has_neck;
+    d.share += t.weight * has_neck;
+    d.shrinks_to += t.weight * neck.end_m;
+  }
+  d.share = std::clamp((d.share / all - kShrunk) / (1 - kShrunk), 0.0F, 1.0F);
+  d.shrinks_to /= all;
+  const float seen = std::min(d.share / kSeenWhole, 1.0F);
+  const float range = (dressed + bare) / seen;
+  float laid = 0;
+  for (const face::Term& t : sorted) {
+    const Neck& neck = necks_[t.index];
+    if (!neck.dressed || t.weight < kUndressed || d.share <= 0) continue;
+    const float from = laid / range;
+    laid += t.weight;
+    d.garments[d.count++] = {t.index, from, laid / range, d.collar_m - neck.collar_m,
+                             half_width_m - neck.half_width_m};
+  }
+  // Faces of next to no weight leave no gap at the lower edge.
+  if (d.count > 0 && bare < kUndressed && seen >= 1) d.garments[d.count - 1].to = 2;
+  if (d.share > 1 - kUndressed) d.share = 1;
+  return d;
+}
+
+}  // namespace kaori::passes

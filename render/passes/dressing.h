@@ -1,0 +1,74 @@
+// How garments are worn while faces cross-fade: which part of the picture shows whose, and how each is fitted
+// to the neck that the faces have together.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "render/face/cast.h"
+#include "render/face/weights.h"
+
+namespace kaori::passes {
+
+// The terms in the order of the cast, whatever the order of the fade; what weighs less than nothing weighs
+// nothing.
+face::Terms InOrderOfCast(const face::Terms& faces);
+
+// One face's garments in a frame. Lengths in metres.
+struct WornGarments {
+  std::uint16_t face = 0;
+  // Of the order in which garments replace each other, 0 at the collar .. 1 at the lower edge of the picture:
+  // they are seen where the order lies within [from, to), and no other garment is.
+  float from = 0;
+  float to = 1;
+  // So much higher than they were sewn, and so much wider about the neck.
+  float rise_m = 0;
+  float widen_m = 0;
+};
+
+// All garments of a frame, in the order of their faces in the cast, whatever the order of the fade: a call
+// back to the face before turns nothing round.
+struct Dressing {
+  std::array<WornGarments, face::Terms::kCapacity> garments{};
+  std::size_t count = 0;
+  // Where the collars sit. Y.
+  float collar_m = 0;
+  // As the neck shrinks into a face that has none, clothes shrink with it: p -> to + share * (p - from).
+  float share = 1;
+  glm::vec3 shrinks_from{};
+  glm::vec3 shrinks_to{};
+
+  std::span<const WornGarments> worn() const { return {garments.data(), count}; }
+  // One face's garments, as they were sewn.
+  bool whole() const { return count == 1 && garments[0].from <= 0 && garments[0].to >= 1 && share >= 1; }
+  // How far a garment may lie beyond its place at rest.
+  float reach_m() const;
+};
+
+// The necks and collars of a cast, measured once. Borrows nothing.
+class Necks {
+ public:
+  explicit Necks(const face::Cast& cast);
+
+  // `faces` as composed, sum 1. Pure; allocates nothing.
+  Dressing Dress(const face::Terms& faces) const;
+
+ private:
+  struct Neck {
+    // A face without clothes has no collar.
+    bool dressed = false;
+    // Y of the clothes' upper end, and the neck's half width a little below it.
+    float collar_m = 0;
+    float half_width_m = 0;
+    // The neck's lower end: its middle, and how far it reaches from there; 0 where the face has no neck.
+    glm::vec3 end_m{};
+    float end_radius_m = 0;
+  };
+  static void MeasureEnd(const face::Topology& topology, const face::Face& face, Neck& neck);
+  static void MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& neck);
+
+  std::vector<Neck> necks_;
+};
+
+}  // namespace kaori::passes

@@ -1,0 +1,133 @@
+#include "render/passes/head_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace kaori::passes {
+namespace {
+
+constexpr auto kTerms = HeadFit::kTerms;
+using Basis = std::array<double, kTerms>;
+using Matrix = std::array<Basis, kTerms>;
+
+// The scalp in the parameter space: all above the brows, and behind the ears all above the nape.
+constexpr float kBrows = 0.63F;
+constexpr float kBehindEars = 0.314F;
+constexpr float kNape = 0.27F;
+// What lies off the scalp by this much moves as the scalp does below it: hair keeps its thickness.
+constexpr std::array<float, 3> kLayers{-0.01F, 0.005F, 0.02F};
+
+// Keeps a fit sane where a cast has few such vertices.
+constexpr double kRidge = 1e-3;
+
+Basis BasisAt(glm::vec3 p) {
+  const glm::dvec3 q = glm::dvec3(p - HeadFit::kMiddle_m) * 10.0;
+  const glm::dvec3 qq = q * q;
+  return {1,          q.x,        q.y,        q.z,        qq.x,       qq.y,           qq.z,
+          q.x * q.y,  q.y * q.z,  q.z * q.x,  qq.x * q.x, qq.x * q.y, qq.x * q.z,     qq.y * q.x,
+          qq.y * q.y, qq.y * q.z, qq.z * q.x, qq.z * q.y, qq.z * q.z, q.x * q.y * q.z};
+}
+
+std::vector<std::size_t> ScalpOf(const face::Topology& topology) {
+  std::vector<std::size_t> scalp;
+  for (std::size_t i = 0; i < topology.uv.size(); ++i) {
+    const glm::vec2 uv = topology.uv[i];
+    if (uv.y > kBrows || (std::abs(uv.x - 0.5F) > kBehindEars && uv.y > kNape)) scalp.push_back(i);
+  }
+  return scalp;
+}
+
+// A symmetric positive matrix as L of L * transpose(L), in place: Cholesky.
+void Factor(Matrix& m) {
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = m[i][j];
+      for (std::size_t k = 0; k < j; ++k) sum -= m[i][k] * m[j][k];
+      m[i][j] = i == j ? std::sqrt(sum) : sum / m[j][j];
+    }
+  }
+}
+
+void Solve(const Matrix& factor, Basis& b) {
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t k = 0; k < i; ++k) b[i] -= factor[i][k] * b[k];
+    b[i] /= factor[i][i];
+  }
+  for (std::size_t i = kTerms; i-- > 0;) {
+    for (std::size_t k = i + 1; k < kTerms; ++k) b[i] -= factor[k][i] * b[k];
+    b[i] /= factor[i][i];
+  }
+}
+
+Matrix FactorOver(const std::vector<Basis>& bases) {
+  Matrix m{};
+  for (std::size_t i = 0; i < kTerms; ++i) m[i][i] = kRidge;
+  for (const Basis& b : bases) {
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) m[i][j] += b[i] * b[j];
+    }
+  }
+  Factor(m);
+  return m;
+}
+
+HeadFit::Motion MotionBetween(const std::vector<std::size_t>& scalp, const std::vector<Basis>& bases,
+                              const Matrix& factor, const face::Face& from, const face::Face& to) {
+  std::array<Basis, 3> sums{};
+  for (std::size_t v = 0; v < bases.size(); ++v) {
+    const std::size_t at = scalp[v / kLayers.size()];
+    const glm::vec3 way = to.positions[at] - from.positions[at];
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      for (int axis = 0; axis < 3; ++axis) sums[static_cast<std::size_t>(axis)][i] += bases[v][i] * way[axis];
+    }
+  }
+  for (Basis& sum : sums) Solve(factor, sum);
+  HeadFit::Motion motion{};
+  for (std::size_t i = 0; i < kTerms; ++i) motion[i] = {sums[0][i], sums[1][i], sums[2][i], 0};
+  return motion;
+}
+
+}  // namespace
+
+HeadFit::HeadFit(const face::Cast& cast) : faces_(cast.faces.size()) {
+  const std::vector<std::size_t> scalp = ScalpOf(cast.topology);
+  for (const face::Face& from : cast.faces) {
+    std::vector<Basis> bases;
+    for (const std::size_t v : scalp) {
+      const glm::vec3 out = glm::normalize(from.positions[v] - kMiddle_m);
+      for (const float off_m : kLayers) bases.push_back(BasisAt(from.positions[v] + off_m * out));
+    }
+    const Matrix factor = FactorOver(bases);
+    for (const face::Face& to : cast.faces) motions_.push_back(MotionBetween(scalp, bases, factor, from, to));
+  }
+}
+
+HeadFit::Motion HeadFit::To(const face::Terms& faces, std::size_t face) const {
+  Motion sum{};
+  for (const face::Term& term : faces) {
+    const Motion& motion = motions_[face * faces_ + term.index];
+    for (std::size_t i = 0; i < kTerms; ++i) sum[i] += term.weight * motion[i];
+  }
+  return sum;
+}
+
+float HeadFit::Reach_m(const Motion& motion) {
+  constexpr std::array<glm::vec3, 7> kAbout{{{0, 0.13F, 0},
+                                             {0.1F, 0.03F, 0},
+                                             {-0.1F, 0.03F, 0},
+                                             {0, 0.03F, -0.11F},
+                                             {0, 0.05F, 0.09F},
+                                             {0.09F, -0.1F, 0},
+                                             {-0.09F, -0.1F, 0}}};
+  float reach_m = 0;
+  for (const glm::vec3& p : kAbout) {
+    const Basis basis = BasisAt(p);
+    glm::vec3 way{};
+    for (std::size_t i = 0; i < kTerms; ++i) way += static_cast<float>(basis[i]) * glm::vec3(motion[i]);
+    reach_m = std::max(reach_m, glm::length(way));
+  }
+  return reach_m;
+}
+
+}  // namespace kaori::passes

@@ -1,0 +1,141 @@
+// Garments while faces cross-fade: which pixels each of them contributes to.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/passes/painter.h"
+#include "tests/look/look_pack.h"
+
+namespace kaori {
+namespace {
+
+constexpr int kWidth_px = 120;
+constexpr int kHeight_px = 132;
+
+using Bytes = std::vector<std::uint8_t>;
+using Pixels = std::vector<bool>;
+
+scene::Scene Sharing(std::uint16_t a, std::uint16_t b, float share_of_b) {
+  scene::Scene scene;
+  scene.weights.faces.Push(a, 1 - share_of_b);
+  scene.weights.faces.Push(b, share_of_b);
+  scene.weights.expressions.Push(0, 1);
+  scene.styles = {};
+  scene.styles[static_cast<std::size_t>(scene::Style::kBare)] = 1;
+  return scene;
+}
+
+// Draws the cast with the garments of one face white and all others black, or with all black. A pixel to which
+// the face's garments contribute differs between the two.
+class Garments : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    cast_ = std::make_unique<face::Cast>(tests::ClothedCast());
+    for (face::Prop& prop : cast_->props) prop.colour = {};
+    auto context = gl::Context::Open();
+    ASSERT_TRUE(context) << context.error().message();
+    context_ = std::move(*context);
+    auto canvas = gl::Canvas::Make({.width_px = kWidth_px, .height_px = kHeight_px});
+    ASSERT_TRUE(canvas) << canvas.error().message();
+    canvas_.emplace(std::move(*canvas));
+    black_ = OpenPainter();
+    for (const face::Face& f : cast_->faces) {
+      for (const int prop : f.props) cast_->props[static_cast<std::size_t>(prop)].colour = glm::vec3(1);
+      white_.push_back(OpenPainter());
+      for (const int prop : f.props) cast_->props[static_cast<std::size_t>(prop)].colour = {};
+    }
+  }
+  static void TearDownTestSuite() {
+    white_.clear();
+    black_.reset();
+    canvas_.reset();
+    context_.reset();
+    cast_.reset();
+  }
+
+  static std::unique_ptr<passes::Painter> OpenPainter() {
+    auto painter = passes::Painter::Open(*context_, *cast_);
+    EXPECT_TRUE(painter) << painter.error().message();
+    return painter ? std::move(*painter) : nullptr;
+  }
+
+  static Bytes Draw(passes::Painter& painter, const scene::Scene& scene) {
+    painter.Draw(scene, *canvas_);
+    Bytes bytes(std::size_t{kWidth_px} * kHeight_px * 4);
+    canvas_->ReadPixels(bytes);
+    return bytes;
+  }
+
+  // Where the face's garments contribute, beside the picture in which all are black.
+  static Pixels Contributed(std::uint16_t face, const scene::Scene& scene, const Bytes& black) {
+    const Bytes white = Draw(*white_[face], scene);
+    Pixels pixels(black.size() / 4);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) pixels[i] = pixels[i] || white[4 * i + c] != black[4 * i + c];
+    }
+    return pixels;
+  }
+  static Pixels Contributed(std::uint16_t face, const scene::Scene& scene) {
+    return Contributed(face, scene, Draw(*black_, scene));
+  }
+
+  static std::size_t Count(const Pixels& pixels) {
+    return static_cast<std::size_t>(std::ranges::count(pixels, true));
+  }
+
+  static std::uint16_t FaceCount() { return static_cast<std::uint16_t>(cast_->faces.size()); }
+  static const std::string& NameOf(std::uint16_t face) { return cast_->faces[face].name; }
+
+  static std::unique_ptr<face::Cast> cast_;
+  static std::unique_ptr<gl::Context> context_;
+  static std::optional<gl::Canvas> canvas_;
+  static std::unique_ptr<passes::Painter> black_;
+  static std::vector<std::unique_ptr<passes::Painter>> white_;
+};
+std::unique_ptr<face::Cast> Garments::cast_;
+std::unique_ptr<gl::Context> Garments::context_;
+std::optional<gl::Canvas> Garments::canvas_;
+std::unique_ptr<passes::Painter> Garments::black_;
+std::vector<std::unique_ptr<passes::Painter>> Garments::white_;
+
+// morph_garment_overlap_px: over all pairs at 25, 50 and 75 %.
+TEST_F(Garments, NoPixelShowsThoseOfTwoFaces) {
+  std::size_t overlap_px = 0;
+  std::size_t seen_px = 0;
+  for (std::uint16_t a = 0; a < FaceCount(); ++a) {
+    for (std::uint16_t b = a + 1; b < FaceCount(); ++b) {
+      for (const float share : {0.25F, 0.5F, 0.75F}) {
+        const scene::Scene scene = Sharing(a, b, share);
+        const Bytes black = Draw(*black_, scene);
+        const Pixels of_a = Contributed(a, scene, black);
+        const Pixels of_b = Contributed(b, scene, black);
+        std::size_t both_px = 0;
+        for (std::size_t i = 0; i < of_a.size(); ++i) both_px += of_a[i] && of_b[i] ? 1 : 0;
+        EXPECT_EQ(both_px, 0U) << NameOf(a) << " and " << NameOf(b) << " at " << share;
+        overlap_px += both_px;
+        seen_px += Count(of_a) + Count(of_b);
+      }
+    }
+  }
+  EXPECT_GT(seen_px, 30000U) << "the garments are hardly in the picture";
+  RecordProperty("morph_garment_overlap_px", static_cast<int>(overlap_px));
+}
+
+TEST_F(Garments, OfTheFaceThatLeavesAreGoneBeforeItIs) {
+  for (std::uint16_t face = 1; face < FaceCount(); ++face) {
+    const std::size_t whole_px = Count(Contributed(face, Sharing(0, face, 1)));
+    const std::size_t left_px = Count(Contributed(face, Sharing(0, face, 0.01F)));
+    EXPECT_LE(left_px, whole_px / 20) << NameOf(face);
+  }
+}
+
+TEST_F(Garments, KeepTheirPlaceWhenTheFadeTurnsBack) {
+  scene::Scene there = Sharing(0, 5, 0.4F);
+  scene::Scene back = Sharing(5, 0, 0.6F);
+  EXPECT_EQ(Draw(*white_[0], there), Draw(*white_[0], back));
+}
+
+}  // namespace
+}  // namespace kaori
