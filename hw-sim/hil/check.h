@@ -58,6 +58,15 @@ struct Scene {
   // The same, of a picture that must show a face. Errors: also invalid_argument (it does not).
   Result<void> ShootFace(const std::string& name, const std::string& caption);
 
+  // Waits until a face is on the screen of output `head`, and moves. Errors: timed_out.
+  Result<void> AwaitMovingFace(int head, Duration longest);
+
+  // Wants that the stage has not ended since power came. Errors: invalid_argument (it has), those of the agent.
+  Result<void> WantNoRestart();
+
+  // For checks that switch the box on by themselves. Errors: as QemuDriver::On.
+  Result<void> SwitchOn(const Setup& setup);
+
   // Why this cannot be tried here; for a check to return. The verdict becomes kSkipped.
   Result<void> Skip(std::string why);
 };
@@ -82,6 +91,10 @@ struct Check {
 
 // The value that this part of all values, 0 to 1, does not exceed: 0.5 for the median. 0 where there is none.
 double Quantile(std::vector<double> values, double part);
+
+// For a control: what was tried must have failed since it found something wrong, and not since the machine did not start.
+// Errors: invalid_argument (it passed; with `passed`), else its own.
+Result<void> WantFoundWrong(const Result<void>& tried, const char* passed);
 
 // In the order in which they are run; those that want the same setup stand together.
 std::vector<Check> AllChecks();
@@ -118,6 +131,14 @@ std::vector<Check> SpeedChecks();
 std::vector<Check> AloneChecks();
 // A changed root is refused, and UEFI starts the disk.
 std::vector<Check> DiskChecks();
+// The screens that a box may find, and what is on its screen from power to the face.
+std::vector<Check> DisplayChecks();
+// Screens are plugged in and unplugged, and one shows the box's status.
+std::vector<Check> OutputChecks();
+// The last face comes back with the power.
+std::vector<Check> LastFaceChecks();
+// Input sampled late and early, on a screen with real vertical blanks.
+std::vector<Check> SamplingChecks();
 // The last picture stays, and a box that hangs starts again.
 std::vector<Check> RecoveryChecks();
 // How soon the first picture and the first face come.

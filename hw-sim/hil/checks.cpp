@@ -28,19 +28,54 @@ Result<void> Scene::ShootFace(const std::string& name, const std::string& captio
   return {};
 }
 
+Result<void> Scene::AwaitMovingFace(int head, Duration longest) {
+  const std::string first = folder + "/moving-first.png", later = folder + "/moving-later.png";
+  const auto face = [&] {
+    if (!target.machine().Shoot(head, first)) return false;
+    const auto picture = LookAt(first);
+    return picture && ShowsAFace(*picture);
+  };
+  const auto moved = [&] {
+    if (!target.machine().Shoot(head, later)) return false;
+    const auto changed = ChangedPart(first, later);
+    return changed && *changed > 0;
+  };
+  if (auto ok = target.Await(face, longest, fmt::format("see a face on screen {}", head + 1)); !ok) return ok;
+  return target.Await(moved, longest, fmt::format("see the face move on screen {}", head + 1));
+}
+
+Result<void> Scene::WantNoRestart() {
+  constexpr const char* kRestarts = "own /usr/bin/systemctl show -p NRestarts --value kaori-stage.service";
+  const auto restarts = target.agent().Ask(kRestarts, std::chrono::minutes(2));
+  if (!restarts) return tl::unexpected(restarts.error());
+  return *restarts == "0\n" ? Result<void>{} : FailInput("the stage has started again: " + *restarts);
+}
+
+Result<void> Scene::SwitchOn(const Setup& setup) {
+  target.machine().SetUp(setup);
+  return target.machine().On();
+}
+
 Result<void> Scene::Skip(std::string why) {
   finding.verdict = Verdict::kSkipped;
   finding.said = std::move(why);
   return {};
 }
 
+Result<void> WantFoundWrong(const Result<void>& tried, const char* passed) {
+  if (tried) return FailInput(passed);
+  return tried.error().kind == ErrorKind::kInput ? Result<void>{} : tried;
+}
+
 // Those that want the same setup stand together: another one is a box started anew.
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part :
-       {ScreenChecks(), PlayChecks(), InputChecks(), LatencyChecks(), CameraChecks(), LineChecks(),
-        SoundChecks(), LibcameraChecks(), CableChecks(), ToolChecks(), AuthorisationChecks(), AloneChecks(),
-        SpeedChecks(), GadgetChecks(), LoopChecks(), RecoveryChecks(), DiskChecks(), StartChecks()})
+       {ScreenChecks(),        PlayChecks(),    InputChecks(),     LatencyChecks(),  CameraChecks(),
+        LineChecks(),          SoundChecks(),   LibcameraChecks(), CableChecks(),    ToolChecks(),
+        AuthorisationChecks(), AloneChecks(),   SpeedChecks(),     GadgetChecks(),   LoopChecks(),
+        SamplingChecks(),      DisplayChecks(), OutputChecks(),    LastFaceChecks(), RecoveryChecks(),
+        DiskChecks(),          StartChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -14,7 +14,6 @@
 namespace kaori::hil {
 namespace {
 
-using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 // With firmware the machine needs longer than with a kernel that QEMU loads.
@@ -60,12 +59,6 @@ Result<std::uint64_t> StageInRoot_bytes(const std::string& image) {
   return at;
 }
 
-// Switches the machine on with this setup; the rig stays unplugged.
-Result<void> StartAlone(Scene& scene, const Setup& setup) {
-  scene.target.machine().SetUp(setup);
-  return scene.target.machine().On();
-}
-
 // systemd says so once the stage has drawn its first frame.
 bool FaceComes(Scene& scene, Duration longest) {
   return scene.target.UntilConsole({"Started ", "kaori-stage"}, longest);
@@ -77,7 +70,7 @@ Result<void> WantRefused(Scene& scene, const char* what, std::uint64_t offset_by
   if (!disk) return tl::unexpected(disk.error());
   Setup setup = kAlone;
   setup.disk = *disk;
-  if (auto ok = StartAlone(scene, setup); !ok) return ok;
+  if (auto ok = scene.SwitchOn(setup); !ok) return ok;
   // dm-verity's line: "device-mapper: verity: 253:0: data block 1234 is corrupted".
   const bool refused = scene.target.UntilConsole({"data block", "is corrupted"}, kLongestStart);
   const bool played = FaceComes(scene, seconds(5));
@@ -102,7 +95,7 @@ Result<void> Verity(Scene& scene) {
 
 // The control: it is the flipped bit that is refused, not the copy.
 Result<void> UnchangedPlays(Scene& scene) {
-  if (auto ok = StartAlone(scene, kAlone); !ok) return ok;
+  if (auto ok = scene.SwitchOn(kAlone); !ok) return ok;
   const bool plays = FaceComes(scene, kLongestStart);
   scene.target.machine().Off();
   return plays ? Result<void>{} : FailInput("the unchanged root does not play either");
@@ -119,17 +112,6 @@ constexpr std::array kPcs{Pc{"virtio disk and graphics", DiskBus::kVirtio, Graph
                           Pc{"SATA disk and VGA", DiskBus::kSata, Graphics::kVga},
                           Pc{"NVMe disk, virtio graphics", DiskBus::kNvme, Graphics::kVirtio}};
 
-// Looks at the screen until `right`; the last picture is in the file.
-bool UntilPicture(Scene& scene, const std::string& file, const std::function<bool()>& right,
-                  Duration longest) {
-  const Time until = scene.target.clock().now() + longest;
-  while (scene.target.clock().now() < until) {
-    if (scene.target.machine().Shoot(0, file) && right()) return true;
-    scene.target.For(milliseconds(300));
-  }
-  return false;
-}
-
 // Nothing is said on any line, so the screen is looked at: first the still comes, then it moves. That a
 // face is on it is checked at the end, and kept as a picture.
 Result<void> WantFaceByFirmware(Scene& scene, const Pc& pc, const std::string& disk, Duration longest) {
@@ -138,24 +120,23 @@ Result<void> WantFaceByFirmware(Scene& scene, const Pc& pc, const std::string& d
   setup.disk_bus = pc.disk_bus;
   setup.graphics = pc.graphics;
   setup.disk = disk;
-  if (auto ok = StartAlone(scene, setup); !ok) return ok;
+  if (auto ok = scene.SwitchOn(setup); !ok) return ok;
   const std::string still = scene.target.machine().options().image + "/root/usr/share/kaori/still.ppm";
   const std::string shot = scene.folder + "/uefi-shot.png", lit = scene.folder + "/uefi-still.png";
   const auto near = [&] {
-    const auto apart = MeanDifference(shot, still);
+    const auto apart =
+        scene.target.machine().Shoot(0, shot).and_then([&] { return MeanDifference(shot, still); });
     return apart && *apart < kNearStill;
   };
   const auto moves = [&] {
+    if (!scene.target.machine().Shoot(0, shot)) return false;
     const auto changed = ChangedPart(shot, lit);
     // A single changed pixel is enough: a still does not change at all.
     return changed && *changed > 0;
   };
-  Result<void> ok;
-  if (!UntilPicture(scene, shot, near, longest))
-    ok = FailInput(fmt::format("{}: the still did not come", pc.name));
+  auto ok = scene.target.Await(near, longest, fmt::format("{}: see the still", pc.name));
   if (ok) std::filesystem::copy_file(shot, lit, std::filesystem::copy_options::overwrite_existing);
-  if (ok && !UntilPicture(scene, shot, moves, longest))
-    ok = FailInput(fmt::format("{}: nothing moves", pc.name));
+  if (ok) ok = scene.target.Await(moves, longest, fmt::format("{}: see the face move", pc.name));
   if (ok && !near()) ok = FailInput(fmt::format("{}: the face differs from the still", pc.name));
   if (ok) ok = scene.ShootFace("uefi", pc.name);
   scene.target.machine().Off();

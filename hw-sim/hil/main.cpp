@@ -48,7 +48,6 @@ kaori-bench --command FOLDER: prints QEMU's program and arguments, one a line, f
 log and its monitor are FOLDER/console.log and FOLDER/qmp
   --disk FILE           another disk than the image's
   --keep-disk           what the machine writes to its disk is kept
-  --count-instructions  the machine's time is that of its instructions
 )";
 
 // The command line as it was given; numbers are texts, which are read where they are used.
@@ -58,7 +57,7 @@ struct Settings {
               usual_image = "tests/hil/usual_image";
   std::string shot, command, disk;
   bool chosen = false, list = false, controls = false, boot = false, trace = false;
-  bool keep_disk = false, count_instructions = false;
+  bool keep_disk = false;
 };
 
 constexpr int kNotTried = 2;  // The exit status where no check could be run at all.
@@ -121,8 +120,7 @@ kaori::hil::QemuOptions MachineOf(const Settings& settings, const std::string& f
           .width_px = size.width_px,
           .height_px = size.height_px,
           .memory_mib = std::max(64, std::atoi(settings.memory.c_str())),
-          .window = settings.boot && settings.shot.empty() && std::getenv("DISPLAY") != nullptr,
-          .counts_instructions = settings.count_instructions};
+          .window = settings.boot && settings.shot.empty() && std::getenv("DISPLAY") != nullptr};
 }
 
 // Starts nothing: who runs the command decides when, and where it ends.
@@ -203,8 +201,7 @@ int main(int argc, char** argv) {
   options.Text("--usual-image", settings.usual_image).Text("--memory", settings.memory);
   options.Switch("--boot", settings.boot).Switch("--trace", settings.trace).Text("--shot", settings.shot);
   options.Text("--command", settings.command).Text("--disk", settings.disk);
-  options.Switch("--keep-disk", settings.keep_disk)
-      .Switch("--count-instructions", settings.count_instructions);
+  options.Switch("--keep-disk", settings.keep_disk);
   if (const auto status = options.Parse(argc, argv)) return *status;
   if (settings.list) return List();
   const auto size = kaori::ParseSize(settings.size);

@@ -150,6 +150,24 @@ Result<double> MeanDifference(const std::string& file, const std::string& other_
   return sum / (255.0 * 3 * kColumns * kRows);
 }
 
+// A row is a twentieth of the height, or less where letters would not fit; the first begins half a row below the top, and the
+// mark is between half a row and one from the left.
+Result<int> CountMarks(const std::string& file, const std::array<int, 3>& colour) {
+  constexpr int kRows = 20, kLetters = 60, kNear = 30;
+  const auto points = Read(file);
+  if (!points) return tl::unexpected(points.error());
+  const int pitch_px = std::max(1, std::min(points->height_px / kRows, points->width_px * 2 / kLetters));
+  int marks = 0;
+  for (int y = pitch_px / 2 + pitch_px / 2; y < points->height_px - pitch_px; y += pitch_px) {
+    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(points->width_px) +
+                                static_cast<std::size_t>(pitch_px * 3 / 4));
+    int apart = 0;
+    for (std::size_t n = 0; n < 3; ++n) apart += std::abs(points->rgb[at + n] - colour[n]);
+    marks += apart < kNear ? 1 : 0;
+  }
+  return marks;
+}
+
 Result<void> WriteUpsideDown(const std::string& file, const std::string& target) {
   auto points = Read(file);
   if (!points) return tl::unexpected(points.error());

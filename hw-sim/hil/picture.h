@@ -1,6 +1,7 @@
 // What can be told of a screen's picture without knowing what it should show.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "drivers/base/result.h"
@@ -30,6 +31,10 @@ Result<double> MeanDifference(const std::string& file, const std::string& other)
 
 // The part of the pixels that differ by more than a shade, 0..1; 1 where sizes differ. Errors: as MeanDifference.
 Result<double> ChangedPart(const std::string& file, const std::string& other);
+
+// How many rows of the status display's picture (appliance/programs/status/sheet.h) have a mark of this colour. Errors: as
+// MeanDifference.
+Result<int> CountMarks(const std::string& file, const std::array<int, 3>& colour);
 
 // Writes one picture upside down, and one that is black, of the size of `file`, as PNG: controls of a comparison. Errors:
 // as MeanDifference, and those of writing.

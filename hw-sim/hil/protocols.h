@@ -26,6 +26,9 @@ class VideoProtocol {
   // Writes the picture of screen `head` as PNG into `file`, an absolute path. Blocks until it is
   // written. Errors: no_such_device (no such head, or no power), timed_out.
   virtual Result<void> Shoot(int head, const std::string& file) = 0;
+  // Plugs a screen of that size into output `head`, instead of the one before; 0 by 0: unplugs it. Errors: no_such_device
+  // (no such output, or no power).
+  virtual Result<void> PlugScreen(int head, int width_px, int height_px) = 0;
 };
 
 // USB devices that no profile, or not every profile, authorises.

@@ -1,5 +1,7 @@
 #include "hw-sim/hil/qemu.h"
 
+#include <signal.h>
+
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -55,6 +57,11 @@ Result<void> QemuDriver::On() {
   auto qmp = Qmp::Call(monitor, waiter_);
   if (!qmp) return tl::unexpected(qmp.error());
   qmp_.emplace(std::move(*qmp));
+  for (int head = 0; head < setup_.screens; ++head) {
+    auto screen = VncScreen::Connect(ScreenPath(options_, head), waiter_);
+    if (!screen) return tl::unexpected(screen.error());
+    screens_.push_back(std::move(*screen));
+  }
   return {};
 }
 
@@ -86,7 +93,8 @@ Result<void> QemuDriver::Start() {
 }
 
 void QemuDriver::Off() {
-  // The monitor first: its line breaks with the process.
+  // The lines to it first: they break with the process.
+  screens_.clear();
   qmp_.reset();
   process_.reset();
   window_.reset();
@@ -99,6 +107,17 @@ Result<void> QemuDriver::Shoot(int head, const std::string& file) {
   return qmp_->Do(
       "screendump",
       fmt::format(R"({{"filename":"{}","format":"png","device":"screens","head":{}}})", file, head));
+}
+
+Result<void> QemuDriver::PlugScreen(int head, int width_px, int height_px) {
+  const auto n = static_cast<std::size_t>(head);
+  if (n >= screens_.size())
+    return Fail(std::errc::no_such_device, fmt::format("plug in screen {}", head + 1));
+  return screens_[n].Resize(width_px, height_px);
+}
+
+void QemuDriver::Freeze(bool frozen) const {
+  if (process_) ::kill(process_->number(), frozen ? SIGSTOP : SIGCONT);
 }
 
 Result<void> QemuDriver::PlugUnauthorised(UnauthorisedDevice device) {

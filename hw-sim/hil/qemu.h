@@ -3,12 +3,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hw-sim/hil/process.h"
 #include "hw-sim/hil/protocols.h"
 #include "hw-sim/hil/qemu_command.h"
 #include "hw-sim/hil/qmp.h"
 #include "hw-sim/hil/setup.h"
+#include "hw-sim/hil/vnc_screen.h"
 #include "hw-sim/hil/waiter.h"
 #include "hw-sim/hil/x_screen.h"
 
@@ -32,11 +34,14 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   // Kills QEMU: the guest notices nothing, as with a pulled plug.
   void Off() override;
   Result<void> Shoot(int head, const std::string& file) override;
+  Result<void> PlugScreen(int head, int width_px, int height_px) override;
   Result<void> PlugUnauthorised(UnauthorisedDevice device) override;
   Result<void> PullUnauthorised() override;
 
   // The processors' time of QEMU since it was started; zero while it is off.
   Duration worked() const { return process_ ? process_->worked() : Duration{}; }
+  // Takes the processors away from the whole machine, and gives them back.
+  void Freeze(bool frozen) const;
   // Its process has not ended; the guest may be dead all the same.
   bool runs() const { return process_ && process_->runs(); }
   const QemuOptions& options() const { return options_; }
@@ -57,6 +62,7 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   std::optional<Process> process_;
   // Is there while the machine has power.
   std::optional<Qmp> qmp_;
+  std::vector<VncScreen> screens_;  // Those that can be plugged in and unplugged.
 };
 
 }  // namespace kaori::hil

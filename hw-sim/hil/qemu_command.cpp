@@ -1,5 +1,6 @@
 #include "hw-sim/hil/qemu_command.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <sstream>
 #include <string_view>
@@ -38,7 +39,11 @@ void AddScreens(const QemuOptions& options, const Setup& setup, std::vector<std:
     return Add(command, {"-display", "sdl,gl=on", "-device", "virtio-gpu-gl-pci," + size});
   Add(command, {"-display", options.window ? "gtk" : "none"});
   if (setup.graphics == Graphics::kVirtio)
-    Add(command, {"-device", fmt::format("virtio-gpu-pci,{},max_outputs={}", size, options.heads)});
+    Add(command, {"-device", fmt::format("virtio-gpu-pci,{},max_outputs={}{}", size,
+                                         std::max(1, setup.screens), setup.tells_size ? "" : ",edid=off")});
+  for (int head = 0; head < setup.screens; ++head)
+    Add(command, {"-vnc", fmt::format("unix:{},id=vnc{},display=screens,head={}", ScreenPath(options, head),
+                                      head, head)});
   if (setup.graphics == Graphics::kVga) Add(command, {"-device", "VGA,edid=on," + size});
 }
 
@@ -54,14 +59,14 @@ void AddDisk(const Setup& setup, const std::string& disk, std::vector<std::strin
 
 // With a newer processor's instructions emulation is many times slower; the guest draws by itself.
 void AddProcessors(const QemuOptions& options, const Setup& setup, std::vector<std::string>& command) {
-  if (options.counts_instructions)
+  if (setup.counts_instructions)
     // With -icount an instruction takes 2^shift ns of the guest's time, and
     // idle time is skipped: runs repeat.
     Add(command, {"-accel", "tcg,thread=single", "-icount", "shift=0,sleep=off"});
   else
     Add(command, {"-accel", "tcg,thread=multi"});
   constexpr int kStock_mib = 2048;
-  Add(command, {"-cpu", setup.stock ? "max" : "Nehalem", "-smp", "2", "-m",
+  Add(command, {"-cpu", setup.stock ? "max" : "Nehalem", "-smp", setup.counts_instructions ? "1" : "2", "-m",
                 std::to_string(setup.stock ? kStock_mib : options.memory_mib)});
 }
 
@@ -113,6 +118,10 @@ const std::string& ImageOf(const QemuOptions& options, const Setup& setup) {
 
 std::string SoundPath(const QemuOptions& options) {
   return options.folder + "/loudspeaker.wav";
+}
+
+std::string ScreenPath(const QemuOptions& options, int head) {
+  return fmt::format("{}/screen{}.vnc", options.folder, head);
 }
 
 std::string ConsolePath(const QemuOptions& options) {

@@ -21,14 +21,10 @@ struct QemuOptions {
   // Of the screen, where the setup does not say otherwise.
   int width_px = 960;
   int height_px = 540;
-  // Screens of the virtio card.
-  int heads = 1;
   // Of the guest's memory; the image plays with 512.
   int memory_mib = 512;
   int log_level = 6;    // Of the kernel, on the serial line of a machine without an agent; 7 shows all.
   bool window = false;  // The screen is shown in a window; otherwise nowhere.
-  // Each instruction takes a nanosecond of the guest's time, whatever else this computer does meanwhile.
-  bool counts_instructions = false;
 };
 
 // The kernel's command line, of an image's folder. Errors: those of ReadFile.
@@ -57,6 +53,9 @@ const std::string& ImageOf(const QemuOptions& options, const Setup& setup);
 
 // What the loudspeaker of the machine's sound card played, as a WAV file.
 std::string SoundPath(const QemuOptions& options);
+
+// Where QEMU's VNC server of that output listens, for VncScreen.
+std::string ScreenPath(const QemuOptions& options, int head);
 
 // What a machine without an agent said on its serial line.
 std::string ConsolePath(const QemuOptions& options);

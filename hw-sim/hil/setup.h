@@ -26,9 +26,16 @@ struct Setup {
   bool keeps_disk = false;       // What the machine writes to its disk is kept.
   bool bench_kernel = false;     // The box's own settings, and simulated hardware besides.
   bool stock = false;  // A processor with every instruction that QEMU emulates, and 2 GiB of memory.
+  // The machine's time is that of its instructions, a nanosecond each, whatever else this computer does meanwhile. It has
+  // one processor: of two, QEMU lets one run until the next timer of any, and a busy one would leave the other next to
+  // nothing.
+  bool counts_instructions = false;
   // Without a card the machine is for those who want its log.
   Graphics graphics = Graphics::kVirtio;
   DiskBus disk_bus = DiskBus::kVirtio;
+  bool tells_size = true;  // The screen has an EDID, as good ones have.
+  int screens =
+      0;  // Outputs whose screens can be plugged in and unplugged; 0: one output, whose screen stays.
   int width_px = 0;  // Of the screen; 0: as for the other checks.
   int height_px = 0;
   std::string image{};          // Another folder with bzImage and cmdline; empty: the bench's.

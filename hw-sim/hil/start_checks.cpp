@@ -29,9 +29,8 @@ double Median(std::vector<double> values) {
 // Switches on, waits for the first face, and switches off. Errors: those of
 // the machine and of AwaitStart.
 Result<StartTimes> StartOnce(Scene& scene, const Setup& setup) {
-  scene.target.machine().SetUp(setup);
   const Time began = scene.target.clock().now();
-  if (auto ok = scene.target.machine().On(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = scene.SwitchOn(setup); !ok) return tl::unexpected(ok.error());
   auto times = AwaitStart(scene.target, began, scene.folder + "/start-shot.png");
   scene.target.machine().Off();
   return times;

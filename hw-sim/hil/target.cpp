@@ -78,18 +78,26 @@ Result<BoardView> Target::Board() {
   return ReadBoardView(*json);
 }
 
-Result<BoardView> Target::UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
-                                     const std::string& what) {
+Result<void> Target::Await(const std::function<bool()>& right, Duration longest, const std::string& what) {
   const Time until = clock_.now() + std::min(longest, patience_);
-  while (true) {
-    auto board = Board();
-    if (board && right(*board)) return board;
-    if (clock_.now() >= until)
-      return Fail(std::errc::timed_out,
-                  // What is seen of the sticks helps to tell a dead box from a wrong one.
-                  what + " (" + (board ? DescribeSticks(*board) : board.error().message()) + ")");
+  while (!right()) {
+    if (clock_.now() >= until) return Fail(std::errc::timed_out, what);
     For(kAskAgain);
   }
+  return {};
+}
+
+Result<BoardView> Target::UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
+                                     const std::string& what) {
+  Result<BoardView> board = Fail(std::errc::timed_out, what);
+  const auto seen = [&] {
+    board = Board();
+    return board && right(*board);
+  };
+  if (Await(seen, longest, what)) return board;
+  // What is seen of the sticks helps to tell a dead box from a wrong one.
+  return Fail(std::errc::timed_out,
+              what + " (" + (board ? DescribeSticks(*board) : board.error().message()) + ")");
 }
 
 bool Target::UntilConsole(std::initializer_list<std::string_view> parts, Duration longest) {

@@ -37,6 +37,9 @@ class Target final : public Waiter {
   // as AgentProtocol::Ask, and of a board that is not there yet.
   Result<BoardView> Board();
 
+  // Asks `right` ten times a second until it is so. Errors: timed_out, named by `what`.
+  Result<void> Await(const std::function<bool()>& right, Duration longest, const std::string& what);
+
   // Looks at the board until `right`, ten times a second; gives the last view. A look that fails is
   // tried again. Errors: timed_out, named by `what` and with what was seen last.
   Result<BoardView> UntilBoard(const std::function<bool(const BoardView&)>& right, Duration longest,
@@ -46,8 +49,7 @@ class Target final : public Waiter {
   // the machine ended before.
   bool UntilConsole(std::initializer_list<std::string_view> parts, Duration longest);
 
-  // UntilBoard waits no longer than this: in the control of a check nothing is expected to come.
-  // ResetPatience: as long as it is told.
+  // Await and UntilBoard wait no longer than this: in the control of a check nothing is expected to come.
   void SetPatience(Duration patience) { patience_ = patience; }
   // As long as each call is told.
   void ResetPatience() { patience_ = Duration::max(); }

@@ -1,9 +1,9 @@
 #!/usr/bin/env -S python3 -B
 """Every tool that a script or a check calls is in a package that ./box installs: tools_test.py REPOSITORY
 
-Reads what shell scripts run in command position, what Python gives to subprocess, and what the bench's C++ starts. Each name
-must be in TOOLS with its package, and the package in one of the lists of ./box (NAME_PACKAGES=(...)) or part of every
-Debian. The control: a script with a tool that no list has is found.
+Reads what shell scripts run in command position or lay on the agent's disk, what Python gives to subprocess, and what the
+bench's C++ starts. Each name must be in TOOLS with its package, and the package in one of the lists of ./box
+(NAME_PACKAGES=(...)) or part of every Debian. The control: a script with a tool that no list has is found.
 """
 
 import ast
@@ -28,6 +28,8 @@ TOOLS = {
     "zstd": "zstd", "xz": "xz-utils", "cpio": "cpio", "lz4": "lz4", "flex": "flex", "bison": "bison", "bc": "bc",
     "objcopy": "binutils", "objdump": "binutils", "readelf": "binutils", "strip": "binutils", "nm": "binutils", "as": "binutils",
     "qemu-system-x86_64": "qemu-system-x86", "Xvfb": "xvfb",
+    "evtest": "evtest", "v4l2-ctl": "v4l-utils", "v4l2-compliance": "v4l-utils", "gpiodetect": "gpiod", "gpioinfo": "gpiod",
+    "arecord": "alsa-utils", "aplay": "alsa-utils", "amixer": "alsa-utils", "lsusb": "usbutils",
 }
 ALWAYS = {ESSENTIAL, "systemd", "git"}  # git: without it there is no repository to run in.
 BUILTINS = set("[ [[ ]] : . source exit return local declare readonly export set shift trap eval exec cd echo read mapfile unset "
@@ -88,6 +90,11 @@ def cpp_tools(source):
     return set(re.findall(r'(?:RunToEnd|Process::Start)\(\s*\{"([^"]+)"', source)) | set(re.findall(r'command\{"([^"]+)"', source))
 
 
+def carried_tools(script):
+    """What tests/hil/bench_disk lays on the agent's disk: TOOLS=(...)."""
+    return {tool for listed in re.findall(r"\bTOOLS=\(([^)]*)\)", script) for tool in listed.split()}
+
+
 def installed(repository):
     """All packages that one of ./box's lists names."""
     packages = set()
@@ -110,7 +117,7 @@ def calls(repository):
     scripts = {path: shell_tools(path.read_text()) for path in tracked(repository, *SHELL)}
     shared = set().union(*(functions for _, functions in scripts.values()))  # ./box reads the others' functions.
     for path, (found, _) in scripts.items():
-        yield from ((path, tool) for tool in sorted(found - shared))
+        yield from ((path, tool) for tool in sorted((found - shared) | carried_tools(path.read_text())))
     for path in tracked(repository, *PYTHON):
         yield from ((path, tool) for tool in sorted(python_tools(path.read_text())))
     for path in tracked(repository, CPP):

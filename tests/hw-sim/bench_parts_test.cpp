@@ -1,4 +1,5 @@
 // The bench's own tools: programs it starts, screens in memory, disks with other settings, what it reports.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@
 #include "hw-sim/hil/qemu_command.h"
 #include "hw-sim/hil/report.h"
 #include "hw-sim/hil/x_screen.h"
+#include "tests/hil/agent/actions.h"
 #include "tests/hil/agent/usb_view.h"
 
 namespace kaori::hil {
@@ -117,6 +119,19 @@ TEST(LoggedCommandLine, LetsTheLogBeRead) {
   const std::string line = LoggedCommandLine("root=a quiet loglevel=3 panic=5");
   EXPECT_THAT(line, Not(HasSubstr("quiet")));
   EXPECT_THAT(line, HasSubstr("root=a panic=5 console=ttyS0"));
+}
+
+using AgentPrograms = PartsFolder;
+
+TEST_F(AgentPrograms, TellWhatAStartedProgramHasSaidSoFar) {
+  const UniqueFd root(::open("/", O_PATH | O_DIRECTORY));
+  agent::Started started;
+  const auto number = started.Start(root.get(), {"WORD=good evening", "printenv", "WORD"});
+  ASSERT_TRUE(number);
+  while (started.Said(*number)->empty()) ::usleep(1000);
+  EXPECT_EQ(started.Said(*number), "good evening\n");
+  EXPECT_EQ(started.End(*number), "good evening\n");
+  EXPECT_FALSE(started.Said(*number));
 }
 
 using Dumps = PartsFolder;

@@ -19,13 +19,23 @@ namespace {
 
 constexpr std::size_t kMostText = 64 * 1024;
 
+// "NAME=VALUE", and no path.
+bool IsVariable(const std::string& word) {
+  return word.find('=') < word.find('/');
+}
+
 [[noreturn]] void Become(int root, const std::vector<std::string>& words, int output) {
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
   ::setenv("PATH", "/usr/bin:/usr/sbin:/bin", 1);
+  std::vector<char*> argv;
+  for (const std::string& word : words)
+    if (!argv.empty() || !IsVariable(word))
+      argv.push_back(const_cast<char*>(word.c_str()));
+    else
+      ::putenv(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  if (argv[0] == nullptr) ::_exit(127);
   if (::fchdir(root) == 0 && ::chroot(".") == 0) ::execvp(argv[0], argv.data());
   ::_exit(127);
 }
@@ -74,7 +84,7 @@ Result<std::string> RunIn(int root, const std::vector<std::string>& words, Durat
 Result<std::string> Started::Start(int root, const std::vector<std::string>& words) {
   if (words.empty()) return FailInput("no program is named");
   UniqueFd said(::memfd_create("said", MFD_CLOEXEC));
-  if (!said.valid()) return FailErrno("make a file for the output of " + words[0] + " says");
+  if (!said.valid()) return FailErrno("make a file for the output of " + words[0]);
   const pid_t child = ::fork();
   if (child < 0) return FailErrno("fork");
   if (child == 0) Become(root, words, said.get());
@@ -87,10 +97,17 @@ Result<std::string> Started::End(const std::string& number) {
   if (child == said_.end()) return FailInput("nothing was started as " + number);
   ::kill(child->first, SIGTERM);
   ::waitpid(child->first, nullptr, 0);
+  auto text = Said(number);
+  said_.erase(child);
+  return text;
+}
+
+Result<std::string> Started::Said(const std::string& number) const {
+  const auto child = said_.find(IsNumber(number) ? std::atoi(number.c_str()) : -1);
+  if (child == said_.end()) return FailInput("nothing was started as " + number);
   std::string text(kMostText, '\0');
   const ssize_t got = ::pread(child->second.get(), text.data(), text.size(), 0);
   text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  said_.erase(child);
   return text;
 }
 

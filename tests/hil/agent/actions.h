@@ -21,8 +21,12 @@ Result<std::string> RunIn(int root, const std::vector<std::string>& words, Durat
 // Programs that run on beside the questions.
 class Started {
  public:
-  // Starts one below the root folder `root`; gives its number. Errors: those of fork and of memory for its words.
+  // Starts one below the root folder `root`; gives its number. Words NAME=VALUE before the program are variables for it.
+  // Errors: those of fork and of memory for its words.
   Result<std::string> Start(int root, const std::vector<std::string>& words);
+
+  // What it has said so far. Errors: invalid_argument (no such number).
+  Result<std::string> Said(const std::string& number) const;
 
   // Ends it, waits for it, and gives what it said. Errors: invalid_argument (no such number).
   Result<std::string> End(const std::string& number);

@@ -8,10 +8,11 @@
 //   read PATH                    a file of the box
 //   write PATH TEXT              into a file of the box that is there
 //   tool WORDS...                a program of the bench's disk
-//   own WORDS...                 a program of the box
+//   own WORDS...                 a program of the box; "bench:PATH" in its words is a file of the bench's disk
 //   start WORDS...               the same, left running; its number
 //   start-tool WORDS...          a program of the bench's disk, left running
-//   end NUMBER                   of a program that was started; what it said
+//   said NUMBER                  by a program that was started, so far
+//   end NUMBER                   ends it; what it said
 //   usb                          its devices, and whether each is authorised
 //   voice PATH SECONDS           writes a voice as a WAV file of the bench's disk
 //   signal NAME NUMBER           to every process of that name
@@ -21,6 +22,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -61,6 +63,7 @@ class Agent {
     if (words.empty()) return kaori::FailInput("an empty question");
     const std::string verb = words.front();
     words.erase(words.begin());
+    NameBenchFiles(words);
     if (verb == "hello") return "kaori-hil-agent";
     if (verb == "clock") return std::to_string(clock_.now().time_since_epoch().count());
     if (verb == "voice" && words.size() == 2) return Voice(words);
@@ -69,6 +72,7 @@ class Agent {
     if (verb == "own") return kaori::agent::RunIn(roots_.box.get(), words, kLongestTool);
     if (verb == "start") return started_.Start(roots_.box.get(), words);
     if (verb == "start-tool") return started_.Start(roots_.bench.get(), words);
+    if (verb == "said" && words.size() == 1) return started_.Said(words[0]);
     if (verb == "end" && words.size() == 1) return started_.End(words[0]);
     if (verb == "lines") return Lines(words);
     if (verb == "board" || verb == "events") return Board(verb == "board" ? Words{} : words);
@@ -80,6 +84,14 @@ class Agent {
   }
 
  private:
+  // The box's programs reach the bench's disk through this process only, whose root it is.
+  static void NameBenchFiles(Words& words) {
+    constexpr std::string_view kBench = "bench:";
+    for (std::string& word : words)
+      if (word.starts_with(kBench))
+        word = fmt::format("/proc/{}/root{}", ::getpid(), word.substr(kBench.size()));
+  }
+
   // Opened for each question: the file comes with the first program that plays.
   Result<std::string> Board(const Words& words) const {
     const auto board =

@@ -18,13 +18,10 @@ namespace {
 
 }  // namespace
 
-Result<Child> Child::Start(const std::vector<std::string>& words, int niceness) {
+Result<Child> Child::Start(const std::vector<std::string>& words) {
   const pid_t process = ::fork();
   if (process < 0) return FailErrno("start " + words[0]);
-  if (process == 0) {
-    [[maybe_unused]] const int now = ::nice(niceness);
-    Become(words);
-  }
+  if (process == 0) Become(words);
   return Child(process);
 }
 

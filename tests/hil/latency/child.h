@@ -13,9 +13,8 @@ namespace kaori::latency {
 
 class Child {
  public:
-  // `niceness` is as nice(2) counts; where less than 0 is not allowed, it stays what it is. Errors: those of
-  // fork(2).
-  static Result<Child> Start(const std::vector<std::string>& words, int niceness);
+  // Errors: those of fork(2). A program that is not there ends at once.
+  static Result<Child> Start(const std::vector<std::string>& words);
   // A process that does nothing but keep a processor busy.
   static Result<Child> Burn();
 

@@ -27,16 +27,13 @@ constexpr std::string_view kHelp = R"(kaori-input-latency: the latency from inpu
 
   --mode MODE    the screen's, as in 320x180@4
   --loaded MODE  the screen's where a processor is kept busy; half as many events there (the same)
-  --links FOLDER instead of a graphics card: the simulator's; the dial is then written to the board
   --stage FILE   the program (/usr/bin/kaori-stage)
-  --first        the stage goes before what else runs on the machine: on a desk where others work
   --events N     of each round (70)
   --rounds N     of each arm (3)
   --board FILE   (/run/kaori/board)
   --pack FILE    the show
 )";
 
-constexpr int kFirst = -10;  // As nice(2) counts.
 constexpr int kLook_ms = 1;
 constexpr Duration kLongest = 120s;  // For a stage to begin, and for input to be seen.
 constexpr std::uint32_t kFirstFrames = 40, kMostFrames = 160;  // Before a round begins.
@@ -45,9 +42,8 @@ constexpr std::uint32_t kAdapted = 30;                         // So many frames
 constexpr std::uint32_t kStep = 100;  // Frames after a load step in which its end is looked for.
 
 struct Settings {
-  std::string links, stage = "/usr/bin/kaori-stage", mode = "320x180@4", loaded, events = "70", rounds = "3",
-                     board = "/run/kaori/board", pack;
-  bool first = false;
+  std::string stage = "/usr/bin/kaori-stage", mode = "320x180@4", loaded, events = "70", rounds = "3",
+              board = "/run/kaori/board", pack;
 };
 
 struct Arm {
@@ -159,14 +155,12 @@ std::string Describe(std::vector<Duration> waited) {
 }
 
 Result<void> LatencyBench::Round(const Arm& arm, int round) {
-  std::vector<std::string> words{settings_.stage, "--board", settings_.board, "--pack", settings_.pack};
-  for (const auto& word : settings_.links.empty()
-                              ? std::vector<std::string>{"--card", "/dev/dri/card0", "--mode", ModeOf(arm)}
-                              : std::vector<std::string>{"--links", settings_.links})
-    words.push_back(word);
+  std::vector<std::string> words{settings_.stage,  "--board",      settings_.board,
+                                 "--pack",         settings_.pack, "--card",
+                                 "/dev/dri/card0", "--mode",       ModeOf(arm)};
   if (arm.early) words.emplace_back("--early");
   const std::uint32_t before = Status().frames;
-  const auto stage = Child::Start(words, settings_.first ? kFirst : 0);
+  const auto stage = Child::Start(words);
   if (!stage) return tl::unexpected(stage.error());
   const auto has_begun = [&] { return HasBegun(Status().frames - before, ModeOf(arm)); };
   while (!Until([&] { return has_begun() || !stage->Runs(); }) && !has_begun()) Log("the stage is slow");
@@ -196,17 +190,23 @@ Result<void> LatencyBench::Round(const Arm& arm, int round) {
   return {};
 }
 
-int Run(const Settings& settings) {
+Result<void> PlayAll(const Settings& settings) {
   const auto board = board::Board::Create(settings.board);
-  if (!board) return Log("{}", board.error().message()), 1;
-  auto dial = settings.links.empty() ? SimulatedDial::Open() : SimulatedDial::OnBoard(*board);
-  if (!dial) return Log("{}", dial.error().message()), 1;
+  if (!board) return tl::unexpected(board.error());
+  auto dial = SimulatedDial::Open();
+  if (!dial) return tl::unexpected(dial.error());
   LatencyBench bench(*board, std::move(*dial), settings);
   constexpr std::array kArms{Arm{"early", true, false}, Arm{"late", false, false},
                              Arm{"loaded", false, true}};
   for (int round = 0; round < std::atoi(settings.rounds.c_str()); ++round)
     for (const Arm& arm : kArms)
-      if (auto played = bench.Round(arm, round); !played) return Log("{}", played.error().message()), 1;
+      if (auto played = bench.Round(arm, round); !played) return played;
+  return {};
+}
+
+int Run(const Settings& settings) {
+  if (const auto played = PlayAll(settings); !played)
+    return LogError("not all rounds are played: {}", played.error().message()), 1;
   Log("all rounds are played");
   return 0;
 }
@@ -222,8 +222,7 @@ int main(int argc, char** argv) {
       .Text("--loaded", settings.loaded)
       .Text("--events", settings.events)
       .Text("--rounds", settings.rounds);
-  options.Text("--links", settings.links).Text("--stage", settings.stage).Switch("--first", settings.first);
-  options.Text("--board", settings.board).Text("--pack", settings.pack, true);
+  options.Text("--stage", settings.stage).Text("--board", settings.board).Text("--pack", settings.pack, true);
   if (const auto status = options.Parse(argc, argv)) return *status;
   return kaori::latency::Run(settings);
 }

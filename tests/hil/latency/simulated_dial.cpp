@@ -39,19 +39,7 @@ Result<SimulatedDial> SimulatedDial::Open() {
   return SimulatedDial(std::move(kernel));
 }
 
-Result<SimulatedDial> SimulatedDial::OnBoard(const board::Board& board) {
-  auto surface = board.AcquireWriter<board::Surface>();
-  if (!surface) return tl::unexpected(surface.error());
-  return SimulatedDial(std::move(*surface));
-}
-
 Result<Time> SimulatedDial::Turn(const Clock& clock) {
-  if (surface_) {
-    const Time now = clock.now();
-    ++surface_state_.counts[0];
-    surface_->Write(surface_state_, now, board::SourceState::kLive);
-    return now;
-  }
   wire::DialBoxReport report;
   report.turned[0] = 1;
   const auto bytes = wire::Encode(report);
@@ -66,7 +54,6 @@ Result<Time> SimulatedDial::Turn(const Clock& clock) {
 
 // It has nothing to tell but its reports; a question without an answer would hold its reader up for seconds.
 void SimulatedDial::Answer() {
-  if (surface_) return;
   uhid_event asked{};
   while (::read(kernel_.get(), &asked, sizeof(asked)) > 0) {
     uhid_event answer{};

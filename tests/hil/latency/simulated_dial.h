@@ -1,10 +1,5 @@
-// A simulated dial: of a dial box made by the kernel's uhid, or, where the kernel has none, written to the
-// board itself.
+// A simulated dial, of a dial box that the kernel's uhid makes.
 #pragma once
-
-#include <optional>
-
-#include "appliance/core/board/board.h"
 
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
@@ -17,8 +12,6 @@ class SimulatedDial {
  public:
   // Plugs the box in. Errors: those of open(2) on /dev/uhid and of write(2).
   static Result<SimulatedDial> Open();
-  // Instead of the input program. Errors: those of AcquireWriter.
-  static Result<SimulatedDial> OnBoard(const board::Board& board);
 
   // Turns the dial by one count; the moment at which the device reported it. Errors: those of write(2).
   Result<Time> Turn(const Clock& clock);
@@ -28,11 +21,7 @@ class SimulatedDial {
 
  private:
   explicit SimulatedDial(UniqueFd kernel) : kernel_(std::move(kernel)) {}
-  explicit SimulatedDial(board::Writer<board::Surface> surface) : surface_(std::move(surface)) {}
-
   UniqueFd kernel_;
-  std::optional<board::Writer<board::Surface>> surface_;
-  board::Surface surface_state_;
 };
 
 }  // namespace kaori::latency
