@@ -44,7 +44,7 @@ def writing_copy(out, packages, folder):
     for other in (folder / "root" / WANTED).iterdir():
         if other.name != Path(UNIT).name:
             other.unlink()
-    words = ("[Service]", "WatchdogSec=0", "ExecStart=", f"{start} --still {OWN}/{STILL}", "Environment=",
+    words = ("[Service]", "WatchdogSec=0", "TimeoutStartSec=infinity", "ExecStart=", f"{start} --still {OWN}/{STILL}", "Environment=",
              f"Environment=MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR={OWN}")
     told = folder / "root/etc/systemd/system" / f"{Path(UNIT).name}.d" / "warm.conf"
     told.parent.mkdir(parents=True, exist_ok=True)
