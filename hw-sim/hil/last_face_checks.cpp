@@ -29,7 +29,7 @@ constexpr std::uint8_t kPosterKey = 0x3B;  // F2, which calls another scene.
 constexpr double kSameLook = 0.05;         // As far as a face moves by itself.
 constexpr double kOtherLook = 0.12;        // At least so far are two scenes apart.
 constexpr std::string_view kEnd =
-    "KAORI LF";  // The end of a last face's file begins so (firmware/wire/last_face.h).
+    "KAORI LF";  // The end of a last face's file begins so (appliance/core/last_face/last_face.h).
 
 Setup SetupOf(const std::string& disk, bool agent) {
   return {.plugged = false,

@@ -59,13 +59,12 @@ std::vector<SampledRound> ReadRounds(const std::string& said) {
   return rounds;
 }
 
-// Of all rounds of one arm, in their order of size.
+// Of all rounds of one arm.
 std::vector<double> ValuesOf(const std::vector<SampledRound>& rounds, const std::string& arm,
                              const std::string& name) {
   std::vector<double> values;
   for (const SampledRound& round : rounds)
     if (round.arm == arm && round.values.contains(name)) values.push_back(round.values.at(name));
-  std::ranges::sort(values);
   return values;
 }
 
@@ -73,10 +72,7 @@ std::vector<double> ValuesOf(const std::vector<SampledRound>& rounds, const std:
 // began. Errors: invalid_argument (an arm is missing, or a goal is missed).
 Result<void> Judge(const std::string& said, Finding& finding) {
   const auto rounds = ReadRounds(said);
-  const auto mean_ms = [&](const char* arm) {
-    const auto values = ValuesOf(rounds, arm, "mean_ms");
-    return values.empty() ? 0 : values[values.size() / 2];
-  };
+  const auto mean_ms = [&](const char* arm) { return Quantile(ValuesOf(rounds, arm, "mean_ms"), 0.5); };
   const auto sum = [&](const char* arm, const char* name) {
     const auto values = ValuesOf(rounds, arm, name);
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -94,7 +90,7 @@ Result<void> Judge(const std::string& said, Finding& finding) {
   figures["latency_gain_over_naive"] = gain;
   figures["missed_flips_percent"] = missed;
   figures["missed_flips_percent_loaded"] = loaded;
-  figures["frames_to_adapt"] = ValuesOf(rounds, "loaded", "settled").back();
+  figures["frames_to_adapt"] = Quantile(ValuesOf(rounds, "loaded", "settled"), 1);
   finding.said = fmt::format(
       "{:.1f} ms sampled early, {:.1f} ms sampled late: {:.2f} times less (at least {}); missed flips {:.2f} "
       "% (at most "
