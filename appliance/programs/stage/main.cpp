@@ -130,11 +130,13 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
 // the stage ends in whatever way. The last face is kept when the loop has ended.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   // The show beside Mesa, which takes about as long.
-  auto loading = std::async(std::launch::async, [&] { return LoadShow(settings); });
+  std::optional<kaori::Result<Loaded>> show_or_error;  // GCC 12 warns where a future carries it.
+  auto loading = std::async(std::launch::async, [&] { show_or_error.emplace(LoadShow(settings)); });
   const auto card = CardOf(settings);
   if (!card) return kaori::ExitWithError(card.error());
   if (*card) kaori::Log("the graphics card is open");
-  auto loaded = loading.get();
+  loading.get();
+  auto& loaded = *show_or_error;
   if (!loaded) return kaori::ExitWithError(loaded.error());
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());

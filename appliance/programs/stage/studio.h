@@ -35,9 +35,7 @@ struct SmallImage {
 // is made beside the opening of the GL context, which takes about as long.
 class PreparedShow {
  public:
-  explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {
-    if (show_.cue_list.tracked.empty()) show::Track(show_);
-  }
+  explicit PreparedShow(show::Show show);
   PreparedShow(const PreparedShow&) = delete;
   PreparedShow& operator=(const PreparedShow&) = delete;
 
