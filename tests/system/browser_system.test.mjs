@@ -108,11 +108,27 @@ const onStage = (text) => until(text, async () => (await page.locator('#now').te
 
 test('GO calls the next scene, and the page says which scene and which way of drawing are on', async () => {
   await onStage('Scene: Studio');
-  await page.getByRole('button', {name: /^GO/}).click({delay: 150});
+  await page.locator('#lines').getByRole('button', {name: /^GO/}).click({delay: 150});
   await onStage('Scene: Poster');
   await page.keyboard.press('w', {delay: 150});
   await onStage('Drawn as: Flat');
   await page.keyboard.press('F1', {delay: 150});
+  await onStage('Scene: Studio');
+});
+
+test('the cue list shows what was played and what stands by, and its calls are played', async () => {
+  const standby = () => page.locator('#cues li[aria-current="step"]').textContent();
+  const cues = page.locator('#cues li');
+  assert.ok(await cues.count() >= 40);
+  await until('cue 2 stands by', async () => (await standby()).startsWith('2House lights'));
+  assert.match(await page.locator('#standby').textContent(), /^Next: 2 House lights down/);
+  const call = (name) => page.locator('#cues').getByRole('button', {name, exact: true}).click();
+  await call('GO');
+  await until('cue 2 was played', async () => (await page.locator('#cues li.active').textContent()).startsWith('2House'));
+  await call('Pause');
+  await until('the page says that it pauses', async () => (await page.locator('#cues .doing').textContent()).includes('Paused'));
+  await call('Pause');
+  await call('Panic');
   await onStage('Scene: Studio');
 });
 
@@ -121,7 +137,7 @@ test('blackout makes the picture black, and the tally lamp dark', async () => {
       await page.locator('.tally').getAttribute('aria-label') === `Tally lamp: ${text}`);
   await lamp('lit');
   const face = await atRest();
-  const blackout = page.getByRole('button', {name: /^Blackout/});
+  const blackout = page.locator('#lines').getByRole('button', {name: /^Blackout/});
   await blackout.click();
   await untilMoved('a black picture', face, kWhole, kOther);
   await lamp('dark');

@@ -67,11 +67,14 @@ class Programs : public ::testing::Test {
     EXPECT_TRUE(Await(plays_on));
   }
 
-  // Waits until two poses a quarter of a second apart are the same.
+  // Waits until two poses are the same that are a quarter of a second and ten frames apart: a stage on a busy machine may
+  // draw none in that time, and an unmoved pose would say nothing.
   ::testing::AssertionResult Settle(Pose& pose) {
     const bool settled = Await([&] {
       pose = PoseOn(board_);
+      const std::uint32_t ten_later = frames() + 10;
       Hold(milliseconds(250));
+      Await([&] { return Between() && frames() >= ten_later; });
       return Differs(pose, PoseOn(board_)).empty();
     });
     if (settled) return ::testing::AssertionSuccess();

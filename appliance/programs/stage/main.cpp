@@ -9,6 +9,7 @@
 // picture on the screen. It ends with status 1 where the show, the board, GL or the card cannot be had, and
 // with 2 where it is misused; a screen that is missing never ends it.
 #include <future>
+#include <optional>
 
 #include "appliance/core/board/watch.h"
 #include "appliance/core/show/pack.h"
