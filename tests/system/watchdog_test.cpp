@@ -19,7 +19,7 @@
 #include <gtest/gtest.h>
 
 #include "drivers/base/unique_fd.h"
-#include "tests/system/house.h"
+#include "tests/system/program_runner.h"
 
 namespace kaori::test {
 namespace {
@@ -126,23 +126,24 @@ class BusyNeighbours {
 class WatchedStage : public ::testing::Test {
  protected:
   WatchedStage() {
-    house_.Start("kaori-sim", {"--links", house_.links(), "--size", "320x180", "--hz", "30"});
-    Await([&] { return std::filesystem::exists(house_.links() + "/screen.screen"); });
-    manager_.emplace(house_.File("notify"));
+    programs_.Start("kaori-sim", {"--links", programs_.links(), "--size", "320x180", "--hz", "30"});
+    Await([&] { return std::filesystem::exists(programs_.links() + "/screen.screen"); });
+    manager_.emplace(programs_.File("notify"));
     StartStage();
   }
 
   // A new stage does not know its own pace at once: until then it asks for as long as its unit says.
   void StartStage() {
     manager_->Expect();
-    house_.Start("kaori-stage", {"--links", house_.links(), "--board", house_.board(), "--pack",
-                                 (House::Programs().parent_path() / "shows" / "kaori.kaori").string()});
+    programs_.Start("kaori-stage",
+                    {"--links", programs_.links(), "--board", programs_.board(), "--pack",
+                     (ProgramRunner::Programs().parent_path() / "shows" / "kaori.kaori").string()});
     ASSERT_TRUE(manager_->Until([&] { return manager_->ready() && manager_->limit() < kLongestSilence; },
                                 kLongestBegin))
-        << house_.LogOf("kaori-stage");
+        << programs_.LogOf("kaori-stage");
   }
 
-  House house_;
+  ProgramRunner programs_;
   std::optional<ServiceManager> manager_;
 };
 
@@ -161,10 +162,10 @@ TEST_F(WatchedStage, ThatHangsIsSilentAndPlaysAgainAfterItsDeath) {
   manager_->Listen(kCalm);
   const Duration asked = manager_->limit();
   const Time frozen = SteadyClock().now();
-  ::kill(house_.PidOf("kaori-stage"), SIGSTOP);
+  ::kill(programs_.PidOf("kaori-stage"), SIGSTOP);
   ASSERT_TRUE(manager_->Until([&] { return manager_->is_silent(); }, asked + kLate));
   EXPECT_LT(SteadyClock().now() - frozen, asked + kLate);
-  house_.Kill("kaori-stage");
+  programs_.Kill("kaori-stage");
   StartStage();
 }
 
