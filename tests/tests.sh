@@ -26,8 +26,8 @@ run_tests() {
   fi
   build release
   if [ "${1:-}" = --tidy ]; then
-    say "clang-tidy reads every source; what did not change since it found nothing is not read again"
-    exec python3 -B tests/rules/tidy.py . $BUILD
+    say "clang-tidy and its analyzer read every source; what did not change since is not read again"
+    exec python3 -B tests/rules/tidy.py . $BUILD --analyze
   fi
   local match=()
   [ $# -gt 0 ] && match=(-R "$1")

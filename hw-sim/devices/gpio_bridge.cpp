@@ -1,6 +1,7 @@
 #include "hw-sim/devices/gpio_bridge.h"
 
 #include "hw-sim/devices/usb_descriptors.h"
+#include "hw-sim/devices/usb_requests.h"
 
 namespace kaori::sim {
 namespace {
@@ -12,9 +13,8 @@ constexpr std::uint8_t kHidClass = 3, kHidKind = 0x21, kReportKind = 0x22;
 // Addresses of the two interrupt endpoints.
 constexpr std::uint8_t kIn = 0x81, kOut = 0x01;
 
-// bmRequestType and bRequest of what the driver sends (USB 2.0, 9.3; HID 1.11, 7.2).
-constexpr std::uint8_t kStandardFromInterface = 0x81, kToInterface = 0x21, kFromInterface = 0xA1;
-constexpr std::uint8_t kGetDescriptor = 0x06, kGetReport = 0x01, kSetReport = 0x09, kSetIdle = 0x0A;
+// bRequest of what the driver sends (HID 1.11, 7.2).
+constexpr std::uint8_t kGetReport = 0x01, kSetReport = 0x09, kSetIdle = 0x0A;
 
 // Report numbers, as AN495 lists them.
 constexpr std::uint8_t kGpioConfig = 0x02, kGetGpio = 0x03, kSetGpio = 0x04, kVersion = 0x05,
@@ -150,10 +150,10 @@ std::optional<UsbBytes> GpioBridge::Answer(const UsbSetup& setup, std::span<cons
   if (setup.type == kStandardFromInterface && setup.request == kGetDescriptor &&
       setup.value >> 8 == kReportKind)
     return ReportDescriptor();
-  if (setup.type == kFromInterface && setup.request == kGetReport)
+  if (setup.type == kClassFromInterface && setup.request == kGetReport)
     return Feature(static_cast<std::uint8_t>(setup.value & 0xFF));
-  if (setup.type == kToInterface && setup.request == kSetIdle) return UsbBytes{};
-  if (setup.type == kToInterface && setup.request == kSetReport && SetFeature(data)) return UsbBytes{};
+  if (setup.type == kClassToInterface && setup.request == kSetIdle) return UsbBytes{};
+  if (setup.type == kClassToInterface && setup.request == kSetReport && SetFeature(data)) return UsbBytes{};
   return std::nullopt;
 }
 

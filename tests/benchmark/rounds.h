@@ -23,7 +23,7 @@ inline double ThreadMicroseconds() {
 }
 
 // Runs each arm `calls` times in a row, round after round, in turns; the first round warms up and is dropped.
-inline void RunInTurns(std::vector<Arm*> arms, int rounds, int calls) {
+inline void RunInTurns(const std::vector<Arm*>& arms, int rounds, int calls) {
   for (int round = 0; round <= rounds; ++round) {
     for (Arm* arm : arms) {
       const double start_us = ThreadMicroseconds();

@@ -191,8 +191,8 @@ void MockKernel::Unplug(const std::string& usb_port, int interface, const std::s
   // Children first: the testbed forgets the bus links of what goes with its parent.
   const std::string hid = HidDir(usb_port, interface, node);
   for (const std::string& device :
-       {hid + "/hidraw/" + node, hid, InterfaceDir(usb_port, interface), UsbDir(usb_port)})
-    umockdev_testbed_remove_device(testbed_.get(), ("/sys" + device).c_str());
+       {fmt::format("{}/hidraw/{}", hid, node), hid, InterfaceDir(usb_port, interface), UsbDir(usb_port)})
+    umockdev_testbed_remove_device(testbed_.get(), fmt::format("/sys{}", device).c_str());
 }
 
 }  // namespace kaori::tests

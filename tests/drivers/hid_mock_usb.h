@@ -10,6 +10,7 @@
 
 #include "tests/drivers/hid_mock_device.h"
 
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the library's own name.
 typedef struct _UMockdevIoctlData UMockdevIoctlData;
 
 namespace kaori::tests {

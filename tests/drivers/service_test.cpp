@@ -19,7 +19,8 @@ class Manager {
   Manager() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    ::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address.sun_family));
+    EXPECT_EQ(::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address.sun_family)),
+              0);
     socklen_t length = sizeof(address);
     ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &length);
     name_ = "@" + std::string(address.sun_path + 1, length - offsetof(sockaddr_un, sun_path) - 1);

@@ -4,6 +4,7 @@
 #include <sys/un.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 namespace kaori::sim {
@@ -76,7 +77,9 @@ UsbMachine::UsbMachine(const std::string& path)
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::memcpy(address.sun_path, path.c_str(), path.size());
-  ::bind(listener_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  const bool bound =
+      ::bind(listener_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  if (!bound) std::perror("bind");
   ::listen(listener_.get(), 1);
 }
 

@@ -43,6 +43,7 @@ tinygltf::FsCallbacks FilesBeside(const ReadBeside& beside) {
 }
 
 // Pictures stay as they are in the file, PNG or JPEG; DecodePicture reads them with bounds of its own.
+// NOLINTNEXTLINE(readability-function-size): the library says which parameters it calls with.
 bool KeepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, int,
                  const unsigned char* bytes, int size, void*) {
   image->image.assign(bytes, bytes + size);

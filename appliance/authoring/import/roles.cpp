@@ -49,7 +49,7 @@ std::string_view LastPart(std::string_view name) {
 }
 
 // Other words for the plain style, with sides spelled and without separators.
-std::string PlainWord(std::string word) {
+std::string PlainWord(const std::string& word) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kWords{
       {{"eyeclosedleft", "blinkleft"},
        {"eyeclosedright", "blinkright"},

@@ -29,7 +29,8 @@ void FillAxis(const AimTable& table, int axis, std::vector<glm::dvec3>& grid) {
     for (const Pchip& curve : along) values.push_back(curve.At(column));
     const Pchip up(table.rows, values);
     for (int row = 0; row <= kRows; ++row) {
-      grid[static_cast<std::size_t>(row * (kColumns + 1) + column)][axis] = up.At(row);
+      grid[static_cast<std::size_t>(row) * (kColumns + 1) + static_cast<std::size_t>(column)][axis] =
+          up.At(row);
     }
   }
 }

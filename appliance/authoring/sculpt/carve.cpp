@@ -18,7 +18,7 @@ void PlaceGridVertices(const HalfTopology& half, const AimTable& aim, const Carv
   for (Index v = 0; v < half.keys.size(); ++v) {
     const Key& key = half.keys[v];
     if (key.region != Region::kGrid) continue;
-    const auto at = static_cast<std::size_t>(key.b * (kColumns + 1) + key.a);
+    const auto at = static_cast<std::size_t>(key.b) * (kColumns + 1) + static_cast<std::size_t>(key.a);
     shape.position[v] = Project(recipe.bodies, aimed[at], ProjectionDirection({key.a, key.b}, aimed[at]));
     shape.place[v] = places[at];
     if (key.a == 0 || key.a == kColumns || key.b == kRows) shape.position[v].x = 0;

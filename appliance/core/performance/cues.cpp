@@ -241,7 +241,7 @@ void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   CueRun& run = state.cue_run;
   const float in_s = show.cue_list.goto_s;
   const std::int32_t end = index < 0 ? -1 : EndOfChainAt(show, index);
-  const show::TrackedState& tracked = show.cue_list.tracked[static_cast<std::size_t>(end + 1)];
+  const show::TrackedState& tracked = show.cue_list.tracked[static_cast<std::size_t>(end) + 1];
   if (!show.scenes.empty()) EnterScene(state, show, tracked.scene.now, in_s);
   CallFace(state, tracked.face.now, in_s);
   CallExpression(state, tracked.expression.now, in_s);
@@ -280,7 +280,7 @@ void PlayCues(State& state, const board::Snapshot& board, const show::Show& show
 
 void SettleCues(State& state, const show::Show& show) {
   if (show.cue_list.tracked.empty()) return;
-  const auto after = static_cast<std::size_t>(state.cue_run.active + 1);
+  const auto after = static_cast<std::size_t>(state.cue_run.active) + 1;
   const show::TrackedState& tracked = show.cue_list.tracked[after];
   Settle(state.faces, tracked.face, At(state.shown, Knob::kFace));
   Settle(state.expressions, tracked.expression, At(state.shown, Knob::kExpression));

@@ -136,7 +136,7 @@ Profile ChooseProfile(const fs::path& folder) {
   const fs::path last_good = folder / "box.last-good.toml";
   const auto text = ReadFile(file, {.most_bytes = kMostProfile_bytes});
   if (!text && text.error().cause == std::errc::no_such_file_or_directory) return {};
-  const Profile chosen = text ? ReadProfile(*text) : Profile{.fault = text.error().message()};
+  Profile chosen = text ? ReadProfile(*text) : Profile{.fault = text.error().message()};
   const auto before = ReadFile(last_good, {.most_bytes = kMostProfile_bytes});
   if (chosen.fault.empty()) {
     // A disk that is full or broken changes nothing now: the box only has no last good settings next time.

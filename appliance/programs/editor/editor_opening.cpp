@@ -107,7 +107,7 @@ ExpressionEditor::~ExpressionEditor() = default;
 // On the box the folder is there and belongs to the stage's user; on a developer's machine it is where such
 // data belong (XDG base directories).
 std::filesystem::path UsualFolder() {
-  const std::filesystem::path box = "/var/lib/kaori/own";
+  std::filesystem::path box = "/var/lib/kaori/own";
   std::error_code none;
   if (std::filesystem::is_directory(box, none)) return box;
   if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')

@@ -270,7 +270,7 @@ float ContourReader::GapIn(int column) const {
   const Line line = ColumnOf(std::clamp(column, 1, box_.width() - 2));
   const auto three =
       [&line](int y) {  // The mean of three columns, so that noise makes no lip within the mouth.
-        const float* at = line.first + y * line.step;
+        const float* at = line.first + std::ptrdiff_t{y} * line.step;
         return (at[-1] + at[0] + at[1]) / 3;
       };
   const Span span = columns_[static_cast<std::size_t>(column)];

@@ -130,7 +130,6 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
 // the first picture is shown the card is handed to the fd keeper (Preserve), so that the picture stays when
 // the stage ends in whatever way. The last face is kept when the loop has ended.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
-  // The show beside Mesa, which takes about as long.
   std::optional<kaori::Result<Loaded>> show_or_error;  // GCC 12 warns where a future carries it.
   auto loading = std::async(std::launch::async, [&] { show_or_error.emplace(LoadShow(settings)); });
   const auto card = CardOf(settings);

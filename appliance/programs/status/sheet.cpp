@@ -118,7 +118,8 @@ std::optional<Sheet::Rows> Sheet::DrawNext(const std::vector<Line>& lines) {
 
 // A square in the mark's colour, what the line is about, and its words; too long a text is shortened with dots.
 void Sheet::DrawRow(int row, const Line& line) {
-  const auto [bottom, top] = RowsOf(row);
+  const Rows rows = RowsOf(row);
+  const int bottom = rows.first, top = rows.end;
   Fill(picture_, 0, bottom, picture_.width_px, top, kGround);
   if (line.what.empty() && line.words.empty()) return;
   if (line.mark != Mark::kTitle && !line.what.empty())

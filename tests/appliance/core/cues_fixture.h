@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 
 #include "appliance/core/performance/cues.h"
 #include "tests/appliance/core/performance_fixture.h"
@@ -78,7 +79,11 @@ class CuesTest : public PerformanceTest {
     std::uint16_t scene;
   };
   static bool SameBits(const Tracked& a, const Tracked& b) {
-    const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof(x)) == 0; };
+    // Bits, and not values: 0 and -0 differ.
+    const auto same = []<class T>(const T& x, const T& y) {
+      using Words = std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)>;
+      return std::bit_cast<Words>(x) == std::bit_cast<Words>(y);
+    };
     const auto same_mixture = [&same](const Mixture& x, const Mixture& y) {
       return x.to == y.to && same(x.progress, y.progress) && same(x.duration_s, y.duration_s) &&
              std::ranges::equal(x.from, y.from, [](const face::Term& s, const face::Term& t) {

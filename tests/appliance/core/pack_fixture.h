@@ -48,7 +48,7 @@ class PackTest : public ::testing::Test {
   ~PackTest() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path Write(const std::vector<std::uint8_t>& bytes) const {
-    const std::filesystem::path file = folder_ / "show.kaori";
+    std::filesystem::path file = folder_ / "show.kaori";
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return file;

@@ -168,7 +168,7 @@ TEST_F(HandleKeeping, AFaultyFileIsNamedAndKeptAsideAndTheRestIsRead) {
 TEST_F(HandleKeeping, AFileOfAnotherShowComesBackWithIts) {
   ASSERT_TRUE(editor::WriteToStore(own(), Some("mine", 2), points_));
   editor::Points others = points_;
-  for (std::string& name : others.names) name = "X" + name;
+  for (std::string& name : others.names) name.insert(0, "X");
   EXPECT_FALSE(editor::ReadStore(own(), others, cast_).slots[2]);
   Work theirs = Some("mine", 2, 5);
   ASSERT_TRUE(editor::WriteToStore(own(), theirs, others));

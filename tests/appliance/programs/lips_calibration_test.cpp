@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 // An operator before the camera, at thirty frames a second.
 class OnSite {
  public:
-  explicit OnSite(sim::LipScene before_the_camera) : scene(std::move(before_the_camera)) {}
+  explicit OnSite(const sim::LipScene& before_the_camera) : scene(before_the_camera) {}
 
   decode::Planes Look() {
     scene.camera.sequence++;

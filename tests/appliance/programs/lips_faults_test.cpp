@@ -19,7 +19,7 @@ class LipFaults : public ::testing::TestWithParam<const char*> {
     const bool v4l2 = std::string(GetParam()) == "V4l2";
     const auto camera = v4l2 ? MakeSpoiltV4l2Camera(clock_) : MakeSpoiltLocalCamera(file_.folder(), clock_);
     testing::internal::CaptureStderr();
-    const FaultReport report = Spend(evening, *camera, clock_);
+    FaultReport report = Spend(evening, *camera, clock_);
     testing::internal::GetCapturedStderr();
     fmt::print(
         "{} faults: to the voice {:.0f} ms ({}), to rest {:.0f} ms ({}), back {:.0f} ms ({}), astray {:.2f} "
