@@ -150,10 +150,11 @@ Result<double> MeanDifference(const std::string& file, const std::string& other_
   return sum / (255.0 * 3 * kColumns * kRows);
 }
 
-// A row is a twentieth of the height, or less where letters would not fit; the first begins half a row below the top, and the
+// A row is a 22nd of the height, or less where letters would not fit; the first begins half a row below the top, and the
 // mark is between half a row and one from the left.
 Result<int> CountMarks(const std::string& file, const std::array<int, 3>& colour) {
-  constexpr int kRows = 20, kLetters = 60, kNear = 30;
+  constexpr int kRows = 22, kLetters = 66,
+                kNear = 30;  // The first two as in appliance/programs/status/sheet.cpp.
   const auto points = Read(file);
   if (!points) return tl::unexpected(points.error());
   const int pitch_px = std::max(1, std::min(points->height_px / kRows, points->width_px * 2 / kLetters));
