@@ -6,7 +6,7 @@
 
 #include "appliance/authoring/pack/difference_parts.h"
 #include "appliance/authoring/script/backdrop_file.h"
-#include "appliance/authoring/script/style_names.h"
+#include "appliance/authoring/script/item_names.h"
 
 namespace kaori::authoring {
 namespace {
@@ -36,7 +36,7 @@ std::string Says(const show::Show& show, const show::Call& call) {
     case show::CallKind::kScene:
       return "scene " + NameOf(show.scenes, call.index);
     case show::CallKind::kCue:
-      return fmt::format("cue call {}", call.index);
+      return fmt::format("cue {}", call.index < kCueVerbNames.size() ? kCueVerbNames[call.index] : "nothing");
   }
   return "nothing";
 }

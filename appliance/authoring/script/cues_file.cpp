@@ -18,13 +18,6 @@ constexpr std::array<PersonKey, 3> kPersons{{{"mouth_shut_s", show::CuePerson::k
                                              {"voice_quiet_s", show::CuePerson::kVoiceQuiet},
                                              {"presence_s", show::CuePerson::kPresence}}};
 
-float SecondsOr(toml::Section& section, std::string_view key, float otherwise, float most_s) {
-  const auto value = static_cast<float>(section.NumberOr(key, otherwise));
-  if (!(value >= 0 && value <= most_s))
-    section.Fault(key, fmt::format("is {} s, not within 0 to {}", value, most_s));
-  return value;
-}
-
 // One cue's keys, or those of [list].
 class CueReader {
  public:
@@ -41,7 +34,7 @@ class CueReader {
     part.AllowOnly({"name", "in_s"});
     const std::string name = part.Text("name");
     const std::uint16_t index = name.empty() ? std::uint16_t{0} : index_of(part, "name", name);
-    return show::CueCall{index, SecondsOr(part, "in_s", otherwise_s, show::kLongestCueFade_s)};
+    return show::CueCall{index, Between(part, "in_s", otherwise_s, show::kLongestCueFade_s, " s")};
   }
 
   // 0.4, or { to = 0.4, in_s = 2 }.
@@ -52,7 +45,7 @@ class CueReader {
     toml::Section part = section_.Part(key);
     part.AllowOnly({"to", "in_s"});
     const float to = Share(part, "to");
-    return show::CueLevel{to, SecondsOr(part, "in_s", 0, show::kLongestCueFade_s)};
+    return show::CueLevel{to, Between(part, "in_s", 0, show::kLongestCueFade_s, " s")};
   }
 
   std::optional<show::CueCall> Scene(std::string_view key) {
@@ -90,8 +83,8 @@ class CueReader {
     const PersonKey& person = *std::ranges::find_if(kPersons, given);
     if (!part.Has("at_most_s"))
       part.Fault("at_most_s", "is missing: nobody may come, and the evening must go on");
-    const float for_s = SecondsOr(part, person.key, 0, show::kLongestWait_s);
-    const float at_most_s = SecondsOr(part, "at_most_s", for_s, show::kLongestWait_s);
+    const float for_s = Between(part, person.key, 0, show::kLongestWait_s, " s");
+    const float at_most_s = Between(part, "at_most_s", for_s, show::kLongestWait_s, " s");
     if (at_most_s < for_s || !(at_most_s > 0))
       part.Fault("at_most_s", fmt::format("is {} s, shorter than what is waited for", at_most_s));
     return {person.person, for_s, at_most_s};
@@ -132,7 +125,7 @@ show::Cue ReadCue(Script& script, toml::Section section) {
   cue.name = section.TextOr("name", "");
   cue.act = section.TextOr("act", "");
   cue.notes = section.TextOr("notes", "");
-  cue.pre_wait_s = SecondsOr(section, "pre_wait_s", 0, show::kLongestWait_s);
+  cue.pre_wait_s = Between(section, "pre_wait_s", 0, show::kLongestWait_s, " s");
   cue.scene = read.Scene("scene");
   const auto face = [&script](toml::Section& at, std::string_view key, const std::string& name) {
     return FaceNamed(script, at, key, name);
@@ -168,7 +161,7 @@ void ReadList(Script& script, toml::Section section) {
     section.Fault("go_guard_ms",
                   fmt::format("is {} ms, not within 0 to {}", guard_ms, 1000 * show::kLongestGoGuard_s));
   list.go_guard_s = static_cast<float>(guard_ms / 1000);
-  list.goto_s = SecondsOr(section, "goto_s", list.goto_s, show::kLongestFade_s);
+  list.goto_s = Between(section, "goto_s", list.goto_s, show::kLongestFade_s, " s");
   list.panic = CueReader(script, section).Scene("panic").value_or(list.panic);
 }
 

@@ -4,19 +4,12 @@
 
 #include <fmt/ranges.h>
 
+#include "appliance/authoring/script/item_names.h"
 #include "appliance/authoring/script/key_names.h"
 #include "appliance/authoring/script/show_parts.h"
-#include "appliance/authoring/script/style_names.h"
 #include "appliance/authoring/script/taken_keys.h"
 
 namespace kaori::authoring {
-namespace {
-
-constexpr std::array<std::string_view, show::kCueVerbCount> kCueVerbNames{"go",    "back",  "stop",
-                                                                          "pause", "panic", "blackout"};
-
-}  // namespace
-
 std::uint16_t FaceNamed(Script& script, toml::Section& section, std::string_view key,
                         const std::string& name) {
   return script.known.faces ? IndexOf(section, key, "face", script.show.cast.faces, name) : std::uint16_t{0};
@@ -33,6 +26,13 @@ std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std
   if (it != kStyleNames.end()) return static_cast<std::uint16_t>(it - kStyleNames.begin());
   section.Fault(key, fmt::format("there is no style \"{}\"; styles are wire, flat, bare, hair, soft", name));
   return 0;
+}
+
+float Between(toml::Section& section, std::string_view key, float otherwise, float most, const char* unit) {
+  const auto value = static_cast<float>(section.NumberOr(key, otherwise));
+  if (!(value >= 0 && value <= most))
+    section.Fault(key, fmt::format("is {}{}, not within 0 to {}", value, unit, most));
+  return value;
 }
 
 std::uint16_t CueVerbNamed(toml::Section& section, std::string_view key, const std::string& name) {

@@ -11,14 +11,6 @@
 namespace kaori::authoring {
 namespace {
 
-// 0 to `most`; NaN is a fault.
-float Between(toml::Section& section, std::string_view key, float otherwise, float most, const char* unit) {
-  const auto value = static_cast<float>(section.NumberOr(key, otherwise));
-  if (!(value >= 0 && value <= most))
-    section.Fault(key, fmt::format("is {}{}, not within 0 to {}", value, unit, most));
-  return value;
-}
-
 // One [[scene]]. Without more it is the neutral expression in soft style, in the usual light, faded in
 // within 0.8 s.
 show::StageScene ReadScene(Script& script, toml::Section section) {

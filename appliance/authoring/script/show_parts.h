@@ -49,6 +49,9 @@ std::uint16_t ExpressionNamed(Script& script, toml::Section& section, std::strin
 // "wire" .. "soft", as numbers of scene::Style; 0, and a fault of `key`, for other names.
 std::uint16_t StyleNamed(toml::Section& section, std::string_view key, const std::string& name);
 
+// A number of 0 to `most`; others are a fault, NaN too. `unit` follows the number: " s".
+float Between(toml::Section& section, std::string_view key, float otherwise, float most, const char* unit);
+
 // "go" .. "blackout", as numbers of show::CueVerb.
 std::uint16_t CueVerbNamed(toml::Section& section, std::string_view key, const std::string& name);
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "appliance/authoring/script/style_names.h"
+#include "appliance/authoring/script/item_names.h"
 
 namespace kaori::authoring {
 namespace {

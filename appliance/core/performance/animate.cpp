@@ -133,12 +133,8 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
   FollowKnobs(state, dt_s);
   MoveSticks(state, board, dt_s);
   const float play_s = PlayTime(state, dt_s);
-  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
-    Advance(*mixture, play_s);
-  if (state.backstage.duration_s > 0)
-    state.backstage.progress = std::min(1.0F, state.backstage.progress + play_s / state.backstage.duration_s);
-  Advance(state.cue_light, play_s);
-  Advance(state.present, play_s);
+  for (Mixture* mixture : MixturesOf(state)) Advance(*mixture, play_s);
+  for (Fading* fading : FadingsOf(state)) Advance(*fading, play_s);
   SettleCues(state, show);
 }
 
@@ -183,8 +179,7 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time present
   state.seen = SeenOn(board);
   state.styles.to = static_cast<std::uint16_t>(scene::Style::kSoft);
   if (!show.scenes.empty()) EnterScene(state, show, 0, 0);
-  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
-    mixture->from.clear();
+  for (Mixture* mixture : MixturesOf(state)) mixture->from.clear();
   BeginLines(state, board.lines);
   return state;
 }
@@ -206,9 +201,9 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   Swing(state.sway, scene.head, dt_s);
   scene.hair_sway_rad = state.sway.angle_rad;
   HangBackdrops(state.backdrops, show, scene);
-  scene.light.exposure = ExposureNow(state.backstage) * At(state.shown, Knob::kLight) *
-                         LevelNow(state.cue_light) * Unblacked(state);
-  scene.present = LevelNow(state.present);
+  scene.light.exposure =
+      ValueNow(state.exposure) * At(state.shown, Knob::kLight) * ValueNow(state.cue_light) * Unblacked(state);
+  scene.present = ValueNow(state.present);
   performed.lamps = Lamps(state, show);
   return performed;
 }

@@ -1,8 +1,9 @@
-// How lids move in time, and how a scene's light travels.
+// How lids move in time.
 #pragma once
 
+#include <algorithm>
+
 #include "appliance/core/performance/ease.h"
-#include "appliance/core/performance/state.h"
 
 namespace kaori::performance {
 
@@ -29,11 +30,6 @@ inline float BlinkFrom(float since_s) {
 // A lid that a key holds, 0..1 before smoothing: shut after a twelfth of a second, open after a seventh.
 inline float HoldLid(float now, bool held, float dt_s) {
   return Travel(now, held ? 1.0F : 0.0F, dt_s, held ? 12.0F : 7.0F);
-}
-
-// The exposure of this moment, on its way from one scene's to the next one's.
-inline float ExposureNow(const Backstage& b) {
-  return Mix(b.exposure_from, b.exposure_to, SmoothStep(b.progress));
 }
 
 }  // namespace kaori::performance

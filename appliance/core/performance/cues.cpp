@@ -1,12 +1,9 @@
 #include "appliance/core/performance/cues.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 #include "appliance/core/board/lines.h"
-#include "appliance/core/performance/blink.h"
-#include "appliance/core/performance/ease.h"
 #include "appliance/core/performance/motions.h"
 #include "appliance/core/performance/operator_input.h"
 
@@ -16,8 +13,7 @@ namespace {
 using Phase = CueRun::Phase;
 
 // Open less than this, of 0..1, is shut: lips that are pressed are not told from it.
-constexpr float kMouthShut =
-    0.08F;  // Open less than this is shut: lips that are pressed are not told from it.
+constexpr float kMouthShut = 0.08F;
 constexpr float kLeavesGain = 0.999F;  // Below 1 a motion fades out by itself.
 
 const show::Cue& CueAt(const show::Show& show, std::int32_t index) {
@@ -27,11 +23,6 @@ const show::Cue& CueAt(const show::Show& show, std::int32_t index) {
 // The index of the cue after which GO is waited for, counted from `index`, which is a cue of the list.
 std::int32_t EndOfChainAt(const show::Show& show, std::int32_t index) {
   return static_cast<std::int32_t>(show::EndOfChain(show.cue_list, static_cast<std::size_t>(index)));
-}
-
-// From where the level is now, in the middle of another fade too.
-void Fade(Fading& fading, const show::CueLevel& level) {
-  fading = {LevelNow(fading), level.value, level.in_s > 0 ? 0.0F : 1.0F, level.in_s};
 }
 
 // How long a cue takes from the moment at which it is played until all that it began has run.
@@ -52,8 +43,8 @@ void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.face) CallFace(state, cue.face->index, cue.face->in_s);
   if (cue.expression) CallExpression(state, cue.expression->index, cue.expression->in_s);
   if (cue.style) Call(state.styles, cue.style->index, cue.style->in_s, 1);
-  if (cue.light) Fade(state.cue_light, *cue.light);
-  if (cue.present) Fade(state.present, *cue.present);
+  if (cue.light) Fade(state.cue_light, cue.light->value, cue.light->in_s);
+  if (cue.present) Fade(state.present, cue.present->value, cue.present->in_s);
   if (cue.motion >= 0) PlayMotion(state, cue.motion);
 }
 
@@ -77,7 +68,7 @@ void Play(State& state, const show::Show& show) {
   const show::Cue& cue = CueAt(show, index);
   SetAll(state, cue, show);
   run.active = index;
-  run.jumping = run.panicking = 0;
+  run.panicking = 0;
   run.phase = Phase::kIdle;
   const bool last = index + 1 == static_cast<std::int32_t>(show.cue_list.cues.size());
   if (last || cue.next == show::CueNext::kGo) return;
@@ -153,11 +144,9 @@ void Go(State& state, const show::Show& show) {
 
 // Anything that PAUSE would hold.
 bool IsRunning(const State& state) {
-  const auto fades = [](const Mixture* m) { return m->progress < 1; };
-  const std::initializer_list<const Mixture*> mixtures{&state.faces, &state.expressions, &state.styles,
-                                                       &state.backdrops};
-  return state.cue_run.pending >= 0 || std::ranges::any_of(mixtures, fades) || state.cue_light.progress < 1 ||
-         state.present.progress < 1 ||
+  const auto fades = [](const auto* one) { return one->progress < 1; };
+  return state.cue_run.pending >= 0 || std::ranges::any_of(MixturesOf(state), fades) ||
+         std::ranges::any_of(FadingsOf(state), fades) ||
          std::ranges::any_of(state.voices, [](const Playing& v) { return v.motion >= 0; });
 }
 
@@ -187,10 +176,9 @@ void Panic(State& state, const show::Show& show) {
   const show::CueCall& panic = show.cue_list.panic;
   const float in_s = again ? 0 : panic.in_s;
   EnterScene(state, show, panic.index, in_s);
-  Fade(state.cue_light, {1, in_s});
-  Fade(state.present, {1, in_s});
+  Fade(state.cue_light, 1, in_s);
+  Fade(state.present, 1, in_s);
   run.panicking = 1;
-  run.jumping = 0;
 }
 
 // Only where the mixture shows what the list has: after a call by hand there is nothing to settle.
@@ -201,19 +189,7 @@ void Settle(Mixture& mixture, const show::TrackedState::Item& item, float amount
   if (item.before != item.now) mixture.from.Push(item.before, 1);
 }
 
-void Settle(Fading& fading) {
-  if (fading.progress >= 1) fading = {fading.to, fading.to, 1, 0};
-}
-
 }  // namespace
-
-float LevelNow(const Fading& fading) {
-  return Mix(fading.from, fading.to, SmoothStep(fading.progress));
-}
-
-void Advance(Fading& fading, float dt_s) {
-  if (fading.duration_s > 0) fading.progress = std::min(1.0F, fading.progress + dt_s / fading.duration_s);
-}
 
 void CallCue(State& state, const show::Show& show, show::CueVerb verb) {
   if (show.cue_list.tracked.empty()) return;
@@ -246,11 +222,10 @@ void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   CallFace(state, tracked.face.now, in_s);
   CallExpression(state, tracked.expression.now, in_s);
   Call(state.styles, tracked.style.now, in_s, 1);
-  Fade(state.cue_light, {tracked.light, in_s});
-  Fade(state.present, {tracked.present, in_s});
+  Fade(state.cue_light, tracked.light, in_s);
+  Fade(state.present, tracked.present, in_s);
   run.active = end;
   run.standby = end + 1;
-  run.jumping = 1;
   run.panicking = 0;
 }
 
@@ -286,10 +261,6 @@ void SettleCues(State& state, const show::Show& show) {
   Settle(state.expressions, tracked.expression, At(state.shown, Knob::kExpression));
   Settle(state.styles, tracked.style, 1);
   Settle(state.backdrops, tracked.scene, 1);
-  Settle(state.cue_light);
-  Settle(state.present);
-  if (state.backstage.progress >= 1)
-    state.backstage = {state.backstage.exposure_to, state.backstage.exposure_to, 1, 0};
 }
 
 }  // namespace kaori::performance

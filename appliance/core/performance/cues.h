@@ -34,10 +34,4 @@ float PlayTime(const State& state, float dt_s);
 // shows) is as the list has it: a jump and a run through the list end in the same bits.
 void SettleCues(State& state, const show::Show& show);
 
-// The value now, 0..1.
-float LevelNow(const Fading& fading);
-
-// Moves a level's fade on by dt_s.
-void Advance(Fading& fading, float dt_s);
-
 }  // namespace kaori::performance

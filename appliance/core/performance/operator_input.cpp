@@ -130,15 +130,13 @@ void PlayPresses(State& state, const InputEvents& events, const show::Show& show
       Obey(state, show.buttons[press.code], show);
 }
 
-// The exposure's fade begins at what it is now, in the middle of another fade too.
 void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {
   const show::StageScene& scene = show.scenes[index];
   CallFace(state, scene.face, fade_s);
   CallExpression(state, scene.expression, fade_s);
   Call(state.styles, static_cast<std::uint16_t>(scene.style), fade_s, 1);
   Call(state.backdrops, index, fade_s, 1);
-  const float exposure = ExposureNow(state.backstage);
-  state.backstage = {exposure, scene.exposure, fade_s > 0 ? 0.0F : 1.0F, fade_s};
+  Fade(state.exposure, scene.exposure, fade_s);
   state.scene = index;
 }
 

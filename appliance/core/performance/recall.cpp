@@ -11,11 +11,9 @@ State Recalled(const State& kept, const board::Snapshot& board, Time presented_a
   State state = kept;
   state.last = presented_at;
   state.seen = SeenOn(board);
-  for (Mixture* mixture : {&state.faces, &state.expressions, &state.styles, &state.backdrops})
-    mixture->progress = 1;
-  state.backstage.progress = 1;
+  for (Mixture* mixture : MixturesOf(state)) mixture->progress = 1;
+  for (Fading* fading : FadingsOf(state)) fading->progress = 1;
   state.shown = state.knobs;
-  for (Fading* level : {&state.cue_light, &state.present}) level->progress = 1;
   // The list stands where it stood; what waited for a moment of that evening stands by.
   if (state.cue_run.pending >= 0) state.cue_run.standby = state.cue_run.pending;
   state.cue_run = {.active = state.cue_run.active, .standby = state.cue_run.standby};

@@ -27,8 +27,8 @@ bool IsValidFade(float progress, float duration_s) {
   return Within({progress}, 0, 1) && Within({duration_s}, 0, show::kLongestCueFade_s);
 }
 
-bool IsValidFading(const Fading& f) {
-  return Within({f.from, f.to}, 0, 1) && IsValidFade(f.progress, f.duration_s);
+bool IsValidFading(const Fading& f, float most) {
+  return Within({f.from, f.to}, 0, most) && IsValidFade(f.progress, f.duration_s);
 }
 
 bool IsValidCueRun(const CueRun& run, const show::CueList& list) {
@@ -38,7 +38,7 @@ bool IsValidCueRun(const CueRun& run, const show::CueList& list) {
          run.pending >= -1 && run.pending < count && run.phase <= CueRun::Phase::kPerson &&
          waits == (run.pending >= 0) &&
          Within({run.left_s, run.held_s}, 0, show::kLongestWait_s + show::kLongestCueFade_s) &&
-         run.paused <= 1 && run.jumping <= 1 && run.panicking <= 1;
+         run.paused <= 1 && run.panicking <= 1;
 }
 
 // The bounds leave room for rounding: weights were normalised once a call.
@@ -53,11 +53,6 @@ bool IsValidTerms(const face::Terms& terms, std::size_t count) {
 bool IsValidMixture(const Mixture& mixture, std::size_t count) {
   return mixture.to < count && IsValidFade(mixture.progress, mixture.duration_s) &&
          IsValidTerms(mixture.from, count);
-}
-
-bool IsValidBackstage(const Backstage& b) {
-  return Within({b.exposure_from, b.exposure_to}, 0, show::kMostExposure) &&
-         IsValidFade(b.progress, b.duration_s);
 }
 
 // Each within its own range: a value beyond its end would leap to it at the first turn of the dial.
@@ -104,8 +99,8 @@ bool IsValid(const State& state, const show::Show& show) {
          IsValidMixture(state.expressions, show.cast.expressions.size()) &&
          IsValidMixture(state.styles, scene::kStyleCount) &&
          (show.scenes.empty() || IsValidMixture(state.backdrops, show.scenes.size())) &&
-         IsValidBackstage(state.backstage) && IsValidKnobs(state) && IsValidPose(state) &&
-         IsValidClocks(state) && IsValidFading(state.cue_light) && IsValidFading(state.present) &&
+         IsValidFading(state.exposure, show::kMostExposure) && IsValidKnobs(state) && IsValidPose(state) &&
+         IsValidClocks(state) && IsValidFading(state.cue_light, 1) && IsValidFading(state.present, 1) &&
          IsValidCueRun(state.cue_run, show.cue_list) && IsValidVoices(state, show) &&
          (show.scenes.empty() || state.scene < show.scenes.size());
 }

@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "appliance/core/performance/fading.h"
 #include "appliance/core/performance/input_events.h"
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/mixture.h"
@@ -16,14 +17,6 @@
 #include "render/scene/scene.h"
 
 namespace kaori::performance {
-
-// The scene's exposure on its way from one scene to the next; 1 is as the scene was lit, 0 is black. The
-// curve between the two is in blink.h.
-struct Backstage {
-  float exposure_from = 1, exposure_to = 1;
-  float progress = 1;  // 0 at the call .. 1 when the fade has run.
-  float duration_s = 0;
-};
 
 // How a stick stands, besides its values: one that was unplugged holds for a moment and then eases to neutral.
 struct StickNow {
@@ -51,13 +44,6 @@ struct Life {
   glm::vec2 glance_rad{};  // Yaw and pitch that a glance adds to the gaze.
 };
 
-// A level on its way from one value to another.
-struct Fading {
-  float from = 1, to = 1;
-  float progress = 1;  // 0 at the call .. 1 when the fade has run.
-  float duration_s = 0;
-};
-
 // Where the cue list stands. Indices are into the show's cues.
 struct CueRun {
   enum class Phase : std::uint32_t {
@@ -73,7 +59,6 @@ struct CueRun {
   float left_s = 0;          // Of the phase: until `pending` begins, or until its wait for a person gives up.
   float held_s = 0;          // For how long the person has done what the cue waits for.
   std::uint32_t paused = 0;  // 1: waits, fades and motions stand still.
-  std::uint32_t jumping = 0;    // 1: the picture is on its way to the tracked state of `active`.
   std::uint32_t panicking = 0;  // 1: the panic scene is on its way; a second call is at once.
   std::uint32_t refused = 0;    // GOs that the guard or the end of the list refused, counted.
 };
@@ -88,16 +73,16 @@ struct Sway {
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 8;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 9;  // Raise it when a field changes: see board::Hold.
   Time last{};                                 // When the last frame was to be presented.
   float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
   SeenInput seen;
   Mixture faces, expressions, styles;  // Indices into the cast, and scene::Style.
   Mixture backdrops;                   // Of scenes, by their numbers.
-  Backstage backstage;
+  Fading exposure;                     // Of the scene: 1 is as it was lit, 0 is black.
+  Fading cue_light, present;           // As cues set them, 0..1.
   CueRun cue_run;
-  Fading cue_light, present;  // As cues set them, 0..1.
   // What the dials say (see kKnobRanges), and the same smoothed, which is what the face shows. They begin as a
   // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
@@ -131,6 +116,14 @@ struct State {
   std::uint16_t scene = 0;
 };
 static_assert(std::is_trivially_copyable_v<State>);
+
+// All that fades, of a State or a const one: between called items, and levels.
+auto MixturesOf(auto& state) {
+  return std::array{&state.faces, &state.expressions, &state.styles, &state.backdrops};
+}
+auto FadingsOf(auto& state) {
+  return std::array{&state.exposure, &state.cue_light, &state.present};
+}
 
 // Whether the show may go on with a state that was found on the board or on the disk: every number is finite
 // and in range, and everything that it calls exists in the show. Every field is checked, since the bytes may

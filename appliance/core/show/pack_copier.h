@@ -1,7 +1,10 @@
 // Copies arrays out of a FlatBuffer, and never more bytes than it has: tables of a forged one may share theirs.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,6 +14,12 @@
 #include "appliance/core/show/pack_layout.h"
 
 namespace kaori::show {
+
+// What does not fit becomes the largest number that does, and CheckShow finds that to be too large.
+template <class To>
+To Narrow(std::uint32_t value) {
+  return static_cast<To>(std::min<std::uint32_t>(value, std::numeric_limits<To>::max()));
+}
 
 // Absent arrays read as empty, and so does everything once too much was asked for: CheckShow says what is
 // missing. Used for one content, by one thread; what it gives is independent of the content but for Texels.

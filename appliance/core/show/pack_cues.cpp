@@ -1,16 +1,7 @@
 #include "appliance/core/show/pack_cues.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace kaori::show {
 namespace {
-
-// Values of an enum of 8 bits; what does not fit becomes one that CheckShow refuses.
-template <class Enum>
-Enum AsEnum(std::uint32_t value) {
-  return static_cast<Enum>(std::min<std::uint32_t>(value, std::numeric_limits<std::uint8_t>::max()));
-}
 
 std::optional<pack::CueCall> Stored(const std::optional<CueCall>& call) {
   if (!call) return std::nullopt;
@@ -30,8 +21,7 @@ const T* Address(const std::optional<T>& value) {
 
 std::optional<CueCall> Held(const pack::CueCall* call) {
   if (call == nullptr) return std::nullopt;
-  const auto most = std::numeric_limits<std::uint16_t>::max();
-  return CueCall{static_cast<std::uint16_t>(std::min<std::uint32_t>(call->index(), most)), call->in_s()};
+  return CueCall{Narrow<std::uint16_t>(call->index()), call->in_s()};
 }
 
 std::optional<CueLevel> Held(const pack::CueLevel* level) {
@@ -66,8 +56,9 @@ Cue ReadCue(Copier& from, const pack::Cue& stored) {
           .light = Held(stored.light()),
           .present = Held(stored.present()),
           .motion = stored.motion(),
-          .next = AsEnum<CueNext>(stored.next()),
-          .wait = {AsEnum<CuePerson>(stored.wait_person()), stored.wait_for_s(), stored.wait_at_most_s()}};
+          .next = static_cast<CueNext>(Narrow<std::uint8_t>(stored.next())),
+          .wait = {static_cast<CuePerson>(Narrow<std::uint8_t>(stored.wait_person())), stored.wait_for_s(),
+                   stored.wait_at_most_s()}};
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -15,12 +14,6 @@ namespace {
 // tables, four deep.
 constexpr flatbuffers::uoffset_t kMaxTables = 100'000;
 constexpr flatbuffers::uoffset_t kMaxDepth = 16;
-
-// What does not fit becomes the largest number that does, and CheckShow finds that to be too large.
-template <class To>
-To Narrow(std::uint32_t value) {
-  return static_cast<To>(std::min<std::uint32_t>(value, std::numeric_limits<To>::max()));
-}
 
 glm::vec3 Vec(const pack::Vec3* v) {
   return v == nullptr ? glm::vec3{} : glm::vec3(v->x(), v->y(), v->z());

@@ -35,10 +35,8 @@ std::optional<performance::State> StateIn(std::span<const std::uint8_t> bytes) {
 
 // Whether no fade of face, expression, style, backdrop or light is under way.
 bool Done(const performance::State& state) {
-  const auto done = [](const performance::Mixture* mixture) { return mixture->progress >= 1; };
-  return std::ranges::all_of(std::array{&state.faces, &state.expressions, &state.styles, &state.backdrops},
-                             done) &&
-         (state.backstage.duration_s <= 0 || state.backstage.progress >= 1);
+  const auto done = [](const auto* one) { return one->progress >= 1; };
+  return std::ranges::all_of(MixturesOf(state), done) && std::ranges::all_of(FadingsOf(state), done);
 }
 
 // A picture that one likes to look at for a second: nothing is on its way, and the eyes are open.

@@ -4,10 +4,6 @@
 
 namespace kaori::stage {
 
-PreparedShow::PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {
-  if (show_.cue_list.tracked.empty()) show::Track(show_);
-}
-
 Result<std::unique_ptr<Studio>> Studio::Open(show::Show show, void* gbm) {
   return Open(std::make_unique<PreparedShow>(std::move(show)), gbm);
 }

@@ -35,7 +35,7 @@ struct SmallImage {
 // is made beside the opening of the GL context, which takes about as long.
 class PreparedShow {
  public:
-  explicit PreparedShow(show::Show show);
+  explicit PreparedShow(show::Show show) : show_(std::move(show)), preparation_(show_.cast) {}
   PreparedShow(const PreparedShow&) = delete;
   PreparedShow& operator=(const PreparedShow&) = delete;
 

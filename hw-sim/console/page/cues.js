@@ -3,8 +3,6 @@ import {make} from './drag.js';
 import {tapKey} from './keys.js';
 import {onState} from './wire.js';
 
-const kIcons = new Map([['GO', 'go']]);
-
 // What the list is doing, in words; nothing while it only stands by.
 function doing(now, cues) {
   if (!now) return '';
@@ -54,7 +52,7 @@ export function makeCues(parent, {cues, keys}) {
   if (cues.length === 0) return parent.remove();
   const calls = make('div', {class: 'calls', role: 'group', 'aria-label': 'Calls of the cue list'},
                      ...keys.filter(({group}) => group === 'cue').map(({usage, text}) => {
-                       const button = make('button', {type: 'button', class: kIcons.get(text) ?? ''}, text);
+                       const button = make('button', {type: 'button', class: text === 'GO' ? 'go' : ''}, text);
                        button.addEventListener('mousedown', (event) => event.preventDefault());
                        button.addEventListener('click', () => tapKey(usage));
                        return button;

@@ -72,8 +72,7 @@ class CuesTest : public PerformanceTest {
   // What the list determines of a state, to the bit.
   struct Tracked {
     Mixture faces, expressions, styles, backdrops;
-    Backstage backstage;
-    Fading light, present;
+    Fading exposure, light, present;
     std::array<float, 2> dials;
     std::int32_t active, standby;
     std::uint16_t scene;
@@ -92,15 +91,15 @@ class CuesTest : public PerformanceTest {
     };
     return same_mixture(a.faces, b.faces) && same_mixture(a.expressions, b.expressions) &&
            same_mixture(a.styles, b.styles) && same_mixture(a.backdrops, b.backdrops) &&
-           same(a.backstage, b.backstage) && same(a.light, b.light) && same(a.present, b.present) &&
+           same(a.exposure, b.exposure) && same(a.light, b.light) && same(a.present, b.present) &&
            same(a.dials, b.dials) && a.active == b.active && a.standby == b.standby && a.scene == b.scene;
   }
   Tracked Now() const {
-    return {state_.faces,     state_.expressions,
-            state_.styles,    state_.backdrops,
-            state_.backstage, state_.cue_light,
-            state_.present,   {At(state_.shown, Knob::kFace), At(state_.shown, Knob::kExpression)},
-            run().active,     run().standby,
+    return {state_.faces,    state_.expressions,
+            state_.styles,   state_.backdrops,
+            state_.exposure, state_.cue_light,
+            state_.present,  {At(state_.shown, Knob::kFace), At(state_.shown, Knob::kExpression)},
+            run().active,    run().standby,
             state_.scene};
   }
   // Plays the list from its top until GO would play cue `end`.

@@ -100,7 +100,7 @@ const Spoiled kSpoiled[] = {
     {"WeightsThatCancelOut",
      [](State& s) { (s.faces.from.clear(), s.faces.from.Push(1, 900), s.faces.from.Push(2, -899)); }},
     {"AStyleThatDoesNotExist", [](State& s) { s.styles.to = 5; }},
-    {"ALightBeyondTheLamp", [](State& s) { s.backstage.exposure_to = 900; }},
+    {"ALightBeyondTheLamp", [](State& s) { s.exposure.to = 900; }},
     {"ABackdropOfNoScene", [](State& s) { s.backdrops.to = 900; }},
     {"AKnobBeyondItsEnd", [](State& s) { s.shown[2] = 90; }},
     {"ALossThatIsNoTime", [](State& s) { s.sticks[1].lost_s = kNan; }},

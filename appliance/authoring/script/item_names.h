@@ -1,8 +1,9 @@
-// The styles' names: the words of show.toml.
+// Names of what is numbered in a show: the words of show.toml.
 #pragma once
 
 #include <array>
 
+#include "appliance/core/show/cue.h"
 #include "render/scene/scene.h"
 
 namespace kaori::authoring {
@@ -10,5 +11,9 @@ namespace kaori::authoring {
 // In the order of scene::Style.
 inline constexpr std::array<const char*, scene::kStyleCount> kStyleNames{"wire", "flat", "bare", "hair",
                                                                          "soft"};
+
+// In the order of show::CueVerb.
+inline constexpr std::array<const char*, show::kCueVerbCount> kCueVerbNames{"go",    "back",  "stop",
+                                                                            "pause", "panic", "blackout"};
 
 }  // namespace kaori::authoring
