@@ -34,15 +34,43 @@ expect "test takes one PATTERN" test a b
 expect "test knows no --loud" test --loud
 expect "test --bench takes --chosen" test --bench --loud
 expect "image knows no --loud" image --loud
+expect "format takes no words" format --loud
+expect "build takes no words" build --loud
+expect "clean takes no words" clean --loud
+expect "sheet takes the name of one FOLDER" sheet --loud
 
 "$BOX" help | grep -q -e '--service' || { echo "box help does not tell of the desk"; failures=$((failures + 1)); }
 "$BOX" help | grep -q -e '--listen ADDRESS' || { echo "box help does not tell of --listen"; failures=$((failures + 1)); }
 "$BOX" help | grep -q './box demo --record' || { echo "box help does not tell of films"; failures=$((failures + 1)); }
 
-# A build that waits for another one says so. In a copy, with programs that do nothing in place of those that build.
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 (cd "$REPOSITORY" && cp --parents box appliance/demo.sh docs/pictures.sh tests/tests.sh tests/hil/bench.sh rootfs/image/image.sh "$copy")
+
+# Every command of the page answers --help and -h with its own lines, and does nothing else. In a copy, of which nothing
+# may be built, removed or made, with programs that end everything in place of those that install and build.
+commands=$("$copy/box" help | sed -n 's/^  \.\/box \([a-z][a-z]*\).*/\1/p' | sort -u)
+known=$(sed -n 's/^  \([a-z]*\)[ |)].*;;$/\1/p' "$copy/box" | sort -u)
+[ -n "$commands" ] && [ "$commands" = "$known" ] || { echo "the page has the commands $commands; box knows $known"; failures=$((failures + 1)); }
+mkdir "$copy/never"
+printf '#!/bin/sh\nkill $PPID\n' | tee "$copy"/never/{dpkg-query,apt-get,cmake,ninja,rm,python3} >/dev/null
+chmod +x "$copy"/never/*
+before=$(find "$copy")
+for command in $commands; do
+  for words in --help -h '--loud --help'; do
+    # shellcheck disable=SC2086  # Two words.
+    said=$(PATH="$copy/never:$PATH" timeout 20 "$copy/box" "$command" $words 2>&1)
+    status=$?
+    if [ $status -ne 0 ] || [[ $said != "  ./box $command"* ]] || grep -v "^   " <<<"$said" | grep -qv "^  ./box $command\b"; then
+      echo "box $command $words: ended with $status and said: $said"
+      failures=$((failures + 1))
+    fi
+  done
+done
+[ "$(find "$copy")" = "$before" ] || { echo "a --help made something"; failures=$((failures + 1)); }
+[[ $("$copy/box" test --help) == *"--bench [--chosen]"* ]] || { echo "box test --help lacks lines"; failures=$((failures + 1)); }
+
+# A build that waits for another one says so, with programs that do nothing in place of those that build.
 mkdir -p "$copy/bin" "$copy/out/build/release"
 printf '#!/bin/sh\nshift 2\nfor p; do echo "installed $p"; done\n' >"$copy/bin/dpkg-query"
 printf '#!/bin/sh\n' | tee "$copy/bin/apt-get" "$copy/bin/ninja" >"$copy/bin/cmake"
