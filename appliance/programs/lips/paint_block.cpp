@@ -35,6 +35,7 @@ KeyBlocks PlainKey(Packing) {
 KeyBlocks WidestKey(Packing packing) {
   if (const KeyBlocks key = Avx2Key(packing)) return key;
   if (const KeyBlocks key = Sse2Key(packing)) return key;
+  if (const KeyBlocks key = NeonKey(packing)) return key;
   return PlainKey(packing);
 }
 

@@ -1,6 +1,6 @@
 // Rows of chroma are keyed to bits, 64 samples a word, with the widest instructions that the processor has.
-// Keying touches every sample of a picture, so that this is written for the processor: AVX2, SSE2 and plain,
-// which give the same bits and are compared by a test.
+// Keying touches every sample of a picture, so that this is written for the processor: AVX2, SSE2, NEON and
+// plain, which give the same bits and are compared by a test.
 #pragma once
 
 #include <array>
@@ -29,12 +29,13 @@ using Wedge = std::array<HalfPlane, 3>;
 // each word, and up to the end of the last sample's group of `step` bytes. Pure; any thread.
 using KeyBlocks = void (*)(const ChromaRow& row, std::size_t blocks, const Wedge& wedge, std::uint64_t* into);
 
-// All of them give the same bits. Sse2Key and Avx2Key are null where the processor lacks the instructions, or
-// the program was built for another architecture.
+// All of them give the same bits. Sse2Key, Avx2Key and NeonKey are null where the processor lacks the
+// instructions, or the program was built for another architecture.
 KeyBlocks WidestKey(Packing packing);  // Never null.
 KeyBlocks PlainKey(Packing packing);   // Never null: works sample by sample on any processor.
 // For tests, which compare all of them; the program asks for WidestKey.
 KeyBlocks Sse2Key(Packing packing);
 KeyBlocks Avx2Key(Packing packing);
+KeyBlocks NeonKey(Packing packing);
 
 }  // namespace kaori::lips
