@@ -12,6 +12,11 @@ run_tests() {
     test_on_the_bench "$@"
     return
   fi
+  if [ "${1:-}" = --arm64 ]; then
+    [ $# -eq 1 ] || fail "test --arm64 takes nothing else; see ./box help"
+    test_arm64
+    return
+  fi
   [[ ${1:-} != --* || $1 =~ ^--(sanitizers|tidy)$ ]] || fail "test knows no $1; see ./box help"
   [ $# -le 1 ] || fail "test takes one PATTERN; put it in quotes where it has spaces"
   need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}"

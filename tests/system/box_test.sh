@@ -38,6 +38,10 @@ expect "format takes no words" format --loud
 expect "build takes no words" build --loud
 expect "clean takes no words" clean --loud
 expect "sheet takes the name of one FOLDER" sheet --loud
+expect "cross builds for arm64" cross
+expect "cross builds for arm64" cross m68k
+expect "cross knows no --loud" cross arm64 --loud
+expect "test --arm64 takes nothing else" test --arm64 board
 
 "$BOX" help | grep -q -e '--service' || { echo "box help does not tell of the desk"; failures=$((failures + 1)); }
 "$BOX" help | grep -q -e '--listen ADDRESS' || { echo "box help does not tell of --listen"; failures=$((failures + 1)); }
@@ -45,7 +49,7 @@ expect "sheet takes the name of one FOLDER" sheet --loud
 
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
-(cd "$REPOSITORY" && cp --parents box appliance/demo.sh docs/pictures.sh tests/tests.sh tests/hil/bench.sh rootfs/image/image.sh "$copy")
+(cd "$REPOSITORY" && cp --parents box appliance/demo.sh docs/pictures.sh tests/tests.sh tests/hil/bench.sh rootfs/image/image.sh rootfs/toolchains/cross.sh "$copy")
 
 # Every command of the page answers --help and -h with its own lines, and does nothing else. In a copy, of which nothing
 # may be built, removed or made, with programs that end everything in place of those that install and build.

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "appliance/core/board/calls.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::board {

@@ -33,9 +33,10 @@ TEST_F(CuesTest, AGoWithinTheGuardIsRefusedAndCounted) {
 }
 
 TEST_F(CuesTest, FootSwitchAndKeyShareOneGuard) {
+  board_.lines.source = board::SourceState::kLive;
   Strike(kGo);
   Step();
-  CallCueByFoot();
+  ++board_.lines.value.pushes[static_cast<std::size_t>(board::Line::kGo)];
   Run(100ms);
   EXPECT_EQ(run().standby, 1);
   EXPECT_EQ(run().refused, 1U);

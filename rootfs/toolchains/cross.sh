@@ -1,0 +1,92 @@
+# shellcheck shell=bash
+# ./box cross and ./box test --arm64: the box for 64-bit ARM, built with Debian's cross compiler. Read by ./box.
+
+readonly CROSS_PACKAGES=(g++-aarch64-linux-gnu mmdebstrap)
+readonly CROSS_TEST_PACKAGES=(qemu-user-static kas python3)
+readonly LAYER_MODULES=(language-server-bitbake@2.10.0 web-tree-sitter@0.20.8)  # The grammar of recipes.
+readonly SYSROOT=out/cross/arm64/sysroot
+readonly CROSS_RELEASE=bookworm
+
+# The build packages that a compiler for another processor reads, and what their programs need to run.
+sysroot_packages() {
+  printf '%s\n' libc6-dev libstdc++-12-dev "${BUILD_PACKAGES[@]}" | grep -E '^lib|-dev$' | sort -u
+}
+
+# Runs a command whose words go to a log, and says every ten seconds that it still runs: wait_for WHAT LOG COMMAND...
+wait_for() {
+  local what=$1 log=$2 running waited=0
+  shift 2
+  "$@" >"$log" 2>&1 &
+  running=$!
+  while kill -0 $running 2>/dev/null; do
+    sleep 1
+    ((++waited % 10)) || printf '%s: %s s\n' "$what" $waited >&2
+  done
+  wait $running
+}
+
+# Links that begin with / mean the sysroot's own files.
+mend_links() {
+  local link
+  while IFS= read -r link; do
+    ln -sfnr "$1$(readlink "$link")" "$link"
+  done < <(find "$1" -type l -lname '/*')
+}
+
+# Debian's build packages of arm64, unpacked and never installed: no script of theirs runs, and this machine's packages stay as
+# they are. Made anew when the list changes.
+make_sysroot() {
+  local list stamp new=$SYSROOT.new
+  local -a sources
+  list=$(sysroot_packages | paste -sd,)
+  stamp=$(sha256sum <<<"$list")
+  [ "$(cat $SYSROOT.stamp 2>/dev/null)" != "$stamp" ] || return 0
+  # shellcheck source=rootfs/debian.sh
+  source rootfs/debian.sh
+  mapfile -t sources < <(debian_sources $CROSS_RELEASE)
+  [ ${#sources[@]} -gt 0 ] || fail "apt knows no sources of Debian's $CROSS_RELEASE; say apt-get update"
+  say "fetching the build packages of arm64 (110 MB, minutes)"
+  mkdir -p $LOGS
+  rm -rf $SYSROOT $SYSROOT.stamp "$new" "$new.tar"
+  mkdir -p "$new"
+  wait_for fetching $LOGS/sysroot.log mmdebstrap --quiet --variant=extract --architectures=arm64 --include="$list" \
+    --aptopt='APT::Install-Recommends false' $CROSS_RELEASE "$new.tar" "${sources[@]}" ||
+    { tail -n 20 $LOGS/sysroot.log >&2; fail "the packages could not be fetched; see $LOGS/sysroot.log"; }
+  tar -C "$new" --no-same-owner --exclude='./dev/*' --exclude=./usr/share/{doc,man,locale} -xf "$new.tar"
+  rm "$new.tar"
+  mend_links "$new"
+  mv "$new" $SYSROOT
+  echo "$stamp" >$SYSROOT.stamp
+}
+
+cross() {
+  [ "${1:-}" = arm64 ] || fail "cross builds for arm64: ./box cross arm64; see ./box help"
+  [[ $# -eq 1 || ( $# -eq 2 && $2 = --sysroot ) ]] || fail "cross knows no ${*:2}; see ./box help"
+  need "${BUILD_PACKAGES[@]}" "${CROSS_PACKAGES[@]}"
+  make_sysroot
+  [ $# -eq 1 ] || { say "the sysroot is $SYSROOT"; return 0; }
+  # What the build itself runs, kaori-atelier, is this machine's.
+  build release kaori-atelier
+  build arm64 programs kaori-bench kaori-gadget
+  say "the programs lie in out/build/arm64/bin"
+}
+
+# Tests of arm64 that QEMU's user mode cannot run, by their names; what starts programs or reads the sources has run on this
+# machine's processor.
+readonly NOT_EMULATED='^(rules|gates|system|golden|files|boot)[:-]| in Chromium$'
+
+test_arm64() {
+  need "${BUILD_PACKAGES[@]}" "${CROSS_PACKAGES[@]}" "${CROSS_TEST_PACKAGES[@]}"
+  need_node
+  make_sysroot
+  build release
+  build arm64
+  say "fetching the grammar of recipes"
+  npm install --prefix out/cross --no-audit --no-fund --silent "${LAYER_MODULES[@]}" >$LOGS/npm.log 2>&1 ||
+    fail "npm could not fetch it; see $LOGS/npm.log"
+  local failed=0
+  ctest --test-dir out/build/arm64 --output-on-failure -j 2 --no-tests=error -E "$NOT_EMULATED" \
+    --output-junit "$PWD/out/cross/arm64/tests.xml" || failed=1
+  python3 -B tests/rootfs/cross_report.py . out/build/arm64 out/cross/arm64/tests.xml out/cross/node_modules out/cross.json || failed=1
+  [ $failed -eq 0 ] || fail "what failed is named above; the figures are in out/cross.json"
+}
