@@ -15,6 +15,7 @@
 #include "drivers/base/whole_file.h"
 #include "hw-sim/console/console.h"
 #include "hw-sim/links/local/rig.h"
+#include "hw-sim/monitor/stage_caller.h"
 #include "hw-sim/monitor/stage_monitor.h"
 #include "hw-sim/scenario/player.h"
 #include "hw-sim/scenario/reader.h"
@@ -35,7 +36,7 @@ constexpr std::string_view kHelp =
   --record FILE        writes what the operator does, as a scenario
   --console PORT       a page with dials, sticks, keys, lips and the picture; 0 takes any free port
   --listen ADDRESS     serve the page on this IPv4 address instead of 127.0.0.1; whoever reaches it plays
-  --board FILE         the box's board: the page says which scene and which way of drawing are on
+  --board FILE         the box's board: the page says what is on, and calls cues there
   --labels FILE        what is written on the page's dials, buttons, sticks and keys
   --address-file FILE  where the page's address is written
 )";
@@ -77,6 +78,7 @@ struct Simulation {
   kaori::EventLoop& loop;
   const kaori::Clock& clock;
   std::optional<kaori::sim::StageMonitor> monitor{};
+  std::optional<kaori::sim::StageCaller> caller{};
   std::optional<kaori::sim::Player> player{};
   std::ofstream record{};
   std::optional<kaori::sim::Recorder> recorder{};
@@ -106,7 +108,7 @@ kaori::Result<void> Record(const Settings& settings, Simulation& simulation) {
   return {};
 }
 
-// The page's settings. Reading the board is optional: without it the page does not say what is on stage.
+// The page's settings. The board is optional: without it the page does not say what is on stage, and calls nothing there.
 kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings, Simulation& simulation) {
   const auto port = Number("--console", settings.console, 0, 65535);
   if (!port) return tl::unexpected(port.error());
@@ -115,6 +117,8 @@ kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings, S
   page.listen = settings.listen;
   if (!settings.board.empty()) {
     simulation.monitor.emplace(settings.board, simulation.clock);
+    simulation.caller.emplace(settings.board, simulation.clock);
+    page.call = [&caller = *simulation.caller](std::string_view line) { return caller.Call(line); };
     page.on_stage = [&monitor = *simulation.monitor]() -> std::optional<kaori::console::OnStage> {
       const auto now = monitor.Read();
       if (!now) return std::nullopt;

@@ -2,6 +2,8 @@
 
 #include <sys/timerfd.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "drivers/base/log.h"
@@ -135,6 +137,7 @@ void Console::TellState(Time now) {
 web::HttpServer::Answer Console::Answer(const Request& request) {
   if (request.method == "POST") {
     if (request.path == "/input") return AcceptInput(request.body);
+    if (request.path == "/call") return AcceptCalls(request.body);
     return NotFound(request.path);
   }
   if (request.method != "GET" && request.method != "HEAD") return Reply{405, kText, "GET and POST only\n"};
@@ -155,6 +158,22 @@ Reply Console::AcceptInput(const std::string& lines) {
   if (!actions) return {400, kText, actions.error().attempt + "\n"};
   for (const auto& action : *actions) held_.Note(action);
   if (auto done = Do(*actions); !done) return {503, kText, done.error().message() + "\n"};
+  return {204, kText, {}};
+}
+
+// Calls before a wrong one are made: each stands for itself.
+Reply Console::AcceptCalls(std::string_view lines) {
+  while (!lines.empty()) {
+    const auto end = std::min(lines.find('\n'), lines.size());
+    const std::string_view line = lines.substr(0, end);
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+    if (line.empty()) continue;
+    const auto called =
+        options_.call ? options_.call(line) : Result<void>(FailInput("nobody hears calls here"));
+    if (called) continue;
+    const bool wrong = called.error().cause == std::errc::invalid_argument;
+    return {wrong ? 400U : 503U, kText, called.error().message() + "\n"};
+  }
   return {204, kText, {}};
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "drivers/base/event_loop.h"
@@ -37,6 +38,9 @@ struct ConsoleOptions {
   int jpeg_quality = 85;
   // What is on stage; nothing while no stage draws. May be empty: the page then shows none.
   std::function<std::optional<OnStage>()> on_stage{};
+  // Makes the call that a line of a page says, as "goto 14". May be empty: no page calls anything then. Errors:
+  // invalid_argument (no such call), those of the way to the box.
+  std::function<Result<void>(std::string_view)> call{};
 };
 
 // Input acts through Rig::Do alone, so as report bytes and camera frames; the console pumps the rig
@@ -73,6 +77,8 @@ class Console {
   // Does what a page sent, all of it or nothing. 400 with the fault of the first
   // wrong line, 503 where a cable fails.
   web::Reply AcceptInput(const std::string& lines);
+  // Makes the calls that a page sent, one a line. 400 with the fault of the first wrong line, 503 where no box hears.
+  web::Reply AcceptCalls(std::string_view lines);
   // Does the actions in their order and pumps once. Errors: those of Rig::Do.
   Result<void> Do(const std::vector<sim::OperatorAction>& actions);
   // Lets go of what the last page held, once that page has left.

@@ -132,6 +132,22 @@ test('the cue list shows what was played and what stands by, and its calls are p
   await onStage('Scene: Studio');
 });
 
+test('a click on a cue lets it stand by, and its button goes there', async () => {
+  const active = () => page.locator('#cues li.active').textContent();
+  const row = page.locator('#cues li').filter({hasText: 'Flat shaded'});
+  await row.getByRole('button', {name: /^11/}).click();
+  await until('cue 11 stands by', async () => (await row.getAttribute('aria-current')) === 'step');
+  const there = page.locator('#cues li').filter({hasText: 'She barks at the rival'});
+  await there.hover();
+  await there.getByRole('button', {name: 'Go to cue 24', exact: true}).click();
+  await until('the chain of cue 24 was gone to', async () => (await active()).startsWith('24.1'));
+  await onStage('Scene: Garden');
+  await page.locator('#cues').getByRole('button', {name: 'Go to cue 1', exact: true}).click();
+  await until('cue 1 was gone to', async () => (await active()).startsWith('1House'));
+  await page.locator('#cues').getByRole('button', {name: 'Panic', exact: true}).click();
+  await onStage('Scene: Studio');
+});
+
 test('blackout makes the picture black, and the tally lamp dark', async () => {
   const lamp = (text) => until(`a ${text} lamp`, async () =>
       await page.locator('.tally').getAttribute('aria-label') === `Tally lamp: ${text}`);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "appliance/authoring/script/show_parts.h"
+#include "appliance/core/board/calls.h"
 
 namespace kaori::authoring {
 namespace {
@@ -113,6 +114,12 @@ std::string ReadNumber(Script& script, toml::Section& section) {
       show::CompareCueNumbers(number, cues.back().number) <= 0)
     section.Fault("number", fmt::format("{} stands after {}; numbers must rise from cue to cue", number,
                                         cues.back().number));
+  const auto same_key = [&number](const show::Cue& cue) {
+    return cue.number != number && board::CueKey(cue.number) == board::CueKey(number);
+  };
+  if (const auto other = std::ranges::find_if(cues, same_key); other != cues.end())
+    section.Fault("number", fmt::format("{} and {} cannot be told apart by a call; choose another", number,
+                                        other->number));
   return number;
 }
 

@@ -22,6 +22,8 @@ enum class Section : std::uint32_t {
   kStickRight,
   kKeys,
   kLines,
+  kCallsOfInput,
+  kCallsOfControl,
   kPointer,
   kLips,
   kVoice,
@@ -33,7 +35,7 @@ enum class Section : std::uint32_t {
   kStageStatus,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 15;
+inline constexpr std::size_t kSectionCount = 17;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
@@ -79,6 +81,8 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"stick right", ValueWords<Stick>()},
                                                   {"keys", ValueWords<Keys>()},
                                                   {"lines", ValueWords<Lines>()},
+                                                  {"calls of input", ValueWords<Calls>()},
+                                                  {"calls of control", ValueWords<Calls>()},
                                                   {"pointer", ValueWords<Pointer>()},
                                                   {"lips", ValueWords<Lips>()},
                                                   {"voice", ValueWords<Voice>()},
@@ -99,7 +103,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
 
 }  // namespace internal
 
-// The whole board as this build has it: about 45 KB, most of it four copies of `performance`.
+// The whole board as this build has it: about 55 KB, most of it four copies of `performance`.
 inline constexpr std::array<SectionPlace, kSectionCount> kPlaces = internal::PlaceSections();
 inline constexpr std::size_t kBoardWords = kPlaces.back().at_word + SectionWords(kPlaces.back().value_words);
 inline constexpr std::size_t kBoardBytes = kBoardWords * sizeof(std::uint32_t);
@@ -121,7 +125,7 @@ constexpr std::uint64_t LayoutHash() {
   return hash;
 }
 
-// Which section holds a T; the sticks are told apart by `which`. A type that no section holds does not
+// Which section holds a T; the sticks are told apart by `which`, and so are the writers of calls (CallWriter). A type that no section holds does not
 // compile, since the function then returns nothing.
 template <class T>
 constexpr Section SectionOf(int which) {
@@ -129,6 +133,8 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, Stick>) return which == 0 ? Section::kStickLeft : Section::kStickRight;
   if constexpr (std::is_same_v<T, Keys>) return Section::kKeys;
   if constexpr (std::is_same_v<T, Lines>) return Section::kLines;
+  if constexpr (std::is_same_v<T, Calls>)
+    return which == 0 ? Section::kCallsOfInput : Section::kCallsOfControl;
   if constexpr (std::is_same_v<T, Pointer>) return Section::kPointer;
   if constexpr (std::is_same_v<T, Lips>) return Section::kLips;
   if constexpr (std::is_same_v<T, Lamps>) return Section::kLamps;

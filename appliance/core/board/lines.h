@@ -12,7 +12,7 @@ namespace kaori::board {
 
 // The number of a line is its bit in Lines::active and its index in Lines::pushes.
 enum class Line : std::uint8_t {
-  kGo,        // The foot switch: calls the next scene.
+  kGo,        // The foot switch: kaori-input makes the call GO of it (calls.h).
   kBlackout,  // A switch that stays: while it is on the picture is black.
   kService,   // The key switch: while it is on the screen may speak to whoever works at the box.
   kPresence,  // Somebody stands before the box.

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "appliance/core/board/calls.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::board {

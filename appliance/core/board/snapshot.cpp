@@ -21,6 +21,7 @@ void KeepAbsent(Snapshot& now, const Snapshot& before) {
   for (std::size_t i = 0; i < now.sticks.size(); ++i) KeepAbsent(now.sticks[i], before.sticks[i]);
   KeepAbsent(now.keys, before.keys);
   KeepAbsent(now.lines, before.lines);
+  for (std::size_t i = 0; i < now.calls.size(); ++i) KeepAbsent(now.calls[i], before.calls[i]);
   KeepAbsent(now.pointer, before.pointer);
   KeepAbsent(now.lips, before.lips);
   KeepAbsent(now.voice, before.voice);
@@ -37,6 +38,7 @@ Snapshot ReadAll(const Board& board) {
           .sticks = {board.Read<Stick>(0), board.Read<Stick>(1)},
           .keys = board.Read<Keys>(),
           .lines = board.Read<Lines>(),
+          .calls = {board.Read<Calls>(0), board.Read<Calls>(1)},
           .pointer = board.Read<Pointer>(),
           .lips = board.Read<Lips>(),
           .voice = board.Read<Voice>(),

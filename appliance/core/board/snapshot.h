@@ -7,12 +7,13 @@
 
 namespace kaori::board {
 
-// A plain copy of about 3 KB, trivially copyable; a field that nobody writes has its default value and kAbsent.
+// A plain copy of about 5 KB, trivially copyable; a field that nobody writes has its default value and kAbsent.
 struct Snapshot {
   Stamped<Surface> surface;
   std::array<Stamped<Stick>, 2> sticks;  // [0] left (head), [1] right (gaze and brows).
   Stamped<Keys> keys;
   Stamped<Lines> lines;
+  std::array<Stamped<Calls>, kCallWriters> calls;  // By CallWriter.
   Stamped<Pointer> pointer;
   Stamped<Lips> lips;
   Stamped<Voice> voice;

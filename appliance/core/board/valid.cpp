@@ -51,6 +51,15 @@ bool Valid(const Lines& /*any bits are lines*/) {
   return true;
 }
 
+// Subjects are checked by who knows the show.
+bool Valid(const Calls& calls) {
+  return std::ranges::all_of(calls.newest, [](const Call& call) {
+    return Valid(call.at) && static_cast<std::uint32_t>(call.verb) < kCallVerbCount &&
+           static_cast<std::uint32_t>(call.source) < kCallSourceCount &&
+           Within(call.value, -kMaxFigure, kMaxFigure);
+  });
+}
+
 bool Valid(const Pointer& pointer) {
   return Within(pointer.x, 0, 1) && Within(pointer.y, 0, 1);
 }

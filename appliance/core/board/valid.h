@@ -12,6 +12,7 @@ bool Valid(const Surface& surface);
 bool Valid(const Stick& stick);
 bool Valid(const Keys& keys);
 bool Valid(const Lines& lines);
+bool Valid(const Calls& calls);
 bool Valid(const Pointer& pointer);
 bool Valid(const Lips& lips);
 bool Valid(const Voice& voice);

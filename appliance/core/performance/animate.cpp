@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
@@ -21,6 +22,7 @@ constexpr Duration kLongestStep = std::chrono::milliseconds(100);
 // A time this far back is of another clock, as after a board that was brought from another machine. A frame
 // that is presented a little earlier than the last one is of this clock.
 constexpr Duration kClockBegan = std::chrono::seconds(1);
+constexpr float kGoLongAgo_s = 10;  // Where the count of seconds since the last GO stops.
 // The gaze, in radians up or down, at which the lids have followed wholly. It is kGazePitch_rad of
 // operator_input.cpp: a stick pushed to its end opens or lowers the lids as far as they go.
 constexpr float kLidFollow_rad =
@@ -121,14 +123,15 @@ float StepTo(State& state, Time presented_at) {
   return static_cast<float>(Seconds(presented_at - before));
 }
 
-// Moves the state by dt_s. Presses come before everything that they set on its way; dials come after presses,
+// Moves the state by dt_s. Calls come before everything that they set on its way; dials come after calls,
 // since a fresh call puts its dial to 1 and a turn within the same frame counts from there.
 void MoveOn(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
             float dt_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
-  PlayPresses(state, events, show);
+  state.go_quiet_s = std::min(kGoLongAgo_s, state.go_quiet_s + dt_s);
+  PlayCalls(state, events, show);
   TurnKnobs(state, events, board.surface.value.counts_per_turn);
-  HandleLines(state, board.lines, events.go, show, dt_s);
+  HandleLines(state, board.lines, dt_s);
   PlayCues(state, board, show, dt_s);
   FollowKnobs(state, dt_s);
   MoveSticks(state, board, dt_s);

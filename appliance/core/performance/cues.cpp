@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "appliance/core/board/lines.h"
+#include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/motions.h"
-#include "appliance/core/performance/operator_input.h"
 
 namespace kaori::performance {
 namespace {
@@ -23,6 +23,12 @@ const show::Cue& CueAt(const show::Show& show, std::int32_t index) {
 // The index of the cue after which GO is waited for, counted from `index`, which is a cue of the list.
 std::int32_t EndOfChainAt(const show::Show& show, std::int32_t index) {
   return static_cast<std::int32_t>(show::EndOfChain(show.cue_list, static_cast<std::size_t>(index)));
+}
+
+// The cue that brings the chain in which `index` lies.
+std::int32_t BeginningOfChainAt(const show::Show& show, std::int32_t index) {
+  while (index > 0 && CueAt(show, index - 1).next != show::CueNext::kGo) --index;
+  return index;
 }
 
 // How long a cue takes from the moment at which it is played until all that it began has run.
@@ -162,9 +168,7 @@ void Back(State& state, const show::Show& show) {
     run.paused = 0;
     return;
   }
-  std::int32_t first = run.active;  // Of the active cue's chain.
-  while (first > 0 && CueAt(show, first - 1).next != show::CueNext::kGo) --first;
-  GoToCue(state, show, first - 1);
+  GoToCue(state, show, BeginningOfChainAt(show, run.active) - 1);
 }
 
 // The panic scene with full light and presence. The list keeps its place, and GO goes on with it.
@@ -227,6 +231,10 @@ void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   run.active = end;
   run.standby = end + 1;
   run.panicking = 0;
+}
+
+void StandByCue(State& state, const show::Show& show, std::int32_t index) {
+  state.cue_run.standby = BeginningOfChainAt(show, index);
 }
 
 float PlayTime(const State& state, float dt_s) {

@@ -23,6 +23,10 @@ void CallCue(State& state, const show::Show& show, show::CueVerb verb);
 // as the show opens. What waits is stopped first. `index` is -1 or below the number of cues.
 void GoToCue(State& state, const show::Show& show, std::int32_t index);
 
+// GO plays the cue `index` next, or the one that brings it by itself. Nothing else changes. `index` is below the number of
+// cues.
+void StandByCue(State& state, const show::Show& show, std::int32_t index);
+
 // Moves the waits of the list on by dt_s and plays the cues that have become due, each by itself. `dt_s` is
 // the time of the frame, pause or not. To be called once a frame, after what people called.
 void PlayCues(State& state, const board::Snapshot& board, const show::Show& show, float dt_s);

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "appliance/core/board/lines.h"
-
 namespace kaori::performance {
 namespace {
 
 using board::PressLog;
 
 constexpr std::uint32_t kShifts = (1U << 1U | 1U << 5U) << 8U;  // E1 and E5 among the modifiers of a press.
-constexpr auto kGoLine = static_cast<std::size_t>(board::Line::kGo);
 
 // Counters wrap after years, and their difference is right all the same.
 std::int32_t Difference(std::int32_t now, std::int32_t before) {
@@ -53,10 +50,21 @@ void Adopt(SeenInput& seen, const board::Snapshot& board) {
   }
   if (IsThere(board.keys) && std::exchange(seen.keys_unknown, 0) != 0)
     seen.key_presses = board.keys.value.log.count;
-  if (IsThere(board.lines) && std::exchange(seen.lines_unknown, 0) != 0)
-    seen.gos = board.lines.value.pushes[kGoLine];
+  for (std::size_t i = 0; i < board.calls.size(); ++i)
+    if (const auto bit = static_cast<std::uint8_t>(1U << i);
+        IsThere(board.calls[i]) && (seen.calls_unknown & bit) != 0) {
+      seen.calls_unknown = static_cast<std::uint8_t>(seen.calls_unknown & ~bit);
+      seen.calls[i] = board.calls[i].value.count;
+    }
   if (IsThere(board.pointer) && std::exchange(seen.pointer_unknown, 0) != 0)
     seen.pointer = board.pointer.value;
+}
+
+// Merges what lies in [middle, end) into the calls before it, without the memory that std::inplace_merge takes. Equal
+// times keep the order of the writers.
+void MergeByTime(board::Call* begin, board::Call* middle, board::Call* end) {
+  for (; middle != end; ++middle)
+    for (board::Call* at = middle; at != begin && at->at < (at - 1)->at; --at) std::swap(*at, *(at - 1));
 }
 
 // A press is placed where the pointer is now, at most one frame of movement away from where it happened.
@@ -78,19 +86,35 @@ void InputEvents::AddPresses(SeenInput& seen, const board::Snapshot& board) {
   LogReader keys(key_log, IsThere(board.keys) ? seen.key_presses : key_log.count);
   while (!buttons.empty() || !keys.empty()) {
     const bool key = buttons.empty() || (!keys.empty() && IsEarlier(keys.front(), buttons.front()));
-    const std::uint32_t code = key ? keys.Next().code : buttons.Next().code;
+    const PressLog::Press& press = key ? keys.Next() : buttons.Next();
     presses_[count_++] = {key ? Press::Source::kKey : Press::Source::kButton,
-                          static_cast<std::uint8_t>(code & 0xFFU), (code & kShifts) != 0};
+                          static_cast<std::uint8_t>(press.code & 0xFFU), (press.code & kShifts) != 0,
+                          press.at_us};
   }
   if (IsThere(board.surface)) seen.button_presses = button_log.count;
   if (IsThere(board.keys)) seen.key_presses = key_log.count;
+}
+
+void InputEvents::AddCalls(SeenInput& seen, const board::Snapshot& board) {
+  for (std::size_t i = 0; i < board.calls.size(); ++i) {
+    if (!IsThere(board.calls[i])) continue;
+    const board::Calls& log = board.calls[i].value;
+    const std::uint32_t fresh = log.count - std::exchange(seen.calls[i], log.count);
+    const std::uint32_t kept = std::min<std::uint32_t>(fresh, board::Calls::kKept);
+    lost_calls_ += fresh - kept;
+    const auto begin = calls_.begin() + static_cast<std::ptrdiff_t>(call_count_);
+    for (std::uint32_t n = log.count - kept; n != log.count; ++n)
+      calls_[call_count_++] = log.newest[n % board::Calls::kKept];
+    const auto end = calls_.begin() + static_cast<std::ptrdiff_t>(call_count_);
+    MergeByTime(calls_.begin(), begin, end);
+  }
 }
 
 SeenInput SeenOn(const board::Snapshot& board) {
   return {.dials = board.surface.value.counts,
           .button_presses = board.surface.value.log.count,
           .key_presses = board.keys.value.log.count,
-          .gos = board.lines.value.pushes[kGoLine],
+          .calls = {board.calls[0].value.count, board.calls[1].value.count},
           .pointer = board.pointer.value};
 }
 
@@ -98,13 +122,10 @@ InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board) {
   Adopt(seen, board);
   InputEvents events;
   events.AddPresses(seen, board);
+  events.AddCalls(seen, board);
   if (IsThere(board.surface)) {
     const auto before = std::exchange(seen.dials, board.surface.value.counts);
     std::ranges::transform(seen.dials, before, events.turned.begin(), Difference);
-  }
-  if (IsThere(board.lines)) {
-    const std::uint32_t gos = board.lines.value.pushes[kGoLine];
-    events.go = std::exchange(seen.gos, gos) != gos;
   }
   if (IsThere(board.pointer))
     events.pointer = PointerEvents(std::exchange(seen.pointer, board.pointer.value), board.pointer.value);
@@ -112,7 +133,8 @@ InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board) {
 }
 
 void ForgetCounters(SeenInput& seen) {
-  seen.surface_unknown = seen.keys_unknown = seen.lines_unknown = seen.pointer_unknown = 1;
+  seen.surface_unknown = seen.keys_unknown = seen.pointer_unknown = 1;
+  seen.calls_unknown = (1U << board::kCallWriters) - 1;
 }
 
 }  // namespace kaori::performance

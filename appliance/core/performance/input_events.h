@@ -19,8 +19,9 @@ namespace kaori::performance {
 // A button of the control surface or a key that went down.
 struct Press {
   enum class Source : std::uint8_t { kButton, kKey } source = Source::kButton;
-  std::uint8_t code = 0;  // The button's number, or the key's usage of HID page 7.
-  bool shift = false;     // Of a key: a Shift key was held with it.
+  std::uint8_t code = 0;    // The button's number, or the key's usage of HID page 7.
+  bool shift = false;       // Of a key: a Shift key was held with it.
+  std::uint32_t at_us = 0;  // As PressLog::Press has it.
 
   bool IsKey() const { return source == Source::kKey; }
 };
@@ -31,10 +32,10 @@ struct SeenInput {
   std::array<std::int32_t, 8> dials{};
   std::uint32_t button_presses = 0;
   std::uint32_t key_presses = 0;
-  std::uint32_t gos = 0;
+  std::array<std::uint32_t, board::kCallWriters> calls{};
   board::Pointer pointer;
   // 1: the counters above are of another board. What the section shows next is taken as seen.
-  std::uint8_t surface_unknown = 0, keys_unknown = 0, lines_unknown = 0, pointer_unknown = 0;
+  std::uint8_t surface_unknown = 0, keys_unknown = 0, calls_unknown = 0, pointer_unknown = 0;
 };
 
 // The events of one frame. A plain value without memory of its own; one thread.
@@ -43,8 +44,16 @@ class InputEvents {
   // Both logs whole: more presses than they keep cannot be told of.
   static constexpr std::size_t kMostPresses = 2 * board::PressLog::kKept;
 
+  // All logs of calls whole.
+  static constexpr std::size_t kMostCalls = board::kCallWriters * board::Calls::kKept;
+
   // In the order of time. Of more than PressLog::kKept presses of one section the newest are here.
   std::span<const Press> presses() const { return std::span(presses_).first(count_); }
+
+  // What was called on the board, of all writers, in the order of time.
+  std::span<const board::Call> calls() const { return std::span(calls_).first(call_count_); }
+  // How many calls are lost because more of one writer came within a frame than its log keeps.
+  std::uint32_t lost_calls() const { return lost_calls_; }
 
   // Takes out every press for which `consumes(press)` holds; it is called once for each, in the order of time.
   template <class Predicate>
@@ -58,8 +67,6 @@ class InputEvents {
   // Counts of each dial since the last frame; clockwise is positive. How many make a turn is
   // Surface::counts_per_turn. A consumer sets what it uses to 0.
   std::array<std::int32_t, 8> turned{};
-  // The foot switch was trodden, once or more often, since the last frame.
-  bool go = false;
   struct Pointer {
     std::optional<glm::vec2> pressed{};  // Where the left button went down, 0..1 from the left top.
     glm::vec2 moved{};                   // Right and down, in parts of the picture.
@@ -69,9 +76,13 @@ class InputEvents {
  private:
   friend InputEvents ReadEvents(SeenInput& seen, const board::Snapshot& board);
   void AddPresses(SeenInput& seen, const board::Snapshot& board);
+  void AddCalls(SeenInput& seen, const board::Snapshot& board);
 
   std::array<Press, kMostPresses> presses_{};
   std::size_t count_ = 0;
+  std::array<board::Call, kMostCalls> calls_{};
+  std::size_t call_count_ = 0;
+  std::uint32_t lost_calls_ = 0;
 };
 
 // The board's counters as they stand: nothing before them is an event. For a stage that starts: what was

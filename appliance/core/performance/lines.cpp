@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "appliance/core/board/lines.h"
-#include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/ease.h"
 
 namespace kaori::performance {
@@ -12,9 +11,7 @@ namespace {
 using board::Line;
 using board::SourceState;
 
-// The length of a blackout's fade, and where the count of seconds since the last GO stops, as State says.
 constexpr float kBlackoutFade_s = 0.4F;
-constexpr float kGoLongAgo_s = 10;
 
 // Whether the picture shall be black. A live line says so itself. Lines that were never there want nothing;
 // stale ones keep what was wanted, until a scene is called: the operators have taken over by hand.
@@ -35,10 +32,7 @@ void BeginLines(State& state, const board::Stamped<board::Lines>& lines) {
   state.blackout = state.black_wanted != 0 ? 1.0F : 0.0F;
 }
 
-void HandleLines(State& state, const board::Stamped<board::Lines>& lines, bool go, const show::Show& show,
-                 float dt_s) {
-  state.go_quiet_s = std::min(kGoLongAgo_s, state.go_quiet_s + dt_s);
-  if (go) CallCue(state, show, show::CueVerb::kGo);
+void HandleLines(State& state, const board::Stamped<board::Lines>& lines, float dt_s) {
   Want(state, lines);
   const bool black = state.black_wanted != 0 || state.black_called != 0;
   state.blackout = Travel(state.blackout, black ? 1.0F : 0.0F, dt_s, 1 / kBlackoutFade_s);

@@ -5,7 +5,6 @@
 
 #include "appliance/core/board/keys.h"
 #include "appliance/core/performance/blink.h"
-#include "appliance/core/performance/cues.h"
 #include "appliance/core/performance/ease.h"
 
 namespace kaori::performance {
@@ -25,58 +24,6 @@ constexpr float kHoldLost_s = 0.25F;  // A stick that is unplugged counts for th
 constexpr float kEaseLost_s = 1.0F;   // then eases to neutral in this time.
 constexpr float kEaseFound_s = 0.3F;
 
-// A fresh call takes over whole, whatever its dial said about the one before. The mixture keeps the old
-// dial's share as its beginning, so that the change of the dial is not seen either.
-void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, float fade_s) {
-  Call(mixture, index, fade_s, At(state.shown, knob));
-  At(state.knobs, knob) = At(state.shown, knob) = 1;
-}
-
-// A scene that is called out of turn. Where the list consists of the scenes, it goes on from there.
-void CallScene(State& state, const show::Show& show, std::uint16_t scene) {
-  EnterScene(state, show, scene, show.scenes[scene].fade_s);
-  if (!show.cue_list.of_scenes) return;
-  state.cue_run.active = scene - 1;
-  state.cue_run.standby = scene;
-}
-
-// Faces, expressions and styles fade as long as the Fade dial says, scenes as long as they say themselves.
-void Obey(State& state, const show::Call& call, const show::Show& show) {
-  const float fade_s = At(state.knobs, Knob::kFade);
-  switch (call.kind) {
-    case show::CallKind::kNothing:
-      break;
-    case show::CallKind::kFace:
-      CallFace(state, call.index, fade_s);
-      break;
-    case show::CallKind::kExpression:
-      CallExpression(state, call.index, fade_s);
-      break;
-    case show::CallKind::kStyle:
-      Call(state.styles, call.index, fade_s, 1);
-      break;
-    case show::CallKind::kScene:
-      CallScene(state, show, call.index);
-      break;
-    case show::CallKind::kCue:
-      CallCue(state, show, static_cast<show::CueVerb>(call.index));
-      break;
-  }
-}
-
-// A key does all that the show has for it. X shuts the character's left eye and Z the right one, which is how
-// they lie before the operator.
-void Struck(State& state, std::uint16_t usage, const show::Show& show) {
-  if (usage == key::kSpace || usage == key::kX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
-  if (usage == key::kSpace || usage == key::kZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
-  for (const show::KeyCall& key : show.keys)
-    if (key.key_usage == usage) Obey(state, key.call, show);
-  for (std::size_t i = 0; i < show.motions.size(); ++i)
-    if (show.motions[i].key_usage == usage) PlayMotion(state, static_cast<int>(i));
-  for (std::size_t i = 0; i < show.scenes.size(); ++i)
-    if (show.scenes[i].key_usage == usage) CallScene(state, show, static_cast<std::uint16_t>(i));
-}
-
 // How much a stick counts, 0..1. A stick that comes back gets its full share within 0.3 s.
 float Presence(StickNow& now, board::SourceState source, float dt_s) {
   now.lost_s = source == board::SourceState::kLive ? 0 : now.lost_s + dt_s;
@@ -93,20 +40,6 @@ float HatBrow(std::int32_t hat) {
 
 }  // namespace
 
-void CallFace(State& state, std::uint16_t face, float fade_s) {
-  CallWhole(state, state.faces, Knob::kFace, face, fade_s);
-}
-
-void CallExpression(State& state, std::uint16_t expression, float fade_s) {
-  CallWhole(state, state.expressions, Knob::kExpression, expression, fade_s);
-}
-
-// No playing voice is cut off: that would be a jump.
-void PlayMotion(State& state, std::int32_t motion) {
-  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.motion < 0; });
-  if (free != state.voices.end()) *free = {motion, 0, 1};
-}
-
 // State::shown is smoothed behind these values, which leap with each detent.
 void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_turn) {
   const auto per_turn = static_cast<float>(std::max(1, counts_per_turn));
@@ -120,24 +53,6 @@ void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_
 void FollowKnobs(State& state, float dt_s) {
   for (std::size_t i = 0; i < state.knobs.size(); ++i)
     state.shown[i] = Approach(state.shown[i], state.knobs[i], dt_s, kKnobHalfLife_s);
-}
-
-void PlayPresses(State& state, const InputEvents& events, const show::Show& show) {
-  for (const Press& press : events.presses())
-    if (press.IsKey())
-      Struck(state, press.code, show);
-    else
-      Obey(state, show.buttons[press.code], show);
-}
-
-void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {
-  const show::StageScene& scene = show.scenes[index];
-  CallFace(state, scene.face, fade_s);
-  CallExpression(state, scene.expression, fade_s);
-  Call(state.styles, static_cast<std::uint16_t>(scene.style), fade_s, 1);
-  Call(state.backdrops, index, fade_s, 1);
-  Fade(state.exposure, scene.exposure, fade_s);
-  state.scene = index;
 }
 
 // The goal is multiplied by the presence and not the pose, so that an unplugged stick lets the pose ease to

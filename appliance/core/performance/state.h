@@ -73,9 +73,9 @@ struct Sway {
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 9;  // Raise it when a field changes: see board::Hold.
-  Time last{};                                 // When the last frame was to be presented.
-  float age_s = 0;                             // Of the performance, from 0 to kLifePeriod_s and again.
+  static constexpr std::uint32_t kLayout = 10;  // Raise it when a field changes: see board::Hold.
+  Time last{};                                  // When the last frame was to be presented.
+  float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
   SeenInput seen;
   Mixture faces, expressions, styles;  // Indices into the cast, and scene::Style.
@@ -83,6 +83,8 @@ struct State {
   Fading exposure;                     // Of the scene: 1 is as it was lit, 0 is black.
   Fading cue_light, present;           // As cues set them, 0..1.
   CueRun cue_run;
+  // Calls on the board that named what the show has not, and those that came faster than the frames; both wrap.
+  std::uint32_t calls_refused = 0, calls_lost = 0;
   // What the dials say (see kKnobRanges), and the same smoothed, which is what the face shows. They begin as a
   // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};

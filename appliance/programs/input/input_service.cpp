@@ -65,11 +65,11 @@ Result<InputWriters> InputWriters::Acquire(const board::Board& board) {
   if (!pointer) return tl::unexpected(pointer.error());
   auto lines = board.AcquireWriter<board::Lines>();
   if (!lines) return tl::unexpected(lines.error());
-  return InputWriters{std::move(*surface),
-                      {std::move(*left), std::move(*right)},
-                      std::move(*keys),
-                      std::move(*pointer),
-                      std::move(*lines)};
+  auto calls = board::Caller::Acquire(board, board::CallWriter::kInput);
+  if (!calls) return tl::unexpected(calls.error());
+  return InputWriters{std::move(*surface), {std::move(*left), std::move(*right)},
+                      std::move(*keys),    std::move(*pointer),
+                      std::move(*lines),   std::move(*calls)};
 }
 
 // Slots read their sections here, before any device is opened.
@@ -77,7 +77,7 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
                            const InputSettings& settings, const Clock& clock)
     : board_(board),
       clock_(clock),
-      lines_(board, std::move(writers.lines), std::move(sources.lines)),
+      lines_(board, std::move(writers.lines), std::move(writers.calls), std::move(sources.lines)),
       roles_(settings.stick_ports, PortsBefore(board)),
       started_(clock.now()) {
   using decode::DeviceKind;

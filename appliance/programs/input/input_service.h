@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "appliance/core/board/board.h"
+#include "appliance/core/board/caller.h"
 #include "appliance/programs/input/device_slot.h"
 #include "appliance/programs/input/line_inputs.h"
 #include "appliance/programs/input/settings.h"
@@ -28,6 +28,7 @@ struct InputWriters {
   board::Writer<board::Keys> keys;
   board::Writer<board::Pointer> pointer;
   board::Writer<board::Lines> lines;
+  board::Caller calls;
 
   // Errors are those of Board::AcquireWriter, for the first section that is not to be had.
   static Result<InputWriters> Acquire(const board::Board& board);

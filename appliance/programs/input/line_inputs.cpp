@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "appliance/core/board/lines.h"
 #include "drivers/base/log.h"
 
 namespace kaori::input {
@@ -14,8 +15,10 @@ constexpr Duration kLineRetry = std::chrono::seconds(1);
 
 using board::SourceState;
 
-LineInputs::LineInputs(const board::Board& board, board::Writer<board::Lines> writer, ports::GpioOpener open)
+LineInputs::LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
+                       ports::GpioOpener open)
     : writer_(std::move(writer)),
+      caller_(std::move(caller)),
       open_(std::move(open)),
       value_(board.Read<board::Lines>().value),
       source_(board.Read<board::Lines>().source) {}
@@ -97,8 +100,14 @@ void LineInputs::Settle(std::uint32_t line, Time at) {
   if (((levels_ ^ value_.active) & bit) == 0 || at - changed_at_[line] < kBounce) return;
   changed_at_[line] = at;
   value_.active ^= bit;
-  if ((value_.active & bit) != 0 && line < value_.pushes.size()) ++value_.pushes[line];
+  const bool pushed = (value_.active & bit) != 0;
+  if (pushed && line < value_.pushes.size()) ++value_.pushes[line];
   Write(at, SourceState::kLive);
+  if (pushed && line == static_cast<std::uint32_t>(board::Line::kGo))
+    caller_.Make({.at = at,
+                  .verb = board::CallVerb::kCue,
+                  .subject = board::kCallGo,
+                  .source = board::CallSource::kFootSwitch});
 }
 
 // A failure is ignored here: a chip that is gone is noticed when it is read. Where no output is wired the

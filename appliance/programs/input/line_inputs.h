@@ -1,11 +1,11 @@
-// GPIO lines: foot switches and service switches go to the board, and the tally lamp is driven.
+// GPIO lines: switches go to the board, the foot switch as a call, and the tally lamp is driven.
 #pragma once
 
 #include <array>
 #include <memory>
 #include <optional>
 
-#include "appliance/core/board/board.h"
+#include "appliance/core/board/caller.h"
 #include "drivers/base/clock.h"
 #include "drivers/ports/gpio_lines.h"
 
@@ -16,12 +16,13 @@ namespace kaori::input {
 inline constexpr Duration kBounce = std::chrono::milliseconds(12);
 
 // Used by one thread. It starts from what the section holds: a line that was active before a restart and
-// still is counts as one push. Lines that are absent or were lost are opened again every second.
+// still is counts as one push, and a foot switch calls GO then. Lines that are absent or were lost are opened again every second.
 class LineInputs {
  public:
   // `open` is empty where the box has no lines; the section then stays as it is. The board is not kept.
   // `open` may be called any number of times, from Step alone.
-  LineInputs(const board::Board& board, board::Writer<board::Lines> writer, ports::GpioOpener open);
+  LineInputs(const board::Board& board, board::Writer<board::Lines> writer, board::Caller caller,
+             ports::GpioOpener open);
 
   // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip needs.
   void Step(Time now);
@@ -50,6 +51,7 @@ class LineInputs {
   void Write(Time at, board::SourceState source);
 
   board::Writer<board::Lines> writer_;
+  board::Caller caller_;
   // How the lines are opened; empty where the box has none.
   ports::GpioOpener open_;
   std::unique_ptr<ports::GpioLines> lines_;

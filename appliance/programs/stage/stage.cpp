@@ -189,12 +189,22 @@ scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time presented_at) 
   auto performed = Animate(snapshot, events, presented_at);
   if (guiding) performed.lamps = GuideLamps(snapshot.lips_guide.value, presented_at);
   ShowService(snapshot, presented_at, performed.scene);
+  const std::uint32_t refused = state_.calls_refused, lost = state_.calls_lost;
   state_ = performed.state;
+  LogCalls(refused, lost);
   writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);
   WriteMotionNow(presented_at);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
     writers_.lamps.Write({performed.lamps}, presented_at, board::SourceState::kLive);
   return std::move(performed.scene);
+}
+
+// A remote control that calls what is not there is told so by nothing else.
+void Stage::LogCalls(std::uint32_t refused_before, std::uint32_t lost_before) {
+  if (const std::uint32_t refused = state_.calls_refused - refused_before; refused != 0)
+    LogWarning("{} calls were refused: the show has no such cue", refused);
+  if (const std::uint32_t lost = state_.calls_lost - lost_before; lost != 0)
+    LogWarning("{} calls are lost: more came between two frames than the board keeps", lost);
 }
 
 // While a motion plays, and once when none does any more: its sound follows.

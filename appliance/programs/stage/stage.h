@@ -95,6 +95,8 @@ class Stage {
                                  Time presented_at);
   // Moves the show on to `presented_at`, writes state, motion and lamps to the board, and gives the scene.
   scene::Scene Perform(const board::Snapshot& snapshot, Time presented_at);
+  // One line where calls were refused or lost in this frame; both counts are those before it.
+  void LogCalls(std::uint32_t refused_before, std::uint32_t lost_before);
   // Writes which motion plays, for its sound.
   void WriteMotionNow(Time presented_at);
   // One line when the age of the lips is known, and when it has become another one.

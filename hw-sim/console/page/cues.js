@@ -1,7 +1,7 @@
 // The cue list: what was played, what comes by itself, and what GO plays next, with the notes of whoever calls the show.
 import {make} from './drag.js';
 import {tapKey} from './keys.js';
-import {onState} from './wire.js';
+import {call, onState} from './wire.js';
 
 // What the list is doing, in words; nothing while it only stands by.
 function doing(now, cues) {
@@ -14,10 +14,16 @@ function doing(now, cues) {
           now.refused > 0 && `${now.refused} GO refused`].filter(Boolean).join(' \u00b7 ');
 }
 
+// Its name lets a cue stand by; the button beside it goes there, in the state of a run through the list.
 function makeRow(cue) {
-  const row = make('li', {class: cue.by_itself ? 'chained' : ''}, make('span', {class: 'number'}, cue.number),
-                   make('span', {class: 'title'}, cue.text));
+  const name = make('button', {type: 'button', class: 'name', title: 'Stand by'},
+                    make('span', {class: 'number'}, cue.number), make('span', {class: 'title'}, cue.text));
+  name.addEventListener('click', () => call(`standby ${cue.number}`));
+  const jump = make('button', {type: 'button', class: 'jump', 'aria-label': `Go to cue ${cue.number}`}, 'Go to');
+  jump.addEventListener('click', () => call(`goto ${cue.number}`));
+  const row = make('li', {class: cue.by_itself ? 'chained' : ''}, name);
   if (cue.notes) row.append(make('span', {class: 'notes'}, cue.notes));
+  row.append(jump);
   if (cue.act) row.dataset.act = cue.act;
   return row;
 }

@@ -41,6 +41,16 @@ export function tell(line) {
   flush();
 }
 
+// Something of the show is called: "goto 14". It is made on the box's board, and not by a device.
+export async function call(line) {
+  try {
+    const reply = await fetch('/call', {method: 'POST', body: line});
+    if (!reply.ok) console.warn(await reply.text());
+  } catch {
+    // The simulator is gone, and the page says so already.
+  }
+}
+
 // Where something stands: only the newest counts.
 export function set(slot, line) {
   waiting.set(slot, line);

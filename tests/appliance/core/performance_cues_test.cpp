@@ -33,10 +33,9 @@ TEST_F(CuesTest, AGoWithinTheGuardIsRefusedAndCounted) {
 }
 
 TEST_F(CuesTest, FootSwitchAndKeyShareOneGuard) {
-  board_.lines.source = board::SourceState::kLive;
   Strike(kGo);
   Step();
-  ++board_.lines.value.pushes[static_cast<std::size_t>(board::Line::kGo)];
+  CallCueByFoot();
   Run(100ms);
   EXPECT_EQ(run().standby, 1);
   EXPECT_EQ(run().refused, 1U);

@@ -48,6 +48,15 @@ class PerformanceTest : public ::testing::Test {
   }
   void Push(int button) { board::NotePress(board_.surface.value, static_cast<std::size_t>(button), now_); }
   void Strike(std::uint8_t usage) { board::NotePress(board_.keys.value, usage, now_); }
+  // As kaori-input does it for the foot switch.
+  void CallCueByFoot() { Make({.verb = board::CallVerb::kCue, .source = board::CallSource::kFootSwitch}); }
+  // A call on the board, made now.
+  void Make(board::Call call, board::CallWriter writer = board::CallWriter::kInput) {
+    auto& calls = board_.calls[static_cast<std::size_t>(writer)];
+    call.at = call.at == Time{} ? now_ : call.at;
+    calls.source = board::SourceState::kLive;
+    board::Append(calls.value, call);
+  }
   void Live() {
     for (auto& stick : board_.sticks) stick.source = board::SourceState::kLive;
   }

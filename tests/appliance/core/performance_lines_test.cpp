@@ -22,7 +22,9 @@ class LinesTest : public PerformanceTest {
   void Switch(Line line, bool on) {
     auto& lines = board_.lines.value;
     const unsigned bit = 1U << static_cast<unsigned>(line);
-    if (on && (lines.active & bit) == 0) ++lines.pushes[static_cast<std::size_t>(line)];
+    const bool pushed = on && (lines.active & bit) == 0;
+    if (pushed) ++lines.pushes[static_cast<std::size_t>(line)];
+    if (pushed && line == Line::kGo) CallCueByFoot();
     lines.active = on ? lines.active | bit : lines.active & ~bit;
   }
   void Tread() {

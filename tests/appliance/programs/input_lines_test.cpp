@@ -58,7 +58,8 @@ class Lines : public ::testing::Test {
 
   void Start() {
     service_.reset();
-    service_.emplace(board_, board_.AcquireWriter<board::Lines>().value(), Opener());
+    service_.emplace(board_, board_.AcquireWriter<board::Lines>().value(),
+                     board::Caller::Acquire(board_, board::CallWriter::kInput).value(), Opener());
     service_->Step(now_);
   }
   ports::GpioOpener Opener() {
@@ -98,6 +99,23 @@ TEST_F(Lines, CountPushesOfFootSwitchesAndSurviveARestart) {
   Start();
   EXPECT_EQ(Read().value.pushes[2], 2U) << "held, not pushed again";
   EXPECT_EQ(Read().value.active, 4U);
+}
+
+TEST_F(Lines, CallGoAtTheMomentAtWhichTheFootSwitchWentDown) {
+  const Time trodden = now_;
+  Contact(0, true);
+  Contact(2, true);
+  Wait(milliseconds(50));
+  Contact(0, false);
+  Wait(milliseconds(50));
+  Start();
+  Contact(0, true);
+  Wait(milliseconds(50));
+  const board::Calls calls = board_.Read<board::Calls>().value;
+  ASSERT_EQ(calls.count, 2U) << "one for each time that it goes down, over a restart";
+  EXPECT_EQ(calls.newest[0].verb, board::CallVerb::kCue);
+  EXPECT_EQ(calls.newest[0].subject, board::kCallGo);
+  EXPECT_EQ(calls.newest[0].at, trodden);
 }
 
 TEST_F(Lines, CountABouncingContactOnce) {
@@ -152,7 +170,8 @@ TEST_F(Lines, CountAPushDuringARestartAndNotASwitchThatWasHeldAtTheFirstStart) {
   EXPECT_EQ(Read().value.pushes[0], 1U);
   const board::BoardFile another;
   const board::Board new_board = another.Open();
-  LineInputs service(new_board, new_board.AcquireWriter<board::Lines>().value(), Opener());
+  LineInputs service(new_board, new_board.AcquireWriter<board::Lines>().value(),
+                     board::Caller::Acquire(new_board, board::CallWriter::kInput).value(), Opener());
   service.Step(now_);
   EXPECT_EQ(new_board.Read<board::Lines>().value.active, 1U);
   EXPECT_EQ(new_board.Read<board::Lines>().value.pushes[0], 0U);

@@ -1,0 +1,76 @@
+// What people call while a show plays: GO, a jump to a cue. Each call has a time and arguments, which counters have not,
+// so that the stage handles the calls of all writers in the order in which they were made.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "drivers/base/checksum.h"
+#include "drivers/base/clock.h"
+
+namespace kaori::board {
+
+// Who writes calls, each a section of its own.
+enum class CallWriter : std::uint32_t {
+  kInput,    // kaori-input: the foot switch.
+  kControl,  // Whoever plays the box from a page or a network; in the demo its page.
+};
+inline constexpr std::size_t kCallWriters = 2;
+
+// What is called. `subject` and `value` are as each says; both are 0 where nothing is said.
+enum class CallVerb : std::uint32_t {
+  kCue,      // `subject` is a show::CueVerb: GO, BACK, STOP, PAUSE, PANIC, BLACKOUT.
+  kGoTo,     // `subject` is the CueKey of the cue in whose state the show shall stand.
+  kStandBy,  // `subject` is the CueKey of the cue that the next GO shall play.
+};
+inline constexpr std::uint32_t kCallVerbCount = 3;
+inline constexpr std::uint32_t kCallGo = 0;  // The subject of GO: writers know no show.
+
+// By which control a person called.
+enum class CallSource : std::uint32_t { kFootSwitch, kPage };
+inline constexpr std::uint32_t kCallSourceCount = 2;
+
+struct Call {
+  Time at{};  // When the person called, which may be before it was written.
+  CallVerb verb{};
+  std::uint32_t subject = 0;
+  float value = 0;
+  CallSource source{};
+};
+
+// The newest calls of one writer. A reader that remembers `count` of its last look reads the calls from there on; where
+// more than kKept lie between, the older ones are lost, and it knows how many.
+//   writer   see CallWriter; at each call
+//   readers  kaori-stage at each frame, and once more when it has been away: a call that was made meanwhile is handled then
+//   stale    never written so
+struct Calls {
+  static constexpr const char* kName = "calls";
+  static constexpr std::size_t kKept = 32;  // A power of two, so that `count` may wrap.
+  std::uint32_t count = 0;                  // Calls since the board began; wraps.
+  std::uint32_t unused = 0;                 // No byte of the board is padding.
+  std::array<Call, kKept> newest{};         // Call n, counted from 0, lies in newest[n % kKept].
+};
+
+// Adds a call.
+inline void Append(Calls& calls, const Call& call) {
+  calls.newest[calls.count % Calls::kKept] = call;
+  ++calls.count;
+}
+
+// A cue's number as a call carries it: a sum over its parts without leading zeros, so that whoever calls a cue need not know
+// the list. Two numbers of one list with the same key are refused when the show is packed.
+constexpr std::uint32_t CueKey(std::string_view number) {
+  std::uint64_t sum = kFnvBasis;
+  bool leads = true;  // At the beginning of a part.
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    const bool last = i + 1 == number.size() || number[i + 1] == '.';
+    if (leads && number[i] == '0' && !last) continue;
+    leads = number[i] == '.';
+    sum = Fnv1a(number.substr(i, 1), sum);
+  }
+  return static_cast<std::uint32_t>(sum ^ sum >> 32U);
+}
+
+}  // namespace kaori::board

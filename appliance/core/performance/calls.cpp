@@ -1,0 +1,147 @@
+#include "appliance/core/performance/calls.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "appliance/core/board/keys.h"
+#include "appliance/core/performance/blink.h"
+#include "appliance/core/performance/cues.h"
+
+namespace kaori::performance {
+namespace {
+
+namespace key = board::key;
+
+static_assert(static_cast<std::uint32_t>(show::CueVerb::kGo) == board::kCallGo);
+
+// A fresh call takes over whole, whatever its dial said about the one before. The mixture keeps the old
+// dial's share as its beginning, so that the change of the dial is not seen either.
+void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, float fade_s) {
+  Call(mixture, index, fade_s, At(state.shown, knob));
+  At(state.knobs, knob) = At(state.shown, knob) = 1;
+}
+
+// A scene that is called out of turn. Where the list consists of the scenes, it goes on from there.
+void CallScene(State& state, const show::Show& show, std::uint16_t scene) {
+  EnterScene(state, show, scene, show.scenes[scene].fade_s);
+  if (!show.cue_list.of_scenes) return;
+  state.cue_run.active = scene - 1;
+  state.cue_run.standby = scene;
+}
+
+// Faces, expressions and styles fade as long as the Fade dial says, scenes as long as they say themselves.
+void Obey(State& state, const show::Call& call, const show::Show& show) {
+  const float fade_s = At(state.knobs, Knob::kFade);
+  switch (call.kind) {
+    case show::CallKind::kNothing:
+      break;
+    case show::CallKind::kFace:
+      CallFace(state, call.index, fade_s);
+      break;
+    case show::CallKind::kExpression:
+      CallExpression(state, call.index, fade_s);
+      break;
+    case show::CallKind::kStyle:
+      Call(state.styles, call.index, fade_s, 1);
+      break;
+    case show::CallKind::kScene:
+      CallScene(state, show, call.index);
+      break;
+    case show::CallKind::kCue:
+      CallCue(state, show, static_cast<show::CueVerb>(call.index));
+      break;
+  }
+}
+
+// A key does all that the show has for it. X shuts the character's left eye and Z the right one, which is how
+// they lie before the operator.
+void Struck(State& state, std::uint16_t usage, const show::Show& show) {
+  if (usage == key::kSpace || usage == key::kX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
+  if (usage == key::kSpace || usage == key::kZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
+  for (const show::KeyCall& key : show.keys)
+    if (key.key_usage == usage) Obey(state, key.call, show);
+  for (std::size_t i = 0; i < show.motions.size(); ++i)
+    if (show.motions[i].key_usage == usage) PlayMotion(state, static_cast<int>(i));
+  for (std::size_t i = 0; i < show.scenes.size(); ++i)
+    if (show.scenes[i].key_usage == usage) CallScene(state, show, static_cast<std::uint16_t>(i));
+}
+
+void Handle(State& state, const Press& press, const show::Show& show) {
+  if (press.IsKey())
+    Struck(state, press.code, show);
+  else
+    Obey(state, show.buttons[press.code], show);
+}
+
+// The place in the list of the cue that a call names; -1 where it has none such.
+std::int32_t CueOf(const show::Show& show, std::uint32_t number_key) {
+  const auto& cues = show.cue_list.cues;
+  const auto cue =
+      std::ranges::find_if(cues, [=](const show::Cue& c) { return board::CueKey(c.number) == number_key; });
+  return cue == cues.end() ? -1 : static_cast<std::int32_t>(cue - cues.begin());
+}
+
+// False where the show has not what is called.
+bool Handle(State& state, const board::Call& call, const show::Show& show) {
+  if (call.verb == board::CallVerb::kCue) {
+    if (call.subject >= static_cast<std::uint32_t>(show::kCueVerbCount)) return false;
+    CallCue(state, show, static_cast<show::CueVerb>(call.subject));
+    return true;
+  }
+  const std::int32_t cue = CueOf(show, call.subject);
+  if (cue < 0) return false;
+  if (call.verb == board::CallVerb::kGoTo)
+    GoToCue(state, show, cue);
+  else
+    StandByCue(state, show, cue);
+  return true;
+}
+
+// Presses have 32 bits of microseconds, whose difference tells the order of any two within half an hour.
+bool IsEarlier(const board::Call& call, const Press& press) {
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(call.at.time_since_epoch()).count();
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(us) - press.at_us) < 0;
+}
+
+}  // namespace
+
+void CallFace(State& state, std::uint16_t face, float fade_s) {
+  CallWhole(state, state.faces, Knob::kFace, face, fade_s);
+}
+
+void CallExpression(State& state, std::uint16_t expression, float fade_s) {
+  CallWhole(state, state.expressions, Knob::kExpression, expression, fade_s);
+}
+
+// No playing voice is cut off: that would be a jump.
+void PlayMotion(State& state, std::int32_t motion) {
+  const auto free = std::ranges::find_if(state.voices, [](const Playing& v) { return v.motion < 0; });
+  if (free != state.voices.end()) *free = {motion, 0, 1};
+}
+
+void EnterScene(State& state, const show::Show& show, std::uint16_t index, float fade_s) {
+  const show::StageScene& scene = show.scenes[index];
+  CallFace(state, scene.face, fade_s);
+  CallExpression(state, scene.expression, fade_s);
+  Call(state.styles, static_cast<std::uint16_t>(scene.style), fade_s, 1);
+  Call(state.backdrops, index, fade_s, 1);
+  Fade(state.exposure, scene.exposure, fade_s);
+  state.scene = index;
+}
+
+// Both are in order already; on equal times the press comes first, which is of no account.
+void PlayCalls(State& state, const InputEvents& events, const show::Show& show) {
+  auto calls = events.calls();
+  const auto call_next = [&] {
+    if (!Handle(state, calls.front(), show)) ++state.calls_refused;
+    calls = calls.subspan(1);
+  };
+  state.calls_lost += events.lost_calls();
+  for (const Press& press : events.presses()) {
+    while (!calls.empty() && IsEarlier(calls.front(), press)) call_next();
+    Handle(state, press, show);
+  }
+  while (!calls.empty()) call_next();
+}
+
+}  // namespace kaori::performance

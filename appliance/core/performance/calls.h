@@ -1,0 +1,29 @@
+// What people call, by whichever control: faces, expressions, styles, scenes, motions and the cue list.
+#pragma once
+
+#include "appliance/core/performance/input_events.h"
+#include "appliance/core/performance/state.h"
+#include "appliance/core/show/show.h"
+
+namespace kaori::performance {
+
+// Does what was called since the last frame, in the order of time, by buttons, keys, and calls on the board: buttons call
+// faces, expressions, styles and scenes; keys too, and they blink, wink and play registered motions. What a button or key
+// calls exists in the show: CheckShow has refused others. A call on the board that names what the show has not is refused
+// and counted.
+void PlayCalls(State& state, const InputEvents& events, const show::Show& show);
+
+// A fresh call takes over whole, whatever its dial said about the one before: the dial is full. `face` and `expression`
+// are below the counts of the show's. A fade of 0 changes at once.
+void CallFace(State& state, std::uint16_t face, float fade_s);
+void CallExpression(State& state, std::uint16_t expression, float fade_s);
+
+// Begins a registered motion of the show. No playing voice is cut off for it: that would be a jump. Eight within a quarter
+// of a second are no playing, the ninth is not heard.
+void PlayMotion(State& state, std::int32_t motion);
+
+// Sets face, expression, style, exposure and backdrop of a scene on their way, each from what it is at this
+// moment. `scene` is below show.scenes.size(). A fade of 0 changes at once.
+void EnterScene(State& state, const show::Show& show, std::uint16_t scene, float fade_s);
+
+}  // namespace kaori::performance

@@ -1,0 +1,61 @@
+// The page's calls on the board.
+#include "hw-sim/monitor/stage_caller.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace kaori::sim {
+namespace {
+
+using ::testing::HasSubstr;
+
+class StageCallerTest : public ::testing::Test {
+ protected:
+  ~StageCallerTest() override { std::remove(file_.c_str()); }
+
+  board::Calls Calls() const {
+    return board::Board::Open(file_)
+        .value()
+        .Read<board::Calls>(static_cast<int>(board::CallWriter::kControl))
+        .value;
+  }
+  std::string Refused(std::string_view line) {
+    const auto called = caller_.Call(line);
+    return called ? "made" : called.error().message();
+  }
+
+  std::string file_ = ::testing::TempDir() + "kaori-stage-caller-" + std::to_string(::getpid());
+  ManualClock clock_;
+  StageCaller caller_{file_, clock_};
+};
+
+TEST_F(StageCallerTest, PutsACallWithItsTimeAndItsCueOnTheBoard) {
+  clock_.Advance(std::chrono::seconds(7));
+  ASSERT_TRUE(caller_.Call("standby 2.10"));
+  ASSERT_TRUE(caller_.Call("goto 14"));
+  const board::Calls calls = Calls();
+  ASSERT_EQ(calls.count, 2U);
+  EXPECT_EQ(calls.newest[0].verb, board::CallVerb::kStandBy);
+  EXPECT_EQ(calls.newest[0].subject, board::CueKey("2.10"));
+  EXPECT_EQ(calls.newest[1].verb, board::CallVerb::kGoTo);
+  EXPECT_EQ(calls.newest[1].at, clock_.now());
+}
+
+TEST_F(StageCallerTest, RefusesWhatIsNoCallAndSaysWhy) {
+  EXPECT_THAT(Refused("dance 3"), HasSubstr("\"dance 3\" is no call"));
+  EXPECT_THAT(Refused("goto"), HasSubstr("expected the number of a cue"));
+  EXPECT_THAT(Refused("goto fourteen"), HasSubstr("expected the number of a cue"));
+}
+
+TEST_F(StageCallerTest, SaysSoWhereAnotherProgramHasTheCalls) {
+  const board::Board board = board::Board::Create(file_).value();
+  const auto other = board::Caller::Acquire(board, board::CallWriter::kControl);
+  ASSERT_TRUE(other);
+  EXPECT_THAT(Refused("goto 14"), HasSubstr("calls of control"));
+}
+
+}  // namespace
+}  // namespace kaori::sim
