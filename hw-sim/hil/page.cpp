@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "hw-sim/hil/markup.h"
+#include "drivers/base/markup.h"
 #include "hw-sim/hil/report.h"
 
 namespace kaori::hil {

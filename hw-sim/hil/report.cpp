@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "drivers/base/markup.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
-#include "hw-sim/hil/markup.h"
 
 namespace kaori::hil {
 namespace {

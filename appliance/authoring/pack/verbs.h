@@ -7,6 +7,8 @@ namespace kaori::authoring {
 
 // Every fault of a folder.
 Verb CheckVerb();
+// The cue list on paper.
+Verb CueSheetVerb();
 // What changed between two packs.
 Verb DiffVerb();
 // What a pack holds.

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace kaori::hil {
+namespace kaori {
 
 // Without what ends a tag or an attribute; control letters, which XML 1.0 cannot hold, become
 // spaces. What is not UTF-8 stays as it is.
@@ -26,4 +26,4 @@ inline std::string Escaped(std::string_view text) {
   return out;
 }
 
-}  // namespace kaori::hil
+}  // namespace kaori
