@@ -3,6 +3,7 @@
 #include <gpiod.h>
 
 #include <cerrno>
+#include <string_view>
 
 #include "drivers/gpio/polled_line.h"
 
@@ -83,12 +84,14 @@ class Chip final : public GpioChip {
       : chip_(std::move(chip)), clock_(clock) {}
 
   Result<std::unique_ptr<InputLine>> RequestInput(const LineWiring& wiring) override {
-    auto line = Request(wiring, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES);
-    if (line) return std::make_unique<Input>(std::move(*line));
-    if (!HasNoEdges(line.error())) return tl::unexpected(line.error());
+    if (!IsPolledByItsDriver()) {
+      auto line = Request(wiring, GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES);
+      if (line) return std::make_unique<Input>(std::move(*line));
+      if (!HasNoEdges(line.error())) return tl::unexpected(line.error());
+    }
     auto plain = Request(wiring, GPIOD_LINE_REQUEST_DIRECTION_INPUT);
     if (!plain) return tl::unexpected(plain.error());
-    // An MCP2221 has four lines, and each read of one takes some milliseconds of
+    // An MCP2221 has four lines, a CP2112 eight, and each read of one takes some milliseconds of
     // USB: each line has its own turn of 10 ms within the period of 40 ms
     // (polled_line.h), so that no turn of the loop waits for two.
     constexpr std::uint32_t kTurns = 4;
@@ -103,6 +106,13 @@ class Chip final : public GpioChip {
   }
 
  private:
+  // A CP2112 has no interrupts either: Linux looks at it every 40 ms and makes edges of what it finds. Where the last line
+  // with edges is released it waits for that look while it holds a spin lock ("BUG: scheduling while atomic" in
+  // cp2112_gpio_irq_shutdown of 6.12), so its lines are asked for without edges.
+  bool IsPolledByItsDriver() const {
+    return gpiod_chip_label(chip_.get()) == std::string_view("cp2112_gpio");
+  }
+
   Result<Line> Request(const LineWiring& wiring, int request_type) {
     const std::string attempt = "request GPIO line " + std::to_string(wiring.offset);
     gpiod_line* line = gpiod_chip_get_line(chip_.get(), wiring.offset);

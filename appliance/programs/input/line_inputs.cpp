@@ -37,9 +37,12 @@ void LineInputs::Open(Time now) {
   retry_at_ = now + kLineRetry;
   auto lines = open_();
   if (!lines) {
-    if (std::exchange(logged_, lines.error().cause) != lines.error().cause)
+    const std::errc before = std::exchange(logged_, lines.error().cause);
+    if (before != logged_)
       LogWarning("{}; the show goes on without the GPIO lines, which are tried again every second",
                  lines.error().message());
+    // Pulled while the program was away: the second failure says that it is not only late.
+    if (before != std::errc{} && source_ == SourceState::kLive) Release(now);
     return;
   }
   logged_ = {};
@@ -118,12 +121,16 @@ void LineInputs::SetTally(bool lit) {
   static_cast<void>(lines_->Drive(0, lit));
 }
 
-// A foot switch that is gone must not stay trodden. The stage decides what lost lines mean for a blackout.
 void LineInputs::HandleLoss(const Error& error, Time now) {
   LogWarning("{}; all GPIO lines count as released", error.message());
   lines_.reset();
   ++generation_;
   retry_at_ = now + kLineRetry;
+  Release(now);
+}
+
+// A foot switch that is gone must not stay trodden. The stage decides what lost lines mean for a blackout.
+void LineInputs::Release(Time now) {
   levels_ = value_.active = 0;
   Write(now, SourceState::kStale);
 }

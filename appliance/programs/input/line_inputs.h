@@ -48,6 +48,8 @@ class LineInputs {
   void SettleAll(Time now);
   // The chip is gone: all lines are released, and it is opened again later.
   void HandleLoss(const Error& error, Time now);
+  // All lines of the board are let go, and the section is stale.
+  void Release(Time now);
   void Write(Time at, board::SourceState source);
 
   board::Writer<board::Lines> writer_;

@@ -194,6 +194,19 @@ TEST_F(Lines, AreReleasedWhenTheChipIsPulledAndComeBackWithIt) {
   EXPECT_EQ(Read().value.active, 8U);
 }
 
+TEST_F(Lines, AreReleasedWhereTheChipWasPulledWhileTheProgramWasAway) {
+  Contact(1, true);
+  Wait(milliseconds(20));
+  service_.reset();
+  chip_.there = false;
+  Start();
+  EXPECT_EQ(Read().source, SourceState::kLive) << "a chip that is late is no loss";
+  EXPECT_EQ(Read().value.active, 2U);
+  Wait(milliseconds(1100));
+  EXPECT_EQ(Read().source, SourceState::kStale);
+  EXPECT_EQ(Read().value.active, 0U);
+}
+
 TEST_F(Lines, TellTheTallyLampOnlyWhatIsNewAndAllOfItAgainToAChipThatCameBack) {
   for (const bool lit : {true, true, false, false, true}) service_->SetTally(lit);
   EXPECT_EQ(chip_.lamp, (std::vector<bool>{true, false, true}));
