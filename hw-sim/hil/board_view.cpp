@@ -1,5 +1,7 @@
 #include "hw-sim/hil/board_view.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 namespace kaori::hil {
@@ -43,6 +45,11 @@ void ParseInput(const json& board, BoardView& view) {
   view.pointer_live = Live(board.at("pointer"));
   view.pointer_x = board.at("pointer").at("x");
   view.pointer_y = board.at("pointer").at("y");
+  view.input_at_ns = surface.at("at_ns");
+  for (const char* section : {"left", "right", "keys", "pointer"}) {
+    const std::int64_t at_ns = board.at(section).at("at_ns");
+    if (at_ns != 0) view.input_at_ns = std::min(view.input_at_ns, at_ns);  // 0: there never was one.
+  }
 }
 
 // The sections of the other devices, and what stands beside all sections.

@@ -59,6 +59,9 @@ struct BoardView {
   // 0 at the left and the upper edge, 1 at the right and the lower one.
   double pointer_x = 0;
   double pointer_y = 0;
+  // When a device of those above was last plugged in or heard, by the guest's clock; of those that were ever there,
+  // that for which it is longest ago.
+  std::int64_t input_at_ns = 0;
   bool lines_live = false;
   // Bit n: input line n is active.
   std::uint32_t lines_active = 0;

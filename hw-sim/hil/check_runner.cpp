@@ -19,6 +19,8 @@ constexpr std::pair<const char*, const char*> kTraces[] = {
     {"the box's log", "own /usr/bin/journalctl -b --no-pager -o short-monotonic -n 300"},
     {"its devices", "usb"}};
 
+constexpr const char* kInputUnit = "kaori-input.service";
+
 // In a control nothing is expected to come, so waiting long would only cost time.
 constexpr Duration kControlPatience = std::chrono::seconds(20);
 
@@ -68,6 +70,8 @@ ReportedCheck CheckRunner::Run(const Check& check) {
   finding.verdict = Verdict::kFailed;
   finding.said = ok.error().message();
   AddTraces(check.name, finding);
+  // Whatever it left behind is not the next check's.
+  strategy_.Off();
   return reported;
 }
 
@@ -102,6 +106,7 @@ Result<void> CheckRunner::Control(const Check& check, Finding& finding) {
 
 // What was withdrawn is there again afterwards; where the box does not recover the next check starts a new one.
 Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
+  const auto before = target_.Board();
   // The braces bring back what was withdrawn before the box is asked to recover.
   const bool passed = [&] {
     const auto away = Withdraw(scene, check.fails_without);
@@ -110,7 +115,7 @@ Result<void> CheckRunner::FailsWithout(const Check& check, Scene& scene) {
     target_.ResetPatience();
     return ok && scene.finding.verdict == Verdict::kPassed;
   }();
-  strategy_.Recover();
+  strategy_.Recover(before && check.fails_without == kInputUnit ? before->now_ns : 0);
   if (passed) return FailInput("the check passes without " + check.fails_without);
   return {};
 }

@@ -30,10 +30,10 @@ void PlayStrategy::Off() {
 
 // After a check. A box that does not play by itself again is switched off, so that
 // the next check starts a fresh one.
-void PlayStrategy::Recover() {
+void PlayStrategy::Recover(std::int64_t input_since_ns) {
   if (!plays_) return;
   auto ok = AwaitFrames();
-  if (ok && target_.machine().setup().plugged) ok = AwaitInputDevices();
+  if (ok && target_.machine().setup().plugged) ok = AwaitInputDevices(input_since_ns);
   if (!ok) Off();
 }
 
@@ -47,7 +47,7 @@ Result<void> PlayStrategy::SwitchOn() {
   if (auto ok = AwaitFrames(); !ok) return ok;
   // Until the first face: finding the devices goes on behind it.
   boot_s_ = Seconds(target_.clock().now() - began);
-  return plugged ? AwaitInputDevices() : Result<void>{};
+  return plugged ? AwaitInputDevices(0) : Result<void>{};
 }
 
 Result<void> PlayStrategy::AwaitFrames() {
@@ -59,11 +59,11 @@ Result<void> PlayStrategy::AwaitFrames() {
   return {};
 }
 
-Result<void> PlayStrategy::AwaitInputDevices() {
+Result<void> PlayStrategy::AwaitInputDevices(std::int64_t since_ns) {
   const bool keys = target_.machine().setup().keyboards;
   const auto found = [&](const BoardView& board) {
     return board.surface_live && board.left.live && board.right.live && (board.keys_live || !keys) &&
-           board.pointer_live;
+           board.pointer_live && board.input_at_ns >= since_ns;
   };
   if (auto ok = target_.UntilBoard(found, kStrategyLongestFind, "wait for the input devices"); !ok)
     return tl::unexpected(ok.error());

@@ -1,6 +1,8 @@
 // How a box is brought from one state to another; a check names the state that it wants.
 #pragma once
 
+#include <cstdint>
+
 #include "drivers/base/result.h"
 #include "hw-sim/hil/setup.h"
 #include "hw-sim/hil/target.h"
@@ -23,8 +25,10 @@ class PlayStrategy {
   void Off();
 
   // After something was withdrawn from a playing box: waits until it plays as its setup says, and switches it off where it
-  // does not, so that the next Play starts it anew.
-  void Recover();
+  // does not, so that the next Play starts it anew. Input devices count as found where they were plugged in or heard after
+  // `input_since_ns`, by the guest's clock: for half a second a program that starts anew leaves on the board what it found
+  // there. 0: at any time.
+  void Recover(std::int64_t input_since_ns);
 
   // From power to the first frames, of the last time; 0 before.
   double boot_s() const { return boot_s_; }
@@ -34,8 +38,8 @@ class PlayStrategy {
   Result<void> SwitchOn();
   // Errors: timed_out.
   Result<void> AwaitFrames();
-  // Waits for those that the setup plugs in. Errors: timed_out.
-  Result<void> AwaitInputDevices();
+  // Waits for those that the setup plugs in; `since_ns` as in Recover. Errors: timed_out.
+  Result<void> AwaitInputDevices(std::int64_t since_ns);
 
   Target& target_;
   // The box was brought to play and nobody has taken its power since.

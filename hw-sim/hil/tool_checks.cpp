@@ -1,4 +1,6 @@
 // What well-known tools say of the devices; kept in the report.
+#include <sstream>
+
 #include <fmt/format.h>
 
 #include "hw-sim/hil/check.h"
@@ -73,10 +75,44 @@ Result<void> Tools(Scene& scene) {
   return {};
 }
 
+// The first line of a kernel's log that tells of a fault of the kernel itself; empty where there is none.
+std::string KernelFault(const std::string& log) {
+  constexpr std::array kBegins{"BUG:", "WARNING:", "Oops:", "general protection fault", "Kernel panic"};
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    for (const char* begin : kBegins)
+      if (line.starts_with(begin)) return line;
+  return {};
+}
+
+// The input program ends and starts once, so that drivers let go of all devices while these are plugged in.
+Result<void> KernelWithoutFault(Scene& scene) {
+  const auto ask = [&](const char* question) { return scene.target.agent().Ask(question, kToolLongest); };
+  if (auto ok = ask("own /usr/bin/systemctl restart kaori-input.service"); !ok)
+    return tl::unexpected(ok.error());
+  const auto log = ask("own /usr/bin/journalctl -k -b --no-pager -o cat");
+  if (!log) return tl::unexpected(log.error());
+  if (log->find("Linux version") == std::string::npos)
+    return FailInput("the kernel's log does not reach back to its start");
+  if (const std::string fault = KernelFault(*log); !fault.empty())
+    return FailInput("the kernel says: " + fault);
+  scene.finding.said = fmt::format("{} bytes of log without a fault", log->size());
+  return {};
+}
+
+// A fault that is planted in the log is found. It stays there: nothing else reads it.
+Result<void> PlantedFault(Scene& scene) {
+  const auto planted = scene.target.agent().Ask("write /dev/kmsg BUG:planted", kToolLongest);
+  if (!planted) return tl::unexpected(planted.error());
+  return WantFoundWrong(KernelWithoutFault(scene), "a fault in the kernel's log is not seen");
+}
+
 }  // namespace
 
 std::vector<Check> ToolChecks() {
-  return {{"tools", "What evtest, v4l2-compliance, gpiodetect and others say", false, Tools, {}, "camera"}};
+  return {
+      {"tools", "What evtest, v4l2-compliance, gpiodetect and others say", false, Tools, {}, "camera"},
+      {"kernel", "The kernel tells of no fault of its own", true, KernelWithoutFault, {}, {}, PlantedFault}};
 }
 
 }  // namespace kaori::hil
