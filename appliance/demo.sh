@@ -9,28 +9,32 @@ readonly RUN=out/run
 readonly RECORD_PACKAGES=(ffmpeg)
 
 demo() {
-  local port='' listen='' size=960x540 hz='' record='' play='' input='' value
+  local port='' listen='' size=960x540 hz='' record='' play='' input='' value pack=''
   while [ $# -gt 0 ]; do
     if [ "$1" = --service ]; then
       in_service=yes
       shift
       continue
     fi
-    [[ $1 =~ ^--(port|listen|size|hz|record|play|input)$ ]] || fail "demo knows no $1; see ./box help"
+    [[ $1 =~ ^--(port|listen|size|hz|record|play|input|pack)$ ]] || fail "demo knows no $1; see ./box help"
     [ $# -gt 1 ] || fail "$1 wants a value; see ./box help"
     value=$2
-    [[ ! $1 =~ ^--(record|play|input)$ ]] || value=$(from_caller "$2")
+    [[ ! $1 =~ ^--(record|play|input|pack)$ ]] || value=$(from_caller "$2")
     local "${1#--}=$value"
     shift 2
   done
   [ -z "$listen" ] || is_address "$listen" ||
     fail "--listen $listen: expected an IPv4 address of this machine, such as 192.168.0.7, or 0.0.0.0 for all of them"
+  [ -z "$pack" ] || is_show "$pack"
   need "${BUILD_PACKAGES[@]}"
   [ -n "$record" ] && need "${RECORD_PACKAGES[@]}"
   build release programs
+  local labels=$LABELS
+  if [ -n "$pack" ]; then choose_show "$pack"; else pack=$PACK; fi
   if [ -n "$record" ]; then
-    exec $BIN/kaori-rehearsal --pack $PACK --play "${play:-$PLAY}" --film "$record" --size "$size" --hz "${hz:-30}"
+    exec $BIN/kaori-rehearsal --pack "$pack" --play "${play:-$PLAY}" --film "$record" --size "$size" --hz "${hz:-30}"
   fi
+  [ "$pack" = $PACK ] || say "playing the show $pack"
   local -a of_simulator=()
   [ -n "$play" ] && of_simulator+=(--play "$play")
   [ -n "$input" ] && of_simulator+=(--record "$input")
@@ -70,9 +74,9 @@ launch() {
   local program=$1
   local -a options=(--links "$RUN/links" "${@:2}")
   case $program in
-    kaori-sim) options+=(--board "$RUN/board" --labels "$LABELS" --address-file "$RUN/address") ;;
-    kaori-stage) options+=(--board "$RUN/board" --pack "$PACK") ;;
-    kaori-lips) options+=(--board "$RUN/board" --pack "$PACK") ;;
+    kaori-sim) options+=(--board "$RUN/board" --labels "$labels" --address-file "$RUN/address") ;;
+    kaori-stage) options+=(--board "$RUN/board" --pack "$pack") ;;
+    kaori-lips) options+=(--board "$RUN/board" --pack "$pack") ;;
     kaori-desk) options=(--service --local --board "$RUN/board" --port "$desk_port" --data out/desk --address-file "$RUN/desk") ;;
     *) options+=(--board "$RUN/board") ;;
   esac

@@ -25,6 +25,20 @@ expect "--port wants a value" demo --port
 expect "--listen wants a value" demo --listen
 expect "expected an IPv4 address of this machine" demo --listen nowhere
 expect "expected an IPv4 address of this machine" demo --listen 192.168.0.256
+expect "--pack wants a value" demo --pack
+expect "show wants new, pack or play" show
+expect "show knows no dance" show dance
+expect "show new takes the name of one FOLDER" show new
+expect "exists already" show new /tmp
+expect "letters, digits" show new "/tmp/my show"
+expect "show pack takes a FOLDER" show pack
+expect "is no folder of a show" show pack /nowhere
+expect "show pack knows no --loud" show pack --loud
+expect "--sign wants a KEYFILE" show pack /tmp --sign
+expect "show play takes a FOLDER" show play
+expect "there is no show /nowhere" show play /nowhere
+expect "there is no show /nowhere" demo --pack /nowhere
+expect "there is no show /nowhere" image --pack /nowhere
 expect "pictures knows no --loud" pictures --loud
 expect "fuzz takes --seconds and a number" fuzz --seconds
 expect "fuzz takes --seconds and a number" fuzz --seconds soon
@@ -49,7 +63,7 @@ expect "test --arm64 takes nothing else" test --arm64 board
 
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
-(cd "$REPOSITORY" && cp --parents box appliance/demo.sh docs/pictures.sh tests/tests.sh tests/hil/bench.sh rootfs/image/image.sh rootfs/toolchains/cross.sh "$copy")
+(cd "$REPOSITORY" && cp --parents box appliance/demo.sh appliance/show.sh docs/pictures.sh tests/tests.sh tests/hil/bench.sh rootfs/image/image.sh rootfs/toolchains/cross.sh "$copy")
 
 # Every command of the page answers --help and -h with its own lines, and does nothing else. In a copy, of which nothing
 # may be built, removed or made, with programs that end everything in place of those that install and build.
