@@ -30,7 +30,12 @@ demo() {
   [ -n "$record" ] && need "${RECORD_PACKAGES[@]}"
   build release programs
   local labels=$LABELS
-  if [ -n "$pack" ]; then choose_show "$pack"; else pack=$PACK; fi
+  if [ -n "$pack" ]; then
+    choose_pack "$pack"
+    choose_labels
+  else
+    pack=$PACK
+  fi
   if [ -n "$record" ]; then
     exec $BIN/kaori-rehearsal --pack "$pack" --play "${play:-$PLAY}" --film "$record" --size "$size" --hz "${hz:-30}"
   fi

@@ -59,17 +59,21 @@ play_show() {
 # Before anything is built: is_show FOLDER_OR_FILE.
 is_show() { [ -e "$1" ] || fail "there is no show $1; ./box show new FOLDER makes one"; }
 
-# Sets `pack` and `labels` to those of a folder or a pack. A folder is packed where one of its files is newer than its pack.
-choose_show() {
+# Sets `pack` to that of a folder, or to the file itself. A folder is packed where one of its files is newer than its pack.
+choose_pack() {
   local given=$1
-  mkdir -p $SHOWS
   pack=$given
-  if [ -d "$given" ]; then
-    pack=$SHOWS/$(basename "$given")-$(cksum <<<"$given" | cut -d ' ' -f 1).kaori
-    if [ ! -f "$pack" ] || [ $BIN/kaori-atelier -nt "$pack" ] || [ -n "$(find "$given" -newer "$pack" -print -quit)" ]; then
-      $BIN/kaori-atelier pack "$given" "$pack" || fail "the show could not be packed; the reasons stand above"
-    fi
+  [ -d "$given" ] || return 0
+  mkdir -p $SHOWS
+  pack=$SHOWS/$(basename "$given")-$(cksum <<<"$given" | cut -d ' ' -f 1).kaori
+  if [ ! -f "$pack" ] || [ $BIN/kaori-atelier -nt "$pack" ] || [ -n "$(find "$given" -newer "$pack" -print -quit)" ]; then
+    $BIN/kaori-atelier pack "$given" "$pack" || fail "the show could not be packed; the reasons stand above"
   fi
+}
+
+# Sets `labels` to a file of what the show writes on the controls.
+choose_labels() {
+  mkdir -p $SHOWS
   labels=$SHOWS/$(basename "$pack" .kaori).labels.json
-  $BIN/kaori-atelier labels "$pack" "$labels" || fail "$given cannot be played; the reason stands above"
+  $BIN/kaori-atelier labels "$pack" "$labels" || fail "$pack cannot be played; the reason stands above"
 }

@@ -20,10 +20,7 @@ image() {
   [ -z "$pack" ] || is_show "$pack"
   need "${BUILD_PACKAGES[@]}" "${IMAGE_PACKAGES[@]}" "${BOOT_PACKAGES[@]}"
   [ -n "$programs" ] || build release programs kaori-bench
-  if [ -n "$pack" ]; then
-    local labels
-    choose_show "$pack"
-  fi
+  [ -z "$pack" ] || choose_pack "$pack"
   rootfs/image/build --out "$out" --programs "${programs:-$BIN}" --kept out/image ${disk:+--disk "$disk"} ${pack:+--pack "$pack"} ||
     fail "the image could not be built; the reason stands above"
 }
