@@ -38,9 +38,12 @@ function(kaori_build_host_atelier folder)
     CONFIGURE_COMMAND ${clean} ${own_cmake} -S ${PROJECT_SOURCE_DIR} -B ${folder} -G Ninja -D CMAKE_MAKE_PROGRAM=${own_ninja}
                       -D CMAKE_BUILD_TYPE=Release -D KAORI_PROGRAMS=OFF
     BUILD_COMMAND ${clean} ${own_ninja} -C ${folder} kaori-atelier
-    INSTALL_COMMAND "" BUILD_ALWAYS ON USES_TERMINAL_BUILD ON BUILD_BYPRODUCTS ${folder}/bin/kaori-atelier)
+    INSTALL_COMMAND "" EXCLUDE_FROM_ALL ON BUILD_ALWAYS ON USES_TERMINAL_BUILD ON BUILD_BYPRODUCTS ${folder}/bin/kaori-atelier)
 endfunction()
 
+if(NOT KAORI_PROGRAMS)
+  return()  # No show is packed.
+endif()
 if(KAORI_AUTHORING AND NOT CMAKE_CROSSCOMPILING)
   set(KAORI_ATELIER kaori-atelier)
   set(KAORI_ATELIER_NEEDS kaori-atelier)

@@ -133,6 +133,11 @@ class TheBox(InAFolder):
         for word in ("--unset=CXX", "--unset=PKG_CONFIG_SYSROOT_DIR", "--unset=CMAKE_TOOLCHAIN_FILE"):
             self.assertIn(word, commands[built])
         self.assertNotIn(str(sdk.native), commands[built])
+        tools = build / "host-tools"
+        done = sdk.run("ninja", "-C", build, "host-tools/stamps/src/kaori-host-tools-stamp/kaori-host-tools-configure")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotIn(str(sdk.folder), (tools / "CMakeCache.txt").read_text().replace(str(tools), "").replace(str(build), ""))
+        self.assertEqual(run("ninja", "-C", tools, "-n", "kaori-atelier").returncode, 0)
         assert_refused(self, run("cmake", build), f". {sdk.script.resolve()}")
 
     def test_a_folder_without_tools_that_run_here_is_named(self):
