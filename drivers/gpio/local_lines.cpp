@@ -72,9 +72,15 @@ Result<ports::GpioEdge> LocalLines::ReadEdge() {
 
 Result<void> LocalLines::Drive(std::uint32_t line, bool active) {
   if (line >= outputs_) return FailInput("drive an output that " + name_ + " has not");
+  if (broken_) return Broken();
+  if (gone_) return Gone();
   const auto sent = SendPacket(socket_.get(), wire::Encode(wire::LineDrive{line, active ? 1U : 0U}));
-  if (!sent) return Gone();
-  return {};
+  if (sent) return {};
+  const auto cause = sent.error().cause;
+  if (cause == std::errc::no_such_device) return Gone();
+  // A panel that reads too slowly is still there, and so are its edges.
+  const bool later = cause == std::errc::resource_unavailable_try_again;
+  return Fail(later ? cause : std::errc::io_error, "drive an output of " + name_);
 }
 
 tl::unexpected<Error> LocalLines::Gone() {

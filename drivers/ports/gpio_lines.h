@@ -43,7 +43,8 @@ class GpioLines {
 
   // Drives an output line; `line` is an index into the output lines. It stays so until the
   // next call or the end of the lines. Errors: as Levels, and
-  //   invalid_argument  there is no such output line
+  //   invalid_argument                there is no such output line
+  //   resource_unavailable_try_again  not now; the line is as it was
   virtual Result<void> Drive(std::uint32_t line, bool active) = 0;
 };
 

@@ -67,6 +67,18 @@ TEST_F(LinesLink, TheTallyLampIsDrivenAndGoesDarkWithItsDriver) {
   EXPECT_FALSE(rig->lines().tally());
 }
 
+// Nobody pumps the rig, so that the socket to the panel fills.
+TEST_F(LinesLink, APanelThatReadsTooSlowlyIsNotGone) {
+  Connect();
+  auto driven = lines->Drive(0, true);
+  for (int n = 0; driven && n < 100'000; ++n) driven = lines->Drive(0, true);
+  ASSERT_FALSE(driven);
+  EXPECT_EQ(driven.error().cause, std::errc::resource_unavailable_try_again);
+  EXPECT_EQ(lines->Levels(), 0U) << "the switches are still told";
+  for (int n = 0; n < 4; ++n) rig->Pump();
+  EXPECT_TRUE(lines->Drive(0, false));
+}
+
 TEST_F(LinesLink, APulledCableIsNoDevice) {
   Connect();
   ASSERT_TRUE(rig->Unplug("lines"));

@@ -113,12 +113,13 @@ void LineInputs::Settle(std::uint32_t line, Time at) {
                   .source = board::CallSource::kFootSwitch});
 }
 
-// A failure is ignored here: a chip that is gone is noticed when it is read. Where no output is wired the
-// driver refuses, and that is ignored as well.
+// A chip that is gone is noticed when it is read. Where no output is wired the driver refuses, and that is
+// ignored as well.
 void LineInputs::SetTally(bool lit) {
   if (!lines_ || shown_tally_ == lit) return;
-  shown_tally_ = lit;
-  static_cast<void>(lines_->Drive(0, lit));
+  const auto driven = lines_->Drive(0, lit);
+  const bool later = !driven && driven.error().cause == std::errc::resource_unavailable_try_again;
+  if (!later) shown_tally_ = lit;
 }
 
 void LineInputs::HandleLoss(const Error& error, Time now) {

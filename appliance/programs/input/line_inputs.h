@@ -27,7 +27,8 @@ class LineInputs {
   // Handles the edges that wait, 256 at most. It never blocks, apart from the time that opening the chip needs.
   void Step(Time now);
 
-  // Switches the tally lamp, output 0, where one is wired. A lamp that cannot be switched is ignored.
+  // Switches the tally lamp, output 0, where one is wired; one that cannot be switched just now is switched by a
+  // later call. A lamp that fails otherwise is ignored.
   void SetTally(bool lit);
 
   // The descriptor that is readable when an edge waits; -1 while no lines are open.

@@ -25,7 +25,8 @@ struct FakeChip {
   bool there = true;
   int fd = -1;
   int opened = 0;
-  std::vector<bool> lamp;  // What output 0 was told.
+  std::vector<bool> lamp;   // What output 0 was told.
+  bool lamp_waits = false;  // It cannot be told now.
 };
 
 class FakeLines final : public ports::GpioLines {
@@ -44,6 +45,7 @@ class FakeLines final : public ports::GpioLines {
     return edge;
   }
   Result<void> Drive(std::uint32_t, bool lit) override {
+    if (chip_.lamp_waits) return Fail(std::errc::resource_unavailable_try_again, "drive a line");
     chip_.lamp.push_back(lit);
     return {};
   }
@@ -218,6 +220,14 @@ TEST_F(Lines, TellTheTallyLampOnlyWhatIsNewAndAllOfItAgainToAChipThatCameBack) {
   Wait(milliseconds(1100));
   service_->SetTally(true);
   EXPECT_EQ(chip_.lamp, (std::vector<bool>{true, false, true, true}));
+}
+
+TEST_F(Lines, TellTheTallyLampLaterWhatItCannotBeToldNow) {
+  chip_.lamp_waits = true;
+  service_->SetTally(true);
+  chip_.lamp_waits = false;
+  for (int n = 0; n < 2; ++n) service_->SetTally(true);
+  EXPECT_EQ(chip_.lamp, std::vector<bool>{true});
 }
 
 class TallyLamp : public ::testing::Test {
