@@ -1,10 +1,11 @@
 #include "hw-sim/devices/line_panel.h"
 
+#include <algorithm>
+
 namespace kaori::sim {
 namespace {
 
-// A host that never reads must not eat memory: beyond this the oldest edges are lost, as in
-// the kernel, whose queue is far shorter.
+// A host that never reads must not eat memory. The kernel's queue is far shorter.
 constexpr std::size_t kMostEdges = 1024;
 
 }  // namespace
@@ -15,8 +16,18 @@ void LinePanel::Set(int line, bool closed) {
   if (((closed_ & bit) != 0) == closed) return;
   closed_ ^= bit;
   edges_.push_back({context_.clock.now(), line, closed});
-  if (edges_.size() > kMostEdges) edges_.pop_front();
+  if (edges_.size() > kMostEdges) DropEdge();
   context_.Notify({DevicePort::kLines, closed ? Verb::kPush : Verb::kRelease, line, 0, 0});
+}
+
+// There is one: edges are many more than lines.
+void LinePanel::DropEdge() {
+  for (auto edge = edges_.begin(); edge != edges_.end(); ++edge) {
+    const auto of_line = [&](const Edge& newer) { return newer.line == edge->line; };
+    if (!std::any_of(edge + 1, edges_.end(), of_line)) continue;
+    edges_.erase(edge);
+    return;
+  }
 }
 
 std::optional<LinePanel::Edge> LinePanel::NextEdge() {

@@ -79,6 +79,44 @@ TEST_F(LinesLink, APanelThatReadsTooSlowlyIsNotGone) {
   EXPECT_TRUE(lines->Drive(0, false));
 }
 
+TEST_F(LinesLink, EdgesThatADriverReadsTooSlowlyComeLaterInTheirOrder) {
+  Connect();
+  constexpr int kMoves = 600;  // More than the socket holds.
+  for (int n = 0; n < kMoves; ++n) {
+    clock.Advance(1ms);
+    n % 2 == 0 ? rig->lines().Close(kGo) : rig->lines().Open(kGo);
+  }
+  rig->Pump();
+  EXPECT_NE(rig->next_due(), Time::max()) << "the rest is due by time";
+  Time before{};
+  for (int n = 0; n < kMoves; ++n) {
+    auto edge = lines->ReadEdge();
+    if (!edge) {
+      rig->Pump();
+      edge = lines->ReadEdge();
+    }
+    ASSERT_TRUE(edge) << n << ": " << edge.error().message();
+    ASSERT_EQ(edge->active, n % 2 == 0) << n;
+    ASSERT_GT(edge->at, before) << n;
+    before = edge->at;
+  }
+  EXPECT_EQ(CauseOfNextEdge(), std::errc::resource_unavailable_try_again);
+}
+
+// Far more than anything holds: pushes of one line are lost, and no level of any.
+TEST_F(LinesLink, ADriverThatWasStoppedForLongFindsTheLevelsAsTheyAre) {
+  Connect();
+  rig->lines().Close(kBlackout);
+  for (int n = 0; n < 4001; ++n) n % 2 == 0 ? rig->lines().Close(kGo) : rig->lines().Open(kGo);
+  int read = 0;
+  do {
+    rig->Pump();
+    while (lines->ReadEdge()) ++read;
+  } while (rig->next_due() != Time::max());
+  EXPECT_EQ(lines->Levels(), 3U);
+  EXPECT_LE(read, 1024);
+}
+
 TEST_F(LinesLink, APulledCableIsNoDevice) {
   Connect();
   ASSERT_TRUE(rig->Unplug("lines"));

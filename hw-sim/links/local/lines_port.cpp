@@ -1,6 +1,14 @@
 #include "hw-sim/links/local/lines_port.h"
 
+#include "hw-sim/devices/report_queue.h"
+
 namespace kaori::sim {
+
+std::optional<Time> LinesPort::next_due() const {
+  if (!unsent_) return std::nullopt;
+  // The socket was full: it is tried again after as long as a report of other devices takes.
+  return clock_.now() + kReportPeriod;
+}
 
 bool LinesPort::Greet() {
   // Older edges are dropped before the levels are read: the hello says how things stand.
@@ -15,14 +23,21 @@ void LinesPort::Handle(std::span<const std::uint8_t> packet) {
   panel_.Drive(static_cast<int>(drive->line), drive->active != 0);
 }
 
-// An edge that does not leave is lost for a driver that reads too slowly: its level
-// stays wrong until the line moves again.
 void LinesPort::SendDue(Time) {
-  while (const auto edge = panel_.NextEdge()) {
-    Send(wire::Encode(wire::LineEdge{edge->at.time_since_epoch().count(),
-                                     static_cast<std::uint32_t>(edge->line), edge->closed ? 1U : 0U}));
-    if (!connected()) return;
+  if (!unsent_) unsent_ = panel_.NextEdge();
+  while (unsent_) {
+    const bool left = Send(
+        wire::Encode(wire::LineEdge{unsent_->at.time_since_epoch().count(),
+                                    static_cast<std::uint32_t>(unsent_->line), unsent_->closed ? 1U : 0U}));
+    // Either the driver reads too slowly, or it has gone, and PeerLeft has forgotten the edge.
+    if (!left) return;
+    unsent_ = panel_.NextEdge();
   }
+}
+
+void LinesPort::PeerLeft() {
+  unsent_.reset();
+  panel_.HostLeft();
 }
 
 }  // namespace kaori::sim

@@ -119,7 +119,7 @@ Result<void> Rig::PlugAll() {
       std::make_unique<LoudspeakerPort>(path(DevicePort::kLoudspeaker), epoll_.get(), loudspeaker_,
                                         context_.clock));
   add(DevicePort::kLines,
-      std::make_unique<LinesPort>(path(DevicePort::kLines), epoll_.get(), devices_.lines));
+      std::make_unique<LinesPort>(path(DevicePort::kLines), epoll_.get(), devices_.lines, context_.clock));
   for (auto& port : ports_) {
     if (auto plugged = port->Plug(); !plugged) return plugged;
   }
