@@ -96,6 +96,17 @@ TEST_F(Gadget, IsPulledByItsCable) {
   EXPECT_TRUE(port.Plug()) << "and plugged again";
 }
 
+TEST_F(Gadget, WhoseFileCannotBeOpenedIsNotLeftBound) {
+  GadgetPort port(std::move(*Make()), "dummy_udc.0", devices_.dial_box);
+  std::filesystem::rename(folder_ + "/dev/hidg4", folder_ + "/dev/elsewhere");
+  const auto plugged = port.Plug();
+  ASSERT_FALSE(plugged);
+  EXPECT_THAT(plugged.error().message(), ::testing::HasSubstr("hidg4"));
+  EXPECT_EQ(Said("UDC"), "\n");
+  std::filesystem::rename(folder_ + "/dev/elsewhere", folder_ + "/dev/hidg4");
+  EXPECT_TRUE(port.Plug()) << "once the file is there";
+}
+
 TEST_F(Gadget, NamesTheFolderThatAKernelWithoutGadgetsLacks) {
   const auto made = HidGadget::Make({"/proc/no-gadgets", "/dev"}, "box", devices_.dial_box.device_name());
   ASSERT_FALSE(made);

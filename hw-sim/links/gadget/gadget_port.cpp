@@ -23,12 +23,21 @@ Result<void> GadgetPort::Plug() {
   // The power comes with the cable.
   device_.PowerCycle();
   if (auto ok = gadget_.Bind(controller_); !ok) return ok;
+  if (auto ok = OpenFile(); !ok) {
+    // Nobody would answer the box, and Unplug does nothing without the file.
+    gadget_.Unbind();
+    return ok;
+  }
+  // f_hid tells of no host that listens: reports go from here on, and wait until one fetches them.
+  device_.HostCame();
+  return {};
+}
+
+Result<void> GadgetPort::OpenFile() {
   const auto path = gadget_.DeviceFile();
   if (!path) return tl::unexpected(path.error());
   file_ = UniqueFd(::open(path->c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!file_.valid()) return FailErrno("open " + *path);
-  // f_hid tells of no host that listens: reports go from here on, and wait until one fetches them.
-  device_.HostCame();
   return {};
 }
 

@@ -24,7 +24,7 @@ class GadgetPort {
   GadgetPort& operator=(const GadgetPort&) = delete;
 
   // Binds the gadget, which is what the box sees as a cable that was put in; does nothing where it is
-  // plugged already. Errors: as HidGadget::Bind, and those of opening its file.
+  // plugged already. Errors: as HidGadget::Bind, and those of opening its file; it is then not bound.
   Result<void> Plug();
   // Pulls the cable: the box sees a device that is gone. What was not sent is lost.
   void Unplug();
@@ -42,6 +42,8 @@ class GadgetPort {
   std::optional<Time> next_due(Time now) const;
 
  private:
+  // Opens the file of the gadget, which is bound.
+  Result<void> OpenFile();
   // False: the host has not fetched the one before. One report of f_hid is under way at a time.
   bool Send(const Report& report);
 
