@@ -7,19 +7,19 @@
 namespace kaori::hil {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 // A section is live while its writer is there and its device delivers.
-bool Live(const json& section) {
+bool Live(const Json& section) {
   return section.at("source") == "live";
 }
 
 // A stick's section; "left" and "right" have the same fields.
-StickView Stick(const json& section) {
+StickView Stick(const Json& section) {
   return {Live(section), section.at("x"), section.at("y"), section.at("port")};
 }
 
-StageView Stage(const json& section) {
+StageView Stage(const Json& section) {
   return {.live = Live(section),
           .frames = section.at("frames"),
           .missed_flips = section.at("missed_flips"),
@@ -32,8 +32,8 @@ StageView Stage(const json& section) {
 
 // The sections of the devices that the puppeteer holds. The names are those that
 // `board` of the in-guest agent prints.
-void ParseInput(const json& board, BoardView& view) {
-  const json& surface = board.at("surface");
+void ParseInput(const Json& board, BoardView& view) {
+  const Json& surface = board.at("surface");
   view.surface_live = Live(surface);
   view.counts = surface.at("counts");
   view.buttons = surface.at("buttons");
@@ -53,16 +53,16 @@ void ParseInput(const json& board, BoardView& view) {
 }
 
 // The sections of the other devices, and what stands beside all sections.
-void ParseRest(const json& board, BoardView& view) {
+void ParseRest(const Json& board, BoardView& view) {
   view.now_ns = board.at("now_ns");
   view.lines_live = Live(board.at("lines"));
   view.lines_active = board.at("lines").at("active");
-  const json& lips = board.at("lips");
+  const Json& lips = board.at("lips");
   view.lips_live = Live(lips);
   view.lips_frames = lips.at("frames");
   view.lips_height = lips.at("height");
   view.lips_quality = lips.at("quality");
-  const json& voice = board.at("voice");
+  const Json& voice = board.at("voice");
   view.voice_live = Live(voice);
   view.voice_speaking = voice.at("speaking") == 1;
   view.voice_level_db = voice.at("level_db");
@@ -78,10 +78,10 @@ void ParseRest(const json& board, BoardView& view) {
 Result<BoardView> ReadBoardView(const std::string& text) {
   BoardView view;
   try {
-    const json board = json::parse(text);
+    const Json board = Json::parse(text);
     ParseInput(board, view);
     ParseRest(board, view);
-  } catch (const json::exception& fault) {
+  } catch (const Json::exception& fault) {
     return FailInput(std::string("the agent's board: ") + fault.what());
   }
   return view;

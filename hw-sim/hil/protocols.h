@@ -50,8 +50,7 @@ class AgentProtocol {
  public:
   virtual ~AgentProtocol() = default;
   // Asks the agent in the guest; see kaori-hil-agent for its questions. Blocks until it answers,
-  // `longest` at most; simulated devices play on meanwhile. An answer that comes later would be taken
-  // for the next one's. Errors: invalid_argument (its own error message), timed_out, no_such_device.
+  // `longest` at most; simulated devices play on meanwhile. An answer that comes later is lost. Errors: invalid_argument (its own error message), timed_out, no_such_device.
   virtual Result<std::string> Ask(const std::string& question, Duration longest) = 0;
 };
 

@@ -18,17 +18,23 @@ constexpr Duration kLongestBeginning = std::chrono::seconds(60);  // Of QEMU its
 constexpr const char* kControllers = " dummy_hcd.num=3";
 
 // As QEMU calls it, on the port that the rig leaves free.
-std::string DeviceOf(UnauthorisedDevice device) {
+json::Object DeviceOf(UnauthorisedDevice device) {
   // The rig has the ports 1 to 7 (qemu_command.cpp).
-  constexpr const char* kPort = R"("id":"unauthorised","bus":"xhci.0","port":"8")";
+  json::Object arguments{{"id", "unauthorised"}, {"bus", "xhci.0"}, {"port", "8"}};
   switch (device) {
     case UnauthorisedDevice::kStorage:
-      return fmt::format(R"({{"driver":"usb-storage","drive":"stick",{}}})", kPort);
+      arguments.emplace_back("driver", "usb-storage");
+      arguments.emplace_back("drive", "stick");
+      break;
     case UnauthorisedDevice::kNetwork:
-      return fmt::format(R"({{"driver":"usb-net","netdev":"net",{}}})", kPort);
-    default:
-      return fmt::format(R"({{"driver":"usb-kbd",{}}})", kPort);
+      arguments.emplace_back("driver", "usb-net");
+      arguments.emplace_back("netdev", "net");
+      break;
+    case UnauthorisedDevice::kKeyboard:
+      arguments.emplace_back("driver", "usb-kbd");
+      break;
   }
+  return arguments;
 }
 
 // Empty where there is no such file.
@@ -104,9 +110,8 @@ Result<void> QemuDriver::Shoot(int head, const std::string& file) {
   if (!qmp_) return Fail(std::errc::no_such_device, "take a picture of the screen");
   // QEMU does not know what was drawn on the bench: the picture is read from X.
   if (window_) return window_->Shoot(file);
-  return qmp_->Do(
-      "screendump",
-      fmt::format(R"({{"filename":"{}","format":"png","device":"screens","head":{}}})", file, head));
+  return qmp_->Do("screendump",
+                  {{"filename", file}, {"format", "png"}, {"device", "screens"}, {"head", head}});
 }
 
 Result<void> QemuDriver::PlugScreen(int head, int width_px, int height_px) {
@@ -127,7 +132,7 @@ Result<void> QemuDriver::PlugUnauthorised(UnauthorisedDevice device) {
 
 Result<void> QemuDriver::PullUnauthorised() {
   if (!qmp_) return Fail(std::errc::no_such_device, "unplug the unauthorised device");
-  return qmp_->Do("device_del", R"({"id":"unauthorised"})");
+  return qmp_->Do("device_del", {{"id", "unauthorised"}});
 }
 
 std::string QemuDriver::log() const {

@@ -1,6 +1,7 @@
 #include "hw-sim/hil/qmp.h"
 
-#include <fmt/format.h>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 namespace kaori::hil {
@@ -36,10 +37,9 @@ Result<std::string> Qmp::NextLine() {
   return line;
 }
 
-Result<void> Qmp::Do(const std::string& command, const std::string& arguments) {
-  if (auto ok = stream_.Say(fmt::format("{{\"execute\":\"{}\",\"arguments\":{}}}\n", command, arguments));
-      !ok)
-    return ok;
+Result<void> Qmp::Do(const std::string& command, json::Object arguments) {
+  const json::Object asked{{"execute", command}, {"arguments", std::move(arguments)}};
+  if (auto ok = stream_.Say(json::Write(asked) + "\n"); !ok) return ok;
   while (true) {  // Between command and answer events may come.
     const auto line = NextLine();
     if (!line) return tl::unexpected(line.error());

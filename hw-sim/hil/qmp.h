@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "drivers/base/json.h"
 #include "drivers/base/result.h"
 #include "hw-sim/hil/stream.h"
 
@@ -15,9 +16,9 @@ class Qmp {
   // waiter plays on. Errors: timed_out, no_such_device.
   static Result<Qmp> Call(const std::string& path, Waiter& waiter);
 
-  // Does one command and waits for its answer, a minute at most. `arguments` is JSON, an object; it is
-  // not checked. Errors: invalid_argument (QEMU's own message), timed_out, no_such_device.
-  Result<void> Do(const std::string& command, const std::string& arguments = "{}");
+  // Does one command and waits for its answer, a minute at most. Errors: invalid_argument (QEMU's own message),
+  // timed_out, no_such_device.
+  Result<void> Do(const std::string& command, json::Object arguments = {});
 
  private:
   Qmp(Stream stream, Waiter& waiter) : stream_(std::move(stream)), waiter_(&waiter) {}

@@ -1,6 +1,9 @@
 #include "hw-sim/hil/serial_agent.h"
 
-#include <charconv>
+#include <algorithm>
+#include <string_view>
+
+#include "drivers/base/number.h"
 
 namespace kaori::hil {
 namespace {
@@ -8,6 +11,8 @@ namespace {
 // STX, which no log has in it.
 constexpr char kBegin = '\x02';
 constexpr std::size_t kVerdictBytes = 3;  // "OK " or "NO ".
+// Of an answer to no question: the agent cannot work, and says why.
+constexpr std::uint32_t kUnasked = 0;
 // A guest that boots throws away what it is asked before its agent runs.
 constexpr Duration kSerialAgentAskAgain = std::chrono::seconds(2);
 
@@ -19,14 +24,17 @@ std::optional<AgentAnswer> ParseAnswer(std::string& waiting) {
   waiting.erase(0, begin);
   const std::size_t line_end = waiting.find('\n');
   if (line_end == std::string::npos) return std::nullopt;
-  std::size_t length = 0;
-  const char* const end = waiting.data() + line_end;
-  const char* const number = waiting.data() + std::min(1 + kVerdictBytes, line_end);
+  const std::string_view head = std::string_view(waiting).substr(0, line_end);
+  const std::string_view numbers = head.substr(std::min(1 + kVerdictBytes, line_end));
+  const std::size_t space = std::min(numbers.find(' '), numbers.size());
+  const auto number = ParseNumber<std::uint32_t>(numbers.substr(0, space));
+  const auto length = ParseNumber<std::size_t>(numbers.substr(std::min(space + 1, numbers.size())));
   // A byte of 2 that begins no answer is noise: looked for behind it.
-  if (std::from_chars(number, end, length).ptr != end) return waiting.erase(0, 1), ParseAnswer(waiting);
-  if (waiting.size() < line_end + 1 + length) return std::nullopt;
-  AgentAnswer answer{waiting.compare(1, kVerdictBytes, "OK ") == 0, waiting.substr(line_end + 1, length)};
-  waiting.erase(0, line_end + 1 + length);
+  if (!number || !length) return waiting.erase(0, 1), ParseAnswer(waiting);
+  if (waiting.size() - (line_end + 1) < *length) return std::nullopt;
+  AgentAnswer answer{*number, waiting.compare(1, kVerdictBytes, "OK ") == 0,
+                     waiting.substr(line_end + 1, *length)};
+  waiting.erase(0, line_end + 1 + *length);
   return answer;
 }
 
@@ -37,14 +45,7 @@ Result<void> SerialAgentDriver::Find(Duration longest) {
   waiting_.clear();
   for (Duration waited{}; waited < longest; waited += kSerialAgentAskAgain) {
     const auto answer = Ask("hello", kSerialAgentAskAgain);
-    if (answer) {
-      // A hello that was asked twice is answered twice.
-      waiter_.For(std::chrono::milliseconds(500));  // Answers to earlier calls may be on their way.
-      stream_->Read();
-      stream_->Drop(stream_->waiting().size());
-      waiting_.clear();
-      return {};
-    }
+    if (answer) return {};
     // Its line may have torn the first words.
     if (answer.error().cause == std::errc::no_such_device) return tl::unexpected(answer.error());
   }
@@ -53,7 +54,9 @@ Result<void> SerialAgentDriver::Find(Duration longest) {
 
 Result<std::string> SerialAgentDriver::Ask(const std::string& question, Duration longest) {
   if (!stream_) return Fail(std::errc::no_such_device, "ask " + question);
-  if (auto ok = stream_->Say(question + "\n"); !ok) return tl::unexpected(ok.error());
+  const std::uint32_t number = ++asked_;
+  if (auto ok = stream_->Say(std::to_string(number) + " " + question + "\n"); !ok)
+    return tl::unexpected(ok.error());
   std::optional<AgentAnswer> answer;
   bool there = true;
   const auto answered = [&] {
@@ -61,7 +64,9 @@ Result<std::string> SerialAgentDriver::Ask(const std::string& question, Duration
     waiting_ += stream_->waiting();
     // The stream's bytes are gathered here, since an answer may come in many pieces.
     stream_->Drop(stream_->waiting().size());
-    answer = ParseAnswer(waiting_);
+    // Answers to questions whose time was over come late, and are passed over.
+    do answer = ParseAnswer(waiting_);
+    while (answer && answer->number != number && answer->number != kUnasked);
     return answer || !there;
   };
   if (!waiter_.Until(answered, longest, stream_->pollable()))

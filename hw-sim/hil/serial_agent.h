@@ -1,6 +1,7 @@
 // The agent in the guest, over its serial line.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,8 @@ namespace kaori::hil {
 
 // An answer of the agent: "yes" with a result, or "no" with the reason.
 struct AgentAnswer {
+  // Of the question; 0: the agent was not asked, and cannot work.
+  std::uint32_t number = 0;
   // False: the text is the agent's error.
   bool yes = false;
   // The result, or why there is none.
@@ -22,9 +25,10 @@ struct AgentAnswer {
 // not come yet. Pure.
 std::optional<AgentAnswer> ParseAnswer(std::string& waiting);
 
-// Questions are lines; an answer is a byte of 2, "OK " or "NO ", the length of the text in decimal, the
-// end of the line, and the text. The line may be noisy: the guest's kernel writes to it before the
-// agent has it. One thread: that of the waiter.
+// A question is a line: its number, which no other question has, a space and its words. An answer is a byte of 2,
+// "OK " or "NO ", the number of its question, a space, the length of the text, both in decimal, the end of the
+// line, and the text. The line may be noisy: the guest's kernel writes to it before the agent has it. One
+// thread: that of the waiter.
 class SerialAgentDriver final : public AgentProtocol {
  public:
   // Calls nobody yet. The waiter outlives the driver.
@@ -46,6 +50,7 @@ class SerialAgentDriver final : public AgentProtocol {
   std::optional<Stream> stream_;
   // What has come and is no whole answer yet.
   std::string waiting_;
+  std::uint32_t asked_ = 0;  // The number of the newest question.
 };
 
 }  // namespace kaori::hil

@@ -1,5 +1,4 @@
 // The bench without a machine: what it says to one, understands of it, and reports.
-#include "hw-sim/hil/serial_agent.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -54,32 +53,6 @@ TEST(QemuCommand, PutsEachDeviceOnAPortOfItsOwn) {
   EXPECT_THAT(command, ::testing::Contains("file=i/kaori.disk,if=none,id=disk,format=raw,snapshot=on"))
       << "nothing is written to it";
   EXPECT_THAT(command, ::testing::Contains("file=b,if=none,id=bench,format=raw,readonly=on"));
-}
-
-TEST(ParseAnswer, WaitsForAllOfIt) {
-  std::string waiting = "\x02OK 5\nhel";
-  EXPECT_FALSE(ParseAnswer(waiting));
-  waiting += "lo\x02";
-  const auto answer = ParseAnswer(waiting);
-  ASSERT_TRUE(answer);
-  EXPECT_TRUE(answer->yes);
-  EXPECT_EQ(answer->text, "hello");
-  EXPECT_EQ(waiting, "\x02") << "the next one has begun";
-}
-
-TEST(ParseAnswer, LeavesTheNoiseOfTheLine) {
-  std::string waiting = "[  1.2] a word of the kernel\r\n\x02NO 3\nwhy";
-  const auto answer = ParseAnswer(waiting);
-  ASSERT_TRUE(answer);
-  EXPECT_FALSE(answer->yes);
-  EXPECT_EQ(answer->text, "why");
-}
-
-TEST(ParseAnswer, PassesOverAHeadThatIsTorn) {
-  std::string waiting = "\x02OK 1x\n\x02OK 2\nhi";
-  const auto answer = ParseAnswer(waiting);
-  ASSERT_TRUE(answer);
-  EXPECT_EQ(answer->text, "hi");
 }
 
 class Folder : public ::testing::Test {

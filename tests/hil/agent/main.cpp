@@ -1,6 +1,6 @@
 // kaori-hil-agent: runs in the guest beside the box's own programs and answers the bench.
 //
-// Questions, one a line:
+// Questions, one a line, each behind its number and a space:
 //   hello                        "kaori-hil-agent"
 //   clock                        CLOCK_MONOTONIC in ns
 //   board                        the board as JSON
@@ -162,8 +162,8 @@ int main() {
   const auto roots = kaori::agent::StartTheBox();
   auto line = kaori::agent::SerialLine::Open(kLine);
   if (!line) return 1;
-  if (!roots) return line->Answer(tl::unexpected(roots.error())), 1;
+  if (!roots) return line->Answer(0, tl::unexpected(roots.error())), 1;
   Agent agent(*roots);
-  while (const auto question = line->Next()) line->Answer(agent.Answer(*question));
+  while (const auto question = line->Next()) line->Answer(question->number, agent.Answer(question->text));
   return 0;
 }

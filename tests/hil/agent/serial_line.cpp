@@ -4,11 +4,23 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <string_view>
-
 #include <fmt/format.h>
 
+#include "drivers/base/number.h"
+
 namespace kaori::agent {
+
+std::optional<Question> ParseQuestion(std::string_view line) {
+  const std::size_t space = line.find(' ');
+  const auto number = ParseNumber<std::uint32_t>(line.substr(0, space));
+  if (!number || space == std::string_view::npos) return std::nullopt;
+  return Question{*number, std::string(line.substr(space + 1))};
+}
+
+std::string AnswerTo(std::uint32_t number, const Result<std::string>& answer) {
+  const std::string text = answer ? *answer : answer.error().message();
+  return fmt::format("\x02{} {} {}\n{}", answer ? "OK" : "NO", number, text.size(), text);
+}
 
 Result<SerialLine> SerialLine::Open(const std::string& device) {
   UniqueFd line(::open(device.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
@@ -22,18 +34,21 @@ Result<SerialLine> SerialLine::Open(const std::string& device) {
   return SerialLine(std::move(line));
 }
 
-std::optional<std::string> SerialLine::Next() {
+std::optional<Question> SerialLine::Next() {
   std::string line;
   for (char letter = 0; ::read(line_.get(), &letter, 1) == 1;) {
-    if (letter == '\n') return line;
-    line += letter;
+    if (letter != '\n') {
+      line += letter;
+      continue;
+    }
+    if (auto question = ParseQuestion(line)) return question;
+    line.clear();
   }
   return std::nullopt;
 }
 
-void SerialLine::Answer(const Result<std::string>& answer) {
-  const std::string text = answer ? *answer : answer.error().message();
-  const std::string whole = fmt::format("\x02{} {}\n{}", answer ? "OK" : "NO", text.size(), text);
+void SerialLine::Answer(std::uint32_t number, const Result<std::string>& answer) {
+  const std::string whole = AnswerTo(number, answer);
   for (std::string_view rest = whole; !rest.empty();) {
     const ssize_t written = ::write(line_.get(), rest.data(), rest.size());
     if (written <= 0) return;

@@ -1,0 +1,133 @@
+// The lines to a machine: the agent's answers on a noisy one, answers that come too late, and QEMU's monitor.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw-sim/hil/qmp.h"
+#include "hw-sim/hil/serial_agent.h"
+#include "tests/hil/agent/serial_line.h"
+#include "tests/hw-sim/machine_end.h"
+
+namespace kaori::hil {
+namespace {
+
+TEST(ParseAnswer, WaitsForAllOfIt) {
+  std::string waiting = "\x02OK 7 5\nhel";
+  EXPECT_FALSE(ParseAnswer(waiting));
+  waiting += "lo\x02";
+  const auto answer = ParseAnswer(waiting);
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(answer->yes);
+  EXPECT_EQ(answer->number, 7U);
+  EXPECT_EQ(answer->text, "hello");
+  EXPECT_EQ(waiting, "\x02") << "the next one has begun";
+}
+
+TEST(ParseAnswer, LeavesTheNoiseOfTheLine) {
+  std::string waiting = "[  1.2] a word of the kernel\r\n\x02NO 1 3\nwhy";
+  const auto answer = ParseAnswer(waiting);
+  ASSERT_TRUE(answer);
+  EXPECT_FALSE(answer->yes);
+  EXPECT_EQ(answer->text, "why");
+}
+
+TEST(ParseAnswer, PassesOverAHeadThatIsTorn) {
+  for (const char* torn : {"OK 1 1x\n", "OK 1\n", "OK 1 \n", "OK x 1\n", "O\n", "\n", "OK 1 -1\n"}) {
+    std::string waiting = std::string("\x02") + torn + "\x02OK 1 2\nhi";
+    const auto answer = ParseAnswer(waiting);
+    ASSERT_TRUE(answer) << torn;
+    EXPECT_EQ(answer->text, "hi") << torn;
+  }
+}
+
+TEST(ParseQuestion, IsTheOtherEndOfTheLine) {
+  const auto question = agent::ParseQuestion("12 read /etc/fstab");
+  ASSERT_TRUE(question);
+  EXPECT_EQ(question->number, 12U);
+  EXPECT_EQ(question->text, "read /etc/fstab");
+  for (const char* torn : {"", "hello", " hello", "12", "x 12", "-1 hello"})
+    EXPECT_FALSE(agent::ParseQuestion(torn)) << torn;
+  std::string bytes = agent::AnswerTo(12, std::string("two\nlines"));
+  const auto answer = ParseAnswer(bytes);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->number, 12U);
+  EXPECT_EQ(answer->text, "two\nlines");
+  EXPECT_TRUE(bytes.empty());
+}
+
+class Agent : public ::testing::Test {
+ protected:
+  Agent() {
+    const auto found = driver_.Find(std::chrono::seconds(9));
+    EXPECT_TRUE(found) << found.error().message();
+  }
+  Result<std::string> Ask(const std::string& question) {
+    return driver_.Ask(question, std::chrono::seconds(9));
+  }
+
+  std::size_t holds_ = 0;  // How many questions that were heard wait for their answers on purpose.
+  std::vector<agent::Question> heard_;
+  MachineEnd machine_{[this](const std::string& line) {
+    std::string answers;
+    if (auto question = agent::ParseQuestion(line)) heard_.push_back(std::move(*question));
+    for (; heard_.size() > holds_; heard_.erase(heard_.begin()))
+      answers += agent::AnswerTo(heard_.front().number, "to " + heard_.front().text);
+    return answers;
+  }};
+  SerialAgentDriver driver_{machine_.path(), machine_};
+};
+
+TEST_F(Agent, IsNotTakenAtTheWordOfAnAnswerThatComesTooLate) {
+  EXPECT_EQ(Ask("clock"), "to clock");
+  holds_ = 2;
+  for (const char* slow : {"board", "usb"}) EXPECT_EQ(Ask(slow).error().cause, std::errc::timed_out);
+  holds_ = 0;
+  EXPECT_EQ(Ask("levels"), "to levels") << "the answers to the others come first";
+  EXPECT_EQ(Ask("edges"), "to edges");
+}
+
+TEST_F(Agent, ThatCannotWorkSaysSoUnasked) {
+  holds_ = 1;
+  machine_.Say(agent::AnswerTo(0, FailInput("the root is not there")));
+  const auto answer = Ask("board");
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().message(), "the root is not there");
+}
+
+// A monitor that agrees to all it is told, once it has said something else.
+class Monitor : public ::testing::Test {
+ protected:
+  std::vector<std::string> heard_;
+  MachineEnd machine_{[this](const std::string& line) {
+                        heard_.push_back(line);
+                        return R"({"event": "RESET"})"
+                               "\n" +
+                               answer_ + "\n";
+                      },
+                      "{\"QMP\": {}}\n"};
+  std::string answer_ = R"({"return": {}})";
+};
+
+TEST_F(Monitor, IsToldNamesAsTheyAre) {
+  auto qmp = Qmp::Call(machine_.path(), machine_);
+  ASSERT_TRUE(qmp) << qmp.error().message();
+  ASSERT_TRUE(qmp->Do("screendump", {{"filename", "/tmp/the \"first\" \\ face.png"}, {"head", 1}}));
+  EXPECT_THAT(
+      heard_,
+      ::testing::ElementsAre(
+          R"({"execute":"qmp_capabilities","arguments":{}})",
+          R"({"execute":"screendump","arguments":{"filename":"/tmp/the \"first\" \\ face.png","head":1}})"));
+}
+
+TEST_F(Monitor, SaysWhatItRefuses) {
+  auto qmp = Qmp::Call(machine_.path(), machine_);
+  ASSERT_TRUE(qmp);
+  answer_ = R"({"error": {"class": "GenericError", "desc": "no such head"}})";
+  EXPECT_EQ(qmp->Do("screendump").error().message(), "screendump: no such head");
+}
+
+}  // namespace
+}  // namespace kaori::hil
