@@ -164,7 +164,8 @@ void HidrawBus::RequestInitialReports(HidrawChannel& channel) {
   const auto layout = decode::LayoutOf(identity);
   const std::pair kind(identity.vendor, identity.product);
   if (!layout || silent_kinds_.contains(kind)) return;
-  if (!channel.RequestInitialReports(decode::InitialReportsOf(*layout))) silent_kinds_.insert(kind);
+  const auto asked = channel.RequestInitialReports(decode::InitialReportsOf(*layout));
+  if (!asked && asked.error().cause == std::errc::timed_out) silent_kinds_.insert(kind);
 }
 
 }  // namespace kaori::hid

@@ -2,6 +2,8 @@
 
 #include <linux/hidraw.h>
 #include <poll.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -25,8 +27,31 @@ HidrawChannel::HidrawChannel(UniqueFd node, ports::HidIdentity identity, const C
     : node_(std::move(node)), identity_(std::move(identity)), clock_(clock) {}
 
 Result<void> HidrawChannel::RequestInitialReports(std::span<const decode::InitialReport> reports) {
+  Result<void> asked;
   for (const decode::InitialReport& report : reports)
-    if (auto ok = RequestReport(report); !ok) return ok;
+    if (asked = RequestReport(report); !asked) break;
+  if (initial_.empty()) return asked;
+  if (auto told = TellOfInitial(); !told) {
+    initial_.clear();
+    return told;
+  }
+  return asked;
+}
+
+// The kernel knows nothing of the answers: an eventfd beside the node is readable until Read has given the last
+// one, and leaves the epoll set when it is closed.
+Result<void> HidrawChannel::TellOfInitial() {
+  ready_ = UniqueFd(::epoll_create1(EPOLL_CLOEXEC));
+  initial_waits_ = UniqueFd(::eventfd(1, EFD_CLOEXEC | EFD_NONBLOCK));
+  for (const int fd : {node_.get(), initial_waits_.get()}) {
+    epoll_event event{};
+    event.events = EPOLLIN;
+    if (::epoll_ctl(ready_.get(), EPOLL_CTL_ADD, fd, &event) == 0) continue;
+    auto failed = FailErrno("watch " + identity_.port);
+    ready_.reset();
+    initial_waits_.reset();
+    return failed;
+  }
   return {};
 }
 
@@ -53,6 +78,7 @@ Result<HidInput> HidrawChannel::Read(std::span<std::uint8_t> into) {
   if (!initial_.empty()) {
     const auto report = std::exchange(initial_.front(), {});
     initial_.pop_front();
+    if (initial_.empty()) initial_waits_.reset();
     const std::size_t bytes = std::min(report.size(), into.size());
     std::copy_n(report.begin(), bytes, into.begin());
     return HidInput{.at = clock_.now(), .bytes = bytes};

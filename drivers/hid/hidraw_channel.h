@@ -21,14 +21,15 @@ class HidrawChannel final : public ports::HidChannel {
   HidrawChannel(UniqueFd node, ports::HidIdentity identity, const Clock& clock);
 
   // Requests these reports from the device by GET_REPORT. Read gives the answers first, before what the
-  // device sends by itself; pollable() does not tell of them, so Read is called once after this. Linux
-  // drops what a device sends in the first 50 ms after it was opened, and a stick that is held still
-  // sends no more; so its position would be unknown. A device that stalls, or whose answer is not
-  // plausible, has no initial report, which is no error. Blocks about 1 ms for each report. Errors:
+  // device sends by itself. Called once at most, before pollable(), which it may change. Linux drops what a
+  // device sends in the first 50 ms after it was opened, and a stick that is held still sends no more; so its
+  // position would be unknown. A device that stalls, or whose answer is not plausible, has no initial report,
+  // which is no error. Blocks about 1 ms for each report. Errors: those of epoll_create1(2) and eventfd(2), and
+  // then no answer is given;
   //   timed_out  the device did not answer at all; that took 5 s
   Result<void> RequestInitialReports(std::span<const decode::InitialReport> reports);
 
-  int pollable() const override { return node_.get(); }
+  int pollable() const override { return ready_.valid() ? ready_.get() : node_.get(); }
   const ports::HidIdentity& identity() const override { return identity_; }
   Result<ports::HidInput> Read(std::span<std::uint8_t> into) override;
   Result<void> Write(std::span<const std::uint8_t> report) override;
@@ -40,6 +41,8 @@ class HidrawChannel final : public ports::HidChannel {
 
   // One GET_REPORT; its answer goes to the end of `initial_`.
   Result<void> RequestReport(const decode::InitialReport& report);
+  // Makes the descriptor that is readable while answers wait, and when the node is.
+  Result<void> TellOfInitial();
 
   // Opened for reading and writing, without blocking.
   UniqueFd node_;
@@ -48,6 +51,8 @@ class HidrawChannel final : public ports::HidChannel {
   // Stamps reports: hidraw has no stamps of its own.
   const Clock& clock_;
   std::deque<std::vector<std::uint8_t>> initial_;  // Answers that Read has not given yet.
+  UniqueFd ready_;  // An epoll set of the node and `initial_waits_`; invalid where there was no answer.
+  UniqueFd initial_waits_;  // Readable; closed with the last answer.
   // Noted once; from then on no call touches the node.
   bool gone_ = false;
 };

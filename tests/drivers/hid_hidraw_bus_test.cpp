@@ -129,8 +129,11 @@ TEST_F(HeldStick, HasItsPositionAtOnceAndItsReportsComeAfterwards) {
   stick_.SetInitialReport(held);
   stick_.Send({1, 2, 3});
   const auto channel = Plug();
+  pollfd state{.fd = channel->pollable(), .events = POLLIN, .revents = 0};
+  EXPECT_EQ(::poll(&state, 1, 0), 1) << "the made-up node never is: it is the position that waits";
   ASSERT_EQ(channel->Read(into_)->bytes, held.size() - 1);
   EXPECT_TRUE(std::equal(held.begin() + 1, held.end(), into_.begin()));
+  EXPECT_EQ(::poll(&state, 1, 0), 0) << "it was read";
   EXPECT_EQ(channel->Read(into_)->bytes, 3U);
   EXPECT_EQ(Cause(*channel), std::errc::resource_unavailable_try_again);
 }
