@@ -57,10 +57,12 @@ Result<UniqueFd> ListenForPackets(const std::string& path) {
   // draft cannot be there: one device has one name.
   ::unlink(newcomer.c_str());
   if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) < 0)
-    return FailErrno("bind " + path);
-  if (::listen(socket.get(), kWaitingCalls) < 0) return FailErrno("listen at " + path);
-  if (::rename(newcomer.c_str(), path.c_str()) < 0) return FailErrno("put a socket at " + path);
-  return socket;
+    return FailErrno("bind " + newcomer);
+  const bool listens = ::listen(socket.get(), kWaitingCalls) == 0;
+  if (listens && ::rename(newcomer.c_str(), path.c_str()) == 0) return socket;
+  auto failed = FailErrno((listens ? "put a socket at " : "listen at ") + path);
+  ::unlink(newcomer.c_str());
+  return failed;
 }
 
 Result<UniqueFd> AcceptPeer(int listener) {

@@ -23,7 +23,8 @@ struct Packet {
 // never mixed with another. Both ends must be of this kind: a stream socket would glue packets together.
 
 // Listens at `path`, and replaces what lies there in one step: a peer finds the old socket or the new one. Binds at
-// `path`.new first. Errors: filename_too_long (sun_path holds 107 bytes), those of bind(2) and rename(2).
+// `path`.new first, in place of a file or a socket that a killed owner left there; nothing stays there in any case.
+// Errors: filename_too_long (sun_path holds 107 bytes, 4 of them for ".new"), those of bind(2) and rename(2).
 Result<UniqueFd> ListenForPackets(const std::string& path);
 
 // Accepts the next connection. Nothing is known of the peer; who may connect is decided by the rights of

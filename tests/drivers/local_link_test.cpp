@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "drivers/base/packet_socket.h"
@@ -195,6 +197,21 @@ TEST(PacketSocket, SaysWhichPacketWasTooLong) {
   std::array<std::uint8_t, 8> buffer;
   EXPECT_EQ(ReceivePacket(far.get(), buffer).error().cause, std::errc::message_size);
   EXPECT_EQ(ReceivePacket(far.get(), buffer)->bytes, 3u);
+}
+
+TEST(PacketSocket, LeavesNoDraftWhateverLayThereBefore) {
+  const sim::TempFolder folder;
+  const std::string path = folder.path() + "/s", draft = path + ".new";
+  std::ofstream(draft) << "left by a killed owner";
+  const auto listener = ListenForPackets(path);
+  ASSERT_TRUE(listener) << listener.error().message();
+  EXPECT_TRUE(ConnectToPeer(path));
+  EXPECT_FALSE(std::filesystem::exists(draft));
+  std::filesystem::create_directory(folder.path() + "/folder");
+  EXPECT_FALSE(ListenForPackets(folder.path() + "/folder")) << "a folder is not replaced";
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/folder.new"));
+  std::filesystem::create_directory(draft);
+  EXPECT_NE(ListenForPackets(path).error().message().find(draft), std::string::npos) << "what is in the way";
 }
 
 TEST(PacketSocket, NamesAPathThatIsTooLong) {
