@@ -3,15 +3,19 @@
 #include <png.h>
 
 #include <cstring>
+#include <memory>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "drivers/base/read_file.h"
 
 namespace kaori::image {
 namespace {
 
-// A picture of 4096 by 4096 pixels that cannot be packed at all.
-constexpr std::size_t kMostPng_bytes = std::size_t{64} << 20U;
+// A picture of 4096 by 4096 pixels, and its file where it cannot be packed at all.
+constexpr std::size_t kMostPng_px = std::size_t{4096} * 4096;
+constexpr std::size_t kMostPng_bytes = 4 * kMostPng_px;
 
 // libpng's simple interface: version set, everything else zero.
 png_image Blank() {
@@ -76,6 +80,12 @@ Result<Picture> ReadPng(const std::filesystem::path& file) {
   png_image image = Blank();
   if (png_image_begin_read_from_memory(&image, bytes->data(), bytes->size()) == 0)
     return FailInput("read " + file.string() + ": " + image.message);
+  // Frees what the first reading has made, however this function is left.
+  const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
+  // A file of some kilobytes can promise a picture that no memory holds.
+  if (std::size_t{image.width} * image.height > kMostPng_px)
+    return FailInput(fmt::format("read {}: a picture of {} x {} pixels; {} of them are the most",
+                                 file.string(), image.width, image.height, kMostPng_px));
   image.format = PNG_FORMAT_RGBA;
   Picture picture = Picture::Blank(static_cast<int>(image.width), static_cast<int>(image.height));
   const bool read =

@@ -21,7 +21,8 @@ struct Picture {
   // All zero: black.
   static Picture Blank(int width_px, int height_px) {
     return {width_px, height_px,
-            std::vector<std::uint8_t>(static_cast<std::size_t>(width_px * height_px) * 4)};
+            std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width_px) *
+                                      static_cast<std::size_t>(height_px))};
   }
 };
 
@@ -32,8 +33,8 @@ Result<void> WritePng(const std::filesystem::path& file, const Picture& picture)
 // The same as bytes of a file, packed fast rather than small. Errors: io_error.
 Result<std::vector<std::uint8_t>> EncodePng(const Picture& picture);
 
-// Any PNG, as 8-bit RGB with its alpha in X. At most 64 MB are read. Errors: those of ReadFile;
-// invalid_argument (not a valid PNG).
+// Any PNG, as 8-bit RGB with its alpha in X. At most 64 MB are read, and 4096 x 4096 pixels. Errors: those of
+// ReadFile; invalid_argument (not a valid PNG, or too many pixels).
 Result<Picture> ReadPng(const std::filesystem::path& file);
 
 // Copies `from` into `into` with its lower left corner at (x_px, y_px), X too; it must fit:
