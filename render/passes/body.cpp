@@ -13,26 +13,45 @@ namespace kaori::passes {
 namespace {
 
 // As many as body.frag mixes.
-constexpr int kMostTextures = 4;
+constexpr std::size_t kMostTextures = 4;
 
-// The first four textures of the faces in their order, each once, and their weights. Of more, those that come
-// last lend no colour.
-struct Mixture {
-  std::array<int, kMostTextures> textures{};
-  glm::vec4 weights{};
-  int count = 0;
+// The textures of the faces in their order, each once, and their weights.
+class Mixture {
+ public:
+  struct Share {
+    int texture = 0;
+    float weight = 0;
+  };
 
   // Faces of one texture add up their weights.
   void Add(int texture, float weight) {
-    for (int i = 0; i < count; ++i) {
-      if (textures[static_cast<std::size_t>(i)] != texture) continue;
-      weights[i] += weight;
-      return;
-    }
-    if (count == kMostTextures) return;
-    textures[static_cast<std::size_t>(count)] = texture;
-    weights[count++] = weight;
+    const auto same = std::ranges::find(shares(), texture, &Share::texture);
+    if (same != shares().end())
+      same->weight += weight;
+    else
+      shares_[count_++] = {texture, weight};
   }
+
+  // Leaves the heaviest, in their order; of more than the shader mixes the lightest lend no colour.
+  void KeepWhatIsMixed() {
+    for (; count_ > kMostTextures; --count_) {
+      const auto lightest = std::ranges::min_element(shares(), {}, &Share::weight);
+      std::move(lightest + 1, shares().end(), lightest);
+    }
+  }
+
+  std::span<Share> shares() { return std::span(shares_).first(count_); }
+
+  // Of what is mixed, with the sum 1: what was left out leaves its weight to the others.
+  glm::vec4 weights() {
+    glm::vec4 weights{};
+    for (std::size_t i = 0; i < count_; ++i) weights[static_cast<int>(i)] = shares_[i].weight;
+    return weights / glm::dot(weights, glm::vec4(1));
+  }
+
+ private:
+  std::array<Share, face::Terms::kCapacity> shares_{};
+  std::size_t count_ = 0;
 };
 
 // Fewer than this much of a face is not seen in the skin's colour.
@@ -65,8 +84,8 @@ Result<BodyPass> BodyPass::Open(const face::Cast& cast) {
 }
 
 // Three textures are drawn by the shader of four, the fourth without weight.
-const BodyPass::Variant& BodyPass::VariantFor(int textures) const {
-  return variants_[static_cast<std::size_t>(textures == 1 ? 0 : (textures == 2 ? 1 : 2))];
+const BodyPass::Variant& BodyPass::VariantFor(std::size_t textures) const {
+  return variants_[textures == 1 ? 0 : (textures == 2 ? 1 : 2)];
 }
 
 const gl::Texture& BodyPass::Skin(int texture) {
@@ -94,16 +113,16 @@ void BodyPass::Draw(const Surface& surface, const face::Shape& shape, bool dress
     answer += term.weight * look.surface;
     if (term.weight > kUnseen) mixture.Add(look.texture, term.weight);
   }
-  // What was left out leaves its weight to the others.
-  mixture.weights /= glm::dot(mixture.weights, glm::vec4(1));
-  const Variant& variant = VariantFor(mixture.count);
-  const std::span used(mixture.textures.data(), static_cast<std::size_t>(mixture.count));
-  for (const int texture : used) Skin(texture);  // Loading one binds it; so all before the first is bound.
-  for (unsigned unit = 0; unit < used.size(); ++unit) Skin(used[unit]).Bind(unit);
+  mixture.KeepWhatIsMixed();
+  const std::span used = mixture.shares();
+  const Variant& variant = VariantFor(used.size());
+  for (const auto& share : used)
+    Skin(share.texture);  // Loading one binds it; so all before the first is bound.
+  for (unsigned unit = 0; unit < used.size(); ++unit) Skin(used[unit].texture).Bind(unit);
   gl::Apply({});
   variant.program.Use();
   gl::Program::Set(variant.surface, answer);
-  gl::Program::Set(variant.weights, mixture.weights);
+  gl::Program::Set(variant.weights, mixture.weights());
   const bool alone = shape.faces.size() == 1;
   (dressed && alone ? surface.fine_worn(shape.faces[0].index) : surface.fine()).Draw();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "render/face/cast.h"
@@ -19,7 +20,7 @@ class BodyPass {
   // Borrows the cast. No texture is loaded yet. Errors: invalid_argument (a shader).
   static Result<BodyPass> Open(const face::Cast& cast);
 
-  // Draws the surface's fine mesh (Surface::WriteFine comes before) with the first four textures of
+  // Draws the surface's fine mesh (Surface::WriteFine comes before) with the four heaviest textures of
   // Shape::faces, each by its weight. `dressed`: all hair and clothes of the faces are drawn, so
   // that skin beneath need not be. A texture that is not loaded yet is loaded now, which stalls the
   // frame: see LoadNext.
@@ -45,7 +46,7 @@ class BodyPass {
   // `textures`: 1, 2 or 4.
   Result<void> AddVariant(int textures);
   // The shader that draws this many textures, 1 to 4.
-  const Variant& VariantFor(int textures) const;
+  const Variant& VariantFor(std::size_t textures) const;
   // The cast's texture of this index, loaded now where it is not there yet.
   const gl::Texture& Skin(int texture);
 

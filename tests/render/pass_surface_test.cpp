@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <vector>
 
 #include "render/gl/canvas.h"
@@ -11,11 +12,12 @@
 namespace kaori::tests {
 namespace {
 
-std::vector<std::uint8_t> PictureOf(const face::Cast& cast) {
+std::vector<std::uint8_t> PictureOf(const face::Cast& cast,
+                                    const scene::Scene& scene = PlainScene(scene::Style::kSoft)) {
   const auto painter = passes::Painter::Open(PassStudio::Shared().context(), cast);
   const auto canvas = gl::Canvas::Make({.width_px = 96, .height_px = 96});
   if (!painter || !canvas) return {};
-  (*painter)->Draw(PlainScene(scene::Style::kSoft), *canvas);
+  (*painter)->Draw(scene, *canvas);
   std::vector<std::uint8_t> bytes(std::size_t{96} * 96 * 4);
   canvas->ReadPixels(bytes);
   return bytes;
@@ -28,6 +30,31 @@ TEST(Surface, OfAFaceWithoutOcclusionIsOpenEverywhere) {
   for (face::Face& face : cast.faces) face.occlusion.assign(cast.topology.vertex_count, 1.0F);
   ASSERT_FALSE(without.empty());
   EXPECT_EQ(without, PictureOf(cast));
+}
+
+// Five faces, each with a black skin of its own but for one, while four of them fade out and the last one was called.
+std::vector<std::uint8_t> FadeWithWhite(std::size_t white) {
+  face::Cast cast = PassStudio::Shared().cast();
+  cast.faces.resize(5, cast.faces[0]);
+  cast.textures.assign(5, {.width_px = 1, .height_px = 1, .rgba = {0, 0, 0, 0}});
+  cast.textures[white].rgba = {255, 255, 255, 0};
+  scene::Scene scene = PlainScene(scene::Style::kSoft);
+  scene.weights.faces.clear();
+  for (std::uint16_t i = 0; i < 5; ++i) {
+    cast.faces[i].surface.texture = i;
+    scene.weights.faces.Push(i, i == 4 ? 0.74F : 0.05F + 0.01F * static_cast<float>(i));
+  }
+  return PictureOf(cast, scene);
+}
+
+TEST(Body, OfFiveSkinsLeavesOutTheLightestAndNotTheOneThatWasCalled) {
+  const auto light = [](const std::vector<std::uint8_t>& picture) {
+    return std::accumulate(picture.begin(), picture.end(), 0L);
+  };
+  const auto without = FadeWithWhite(0), one_of_them = FadeWithWhite(3), called = FadeWithWhite(4);
+  ASSERT_FALSE(without.empty());
+  EXPECT_GT(light(one_of_them), light(without));
+  EXPECT_GT(light(called), light(one_of_them) + 2 * (light(one_of_them) - light(without)));
 }
 
 }  // namespace
