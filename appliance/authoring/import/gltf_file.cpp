@@ -48,6 +48,13 @@ class Builder {
   }
 
  private:
+  // The vertices of an accessor in the model.
+  struct VertexRange {
+    Index first = 0;
+    Index count = 0;
+  };
+  Index VertexCount() const { return static_cast<Index>(model_.positions.size()); }
+
   // Names the mesh in work.
   void Fault(std::string_view reason) { findings_.Add(model_.file, item_, reason); }
 
@@ -59,22 +66,22 @@ class Builder {
         // Tools name the node and leave the mesh nameless, or the other way round.
         mesh.name.empty() ? from_.nodes[static_cast<std::size_t>(placed.node)].name : mesh.name;
     item_ = fmt::format("mesh \"{}\"", name);
-    const auto first = static_cast<Index>(model_.positions.size());
-    // Primitives of a mesh may share their vertices: by accessor of the positions, where they begin
-    // in the model.
-    std::map<int, Index> shared;
+    const Index first = VertexCount();
+    // Primitives of a mesh may share their vertices: by accessor of the positions.
+    std::map<int, VertexRange> shared;
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (position == primitive.attributes.end()) {
         Fault("has no positions");
         continue;
       }
-      const auto [at, fresh] = shared.emplace(position->second, static_cast<Index>(model_.positions.size()));
+      const auto [at, fresh] = shared.emplace(position->second, VertexRange{VertexCount(), 0});
       if (fresh && !AddVertices(mesh, primitive, placed.to_world)) return;
+      if (fresh) at->second.count = VertexCount() - at->second.first;
       // A node that mirrors turns the triangles inside out.
       AddTriangles(primitive, at->second, glm::determinant(glm::mat3(placed.to_world)) < 0);
     }
-    model_.meshes.push_back({name, first, static_cast<Index>(model_.positions.size()) - first});
+    model_.meshes.push_back({name, first, VertexCount() - first});
   }
 
   // The numbers of an accessor as vectors; none, and a fault that begins with `what`, where they cannot be
@@ -159,16 +166,16 @@ class Builder {
     return &model_.targets.back();
   }
 
-  // Strips, fans, lines and points are refused.
-  void AddTriangles(const tinygltf::Primitive& primitive, Index first, bool mirrored) {
+  // Strips, fans, lines and points are refused, and corners beyond the vertices of the primitive, whatever other
+  // primitives have added since.
+  void AddTriangles(const tinygltf::Primitive& primitive, const VertexRange& vertices, bool mirrored) {
     // The library says -1 where the file says nothing, which means triangles.
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1)
       return Fault("is not made of triangles");
-    const auto count = static_cast<Index>(model_.positions.size()) - first;
     std::vector<std::uint32_t> corners;
     if (primitive.indices < 0) {
       // Without indices, three vertices in a row are a triangle.
-      for (Index i = 0; i < count; ++i) corners.push_back(i);
+      for (Index i = 0; i < vertices.count; ++i) corners.push_back(i);
     } else {
       const auto found = FindAccessor(from_, primitive.indices);
       Indices indices = found ? ReadIndices(found->base)
@@ -178,11 +185,13 @@ class Builder {
     }
     if (corners.size() % 3 != 0) return Fault("the last triangle is not whole");
     if (model_.triangles.size() + corners.size() / 3 > kMostTriangles) return Fault("has too many triangles");
-    // Counted from the first vertex that the primitive shares.
-    const auto beyond = std::ranges::count_if(corners, [&](Index corner) { return corner >= count; });
+    // Counted from the first of the vertices.
+    const auto beyond =
+        std::ranges::count_if(corners, [&](Index corner) { return corner >= vertices.count; });
     if (beyond > 0) return Fault(fmt::format("{} corners name vertices that do not exist", beyond));
     for (std::size_t i = 0; i < corners.size(); i += 3) {
-      Triangle t{first + corners[i], first + corners[i + 1], first + corners[i + 2]};
+      Triangle t{vertices.first + corners[i], vertices.first + corners[i + 1],
+                 vertices.first + corners[i + 2]};
       if (mirrored) std::swap(t[1], t[2]);
       model_.triangles.push_back(t);
     }

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -158,6 +159,33 @@ TEST(Gltf, NamesEveryFaultAtOnce) {
   EXPECT_THAT(findings.lines(),
               ElementsAre(HasSubstr("mesh \"bare\": has no texture coordinates"),
                           HasSubstr("mesh \"wrong\": 1 corners name vertices that do not exist")));
+}
+
+// The third primitive has the first one's vertices: behind them lie those of the second.
+TEST(Gltf, RefusesACornerBeyondItsOwnVerticesThoughOthersFollow) {
+  const Model plate = Plate(1, false);
+  for (const Index corner : {3U, 4U}) {
+    GlbMaker maker;
+    std::array<std::string, 2> vertices;
+    for (std::string& set : vertices)
+      set = fmt::format("\"attributes\":{{\"POSITION\":{},\"TEXCOORD_0\":{}}}",
+                        maker.AddVec3(plate.positions), maker.AddVec2(plate.uv));
+    const int whole = maker.AddIndices(plate.triangles), one = maker.AddIndices({{0, 1, corner}});
+    maker.AddMesh(
+        fmt::format("{{\"name\":\"three\",\"primitives\":[{{{0},\"indices\":{2}}},{{{1},\"indices\":{2}}},{{{"
+                    "0},\"indices\":{3}}}]}}",
+                    vertices[0], vertices[1], whole, one));
+    maker.AddNode("{\"mesh\":0}");
+    Findings findings;
+    const auto read = Read(maker, findings);
+    EXPECT_EQ(read.has_value(), corner < plate.positions.size());
+    if (read) {
+      EXPECT_EQ(read->triangles.back(), (Triangle{0, 1, 3}));
+    } else {
+      EXPECT_THAT(findings.lines(),
+                  ElementsAre(HasSubstr("mesh \"three\": 1 corners name vertices that do not exist")));
+    }
+  }
 }
 
 TEST(Gltf, SaysThatATextureIsMissing) {
