@@ -8,8 +8,6 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "appliance/authoring/sculpt/linear_solve.h"
-
 namespace kaori::import {
 namespace {
 
@@ -36,21 +34,6 @@ sculpt::SquareMatrix NormalMatrix(const face::ControlNet& net) {
   return normal;
 }
 
-// Three columns at a time, since the solver takes vectors of three on the right. The inverse costs as much as
-// n / 3 solutions, and is used for three coordinates of each of some hundred shapes.
-std::vector<double> Inverse(const sculpt::SquareMatrix& matrix) {
-  std::vector<double> inverse(matrix.size * matrix.size);
-  for (std::size_t first = 0; first < matrix.size; first += 3) {
-    std::vector<glm::dvec3> right(matrix.size, glm::dvec3(0));
-    for (std::size_t k = 0; k < 3 && first + k < matrix.size; ++k) right[first + k][static_cast<int>(k)] = 1;
-    sculpt::Solve(matrix, right);
-    for (std::size_t row = 0; row < matrix.size; ++row)
-      for (std::size_t k = 0; k < 3 && first + k < matrix.size; ++k)
-        inverse[row * matrix.size + first + k] = right[row][static_cast<int>(k)];
-  }
-  return inverse;
-}
-
 // `residual` has the moving vertices, which come first in `offsets`.
 FitError Judge(const Offsets& offsets, const Offsets& residual) {
   FitError error;
@@ -75,20 +58,17 @@ FitError Judge(const Offsets& offsets, const Offsets& residual) {
 ShapeFit::ShapeFit(const face::ControlNet& net, std::span<const glm::vec3> reference)
     : net_(net),
       frames_(face::FitFrames(net, face::PointsOnFace(net, reference))),
-      inverse_(Inverse(NormalMatrix(net))) {}
+      normal_(NormalMatrix(net)) {}
 
 // (W'W + kStiffness I)^-1 W' offsets.
 std::vector<glm::dvec3> ShapeFit::Solve(const Offsets& offsets) const {
-  const std::size_t n = net_.points.size();
-  std::vector<glm::dvec3> right(n, glm::dvec3(0));
+  std::vector<glm::dvec3> right(net_.points.size(), glm::dvec3(0));
   const face::SparseRows& rows = net_.to_cage;
   for (std::size_t r = 0; r < rows.rows(); ++r)
     for (auto i = rows.row_start[r]; i < rows.row_start[r + 1]; ++i)
       right[rows.column[i]] += static_cast<double>(rows.weight[i]) * glm::dvec3(offsets[r]);
-  std::vector<glm::dvec3> solved(n, glm::dvec3(0));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) solved[i] += inverse_[i * n + j] * right[j];
-  return solved;
+  normal_.Solve(right);
+  return right;
 }
 
 face::Expression ShapeFit::Fit(std::string name, face::ExpressionKind kind, const Offsets& offsets,

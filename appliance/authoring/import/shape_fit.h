@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "appliance/authoring/import/head_shape.h"
+#include "appliance/authoring/sculpt/linear_solve.h"
 #include "render/face/cast.h"
 #include "render/face/frame.h"
 
@@ -20,13 +21,13 @@ struct FitError {
   float shape_mm = 0;  // The farthest that the shape itself moves a vertex.
 };
 
-// Made once for a net, then used for each shape: the normal matrix (points x points) is inverted in the
-// constructor, and each fit is one product. Borrows the net, which must outlive it; `reference` is read in
+// Made once for a net, then used for each shape: the normal matrix (points x points) is factored in the
+// constructor, and each fit substitutes twice. Borrows the net, which must outlive it; `reference` is read in
 // the constructor alone. The reference face lies still. Offsets are by vertex of the cage, at least the
 // moving ones, which come first.
 class ShapeFit {
  public:
-  // `reference`: positions of the cage's vertices on the reference face. The time grows with the fourth power
+  // `reference`: positions of the cage's vertices on the reference face. The time grows with the third power
   // of the number of control points.
   ShapeFit(const face::ControlNet& net, std::span<const glm::vec3> reference);
 
@@ -44,8 +45,8 @@ class ShapeFit {
   const face::ControlNet& net_;
   // Of the reference face, by point.
   std::vector<face::Frame> frames_;
-  // Of the normal matrix, |points| x |points|, row by row.
-  std::vector<double> inverse_;
+  // W'W with a little on its diagonal, which makes it positive definite.
+  sculpt::Factored normal_;
 };
 
 }  // namespace kaori::import

@@ -47,8 +47,7 @@ void SubstituteBack(SquareMatrix& a, std::vector<glm::dvec3>& right) {
 
 }  // namespace
 
-// Once for each warp, whose unknowns are its landmarks and four; and, for an import, n / 3 times for the
-// inverse of the normal matrix of n control points.
+// Once for each warp, whose unknowns are its landmarks and four.
 bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right) {
   for (std::size_t pivot = 0; pivot < a.size; ++pivot) {
     SwapRows(a, right, pivot, PivotRow(a, pivot));
@@ -57,6 +56,30 @@ bool Solve(SquareMatrix a, std::vector<glm::dvec3>& right) {
   }
   SubstituteBack(a, right);
   return true;
+}
+
+// Row by row, in place: both factors of each product lie in a row one behind the other.
+Factored::Factored(SquareMatrix a) : lower_(std::move(a)) {
+  for (std::size_t i = 0; i < lower_.size; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double rest = lower_(i, j);
+      for (std::size_t k = 0; k < j; ++k) rest -= lower_(i, k) * lower_(j, k);
+      lower_(i, j) = i == j ? std::sqrt(rest) : rest / lower_(j, j);
+    }
+  }
+}
+
+// L y = right downwards, then L' x = y upwards, for which L is read by rows as well: once x_i is known its part
+// is taken out of all above it.
+void Factored::Solve(std::vector<glm::dvec3>& right) const {
+  for (std::size_t i = 0; i < lower_.size; ++i) {
+    for (std::size_t k = 0; k < i; ++k) right[i] -= lower_(i, k) * right[k];
+    right[i] /= lower_(i, i);
+  }
+  for (std::size_t i = lower_.size; i-- > 0;) {
+    right[i] /= lower_(i, i);
+    for (std::size_t k = 0; k < i; ++k) right[k] -= lower_(i, k) * right[i];
+  }
 }
 
 }  // namespace kaori::sculpt

@@ -37,6 +37,27 @@ TEST(LinearSolve, FindsWhatWasPutIn) {
   EXPECT_LT(glm::distance(right[0] - right[2], glm::dvec3(-2, 1, 0)), 1e-12);
 }
 
+// Hilbert's matrix with something on its diagonal: symmetric, positive definite and far from diagonal.
+TEST(LinearSolve, FindsTheSameByCholeskysFactorAsByElimination) {
+  constexpr std::size_t kSize = 40;
+  SquareMatrix a(kSize);
+  std::vector<glm::dvec3> right;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    for (std::size_t j = 0; j < kSize; ++j)
+      a(i, j) = 1 / static_cast<double>(i + j + 1) + (i == j ? 1e-3 : 0);
+    right.emplace_back(static_cast<double>(i), 1, i == 7 ? 1 : 0);
+  }
+  std::vector<glm::dvec3> eliminated = right;
+  ASSERT_TRUE(Solve(a, eliminated));
+  const Factored factored(a);
+  for (int n = 0; n < 2; ++n) {
+    std::vector<glm::dvec3> found = right;
+    factored.Solve(found);
+    for (std::size_t i = 0; i < kSize; ++i)
+      EXPECT_LT(glm::distance(found[i], eliminated[i]), 1e-8 * (1 + glm::length(eliminated[i]))) << i;
+  }
+}
+
 TEST(LinearSolve, RefusesASingularMatrix) {
   SquareMatrix a(2);
   a.value = {1, 2, 2, 4};
