@@ -1,7 +1,7 @@
 // kaori-stage: draws the face that the board describes.
 //
-// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, one that
-// writes the last face, and one that writes the journal of the needles; the frame path waits for none of them.
+// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and three that
+// write the last face, the journal of the needles and the list of screens; the frame path waits for none of them.
 //
 // The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for,
 // and watches the loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at
