@@ -174,10 +174,11 @@ void Back(State& state, const show::Show& show) {
 // The panic scene with full light and presence. The list keeps its place, and GO goes on with it.
 void Panic(State& state, const show::Show& show) {
   CueRun& run = state.cue_run;
-  const bool again = run.panicking != 0 && state.backdrops.progress < 1;
+  const show::CueCall& panic = show.cue_list.panic;
+  // A scene that a hand has called since is not the panic scene on its way.
+  const bool again = run.panicking != 0 && state.backdrops.to == panic.index && state.backdrops.progress < 1;
   Stop(state);
   if (show.scenes.empty()) return;
-  const show::CueCall& panic = show.cue_list.panic;
   const float in_s = again ? 0 : panic.in_s;
   EnterScene(state, show, panic.index, in_s);
   Fade(state.cue_light, 1, in_s);

@@ -1,5 +1,7 @@
 // The cue list as it is played: each call, and jumps that end where a run through the list ends.
 #include <cmath>
+#include <functional>
+#include <random>
 
 #include "appliance/core/board/lines.h"
 #include "tests/appliance/core/cues_fixture.h"
@@ -39,6 +41,52 @@ TEST_F(CuesTest, FootSwitchAndKeyShareOneGuard) {
   Run(100ms);
   EXPECT_EQ(run().standby, 1);
   EXPECT_EQ(run().refused, 1U);
+}
+
+// A key's guard and the foot switch's end at the same frame, however long frames are.
+TEST_F(CuesTest, TheGuardIsAsLongAfterAKeyAsAfterTheFootSwitch) {
+  const auto tread = [this] { CallCueByFoot(); };
+  const auto strike = [this] { Strike(kGo); };
+  const std::array<std::function<void()>, 2> sources{tread, strike};
+  for (const auto& first : sources)
+    for (const auto& second : sources) {
+      Start();
+      first();
+      Step(90ms);
+      for (const auto& [frames, standby] : {std::pair{3, 1}, {1, 2}}) {
+        for (int n = 1; n < frames; ++n) Step(90ms);
+        second();
+        Step(90ms);
+        EXPECT_EQ(run().standby, standby);
+      }
+    }
+}
+
+TEST_F(CuesTest, EveryGoIsEitherPlayedOrCountedAsRefused) {
+  std::uint32_t sent = 0, played = 0;
+  std::minstd_rand chance(1);
+  for (int frame = 0; frame < 4000; ++frame) {
+    const std::uint32_t feet = chance() % 20 == 0 ? chance() % 4 : 0,
+                        keys = chance() % 20 == 0 ? chance() % 4 : 0;
+    for (std::uint32_t n = 0; n < feet; ++n) CallCueByFoot();
+    for (std::uint32_t n = 0; n < keys; ++n) Strike(kGo);
+    sent += feet + keys;
+    const auto before = run().standby;
+    Step();
+    played += run().standby != before ? 1 : 0;
+    if (run().standby == 7 && chance() % 100 == 0) GoToCue(state_, show_, -1);
+  }
+  EXPECT_GT(played, 20U);
+  EXPECT_EQ(sent, played + run().refused);
+}
+
+TEST_F(CuesTest, WithoutAGuardEachOfManyGosAtOnceIsPlayedUntilTheListIsOver) {
+  show_.cue_list.go_guard_s = 0;
+  for (int n = 0; n < 9; ++n) CallCueByFoot();
+  Run(5s);
+  EXPECT_EQ(run().standby, 7);
+  EXPECT_EQ(run().active, 6);
+  EXPECT_EQ(run().refused, 4U) << "five play the seven cues, of which three are one chain";
 }
 
 TEST_F(CuesTest, GoAfterTheLastCueIsRefused) {
