@@ -15,7 +15,7 @@ from pathlib import Path
 ESSENTIAL = "part of every Debian"
 # Tool -> package.
 TOOLS = {
-    **dict.fromkeys("awk basename cat chmod comm cp cut date dd dirname find flock grep head id install kill ln ls mkdir mktemp "
+    **dict.fromkeys("awk basename cat chmod cksum comm cp cut date dd dirname find flock grep head id install kill ln ls mkdir mktemp "
                     "mv nice nproc paste printf realpath rm sed seq setsid sha256sum sleep sort stat tail tar tee timeout touch "
                     "tr truncate true uname uniq wc xargs bash sh dpkg-deb dpkg-query apt-get apt-cache env ldd sudo "
                     "readlink unshare mount su perl gzip hostname cmp setpriv apt nohup du expr".split(), ESSENTIAL),
