@@ -8,10 +8,7 @@
 //      4  i16[8]  counts that each dial turned since the last report; clockwise is positive
 //   output report, 4 bytes
 //      0  u32     bit n: lamp n is lit
-//   feature report, 8 bytes
-//      0  u16     firmware version, major
-//      2  u16     firmware version, minor
-//      4  u32     serial number
+//   feature report, 64 bytes: see surface_feature.h
 //
 // Source of the descriptor's items: HID 1.11, 6.2.2; of its usages: HID Usage Tables 1.3, pages 01 (Generic Desktop)
 // and 09 (Button).
@@ -37,7 +34,6 @@ inline constexpr std::size_t kDials = 8;
 inline constexpr std::size_t kDialBoxButtons = 32;
 inline constexpr std::size_t kDialBoxReportBytes = 20;
 inline constexpr std::size_t kDialBoxLampBytes = 4;
-inline constexpr std::size_t kDialBoxFeatureBytes = 8;
 // Steps of our quadrature encoders in one turn of the shaft: 1.4 degrees each. No report tells
 // it, since HID's Dial has no such unit that drivers agree on.
 inline constexpr int kDialCountsPerTurn = 256;
@@ -64,9 +60,9 @@ inline constexpr auto kDialBoxDescriptor = std::to_array<std::uint8_t>({
     0x15, 0x00, 0x25, 0x01,                          //   Logical 0..1
     0x75, 0x01, 0x95, 0x20,                          //   32 x 1 bit
     0x91, 0x02,                                      //   Output: data, variable, absolute
-    0x09, 0x41,                                      //   Usage: vendor 41, version and serial number
+    0x09, 0x41,                                      //   Usage: vendor 41, of firmware/wire/surface_feature.h
     0x26, 0xFF, 0x00,                                //   Logical 0..255
-    0x75, 0x08, 0x95, 0x08,                          //   8 x 8 bits
+    0x75, 0x08, 0x95, 0x40,                          //   64 x 8 bits
     0xB1, 0x02,                                      //   Feature: data, variable, absolute
     0xC0,                                            // End collection
 });
@@ -76,15 +72,6 @@ inline constexpr auto kDialBoxDescriptor = std::to_array<std::uint8_t>({
 struct DialBoxReport {
   std::uint32_t buttons_down = 0;             // Bit n: button n is held.
   std::array<std::int16_t, kDials> turned{};  // Counts since the last report; clockwise is positive.
-};
-
-// What the box tells of itself when it is asked by GET_REPORT (HID 1.11, 7.2.1).
-struct DialBoxFeature {
-  // Two numbers, as in version 1.4.
-  std::uint16_t firmware_major = 0;
-  std::uint16_t firmware_minor = 0;
-  // Of this one box; 0 where none was given.
-  std::uint32_t serial = 0;
 };
 
 // The device's direction: bytes without a report id, as they go over the interrupt pipe.
@@ -112,19 +99,6 @@ constexpr std::array<std::uint8_t, kDialBoxLampBytes> EncodeLamps(std::uint32_t 
 
 constexpr std::uint32_t DecodeLamps(std::span<const std::uint8_t, kDialBoxLampBytes> bytes) {
   return GetU32(bytes, 0);
-}
-
-// Answers GET_REPORT of the feature report.
-constexpr std::array<std::uint8_t, kDialBoxFeatureBytes> Encode(const DialBoxFeature& feature) {
-  std::array<std::uint8_t, kDialBoxFeatureBytes> bytes{};
-  PutU16(bytes, 0, feature.firmware_major);
-  PutU16(bytes, 2, feature.firmware_minor);
-  PutU32(bytes, 4, feature.serial);
-  return bytes;
-}
-
-constexpr DialBoxFeature DecodeDialBoxFeature(std::span<const std::uint8_t, kDialBoxFeatureBytes> bytes) {
-  return {.firmware_major = GetU16(bytes, 0), .firmware_minor = GetU16(bytes, 2), .serial = GetU32(bytes, 4)};
 }
 
 }  // namespace kaori::wire

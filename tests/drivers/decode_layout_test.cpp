@@ -7,6 +7,7 @@
 #include "firmware/wire/dial_box.h"
 #include "firmware/wire/keyboard.h"
 #include "firmware/wire/stick_pod.h"
+#include "firmware/wire/surface_feature.h"
 #include "tests/drivers/hid_devices.h"
 
 namespace kaori::decode {
@@ -36,7 +37,7 @@ TEST(ReportLayout, ReadsTheDialBox) {
   ASSERT_TRUE(layout) << layout.error().message();
   EXPECT_EQ(layout->Find(ReportKind::kInput, 0)->bytes(), wire::kDialBoxReportBytes);
   EXPECT_EQ(layout->Find(ReportKind::kOutput, 0)->bytes(), wire::kDialBoxLampBytes);
-  EXPECT_EQ(layout->Find(ReportKind::kFeature, 0)->bytes(), wire::kDialBoxFeatureBytes);
+  EXPECT_EQ(layout->Find(ReportKind::kFeature, 0)->bytes(), wire::kSurfaceFeatureBytes);
   EXPECT_EQ(FindInputs(*layout, kUsageDial, 100).size(), wire::kDials);
   EXPECT_FALSE(layout->numbered(ReportKind::kInput));
 }

@@ -3,6 +3,7 @@
 #include "firmware/wire/dial_box.h"
 #include "firmware/wire/keyboard.h"
 #include "firmware/wire/stick_pod.h"
+#include "firmware/wire/surface_feature.h"
 
 namespace kaori::wire {
 namespace {
@@ -25,12 +26,34 @@ TEST(DialBoxWire, ComesBackFromItsBytes) {
   EXPECT_EQ(DecodeLamps(EncodeLamps(0xA5000001u)), 0xA5000001u);
 }
 
-TEST(DialBoxWire, TellsItsVersionAndSerialNumber) {
-  const auto feature = DecodeDialBoxFeature(
-      Encode(DialBoxFeature{.firmware_major = 1, .firmware_minor = 300, .serial = 70000}));
-  EXPECT_EQ(feature.firmware_major, 1);
-  EXPECT_EQ(feature.firmware_minor, 300);
-  EXPECT_EQ(feature.serial, 70000u);
+TEST(SurfaceWire, AStatusComesBackFromItsBytes) {
+  const SurfaceStatus status{.firmware_major = 1,
+                             .firmware_minor = 300,
+                             .serial = 70000,
+                             .counts_per_turn = 256,
+                             .hardware = 1,
+                             .state = SurfaceState::kTries,
+                             .bytes_taken = 0x01020304,
+                             .double_steps = 5,
+                             .chip_id = {1, 2, 3, 4, 5, 6, 7, 8}};
+  const auto bytes = Encode(status);
+  EXPECT_EQ(bytes[2], 300 & 0xFF);
+  EXPECT_EQ(bytes[27], 8);
+  EXPECT_EQ(Encode(DecodeSurfaceStatus(bytes)), bytes);
+  EXPECT_EQ(DecodeSurfaceStatus(bytes).double_steps, 5u);
+}
+
+TEST(SurfaceWire, ACommandAndItsImageComeBackFromTheirBytes) {
+  SurfaceImage image{.product = 0x12090001, .length = 40'000, .version = 0x10002};
+  image.sha256.fill(0xA5);
+  SurfaceCommand command{
+      .operation = SurfaceOperation::kBegin, .number = 3, .length = kSurfaceImageBytes, .offset = 9};
+  std::ranges::copy(Encode(image), command.data.begin());
+  const auto back = DecodeSurfaceCommand(Encode(command));
+  EXPECT_EQ(back.operation, SurfaceOperation::kBegin);
+  EXPECT_EQ(back.number, 3);
+  EXPECT_EQ(back.offset, 9u);
+  EXPECT_EQ(DecodeSurfaceImage(std::span(back.data).first<kSurfaceImageBytes>()), image);
 }
 
 TEST(StickPodWire, ComesBackFromItsBytes) {

@@ -16,6 +16,9 @@ CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "gpio", "camera"
 # (room, what it may include besides itself). The first row whose room begins the path counts. Every room exists.
 MAY_INCLUDE = (
     ("firmware/wire/", ()),
+    ("firmware/surface/", ("firmware/wire/",)),
+    ("firmware/board/", ("firmware/wire/", "firmware/surface/")),
+    ("firmware/first/", ("firmware/surface/", "firmware/board/rp2040/")),
     ("drivers/base/", ()),
     ("drivers/ports/", _BASE),
     ("drivers/decode/", _PORTS),
@@ -43,7 +46,7 @@ MAY_INCLUDE = (
                                           "appliance/programs/status/", "drivers/web/")),
     ("appliance/authoring/", _PROGRAM + ("appliance/programs/stage/",)),  # Its contact sheets are drawn by the stage's studio.
     ("hw-sim/rehearsal/", EVERYTHING),
-    ("hw-sim/devices/", _PORTS),
+    ("hw-sim/devices/", _PORTS + ("firmware/surface/",)),
     ("hw-sim/links/", _PORTS + ("hw-sim/devices/",)),
     ("hw-sim/scenario/", _PORTS + ("hw-sim/devices/", "hw-sim/links/")),
     ("hw-sim/console/", _PORTS + ("drivers/web/", "hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/")),
@@ -79,7 +82,7 @@ LIBRARIES = (
 
 # Firmware knows no operating system: only these of the standard library.
 FREESTANDING_ROOMS = ("firmware/",)
-FREESTANDING = ("algorithm", "array", "bit", "concepts", "cstddef", "cstdint", "iterator", "limits", "numeric",
+FREESTANDING = ("algorithm", "array", "atomic", "bit", "concepts", "cstddef", "cstdint", "initializer_list", "iterator", "limits", "numeric",
                 "optional", "span", "string_view", "tuple", "type_traits", "utility")
 
 LINES_WANTED = 300

@@ -1,0 +1,38 @@
+#include "firmware/surface/button_log.h"
+
+namespace kaori::surface {
+
+void ButtonLog::Note(std::uint32_t pressed, bool hosted) {
+  if (pressed == newest()) return;
+  if (count_ == 0) return Append(pressed);
+  const std::uint32_t last = newest();
+  const std::uint32_t before = count_ > 1 ? at(count_ - 2) : told_;
+  // A button that changes again would wipe out the edge that waits.
+  const bool again = ((before ^ last) & (last ^ pressed)) != 0;
+  if (again && hosted && count_ < kStates) return Append(pressed);
+  states_[(first_ + count_ - 1) % kStates] = pressed;
+  if (pressed == before) --count_;
+}
+
+void ButtonLog::Append(std::uint32_t pressed) {
+  states_[(first_ + count_) % kStates] = pressed;
+  ++count_;
+}
+
+std::uint32_t ButtonLog::Next() {
+  if (count_ == 0) return told_;
+  told_ = at(0);
+  first_ = (first_ + 1) % kStates;
+  --count_;
+  return told_;
+}
+
+void ButtonLog::Restart() {
+  const std::uint32_t pressed = newest();
+  const bool waits = !empty();
+  told_ = 0;
+  count_ = 0;
+  if (pressed != 0 || waits) Append(pressed);
+}
+
+}  // namespace kaori::surface
