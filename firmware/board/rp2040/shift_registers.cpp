@@ -1,0 +1,41 @@
+#include "firmware/board/rp2040/shift_registers.h"
+
+#include "firmware/board/rp2040/chip.h"
+#include "firmware/board/rp2040/pins.h"
+#include "firmware/board/rp2040/registers.h"
+
+namespace kaori::rp2040 {
+namespace {
+
+constexpr std::uint32_t kBytesOf8Bits = 7;  // Motorola's format, clock low at rest, taken at the first edge.
+constexpr std::uint32_t kEnable = 1U << 1;
+constexpr std::uint32_t kPrescale = 16;
+constexpr std::uint32_t kHasData = 1U << 2;
+constexpr unsigned kBytes = 4;
+constexpr std::uint32_t kStrobe = 1U << kShiftStrobePin;
+
+}  // namespace
+
+void ShiftRegisters::Start() {
+  Release(kResetSpi0);
+  At(kSpi0 + kSpiPrescale) = kPrescale;
+  At(kSpi0 + kSpiControl0) = kBytesOf8Bits;
+  At(kSpi0 + kSpiControl1) = kEnable;
+}
+
+std::uint32_t ShiftRegisters::Exchange(std::uint32_t lamps) {
+  // A 74HC165 wants 24 ns at 3 V; each store takes 8 ns, and the registers of the pins answer at once.
+  for (int n = 0; n < 8; ++n) At(kPinsClear) = kStrobe;
+  At(kPinsSet) = kStrobe;
+  // The register that is farthest from the chip's output comes first, its highest bit first of all.
+  for (unsigned n = 0; n < kBytes; ++n) At(kSpi0 + kSpiData) = lamps >> (8 * (kBytes - 1 - n)) & 0xFFU;
+  std::uint32_t open = 0;
+  for (unsigned n = 0; n < kBytes; ++n) {
+    while ((At(kSpi0 + kSpiStatus) & kHasData) == 0) {
+    }
+    open = open << 8 | (At(kSpi0 + kSpiData) & 0xFFU);
+  }
+  return ~open;  // A closed switch pulls its line to ground.
+}
+
+}  // namespace kaori::rp2040

@@ -1,0 +1,42 @@
+# shellcheck shell=bash
+# ./box firmware. Read by ./box.
+
+# The compiler for the chip; of its C++ library the headers alone.
+readonly FIRMWARE_PACKAGES=(gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev cmake ninja-build python3)
+readonly FIRMWARE=out/firmware
+
+build_firmware() {
+  need "${FIRMWARE_PACKAGES[@]}"
+  mkdir -p $LOGS
+  cmake -S firmware/board -B $FIRMWARE/build -G Ninja >$LOGS/firmware.log 2>&1 || fail "see $LOGS/firmware.log"
+  ninja --quiet -C $FIRMWARE/build >&2 || fail "the firmware could not be built; the first error stands above"
+  python3 -B firmware/images.py $FIRMWARE/build $FIRMWARE
+}
+
+prove_firmware() {
+  need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
+  need_node
+  build release test-surface
+  local figures=$PWD/$FIRMWARE/figures.txt
+  mkdir -p $FIRMWARE
+  : >"$figures"
+  KAORI_FIRMWARE_FIGURES=$figures KAORI_FIRMWARE_EFFORT=$1 \
+    ctest --test-dir $BUILD --output-on-failure --no-tests=error --timeout 7200 -R '^(surface|chip): ' ||
+    fail "a proof failed; it is named above"
+  python3 -B firmware/figures.py "$figures" $FIRMWARE/sizes.json out/firmware.json
+}
+
+firmware() {
+  case ${1:-} in
+    '') build_firmware ;;
+    --pins) [ $# = 1 ] || fail "--pins takes nothing else; see ./box help"
+      need python3
+      python3 -B firmware/images.py --pins ;;
+    --prove)
+      [[ $# = 1 || ($# = 3 && $2 == --effort && $3 =~ ^[1-9][0-9]{0,2}$) ]] ||
+        fail "--prove takes --effort and a number; see ./box help"
+      build_firmware
+      prove_firmware "${3:-1}" ;;
+    *) fail "firmware knows no $1; see ./box help" ;;
+  esac
+}
