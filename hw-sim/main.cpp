@@ -119,21 +119,7 @@ kaori::Result<kaori::console::ConsoleOptions> PageOf(const Settings& settings, S
     simulation.monitor.emplace(settings.board, simulation.clock);
     simulation.caller.emplace(settings.board, simulation.clock);
     page.call = [&caller = *simulation.caller](std::string_view line) { return caller.Call(line); };
-    page.on_stage = [&monitor = *simulation.monitor]() -> std::optional<kaori::console::OnStage> {
-      const auto now = monitor.Read();
-      if (!now) return std::nullopt;
-      return kaori::console::OnStage{.scene = now->scene,
-                                     .style = now->style,
-                                     .cue = now->cue_active,
-                                     .standby = now->cue_standby,
-                                     .pending = now->cue_pending,
-                                     .left_s = now->cue_left_s,
-                                     .paused = (now->cue_state & kaori::board::kCuesPaused) != 0,
-                                     .panicking = (now->cue_state & kaori::board::kCuesPanicking) != 0,
-                                     .black = (now->cue_state & kaori::board::kCuesBlack) != 0,
-                                     .waiting = (now->cue_state & kaori::board::kCuesWaiting) != 0,
-                                     .refused = now->gos_refused};
-    };
+    page.on_stage = [&monitor = *simulation.monitor] { return monitor.Read(); };
   }
   if (settings.labels.empty()) return page;
   auto labels = kaori::console::LoadLabels(settings.labels);

@@ -120,8 +120,8 @@ void Console::PassSoundOn() {
 
 // Asks the stage's monitor each time: it looks at its file once a second at most.
 std::string Console::StateNow() {
-  const auto on_stage = options_.on_stage ? options_.on_stage() : std::nullopt;
-  return StateJson(rig_, values_, editor_watch_, on_stage, shown_.per_s());
+  return StateJson(rig_, values_, editor_watch_, options_.on_stage ? options_.on_stage() : json::Value(),
+                   shown_.per_s());
 }
 
 void Console::TellState(Time now) {

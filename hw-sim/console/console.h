@@ -36,8 +36,8 @@ struct ConsoleOptions {
   double most_pictures_per_s = 30;
   // libjpeg's scale, 1 to 100: above 85 a picture grows faster than it gains.
   int jpeg_quality = 85;
-  // What is on stage; nothing while no stage draws. May be empty: the page then shows none.
-  std::function<std::optional<OnStage>()> on_stage{};
+  // What is on stage, as sim::StageMonitor says it, or null. May be empty: the page then shows none.
+  std::function<json::Value()> on_stage{};
   // Makes the call that a line of a page says, as "goto 14". May be empty: no page calls anything then. Errors:
   // invalid_argument (no such call), those of the way to the box.
   std::function<Result<void>(std::string_view)> call{};

@@ -69,10 +69,10 @@ struct Labels {
   std::array<DialLabel, 8> dials;
   std::array<ButtonLabel, 32> buttons;
   std::array<StickLabel, 2> sticks;  // Left, right.
-  // Names by the show's numbers, which OnStage uses; of the ways of drawing too.
+  // Names by the show's numbers, which the stage tells; of the ways of drawing too.
   std::vector<std::string> scenes{};
   std::vector<std::string> styles{};
-  // In their order, by which OnStage counts.
+  // In their order, by which the stage counts.
   std::vector<CueLabel> cues{};
   // In the order in which the page shows them. What every show has, until it says more.
   std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};

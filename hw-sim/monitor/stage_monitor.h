@@ -7,6 +7,7 @@
 
 #include "appliance/core/board/board.h"
 #include "drivers/base/clock.h"
+#include "drivers/base/json.h"
 
 namespace kaori::sim {
 
@@ -17,11 +18,18 @@ class StageMonitor {
   // `board` is the file that the box's programs share; it need not be there yet. Borrows the clock.
   StageMonitor(std::string board, const Clock& clock) : path_(std::move(board)), clock_(clock) {}
 
-  // Nothing while no stage draws. Does not block; where there is no board, or a stage that has been silent for two
-  // seconds, the file is looked for anew once a second.
-  std::optional<board::StageStatus> Read();
+  // What is on stage, as the page reads it; null while no stage draws:
+  //   {"scene","style","cue","standby","pending":numbers, "left_s":seconds,
+  //    "paused","panicking","black","waiting":bools, "refused":count}
+  // They are board::StageStatus's of the same names: scenes, styles and cues count from 0, and -1 is no cue. Does
+  // not block; where there is no board, or a stage that has been silent for two seconds, the file is looked for anew
+  // once a second.
+  json::Value Read();
 
  private:
+  // The section as a stage that draws wrote it last.
+  std::optional<board::StageStatus> Status();
+
   std::string path_;
   const Clock& clock_;
   // Mapped for reading; none while there is no file.

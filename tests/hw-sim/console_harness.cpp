@@ -40,7 +40,13 @@ Result<void> Play(const std::string& folder, std::uint16_t port) {
   auto console =
       Console::Open({.port = port,
                      .labels = HarnessLabels(),
-                     .on_stage = [] { return OnStage{.scene = 1, .style = 0, .cue = 0, .standby = 1}; }},
+                     .on_stage =
+                         [] {
+                           return json::Object{{"scene", 1},       {"style", 0},     {"cue", 0},
+                                               {"standby", 1},     {"pending", -1},  {"left_s", 0},
+                                               {"paused", false},  {"black", false}, {"panicking", false},
+                                               {"waiting", false}, {"refused", 0}};
+                         }},
                     **rig, *loop);
   if (!console) return tl::unexpected(console.error());
   auto stage = ToyStage::Open(folder);

@@ -1,0 +1,58 @@
+// What the page is told of the stage, from a board that a stage has written.
+#include "hw-sim/monitor/stage_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/hw-sim/link_fixture.h"
+
+namespace kaori::sim {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Monitored : public ::testing::Test {
+ protected:
+  std::string Read() { return json::Write(monitor_.Read()); }
+  void Write(board::StageStatus status) { writer_.Write(status, clock_.now(), board::SourceState::kLive); }
+  // The file is looked for once a second.
+  std::string ReadInASecond() {
+    clock_.Advance(1s);
+    Write(status_);
+    static_cast<void>(Read());
+    return Read();
+  }
+
+  ManualClock clock_{Time{} + 100s};
+  TempFolder folder_;
+  std::string path_ = folder_.path() + "/board";
+  board::Board board_ = board::Board::Create(path_).value();
+  board::Writer<board::StageStatus> writer_ = board_.AcquireWriter<board::StageStatus>().value();
+  board::StageStatus status_{.style = 2,
+                             .scene = 3,
+                             .cue_active = 4,
+                             .cue_standby = 6,
+                             .cue_pending = 5,
+                             .cue_left_s = 1.23F,
+                             .cue_state = board::kCuesPaused | board::kCuesWaiting,
+                             .gos_refused = 7};
+  StageMonitor monitor_{path_, clock_};
+};
+
+TEST_F(Monitored, IsToldAsThePageReadsIt) {
+  EXPECT_EQ(ReadInASecond(),
+            R"({"scene":3,"style":2,"cue":4,"standby":6,"pending":5,"left_s":1.3,"paused":true,)"
+            R"("panicking":false,"black":false,"waiting":true,"refused":7})");
+  status_.cue_state = board::kCuesPanicking | board::kCuesBlack;
+  EXPECT_NE(ReadInASecond().find(R"("paused":false,"panicking":true,"black":true,"waiting":false)"),
+            std::string::npos);
+}
+
+TEST_F(Monitored, IsNothingWhileNoStageDraws) {
+  EXPECT_EQ(Read(), "null") << "nobody has written";
+  ASSERT_NE(ReadInASecond(), "null");
+  clock_.Advance(3s);
+  EXPECT_EQ(Read(), "null") << "a stage that is silent";
+}
+
+}  // namespace
+}  // namespace kaori::sim
