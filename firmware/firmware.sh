@@ -3,6 +3,7 @@
 
 # The compiler for the chip; of its C++ library the headers alone.
 readonly FIRMWARE_PACKAGES=(gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev cmake ninja-build python3)
+readonly FIRMWARE_TEST_PACKAGES=(qemu-system-arm)
 readonly FIRMWARE=out/firmware
 
 build_firmware() {
@@ -14,7 +15,7 @@ build_firmware() {
 }
 
 prove_firmware() {
-  need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
+  need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${FIRMWARE_TEST_PACKAGES[@]}"
   need_node
   build release test-surface
   local figures=$PWD/$FIRMWARE/figures.txt

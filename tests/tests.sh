@@ -19,7 +19,7 @@ run_tests() {
   fi
   [[ ${1:-} != --* || $1 =~ ^--(sanitizers|tidy)$ ]] || fail "test knows no $1; see ./box help"
   [ $# -le 1 ] || fail "test takes one PATTERN; put it in quotes where it has spaces"
-  need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${FIRMWARE_PACKAGES[@]}"
+  need "${BUILD_PACKAGES[@]}" "${TEST_PACKAGES[@]}" "${FIRMWARE_PACKAGES[@]}" "${FIRMWARE_TEST_PACKAGES[@]}"
   need_node
   if [ "${1:-}" = --sanitizers ]; then
     for preset in asan tsan; do
