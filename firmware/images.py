@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Makes what is written into a control surface of what the compiler made, and says how large it is.
 
-Usage: images.py BUILD OUT      BUILD holds first.elf and dial-box.elf. OUT gets, for each product,
+Usage: images.py BUILD OUT      BUILD holds first.elf and each product's elf. OUT gets, for each product,
                                 NAME.bin     the whole flash from its beginning, as a programmer writes it
                                 NAME.uf2     the same for a chip whose BOOTSEL button is held
                                 NAME.update  an update for a surface that plays: what SurfaceImage says of it, and the image
                                 and sizes.json
        images.py --pins         prints the wiring, as docs/firmware.md has it
+       images.py --page PAGE    exits 1 where the page has another wiring
 """
 
 import hashlib
@@ -19,7 +20,7 @@ import sys
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 TOOL = "arm-none-eabi-"
-PRODUCTS = {"dial-box": "wire/dial_box.h"}
+PRODUCTS = {"dial-box": "wire/dial_box.h", "stick-pod": "wire/stick_pod.h"}
 UF2_FAMILY = 0xE48BFF56  # RP2040.
 FLASH_AT = 0x10000000
 PAGE = 256
@@ -123,18 +124,27 @@ def make(name, header, build, out):
     return sizes
 
 
-def pins():
+def pins(name):
+    """A product's wiring as a table of Markdown. SPI0 has GPIO 16 to 19, SPI1 10 to 13."""
     text = (FOLDER / "board/rp2040/pins.h").read_text(encoding="utf-8")
-    rows = re.findall(r'\{(\d+), PinUse::k(\w+), "([^"]+)", "([^"]+)"\}', text)
-    what = {"Input": "in, pull-up", "Output": "out", "Spi": "SPI0"}
+    stem = "".join(part.title() for part in name.split("-"))
+    table = re.search(rf"k{stem}Pins = .*?}}\);", text, re.S)[0]
+    what = {"Input": "in, pull-up", "Output": "out"}
     return "\n".join(["| GPIO | line | way | goes to |", "| --- | --- | --- | --- |",
-                      *(f"| {gpio} | {line} | {what[use]} | {to} |" for gpio, use, line, to in rows)])
+                      *(f"| {gpio} | {line} | {what.get(use) or f'SPI{int(int(gpio) < 16)}'} | {to} |" for gpio, use, line, to in
+                        re.findall(r'\{(\d+), PinUse::k(\w+), "([^"]+)",\s*"([^"]+)"\}', table))])
 
 
 def main():
     if sys.argv[1:] == ["--pins"]:
-        print(pins())
+        print("\n\n".join(f"{name}\n\n{pins(name)}" for name in PRODUCTS))
         return
+    if sys.argv[1] == "--page":
+        page = pathlib.Path(sys.argv[2]).read_text(encoding="utf-8")
+        other = [name for name in PRODUCTS if pins(name) not in page]
+        for name in other:
+            print(f"{sys.argv[2]} has not the wiring of {name}; it is\n{pins(name)}")
+        sys.exit(1 if other else 0)
     build, out = map(pathlib.Path, sys.argv[1:])
     out.mkdir(parents=True, exist_ok=True)
     sizes = {name: make(name, header, build, out) for name, header in PRODUCTS.items()}

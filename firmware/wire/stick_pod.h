@@ -9,6 +9,7 @@
 //      6  u16  slider, 0 to 65535
 //      8  u16  bits 0..3: the hat, 0 (up) to 7 clockwise in steps of 45 degrees, 15 centred;
 //              bits 4..15: buttons 1..12 are held
+//   feature report, 64 bytes: see surface_feature.h
 //
 // Usages: HID Usage Tables 1.3, pages 01 (Generic Desktop) and 09 (Button).
 #pragma once
@@ -59,6 +60,11 @@ inline constexpr auto kStickPodDescriptor = std::to_array<std::uint8_t>({
     0x25, 0x01,                          //   Logical 0..1
     0x75, 0x01, 0x95, 0x0C,              //   12 x 1 bit
     0x81, 0x02,                          //   Input: data, variable, absolute
+    0x06, 0x00, 0xFF,                    //   Usage page: vendor FF00
+    0x09, 0x41,                          //   Usage: vendor 41, of firmware/wire/surface_feature.h
+    0x26, 0xFF, 0x00,                    //   Logical 0..255
+    0x75, 0x08, 0x95, 0x40,              //   64 x 8 bits
+    0xB1, 0x02,                          //   Feature: data, variable, absolute
     0xC0,                                // End collection
 });
 

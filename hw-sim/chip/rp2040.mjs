@@ -34,6 +34,7 @@ export class Chip {
     this.uniqueId = uniqueId;
     this.switches = 0;  // Bit n: switch n is closed.
     this.lamps = 0;     // As the 74HC595 put them out.
+    this.codes = new Array(8).fill(2047);  // Of the stick's converter, an MCP3208.
     this.dials = new Int32Array(8);
     this.boots = 0;
     this.flashOperations = 0;
@@ -64,6 +65,7 @@ export class Chip {
     this.#makeRom();
     this.#wireFlash();
     this.#wireShiftRegisters();
+    this.#wireConverter();
     this.#wireUsb();
     this.#showDials();
     const stage2 = this.mcu.flash.slice(0, 256);
@@ -144,6 +146,19 @@ export class Chip {
       const answer = sampled >>> 24;
       sampled = (sampled << 8) >>> 0;
       this.mcu.spi[0].completeTransmit(answer);
+    };
+  }
+
+  // SPI1, selected by GPIO 13: three bytes, of which the first two name the channel, and the last two have its code.
+  #wireConverter() {
+    let asked = [];
+    this.mcu.gpio[13].addListener((state) => {
+      if (state === this.rp2040js.GPIOPinState.Low) asked = [];
+    });
+    this.mcu.spi[1].onTransmit = (value) => {
+      asked.push(value);
+      const code = this.codes[((asked[0] & 1) << 2) | (asked[1] >> 6)];
+      this.mcu.spi[1].completeTransmit(asked.length === 2 ? code >> 8 : asked.length === 3 ? code & 0xff : 0xff);
     };
   }
 

@@ -1,7 +1,7 @@
 // The shipped image, bit for bit, in an emulated RP2040: it enumerates, turns, presses, lights lamps, is updated, and is
 // restarted where it hangs.
 //
-// Usage: node chip_test.mjs RP2040JS IMAGES HEADER     RP2040JS is the package's folder, IMAGES that of dial-box.bin, HEADER
+// Usage: node chip_test.mjs RP2040JS IMAGES HEADER     RP2040JS is the package's folder, IMAGES that of the .bin files, HEADER
 //                                                      firmware/wire/dial_box.h
 import { createHash } from "node:crypto";
 import { appendFileSync, readFileSync } from "node:fs";
@@ -242,6 +242,28 @@ test("where the looks stand still the watchdog restarts it, and it comes back", 
   chip.enumerate();
   chip.turn(0, 3);
   expect("it turns", drain(chip)[0], 3);
+});
+
+test("the stick pod's axes, hat and buttons are seen in its reports, and at rest it is silent", () => {
+  const pod = new Chip(rp2040js, readFileSync(path.join(images, "stick-pod.bin")));
+  pod.codes[3] = 0;
+  pod.enumerate();
+  expect("device", pod.control(0x80, 6, 0x0100, 0, 64).slice(8, 12), [0x09, 0x12, 2, 0]);
+  pod.run(30 * MS);
+  while (pod.poll()) pod.run(2 * MS);
+  pod.run(50 * MS);
+  expect("at rest", pod.poll(), null);
+  let last = null;
+  const settle = () => {
+    for (let n = 0; n < 30; ++n, pod.run(1 * MS)) last = pod.poll() ?? last;
+    return [...last];
+  };
+  pod.codes = [4095, 0, 2047, 4095];
+  pod.switches = 0x3001 << 16 >>> 0;  // Button 1, and the hat's upper and right switch; of two registers alone.
+  expect("pushed to the right and away", settle(), [0xff, 0x7f, 0x01, 0x80, 0, 0, 0xff, 0xff, 0x11, 0]);
+  pod.codes = [2047, 2047, 2047, 0];
+  pod.switches = 0;
+  expect("let go", settle(), [0, 0, 0, 0, 0, 0, 0, 0, 0x0f, 0]);
 });
 
 test("without an image it waits for one on USB", () => {

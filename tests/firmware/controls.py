@@ -21,6 +21,8 @@ CONTROLS = (
     ("pressed after one look", "buttons.h", "kLooksToPress = 3", "kLooksToPress = 1"),
     ("an edge that waits is wiped out", "button_log.cpp", "if (again && hosted", "if (!again && hosted"),
     ("a turn is told twice", "dial_box.cpp", "told_[n] += static_cast<std::uint32_t>(turned);", ""),
+    ("no rest in the middle of an axis", "axis.cpp", "if (beyond <= 0) return 0;", ""),
+    ("an axis beyond its ends", "axis.cpp", "(away < 0 ? -away : away) - rest, way - rest)", "(away < 0 ? -away : away) - rest, 2 * way)"),
     ("no hash of the image", "slots.cpp", "return Sha256Of(Image(flash, slot, image)) == image.sha256;", "return true;"),
     ("no check of the header", "slots.cpp", "return std::nullopt;\n  const SlotHeader", "(void)0;\n  const SlotHeader"),
     ("one copy of what is stored", "flash_store.cpp", "CopyAt(last ? 1 - newer : 0)", "CopyAt(newer)"),

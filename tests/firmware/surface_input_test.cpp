@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "firmware/surface/axis.h"
 #include "firmware/surface/button_log.h"
 #include "firmware/surface/buttons.h"
 #include "firmware/surface/dial_box.h"
@@ -101,6 +102,23 @@ TEST(Lamps, AreAsBrightAsTheyWereTold) {
     for (int n = 0; n < 15; ++n) ticks += lamps.Tick() == 0x80000001 ? 1 : 0;
     EXPECT_EQ(ticks, brightness);
   }
+}
+
+TEST(Axes, RestAtExactlyZeroAndReachTheirEndsInTime) {
+  const auto proof = proof::ProveAxes(200 * Effort(), 3);
+  EXPECT_EQ(proof.wrong, 0u);
+  EXPECT_EQ(proof.reports_at_rest, 0u);
+  EXPECT_LE(proof.longest_ms, 8u);
+}
+
+TEST(Axes, AreTaughtByMovingThemFromStopToStop) {
+  AxisTeacher teacher(8000 << 4);
+  EXPECT_FALSE(IsValid(teacher.ends()));
+  for (const std::uint32_t value : {8000u, 600u, 15000u, 8000u}) teacher.See(value << 4);
+  EXPECT_TRUE(IsValid(teacher.ends()));
+  EXPECT_EQ(AxisValue(600 << 4, teacher.ends()), -32767);
+  EXPECT_EQ(AxisValue(8010 << 4, teacher.ends()), 0);
+  EXPECT_EQ(AxisValue(15000 << 4, teacher.ends()), 32767);
 }
 
 TEST(ADialBox, TellsAHostWhatWasDoneHoweverItPolls) {

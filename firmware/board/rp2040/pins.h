@@ -23,6 +23,7 @@ struct Pin {
 // Lines A and B of dial n are GPIO 2n and 2n + 1, so that one look is one load.
 inline constexpr unsigned kFirstDialPin = 0;
 inline constexpr unsigned kShiftStrobePin = 17;
+inline constexpr unsigned kConverterSelectPin = 13;
 
 inline constexpr std::array kDialBoxPins = std::to_array<Pin>({
     {0, PinUse::kInput, "dial 1 A", "encoder 1, channel A"},
@@ -45,6 +46,16 @@ inline constexpr std::array kDialBoxPins = std::to_array<Pin>({
     {17, PinUse::kOutput, "strobe", "SH/LD (1) of every 74HC165 and RCLK (12) of every 74HC595"},
     {18, PinUse::kSpi, "clock", "CLK (2) of every 74HC165 and SRCLK (11) of every 74HC595"},
     {19, PinUse::kSpi, "lamps out", "SER (14) of the first 74HC595"},
+});
+
+inline constexpr std::array kStickPodPins = std::to_array<Pin>({
+    {10, PinUse::kSpi, "converter clock", "CLK (13) of the MCP3208"},
+    {11, PinUse::kSpi, "converter in", "DIN (11) of the MCP3208"},
+    {12, PinUse::kSpi, "converter out", "DOUT (12) of the MCP3208"},
+    {13, PinUse::kOutput, "converter select", "CS (10) of the MCP3208"},
+    {16, PinUse::kSpi, "switches in", "QH (9) of the 74HC165 of buttons 9 to 12 and the hat"},
+    {17, PinUse::kOutput, "strobe", "SH/LD (1) of both 74HC165"},
+    {18, PinUse::kSpi, "clock", "CLK (2) of both 74HC165"},
 });
 
 }  // namespace kaori::rp2040

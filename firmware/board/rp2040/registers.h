@@ -21,7 +21,8 @@ inline Register& ClearAt(std::uint32_t address) {
 // Resets (2.14.3).
 inline constexpr std::uint32_t kResets = 0x4000C000, kResetDone = kResets + 8;
 inline constexpr std::uint32_t kResetIoBank = 1U << 5, kResetPads = 1U << 8, kResetPllSys = 1U << 12,
-                               kResetPllUsb = 1U << 13, kResetSpi0 = 1U << 16, kResetUsb = 1U << 24;
+                               kResetPllUsb = 1U << 13, kResetSpi0 = 1U << 16, kResetSpi1 = 1U << 17,
+                               kResetUsb = 1U << 24;
 
 // Clocks (2.15.7), crystal (2.16.7), PLLs (2.18.4).
 inline constexpr std::uint32_t kClocks = 0x40008000;
@@ -48,7 +49,7 @@ inline constexpr std::uint32_t kPinsIn = 0xD0000004, kPinsSet = 0xD0000014, kPin
                                kPinsDrive = 0xD0000024;
 
 // SPI (4.4.4), an ARM PL022.
-inline constexpr std::uint32_t kSpi0 = 0x4003C000;
+inline constexpr std::uint32_t kSpi0 = 0x4003C000, kSpi1 = 0x40040000;
 inline constexpr std::uint32_t kSpiControl0 = 0x00, kSpiControl1 = 0x04, kSpiData = 0x08, kSpiStatus = 0x0C,
                                kSpiPrescale = 0x10;
 

@@ -1,5 +1,6 @@
 #include "tests/firmware/proof/proofs.h"
 
+#include "firmware/surface/axis.h"
 #include "firmware/surface/buttons.h"
 #include "firmware/surface/dial_box.h"
 #include "firmware/surface/dials.h"
@@ -111,6 +112,45 @@ ButtonProof ProveButtons(std::uint32_t changes, std::uint32_t bouncing_looks, st
     if (told_after > longest) longest = told_after;
     ++proof.changes;
   }
+  return proof;
+}
+
+AxisProof ProveAxes(std::uint32_t rounds, std::uint32_t seed) {
+  constexpr surface::AxisEnds kEnds;
+  constexpr std::uint16_t kRestCode = kEnds.centre / 4;
+  Dice dice(seed);
+  surface::AxisFilter filter;
+  AxisProof proof;
+  // Runs the converter at `code` for some milliseconds, four samples each, and returns the value.
+  const auto run = [&](std::uint16_t code, std::uint32_t ms) {
+    for (std::uint32_t n = 0; n < 4 * ms; ++n)
+      filter.Sample(static_cast<std::uint16_t>(code + dice.Throw(3) - 1));
+    return surface::AxisValue(filter.value_q4(), kEnds);
+  };
+  for (std::uint32_t round = 0; round < rounds; ++round) {
+    // At rest, trembling: nothing is told.
+    if (run(kRestCode, 30) != 0) ++proof.wrong;
+    for (int n = 0; n < 50; ++n)
+      if (surface::HasMoved(0, run(kRestCode, 1), -32767, 32767)) ++proof.reports_at_rest;
+    // A step to a side.
+    const auto code =
+        static_cast<std::uint16_t>(dice.OneIn(2) ? 200 + dice.Throw(1500) : 2400 + dice.Throw(1500));
+    const std::int32_t sign = code < kRestCode ? -1 : 1;
+    std::int32_t last = 0;
+    std::array<std::int32_t, 32> path{};
+    for (auto& value : path) value = run(code, 1);
+    for (std::uint32_t ms = 0; ms < path.size(); ++ms) {
+      if (path[ms] * sign < 0 || path[ms] < -32767) ++proof.wrong;
+      // It goes there and does not come back, but for the tremble.
+      if ((path[ms] - last) * sign < -64) ++proof.wrong;
+      last = path[ms];
+      if (path[ms] * sign * 100 < path.back() * sign * 95 && ms + 2 > proof.longest_ms)
+        proof.longest_ms = ms + 2;
+    }
+  }
+  // The ends are reached, and nothing is beyond them.
+  if (run(1, 40) != -32767 || run(4094, 40) != 32767) ++proof.wrong;
+  if (surface::SliderValue(0, kEnds) != 0 || surface::SliderValue(16380 << 4, kEnds) != 65535) ++proof.wrong;
   return proof;
 }
 

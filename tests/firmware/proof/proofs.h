@@ -25,6 +25,15 @@ struct ButtonProof {
 // one or two looks come by.
 ButtonProof ProveButtons(std::uint32_t changes, std::uint32_t bouncing_looks, std::uint32_t seed);
 
+struct AxisProof {
+  std::uint64_t wrong =
+      0;  // Values beyond the ends, at rest and not 0, or against the way that the stick goes.
+  std::uint64_t reports_at_rest = 0;
+  std::uint32_t longest_ms = 0;  // Until a step of the stick is told to 95 percent.
+};
+// Moves a stick whose converter trembles by a code, through values that are known.
+AxisProof ProveAxes(std::uint32_t rounds, std::uint32_t seed);
+
 struct ReportProof {
   std::uint64_t reports = 0;
   std::uint64_t wrong = 0;  // Sums of turns, or edges of buttons, that are not what was done.

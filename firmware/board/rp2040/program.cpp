@@ -1,0 +1,13 @@
+#include "firmware/board/rp2040/program.h"
+
+#include "firmware/board/rp2040/registers.h"
+
+namespace kaori::rp2040 {
+
+void StartLooking() {
+  At(kSysTickReload) = kClockHz / kLooksPerSecond - 1;
+  At(kSysTickValue) = 0;
+  At(kSysTickControl) = 7;  // The processor's clock, with an interrupt.
+}
+
+}  // namespace kaori::rp2040

@@ -1,0 +1,81 @@
+#include "firmware/surface/axis.h"
+
+#include <algorithm>
+
+namespace kaori::surface {
+namespace {
+
+constexpr std::int32_t kAxisFull = 32767;
+constexpr std::int32_t kSliderFull = 65535;
+constexpr std::int32_t kLeastMove = 4;
+// An axis with less way than this to one side (of 16380) is broken, or was never moved.
+constexpr std::uint16_t kLeastWay = 1000;
+// One hundredth of the way is where the stick rests, and another is taken from each end that was taught.
+constexpr std::int32_t kHundredth = 100;
+
+std::uint16_t Median(std::uint16_t a, std::uint16_t b, std::uint16_t c) {
+  return std::max(std::min(a, b), std::min(std::max(a, b), c));
+}
+
+std::uint16_t Whole(std::uint32_t value_q4) {
+  return static_cast<std::uint16_t>((value_q4 + 8) >> 4);
+}
+
+}  // namespace
+
+bool IsValid(const AxisEnds& ends) {
+  return ends.low + kLeastWay <= ends.centre && ends.centre + kLeastWay <= ends.high;
+}
+
+bool AxisFilter::Sample(std::uint16_t code) {
+  sum_ = static_cast<std::uint16_t>(sum_ + (code & 0xFFFU));
+  if (++samples_ < 4) return false;
+  if (!began_) sums_.fill(sum_);
+  sums_ = {sums_[1], sums_[2], sum_};
+  samples_ = 0;
+  sum_ = 0;
+  const std::uint32_t median_q4 = std::uint32_t{Median(sums_[0], sums_[1], sums_[2])} << 4;
+  // The half is rounded towards the median, or the last sixteenth would never be gone.
+  if (!began_) value_q4_ = median_q4;
+  value_q4_ = median_q4 > value_q4_ ? (value_q4_ + median_q4 + 1) / 2 : (value_q4_ + median_q4) / 2;
+  began_ = true;
+  return true;
+}
+
+std::int16_t AxisValue(std::uint32_t value_q4, const AxisEnds& ends) {
+  const std::int32_t away = static_cast<std::int32_t>(value_q4) - (ends.centre << 4);
+  const std::int32_t way = (away < 0 ? ends.centre - ends.low : ends.high - ends.centre) << 4;
+  const std::int32_t rest = way / kHundredth;
+  const std::int32_t beyond = std::min((away < 0 ? -away : away) - rest, way - rest);
+  if (beyond <= 0) return 0;
+  // Less than 2^18 times less than 2^15 does not fit into 32 bits.
+  const auto scaled = static_cast<std::int32_t>(std::int64_t{beyond} * kAxisFull / (way - rest));
+  return static_cast<std::int16_t>(away < 0 ? -scaled : scaled);
+}
+
+std::uint16_t SliderValue(std::uint32_t value_q4, const AxisEnds& ends) {
+  const std::int32_t way = (ends.high - ends.low) << 4;
+  const auto at = std::clamp<std::int32_t>(static_cast<std::int32_t>(value_q4) - (ends.low << 4), 0, way);
+  return static_cast<std::uint16_t>(std::int64_t{at} * kSliderFull / way);
+}
+
+bool HasMoved(std::int32_t said, std::int32_t now, std::int32_t low, std::int32_t high) {
+  if (said == now) return false;
+  const std::int32_t by = now < said ? said - now : now - said;
+  return by >= kLeastMove || now == 0 || now == low || now == high;
+}
+
+AxisTeacher::AxisTeacher(std::uint32_t rest_q4) : centre_(Whole(rest_q4)), low_(centre_), high_(centre_) {}
+
+void AxisTeacher::See(std::uint32_t value_q4) {
+  low_ = std::min(low_, Whole(value_q4));
+  high_ = std::max(high_, Whole(value_q4));
+}
+
+AxisEnds AxisTeacher::ends() const {
+  return {.low = static_cast<std::uint16_t>(low_ + (centre_ - low_) / kHundredth),
+          .centre = centre_,
+          .high = static_cast<std::uint16_t>(high_ - (high_ - centre_) / kHundredth)};
+}
+
+}  // namespace kaori::surface
