@@ -67,6 +67,21 @@ TEST_F(CueCallsTest, WhatFollowsComesAfterTheLongestFadeAndItsOwnPreWait) {
   EXPECT_EQ(run().active, 4);
 }
 
+// Three waits of 30 ms end within one long frame, as they would within short ones.
+TEST_F(CueCallsTest, WhatAWaitLeavesOfAFrameIsTheNextOnes) {
+  for (const auto& [frame, active] : {std::pair{80ms, 3}, {95ms, 4}}) {
+    RunThroughTo(2);
+    for (std::size_t i = 2; i < 5; ++i) {
+      show_.cue_list.cues[i].pre_wait_s = 0.03F;
+      show_.cue_list.cues[i].next = i < 4 ? CueNext::kContinue : CueNext::kGo;
+    }
+    Strike(kGo);
+    Step(1ms);
+    Step(frame);
+    EXPECT_EQ(run().active, active);
+  }
+}
+
 TEST_F(CueCallsTest, BackFromTheEndOfAChainGoesBeforeAllOfIt) {
   const Tracked before = RunThroughTo(2);
   RunThroughTo(5);
