@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "appliance/core/performance/calls.h"
+#include "appliance/core/performance/operator_input.h"
 #include "hw-sim/console/labels.h"
 #include "tests/appliance/core/performance_fixture.h"
 
