@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "firmware/surface/version.h"
+#include "hw-sim/devices/report_queue.h"
 
 namespace kaori::sim {
 namespace {
@@ -14,8 +16,21 @@ Report Bytes(const wire::DialBoxReport& report) {
 
 // Nobody turns a dial further in one action: beyond this a number went wrong.
 constexpr double kMostTurns = 1000;
+// How often a switch opens and closes again before it rests.
+constexpr int kChatters = 4;
 
 }  // namespace
+
+DialBox::DialBox(const DeviceContext& context) : context_(context) {
+  PowerOn();
+}
+
+template <class Do>
+void DialBox::Change(Do act) {
+  const bool had_news = firmware_->has_news();
+  act();
+  if (!had_news) changed_at_ = context_.clock.now();
+}
 
 void DialBox::Turn(int dial, double turns) {
   if (dial < 0 || dial >= static_cast<int>(wire::kDials)) return;
@@ -25,26 +40,37 @@ void DialBox::Turn(int dial, double turns) {
   // Counts follow from where the shaft stands, never from the part that was
   // turned last: no rounding adds up.
   const auto counted = static_cast<std::int64_t>(std::llround(shaft.turns * wire::kDialCountsPerTurn));
-  AddCounts(dial, counted - shaft.reported);
-  shaft.reported = counted;
+  Change([&] { MakeEdges(static_cast<std::size_t>(dial), counted - shaft.edges); });
   context_.Notify({DevicePort::kDialBox, Verb::kTurn, dial, turns, 0});
 }
 
-// A report carries 16 bits for each dial: what does not fit goes into the next one.
-void DialBox::AddCounts(int dial, std::int64_t counts) {
-  using Limits = std::numeric_limits<std::int16_t>;
-  const auto n = static_cast<std::size_t>(dial);
-  while (counts != 0) {
-    // A report whose dial is at its end cannot hold more turns: the rest begins another one.
-    auto& report = waiting_.Change(context_.clock.now(), [&](const auto&, const auto& back) {
-      return back.turned[n] == Limits::max() || back.turned[n] == Limits::min();
-    });
-    const std::int64_t before = report.turned[n];
-    const std::int64_t after = std::clamp<std::int64_t>(before + counts, Limits::min(), Limits::max());
-    if (after == before) return;  // Nobody listens and the report is full: the rest is lost, as by the part.
-    report.turned[n] = static_cast<std::int16_t>(after);
-    counts -= after - before;
+// The firmware's looks are at its lines alone: whatever it counts, it has counted edges.
+void DialBox::MakeEdges(std::size_t dial, std::int64_t counts) {
+  const std::int64_t step = counts < 0 ? -1 : 1;
+  std::int64_t& edges = dials_[dial].edges;
+  for (; counts != 0; counts -= step) {
+    // An encoder's line trembles before it rests.
+    for (const std::int64_t way : {step, -step, step}) {
+      edges += way;
+      LookAtDials();
+    }
   }
+}
+
+void DialBox::LookAtDials() {
+  unsigned lines = 0;
+  for (std::size_t n = 0; n < dials_.size(); ++n) {
+    // Line A is high in the second and the third quarter of a cycle, line B a quarter later.
+    const auto quarter = static_cast<unsigned>(dials_[n].edges & 3);
+    const unsigned a = quarter == 1 || quarter == 2 ? 1 : 0;
+    const unsigned b = quarter >= 2 ? 1 : 0;
+    lines |= (a | b << 1) << (2 * n);
+  }
+  firmware_->Look(static_cast<surface::DialLines>(lines));
+}
+
+void DialBox::LookAtSwitches(std::uint32_t closed, unsigned looks) {
+  for (unsigned look = 0; look < looks; ++look) firmware_->Tick(closed);
 }
 
 void DialBox::Push(int button) {
@@ -57,13 +83,12 @@ void DialBox::Release(int button) {
 void DialBox::SetButton(int button, bool down) {
   if (button < 0 || button >= static_cast<int>(wire::kDialBoxButtons)) return;
   const std::uint32_t bit = std::uint32_t{1} << button;
-  if (((buttons_down() & bit) != 0) == down) return;
-  // A button that went down in the waiting report must not go up in it: the
-  // pair would cancel out and be lost.
-  auto& report = waiting_.Change(context_.clock.now(), [bit](const auto& before, const auto& back) {
-    return ((before.buttons_down ^ back.buttons_down) & bit) != 0;
+  if (((closed_ & bit) != 0) == down) return;
+  Change([&] {
+    for (int chatter = 0; chatter < kChatters; ++chatter) LookAtSwitches(closed_ ^= bit, 1);
+    closed_ ^= bit;
+    LookAtSwitches(closed_, down ? surface::Buttons::kLooksToPress : surface::Buttons::kLooksToRelease);
   });
-  report.buttons_down ^= bit;
   context_.Notify({DevicePort::kDialBox, down ? Verb::kPush : Verb::kRelease, button, 0, 0});
 }
 
@@ -76,34 +101,43 @@ HidDeviceName DialBox::device_name() const {
   return {wire::kDialBoxVendor, wire::kDialBoxProduct, "Kaori dial and button box", wire::kDialBoxDescriptor};
 }
 
+std::optional<Time> DialBox::next_due() const {
+  if (!firmware_->has_news()) return std::nullopt;
+  return std::max(changed_at_, free_at_);
+}
+
 std::optional<Report> DialBox::NextReport(Time now) {
-  const auto report = waiting_.Next(now);
+  const auto due = next_due();
+  if (!due || *due > now) return std::nullopt;
+  const auto report = firmware_->NextReport();
   if (!report) return std::nullopt;
+  changed_at_ = now;
+  free_at_ = now + kReportPeriod;
   return Bytes(*report);
 }
 
 Report DialBox::Standing() const {
-  return Bytes(Next(waiting_.newest()));
+  return Bytes(firmware_->Standing());
 }
 
 void DialBox::HandleOutput(std::span<const std::uint8_t> report) {
-  // 4 bytes behind a report id of 0 (HidDevice::HandleOutput). Whatever else comes is no lamps' report.
-  if (report.size() != 1 + wire::kDialBoxLampBytes || report[0] != 0) return;
-  lamps_ = wire::DecodeLamps(report.subspan<1, wire::kDialBoxLampBytes>());
+  // What comes behind a report id of 0 (HidDevice::HandleOutput) the firmware takes or refuses.
+  if (report.empty() || report[0] != 0) return;
+  firmware_->Accept(surface::ReportKind::kOutput, report.subspan(1));
 }
 
 void DialBox::HostCame() {
-  waiting_.set_hosted(true);
-  // A real box sends its first report when something changes; a button that is
-  // held at power-on is such a change.
-  if (!waiting_.next_due() && buttons_down() != 0) {
-    waiting_.Change(context_.clock.now(), [](const auto&, const auto&) { return false; });
-  }
+  Change([&] { firmware_->SetHost(surface::Host::kThere); });
 }
 
-void DialBox::PowerCycle() {
-  waiting_.Forget();
-  lamps_ = 0;
+// The lines are as the operator holds them; the firmware learns that by looking.
+void DialBox::PowerOn() {
+  firmware_.emplace(surface::Unit{.major = surface::kVersionMajor,
+                                  .minor = surface::kVersionMinor,
+                                  .counts_per_turn = wire::kDialCountsPerTurn},
+                    nullptr);
+  LookAtDials();
+  LookAtSwitches(closed_, surface::Buttons::kLooksToPress);
 }
 
 }  // namespace kaori::sim
