@@ -38,6 +38,26 @@ struct EyeLook {
   float lash_wing_m = 0;
 };
 
+// How a face's eyeballs are painted, and how they answer light. Blended with the face. Shares count 0..1 but where
+// something else is said.
+struct EyeSurface {
+  // The ball's colour about the iris.
+  glm::vec3 white{0.896F, 0.863F, 0.855F};
+  // How red the white is towards its edges.
+  float veins = 0.22F;
+  // The pupil's radius, of the iris's.
+  float pupil = 0.48F;
+  // How dark the iris is at its rim; below 0, down to -1, how pale: the ring of old age.
+  float limbus = 0.78F;
+  // How much of fine spokes, and of the rings of a lens.
+  float spokes = 1;
+  float rings = 0;
+  // How wet the ball is: the lamp's highlight, and the line of tears on the lower lid.
+  float wet = 1;
+  // The iris's light of its own, which no shade dims.
+  float glow = 0;
+};
+
 // Where the shared teeth and tongue sit in a face: p -> (p - anchor) * scale + anchor + offset, in metres,
 // with Cast::mouth_anchor. Blended with the face; the shares count 0 hidden .. 1 shown.
 struct MouthFit {
@@ -75,10 +95,16 @@ struct Face {
   // [0] the character's left (+X), [1] the right.
   std::array<EyeBall, 2> eyes{};
   EyeLook eye_look;
+  EyeSurface eye_surface;
   MouthFit mouth;
   SurfaceLook surface;
   // Indices into Cast::props: its hair, its clothes, its teeth and tongue.
   std::vector<int> props;
+  // What the head's outgrowths are like, 0..1: ears, or a handle. While faces that differ in this are mixed, outgrowths
+  // withdraw: half-way between ears and a handle lie horns.
+  float outgrowth_kind = 0;
+  // How far each vertex of Topology::outgrowth moves when it is withdrawn, metres. Empty: not at all.
+  std::vector<glm::vec3> withdrawn;
   // What displacements are multiplied with on this face: a kettle has to try harder.
   float expression_gain = 1;
 };

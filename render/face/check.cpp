@@ -50,11 +50,15 @@ void CheckLook(const std::string& item, const Face& face, Faults& faults) {
   const EyeLook& eye = face.eye_look;
   const MouthFit& mouth = face.mouth;
   const SurfaceLook& surface = face.surface;
-  const std::array numbers{eye.iris.x,        eye.iris.y,       eye.iris.z,          eye.iris_radius_m,
-                           eye.lash_length_m, eye.lash_wing_m,  mouth.scale,         mouth.offset.x,
-                           mouth.offset.y,    mouth.offset.z,   mouth.upper_teeth,   mouth.lower_teeth,
-                           mouth.tongue,      surface.softness, surface.metal,       surface.flat.x,
-                           surface.flat.y,    surface.flat.z,   face.expression_gain};
+  const EyeSurface& ball = face.eye_surface;
+  const std::array numbers{eye.iris.x,        eye.iris.y,       eye.iris.z,           eye.iris_radius_m,
+                           eye.lash_length_m, eye.lash_wing_m,  mouth.scale,          mouth.offset.x,
+                           mouth.offset.y,    mouth.offset.z,   mouth.upper_teeth,    mouth.lower_teeth,
+                           mouth.tongue,      surface.softness, surface.metal,        surface.flat.x,
+                           surface.flat.y,    surface.flat.z,   face.expression_gain, ball.white.x,
+                           ball.white.y,      ball.white.z,     ball.veins,           ball.pupil,
+                           ball.limbus,       ball.spokes,      ball.rings,           ball.wet,
+                           ball.glow};
   faults.Finite(item + ", its look", numbers);
   if (!Is0To1(surface.print)) faults.Add(item + ": its print is not within 0 to 1");
 }
@@ -74,6 +78,10 @@ void CheckFace(const Cast& cast, const Face& face, Faults& faults) {
     faults.Add(item + ": is larger than 10 m; are these metres?");
   if (!face.occlusion.empty()) faults.Size(item + ", occlusion", face.occlusion.size(), vertices);
   faults.Finite(item + ", occlusion", face.occlusion);
+  if (!face.withdrawn.empty())
+    faults.Size(item + ", withdrawn", face.withdrawn.size(), cast.topology.outgrowth.size());
+  faults.Finite(item + ", withdrawn", face.withdrawn);
+  if (!Is0To1(face.outgrowth_kind)) faults.Add(item + ": its kind of outgrowth is not within 0 to 1");
   CheckEyes(item, face, faults);
   CheckLook(item, face, faults);
   const auto within = [](int index, std::size_t count) {

@@ -98,6 +98,7 @@ void CheckTopology(const Topology& topology, Faults& faults) {
   faults.Indices("wires", Flat(topology.wires), vertices);
   faults.Size("mouth share", topology.mouth_share.size(), vertices);
   faults.Finite("mouth share", topology.mouth_share);
+  faults.Indices("outgrowth", topology.outgrowth, vertices);
   CheckTwins("twins", topology.twin, vertices, faults);
   CheckLids("left lids", topology.lids[0], vertices, faults);
   CheckLids("right lids", topology.lids[1], vertices, faults);

@@ -62,6 +62,8 @@ struct Composer::Work {
   void GatherFace(const Term& face, const Weights& weights);
   // The sum itself, into `cage`.
   void BlendCage(float mouth_given_away);
+  // Outgrowths of faces that are not of one kind go back into the head, in `cage`.
+  void Withdraw(const Cast& cast, const Terms& faces);
   // From the cage, with lids in place, to the fine mesh.
   void Refine(const Shape& of);
   void ComputeNormals(Detail detail);
@@ -146,6 +148,22 @@ void Composer::Work::BlendCage(float mouth_given_away) {
   Blend(bases, composites.face_floats() - moving, cage.data() + moving);
 }
 
+// Wholly from a quarter on: what grew out of the one head is gone before what grows out of the other is seen. Nothing
+// happens to faces of one kind, whatever their weights.
+void Composer::Work::Withdraw(const Cast& cast, const Terms& faces) {
+  float kind = 0;
+  for (const Term& t : faces) kind += t.weight * cast.faces[t.index].outgrowth_kind;
+  const float mixed = 4 * kind * (1 - kind);
+  if (!(mixed > 0)) return;
+  const float gone = 1 - (1 - mixed) * (1 - mixed);
+  const auto& vertices = cast.topology.outgrowth;
+  const auto positions = cage.vertices(cast.topology.vertex_count);
+  for (const Term& t : faces) {
+    const auto& ways = cast.faces[t.index].withdrawn;
+    for (std::size_t i = 0; i < ways.size(); ++i) positions[vertices[i]] += t.weight * gone * ways[i];
+  }
+}
+
 // The fine mesh smooths lids off the ball's curve, so they are fitted once more.
 void Composer::Work::Refine(const Shape& of) {
   ApplyToVertices(mesh.from_cage, cage.data(), fine.data());
@@ -209,6 +227,7 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   work_->Refresh(cast_, playable);
   work_->Gather(playable);
   work_->BlendCage(playable.mouth_given_away);
+  work_->Withdraw(cast_, playable.faces);
   work_->BlendOcclusion(playable.faces);
   if (detail == Detail::kFine) work_->RefineOcclusion();
 
@@ -216,6 +235,7 @@ const Shape& Composer::Compose(const Weights& weights, Detail detail) {
   shape_.faces = playable.faces;
   shape_.eyes = MixEyes(cast_.faces, playable);
   shape_.eye_look = MixEyeLook(cast_.faces, playable);
+  shape_.eye_surface = MixEyeSurface(cast_.faces, playable);
   shape_.mouth = MixMouth(cast_.faces, playable);
   shape_.lids_shut = MixLids(cast_.expressions, playable);
   shape_.jaw_drop_m = MixJawDrop(work_->composites, playable);

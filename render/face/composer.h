@@ -39,6 +39,7 @@ struct Shape {
   // By the operator and the expressions together, 0..1.
   std::array<float, 2> lids_shut{};
   EyeLook eye_look;
+  EyeSurface eye_surface;
   MouthFit mouth;
   // How far the lower lip's middle (point "LC") went down; never negative.
   float jaw_drop_m = 0;

@@ -44,6 +44,22 @@ EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights) {
   return mixed;
 }
 
+EyeSurface MixEyeSurface(std::span<const Face> faces, const Weights& weights) {
+  EyeSurface mixed{{}, 0, 0, 0, 0, 0, 0, 0};
+  for (const Term& t : weights.faces) {
+    const EyeSurface& eye = faces[t.index].eye_surface;
+    mixed.white += t.weight * eye.white;
+    mixed.veins += t.weight * eye.veins;
+    mixed.pupil += t.weight * eye.pupil;
+    mixed.limbus += t.weight * eye.limbus;
+    mixed.spokes += t.weight * eye.spokes;
+    mixed.rings += t.weight * eye.rings;
+    mixed.wet += t.weight * eye.wet;
+    mixed.glow += t.weight * eye.glow;
+  }
+  return mixed;
+}
+
 // Begins at zero everywhere: a MouthFit of its own begins as a mouth that is shown.
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights) {
   MouthFit mixed{.scale = 0, .offset = {}, .upper_teeth = 0, .lower_teeth = 0, .tongue = 0};

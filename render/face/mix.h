@@ -15,6 +15,8 @@ namespace kaori::face {
 std::array<EyeBall, 2> MixEyes(std::span<const Face> faces, const Weights& weights);
 // Iris and lashes, by the weights of the faces.
 EyeLook MixEyeLook(std::span<const Face> faces, const Weights& weights);
+// Paint and gloss of the eyeballs, by the weights of the faces.
+EyeSurface MixEyeSurface(std::span<const Face> faces, const Weights& weights);
 // Scale, offset and presence of teeth and tongue, by the weights of the faces.
 MouthFit MixMouth(std::span<const Face> faces, const Weights& weights);
 

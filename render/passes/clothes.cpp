@@ -1,8 +1,51 @@
 #include "render/passes/clothes.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "render/gl/draw_state.h"
 
 namespace kaori::passes {
+namespace {
+
+// As clothes.frag.
+constexpr float kFlatArcs = 0.45F;
+// Half of the widest shoulders.
+constexpr float kShoulders_m = 0.19F;
+
+// Where the collars sit in the picture, and how far the arcs reach from there to the farthest corner of clothes. Pixels.
+glm::vec3 CollarInPicture(const Dressing& dressing, const FrameBlock& frame) {
+  const glm::vec2 half_px = 0.5F * glm::vec2(frame.sway.z, frame.sway.w);
+  const glm::vec3 collar_m(0, dressing.collar_m, 0);
+  const glm::vec2 collar_px = (1.0F + Project(frame, collar_m, Follows::kBody)) * half_px;
+  const glm::vec2 shoulder_px =
+      (1.0F + Project(frame, collar_m + glm::vec3(kShoulders_m, 0, 0), Follows::kBody)) * half_px;
+  const glm::vec2 corner_px(kFlatArcs * (shoulder_px.x - collar_px.x), collar_px.y);
+  return {collar_px, std::max(glm::length(corner_px), 1.0F)};
+}
+
+// The colour of a garment's part, by its place in the order in which the face wears them; of fewer parts the last one.
+glm::vec3 OwnPaintAt(const Appearance& appearance, std::size_t face, std::size_t place) {
+  glm::vec3 paint{};
+  for (const int index : appearance.worn_by(face)) {
+    const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
+    if (prop.part != face::Part::kClothes) continue;
+    paint = prop.paint;
+    if (place-- == 0) break;
+  }
+  return paint;
+}
+
+// The same of all garments together, by their weights; of one face alone its own, to the last bit.
+glm::vec3 PaintAt(const Appearance& appearance, const Dressing& dressing, std::size_t place) {
+  glm::vec3 paint{};
+  for (const WornGarments& worn : dressing.worn())
+    paint += worn.weight * OwnPaintAt(appearance, worn.face, place);
+  return paint;
+}
+
+}  // namespace
 
 Result<ClothesPass::Variant> ClothesPass::MakeVariant(std::string defines) {
   auto program = MakeProgram("clothes.vert", "clothes.frag", std::move(defines));
@@ -33,20 +76,22 @@ void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
   const Variant& variant = dressing.whole() ? whole_ : changing_;
   gl::Apply({});
   variant.program.Use();
-  gl::Program::Set(variant.collar, HeightInPicture_px(frame, {0, dressing.collar_m, 0}, Follows::kBody));
+  gl::Program::Set(variant.collar, CollarInPicture(dressing, frame));
   gl::Program::Set(variant.shrinks_from, glm::vec4(dressing.shrinks_from, dressing.share));
   gl::Program::Set(variant.shrinks_to, dressing.shrinks_to);
   for (const WornGarments& worn : dressing.worn()) {
     gl::Program::Set(variant.fit, glm::vec4(worn.from, worn.to, worn.rise_m, worn.widen_m));
-    DrawWorn(appearance, variant, worn.face);
+    DrawWorn(appearance, variant, dressing, worn.face);
   }
 }
 
-void ClothesPass::DrawWorn(const Appearance& appearance, const Variant& variant, std::size_t face) {
+void ClothesPass::DrawWorn(const Appearance& appearance, const Variant& variant, const Dressing& dressing,
+                           std::size_t face) {
+  std::size_t place = 0;
   for (const int index : appearance.worn_by(face)) {
     const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
     if (prop.part != face::Part::kClothes) continue;
-    gl::Program::Set(variant.paint, prop.paint);
+    gl::Program::Set(variant.paint, PaintAt(appearance, dressing, place++));
     prop.mesh.Draw();
   }
 }

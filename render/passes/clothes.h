@@ -16,7 +16,8 @@ class ClothesPass {
   static Result<ClothesPass> Open();
 
   // `dressing` of the faces that the appearance was weighed for. Clothes breathe and lean with the head, but do
-  // not turn with it. No pixel shows garments of two faces.
+  // not turn with it. No pixel shows garments of two faces, and what replaces each other is of one colour meanwhile,
+  // so that the border is not seen.
   void Draw(const Appearance& appearance, const Dressing& dressing, const FrameBlock& frame) const;
 
  private:
@@ -28,7 +29,8 @@ class ClothesPass {
   };
   static Result<Variant> MakeVariant(std::string defines);
   // The clothes of one face, in the program that Draw has set.
-  static void DrawWorn(const Appearance& appearance, const Variant& variant, std::size_t face);
+  static void DrawWorn(const Appearance& appearance, const Variant& variant, const Dressing& dressing,
+                       std::size_t face);
 
   Variant whole_;
   Variant changing_;

@@ -120,8 +120,9 @@ Dressing Necks::Dress(const face::Terms& faces) const {
     if (!neck.dressed || t.weight < kUndressed || d.share <= 0) continue;
     const float from = laid / range;
     laid += t.weight;
-    d.garments[d.count++] = {t.index, from, laid / range, d.collar_m - neck.collar_m,
-                             half_width_m - neck.half_width_m};
+    d.garments[d.count++] = {
+        t.index,           from, laid / range, d.collar_m - neck.collar_m, half_width_m - neck.half_width_m,
+        t.weight / dressed};
   }
   // Faces of next to no weight leave no gap at the lower edge.
   if (d.count > 0 && bare < kUndressed && seen >= 1) d.garments[d.count - 1].to = 2;

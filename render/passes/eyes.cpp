@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "render/gl/draw_state.h"
@@ -18,8 +19,8 @@ constexpr int kRings = 8;
 constexpr int kSpokes = 24;
 constexpr float kOpening_rad = 1.40F;
 
-// As eye.vert.
-constexpr int kLidPlaces = 9;
+// As eye_lids.glsl.
+constexpr std::size_t kLidPlaces = 9;
 // In radii.
 constexpr float kLidReach = 1.2F;
 
@@ -51,12 +52,14 @@ std::vector<std::uint32_t> CapTriangles() {
   return indices;
 }
 
-// The upper lid's margin, seen from the ball's centre in radii, in order of x.
+// One lid's margin, seen from the ball's centre in radii, in order of x.
 class LidEdge {
  public:
-  LidEdge(const face::Shape& shape, const face::LidRig& rig, const face::EyeBall& ball) : ball_(ball) {
+  LidEdge(const face::Shape& shape, const face::LidRig& rig, std::span<const face::Index> rings,
+          const face::EyeBall& ball)
+      : ball_(ball) {
     columns_ = std::min<std::size_t>(static_cast<std::size_t>(rig.columns), kMost);
-    const auto* margin = rig.upper.data() + static_cast<std::size_t>(rig.margin_ring * rig.columns);
+    const auto* margin = rings.data() + static_cast<std::size_t>(rig.margin_ring * rig.columns);
     for (std::size_t j = 0; j < columns_; ++j) edge_[j] = shape.cage[margin[j]];
     if (columns_ > 1 && edge_[0].x > edge_[columns_ - 1].x)
       std::reverse(edge_.begin(), edge_.begin() + Count());
@@ -84,16 +87,20 @@ class LidEdge {
   std::array<glm::vec3, kMost> edge_{};
 };
 
-// At kLidPlaces places from -kLidReach to kLidReach: eye.vert shades the ball below them.
-std::array<float, kLidPlaces> LidHeights(const face::Shape& shape, const face::LidRig& rig,
-                                         const face::EyeBall& ball) {
-  std::array<float, kLidPlaces> heights;
+// At kLidPlaces places from -kLidReach to kLidReach, of the upper lid and then of the lower one: eye.frag shades
+// the ball beside them.
+std::array<float, 2 * kLidPlaces> LidHeights(const face::Shape& shape, const face::LidRig& rig,
+                                             const face::EyeBall& ball) {
+  std::array<float, 2 * kLidPlaces> heights;
   heights.fill(kLidReach);  // No lid, no shade.
+  std::fill_n(heights.begin() + kLidPlaces, kLidPlaces, -kLidReach);
   if (rig.columns < 2) return heights;
-  const LidEdge edge(shape, rig, ball);
-  for (int i = 0; i < kLidPlaces; ++i) {
+  const LidEdge upper(shape, rig, rig.upper, ball);
+  const LidEdge lower(shape, rig, rig.lower, ball);
+  for (std::size_t i = 0; i < kLidPlaces; ++i) {
     const float x = kLidReach * (2.0F * static_cast<float>(i) / (kLidPlaces - 1) - 1);
-    heights[static_cast<std::size_t>(i)] = edge.HeightAt(x);
+    heights[i] = upper.HeightAt(x);
+    heights[kLidPlaces + i] = lower.HeightAt(x);
   }
   return heights;
 }
@@ -114,6 +121,9 @@ EyesPass::EyesPass(gl::Program program, gl::Program dark, const face::Topology& 
       gaze_(program_.Find("gaze")),
       lid_(program_.Find("lid")),
       iris_(program_.Find("iris")),
+      white_(program_.Find("white")),
+      drawn_(program_.Find("drawn")),
+      answer_(program_.Find("answer")),
       dark_ball_(dark_.Find("ball")),
       directions_(gl::Buffer::Of(std::span<const glm::vec3>(CapDirections()))),
       cap_({{directions_, 12, {{0, 3, gl::Scalar::kFloat, 0}}}}, CapTriangles()) {}
@@ -130,6 +140,10 @@ Result<EyesPass> EyesPass::Open(const face::Topology& topology) {
 void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const {
   gl::Apply({});
   program_.Use();
+  const face::EyeSurface& eye = shape.eye_surface;
+  gl::Program::Set(white_, glm::vec4(eye.white, eye.veins));
+  gl::Program::Set(drawn_, glm::vec4(eye.pupil, eye.limbus, eye.spokes, eye.rings));
+  gl::Program::Set(answer_, glm::vec2(eye.wet, eye.glow));
   for (std::size_t side = 0; side < 2; ++side) {
     const face::EyeBall& ball = shape.eyes[side];
     // A tenth of a millimetre: such a ball is on its way to none.

@@ -17,7 +17,7 @@ class EyesPass {
   static Result<EyesPass> Open(const face::Topology& topology);
 
   // `gaze`: the character's left, right, turned about the ball's centre with the head. Lids shade the ball
-  // below them, by nine heights of the upper margin over it; a ball without a radius is left out.
+  // below them, by nine heights of each margin over it; a ball without a radius is left out.
   void Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const;
   // Dark balls that only hide what lies behind them, for the wireframe.
   void DrawDark(const face::Shape& shape) const;
@@ -31,7 +31,7 @@ class EyesPass {
   gl::Program program_;
   gl::Program dark_;
   // Where uniforms are, of program_ and then of dark_.
-  int ball_, gaze_, lid_, iris_, dark_ball_;
+  int ball_, gaze_, lid_, iris_, white_, drawn_, answer_, dark_ball_;
   // Unit directions from the ball's centre; cap_ borrows them.
   gl::Buffer directions_;
   gl::Mesh cap_;

@@ -13,6 +13,9 @@ namespace {
 constexpr float kStill_m = 0.016F;
 constexpr float kTurns_m = 0.062F;
 
+// Of the reference face, from its collar to where its neck turns wholly.
+constexpr float kOverCollar_m = 0.012F;
+
 // As frame.glsl.
 constexpr float kLeanPerMetre = 3.3F;
 
@@ -30,6 +33,13 @@ Neck NeckOf(const face::Cast& cast) {
   const auto lower = [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; };
   const float edge_m = std::min_element(reference.begin(), reference.end(), lower)->y;
   return {cast.neck_pivot, edge_m + kStill_m, edge_m + kTurns_m};
+}
+
+Neck AboveCollar(Neck neck, float collar_m) {
+  const float raised_m = std::max(collar_m + kOverCollar_m - neck.turns_above_m, 0.0F);
+  neck.still_below_m += raised_m;
+  neck.turns_above_m += raised_m;
+  return neck;
 }
 
 // Numbers that share a vec4 are there to fill std140's padding.

@@ -1,6 +1,8 @@
 #include "render/passes/hair.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "render/gl/draw_state.h"
 #include "render/passes/dressing.h"
@@ -19,9 +21,6 @@ constexpr float kBeyondTips = 1.35F;
 // The order of hair runs from the one to the other.
 constexpr glm::vec3 kCrown_m{0, 0.125F, 0};
 constexpr glm::vec3 kTips_m{0, -0.09F, 0};
-// What is hard stands in the noise of the picture, not in the order of hair.
-constexpr float kHardOrder = 1.0F;
-constexpr float kHairOrder = 0.3F;
 
 template <class Predicate>
 bool AnyHair(const Appearance& appearance, std::size_t face, const Predicate& is) {
@@ -31,14 +30,50 @@ bool AnyHair(const Appearance& appearance, std::size_t face, const Predicate& is
   });
 }
 
+// Of a face's soft hair: its colour, and the height of its lowest tip.
+struct HairOf {
+  glm::vec3 colour{};
+  float lowest_m = 1e9F;
+};
+HairOf SoftHairOf(const Appearance& appearance, std::size_t face) {
+  HairOf hair;
+  for (const int index : appearance.worn_by(face)) {
+    const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
+    if (prop.part != face::Part::kHair || prop.hard) continue;
+    if (hair.lowest_m > 1e8F) hair.colour = prop.paint;
+    for (const Slice& slice : prop.slices) hair.lowest_m = std::min(hair.lowest_m, slice.low_m);
+  }
+  return hair;
+}
+
+// The longest hair first; the order of the fade plays no part.
+face::Terms LongestFirst(const Appearance& appearance, const face::Terms& faces) {
+  const face::Terms sorted = InOrderOfCast(faces);
+  std::array<std::pair<float, face::Term>, face::Terms::kCapacity> by_length{};
+  std::size_t count = 0;
+  for (const face::Term& t : sorted) by_length[count++] = {SoftHairOf(appearance, t.index).lowest_m, t};
+  std::sort(by_length.begin(), by_length.begin() + static_cast<std::ptrdiff_t>(count),
+            [](const auto& a, const auto& b) {
+              return std::pair(a.first, a.second.index) < std::pair(b.first, b.second.index);
+            });
+  face::Terms terms;
+  for (std::size_t i = 0; i < count; ++i) terms.Push(by_length[i].second.index, by_length[i].second.weight);
+  return terms;
+}
+
 }  // namespace
 
 void Hairdo::Comb(const Appearance& appearance, const HeadFit& fit, const face::Terms& faces, float share) {
   const auto is_soft = [](const PropMesh& prop) { return !prop.hard; };
   const auto is_any = [](const PropMesh&) { return true; };
-  const face::Terms sorted = InOrderOfCast(faces);
+  const face::Terms sorted = LongestFirst(appearance, faces);
   float haired = 0;
-  for (const face::Term& t : sorted) haired += AnyHair(appearance, t.index, is_soft) ? t.weight : 0.0F;
+  glm::vec3 colours{};
+  for (const face::Term& t : sorted) {
+    if (!AnyHair(appearance, t.index, is_soft)) continue;
+    haired += t.weight;
+    colours += t.weight * SoftHairOf(appearance, t.index).colour;
+  }
   count_ = 0;
   reach_m_ = 0;
   float laid = 0;
@@ -48,6 +83,8 @@ void Hairdo::Comb(const Appearance& appearance, const HeadFit& fit, const face::
     worn = {.face = t.index, .grown = haired * share, .present = t.weight * share};
     worn.whole = worn.present > kWhole;
     if (AnyHair(appearance, t.index, is_soft)) {
+      worn.own = t.weight / haired;
+      worn.others = (colours - t.weight * SoftHairOf(appearance, t.index).colour) / haired;
       worn.from = laid / haired;
       laid += t.weight;
       worn.to = laid / haired;
@@ -100,12 +137,13 @@ void HairPass::DrawWorn(const Appearance& appearance, const WornHair& worn, glm:
   for (const int index : appearance.worn_by(worn.face)) {
     const PropMesh& prop = appearance.meshes()[static_cast<std::size_t>(index)];
     if (prop.part != face::Part::kHair || (!prop.hard && worn.grown < kHairGone)) continue;
-    gl::Program::Set(variant.paint, prop.paint);
-    gl::Program::Set(variant.gleam, prop.paint * 3.2F + kGleam);
+    const glm::vec3 paint = prop.hard || worn.whole ? prop.paint : worn.own * prop.paint + worn.others;
+    gl::Program::Set(variant.paint, paint);
+    gl::Program::Set(variant.gleam, paint * 3.2F + kGleam);
     gl::Program::Set(variant.grown, glm::vec2(prop.hard ? kBeyondTips : worn.grown * kBeyondTips,
                                               prop.hard ? 1 - worn.present : 0.0F));
-    gl::Program::Set(variant.part, prop.hard ? glm::vec3(0, worn.present, kHardOrder)
-                                             : glm::vec3(worn.from, worn.to, kHairOrder));
+    gl::Program::Set(variant.part,
+                     prop.hard ? glm::vec3(0, worn.present, 1) : glm::vec3(worn.from, worn.to, 0));
     prop.mesh.Draw();
   }
 }

@@ -18,12 +18,15 @@ struct WornHair {
   // 0..1: what is left of its length, where others have none; and of the face's hard things.
   float grown = 1;
   float present = 1;
+  // While faces cross-fade, hair is of one colour: `own` times its own, and this of the others.
+  float own = 1;
+  glm::vec3 others{};
   // It is as it was cut: nothing of the above matters.
   bool whole = true;
   HeadFit::Motion motion{};
 };
 
-// All hair of a frame, in the order of the faces in the cast.
+// All hair of a frame; the longer one is seen from the crown on, so that its ends do not hang in the air.
 class Hairdo {
  public:
   // `faces` as composed, sum 1; `share` 0..1: how much of the hair the style shows. Allocates nothing.

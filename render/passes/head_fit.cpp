@@ -18,6 +18,9 @@ constexpr float kNape = 0.27F;
 // What lies off the scalp by this much moves as the scalp does below it: hair keeps its thickness.
 constexpr std::array<float, 3> kLayers{-0.01F, 0.005F, 0.02F};
 
+// As hair.vert: what hangs lower moves as what is there.
+constexpr float kLowest_m = -0.02F;
+
 // Keeps a fit sane where a cast has few such vertices.
 constexpr double kRidge = 1e-3;
 
@@ -122,7 +125,7 @@ float HeadFit::Reach_m(const Motion& motion) {
                                              {-0.09F, -0.1F, 0}}};
   float reach_m = 0;
   for (const glm::vec3& p : kAbout) {
-    const Basis basis = BasisAt(p);
+    const Basis basis = BasisAt({p.x, std::max(p.y, kLowest_m), p.z});
     glm::vec3 way{};
     for (std::size_t i = 0; i < kTerms; ++i) way += static_cast<float>(basis[i]) * glm::vec3(motion[i]);
     reach_m = std::max(reach_m, glm::length(way));

@@ -146,7 +146,8 @@ void Painter::Parts::DrawGroup(Group group, const scene::Scene& scene, const fac
 
 // Writes what all shaders of this frame share, and keeps it for what is worked out here.
 void Painter::Parts::BindFrame(const scene::Scene& scene, const gl::Canvas& canvas) {
-  block = MakeFrame(scene, neck, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
+  const Neck worn = dressing.count > 0 ? AboveCollar(neck, dressing.collar_m) : neck;
+  block = MakeFrame(scene, worn, {canvas.width_px(), canvas.height_px()}, SoftShare(scene));
   frame.Write(std::as_bytes(std::span(&block, 1)));
   frame.BindUniforms(kFrameBinding);
 }

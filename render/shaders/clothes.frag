@@ -1,18 +1,17 @@
-// CHANGING: clothes of several faces share the picture, each pixel shows one of them. Their order runs from the
-// collar to the lower edge of the picture, and is dithered, so that the border between two is soft.
+// CHANGING: clothes of several faces share the picture, each pixel shows one of them. Their order runs in arcs about the
+// neck, from the collar to the lower corners of the picture. What replaces each other is of one colour meanwhile, so the
+// border needs no dots to be soft.
 in vec3 lit;
 layout(location = 0) out vec4 colour;
 #ifdef CHANGING
 uniform vec4 fit;          // x, y: these clothes are seen where the order lies within [x, y).
-uniform float collar_px;   // The collars' height in the picture.
-const float kSoftBorder = 0.3;  // Of the order's range.
-
-// Interleaved gradient noise (Jimenez 2014): 0..1, even over any few neighbours.
-float Noise() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
+uniform vec3 collar_px;    // xy: the collars' place in the picture; z: how far from there clothes reach.
+const float kFlat = 0.45;  // Shoulders are wider than they are high, and so are the arcs.
 
 float Order() {
-  float down = clamp(1.0 - gl_FragCoord.y / max(collar_px, 1.0), 0.0, 1.0);
-  return mix(down, Noise(), kSoftBorder);
+  vec2 away = (gl_FragCoord.xy - collar_px.xy) * vec2(kFlat, 1.0);
+  away.y = min(away.y, 0.0);
+  return clamp(length(away) / collar_px.z, 0.0, 1.0);
 }
 #endif
 

@@ -1,20 +1,15 @@
 // The front of a solid ball. It stays; the iris is turned by the gaze, highlights and shade are not.
 #include "frame.glsl"
 #include "light.glsl"
+#include "eye_lids.glsl"
 layout(location = 0) in vec3 direction;  // Unit, head's frame.
 uniform vec4 ball;                       // xyz centre, w radius, metres.
 uniform mat3 gaze;                       // Head's frame to the iris's: columns.
-uniform float lid[9];                    // Height of the upper lid's margin over the centre, in radii, from x = -1.2 to 1.2 radii.
 flat out vec3 glint_at;  // Unit, head's frame: where the lamp is mirrored; it does not turn with the gaze.
 out vec3 ahead;      // The point seen from the iris: z out of the pupil.
 out vec3 in_head;    // The point in the head's frame.
-out vec3 shade;      // x: diffuse light; y: shade of the lid, 0..1; z: turned away from the viewer, 0..1.
-
-float LidHeight(float x) {
-  float at = clamp((x + 1.2) / 2.4, 0.0, 0.999) * 8.0;
-  int i = int(at);
-  return mix(lid[i], lid[i + 1], at - float(i));
-}
+out vec2 shade;      // x: diffuse light; y: turned away from the viewer, 0..1.
+out vec3 deeper;     // How far the iris, which lies behind the cornea, is seen off its place there: x, y; iris's frame.
 
 // The lamp on the wet ball: halfway between it and the viewer, kept where the eye is open, so that it stays
 // alive when the head turns or the lid hangs low.
@@ -23,7 +18,7 @@ vec3 Glint() {
   h = Rotate(normalize(vec4(-0.6 * turn.xyz, turn.w)), h);
   float x = clamp(1.26 * h.x, -0.40, 0.40);
   float y = clamp(1.24 * h.y, -0.36, 0.36);
-  y = clamp(min(y, LidHeight(x) - 0.20), -0.36, 0.36);
+  y = clamp(min(y, UpperLid(x) - 0.20), -0.36, 0.36);
   return vec3(x, y, sqrt(1.0 - x * x - y * y));
 }
 
@@ -33,8 +28,9 @@ void main() {
   vec3 p = HeadToCamera(ball.xyz + ball.w * direction, n);
   ahead = gaze * direction;
   in_head = direction;
-  float under_lid = LidHeight(direction.x) - direction.y;
-  shade = vec3(Ramp(dot(n, key.xyz), 0.6), smoothstep(0.48, 0.02, under_lid),
-               1.0 - clamp(dot(n, normalize(-p)), 0.0, 1.0));
+  vec3 toward_eye = normalize(-p);
+  shade = vec2(Ramp(dot(n, key.xyz), 0.6), 1.0 - clamp(dot(n, toward_eye), 0.0, 1.0));
+  vec3 seen_from = gaze * Rotate(vec4(-turn.xyz, turn.w), toward_eye * mat3(view));
+  deeper = seen_from / max(seen_from.z, 0.4);
   gl_Position = projection * vec4(p, 1.0);
 }

@@ -25,12 +25,17 @@ float LeanShare(float y) { return clamp(1.0 - (shift.w - y) * 3.3, 0.0, 1.0); }
 
 vec4 PartOfTurn(float share) { return normalize(mix(vec4(0.0, 0.0, 0.0, 1.0), turn, share)); }
 
+// The neck bends, but where it stands in the collar it stays: looking up, it would come out in front.
+float BendShare(float share) { return smoothstep(0.62, 1.0, share); }
+
 // A point of the head to the camera's frame, and the direction `n` with it.
 vec3 HeadToCamera(vec3 p, inout vec3 n) {
   float share = TurnShare(p);
   vec4 q = PartOfTurn(share);
   n = mat3(view) * Rotate(q, n);
-  vec3 turned = Rotate(q, p - pivot.xyz) + pivot.xyz + shift.xyz * LeanShare(p.y);
+  vec3 turned = Rotate(q, p - pivot.xyz) + pivot.xyz;
+  turned.xz = mix(p.xz, turned.xz, BendShare(share));
+  turned += shift.xyz * LeanShare(p.y);
   turned.y += up.w * (1.0 - 0.4 * share);
   return (view * vec4(turned, 1.0)).xyz;
 }

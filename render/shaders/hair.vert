@@ -13,19 +13,29 @@ out vec2 uv;
 #ifdef GROWTH
 uniform vec2 grown;              // x: hair is there up to here, along the lock; y: how far hard things have sunk into the head.
 uniform highp vec4 motion[20];   // To the head of the frame, see head_fit.h.
+out float left_of;               // What is left of the lock here: below 0 nothing.
 const vec3 kMiddle = vec3(0.0, 0.03, -0.01);
+const float kWhole = 1.35;       // As kBeyondTips in hair.cpp.
+const float kSpread = 0.6;       // Locks do not shorten together, which would look like a cap.
+
+// How far this lock reaches.
+float Reach() {
+  float share = grown.x / kWhole;
+  return kWhole * clamp(share * (1.0 + kSpread) - kSpread * lock.w, 0.0, 1.0);
+}
 
 // Hair that has not its whole length lies down towards its end, and at last sinks into the scalp. In between it stands off
 // a little: the scalp that faces have together is not quite where the motion says.
-vec3 Bedded(vec3 p) {
-  float sunk = 0.025 * smoothstep(grown.x - 0.20, grown.x, lock.x) + 0.16 * smoothstep(0.4, 0.0, grown.x);
-  float length_left = min(grown.x / 1.35, 1.0);
+vec3 Bedded(vec3 p, float reach) {
+  float sunk = 0.025 * smoothstep(reach - 0.20, reach, lock.x) + 0.16 * smoothstep(0.4, 0.0, reach);
+  float length_left = min(reach / kWhole, 1.0);
   sunk -= 0.10 * length_left * (1.0 - length_left);
   return mix(p, kMiddle, sunk + 0.22 * grown.y);
 }
 
 vec3 Fitted(vec3 p) {
-  vec3 q = (p - kMiddle) * 10.0;
+  // Below the scalp nothing was measured: tips go with the hair over them.
+  vec3 q = (vec3(p.x, max(p.y, -0.02), p.z) - kMiddle) * 10.0;
   p += motion[0].xyz + motion[1].xyz * q.x + motion[2].xyz * q.y + motion[3].xyz * q.z;
   p += motion[4].xyz * (q.x * q.x) + motion[5].xyz * (q.y * q.y) + motion[6].xyz * (q.z * q.z);
   p += motion[7].xyz * (q.x * q.y) + motion[8].xyz * (q.y * q.z) + motion[9].xyz * (q.z * q.x);
@@ -47,7 +57,9 @@ void main() {
   vec3 n = normal;
   vec3 t = tangent;
 #ifdef GROWTH
-  vec3 p = RigidToCamera(Swing(Fitted(Bedded(position))), n);
+  float reach = Reach();
+  left_of = reach - lock.x;
+  vec3 p = RigidToCamera(Swing(Fitted(Bedded(position, reach))), n);
 #else
   vec3 p = RigidToCamera(Swing(position), n);
 #endif

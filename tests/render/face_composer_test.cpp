@@ -161,6 +161,8 @@ TEST(Composer, BlendsEyesLookAndMouthWithTheFaces) {
   cast.faces[1].mouth.lower_teeth = 0;
   cast.faces[1].eye_look.iris = {1, 0, 0};
   cast.faces[0].eye_look.iris = {0, 0, 0};
+  cast.faces[0].eye_surface = {.white = {1, 1, 1}, .pupil = 0.2F, .wet = 0};
+  cast.faces[1].eye_surface = {.white = {0, 0, 0}, .pupil = 0.6F, .wet = 1, .glow = 1};
   Composer composer(cast);
   Weights w;
   w.faces.Push(0, 0.75F);
@@ -169,8 +171,34 @@ TEST(Composer, BlendsEyesLookAndMouthWithTheFaces) {
   EXPECT_FLOAT_EQ(shape.mouth.scale, 1.5F);
   EXPECT_FLOAT_EQ(shape.mouth.lower_teeth, 0.75F);
   EXPECT_FLOAT_EQ(shape.eye_look.iris.r, 0.25F);
+  EXPECT_FLOAT_EQ(shape.eye_surface.white.g, 0.75F);
+  EXPECT_FLOAT_EQ(shape.eye_surface.pupil, 0.3F);
+  EXPECT_FLOAT_EQ(shape.eye_surface.wet, 0.25F);
+  EXPECT_FLOAT_EQ(shape.eye_surface.glow, 0.25F);
   const glm::vec3 wanted = 0.75F * cast.faces[0].eyes[0].centre + 0.25F * cast.faces[1].eyes[0].centre;
   EXPECT_LT(glm::distance(shape.eyes[0].centre, wanted), 1e-6F);
+}
+
+// At the ends and among faces of one kind equation 1 holds to the last bit.
+TEST(Composer, WithdrawsOutgrowthsBetweenFacesOfTwoKindsAlone) {
+  Cast cast = MakeSyntheticCast();
+  const Cast plain = cast;
+  cast.topology.outgrowth = {5};
+  for (face::Face& face : cast.faces) face.withdrawn = {{0, 1, 0}};
+  cast.faces[1].outgrowth_kind = 1;
+  Composer composer(cast);
+  Composer without(plain);
+  const auto rises_m = [&](std::uint16_t a, std::uint16_t b, float share) {
+    Weights w;
+    w.faces.Push(a, 1 - share);
+    w.faces.Push(b, share);
+    return composer.Compose(w, Detail::kCage).cage[5].y - without.Compose(w, Detail::kCage).cage[5].y;
+  };
+  EXPECT_EQ(rises_m(0, 1, 0), 0);
+  EXPECT_EQ(rises_m(0, 1, 1), 0);
+  EXPECT_EQ(rises_m(0, 2, 0.5F), 0);
+  EXPECT_NEAR(rises_m(0, 1, 0.5F), 1, 1e-5);
+  EXPECT_GT(rises_m(0, 1, 0.25F), 0.9F);
 }
 
 TEST(Composer, BlendsOcclusionAndFollowsANewFade) {

@@ -101,6 +101,20 @@ Positions Base(const Cast& cast, std::size_t face) {
   return {positions.begin(), positions.end()};
 }
 
+// As Composer says of outgrowths: withdrawn by 1 - (1 - 4 k (1 - k))^2, k the mean kind of the faces.
+void WithdrawOutgrowths(const Cast& cast, const face::Terms& faces, Positions& shape) {
+  double kind = 0;
+  for (const face::Term& s : faces)
+    kind += static_cast<double>(s.weight) * static_cast<double>(cast.faces[s.index].outgrowth_kind);
+  const double mixed = std::max(4 * kind * (1 - kind), 0.0);
+  const double gone = 1 - (1 - mixed) * (1 - mixed);
+  for (const face::Term& s : faces) {
+    const auto& ways = cast.faces[s.index].withdrawn;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      shape[cast.topology.outgrowth[i]] += static_cast<double>(s.weight) * gone * glm::dvec3(ways[i]);
+  }
+}
+
 }  // namespace
 
 Positions ReferenceComposite(const Cast& cast, std::size_t face, std::size_t expression) {
@@ -126,6 +140,7 @@ Positions ReferenceShape(const Cast& cast, const face::Weights& weights) {
     AddScaled(own, 1, Base(cast, s.index));
     AddScaled(shape, static_cast<double>(s.weight), own);
   }
+  WithdrawOutgrowths(cast, weights.faces, shape);
   return shape;
 }
 

@@ -10,10 +10,10 @@ namespace {
 
 // Locks over the sheets; fewer show the sheet as one piece, more cost triangles.
 constexpr int kCurtainLocks = 22;
-constexpr int kTips = 15;          // Of the fringe's sheet,
+constexpr int kTips = 17;          // Of the fringe's sheet,
 constexpr int kColumnsPerTip = 4;  // each drawn with so many columns.
 constexpr int kFringeRows = 10;
-constexpr int kFringeLocks = 13;
+constexpr int kFringeLocks = 27;
 // The fringe reaches this far under the curtain, so that no gap opens between them.
 constexpr float kFringeOverlap_deg = 3;
 
@@ -100,11 +100,12 @@ void AddFringeSheet(ClothMesh& mesh, const HairLook& look, Dice& dice) {
 // A lock over the sheet, of chance width and length.
 void AddFringeLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
-  shape.width_cm = dice.Between(0.8F, 2.6F);
+  shape.width_cm = dice.Between(0.5F, 1.5F);
   shape.thickness_cm = dice.Between(0.16F, 0.28F);
   shape.root = 0.5F;
   shape.tip = dice.Between(0.1F, 0.3F);
   shape.tapers_from = dice.Between(0.72F, 0.84F);
+  shape.rings = 7;  // Short, and many.
   Fringe fringe;
   fringe.end_y_cm = Table(look.fringe_cm, std::abs(around_deg)) + dice.Between(-0.3F, 0.25F);
   fringe.offset_cm = look.volume_cm + dice.Between(0.05F, 0.2F);
@@ -123,7 +124,7 @@ void AddFringe(ClothMesh& mesh, const HairLook& look) {
   const float half_deg = look.opens_at_deg - 2;
   for (int i = 0; i < kFringeLocks; ++i) {
     const float share = static_cast<float>(i) / (kFringeLocks - 1) * 2 - 1;
-    AddFringeLock(mesh, look, half_deg * share + 2.2F * dice.Spread(), dice);
+    AddFringeLock(mesh, look, half_deg * share + 1.4F * dice.Spread(), dice);
   }
 }
 

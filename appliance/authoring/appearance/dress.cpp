@@ -92,6 +92,7 @@ struct Studio {
 void DressFace(const Studio& studio, const FaceLook& look, face::Cast& cast, face::Face& face) {
   face.props.assign(studio.mouth.begin(), studio.mouth.end());
   face.eye_look = EyesOf(look.eyes);
+  face.eye_surface = look.eyes.surface;
   face.surface = {look.surface.softness, look.surface.metal, static_cast<int>(cast.textures.size()),
                   look.surface.flat, look.surface.print};
   cast.textures.push_back(PaintFace(studio.atlas, look));

@@ -122,8 +122,8 @@ Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& 
   ClothMesh tie;
   AddTie(tie, torso, neck.At(0, kJacketLine.front_y_cm + 0.6F, 1));
   Garment garment;
-  garment.push_back(std::move(shirt).Finish(face + ".shirt", face::Part::kClothes, look.collar));
   garment.push_back(std::move(jacket).Finish(face + ".jacket", face::Part::kClothes, look.main));
+  garment.push_back(std::move(shirt).Finish(face + ".shirt", face::Part::kClothes, look.collar));
   garment.push_back(std::move(tie).Finish(face + ".tie", face::Part::kClothes, look.accent));
   return garment;
 }

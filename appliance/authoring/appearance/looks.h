@@ -12,6 +12,7 @@
 
 #include "appliance/authoring/appearance/skull.h"
 #include "drivers/base/result.h"
+#include "render/face/cast.h"
 
 namespace kaori::appearance {
 
@@ -169,6 +170,8 @@ struct EyePaint {
   float iris_radius_cm = 1;
   float lash_length_cm = 0;
   float lash_wing_cm = 0;
+  // Of the ball.
+  face::EyeSurface surface;
 };
 
 // [[hair.bundle]]. Hair that is gathered: a bun, a tail, a plait.

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -84,11 +85,27 @@ LipLook ReadLips(Section s) {
           s.Has("inside") ? Colour(s, "inside") : kInsideOfAMouth};
 }
 
+// What is left out is as a person's eye is.
+face::EyeSurface ReadEyeSurface(Section& s) {
+  face::EyeSurface eye;
+  if (s.Has("white")) eye.white = Colour(s, "white");
+  eye.veins = Share(s, "veins", eye.veins);
+  eye.pupil = Share(s, "pupil", eye.pupil);
+  eye.limbus = RealOr(s, "limbus", eye.limbus);
+  if (!(std::abs(eye.limbus) <= 1)) s.Fault("limbus", "must lie between -1 and 1");
+  eye.spokes = Share(s, "spokes", eye.spokes);
+  eye.rings = Share(s, "rings", eye.rings);
+  eye.wet = Share(s, "wet", eye.wet);
+  eye.glow = Share(s, "glow", eye.glow);
+  return eye;
+}
+
 EyePaint ReadEyes(Section s) {
-  s.AllowOnly({"iris", "iris_radius", "lash_length", "lash_wing"});
+  s.AllowOnly({"iris", "iris_radius", "lash_length", "lash_wing", "white", "veins", "pupil", "limbus",
+               "spokes", "rings", "wet", "glow"});
   return {Colour(s, "iris"), static_cast<float>(s.Length_cm("iris_radius", kIrisRadius_cm)),
           static_cast<float>(s.Length_cmOr("lash_length", 0, kLash_cm)),
-          static_cast<float>(s.Length_cmOr("lash_wing", 0, kLash_cm))};
+          static_cast<float>(s.Length_cmOr("lash_wing", 0, kLash_cm)), ReadEyeSurface(s)};
 }
 
 SurfacePaint ReadSurface(Section s) {

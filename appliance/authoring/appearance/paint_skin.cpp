@@ -115,7 +115,9 @@ void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
   if (k <= 0) return;
   const glm::vec2 p = texel.mirrored();
   // By ring numbers: the border is ring 3, the contact line ring 6.
-  const float lip = SmoothStep(2.62F, 3.22F, k) * (1 - texel.bag);
+  // Paint ends softly before the corners, which would be drawn out into points by a smile.
+  const float in_corner = SmoothStep(1.45F, 1.98F, p.x);
+  const float lip = SmoothStep(2.62F + 0.5F * in_corner, 3.22F + 0.9F * in_corner, k) * (1 - texel.bag);
   const float lines =
       Noise(texel.place_cm.x * 15 + 50, k * 0.5F) + 0.6F * Noise(texel.place_cm.x * 31, k * 0.9F);
   const float shade = 1 - 0.16F * (lines - 0.8F) - 0.10F * texel.mouth_upper;

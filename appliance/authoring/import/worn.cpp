@@ -119,6 +119,7 @@ std::string DressLike(const Heads& heads, const Lender& lender, face::Cast& cast
         OutlinePulls(ShapeOfFace(*lender.show, lender.like[i]), ShapeOfHead(heads, heads.heads[i])));
     if (!warp) continue;
     face.eye_look.iris = like.eye_look.iris;
+    face.eye_surface = like.eye_surface;
     for (const int index : like.props) {
       const face::Prop& prop = lender.show->props[static_cast<std::size_t>(index)];
       if (IsMouth(prop.part) && !lacks_teeth) continue;

@@ -59,12 +59,18 @@ bool SameMouth(const face::MouthFit& a, const face::MouthFit& b) {
          a.lower_teeth == b.lower_teeth && a.tongue == b.tongue;
 }
 
+bool SameEyeSurface(const face::EyeSurface& a, const face::EyeSurface& b) {
+  return a.white == b.white && a.veins == b.veins && a.pupil == b.pupil && a.limbus == b.limbus &&
+         a.spokes == b.spokes && a.rings == b.rings && a.wet == b.wet && a.glow == b.glow;
+}
+
 bool SameLook(const face::Face& a, const face::Face& b) {
   return a.eye_look.iris == b.eye_look.iris && a.eye_look.iris_radius_m == b.eye_look.iris_radius_m &&
          a.eye_look.lash_length_m == b.eye_look.lash_length_m &&
          a.eye_look.lash_wing_m == b.eye_look.lash_wing_m && a.surface.softness == b.surface.softness &&
          a.surface.metal == b.surface.metal && a.surface.flat == b.surface.flat &&
-         a.surface.print == b.surface.print;
+         a.surface.print == b.surface.print && SameEyeSurface(a.eye_surface, b.eye_surface) &&
+         a.outgrowth_kind == b.outgrowth_kind && a.withdrawn == b.withdrawn;
 }
 
 // Displacements by the names of their points, so that points that were added or put into another order

@@ -7,6 +7,7 @@
 #include "appliance/authoring/sculpt/expression_file.h"
 #include "appliance/authoring/sculpt/expressions.h"
 #include "appliance/authoring/sculpt/faces.h"
+#include "appliance/authoring/sculpt/outgrowth.h"
 #include "appliance/authoring/sculpt/recipe_file.h"
 #include "appliance/authoring/sculpt/topology.h"
 
@@ -43,6 +44,7 @@ Result<void> Sculpt(const std::filesystem::path& show_folder, face::Cast& cast) 
   for (std::size_t i = 0; i < shaped->size(); ++i) {
     cast.faces.push_back(MakeFace(cage, recipe->faces[i], (*shaped)[i]));
   }
+  AddOutgrowths(cage, *shaped, *recipe, cast);
   cast.neck_pivot = kNeckPivot_m;
   cast.mouth_anchor = kMouthAnchor_m;
   return {};

@@ -56,7 +56,8 @@ face::Topology ReadTopology(Copier& from, const pack::Topology* stored) {
                           .twin = from.Numbers(stored->twin()),
                           .mouth_share = from.Numbers(stored->mouth_share()),
                           .lids = {},
-                          .fine = ReadFine(from, stored->fine())};
+                          .fine = ReadFine(from, stored->fine()),
+                          .outgrowth = from.Numbers(stored->outgrowth())};
   const auto lids = from.Tables<face::LidRig>(stored->lids(), ReadLids);
   std::copy_n(lids.begin(), std::min(lids.size(), topology.lids.size()), topology.lids.begin());
   return topology;
@@ -83,10 +84,14 @@ face::Face ReadFace(Copier& from, const pack::Face& stored) {
   const auto eyes = from.Structs<face::EyeBall>(stored.eyes());
   std::copy_n(eyes.begin(), std::min(eyes.size(), face.eyes.size()), face.eyes.begin());
   if (stored.eye_look() != nullptr) face.eye_look = AsHeld<pack::EyeLook, face::EyeLook>(*stored.eye_look());
+  if (stored.eye_surface() != nullptr)
+    face.eye_surface = AsHeld<pack::EyeSurface, face::EyeSurface>(*stored.eye_surface());
   if (stored.mouth() != nullptr) face.mouth = AsHeld<pack::MouthFit, face::MouthFit>(*stored.mouth());
   face.surface = {stored.softness(), stored.metal(), stored.texture(), Vec(stored.flat()), stored.print()};
   face.props = from.Numbers(stored.props());
   face.expression_gain = stored.expression_gain();
+  face.outgrowth_kind = stored.outgrowth_kind();
+  face.withdrawn = from.Structs<glm::vec3>(stored.withdrawn());
   return face;
 }
 

@@ -59,8 +59,9 @@ Offset<pack::Topology> Write(FlatBufferBuilder& to, const face::Topology& topolo
   const auto mouth_share = to.CreateVector(topology.mouth_share);
   const auto lids = to.CreateVector({Write(to, topology.lids[0]), Write(to, topology.lids[1])});
   const auto fine = Write(to, topology.fine);
+  const auto outgrowth = to.CreateVector(topology.outgrowth);
   return pack::CreateTopology(to, topology.vertex_count, topology.moving_count, uv, texture, triangles, wires,
-                              twin, mouth_share, lids, fine);
+                              twin, mouth_share, lids, fine, outgrowth);
 }
 
 Offset<pack::ControlNet> Write(FlatBufferBuilder& to, const face::ControlNet& net) {
@@ -83,14 +84,18 @@ Offset<pack::Face> Write(FlatBufferBuilder& to, const face::Face& face) {
   const auto occlusion = to.CreateVector(face.occlusion);
   const auto eyes = to.CreateVectorOfStructs(reinterpret_cast<const pack::EyeBall*>(face.eyes.data()), 2);
   const auto props = to.CreateVector(face.props);
+  const auto withdrawn = Structs<pack::Vec3>(to, face.withdrawn);
   const pack::EyeLook eye_look(Vec(face.eye_look.iris), face.eye_look.iris_radius_m,
                                face.eye_look.lash_length_m, face.eye_look.lash_wing_m);
+  const face::EyeSurface& ball = face.eye_surface;
+  const pack::EyeSurface eye_surface(Vec(ball.white), ball.veins, ball.pupil, ball.limbus, ball.spokes,
+                                     ball.rings, ball.wet, ball.glow);
   const pack::MouthFit mouth(face.mouth.scale, Vec(face.mouth.offset), face.mouth.upper_teeth,
                              face.mouth.lower_teeth, face.mouth.tongue);
   const pack::Vec3 flat = Vec(face.surface.flat);
   return pack::CreateFace(to, name, positions, occlusion, eyes, &eye_look, &mouth, face.surface.softness,
                           face.surface.metal, face.surface.texture, &flat, props, face.expression_gain,
-                          face.surface.print);
+                          face.surface.print, &eye_surface, face.outgrowth_kind, withdrawn);
 }
 
 Offset<pack::Expression> Write(FlatBufferBuilder& to, const face::Expression& expression) {

@@ -40,6 +40,11 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->scenes[0].backdrop.top, show.scenes[0].backdrop.top);
   EXPECT_EQ(loaded->scenes[0].backdrop, show.scenes[0].backdrop);
   EXPECT_EQ(loaded->cast.faces[2].surface.print, 0.75F);
+  EXPECT_EQ(loaded->cast.faces[2].eye_surface.white, glm::vec3(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(loaded->cast.faces[2].eye_surface.glow, 0.5F);
+  EXPECT_EQ(loaded->cast.faces[2].outgrowth_kind, 1);
+  EXPECT_EQ(loaded->cast.faces[2].withdrawn, show.cast.faces[2].withdrawn);
+  EXPECT_EQ(loaded->cast.topology.outgrowth, show.cast.topology.outgrowth);
   EXPECT_EQ(loaded->channels.brow_frown, 4);
   const show::CueList& list = loaded->cue_list;
   EXPECT_EQ(list.goto_s, 2);
