@@ -10,10 +10,10 @@ namespace {
 
 // Locks over the sheets; fewer show the sheet as one piece, more cost triangles.
 constexpr int kCurtainLocks = 22;
-constexpr int kTips = 17;          // Of the fringe's sheet,
+constexpr int kTips = 15;          // Of the fringe's sheet,
 constexpr int kColumnsPerTip = 4;  // each drawn with so many columns.
 constexpr int kFringeRows = 10;
-constexpr int kFringeLocks = 27;
+constexpr int kFringeLocks = 17;
 // The fringe reaches this far under the curtain, so that no gap opens between them.
 constexpr float kFringeOverlap_deg = 3;
 
@@ -100,7 +100,7 @@ void AddFringeSheet(ClothMesh& mesh, const HairLook& look, Dice& dice) {
 // A lock over the sheet, of chance width and length.
 void AddFringeLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice& dice) {
   LockShape shape;
-  shape.width_cm = dice.Between(0.5F, 1.5F);
+  shape.width_cm = dice.Between(0.6F, 1.8F);
   shape.thickness_cm = dice.Between(0.16F, 0.28F);
   shape.root = 0.5F;
   shape.tip = dice.Between(0.1F, 0.3F);
