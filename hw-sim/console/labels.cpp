@@ -19,6 +19,7 @@ constexpr std::uint64_t kLastUsage = 0xE7;
 // Far more keys than a show explains; they bound what a wrong file makes the page draw.
 constexpr std::size_t kMostKeys = 64;
 constexpr std::size_t kMostCues = 2000;  // As a show may have.
+constexpr std::size_t kMostLevels = 64;
 
 // An entry that is left out is empty; one of another kind is not, and fails the whole file.
 bool ReadText(const Json& json, const char* name, std::string& into) {
@@ -84,6 +85,12 @@ bool ReadCue(const Json& json, CueLabel& into) {
          ReadText(json, "act", into.act) && ReadText(json, "notes", into.notes);
 }
 
+bool ReadLevel(const Json& json, LevelLabel& into) {
+  return json.is_object() && ReadText(json, "text", into.text) && ReadText(json, "unit", into.unit) &&
+         ReadNumber(json, "per_unit", into.per_unit) && ReadNumber(json, "low", into.low) &&
+         ReadNumber(json, "high", into.high) && ReadNumber(json, "rest", into.rest);
+}
+
 bool ReadButton(const Json& json, ButtonLabel& into) {
   return ReadText(json, "text", into.text) && ReadText(json, "group", into.group);
 }
@@ -105,10 +112,14 @@ std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (!ReadText(json, "show", into.show)) return "show";
   if (!ReadTexts(json, "scenes", into.scenes)) return "scenes";
   if (!ReadTexts(json, "styles", into.styles)) return "styles";
+  if (!ReadTexts(json, "roles", into.roles)) return "roles";
+  if (!ReadTexts(json, "devices", into.devices)) return "devices";
   // Rows have a fixed length, but the keys: as many as the file has, or one row of the most.
   if (json.contains("keys")) into.keys.assign(std::min(json["keys"].size(), kMostKeys), {});
   if (json.contains("cues")) into.cues.assign(std::min(json["cues"].size(), kMostCues), {});
+  if (json.contains("levels")) into.levels.assign(std::min(json["levels"].size(), kMostLevels), {});
   if (auto fault = ReadRow(json, "cues", into.cues, ReadCue)) return fault;
+  if (auto fault = ReadRow(json, "levels", into.levels, ReadLevel)) return fault;
   if (auto fault = ReadRow(json, "dials", into.dials, ReadDial)) return fault;
   if (auto fault = ReadRow(json, "buttons", into.buttons, ReadButton)) return fault;
   if (auto fault = ReadRow(json, "sticks", into.sticks, ReadStick)) return fault;
@@ -134,9 +145,10 @@ Result<Labels> LoadLabels(const std::string& path) {
 }
 
 std::string LabelsJson(const Labels& labels) {
-  Json json{{"show", labels.show},     {"dials", Json::array()},  {"buttons", Json::array()},
-            {"sticks", Json::array()}, {"scenes", labels.scenes}, {"styles", labels.styles},
-            {"keys", Json::array()},   {"cues", Json::array()}};
+  Json json{{"show", labels.show},     {"dials", Json::array()},   {"buttons", Json::array()},
+            {"sticks", Json::array()}, {"scenes", labels.scenes},  {"styles", labels.styles},
+            {"keys", Json::array()},   {"cues", Json::array()},    {"levels", Json::array()},
+            {"roles", labels.roles},   {"devices", labels.devices}};
   for (const auto& dial : labels.dials) json["dials"].push_back(DialJson(dial));
   for (const auto& button : labels.buttons)
     json["buttons"].push_back({{"text", button.text}, {"group", button.group}});
@@ -150,6 +162,13 @@ std::string LabelsJson(const Labels& labels) {
                             {"act", cue.act},
                             {"notes", cue.notes},
                             {"by_itself", cue.by_itself}});
+  for (const auto& level : labels.levels)
+    json["levels"].push_back({{"text", level.text},
+                              {"unit", level.unit},
+                              {"per_unit", level.per_unit},
+                              {"low", level.low},
+                              {"high", level.high},
+                              {"rest", level.rest}});
   // Text that is not UTF-8 is shown with replacement signs: a label never stops the page.
   return json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
 }

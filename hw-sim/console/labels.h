@@ -60,6 +60,14 @@ struct CueLabel {
   bool by_itself = false;  // No GO is waited for: the cue before brings it.
 };
 
+// A level of the show, which roles and remote controls move.
+struct LevelLabel {
+  std::string text{};
+  std::string unit{};                  // For people; empty: none.
+  double per_unit = 1;                 // What one of that unit is in the value that the box tells.
+  double low = 0, high = 1, rest = 0;  // Of that value.
+};
+
 // All that is written on the devices, for one show: made by the authoring tool from the show's
 // files. An empty text leaves the number alone.
 struct Labels {
@@ -74,6 +82,10 @@ struct Labels {
   std::vector<std::string> styles{};
   // In their order, by which the stage counts.
   std::vector<CueLabel> cues{};
+  // In their orders, by which the stage counts; the devices from which roles are played.
+  std::vector<LevelLabel> levels{};
+  std::vector<std::string> roles{};
+  std::vector<std::string> devices{};
   // In the order in which the page shows them. What every show has, until it says more.
   std::vector<KeyLabel> keys{{.usage = 0x2C, .text = "Blink", .group = "blink"}};
 };
@@ -87,7 +99,8 @@ Result<Labels> LoadLabels(const std::string& path);
 // {"show":text, "dials":[{"text","unit","low","high","per_turn","start","filled_by":[..]}..],
 //  "buttons":[{"text","group"}..], "sticks":[{"text","twist","slide"}..],
 //  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..],
-//  "cues":[{"number","text","act","notes","by_itself"}..]}
+//  "cues":[{"number","text","act","notes","by_itself"}..], "levels":[{"text","unit","per_unit","low","high","rest"}..],
+//  "roles":[name..], "devices":[name..]}
 std::string LabelsJson(const Labels& labels);
 
 }  // namespace kaori::console

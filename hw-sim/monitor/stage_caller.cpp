@@ -2,29 +2,61 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
+#include <vector>
+
+#include "drivers/base/number.h"
 
 namespace kaori::sim {
 namespace {
 
-struct Word {
+// A verb in the page's words, and what follows it.
+struct Form {
   std::string_view word;
   board::CallVerb verb;
+  std::size_t words;  // With the verb.
+  bool of_a_cue;      // The word behind the verb is the number of a cue; else a place, counted from 0.
+  std::string_view example;
 };
-constexpr std::array<Word, 2> kOfCues{
-    {{"goto", board::CallVerb::kGoTo}, {"standby", board::CallVerb::kStandBy}}};
+constexpr std::array<Form, 5> kForms{{{"goto", board::CallVerb::kGoTo, 2, true, "goto 14"},
+                                      {"standby", board::CallVerb::kStandBy, 2, true, "standby 2.10"},
+                                      {"level", board::CallVerb::kLevel, 3, false, "level 8 0.25"},
+                                      {"letgo", board::CallVerb::kLetGo, 2, false, "letgo 8"},
+                                      {"load", board::CallVerb::kLoadRole, 3, false, "load 1 0"}}};
+
+std::vector<std::string_view> WordsOf(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (!line.empty()) {
+    const auto end = std::min(line.find(' '), line.size());
+    if (end > 0) words.push_back(line.substr(0, end));
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  return words;
+}
+
+// The subject as the verb has it; nothing where the word is none.
+std::optional<std::uint32_t> SubjectOf(const Form& form, std::string_view word) {
+  if (!form.of_a_cue) return ParseNumber<std::uint32_t>(word);
+  if (word.find_first_not_of("0123456789.") != std::string_view::npos) return std::nullopt;
+  return board::CueKey(word);
+}
 
 Result<board::Call> ReadCall(std::string_view line) {
-  const auto space = line.find(' ');
-  const std::string_view word = line.substr(0, space);
-  const std::string_view rest = space == std::string_view::npos ? "" : line.substr(space + 1);
-  const auto* const of_cue = std::ranges::find(kOfCues, word, &Word::word);
-  if (of_cue == kOfCues.end())
-    return FailInput("\"" + std::string(line) + "\" is no call: goto and standby are known");
-  if (rest.empty() || rest.find_first_not_of("0123456789.") != std::string_view::npos)
-    return FailInput("\"" + std::string(line) + "\": expected the number of a cue, as in goto 14");
-  return board::Call{
-      .verb = of_cue->verb, .subject = board::CueKey(rest), .source = board::CallSource::kPage};
+  const std::vector<std::string_view> words = WordsOf(line);
+  const std::string quoted = "\"" + std::string(line) + "\"";
+  const auto* const form = std::ranges::find(kForms, words.empty() ? "" : words[0], &Form::word);
+  if (form == kForms.end())
+    return FailInput(quoted + " is no call; calls are goto, standby, level, letgo and load");
+  const auto expected = FailInput(quoted + ": expected such as " + std::string(form->example));
+  if (words.size() != form->words) return expected;
+  const auto subject = SubjectOf(*form, words[1]);
+  const auto value = words.size() > 2 ? ParseNumber<double>(words[2]) : 0.0;
+  if (!subject || !value || !std::isfinite(*value)) return expected;
+  return board::Call{.verb = form->verb,
+                     .subject = *subject,
+                     .value = static_cast<float>(*value),
+                     .source = board::CallSource::kPage};
 }
 
 }  // namespace

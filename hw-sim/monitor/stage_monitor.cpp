@@ -11,11 +11,12 @@ constexpr Duration kSilence = std::chrono::seconds(2);
 
 }  // namespace
 
-std::optional<board::StageStatus> StageMonitor::Status() {
+std::optional<StageMonitor::Now> StageMonitor::Look() {
   const Time now = clock_.now();
   if (board_) {
     const auto status = board_->Read<board::StageStatus>();
-    if (status.source == board::SourceState::kLive && now - status.at < kSilence) return status.value;
+    if (status.source == board::SourceState::kLive && now - status.at < kSilence)
+      return Now{status.value, board_->Read<board::ShowNow>().value};
   }
   // Looked for anew, since a stage that was started again may have made another file.
   if (now < look_at_) return std::nullopt;
@@ -26,21 +27,29 @@ std::optional<board::StageStatus> StageMonitor::Status() {
 }
 
 json::Value StageMonitor::Read() {
-  const auto now = Status();
+  const auto now = Look();
   if (!now) return {};
-  const auto is = [&](board::CueState state) { return (now->cue_state & state) != 0; };
-  return json::Object{{"scene", now->scene},
-                      {"style", now->style},
-                      {"cue", now->cue_active},
-                      {"standby", now->cue_standby},
-                      {"pending", now->cue_pending},
+  const board::ShowNow& show = now->show;
+  const auto is = [&](board::CueState state) { return (show.cue_state & state) != 0; };
+  // Four digits are finer than a person sees, and equal states give equal text.
+  json::List levels;
+  for (const auto& [value, owner, role] : show.levels)
+    levels.push_back(json::List{std::round(static_cast<double>(value) * 1e4) / 1e4,
+                                static_cast<std::uint32_t>(owner), role});
+  return json::Object{{"scene", now->status.scene},
+                      {"style", now->status.style},
+                      {"cue", show.cue_active},
+                      {"standby", show.cue_standby},
+                      {"pending", show.cue_pending},
                       // Tenths, as people read them: a state that looks the same is the same text.
-                      {"left_s", std::ceil(static_cast<double>(now->cue_left_s) * 10) / 10},
+                      {"left_s", std::ceil(static_cast<double>(show.cue_left_s) * 10) / 10},
                       {"paused", is(board::kCuesPaused)},
                       {"panicking", is(board::kCuesPanicking)},
                       {"black", is(board::kCuesBlack)},
                       {"waiting", is(board::kCuesWaiting)},
-                      {"refused", now->gos_refused}};
+                      {"refused", show.gos_refused},
+                      {"levels", std::move(levels)},
+                      {"role_devices", json::ListOf(show.role_devices)}};
 }
 
 }  // namespace kaori::sim

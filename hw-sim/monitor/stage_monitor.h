@@ -20,15 +20,20 @@ class StageMonitor {
 
   // What is on stage, as the page reads it; null while no stage draws:
   //   {"scene","style","cue","standby","pending":numbers, "left_s":seconds,
-  //    "paused","panicking","black","waiting":bools, "refused":count}
-  // They are board::StageStatus's of the same names: scenes, styles and cues count from 0, and -1 is no cue. Does
+  //    "paused","panicking","black","waiting":bools, "refused":count,
+  //    "levels":[[value,owner,role]..], "role_devices":[number..]}
+  // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue. Does
   // not block; where there is no board, or a stage that has been silent for two seconds, the file is looked for anew
   // once a second.
   json::Value Read();
 
  private:
-  // The section as a stage that draws wrote it last.
-  std::optional<board::StageStatus> Status();
+  struct Now {
+    board::StageStatus status;
+    board::ShowNow show;
+  };
+  // The sections as a stage that draws wrote them last.
+  std::optional<Now> Look();
 
   std::string path_;
   const Clock& clock_;

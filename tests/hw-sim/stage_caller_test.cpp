@@ -46,8 +46,22 @@ TEST_F(StageCallerTest, PutsACallWithItsTimeAndItsCueOnTheBoard) {
 
 TEST_F(StageCallerTest, RefusesWhatIsNoCallAndSaysWhy) {
   EXPECT_THAT(Refused("dance 3"), HasSubstr("\"dance 3\" is no call"));
-  EXPECT_THAT(Refused("goto"), HasSubstr("expected the number of a cue"));
-  EXPECT_THAT(Refused("goto fourteen"), HasSubstr("expected the number of a cue"));
+  EXPECT_THAT(Refused("goto"), HasSubstr("expected such as goto 14"));
+  EXPECT_THAT(Refused("goto fourteen"), HasSubstr("expected such as goto 14"));
+}
+
+TEST_F(StageCallerTest, MovesLevelsLetsGoOfThemAndLoadsRoles) {
+  for (const char* line : {"level 8 -0.25", "letgo 3", "load 2 1"}) ASSERT_TRUE(caller_.Call(line)) << line;
+  const board::Calls calls = Calls();
+  EXPECT_EQ(calls.newest[0].verb, board::CallVerb::kLevel);
+  EXPECT_EQ(calls.newest[0].subject, 8U);
+  EXPECT_EQ(calls.newest[0].value, -0.25F);
+  EXPECT_EQ(calls.newest[1].verb, board::CallVerb::kLetGo);
+  EXPECT_EQ(calls.newest[2].verb, board::CallVerb::kLoadRole);
+  EXPECT_EQ(calls.newest[2].value, 1);
+  EXPECT_THAT(Refused("level 8"), HasSubstr("expected such as level 8 0.25"));
+  EXPECT_THAT(Refused("level head 1"), HasSubstr("expected such as level 8 0.25"));
+  EXPECT_THAT(Refused("load 1 nan"), HasSubstr("expected such as load 1 0"));
 }
 
 TEST_F(StageCallerTest, SaysSoWhereAnotherProgramHasTheCalls) {

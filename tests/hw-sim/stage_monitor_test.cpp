@@ -13,11 +13,14 @@ using namespace std::chrono_literals;
 class Monitored : public ::testing::Test {
  protected:
   std::string Read() { return json::Write(monitor_.Read()); }
-  void Write(board::StageStatus status) { writer_.Write(status, clock_.now(), board::SourceState::kLive); }
+  void Write() {
+    status_writer_.Write({.style = 2, .scene = 3}, clock_.now(), board::SourceState::kLive);
+    show_writer_.Write(show_, clock_.now(), board::SourceState::kLive);
+  }
   // The file is looked for once a second.
   std::string ReadInASecond() {
     clock_.Advance(1s);
-    Write(status_);
+    Write();
     static_cast<void>(Read());
     return Read();
   }
@@ -26,23 +29,27 @@ class Monitored : public ::testing::Test {
   TempFolder folder_;
   std::string path_ = folder_.path() + "/board";
   board::Board board_ = board::Board::Create(path_).value();
-  board::Writer<board::StageStatus> writer_ = board_.AcquireWriter<board::StageStatus>().value();
-  board::StageStatus status_{.style = 2,
-                             .scene = 3,
-                             .cue_active = 4,
-                             .cue_standby = 6,
-                             .cue_pending = 5,
-                             .cue_left_s = 1.23F,
-                             .cue_state = board::kCuesPaused | board::kCuesWaiting,
-                             .gos_refused = 7};
+  board::Writer<board::StageStatus> status_writer_ = board_.AcquireWriter<board::StageStatus>().value();
+  board::Writer<board::ShowNow> show_writer_ = board_.AcquireWriter<board::ShowNow>().value();
+  board::ShowNow show_{.cue_active = 4,
+                       .cue_standby = 6,
+                       .cue_pending = 5,
+                       .cue_left_s = 1.23F,
+                       .cue_state = board::kCuesPaused | board::kCuesWaiting,
+                       .gos_refused = 7,
+                       .levels = {{{0.25F, board::LevelOwner::kRole, 2}}},
+                       .role_devices = {1, 0, 3}};
   StageMonitor monitor_{path_, clock_};
 };
 
 TEST_F(Monitored, IsToldAsThePageReadsIt) {
-  EXPECT_EQ(ReadInASecond(),
-            R"({"scene":3,"style":2,"cue":4,"standby":6,"pending":5,"left_s":1.3,"paused":true,)"
-            R"("panicking":false,"black":false,"waiting":true,"refused":7})");
-  status_.cue_state = board::kCuesPanicking | board::kCuesBlack;
+  const std::string told = ReadInASecond();
+  EXPECT_TRUE(told.starts_with(
+      R"({"scene":3,"style":2,"cue":4,"standby":6,"pending":5,"left_s":1.3,"paused":true,)"
+      R"("panicking":false,"black":false,"waiting":true,"refused":7,"levels":[[0.25,3,2],[0.0,0,0],)"))
+      << told;
+  EXPECT_TRUE(told.ends_with(R"("role_devices":[1,0,3,0,0,0,0,0]})")) << told;
+  show_.cue_state = board::kCuesPanicking | board::kCuesBlack;
   EXPECT_NE(ReadInASecond().find(R"("paused":false,"panicking":true,"black":true,"waiting":false)"),
             std::string::npos);
 }

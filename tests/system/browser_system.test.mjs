@@ -148,6 +148,20 @@ test('a click on a cue lets it stand by, and its button goes there', async () =>
   await onStage('Scene: Studio');
 });
 
+test('the page says who has a level, moves it from afar, and lets a role be played from another stick', async () => {
+  const row = page.locator('#roles li').filter({hasText: 'Head yaw'});
+  const owner = (name) => until(`the head is ${name || 'nobody'}'s`, async () => await row.locator('.owner').textContent() === name);
+  await owner('');
+  await row.getByRole('slider').fill('0.31');
+  await owner('This page');
+  await owner('');  // A second after its last word.
+  const role = page.getByLabel('Role head is played from');
+  await role.selectOption('1');
+  await until('the head on the right stick', async () => (await box.state()).on_stage.role_devices[1] === 1);
+  await role.selectOption('0');
+  await until('the head on the left stick', async () => (await box.state()).on_stage.role_devices[1] === 0);
+});
+
 test('blackout makes the picture black, and the tally lamp dark', async () => {
   const lamp = (text) => until(`a ${text} lamp`, async () =>
       await page.locator('.tally').getAttribute('aria-label') === `Tally lamp: ${text}`);

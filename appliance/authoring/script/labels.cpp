@@ -19,7 +19,7 @@ struct Dial {
   const char* unit;
   const char* called_by;  // A call of this group comes whole and fills the dial; a scene does so too.
 };
-// In the order of performance::kKnobRanges.
+// In the order of show::Level.
 constexpr std::array<Dial, performance::kKnobCount> kDials{{
     {"Face", "%", "face"},
     {"Expression", "%", "expression"},
@@ -42,21 +42,36 @@ double Short(float value) {
   return std::round(static_cast<double>(value) * 1e4) / 1e4;
 }
 
+// The map of a dial; the first one, where two roles have it. Null: nobody plays it.
+const show::RoleMap* MapOfDial(const show::Roles& roles, std::size_t dial) {
+  for (const show::Role& role : roles.roles)
+    for (const show::RoleMap& map : role.maps)
+      if (show::Turns(map.control) && map.dial == dial) return &map;
+  return nullptr;
+}
+
+// A level that is none of the first eight goes back to its rest: its dial has a name, and no number.
+json::Object DialJson(const show::RoleMap& map, const performance::State& opening) {
+  const show::LevelInfo& level = show::InfoOf(map.level);
+  const auto index = static_cast<std::size_t>(map.level);
+  if (!show::Stays(map.level)) return {{"text", Readable(std::string(level.name))}};
+  const Dial& dial = kDials[index];
+  return {{"text", dial.text},
+          {"unit", dial.unit},
+          {"low", Short(level.low)},
+          {"high", Short(level.high)},
+          {"per_turn", Short(map.to - map.from)},
+          {"start", Short(opening.knobs[index])},
+          {"filled_by", dial.called_by == nullptr ? json::List{} : json::List{dial.called_by, "scene"}}};
+}
+
 // Ranges and starting values are the performance's own, so a label cannot disagree with the dial.
-json::List DialsJson() {
+json::List DialsJson(const show::Show& show) {
   const performance::State opening;
   json::List dials;
   for (std::size_t n = 0; n < kDials.size(); ++n) {
-    const Dial& dial = kDials[n];
-    const performance::KnobRange& range = performance::kKnobRanges[n];
-    dials.push_back(json::Object{
-        {"text", dial.text},
-        {"unit", dial.unit},
-        {"low", Short(range.low)},
-        {"high", Short(range.high)},
-        {"per_turn", Short(range.per_turn)},
-        {"start", Short(opening.knobs[n])},
-        {"filled_by", dial.called_by == nullptr ? json::List{} : json::List{dial.called_by, "scene"}}});
+    const show::RoleMap* map = MapOfDial(show.roles, n);
+    dials.push_back(map == nullptr ? json::Object{{"text", ""}} : DialJson(*map, opening));
   }
   return dials;
 }
@@ -149,14 +164,40 @@ std::string Readable(std::string name) {
   return name;
 }
 
+// In the order of show::Level. A share is told in per cent.
+json::List LevelsJson() {
+  json::List levels;
+  for (const show::LevelInfo& level : show::kLevels)
+    levels.push_back(json::Object{{"text", Readable(std::string(level.name))},
+                                  {"unit", level.words.empty() ? std::string_view("%") : level.words},
+                                  {"per_unit", level.words.empty() ? 0.01 : static_cast<double>(level.unit)},
+                                  {"low", level.low},
+                                  {"high", level.high},
+                                  {"rest", level.rest}});
+  return levels;
+}
+
+json::List RolesJson(const show::Roles& roles) {
+  json::List names;
+  for (const show::Role& role : roles.roles) names.emplace_back(role.name);
+  return names;
+}
+
 std::string LabelsJson(const show::Show& show) {
   json::List buttons, scenes;
   for (const show::Call& call : show.buttons) buttons.emplace_back(ButtonJson(call, show));
   for (const show::StageScene& scene : show.scenes) scenes.emplace_back(Readable(scene.name));
-  const json::Object labels{{"show", show.name},      {"dials", DialsJson()},
-                            {"buttons", buttons},     {"sticks", SticksJson()},
-                            {"scenes", scenes},       {"styles", json::ListOf(kStyles)},
-                            {"keys", KeysJson(show)}, {"cues", CuesJson(show.cue_list)}};
+  const json::Object labels{{"show", show.name},
+                            {"dials", DialsJson(show)},
+                            {"buttons", buttons},
+                            {"sticks", SticksJson()},
+                            {"scenes", scenes},
+                            {"styles", json::ListOf(kStyles)},
+                            {"keys", KeysJson(show)},
+                            {"cues", CuesJson(show.cue_list)},
+                            {"levels", LevelsJson()},
+                            {"roles", RolesJson(show.roles)},
+                            {"devices", json::ListOf(show::kDeviceNames)}};
   // A name that is not UTF-8 is shown with replacement characters.
   return json::Write(labels, 1) + '\n';
 }

@@ -7,6 +7,7 @@
 
 #include "appliance/authoring/script/backdrop_file.h"
 #include "appliance/authoring/script/show_parts.h"
+#include "appliance/core/roles/roles_file.h"
 
 namespace kaori::authoring {
 namespace {
@@ -94,6 +95,9 @@ std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::S
   std::vector<std::string> lines = faults.lines();
   const std::filesystem::path cues = script.folder / "cues.toml";
   if (std::filesystem::exists(cues)) std::ranges::copy(CueFaults(script, cues), std::back_inserter(lines));
+  const std::filesystem::path of_roles = script.folder / "roles.toml";
+  if (std::filesystem::exists(of_roles))
+    std::ranges::copy(roles::ReadRolesFile(of_roles, show.roles), std::back_inserter(lines));
   return lines;
 }
 

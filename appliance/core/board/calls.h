@@ -21,11 +21,15 @@ inline constexpr std::size_t kCallWriters = 2;
 
 // What is called. `subject` and `value` are as each says; both are 0 where nothing is said.
 enum class CallVerb : std::uint32_t {
-  kCue,      // `subject` is a show::CueVerb: GO, BACK, STOP, PAUSE, PANIC, BLACKOUT.
-  kGoTo,     // `subject` is the CueKey of the cue in whose state the show shall stand.
-  kStandBy,  // `subject` is the CueKey of the cue that the next GO shall play.
+  kCue,       // `subject` is a show::CueVerb: GO, BACK, STOP, PAUSE, PANIC, BLACKOUT.
+  kGoTo,      // `subject` is the CueKey of the cue in whose state the show shall stand.
+  kStandBy,   // `subject` is the CueKey of the cue that the next GO shall play.
+  kLevel,     // `subject` is a show::Level, `value` where a remote control wants it, in the level's own unit.
+  kLetGo,     // `subject` is a show::Level of which its owner shall let go.
+  kLoadRole,  // `subject` is the role's place among the show's, `value` the show::Device from which it is played from now on;
+              // one more than the last device: nobody plays it.
 };
-inline constexpr std::uint32_t kCallVerbCount = 3;
+inline constexpr std::uint32_t kCallVerbCount = 6;
 inline constexpr std::uint32_t kCallGo = 0;  // The subject of GO: writers know no show.
 
 // By which control a person called.

@@ -33,9 +33,10 @@ enum class Section : std::uint32_t {
   kDesk,
   kLamps,
   kStageStatus,
+  kShowNow,
   kPerformance,
 };
-inline constexpr std::size_t kSectionCount = 17;
+inline constexpr std::size_t kSectionCount = 18;
 
 // The file's head, in 32-bit words: magic, version, layout hash (low, high), size in bytes, and the sum of
 // these; the rest is zero. The sum tells a board of another build from one that is spoilt.
@@ -92,6 +93,7 @@ constexpr std::array<SectionPlace, kSectionCount> PlaceSections() {
                                                   {"desk", ValueWords<Desk>()},
                                                   {"lamps", ValueWords<Lamps>()},
                                                   {"stage_status", ValueWords<StageStatus>()},
+                                                  {"show_now", ValueWords<ShowNow>()},
                                                   {"performance", ValueWords<Performance>()}}};
   std::size_t at = kHeadWords;
   for (SectionPlace& place : places) {
@@ -144,6 +146,7 @@ constexpr Section SectionOf(int which) {
   if constexpr (std::is_same_v<T, LipsGuide>) return Section::kLipsGuide;
   if constexpr (std::is_same_v<T, Desk>) return Section::kDesk;
   if constexpr (std::is_same_v<T, StageStatus>) return Section::kStageStatus;
+  if constexpr (std::is_same_v<T, ShowNow>) return Section::kShowNow;
   if constexpr (std::is_same_v<T, Performance>) return Section::kPerformance;
 }
 

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "appliance/core/board/calls.h"
+#include "appliance/core/board/show_now.h"
 #include "drivers/base/clock.h"
 
 namespace kaori::board {
@@ -238,23 +239,7 @@ struct StageStatus {
   std::uint32_t expression = 0;
   std::uint32_t style = 0;
   std::uint32_t scene = 0;
-  // The cue list. Cues count as the show does, from 0.
-  std::int32_t cue_active = -1;  // Played last; -1: none was.
-  std::int32_t cue_standby = 0;  // What GO plays next; as many as there are cues: the list is over.
-  std::int32_t cue_pending =
-      -1;  // Comes by itself in cue_left_s, or when a person does what it waits for; -1: none.
-  float cue_left_s = 0;
-  std::uint32_t cue_state = 0;    // Bits of CueState.
-  std::uint32_t gos_refused = 0;  // Counted since the show opened; wraps.
-  std::uint32_t unused = 0;       // No byte of the board is padding.
-};
-
-// Bits of StageStatus::cue_state.
-enum CueState : std::uint32_t {
-  kCuesPaused = 1U << 0U,
-  kCuesPanicking = 1U << 1U,
-  kCuesBlack = 1U << 2U,    // Blackout was called; the switch's is on its line.
-  kCuesWaiting = 1U << 3U,  // The pending cue waits for a person.
+  std::uint32_t unused = 0;  // No byte of the board is padding.
 };
 
 // What the stage needs to go on after a restart without a jump. Opaque to the board; see Hold and Restore in

@@ -107,8 +107,16 @@ bool Valid(const StageStatus& status) {
   return std::ranges::all_of(std::array{status.input_age, status.draw, status.margin, status.frame_cpu,
                                         status.lips_age, status.voice_age, status.mouth_lag},
                              possible) &&
-         Valid(status.flipped_at) && Valid(status.sampled_at) && Within(status.cue_left_s, 0, kMaxFigure) &&
-         Within(status.frames_per_s, 0, kMaxFigure);
+         Valid(status.flipped_at) && Valid(status.sampled_at) && Within(status.frames_per_s, 0, kMaxFigure);
+}
+
+bool Valid(const ShowNow& show) {
+  return Within(show.cue_left_s, 0, kMaxFigure) &&
+         std::ranges::all_of(show.levels, [](const LevelShown& level) {
+           return Within(level.value, -kMaxFigure, kMaxFigure) &&
+                  static_cast<std::uint32_t>(level.owner) < kLevelOwnerCount &&
+                  level.role < ShowNow::kMostRoles;
+         });
 }
 
 bool Valid(const Performance& performance) {

@@ -6,6 +6,7 @@
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/cues.h"
+#include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
 #include "appliance/core/performance/motions.h"
@@ -23,8 +24,8 @@ constexpr Duration kLongestStep = std::chrono::milliseconds(100);
 // that is presented a little earlier than the last one is of this clock.
 constexpr Duration kClockBegan = std::chrono::seconds(1);
 constexpr float kGoLongAgo_s = 10;  // Where the count of seconds since the last GO stops.
-// The gaze, in radians up or down, at which the lids have followed wholly. It is kGazePitch_rad of
-// operator_input.cpp: a stick pushed to its end opens or lowers the lids as far as they go.
+// The gaze, in radians up or down, at which the lids have followed wholly. It is the upper end of
+// show::Level::kGazePitch: a stick pushed to its end opens or lowers the lids as far as they go.
 constexpr float kLidFollow_rad =
     0.38F;  // The lids have followed wholly when the gaze is this far up or down.
 
@@ -130,11 +131,11 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
   state.go_quiet_s = std::min(kGoLongAgo_s, state.go_quiet_s + dt_s);
   PlayCalls(state, events, show);
-  TurnKnobs(state, events, board.surface.value.counts_per_turn);
+  MoveLevels(state, board, events, show.roles, dt_s);
   HandleLines(state, board.lines, dt_s);
   PlayCues(state, board, show, dt_s);
   FollowKnobs(state, dt_s);
-  MoveSticks(state, board, dt_s);
+  FollowLevels(state, dt_s);
   const float play_s = PlayTime(state, dt_s);
   for (Mixture* mixture : MixturesOf(state)) Advance(*mixture, play_s);
   for (Fading* fading : FadingsOf(state)) Advance(*fading, play_s);
@@ -180,6 +181,7 @@ State Opening(const show::Show& show, const board::Snapshot& board, Time present
   State state;
   state.last = presented_at;
   state.seen = SeenOn(board);
+  BeginLevels(state, show.roles);
   state.styles.to = static_cast<std::uint16_t>(scene::Style::kSoft);
   if (!show.scenes.empty()) EnterScene(state, show, 0, 0);
   for (Mixture* mixture : MixturesOf(state)) mixture->from.clear();

@@ -6,6 +6,7 @@
 #include "appliance/core/board/keys.h"
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/cues.h"
+#include "appliance/core/performance/levels.h"
 
 namespace kaori::performance {
 namespace {
@@ -81,8 +82,7 @@ std::int32_t CueOf(const show::Show& show, std::uint32_t number_key) {
   return cue == cues.end() ? -1 : static_cast<std::int32_t>(cue - cues.begin());
 }
 
-// False where the show has not what is called.
-bool Handle(State& state, const board::Call& call, const show::Show& show) {
+bool HandleCueCall(State& state, const board::Call& call, const show::Show& show) {
   if (call.verb == board::CallVerb::kCue) {
     if (call.subject >= static_cast<std::uint32_t>(show::kCueVerbCount)) return false;
     CallCue(state, show, static_cast<show::CueVerb>(call.subject));
@@ -95,6 +95,29 @@ bool Handle(State& state, const board::Call& call, const show::Show& show) {
   else
     StandByCue(state, show, cue);
   return true;
+}
+
+// False where the show has not what is called.
+bool Handle(State& state, const board::Call& call, const show::Show& show) {
+  const auto level = static_cast<show::Level>(call.subject);
+  switch (call.verb) {
+    case board::CallVerb::kCue:
+    case board::CallVerb::kGoTo:
+    case board::CallVerb::kStandBy:
+      return HandleCueCall(state, call, show);
+    case board::CallVerb::kLevel:
+    case board::CallVerb::kLetGo:
+      if (call.subject >= show::kLevelCount) return false;
+      if (call.verb == board::CallVerb::kLevel)
+        SetRemotely(state, show.roles, level, call.value);
+      else
+        LetGo(state, show.roles, level);
+      return true;
+    case board::CallVerb::kLoadRole:
+      return call.value >= 0 && call.value <= kNoDevice &&
+             LoadRole(state, show.roles, call.subject, static_cast<std::uint32_t>(call.value));
+  }
+  return false;
 }
 
 // Presses have 32 bits of microseconds, whose difference tells the order of any two within half an hour.

@@ -1,4 +1,4 @@
-// What the hands' movement does: dials move knobs, sticks move head, gaze and brows.
+// What is seen follows the levels (levels.h), and lids follow keys.
 #pragma once
 
 #include "appliance/core/board/snapshot.h"
@@ -8,18 +8,14 @@
 
 namespace kaori::performance {
 
-// Turns of the dials move the knobs, each within its range. A value below 1 counts as 1 count per turn.
-void TurnKnobs(State& state, const InputEvents& events, std::int32_t counts_per_turn);
-
 // What the knobs do follows them softly, with a half life of 30 ms: a detent is not seen.
 void FollowKnobs(State& state, float dt_s);
 
-// Head, gaze and brows follow the sticks. A stick that is unplugged or silent holds for a quarter of a
-// second, then eases to neutral within one.
-void MoveSticks(State& state, const board::Snapshot& board, float dt_s);
+// Head, gaze and brows follow their levels, each with its own half life.
+void FollowLevels(State& state, float dt_s);
 
-// Lids that keys hold shut, and blinks that run: the shut part of the character's left, right eye, 0..1. The
-// greater of the two counts. Moves the blinks on by dt_s.
+// Lids that keys and their levels hold shut, and blinks that run: the shut part of the character's left, right eye, 0..1. The
+// greatest counts. Moves the blinks on by dt_s.
 std::array<float, 2> Lids(State& state, const board::Keys& keys, float dt_s);
 
 }  // namespace kaori::performance

@@ -1,5 +1,6 @@
 #include "appliance/core/performance/recall.h"
 
+#include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/lines.h"
 
 namespace kaori::performance {
@@ -14,6 +15,7 @@ State Recalled(const State& kept, const board::Snapshot& board, Time presented_a
   for (Mixture* mixture : MixturesOf(state)) mixture->progress = 1;
   for (Fading* fading : FadingsOf(state)) fading->progress = 1;
   state.shown = state.knobs;
+  RestLevels(state);
   // The list stands where it stood; what waited for a moment of that evening stands by.
   if (state.cue_run.pending >= 0) state.cue_run.standby = state.cue_run.pending;
   state.cue_run = {.active = state.cue_run.active, .standby = state.cue_run.standby};

@@ -57,9 +57,32 @@ bool IsValidMixture(const Mixture& mixture, std::size_t count) {
 
 // Each within its own range: a value beyond its end would leap to it at the first turn of the dial.
 bool IsValidKnobs(const State& s) {
-  for (std::size_t i = 0; i < kKnobRanges.size(); ++i)
-    if (!Within({s.knobs[i], s.shown[i]}, kKnobRanges[i].low, kKnobRanges[i].high)) return false;
+  for (std::size_t i = 0; i < s.knobs.size(); ++i)
+    if (!Within({s.knobs[i], s.shown[i]}, show::kLevels[i].low, show::kLevels[i].high)) return false;
   return true;
+}
+
+// What eases out may be as long as the range, and dials count as far; times are bounded as those of fades.
+bool IsValidLevel(const LevelNow& now, const show::LevelInfo& info, std::size_t roles) {
+  constexpr float kLongest_s = show::kLongestHandover_s + 10;
+  const float span = info.high - info.low;
+  return Within({now.value, now.remote}, std::min(info.low, 0.0F), info.high) &&
+         Within({now.base, now.offset}, -2 * span, 2 * span) &&
+         Within({now.ease_s, now.eased_s, now.rest_s, now.remote_left_s}, 0, kLongest_s) &&
+         static_cast<std::uint8_t>(now.owner) < kOwnerCount &&
+         (now.owner != Owner::kHand || now.role < roles) && now.put <= 1;
+}
+
+bool IsValidMap(const MapNow& now) {
+  return Within({now.way, now.anchor}, -1, 1) && Within({now.value}, -kFarTurn_rad, kFarTurn_rad) &&
+         Within({now.untaken_s}, 0, 10) && now.known <= 1;
+}
+
+bool IsValidLevels(const State& s, const show::Show& show) {
+  for (std::size_t i = 0; i < s.levels.size(); ++i)
+    if (!IsValidLevel(s.levels[i], show::kLevels[i], show.roles.roles.size())) return false;
+  return std::ranges::all_of(s.maps, IsValidMap) &&
+         std::ranges::all_of(s.role_devices, [](std::uint8_t device) { return device <= kNoDevice; });
 }
 
 // The bounds are many turns wide, since motions add to the sticks. They are to stop what would overflow the
@@ -99,8 +122,9 @@ bool IsValid(const State& state, const show::Show& show) {
          IsValidMixture(state.expressions, show.cast.expressions.size()) &&
          IsValidMixture(state.styles, scene::kStyleCount) &&
          (show.scenes.empty() || IsValidMixture(state.backdrops, show.scenes.size())) &&
-         IsValidFading(state.exposure, show::kMostExposure) && IsValidKnobs(state) && IsValidPose(state) &&
-         IsValidClocks(state) && IsValidFading(state.cue_light, 1) && IsValidFading(state.present, 1) &&
+         IsValidFading(state.exposure, show::kMostExposure) && IsValidKnobs(state) &&
+         IsValidLevels(state, show) && IsValidPose(state) && IsValidClocks(state) &&
+         IsValidFading(state.cue_light, 1) && IsValidFading(state.present, 1) &&
          IsValidCueRun(state.cue_run, show.cue_list) && IsValidVoices(state, show) &&
          (show.scenes.empty() || state.scene < show.scenes.size());
 }

@@ -11,6 +11,7 @@
 #include "appliance/core/performance/fading.h"
 #include "appliance/core/performance/input_events.h"
 #include "appliance/core/performance/knobs.h"
+#include "appliance/core/performance/level_state.h"
 #include "appliance/core/performance/mixture.h"
 #include "appliance/core/show/show.h"
 #include "drivers/base/clock.h"
@@ -73,7 +74,7 @@ struct Sway {
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 10;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 11;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
@@ -85,10 +86,14 @@ struct State {
   CueRun cue_run;
   // Calls on the board that named what the show has not, and those that came faster than the frames; both wrap.
   std::uint32_t calls_refused = 0, calls_lost = 0;
-  // What the dials say (see kKnobRanges), and the same smoothed, which is what the face shows. They begin as a
+  // Where the first eight levels (show::Level) stand, and the same smoothed, which is what the face shows. They begin as a
   // box should that nobody has touched: all of the call, 0.6 s of fade, a mouth at rest, some life, full light.
   std::array<float, kKnobCount> knobs{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};
   std::array<float, kKnobCount> shown{1, 1, 1, 0.6F, 0, 0.5F, 0.6F, 1};  // Knobs, smoothed.
+  // Who has each level; the value of the first eight is that of `knobs` too, which others may put elsewhere.
+  std::array<LevelNow, show::kLevelCount> levels = RestingLevels();
+  std::array<MapNow, show::kMostRoleMaps> maps{};  // In the order of the show's roles and of their maps.
+  std::array<std::uint8_t, show::kMostRoles> role_devices{};  // A show::Device, or kNoDevice.
   // Left, right, as on the board.
   std::array<StickNow, 2> sticks;
   std::array<float, 2> blink_s{10, 10};  // Since a blink began: the character's left, right.

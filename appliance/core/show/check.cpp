@@ -167,6 +167,7 @@ std::vector<std::string> CheckShow(const Show& show) {
   for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);
   CheckChannels(show, faults);
   CheckCueList(show, faults);
+  CheckRoles(show.roles, faults);
   return faults;
 }
 

@@ -6,6 +6,7 @@
 #include "appliance/core/show/pack_copier.h"
 #include "appliance/core/show/pack_cues.h"
 #include "appliance/core/show/pack_layout.h"
+#include "appliance/core/show/pack_roles.h"
 
 namespace kaori::show {
 namespace {
@@ -181,6 +182,7 @@ Show Read(Copier& from, const pack::Pack& stored) {
   show.scenes = from.Tables<StageScene>(stored.scenes(), ReadScene);
   show.channels = ReadChannels(from, stored);
   show.cue_list = ReadCueList(from, stored.cue_list());
+  show.roles = ReadRoles(from, stored.roles());
   const auto blink = from.Numbers(stored.blink());
   std::copy_n(blink.begin(), std::min(blink.size(), show.cast.blink.size()), show.cast.blink.begin());
   return show;

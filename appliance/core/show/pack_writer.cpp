@@ -4,6 +4,7 @@
 #include "appliance/core/show/pack_content.h"
 #include "appliance/core/show/pack_cues.h"
 #include "appliance/core/show/pack_layout.h"
+#include "appliance/core/show/pack_roles.h"
 
 namespace kaori::show {
 namespace {
@@ -177,11 +178,12 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto mouth = to.CreateVector(show.channels.mouth.data(), show.channels.mouth.size());
   const auto blink = to.CreateVector(show.cast.blink.data(), show.cast.blink.size());
   const auto cue_list = WriteCueList(to, show.cue_list);
+  const auto roles = WriteRoles(to, show.roles);
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, motions, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
-                          show.channels.lids_down, mouth, blink, keys, cue_list);
+                          show.channels.lids_down, mouth, blink, keys, cue_list, roles);
 }
 
 }  // namespace

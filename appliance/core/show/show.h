@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "appliance/core/show/cue.h"
+#include "appliance/core/show/roles.h"
 #include "render/face/cast.h"
 #include "render/scene/scene.h"
 
@@ -110,6 +111,7 @@ struct Show {
   std::vector<StageScene> scenes;
   Channels channels;
   CueList cue_list;
+  Roles roles = UsualRoles();
 };
 
 }  // namespace kaori::show

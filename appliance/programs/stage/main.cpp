@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "appliance/core/board/watch.h"
+#include "appliance/core/roles/roles_file.h"
 #include "appliance/core/show/pack.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/last_face.h"
@@ -38,7 +39,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --pack FILE     the show
   --trust FILE    a public key: play no show that it has not signed
   --verified      the show lies on a root whose every block the kernel checks: its checksum is not made again
-  --own FOLDER    where expressions that are made on the box are kept (/var/lib/kaori/own where it is there, else
+  --own FOLDER    where the box's own roles.toml lies, and expressions that are made on it are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
   --last-face FILE  the last face is kept there, and the show goes on with it when the box is switched on
   --links FOLDER  the simulator's link folder, in which the screen is plugged
@@ -97,6 +98,15 @@ struct Loaded {
   std::unique_ptr<kaori::stage::PreparedShow> show;
 };
 
+// The box's own roles.toml, where it has one. One that is wrong is named and not used: the show's own roles play.
+void LayOverRoles(const std::filesystem::path& file, kaori::show::Show& show) {
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return;
+  const auto faults = kaori::roles::LayOver(file, show.roles);
+  for (const std::string& fault : faults) kaori::LogWarning("{}", fault);
+  if (!faults.empty()) kaori::LogWarning("the show is played with its own roles");
+}
+
 // Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a graphics card.
 kaori::Result<Loaded> LoadShow(const Settings& settings) {
   const auto options = kaori::show::LoadOptionsOf(settings.trust, settings.verified);
@@ -104,8 +114,9 @@ kaori::Result<Loaded> LoadShow(const Settings& settings) {
   auto show = kaori::show::LoadPack(settings.pack, *options);
   if (!show) return tl::unexpected(show.error());
   kaori::Log("{} is read", show->name);
-  auto editor = kaori::editor::ExpressionEditor::Open(
-      settings.own.empty() ? kaori::editor::UsualFolder() : std::filesystem::path(settings.own), *show);
+  const auto own = settings.own.empty() ? kaori::editor::UsualFolder() : std::filesystem::path(settings.own);
+  LayOverRoles(own / "roles.toml", *show);
+  auto editor = kaori::editor::ExpressionEditor::Open(own, *show);
   return Loaded{std::move(editor), std::make_unique<kaori::stage::PreparedShow>(std::move(*show))};
 }
 

@@ -7,6 +7,7 @@
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/performance/motions.h"
 #include "appliance/programs/stage/service_display.h"
+#include "appliance/programs/stage/show_now.h"
 #include "drivers/base/log.h"
 
 namespace kaori::stage {
@@ -35,13 +36,6 @@ Time NewestInput(const board::Snapshot& s) {
   return std::max({s.surface.at, s.sticks[0].at, s.sticks[1].at, s.keys.at, s.lips.at, s.pointer.at});
 }
 
-std::uint32_t CueStateOf(const performance::State& state) {
-  const performance::CueRun& run = state.cue_run;
-  return (run.paused != 0 ? board::kCuesPaused : 0U) | (run.panicking != 0 ? board::kCuesPanicking : 0U) |
-         (state.black_called != 0 ? board::kCuesBlack : 0U) |
-         (run.phase == performance::CueRun::Phase::kPerson ? board::kCuesWaiting : 0U);
-}
-
 // The expected state of a screen that has no room for a picture, or no flip to tell of.
 bool Waits(const Error& error) {
   return error.cause == std::errc::resource_unavailable_try_again;
@@ -59,7 +53,10 @@ Result<StageWriters> StageWriters::Acquire(const board::Board& board) {
   if (!status) return tl::unexpected(status.error());
   auto motion_now = board.AcquireWriter<board::MotionNow>();
   if (!motion_now) return tl::unexpected(motion_now.error());
-  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*motion_now)};
+  auto show_now = board.AcquireWriter<board::ShowNow>();
+  if (!show_now) return tl::unexpected(show_now.error());
+  return StageWriters{std::move(*performance), std::move(*lamps), std::move(*status), std::move(*show_now),
+                      std::move(*motion_now)};
 }
 
 // The count of frames and the last motion go on from the board, so that readers who compare them see no step back.
@@ -193,6 +190,7 @@ scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time presented_at) 
   state_ = performed.state;
   LogCalls(refused, lost);
   writers_.performance.Write(board::Hold(state_), presented_at, board::SourceState::kLive);
+  writers_.show_now.Write(ShowNowOf(state_), presented_at, board::SourceState::kLive);
   WriteMotionNow(presented_at);
   if (performed.lamps != snapshot.lamps.value.lit || snapshot.lamps.source != board::SourceState::kLive)
     writers_.lamps.Write({performed.lamps}, presented_at, board::SourceState::kLive);
@@ -250,12 +248,6 @@ void Stage::Report(const board::Snapshot& snapshot, Duration cpu) {
   status_.expression = state_.expressions.to;
   status_.style = state_.styles.to;
   status_.scene = state_.scene;
-  status_.cue_active = state_.cue_run.active;
-  status_.cue_standby = state_.cue_run.standby;
-  status_.cue_pending = state_.cue_run.pending;
-  status_.cue_left_s = std::max(0.0F, state_.cue_run.left_s);
-  status_.cue_state = CueStateOf(state_);
-  status_.gos_refused = state_.cue_run.refused;
   status_.input_age = std::clamp(state_.last - NewestInput(snapshot), Duration{}, kOldestInput);
   status_.draw = pacer_.usual();
   status_.margin = pacer_.margin();

@@ -27,6 +27,7 @@ struct StageWriters {
   board::Writer<board::Performance> performance;
   board::Writer<board::Lamps> lamps;
   board::Writer<board::StageStatus> status;
+  board::Writer<board::ShowNow> show_now;
   board::Writer<board::MotionNow> motion_now;
 
   // Errors: as Board::AcquireWriter; a second stage is refused.

@@ -8,6 +8,7 @@ import {editorIsOpen, makeEditor, pointing} from './editor.js';
 import {steering} from './face.js';
 import {makeKeys} from './keys.js';
 import {makeLips} from './lips.js';
+import {makeRoles} from './roles.js';
 import {makeSound} from './sound.js';
 import {makeStick} from './sticks.js';
 import {makeSwitches} from './switches.js';
@@ -82,6 +83,7 @@ async function begin() {
   makeKeys($('keys'), labels.keys);
   makeCues($('cues'), labels);
   makeStandby($('lines'), labels);
+  makeRoles($('roles'), labels);
   makeEditor($('stage'), $('picture'));
   makePicture($('picture'));
   makeCables();

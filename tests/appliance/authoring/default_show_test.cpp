@@ -8,6 +8,7 @@
 
 #include "appliance/authoring/script/show_file.h"
 #include "appliance/authoring/sculpt/sculpt.h"
+#include "appliance/core/roles/roles_file.h"
 
 namespace kaori::authoring {
 namespace {
@@ -48,6 +49,10 @@ TEST(DefaultShow, HasAButtonForEachFaceAndForEachExpression) {
   EXPECT_EQ(OnButtons(show::CallKind::kFace).size(), DefaultShow().cast.faces.size());
   EXPECT_EQ(static_cast<std::ptrdiff_t>(OnButtons(show::CallKind::kExpression).size()),
             Kinds(face::ExpressionKind::kExpression));
+}
+
+TEST(DefaultShow, SaysInItsRolesWhatAShowWithoutAFileOfThemHas) {
+  EXPECT_EQ(roles::TextOf(DefaultShow().roles), roles::TextOf(show::UsualRoles()));
 }
 
 TEST(DefaultShow, HasAHomeForEachFace) {

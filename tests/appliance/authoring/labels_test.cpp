@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "appliance/core/performance/calls.h"
-#include "appliance/core/performance/operator_input.h"
+#include "appliance/core/performance/levels.h"
 #include "hw-sim/console/labels.h"
 #include "tests/appliance/core/performance_fixture.h"
 
@@ -45,7 +45,7 @@ class AuthoredLabels : public ::testing::Test {
     State state = performance::Opening(show_, {}, Time{});
     performance::InputEvents events;
     events.turned[dial] = static_cast<std::int32_t>(turns * 256);
-    performance::TurnKnobs(state, events, 256);
+    performance::MoveLevels(state, {}, events, show_.roles, 0);
     return state.knobs[dial];
   }
 

@@ -41,6 +41,9 @@ inline show::Show SmallShow() {
        .light = show::CueLevel{0.25F, 1.0F},
        .motion = 0,
        .wait = {show::CuePerson::kVoiceQuiet, 1, 20}}};
+  show.roles.handover_s = 0.5F;
+  show.roles.roles[1].maps[0].points = {{0, 0}, {0.5F, 0.25F}, {1, 1}};
+  show.roles.roles[2].maps.back().takeover = show::Takeover::kScale;
   return show;
 }
 

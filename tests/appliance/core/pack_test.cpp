@@ -54,6 +54,10 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_FALSE(list.cues[1].scene);
   EXPECT_EQ(list.cues[1].light->value, 0.25F);
   EXPECT_EQ(list.cues[1].wait.person, show::CuePerson::kVoiceQuiet);
+  EXPECT_EQ(loaded->roles.handover_s, 0.5F);
+  ASSERT_EQ(loaded->roles.roles.size(), show.roles.roles.size());
+  EXPECT_EQ(loaded->roles.roles[1].maps[0].points, show.roles.roles[1].maps[0].points);
+  EXPECT_EQ(loaded->roles.roles[2].maps.back().takeover, show::Takeover::kScale);
   EXPECT_EQ(list.tracked.size(), 3U) << "what stands after each cue is known at once";
   EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
 }
@@ -146,6 +150,20 @@ const ShowFault kShowFaults[] = {
     {"CueOfNoKindOfNext", [](Show& s) { s.cue_list.cues[0].next = show::CueNext{9}; },
      "cue 1: what begins the next cue is not known"},
     {"PanicOfNoScene", [](Show& s) { s.cue_list.panic.index = 5; }, "cue list: there is no scene of panic 5"},
+    {"RoleOfNoLevel", [](Show& s) { s.roles.roles[1].maps[3].level = show::Level{99}; },
+     "role \"head\", slider: its level is not known"},
+    {"RoleOfAControlThatItsDeviceHasNot",
+     [](Show& s) { s.roles.roles[1].maps[0].control = show::Control::kDial; },
+     "role \"head\", dial 1: its device has no such control"},
+    {"RoleWithoutARange", [](Show& s) { s.roles.roles[1].maps[1].to = s.roles.roles[1].maps[1].from; },
+     "role \"head\", y: its range is none of its level"},
+    {"RoleWhoseCurveFalls",
+     [](Show& s) {
+       s.roles.roles[1].maps[0].points = {{0, 0}, {1, 0}};
+     },
+     "role \"head\", x: its curve"},
+    {"RolesOfTooManyMaps", [](Show& s) { s.roles.roles[0].maps.resize(65, s.roles.roles[0].maps[7]); },
+     "maps, and 64 at most can be played"},
     {"ButtonForAStyleThatIsNone",
      [](Show& s) {
        s.buttons[0] = {show::CallKind::kStyle, 5};

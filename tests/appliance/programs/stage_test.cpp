@@ -1,6 +1,7 @@
 // The stage: screens that come, go and change, a second stage, a stage that takes over, and no heap on the
 // way.
 #include "appliance/programs/stage/stage.h"
+#include "appliance/core/board/caller.h"
 #include "appliance/core/board/press_log.h"
 
 #include <gmock/gmock.h>
@@ -219,6 +220,29 @@ TEST_F(StageTest, OpensAnewOverWhatIsNoSoundState) {
   EXPECT_FALSE(stage->resumed());
   stage->StepUnseen();
   EXPECT_TRUE(performance::IsValid(stage->state(), studio_->show()));
+}
+
+TEST_F(StageTest, TellsWhoHasEachLevelAndFromWhereRolesArePlayed) {
+  const auto stage = Open();
+  auto caller = board::Caller::Acquire(board_, board::CallWriter::kControl).value();
+  const auto play = [&](int frames) {
+    for (int i = 0; i < frames; ++i, clock_.Advance(kStageFrame)) stage->StepUnseen();
+    return board_.Read<board::ShowNow>().value;
+  };
+  const auto life = static_cast<std::size_t>(show::Level::kLife);
+  EXPECT_EQ(play(5).levels[life].owner, board::LevelOwner::kNobody);
+  caller.Make({.at = clock_.now(), .verb = board::CallVerb::kLevel, .subject = 6, .value = 0.25F});
+  for (const std::uint32_t role : {1U, 77U})
+    caller.Make({.at = clock_.now(), .verb = board::CallVerb::kLoadRole, .subject = role, .value = 1});
+  board::ShowNow now = play(50);
+  EXPECT_EQ(now.levels[life].owner, board::LevelOwner::kRemote);
+  EXPECT_FLOAT_EQ(now.levels[life].value, 0.25F);
+  EXPECT_EQ(now.role_devices[1], static_cast<std::uint32_t>(show::Device::kRightStick));
+  EXPECT_EQ(now.calls_refused, 1U) << "there is no role 77";
+  surface_value_.counts[6] += 64;
+  Touch();
+  EXPECT_EQ((now = play(5)).levels[life].owner, board::LevelOwner::kRole);
+  EXPECT_FLOAT_EQ(now.levels[life].value, 0.5F);
 }
 
 TEST_F(StageTest, TellsItsFramesPerSecondFromTheFirstSecondOn) {

@@ -1,0 +1,51 @@
+// How the show stands: the cue list, who has which level, and from where each role is played. Whoever tells people of it, a
+// page, a lamp or a monitor, reads it here and nowhere else.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace kaori::board {
+
+// Bits of ShowNow::cue_state.
+enum CueState : std::uint32_t {
+  kCuesPaused = 1U << 0U,
+  kCuesPanicking = 1U << 1U,
+  kCuesBlack = 1U << 2U,    // Blackout was called; the switch's is on its line.
+  kCuesWaiting = 1U << 3U,  // The pending cue waits for a person.
+};
+
+// Who has a level, as pages tell it. What the lips or the voice do to a mouth is not a level, and they are told of here all
+// the same.
+enum class LevelOwner : std::uint32_t { kNobody, kCue, kRemote, kRole, kLips, kVoice };
+inline constexpr std::uint32_t kLevelOwnerCount = 6;
+
+struct LevelShown {
+  float value = 0;  // In the level's own unit (show::LevelInfo).
+  LevelOwner owner{};
+  std::uint32_t role = 0;  // Of the show's roles, where one has it.
+};
+
+//   writer   kaori-stage at each frame, seen or not
+//   readers  who shows it to people: in the demo its page
+//   stale    never written so; a stage is taken for dead by the age of the stamp
+struct ShowNow {
+  static constexpr const char* kName = "show_now";
+  static constexpr std::size_t kMostLevels = 24, kMostRoles = 8;
+  // The cue list. Cues count as the show does, from 0.
+  std::int32_t cue_active = -1;  // Played last; -1: none was.
+  std::int32_t cue_standby = 0;  // What GO plays next; as many as there are cues: the list is over.
+  // Comes by itself in cue_left_s, or when a person does what it waits for; -1: none.
+  std::int32_t cue_pending = -1;
+  float cue_left_s = 0;
+  std::uint32_t cue_state = 0;    // Bits of CueState.
+  std::uint32_t gos_refused = 0;  // Counted since the show opened, as the next two; all wrap.
+  std::uint32_t calls_refused = 0;
+  std::uint32_t calls_lost = 0;
+  std::array<LevelShown, kMostLevels> levels{};  // In the order of show::Level.
+  // By the show's roles: the show::Device from which each is played; one more than the last: nobody plays it.
+  std::array<std::uint32_t, kMostRoles> role_devices{};
+};
+
+}  // namespace kaori::board

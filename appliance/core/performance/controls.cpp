@@ -1,0 +1,93 @@
+#include "appliance/core/performance/controls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaori::performance {
+namespace {
+
+using show::Control;
+
+constexpr float kMeets = 3.0F / 128;
+constexpr float kSameMovement_s = 0.05F;
+constexpr float kAtTheEnd = 1e-6F;  // Of a way that is left: nothing to divide by.
+
+// Up is 1 and down -1, right is 1 and left -1; between two of them the hat says neither.
+float HatWay(std::int32_t hat, std::int32_t one, std::int32_t other) {
+  if (hat == one) return 1;
+  return hat == other ? -1.0F : 0.0F;
+}
+
+float WayOn(const board::Stick& stick, Control control) {
+  switch (control) {
+    case Control::kX:
+      return stick.x;
+    case Control::kY:
+      return stick.y;
+    case Control::kTwist:
+      return stick.twist;
+    case Control::kHatX:
+      return HatWay(stick.hat, 2, 6);
+    case Control::kHatY:
+      return HatWay(stick.hat, 0, 4);
+    case Control::kSlider:
+      return stick.slider;
+    case Control::kDial:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+float Controls::WayOf(const Run& run, const show::RoleMap& map) const {
+  if (!IsOn(run.role, map.control) || show::Turns(map.control)) return 0;
+  return WayOn(board_.sticks[state_.role_devices[run.role]].value, map.control);
+}
+
+float Controls::TurnedBy(const Run& run, const show::RoleMap& map) const {
+  if (!show::Turns(map.control) || !IsOn(run.role, map.control)) return 0;
+  const auto per_turn = static_cast<float>(std::max(1, board_.surface.value.counts_per_turn));
+  return static_cast<float>(events_.turned[map.dial]) / per_turn * (map.to - map.from);
+}
+
+bool Controls::IsLive(std::uint8_t role) const {
+  const std::uint8_t device = state_.role_devices[role];
+  return device < board_.sticks.size() && board_.sticks[device].source == board::SourceState::kLive;
+}
+
+bool Controls::IsOn(std::uint8_t role, Control control) const {
+  const std::uint8_t device = state_.role_devices[role];
+  return device != kNoDevice && show::Has(static_cast<show::Device>(device), control);
+}
+
+float SumOf(const Run& run) {
+  float sum = 0;
+  for (std::size_t i = 0; i < run.maps.size(); ++i)
+    if (!show::Turns(run.maps[i].control)) sum += run.now[i].value;
+  return sum;
+}
+
+bool MeetsFirst(const show::RoleMap& map) {
+  return show::StaysPut(map.control) && map.takeover != show::Takeover::kJump;
+}
+
+bool PickUp(const show::RoleMap& map, MapNow& now, float here, float from, float to) {
+  const float meets = kMeets * std::abs(map.to - map.from);
+  const bool met = std::abs(here - from) <= meets || std::abs(here - to) <= meets;
+  const bool passed = (here - from) * (here - to) < 0;
+  if (!met && !passed && now.untaken_s > kSameMovement_s) return false;
+  now.untaken_s = 0;
+  now.value = to;
+  return true;
+}
+
+float Scaled(const show::RoleMap& map, float here, float from, float to) {
+  const float low = std::min(map.from, map.to), high = std::max(map.from, map.to);
+  const float end = to > from ? high : low;
+  const float inside = std::clamp(here, low, high);
+  if (std::abs(end - from) <= kAtTheEnd) return inside;
+  return std::clamp(inside + (to - from) * (end - inside) / (end - from), low, high);
+}
+
+}  // namespace kaori::performance

@@ -1,0 +1,90 @@
+// The levels of a show: all numbers that operators, cues and remote controls may move, each between its ends and with a rest.
+// One table for the roles' files, the performance, the board and the pages.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace kaori::show {
+
+// The first eight are those of the dial box in the order of its dials. They stay where they were put; the others go back to
+// their rest when nobody has them.
+enum class Level : std::uint8_t {
+  kFace,
+  kExpression,
+  kStrength,
+  kFade,
+  kMouthOpen,
+  kMouthWidth,
+  kLife,
+  kLight,
+  kHeadYaw,
+  kHeadPitch,
+  kHeadRoll,
+  kHeadLean,
+  kGazeYaw,
+  kGazePitch,
+  kBrow,
+  kLidLeft,
+  kLidRight,
+};
+inline constexpr std::size_t kLevelCount = 17;
+inline constexpr std::size_t kStayingLevels = 8;
+
+struct LevelInfo {
+  std::string_view name;  // As files and pages write it.
+  float low, high, rest;  // As the performance has it: radians, metres, seconds, or a share.
+  float unit;  // What one of the file's unit is in that: a degree in radians, a centimetre in metres; else 1.
+  std::string_view words;  // Of the file's unit, for people; empty: none.
+};
+
+inline constexpr float kDegree = 0.017453293F;
+
+// Head and gaze go as far as a stick pushed to its end took them in 1993's play: 35.5, 23 and 20 degrees of the head and 12 cm
+// towards the audience; 31.5 and 22 degrees of the gaze. Signs are those of render/scene/scene.h: the character's left is the
+// operator's right.
+inline constexpr std::array<LevelInfo, kLevelCount> kLevels{{
+    {"face", 0, 1, 1, 1, ""},            // How much of the called face.
+    {"expression", 0, 1, 1, 1, ""},      // How much of the called expression.
+    {"strength", 0, 1.4F, 1, 1, ""},     // 1 as authored.
+    {"fade", 0, 4, 0.6F, 1, "s"},        // Of faces, expressions and styles that are called by hand.
+    {"mouth_open", 0, 1, 0, 1, ""},      //
+    {"mouth_width", 0, 1, 0.5F, 1, ""},  //
+    {"life", 0, 1, 0.6F, 1, ""},         // What the box plays by itself.
+    {"light", 0, 1.2F, 1, 1, ""},        //
+    {"head_yaw", -0.62F, 0.62F, 0, kDegree, "degrees"},
+    {"head_pitch", -0.40F, 0.40F, 0, kDegree, "degrees"},
+    {"head_roll", -0.35F, 0.35F, 0, kDegree, "degrees"},
+    {"head_lean", 0, 0.12F, 0, 0.01F, "cm"},
+    {"gaze_yaw", -0.55F, 0.55F, 0, kDegree, "degrees"},
+    {"gaze_pitch", -0.38F, 0.38F, 0, kDegree, "degrees"},
+    {"brow", -1, 1, 0, 1, ""},     // -1 frown .. 1 raised.
+    {"lid_left", 0, 1, 0, 1, ""},  // 0 open .. 1 shut; the character's left.
+    {"lid_right", 0, 1, 0, 1, ""},
+}};
+
+constexpr const LevelInfo& InfoOf(Level level) {
+  return kLevels[static_cast<std::size_t>(level)];
+}
+
+constexpr bool Stays(Level level) {
+  return static_cast<std::size_t>(level) < kStayingLevels;
+}
+
+// Between its ends.
+constexpr float Clamped(Level level, float value) {
+  return std::clamp(value, InfoOf(level).low, InfoOf(level).high);
+}
+
+// Nothing where no level has the name.
+constexpr std::optional<Level> LevelNamed(std::string_view name) {
+  for (std::size_t i = 0; i < kLevels.size(); ++i)
+    if (kLevels[i].name == name) return static_cast<Level>(i);
+  return std::nullopt;
+}
+
+}  // namespace kaori::show

@@ -1,0 +1,69 @@
+#include "appliance/programs/stage/show_now.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kaori::stage {
+namespace {
+
+using board::LevelOwner;
+using performance::Owner;
+using show::Level;
+
+static_assert(show::kLevelCount <= board::ShowNow::kMostLevels);
+static_assert(show::kMostRoles <= board::ShowNow::kMostRoles);
+
+constexpr float kDrives = 0.5F;  // Of the mouth: more than half is whose it is.
+
+std::uint32_t CueStateOf(const performance::State& state) {
+  const performance::CueRun& run = state.cue_run;
+  return (run.paused != 0 ? board::kCuesPaused : 0U) | (run.panicking != 0 ? board::kCuesPanicking : 0U) |
+         (state.black_called != 0 ? board::kCuesBlack : 0U) |
+         (run.phase == performance::CueRun::Phase::kPerson ? board::kCuesWaiting : 0U);
+}
+
+LevelOwner OwnerOf(const performance::LevelNow& level) {
+  switch (level.owner) {
+    case Owner::kRest:
+      break;
+    case Owner::kCue:
+      return LevelOwner::kCue;
+    case Owner::kRemote:
+      return LevelOwner::kRemote;
+    case Owner::kHand:
+      return LevelOwner::kRole;
+  }
+  return LevelOwner::kNobody;
+}
+
+// A dial off its rest has the mouth before lips and voice (mouth.cpp); at its rest they have it, as far as it moves.
+void TellOfTheMouth(const performance::State& state, board::ShowNow& now) {
+  const auto dial = [&state](Level level) {
+    const auto i = static_cast<std::size_t>(level);
+    return std::abs(state.shown[i] - show::kLevels[i].rest) > 0.01F;
+  };
+  if (dial(Level::kMouthOpen) || dial(Level::kMouthWidth) || state.mouth_drive < kDrives) return;
+  const LevelOwner owner = state.mouth_voice > kDrives ? LevelOwner::kVoice : LevelOwner::kLips;
+  now.levels[static_cast<std::size_t>(Level::kMouthOpen)] = {state.mouth_open, owner, 0};
+  now.levels[static_cast<std::size_t>(Level::kMouthWidth)] = {state.mouth_wide, owner, 0};
+}
+
+}  // namespace
+
+board::ShowNow ShowNowOf(const performance::State& state) {
+  board::ShowNow now{.cue_active = state.cue_run.active,
+                     .cue_standby = state.cue_run.standby,
+                     .cue_pending = state.cue_run.pending,
+                     .cue_left_s = std::max(0.0F, state.cue_run.left_s),
+                     .cue_state = CueStateOf(state),
+                     .gos_refused = state.cue_run.refused,
+                     .calls_refused = state.calls_refused,
+                     .calls_lost = state.calls_lost};
+  for (std::size_t i = 0; i < state.levels.size(); ++i)
+    now.levels[i] = {state.levels[i].value, OwnerOf(state.levels[i]), state.levels[i].role};
+  std::ranges::copy(state.role_devices, now.role_devices.begin());
+  TellOfTheMouth(state, now);
+  return now;
+}
+
+}  // namespace kaori::stage
