@@ -11,7 +11,7 @@
 
 namespace kaori::sim {
 
-// Maps the board for reading and copies one section out of it. One thread. Reads only:
+// Maps the board for reading and copies two sections out of it. One thread. Reads only:
 // the board is neither made nor changed.
 class StageMonitor {
  public:

@@ -7,6 +7,7 @@
 #include "appliance/authoring/pack/difference_parts.h"
 #include "appliance/authoring/script/backdrop_file.h"
 #include "appliance/authoring/script/item_names.h"
+#include "appliance/core/roles/roles_file.h"
 
 namespace kaori::authoring {
 namespace {
@@ -90,6 +91,23 @@ bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
          before->rgba == after->rgba;
 }
 
+// A role that reads the same plays the same.
+void CompareRoles(const show::Roles& a, const show::Roles& b, Lines& lines) {
+  const auto find = [](const show::Roles& in, const show::Role& role) {
+    const auto found = std::ranges::find(in.roles, role.name, &show::Role::name);
+    return found == in.roles.end() ? nullptr : &*found;
+  };
+  for (const show::Role& role : b.roles) {
+    const show::Role* before = find(a, role);
+    if (before == nullptr)
+      lines.push_back(fmt::format("role \"{}\": is new", role.name));
+    else if (roles::TextOf({.roles = {*before}}) != roles::TextOf({.roles = {role}}))
+      lines.push_back(fmt::format("role \"{}\": plays otherwise", role.name));
+  }
+  for (const show::Role& role : a.roles)
+    if (find(b, role) == nullptr) lines.push_back(fmt::format("role \"{}\": is gone", role.name));
+}
+
 }  // namespace
 
 // By curves and samples, not by how much: a motion is looked at.
@@ -135,6 +153,7 @@ void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
     if (before[i].second != after[i].second)
       lines.push_back(
           fmt::format("channel {}: {} is now {}", before[i].first, before[i].second, after[i].second));
+  CompareRoles(a.roles, b.roles, lines);
 }
 
 }  // namespace kaori::authoring

@@ -64,6 +64,21 @@ class CueReader {
     return IndexOf(section_, "motion", "motion", script_.show.motions, section_.Text("motion"));
   }
 
+  // Levels by their names, as bits.
+  std::uint32_t Release() {
+    std::uint32_t levels = 0;
+    if (!section_.Has("release")) return levels;
+    for (const std::string& name : section_.Texts("release")) {
+      const auto* const level = std::ranges::find(show::kLevels, name, &show::LevelInfo::name);
+      if (level != show::kLevels.end())
+        levels |= 1U << static_cast<unsigned>(level - show::kLevels.begin());
+      else
+        section_.Fault("release", fmt::format("there is no level \"{}\"{}", name,
+                                              toml::DidYouMeanOneOf(name, show::kLevels)));
+    }
+    return levels;
+  }
+
   show::CueNext Next() {
     const std::string name = section_.TextOr("continue", kNexts.front());
     const auto found = std::ranges::find(kNexts, name);
@@ -125,7 +140,7 @@ std::string ReadNumber(Script& script, toml::Section& section) {
 
 show::Cue ReadCue(Script& script, toml::Section section) {
   section.AllowOnly({"number", "name", "act", "notes", "pre_wait_s", "scene", "face", "expression", "style",
-                     "light", "present", "motion", "continue", "wait_for"});
+                     "light", "present", "motion", "release", "continue", "wait_for"});
   CueReader read(script, section);
   show::Cue cue;
   cue.number = ReadNumber(script, section);
@@ -146,6 +161,7 @@ show::Cue ReadCue(Script& script, toml::Section section) {
   cue.light = read.Level("light");
   cue.present = read.Level("present");
   cue.motion = read.Motion();
+  cue.release = read.Release();
   cue.next = read.Next();
   cue.wait = read.Wait();
   return cue;

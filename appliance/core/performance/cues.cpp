@@ -5,6 +5,7 @@
 
 #include "appliance/core/board/lines.h"
 #include "appliance/core/performance/calls.h"
+#include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/motions.h"
 
 namespace kaori::performance {
@@ -52,6 +53,8 @@ void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.light) Fade(state.cue_light, cue.light->value, cue.light->in_s);
   if (cue.present) Fade(state.present, cue.present->value, cue.present->in_s);
   if (cue.motion >= 0) PlayMotion(state, cue.motion);
+  for (std::size_t i = 0; i < show::kLevelCount; ++i)
+    if ((cue.release >> i & 1U) != 0) LetGo(state, show.roles, static_cast<show::Level>(i));
 }
 
 // One cue waits at a time: a chain is a cue that waits after another.

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "appliance/core/show/level.h"
+
 namespace kaori::show {
 namespace {
 
@@ -59,6 +61,7 @@ void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults
   check.Level("present", cue.present);
   if (cue.motion < -1 || cue.motion >= static_cast<int>(show.motions.size()))
     check.Fault(fmt::format("there is no motion {}", cue.motion));
+  if (cue.release >> kLevelCount != 0) check.Fault("it releases a level that is not known");
   if (cue.next > CueNext::kFollow) check.Fault("what begins the next cue is not known");
   CheckWait(check, cue.wait);
 }

@@ -77,6 +77,7 @@ struct Cue {
   std::optional<CueLevel> light{};    // 0 black .. 1 as the scene is lit.
   std::optional<CueLevel> present{};  // 0 she has left the picture .. 1 she is there.
   int motion = -1;                    // Of the show's motions; -1: none.
+  std::uint32_t release = 0;          // Bit n: whoever has the level n (show::Level) lets go of it.
   CueNext next = CueNext::kGo;
   CueWait wait{};
 };

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace kaori::show {
@@ -78,13 +77,6 @@ constexpr bool Stays(Level level) {
 // Between its ends.
 constexpr float Clamped(Level level, float value) {
   return std::clamp(value, InfoOf(level).low, InfoOf(level).high);
-}
-
-// Nothing where no level has the name.
-constexpr std::optional<Level> LevelNamed(std::string_view name) {
-  for (std::size_t i = 0; i < kLevels.size(); ++i)
-    if (kLevels[i].name == name) return static_cast<Level>(i);
-  return std::nullopt;
 }
 
 }  // namespace kaori::show

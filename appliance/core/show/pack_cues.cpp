@@ -40,7 +40,7 @@ flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, cons
   return pack::CreateCue(to, number, name, act, notes, cue.pre_wait_s, Address(scene), Address(face),
                          Address(expression), Address(style), Address(light), Address(present), cue.motion,
                          static_cast<std::uint32_t>(cue.next), static_cast<std::uint32_t>(cue.wait.person),
-                         cue.wait.for_s, cue.wait.at_most_s);
+                         cue.wait.for_s, cue.wait.at_most_s, cue.release);
 }
 
 Cue ReadCue(Copier& from, const pack::Cue& stored) {
@@ -56,6 +56,7 @@ Cue ReadCue(Copier& from, const pack::Cue& stored) {
           .light = Held(stored.light()),
           .present = Held(stored.present()),
           .motion = stored.motion(),
+          .release = stored.release(),
           .next = static_cast<CueNext>(Narrow<std::uint8_t>(stored.next())),
           .wait = {static_cast<CuePerson>(Narrow<std::uint8_t>(stored.wait_person())), stored.wait_for_s(),
                    stored.wait_at_most_s()}};

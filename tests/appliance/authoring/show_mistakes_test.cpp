@@ -85,6 +85,13 @@ const Mistake kInTheScript[] = {
 };
 
 const Mistake kInTheCues[] = {
+    {"RoleOfNoLevel", "roles.toml", "level = \"head_lean\"", "level = \"head_leen\"",
+     "roles.toml:[0-9]+: role \"head\".map\\[4\\].level: \"head_leen\" is none of face, expression"},
+    {"RoleOnADeviceThatIsNone", "roles.toml", "device = \"right stick\"", "device = \"middle stick\"",
+     "roles.toml:[0-9]+: role \"gaze\".device: \"middle stick\" is none of left stick, right stick, dial "
+     "box"},
+    {"CueThatReleasesNoLevel", "cues.toml", "motion = \"bow\"", "release = [\"haed_yaw\"]",
+     "cues.toml:[0-9]+: cue 6.release: there is no level \"haed_yaw\"; did you mean \"head_yaw\"[?]"},
     {"CueOfNoFace", "cues.toml", "{ name = \"poster\", in_s = 0 }", "{ name = \"pester\", in_s = 0 }",
      "cues.toml:[0-9]+: cue 1.scene.name: there is no scene \"pester\"; did you mean \"poster\"[?]"},
     {"CueOfNoExpression", "cues.toml", "name = \"surprised\", in_s = 0.6", "name = \"suprised\", in_s = 0.6",
