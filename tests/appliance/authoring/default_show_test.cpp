@@ -69,9 +69,16 @@ TEST(DefaultShow, HasAKeyForEachStyleAndSceneAndNoKeyForTwo) {
     if (key.call.kind == show::CallKind::kStyle) styles.insert(key.call.index);
   }
   for (const show::StageScene& scene : DefaultShow().scenes) keys.insert(scene.key_usage);
-  for (const show::Motion& take : DefaultShow().motions) keys.insert(take.key_usage);
+  std::set<int> in_cues;
+  for (const show::Cue& cue : DefaultShow().cue_list.cues) in_cues.insert(cue.motion);
+  for (std::size_t i = 0; i < DefaultShow().motions.size(); ++i) {
+    const show::Motion& motion = DefaultShow().motions[i];
+    if (motion.key_usage != 0) keys.insert(motion.key_usage);
+    EXPECT_TRUE(motion.key_usage != 0 || in_cues.contains(static_cast<int>(i)))
+        << motion.name << " is never called";
+  }
   EXPECT_EQ(styles.size(), static_cast<std::size_t>(scene::kStyleCount));
-  EXPECT_EQ(keys.count(0), 0U) << "of a scene or a motion that no key calls";
+  EXPECT_EQ(keys.count(0), 0U) << "of a scene that no key calls";
   for (const int key : keys) EXPECT_EQ(keys.count(key), 1U) << key;
 }
 
