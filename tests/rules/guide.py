@@ -59,7 +59,7 @@ def check_box(words, root):
     if not verb:
         yield f"./box knows no {words[0]}"
     yield from (f"./box {words[0]} has no {word}" for word in words[1:]
-                if word.startswith("--") and word not in "\n".join(verb))
+                if word.startswith("--") and word != "--help" and word not in "\n".join(verb))
 
 
 def check_program(program, words, binaries):
