@@ -14,7 +14,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-Bytes Next(Bytes& from, std::size_t bytes) {
+Bytes NextBytes(Bytes& from, std::size_t bytes) {
   const Bytes next = from.first(std::min(bytes, from.size()));
   from = from.subspan(next.size());
   return next;
@@ -37,11 +37,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                             box, cable);
   std::uint8_t lines = 0;
   for (Bytes left(data, size); !left.empty();) {
-    const std::uint8_t step = Next(left, 1)[0];
+    const std::uint8_t step = NextBytes(left, 1)[0];
     if (step % 8 == kReset) device.HandleReset();
     if (step % 8 == kSetup) {
       std::array<std::uint8_t, 8> setup{};
-      std::ranges::copy(Next(left, setup.size()), setup.begin());
+      std::ranges::copy(NextBytes(left, setup.size()), setup.begin());
       device.HandleSetup(setup);
       fuzz::Promise(cable.armed_in || cable.armed_out || cable.stalled, "a SETUP has an answer");
     }
@@ -51,9 +51,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     if (step % 8 == kSend && cable.armed_out) {
       cable.armed_out = false;
-      device.HandleControlReceived(Next(left, step / 8 * 3));
+      device.HandleControlReceived(NextBytes(left, step / 8 * 3));
     }
-    if (step % 8 == kOutput) device.HandleOutput(Next(left, step / 8));
+    if (step % 8 == kOutput) device.HandleOutput(NextBytes(left, step / 8));
     if (step % 8 == kPoll) {
       device.Poll();
       if (step / 8 % 2 == 0) cable.input.reset();
