@@ -247,7 +247,7 @@ std::vector<std::string> LayOver(const std::filesystem::path& file, show::Roles&
   }
   std::vector<std::string> wrong;
   show::CheckRoles(laid, wrong);
-  for (std::string& line : wrong) line = file.string() + ": " + line;
+  for (std::string& line : wrong) line = fmt::format("{}: {}", file.string(), line);
   if (wrong.empty()) roles = std::move(laid);
   return wrong;
 }

@@ -24,7 +24,7 @@ class RolesFileTest : public ::testing::Test {
   ~RolesFileTest() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path Write(const std::string& text) {
-    const auto file = folder_ / "roles.toml";
+    std::filesystem::path file = folder_ / "roles.toml";
     std::ofstream(file) << text;
     return file;
   }
