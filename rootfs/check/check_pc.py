@@ -33,7 +33,7 @@ INTEL = (
     ("Skylake", r"19[0-3]"),
     ("Apollo Lake, Gemini Lake", r"0a84|1a8|5a8|318"),
     ("Kaby Lake to Comet Lake", r"59[0-2]|87[0c]|3e[9a]|9b[2ac]|9bf"),
-    ("Ice Lake", r"8a[57]|8a5|8a6"),
+    ("Ice Lake", r"8a[5-7]"),
 )
 VENDORS = {"0x8086": "Intel", "0x1002": "AMD", "0x10de": "NVIDIA", "0x1af4": "virtio", "0x1234": "Bochs", "0x1a03": "ASPEED"}
 

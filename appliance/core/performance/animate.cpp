@@ -23,7 +23,6 @@ constexpr Duration kLongestStep = std::chrono::milliseconds(100);
 // A time this far back is of another clock, as after a board that was brought from another machine. A frame
 // that is presented a little earlier than the last one is of this clock.
 constexpr Duration kClockBegan = std::chrono::seconds(1);
-constexpr float kGoLongAgo_s = 10;  // Where the count of seconds since the last GO stops.
 // The gaze, in radians up or down, at which the lids have followed wholly. It is the upper end of
 // show::Level::kGazePitch: a stick pushed to its end opens or lowers the lids as far as they go.
 constexpr float kLidFollow_rad =
@@ -129,7 +128,7 @@ float StepTo(State& state, Time presented_at) {
 void MoveOn(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
             float dt_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
-  state.go_quiet_s = std::min(kGoLongAgo_s, state.go_quiet_s + dt_s);
+  state.go_quiet_s = std::min(kLongAgo_s, state.go_quiet_s + dt_s);
   PlayCalls(state, events, show);
   MoveLevels(state, board, events, show.roles, dt_s);
   HandleLines(state, board.lines, dt_s);

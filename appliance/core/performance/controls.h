@@ -10,8 +10,6 @@
 
 namespace kaori::performance {
 
-inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop.
-
 // The maps of one role on one level.
 struct Run {
   std::uint8_t role = 0;

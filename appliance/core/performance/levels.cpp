@@ -114,7 +114,7 @@ class LevelFrame {
     now.untaken_s = put ? kLongAgo_s : std::min(kLongAgo_s, now.untaken_s + dt_s_);
     if (now.known == 0 || put) now.anchor = way;
     const bool far = std::abs(way - now.anchor) >= kClaims * (show::Springs(map.control) ? 2.0F : 1.0F);
-    const Movement movement = Contribute(run, i, way, owns || far);
+    const Movement movement = Contribute(run, i, way, owns, far);
     now.way = way;
     now.known = controls_.IsLive(run.role) ? 1 : 0;
     return movement;
@@ -122,22 +122,20 @@ class LevelFrame {
 
   // Brings one map's contribution up to where its control stands. A control with pick-up contributes only once it has met
   // the level, one with scaling goes on from there.
-  Movement Contribute(const Run& run, std::size_t i, float way, bool counts) {
+  Movement Contribute(const Run& run, std::size_t i, float way, bool owns, bool far) {
     const RoleMap& map = run.maps[i];
     MapNow& now = run.now[i];
     const float to = show::LevelAt(map, way);
     if (!MeetsFirst(map)) {
       now.value = to;
-      return counts ? Movement::kFar : Movement::kNone;
+      return owns || far ? Movement::kFar : Movement::kNone;
     }
     if (now.known == 0 || way == now.way) return Movement::kNone;
-    const LevelNow& level = NowOf(state_, run.level);
-    const bool owns = level.owner == Owner::kHand && level.role == run.role;
-    const float here = owns ? now.value : level.value - (SumOf(run) - now.value);
+    const float here = owns ? now.value : NowOf(state_, run.level).value - (SumOf(run) - now.value);
     const float from = show::LevelAt(map, now.way);
     if (map.takeover == Takeover::kPickUp)
       return PickUp(map, now, here, from, to) ? Movement::kMet : Movement::kNone;
-    if (!counts) return Movement::kNone;
+    if (!owns && !far) return Movement::kNone;
     now.value = Scaled(map, here, from, to);
     return Movement::kMet;
   }

@@ -71,6 +71,8 @@ struct Sway {
   glm::vec2 head_rad{};  // The head at the last frame.
 };
 
+inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop.
+
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
