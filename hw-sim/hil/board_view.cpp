@@ -70,6 +70,9 @@ void ParseRest(const Json& board, BoardView& view) {
   view.voice_blocks = voice.at("blocks");
   view.lamps = board.at("lamps");
   view.stage = Stage(board.at("stage"));
+  view.cue_active = board.at("cues").at("active");
+  view.cue_pending = board.at("cues").at("pending");
+  view.cue_standby = board.at("cues").at("standby");
 }
 
 }  // namespace

@@ -83,6 +83,10 @@ struct BoardView {
   // Bit n: the stage wants lamp n lit.
   std::uint32_t lamps = 0;
   StageView stage;
+  // Numbers of the show's cues, from 0. The cue that was played last, and the one that comes by itself; -1: none.
+  int cue_active = -1;
+  int cue_pending = -1;
+  int cue_standby = 0;  // What GO plays next.
 
   // `usage` is of HID page 7.
   bool key_down(std::uint8_t usage) const { return (keys_down[usage / 32U] >> (usage % 32U) & 1U) != 0; }

@@ -61,14 +61,15 @@ Result<void> AllSwitches(Scene& scene) {
   return {};
 }
 
-// A push of the foot switch calls the next scene; its release does nothing.
+// A push of the foot switch plays the cue that stands by; its release does nothing.
 Result<void> Go(Scene& scene) {
-  const auto before = scene.target.Board();
+  // A cue that comes by itself would be taken for the foot's.
+  const auto quiet = [](const BoardView& board) { return board.cue_pending < 0; };
+  const auto before = scene.target.UntilBoard(quiet, kLineLongest, "see that no cue comes by itself");
   if (!before) return tl::unexpected(before.error());
   if (auto ok = Switch(scene, kGo, true); !ok) return ok;
-  // After the last one comes the first.
-  const auto next = [&](const BoardView& board) { return board.stage.scene != before->stage.scene; };
-  const auto called = scene.target.UntilBoard(next, kLineLongest, "see the next scene");
+  const auto next = [&](const BoardView& board) { return board.cue_active == before->cue_standby; };
+  const auto called = scene.target.UntilBoard(next, kLineLongest, "see the cue that stood by");
   if (!called) return tl::unexpected(called.error());
   return Switch(scene, kGo, false);
 }
@@ -113,7 +114,7 @@ Result<void> Lines(Scene& scene) {
   for (const auto& part : {AllSwitches, Go, Blackout})
     if (auto ok = part(scene); !ok) return ok;
   scene.finding.said =
-      "service and presence, GO calls the next scene, blackout and back; the tally lamp follows";
+      "service and presence, GO plays the cue that stood by, blackout and back; the tally lamp follows";
   return {};
 }
 

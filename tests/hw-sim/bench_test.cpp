@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <tuple>
 
 #include "appliance/core/board/board.h"
 #include "hw-sim/hil/board_view.h"
@@ -80,6 +81,8 @@ TEST_F(AgentBoard, IsWhatTheBenchReads) {
   board::StageStatus stage;
   stage.frames = 12;
   board->AcquireWriter<board::StageStatus>()->Write(stage, clock.now(), board::SourceState::kLive);
+  board->AcquireWriter<board::ShowNow>()->Write({.cue_active = 3, .cue_standby = 4, .cue_pending = 5},
+                                                clock.now(), board::SourceState::kLive);
   const auto view = ReadBoardView(agent::BoardAsJson(*board, clock));
   ASSERT_TRUE(view) << view.error().message();
   EXPECT_TRUE(view->surface_live);
@@ -90,6 +93,7 @@ TEST_F(AgentBoard, IsWhatTheBenchReads) {
   EXPECT_EQ(view->right.port, 99U);
   EXPECT_FALSE(view->left.live);
   EXPECT_EQ(view->stage.frames, 12U);
+  EXPECT_EQ(std::tuple(view->cue_active, view->cue_standby, view->cue_pending), std::tuple(3, 4, 5));
   EXPECT_EQ(view->now_ns, clock.now().time_since_epoch().count());
 }
 

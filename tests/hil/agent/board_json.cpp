@@ -66,6 +66,11 @@ std::string StageAsJson(const board::Stamped<board::StageStatus>& stage) {
       Nanoseconds(value.flipped_at), Microseconds(value.draw), Microseconds(value.margin));
 }
 
+std::string CuesAsJson(const board::Stamped<board::ShowNow>& show) {
+  return fmt::format(R"({{"active":{},"standby":{},"pending":{}}})", show.value.cue_active,
+                     show.value.cue_standby, show.value.cue_pending);
+}
+
 }  // namespace
 
 std::string BoardAsJson(const board::Board& board, const Clock& clock) {
@@ -73,13 +78,13 @@ std::string BoardAsJson(const board::Board& board, const Clock& clock) {
   const auto pointer = board.Read<board::Pointer>();
   return fmt::format(
       R"({{"now_ns":{},"surface":{},"left":{},"right":{},"keys":{{{},"down":[{}]}},"pointer":{{{},"x":{},"y":{}}},)"
-      R"("lines":{},"lips":{},"voice":{},"lamps":{},"stage":{}}})",
+      R"("lines":{},"lips":{},"voice":{},"lamps":{},"stage":{},"cues":{}}})",
       Nanoseconds(clock.now()), SurfaceAsJson(board.Read<board::Surface>()),
       StickAsJson(board.Read<board::Stick>(0)), StickAsJson(board.Read<board::Stick>(1)), Head(keys),
       fmt::join(keys.value.down, ","), Head(pointer), pointer.value.x, pointer.value.y,
       LinesAsJson(board.Read<board::Lines>()), LipsAsJson(board.Read<board::Lips>()),
       VoiceAsJson(board.Read<board::Voice>()), board.Read<board::Lamps>().value.lit,
-      StageAsJson(board.Read<board::StageStatus>()));
+      StageAsJson(board.Read<board::StageStatus>()), CuesAsJson(board.Read<board::ShowNow>()));
 }
 
 std::string WatchEvents(const board::Board& board, const Clock& clock, Duration length) {
