@@ -200,7 +200,7 @@ scene::Scene Stage::Perform(const board::Snapshot& snapshot, Time presented_at) 
 // A remote control that calls what is not there is told so by nothing else.
 void Stage::LogCalls(std::uint32_t refused_before, std::uint32_t lost_before) {
   if (const std::uint32_t refused = state_.calls_refused - refused_before; refused != 0)
-    LogWarning("{} calls were refused: the show has no such cue", refused);
+    LogWarning("{} calls were refused: the show has no such cue, level or role", refused);
   if (const std::uint32_t lost = state_.calls_lost - lost_before; lost != 0)
     LogWarning("{} calls are lost: more came between two frames than the board keeps", lost);
 }
