@@ -37,7 +37,9 @@ run_tests() {
   local match=()
   [ $# -gt 0 ] && match=(-R "$1")
   ctest --test-dir $BUILD --output-on-failure -j 2 --no-tests=error "${match[@]}" || fail "tests failed; they are named above"
-  if [ ${#match[@]} -eq 0 ]; then python3 -B tests/rules/report.py . $BUILD out/house.json; fi
+  [ ${#match[@]} -eq 0 ] || return 0
+  python3 -B tests/rules/report.py . $BUILD out/house.json
+  python3 -B tests/appliance/show_report.py $BIN out/show.json || fail "out/show.json is not whole; see above"
 }
 
 # The CPU seconds, user and system, of all that the named command runs. What it says goes to the log.

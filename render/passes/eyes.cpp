@@ -137,12 +137,12 @@ Result<EyesPass> EyesPass::Open(const face::Topology& topology) {
 }
 
 // One draw for each ball: uniforms differ, the mesh is the same.
-void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze) const {
+void EyesPass::Draw(const face::Shape& shape, const std::array<scene::Gaze, 2>& gaze, float pupil) const {
   gl::Apply({});
   program_.Use();
   const face::EyeSurface& eye = shape.eye_surface;
   gl::Program::Set(white_, glm::vec4(eye.white, eye.veins));
-  gl::Program::Set(drawn_, glm::vec4(eye.pupil, eye.limbus, eye.spokes, eye.rings));
+  gl::Program::Set(drawn_, glm::vec4(eye.pupil * pupil, eye.limbus, eye.spokes, eye.rings));
   gl::Program::Set(answer_, glm::vec2(eye.wet, eye.glow));
   for (std::size_t side = 0; side < 2; ++side) {
     const face::EyeBall& ball = shape.eyes[side];

@@ -114,7 +114,7 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
   lashes->Draw(shape);
   clothes->Draw(appearance, dressing, block);
   body->Draw(surface, shape, HairShare(scene) > kPainterWhole);
-  eyes->Draw(shape, scene.gaze);
+  eyes->Draw(shape, scene.gaze, scene.pupil);
   mouth->Draw(appearance, shape);
 }
 
@@ -122,7 +122,7 @@ void Painter::Parts::DrawTextured(const scene::Scene& scene, const face::Shape& 
 void Painter::Parts::DrawFlat(const scene::Scene& scene, const face::Shape& shape) {
   clothes->Draw(appearance, dressing, block);
   flat->Draw(shape);
-  eyes->Draw(shape, scene.gaze);
+  eyes->Draw(shape, scene.gaze, scene.pupil);
   mouth->Draw(appearance, shape);
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr float kTurn_rad = 1.6F;
 constexpr float kSway_rad = 0.6F;
 constexpr float kShift_m = 0.2F;
+// A pupil fills no more than the iris.
+constexpr float kPupilFrom = 0.3F, kPupilTo = 1.8F;
 
 // The value within its bounds; `fallback` where it is no number.
 float Within(float value, float fallback, float low, float high) {
@@ -97,6 +99,7 @@ void Sane(const scene::Scene& scene, scene::Scene& s) {
   s.hair_sway_rad.y = Within(scene.hair_sway_rad.y, 0, -kSway_rad, kSway_rad);
   s.present = Within(scene.present, 1, 0, 1);
   s.breath = Within(scene.breath, 0, -1, 1);
+  s.pupil = Within(scene.pupil, 1, kPupilFrom, kPupilTo);
 }
 
 }  // namespace kaori::passes

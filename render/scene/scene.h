@@ -143,6 +143,8 @@ struct Scene {
   glm::vec2 hair_sway_rad{};
   // -1 out .. 1 in.
   float breath = 0;
+  // The size of the pupils, as a factor: 1 is as the looks are made.
+  float pupil = 1;
   // Of the expression editor; none in a show.
   Handles handles;
   Caption caption;

@@ -140,7 +140,7 @@ std::string ReadNumber(Script& script, toml::Section& section) {
 
 show::Cue ReadCue(Script& script, toml::Section section) {
   section.AllowOnly({"number", "name", "act", "notes", "pre_wait_s", "scene", "face", "expression", "style",
-                     "light", "present", "motion", "release", "continue", "wait_for"});
+                     "light", "present", "motion", "release", "life", "gaze", "continue", "wait_for"});
   CueReader read(script, section);
   show::Cue cue;
   cue.number = ReadNumber(script, section);
@@ -162,6 +162,8 @@ show::Cue ReadCue(Script& script, toml::Section section) {
   cue.present = read.Level("present");
   cue.motion = read.Motion();
   cue.release = read.Release();
+  if (section.Has("life")) cue.life = LifeAt(section, "life", show::kKeepsLife);
+  if (section.Has("gaze")) cue.gaze = GazeNamed(script, section, "gaze", section.Text("gaze"));
   cue.next = read.Next();
   cue.wait = read.Wait();
   return cue;

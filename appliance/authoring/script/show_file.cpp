@@ -15,7 +15,8 @@ namespace {
 // One [[scene]]. Without more it is the neutral expression in soft style, in the usual light, faded in
 // within 0.8 s.
 show::StageScene ReadScene(Script& script, toml::Section section) {
-  section.AllowOnly({"name", "key", "face", "expression", "style", "light", "fade_s", "backdrop"});
+  section.AllowOnly(
+      {"name", "key", "face", "expression", "style", "light", "fade_s", "backdrop", "life", "gaze"});
   show::StageScene scene;
   scene.name = section.TextOr("name", "unnamed");
   for (const show::StageScene& other : script.show.scenes)
@@ -30,6 +31,8 @@ show::StageScene ReadScene(Script& script, toml::Section section) {
   scene.style = static_cast<scene::Style>(StyleNamed(section, "style", section.TextOr("style", "soft")));
   scene.exposure = Between(section, "light", 1, show::kMostExposure, "");
   scene.fade_s = Between(section, "fade_s", 0.8F, show::kLongestFade_s, " s");
+  scene.life = LifeAt(section, "life", 1);
+  if (section.Has("gaze")) scene.gaze = GazeNamed(script, section, "gaze", section.Text("gaze"));
   if (section.Has("backdrop"))
     scene.backdrop = ReadBackdrop(section.Part("backdrop"), script.folder, script.show.cast.textures);
   else
@@ -56,11 +59,13 @@ void ReadChannels(Script& script, toml::Section section) {
     channels.mouth[i] = ExpressionNamed(script, section, "mouth", mouth[i]);
 }
 
-// Scenes before motions and buttons, which may call them. [[take]] is what motions were called before.
+// Gaze targets before scenes, and scenes before motions and buttons, which may call them. [[take]] is what motions were called before.
 void ReadScript(Script& script, toml::Section file) {
   if (file.Has("take")) file.Fault("take", "a registered motion is now written [[motion]], not [[take]]");
-  file.AllowOnly({"name", "scene", "motion", "buttons", "keys", "channels"});
+  file.AllowOnly({"name", "scene", "motion", "buttons", "keys", "channels", "gaze"});
   script.show.name = file.TextOr("name", "unnamed");
+  const toml::Value none{};
+  ReadGazeTargets(script, file.Has("gaze") ? file.Part("gaze") : toml::Section(none, "gaze", script.faults));
   std::size_t number = 0;
   for (const toml::Section& scene : file.Parts("scene"))
     script.show.scenes.push_back(ReadScene(script, Named(script, "scene", scene, ++number)));

@@ -68,7 +68,15 @@ toml::Section Named(Script& script, const char* kind, const toml::Section& secti
 // starts and ends at 0. Angles are degrees in the file and radians in the motion.
 show::Motion ReadMotion(Script& script, toml::Section section);
 
-// The cue list, of cues.toml. Scenes and motions must have been read.
+// [gaze]: what she can look at, by name, as three numbers in metres. The show then has the house first and the camera, whether
+// the file names them or not.
+void ReadGazeTargets(Script& script, toml::Section gaze);
+// "seat 12" of those, or "nobody".
+std::int32_t GazeNamed(Script& script, toml::Section& section, std::string_view key, const std::string& name);
+// life = 0.4 for all parts, or { blink = 1, glance = 0.4 }: parts that are not named are `otherwise`.
+show::LifeAmounts LifeAt(toml::Section& section, std::string_view key, float otherwise);
+
+// The cue list, of cues.toml. Scenes, motions and gaze targets must have been read.
 void ReadCueList(Script& script, toml::Section file);
 
 // Fills the 32 buttons, given as rows of texts such as "face kaori". Scenes must have been read, since

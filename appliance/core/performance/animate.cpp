@@ -12,6 +12,7 @@
 #include "appliance/core/performance/motions.h"
 #include "appliance/core/performance/mouth.h"
 #include "appliance/core/performance/operator_input.h"
+#include "appliance/core/performance/pose_sum.h"
 #include "render/face/jaw.h"
 
 namespace kaori::performance {
@@ -51,21 +52,12 @@ face::Terms Strengthened(const face::Terms& terms, float strength) {
 
 // Brows go up one by one and frown together. The lids follow the gaze as they do on a real eye, whose lid
 // rides on the cornea; min keeps a gaze beyond the stick's reach from pulling them further.
-void AddBrowsAndLids(const State& state, const show::Channels& channels, const scene::Gaze& gaze,
+void AddBrowsAndLids(float brows, const show::Channels& channels, const scene::Gaze& gaze,
                      face::Terms& terms) {
-  for (const int brow : channels.brow_up) PushChannel(terms, brow, state.brow);
-  PushChannel(terms, channels.brow_frown, -state.brow);
+  for (const int brow : channels.brow_up) PushChannel(terms, brow, brows);
+  PushChannel(terms, channels.brow_frown, -brows);
   PushChannel(terms, channels.lids_up, std::min(1.0F, gaze.pitch_rad / kLidFollow_rad));
   PushChannel(terms, channels.lids_down, std::min(1.0F, -gaze.pitch_rad / kLidFollow_rad));
-}
-
-scene::Head Sum(const scene::Head& a, const scene::Head& b, const scene::Head& c) {
-  return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad,
-          a.roll_rad + b.roll_rad + c.roll_rad, a.shift_m + b.shift_m + c.shift_m};
-}
-
-scene::Gaze Sum(const scene::Gaze& a, const scene::Gaze& b, const scene::Gaze& c) {
-  return {a.yaw_rad + b.yaw_rad + c.yaw_rad, a.pitch_rad + b.pitch_rad + c.pitch_rad};
 }
 
 // What of the cue list's calls is on, for its lamp.
@@ -146,13 +138,13 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
 // then the jaw's limit over all of them, the lids and the styles. The mouth comes after the other channels,
 // since it takes the expression's mouth away as far as it drives.
 void Weigh(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
-           scene::Scene& scene, float dt_s) {
+           float accent, scene::Scene& scene, float dt_s) {
   face::Weights& weights = scene.weights;
   weights.faces = Current(state.faces, At(state.shown, Knob::kFace));
   weights.expressions = Strengthened(Current(state.expressions, At(state.shown, Knob::kExpression)),
                                      At(state.shown, Knob::kStrength));
   weights.channels = motion.channels;
-  AddBrowsAndLids(state, show.channels, scene.gaze[0], weights.channels);
+  AddBrowsAndLids(state.brow + accent, show.channels, scene.gaze[0], weights.channels);
   MoveMouth(state, board, show.channels, weights, dt_s);
   face::LimitJaw(show.cast, weights);
   const auto shut = Lids(state, board.keys.value, dt_s);
@@ -196,12 +188,14 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   MoveOn(state, board, events, show, dt_s);
 
   scene::Scene& scene = performed.scene;
-  const Idle idle = Live(state, At(state.shown, Knob::kLife), dt_s);
   const Motion motion = PlayMotions(state, show, PlayTime(state, dt_s));
+  const Idle idle = Live(state, board, show, motion, dt_s);
   scene.head = Sum(state.head, idle.head, motion.head);
-  scene.gaze[0] = scene.gaze[1] = Sum(state.gaze, idle.gaze, motion.gaze);
+  for (std::size_t eye = 0; eye < scene.gaze.size(); ++eye)
+    scene.gaze[eye] = Sum(state.gaze, idle.gaze[eye], motion.gaze);
   scene.breath = idle.breath;
-  Weigh(state, board, show, motion, scene, dt_s);
+  scene.pupil = idle.pupil;
+  Weigh(state, board, show, motion, idle.brow, scene, dt_s);
   Swing(state.sway, scene.head, dt_s);
   scene.hair_sway_rad = state.sway.angle_rad;
   HangBackdrops(state.backdrops, show, scene);

@@ -149,6 +149,8 @@ void EnterScene(State& state, const show::Show& show, std::uint16_t index, float
   Call(state.styles, static_cast<std::uint16_t>(scene.style), fade_s, 1);
   Call(state.backdrops, index, fade_s, 1);
   Fade(state.exposure, scene.exposure, fade_s);
+  state.life.called = scene.life;
+  state.life.target = scene.gaze;
   state.scene = index;
 }
 

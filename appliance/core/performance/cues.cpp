@@ -6,6 +6,7 @@
 #include "appliance/core/board/lines.h"
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/levels.h"
+#include "appliance/core/performance/life.h"
 #include "appliance/core/performance/motions.h"
 
 namespace kaori::performance {
@@ -52,6 +53,8 @@ void SetAll(State& state, const show::Cue& cue, const show::Show& show) {
   if (cue.style) Call(state.styles, cue.style->index, cue.style->in_s, 1);
   if (cue.light) Fade(state.cue_light, cue.light->value, cue.light->in_s);
   if (cue.present) Fade(state.present, cue.present->value, cue.present->in_s);
+  if (cue.life) CallLife(state.life, *cue.life);
+  if (cue.gaze) state.life.target = *cue.gaze;
   if (cue.motion >= 0) PlayMotion(state, cue.motion);
   for (std::size_t i = 0; i < show::kLevelCount; ++i)
     if ((cue.release >> i & 1U) != 0) LetGo(state, show.roles, static_cast<show::Level>(i));
@@ -232,6 +235,8 @@ void GoToCue(State& state, const show::Show& show, std::int32_t index) {
   Call(state.styles, tracked.style.now, in_s, 1);
   Fade(state.cue_light, tracked.light, in_s);
   Fade(state.present, tracked.present, in_s);
+  CallLife(state.life, tracked.life);
+  state.life.target = tracked.gaze;
   run.active = end;
   run.standby = end + 1;
   run.panicking = 0;

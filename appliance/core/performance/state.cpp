@@ -92,7 +92,7 @@ bool IsValidPose(const State& s) {
                 -kFarTurn_rad, kFarTurn_rad) &&
          Within(s.head.shift_m, kFarShift_m) && Within({s.brow}, -1, 1) &&
          Within(s.sway.angle_rad, kFarTurn_rad) && Within(s.sway.head_rad, kFarTurn_rad) &&
-         Within(s.sway.speed_rad_s, kFastTurn_rad_s) && Within(s.life.glance_rad, 1);
+         Within(s.sway.speed_rad_s, kFastTurn_rad_s);
 }
 
 // Clocks that count seconds stop at 10 (see State), so that anything else was not written by this program.
@@ -101,7 +101,7 @@ bool IsValidClocks(const State& s) {
   return Within({s.age_s}, 0, kLifePeriod_s) && std::ranges::all_of(s.sticks, stick) &&
          Within({s.blink_s[0], s.blink_s[1], s.mouth_quiet_s, s.lips_lost_s}, 0, 10) &&
          Within({s.blackout}, 0, 1) && Within({s.go_quiet_s}, 0, 10) && s.black_wanted <= 1 &&
-         s.black_called <= 1 && Within({s.life.to_next_blink_s, s.life.to_next_glance_s}, -1, 10) &&
+         s.black_called <= 1 &&
          Within({s.lids_held[0], s.lids_held[1], s.mouth_open, s.mouth_wide, s.mouth_drive, s.mouth_said,
                  s.mouth_voice},
                 0, 1);
@@ -126,6 +126,7 @@ bool IsValid(const State& state, const show::Show& show) {
          IsValidLevels(state, show) && IsValidPose(state) && IsValidClocks(state) &&
          IsValidFading(state.cue_light, 1) && IsValidFading(state.present, 1) &&
          IsValidCueRun(state.cue_run, show.cue_list) && IsValidVoices(state, show) &&
+         IsValidLife(state.life, show.gaze_targets.size()) &&
          (show.scenes.empty() || state.scene < show.scenes.size());
 }
 

@@ -12,6 +12,7 @@
 #include "appliance/core/performance/input_events.h"
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/level_state.h"
+#include "appliance/core/performance/life_state.h"
 #include "appliance/core/performance/mixture.h"
 #include "appliance/core/show/show.h"
 #include "drivers/base/clock.h"
@@ -36,14 +37,6 @@ inline constexpr int kVoices = 8;  // Of which all but one are fading out.
 // All that the box plays by itself in waves begins anew after so long, on a whole number of each: a float
 // that counted on for days could not hold the step of a frame.
 inline constexpr float kLifePeriod_s = 1000;
-
-// What the face does by itself: when it blinks and glances next, and where it looks meanwhile.
-struct Life {
-  std::uint64_t random = 0x9E3779B97F4A7C15U;  // The generator's state: the same state gives the same life.
-  float to_next_blink_s = 2;
-  float to_next_glance_s = 1;
-  glm::vec2 glance_rad{};  // Yaw and pitch that a glance adds to the gaze.
-};
 
 // Where the cue list stands. Indices are into the show's cues.
 struct CueRun {
@@ -76,7 +69,7 @@ inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop.
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 11;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 12;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.

@@ -141,6 +141,25 @@ void CheckScene(const Show& show, const StageScene& scene, Faults& faults) {
     faults.push_back(
         fmt::format("{}: its fade is {} s, not within 0 to {}", item, scene.fade_s, kLongestFade_s));
   CheckBackdrop(show, item, scene.backdrop, faults);
+  for (const float amount : scene.life)
+    if (!Within(amount, 0, kMostLife))
+      faults.push_back(fmt::format("{}: its life is {}, not within 0 to {}", item, amount, kMostLife));
+  if (scene.gaze < kNoTarget || scene.gaze >= static_cast<std::int32_t>(show.gaze_targets.size()))
+    faults.push_back(fmt::format("{}: there is no gaze target {}", item, scene.gaze));
+}
+
+// A target behind her, or between her eyes, would turn them out of her head.
+void CheckTargets(const Show& show, Faults& faults) {
+  const auto& targets = show.gaze_targets;
+  if (targets.size() > kMostGazeTargets)
+    faults.push_back(
+        fmt::format("gaze: {} targets, and {} at most can be played", targets.size(), kMostGazeTargets));
+  if (!targets.empty() && targets.front().name != kHouseName)
+    faults.emplace_back("gaze: the first target is not the house");
+  for (const GazeTarget& target : targets)
+    if (!IsTarget(target.at_m))
+      faults.push_back(fmt::format("gaze \"{}\": is not {} to {} m before her", target.name, kNearestTarget_m,
+                                   kFarthestTarget_m));
 }
 
 void CheckChannels(const Show& show, Faults& faults) {
@@ -166,6 +185,7 @@ std::vector<std::string> CheckShow(const Show& show) {
   for (const Motion& motion : show.motions) CheckMotion(show, motion, faults);
   for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);
   CheckChannels(show, faults);
+  CheckTargets(show, faults);
   CheckCueList(show, faults);
   CheckRoles(show.roles, faults);
   return faults;

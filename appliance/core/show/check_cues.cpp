@@ -33,6 +33,11 @@ class CueChecker {
     Within(fmt::format("the fade of its {}", what).c_str(), level->in_s, kLongestCueFade_s);
   }
 
+  void Gaze(std::int32_t target, std::size_t count) {
+    if (target < kNoTarget || target >= static_cast<std::int32_t>(count))
+      Fault(fmt::format("there is no gaze target {}", target));
+  }
+
  private:
   std::string item_;
   std::vector<std::string>& faults_;
@@ -49,6 +54,12 @@ void CheckWait(CueChecker& check, const CueWait& wait) {
     check.Fault("it waits longer than its longest wait");
 }
 
+// A part may be kKeepsLife, which no scene has.
+void CheckLifeOf(CueChecker& check, const LifeAmounts& life) {
+  for (const float amount : life)
+    if (amount != kKeepsLife) check.Within("its life", amount, kMostLife);
+}
+
 void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults) {
   CueChecker check(fmt::format("cue {}", cue.number), faults);
   if (!IsCueNumber(cue.number)) check.Fault("its number is not of digits and single dots");
@@ -62,6 +73,8 @@ void CheckCue(const Show& show, const Cue& cue, std::vector<std::string>& faults
   if (cue.motion < -1 || cue.motion >= static_cast<int>(show.motions.size()))
     check.Fault(fmt::format("there is no motion {}", cue.motion));
   if (cue.release >> kLevelCount != 0) check.Fault("it releases a level that is not known");
+  if (cue.life) CheckLifeOf(check, *cue.life);
+  if (cue.gaze) check.Gaze(*cue.gaze, show.gaze_targets.size());
   if (cue.next > CueNext::kFollow) check.Fault("what begins the next cue is not known");
   CheckWait(check, cue.wait);
 }

@@ -39,12 +39,17 @@ void Add(TrackedState& state, const Cue& cue, const Show& show) {
     SetItem(state.face, scene.face);
     SetItem(state.expression, scene.expression);
     SetItem(state.style, static_cast<std::uint16_t>(scene.style));
+    state.life = scene.life;
+    state.gaze = scene.gaze;
   }
   if (cue.face) SetItem(state.face, cue.face->index);
   if (cue.expression) SetItem(state.expression, cue.expression->index);
   if (cue.style) SetItem(state.style, cue.style->index);
   if (cue.light) state.light = cue.light->value;
   if (cue.present) state.present = cue.present->value;
+  for (std::size_t part = 0; cue.life && part < cue.life->size(); ++part)
+    if ((*cue.life)[part] >= 0) state.life[part] = (*cue.life)[part];
+  if (cue.gaze) state.gaze = *cue.gaze;
 }
 
 // The first scene, as performance::Opening enters it.
@@ -56,6 +61,8 @@ TrackedState OpeningState(const Show& show) {
   state.face = {scene.face, scene.face};
   state.expression = {scene.expression, scene.expression};
   state.style = {style, style};
+  state.life = scene.life;
+  state.gaze = scene.gaze;
   return state;
 }
 

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "appliance/core/show/life.h"
+
 namespace kaori::show {
 
 struct Show;
@@ -74,10 +76,12 @@ struct Cue {
   float pre_wait_s = 0;
   std::optional<CueCall> scene{};  // First, so that a face or a style named beside it stays.
   std::optional<CueCall> face{}, expression{}, style{};
-  std::optional<CueLevel> light{};    // 0 black .. 1 as the scene is lit.
-  std::optional<CueLevel> present{};  // 0 she has left the picture .. 1 she is there.
-  int motion = -1;                    // Of the show's motions; -1: none.
-  std::uint32_t release = 0;          // Bit n: whoever has the level n (show::Level) lets go of it.
+  std::optional<CueLevel> light{};     // 0 black .. 1 as the scene is lit.
+  std::optional<CueLevel> present{};   // 0 she has left the picture .. 1 she is there.
+  int motion = -1;                     // Of the show's motions; -1: none.
+  std::uint32_t release = 0;           // Bit n: whoever has the level n (show::Level) lets go of it.
+  std::optional<LifeAmounts> life{};   // Parts that are kKeepsLife stay as they were.
+  std::optional<std::int32_t> gaze{};  // Whom she looks at, of the show's targets, or kNoTarget.
   CueNext next = CueNext::kGo;
   CueWait wait{};
 };
@@ -92,6 +96,8 @@ struct TrackedState {
   Item face, expression, style, scene;
   float light = 1;
   float present = 1;
+  LifeAmounts life = kWholeLife;
+  std::int32_t gaze = kNoTarget;
   bool operator==(const TrackedState&) const = default;
 };
 

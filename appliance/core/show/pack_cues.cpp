@@ -3,6 +3,9 @@
 namespace kaori::show {
 namespace {
 
+// As pack.fbs has it.
+constexpr std::int32_t kSetsNoGaze = -2;
+
 std::optional<pack::CueCall> Stored(const std::optional<CueCall>& call) {
   if (!call) return std::nullopt;
   return pack::CueCall(call->index, call->in_s);
@@ -11,6 +14,11 @@ std::optional<pack::CueCall> Stored(const std::optional<CueCall>& call) {
 std::optional<pack::CueLevel> Stored(const std::optional<CueLevel>& level) {
   if (!level) return std::nullopt;
   return pack::CueLevel(level->value, level->in_s);
+}
+
+std::optional<pack::LifeAmounts> Stored(const std::optional<LifeAmounts>& life) {
+  if (!life) return std::nullopt;
+  return AsStored<pack::LifeAmounts>(*life);
 }
 
 // FlatBuffers' way of a struct that may be absent: a null pointer. Borrows the value.
@@ -29,6 +37,11 @@ std::optional<CueLevel> Held(const pack::CueLevel* level) {
   return CueLevel{level->value(), level->in_s()};
 }
 
+std::optional<LifeAmounts> Held(const pack::LifeAmounts* life) {
+  if (life == nullptr) return std::nullopt;
+  return AsHeld<pack::LifeAmounts, LifeAmounts>(*life);
+}
+
 flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, const Cue& cue) {
   const auto number = to.CreateString(cue.number);
   const auto name = to.CreateString(cue.name);
@@ -37,10 +50,12 @@ flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, cons
   const auto scene = Stored(cue.scene), face = Stored(cue.face), expression = Stored(cue.expression);
   const auto style = Stored(cue.style);
   const auto light = Stored(cue.light), present = Stored(cue.present);
+  const auto life = Stored(cue.life);
   return pack::CreateCue(to, number, name, act, notes, cue.pre_wait_s, Address(scene), Address(face),
                          Address(expression), Address(style), Address(light), Address(present), cue.motion,
                          static_cast<std::uint32_t>(cue.next), static_cast<std::uint32_t>(cue.wait.person),
-                         cue.wait.for_s, cue.wait.at_most_s, cue.release);
+                         cue.wait.for_s, cue.wait.at_most_s, cue.release, Address(life),
+                         cue.gaze.value_or(kSetsNoGaze));
 }
 
 Cue ReadCue(Copier& from, const pack::Cue& stored) {
@@ -57,6 +72,8 @@ Cue ReadCue(Copier& from, const pack::Cue& stored) {
           .present = Held(stored.present()),
           .motion = stored.motion(),
           .release = stored.release(),
+          .life = Held(stored.life()),
+          .gaze = stored.gaze() == kSetsNoGaze ? std::nullopt : std::optional(stored.gaze()),
           .next = static_cast<CueNext>(Narrow<std::uint8_t>(stored.next())),
           .wait = {static_cast<CuePerson>(Narrow<std::uint8_t>(stored.wait_person())), stored.wait_for_s(),
                    stored.wait_at_most_s()}};

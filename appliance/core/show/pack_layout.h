@@ -29,6 +29,12 @@ const Stored* AsStored(const std::vector<Held>& held) {
 }
 
 template <class Stored, class Held>
+const Stored& AsStored(const Held& held) {
+  SameBytes<Stored, Held>();
+  return reinterpret_cast<const Stored&>(held);
+}
+
+template <class Stored, class Held>
 const Held& AsHeld(const Stored& stored) {
   SameBytes<Stored, Held>();
   return reinterpret_cast<const Held&>(stored);

@@ -131,16 +131,19 @@ Motion ReadMotion(Copier& from, const pack::Motion& stored) {
 }
 
 StageScene ReadScene(Copier& from, const pack::StageScene& stored) {
-  return {.name = from.Text(stored.name()),
-          .key_usage = Narrow<std::uint16_t>(stored.key_usage()),
-          .face = Narrow<std::uint16_t>(stored.face()),
-          .expression = Narrow<std::uint16_t>(stored.expression()),
-          .style = static_cast<scene::Style>(Narrow<std::uint8_t>(stored.style())),
-          .backdrop = {Vec(stored.backdrop_top()), Vec(stored.backdrop_bottom()),
-                       static_cast<scene::BackdropKind>(Narrow<std::uint8_t>(stored.backdrop_kind())),
-                       Vec(stored.backdrop_glow()), stored.backdrop_picture()},
-          .exposure = stored.exposure(),
-          .fade_s = stored.fade_s()};
+  return {
+      .name = from.Text(stored.name()),
+      .key_usage = Narrow<std::uint16_t>(stored.key_usage()),
+      .face = Narrow<std::uint16_t>(stored.face()),
+      .expression = Narrow<std::uint16_t>(stored.expression()),
+      .style = static_cast<scene::Style>(Narrow<std::uint8_t>(stored.style())),
+      .backdrop = {Vec(stored.backdrop_top()), Vec(stored.backdrop_bottom()),
+                   static_cast<scene::BackdropKind>(Narrow<std::uint8_t>(stored.backdrop_kind())),
+                   Vec(stored.backdrop_glow()), stored.backdrop_picture()},
+      .exposure = stored.exposure(),
+      .fade_s = stored.fade_s(),
+      .life = stored.life() == nullptr ? kWholeLife : AsHeld<pack::LifeAmounts, LifeAmounts>(*stored.life()),
+      .gaze = stored.gaze()};
 }
 
 Channels ReadChannels(Copier& from, const pack::Pack& stored) {
@@ -153,6 +156,10 @@ Channels ReadChannels(Copier& from, const pack::Pack& stored) {
   channels.lids_up = stored.lids_up();
   channels.lids_down = stored.lids_down();
   return channels;
+}
+
+GazeTarget ReadTarget(Copier& from, const pack::GazeTarget& stored) {
+  return {from.Text(stored.name()), Vec(stored.at_m())};
 }
 
 Call ReadCall(const pack::Call& stored) {
@@ -183,6 +190,7 @@ Show Read(Copier& from, const pack::Pack& stored) {
   show.channels = ReadChannels(from, stored);
   show.cue_list = ReadCueList(from, stored.cue_list());
   show.roles = ReadRoles(from, stored.roles());
+  show.gaze_targets = from.Tables<GazeTarget>(stored.gaze_targets(), ReadTarget);
   const auto blink = from.Numbers(stored.blink());
   std::copy_n(blink.begin(), std::min(blink.size(), show.cast.blink.size()), show.cast.blink.begin());
   return show;

@@ -128,6 +128,7 @@ Offset<pack::MotionCurve> Write(FlatBufferBuilder& to, const MotionCurve& curve)
 // Declared first, since WriteAll finds its overloads where it is defined.
 Offset<pack::Motion> Write(FlatBufferBuilder& to, const Motion& motion);
 Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene);
+Offset<pack::GazeTarget> Write(FlatBufferBuilder& to, const GazeTarget& target);
 
 // A vector of tables; offsets are those that Write gave for each.
 template <class T>
@@ -153,7 +154,13 @@ Offset<pack::StageScene> Write(FlatBufferBuilder& to, const StageScene& scene) {
   return pack::CreateStageScene(to, name, scene.key_usage, scene.face, scene.expression,
                                 static_cast<std::uint32_t>(scene.style), &top, &bottom, scene.exposure,
                                 scene.fade_s, static_cast<std::uint32_t>(scene.backdrop.kind), &glow,
-                                scene.backdrop.picture);
+                                scene.backdrop.picture, &AsStored<pack::LifeAmounts>(scene.life), scene.gaze);
+}
+
+Offset<pack::GazeTarget> Write(FlatBufferBuilder& to, const GazeTarget& target) {
+  const auto name = to.CreateString(target.name);
+  const pack::Vec3 at = Vec(target.at_m);
+  return pack::CreateGazeTarget(to, name, &at);
 }
 
 Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
@@ -179,11 +186,12 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto blink = to.CreateVector(show.cast.blink.data(), show.cast.blink.size());
   const auto cue_list = WriteCueList(to, show.cue_list);
   const auto roles = WriteRoles(to, show.roles);
+  const auto gaze_targets = WriteAll(to, show.gaze_targets);
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, motions, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
-                          show.channels.lids_down, mouth, blink, keys, cue_list, roles);
+                          show.channels.lids_down, mouth, blink, keys, cue_list, roles, gaze_targets);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "appliance/core/show/cue.h"
+#include "appliance/core/show/life.h"
 #include "appliance/core/show/roles.h"
 #include "render/face/cast.h"
 #include "render/scene/scene.h"
@@ -88,6 +89,8 @@ struct StageScene {
   scene::Backdrop backdrop;
   float exposure = 1;
   float fade_s = 0.8F;
+  LifeAmounts life = kWholeLife;
+  std::int32_t gaze = kNoTarget;  // Of the show's targets.
 };
 
 // Names of expressions that the stage needs by role; -1 where the show has none.
@@ -112,6 +115,8 @@ struct Show {
   Channels channels;
   CueList cue_list;
   Roles roles = UsualRoles();
+  // What she can look at; the first one is the house (HouseOf).
+  std::vector<GazeTarget> gaze_targets;
 };
 
 }  // namespace kaori::show

@@ -3,12 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <set>
 #include <string>
 
 #include "appliance/authoring/script/show_file.h"
 #include "appliance/authoring/sculpt/sculpt.h"
+#include "appliance/core/performance/aim.h"
+#include "appliance/core/performance/animate.h"
+#include "appliance/core/performance/calls.h"
 #include "appliance/core/roles/roles_file.h"
+#include "render/face/mix.h"
+#include "render/scene/view.h"
 
 namespace kaori::authoring {
 namespace {
@@ -92,6 +99,70 @@ TEST(DefaultShow, HasACueForEachBeatOfThePlayAndAKeyForEachCallOfTheList) {
   for (const show::KeyCall& key : DefaultShow().keys)
     if (key.call.kind == show::CallKind::kCue) verbs.insert(key.call.index);
   EXPECT_EQ(verbs.size(), static_cast<std::size_t>(show::kCueVerbCount));
+}
+
+// Her own life in the default show, with nobody at the controls.
+class DefaultShowAlone : public ::testing::Test {
+ protected:
+  DefaultShowAlone() : show_(DefaultShow()), state_(performance::Opening(show_, board_, now_)) {}
+
+  const scene::Scene& Frame() {
+    now_ += std::chrono::microseconds(16'667);
+    const performance::InputEvents events = performance::ReadEvents(state_.seen, board_);
+    performed_ = performance::Animate(state_, board_, events, show_, now_);
+    state_ = performed_.state;
+    return performed_.scene;
+  }
+  face::EyeBall Ball(std::size_t eye) const {
+    face::Weights weights;
+    weights.faces = performed_.scene.weights.faces;
+    return face::MixEyes(show_.cast.faces, weights)[eye];
+  }
+  glm::vec3 Looks(std::size_t eye) const {
+    const scene::Gaze& gaze = performed_.scene.gaze[eye];
+    return performance::DirectionOf({gaze.yaw_rad, gaze.pitch_rad});
+  }
+  // The middle of the iris in a picture of 640 by 360.
+  glm::vec2 Iris_px(std::size_t eye) const {
+    const scene::View view(performed_.scene, show_.cast.neck_pivot, 16.0F / 9);
+    return view.InPicture(Ball(eye).centre + Ball(eye).radius_m * Looks(eye)) * glm::vec2(320, 180);
+  }
+
+  const show::Show& show_;
+  board::Snapshot board_;
+  Time now_ = Time{} + std::chrono::seconds(100);
+  performance::State state_;
+  performance::Performed performed_;
+};
+
+TEST_F(DefaultShowAlone, MovesHerIrisSoFarThatAnAudienceSeesIt) {
+  for (int seconds = 0; seconds < 100; seconds += 20) {
+    glm::vec2 low(1e3F), high(-1e3F);
+    for (int frame = 0; frame < 1200; ++frame) {
+      Frame();
+      low = glm::min(low, Iris_px(0));
+      high = glm::max(high, Iris_px(0));
+    }
+    EXPECT_GE(high.x - low.x, 7) << "of 640, within 20 seconds; it was 3.3 when glances could not be seen";
+  }
+}
+
+TEST_F(DefaultShowAlone, LooksAtSomebodyWithBothEyesOfEachFace) {
+  const auto guest = std::ranges::find(show_.gaze_targets, "seat 12", &show::GazeTarget::name);
+  ASSERT_NE(guest, show_.gaze_targets.end());
+  for (std::uint16_t face = 0; face < show_.cast.faces.size(); ++face) {
+    performance::CallFace(state_, face, 0);
+    state_.life.target = static_cast<std::int32_t>(guest - show_.gaze_targets.begin());
+    state_.life.called = {1, 0, 1, 1, 1};
+    for (int frame = 0; frame < 240; ++frame) Frame();
+    for (const std::size_t eye : {0U, 1U}) {
+      const auto turn = scene::TurnOf(performed_.scene.head);
+      const glm::vec3 pivot = show_.cast.neck_pivot;
+      const glm::vec3 at = turn * (Ball(eye).centre - pivot) + pivot + performed_.scene.head.shift_m;
+      const float cosine = glm::dot(turn * Looks(eye), glm::normalize(guest->at_m - at));
+      EXPECT_GT(cosine, std::cos(0.5F * 0.01745F)) << show_.cast.faces[face].name << ", eye " << eye;
+    }
+  }
 }
 
 }  // namespace

@@ -84,6 +84,25 @@ const Mistake kInTheScript[] = {
      "show.toml:[0-9]+: channels.lids_up: there is no expression \"lid_up\"; did you mean \"lids_up\"[?]"},
 };
 
+const Mistake kInTheGaze[] = {
+    {"TargetOfTwoNumbers", "show.toml", "\"seat 12\" = [-2.4, -1.2, 6]", "\"seat 12\" = [-2.4, -1.2]",
+     "show.toml:[0-9]+: gaze.seat 12: must be three numbers"},
+    {"TargetBehindHer", "show.toml", "[-2.4, -1.2, 6]", "[-2.4, -1.2, -6]",
+     "show.toml:[0-9]+: gaze.seat 12: is no place before her: .left, up, to the audience. in metres"},
+    {"TargetInCentimetres", "show.toml", "[-2.4, -1.2, 6]", "[-240, -120, 600]",
+     "show.toml:[0-9]+: gaze.seat 12: is no place before her: .* 0.4 to 200 m away"},
+    {"TargetThatIsNobody", "show.toml",
+     "\"seat 12\" =", "nobody =", "show.toml:[0-9]+: gaze.nobody: means that she looks at nobody"},
+    {"SceneOfNoTarget", "show.toml", "fade_s = 0.8\n", "fade_s = 0.8\ngaze = \"hause\"\n",
+     "show.toml:[0-9]+: scene \"studio\".gaze: there is no gaze target \"hause\"; did you mean \"house\"[?]"},
+    {"SceneOfLifeInPercent", "show.toml", "fade_s = 0.8\n", "fade_s = 0.8\nlife = { blink = 40 }\n",
+     "show.toml:[0-9]+: scene \"studio\".life.blink: is 40, not within 0 to 2"},
+    {"CueOfNoTarget", "cues.toml", "gaze = \"seat 12\"", "gaze = \"seat 21\"",
+     "cues.toml:[0-9]+: cue 4.gaze: there is no gaze target \"seat 21\"; did you mean \"seat 12\"[?]"},
+    {"CueOfNoPartOfLife", "cues.toml", "life = { glance = 0.3 }", "life = { glanse = 0.3 }",
+     "cues.toml:[0-9]+: cue 4.life.glanse: is not known here; did you mean \"glance\"[?]"},
+};
+
 const Mistake kInTheCues[] = {
     {"RoleOfNoLevel", "roles.toml", "level = \"head_lean\"", "level = \"head_leen\"",
      "roles.toml:[0-9]+: role \"head\".map\\[4\\].level: \"head_leen\" is none of face, expression"},
@@ -212,6 +231,7 @@ std::string NameOf(const ::testing::TestParamInfo<Mistake>& mistake) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InTheScript, AMistake, ::testing::ValuesIn(kInTheScript), NameOf);
+INSTANTIATE_TEST_SUITE_P(InTheGaze, AMistake, ::testing::ValuesIn(kInTheGaze), NameOf);
 INSTANTIATE_TEST_SUITE_P(InTheCues, AMistake, ::testing::ValuesIn(kInTheCues), NameOf);
 INSTANTIATE_TEST_SUITE_P(InTheCast, AMistake, ::testing::ValuesIn(kInTheCast), NameOf);
 INSTANTIATE_TEST_SUITE_P(InALook, AMistake, ::testing::ValuesIn(kInALook), NameOf);

@@ -27,16 +27,21 @@ inline show::Show ShowWithCues() {
   show.scenes[2].exposure = 0.7F;
   auto& cues = show.cue_list.cues;
   cues = {{.number = "1", .face = show::CueCall{1, 0.5F}},
-          {.number = "2", .face = show::CueCall{3, 1.0F}, .style = show::CueCall{0, 2.0F}},
+          {.number = "2", .face = show::CueCall{3, 1.0F}, .style = show::CueCall{0, 2.0F}, .gaze = 1},
           {.number = "2.5", .expression = show::CueCall{4, 0.5F}, .next = CueNext::kContinue},
           {.number = "2.10",
            .pre_wait_s = 1,
            .expression = show::CueCall{5, 0.5F},
            .motion = 0,
            .next = CueNext::kFollow},
-          {.number = "3", .face = show::CueCall{0, 0.2F}, .light = show::CueLevel{0.5F, 0.5F}},
+          {.number = "3",
+           .face = show::CueCall{0, 0.2F},
+           .light = show::CueLevel{0.5F, 0.5F},
+           .life = show::LifeAmounts{1, 0.5F, show::kKeepsLife, show::kKeepsLife, 0},
+           .gaze = show::kNoTarget},
           {.number = "4", .scene = show::CueCall{2, 1.0F}, .expression = show::CueCall{7, 1.0F}},
           {.number = "5", .light = show::CueLevel{1, 0.5F}, .present = show::CueLevel{0, 0.5F}}};
+  show.gaze_targets = {{show::kHouseName, {0, 0, 4}}, {"seat 12", {-1, 0, 5}}};
   show.cue_list.panic = {1, 0.5F};
   const auto key = [&show](std::uint8_t usage, CueVerb verb) {
     show.keys.push_back({usage, {show::CallKind::kCue, static_cast<std::uint16_t>(verb)}});
@@ -76,6 +81,8 @@ class CuesTest : public PerformanceTest {
     std::array<float, 2> dials;
     std::int32_t active, standby;
     std::uint16_t scene;
+    show::LifeAmounts life;
+    std::int32_t gaze;
   };
   static bool SameBits(const Tracked& a, const Tracked& b) {
     // Bits, and not values: 0 and -0 differ.
@@ -92,15 +99,17 @@ class CuesTest : public PerformanceTest {
     return same_mixture(a.faces, b.faces) && same_mixture(a.expressions, b.expressions) &&
            same_mixture(a.styles, b.styles) && same_mixture(a.backdrops, b.backdrops) &&
            same(a.exposure, b.exposure) && same(a.light, b.light) && same(a.present, b.present) &&
-           same(a.dials, b.dials) && a.active == b.active && a.standby == b.standby && a.scene == b.scene;
+           same(a.dials, b.dials) && same(a.life, b.life) && a.gaze == b.gaze && a.active == b.active &&
+           a.standby == b.standby && a.scene == b.scene;
   }
   Tracked Now() const {
-    return {state_.faces,    state_.expressions,
-            state_.styles,   state_.backdrops,
-            state_.exposure, state_.cue_light,
-            state_.present,  {At(state_.shown, Knob::kFace), At(state_.shown, Knob::kExpression)},
-            run().active,    run().standby,
-            state_.scene};
+    return {state_.faces,      state_.expressions,
+            state_.styles,     state_.backdrops,
+            state_.exposure,   state_.cue_light,
+            state_.present,    {At(state_.shown, Knob::kFace), At(state_.shown, Knob::kExpression)},
+            run().active,      run().standby,
+            state_.scene,      state_.life.called,
+            state_.life.target};
   }
   // Plays the list from its top until GO would play cue `end`.
   Tracked RunThroughTo(std::int32_t end) {

@@ -33,6 +33,9 @@ inline show::Show SmallShow() {
   show.motions = {{"nod", 0x1E, {{show::MotionTarget::kHeadPitch, 0, {{0, 0}, {0.5F, 0.3F}, {1, 0}}}}}};
   show.motions[0].sound = {2, {1, -1, 32767, -32768}};
   show.channels.brow_frown = 4;
+  show.gaze_targets = {{show::kHouseName, {0, 0, 5}}, {"seat 12", {1, -0.5F, 6}}};
+  show.scenes[0].life = {0.5F, 0, 1, 1, 2};
+  show.scenes[0].gaze = 1;
   show.cue_list.goto_s = 2;
   show.cue_list.cues = {
       {.number = "1", .name = "opening", .notes = "with the drum", .scene = show::CueCall{0, 3.0F}},
@@ -40,6 +43,8 @@ inline show::Show SmallShow() {
        .pre_wait_s = 0.5F,
        .light = show::CueLevel{0.25F, 1.0F},
        .motion = 0,
+       .life = show::LifeAmounts{show::kKeepsLife, 0.5F, show::kKeepsLife, 1, 0},
+       .gaze = show::kNoTarget,
        .wait = {show::CuePerson::kVoiceQuiet, 1, 20}}};
   show.roles.handover_s = 0.5F;
   show.roles.roles[1].maps[0].points = {{0, 0}, {0.5F, 0.25F}, {1, 1}};

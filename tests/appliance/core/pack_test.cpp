@@ -58,6 +58,15 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   ASSERT_EQ(loaded->roles.roles.size(), show.roles.roles.size());
   EXPECT_EQ(loaded->roles.roles[1].maps[0].points, show.roles.roles[1].maps[0].points);
   EXPECT_EQ(loaded->roles.roles[2].maps.back().takeover, show::Takeover::kScale);
+  EXPECT_EQ(loaded->gaze_targets[1].name, "seat 12");
+  EXPECT_EQ(loaded->gaze_targets[1].at_m, show.gaze_targets[1].at_m);
+  EXPECT_EQ(loaded->scenes[0].life, show.scenes[0].life);
+  EXPECT_EQ(loaded->scenes[0].gaze, 1);
+  EXPECT_EQ(list.cues[1].life, show.cue_list.cues[1].life);
+  EXPECT_EQ(list.cues[1].gaze, show::kNoTarget);
+  EXPECT_FALSE(list.cues[0].gaze);
+  EXPECT_EQ(list.tracked[2].life, (show::LifeAmounts{0.5F, 0.5F, 1, 1, 0}))
+      << "what a cue does not name stays";
   EXPECT_EQ(list.tracked.size(), 3U) << "what stands after each cue is known at once";
   EXPECT_EQ(EncodePack(*loaded), EncodePack(show)) << "a second writing gives the same bytes";
 }

@@ -104,6 +104,55 @@ TEST_F(LevelsTest, NothingJumpsInAHundredThousandRandomTakeOvers) {
   }
   EXPECT_GE(takeovers, 100'000);
   EXPECT_EQ(jumps, 0) << "the largest step: " << largest;
+  RecordProperty("takeovers", takeovers);
+  RecordProperty("takeover_jumps", jumps);
+}
+
+// Everybody holds still once the level has passed on: what is seen, but for the movement that claimed it, belongs to the passing.
+TEST_F(LevelsTest, NoFrameOfAHandOverMovesALevelByMoreThanTwoPercentOfItsRange) {
+  std::mt19937 random(15);
+  const auto between = [&random](float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random);
+  };
+  TwoSticks();
+  Run(1s);
+  int handovers = 0;
+  float largest = 0;
+  for (int round = 0; round < 1'000; ++round) {
+    const auto before = state_.levels;
+    const float x = Stick(0).x, y = Stick(1).x, slider = Stick(1).slider;
+    switch (random() % 5) {
+      case 0:
+        Stick(0).x = between(-1, 1);
+        break;
+      case 1:
+        Stick(1).x = random() % 2 == 0 ? 0 : between(-1, 1);
+        break;
+      case 2:
+        Stick(1).slider = between(0, 1);
+        break;
+      case 3:
+        SetRemotely(state_, show_.roles, Level::kHeadYaw, between(-0.62F, 0.62F));
+        break;
+      default:
+        LetGo(state_, show_.roles, random() % 2 == 0 ? Level::kHeadYaw : Level::kLife);
+    }
+    const std::array own{std::max(std::abs(Stick(0).x - x), std::abs(Stick(1).x - y)) / 2,
+                         std::abs(Stick(1).slider - slider)};
+    Step();
+    for (const Level level : {Level::kHeadYaw, Level::kLife}) {
+      const LevelNow& was = before[static_cast<std::size_t>(level)];
+      if (was.owner == Now(level).owner && was.role == Now(level).role) continue;  // Its owner moved it.
+      ++handovers;
+      const float moved = Share(level, Value(level) - was.value);
+      largest = std::max(largest, moved - own[level == Level::kHeadYaw ? 0 : 1]);
+    }
+    largest = std::max({largest, LargestStep(Level::kHeadYaw), LargestStep(Level::kLife)});
+  }
+  EXPECT_GT(handovers, 400);
+  EXPECT_GT(largest, 0.005F) << "long ways are among them";
+  EXPECT_LE(largest, 0.0201F);
+  RecordProperty("handover_step_percent", std::to_string(100 * largest));
 }
 
 }  // namespace

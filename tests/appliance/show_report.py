@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Writes what is measured of a performance, in simulated time: show_report.py BIN FILE.json
+
+Each figure comes from a test of BIN/test-performance, which bounds it too; FILE gets them as they are on this machine now.
+
+  jump_states_differ       jumps between cues whose state is not that of the run through the list
+  takeover_jumps           of `takeovers` random ones, those where a level moved by more than its owner's hand and 2 % of its range
+  handover_step_percent    of its range, the most that a level moves in a 60th of a second while it passes on
+  blinks_per_min_rest, blinks_per_min_speaking
+  blinks_on_held_lids      blinks that began on lids that a key, a motion or an expression holds
+  saccade_error_ms         how far a frame shows the eyes from where they are at its presentation
+  gaze_target_error_deg    of each eye, from whom she looks at
+  solo_still_s             the longest time in which nothing moves that an audience could see, nobody touching a control
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+FIGURES = ("jump_states_differ", "takeovers", "takeover_jumps", "handover_step_percent", "blinks_per_min_rest",
+           "blinks_per_min_speaking", "blinks_on_held_lids", "saccade_error_ms", "gaze_target_error_deg", "solo_still_s")
+TESTS = "*Jump*:*RandomTakeOvers*:*HandOver*:LifeOfBlinks.*:Gaze.*"
+
+
+def measured(bin_folder):
+    """(what the tests recorded, whether all of them passed)."""
+    with tempfile.TemporaryDirectory() as folder:
+        said = Path(folder) / "said.json"
+        done = subprocess.run([bin_folder / "test-performance", f"--gtest_filter={TESTS}", f"--gtest_output=json:{said}"],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        if done.returncode != 0:
+            print(done.stdout, file=sys.stderr)
+        cases = [case for suite in json.loads(said.read_text())["testsuites"] for case in suite["testsuite"]]
+    recorded = {name: float(case[name]) for case in cases for name in FIGURES if name in case}
+    return recorded, done.returncode == 0
+
+
+def main():
+    bin_folder, file = (Path(word).resolve() for word in sys.argv[1:3])
+    recorded, passed = measured(bin_folder)
+    figures = {name: recorded.get(name) for name in FIGURES}
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(figures, indent=2) + "\n")
+    print("\n".join(f"{name:24} {value}" for name, value in figures.items()))
+    missing = [name for name, value in figures.items() if value is None]
+    if missing:
+        print(f"show_report.py: no test recorded {', '.join(missing)}", file=sys.stderr)
+    return 0 if passed and not missing else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
