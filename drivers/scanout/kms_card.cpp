@@ -22,7 +22,12 @@ Result<CardFile> AcquireCardFile(const std::string& path, const std::string& fd_
   if (auto kept = service::RetrieveFd(kName)) return CardFile{std::move(*kept), true};
   auto opened = OpenCardFile(path.c_str());
   // Another file is the card's master already: the fd keeper holds it, or another program has it.
-  if (opened && !IsMaster(opened->get())) opened = service::RetrieveFromKeeper(fd_keeper);
+  if (opened && !IsMaster(opened->get())) {
+    opened = service::RetrieveFromKeeper(fd_keeper);
+    if (!opened)
+      return Fail(opened.error().cause,
+                  "take over " + path + " from the program that shows its picture on it");
+  }
   if (!opened) return tl::unexpected(opened.error());
   return CardFile{std::move(*opened)};
 }

@@ -67,19 +67,27 @@ Result<void> Reap(Scene& scene, const Death& death, const std::string& number) {
   return {};
 }
 
-// Looks at the screen without a pause until the stage, which has just been made to end, draws new frames.
+// The number of the stage's process; empty while there is none.
+Result<std::string> StageProcess(Scene& scene) {
+  return scene.target.agent().Ask("processes kaori-stage", kRecoveryAnswer);
+}
+
+// Looks at the screen without a pause until the stage, which has just been made to end, draws new frames. A new stage is
+// known by its process: between two looks at the board of a slow machine it may have drawn more frames than the old one had.
 Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
-  const auto before = scene.target.Board();
+  const auto before = StageProcess(scene);
   if (!before) return tl::unexpected(before.error());
   const auto told = scene.target.agent().Ask(death.question, kRecoveryAnswer);
   if (!told) return tl::unexpected(told.error());
+  std::int64_t began_ns = 0;  // When the new process was first seen; 0: it was not.
   const Time until = scene.target.clock().now() + death.longest;
   while (scene.target.clock().now() < until) {
     if (auto ok = Look(scene, watch); !ok) return ok;
     const auto board = scene.target.Board();
-    // A new stage counts its frames from the beginning. A stage that was frozen is live on the board
-    // until its silence is noticed: only new counts tell.
-    if (board && board->stage.live && board->stage.frames > 0 && board->stage.frames < before->stage.frames)
+    const auto process = StageProcess(scene);
+    if (board && process && began_ns == 0 && !process->empty() && *process != *before)
+      began_ns = board->now_ns;
+    if (board && began_ns != 0 && board->stage.live && board->stage.read_ns > began_ns)
       return Reap(scene, death, *told);
     scene.target.For(milliseconds(20));
   }
@@ -129,14 +137,13 @@ Result<void> WrongPicturesAreFound(Scene& scene) {
   return {};
 }
 
-// The unit of systemd says so once; the words changed with systemd's version.
+// The device that systemd feeds. It says so in no log: it opens the device before there is a journal.
 Result<void> WantArmed(Scene& scene) {
-  const auto log =
-      scene.target.agent().Ask("own /usr/bin/journalctl -b --no-pager -o cat _PID=1", kRecoveryAnswer);
-  if (!log) return tl::unexpected(log.error());
-  for (const char* armed : {"Watchdog running with a timeout of", "Using hardware watchdog"})
-    if (log->find(armed) != std::string::npos) return {};
-  return FailInput("systemd does not use the hardware watchdog");
+  const auto device =
+      scene.target.agent().Ask("own /usr/bin/systemctl show -p WatchdogDevice", kRecoveryAnswer);
+  if (!device) return tl::unexpected(device.error());
+  if (device->find("=/dev/watchdog") != std::string::npos) return {};
+  return FailInput("systemd does not feed the hardware's watchdog: " + *device);
 }
 
 // The system's first program is frozen: the machine must reset by itself, which ends QEMU.

@@ -113,6 +113,8 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
   const auto heard =
       scene.target.UntilBoard(moved, kSoundLongest, "see the mouth follow the voice, and hear it");
   static_cast<void>(scene.Shoot("voice", "It speaks"));
+  scene.finding.texts.emplace_back(
+      "aplay", scene.target.agent().Ask("end " + *speaker, kSoundAnswer).value_or("it said nothing"));
   scene.finding.figures["voice_heard_likeness"] = HeardVoice(scene);
   scene.finding.said =
       fmt::format("the mouth moved from {:.2f} to {:.2f}, {:.0f} dB; at the loudspeaker {:.2f} like it",

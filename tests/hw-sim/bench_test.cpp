@@ -123,6 +123,10 @@ TEST_F(AgentActions, WriteIntoFilesThatAreThereAndMakeNone) {
 }
 
 TEST_F(AgentActions, SignalNobodyWhereNobodyHasTheName) {
+  EXPECT_EQ(agent::ProcessesOf("no-such-program"), "");
+  std::string own_name;
+  std::getline(std::ifstream("/proc/self/comm"), own_name);
+  EXPECT_THAT(agent::ProcessesOf(own_name), ::testing::HasSubstr(std::to_string(::getpid())));
   EXPECT_EQ(agent::SignalAll("no-such-program", "15"), "0");
   EXPECT_FALSE(agent::SignalAll("no-such-program", "hard"));
 }

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace kaori::agent {
 namespace {
@@ -135,17 +136,25 @@ Result<std::string> WriteIn(int root, const std::string& path, const std::string
   return std::string();
 }
 
-Result<std::string> SignalAll(const std::string& name, const std::string& signal) {
-  if (!IsNumber(signal)) return FailInput("a signal is a number, not " + signal);
-  int found = 0;
+std::string ProcessesOf(const std::string& name) {
+  std::string numbers;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
     const std::string process = entry.path().filename();
     if (!IsNumber(process)) continue;
     std::string comm;
     std::getline(std::ifstream(entry.path() / "comm"), comm);
-    if (comm == name && ::kill(std::atoi(process.c_str()), std::atoi(signal.c_str())) == 0) ++found;
+    if (comm == name) numbers += (numbers.empty() ? "" : " ") + process;
   }
+  return numbers;
+}
+
+Result<std::string> SignalAll(const std::string& name, const std::string& signal) {
+  if (!IsNumber(signal)) return FailInput("a signal is a number, not " + signal);
+  int found = 0;
+  std::istringstream processes(ProcessesOf(name));
+  for (pid_t process = 0; processes >> process;)
+    if (::kill(process, std::atoi(signal.c_str())) == 0) ++found;
   return std::to_string(found);
 }
 

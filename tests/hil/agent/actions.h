@@ -41,6 +41,9 @@ Result<std::string> ReadIn(int root, const std::string& path);
 // Writes `text` into a file that is there, below the root folder `root`. Errors: those of the file.
 Result<std::string> WriteIn(int root, const std::string& path, const std::string& text);
 
+// The numbers of the processes of that name, in the order of /proc, with blanks between; empty where there are none.
+std::string ProcessesOf(const std::string& name);
+
 // Sends `signal` to every process of that name; gives how many there were. Errors: invalid_argument (a bad
 // number).
 Result<std::string> SignalAll(const std::string& name, const std::string& signal);

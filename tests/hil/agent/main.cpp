@@ -15,6 +15,7 @@
 //   end NUMBER                   ends it; what it said
 //   usb                          its devices, and whether each is authorised
 //   voice PATH SECONDS           writes a voice as a WAV file of the bench's disk
+//   processes NAME               their numbers
 //   signal NAME NUMBER           to every process of that name
 //   lines request CHIP IN,IN OUT,OUT GPIO lines, by the box's own driver
 //   lines edges | levels         what they did since the last question; how they stand
@@ -79,6 +80,7 @@ class Agent {
     if (verb == "read" && words.size() == 1) return kaori::agent::ReadIn(roots_.box.get(), words[0]);
     if (verb == "write" && words.size() == 2)
       return kaori::agent::WriteIn(roots_.box.get(), words[0], words[1]);
+    if (verb == "processes" && words.size() == 1) return kaori::agent::ProcessesOf(words[0]);
     if (verb == "signal" && words.size() == 2) return kaori::agent::SignalAll(words[0], words[1]);
     return kaori::FailInput("not understood: " + question);
   }

@@ -39,10 +39,12 @@ Child::~Child() {
   ::waitpid(process_, nullptr, 0);
 }
 
-bool Child::Runs() const {
+std::string Child::State() const {
   siginfo_t ended{};
-  return ::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-         ended.si_pid == 0;
+  if (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0)
+    return "is unknown";
+  if (ended.si_pid == 0) return kRuns;
+  return (ended.si_code == CLD_EXITED ? "ended with " : "ended by signal ") + std::to_string(ended.si_status);
 }
 
 }  // namespace kaori::latency

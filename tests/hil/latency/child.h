@@ -22,9 +22,13 @@ class Child {
   Child& operator=(Child&&) = delete;
   ~Child();  // Kills it and waits for its end.
 
-  bool Runs() const;
+  // Runs, "ended with 1", "ended by signal 11".
+  std::string State() const;
+  bool Runs() const { return State() == kRuns; }
 
  private:
+  static constexpr const char* kRuns = "runs";
+
   explicit Child(pid_t process) : process_(process) {}
   pid_t process_;
 };

@@ -32,6 +32,7 @@ constexpr std::string_view kHelp = R"(kaori-input-latency: the latency from inpu
   --rounds N     of each arm (3)
   --board FILE   (/run/kaori/board)
   --pack FILE    the show
+  --fdkeeper SOCKET  where the card is kept while no stage runs (/run/kaori-fdkeeper)
 )";
 
 constexpr int kLook_ms = 1;
@@ -43,7 +44,7 @@ constexpr std::uint32_t kStep = 100;  // Frames after a load step in which its e
 
 struct Settings {
   std::string stage = "/usr/bin/kaori-stage", mode = "320x180@4", loaded, events = "70", rounds = "3",
-              board = "/run/kaori/board", pack;
+              board = "/run/kaori/board", fdkeeper = "/run/kaori-fdkeeper", pack;
 };
 
 struct Arm {
@@ -155,16 +156,17 @@ std::string Describe(std::vector<Duration> waited) {
 }
 
 Result<void> LatencyBench::Round(const Arm& arm, int round) {
-  std::vector<std::string> words{settings_.stage,  "--board",      settings_.board,
-                                 "--pack",         settings_.pack, "--card",
-                                 "/dev/dri/card0", "--mode",       ModeOf(arm)};
+  std::vector<std::string> words{settings_.stage, "--board",    settings_.board,   "--pack",
+                                 settings_.pack,  "--card",     "/dev/dri/card0",  "--mode",
+                                 ModeOf(arm),     "--fdkeeper", settings_.fdkeeper};
   if (arm.early) words.emplace_back("--early");
   const std::uint32_t before = Status().frames;
   const auto stage = Child::Start(words);
   if (!stage) return tl::unexpected(stage.error());
   const auto has_begun = [&] { return HasBegun(Status().frames - before, ModeOf(arm)); };
   while (!Until([&] { return has_begun() || !stage->Runs(); }) && !has_begun()) Log("the stage is slow");
-  if (!stage->Runs()) return Fail(std::errc::no_child_process, "keep the stage playing");
+  if (!stage->Runs())
+    return Fail(std::errc::no_child_process, "keep the stage playing, which " + stage->State());
   std::optional<Result<Child>> burner;
   if (arm.loaded) burner.emplace(Child::Burn());
   step_ = Status();
@@ -223,6 +225,7 @@ int main(int argc, char** argv) {
       .Text("--events", settings.events)
       .Text("--rounds", settings.rounds);
   options.Text("--stage", settings.stage).Text("--board", settings.board).Text("--pack", settings.pack, true);
+  options.Text("--fdkeeper", settings.fdkeeper);
   if (const auto status = options.Parse(argc, argv)) return *status;
   return kaori::latency::Run(settings);
 }
