@@ -138,13 +138,12 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
 // then the jaw's limit over all of them, the lids and the styles. The mouth comes after the other channels,
 // since it takes the expression's mouth away as far as it drives.
 void Weigh(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
-           float accent, scene::Scene& scene, float dt_s) {
+           scene::Scene& scene, float dt_s) {
   face::Weights& weights = scene.weights;
   weights.faces = Current(state.faces, At(state.shown, Knob::kFace));
   weights.expressions = Strengthened(Current(state.expressions, At(state.shown, Knob::kExpression)),
                                      At(state.shown, Knob::kStrength));
   weights.channels = motion.channels;
-  AddBrowsAndLids(state.brow + accent, show.channels, scene.gaze[0], weights.channels);
   MoveMouth(state, board, show.channels, weights, dt_s);
   face::LimitJaw(show.cast, weights);
   const auto shut = Lids(state, board.keys.value, dt_s);
@@ -188,14 +187,15 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   MoveOn(state, board, events, show, dt_s);
 
   scene::Scene& scene = performed.scene;
-  const Motion motion = PlayMotions(state, show, PlayTime(state, dt_s));
+  Motion motion = PlayMotions(state, show, PlayTime(state, dt_s));
   const Idle idle = Live(state, board, show, motion, dt_s);
   scene.head = Sum(state.head, idle.head, motion.head);
   for (std::size_t eye = 0; eye < scene.gaze.size(); ++eye)
     scene.gaze[eye] = Sum(state.gaze, idle.gaze[eye], motion.gaze);
   scene.breath = idle.breath;
   scene.pupil = idle.pupil;
-  Weigh(state, board, show, motion, idle.brow, scene, dt_s);
+  AddBrowsAndLids(state.brow + idle.brow, show.channels, scene.gaze[0], motion.channels);
+  Weigh(state, board, show, motion, scene, dt_s);
   Swing(state.sway, scene.head, dt_s);
   scene.hair_sway_rad = state.sway.angle_rad;
   HangBackdrops(state.backdrops, show, scene);
