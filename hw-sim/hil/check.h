@@ -140,6 +140,8 @@ std::vector<Check> LastFaceChecks();
 // Input sampled late and early, on a screen with real vertical blanks.
 std::vector<Check> SamplingChecks();
 // The last picture stays, and a box that hangs starts again.
+// Programs that hang are replaced.
+std::vector<Check> HangChecks();
 std::vector<Check> RecoveryChecks();
 // How soon the first picture and the first face come.
 std::vector<Check> StartChecks();

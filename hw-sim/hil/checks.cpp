@@ -71,11 +71,11 @@ Result<void> WantFoundWrong(const Result<void>& tried, const char* passed) {
 std::vector<Check> AllChecks() {
   std::vector<Check> all;
   for (auto& part :
-       {ScreenChecks(),        PlayChecks(),    InputChecks(),     LatencyChecks(),  CameraChecks(),
-        LineChecks(),          SoundChecks(),   LibcameraChecks(), CableChecks(),    ToolChecks(),
-        AuthorisationChecks(), AloneChecks(),   SpeedChecks(),     GadgetChecks(),   LoopChecks(),
-        SamplingChecks(),      DisplayChecks(), OutputChecks(),    LastFaceChecks(), RecoveryChecks(),
-        DiskChecks(),          StartChecks()})
+       {ScreenChecks(),   PlayChecks(),          InputChecks(),     LatencyChecks(), CameraChecks(),
+        LineChecks(),     SoundChecks(),         LibcameraChecks(), CableChecks(),   HangChecks(),
+        ToolChecks(),     AuthorisationChecks(), AloneChecks(),     SpeedChecks(),   GadgetChecks(),
+        LoopChecks(),     SamplingChecks(),      DisplayChecks(),   OutputChecks(),  LastFaceChecks(),
+        RecoveryChecks(), DiskChecks(),          StartChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -1,5 +1,6 @@
 // The last picture stays while the stage is away, and a box that hangs as a whole starts again.
 #include <array>
+#include <functional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -16,6 +17,8 @@ using std::chrono::seconds;
 // Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
 constexpr double kMovedByItself = 0.06;
 constexpr Duration kRecoveryAnswer = seconds(120);
+// Two seconds are wanted of a machine that has time; emulated, beside neighbours, it has little.
+constexpr Duration kLongestHang = seconds(60);
 
 // A small screen, so that the stage is back sooner; no devices, whose drivers would need time. The
 // watchdog's machine is smaller yet: it only has to run.
@@ -67,15 +70,15 @@ Result<void> Reap(Scene& scene, const Death& death, const std::string& number) {
   return {};
 }
 
-// The number of the stage's process; empty while there is none.
-Result<std::string> StageProcess(Scene& scene) {
-  return scene.target.agent().Ask("processes kaori-stage", kRecoveryAnswer);
+// The number of the process of that name; empty while there is none.
+Result<std::string> ProcessOf(Scene& scene, const char* program) {
+  return scene.target.agent().Ask(std::string("processes ") + program, kRecoveryAnswer);
 }
 
 // Looks at the screen without a pause until the stage, which has just been made to end, draws new frames. A new stage is
 // known by its process: between two looks at the board of a slow machine it may have drawn more frames than the old one had.
 Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
-  const auto before = StageProcess(scene);
+  const auto before = ProcessOf(scene, "kaori-stage");
   if (!before) return tl::unexpected(before.error());
   const auto told = scene.target.agent().Ask(death.question, kRecoveryAnswer);
   if (!told) return tl::unexpected(told.error());
@@ -84,7 +87,7 @@ Result<void> WatchOneDeath(Scene& scene, const Death& death, Watch& watch) {
   while (scene.target.clock().now() < until) {
     if (auto ok = Look(scene, watch); !ok) return ok;
     const auto board = scene.target.Board();
-    const auto process = StageProcess(scene);
+    const auto process = ProcessOf(scene, "kaori-stage");
     if (board && process && began_ns == 0 && !process->empty() && *process != *before)
       began_ns = board->now_ns;
     if (board && began_ns != 0 && board->stage.live && board->stage.read_ns > began_ns)
@@ -171,7 +174,49 @@ Result<void> RunningIsNotReset(Scene& scene) {
   return ended ? FailInput("a box that runs is reset too") : Result<void>{};
 }
 
+// Hangs a program, and waits until another process of its name delivers. Gives how long that took, by the machine's clock.
+Result<Duration> Hang(Scene& scene, const char* program,
+                      const std::function<bool(const BoardView&)>& delivers) {
+  const auto seen =
+      scene.target.UntilBoard(delivers, kLongestHang, fmt::format("see what {} delivers", program));
+  if (!seen) return tl::unexpected(seen.error());
+  const auto before = ProcessOf(scene, program);
+  if (!before) return tl::unexpected(before.error());
+  if (before->empty()) return FailInput(fmt::format("{} does not run", program));
+  const auto hung = scene.target.agent().Ask(fmt::format("signal {} 19", program), kRecoveryAnswer);
+  if (!hung) return tl::unexpected(hung.error());
+  const std::int64_t hung_ns = seen->now_ns;
+  const auto is_back = [&](const BoardView& board) {
+    const auto process = ProcessOf(scene, program);
+    return process && !process->empty() && *process != *before && delivers(board);
+  };
+  const auto back =
+      scene.target.UntilBoard(is_back, kLongestHang, fmt::format("see {} again, which hung", program));
+  if (!back) return tl::unexpected(back.error());
+  return std::chrono::nanoseconds(back->now_ns - hung_ns);
+}
+
+// A program that hangs delivers nothing for ever, unless it is noticed.
+Result<void> Hung(Scene& scene) {
+  const auto input = Hang(scene, "kaori-input", [](const BoardView& board) {
+    return board.surface_live && board.left.live && board.right.live;
+  });
+  if (!input) return tl::unexpected(input.error());
+  const auto lips = Hang(scene, "kaori-lips", [](const BoardView& board) { return board.lips_live; });
+  if (!lips) return tl::unexpected(lips.error());
+  scene.finding.figures["hung_input_back_s"] = Seconds(*input);
+  scene.finding.figures["hung_lips_back_s"] = Seconds(*lips);
+  scene.finding.said =
+      fmt::format("stopped by SIGSTOP, the input program was back after {:.1f} s, the lips after {:.1f} s",
+                  Seconds(*input), Seconds(*lips));
+  return {};
+}
+
 }  // namespace
+
+std::vector<Check> HangChecks() {
+  return {{"hung", "Input and lips that hang are replaced", true, Hung, {}, "kaori-input.service"}};
+}
 
 std::vector<Check> RecoveryChecks() {
   return {{"held",

@@ -10,6 +10,9 @@
 #include <cstring>
 #include <thread>
 
+#include "drivers/base/event_loop.h"
+#include "drivers/base/loop_watchdog.h"
+
 namespace kaori::service {
 namespace {
 
@@ -161,6 +164,55 @@ TEST_F(WatchedService, AManagerWithoutPatienceIsNotAskedForMore) {
   auto watchdog = Watchdog::Wanted();
   ASSERT_TRUE(watchdog->Beat(std::chrono::milliseconds(500)));
   EXPECT_EQ(watchdog->limit(), std::chrono::milliseconds(100));
+}
+
+TEST(BeatPace, IsTheLongestTimeBetweenTwoBeatsOfTheLastSeconds) {
+  using std::chrono::milliseconds;
+  BeatPace pace;
+  Time now{};
+  const auto beat_after = [&](int ms) { return pace.See(now += milliseconds(ms)); };
+  EXPECT_EQ(beat_after(7000), Duration{}) << "there is no beat before the first";
+  EXPECT_EQ(beat_after(50), milliseconds(50));
+  EXPECT_EQ(beat_after(400), milliseconds(400));
+  for (int n = 0; n < 150; ++n) EXPECT_EQ(beat_after(50), milliseconds(400)) << n;
+  for (int n = 0; n < 400; ++n) static_cast<void>(beat_after(50));
+  EXPECT_EQ(beat_after(50), milliseconds(50)) << "what was long ago is forgotten";
+}
+
+// Beats that it is asked for are as late as those of a machine that has time.
+class BeatClock : public Clock {
+ public:
+  Time now() const override { return now_ += Watchdog::kPeriod; }
+
+ private:
+  mutable Time now_{};
+};
+
+TEST_F(WatchedService, ALoopThatOnlyWaitsIsGivenUpOnAfterThirtyOfItsBeats) {
+  auto loop = EventLoop::Open();
+  ASSERT_TRUE(loop);
+  const BeatClock clock;
+  ASSERT_TRUE(FeedWatchdog(*loop, clock));
+  int beats = 0;
+  ASSERT_TRUE(loop->Every(Watchdog::kPeriod, [&] {
+    if (++beats == 4) loop->Stop();
+  }));
+  ASSERT_TRUE(loop->Run());
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG=1") << "its pace is not known yet";
+  EXPECT_EQ(manager_.Read().words, "WATCHDOG_USEC=1500000\nWATCHDOG=1");
+}
+
+TEST_F(Service, ALoopThatNobodyWatchesBeatsForNobody) {
+  auto loop = EventLoop::Open();
+  ASSERT_TRUE(loop);
+  bool asked = false;
+  ASSERT_TRUE(FeedWatchdog(*loop, [&] {
+    asked = true;
+    return Duration{};
+  }));
+  ASSERT_TRUE(loop->Every(2 * Watchdog::kPeriod, [&] { loop->Stop(); }));
+  ASSERT_TRUE(loop->Run());
+  EXPECT_FALSE(asked);
 }
 
 TEST_F(Service, AWatchdogThatMakesNoSenseIsNone) {

@@ -17,6 +17,7 @@
 #include "appliance/programs/input/line_roles.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/gpio/chip_lines.h"
@@ -153,6 +154,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   ServiceWatch watch(service, loop);
   watch.Step();
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = kaori::service::FeedWatchdog(loop, clock); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, [&watch] { watch.Step(); }); !ok)
     return kaori::ExitWithError(ok.error());
   return 0;

@@ -21,6 +21,7 @@
 #include "drivers/audio/local_microphone.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/program.h"
 #include "drivers/camera/local_camera.h"
 #include "drivers/camera/named_camera.h"
@@ -100,6 +101,7 @@ int Play(const LipOptions& options, kaori::EventLoop& loop) {
   };
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = (*voice)->Join(loop); !ok) return kaori::ExitWithError(ok.error());
+  if (auto ok = kaori::service::FeedWatchdog(loop, clock); !ok) return kaori::ExitWithError(ok.error());
   if (auto ok = loop.RunEvery(kTick, tick); !ok) return kaori::ExitWithError(ok.error());
   return 0;
 }

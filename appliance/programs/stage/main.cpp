@@ -24,6 +24,7 @@
 #include "drivers/base/alarm.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
+#include "drivers/base/loop_watchdog.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/service.h"
@@ -182,13 +183,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
     if (auto held = (*card)->Preserve(); !held)
       kaori::LogWarning("the last picture will not stay when the stage ends ({})", held.error().message());
   if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());
-  auto watchdog = kaori::service::Watchdog::Wanted();
-  const auto beat = [&] {
-    if (!watchdog) return;
-    if (auto told = watchdog->Beat(stage.usual_turn()); !told)
-      kaori::LogWarning("{}", told.error().message());
-  };
-  if (auto ok = loop.Every(kaori::service::Watchdog::kPeriod, beat); !ok)
+  if (auto ok = kaori::service::FeedWatchdog(loop, [&] { return stage.usual_turn(); }); !ok)
     return kaori::ExitWithError(ok.error());
   kaori::stage::StageStatusDisplay status_display(
       *board, clock, {settings.settings, std::filesystem::path(settings.board).parent_path() / "screens"});

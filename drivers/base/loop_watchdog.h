@@ -1,0 +1,39 @@
+// The service manager's watchdog (drivers/base/service.h) fed by the one loop of a program: a program whose loop hangs falls
+// silent, is killed and started anew.
+#pragma once
+
+#include <functional>
+
+#include "drivers/base/clock.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/result.h"
+
+namespace kaori::service {
+
+// How late the beats of a loop come that has no turn of its own and only waits for events: the pace of its machine. Pure.
+class BeatPace {
+ public:
+  // The time of a beat. Gives the longest time between two beats of the last kWindow to 2 kWindow, this one included;
+  // zero at the first beat, where none is known.
+  Duration See(Time now);
+
+  static constexpr Duration kWindow = std::chrono::seconds(10);
+
+ private:
+  Time last_{};
+  Time window_began_{};
+  Duration longest_{};         // Since window_began_.
+  Duration longest_before_{};  // In the window before.
+  bool seen_ = false;
+};
+
+// From now on beats every Watchdog::kPeriod from the loop, as long as that lives; `turn` is asked at each beat how long a
+// turn usually takes (Watchdog::Beat). Does nothing where no manager watches this program. Errors: those of
+// EventLoop::Every.
+Result<void> FeedWatchdog(EventLoop& loop, std::function<Duration()> turn);
+
+// The same for a loop that only waits for events: 30 times as late as its beats usually come is a hang, 1.5 s on a machine
+// that has time. `clock` outlives the loop.
+Result<void> FeedWatchdog(EventLoop& loop, const Clock& clock);
+
+}  // namespace kaori::service
