@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "hw-sim/devices/strange_device.h"
 #include "hw-sim/hil/check.h"
 
 namespace kaori::hil {
@@ -79,6 +80,98 @@ Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
   return FailInput(fmt::format("{} {}", kind.name, wanted ? "was not authorised" : "was authorised"));
 }
 
+// A device that says it is what it is not, or something that a box has no role for. `kinds` are class, subclass and protocol.
+struct Stranger {
+  const char* name;
+  std::uint16_t vendor;
+  std::uint16_t product;
+  std::vector<sim::UsbInterface> interfaces;
+  bool wanted = false;  // The honest ones among them.
+};
+
+sim::UsbInterface Offers(std::uint8_t kind, std::uint8_t subclass, std::uint8_t protocol) {
+  return {.number = 0, .kind = kind, .subclass = subclass, .protocol = protocol};
+}
+
+// Class codes are those of usb.org's list.
+std::vector<Stranger> Strangers() {
+  const auto storage = Offers(0x08, 0x06, 0x50), network = Offers(0x02, 0x06, 0x00),
+             data = Offers(0x0A, 0x00, 0x00), keyboard = Offers(0x03, 0x01, 0x01),
+             vendors = Offers(0xFF, 0xFF, 0xFF), sound = Offers(0x01, 0x01, 0x00);
+  return {{"a serial line by FTDI", 0x0403, 0x6001, {vendors}, true},
+          {"a serial line by CH340", 0x1A86, 0x7523, {Offers(0xFF, 0x01, 0x02)}, true},
+          {"a storage stick that calls itself FTDI", 0x0403, 0x6001, {storage}},
+          {"a storage stick beside a serial line by FTDI", 0x0403, 0x6010, {vendors, storage}},
+          {"a network adapter that calls itself CH340", 0x1A86, 0x7523, {network, data}},
+          {"a keyboard that calls itself Prolific and has storage", 0x067B, 0x2303, {keyboard, storage}},
+          {"a keyboard with storage", 0x1209, 0x0003, {keyboard, storage}},
+          {"a keyboard with a network", 0x1209, 0x0003, {keyboard, network, data}},
+          {"a sound card with storage", 0x0D8C, 0x0014, {sound, storage}},
+          {"a network adapter of Microsoft's kind", 0x0BDA, 0x8152, {Offers(0xE0, 0x01, 0x03), data}},
+          {"a telephone", 0x18D1, 0x4EE1, {Offers(0x06, 0x01, 0x01)}},
+          {"a modem", 0x12D1, 0x1506, {Offers(0x02, 0x02, 0x01), data}},
+          {"a Bluetooth adapter", 0x0A12, 0x0001, {Offers(0xE0, 0x01, 0x01)}},
+          {"a printer", 0x03F0, 0x0004, {Offers(0x07, 0x01, 0x02)}},
+          {"a smart card reader", 0x08E6, 0x3437, {Offers(0x0B, 0x00, 0x00)}},
+          {"firmware that wants to be written", 0x0483, 0xDF11, {Offers(0xFE, 0x01, 0x02)}},
+          {"a vendor's own kind by nobody known", 0x1234, 0x5678, {vendors}},
+          {"nothing at all", 0x1209, 0x0005, {}}};
+}
+
+// Plugs it in where the pointer was, and unplugs it. Whether it was authorised.
+Result<bool> WasAuthorised(Scene& scene, const Stranger& stranger) {
+  sim::UsbRig& rig = scene.target.rig();
+  sim::StrangeDevice device(stranger.vendor, stranger.product, stranger.interfaces);
+  const std::string number = fmt::format("{:04x}:{:04x}", stranger.vendor, stranger.product);
+  const auto is_there = [&] { return IsAuthorised(scene, number.c_str()).has_value(); };
+  static_cast<void>(rig.Hold("pointer", &device));
+  static_cast<void>(rig.Plug("pointer"));
+  const bool seen = scene.target.Until(is_there, kAuthorisationLongest);
+  const auto settled =
+      scene.target.agent().Ask("own /usr/bin/udevadm settle --timeout=90", kAuthorisationAnswer);
+  const auto authorised = IsAuthorised(scene, number.c_str());
+  static_cast<void>(rig.Unplug("pointer"));
+  const bool gone = scene.target.Until([&] { return !is_there(); }, kAuthorisationLongest);
+  static_cast<void>(rig.Hold("pointer", nullptr));
+  if (!seen || !authorised)
+    return Fail(std::errc::timed_out, fmt::format("see {} in the machine", stranger.name));
+  if (!gone) return Fail(std::errc::timed_out, fmt::format("see {} gone", stranger.name));
+  if (!settled) return tl::unexpected(settled.error());
+  return *authorised;
+}
+
+// Strangers that are treated as they should not be; `wrong` turns what is wanted round, for the control.
+Result<void> TryStrangers(Scene& scene, bool wrong) {
+  static_cast<void>(scene.target.rig().Unplug("pointer"));
+  std::string mistaken;
+  int tried = 0, let_in = 0;
+  for (const Stranger& stranger : Strangers()) {
+    const auto authorised = WasAuthorised(scene, stranger);
+    if (!authorised) return tl::unexpected(authorised.error());
+    ++tried;
+    let_in += *authorised && !stranger.wanted ? 1 : 0;
+    if (*authorised != (stranger.wanted != wrong))
+      mistaken += (mistaken.empty() ? "" : "; ") + std::string(stranger.name);
+  }
+  static_cast<void>(scene.target.rig().Plug("pointer"));
+  scene.finding.figures["usb_liars"] = tried;
+  scene.finding.figures["usb_liars_let_in"] = let_in;
+  if (!mistaken.empty()) return FailInput("wrongly authorised, or wrongly not: " + mistaken);
+  if (auto played = AwaitFrames(scene); !played) return played;
+  scene.finding.said =
+      fmt::format("{} strange devices, 0 of them authorised wrongly; the box played on", tried);
+  return {};
+}
+
+Result<void> Liars(Scene& scene) {
+  return TryStrangers(scene, false);
+}
+
+// The control: all of them are found wrong when the opposite is wanted.
+Result<void> LiarsAreSeen(Scene& scene) {
+  return WantFoundWrong(TryStrangers(scene, true), "strange devices pass either way");
+}
+
 // The control: the same steps with the wrong expectation must fail.
 template <const Kind& kind, bool wrong>
 Result<void> Refuses(Scene& scene) {
@@ -133,6 +226,13 @@ std::vector<Check> AuthorisationChecks() {
            {},
            {},
            Refuses<kStorage, true>},
+          {"liars",
+           "Devices that call themselves something else stay unauthorised",
+           false,
+           Liars,
+           {},
+           {},
+           LiarsAreSeen},
           {"kiosk",
            "In a kiosk keyboards stay unauthorised",
            false,

@@ -36,13 +36,10 @@ UsbRig::UsbRig(const std::string& folder, const Clock& clock, UniqueFd epoll)
       keyboard_(devices_.keyboard),
       pointer_(devices_.pointer),
       camera_(devices_.camera, kCameraPeriod),
+      own_{&dial_box_, &left_stick_, &right_stick_, &keyboard_, &pointer_, &camera_, &gpio_},
       epoll_(std::move(epoll)) {
-  // In the order of kUsbSockets.
-  const std::array<UsbDevice*, kUsbSockets.size()> devices{
-      &dial_box_, &left_stick_, &right_stick_, &keyboard_, &pointer_, &camera_, &gpio_};
   for (std::size_t n = 0; n < ports_.size(); ++n)
-    ports_[n] =
-        std::make_unique<UsbredirPort>(UsbSocketPath(folder, kUsbSockets[n]), epoll_.get(), *devices[n]);
+    ports_[n] = std::make_unique<UsbredirPort>(UsbSocketPath(folder, kUsbSockets[n]), epoll_.get(), *own_[n]);
 }
 
 // Nothing is called yet: each port calls its machine once its cable is in.
@@ -82,6 +79,13 @@ Result<void> UsbRig::Unplug(std::string_view name) {
   const auto number = NumberOf(name);
   if (!number) return NoSuch(name);
   ports_[*number]->Unplug();
+  return {};
+}
+
+Result<void> UsbRig::Hold(std::string_view name, UsbDevice* device) {
+  const auto number = NumberOf(name);
+  if (!number) return NoSuch(name);
+  ports_[*number]->Hold(device != nullptr ? *device : *own_[*number]);
   return {};
 }
 

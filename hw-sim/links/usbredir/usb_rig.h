@@ -52,6 +52,10 @@ class UsbRig final : public DeviceRig {
   Result<void> Unplug(std::string_view name);
   const UsbredirPort* port(std::string_view name) const;  // Null: no such socket.
 
+  // Another device at the end of a cable, which must be out; null: the rig's own again. The device outlives its turn.
+  // Errors: as Plug.
+  Result<void> Hold(std::string_view name, UsbDevice* device);
+
   // Swaps what hangs on the cables of the two sticks, which must be out: a test that roles
   // belong to ports, and not to devices.
   void CrossSticks(bool crossed);
@@ -69,6 +73,7 @@ class UsbRig final : public DeviceRig {
   // The camera's stream on USB; devices().camera draws its pictures.
   UvcCamera camera_;
   GpioBridge gpio_;
+  std::array<UsbDevice*, kUsbSockets.size()> own_;  // In the order of kUsbSockets.
   // Of all connections.
   UniqueFd epoll_;
   std::array<std::unique_ptr<UsbredirPort>, kUsbSockets.size()> ports_;  // In the order of kUsbSockets.
