@@ -31,7 +31,7 @@ const Setup kCounted{.plugged = false,
 constexpr std::string_view kPlayRounds =
     "start LP_NUM_THREADS=0 MESA_DISK_CACHE_SINGLE_FILE=1 MESA_SHADER_CACHE_DIR=/run/kaori "
     "MESA_DISK_CACHE_READ_ONLY_FOZ_DBS=../../../../../../../usr/share/kaori/shaders "
-    "bench:/usr/bin/kaori-input-latency --mode 160x90@3 --loaded 160x90@3 --events 70 "
+    "bench:/usr/bin/kaori-input-latency --mode 160x90@1 --loaded 160x90@1 --events 30 --rounds 1 "
     "--pack bench:/usr/share/kaori/plain.kaori";
 
 // One line of the program: "round arm=late round=0 events=70 mean_ms=190.10 ...".
