@@ -27,7 +27,7 @@ PAGE = 256
 STAGE2 = 252
 # What a heap would need; none of it may be in an image.
 HEAP = re.compile(r"^(malloc|calloc|realloc|free|_sbrk|_Zn[wa]j.*|_Zd[la]Pv.*)$")
-CONSTANT = re.compile(r"inline constexpr std::uint(?:16|32)_t (k\w+) = ([^;]+);")
+CONSTANT = re.compile(r"inline constexpr std::(?:uint16|uint32|size)_t (k\w+) = ([^;]+);")
 
 
 def constants(header):
