@@ -52,6 +52,9 @@ class Rehearsal {
   // be called before the first picture.
   void Bring(std::unique_ptr<editor::ExpressionEditor> editor) { stage_->SetEditor(std::move(editor)); }
 
+  // Notes each frame from the next one on; the recorder outlives the rehearsal, or null is set before.
+  void SetLog(showlog::Recorder* log) { stage_->SetLog(log); }
+
   // The test's side of every device.
   Rig& rig() { return *rig_; }
   // What the programs have written; valid as long as the rehearsal.

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Writes what is measured of a performance, in simulated time: show_report.py BIN FILE.json
 
-Each figure comes from a test of BIN/test-performance, which bounds it too; FILE gets them as they are on this machine now.
+Each figure comes from a test of BIN/test-performance or another of PROGRAMS, which bounds it too; FILE gets them as they are on
+this machine now.
 
   jump_states_differ       jumps between cues whose state is not that of the run through the list
   takeover_jumps           of `takeovers` random ones, those where a level moved by more than its owner's hand and 2 % of its range
@@ -11,6 +12,8 @@ Each figure comes from a test of BIN/test-performance, which bounds it too; FILE
   saccade_error_ms         how far a frame shows the eyes from where they are at its presentation
   gaze_target_error_deg    of each eye, from whom she looks at
   solo_still_s             the longest time in which nothing moves that an audience could see, nobody touching a control
+  replay_bits_differ       frames of a show log that do not show, played again, what they showed
+  log_kb_per_min           of a show log, while four operators, lips and voice move at once
 """
 
 import json
@@ -20,15 +23,17 @@ import tempfile
 from pathlib import Path
 
 FIGURES = ("jump_states_differ", "takeovers", "takeover_jumps", "handover_step_percent", "blinks_per_min_rest",
-           "blinks_per_min_speaking", "blinks_on_held_lids", "saccade_error_ms", "gaze_target_error_deg", "solo_still_s")
-TESTS = "*Jump*:*RandomTakeOvers*:*HandOver*:LifeOfBlinks.*:Gaze.*"
+           "blinks_per_min_speaking", "blinks_on_held_lids", "saccade_error_ms", "gaze_target_error_deg", "solo_still_s",
+           "replay_bits_differ", "log_kb_per_min")
+PROGRAMS = {"test-performance": "*Jump*:*RandomTakeOvers*:*HandOver*:LifeOfBlinks.*:Gaze.*",
+            "test-showlog": "*PlaysAgainToTheBit:*FewBytesForAMinute"}
 
 
-def measured(bin_folder):
-    """(what the tests recorded, whether all of them passed)."""
+def measured(program, tests):
+    """(what the tests of one program recorded, whether all of them passed)."""
     with tempfile.TemporaryDirectory() as folder:
         said = Path(folder) / "said.json"
-        done = subprocess.run([bin_folder / "test-performance", f"--gtest_filter={TESTS}", f"--gtest_output=json:{said}"],
+        done = subprocess.run([program, f"--gtest_filter={tests}", f"--gtest_output=json:{said}"],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         if done.returncode != 0:
             print(done.stdout, file=sys.stderr)
@@ -39,7 +44,11 @@ def measured(bin_folder):
 
 def main():
     bin_folder, file = (Path(word).resolve() for word in sys.argv[1:3])
-    recorded, passed = measured(bin_folder)
+    recorded, passed = {}, True
+    for program, tests in PROGRAMS.items():
+        found, all_passed = measured(bin_folder / program, tests)
+        recorded |= found
+        passed = passed and all_passed
     figures = {name: recorded.get(name) for name in FIGURES}
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(json.dumps(figures, indent=2) + "\n")

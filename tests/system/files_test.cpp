@@ -108,6 +108,8 @@ std::vector<FileOption> FileOptions() {
       {"gadget_play", "kaori-gadget", {"--put", "keyboard=none", "--play", "@"}},
       {"rehearsal_pack", "kaori-rehearsal", {"--play", "%/play", "--pack", "@"}},
       {"rehearsal_play", "kaori-rehearsal", {"--pack", "%/none", "--play", "@"}},
+      {"rehearsal_log", "kaori-rehearsal", {"--pack", "%/none", "--log", "@"}},
+      {"atelier_report", "kaori-atelier", {"report", "%/none", "@"}},
       {"status_board", "kaori-status", {"--settings", "%", "--board", "@"}},
       {"atelier_info", "kaori-atelier", {"info", "@"}},
       {"atelier_diff", "kaori-atelier", {"diff", "@", "@"}},

@@ -19,6 +19,8 @@ Verb KeygenVerb();
 Verb LabelsVerb();
 // From a folder to a pack.
 Verb PackVerb();
+// What happened on an evening.
+Verb ReportVerb();
 // Contact sheets.
 Verb SheetVerb();
 

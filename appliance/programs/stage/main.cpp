@@ -1,7 +1,7 @@
 // kaori-stage: draws the face that the board describes.
 //
-// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and three that
-// write the last face, the journal of the needles and the list of screens; the frame path waits for none of them.
+// One loop draws everything. Besides it are Mesa's threads, one that loads the show at the start, and four that
+// write the last face, the journal of the needles, the list of screens and the show log; the frame path waits for none of them.
 //
 // The service manager is told READY=1 once the first picture is drawn, or there is no screen to draw it for,
 // and watches the loop from then on (WATCHDOG=1 in time, see service::Watchdog). A stage that is killed at
@@ -17,6 +17,7 @@
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/last_face.h"
 #include "appliance/programs/stage/screen_session.h"
+#include "appliance/programs/stage/show_log.h"
 #include "appliance/programs/stage/stage.h"
 #include "appliance/programs/stage/stage_status_display.h"
 #include "appliance/programs/stage/still.h"
@@ -43,6 +44,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --own FOLDER    where the box's own roles.toml lies, and expressions that are made on it are kept (/var/lib/kaori/own where it is there, else
                   $XDG_STATE_HOME/kaori/own)
   --last-face FILE  the last face is kept there, and the show goes on with it when the box is switched on
+  --log FOLDER    keeps the show log there: what each frame was made of, three evenings of it
   --links FOLDER  the simulator's link folder, in which the screen is plugged
   --card FILE     instead: the graphics card, as in /dev/dri/card0
   --mode MODE     how all its screens are shown, as in 1280x720@50, not as they ask themselves
@@ -55,7 +57,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
 constexpr int kStillWidth_px = 480;
 
 struct Settings {
-  std::string still, last_face, board, pack, links, card, trust, own, mode, fdkeeper,
+  std::string log, still, last_face, board, pack, links, card, trust, own, mode, fdkeeper,
       settings = "/run/kaori-profile";
   bool early = false, verified = false;
 };
@@ -108,6 +110,21 @@ void LayOverRoles(const std::filesystem::path& file, kaori::show::Show& show) {
   if (!faults.empty()) kaori::LogWarning("the show is played with its own roles");
 }
 
+std::filesystem::path OwnFolder(const Settings& settings) {
+  return settings.own.empty() ? kaori::editor::UsualFolder() : std::filesystem::path(settings.own);
+}
+
+// None where nobody says where, or where the disk refuses: an evening without a log is played.
+std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kaori::Clock& clock) {
+  if (settings.log.empty()) return nullptr;
+  auto log = kaori::stage::ShowLog::Open(
+      settings.log, kaori::stage::HeadOfLog(kaori::stage::ShowMark(settings.pack).value_or(0),
+                                            OwnFolder(settings) / "roles.toml", clock.now()));
+  if (log) return std::move(*log);
+  kaori::LogWarning("this evening has no show log: {}", log.error().message());
+  return nullptr;
+}
+
 // Runs on the loading thread: file, checks, the editor's journal and all that can be worked out without a graphics card.
 kaori::Result<Loaded> LoadShow(const Settings& settings) {
   const auto options = kaori::show::LoadOptionsOf(settings.trust, settings.verified);
@@ -115,7 +132,7 @@ kaori::Result<Loaded> LoadShow(const Settings& settings) {
   auto show = kaori::show::LoadPack(settings.pack, *options);
   if (!show) return tl::unexpected(show.error());
   kaori::Log("{} is read", show->name);
-  const auto own = settings.own.empty() ? kaori::editor::UsualFolder() : std::filesystem::path(settings.own);
+  const std::filesystem::path own = OwnFolder(settings);
   LayOverRoles(own / "roles.toml", *show);
   auto editor = kaori::editor::ExpressionEditor::Open(own, *show);
   return Loaded{std::move(editor), std::make_unique<kaori::stage::PreparedShow>(std::move(*show))};
@@ -161,6 +178,8 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.SetEditor(std::move(loaded->editor));
+  const auto log = LogOf(settings, clock);
+  if (log) stage.SetLog(&log->recorder());
   if (last_face)
     stage.CallAfterFrames(
         [&](const auto& state, const auto& scene, auto now) { last_face->Observe(state, scene, now); });
@@ -193,6 +212,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   if (auto ok = kaori::board::Watch(*board, loop); !ok) return kaori::ExitWithError(ok.error());
   auto played = loop.Run();
   if (last_face) last_face->KeepNow();
+  if (log) log->Finish();
   if (!played) return kaori::ExitWithError(played.error());
   return 0;
 }
@@ -210,6 +230,7 @@ int main(int argc, char** argv) {
   options.Text("--trust", settings.trust)
       .Text("--last-face", settings.last_face)
       .Text("--own", settings.own)
+      .Text("--log", settings.log)
       .Text("--mode", settings.mode)
       .Text("--settings", settings.settings)
       .Text("--fdkeeper", settings.fdkeeper)

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "appliance/core/board/performance_state.h"
 #include "appliance/core/performance/motions.h"
@@ -168,11 +169,22 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
 // frame is animated, so that a pull is seen in the frame that reads it.
 performance::Performed Stage::Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
                                       Time presented_at) {
-  if (!editor_) return performance::Animate(state_, snapshot, events, studio_.show(), presented_at);
+  if (!editor_) return AnimateAndNote(snapshot, events, presented_at, /*changed=*/false);
+  const performance::State before = state_;
   const board::Snapshot& rest = editor_->Play(snapshot, events, studio_.show(), state_, presented_at);
   for (const auto& [index, work] : editor_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
-  auto performed = performance::Animate(state_, rest, events, studio_.show(), presented_at);
+  const bool changed = std::memcmp(&before, &state_, sizeof(state_)) != 0;
+  auto performed = AnimateAndNote(rest, events, presented_at, changed);
   editor_->Describe(performed.scene);
+  return performed;
+}
+
+// Bytes of the state that are no field may differ: a state that is noted once too often only takes room.
+performance::Performed Stage::AnimateAndNote(const board::Snapshot& snapshot,
+                                             const performance::InputEvents& events, Time presented_at,
+                                             bool changed) {
+  auto performed = performance::Animate(state_, snapshot, events, studio_.show(), presented_at);
+  if (log_ != nullptr) log_->Note({presented_at, snapshot, state_, events, changed}, performed);
   return performed;
 }
 

@@ -13,6 +13,7 @@
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/snapshot.h"
 #include "appliance/core/performance/animate.h"
+#include "appliance/core/showlog/recorder.h"
 #include "appliance/programs/editor/expression_editor.h"
 #include "appliance/programs/stage/frame_pacer.h"
 #include "appliance/programs/stage/mouth_clock.h"
@@ -46,6 +47,9 @@ class Stage {
   // before the first Step.
   void SetEditor(std::unique_ptr<editor::ExpressionEditor> editor) { editor_ = std::move(editor); }
   const editor::ExpressionEditor* expression_editor() const { return editor_.get(); }
+
+  // From the next frame on each is noted there, seen or not. The recorder outlives the stage; null: no longer.
+  void SetLog(showlog::Recorder* log) { log_ = log; }
 
   // Called after each frame that the screen has accepted; until it returns the next one waits.
   using AfterFrame = std::function<void(const performance::State&, const scene::Scene&, Time now)>;
@@ -94,6 +98,10 @@ class Stage {
   // The performance of this frame, with the editor before it where there is one.
   performance::Performed Animate(const board::Snapshot& snapshot, performance::InputEvents& events,
                                  Time presented_at);
+  // The frame of what is left of the board, noted in the log. `changed`: an editor has changed the state before it.
+  performance::Performed AnimateAndNote(const board::Snapshot& snapshot,
+                                        const performance::InputEvents& events, Time presented_at,
+                                        bool changed);
   // Moves the show on to `presented_at`, writes state, motion and lamps to the board, and gives the scene.
   scene::Scene Perform(const board::Snapshot& snapshot, Time presented_at);
   // One line where calls were refused or lost in this frame; both counts are those before it.
@@ -112,6 +120,7 @@ class Stage {
   const Clock& clock_;
   std::unique_ptr<ports::Scanout> screen_;
   std::unique_ptr<editor::ExpressionEditor> editor_;
+  showlog::Recorder* log_ = nullptr;
   // The state of the show, as it was written to the board last.
   performance::State state_;
   bool resumed_ = false;

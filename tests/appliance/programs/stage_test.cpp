@@ -1,5 +1,4 @@
-// The stage: screens that come, go and change, a second stage, a stage that takes over, and no heap on the
-// way.
+// The stage: screens that come, go and change, a second stage, one that takes over, and no heap on the way.
 #include "appliance/programs/stage/stage.h"
 #include "appliance/core/board/caller.h"
 #include "appliance/core/board/press_log.h"
@@ -19,7 +18,6 @@ namespace {
 
 using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
 using ::testing::HasSubstr;
-
 constexpr Duration kStageFrame = 16'666'667ns;
 
 class StageTest : public PackTest {
@@ -66,8 +64,10 @@ class StageTest : public PackTest {
 std::unique_ptr<stage::Studio> StageTest::studio_;
 
 TEST_F(StageTest, TakesNothingFromTheHeapOnItsFramePath) {
+  showlog::Recorder log([&log] { log.Release(); });  // As on a box.
   const auto stage = Open();
   stage->SetScreen(std::make_unique<HeldScreen>(screen_));
+  stage->SetLog(&log);
   const auto play = [&](int frames) {
     for (int frame = 0; frame < frames; ++frame) {
       if (frame % 7 == 0)

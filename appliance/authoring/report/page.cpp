@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "appliance/authoring/report/report.h"
+#include "drivers/base/markup.h"
+
+namespace kaori::authoring {
+namespace {
+
+constexpr std::string_view kReportStyle = R"(
+@page { size: A4; margin: 14mm 12mm; }
+body { font: 10.5pt/1.35 "Noto Sans", "Noto Sans CJK JP", "DejaVu Sans", sans-serif; color: #000; margin: 2em auto; max-width: 186mm; }
+@media print { body { margin: 0; } }
+h1 { font-size: 16pt; }
+h2 { font-size: 12pt; break-after: avoid; }
+table { border-collapse: collapse; width: 100%; }
+tr { break-inside: avoid; }
+th { text-align: left; border-bottom: 1pt solid #000; padding: 3pt 5pt; }
+td { border-bottom: .4pt solid #888; padding: 3pt 5pt; font-variant-numeric: tabular-nums; }
+)";
+
+// Code points, since names may be Japanese: a terminal shows them in columns that are nearly even.
+std::size_t Letters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string Row(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    line += "  " + cells[i];
+    if (i + 1 < cells.size()) line.append(widths[i] - Letters(cells[i]), ' ');
+  }
+  return line + "\n";
+}
+
+std::string Cells(const std::vector<std::string>& cells, std::string_view tag) {
+  return std::accumulate(cells.begin(), cells.end(), std::string(), [tag](std::string row, const auto& cell) {
+    return std::move(row) + fmt::format("<{0}>{1}</{0}>", tag, Escaped(cell));
+  });
+}
+
+}  // namespace
+
+std::string TextOfReport(const Report& report) {
+  std::string text = report.title + "\n\n";
+  for (const std::string& line : report.lines) text += line + "\n";
+  for (const ReportTable& table : report.tables) {
+    text += "\n" + table.title + "\n";
+    if (table.rows.empty()) {
+      text += "  " + table.none + "\n";
+      continue;
+    }
+    std::vector<std::size_t> widths;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      std::size_t width = Letters(table.columns[i]);
+      for (const auto& row : table.rows) width = std::max(width, Letters(row[i]));
+      widths.push_back(width);
+    }
+    text += Row(table.columns, widths);
+    for (const auto& row : table.rows) text += Row(row, widths);
+  }
+  return text;
+}
+
+std::string PageOfReport(const Report& report) {
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\"><head><meta "
+      "charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>\n"
+      "<body><h1>{0}</h1>\n",
+      Escaped(report.title), kReportStyle);
+  for (const std::string& line : report.lines) page += "<p>" + Escaped(line) + "</p>\n";
+  for (const ReportTable& table : report.tables) {
+    page += "<h2>" + Escaped(table.title) + "</h2>\n";
+    if (table.rows.empty()) {
+      page += "<p>" + Escaped(table.none) + "</p>\n";
+      continue;
+    }
+    page += "<table><thead><tr>" + Cells(table.columns, "th") + "</tr></thead><tbody>\n";
+    for (const auto& row : table.rows) page += "<tr>" + Cells(row, "td") + "</tr>\n";
+    page += "</tbody></table>\n";
+  }
+  return page + "</body></html>\n";
+}
+
+}  // namespace kaori::authoring

@@ -1,0 +1,37 @@
+#include "appliance/programs/stage/logged_show.h"
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "appliance/core/roles/roles_file.h"
+#include "appliance/core/show/pack.h"
+#include "appliance/programs/editor/expression_editor.h"
+#include "appliance/programs/stage/last_face.h"
+#include "drivers/base/log.h"
+#include "drivers/base/whole_file.h"
+
+namespace kaori::stage {
+
+Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlog::LogHead& head,
+                                 const std::filesystem::path& own) {
+  auto show = show::LoadPack(pack);
+  if (!show) return tl::unexpected(show.error());
+  if (const auto mark = ShowMark(pack); mark && *mark != head.show)
+    return FailInput(
+        fmt::format("{}: the show log is of another show, or of another version of this one", pack.string()));
+  std::error_code none;
+  const auto folder = std::filesystem::temp_directory_path(none) / fmt::format("kaori-log-{}", ::getpid());
+  std::filesystem::create_directories(folder, none);
+  if (!head.roles.empty()) {
+    const auto file = folder / "roles.toml";
+    if (auto written = WriteWholeFile(file, {AsBytes(head.roles)}); !written)
+      return tl::unexpected(written.error());
+    for (const std::string& fault : roles::LayOver(file, show->roles)) LogWarning("{}", fault);
+  }
+  editor::ExpressionEditor::Open(own.empty() ? folder / "own" : own, *show);
+  std::filesystem::remove_all(folder, none);
+  return show;
+}
+
+}  // namespace kaori::stage

@@ -1,0 +1,191 @@
+#include "appliance/programs/stage/show_log.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "drivers/base/checksum.h"
+#include "drivers/base/log.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/unique_fd.h"
+
+namespace kaori::stage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnding = ".kaorilog";
+// Two starts of one evening: a wall clock that is set by a little is the same evening.
+constexpr Duration kSameEvening = std::chrono::minutes(1);
+
+// A log that lies in the folder.
+struct LogOnDisk {
+  fs::path file;
+  int number = 0;
+  std::uintmax_t bytes = 0;
+  std::optional<showlog::LogHead> head;  // None: it cannot be read, and counts as an evening.
+};
+
+std::optional<showlog::LogHead> HeadOf(const fs::path& file) {
+  const auto text = ReadBeginning(file, showlog::kMostRoles_bytes + 1024);
+  if (!text) return std::nullopt;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text->data());
+  auto read = showlog::ReadHead({bytes, text->size()});
+  if (!read) return std::nullopt;
+  return std::move(read->head);
+}
+
+// Oldest first. Other files are left alone.
+std::vector<LogOnDisk> LogsIn(const fs::path& folder) {
+  std::vector<LogOnDisk> logs;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    int number = 0;
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(kEnding) || std::sscanf(name.c_str(), "%9d-", &number) != 1) continue;
+    logs.push_back({entry.path(), number, entry.file_size(none), HeadOf(entry.path())});
+  }
+  std::ranges::sort(logs, {}, &LogOnDisk::number);
+  return logs;
+}
+
+bool IsSameEvening(const std::optional<showlog::LogHead>& a, const std::optional<showlog::LogHead>& b) {
+  return a && b && std::chrono::abs(a->booted_at - b->booted_at) < kSameEvening;
+}
+
+// From the newest to the oldest; the first that is too much goes, and all before it. `coming` is what is written next.
+void RemoveOld(const fs::path& folder, const std::optional<showlog::LogHead>& current,
+               std::uintmax_t coming) {
+  auto logs = LogsIn(folder);
+  std::uintmax_t bytes = coming;
+  std::size_t evenings = 1;
+  std::optional<showlog::LogHead> newer = current;
+  bool full = false;
+  for (auto log = logs.rbegin(); log != logs.rend(); ++log) {
+    bytes += log->bytes;
+    if (!IsSameEvening(log->head, newer)) ++evenings;
+    newer = log->head;
+    full = full || bytes > ShowLog::kMost_bytes || evenings > ShowLog::kEvenings;
+    std::error_code refused;
+    if (full && !fs::remove(log->file, refused) && refused)
+      LogWarning("remove the old show log {}: {}", log->file.string(), refused.message());
+  }
+}
+
+// All or nothing: what could not be written whole is cut off again, so that the file ends with a whole chunk.
+Result<void> AppendTo(int fd, std::span<const std::uint8_t> bytes, const std::string& name) {
+  struct stat was {};
+  if (::fstat(fd, &was) < 0) return FailErrno("write the show log " + name);
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      auto failed = FailErrno("write the show log " + name);
+      if (::ftruncate(fd, was.st_size) < 0) LogWarning("the show log {} has a torn part", name);
+      return failed;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  if (::fdatasync(fd) < 0) return FailErrno("write the show log " + name);
+  return {};
+}
+
+}  // namespace
+
+ShowLog::ShowLog(fs::path folder, const showlog::LogHead& head)
+    : folder_(std::move(folder)),
+      head_(showlog::HeadBytes(head)),
+      booted_at_(head.booted_at),
+      recorder_([this] { writer_.Ask(/*at_once=*/true); }),
+      writer_(std::chrono::milliseconds(0), [this] {
+        WriteOut();
+        return true;  // What was refused is dropped.
+      }) {}
+
+Result<std::unique_ptr<ShowLog>> ShowLog::Open(const fs::path& folder, const showlog::LogHead& head) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
+  std::unique_ptr<ShowLog> log(new ShowLog(folder, head));
+  const auto logs = LogsIn(folder);
+  const bool goes_on = !logs.empty() && IsSameEvening(logs.back().head, head) &&
+                       logs.back().bytes < showlog::kFullFile_bytes &&
+                       log->head_ == showlog::HeadBytes([&] {
+                         showlog::LogHead same = *logs.back().head;
+                         same.booted_at = head.booted_at;
+                         return same;
+                       }());
+  if (goes_on) log->file_ = logs.back().file;
+  if (!goes_on) log->NameFile();
+  RemoveOld(folder, head, 0);
+  return log;
+}
+
+void ShowLog::NameFile() {
+  const auto logs = LogsIn(folder_);
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  file_ =
+      folder_ / fmt::format("{:04}-{:04}{:02}{:02}-{:02}{:02}{:02}{}",
+                            logs.empty() ? 1 : logs.back().number + 1, local.tm_year + 1900, local.tm_mon + 1,
+                            local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec, kEnding);
+}
+
+void ShowLog::WriteOut() {
+  const auto chunk = recorder_.handed();
+  if (chunk.empty()) return;
+  const auto written = Append(chunk);
+  const std::error_code cause = written ? std::error_code() : std::make_error_code(written.error().cause);
+  if (cause && cause != told_) LogWarning("a part of the show log is lost: {}", written.error().message());
+  told_ = cause;
+  recorder_.Release();
+}
+
+// A file that is full is followed by another one; only then can there be too many.
+Result<void> ShowLog::Append(std::span<const std::uint8_t> chunk) {
+  std::error_code none;
+  const std::uintmax_t bytes = fs::file_size(file_, none);
+  if (!none && bytes >= showlog::kFullFile_bytes) {
+    NameFile();
+    showlog::LogHead current;
+    current.booted_at = booted_at_;
+    RemoveOld(folder_, current, showlog::kFullFile_bytes + showlog::kMostChunk_bytes);
+  }
+  const UniqueFd fd(::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0640));
+  if (!fd.valid()) return FailErrno("write the show log " + file_.string());
+  struct stat was {};
+  if (::fstat(fd.get(), &was) < 0) return FailErrno("write the show log " + file_.string());
+  if (was.st_size == 0)
+    if (auto begun = AppendTo(fd.get(), head_, file_.string()); !begun) return begun;
+  return AppendTo(fd.get(), chunk, file_.string());
+}
+
+void ShowLog::Finish() {
+  recorder_.Close();
+  writer_.Finish();
+}
+
+showlog::LogHead HeadOfLog(std::uint64_t show, const fs::path& roles, Time now) {
+  showlog::LogHead head{.show = show};
+  // The whole program: it is in the kernel's memory, since it runs.
+  if (const auto program = ReadFile("/proc/self/exe", {.most_bytes = std::size_t{256} << 20U}))
+    head.program = Fnv1a(*program);
+  if (auto text = ReadFile(roles, {.most_bytes = showlog::kMostRoles_bytes})) head.roles = std::move(*text);
+  const std::time_t wall = std::time(nullptr);
+  std::tm local{};
+  if (::localtime_r(&wall, &local) != nullptr) head.utc_offset_s = static_cast<std::int32_t>(local.tm_gmtoff);
+  head.booted_at = std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch()) -
+                   now.time_since_epoch();
+  return head;
+}
+
+}  // namespace kaori::stage

@@ -1,0 +1,191 @@
+// The show log: a whole evening plays again to the bit, and what is torn is named and left out.
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <random>
+
+#include "tests/appliance/core/showlog_fixture.h"
+#include "tests/render/allocation_count.h"
+
+namespace kaori::showlog {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// The numbers of a frame that a person sees, as bytes.
+std::uint16_t Bits(const scene::Scene& scene) {
+  return OutputSum({{}, scene, 0});
+}
+
+TEST(ShowLogChange, OfAnyWordsIsReadBackAndNeverReachesBeyondTheLastWord) {
+  std::mt19937 chance(3);
+  std::vector<std::uint32_t> before(5003), now(before.size());
+  for (int round = 0; round < 200; ++round) {
+    for (std::size_t i = 0; i < now.size(); ++i)
+      if (chance() % (1U + chance() % 3000U) == 0)
+        now[i] = static_cast<std::uint32_t>(chance() >> chance() % 32);
+    std::vector<std::uint8_t> bytes(MostChange_bytes(now.size()));
+    const std::size_t length = WriteChange(before, now, bytes);
+    ASSERT_LE(length, bytes.size());
+    std::vector<std::uint32_t> read = before;
+    ASSERT_EQ(ReadChange(std::span(bytes).first(length), read), length);
+    ASSERT_EQ(read, now);
+    for (std::size_t cut = 0; cut < length; cut += 1 + chance() % 50)
+      ASSERT_FALSE(ReadChange(std::span(bytes).first(cut), read)) << cut << " of " << length;
+    bytes[chance() % length] ^= static_cast<std::uint8_t>(1U << chance() % 8);
+    (void)ReadChange(std::span(bytes).first(length), read);  // Anything but a fault of memory.
+    before = now;
+  }
+}
+
+TEST_F(ShowLogTest, PlaysAgainToTheBit) {
+  Play(60 * 95);  // More than three chunks.
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  EXPECT_EQ(log->chunks().size(), 4U);
+  EXPECT_THAT(log->faults(), ElementsAre());
+  Replay replay(*log, show_);
+  std::size_t frame = 0, differ = 0;
+  for (; replay.Next(); ++frame) {
+    ASSERT_LT(frame, shown_.size());
+    if (Bits(replay.made().scene) != Bits(shown_[frame]) || !replay.same()) ++differ;
+    EXPECT_EQ(replay.follows(), frame > 0);
+  }
+  EXPECT_EQ(frame, shown_.size());
+  EXPECT_EQ(differ, 0U);
+  EXPECT_EQ(std::memcmp(&replay.made().state.levels, &state_.levels, sizeof(state_.levels)), 0);
+  RecordProperty("replay_bits_differ", static_cast<int>(differ));
+}
+
+TEST_F(ShowLogTest, SaysWhereAnotherShowPlaysOtherwise) {
+  Play(600);
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  show_.motions[0].curves[0].keys[1].value = -0.2001F;  // A nod that is a hundredth of a degree deeper.
+  Replay replay(*log, show_);
+  while (replay.Next()) {
+  }
+  EXPECT_GT(replay.frames_that_differ(), 10U);
+  EXPECT_LT(replay.frames_that_differ(), replay.frames())
+      << "hair swings on for a while, but not before the nod";
+  ASSERT_TRUE(replay.first_difference());
+}
+
+TEST_F(ShowLogTest, BeginsInTheMiddleWhereItIsAskedTo) {
+  Play(60 * 70);
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  EXPECT_EQ(log->Day(), "2024-10-04");
+  EXPECT_EQ(log->DayTimeText(log->chunks()[0].head.first), "19:00:00");
+  const auto at = log->AtDayTime("19:00:45");
+  ASSERT_TRUE(at);
+  EXPECT_FALSE(log->AtDayTime("19:00:45 or so"));
+  EXPECT_FALSE(log->AtDayTime("25:00"));
+  Replay replay(*log, show_);
+  replay.GoTo(*at);
+  ASSERT_TRUE(replay.Next());
+  EXPECT_EQ(log->DayTimeText(replay.presented_at()), "19:00:30") << "the chunk in which it lies";
+  const std::size_t skipped = log->chunks()[0].head.frames;
+  EXPECT_EQ(Bits(replay.made().scene), Bits(shown_[skipped]));
+  while (replay.Next()) {
+  }
+  EXPECT_EQ(replay.frames_that_differ(), 0U);
+  EXPECT_EQ(replay.frames(), shown_.size() - skipped);
+}
+
+TEST_F(ShowLogTest, KeepsWhatAnEditorChangedBetweenTwoFrames) {
+  Play(100);
+  state_.expressions.to = 7;
+  Play(1, /*changed=*/true);
+  Play(100);
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  Replay replay(*log, show_);
+  while (replay.Next()) {
+  }
+  EXPECT_EQ(replay.frames_that_differ(), 0U);
+}
+
+TEST_F(ShowLogTest, ThatIsTornOrSpoiltIsNamedAndTheRestIsPlayed) {
+  Play(60 * 95);
+  ASSERT_TRUE(Read());
+  const std::vector<std::uint8_t> whole = bytes_;
+  const auto second = LogFile::Read(file_)->chunks()[1].at_byte;
+  bytes_.resize(bytes_.size() - 3);
+  auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  EXPECT_EQ(log->chunks().size(), 3U);
+  EXPECT_THAT(log->faults(), ElementsAre(HasSubstr("are torn or spoilt, behind the part of 19:01:00")));
+
+  bytes_ = whole;
+  bytes_[second + 1000] ^= 4U;
+  log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  EXPECT_EQ(log->chunks().size(), 3U);
+  ASSERT_EQ(log->faults().size(), 1U);
+  EXPECT_THAT(log->faults()[0], HasSubstr(fmt::format("bytes {} to", second)));
+  Replay replay(*log, show_);
+  std::uint64_t gaps = 0;
+  while (replay.Next()) gaps += replay.follows() ? 0 : 1;
+  EXPECT_EQ(gaps, 2U) << "the beginning, and behind the spoilt part";
+  EXPECT_EQ(replay.frames_that_differ(), 0U);
+  EXPECT_GT(replay.frames(), 3000U);
+}
+
+TEST_F(ShowLogTest, OfWhichNothingCanBePlayedIsRefusedInOneLine) {
+  Play(10);
+  recorder_.Close();
+  const std::vector<std::uint8_t> whole = bytes_;
+  const auto said = [&] {
+    const auto log = Read();
+    return log ? std::string("it was read") : log.error().message();
+  };
+  bytes_.resize(40);
+  EXPECT_THAT(said(), HasSubstr("the beginning of this show log is torn"));
+  bytes_ = whole;
+  bytes_[0] = 'X';
+  EXPECT_THAT(said(), HasSubstr("this is no show log"));
+  bytes_ = whole;
+  bytes_.back() ^= 1U;
+  EXPECT_THAT(said(), HasSubstr("no part of this show log is whole"));
+  head_.layout ^= 1U;
+  bytes_ = HeadBytes(head_);
+  EXPECT_THAT(said(), HasSubstr("another version of the programs wrote this show log"));
+}
+
+TEST_F(ShowLogTest, SaysHowManyFramesASlowDiskHasCost) {
+  write_ = false;
+  Play(60 * 95);
+  recorder_.Release();
+  write_ = true;
+  Play(60 * 5);
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  ASSERT_EQ(log->chunks().size(), 2U);
+  const std::size_t lost = log->chunks()[1].head.lost_frames;
+  EXPECT_EQ(lost + log->chunks()[0].head.frames + log->chunks()[1].head.frames, shown_.size());
+  EXPECT_THAT(log->faults(), ElementsAre(HasSubstr(fmt::format("{} frames before", lost))));
+  Replay replay(*log, show_);
+  while (replay.Next()) {
+  }
+  EXPECT_EQ(replay.frames_that_differ(), 0U);
+}
+
+TEST_F(ShowLogTest, TakesNothingFromTheHeapAndFewBytesForAMinute) {
+  shown_.reserve(10'000);
+  bytes_.reserve(std::size_t{8} << 20U);
+  Play(10);
+  const std::size_t before = tests::AllocationCount();
+  Play(60 * 60);
+  recorder_.Close();
+  EXPECT_EQ(tests::AllocationCount() - before, 0U);
+  const double minutes = (60 * 60 + 10) / 3600.0;
+  const double kb_per_min = static_cast<double>(bytes_.size()) / 1000 / minutes;
+  RecordProperty("log_kb_per_min", static_cast<int>(kb_per_min));
+  EXPECT_LE(kb_per_min, 300);
+  EXPECT_GT(kb_per_min, 50) << "everything moves: less would mean that something is left out";
+}
+
+}  // namespace
+}  // namespace kaori::showlog
