@@ -14,6 +14,7 @@ this machine now.
   solo_still_s             the longest time in which nothing moves that an audience could see, nobody touching a control
   replay_bits_differ       frames of a show log that do not show, played again, what they showed
   log_kb_per_min           of a show log, while four operators, lips and voice move at once
+  take_replay_error        between a take that is played and what the operator did, in radians
 """
 
 import json
@@ -24,9 +25,10 @@ from pathlib import Path
 
 FIGURES = ("jump_states_differ", "takeovers", "takeover_jumps", "handover_step_percent", "blinks_per_min_rest",
            "blinks_per_min_speaking", "blinks_on_held_lids", "saccade_error_ms", "gaze_target_error_deg", "solo_still_s",
-           "replay_bits_differ", "log_kb_per_min")
+           "replay_bits_differ", "log_kb_per_min", "take_replay_error")
 PROGRAMS = {"test-performance": "*Jump*:*RandomTakeOvers*:*HandOver*:LifeOfBlinks.*:Gaze.*",
-            "test-showlog": "*PlaysAgainToTheBit:*FewBytesForAMinute"}
+            "test-showlog": "*PlaysAgainToTheBit:*FewBytesForAMinute",
+            "test-report": "*PlaysWhatTheOperatorDid"}
 
 
 def measured(program, tests):

@@ -23,5 +23,7 @@ Verb PackVerb();
 Verb ReportVerb();
 // Contact sheets.
 Verb SheetVerb();
+// A motion of what operators did.
+Verb VerbOfTakes();
 
 }  // namespace kaori::authoring

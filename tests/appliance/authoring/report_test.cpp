@@ -1,5 +1,6 @@
 // The show report: what an evening's log tells people.
 #include "appliance/authoring/report/report.h"
+#include "appliance/authoring/report/take.h"
 
 #include <gmock/gmock.h>
 
@@ -102,6 +103,73 @@ TEST_F(ReportTest, ComparesEachCueWithTheUsualEvening) {
   EXPECT_THAT(page, HasSubstr("Small &lt;show&gt;"));
   EXPECT_THAT(page, HasSubstr("There is no earlier evening"));
   EXPECT_THAT(page, Not(HasSubstr("+0:10")));
+}
+
+class RecordedTake : public ReportTest {
+ protected:
+  RecordedTake() { SetKnob(performance::Knob::kLife, 0); }
+
+  // The left stick goes its way for so long; the heads that were shown.
+  std::vector<scene::Head> Move(Duration time) {
+    std::vector<scene::Head> heads;
+    int frame = 0;
+    for (const Time end = now_ + time; now_ < end; ++frame) {
+      const float t = static_cast<float>(frame) / 60;
+      board_.sticks[0].value.x = 0.7F * std::sin(3 * t);
+      board_.sticks[0].value.y = 0.4F * std::sin(5 * t + 1);
+      board_.sticks[0].at = now_;
+      PlayQuietly();
+      heads.push_back(performed_.scene.head);
+    }
+    return heads;
+  }
+};
+
+// The take is played by its key while the stick rests; between its in and its out it is what was recorded.
+TEST_F(RecordedTake, PlaysWhatTheOperatorDid) {
+  Run(2s);
+  const Time from = now_ + performance::kFrame;
+  const std::vector<scene::Head> heads = Move(6s);
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  auto motion = RecordTake(*log, show_, {.name = "shake", .from = from, .length = 6s});
+  ASSERT_TRUE(motion) << motion.error().message();
+  motion->key_usage = performance::kKey1;
+  show_.motions = {*motion};
+  board_.sticks[0].value = {};
+  Run(5s);
+  Strike(performance::kKey1);
+  float worst = 0;
+  for (std::size_t frame = 1; frame + 20 < heads.size(); ++frame) {
+    PlayQuietly();  // The motion's first frame is one step into it.
+    if (frame < 20) continue;
+    worst = std::max(worst, std::abs(performed_.scene.head.yaw_rad - heads[frame].yaw_rad));
+    worst = std::max(worst, std::abs(performed_.scene.head.pitch_rad - heads[frame].pitch_rad));
+  }
+  RecordProperty("take_replay_error", fmt::format("{:.2e}", worst));
+  EXPECT_LE(worst, 1e-4F);
+  EXPECT_GT(std::abs(heads[30].yaw_rad), 0.05F) << "it moves";
+}
+
+TEST_F(RecordedTake, IsTextThatAShowReadsAndSaysWhatIsMissing) {
+  Run(2s);
+  const Time from = now_;
+  Move(3s);
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  const auto slow =
+      RecordTake(*log, show_, {.name = "slow", .from = from, .length = 2s, .gain = 0.5F, .stretch = 2});
+  ASSERT_TRUE(slow) << slow.error().message();
+  EXPECT_NEAR(slow->curves[0].keys.back().at_s, 4, 0.1);
+  EXPECT_EQ(slow->curves[0].keys.front().value, 0);
+  EXPECT_EQ(slow->curves[0].keys.back().value, 0);
+  EXPECT_THAT(TextOfTake(*slow, show_), ::testing::StartsWith("[[motion]]\nname = \"slow\"\nhead_yaw = [\n"));
+  const auto still = RecordTake(*log, show_, {.name = "still", .from = from - 1s, .length = 900ms});
+  ASSERT_FALSE(still);
+  EXPECT_EQ(still.error().message(), "take \"still\": nothing moved there");
+  const auto late = RecordTake(*log, show_, {.name = "late", .from = from + 1h, .length = 1s});
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().message(), "take \"late\": the log has nothing there");
 }
 
 }  // namespace
