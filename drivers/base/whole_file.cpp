@@ -1,9 +1,12 @@
 #include "drivers/base/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdint>
 #include <cstdio>
 #include <random>
 #include <string>
@@ -26,13 +29,25 @@ struct Draft {
   }
 };
 
+using Chance = std::array<std::uint8_t, 6>;
+
+// Good enough for a name, and never waited for: early in a start std::random_device would wait a second until
+// the kernel has gathered randomness for keys, where the processor has no instruction that makes it. A kernel
+// before 5.6 does not know GRND_INSECURE.
+Chance DrawChance() {
+  Chance chance{};
+  if (::getrandom(chance.data(), chance.size(), GRND_INSECURE) == ssize_t{chance.size()}) return chance;
+  std::random_device device;
+  for (std::uint8_t& byte : chance) byte = static_cast<std::uint8_t>(device());
+  return chance;
+}
+
 // Six letters, as of mkstemp(3). A name that is taken makes O_EXCL
 // or linkat(2) fail; nothing is overwritten.
 std::string FreshName(const std::string& file) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
-  std::random_device chance;
   std::string name = file + ".";
-  for (int i = 0; i < 6; ++i) name += kLetters[chance() % kLetters.size()];
+  for (const std::uint8_t byte : DrawChance()) name += kLetters[byte % kLetters.size()];
   return name;
 }
 
