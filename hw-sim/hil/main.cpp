@@ -85,12 +85,12 @@ std::string_view Mark(kaori::hil::Verdict verdict) {
   return verdict == kaori::hil::Verdict::kFailed ? "FAIL" : "skip";
 }
 
-// The hash of the root, which is on the command line before its salt: "... sha256 HASH SALT", as
-// dm-mod.create has it. It tells in a report which image was tried.
+// The hash of the root, which is on the command line before its salt: "... blake2b-512 HASH
+// SALT", as dm-mod.create has it. It tells in a report which image was tried.
 std::string RootHash(const std::string& image) {
   std::istringstream line(kaori::hil::ReadCommandLine(image).value_or(""));
   for (std::string word, hash; line >> word; hash = word)
-    if (hash == "sha256") return word;
+    if (hash == "blake2b-512") return word;
   return {};
 }
 

@@ -9,9 +9,9 @@ namespace {
 // A dm-verity table (kernel's Documentation/admin-guide/device-mapper/verity.rst) says "verity", then
 // versions, devices and sizes, the digest's name, and the root hash.
 constexpr std::string_view kTable = " verity ";
-constexpr std::string_view kDigest = " sha256 ";  // The hash follows.
-// A SHA-256 in small hexadecimal digits, as veritysetup prints it.
-constexpr std::size_t kDigits = 64;
+constexpr std::string_view kDigest = " blake2b-512 ";  // The hash follows.
+// 512 bits in small hexadecimal digits, as veritysetup prints them.
+constexpr std::size_t kDigits = 128;
 
 bool IsDigit(char letter) {
   return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f');

@@ -19,7 +19,7 @@ struct Places {
 // Compared as a whole, to see whether anything has changed.
 struct Facts {
   std::string profile;    // "stage", "kiosk" or "bench"; empty where no box was started.
-  std::string root_hash;  // 64 digits; empty where the root file system is not verified.
+  std::string root_hash;  // 128 digits; empty where the root file system is not verified.
   std::string screen;     // The screen of the status display, by name or number; empty: there is none.
   // What kaori-boot could not do, one line each, in the order in which it happened.
   std::vector<std::string> faults;

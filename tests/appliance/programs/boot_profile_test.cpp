@@ -84,12 +84,12 @@ TEST(Profile, NamesTheScreenThatSaysHowTheBoxDoes) {
 }
 
 TEST(RootHash, IsTheOneOfTheVerityTable) {
-  const std::string hash(64, 'a');
+  const std::string hash(128, 'a');
   const std::string table =
-      "dm-mod.create=\"root,,,ro,0 8 verity 1 PARTUUID=1 PARTUUID=2 4096 4096 1 1 sha256 ";
+      "dm-mod.create=\"root,,,ro,0 8 verity 1 PARTUUID=1 PARTUUID=2 4096 4096 1 1 blake2b-512 ";
   EXPECT_EQ(RootHashOf("quiet " + table + hash + " 00\" ro"), hash);
   EXPECT_THAT(RootHashOf(""), IsEmpty());
-  EXPECT_THAT(RootHashOf("root=/dev/vda sha256 " + hash), IsEmpty());
+  EXPECT_THAT(RootHashOf("root=/dev/vda blake2b-512 " + hash), IsEmpty());
   EXPECT_THAT(RootHashOf(table + hash.substr(1)), IsEmpty());
   EXPECT_THAT(RootHashOf(table + "X" + hash.substr(1)), IsEmpty());
 }

@@ -103,7 +103,7 @@ TEST_F(StatusWords, ScreensAreToldByTheirNames) {
 
 TEST_F(StatusWords, TheTitleSaysProfileAndRoot) {
   state_.facts.profile = "kiosk";
-  state_.facts.root_hash = std::string(64, 'b');
+  state_.facts.root_hash = std::string(128, 'b');
   EXPECT_THAT(Said("Kaori box"), AllOf(HasSubstr("Profile kiosk"), HasSubstr("hash bbbbbbbbbbbb"),
                                        Not(HasSubstr(std::string(13, 'b')))));
 }
