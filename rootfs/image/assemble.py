@@ -19,6 +19,7 @@ LIBRARIES = "usr/lib/x86_64-linux-gnu"
 # What the stage opens besides its libraries, in its order; then the show.
 OPENED = (f"{LIBRARIES}/libEGL_mesa.so.0", f"{LIBRARIES}/dri/swrast_dri.so")
 AHEAD = "usr/share/kaori/ahead"
+LARGE_BYTES = 8 << 20  # Of LLVM and of Mesa's drivers a third is looked at until the first picture.
 MOUNT_POINTS = ("dev", "proc", "sys", "run", "tmp", "var/lib/kaori")
 
 
@@ -93,8 +94,19 @@ def with_libraries(names, programs, files, replaced):
     return sorted(kept)
 
 
+def linked(path):
+    """The parts of a library that the dynamic linker reads, as (first byte, bytes): symbols and relocations, which lie before
+    its code, and what is relocated, which is all that can be written. Code and tables are read as they are used."""
+    shown = subprocess.run(["readelf", "-SlW", path], capture_output=True, text=True, check=True).stdout
+    rows = [line.replace("[ ", "[").split() for line in shown.splitlines()]
+    code = next(int(row[4], 16) for row in rows if row[1:2] == [".init"])
+    written = [(int(row[1], 16), int(row[4], 16)) for row in rows if row[:1] == ["LOAD"] and "W" in row[6]]
+    return [(0, code), *written]
+
+
 def write_ahead(stage, files, replaced, root):
-    """What the first program reads ahead for the stage: the programs that it loads, about in their order.
+    """What the first program reads ahead for the stage: the programs that it loads, about in their order, and of large
+    ones what the dynamic linker reads.
 
     Not the show: of that it looks at a small part only."""
     waiting = [find_library(name, files) for name in needed(stage)] + list(OPENED)
@@ -106,7 +118,13 @@ def write_ahead(stage, files, replaced, root):
             waiting += [find_library(library, files) for library in needed(files[name]) if library not in replaced]
     target = root / AHEAD
     target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text("".join(f"/{name}\n" for name in (f"usr/bin/{Path(stage).name}", *order)))
+    parts = [f"/usr/bin/{Path(stage).name}\n"]
+    for name in order:
+        if os.path.getsize(files[name]) <= LARGE_BYTES:
+            parts.append(f"/{name}\n")
+        else:
+            parts += [f"{first} {bytes_of} /{name}\n" for first, bytes_of in linked(files[name])]
+    target.write_text("".join(parts))
 
 
 def copy(names, files, root):

@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
@@ -24,10 +27,36 @@ std::size_t SizeOf(int fd) {
   return ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
+// A part of a file, or all of it.
+struct Part {
+  std::string path;
+  std::size_t first = 0, bytes = SIZE_MAX;
+};
+
+// Cuts a number and the blank behind it off a text that begins so.
+bool CutNumber(std::string_view& text, std::size_t& number) {
+  const char* const end = text.data() + text.size();
+  const auto [behind, fault] = std::from_chars(text.data(), end, number);
+  if (fault != std::errc() || behind == end || *behind != ' ') return false;
+  text.remove_prefix(static_cast<std::size_t>(behind - text.data()) + 1);
+  return true;
+}
+
+// A line that does not begin with two numbers is a path, which begins with a slash.
+Part ParsePart(std::string_view line) {
+  Part part;
+  std::string_view rest = line;
+  if (CutNumber(rest, part.first) && CutNumber(rest, part.bytes)) {
+    part.path = rest;
+    return part;
+  }
+  return {.path = std::string(line)};
+}
+
 // A read of a piece's last byte returns when the disk has brought it.
-bool Bring(int fd, std::size_t bytes) {
-  for (std::size_t at = 0; at < bytes; at += kPiece_bytes) {
-    const std::size_t end = std::min(at + kPiece_bytes, bytes);
+bool Bring(int fd, std::size_t at, std::size_t bytes) {
+  for (const std::size_t behind = at + bytes; at < behind; at += kPiece_bytes) {
+    const std::size_t end = std::min(at + kPiece_bytes, behind);
     char last = 0;
     if (::readahead(fd, static_cast<off_t>(at), end - at) != 0) return false;
     if (::pread(fd, &last, 1, static_cast<off_t>(end - 1)) != 1) return false;
@@ -37,17 +66,19 @@ bool Bring(int fd, std::size_t bytes) {
 
 }  // namespace
 
-// A file that would not fit is left out and later, smaller ones are still read: the list is in the order of
+// A part that would not fit is left out and later, smaller ones are still read: the list is in the order of
 // need. Opening does not wait for a pipe that the list might name (O_NONBLOCK).
 std::size_t ReadAhead(const char* list, std::size_t most_bytes) {
   const std::string text = ReadFile(list).value_or("");
   std::size_t bytes = 0;
   for (std::string_view rest = text; !rest.empty();) {
     const auto end = std::min(rest.find('\n'), rest.size());
-    const UniqueFd fd(::open(std::string(rest.substr(0, end)).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const Part part = ParsePart(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
+    const UniqueFd fd(::open(part.path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     const std::size_t size = fd.valid() ? SizeOf(fd.get()) : 0;
-    if (size <= most_bytes - bytes && Bring(fd.get(), size)) bytes += size;
+    const std::size_t first = std::min(part.first, size), wanted = std::min(part.bytes, size - first);
+    if (wanted <= most_bytes - bytes && Bring(fd.get(), first, wanted)) bytes += wanted;
   }
   return bytes;
 }

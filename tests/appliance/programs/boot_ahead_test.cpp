@@ -38,6 +38,16 @@ TEST_F(Ahead, BringsEveryFileToItsLastByte) {
   EXPECT_EQ(ReadListOf(small + "\n" + large + "\n"), (std::size_t{3} << 20U) + 6);
 }
 
+TEST_F(Ahead, BringsTheNamedPartOfAFile) {
+  const std::string file = File("a file", 10'000);
+  EXPECT_EQ(ReadListOf("0 4096 " + file), 4096U);
+  EXPECT_EQ(ReadListOf("4096 100 " + file + "\n9000 1 " + file), 101U);
+  EXPECT_EQ(ReadListOf("9000 4096 " + file), 1000U) << "no more than there is";
+  EXPECT_EQ(ReadListOf("20000 1 " + file), 0U) << "behind its end";
+  EXPECT_EQ(ReadListOf("0 4096 " + file, 4095), 0U);
+  EXPECT_EQ(ReadListOf("0 4096\n-1 5 " + file + "\n4096 " + file), 0U) << "no part";
+}
+
 TEST_F(Ahead, PassesOverWhatIsNotThere) {
   const std::string there = File("there", 4096);
   EXPECT_EQ(ReadListOf(folder_.string() + "/gone\n\n" + folder_.string() + "\n/dev/zero\n" + there), 4096U);
