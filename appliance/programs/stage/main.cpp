@@ -155,24 +155,25 @@ std::unique_ptr<kaori::stage::LastFace> LastFaceOf(const Settings& settings, kao
 }
 
 // The show is loaded on another thread beside Mesa, which takes about as long; everything else is this
-// thread's. The writers are acquired before the GL context is made, so that a second stage ends at once. Once
+// thread's. The writers are acquired before Mesa is loaded, so that a second stage ends at once. Once
 // the first picture is shown the card is handed to the fd keeper (Preserve), so that the picture stays when
 // the stage ends in whatever way. The last face is kept when the loop has ended.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
   std::optional<kaori::Result<Loaded>> show_or_error;  // GCC 12 warns where a future carries it.
   auto loading = std::async(std::launch::async, [&] { show_or_error.emplace(LoadShow(settings)); });
-  const auto card = CardOf(settings);
-  if (!card) return kaori::ExitWithError(card.error());
-  if (*card) kaori::Log("the graphics card is open");
-  loading.get();
-  auto& loaded = *show_or_error;
-  if (!loaded) return kaori::ExitWithError(loaded.error());
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
   auto writers = kaori::stage::StageWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
-  const auto studio =
-      kaori::stage::Studio::Open(std::move(loaded->show), *card ? (*card)->device() : nullptr);
+  const auto card = CardOf(settings);
+  if (!card) return kaori::ExitWithError(card.error());
+  if (*card) kaori::Log("the graphics card is open");
+  auto context = kaori::gl::Context::Open(*card ? (*card)->device() : nullptr);
+  loading.get();
+  auto& loaded = *show_or_error;
+  if (!loaded) return kaori::ExitWithError(loaded.error());
+  if (!context) return kaori::ExitWithError(context.error());
+  const auto studio = kaori::stage::Studio::Open(std::move(loaded->show), std::move(*context));
   if (!studio) return kaori::ExitWithError(studio.error());
   kaori::stage::StillClock clock(!settings.still.empty());
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);

@@ -143,7 +143,8 @@ Result<void> Stage::DrawWhenDue() {
 
 // The order is what makes the input fresh: the board is read here, right before drawing and not when the plan
 // was made. The plan's time is bounded, since a screen's word is not believed without limit. What may wait
-// comes after Present: the report, the last face, and the rehearsal of one more shader.
+// comes after Present: the report, the last face, and the rehearsal of one more shader, which begins with the
+// second frame: the first one is to be told of at once.
 Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   const FramePacer::Plan plan = *std::exchange(plan_, std::nullopt);
   const Duration cpu_before = CpuOfProcess();
@@ -161,7 +162,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   pacer_.Drawn(plan, clock_.now());
   Report(snapshot, CpuOfProcess() - cpu_before);
   if (after_frame_) after_frame_(state_, scene, clock_.now());
-  if (studio_.Prepare()) Log("all drawing is rehearsed");
+  if (frame_ > 1 && studio_.Prepare()) Log("all drawing is rehearsed");
   return {};
 }
 

@@ -5,14 +5,15 @@
 namespace kaori::stage {
 
 Result<std::unique_ptr<Studio>> Studio::Open(show::Show show, void* gbm) {
-  return Open(std::make_unique<PreparedShow>(std::move(show)), gbm);
-}
-
-// The context first, since everything else lives in it; the studio exists before its painter, which borrows its cast.
-Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepared, void* gbm) {
   auto context = gl::Context::Open(gbm);
   if (!context) return tl::unexpected(context.error());
-  std::unique_ptr<Studio> studio(new Studio(std::move(*context), std::move(prepared)));
+  return Open(std::make_unique<PreparedShow>(std::move(show)), std::move(*context));
+}
+
+// The studio exists before its painter, which borrows its cast.
+Result<std::unique_ptr<Studio>> Studio::Open(std::unique_ptr<PreparedShow> prepared,
+                                             std::unique_ptr<gl::Context> context) {
+  std::unique_ptr<Studio> studio(new Studio(std::move(context), std::move(prepared)));
   PreparedShow& made_of = *studio->prepared_;
   auto painter =
       passes::Painter::Open(*studio->context_, made_of.show_.cast, std::move(made_of.preparation_));

@@ -52,7 +52,9 @@ class Studio {
  public:
   // Blocks while shaders compile and textures load. `gbm` as gl::Context says. Errors: those of gl::Context and Painter.
   static Result<std::unique_ptr<Studio>> Open(show::Show show, void* gbm = nullptr);
-  static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared, void* gbm = nullptr);
+  // The same in a context of the caller's, which is current on this thread. Errors: those of Painter.
+  static Result<std::unique_ptr<Studio>> Open(std::unique_ptr<PreparedShow> prepared,
+                                              std::unique_ptr<gl::Context> context);
 
   // Draws `scene` into `picture`, whole: into its memory or its window. Makes a new canvas only when the size
   // changes. Blocks until the processor has its pixels, or the graphics card its commands. Errors: those of
