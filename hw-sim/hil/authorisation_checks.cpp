@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "hw-sim/devices/strange_device.h"
+#include "hw-sim/devices/unknown_device.h"
 #include "hw-sim/hil/check.h"
 
 namespace kaori::hil {
@@ -81,7 +81,7 @@ Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
 }
 
 // A device that says it is what it is not, or something that a box has no role for. `kinds` are class, subclass and protocol.
-struct Stranger {
+struct Unknown {
   const char* name;
   std::uint16_t vendor;
   std::uint16_t product;
@@ -94,7 +94,7 @@ sim::UsbInterface Offers(std::uint8_t kind, std::uint8_t subclass, std::uint8_t 
 }
 
 // Class codes are those of usb.org's list.
-std::vector<Stranger> Strangers() {
+std::vector<Unknown> UnknownDevices() {
   const auto storage = Offers(0x08, 0x06, 0x50), network = Offers(0x02, 0x06, 0x00),
              data = Offers(0x0A, 0x00, 0x00), keyboard = Offers(0x03, 0x01, 0x01),
              vendors = Offers(0xFF, 0xFF, 0xFF), sound = Offers(0x01, 0x01, 0x00);
@@ -119,10 +119,10 @@ std::vector<Stranger> Strangers() {
 }
 
 // Plugs it in where the pointer was, and unplugs it. Whether it was authorised.
-Result<bool> WasAuthorised(Scene& scene, const Stranger& stranger) {
+Result<bool> WasAuthorised(Scene& scene, const Unknown& unknown) {
   sim::UsbRig& rig = scene.target.rig();
-  sim::StrangeDevice device(stranger.vendor, stranger.product, stranger.interfaces);
-  const std::string number = fmt::format("{:04x}:{:04x}", stranger.vendor, stranger.product);
+  sim::UnknownDevice device(unknown.vendor, unknown.product, unknown.interfaces);
+  const std::string number = fmt::format("{:04x}:{:04x}", unknown.vendor, unknown.product);
   const auto is_there = [&] { return IsAuthorised(scene, number.c_str()).has_value(); };
   static_cast<void>(rig.Hold("pointer", &device));
   static_cast<void>(rig.Plug("pointer"));
@@ -134,24 +134,24 @@ Result<bool> WasAuthorised(Scene& scene, const Stranger& stranger) {
   const bool gone = scene.target.Until([&] { return !is_there(); }, kAuthorisationLongest);
   static_cast<void>(rig.Hold("pointer", nullptr));
   if (!seen || !authorised)
-    return Fail(std::errc::timed_out, fmt::format("see {} in the machine", stranger.name));
-  if (!gone) return Fail(std::errc::timed_out, fmt::format("see {} gone", stranger.name));
+    return Fail(std::errc::timed_out, fmt::format("see {} in the machine", unknown.name));
+  if (!gone) return Fail(std::errc::timed_out, fmt::format("see {} gone", unknown.name));
   if (!settled) return tl::unexpected(settled.error());
   return *authorised;
 }
 
-// Strangers that are treated as they should not be; `wrong` turns what is wanted round, for the control.
-Result<void> TryStrangers(Scene& scene, bool wrong) {
+// Devices that are treated as they should not be; `wrong` turns what is wanted round, for the control.
+Result<void> TryUnknownDevices(Scene& scene, bool wrong) {
   static_cast<void>(scene.target.rig().Unplug("pointer"));
   std::string mistaken;
   int tried = 0, let_in = 0;
-  for (const Stranger& stranger : Strangers()) {
-    const auto authorised = WasAuthorised(scene, stranger);
+  for (const Unknown& unknown : UnknownDevices()) {
+    const auto authorised = WasAuthorised(scene, unknown);
     if (!authorised) return tl::unexpected(authorised.error());
     ++tried;
-    let_in += *authorised && !stranger.wanted ? 1 : 0;
-    if (*authorised != (stranger.wanted != wrong))
-      mistaken += (mistaken.empty() ? "" : "; ") + std::string(stranger.name);
+    let_in += *authorised && !unknown.wanted ? 1 : 0;
+    if (*authorised != (unknown.wanted != wrong))
+      mistaken += (mistaken.empty() ? "" : "; ") + std::string(unknown.name);
   }
   static_cast<void>(scene.target.rig().Plug("pointer"));
   scene.finding.figures["usb_liars"] = tried;
@@ -159,17 +159,17 @@ Result<void> TryStrangers(Scene& scene, bool wrong) {
   if (!mistaken.empty()) return FailInput("wrongly authorised, or wrongly not: " + mistaken);
   if (auto played = AwaitFrames(scene); !played) return played;
   scene.finding.said =
-      fmt::format("{} strange devices, 0 of them authorised wrongly; the box played on", tried);
+      fmt::format("{} unknown devices, 0 of them authorised wrongly; the box played on", tried);
   return {};
 }
 
 Result<void> Liars(Scene& scene) {
-  return TryStrangers(scene, false);
+  return TryUnknownDevices(scene, false);
 }
 
 // The control: all of them are found wrong when the opposite is wanted.
 Result<void> LiarsAreSeen(Scene& scene) {
-  return WantFoundWrong(TryStrangers(scene, true), "strange devices pass either way");
+  return WantFoundWrong(TryUnknownDevices(scene, true), "unknown devices pass either way");
 }
 
 // The control: the same steps with the wrong expectation must fail.

@@ -1,8 +1,8 @@
-#include "hw-sim/devices/strange_device.h"
+#include "hw-sim/devices/unknown_device.h"
 
 namespace kaori::sim {
 
-StrangeDevice::StrangeDevice(std::uint16_t vendor, std::uint16_t product,
+UnknownDevice::UnknownDevice(std::uint16_t vendor, std::uint16_t product,
                              std::vector<UsbInterface> interfaces) {
   UsbBytes contents;
   std::uint8_t number = 0;
@@ -13,8 +13,8 @@ StrangeDevice::StrangeDevice(std::uint16_t vendor, std::uint16_t product,
   }
   descriptors_ = {.vendor = vendor,
                   .product = product,
-                  .maker = "A stranger",
-                  .name = "Strange device",
+                  .maker = "Nobody known",
+                  .name = "Unknown device",
                   .configuration = ConfigurationOf(number, contents)};
 }
 

@@ -1,4 +1,4 @@
-// A simulated USB device that offers interfaces by its descriptors and does nothing: what a stranger plugs in.
+// A simulated USB device that offers interfaces by its descriptors and does nothing: what somebody plugs in whom nobody knows.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 namespace kaori::sim {
 
 // It has no endpoints, answers the standard requests alone, and stalls all others. One thread.
-class StrangeDevice final : public UsbDevice {
+class UnknownDevice final : public UsbDevice {
  public:
   // Who it says it is, and one interface for each of `interfaces`, which are numbered anew in that order.
-  StrangeDevice(std::uint16_t vendor, std::uint16_t product, std::vector<UsbInterface> interfaces);
+  UnknownDevice(std::uint16_t vendor, std::uint16_t product, std::vector<UsbInterface> interfaces);
 
   const UsbDescriptors& descriptors() const override { return descriptors_; }
   std::optional<UsbBytes> Answer(const UsbSetup&, std::span<const std::uint8_t>) override {
