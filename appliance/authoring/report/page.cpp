@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -37,9 +36,9 @@ std::string Row(const std::vector<std::string>& cells, const std::vector<std::si
 }
 
 std::string Cells(const std::vector<std::string>& cells, std::string_view tag) {
-  return std::accumulate(cells.begin(), cells.end(), std::string(), [tag](std::string row, const auto& cell) {
-    return std::move(row) + fmt::format("<{0}>{1}</{0}>", tag, Escaped(cell));
-  });
+  std::string row;
+  for (const std::string& cell : cells) row += fmt::format("<{0}>{1}</{0}>", tag, Escaped(cell));
+  return row;
 }
 
 }  // namespace

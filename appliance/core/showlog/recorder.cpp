@@ -53,6 +53,7 @@ bool Recorder::FollowFromBoard(const Given& given) {
   performance::SeenInput seen = seen_;
   seen_ = given.state.seen;
   const performance::InputEvents events = performance::ReadEvents(seen, given.board);
+  // Bits and not numbers: -0 is another word than 0. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   return std::memcmp(&seen, &seen_, sizeof(seen)) == 0 && IsSame(events, given.events);
 }
 

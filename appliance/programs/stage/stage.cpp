@@ -174,6 +174,7 @@ performance::Performed Stage::Animate(const board::Snapshot& snapshot, performan
   const performance::State before = state_;
   const board::Snapshot& rest = editor_->Play(snapshot, events, studio_.show(), state_, presented_at);
   for (const auto& [index, work] : editor_->renewed()) studio_.Renew(index, work->pulls_m, work->lids);
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): see AnimateAndNote.
   const bool changed = std::memcmp(&before, &state_, sizeof(state_)) != 0;
   auto performed = AnimateAndNote(rest, events, presented_at, changed);
   editor_->Describe(performed.scene);
