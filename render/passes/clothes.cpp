@@ -17,7 +17,7 @@ constexpr float kShoulders_m = 0.19F;
 // Where the collars sit in the picture, and how far the arcs reach from there to the farthest corner of clothes. Pixels.
 glm::vec3 CollarInPicture(const Dressing& dressing, const FrameBlock& frame) {
   const glm::vec2 half_px = 0.5F * glm::vec2(frame.sway.z, frame.sway.w);
-  const glm::vec3 collar_m(0, dressing.collar_m, 0);
+  const glm::vec3 collar_m(0, dressing.collar_m - dressing.sinks_m, 0);
   const glm::vec2 collar_px = (1.0F + Project(frame, collar_m, Follows::kBody)) * half_px;
   const glm::vec2 shoulder_px =
       (1.0F + Project(frame, collar_m + glm::vec3(kShoulders_m, 0, 0), Follows::kBody)) * half_px;
@@ -54,8 +54,7 @@ Result<ClothesPass::Variant> ClothesPass::MakeVariant(std::string defines) {
   v.paint = program->Find("paint");
   v.fit = program->Find("fit");
   v.collar = program->Find("collar_px");
-  v.shrinks_from = program->Find("shrinks_from");
-  v.shrinks_to = program->Find("shrinks_to");
+  v.neck = program->Find("neck");
   v.program = std::move(*program);
   return v;
 }
@@ -77,8 +76,7 @@ void ClothesPass::Draw(const Appearance& appearance, const Dressing& dressing,
   gl::Apply({});
   variant.program.Use();
   gl::Program::Set(variant.collar, CollarInPicture(dressing, frame));
-  gl::Program::Set(variant.shrinks_from, glm::vec4(dressing.shrinks_from, dressing.share));
-  gl::Program::Set(variant.shrinks_to, dressing.shrinks_to);
+  gl::Program::Set(variant.neck, glm::vec3(dressing.neck_m, dressing.sinks_m));
   for (const WornGarments& worn : dressing.worn()) {
     gl::Program::Set(variant.fit, glm::vec4(worn.from, worn.to, worn.rise_m, worn.widen_m));
     DrawWorn(appearance, variant, dressing, worn.face);

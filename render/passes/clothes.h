@@ -1,5 +1,5 @@
 // Shoulders and collar. Of faces that cross-fade each dresses a part of the picture of its own, from the collar
-// down, and the parts wander; where a face has no neck to wear them on, clothes shrink into it.
+// down, and the parts wander; where a face has no neck to wear them on, clothes sink out of the picture.
 #pragma once
 
 #include "render/gl/program.h"
@@ -25,7 +25,7 @@ class ClothesPass {
   // more.
   struct Variant {
     gl::Program program;
-    int paint = -1, fit = -1, collar = -1, shrinks_from = -1, shrinks_to = -1;
+    int paint = -1, fit = -1, collar = -1, neck = -1;
   };
   static Result<Variant> MakeVariant(std::string defines);
   // The clothes of one face, in the program that Draw has set.

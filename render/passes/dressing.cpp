@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace kaori::passes {
 namespace {
@@ -14,10 +13,10 @@ constexpr float kLowestRow = 0.004F;
 // jaw.
 constexpr float kBelowCollar_m = 0.020F;
 constexpr float kBeforeNeck_m = 0.030F;
-// With so little neck left, clothes have shrunk to nothing.
-constexpr float kShrunk = 0.3F;
-// Smaller clothes are bared from their hem on, which would come into the picture.
-constexpr float kSeenWhole = 0.5F;
+// With so much of a face that has no neck, clothes have sunk out of the picture, by kSunk_m. The neck withdraws into the
+// head sooner than that (render/face/composer.cpp).
+constexpr float kGoneWithNeckless = 0.3F;
+constexpr float kSunk_m = 0.32F;
 // A face with less weight than this dresses nobody: one step of 8 bits.
 constexpr float kUndressed = 0.004F;
 
@@ -35,7 +34,7 @@ face::Terms InOrderOfCast(const face::Terms& faces) {
 
 float Dressing::reach_m() const {
   if (whole()) return 0;
-  float reach = glm::distance(shrinks_from, shrinks_to);
+  float reach = sinks_m;
   for (const WornGarments& w : worn()) reach = std::max(reach, std::abs(w.rise_m) + std::abs(w.widen_m));
   return reach;
 }
@@ -75,8 +74,7 @@ void Necks::MeasureCollar(const face::Cast& cast, const face::Face& face, Neck& 
   }
 }
 
-// A face without clothes either has no neck, and then all shrink to nothing with it, or it bares its neck from
-// below.
+// A face without clothes either has no neck, and then all sink, or it bares its neck from below.
 Dressing Necks::Dress(const face::Terms& faces) const {
   Dressing d;
   const face::Terms sorted = InOrderOfCast(faces);
@@ -90,43 +88,40 @@ Dressing Necks::Dress(const face::Terms& faces) const {
     d.collar_m += t.weight * neck.collar_m;
     half_width_m += t.weight * neck.half_width_m;
     radius_m += t.weight * neck.end_radius_m;
-    d.shrinks_from += t.weight * neck.end_m;
+    d.neck_m += t.weight * glm::vec2(neck.end_m.x, neck.end_m.z);
   }
   if (dressed <= 0) return d;
   d.collar_m /= dressed;
   half_width_m /= dressed;
+  d.neck_m /= dressed;
   radius_m = std::max(radius_m / dressed, 1e-4F);
-  d.shrinks_from /= dressed;
-  d.shrinks_to = dressed * d.shrinks_from;
-  d.share = dressed;
   float bare = 0;
-  float all = dressed;
+  float neckless = 0;
   for (const face::Term& t : sorted) {
     const Neck& neck = necks_[t.index];
     if (neck.dressed) continue;
     const float has_neck = std::min(neck.end_radius_m / radius_m, 1.0F);
-    all += t.weight;
     bare += t.weight * has_neck;
-    d.share += t.weight * has_neck;
-    d.shrinks_to += t.weight * neck.end_m;
+    neckless += t.weight * (1 - has_neck);
   }
-  d.share = std::clamp((d.share / all - kShrunk) / (1 - kShrunk), 0.0F, 1.0F);
-  d.shrinks_to /= all;
-  const float seen = std::min(d.share / kSeenWhole, 1.0F);
-  const float range = (dressed + bare) / seen;
+  const float sunk = std::min(neckless / ((dressed + bare + neckless) * kGoneWithNeckless), 1.0F);
+  if (sunk >= 1) return d;
+  d.sinks_m = neckless < kUndressed ? 0 : kSunk_m * sunk * std::sqrt(sunk);
   float laid = 0;
   for (const face::Term& t : sorted) {
     const Neck& neck = necks_[t.index];
-    if (!neck.dressed || t.weight < kUndressed || d.share <= 0) continue;
-    const float from = laid / range;
+    if (!neck.dressed || t.weight < kUndressed) continue;
+    const float from = laid / (dressed + bare);
     laid += t.weight;
-    d.garments[d.count++] = {
-        t.index,           from, laid / range, d.collar_m - neck.collar_m, half_width_m - neck.half_width_m,
-        t.weight / dressed};
+    d.garments[d.count++] = {t.index,
+                             from,
+                             laid / (dressed + bare),
+                             d.collar_m - neck.collar_m,
+                             half_width_m - neck.half_width_m,
+                             t.weight / dressed};
   }
   // Faces of next to no weight leave no gap at the lower edge.
-  if (d.count > 0 && bare < kUndressed && seen >= 1) d.garments[d.count - 1].to = 2;
-  if (d.share > 1 - kUndressed) d.share = 1;
+  if (d.count > 0 && bare < kUndressed) d.garments[d.count - 1].to = 2;
   return d;
 }
 

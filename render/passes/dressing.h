@@ -36,14 +36,14 @@ struct Dressing {
   std::size_t count = 0;
   // Where the collars sit. Y.
   float collar_m = 0;
-  // As the neck shrinks into a face that has none, clothes shrink with it: p -> to + share * (p - from).
-  float share = 1;
-  glm::vec3 shrinks_from{};
-  glm::vec3 shrinks_to{};
+  // The neck's axis at its lower end: x, z.
+  glm::vec2 neck_m{};
+  // As the neck withdraws into a face that has none, clothes sink out of the picture: by so much, 0 or more.
+  float sinks_m = 0;
 
   std::span<const WornGarments> worn() const { return {garments.data(), count}; }
   // One face's garments, as they were sewn.
-  bool whole() const { return count == 1 && garments[0].from <= 0 && garments[0].to >= 1 && share >= 1; }
+  bool whole() const { return count == 1 && garments[0].from <= 0 && garments[0].to >= 1 && sinks_m <= 0; }
   // How far a garment may lie beyond its place at rest.
   float reach_m() const;
 };

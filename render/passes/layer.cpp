@@ -4,6 +4,8 @@
 #include <numbers>
 #include <string>
 
+#include <glm/geometric.hpp>
+
 #include "render/gl/context.h"
 #include "render/gl/draw_state.h"
 #include "render/passes/shader_library.h"
@@ -11,18 +13,15 @@
 namespace kaori::passes {
 namespace {
 
-// A poster's dots stand so many to the height of the picture: they are seen from the last row. Below the
-// pitch they would not be dots.
-constexpr float kDotsHigh = 120;
+// From dot to dot on the head; few enough to be seen from the last row. Below the pitch they would not be dots.
+constexpr float kDots_m = 0.0029F;
 constexpr float kLeastPitch_px = 3.5F;
+// The middle of the face, and how far from there the head's size in the picture is measured.
+constexpr glm::vec3 kFace_m{0, 0, 0.06F};
+constexpr float kRule_m = 0.1F;
 
 // The layer itself is read from unit 0.
 constexpr int kBehindUnit = 1;
-
-float DotWave_rad_px(const gl::Canvas& canvas) {
-  const float pitch_px = std::max(static_cast<float>(canvas.height_px()) / kDotsHigh, kLeastPitch_px);
-  return 2 * std::numbers::pi_v<float> / pitch_px;
-}
 
 // Without single samples the layer is resolved first, and edges are blended before they are squared: a little
 // darker.
@@ -56,11 +55,28 @@ Sides Beside(const gl::Box& band, const gl::Box& wide) {
 
 }  // namespace
 
+// As long as the longer of two rules on the head, which turns one of them away at most.
+glm::vec4 DotsOn(const FrameBlock& frame) {
+  const glm::vec2 half_px = 0.5F * glm::vec2(frame.sway.z, frame.sway.w);
+  const auto in_picture_px = [&](glm::vec3 point) {
+    return (1.0F + Project(frame, point, Follows::kHead)) * half_px;
+  };
+  const glm::vec2 middle_px = in_picture_px(kFace_m);
+  const glm::vec2 up_px = in_picture_px(kFace_m + glm::vec3(0, kRule_m, 0)) - middle_px;
+  const glm::vec2 side_px = in_picture_px(kFace_m + glm::vec3(kRule_m, 0, 0)) - middle_px;
+  const float rule_px = std::max({glm::length(up_px), glm::length(side_px), 1.0F});
+  const float wave = 2 * std::numbers::pi_v<float> / std::max(rule_px * kDots_m / kRule_m, kLeastPitch_px);
+  const glm::vec2 up = up_px / std::max(glm::length(up_px), 1e-3F);
+  const glm::vec2 along = glm::vec2(up.x + up.y, up.y - up.x) * std::numbers::sqrt2_v<float> * 0.5F;
+  return {middle_px, wave * along};
+}
+
 LayerPass::Variant LayerPass::Named(gl::Program program) {
   Variant v;
   v.dim = program.Find("dim");
   v.opacity = program.Find("opacity");
   v.print = program.Find("print");
+  v.dots = program.Find("dots");
   v.program = std::move(program);
   return v;
 }
@@ -100,7 +116,8 @@ void LayerPass::Lay(const gl::Canvas& canvas, const FigureRegion& figure, const 
   behind.picture.Bind(kBehindUnit);
   gl::Program::Set(variant.dim, behind.dim);
   gl::Program::Set(variant.opacity, laying.opacity);
-  gl::Program::Set(variant.print, glm::vec3(laying.print, laying.exposure, DotWave_rad_px(canvas)));
+  gl::Program::Set(variant.print, glm::vec2(laying.print, laying.exposure));
+  gl::Program::Set(variant.dots, laying.dots);
   canvas.BeginPicture();
   for (const gl::Box& band : figure.bands) Fill(canvas, band);
 }

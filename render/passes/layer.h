@@ -7,8 +7,13 @@
 #include "render/gl/mesh.h"
 #include "render/gl/program.h"
 #include "render/passes/figure_region.h"
+#include "render/passes/frame.h"
 
 namespace kaori::passes {
+
+// The dots of a print go with the head: xy: its middle in the picture, pixels; zw: along a row of dots, radians of their
+// wave for each pixel.
+glm::vec4 DotsOn(const FrameBlock& frame);
 
 // Reads each sample of the layer, squares it to light, and blends light: with samples averaged first, edges
 // would be darker than they are. Knows what the last frame left on a canvas (Canvas::Stamp), so that a
@@ -35,6 +40,8 @@ class LayerPass {
     float print = 0;
     // Of the light on the figure.
     float exposure = 1;
+    // Of a print, as DotsOn says.
+    glm::vec4 dots{0, 0, 1, 0};
   };
   // Lays the canvas's layer, where the figure is, over the backdrop, and the result over the layers before
   // it. The layer must have been drawn whole; it cannot be drawn on afterwards.
@@ -56,6 +63,7 @@ class LayerPass {
     int dim = -1;
     int opacity = -1;
     int print = -1;
+    int dots = -1;
   };
   // Asks where the uniforms are.
   static Variant Named(gl::Program program);

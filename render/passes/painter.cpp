@@ -207,7 +207,8 @@ void Painter::Draw(const scene::Scene& wanted, const gl::Canvas& canvas) {
                  // The first group replaces, the next ones are blended: w1 / w1, w2 / (w1 + w2), ...
                  {.opacity = weight / laid,
                   .print = group == Group::kTextured ? print : 0,
-                  .exposure = scene.light.exposure});
+                  .exposure = scene.light.exposure,
+                  .dots = print > 0 ? DotsOn(p.block) : glm::vec4(0, 0, 1, 0)});
   }
   p.caption->Draw(scene.caption, canvas);
 }

@@ -8,16 +8,15 @@ layout(location = 2) in float open;
 uniform vec3 paint;
 out vec3 lit;
 #ifdef CHANGING
-uniform vec4 fit;           // x, y: see clothes.frag; z: rises by, metres; w: widens about the neck by, metres.
-uniform vec4 shrinks_from;  // xyz: the lower end of the neck that the clothes were sewn for; w: what is left of them, 0..1.
-uniform vec3 shrinks_to;    // The lower end of the neck.
+uniform vec4 fit;    // x, y: see clothes.frag; z: rises by, metres; w: widens about the neck by, metres.
+uniform vec3 neck;   // xy: the neck's axis, x and z; z: clothes sink by, metres.
 
 vec3 Fitted(vec3 p) {
-  p.y += fit.z;
-  vec2 away = p.xz - shrinks_from.xz;
+  p.y += fit.z - neck.z;
+  vec2 away = p.xz - neck.xy;
   float from_neck = max(length(away), 1e-4);
   p.xz += away / from_neck * (fit.w * (1.0 - smoothstep(0.05, 0.14, from_neck)));
-  return shrinks_to + shrinks_from.w * (p - shrinks_from.xyz);
+  return p;
 }
 #endif
 

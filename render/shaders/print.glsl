@@ -1,18 +1,22 @@
 // A poster's print: white paper, dots of an ink in the surface's own colour where it is shaded, and a dark ink.
-// Dots are fixed to the picture and stand in rows at 45 degrees.
-uniform vec3 print;  // x: share 0..1; y: the light's exposure; z: radians of a dot's wave for each pixel.
+// Dots stand in rows at 45 degrees and go with the head, as if they were printed on it. While the print fades they melt into
+// even ink, which the picture then takes up.
+uniform vec2 print;  // x: share 0..1; y: the light's exposure.
+uniform vec4 dots;   // xy: where the head is, pixels; zw: along a row, radians of a dot's wave for each pixel.
 const vec3 kPaper = vec3(0.91, 0.86, 0.76);
 const vec3 kDarkInk = vec3(0.016, 0.011, 0.030);
 
 // Between 0 midway between dots and 1 at their middles.
 float DotWave(vec2 pixel) {
-  vec2 turned = vec2(pixel.x + pixel.y, pixel.x - pixel.y) * (0.70710678 * print.z);
-  return 0.5 + 0.25 * (cos(turned.x) + cos(turned.y));
+  vec2 from_head = pixel - dots.xy;
+  float along = dot(from_head, dots.zw);
+  float across = dot(from_head, vec2(-dots.w, dots.z));
+  return 0.5 + 0.25 * (cos(along) + cos(across));
 }
 
 // How much of a pixel an ink covers whose dots take up `share` of the paper.
 float Inked(float wave, float share) {
-  float soft = 0.08 + 0.10 * print.z;
+  float soft = 0.08 + 0.10 * length(dots.zw) + 1.2 * (1.0 - print.x);
   return smoothstep(-soft, soft, wave - 1.0 + share * (1.0 + 2.0 * soft) - soft);
 }
 

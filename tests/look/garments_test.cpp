@@ -133,6 +133,27 @@ TEST_F(Garments, NoPixelShowsThoseOfTwoFaces) {
   tests::Report("morph_garment_overlap_px", static_cast<double>(overlap_px));
 }
 
+// The widest row of pixels to which garments contribute.
+int WidestRow_px(const Pixels& pixels) {
+  std::ptrdiff_t widest = 0;
+  for (auto row = pixels.begin(); row != pixels.end(); row += kWidth_px)
+    widest = std::max(widest, std::count(row, row + kWidth_px, true));
+  return static_cast<int>(widest);
+}
+
+TEST_F(Garments, SinkWithoutGettingSmallWhereAFaceHasNoNeck) {
+  const auto kettle = static_cast<std::uint16_t>(
+      std::ranges::find(cast_->faces, "kettle", &face::Face::name) - cast_->faces.begin());
+  ASSERT_LT(kettle, FaceCount());
+  for (std::uint16_t face = 0; face < FaceCount(); ++face) {
+    if (face == kettle) continue;
+    const int whole_px = WidestRow_px(Contributed(face, Sharing(face, kettle, 0)));
+    EXPECT_GE(WidestRow_px(Contributed(face, Sharing(face, kettle, 0.05F))), whole_px * 6 / 10)
+        << NameOf(face);
+    EXPECT_EQ(Count(Contributed(face, Sharing(face, kettle, 0.35F))), 0U) << NameOf(face);
+  }
+}
+
 TEST_F(Garments, OfTheFaceThatLeavesAreGoneBeforeItIs) {
   for (std::uint16_t face = 1; face < FaceCount(); ++face) {
     const std::size_t whole_px = Count(Contributed(face, Sharing(0, face, 1)));

@@ -20,7 +20,10 @@ std::uint16_t FaceNamed(const face::Cast& cast, std::string_view name) {
   return static_cast<std::uint16_t>(found - cast.faces.begin());
 }
 
-// How far outgrowths stand off the head between two faces: the farthest of their vertices from the nearest vertex of
+// Of the parameter space, from its lower border: ears lie above this, the neck below.
+constexpr float kNeckBelow = 0.3F;
+
+// How far ears stand off the head between two faces: the farthest of their vertices from the nearest vertex of
 // all others.
 float StandsOff_m(face::Composer& composer, const face::Topology& topology, std::uint16_t a, std::uint16_t b,
                   float share_of_b) {
@@ -33,6 +36,7 @@ float StandsOff_m(face::Composer& composer, const face::Topology& topology, std:
   for (const face::Index v : topology.outgrowth) grows[v] = true;
   float farthest_m = 0;
   for (const face::Index v : topology.outgrowth) {
+    if (topology.uv[v].y < kNeckBelow) continue;
     float nearest_m = 1;
     for (std::size_t w = 0; w < cage.size(); ++w) {
       if (!grows[w]) nearest_m = std::min(nearest_m, glm::distance(cage[v], cage[w]));
@@ -57,6 +61,34 @@ TEST(Outgrowths, AreWithdrawnBetweenAHeadWithEarsAndOneWithAHandle) {
   EXPECT_GT(StandsOff_m(composer, cast.topology, 0, kettle, 1), 2 * kLowBump_m)
       << "the handle itself stands off";
   tests::Report("look_horns_mm", 1000 * farthest_m);
+}
+
+// How wide the neck's lower end is: the row along the lower border of the parameter space.
+float LowerEnd_m(face::Composer& composer, const face::Topology& topology, std::uint16_t a, std::uint16_t b,
+                 float share_of_b) {
+  face::Weights weights;
+  weights.faces.Push(a, 1 - share_of_b);
+  weights.faces.Push(b, share_of_b);
+  weights.expressions.Push(0, 1);
+  const auto cage = composer.Compose(weights, face::Detail::kCage).cage;
+  const auto lowest = std::ranges::min_element(topology.uv, {}, [](const glm::vec2& uv) { return uv.y; });
+  float widest_m = 0;
+  for (std::size_t v = 0; v < cage.size(); ++v) {
+    if (topology.uv[v].y < lowest->y + 1e-3F) widest_m = std::max(widest_m, 2 * std::abs(cage[v].x));
+  }
+  return widest_m;
+}
+
+TEST(Outgrowths, NecksCloseBetweenAHeadWithANeckAndOneWithout) {
+  const face::Cast cast = tests::ClothedCast();
+  face::Composer composer(cast);
+  const std::uint16_t kettle = FaceNamed(cast, "kettle");
+  for (std::uint16_t face = 0; face < cast.faces.size(); ++face) {
+    if (face == kettle) continue;
+    EXPECT_GT(LowerEnd_m(composer, cast.topology, face, kettle, 0), 0.05F) << cast.faces[face].name;
+    for (const float share : {0.3F, 0.5F, 0.7F})
+      EXPECT_LE(LowerEnd_m(composer, cast.topology, face, kettle, share), 0.008F) << cast.faces[face].name;
+  }
 }
 
 TEST(Outgrowths, StayBetweenHeadsWithEars) {

@@ -34,7 +34,7 @@ std::array<Tip, kTips> ShareOutTips(float half_deg, Dice& dice) {
   float at_deg = -half_deg;
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const float width_deg = 2 * half_deg * widths[i] / sum;
-    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.3F, 1.05F), 0.3F * width_deg * dice.Spread()};
+    tips[i] = {at_deg, at_deg + width_deg, dice.Between(0.12F, 0.5F), 0.3F * width_deg * dice.Spread()};
     at_deg += width_deg;
   }
   return tips;
@@ -70,11 +70,17 @@ std::vector<Column> FringeColumns(const HairLook& look, Dice& dice) {
   return columns;
 }
 
+// A fringe is swept most in the middle, and not at its edges, which meet the curtain's.
+float SweepAt(const HairLook& look, float around_deg) {
+  const float out = Clamp01(std::abs(around_deg) / look.opens_at_deg);
+  return look.fringe_sweep_deg * (1 - out * out * out);
+}
+
 // Strands of noise raise the sheet a little towards its ends.
 glm::vec3 FringePoint(const HairLook& look, const Column& column, float t) {
   Fringe fringe;
   fringe.end_y_cm = column.end_y_cm;
-  fringe.sweep_deg = look.fringe_sweep_deg;
+  fringe.sweep_deg = SweepAt(look, column.around_deg);
   const float strand = Noise(column.around_deg * 0.33F, t * 0.6F) - 0.5F;
   fringe.offset_cm = look.volume_cm * 0.9F + 0.3F * strand * SmoothStep(0.1F, 0.6F, t);
   return OnFringe(look.skull, fringe, column.around_deg + column.lean_deg * t * t * t, t);
@@ -103,13 +109,13 @@ void AddFringeLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dice
   shape.width_cm = dice.Between(0.6F, 1.8F);
   shape.thickness_cm = dice.Between(0.16F, 0.28F);
   shape.root = 0.5F;
-  shape.tip = dice.Between(0.1F, 0.3F);
-  shape.tapers_from = dice.Between(0.72F, 0.84F);
+  shape.tip = dice.Between(0.2F, 0.5F);
+  shape.tapers_from = dice.Between(0.78F, 0.9F);
   shape.rings = 7;  // Short, and many.
   Fringe fringe;
-  fringe.end_y_cm = Table(look.fringe_cm, std::abs(around_deg)) + dice.Between(-0.3F, 0.25F);
+  fringe.end_y_cm = Table(look.fringe_cm, std::abs(around_deg)) + dice.Between(-0.3F, 0.12F);
   fringe.offset_cm = look.volume_cm + dice.Between(0.05F, 0.2F);
-  fringe.sweep_deg = look.fringe_sweep_deg;
+  fringe.sweep_deg = SweepAt(look, around_deg);
   const float lean_deg = 3.0F * dice.Spread();
   const auto path = [=, &look](float t) {
     return OnFringe(look.skull, fringe, around_deg + lean_deg * t * t, t);
@@ -137,9 +143,32 @@ void AddFramingLocks(ClothMesh& mesh, const HairLook& look) {
       const float around = side * (look.opens_at_deg + lock.x);
       Fall fall{Table(look.ends_cm, look.opens_at_deg) + lock.y, look.volume_cm + 0.12F, look.flare,
                 look.curl * 0.7F};
-      LockShape shape{lock.z, 0.5F, 0.3F, 0.45F, 0.68F, 0.12F, 12};
+      LockShape shape{lock.z, 0.5F, 0.3F, 0.45F, 0.68F, 0.12F, 12, kHangsFrom};
       AddLock(
           mesh, look.skull, [&](float t) { return OnFall(look.skull, fall, around, t); }, shape);
+    }
+  }
+}
+
+// Between the parting in the middle and the curtain, hair is combed from the hairline to the sides, one lock behind the
+// other, and runs under the curtain's edge.
+void AddPartedLocks(ClothMesh& mesh, const HairLook& look) {
+  constexpr int kPartedLocks = 5;  // A side.
+  Dice dice(look.seed + 5);
+  for (const float side : {1.0F, -1.0F}) {
+    for (int i = 0; i < kPartedLocks; ++i) {
+      const float behind_deg = 5.5F * static_cast<float>(i);
+      Comb comb;
+      comb.from = Direction(side * 2, look.parting_deg + 3 + 1.6F * behind_deg);
+      comb.over = Direction(side * (34 + 0.6F * behind_deg), look.parting_deg - 3 + behind_deg);
+      comb.to = Direction(side * (look.opens_at_deg + 8 + 0.3F * behind_deg), -4);
+      comb.root_cm = 0.1F;
+      comb.lift_cm = 0.22F + 0.03F * static_cast<float>(i);
+      comb.end_cm = 0.3F;
+      const LockShape shape{
+          dice.Between(1.9F, 2.4F), dice.Between(0.22F, 0.32F), 0.5F, 0.35F, 0.8F, 0.5F, 10};
+      AddLock(
+          mesh, look.skull, [&](float t) { return OnComb(look.skull, comb, t); }, shape);
     }
   }
 }
@@ -151,6 +180,7 @@ void CutBob(ClothMesh& mesh, const HairLook& look) {
   AddCap(mesh, look);
   AddCurtain(mesh, look, kCurtainLocks);
   if (!look.fringe_cm.empty()) AddFringe(mesh, look);
+  if (look.parting_deg > 0) AddPartedLocks(mesh, look);
   if (look.framing) AddFramingLocks(mesh, look);
 }
 

@@ -12,7 +12,7 @@ constexpr int kCapRows = 8;
 constexpr int kCapColumns = 32;
 // Nearer to the skull than any hair, so that only gaps show it.
 constexpr float kCapOffset_cm = 0.12F;
-constexpr int kCurtainRows = 15;
+constexpr int kCurtainRows = 17;
 constexpr int kCurtainColumns = 65;
 // A sheet counts as so many locks, for the stripes on it: hair.frag stripes by the fraction of `across`.
 constexpr float kLocksAcross = 14;
@@ -56,7 +56,7 @@ Fall FallOf(const HairLook& look, float around_deg) {
 void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
   Patch sheet{kCurtainRows, kCurtainColumns, false, {}, {}, {}};
   for (int row = 0; row < kCurtainRows; ++row) {
-    const float t = StepShare(row, kCurtainRows);
+    const float t = HangingStep(StepShare(row, kCurtainRows), kHangsFrom);
     sheet.along.push_back(t);
     for (int c = 0; c < kCurtainColumns; ++c) {
       const float around = look.opens_at_deg + (360 - 2 * look.opens_at_deg) * StepShare(c, kCurtainColumns);
@@ -70,7 +70,8 @@ void AddCurtainSheet(ClothMesh& mesh, const HairLook& look) {
     sheet.across.push_back(kLocksAcross * StepShare(c, kCurtainColumns));
   mesh.AddSolid(sheet, [](int row, int c) {
     const float edge = static_cast<float>(std::min(c, kCurtainColumns - 1 - c));
-    const float at_end = 1 - 0.75F * SmoothStep(0.75F, 1, StepShare(row, kCurtainRows));
+    const float t = HangingStep(StepShare(row, kCurtainRows), kHangsFrom);
+    const float at_end = 1 - 0.75F * SmoothStep(0.75F, 1, t);
     return kSheet_cm * at_end * (0.3F + 0.7F * Clamp01(edge / 2));
   });
 }
@@ -82,6 +83,7 @@ void AddCurtainLock(ClothMesh& mesh, const HairLook& look, float around_deg, Dic
   shape.thickness_cm = dice.Between(0.28F, 0.5F);
   shape.tip = dice.Between(0.08F, 0.4F);
   shape.tapers_from = dice.Between(0.6F, 0.8F);
+  shape.hangs_from = kHangsFrom;
   Fall fall = FallOf(look, around_deg);
   fall.end_y_cm += 0.35F * dice.Spread();
   fall.offset_cm += dice.Between(0.02F, 0.22F);

@@ -51,7 +51,8 @@ Stroke BrowHair(const BrowLook& look, Dice& dice) {
   hair.bend_cm = hair.root_cm + Turned(along, turn + 8) * (0.5F * length_cm);
   hair.tip_cm = hair.bend_cm + Turned(along, turn - 16) * (0.5F * length_cm);
   hair.half_width_cm = dice.Between(0.016F, 0.03F);
-  hair.opacity = look.amount * dice.Between(0.5F, 0.95F) * (0.3F + 0.7F * SmoothStep(0, 0.22F, t));
+  hair.opacity = look.amount * dice.Between(0.5F, 0.95F) * (0.3F + 0.7F * SmoothStep(0, 0.22F, t)) *
+                 (1 - 0.6F * SmoothStep(0.8F, 1, t));
   hair.colour = look.colour * dice.Between(0.6F, 1.25F);
   return hair;
 }
@@ -68,8 +69,10 @@ Stroke MoustacheHair(const MoustacheLook& look, Dice& dice) {
   hair.root_cm = root;
   hair.bend_cm = root + Turned({1, 0}, turn + 10) * (0.5F * length_cm);
   hair.tip_cm = hair.bend_cm + Turned({1, 0}, turn - 14) * (0.5F * length_cm);
-  hair.half_width_cm = dice.Between(0.018F, 0.034F);
-  hair.opacity = look.amount * dice.Between(0.6F, 0.95F);
+  // Fine hairs, fewer towards the middle and the ends, so that skin is seen between them and no edge is.
+  hair.half_width_cm = dice.Between(0.012F, 0.026F);
+  hair.opacity = look.amount * dice.Between(0.6F, 0.95F) * SmoothStep(look.from_cm, look.from_cm + 0.35F, u) *
+                 (1 - 0.75F * SmoothStep(0.62F, 1, (u - look.from_cm) / look.reach_cm));
   hair.colour = look.colour * dice.Between(0.6F, 1.5F);
   return hair;
 }

@@ -11,15 +11,14 @@
 namespace kaori::appearance {
 namespace {
 
-// Round the lens: five steps over its face, three behind, where fewer are seen.
-constexpr std::array<float, 8> kSection_deg{0, 36, 72, 108, 144, 180, 240, 300};
+// Round the lens: five steps over its face, two behind, which nobody sees.
+constexpr std::array<float, 7> kSection_deg{0, 36, 72, 108, 144, 180, 270};
 constexpr float kBackDepth = 0.35F;  // The back is flatter than the face.
 
-// Evenly along the lock, with one ring close to the tip that shapes its end.
-float RingAt(int ring, int rings) {
-  if (ring == rings - 1) return 1;
-  if (ring == rings - 2) return 0.985F;
-  return 0.985F * static_cast<float>(ring) / static_cast<float>(rings - 2);
+// Along the lock, with one ring close to the tip that shapes its end.
+float RingAt(const LockShape& s, int ring) {
+  if (ring == s.rings - 1) return 1;
+  return 0.985F * HangingStep(static_cast<float>(ring) / static_cast<float>(s.rings - 2), s.hangs_from);
 }
 
 // Opens from the root to its full width, holds it, and tapers to the tip, which closes in a point at t = 1.
@@ -61,7 +60,7 @@ void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockSh
   patch.closed_across = true;
   for (const float a_deg : kSection_deg) patch.across.push_back(0.5F - 0.5F * std::cos(a_deg * kRadPerDeg));
   for (int ring = 0; ring < shape.rings; ++ring) {
-    AddRing(patch, skull, path, shape, RingAt(ring, shape.rings));
+    AddRing(patch, skull, path, shape, RingAt(shape, ring));
   }
   mesh.AddPatch(patch);
 }

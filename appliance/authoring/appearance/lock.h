@@ -22,12 +22,15 @@ struct LockShape {
   float tip = 0.05F;
   // Cross-sections from root to tip; 3 at least.
   int rings = 11;
+  // Up to here it lies on the skull, where it bends most and has two thirds of its rings; from here on it hangs. 1: rings
+  // are even.
+  float hangs_from = 1;
 };
 
 // The middle of the lock: t 0 at the root .. 1 at the tip; centimetres.
 using Path = std::function<glm::vec3(float t)>;
 
-// Adds shape.rings times eight points. `path` is asked for points a little before and after t, too, always
+// Adds shape.rings times seven points. `path` is asked for points a little before and after t, too, always
 // within 0 .. 1; it must not stand still. The skull says which way is outwards.
 void AddLock(ClothMesh& mesh, const Skull& skull, const Path& path, const LockShape& shape);
 

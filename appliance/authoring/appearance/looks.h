@@ -74,6 +74,10 @@ struct ShellLook {
   std::vector<float> upright_cm;
   std::vector<Level> level;
   float rivets_cm = 1.5F;  // From rivet to rivet.
+  // Slits in place of a nose: v of each and half its width.
+  std::vector<glm::vec2> vents_cm;
+  // From bar to bar of a grille in place of lips; 0: lips.
+  float grille_cm = 0;
 };
 
 // [skin]: the hide and what is painted on it everywhere.

@@ -56,6 +56,16 @@ void PaintWhiskerSpots(glm::vec2 p, const CoatLook& coat, Paint& paint) {
     paint.Mix(0.55F * Bell2(p, spot, {0.09F, 0.08F}), Hex("#4a3626"));
 }
 
+// What lets a muzzle stand out in front view, where its length is not seen: shade where it leaves the cheeks, below the
+// eyes and under the nose.
+void PaintMuzzleShade(glm::vec2 p, const SkinLook& look, Paint& paint) {
+  const glm::vec2 nose = look.coat.nose.at_cm;
+  const float cheek = 0.34F * Bell2(p, nose + glm::vec2(3.3F, -0.4F), {0.9F, 2.3F});
+  const float under_eye = 0.26F * Bell2(p, nose + glm::vec2(1.9F, 1.7F), {0.8F, 1.2F});
+  const float under_nose = 0.30F * Bell2(p, nose + glm::vec2(0, -1.3F), {1.3F, 0.5F});
+  paint.Mix(std::max({cheek, under_eye, under_nose}), look.base * 0.5F);
+}
+
 }  // namespace
 
 // Large patches first, then the face's dark parts: nose, slit and nostrils lie over all.
@@ -70,6 +80,7 @@ void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint) {
   paint.Mix(0.85F * SmoothStep(0.08F, 0.35F, texel.ear_ring), Hex("#7a4a26"));
   paint.Mix(0.65F * Bell2(p, coat.dots.at_cm, coat.dots.radii_cm), Hex("#f6dfba"));  // Dots over the eyes.
   paint.Mix(0.45F * Bell(texel.eye_ring - 4, 1.6F) * (texel.eye_ring > 0 ? 1.0F : 0.0F), look.base * 0.35F);
+  PaintMuzzleShade(p, look, paint);
   PaintWhiskerSpots(p, coat, paint);
   const float nose = Nose(p, coat);
   const float bumps = 0.75F + 0.5F * Noise(texel.place_cm.x * 14, texel.place_cm.y * 14);
@@ -81,7 +92,7 @@ void PaintCoat(const Texel& texel, const SkinLook& look, Paint& paint) {
 }
 
 void PaintMuzzleLips(const Texel& texel, Paint& paint) {
-  paint.Mix(0.88F * SmoothStep(4.3F, 5.6F, texel.mouth_ring), Hex("#3a2420"));
+  paint.Mix(0.92F * SmoothStep(3.9F, 5.0F, texel.mouth_ring), Hex("#2c1a17"));
   paint.MixGloss(SmoothStep(4.6F, 5.6F, texel.mouth_ring), 0.4F);
 }
 

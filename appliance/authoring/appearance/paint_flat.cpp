@@ -44,6 +44,28 @@ void PaintSeam(glm::vec2 p, const SkinLook& look, Paint& paint) {
             glm::mix(look.base, glm::vec3(0.8F), 0.55F));
 }
 
+// A dark slit with a light lower lip, as a press leaves it.
+void PaintVents(glm::vec2 p, const SkinLook& look, Paint& paint) {
+  for (const glm::vec2 vent : look.shell.vents_cm) {
+    const float beside = SmoothStep(vent.y + 0.08F, vent.y - 0.04F, p.x);
+    paint.Mix(0.95F * beside * SmoothStep(0.16F, 0.10F, std::abs(p.y - vent.x)), look.base * 0.05F);
+    paint.Mix(0.45F * beside * Bell(p.y - vent.x + 0.22F, 0.07F), glm::vec3(1));
+  }
+}
+
+// A frame where lips begin, and upright bars over the dark between it and the slit.
+void PaintGrille(const Texel& texel, const SkinLook& look, Paint& paint) {
+  const float k = texel.mouth_ring;
+  if (look.shell.grille_cm <= 0 || k <= 0) return;
+  const float inside = SmoothStep(3.1F, 3.3F, k);
+  const float at = texel.mirrored().x / look.shell.grille_cm;
+  const float from_bar = std::abs(at - std::floor(at) - 0.5F);
+  paint.Mix(SmoothStep(2.1F, 2.3F, k), glm::mix(look.base, glm::vec3(0.8F), 0.3F));
+  paint.Mix(inside, look.base * 0.05F);
+  paint.Mix(inside * SmoothStep(0.26F, 0.16F, from_bar) * SmoothStep(5.9F, 5.5F, k),
+            glm::mix(look.base, glm::vec3(0.8F), 0.45F));
+}
+
 // Enamel: faintly uneven, rubbed in places.
 void PaintEnamel(glm::vec2 place, Paint& paint) {
   const float cloud =
@@ -74,6 +96,8 @@ void PaintShell(const Texel& texel, const SkinLook& look, Paint& paint) {
             look.blush);
   const bool on_face = texel.eye_ring <= 0 && texel.mouth_ring <= 0;
   if (on_face) PaintSeam(p, look, paint);
+  PaintVents(p, look, paint);
+  PaintGrille(texel, look, paint);
 }
 
 }  // namespace kaori::appearance

@@ -66,7 +66,7 @@ MetalLook ReadMetal(toml::Section s) {
 
 // A level seam is written [v, from, to].
 ShellLook ReadShell(toml::Section s) {
-  s.AllowOnly({"upright_seams", "level_seams", "rivets"});
+  s.AllowOnly({"upright_seams", "level_seams", "rivets", "vents", "grille"});
   ShellLook shell;
   for (const double u : s.Numbers("upright_seams")) shell.upright_cm.push_back(static_cast<float>(u));
   for (const glm::dvec3& level : s.Points("level_seams"))
@@ -74,6 +74,8 @@ ShellLook ReadShell(toml::Section s) {
         {static_cast<float>(level.x), static_cast<float>(level.y), static_cast<float>(level.z)});
   shell.rivets_cm = Real(s, "rivets");
   if (!(shell.rivets_cm > 0)) s.Fault("rivets", "must be greater than 0");
+  if (s.Has("vents")) shell.vents_cm = Pairs(s, "vents");
+  shell.grille_cm = NotNegative(s, "grille", 0);
   return shell;
 }
 

@@ -10,8 +10,6 @@
 namespace kaori::appearance {
 namespace {
 
-// The part of a fall that lies on the skull; from here on it hangs.
-constexpr float kHangsFrom = 0.5F;
 // What hangs, hangs round this axis, somewhat behind the skull's middle.
 constexpr float kAxisZ_cm = -1.0F;
 

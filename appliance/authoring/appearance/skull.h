@@ -34,6 +34,8 @@ struct Fall {
   // Elevation, seen from straight ahead, where it leaves a parting in the middle; 0: it falls from the crown.
   float parting_deg = 0;
 };
+// The part of a fall that lies on the skull, by t; from here on it hangs.
+inline constexpr float kHangsFrom = 0.5F;
 // A point of the hair that hangs in this direction: t 0 at its root, 0.5 at the widest part of the skull, 1
 // at its end.
 glm::vec3 OnFall(const Skull& skull, const Fall& fall, float around_deg, float t);

@@ -17,8 +17,11 @@ namespace {
 constexpr int kMiddleColumn = (kEarBlock.column0 + kEarBlock.column1) / 2;
 constexpr int kMiddleRow = (kEarBlock.row0 + kEarBlock.row1) / 2;
 constexpr glm::dvec3 kShift_cm{0, -0.1, -0.2};  // From the middle of the rim.
-constexpr double kCapDepth_cm = 0.75;
-constexpr double kPlaceShrink = 0.12;  // Each ring shrinks by this in the unrolled surface.
+// The concha is deepest a little before and below the ear's middle.
+constexpr double kCapDepth_cm = 0.55;
+constexpr double kConchaDepth_cm = 0.65;
+constexpr glm::dvec2 kConcha{0.3, -0.15};  // On the disc.
+constexpr double kPlaceShrink = 0.12;      // Each ring shrinks by this in the unrolled surface.
 
 // How large a ring is, compared with the ear, and how far it stands off the head in front and behind.
 struct Ring {
@@ -29,7 +32,13 @@ struct Ring {
 // Out to the helix, into the groove behind it, up again to the inner ridge. All five lift more behind than in
 // front: an ear is a bowl that opens forwards.
 constexpr std::array<Ring, kEarRings> kRings{
-    {{0.78, 0.15, 0.45}, {1.0, 0.30, 1.25}, {0.93, 0.42, 1.42}, {0.77, 0.26, 0.98}, {0.58, 0.44, 1.06}}};
+    {{0.78, 0.15, 0.45}, {1.0, 0.30, 1.20}, {0.92, 0.45, 1.46}, {0.76, 0.16, 0.80}, {0.57, 0.40, 1.22}}};
+// The lobe is a soft pad: the rings' reliefs become one below, from the first of these heights on the disc to the second.
+constexpr double kLobe_cm = 0.62;
+constexpr glm::dvec2 kLobeFromTo{-0.45, -0.85};
+// The tragus stands before the opening: how far it lifts the two inner rings, and how high it is on the disc.
+constexpr double kTragus_cm = 0.42;
+constexpr double kTragusHalf = 0.34;
 
 // Offset of a ring's point in the plane of the head's side: x forward, y up.
 glm::dvec2 InPlane(const EarRecipe& ear, const Ring& ring, glm::dvec2 disc) {
@@ -44,8 +53,19 @@ glm::dvec2 InPlane(const EarRecipe& ear, const Ring& ring, glm::dvec2 disc) {
 // How far a ring's point stands off the head; the upper part lies nearer to it.
 double Lift(const Ring& ring, glm::dvec2 disc) {
   const double rear = std::clamp(0.5 - 0.5 * disc.x, 0.0, 1.0);
-  const double lift_cm = glm::mix(ring.lift_front_cm, ring.lift_rear_cm, std::pow(rear, 1.3));
-  return lift_cm * (1 - 0.45 * std::max(disc.y, 0.0));
+  double lift_cm = glm::mix(ring.lift_front_cm, ring.lift_rear_cm, std::pow(rear, 1.3));
+  if (ring.scale > 0.8) return lift_cm * (1 - 0.45 * std::max(disc.y, 0.0));
+  const double lobe = glm::smoothstep(kLobeFromTo.x, kLobeFromTo.y, disc.y);
+  const double from_tragus = (disc.y + 0.05) / kTragusHalf;
+  lift_cm += kTragus_cm * std::exp(-from_tragus * from_tragus) * glm::smoothstep(0.75, 1.0, disc.x);
+  return glm::mix(lift_cm, kLobe_cm, 0.7 * lobe) * (1 - 0.45 * std::max(disc.y, 0.0));
+}
+
+// How deep the bottom of the bowl lies below the innermost ring.
+double CapDepth(glm::dvec2 disc) {
+  const glm::dvec2 off = disc - kConcha;
+  const double lobe = glm::smoothstep(-0.2, -0.8, disc.y);
+  return (kCapDepth_cm + kConchaDepth_cm * std::exp(-2.2 * glm::dot(off, off))) * (1 - 0.75 * lobe);
 }
 
 // A point of a ring on the plane of the head's side, then pushed out to the skin and off it by its lift.
@@ -83,7 +103,8 @@ void PlaceCap(const HalfTopology& half, HalfShape& shape) {
     for (int column = kEarBlock.column0 + 1; column < kEarBlock.column1; ++column) {
       const Index vertex = half.At(Region::kEarCap, column, row);
       // The cap is the bottom of the bowl.
-      shape.position[vertex] = Fill<glm::dvec3>(position, column, row) - glm::dvec3(kCapDepth_cm, 0, 0);
+      shape.position[vertex] =
+          Fill<glm::dvec3>(position, column, row) - glm::dvec3(CapDepth(OnEarDisc({column, row})), 0, 0);
       shape.place[vertex] = Fill<glm::dvec2>(place, column, row);
     }
   }

@@ -15,6 +15,12 @@ namespace {
 constexpr std::array<double, kEarRings + 1> kWidth{1, 0.86, 0.71, 0.56, 0.40, 0.24};
 constexpr std::array<double, kEarRings + 1> kHigh_cm{0, 0.16, 0.28, 0.36, 0.41, 0.44};
 
+// Rows of the neck, from its lower end; the row over them is where a neck begins under the jaw. Withdrawn, they close the
+// head from below as a flat dome: how wide each is, of the row over them, and how far the middle hangs below it.
+constexpr int kNeckRows = 5;
+constexpr std::array<double, kNeckRows> kNeckWidth{0.01, 0.25, 0.50, 0.70, 0.87};
+constexpr double kDome_cm = 0.5;
+
 // The ear's rim in the grid: a plane through it, and how far it reaches there.
 struct Rim {
   glm::dvec3 middle{};
@@ -45,8 +51,24 @@ struct Rim {
   }
 };
 
+// A turned body has no neck: its lowest rows are its base.
+void WithdrawNeck(const HalfTopology& half, HalfShape& shape) {
+  glm::dvec3 middle{};
+  for (int column = 0; column <= kColumns; ++column)
+    middle += shape.position[half.Grid(column, kNeckRows)] / static_cast<double>(kColumns + 1);
+  middle.x = 0;
+  for (int row = 0; row < kNeckRows; ++row) {
+    const double width = kNeckWidth[static_cast<std::size_t>(row)];
+    const glm::dvec3 below(0, -kDome_cm * (1 - width * width), 0);
+    for (int column = 0; column <= kColumns; ++column) {
+      const glm::dvec3 over = shape.position[half.Grid(column, kNeckRows)];
+      shape.position[half.Grid(column, row)] = middle + width * (over - middle) + below;
+    }
+  }
+}
+
 // Rings shrink towards the rim's middle as they rise; the cap closes the last one.
-HalfShape Withdrawn(const HalfTopology& half, HalfShape shape) {
+void WithdrawEar(const HalfTopology& half, HalfShape& shape) {
   const Rim rim(half, shape);
   for (int k = 1; k <= kEarRings; ++k) {
     for (int j = 0; j < kEarRim; ++j) {
@@ -64,11 +86,15 @@ HalfShape Withdrawn(const HalfTopology& half, HalfShape shape) {
           rim.middle + disc.x * rim.forward + disc.y * rim.up + (kHigh_cm[kEarRings] + 0.02) * rim.outwards;
     }
   }
-  return shape;
 }
 
-bool HasHandle(const FaceRecipe& face) {
+bool IsTurned(const FaceRecipe& face) {
   return std::holds_alternative<Turned>(face.shape);
+}
+
+bool Grows(const Key& key) {
+  if (key.region == Region::kGrid) return key.b < kNeckRows;
+  return key.region == Region::kEar || key.region == Region::kEarCap;
 }
 
 }  // namespace
@@ -76,16 +102,17 @@ bool HasHandle(const FaceRecipe& face) {
 void AddOutgrowths(const Cage& cage, const std::vector<ShapedFace>& shaped, const CastRecipe& recipe,
                    face::Cast& cast) {
   cast.topology.outgrowth.clear();
-  const auto handles = std::ranges::count_if(recipe.faces, HasHandle);
-  if (handles == 0 || handles == static_cast<std::ptrdiff_t>(recipe.faces.size())) return;
+  const auto turned = std::ranges::count_if(recipe.faces, IsTurned);
+  if (turned == 0 || turned == static_cast<std::ptrdiff_t>(recipe.faces.size())) return;
   for (Index v = 0; v < cage.vertices.size(); ++v) {
-    const Region region = cage.key(v).region;
-    if (region == Region::kEar || region == Region::kEarCap) cast.topology.outgrowth.push_back(v);
+    if (Grows(cage.key(v))) cast.topology.outgrowth.push_back(v);
   }
   for (std::size_t i = 0; i < cast.faces.size(); ++i) {
     face::Face& face = cast.faces[i];
-    face.outgrowth_kind = HasHandle(recipe.faces[i]) ? 1.0F : 0.0F;
-    const HalfShape withdrawn = Withdrawn(cage.half, shaped[i].shape);
+    face.outgrowth_kind = IsTurned(recipe.faces[i]) ? 1.0F : 0.0F;
+    HalfShape withdrawn = shaped[i].shape;
+    WithdrawEar(cage.half, withdrawn);
+    if (!IsTurned(recipe.faces[i])) WithdrawNeck(cage.half, withdrawn);
     const auto positions = WholePositions(cage, withdrawn.position);
     face.withdrawn.clear();
     for (const Index v : cast.topology.outgrowth)
