@@ -28,11 +28,15 @@ struct Ring {
   double scale;
   double lift_front_cm;
   double lift_rear_cm;
+  bool inner;  // Within the helix: tragus and lobe shape it.
 };
 // Out to the helix, into the groove behind it, up again to the inner ridge. All five lift more behind than in
 // front: an ear is a bowl that opens forwards.
-constexpr std::array<Ring, kEarRings> kRings{
-    {{0.78, 0.15, 0.45}, {1.0, 0.30, 1.20}, {0.92, 0.45, 1.46}, {0.76, 0.16, 0.80}, {0.57, 0.40, 1.22}}};
+constexpr std::array<Ring, kEarRings> kRings{{{0.78, 0.15, 0.45, false},
+                                              {1.0, 0.30, 1.20, false},
+                                              {0.92, 0.45, 1.46, false},
+                                              {0.76, 0.16, 0.80, true},
+                                              {0.57, 0.40, 1.22, true}}};
 // The lobe is a soft pad: the rings' reliefs become one below, from the first of these heights on the disc to the second.
 constexpr double kLobe_cm = 0.62;
 constexpr glm::dvec2 kLobeFromTo{-0.45, -0.85};
@@ -54,7 +58,7 @@ glm::dvec2 InPlane(const EarRecipe& ear, const Ring& ring, glm::dvec2 disc) {
 double Lift(const Ring& ring, glm::dvec2 disc) {
   const double rear = std::clamp(0.5 - 0.5 * disc.x, 0.0, 1.0);
   double lift_cm = glm::mix(ring.lift_front_cm, ring.lift_rear_cm, std::pow(rear, 1.3));
-  if (ring.scale > 0.8) return lift_cm * (1 - 0.45 * std::max(disc.y, 0.0));
+  if (!ring.inner) return lift_cm * (1 - 0.45 * std::max(disc.y, 0.0));
   const double lobe = glm::smoothstep(kLobeFromTo.x, kLobeFromTo.y, disc.y);
   const double from_tragus = (disc.y + 0.05) / kTragusHalf;
   lift_cm += kTragus_cm * std::exp(-from_tragus * from_tragus) * glm::smoothstep(0.75, 1.0, disc.x);
