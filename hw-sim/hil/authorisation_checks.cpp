@@ -80,7 +80,7 @@ Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
   return FailInput(fmt::format("{} {}", kind.name, wanted ? "was not authorised" : "was authorised"));
 }
 
-// A device that says it is what it is not, or something that a box has no role for. `kinds` are class, subclass and protocol.
+// A device that says it is what it is not, or something that a box has no role for.
 struct Unknown {
   const char* name;
   std::uint16_t vendor;
