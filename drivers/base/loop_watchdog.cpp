@@ -7,15 +7,24 @@
 #include "drivers/base/service.h"
 
 namespace kaori::service {
+namespace {
+
+// A single late beat, as while a device is opened, is no pace: thirty times as long would be no limit at all.
+constexpr int kShare = 8;
+
+}  // namespace
 
 Duration BeatPace::See(Time now) {
-  if (!std::exchange(seen_, true)) window_began_ = last_ = now;
+  if (!std::exchange(seen_, true)) {
+    window_began_ = last_ = now;
+    return {};
+  }
   if (now - window_began_ >= kWindow) {
     longest_before_ = std::exchange(longest_, Duration{});
     window_began_ = now;
   }
   longest_ = std::max(longest_, now - std::exchange(last_, now));
-  return std::max(longest_, longest_before_);
+  return std::max<Duration>(Watchdog::kPeriod, std::max(longest_, longest_before_) / kShare);
 }
 
 Result<void> FeedWatchdog(EventLoop& loop, std::function<Duration()> turn) {

@@ -13,8 +13,9 @@ namespace kaori::service {
 // How late the beats of a loop come that has no turn of its own and only waits for events: the pace of its machine. Pure.
 class BeatPace {
  public:
-  // The time of a beat. Gives the longest time between two beats of the last kWindow to 2 kWindow, this one included;
-  // zero at the first beat, where none is known.
+  // The time of a beat. Gives the turn that Watchdog::Beat multiplies: an eighth of the longest time between two beats of
+  // the last kWindow to 2 kWindow, this one included, but no less than Watchdog::kPeriod; zero at the first beat, where
+  // none is known.
   Duration See(Time now);
 
   static constexpr Duration kWindow = std::chrono::seconds(10);
@@ -32,8 +33,8 @@ class BeatPace {
 // EventLoop::Every.
 Result<void> FeedWatchdog(EventLoop& loop, std::function<Duration()> turn);
 
-// The same for a loop that only waits for events: 30 times as late as its beats usually come is a hang, 1.5 s on a machine
-// that has time. `clock` outlives the loop.
+// The same for a loop that only waits for events: a silence of 1.5 s is a hang, or of almost four times the longest that
+// there was lately, on a machine that is slow. `clock` outlives the loop.
 Result<void> FeedWatchdog(EventLoop& loop, const Clock& clock);
 
 }  // namespace kaori::service

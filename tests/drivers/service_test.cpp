@@ -166,15 +166,16 @@ TEST_F(WatchedService, AManagerWithoutPatienceIsNotAskedForMore) {
   EXPECT_EQ(watchdog->limit(), std::chrono::milliseconds(100));
 }
 
-TEST(BeatPace, IsTheLongestTimeBetweenTwoBeatsOfTheLastSeconds) {
+TEST(BeatPace, IsAnEighthOfTheLongestTimeBetweenTwoBeatsOfTheLastSeconds) {
   using std::chrono::milliseconds;
   BeatPace pace;
   Time now{};
   const auto beat_after = [&](int ms) { return pace.See(now += milliseconds(ms)); };
   EXPECT_EQ(beat_after(7000), Duration{}) << "there is no beat before the first";
   EXPECT_EQ(beat_after(50), milliseconds(50));
-  EXPECT_EQ(beat_after(400), milliseconds(400));
-  for (int n = 0; n < 150; ++n) EXPECT_EQ(beat_after(50), milliseconds(400)) << n;
+  EXPECT_EQ(beat_after(400), milliseconds(50)) << "the period is the least";
+  EXPECT_EQ(beat_after(1600), milliseconds(200));
+  for (int n = 0; n < 150; ++n) EXPECT_EQ(beat_after(50), milliseconds(200)) << n;
   for (int n = 0; n < 400; ++n) static_cast<void>(beat_after(50));
   EXPECT_EQ(beat_after(50), milliseconds(50)) << "what was long ago is forgotten";
 }
