@@ -104,8 +104,8 @@ std::vector<Unknown> UnknownDevices() {
           {"a storage stick beside a serial line by FTDI", 0x0403, 0x6010, {vendors, storage}},
           {"a network adapter that calls itself CH340", 0x1A86, 0x7523, {network, data}},
           {"a keyboard that calls itself Prolific and has storage", 0x067B, 0x2303, {keyboard, storage}},
-          {"a keyboard with storage", 0x1209, 0x0003, {keyboard, storage}},
-          {"a keyboard with a network", 0x1209, 0x0003, {keyboard, network, data}},
+          {"a keyboard with storage", 0x1209, 0x0F01, {keyboard, storage}},
+          {"a keyboard with a network", 0x1209, 0x0F02, {keyboard, network, data}},
           {"a sound card with storage", 0x0D8C, 0x0014, {sound, storage}},
           {"a network adapter of Microsoft's kind", 0x0BDA, 0x8152, {Offers(0xE0, 0x01, 0x03), data}},
           {"a telephone", 0x18D1, 0x4EE1, {Offers(0x06, 0x01, 0x01)}},
@@ -115,7 +115,7 @@ std::vector<Unknown> UnknownDevices() {
           {"a smart card reader", 0x08E6, 0x3437, {Offers(0x0B, 0x00, 0x00)}},
           {"firmware that wants to be written", 0x0483, 0xDF11, {Offers(0xFE, 0x01, 0x02)}},
           {"a vendor's own kind by nobody known", 0x1234, 0x5678, {vendors}},
-          {"nothing at all", 0x1209, 0x0005, {}}};
+          {"nothing at all", 0x1209, 0x0F03, {}}};
 }
 
 // Plugs it in where the pointer was, and unplugs it. Whether it was authorised.

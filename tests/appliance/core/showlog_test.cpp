@@ -54,6 +54,7 @@ TEST_F(ShowLogTest, PlaysAgainToTheBit) {
   }
   EXPECT_EQ(frame, shown_.size());
   EXPECT_EQ(differ, 0U);
+  // Bits and not numbers. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   EXPECT_EQ(std::memcmp(&replay.made().state.levels, &state_.levels, sizeof(state_.levels)), 0);
   RecordProperty("replay_bits_differ", static_cast<int>(differ));
 }
