@@ -1,6 +1,13 @@
 #include "hw-sim/devices/unknown_device.h"
 
+#include "hw-sim/devices/usb_requests.h"
+
 namespace kaori::sim {
+namespace {
+
+constexpr std::uint16_t kUnknownPacketBytes = 512;  // Of bulk transfers at high speed (USB 2.0, 5.8.3).
+
+}  // namespace
 
 UnknownDevice::UnknownDevice(std::uint16_t vendor, std::uint16_t product,
                              std::vector<UsbInterface> interfaces) {
@@ -8,8 +15,14 @@ UnknownDevice::UnknownDevice(std::uint16_t vendor, std::uint16_t product,
   std::uint8_t number = 0;
   for (UsbInterface& interface : interfaces) {
     interface.number = number++;
-    const UsbBytes one = InterfaceDescriptor(interface, 0);
-    contents.insert(contents.end(), one.begin(), one.end());
+    for (const UsbBytes& one :
+         {InterfaceDescriptor(interface, 1),
+          EndpointDescriptor({.address = static_cast<std::uint8_t>(kFromDevice | number),
+          .transfer = UsbTransfer::kBulk,
+          .max_packet_bytes = kUnknownPacketBytes,
+          .interval = 0,
+          .interface = interface.number})})
+      contents.insert(contents.end(), one.begin(), one.end());
   }
   descriptors_ = {.vendor = vendor,
                   .product = product,

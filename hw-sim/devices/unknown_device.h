@@ -8,7 +8,8 @@
 
 namespace kaori::sim {
 
-// It has no endpoints, answers the standard requests alone, and stalls all others. One thread.
+// Each interface has one bulk endpoint, which never says anything: what needs none is of no use as storage or network, and
+// udev passes over an interface at the very end of the descriptors. Standard requests alone are answered. One thread.
 class UnknownDevice final : public UsbDevice {
  public:
   // Who it says it is, and one interface for each of `interfaces`, which are numbered anew in that order.

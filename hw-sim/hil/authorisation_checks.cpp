@@ -46,6 +46,16 @@ std::optional<bool> IsAuthorised(Scene& scene, const char* number) {
   return std::nullopt;
 }
 
+// The port of the device with that vendor and product, as sysfs names it; empty: it is not plugged in.
+std::string PortOf(Scene& scene, const std::string& number) {
+  const auto devices = scene.target.agent().Ask("usb", kAuthorisationAnswer);
+  std::istringstream lines(devices ? *devices : "");
+  std::string port, numbers, authorised;
+  while (lines >> port >> numbers >> authorised)
+    if (numbers == number) return port;
+  return {};
+}
+
 // Errors: those of the board; timed_out where the show stands still.
 Result<void> AwaitFrames(Scene& scene) {
   const auto before = scene.target.Board();
@@ -127,8 +137,10 @@ Result<bool> WasAuthorised(Scene& scene, const Unknown& unknown) {
   static_cast<void>(rig.Hold("pointer", &device));
   static_cast<void>(rig.Plug("pointer"));
   const bool seen = scene.target.Until(is_there, kAuthorisationLongest);
-  const auto settled =
-      scene.target.agent().Ask("own /usr/bin/udevadm settle --timeout=90", kAuthorisationAnswer);
+  // The rules of udev have run for this device, and not only for the one before it at the same port.
+  const auto settled = scene.target.agent().Ask(
+      fmt::format("own /usr/bin/udevadm wait --timeout=90 /sys/bus/usb/devices/{}", PortOf(scene, number)),
+      kAuthorisationAnswer);
   const auto authorised = IsAuthorised(scene, number.c_str());
   static_cast<void>(rig.Unplug("pointer"));
   const bool gone = scene.target.Until([&] { return !is_there(); }, kAuthorisationLongest);
