@@ -15,7 +15,7 @@ constexpr float kRise_db = 6, kGreatRise_db = 18;
 constexpr float kSmallBrow = 0.15F, kGreatBrow = 0.35F;
 constexpr float kBrow_s = 0.3F, kBrowUp_s = 0.1F;
 constexpr float kBetweenAccents_s = 0.8F;
-constexpr float kNod_rad = 3 * kRadians;
+constexpr float kNod_rad = 3 * show::kDegree;
 constexpr float kNodDown_s = 0.22F, kNod_s = 0.62F;
 // A phrase lasts so long at least, and is over when it has been quiet for so long.
 constexpr float kPhrase_s = 0.6F, kPhraseOver_s = 0.25F;

@@ -29,7 +29,7 @@ constexpr float kHandOnHead_rad = 0.012F, kHandOnGaze_rad = 0.01F, kHandOnBrow =
 // An expression that shuts a lid further than this holds it, as a wink does; a sleepy one still blinks.
 constexpr float kLidHeld = 0.7F, kLidHeldByMotion = 0.02F;
 constexpr float kSpeaksFor_s = 0.7F;  // The mouth counts as speaking in pauses of this length.
-constexpr float kLargeShift_rad = 15 * kRadians;
+constexpr float kLargeShift_rad = 15 * show::kDegree;
 constexpr float kBlinksWithShift = 1.0F / 3;
 // Under a hand a little sway goes on: no head that somebody holds is a stone.
 constexpr float kSwayUnderHand = 0.35F;

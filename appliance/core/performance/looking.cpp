@@ -17,20 +17,23 @@ constexpr float kApart_s = 0.2F;  // Between the beginnings of two saccades.
 constexpr float kBurst_s = 2.2F, kAway_s = kBurst_s * 0.4F / 0.6F;
 constexpr float kShortestBurst_s = 0.6F, kLongestBurst_s = 3, kShortestAway_s = 0.4F, kLongestAway_s = 3.5F;
 constexpr float kGlanceStays_s = 0.5F, kSpread = 0.5F, kBurstSpread = 0.35F;
-constexpr float kNoGlance = 0.04F;            // Amounts below this are none.
-constexpr float kSeen_rad = 0.1F * kRadians;  // Smaller movements are none.
+constexpr float kNoGlance = 0.04F;                 // Amounts below this are none.
+constexpr float kSeen_rad = 0.1F * show::kDegree;  // Smaller movements are none.
 // Directions of glances in eighths of a turn from her left by up, and how many of a hundred go there (Eyes Alive).
 constexpr std::array<float, 8> kEighths{15.54F, 6.46F, 17.69F, 7.44F, 16.80F, 7.89F, 20.38F, 7.80F};
 // A glance that cannot be seen is none; wide ones look at nobody's seat. Up and down the lids are in the way.
-constexpr float kLeastGlance_rad = 3 * kRadians, kWidest_rad = 14 * kRadians, kSteepest_rad = 7 * kRadians;
+constexpr float kLeastGlance_rad = 3 * show::kDegree, kWidest_rad = 14 * show::kDegree,
+                kSteepest_rad = 7 * show::kDegree;
 // How far eyes turn in the head without strain, and how far at all.
-constexpr glm::vec2 kReach_rad{20 * kRadians, 14 * kRadians}, kEnd_rad{26 * kRadians, 18 * kRadians};
-constexpr glm::vec2 kComesBack_rad{15 * kRadians, 10 * kRadians}, kOffAhead_rad{10 * kRadians, 8 * kRadians};
+constexpr glm::vec2 kReach_rad{20 * show::kDegree, 14 * show::kDegree},
+    kEnd_rad{26 * show::kDegree, 18 * show::kDegree};
+constexpr glm::vec2 kComesBack_rad{15 * show::kDegree, 10 * show::kDegree},
+    kOffAhead_rad{10 * show::kDegree, 8 * show::kDegree};
 // How long she strains after somebody who was named; of herself she lets go at once.
 constexpr float kStrains_s = 1.2F, kLetsGo_s = 0.05F;
 // The head follows beyond 12 degrees, 40 ms later, half of the way; and so far that the eyes come to 18 degrees.
-constexpr float kHeadFrom_rad = 12 * kRadians, kHeadLate_s = 0.04F, kHeadShare = 0.5F;
-constexpr float kEyesKeep_rad = 18 * kRadians;
+constexpr float kHeadFrom_rad = 12 * show::kDegree, kHeadLate_s = 0.04F, kHeadShare = 0.5F;
+constexpr float kEyesKeep_rad = 18 * show::kDegree;
 constexpr float kTurns = 0.5F;  // With a smaller amount the head stays, and the eyes are alone.
 constexpr float kFarthest_m = 300;
 // A spring stick keeps its level for 0.7 s after it has come to rest (levels.h); she does not wait much longer.
@@ -218,7 +221,7 @@ class Looker {
     const bool follows = far > kHeadFrom_rad && life_.ahead == 0;
     const float share = follows ? std::max(kHeadShare, 1 - kEyesKeep_rad / far) : 0.0F;
     const glm::vec2 to_rad = goal * share * std::min(1.0F, input_.turn);
-    if (glm::length(to_rad - life_.head_to_rad) <= (follows ? kRadians : 0.0F)) return;
+    if (glm::length(to_rad - life_.head_to_rad) <= (follows ? show::kDegree : 0.0F)) return;
     life_.head_from_rad = HeadNow(life_);
     life_.head_to_rad = to_rad;
     life_.head_since_s = -kHeadLate_s;

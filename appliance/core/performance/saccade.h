@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kaori::performance {
+#include "appliance/core/show/level.h"
 
-inline constexpr float kRadians = 0.017453293F;  // Of a degree.
+namespace kaori::performance {
 
 // The main sequence of human saccades: 21 ms and 2.2 ms for each degree (Bahill, Clark and Stark 1975; Carpenter 1988).
 inline float SaccadeLength_s(float amplitude_rad) {
-  return 0.021F + 0.0022F / kRadians * amplitude_rad;
+  return 0.021F + 0.0022F / show::kDegree * amplitude_rad;
 }
 
 // A head that follows takes a quarter of a second, and longer the further it goes.
 inline float HeadTurnLength_s(float amplitude_rad) {
-  return 0.25F + 0.006F / kRadians * amplitude_rad;
+  return 0.25F + 0.006F / show::kDegree * amplitude_rad;
 }
 
 // The part of the way that is done at t = 0..1 of the time: 10 t^3 - 15 t^4 + 6 t^5, the path of least jerk (Flash and Hogan
@@ -33,7 +33,7 @@ inline float WayDone(float since_s, float length_s) {
 // The size of a glance: -6.9 ln(P / 15.7) degrees, P even in 0..15 (Lee, Badler and Badler, Eyes Alive, 2002). `chance` is
 // 0..1. At least 0.3 degrees; the rare large ones are the caller's to limit.
 inline float GlanceAmplitude_rad(float chance) {
-  return -6.9F * kRadians * std::log(std::max(15 * chance, 0.01F) / 15.7F);
+  return -6.9F * show::kDegree * std::log(std::max(15 * chance, 0.01F) / 15.7F);
 }
 
 }  // namespace kaori::performance

@@ -90,7 +90,7 @@ class LifeTest : public PerformanceTest {
 };
 
 inline float Degrees(float rad) {
-  return rad / kRadians;
+  return rad / show::kDegree;
 }
 
 }  // namespace kaori::performance

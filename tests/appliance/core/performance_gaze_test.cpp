@@ -22,7 +22,7 @@ TEST_F(Gaze, IsSampledAtThePresentationOfEachFrameToAMillisecond) {
   for (std::size_t n = 1; n + 1 < coarse.size(); ++n) {
     const std::size_t at = (n + 1) * (kFine_hz / kCoarse_hz) - 1;
     const glm::vec2 speed_rad_ms = (fine[at + 1] - fine[at - 1]) * 0.5F;
-    if (glm::length(speed_rad_ms) < 0.1F * kRadians) continue;  // 100 degrees a second.
+    if (glm::length(speed_rad_ms) < 0.1F * show::kDegree) continue;  // 100 degrees a second.
     worst_ms = std::max(worst_ms, glm::length(coarse[n] - fine[at]) / glm::length(speed_rad_ms));
     ++seen;
   }
@@ -40,10 +40,10 @@ struct Seen {
 std::vector<Seen> SaccadesOf(const std::vector<glm::vec2>& trace) {
   std::vector<Seen> all;
   for (std::size_t n = 1; n < trace.size(); ++n) {
-    if (glm::length(trace[n] - trace[n - 1]) < 0.02F * kRadians)
+    if (glm::length(trace[n] - trace[n - 1]) < 0.02F * show::kDegree)
       continue;  // Sway moves by a fiftieth of this.
     const std::size_t from = n - 1;
-    while (n < trace.size() && glm::length(trace[n] - trace[n - 1]) >= 0.02F * kRadians) ++n;
+    while (n < trace.size() && glm::length(trace[n] - trace[n - 1]) >= 0.02F * show::kDegree) ++n;
     all.push_back({static_cast<double>(from) / kFine_hz, static_cast<double>(n - from) / kFine_hz,
                    glm::length(trace[n - 1] - trace[from])});
   }
@@ -73,7 +73,7 @@ TEST_F(Gaze, IsAtSomebodyForSixtyPercentInBurstsOfTwoSecondsAndItsGlancesCanBeSe
     Frame();
     const double frame_s = Seconds(kFrame);
     all_s += frame_s;
-    const bool at = Off_rad(0, show_.gaze_targets[0].at_m) < kRadians;
+    const bool at = Off_rad(0, show_.gaze_targets[0].at_m) < show::kDegree;
     if (at) at_s += frame_s, burst_s += frame_s;
     if (!at && burst_s > 0.3) bursts.push_back(burst_s);
     if (!at) burst_s = 0;
@@ -87,7 +87,7 @@ TEST_F(Gaze, IsAtSomebodyForSixtyPercentInBurstsOfTwoSecondsAndItsGlancesCanBeSe
     const scene::Head& head = performed_.scene.head;
     const glm::vec3 now(InStage(0) + glm::vec2(head.yaw_rad, head.pitch_rad), head.roll_rad);
     const bool moves =
-        glm::length(now - rests) > 0.5F * kRadians || performed_.scene.weights.lids_shut[0] > 0.2F;
+        glm::length(now - rests) > 0.5F * show::kDegree || performed_.scene.weights.lids_shut[0] > 0.2F;
     stays_s = moves ? 0 : stays_s + frame_s;
     if (moves) rests = now;
     longest_still_s = std::max(longest_still_s, stays_s);
@@ -159,11 +159,11 @@ TEST_F(Gaze, MovesTheHeadHalfOfTheWay40msLaterAndTheEyesAreThereFirst) {
   state_.life.target = kWing;  // 34 degrees to her left.
   const float sway = performed_.scene.head.yaw_rad;
   for (int ms = 0; ms < 40; ++ms) Frame(1ms);
-  EXPECT_NEAR(performed_.scene.head.yaw_rad, sway, 0.2F * kRadians);
+  EXPECT_NEAR(performed_.scene.head.yaw_rad, sway, 0.2F * show::kDegree);
   EXPECT_GT(Degrees(performed_.scene.gaze[0].yaw_rad), 10);
   Run(1s);
   const float wing = std::atan2(2.0F, 3.0F);
-  EXPECT_NEAR(performed_.scene.head.yaw_rad, 0.5F * wing, 3 * kRadians);
+  EXPECT_NEAR(performed_.scene.head.yaw_rad, 0.5F * wing, 3 * show::kDegree);
   EXPECT_LT(Degrees(std::abs(performed_.scene.gaze[0].yaw_rad)), 20);
 }
 
