@@ -5,12 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <system_error>
 
+#include "drivers/base/number.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
 
@@ -33,24 +32,15 @@ struct Part {
   std::size_t first = 0, bytes = SIZE_MAX;
 };
 
-// Cuts a number and the blank behind it off a text that begins so.
-bool CutNumber(std::string_view& text, std::size_t& number) {
-  const char* const end = text.data() + text.size();
-  const auto [behind, fault] = std::from_chars(text.data(), end, number);
-  if (fault != std::errc() || behind == end || *behind != ' ') return false;
-  text.remove_prefix(static_cast<std::size_t>(behind - text.data()) + 1);
-  return true;
-}
-
 // A line that does not begin with two numbers is a path, which begins with a slash.
 Part ParsePart(std::string_view line) {
-  Part part;
-  std::string_view rest = line;
-  if (CutNumber(rest, part.first) && CutNumber(rest, part.bytes)) {
-    part.path = rest;
-    return part;
-  }
-  return {.path = std::string(line)};
+  const auto first_end = std::min(line.find(' '), line.size());
+  const auto bytes_at = std::min(first_end + 1, line.size());
+  const auto bytes_end = std::min(line.find(' ', bytes_at), line.size());
+  const auto first = ParseNumber<std::size_t>(line.substr(0, first_end));
+  const auto bytes = ParseNumber<std::size_t>(line.substr(bytes_at, bytes_end - bytes_at));
+  if (!first || !bytes || bytes_end == line.size()) return {.path = std::string(line)};
+  return {std::string(line.substr(bytes_end + 1)), *first, *bytes};
 }
 
 // A read of a piece's last byte returns when the disk has brought it.
