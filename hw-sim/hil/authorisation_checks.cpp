@@ -35,25 +35,20 @@ constexpr Kind kStorage{UnauthorisedDevice::kStorage, "a storage stick", "46f4:0
 constexpr Kind kNetwork{UnauthorisedDevice::kNetwork, "a network adapter", "0525:a4a2"};
 constexpr Kind kKeyboard{UnauthorisedDevice::kKeyboard, "a keyboard", "0627:0001"};
 
-// Whether the device with that vendor and product is authorised, as sysfs has it
-// (Documentation/usb/authorization.rst); nothing: it is not plugged in.
-std::optional<bool> IsAuthorised(Scene& scene, const char* number) {
+// A device of the machine, as sysfs has it (Documentation/usb/authorization.rst).
+struct UsbState {
+  std::string port;
+  bool authorised = false;
+};
+
+// The device with that vendor and product; nothing: it is not plugged in.
+std::optional<UsbState> FindUsb(Scene& scene, const std::string& number) {
   const auto devices = scene.target.agent().Ask("usb", kAuthorisationAnswer);
   std::istringstream lines(devices ? *devices : "");
   std::string port, numbers;
-  for (int authorized = 0; lines >> port >> numbers >> authorized;)
-    if (numbers == number) return authorized == 1;
+  for (int authorised = 0; lines >> port >> numbers >> authorised;)
+    if (numbers == number) return UsbState{port, authorised == 1};
   return std::nullopt;
-}
-
-// The port of the device with that vendor and product, as sysfs names it; empty: it is not plugged in.
-std::string PortOf(Scene& scene, const std::string& number) {
-  const auto devices = scene.target.agent().Ask("usb", kAuthorisationAnswer);
-  std::istringstream lines(devices ? *devices : "");
-  std::string port, numbers, authorised;
-  while (lines >> port >> numbers >> authorised)
-    if (numbers == number) return port;
-  return {};
 }
 
 // Errors: those of the board; timed_out where the show stands still.
@@ -72,7 +67,7 @@ Result<void> AwaitFrames(Scene& scene) {
 // Fails where the device is not treated as wanted.
 Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
   if (auto ok = scene.target.machine().PlugUnauthorised(kind.device); !ok) return ok;
-  const auto there = [&] { return IsAuthorised(scene, kind.number).has_value(); };
+  const auto there = [&] { return FindUsb(scene, kind.number).has_value(); };
   if (!scene.target.Until(there, kAuthorisationLongest))
     return Fail(std::errc::timed_out, fmt::format("see {} in the machine", kind.name));
   // The rules of udev authorise: before they have run every new device is unauthorised.
@@ -81,12 +76,12 @@ Result<void> WantAuthorised(Scene& scene, const Kind& kind, bool wanted) {
     return tl::unexpected(ok.error());
   auto played = AwaitFrames(scene);
   // Asked before it is pulled, and told after: a device must not stay behind for the next one.
-  const auto authorised = IsAuthorised(scene, kind.number);
+  const auto found = FindUsb(scene, kind.number);
   if (auto ok = scene.target.machine().PullUnauthorised(); !ok) return ok;
-  if (!scene.target.Until([&] { return !IsAuthorised(scene, kind.number); }, kAuthorisationLongest))
+  if (!scene.target.Until([&] { return !FindUsb(scene, kind.number); }, kAuthorisationLongest))
     return Fail(std::errc::timed_out, fmt::format("see {} gone", kind.name));
   if (!played) return played;
-  if (authorised == wanted) return {};
+  if (found && found->authorised == wanted) return {};
   return FailInput(fmt::format("{} {}", kind.name, wanted ? "was not authorised" : "was authorised"));
 }
 
@@ -133,23 +128,23 @@ Result<bool> WasAuthorised(Scene& scene, const Unknown& unknown) {
   sim::UsbRig& rig = scene.target.rig();
   sim::UnknownDevice device(unknown.vendor, unknown.product, unknown.interfaces);
   const std::string number = fmt::format("{:04x}:{:04x}", unknown.vendor, unknown.product);
-  const auto is_there = [&] { return IsAuthorised(scene, number.c_str()).has_value(); };
+  const auto is_there = [&] { return FindUsb(scene, number).has_value(); };
   static_cast<void>(rig.Hold("pointer", &device));
   static_cast<void>(rig.Plug("pointer"));
   const bool seen = scene.target.Until(is_there, kAuthorisationLongest);
   // The rules of udev have run for this device, and not only for the one before it at the same port.
-  const auto settled = scene.target.agent().Ask(
-      fmt::format("own /usr/bin/udevadm wait --timeout=90 /sys/bus/usb/devices/{}", PortOf(scene, number)),
-      kAuthorisationAnswer);
-  const auto authorised = IsAuthorised(scene, number.c_str());
+  const auto settled =
+      scene.target.agent().Ask(fmt::format("own /usr/bin/udevadm wait --timeout=90 /sys/bus/usb/devices/{}",
+                                           FindUsb(scene, number).value_or(UsbState{}).port),
+                               kAuthorisationAnswer);
+  const auto found = FindUsb(scene, number);
   static_cast<void>(rig.Unplug("pointer"));
   const bool gone = scene.target.Until([&] { return !is_there(); }, kAuthorisationLongest);
   static_cast<void>(rig.Hold("pointer", nullptr));
-  if (!seen || !authorised)
-    return Fail(std::errc::timed_out, fmt::format("see {} in the machine", unknown.name));
+  if (!seen || !found) return Fail(std::errc::timed_out, fmt::format("see {} in the machine", unknown.name));
   if (!gone) return Fail(std::errc::timed_out, fmt::format("see {} gone", unknown.name));
   if (!settled) return tl::unexpected(settled.error());
-  return *authorised;
+  return found->authorised;
 }
 
 // Devices that are treated as they should not be; `wrong` turns what is wanted round, for the control.

@@ -91,8 +91,8 @@ Result<void> UsbRig::Hold(std::string_view name, UsbDevice* device) {
 
 // Ports 1 and 2 are those of the sticks, as kUsbSockets has them.
 void UsbRig::CrossSticks(bool crossed) {
-  ports_[1]->Hold(crossed ? right_stick_ : left_stick_);
-  ports_[2]->Hold(crossed ? left_stick_ : right_stick_);
+  ports_[1]->Hold(*own_[crossed ? 2 : 1]);
+  ports_[2]->Hold(*own_[crossed ? 1 : 2]);
 }
 
 Result<void> UsbRig::Do(const OperatorAction& action) {
