@@ -70,16 +70,6 @@ Result<Draft> Begin(const std::filesystem::path& file, unsigned mode) {
   return draft;
 }
 
-Result<void> Append(int fd, std::span<const std::uint8_t> bytes, const std::string& name) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return FailErrno("write " + name);
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return {};
-}
-
 // linkat(2) cannot replace a file, so a draft gets a name of its own first. Naming
 // a file by its descriptor (AT_EMPTY_PATH) needs a capability that the box's
 // programs do not have; the way by /proc needs none.
@@ -107,12 +97,22 @@ Result<void> KeepFolder(const std::filesystem::path& file) {
 
 }  // namespace
 
+Result<void> WriteAll(int fd, std::span<const std::uint8_t> bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return FailErrno("write " + name);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
 Result<void> WriteWholeFile(const std::filesystem::path& file,
                             std::initializer_list<std::span<const std::uint8_t>> pieces, unsigned mode) {
   auto draft = Begin(file, mode);
   if (!draft) return tl::unexpected(draft.error());
   for (const auto& piece : pieces)
-    if (auto ok = Append(draft->fd.get(), piece, file.string()); !ok) return ok;
+    if (auto ok = WriteAll(draft->fd.get(), piece, file.string()); !ok) return ok;
   if (::fsync(draft->fd.get()) < 0) return FailErrno("write " + file.string());
   // In this order: content, then name, then folder. A name that reached the disk before its
   // content would be an empty file after a loss of power.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "drivers/base/result.h"
@@ -15,6 +16,10 @@ namespace kaori {
 inline std::span<const std::uint8_t> AsBytes(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
+
+// Writes all of `bytes` where the file stands, in as many parts as the kernel wants. `name` is of the file, for errors: those
+// of write(2), after which a part may be written. Any thread.
+Result<void> WriteAll(int fd, std::span<const std::uint8_t> bytes, const std::string& name);
 
 // Writes the pieces one after the other to a file without a name (O_TMPFILE) in the same folder, and
 // gives it its name when all of it is on the disk; blocks for the disk, file and folder. What stood there

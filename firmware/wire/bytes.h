@@ -1,4 +1,4 @@
-// Little-endian numbers in reports and packets, byte by byte: no
+// Little-endian numbers in reports, packets and files, byte by byte: no
 // casts, no alignment, no operating system.
 //
 // `at` is an offset in bytes. The caller makes sure that the span holds the number: nothing is checked
@@ -31,6 +31,17 @@ constexpr std::uint16_t GetU16(std::span<const std::uint8_t> from, std::size_t a
 // Reads 4 bytes. The upper half is widened first: shifted as an int its highest bit would be the sign.
 constexpr std::uint32_t GetU32(std::span<const std::uint8_t> from, std::size_t at) {
   return GetU16(from, at) | (static_cast<std::uint32_t>(GetU16(from, at + 2)) << 16);
+}
+
+// Writes 8 bytes, the low word first.
+constexpr void PutU64(std::span<std::uint8_t> into, std::size_t at, std::uint64_t value) {
+  PutU32(into, at, static_cast<std::uint32_t>(value & 0xFFFFFFFFu));
+  PutU32(into, at + 4, static_cast<std::uint32_t>(value >> 32));
+}
+
+// Reads 8 bytes, the low word first.
+constexpr std::uint64_t GetU64(std::span<const std::uint8_t> from, std::size_t at) {
+  return GetU32(from, at) | (static_cast<std::uint64_t>(GetU32(from, at + 4)) << 32);
 }
 
 // Writes a signed number as two's complement, which C++20 guarantees for the conversion either way.

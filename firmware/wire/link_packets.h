@@ -80,18 +80,6 @@ struct ScreenPresent {
   std::uint32_t slot = 0;
 };
 
-// Numbers of 64 bits, the low word first. They are here rather than
-// in bytes.h: no report of a device has any.
-constexpr void PutU64(std::span<std::uint8_t> into, std::size_t at, std::uint64_t value) {
-  PutU32(into, at, static_cast<std::uint32_t>(value & 0xFFFFFFFFu));
-  PutU32(into, at + 4, static_cast<std::uint32_t>(value >> 32));
-}
-
-// Reads 8 bytes, the low word first.
-constexpr std::uint64_t GetU64(std::span<const std::uint8_t> from, std::size_t at) {
-  return GetU32(from, at) | (static_cast<std::uint64_t>(GetU32(from, at + 4)) << 32);
-}
-
 // A time: two's complement of 64 bits.
 constexpr std::int64_t GetI64(std::span<const std::uint8_t> from, std::size_t at) {
   return static_cast<std::int64_t>(GetU64(from, at));

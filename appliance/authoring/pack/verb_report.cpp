@@ -15,17 +15,13 @@ namespace {
 
 using Logs = std::vector<showlog::LogFile>;
 
-constexpr Duration kSameStart =
-    std::chrono::minutes(1);  // Of a box; logs between two starts are one evening.
-
 // Reads all logs and plays them again, evening by evening. The oldest comes first.
 std::vector<Evening> EveningsOf(const Logs& logs, const show::Show& show) {
   std::vector<Evening> evenings;
   for (std::size_t i = 0; i < logs.size();) {
     std::vector<const showlog::LogFile*> one;
-    const Duration booted = logs[i].head().booted_at;
-    for (; i < logs.size() && std::chrono::abs(logs[i].head().booted_at - booted) < kSameStart; ++i)
-      one.push_back(&logs[i]);
+    const showlog::LogHead& first = logs[i].head();
+    for (; i < logs.size() && showlog::IsSameEvening(logs[i].head(), first); ++i) one.push_back(&logs[i]);
     evenings.push_back(ReadEvening(one, show));
   }
   return evenings;

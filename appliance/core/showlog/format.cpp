@@ -15,15 +15,6 @@ constexpr std::size_t kHead_bytes = 56;  // Without the roles and the sum.
 constexpr std::size_t kSum_bytes = 8;
 constexpr std::size_t kChunkSumAt = kChunkHead_bytes - kSum_bytes;
 
-void PutU64(Bytes into, std::size_t at, std::uint64_t value) {
-  wire::PutU32(into, at, static_cast<std::uint32_t>(value));
-  wire::PutU32(into, at + 4, static_cast<std::uint32_t>(value >> 32U));
-}
-
-std::uint64_t GetU64(ConstBytes from, std::size_t at) {
-  return wire::GetU32(from, at) | std::uint64_t{wire::GetU32(from, at + 4)} << 32U;
-}
-
 bool HasMark(ConstBytes bytes, std::string_view mark) {
   return bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin());
 }
@@ -34,21 +25,25 @@ std::uint64_t ChunkSum(ConstBytes chunk) {
 
 }  // namespace
 
+bool IsSameEvening(const LogHead& a, const LogHead& b) {
+  return std::chrono::abs(a.booted_at - b.booted_at) < std::chrono::minutes(1);
+}
+
 std::vector<std::uint8_t> HeadBytes(const LogHead& head) {
   const std::size_t roles = std::min(head.roles.size(), kMostRoles_bytes);
   std::vector<std::uint8_t> bytes(kHead_bytes + roles + kSum_bytes);
   std::ranges::copy(kFileMark, bytes.begin());
   wire::PutU32(bytes, 8, kVersion);
   wire::PutU32(bytes, 12, static_cast<std::uint32_t>(bytes.size()));
-  PutU64(bytes, 16, head.layout);
-  PutU64(bytes, 24, head.program);
-  PutU64(bytes, 32, head.show);
-  PutU64(bytes, 40, static_cast<std::uint64_t>(head.booted_at.count()));
+  wire::PutU64(bytes, 16, head.layout);
+  wire::PutU64(bytes, 24, head.program);
+  wire::PutU64(bytes, 32, head.show);
+  wire::PutU64(bytes, 40, static_cast<std::uint64_t>(head.booted_at.count()));
   wire::PutU32(bytes, 48, static_cast<std::uint32_t>(head.utc_offset_s));
   wire::PutU32(bytes, 52, static_cast<std::uint32_t>(roles));
   std::copy_n(head.roles.begin(), roles, bytes.begin() + kHead_bytes);
   const std::size_t sum_at = bytes.size() - kSum_bytes;
-  PutU64(bytes, sum_at, Fnv1a(ConstBytes(bytes).first(sum_at)));
+  wire::PutU64(bytes, sum_at, Fnv1a(ConstBytes(bytes).first(sum_at)));
   return bytes;
 }
 
@@ -60,11 +55,11 @@ std::optional<HeadRead> ReadHead(ConstBytes file) {
   if (roles > kMostRoles_bytes || bytes != kHead_bytes + roles + kSum_bytes || bytes > file.size())
     return std::nullopt;
   const std::size_t sum_at = bytes - kSum_bytes;
-  if (GetU64(file, sum_at) != Fnv1a(file.first(sum_at))) return std::nullopt;
-  HeadRead read{.head = {.layout = GetU64(file, 16),
-                         .program = GetU64(file, 24),
-                         .show = GetU64(file, 32),
-                         .booted_at = Duration(static_cast<std::int64_t>(GetU64(file, 40))),
+  if (wire::GetU64(file, sum_at) != Fnv1a(file.first(sum_at))) return std::nullopt;
+  HeadRead read{.head = {.layout = wire::GetU64(file, 16),
+                         .program = wire::GetU64(file, 24),
+                         .show = wire::GetU64(file, 32),
+                         .booted_at = Duration(static_cast<std::int64_t>(wire::GetU64(file, 40))),
                          .utc_offset_s = static_cast<std::int32_t>(wire::GetU32(file, 48))},
                 .bytes = bytes};
   const auto text = file.subspan(kHead_bytes, roles);
@@ -80,8 +75,8 @@ void SealChunk(const ChunkHead& head, Bytes chunk) {
   wire::PutU32(chunk, 20, head.flags);
   wire::PutU32(chunk, 24, head.lost_frames);
   wire::PutU32(chunk, 28, 0);
-  PutU64(chunk, 32, static_cast<std::uint64_t>(head.first.time_since_epoch().count()));
-  PutU64(chunk, kChunkSumAt, ChunkSum(chunk));
+  wire::PutU64(chunk, 32, static_cast<std::uint64_t>(head.first.time_since_epoch().count()));
+  wire::PutU64(chunk, kChunkSumAt, ChunkSum(chunk));
 }
 
 std::optional<ChunkHead> ReadChunkHead(ConstBytes file) {
@@ -91,10 +86,10 @@ std::optional<ChunkHead> ReadChunkHead(ConstBytes file) {
                        .frames = wire::GetU32(file, 16),
                        .flags = wire::GetU32(file, 20),
                        .lost_frames = wire::GetU32(file, 24),
-                       .first = Time{} + Duration(static_cast<std::int64_t>(GetU64(file, 32)))};
+                       .first = Time{} + Duration(static_cast<std::int64_t>(wire::GetU64(file, 32)))};
   if (head.bytes > kMostChunk_bytes || head.bytes > file.size() - kChunkHead_bytes) return std::nullopt;
   const auto chunk = file.first(kChunkHead_bytes + head.bytes);
-  if (GetU64(chunk, kChunkSumAt) != ChunkSum(chunk)) return std::nullopt;
+  if (wire::GetU64(chunk, kChunkSumAt) != ChunkSum(chunk)) return std::nullopt;
   return head;
 }
 

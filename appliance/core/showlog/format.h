@@ -57,6 +57,9 @@ struct LogHead {
   std::string roles{};  // The box's own roles.toml; empty: the show's roles play.
 };
 
+// Whether both are of one start of the box; a wall clock that was set by less than a minute between them changes nothing.
+bool IsSameEvening(const LogHead& a, const LogHead& b);
+
 std::vector<std::uint8_t> HeadBytes(const LogHead& head);
 
 struct HeadRead {

@@ -99,6 +99,7 @@ kaori::Result<Screen> AwaitCard(const std::string& path, kaori::EventLoop& loop)
 struct Loaded {
   std::unique_ptr<kaori::editor::ExpressionEditor> editor;
   std::unique_ptr<kaori::stage::PreparedShow> show;
+  kaori::showlog::LogHead log_head;  // Made where a log is wanted: it takes a checksum of the whole program.
 };
 
 // The box's own roles.toml, where it has one. One that is wrong is named and not used: the show's own roles play.
@@ -115,11 +116,9 @@ std::filesystem::path OwnFolder(const Settings& settings) {
 }
 
 // None where nobody says where, or where the disk refuses: an evening without a log is played.
-std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kaori::Clock& clock) {
+std::unique_ptr<kaori::stage::ShowLog> LogOf(const Settings& settings, const kaori::showlog::LogHead& head) {
   if (settings.log.empty()) return nullptr;
-  auto log = kaori::stage::ShowLog::Open(
-      settings.log, kaori::stage::HeadOfLog(kaori::stage::ShowMark(settings.pack).value_or(0),
-                                            OwnFolder(settings) / "roles.toml", clock.now()));
+  auto log = kaori::stage::ShowLog::Open(settings.log, head);
   if (log) return std::move(*log);
   kaori::LogWarning("this evening has no show log: {}", log.error().message());
   return nullptr;
@@ -135,7 +134,12 @@ kaori::Result<Loaded> LoadShow(const Settings& settings) {
   const std::filesystem::path own = OwnFolder(settings);
   LayOverRoles(own / "roles.toml", *show);
   auto editor = kaori::editor::ExpressionEditor::Open(own, *show);
-  return Loaded{std::move(editor), std::make_unique<kaori::stage::PreparedShow>(std::move(*show))};
+  kaori::showlog::LogHead head;
+  if (!settings.log.empty())
+    head = kaori::stage::HeadOfLog(kaori::stage::ShowMark(settings.pack).value_or(0), own / "roles.toml",
+                                   kaori::SteadyClock().now());
+  return Loaded{std::move(editor), std::make_unique<kaori::stage::PreparedShow>(std::move(*show)),
+                std::move(head)};
 }
 
 // None where nobody says where; else what was kept there before is taken up.
@@ -179,7 +183,7 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto last_face = LastFaceOf(settings, **studio, *board, *writers, clock);
   kaori::stage::Stage stage(*board, std::move(*writers), **studio, clock);
   stage.SetEditor(std::move(loaded->editor));
-  const auto log = LogOf(settings, clock);
+  const auto log = LogOf(settings, loaded->log_head);
   if (log) stage.SetLog(&log->recorder());
   if (last_face)
     stage.CallAfterFrames(

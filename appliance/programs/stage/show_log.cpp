@@ -16,6 +16,7 @@
 #include "drivers/base/log.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/unique_fd.h"
+#include "drivers/base/whole_file.h"
 
 namespace kaori::stage {
 namespace {
@@ -23,8 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".kaorilog";
-// Two starts of one evening: a wall clock that is set by a little is the same evening.
-constexpr Duration kSameEvening = std::chrono::minutes(1);
 
 // A log that lies in the folder.
 struct LogOnDisk {
@@ -58,13 +57,19 @@ std::vector<LogOnDisk> LogsIn(const fs::path& folder) {
 }
 
 bool IsSameEvening(const std::optional<showlog::LogHead>& a, const std::optional<showlog::LogHead>& b) {
-  return a && b && std::chrono::abs(a->booted_at - b->booted_at) < kSameEvening;
+  return a && b && showlog::IsSameEvening(*a, *b);
+}
+
+// Whether a stage that starts with this head goes on in that file.
+bool GoesOn(const LogOnDisk& log, showlog::LogHead head) {
+  if (!IsSameEvening(log.head, head) || log.bytes >= showlog::kFullFile_bytes) return false;
+  head.booted_at = log.head->booted_at;
+  return showlog::HeadBytes(*log.head) == showlog::HeadBytes(head);
 }
 
 // From the newest to the oldest; the first that is too much goes, and all before it. `coming` is what is written next.
-void RemoveOld(const fs::path& folder, const std::optional<showlog::LogHead>& current,
+void RemoveOld(const std::vector<LogOnDisk>& logs, const std::optional<showlog::LogHead>& current,
                std::uintmax_t coming) {
-  auto logs = LogsIn(folder);
   std::uintmax_t bytes = coming;
   std::size_t evenings = 1;
   std::optional<showlog::LogHead> newer = current;
@@ -80,19 +85,24 @@ void RemoveOld(const fs::path& folder, const std::optional<showlog::LogHead>& cu
   }
 }
 
+// A new file behind those of `logs`, named by now's wall clock; it is made when the first chunk comes.
+fs::path NextFile(const fs::path& folder, const std::vector<LogOnDisk>& logs) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  ::localtime_r(&now, &local);
+  return folder / fmt::format("{:04}-{:04}{:02}{:02}-{:02}{:02}{:02}{}",
+                              logs.empty() ? 1 : logs.back().number + 1, local.tm_year + 1900,
+                              local.tm_mon + 1, local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec,
+                              kEnding);
+}
+
 // All or nothing: what could not be written whole is cut off again, so that the file ends with a whole chunk.
 Result<void> AppendTo(int fd, std::span<const std::uint8_t> bytes, const std::string& name) {
   struct stat was {};
   if (::fstat(fd, &was) < 0) return FailErrno("write the show log " + name);
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) {
-      auto failed = FailErrno("write the show log " + name);
-      if (::ftruncate(fd, was.st_size) < 0) LogWarning("the show log {} has a torn part", name);
-      return failed;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  if (auto written = WriteAll(fd, bytes, "the show log " + name); !written) {
+    if (::ftruncate(fd, was.st_size) < 0) LogWarning("the show log {} has a torn part", name);
+    return written;
   }
   if (::fdatasync(fd) < 0) return FailErrno("write the show log " + name);
   return {};
@@ -116,28 +126,9 @@ Result<std::unique_ptr<ShowLog>> ShowLog::Open(const fs::path& folder, const sho
   if (error) return Fail(static_cast<std::errc>(error.value()), "make the folder " + folder.string());
   std::unique_ptr<ShowLog> log(new ShowLog(folder, head));
   const auto logs = LogsIn(folder);
-  const bool goes_on = !logs.empty() && IsSameEvening(logs.back().head, head) &&
-                       logs.back().bytes < showlog::kFullFile_bytes &&
-                       log->head_ == showlog::HeadBytes([&] {
-                         showlog::LogHead same = *logs.back().head;
-                         same.booted_at = head.booted_at;
-                         return same;
-                       }());
-  if (goes_on) log->file_ = logs.back().file;
-  if (!goes_on) log->NameFile();
-  RemoveOld(folder, head, 0);
+  log->file_ = !logs.empty() && GoesOn(logs.back(), head) ? logs.back().file : NextFile(folder, logs);
+  RemoveOld(logs, head, 0);
   return log;
-}
-
-void ShowLog::NameFile() {
-  const auto logs = LogsIn(folder_);
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  ::localtime_r(&now, &local);
-  file_ =
-      folder_ / fmt::format("{:04}-{:04}{:02}{:02}-{:02}{:02}{:02}{}",
-                            logs.empty() ? 1 : logs.back().number + 1, local.tm_year + 1900, local.tm_mon + 1,
-                            local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec, kEnding);
 }
 
 void ShowLog::WriteOut() {
@@ -155,10 +146,11 @@ Result<void> ShowLog::Append(std::span<const std::uint8_t> chunk) {
   std::error_code none;
   const std::uintmax_t bytes = fs::file_size(file_, none);
   if (!none && bytes >= showlog::kFullFile_bytes) {
-    NameFile();
+    const auto logs = LogsIn(folder_);
+    file_ = NextFile(folder_, logs);
     showlog::LogHead current;
     current.booted_at = booted_at_;
-    RemoveOld(folder_, current, showlog::kFullFile_bytes + showlog::kMostChunk_bytes);
+    RemoveOld(logs, current, showlog::kFullFile_bytes + showlog::kMostChunk_bytes);
   }
   const UniqueFd fd(::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0640));
   if (!fd.valid()) return FailErrno("write the show log " + file_.string());

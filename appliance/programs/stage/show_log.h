@@ -42,8 +42,6 @@ class ShowLog {
   // On the writer's thread. Logs what the disk refuses.
   void WriteOut();
   Result<void> Append(std::span<const std::uint8_t> chunk);
-  // Names a new file behind those that are there; it is made when the first chunk comes.
-  void NameFile();
 
   std::filesystem::path folder_;
   std::vector<std::uint8_t> head_;
