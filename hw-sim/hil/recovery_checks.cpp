@@ -17,8 +17,9 @@ using std::chrono::seconds;
 // Of the range of a byte, on average over a picture: breath, a blink and the hair's sway stay below.
 constexpr double kMovedByItself = 0.06;
 constexpr Duration kRecoveryAnswer = seconds(120);
-// Two seconds are wanted of a machine that has time; emulated, beside neighbours, it has little.
-constexpr Duration kLongestHang = seconds(60);
+// Two seconds are wanted of a machine that has time; emulated, beside neighbours, it has little. A program that hangs
+// before it knows its own pace has two minutes, as its unit says.
+constexpr Duration kLongestHang = seconds(150);
 
 // A small screen, so that the stage is back sooner; no devices, whose drivers would need time. The
 // watchdog's machine is smaller yet: it only has to run.
@@ -174,9 +175,23 @@ Result<void> RunningIsNotReset(Scene& scene) {
   return ended ? FailInput("a box that runs is reset too") : Result<void>{};
 }
 
+// A program that has just started is watched by the two minutes of its unit, until it has told the service manager of less.
+Result<void> WantPaceKnown(Scene& scene, const char* program) {
+  const std::string question = fmt::format("own /usr/bin/systemctl show -p WatchdogUSec {}.service", program);
+  Result<std::string> last;
+  const auto is_known = [&] {
+    last = scene.target.agent().Ask(question, kRecoveryAnswer);
+    return last && last->find("WatchdogUSec=") != std::string::npos && last->find("min") == std::string::npos;
+  };
+  if (scene.target.Until(is_known, kLongestHang)) return {};
+  return FailInput(fmt::format("{} is watched with the longest patience still: {}", program,
+                               last ? *last : last.error().message()));
+}
+
 // Hangs a program, and waits until another process of its name delivers. Gives how long that took, by the machine's clock.
 Result<Duration> Hang(Scene& scene, const char* program,
                       const std::function<bool(const BoardView&)>& delivers) {
+  if (auto ok = WantPaceKnown(scene, program); !ok) return tl::unexpected(ok.error());
   const auto seen =
       scene.target.UntilBoard(delivers, kLongestHang, fmt::format("see what {} delivers", program));
   if (!seen) return tl::unexpected(seen.error());
