@@ -82,7 +82,7 @@ void Console::Tick() {
   std::uint64_t passed = 0;
   (void)!::read(ticks_.get(), &passed, sizeof(passed));
   const Time now = clock_.now();
-  values_.Follow(rig_.dial_box(), rig_.keyboard());
+  values_.Follow(rig_.dial_box(), rig_.keyboard(), sheet_);
   editor_watch_.Follow({.tab_held = rig_.keyboard().held(EditorWatch::kTab),
                         .keyboard_heard = rig_.connected("keyboard"),
                         .screen_drawn = rig_.connected("screen"),
@@ -120,8 +120,13 @@ void Console::PassSoundOn() {
 
 // Asks the stage's monitor each time: it looks at its file once a second at most.
 std::string Console::StateNow() {
-  return StateJson(rig_, values_, editor_watch_, options_.on_stage ? options_.on_stage() : json::Value(),
-                   shown_.per_s());
+  json::Value on_stage = options_.on_stage ? options_.on_stage() : json::Value();
+  if (const auto* said = on_stage.As<json::Object>()) {
+    const auto sheet = std::ranges::find(*said, "sheet", &json::Object::value_type::first);
+    const auto* number = sheet == said->end() ? nullptr : sheet->second.As<std::int64_t>();
+    sheet_ = number != nullptr && *number == 1 ? 1 : 0;
+  }
+  return StateJson(rig_, values_, editor_watch_, std::move(on_stage), shown_.per_s());
 }
 
 void Console::TellState(Time now) {

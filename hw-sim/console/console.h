@@ -69,7 +69,7 @@ class Console {
   void PassSoundOn();
   // Sends the state where it differs from the last one, or a second has passed.
   void TellState(Time now);
-  // What the page shows of the devices, as StateJson has it.
+  // What the page shows of the devices, as StateJson has it. Remembers which sheet the stage says that the buttons have.
   std::string StateNow();
   // Answers one request; a path that is not known gets 404, another method
   // than GET, HEAD and POST gets 405.
@@ -93,6 +93,7 @@ class Console {
   SteadyClock clock_;  // The page lives in real time, whatever the rig's clock does.
   web::JpegEncoder jpeg_;
   DialValues values_;
+  std::size_t sheet_ = 0;
   EditorWatch editor_watch_;
   Rate shown_;                    // Frames the screen has shown.
   std::uint64_t sent_frame_ = 0;  // frames_shown() of the last picture that was sent.

@@ -18,21 +18,23 @@ DialValues::DialValues(const Labels& labels) {
     Dial& dial = dials_[n];
     dial.label = labels.dials[n];
     dial.value = dial.label.start;
-    for (std::size_t button = 0; button < labels.buttons.size(); ++button)
-      if (Fills(dial.label, labels.buttons[button].group)) dial.filling_buttons |= 1U << button;
+    for (std::size_t button = 0; button < labels.buttons.size(); ++button) {
+      if (Fills(dial.label, labels.buttons[button].group)) dial.filling_buttons[0] |= 1U << button;
+      if (Fills(dial.label, labels.second_buttons[button].group)) dial.filling_buttons[1] |= 1U << button;
+    }
     for (const KeyLabel& key : labels.keys)
       if (Fills(dial.label, key.group)) dial.filling_keys.push_back(key.usage);
   }
 }
 
-void DialValues::Follow(const sim::DialBox& box, const sim::Keyboard& keyboard) {
+void DialValues::Follow(const sim::DialBox& box, const sim::Keyboard& keyboard, std::size_t sheet) {
   const std::uint32_t down = box.buttons_down();
   const std::uint32_t pushed = down & ~std::exchange(buttons_down_, down);
   // A key that is held down counts once: until it was up again it is no push.
   const auto struck = [&](std::uint8_t usage) { return keyboard.held(usage) && !keys_down_[usage]; };
   for (std::size_t n = 0; n < dials_.size(); ++n) {
     Dial& dial = dials_[n];
-    if ((pushed & dial.filling_buttons) != 0 || std::ranges::any_of(dial.filling_keys, struck))
+    if ((pushed & dial.filling_buttons[sheet]) != 0 || std::ranges::any_of(dial.filling_keys, struck))
       dial.value = 1;
     const double turned = box.turned(static_cast<int>(n));
     const double by = (turned - std::exchange(dial.turned, turned)) * dial.label.per_turn;

@@ -25,8 +25,9 @@ class DialValues {
   explicit DialValues(const Labels& labels);
 
   // Looks at what was done since the last call; some 100 calls a second see every push. A call puts
-  // pushed dials to 1 first and then adds what was turned, within the dial's ends.
-  void Follow(const sim::DialBox& box, const sim::Keyboard& keyboard);
+  // pushed dials to 1 first and then adds what was turned, within the dial's ends. `sheet` is the one that
+  // the buttons have now, 0 or 1.
+  void Follow(const sim::DialBox& box, const sim::Keyboard& keyboard, std::size_t sheet);
 
   // Where the dial stands, in the label's unit; nothing where the label tells
   // of no value. `dial` is 0 to 7.
@@ -38,8 +39,8 @@ class DialValues {
     DialLabel label;
     double value = 0;
     double turned = 0;  // All turns, at the last call.
-    // Bit n: button n puts this dial to 1.
-    std::uint32_t filling_buttons = 0;
+    // By the sheet; bit n: button n puts this dial to 1.
+    std::array<std::uint32_t, 2> filling_buttons{};
     // The usages of the keys that put it to 1.
     std::vector<std::uint8_t> filling_keys{};
   };

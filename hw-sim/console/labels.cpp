@@ -122,6 +122,7 @@ std::optional<std::string> ReadLabels(const Json& json, Labels& into) {
   if (auto fault = ReadRow(json, "levels", into.levels, ReadLevel)) return fault;
   if (auto fault = ReadRow(json, "dials", into.dials, ReadDial)) return fault;
   if (auto fault = ReadRow(json, "buttons", into.buttons, ReadButton)) return fault;
+  if (auto fault = ReadRow(json, "second_buttons", into.second_buttons, ReadButton)) return fault;
   if (auto fault = ReadRow(json, "sticks", into.sticks, ReadStick)) return fault;
   return ReadRow(json, "keys", into.keys, ReadKey);
 }
@@ -152,6 +153,8 @@ std::string LabelsJson(const Labels& labels) {
   for (const auto& dial : labels.dials) json["dials"].push_back(DialJson(dial));
   for (const auto& button : labels.buttons)
     json["buttons"].push_back({{"text", button.text}, {"group", button.group}});
+  for (const auto& button : labels.second_buttons)
+    json["second_buttons"].push_back({{"text", button.text}, {"group", button.group}});
   for (const auto& stick : labels.sticks)
     json["sticks"].push_back({{"text", stick.text}, {"twist", stick.twist}, {"slide", stick.slide}});
   for (const auto& key : labels.keys)

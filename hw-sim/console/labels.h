@@ -75,8 +75,8 @@ struct Labels {
   std::string show{};
   // From the upper left, as on the box.
   std::array<DialLabel, 8> dials;
-  std::array<ButtonLabel, 32> buttons;
-  std::array<StickLabel, 2> sticks;  // Left, right.
+  std::array<ButtonLabel, 32> buttons, second_buttons;  // Of both sheets.
+  std::array<StickLabel, 2> sticks;                     // Left, right.
   // Names by the show's numbers, which the stage tells; of the ways of drawing too.
   std::vector<std::string> scenes{};
   std::vector<std::string> styles{};
@@ -97,7 +97,7 @@ struct Labels {
 Result<Labels> LoadLabels(const std::string& path);
 
 // {"show":text, "dials":[{"text","unit","low","high","per_turn","start","filled_by":[..]}..],
-//  "buttons":[{"text","group"}..], "sticks":[{"text","twist","slide"}..],
+//  "buttons":[{"text","group"}..], "second_buttons":[..], "sticks":[{"text","twist","slide"}..],
 //  "scenes":[name..], "styles":[name..], "keys":[{"usage","text","group"}..],
 //  "cues":[{"number","text","act","notes","by_itself"}..], "levels":[{"text","unit","per_unit","low","high","rest"}..],
 //  "roles":[name..], "devices":[name..]}

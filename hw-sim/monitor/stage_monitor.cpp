@@ -48,6 +48,7 @@ json::Value StageMonitor::Read() {
                       {"black", is(board::kCuesBlack)},
                       {"waiting", is(board::kCuesWaiting)},
                       {"refused", show.gos_refused},
+                      {"sheet", show.sheet},
                       {"levels", std::move(levels)},
                       {"role_devices", json::ListOf(show.role_devices)}};
 }

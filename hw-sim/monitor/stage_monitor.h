@@ -20,7 +20,7 @@ class StageMonitor {
 
   // What is on stage, as the page reads it; null while no stage draws:
   //   {"scene","style","cue","standby","pending":numbers, "left_s":seconds,
-  //    "paused","panicking","black","waiting":bools, "refused":count,
+  //    "paused","panicking","black","waiting":bools, "refused":count, "sheet":number,
   //    "levels":[[value,owner,role]..], "role_devices":[number..]}
   // They are board::StageStatus's and board::ShowNow's of the same names: all count from 0, and -1 is no cue. Does
   // not block; where there is no board, or a stage that has been silent for two seconds, the file is looked for anew

@@ -21,11 +21,19 @@ namespace {
 void CheckCalls(const show::Show& show) {
   const std::size_t expressions = show.cast.expressions.size();
   std::vector<show::Call> calls(show.buttons.begin(), show.buttons.end());
+  calls.insert(calls.end(), show.second_buttons.begin(), show.second_buttons.end());
+  calls.insert(calls.end(), show.roles.mixes.begin(), show.roles.mixes.end());
   for (const show::KeyCall& key : show.keys) calls.push_back(key.call);
   for (const show::Call& call : calls) {
-    const std::size_t counts[]{1, show.cast.faces.size(), expressions, scene::kStyleCount,
-                               show.scenes.size()};
-    Promise(call.kind <= show::CallKind::kScene, "a control calls what exists");
+    const std::size_t counts[]{1,
+                               show.cast.faces.size(),
+                               expressions,
+                               scene::kStyleCount,
+                               show.scenes.size(),
+                               show::kCueVerbCount,
+                               show::kSheetCount};
+    Promise(call.kind <= show::CallKind::kSheet, "a control calls what exists");
+    Promise(call.mode == show::CallMode::kCall || show::Joins(call.kind), "only what can join others does");
     Promise(call.index < counts[static_cast<std::size_t>(call.kind)], "a control calls one that exists");
   }
   for (const show::StageScene& scene : show.scenes)

@@ -168,11 +168,13 @@ TEST_F(ConsoleLabels, ComeBackAsTheyWereWritten) {
   labels.show = "Kaori";
   labels.dials[7] = {"Light", "%", 0, 1.2, 1, 1, {"scene"}};
   labels.buttons[31] = {"Night", "scene"};
+  labels.second_buttons[4] = {"Angry", "expression"};
   labels.sticks = {{{"Head", "Tilt", "Lean in"}, {"Gaze"}}};
   labels.keys = {{0x3A, "Poster", "scene"}};
   const auto loaded = Load(LabelsJson(labels));
   ASSERT_TRUE(loaded) << loaded.error().message();
   EXPECT_EQ(LabelsJson(*loaded), LabelsJson(labels));
+  EXPECT_EQ(loaded->second_buttons[4].text, "Angry");
 }
 
 TEST_F(ConsoleLabels, KeepTheirDefaultsWhereNothingIsSaid) {
@@ -206,11 +208,12 @@ class ConsoleDialValues : public ::testing::Test {
     Labels labels;
     labels.dials[0] = {"Face", "%", 0, 1.2, 2, 1, {"face"}};
     labels.buttons[3] = {"Dog", "face"};
+    labels.second_buttons[5] = {"Kettle", "face"};
     labels.keys = {{0x3A, "Poster", "face"}};
     return labels;
   }
-  double Value() {
-    values_.Follow(box_, keyboard_);
+  double Value(std::size_t sheet = 0) {
+    values_.Follow(box_, keyboard_, sheet);
     return values_.value(0).value();
   }
 
@@ -244,8 +247,16 @@ TEST_F(ConsoleDialValues, AreFilledByAPushOnce) {
   EXPECT_DOUBLE_EQ(Value(), 0.5);
 }
 
+TEST_F(ConsoleDialValues, AreFilledByWhatButtonsCallOnTheSheetThatIsThere) {
+  box_.Turn(0, -0.5);
+  box_.Push(3);
+  EXPECT_DOUBLE_EQ(Value(1), 0);
+  box_.Push(5);
+  EXPECT_DOUBLE_EQ(Value(1), 1);
+}
+
 TEST_F(ConsoleDialValues, AreUnknownWhereNoLabelTellsOfThem) {
-  values_.Follow(box_, keyboard_);
+  values_.Follow(box_, keyboard_, 0);
   EXPECT_FALSE(values_.value(1));
 }
 

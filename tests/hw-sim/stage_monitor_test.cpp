@@ -37,6 +37,7 @@ class Monitored : public ::testing::Test {
                        .cue_left_s = 1.23F,
                        .cue_state = board::kCuesPaused | board::kCuesWaiting,
                        .gos_refused = 7,
+                       .sheet = 1,
                        .levels = {{{0.25F, board::LevelOwner::kRole, 2}}},
                        .role_devices = {1, 0, 3}};
   StageMonitor monitor_{path_, clock_};
@@ -46,7 +47,7 @@ TEST_F(Monitored, IsToldAsThePageReadsIt) {
   const std::string told = ReadInASecond();
   EXPECT_TRUE(told.starts_with(
       R"({"scene":3,"style":2,"cue":4,"standby":6,"pending":5,"left_s":1.3,"paused":true,)"
-      R"("panicking":false,"black":false,"waiting":true,"refused":7,"levels":[[0.25,3,2],[0.0,0,0],)"))
+      R"("panicking":false,"black":false,"waiting":true,"refused":7,"sheet":1,"levels":[[0.25,3,2],[0.0,0,0],)"))
       << told;
   EXPECT_TRUE(told.ends_with(R"("role_devices":[1,0,3,0,0,0,0,0]})")) << told;
   show_.cue_state = board::kCuesPanicking | board::kCuesBlack;

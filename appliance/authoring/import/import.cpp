@@ -12,6 +12,7 @@
 #include "appliance/authoring/import/heads.h"
 #include "appliance/authoring/import/imported_cast.h"
 #include "appliance/authoring/import/look.h"
+#include "appliance/authoring/import/lost_faces.h"
 #include "appliance/authoring/import/role_words.h"
 #include "appliance/core/show/check.h"
 
@@ -251,11 +252,7 @@ class Importing {
       for (std::uint16_t i = 0; i < heads_.heads.size() && i < 8; ++i)
         show.buttons[i] = {show::CallKind::kFace, i};
     }
-    const std::size_t faces = show.cast.faces.size();
-    for (show::Call& call : show.buttons)
-      if (call.kind == show::CallKind::kFace && call.index >= faces) call = {};
-    for (show::StageScene& scene : show.scenes)
-      if (scene.face >= faces) scene.face = 0;
+    DropLostFaces(show);
   }
 
   const std::vector<Model>& models_;

@@ -24,7 +24,7 @@ std::string StyleName(std::size_t style) {
 
 // "face dog": what a button or key calls, in the same words as in show.toml. Names are compared, not numbers:
 // a face that stands elsewhere in its list plays alike.
-std::string Says(const show::Show& show, const show::Call& call) {
+std::string Calls(const show::Show& show, const show::Call& call) {
   switch (call.kind) {
     case show::CallKind::kNothing:
       return "nothing";
@@ -38,8 +38,16 @@ std::string Says(const show::Show& show, const show::Call& call) {
       return "scene " + NameOf(show.scenes, call.index);
     case show::CallKind::kCue:
       return fmt::format("cue {}", call.index < kCueVerbNames.size() ? kCueVerbNames[call.index] : "nothing");
+    case show::CallKind::kSheet:
+      return fmt::format("sheet {}", call.index + 1);
   }
   return "nothing";
+}
+
+std::string Says(const show::Show& show, const show::Call& call) {
+  const auto mode = static_cast<std::size_t>(call.mode);
+  if (call.mode == show::CallMode::kCall || mode >= show::kCallModeNames.size()) return Calls(show, call);
+  return fmt::format("{} {}", show::kCallModeNames[mode], Calls(show, call));
 }
 
 // What a key calls; motions' and scenes' own keys are compared with those.
@@ -91,8 +99,38 @@ bool SameBackdrop(const ScriptedScene& a, const ScriptedScene& b) {
          before->rgba == after->rgba;
 }
 
+std::string Fade(const show::ItemFade& fade) {
+  const auto time = [](float s) {
+    return s < 0 ? std::string("as the dial says") : fmt::format("{:.2f} s", s);
+  };
+  const auto curve = static_cast<std::size_t>(fade.curve);
+  return fmt::format("in {}, out {}, {}", time(fade.in_s), time(fade.out_s),
+                     curve < show::kFadeCurveNames.size() ? show::kFadeCurveNames[curve] : "nothing");
+}
+
+// Of what both shows have, by name.
+void CompareFades(const show::Show& a, const show::Show& b, show::CallKind kind, Lines& lines) {
+  const roles::Items items_of_a = roles::ItemsOf(a.cast), items_of_b = roles::ItemsOf(b.cast);
+  const bool face = kind == show::CallKind::kFace;
+  const auto& names_before = face ? items_of_a.faces : items_of_a.expressions;
+  const auto& names = face ? items_of_b.faces : items_of_b.expressions;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto same = std::ranges::find(names_before, names[i]);
+    if (same == names_before.end()) continue;
+    const auto was = static_cast<std::uint16_t>(same - names_before.begin()),
+               is = static_cast<std::uint16_t>(i);
+    const auto before = Fade(show::FadeOf(a, {kind, was})), after = Fade(show::FadeOf(b, {kind, is}));
+    if (before != after)
+      lines.push_back(
+          fmt::format("{} \"{}\": fade {} is now {}", face ? "face" : "expression", names[i], before, after));
+  }
+}
+
 // A role that reads the same plays the same.
-void CompareRoles(const show::Roles& a, const show::Roles& b, Lines& lines) {
+void CompareRoles(const show::Show& before_show, const show::Show& after_show, Lines& lines) {
+  const show::Roles &a = before_show.roles, &b = after_show.roles;
+  const roles::Items items_of_a = roles::ItemsOf(before_show.cast),
+                     items_of_b = roles::ItemsOf(after_show.cast);
   const auto find = [](const show::Roles& in, const show::Role& role) {
     const auto found = std::ranges::find(in.roles, role.name, &show::Role::name);
     return found == in.roles.end() ? nullptr : &*found;
@@ -101,7 +139,8 @@ void CompareRoles(const show::Roles& a, const show::Roles& b, Lines& lines) {
     const show::Role* before = find(a, role);
     if (before == nullptr)
       lines.push_back(fmt::format("role \"{}\": is new", role.name));
-    else if (roles::TextOf({.roles = {*before}}) != roles::TextOf({.roles = {role}}))
+    else if (roles::TextOf({.roles = {*before}, .mixes = a.mixes}, items_of_a) !=
+             roles::TextOf({.roles = {role}, .mixes = b.mixes}, items_of_b))
       lines.push_back(fmt::format("role \"{}\": plays otherwise", role.name));
   }
   for (const show::Role& role : a.roles)
@@ -141,6 +180,10 @@ void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
   for (std::size_t i = 0; i < a.buttons.size(); ++i)
     if (const auto before = Says(a, a.buttons[i]), after = Says(b, b.buttons[i]); before != after)
       lines.push_back(fmt::format("button {}: {} is now {}", i + 1, before, after));
+  for (std::size_t i = 0; i < a.second_buttons.size(); ++i)
+    if (const auto before = Says(a, a.second_buttons[i]), after = Says(b, b.second_buttons[i]);
+        before != after)
+      lines.push_back(fmt::format("button {} of the second sheet: {} is now {}", i + 1, before, after));
   for (const show::KeyCall& key : b.keys)
     if (const auto before = OnKey(a, key.key_usage), after = Says(b, key.call); before != after)
       lines.push_back(fmt::format("key {}: {} is now {}", key.key_usage, before, after));
@@ -153,7 +196,9 @@ void CompareControls(const show::Show& a, const show::Show& b, Lines& lines) {
     if (before[i].second != after[i].second)
       lines.push_back(
           fmt::format("channel {}: {} is now {}", before[i].first, before[i].second, after[i].second));
-  CompareRoles(a.roles, b.roles, lines);
+  CompareFades(a, b, show::CallKind::kFace, lines);
+  CompareFades(a, b, show::CallKind::kExpression, lines);
+  CompareRoles(a, b, lines);
 }
 
 }  // namespace kaori::authoring

@@ -1,12 +1,45 @@
-#include <optional>
+#include <algorithm>
+#include <array>
+
+#include <fmt/ranges.h>
 
 #include "appliance/authoring/script/show_parts.h"
 
 namespace kaori::authoring {
 namespace {
 
-// What a button or a key calls: "face kaori". An empty text calls nothing. `section` holds it under `key`,
-// for the faults.
+// The first word of a text, and the rest.
+struct Words {
+  std::string first, rest;
+};
+Words Split(const std::string& text) {
+  const auto space = text.find(' ');
+  return {text.substr(0, space), space == std::string::npos ? "" : text.substr(space + 1)};
+}
+
+std::uint16_t SheetNamed(toml::Section& section, const std::string& key, const std::string& name) {
+  if (name != "1" && name != "2")
+    section.Fault(key, fmt::format("there is no sheet \"{}\", but 1 and 2", name));
+  return name == "2" ? 1 : 0;
+}
+
+// "face kaori". `section` holds it under `key`, for the faults.
+show::Call ReadItem(Script& script, toml::Section& section, const std::string& key, const std::string& text) {
+  const auto [kind, name] = Split(text);
+  if (kind == "face") return {show::CallKind::kFace, FaceNamed(script, section, key, name)};
+  if (kind == "expression") return {show::CallKind::kExpression, ExpressionNamed(script, section, key, name)};
+  if (kind == "style") return {show::CallKind::kStyle, StyleNamed(section, key, name)};
+  if (kind == "scene")
+    return {show::CallKind::kScene, IndexOf(section, key, "scene", script.show.scenes, name)};
+  if (kind == "cue") return {show::CallKind::kCue, CueVerbNamed(section, key, name)};
+  if (kind == "sheet") return {show::CallKind::kSheet, SheetNamed(section, key, name)};
+  section.Fault(
+      key, fmt::format("\"{}\" is none of face, expression, style, scene, cue, sheet{}", kind,
+                       toml::DidYouMean(kind, {"face", "expression", "style", "scene", "cue", "sheet"})));
+  return {};
+}
+
+// What a button or a key calls, and how: "face kaori", "toggle expression angry". An empty text calls nothing.
 show::Call ReadCall(Script& script, toml::Section& section, const std::string& key,
                     const toml::Value& value) {
   if (value.kind != toml::Value::Kind::kText) {
@@ -14,31 +47,61 @@ show::Call ReadCall(Script& script, toml::Section& section, const std::string& k
     return {};
   }
   if (value.text.empty()) return {};
-  const auto space = value.text.find(' ');
-  const std::string kind = value.text.substr(0, space);
-  const std::string name = space == std::string::npos ? "" : value.text.substr(space + 1);
-  if (kind == "face") return {show::CallKind::kFace, FaceNamed(script, section, key, name)};
-  if (kind == "expression") return {show::CallKind::kExpression, ExpressionNamed(script, section, key, name)};
-  if (kind == "style") return {show::CallKind::kStyle, StyleNamed(section, key, name)};
-  if (kind == "scene")
-    return {show::CallKind::kScene, IndexOf(section, key, "scene", script.show.scenes, name)};
-  if (kind == "cue") return {show::CallKind::kCue, CueVerbNamed(section, key, name)};
-  section.Fault(key, fmt::format("\"{}\" is none of face, expression, style, scene, cue{}", kind,
-                                 toml::DidYouMean(kind, {"face", "expression", "style", "scene", "cue"})));
-  return {};
+  const auto [first, rest] = Split(value.text);
+  const auto* const mode = std::ranges::find(show::kCallModeNames, first);
+  if (mode == show::kCallModeNames.end()) return ReadItem(script, section, key, value.text);
+  show::Call call = ReadItem(script, section, key, rest);
+  call.mode = static_cast<show::CallMode>(mode - show::kCallModeNames.begin());
+  if (call.mode != show::CallMode::kCall && call.kind != show::CallKind::kNothing && !show::Joins(call.kind))
+    section.Fault(key, fmt::format("\"{}\" is for faces, expressions and sheets", first));
+  return call;
+}
+
+float FadeTime(toml::Section& section, std::string_view key) {
+  if (!section.Has(key)) return show::ItemFade().in_s;
+  return Between(section, key, 0, show::kLongestItemFade_s, " s");
+}
+
+show::FadeCurve ReadCurve(toml::Section& section) {
+  const std::string name = section.TextOr("curve", std::string(show::kFadeCurveNames.front()));
+  const auto* const found = std::ranges::find(show::kFadeCurveNames, name);
+  if (found == show::kFadeCurveNames.end())
+    section.Fault("curve", fmt::format("\"{}\" is none of {}", name, fmt::join(show::kFadeCurveNames, ", ")));
+  return found == show::kFadeCurveNames.end()
+             ? show::FadeCurve::kS
+             : static_cast<show::FadeCurve>(found - show::kFadeCurveNames.begin());
 }
 
 }  // namespace
 
+void ReadFades(Script& script, toml::Section fades) {
+  for (const auto& entry : fades.table().table) {
+    const auto [kind, name] = Split(entry.first);
+    const bool face = kind == "face";
+    if (!face && kind != "expression") {
+      fades.Fault(entry.first, "is none of \"face ...\" and \"expression ...\"");
+      continue;
+    }
+    const std::size_t index = face ? FaceNamed(script, fades, entry.first, name)
+                                   : ExpressionNamed(script, fades, entry.first, name);
+    toml::Section fade = fades.Part(entry.first);
+    fade.AllowOnly({"in_s", "out_s", "curve"});
+    auto& into = face ? script.show.face_fades : script.show.expression_fades;
+    if (into.size() <= index) into.resize(index + 1);
+    into[index] = {FadeTime(fade, "in_s"), FadeTime(fade, "out_s"), ReadCurve(fade)};
+  }
+}
+
 // Rows are for the author's eye: all texts count through, and there must be as many as the box has buttons.
-void ReadButtons(Script& script, const toml::Section& file) {
+void ReadButtons(Script& script, const toml::Section& file, const std::string& list,
+                 std::array<show::Call, show::kButtonCount>& into) {
   toml::Section section = file;
-  const toml::Value* rows = file.Find("buttons");
-  if (rows->kind != toml::Value::Kind::kList) return section.Fault("buttons", "must be a list of rows [...]");
+  const toml::Value* rows = file.Find(list);
+  if (rows->kind != toml::Value::Kind::kList) return section.Fault(list, "must be a list of rows [...]");
   std::size_t number = 0;
   for (const toml::Value& row : rows->list) {
     if (row.kind != toml::Value::Kind::kList) {
-      script.faults.Add(row.line, "buttons", "a row [...] of texts is expected");
+      script.faults.Add(row.line, list, "a row [...] of texts is expected");
       continue;
     }
     for (const toml::Value& button : row.list) {
@@ -47,11 +110,11 @@ void ReadButtons(Script& script, const toml::Section& file) {
       const toml::Value table{.line = button.line, .table = {{item, button}}};
       toml::Section one(table, "", script.faults);
       const show::Call call = ReadCall(script, one, item, button);
-      if (number <= script.show.buttons.size()) script.show.buttons[number - 1] = call;
+      if (number <= into.size()) into[number - 1] = call;
     }
   }
-  if (number != script.show.buttons.size())
-    section.Fault("buttons", fmt::format("{} are given; the box has {}", number, script.show.buttons.size()));
+  if (number != into.size())
+    section.Fault(list, fmt::format("{} are given; the box has {}", number, into.size()));
 }
 
 void ReadKeys(Script& script, toml::Section keys) {

@@ -4,6 +4,7 @@
 
 #include "appliance/authoring/script/show_parts.h"
 #include "appliance/core/board/calls.h"
+#include "appliance/core/roles/level_names.h"
 
 namespace kaori::authoring {
 namespace {
@@ -68,13 +69,18 @@ class CueReader {
   std::uint32_t Release() {
     std::uint32_t levels = 0;
     if (!section_.Has("release")) return levels;
+    const show::Show& show = script_.show;
+    const roles::Items items = roles::ItemsOf(show.cast);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < show::kNamedLevels + show.roles.mixes.size(); ++i)
+      names.push_back(roles::LevelName(show.roles, static_cast<show::Level>(i), items));
     for (const std::string& name : section_.Texts("release")) {
-      const auto* const level = std::ranges::find(show::kLevels, name, &show::LevelInfo::name);
-      if (level != show::kLevels.end())
-        levels |= 1U << static_cast<unsigned>(level - show::kLevels.begin());
+      const auto found = std::ranges::find(names, name);
+      if (found != names.end())
+        levels |= 1U << static_cast<unsigned>(found - names.begin());
       else
         section_.Fault("release", fmt::format("there is no level \"{}\"{}", name,
-                                              toml::DidYouMeanOneOf(name, show::kLevels)));
+                                              toml::DidYouMean(name, {names.begin(), names.end()})));
     }
     return levels;
   }

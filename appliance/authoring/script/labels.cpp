@@ -7,6 +7,7 @@
 #include "appliance/core/board/keys.h"
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/state.h"
+#include "appliance/core/roles/level_names.h"
 #include "drivers/base/json.h"
 
 namespace kaori::authoring {
@@ -51,10 +52,11 @@ const show::RoleMap* MapOfDial(const show::Roles& roles, std::size_t dial) {
 }
 
 // A level that is none of the first eight goes back to its rest: its dial has a name, and no number.
-json::Object DialJson(const show::RoleMap& map, const performance::State& opening) {
+json::Object DialJson(const show::Show& show, const show::RoleMap& map, const performance::State& opening) {
   const show::LevelInfo& level = show::InfoOf(map.level);
   const auto index = static_cast<std::size_t>(map.level);
-  if (!show::Stays(map.level)) return {{"text", Readable(std::string(level.name))}};
+  if (!show::Stays(map.level))
+    return {{"text", Readable(roles::LevelName(show.roles, map.level, roles::ItemsOf(show.cast)))}};
   const Dial& dial = kDials[index];
   return {{"text", dial.text},
           {"unit", dial.unit},
@@ -71,7 +73,7 @@ json::List DialsJson(const show::Show& show) {
   json::List dials;
   for (std::size_t n = 0; n < kDials.size(); ++n) {
     const show::RoleMap* map = MapOfDial(show.roles, n);
-    dials.push_back(map == nullptr ? json::Object{{"text", ""}} : DialJson(*map, opening));
+    dials.push_back(map == nullptr ? json::Object{{"text", ""}} : DialJson(show, *map, opening));
   }
   return dials;
 }
@@ -96,15 +98,26 @@ CallLabel LabelOf(const show::Call& call, const show::Show& show) {
       return labelled(Readable(show.scenes[call.index].name), "scene");
     case show::CallKind::kCue:
       return labelled(kCueVerbs[call.index], "cue");
+    case show::CallKind::kSheet:
+      return labelled(call.index == 0 ? "Sheet 1" : "Sheet 2", "sheet");
     case show::CallKind::kNothing:
       break;
   }
   return {};
 }
 
-json::Object ButtonJson(const show::Call& call, const show::Show& show) {
-  const CallLabel label = LabelOf(call, show);
-  return {{"text", label.text}, {"group", label.group}};
+// The group says which dial a call fills: toggles and buttons that are held fill none.
+const char* GroupOf(const show::Call& call, const CallLabel& label) {
+  return call.mode == show::CallMode::kCall ? label.group : "";
+}
+
+json::List ButtonsJson(const std::array<show::Call, show::kButtonCount>& calls, const show::Show& show) {
+  json::List buttons;
+  for (const show::Call& call : calls) {
+    const CallLabel label = LabelOf(call, show);
+    buttons.push_back(json::Object{{"text", label.text}, {"group", GroupOf(call, label)}});
+  }
+  return buttons;
 }
 
 // The two joysticks do the same in every show.
@@ -128,7 +141,7 @@ json::List KeysJson(const show::Show& show) {
   for (const show::StageScene& scene : show.scenes) add(scene.key_usage, Readable(scene.name), "scene");
   const auto add_call = [&](const show::KeyCall& key) {
     const CallLabel label = LabelOf(key.call, show);
-    add(key.key_usage, label.text, label.group);
+    add(key.key_usage, label.text, GroupOf(key.call, label));
   };
   for (const show::KeyCall& key : show.keys)
     if (key.call.kind != show::CallKind::kCue) add_call(key);
@@ -164,16 +177,20 @@ std::string Readable(std::string name) {
   return name;
 }
 
-// In the order of show::Level. A share is told in per cent.
-json::List LevelsJson() {
+// In the order of show::Level, as many as the show's roles have. A share is told in per cent.
+json::List LevelsJson(const show::Show& show) {
   json::List levels;
-  for (const show::LevelInfo& level : show::kLevels)
-    levels.push_back(json::Object{{"text", Readable(std::string(level.name))},
+  const roles::Items items = roles::ItemsOf(show.cast);
+  for (std::size_t i = 0; i < show::kNamedLevels + show.roles.mixes.size(); ++i) {
+    const show::LevelInfo& level = show::kLevels[i];
+    const std::string name = roles::LevelName(show.roles, static_cast<show::Level>(i), items);
+    levels.push_back(json::Object{{"text", Readable(name)},
                                   {"unit", level.words.empty() ? std::string_view("%") : level.words},
                                   {"per_unit", level.words.empty() ? 0.01 : static_cast<double>(level.unit)},
                                   {"low", level.low},
                                   {"high", level.high},
                                   {"rest", level.rest}});
+  }
   return levels;
 }
 
@@ -184,18 +201,18 @@ json::List RolesJson(const show::Roles& roles) {
 }
 
 std::string LabelsJson(const show::Show& show) {
-  json::List buttons, scenes;
-  for (const show::Call& call : show.buttons) buttons.emplace_back(ButtonJson(call, show));
+  json::List scenes;
   for (const show::StageScene& scene : show.scenes) scenes.emplace_back(Readable(scene.name));
   const json::Object labels{{"show", show.name},
                             {"dials", DialsJson(show)},
-                            {"buttons", buttons},
+                            {"buttons", ButtonsJson(show.buttons, show)},
+                            {"second_buttons", ButtonsJson(show.second_buttons, show)},
                             {"sticks", SticksJson()},
                             {"scenes", scenes},
                             {"styles", json::ListOf(kStyles)},
                             {"keys", KeysJson(show)},
                             {"cues", CuesJson(show.cue_list)},
-                            {"levels", LevelsJson()},
+                            {"levels", LevelsJson(show)},
                             {"roles", RolesJson(show.roles)},
                             {"devices", json::ListOf(show::kDeviceNames)}};
   // A name that is not UTF-8 is shown with replacement characters.

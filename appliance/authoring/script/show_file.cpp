@@ -62,7 +62,8 @@ void ReadChannels(Script& script, toml::Section section) {
 // Gaze targets before scenes, and scenes before motions and buttons, which may call them. [[take]] is what motions were called before.
 void ReadScript(Script& script, toml::Section file) {
   if (file.Has("take")) file.Fault("take", "a registered motion is now written [[motion]], not [[take]]");
-  file.AllowOnly({"name", "scene", "motion", "buttons", "keys", "channels", "gaze"});
+  file.AllowOnly(
+      {"name", "scene", "motion", "buttons", "keys", "channels", "gaze", "second_buttons", "fades"});
   script.show.name = file.TextOr("name", "unnamed");
   const toml::Value none{};
   ReadGazeTargets(script, file.Has("gaze") ? file.Part("gaze") : toml::Section(none, "gaze", script.faults));
@@ -73,7 +74,9 @@ void ReadScript(Script& script, toml::Section file) {
   number = 0;
   for (const toml::Section& motion : file.Parts("motion"))
     script.show.motions.push_back(ReadMotion(script, Named(script, "motion", motion, ++number)));
-  if (file.Has("buttons")) ReadButtons(script, file);
+  if (file.Has("buttons")) ReadButtons(script, file, "buttons", script.show.buttons);
+  if (file.Has("second_buttons")) ReadButtons(script, file, "second_buttons", script.show.second_buttons);
+  if (file.Has("fades")) ReadFades(script, file.Part("fades"));
   if (file.Has("keys")) ReadKeys(script, file.Part("keys"));
   if (file.Has("channels")) ReadChannels(script, file.Part("channels"));
 }
@@ -98,11 +101,13 @@ std::vector<std::string> ReadShowFile(const std::filesystem::path& file, show::S
   Script script{.folder = file.parent_path(), .known = known, .show = show, .faults = faults};
   ReadScript(script, toml::Section(*value, "", faults));
   std::vector<std::string> lines = faults.lines();
+  const std::filesystem::path of_roles = script.folder / "roles.toml";
+  roles::Items items = roles::ItemsOf(show.cast);
+  items.all_known = known.faces && known.expressions;
+  if (std::filesystem::exists(of_roles))
+    std::ranges::copy(roles::ReadRolesFile(of_roles, items, show.roles), std::back_inserter(lines));
   const std::filesystem::path cues = script.folder / "cues.toml";
   if (std::filesystem::exists(cues)) std::ranges::copy(CueFaults(script, cues), std::back_inserter(lines));
-  const std::filesystem::path of_roles = script.folder / "roles.toml";
-  if (std::filesystem::exists(of_roles))
-    std::ranges::copy(roles::ReadRolesFile(of_roles, show.roles), std::back_inserter(lines));
   return lines;
 }
 

@@ -1,6 +1,7 @@
 // The parts of show.toml, each in a file of its own: names_in_show.cpp, motion_file.cpp, controls_file.cpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -76,12 +77,15 @@ std::int32_t GazeNamed(Script& script, toml::Section& section, std::string_view 
 // life = 0.4 for all parts, or { blink = 1, glance = 0.4 }: parts that are not named are `otherwise`.
 show::LifeAmounts LifeAt(toml::Section& section, std::string_view key, float otherwise);
 
-// The cue list, of cues.toml. Scenes, motions and gaze targets must have been read.
+// The cue list, of cues.toml. Scenes, motions, gaze targets and roles must have been read.
 void ReadCueList(Script& script, toml::Section file);
 
-// Fills the 32 buttons, given as rows of texts such as "face kaori". Scenes must have been read, since
+// Fills the 32 buttons of a sheet, which stand in `list` as rows of texts such as "face kaori". Scenes must have been read, since
 // buttons name them.
-void ReadButtons(Script& script, const toml::Section& file);
+void ReadButtons(Script& script, const toml::Section& file, const std::string& list,
+                 std::array<show::Call, show::kButtonCount>& into);
+// [fades]: how faces and expressions come and go when a person calls them.
+void ReadFades(Script& script, toml::Section fades);
 // The keys of [keys], which call what buttons call.
 void ReadKeys(Script& script, toml::Section keys);
 

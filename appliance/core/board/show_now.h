@@ -32,7 +32,7 @@ struct LevelShown {
 //   stale    never written so; a stage is taken for dead by the age of the stamp
 struct ShowNow {
   static constexpr const char* kName = "show_now";
-  static constexpr std::size_t kMostLevels = 24, kMostRoles = 8;
+  static constexpr std::size_t kMostLevels = 32, kMostRoles = 8;
   // The cue list. Cues count as the show does, from 0.
   std::int32_t cue_active = -1;  // Played last; -1: none was.
   std::int32_t cue_standby = 0;  // What GO plays next; as many as there are cues: the list is over.
@@ -43,6 +43,7 @@ struct ShowNow {
   std::uint32_t gos_refused = 0;  // Counted since the show opened, as the next two; all wrap.
   std::uint32_t calls_refused = 0;
   std::uint32_t calls_lost = 0;
+  std::uint32_t sheet = 0;                       // Which sheet of calls the buttons have, from 0.
   std::array<LevelShown, kMostLevels> levels{};  // In the order of show::Level.
   // By the show's roles: the show::Device from which each is played; one more than the last: nobody plays it.
   std::array<std::uint32_t, kMostRoles> role_devices{};

@@ -28,7 +28,8 @@ glm::vec3 DirectionOf(glm::vec2 angles_rad) {
 
 std::array<glm::vec3, 2> EyesAtRest(const State& state, const show::Show& show) {
   face::Weights weights;
-  weights.faces = Current(state.faces, At(state.shown, Knob::kFace));
+  weights.faces =
+      WithKept(state, show, show::CallKind::kFace, Current(state.faces, At(state.shown, Knob::kFace)));
   const std::array<face::EyeBall, 2> balls = face::MixEyes(show.cast.faces, weights);
   if (balls[0].centre.x - balls[1].centre.x < kLeastApart_m) return kUsualEyes_m;
   return {balls[0].centre, balls[1].centre};

@@ -6,6 +6,7 @@
 #include "appliance/core/performance/blink.h"
 #include "appliance/core/performance/calls.h"
 #include "appliance/core/performance/cues.h"
+#include "appliance/core/performance/lamps.h"
 #include "appliance/core/performance/levels.h"
 #include "appliance/core/performance/life.h"
 #include "appliance/core/performance/lines.h"
@@ -60,50 +61,6 @@ void AddBrowsAndLids(float brows, const show::Channels& channels, const scene::G
   PushChannel(terms, channels.lids_down, std::min(1.0F, -gaze.pitch_rad / kLidFollow_rad));
 }
 
-// What of the cue list's calls is on, for its lamp.
-bool IsOn(const State& state, show::CueVerb verb) {
-  switch (verb) {
-    case show::CueVerb::kGo:
-      return state.cue_run.pending >= 0;
-    case show::CueVerb::kPause:
-      return state.cue_run.paused != 0;
-    case show::CueVerb::kPanic:
-      return state.cue_run.panicking != 0;
-    case show::CueVerb::kBlackout:
-      return state.black_called != 0;
-    case show::CueVerb::kBack:
-    case show::CueVerb::kStop:
-      return false;
-  }
-  return false;
-}
-
-// A button is lit while what it calls is the call that counts: the newest one of its kind, from the press on
-// and not when its fade is over.
-std::uint32_t Lamps(const State& state, const show::Show& show) {
-  const auto lit = [&](const show::Call& call) {
-    switch (call.kind) {
-      case show::CallKind::kFace:
-        return call.index == state.faces.to;
-      case show::CallKind::kExpression:
-        return call.index == state.expressions.to;
-      case show::CallKind::kStyle:
-        return call.index == state.styles.to;
-      case show::CallKind::kScene:
-        return call.index == state.scene;
-      case show::CallKind::kCue:
-        return IsOn(state, static_cast<show::CueVerb>(call.index));
-      case show::CallKind::kNothing:
-        break;
-    }
-    return false;
-  };
-  std::uint32_t lamps = 0;
-  for (std::size_t i = 0; i < show.buttons.size(); ++i)
-    if (lit(show.buttons[i])) lamps |= 1U << i;
-  return lamps;
-}
-
 // Moves the state's time to `presented_at` and gives the seconds in between. A frame that is presented a
 // little before the one before it (the screen was pulled) takes no time, and what it went back is not played
 // twice. The result is 0 .. kLongestStep in seconds.
@@ -120,7 +77,9 @@ float StepTo(State& state, Time presented_at) {
 void MoveOn(State& state, const board::Snapshot& board, const InputEvents& events, const show::Show& show,
             float dt_s) {
   state.age_s = std::fmod(state.age_s + dt_s, kLifePeriod_s);
-  state.go_quiet_s = std::min(kLongAgo_s, state.go_quiet_s + dt_s);
+  for (float* quiet_s : {&state.go_quiet_s, &state.cue_run.since_refused_s})
+    *quiet_s = std::min(kLongAgo_s, *quiet_s + dt_s);
+  LetUp(state, board, show, At(state.knobs, Knob::kFade));
   PlayCalls(state, events, show);
   MoveLevels(state, board, events, show.roles, dt_s);
   HandleLines(state, board.lines, dt_s);
@@ -130,6 +89,7 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
   const float play_s = PlayTime(state, dt_s);
   for (Mixture* mixture : MixturesOf(state)) Advance(*mixture, play_s);
   for (Fading* fading : FadingsOf(state)) Advance(*fading, play_s);
+  AdvanceKept(state, play_s);
   SettleCues(state, show);
 }
 
@@ -140,9 +100,13 @@ void MoveOn(State& state, const board::Snapshot& board, const InputEvents& event
 void Weigh(State& state, const board::Snapshot& board, const show::Show& show, const Motion& motion,
            scene::Scene& scene, float dt_s) {
   face::Weights& weights = scene.weights;
-  weights.faces = Current(state.faces, At(state.shown, Knob::kFace));
-  weights.expressions = Strengthened(Current(state.expressions, At(state.shown, Knob::kExpression)),
-                                     At(state.shown, Knob::kStrength));
+  const auto with_kept = [&](show::CallKind kind, const Mixture& called, Knob knob) {
+    return WithKept(state, show, kind, Current(called, At(state.shown, knob)));
+  };
+  weights.faces = with_kept(show::CallKind::kFace, state.faces, Knob::kFace);
+  weights.expressions =
+      Strengthened(with_kept(show::CallKind::kExpression, state.expressions, Knob::kExpression),
+                   At(state.shown, Knob::kStrength));
   weights.channels = motion.channels;
   MoveMouth(state, board, show.channels, weights, dt_s);
   face::LimitJaw(show.cast, weights);
@@ -202,7 +166,7 @@ Performed Animate(const State& previous, const board::Snapshot& board, const Inp
   scene.light.exposure =
       ValueNow(state.exposure) * At(state.shown, Knob::kLight) * ValueNow(state.cue_light) * Unblacked(state);
   scene.present = ValueNow(state.present);
-  performed.lamps = Lamps(state, show);
+  performed.lamps = LitLamps(state, show);
   return performed;
 }
 

@@ -17,8 +17,9 @@ static_assert(static_cast<std::uint32_t>(show::CueVerb::kGo) == board::kCallGo);
 
 // A fresh call takes over whole, whatever its dial said about the one before. The mixture keeps the old
 // dial's share as its beginning, so that the change of the dial is not seen either.
-void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, float fade_s) {
-  Call(mixture, index, fade_s, At(state.shown, knob));
+void CallWhole(State& state, Mixture& mixture, Knob knob, std::uint16_t index, float fade_s,
+               show::FadeCurve curve) {
+  Call(mixture, index, fade_s, At(state.shown, knob), curve);
   At(state.knobs, knob) = At(state.shown, knob) = 1;
 }
 
@@ -30,17 +31,22 @@ void CallScene(State& state, const show::Show& show, std::uint16_t scene) {
   state.cue_run.standby = scene;
 }
 
-// Faces, expressions and styles fade as long as the Fade dial says, scenes as long as they say themselves.
-void Obey(State& state, const show::Call& call, const show::Show& show) {
+// Faces and expressions fade as they say themselves; those that say nothing, and styles, as long as the Fade dial says; scenes
+// as long as they say themselves. `control` is what was pushed, as Kept has it.
+void Obey(State& state, const show::Call& call, std::uint16_t control, const show::Show& show) {
   const float fade_s = At(state.knobs, Knob::kFade);
+  if (call.mode == show::CallMode::kToggle) return Toggle(state, show, call, fade_s);
+  if (call.mode == show::CallMode::kMomentary) return KeepDown(state, show, call, control, fade_s);
+  const show::ItemFade own = show::FadeOf(show, call);
+  const float in_s = own.in_s >= 0 ? own.in_s : fade_s;
   switch (call.kind) {
     case show::CallKind::kNothing:
       break;
     case show::CallKind::kFace:
-      CallFace(state, call.index, fade_s);
+      CallFace(state, call.index, in_s, own.curve);
       break;
     case show::CallKind::kExpression:
-      CallExpression(state, call.index, fade_s);
+      CallExpression(state, call.index, in_s, own.curve);
       break;
     case show::CallKind::kStyle:
       Call(state.styles, call.index, fade_s, 1);
@@ -51,6 +57,9 @@ void Obey(State& state, const show::Call& call, const show::Show& show) {
     case show::CallKind::kCue:
       CallCue(state, show, static_cast<show::CueVerb>(call.index));
       break;
+    case show::CallKind::kSheet:
+      state.sheet = call.index;
+      break;
   }
 }
 
@@ -60,7 +69,8 @@ void Struck(State& state, std::uint16_t usage, const show::Show& show) {
   if (usage == key::kSpace || usage == key::kX) state.blink_s[0] = BlinkFrom(state.blink_s[0]);
   if (usage == key::kSpace || usage == key::kZ) state.blink_s[1] = BlinkFrom(state.blink_s[1]);
   for (const show::KeyCall& key : show.keys)
-    if (key.key_usage == usage) Obey(state, key.call, show);
+    if (key.key_usage == usage)
+      Obey(state, key.call, static_cast<std::uint16_t>(kFirstKeyControl + usage), show);
   for (std::size_t i = 0; i < show.motions.size(); ++i)
     if (show.motions[i].key_usage == usage) PlayMotion(state, static_cast<int>(i));
   for (std::size_t i = 0; i < show.scenes.size(); ++i)
@@ -71,7 +81,7 @@ void Handle(State& state, const Press& press, const show::Show& show) {
   if (press.IsKey())
     Struck(state, press.code, show);
   else
-    Obey(state, show.buttons[press.code], show);
+    Obey(state, ButtonOf(state, show, press.code), press.code, show);
 }
 
 // The place in the list of the cue that a call names; -1 where it has none such.
@@ -107,7 +117,7 @@ bool Handle(State& state, const board::Call& call, const show::Show& show) {
       return HandleCueCall(state, call, show);
     case board::CallVerb::kLevel:
     case board::CallVerb::kLetGo:
-      if (call.subject >= show::kLevelCount) return false;
+      if (call.subject >= show::kNamedLevels + show.roles.mixes.size()) return false;
       if (call.verb == board::CallVerb::kLevel)
         SetRemotely(state, show.roles, level, call.value);
       else
@@ -128,12 +138,14 @@ bool IsEarlier(const board::Call& call, const Press& press) {
 
 }  // namespace
 
-void CallFace(State& state, std::uint16_t face, float fade_s) {
-  CallWhole(state, state.faces, Knob::kFace, face, fade_s);
+void CallFace(State& state, std::uint16_t face, float fade_s, show::FadeCurve curve) {
+  EndToggles(state, show::CallKind::kFace, fade_s);
+  CallWhole(state, state.faces, Knob::kFace, face, fade_s, curve);
 }
 
-void CallExpression(State& state, std::uint16_t expression, float fade_s) {
-  CallWhole(state, state.expressions, Knob::kExpression, expression, fade_s);
+void CallExpression(State& state, std::uint16_t expression, float fade_s, show::FadeCurve curve) {
+  EndToggles(state, show::CallKind::kExpression, fade_s);
+  CallWhole(state, state.expressions, Knob::kExpression, expression, fade_s, curve);
 }
 
 // No playing voice is cut off: that would be a jump.

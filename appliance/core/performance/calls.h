@@ -14,9 +14,10 @@ namespace kaori::performance {
 void PlayCalls(State& state, const InputEvents& events, const show::Show& show);
 
 // A fresh call takes over whole, whatever its dial said about the one before: the dial is full. `face` and `expression`
-// are below the counts of the show's. A fade of 0 changes at once.
-void CallFace(State& state, std::uint16_t face, float fade_s);
-void CallExpression(State& state, std::uint16_t expression, float fade_s);
+// are below the counts of the show's. A fade of 0 changes at once. Toggles of the same kind end with it.
+void CallFace(State& state, std::uint16_t face, float fade_s, show::FadeCurve curve = show::FadeCurve::kS);
+void CallExpression(State& state, std::uint16_t expression, float fade_s,
+                    show::FadeCurve curve = show::FadeCurve::kS);
 
 // Begins a registered motion of the show. No playing voice is cut off for it: that would be a jump. Eight within a quarter
 // of a second are no playing, the ninth is not heard.

@@ -144,6 +144,7 @@ void Go(State& state, const show::Show& show) {
   const auto count = static_cast<std::int32_t>(show.cue_list.cues.size());
   if (state.go_quiet_s < show.cue_list.go_guard_s || run.standby >= count) {
     ++run.refused;
+    run.since_refused_s = 0;
     return;
   }
   state.go_quiet_s = 0;
@@ -159,6 +160,7 @@ bool IsRunning(const State& state) {
   const auto fades = [](const auto* one) { return one->progress < 1; };
   return state.cue_run.pending >= 0 || std::ranges::any_of(MixturesOf(state), fades) ||
          std::ranges::any_of(FadingsOf(state), fades) ||
+         std::ranges::any_of(state.kept, [](const Kept& kept) { return kept.progress < 1; }) ||
          std::ranges::any_of(state.voices, [](const Playing& v) { return v.motion >= 0; });
 }
 

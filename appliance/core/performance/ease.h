@@ -4,12 +4,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appliance/core/show/fade.h"
+
 namespace kaori::performance {
 
 // The cubic 3t^2 - 2t^3 of t = x within 0..1: 0 below 0, 1 above 1, level at both ends.
 inline float SmoothStep(float x) {
   const float t = std::clamp(x, 0.0F, 1.0F);
   return t * t * (3 - 2 * t);
+}
+
+// The part of a fade that is done at x = 0..1 of its time.
+inline float Curved(show::FadeCurve curve, float x) {
+  const float t = std::clamp(x, 0.0F, 1.0F);
+  switch (curve) {
+    case show::FadeCurve::kS:
+      break;
+    case show::FadeCurve::kLinear:
+      return t;
+    case show::FadeCurve::kSlowStart:
+      return t * t;
+    case show::FadeCurve::kSlowEnd:
+      return t * (2 - t);
+  }
+  return SmoothStep(t);
 }
 
 // Moves `now` towards `goal` so that half of the way is done every half_life_s, whatever the frame rate.

@@ -94,7 +94,8 @@ bool AreLidsHeld(const State& state, const show::Show& show, const Motion& motio
   if (state.lids_held[0] + state.lids_held[1] > 0 || motion.lids > kLidHeldByMotion) return true;
   std::array<float, 2> shut{};
   const float strength = At(state.shown, Knob::kStrength);
-  for (const face::Term& t : Current(state.expressions, At(state.shown, Knob::kExpression)))
+  const face::Terms called = Current(state.expressions, At(state.shown, Knob::kExpression));
+  for (const face::Term& t : WithKept(state, show, show::CallKind::kExpression, called))
     for (std::size_t eye = 0; eye < 2 && t.index < show.cast.expressions.size(); ++eye)
       shut[eye] += t.weight * strength * show.cast.expressions[t.index].lids[eye];
   return std::max(shut[0], shut[1]) > kLidHeld;

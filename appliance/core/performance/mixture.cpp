@@ -11,7 +11,7 @@ constexpr float kNothing = 1e-5F;  // Lighter terms are dropped: nobody sees the
 
 // How much of the whole the called item has now.
 float Share(const Mixture& mixture, float amount) {
-  return SmoothStep(mixture.progress) * amount;
+  return Curved(mixture.curve, mixture.progress) * amount;
 }
 
 // Dropped terms and rounding leave a sum a little beside 1, which would add up over many calls.
@@ -41,10 +41,11 @@ face::Terms Current(const Mixture& mixture, float amount) {
   return Normalised(terms);
 }
 
-void Call(Mixture& mixture, std::uint16_t item, float fade_s, float amount) {
+void Call(Mixture& mixture, std::uint16_t item, float fade_s, float amount, show::FadeCurve curve) {
   mixture.from = Current(mixture, amount);
   mixture.to = item;
   mixture.duration_s = fade_s;
+  mixture.curve = curve;
   mixture.progress = fade_s > 0 ? 0.0F : 1.0F;
 }
 

@@ -5,15 +5,19 @@
 
 namespace kaori::performance {
 
-// Whatever refers to the old clock or board is made anew: the time, the counters that were seen, voices and
-// blinks. Fades are ended and dials are not smoothed in, so that the first frame equals the picture that was
-// kept with the state.
+// Whatever refers to the old clock or board is made anew: the time, the counters that were seen, voices,
+// blinks and buttons that are held down. Fades are ended and dials are not smoothed in, so that the first
+// frame equals the picture that was kept with the state.
 State Recalled(const State& kept, const board::Snapshot& board, Time presented_at) {
   State state = kept;
   state.last = presented_at;
   state.seen = SeenOn(board);
   for (Mixture* mixture : MixturesOf(state)) mixture->progress = 1;
   for (Fading* fading : FadingsOf(state)) fading->progress = 1;
+  for (Kept& one : state.kept) {
+    one.progress = 1;
+    if (one.on == 0 || one.call.mode == show::CallMode::kMomentary) one = {};
+  }
   state.shown = state.knobs;
   RestLevels(state);
   // The list stands where it stood; what waited for a moment of that evening stands by.

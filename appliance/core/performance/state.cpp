@@ -38,7 +38,7 @@ bool IsValidCueRun(const CueRun& run, const show::CueList& list) {
          run.pending >= -1 && run.pending < count && run.phase <= CueRun::Phase::kPerson &&
          waits == (run.pending >= 0) &&
          Within({run.left_s, run.held_s}, 0, show::kLongestWait_s + show::kLongestCueFade_s) &&
-         run.paused <= 1 && run.panicking <= 1;
+         run.paused <= 1 && run.panicking <= 1 && Within({run.since_refused_s}, 0, kLongAgo_s);
 }
 
 // The bounds leave room for rounding: weights were normalised once a call.
@@ -52,7 +52,20 @@ bool IsValidTerms(const face::Terms& terms, std::size_t count) {
 
 bool IsValidMixture(const Mixture& mixture, std::size_t count) {
   return mixture.to < count && IsValidFade(mixture.progress, mixture.duration_s) &&
-         IsValidTerms(mixture.from, count);
+         mixture.curve <= show::FadeCurve::kSlowEnd && IsValidTerms(mixture.from, count);
+}
+
+// Something that the show has and that can be kept, by a control that there is.
+bool IsValidKept(const Kept& kept, const show::Show& show) {
+  if (kept.call.kind == show::CallKind::kNothing) return true;
+  const std::size_t count = kept.call.kind == show::CallKind::kFace         ? show.cast.faces.size()
+                            : kept.call.kind == show::CallKind::kExpression ? show.cast.expressions.size()
+                                                                            : show::kSheetCount;
+  return show::Joins(kept.call.kind) && kept.call.index < count &&
+         (kept.call.mode == show::CallMode::kToggle || kept.call.mode == show::CallMode::kMomentary) &&
+         kept.control < kFirstKeyControl + show::kKeyUsages && kept.on <= 1 &&
+         kept.curve <= show::FadeCurve::kSlowEnd && Within({kept.from, kept.progress}, 0, 1) &&
+         Within({kept.duration_s}, 0, show::kLongestItemFade_s);
 }
 
 // Each within its own range: a value beyond its end would leap to it at the first turn of the dial.
@@ -125,8 +138,9 @@ bool IsValid(const State& state, const show::Show& show) {
          IsValidFading(state.exposure, show::kMostExposure) && IsValidKnobs(state) &&
          IsValidLevels(state, show) && IsValidPose(state) && IsValidClocks(state) &&
          IsValidFading(state.cue_light, 1) && IsValidFading(state.present, 1) &&
-         IsValidCueRun(state.cue_run, show.cue_list) && IsValidVoices(state, show) &&
-         IsValidLife(state.life, show.gaze_targets.size()) &&
+         std::ranges::all_of(state.kept, [&](const Kept& kept) { return IsValidKept(kept, show); }) &&
+         state.sheet < show::kSheetCount && IsValidCueRun(state.cue_run, show.cue_list) &&
+         IsValidVoices(state, show) && IsValidLife(state.life, show.gaze_targets.size()) &&
          (show.scenes.empty() || state.scene < show.scenes.size());
 }
 

@@ -10,6 +10,7 @@
 
 #include "appliance/core/performance/fading.h"
 #include "appliance/core/performance/input_events.h"
+#include "appliance/core/performance/kept.h"
 #include "appliance/core/performance/knobs.h"
 #include "appliance/core/performance/level_state.h"
 #include "appliance/core/performance/life_state.h"
@@ -55,6 +56,7 @@ struct CueRun {
   std::uint32_t paused = 0;  // 1: waits, fades and motions stand still.
   std::uint32_t panicking = 0;  // 1: the panic scene is on its way; a second call is at once.
   std::uint32_t refused = 0;    // GOs that the guard or the end of the list refused, counted.
+  float since_refused_s = 10;   // Since the last one of them.
 };
 
 // A swinging tip of hair: angle and speed, sideways and forwards.
@@ -69,15 +71,17 @@ inline constexpr float kLongAgo_s = 10;  // Where counts of seconds stop.
 // All of it; angles are as in render/scene/scene.h. Counts of seconds stop at 10, but for StickNow::lost_s.
 // Fields are ordered by nothing but the reader's eye; padding between them is not looked at.
 struct State {
-  static constexpr std::uint32_t kLayout = 12;  // Raise it when a field changes: see board::Hold.
+  static constexpr std::uint32_t kLayout = 13;  // Raise it when a field changes: see board::Hold.
   Time last{};                                  // When the last frame was to be presented.
   float age_s = 0;                              // Of the performance, from 0 to kLifePeriod_s and again.
   // The board's counters at the last frame. ReadEvents alone changes it.
   SeenInput seen;
   Mixture faces, expressions, styles;  // Indices into the cast, and scene::Style.
   Mixture backdrops;                   // Of scenes, by their numbers.
-  Fading exposure;                     // Of the scene: 1 is as it was lit, 0 is black.
-  Fading cue_light, present;           // As cues set them, 0..1.
+  std::array<Kept, kMostKept> kept{};  // What people keep beside faces and expressions that were called.
+  std::uint16_t sheet = 0;    // Of the buttons, as it was called; one that is held down lies over it.
+  Fading exposure;            // Of the scene: 1 is as it was lit, 0 is black.
+  Fading cue_light, present;  // As cues set them, 0..1.
   CueRun cue_run;
   // Calls on the board that named what the show has not, and those that came faster than the frames; both wrap.
   std::uint32_t calls_refused = 0, calls_lost = 0;

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "appliance/core/toml/nearest.h"
+#include "appliance/core/roles/named.h"
 #include "appliance/core/toml/section.h"
 
 namespace kaori::roles {
@@ -25,34 +25,17 @@ struct WrittenRole {
   bool has_device = false;
 };
 
-// The index of `name` among `names`, or a fault of `key` that names one which may be meant.
-template <std::size_t kCount>
-std::optional<std::size_t> IndexOf(toml::Section& section, std::string_view key, const std::string& name,
-                                   const std::array<std::string_view, kCount>& names) {
-  const auto* const found = std::ranges::find(names, name);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  section.Fault(key, fmt::format("\"{}\" is none of {}", name, fmt::join(names, ", ")));
-  return std::nullopt;
-}
-
-constexpr auto LevelNames() {
-  std::array<std::string_view, show::kLevelCount> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = show::kLevels[i].name;
-  return names;
-}
-
 // One [[role.map]].
 class MapReader {
  public:
-  MapReader(toml::Section& section, std::optional<show::Device> device)
-      : section_(section), device_(device) {}
+  MapReader(toml::Section& section, std::optional<show::Device> device, LevelReader& levels)
+      : section_(section), device_(device), levels_(levels) {}
 
   RoleMap Read() {
     section_.AllowOnly({"control", "level", "range", "per_turn", "dead", "curve", "takeover"});
     ReadControl();
-    const auto level = IndexOf(section_, "level", section_.Text("level"), LevelNames());
-    if (level) {
-      map_.level = static_cast<show::Level>(*level);
+    if (const auto level = levels_.Read(section_)) {
+      map_.level = *level;
       show::Turns(map_.control) ? ReadTurn() : ReadRange();
     }
     map_.dead = Number("dead", 0, 0, show::kMostDead);
@@ -147,10 +130,11 @@ class MapReader {
 
   toml::Section& section_;
   std::optional<show::Device> device_;
+  LevelReader& levels_;
   RoleMap map_;
 };
 
-WrittenRole ReadRole(toml::Section section, bool overlay) {
+WrittenRole ReadRole(toml::Section section, LevelReader& levels, bool overlay) {
   section.AllowOnly({"name", "device", "map"});
   WrittenRole written;
   written.role.name = section.Text("name");
@@ -160,7 +144,8 @@ WrittenRole ReadRole(toml::Section section, bool overlay) {
     if (const auto found = IndexOf(section, "device", section.Text("device"), show::kDeviceNames))
       device = static_cast<show::Device>(*found);
   written.role.device = device.value_or(show::Device::kLeftStick);
-  for (toml::Section map : section.Parts("map")) written.role.maps.push_back(MapReader(map, device).Read());
+  for (toml::Section map : section.Parts("map"))
+    written.role.maps.push_back(MapReader(map, device, levels).Read());
   std::ranges::stable_sort(written.role.maps, {}, &RoleMap::level);
   return written;
 }
@@ -184,12 +169,17 @@ void CheckCounts(toml::Section& file, const std::vector<WrittenRole>& roles) {
 
 struct WrittenFile {
   std::vector<WrittenRole> roles;
+  std::vector<show::Call> mixes{};
   std::optional<float> handover_s{};
 };
 
-WrittenFile ReadAll(toml::Section file, toml::Faults& faults, bool overlay) {
+// `below`: the roles over which an overlay lies; null for the file of a show.
+WrittenFile ReadAll(toml::Section file, toml::Faults& faults, const Items& items, const show::Roles* below) {
+  const bool overlay = below != nullptr;
   file.AllowOnly({"handover_s", "role"});
   WrittenFile written;
+  if (overlay) written.mixes = below->mixes;
+  LevelReader levels(items, written.mixes);
   if (file.Has("handover_s")) {
     const double handover_s = file.Number("handover_s");
     if (!(handover_s >= 0 && handover_s <= show::kLongestHandover_s))
@@ -200,7 +190,7 @@ WrittenFile ReadAll(toml::Section file, toml::Faults& faults, bool overlay) {
   std::size_t number = 0;
   for (const toml::Section& role : file.Parts("role")) {
     toml::Section named = Named(role, ++number, faults);
-    written.roles.push_back(ReadRole(named, overlay));
+    written.roles.push_back(ReadRole(named, levels, overlay));
     const std::string& name = written.roles.back().role.name;
     const auto is_same = [&name](const WrittenRole& one) { return one.role.name == name; };
     if (!name.empty() && std::ranges::count_if(written.roles, is_same) > 1)
@@ -214,24 +204,28 @@ WrittenFile ReadAll(toml::Section file, toml::Faults& faults, bool overlay) {
 
 }  // namespace
 
-std::vector<std::string> ReadRolesFile(const std::filesystem::path& file, show::Roles& roles) {
+std::vector<std::string> ReadRolesFile(const std::filesystem::path& file, const Items& items,
+                                       show::Roles& roles) {
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};
   toml::Faults faults(file.string());
-  WrittenFile written = ReadAll(toml::Section(*value, "", faults), faults, false);
-  roles = {.handover_s = written.handover_s.value_or(show::Roles().handover_s), .roles = {}};
+  WrittenFile written = ReadAll(toml::Section(*value, "", faults), faults, items, nullptr);
+  roles = {.handover_s = written.handover_s.value_or(show::Roles().handover_s),
+           .roles = {},
+           .mixes = std::move(written.mixes)};
   for (WrittenRole& one : written.roles) roles.roles.push_back(std::move(one.role));
   return faults.lines();
 }
 
-std::vector<std::string> LayOver(const std::filesystem::path& file, show::Roles& roles) {
+std::vector<std::string> LayOver(const std::filesystem::path& file, const Items& items, show::Roles& roles) {
   const auto value = toml::ReadToml(file);
   if (!value) return {value.error().message()};
   toml::Faults faults(file.string());
-  WrittenFile written = ReadAll(toml::Section(*value, "", faults), faults, true);
+  WrittenFile written = ReadAll(toml::Section(*value, "", faults), faults, items, &roles);
   if (faults.any()) return faults.lines();
   show::Roles laid = roles;
   laid.handover_s = written.handover_s.value_or(laid.handover_s);
+  laid.mixes = std::move(written.mixes);
   for (WrittenRole& one : written.roles) {
     const auto below = std::ranges::find(laid.roles, one.role.name, &show::Role::name);
     if (below == laid.roles.end()) {
@@ -250,35 +244,6 @@ std::vector<std::string> LayOver(const std::filesystem::path& file, show::Roles&
   for (std::string& line : wrong) line = fmt::format("{}: {}", file.string(), line);
   if (wrong.empty()) roles = std::move(laid);
   return wrong;
-}
-
-// Nine digits bring back the same float.
-std::string TextOf(const show::Roles& roles) {
-  std::string text = fmt::format("handover_s = {:.9g}\n", roles.handover_s);
-  for (const show::Role& role : roles.roles) {
-    text += fmt::format("\n[[role]]\nname = \"{}\"\ndevice = \"{}\"\n", role.name,
-                        show::kDeviceNames[static_cast<std::size_t>(role.device)]);
-    for (const RoleMap& map : role.maps) {
-      const show::LevelInfo& level = InfoOf(map.level);
-      text +=
-          fmt::format("\n[[role.map]]\ncontrol = \"{}\"\nlevel = \"{}\"\n", show::NameOf(map), level.name);
-      if (show::Turns(map.control))
-        text += fmt::format("per_turn = {:.9g}\n", (map.to - map.from) / level.unit);
-      else if (map.from != level.low || map.to != level.high)
-        text += fmt::format("range = [{:.9g}, {:.9g}]\n", map.from / level.unit, map.to / level.unit);
-      if (map.dead != 0) text += fmt::format("dead = {:.9g}\n", map.dead);
-      if (map.exponent != 1) text += fmt::format("curve = {:.9g}\n", map.exponent);
-      if (!map.points.empty()) {
-        std::vector<std::string> points;
-        for (const glm::vec2& p : map.points) points.push_back(fmt::format("[{:.9g}, {:.9g}]", p.x, p.y));
-        text += fmt::format("curve = [{}]\n", fmt::join(points, ", "));
-      }
-      if (map.takeover != show::Takeover::kJump)
-        text +=
-            fmt::format("takeover = \"{}\"\n", show::kTakeoverNames[static_cast<std::size_t>(map.takeover)]);
-    }
-  }
-  return text;
 }
 
 }  // namespace kaori::roles

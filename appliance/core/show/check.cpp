@@ -1,6 +1,7 @@
 #include "appliance/core/show/check.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -33,6 +34,8 @@ std::size_t Count(const Show& show, CallKind kind) {
       return show.scenes.size();
     case CallKind::kCue:
       return kCueVerbCount;
+    case CallKind::kSheet:
+      return kSheetCount;
   }
   return 0;
 }
@@ -54,11 +57,36 @@ void CheckCounts(const Show& show, Faults& faults) {
   if (show.cast.textures.empty()) faults.emplace_back("textures: there is none, and every face wants one");
 }
 
+void CheckCall(const Show& show, const std::string& item, const Call& call, Faults& faults) {
+  if (call.index >= Count(show, call.kind))
+    faults.push_back(fmt::format("{}: calls number {} of {}", item, call.index, Count(show, call.kind)));
+  if (call.mode > CallMode::kMomentary || (call.mode != CallMode::kCall && !Joins(call.kind)))
+    faults.push_back(item + ": only faces, expressions and sheets are toggles or momentary");
+}
+
 void CheckButtons(const Show& show, Faults& faults) {
-  for (std::size_t i = 0; i < show.buttons.size(); ++i)
-    if (const Call& call = show.buttons[i]; call.index >= Count(show, call.kind))
-      faults.push_back(
-          fmt::format("button {}: calls number {} of {}", i + 1, call.index, Count(show, call.kind)));
+  for (std::size_t i = 0; i < show.buttons.size(); ++i) {
+    CheckCall(show, fmt::format("button {}", i + 1), show.buttons[i], faults);
+    CheckCall(show, fmt::format("button {} of the second sheet", i + 1), show.second_buttons[i], faults);
+  }
+}
+
+// Roles may name them; a show whose roles name none has none.
+void CheckMixes(const Show& show, Faults& faults) {
+  for (const Call& mix : show.roles.mixes)
+    if (mix.kind == CallKind::kSheet || !Joins(mix.kind) || mix.index >= Count(show, mix.kind))
+      faults.emplace_back("roles: a level is of a face or an expression that the show has not");
+}
+
+// A time below 0 is none of its own; NaN is no time.
+void CheckFades(const char* items, const std::vector<ItemFade>& fades, std::size_t count, Faults& faults) {
+  if (fades.size() > count) faults.push_back(fmt::format("fades: there are more than {}", items));
+  const auto wrong = [](const ItemFade& fade) {
+    return !(fade.in_s <= kLongestItemFade_s && fade.out_s <= kLongestItemFade_s) ||
+           std::isnan(fade.in_s + fade.out_s) || fade.curve > FadeCurve::kSlowEnd;
+  };
+  if (std::ranges::any_of(fades, wrong))
+    faults.push_back(fmt::format("fades: one of {} is longer than {} s, or none", items, kLongestItemFade_s));
 }
 
 void CheckKey(const std::string& item, std::uint16_t usage, Faults& faults) {
@@ -68,8 +96,7 @@ void CheckKey(const std::string& item, std::uint16_t usage, Faults& faults) {
 void CheckKeyCall(const Show& show, const KeyCall& key, Faults& faults) {
   const std::string item = fmt::format("key {}", key.key_usage);
   CheckKey(item, key.key_usage, faults);
-  if (const Call& call = key.call; call.index >= Count(show, call.kind))
-    faults.push_back(fmt::format("{}: calls number {} of {}", item, call.index, Count(show, call.kind)));
+  CheckCall(show, item, key.call, faults);
 }
 
 // The player looks for keys by binary search and divides by their distance, so that times must rise; it adds
@@ -181,6 +208,9 @@ std::vector<std::string> CheckShow(const Show& show) {
   Faults faults = face::FindFaults(show.cast);
   CheckCounts(show, faults);
   CheckButtons(show, faults);
+  CheckFades("faces", show.face_fades, show.cast.faces.size(), faults);
+  CheckFades("expressions", show.expression_fades, show.cast.expressions.size(), faults);
+  CheckMixes(show, faults);
   for (const KeyCall& key : show.keys) CheckKeyCall(show, key, faults);
   for (const Motion& motion : show.motions) CheckMotion(show, motion, faults);
   for (const StageScene& scene : show.scenes) CheckScene(show, scene, faults);

@@ -30,8 +30,20 @@ enum class Level : std::uint8_t {
   kBrow,
   kLidLeft,
   kLidRight,
+  // How much of one face or expression joins what was called; roles say of which (Roles::mixes).
+  kMix1,
+  kMix2,
+  kMix3,
+  kMix4,
+  kMix5,
+  kMix6,
+  kMix7,
+  kMix8,
 };
-inline constexpr std::size_t kLevelCount = 17;
+inline constexpr std::size_t kLevelCount = 25;
+inline constexpr std::size_t kMixCount = 8;
+// Those that every show has, which are the first.
+inline constexpr std::size_t kNamedLevels = kLevelCount - kMixCount;
 inline constexpr std::size_t kStayingLevels = 8;
 
 struct LevelInfo {
@@ -64,10 +76,27 @@ inline constexpr std::array<LevelInfo, kLevelCount> kLevels{{
     {"brow", -1, 1, 0, 1, ""},     // -1 frown .. 1 raised.
     {"lid_left", 0, 1, 0, 1, ""},  // 0 open .. 1 shut; the character's left.
     {"lid_right", 0, 1, 0, 1, ""},
+    // A role names the face or the expression instead: "expression angry".
+    {"mix 1", 0, 1, 0, 1, ""},
+    {"mix 2", 0, 1, 0, 1, ""},
+    {"mix 3", 0, 1, 0, 1, ""},
+    {"mix 4", 0, 1, 0, 1, ""},
+    {"mix 5", 0, 1, 0, 1, ""},
+    {"mix 6", 0, 1, 0, 1, ""},
+    {"mix 7", 0, 1, 0, 1, ""},
+    {"mix 8", 0, 1, 0, 1, ""},
 }};
 
 constexpr const LevelInfo& InfoOf(Level level) {
   return kLevels[static_cast<std::size_t>(level)];
+}
+
+// The level of the mix with this number, from 0.
+constexpr Level MixLevel(std::size_t mix) {
+  return static_cast<Level>(kNamedLevels + mix);
+}
+constexpr bool IsMix(Level level) {
+  return static_cast<std::size_t>(level) >= kNamedLevels;
 }
 
 constexpr bool Stays(Level level) {

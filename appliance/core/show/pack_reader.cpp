@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "appliance/core/show/pack_calls.h"
 #include "appliance/core/show/pack_content.h"
 #include "appliance/core/show/pack_copier.h"
 #include "appliance/core/show/pack_cues.h"
@@ -162,8 +163,16 @@ GazeTarget ReadTarget(Copier& from, const pack::GazeTarget& stored) {
   return {from.Text(stored.name()), Vec(stored.at_m())};
 }
 
-Call ReadCall(const pack::Call& stored) {
-  return {static_cast<CallKind>(Narrow<std::uint8_t>(stored.kind())), Narrow<std::uint16_t>(stored.index())};
+void ReadControls(const pack::Pack& stored, Show& show) {
+  if (stored.buttons() != nullptr)
+    for (flatbuffers::uoffset_t i = 0; i < stored.buttons()->size() && i < 2 * kButtonCount; ++i)
+      (i < kButtonCount ? show.buttons[i] : show.second_buttons[i - kButtonCount]) =
+          HeldCall(*stored.buttons()->Get(i));
+  if (stored.keys() == nullptr) return;
+  for (flatbuffers::uoffset_t i = 0; i < stored.keys()->size() && i < kKeyUsages; ++i) {
+    const pack::KeyCall* key = stored.keys()->Get(i);
+    show.keys.push_back({Narrow<std::uint16_t>(key->key_usage()), HeldCall(key->call())});
+  }
 }
 
 Show Read(Copier& from, const pack::Pack& stored) {
@@ -177,14 +186,9 @@ Show Read(Copier& from, const pack::Pack& stored) {
                .textures = from.Tables<face::Texture>(stored.textures(), ReadTexture),
                .neck_pivot = Vec(stored.neck_pivot()),
                .mouth_anchor = Vec(stored.mouth_anchor())};
-  if (stored.buttons() != nullptr)
-    for (flatbuffers::uoffset_t i = 0; i < stored.buttons()->size() && i < show.buttons.size(); ++i)
-      show.buttons[i] = ReadCall(*stored.buttons()->Get(i));
-  if (stored.keys() != nullptr)
-    for (flatbuffers::uoffset_t i = 0; i < stored.keys()->size() && i < kKeyUsages; ++i) {
-      const pack::KeyCall* key = stored.keys()->Get(i);
-      show.keys.push_back({Narrow<std::uint16_t>(key->key_usage()), ReadCall(key->call())});
-    }
+  ReadControls(stored, show);
+  show.face_fades = from.Structs<ItemFade>(stored.face_fades());
+  show.expression_fades = from.Structs<ItemFade>(stored.expression_fades());
   show.motions = from.Tables<Motion>(stored.motions(), ReadMotion);
   show.scenes = from.Tables<StageScene>(stored.scenes(), ReadScene);
   show.channels = ReadChannels(from, stored);

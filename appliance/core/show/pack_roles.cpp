@@ -1,5 +1,7 @@
 #include "appliance/core/show/pack_roles.h"
 
+#include "appliance/core/show/pack_calls.h"
+
 namespace kaori::show {
 namespace {
 
@@ -42,12 +44,17 @@ flatbuffers::Offset<pack::Roles> WriteRoles(flatbuffers::FlatBufferBuilder& to, 
   std::vector<flatbuffers::Offset<pack::Role>> offsets;
   for (const Role& role : roles.roles) offsets.push_back(WriteRole(to, role));
   const auto all = to.CreateVector(offsets);
-  return pack::CreateRoles(to, roles.handover_s, all);
+  const auto mixes = to.CreateVectorOfStructs(StoredCalls(roles.mixes));
+  return pack::CreateRoles(to, roles.handover_s, all, mixes);
 }
 
 Roles ReadRoles(Copier& from, const pack::Roles* stored) {
   if (stored == nullptr) return UsualRoles();
-  return {.handover_s = stored->handover_s(), .roles = from.Tables<Role>(stored->roles(), ReadRole)};
+  Roles roles{.handover_s = stored->handover_s(), .roles = from.Tables<Role>(stored->roles(), ReadRole)};
+  if (stored->mixes() != nullptr)
+    for (flatbuffers::uoffset_t i = 0; i < stored->mixes()->size() && i < kMixCount; ++i)
+      roles.mixes.push_back(HeldCall(*stored->mixes()->Get(i)));
+  return roles;
 }
 
 }  // namespace kaori::show

@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include "appliance/core/show/pack_calls.h"
 #include "appliance/core/show/pack_content.h"
 #include "appliance/core/show/pack_cues.h"
 #include "appliance/core/show/pack_layout.h"
@@ -171,13 +174,11 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto expressions = WriteAll(to, show.cast.expressions);
   const auto props = WriteAll(to, show.cast.props);
   const auto textures = WriteAll(to, show.cast.textures);
-  std::vector<pack::Call> calls;
-  for (const Call& call : show.buttons) calls.emplace_back(static_cast<std::uint32_t>(call.kind), call.index);
+  std::vector<pack::Call> calls = StoredCalls(show.buttons);
+  std::ranges::copy(StoredCalls(show.second_buttons), std::back_inserter(calls));
   const auto buttons = to.CreateVectorOfStructs(calls);
   std::vector<pack::KeyCall> key_calls;
-  for (const KeyCall& key : show.keys)
-    key_calls.emplace_back(key.key_usage,
-                           pack::Call(static_cast<std::uint32_t>(key.call.kind), key.call.index));
+  for (const KeyCall& key : show.keys) key_calls.emplace_back(key.key_usage, StoredCall(key.call));
   const auto keys = to.CreateVectorOfStructs(key_calls);
   const auto motions = WriteAll(to, show.motions);
   const auto scenes = WriteAll(to, show.scenes);
@@ -187,11 +188,14 @@ Offset<pack::Pack> Write(FlatBufferBuilder& to, const Show& show) {
   const auto cue_list = WriteCueList(to, show.cue_list);
   const auto roles = WriteRoles(to, show.roles);
   const auto gaze_targets = WriteAll(to, show.gaze_targets);
+  const auto face_fades = Structs<pack::ItemFade>(to, show.face_fades);
+  const auto expression_fades = Structs<pack::ItemFade>(to, show.expression_fades);
   const pack::Vec3 neck = Vec(show.cast.neck_pivot);
   const pack::Vec3 anchor = Vec(show.cast.mouth_anchor);
   return pack::CreatePack(to, name, topology, net, faces, expressions, props, textures, &neck, &anchor,
                           buttons, motions, scenes, brow_up, show.channels.brow_frown, show.channels.lids_up,
-                          show.channels.lids_down, mouth, blink, keys, cue_list, roles, gaze_targets);
+                          show.channels.lids_down, mouth, blink, keys, cue_list, roles, gaze_targets,
+                          face_fades, expression_fades);
 }
 
 }  // namespace

@@ -33,12 +33,13 @@ float OnCurve(const std::vector<glm::vec2>& points, float way) {
 // One map, with its role's name and its control's before each reason.
 class MapChecker {
  public:
-  MapChecker(const Role& role, const RoleMap& map, std::vector<std::string>& faults)
-      : role_(role), map_(map), faults_(faults) {}
+  MapChecker(const Roles& roles, const Role& role, const RoleMap& map, std::vector<std::string>& faults)
+      : roles_(roles), role_(role), map_(map), faults_(faults) {}
 
   void Check() {
     if (static_cast<std::size_t>(map_.control) >= kControlCount) return Fault("its control is not known");
-    if (static_cast<std::size_t>(map_.level) >= kLevelCount) return Fault("its level is not known");
+    if (static_cast<std::size_t>(map_.level) >= kNamedLevels + std::min(roles_.mixes.size(), kMixCount))
+      return Fault("its level is not known");
     if (map_.takeover > Takeover::kScale) Fault("its way to take over is not known");
     if (map_.dial >= kDials) Fault(fmt::format("there is no dial {}", map_.dial + 1));
     if (!Has(role_.device, map_.control)) Fault("its device has no such control");
@@ -73,6 +74,7 @@ class MapChecker {
                         kMostCurvePoints));
   }
 
+  const Roles& roles_;
   const Role& role_;
   const RoleMap& map_;
   std::vector<std::string>& faults_;
@@ -129,6 +131,9 @@ void CheckRoles(const Roles& roles, std::vector<std::string>& faults) {
         fmt::format("roles: {}, and {} at most can be played", roles.roles.size(), kMostRoles));
   if (!(roles.handover_s >= 0 && roles.handover_s <= kLongestHandover_s))
     faults.push_back(fmt::format("roles: handover_s is not within 0 to {}", kLongestHandover_s));
+  if (roles.mixes.size() > kMixCount)
+    faults.push_back(fmt::format("roles: they play {} faces and expressions, and {} is the most",
+                                 roles.mixes.size(), kMixCount));
   std::size_t maps = 0;
   for (const Role& role : roles.roles) {
     maps += role.maps.size();
@@ -136,7 +141,7 @@ void CheckRoles(const Roles& roles, std::vector<std::string>& faults) {
       faults.push_back(fmt::format("role \"{}\": its device is not known", role.name));
       continue;
     }
-    for (const RoleMap& map : role.maps) MapChecker(role, map, faults).Check();
+    for (const RoleMap& map : role.maps) MapChecker(roles, role, map, faults).Check();
     const auto falls = [](const RoleMap& a, const RoleMap& b) { return a.level > b.level; };
     if (std::ranges::adjacent_find(role.maps, falls) != role.maps.end())
       faults.push_back(fmt::format("role \"{}\": maps of one level do not stand together", role.name));

@@ -12,6 +12,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "appliance/core/show/call.h"
 #include "appliance/core/show/level.h"
 
 namespace kaori::show {
@@ -81,6 +82,8 @@ struct Roles {
   // nothing moves further than 2 % of its range in a frame of a 60th of a second.
   float handover_s = 0.25F;
   std::vector<Role> roles;
+  // Which faces and expressions the levels from Level::kMix1 on are of, kMixCount at most.
+  std::vector<Call> mixes{};
 };
 
 // What a show without a roles.toml has: the dial box's dials, head by the left stick, gaze and brows by the right one.

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "appliance/core/show/call.h"
 #include "appliance/core/show/cue.h"
+#include "appliance/core/show/fade.h"
 #include "appliance/core/show/life.h"
 #include "appliance/core/show/roles.h"
 #include "render/face/cast.h"
 #include "render/scene/scene.h"
 
 namespace kaori::show {
-
-inline constexpr int kButtonCount = 32;
 
 // What CheckShow allows. Fades and motions that are longer are written in the wrong unit.
 inline constexpr float kLongestFade_s = 60;
@@ -27,14 +27,6 @@ inline constexpr float kWidestMotion = 4;  // Radians, or a weight: face::kHeavi
 inline constexpr std::size_t kMostItems =
     4096;  // Faces, expressions, props ...: each has an index of 16 bits.
 inline constexpr std::uint16_t kKeyUsages = 256;
-
-// What pushing a lit button of the box does. `index` is into faces, expressions, styles or scenes, or a CueVerb.
-enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene, kCue };
-// An index that is out of range is a fault of the show, which CheckShow finds.
-struct Call {
-  CallKind kind = CallKind::kNothing;
-  std::uint16_t index = 0;
-};
 
 // A key of the keyboard that calls what a button may call. `key_usage` is a usage of HID page 7, below kKeyUsages.
 struct KeyCall {
@@ -106,8 +98,11 @@ struct Channels {
 struct Show {
   std::string name;
   face::Cast cast;
-  // By the number of the button, from 0; kNothing for one that calls nothing.
-  std::array<Call, kButtonCount> buttons{};
+  // By the number of the button, from 0; kNothing for one that calls nothing. The buttons have two sheets, between which calls of
+  // CallKind::kSheet change.
+  std::array<Call, kButtonCount> buttons{}, second_buttons{};
+  // By the indices of the cast; items behind their ends have none of their own.
+  std::vector<ItemFade> face_fades, expression_fades;
   // Keys that call what buttons call; motions and scenes have keys of their own.
   std::vector<KeyCall> keys;
   std::vector<Motion> motions;
@@ -118,5 +113,13 @@ struct Show {
   // What she can look at; the first one is the house (HouseOf).
   std::vector<GazeTarget> gaze_targets;
 };
+
+// The item's own fade; one without its own times, where it has none.
+inline ItemFade FadeOf(const Show& show, const Call& call) {
+  const bool face = call.kind == CallKind::kFace;
+  if (!face && call.kind != CallKind::kExpression) return {};
+  const std::vector<ItemFade>& fades = face ? show.face_fades : show.expression_fades;
+  return call.index < fades.size() ? fades[call.index] : ItemFade{};
+}
 
 }  // namespace kaori::show

@@ -61,10 +61,17 @@ const board::Snapshot& ExpressionEditor::Play(const board::Snapshot& board, perf
 // the editor is the editor's, and the next one is not.
 bool ExpressionEditor::HandlePress(const performance::Press& press, Situation& now) {
   const bool was_open = open_, was_typing = input_.typing().has_value();
-  for (const Command& command : input_.ReadPress(press, now.show, open_, now_)) Obey(command, now);
+  for (const Command& command : ReadPress(press, now)) Obey(command, now);
   if (!was_open && !open_)
     return press.IsKey() && (press.code == key::kTab || (press.shift && SlotOfDigit(press.code) >= 0));
-  return !PlaysOn(press, now.show, was_typing || input_.typing());
+  return !PlaysOn(press, now, was_typing || input_.typing());
+}
+
+// A key is no button, and calls nothing on a sheet of them.
+std::vector<Command> ExpressionEditor::ReadPress(const performance::Press& press, const Situation& now) {
+  const show::Call button =
+      press.IsKey() ? show::Call{} : performance::ButtonOf(now.state, now.show, press.code);
+  return input_.ReadPress(press, now.show, button, open_, now_);
 }
 
 // A closed editor gets two kinds of commands only: Tab, and the call of an own expression.
@@ -236,15 +243,15 @@ void ExpressionEditor::ShowDraft() {
   renewed_.push_back({draft(), compared_ ? &session_.before() : &session_.work()});
 }
 
-// While the editor is open buttons and keys that call faces and styles are the performance's still, unless a
+// While the editor is open buttons and keys that call faces, styles and sheets are the performance's still, unless a
 // name is typed or the editor has a use for the key.
-bool ExpressionEditor::PlaysOn(const performance::Press& press, const show::Show& show, bool typing) {
+bool ExpressionEditor::PlaysOn(const performance::Press& press, const Situation& now, bool typing) {
   const auto stays = [](show::CallKind kind) {
-    return kind == show::CallKind::kFace || kind == show::CallKind::kStyle;
+    return kind == show::CallKind::kFace || kind == show::CallKind::kStyle || kind == show::CallKind::kSheet;
   };
-  if (!press.IsKey()) return stays(show.buttons[press.code].kind);
+  if (!press.IsKey()) return stays(performance::ButtonOf(now.state, now.show, press.code).kind);
   if (typing || IsForEditor(press.code)) return false;
-  return std::ranges::any_of(show.keys, [&](const show::KeyCall& call) {
+  return std::ranges::any_of(now.show.keys, [&](const show::KeyCall& call) {
     return call.key_usage == press.code && stays(call.call.kind);
   });
 }

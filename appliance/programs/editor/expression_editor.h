@@ -121,7 +121,9 @@ class ExpressionEditor {
   // Whether the press was the editor's: then it does not play.
   bool HandlePress(const performance::Press& press, Situation& now);
   // Whether a press still plays while the editor is open.
-  static bool PlaysOn(const performance::Press& press, const show::Show& show, bool typing);
+  static bool PlaysOn(const performance::Press& press, const Situation& now, bool typing);
+  // What the press asks the editor for.
+  std::vector<Command> ReadPress(const performance::Press& press, const Situation& now);
   // Takes dials, pointer, held keys and the right stick out of what the performance sees.
   const board::Snapshot& RemoveUsedInput(const board::Snapshot& board, performance::InputEvents& events);
 

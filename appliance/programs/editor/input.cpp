@@ -50,12 +50,12 @@ struct EditorInput::Reading {
 
 // A button that calls an expression begins from it while the editor is open.
 std::vector<Command> EditorInput::ReadPress(const performance::Press& press, const show::Show& show,
-                                            bool open, Time now) {
+                                            const show::Call& button, bool open, Time now) {
   Reading reading{&show, open, now};
   if (press.IsKey()) {
     ReadKey(reading, press);
-  } else if (open && show.buttons[press.code].kind == show::CallKind::kExpression) {
-    reading.Do(Verb::kBeginFrom, show.buttons[press.code].index);  // Other calls are the performance's.
+  } else if (open && button.kind == show::CallKind::kExpression) {
+    reading.Do(Verb::kBeginFrom, button.index);  // Other calls are the performance's.
   }
   return std::move(reading.commands);
 }

@@ -83,8 +83,9 @@ class EditorInput {
   // What one press asks for. Presses come one by one, each after what the one before it asked for was done: a
   // name may be asked for, typed and kept within one frame. While the editor is closed only Tab and Shift
   // with a digit mean something.
-  std::vector<Command> ReadPress(const performance::Press& press, const show::Show& show, bool open,
-                                 Time now);
+  // `button` is what the button calls on its sheet; of no account for a key.
+  std::vector<Command> ReadPress(const performance::Press& press, const show::Show& show,
+                                 const show::Call& button, bool open, Time now);
 
   // What dials, right stick and pointer ask for, after the presses of the frame. What the editor uses of
   // `events` stays in them.

@@ -10,6 +10,8 @@ namespace {
 // and all other input waits with it: three tries per plug are enough.
 constexpr int kMaxLampFailures = 3;
 constexpr Duration kLampRetry = std::chrono::seconds(5);
+// Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see them.
+constexpr Duration kRepaint = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -84,10 +86,11 @@ void DialSlot::Tick(Time now, ports::HidChannel* device) {
 // failures count against the plug, and the first two of them are tried again in silence.
 void DialSlot::ShowLamps(Time now, ports::HidChannel& device) {
   const std::uint32_t lit = board_.Read<board::Lamps>().value.lit;
-  if (lit_ == lit || now < lamps_after_ || lamp_failures_ == kMaxLampFailures) return;
+  const bool same = lit_ == lit && now - told_ < kRepaint;
+  if (same || now < lamps_after_ || lamp_failures_ == kMaxLampFailures) return;
   const auto report = decoder_->LampReport(lit);
   const auto told = report.empty() ? Result<void>{} : device.Write(report);
-  if (told) lit_ = lit;
+  if (told) lit_ = lit, told_ = now;
   if (told || told.error().cause == std::errc::resource_unavailable_try_again) return;
   lamps_after_ = now + kLampRetry;
   if (++lamp_failures_ == kMaxLampFailures)

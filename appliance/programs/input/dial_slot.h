@@ -27,7 +27,8 @@ class DialSlot final : public DeviceSlot {
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
-  // Sends one output report where the lamps on the board differ from those that the box was last told.
+  // Sends one output report where the lamps on the board differ from those that the box was last told, and one
+  // each second.
   void ShowLamps(Time now, ports::HidChannel& device);
   // Publishes the section as it is, with the carried buttons.
   void Write();
@@ -39,6 +40,7 @@ class DialSlot final : public DeviceSlot {
   CarriedSwitches<1> buttons_;
   std::optional<decode::DialBoxDecoder> decoder_;
   std::optional<std::uint32_t> lit_;  // As the box was last told; empty after a plug, when all are dark.
+  Time told_{};                       // And when.
   Time lamps_after_{};                // No lamp report is sent before this time.
   int lamp_failures_ = 0;             // Since the plug.
   // When the box was plugged in, from which kHeldStateTrust counts.

@@ -33,10 +33,15 @@ std::optional<performance::State> StateIn(std::span<const std::uint8_t> bytes) {
   return board::Restore<performance::State>(held);
 }
 
-// Whether no fade of face, expression, style, backdrop or light is under way.
+// Whether no fade of face, expression, style, backdrop or light is under way, and no button held that lets something join: it
+// will not be held tomorrow.
 bool Done(const performance::State& state) {
   const auto done = [](const auto* one) { return one->progress >= 1; };
-  return std::ranges::all_of(MixturesOf(state), done) && std::ranges::all_of(FadingsOf(state), done);
+  const auto lasts = [](const performance::Kept& kept) {
+    return kept.progress >= 1 && kept.call.mode != show::CallMode::kMomentary;
+  };
+  return std::ranges::all_of(MixturesOf(state), done) && std::ranges::all_of(FadingsOf(state), done) &&
+         std::ranges::all_of(state.kept, lasts);
 }
 
 // A picture that one likes to look at for a second: nothing is on its way, and the eyes are open.
@@ -102,8 +107,14 @@ LastFace::~LastFace() = default;
 
 // Dials are compared as they are set, not as they are shown, since those follow for seconds.
 LastFace::Called LastFace::CalledOf(const performance::State& state) {
-  return {.items = {state.faces.to, state.expressions.to, state.styles.to, state.backdrops.to, state.scene},
-          .knobs = state.knobs};
+  Called called{.items = {state.faces.to, state.expressions.to, state.styles.to, state.backdrops.to,
+                          state.scene, state.sheet},
+                .knobs = state.knobs};
+  for (std::size_t i = 0; i < state.kept.size(); ++i)
+    if (const performance::Kept& kept = state.kept[i];
+        kept.on != 0 && kept.call.mode == show::CallMode::kToggle)
+      called.toggles[i] = kept.call;
+  return called;
 }
 
 // A writing that failed is tried again: what was thought to be kept is forgotten.

@@ -79,7 +79,8 @@ class LastFace {
   class Writer;
   // What operators have set, and no more: the face breathes all the time.
   struct Called {
-    std::array<std::uint16_t, 5> items{};
+    std::array<std::uint16_t, 6> items{};
+    std::array<show::Call, performance::kMostKept> toggles{};
     std::array<float, performance::kKnobCount> knobs{};
     friend bool operator==(const Called&, const Called&) = default;
   };

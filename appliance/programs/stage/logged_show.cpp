@@ -27,7 +27,8 @@ Result<show::Show> LoadShowOfLog(const std::filesystem::path& pack, const showlo
     const auto file = folder / "roles.toml";
     if (auto written = WriteWholeFile(file, {AsBytes(head.roles)}); !written)
       return tl::unexpected(written.error());
-    for (const std::string& fault : roles::LayOver(file, show->roles)) LogWarning("{}", fault);
+    const auto faults = roles::LayOver(file, roles::ItemsOf(show->cast), show->roles);
+    for (const std::string& fault : faults) LogWarning("{}", fault);
   }
   editor::ExpressionEditor::Open(own.empty() ? folder / "own" : own, *show);
   std::filesystem::remove_all(folder, none);

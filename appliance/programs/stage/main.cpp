@@ -106,7 +106,7 @@ struct Loaded {
 void LayOverRoles(const std::filesystem::path& file, kaori::show::Show& show) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) return;
-  const auto faults = kaori::roles::LayOver(file, show.roles);
+  const auto faults = kaori::roles::LayOver(file, kaori::roles::ItemsOf(show.cast), show.roles);
   for (const std::string& fault : faults) kaori::LogWarning("{}", fault);
   if (!faults.empty()) kaori::LogWarning("the show is played with its own roles");
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "appliance/core/performance/kept.h"
+
 namespace kaori::stage {
 namespace {
 
@@ -58,7 +60,8 @@ board::ShowNow ShowNowOf(const performance::State& state) {
                      .cue_state = CueStateOf(state),
                      .gos_refused = state.cue_run.refused,
                      .calls_refused = state.calls_refused,
-                     .calls_lost = state.calls_lost};
+                     .calls_lost = state.calls_lost,
+                     .sheet = static_cast<std::uint32_t>(performance::SheetOf(state))};
   for (std::size_t i = 0; i < state.levels.size(); ++i)
     now.levels[i] = {state.levels[i].value, OwnerOf(state.levels[i]), state.levels[i].role};
   std::ranges::copy(state.role_devices, now.role_devices.begin());

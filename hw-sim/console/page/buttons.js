@@ -13,11 +13,18 @@ export function caption(group, groupBefore) {
   return group && group !== groupBefore ? kCaptions.get(group) ?? '' : '';
 }
 
-function makeButton({text, group}, number) {
-  const name = text ? `Button ${number}: ${text}` : `Button ${number}`;
-  const button = make('button', {type: 'button', 'aria-label': name, 'aria-pressed': 'false', 'data-group': group},
-                      make('span', {class: 'lamp'}), make('span', {class: 'text'}, text || `${number}`));
-  if (!text) button.classList.add('blank');
+// What the button calls on the sheet that is there.
+function write(button, {text, group}, number) {
+  button.setAttribute('aria-label', text ? `Button ${number}: ${text}` : `Button ${number}`);
+  button.dataset.group = group;
+  button.querySelector('.text').textContent = text || `${number}`;
+  button.classList.toggle('blank', !text);
+}
+
+function makeButton(label, number) {
+  const button = make('button', {type: 'button', 'aria-pressed': 'false'},
+                      make('span', {class: 'lamp'}), make('span', {class: 'text'}));
+  write(button, label, number);
   onHold(button, {
     push: () => tell(`hold ${number}`),
     release: () => tell(`release ${number}`),
@@ -35,14 +42,23 @@ function makeRow(buttons, captions) {
   return row;
 }
 
-export function makeButtons(parent, labels) {
+// `sheets`: the labels of both; captions stand above the first one's alone.
+export function makeButtons(parent, sheets) {
+  const [labels] = sheets;
+  let shown = 0;
   const buttons = labels.map((label, n) => makeButton(label, n + 1));
   const captions = labels.map(({group}, n) => caption(group, labels[n - 1]?.group));
   for (let first = 0; first < buttons.length; first += kColumns)
     parent.append(makeRow(buttons.slice(first, first + kColumns), captions.slice(first, first + kColumns)));
-  onState(({lamps}) => buttons.forEach((button, n) => {
-    const lit = ((lamps >>> n) & 1) === 1;
-    button.classList.toggle('lit', lit);
-    button.setAttribute('aria-pressed', String(lit));
-  }));
+  onState(({lamps, on_stage: now}) => {
+    const sheet = now?.sheet === 1 ? 1 : 0;
+    if (sheet !== shown) buttons.forEach((button, n) => write(button, sheets[sheet][n], n + 1));
+    shown = sheet;
+    parent.classList.toggle('second', sheet === 1);
+    buttons.forEach((button, n) => {
+      const lit = ((lamps >>> n) & 1) === 1;
+      button.classList.toggle('lit', lit);
+      button.setAttribute('aria-pressed', String(lit));
+    });
+  });
 }

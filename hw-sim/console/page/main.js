@@ -73,7 +73,7 @@ function makePicture(picture) {
 async function begin() {
   const labels = await (await fetch('/labels')).json();
   makeDials($('dials'), labels.dials);
-  makeButtons($('buttons'), labels.buttons);
+  makeButtons($('buttons'), [labels.buttons, labels.second_buttons]);
   makeStick($('left'), 'left', labels.sticks[0]);
   makeStick($('right'), 'right', labels.sticks[1]);
   makeLips($('mouth'));

@@ -58,8 +58,22 @@ TEST(DefaultShow, HasAButtonForEachFaceAndForEachExpression) {
             Kinds(face::ExpressionKind::kExpression));
 }
 
+TEST(DefaultShow, HasEveryStyleAndSceneOnItsSecondSheetAndAWayBack) {
+  std::set<int> styles, scenes;
+  bool back = false;
+  for (const show::Call& call : DefaultShow().second_buttons) {
+    if (call.kind == show::CallKind::kStyle) styles.insert(call.index);
+    if (call.kind == show::CallKind::kScene) scenes.insert(call.index);
+    back = back || (call.kind == show::CallKind::kSheet && call.index == 0);
+  }
+  EXPECT_EQ(styles.size(), static_cast<std::size_t>(scene::kStyleCount));
+  EXPECT_EQ(scenes.size(), DefaultShow().scenes.size());
+  EXPECT_TRUE(back);
+}
+
 TEST(DefaultShow, SaysInItsRolesWhatAShowWithoutAFileOfThemHas) {
-  EXPECT_EQ(roles::TextOf(DefaultShow().roles), roles::TextOf(show::UsualRoles()));
+  const roles::Items items = roles::ItemsOf(DefaultShow().cast);
+  EXPECT_EQ(roles::TextOf(DefaultShow().roles, items), roles::TextOf(show::UsualRoles(), items));
 }
 
 TEST(DefaultShow, HasAHomeForEachFace) {

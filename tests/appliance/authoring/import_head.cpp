@@ -116,6 +116,10 @@ const show::Show& DefaultShow() {
     made.scenes.emplace_back().name = "studio";
     made.buttons[0] = {show::CallKind::kFace, 4};
     made.buttons[1] = {show::CallKind::kFace, 0};
+    made.second_buttons[0] = {show::CallKind::kFace, 4, show::CallMode::kToggle};
+    made.second_buttons[1] = {show::CallKind::kFace, 0, show::CallMode::kToggle};
+    made.keys = {{0x14, {show::CallKind::kFace, 4, show::CallMode::kMomentary}}};
+    made.face_fades.resize(made.cast.faces.size());
     return made;
   }();
   return show;

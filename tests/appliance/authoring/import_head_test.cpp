@@ -110,6 +110,10 @@ TEST(ImportedHead, WearsTheShowsExpressionsWhereItHasNoneOfItsOwn) {
 TEST(ImportedHead, KeepsButtonsThatStillFit) {
   EXPECT_EQ(TheImport().heads.buttons[0].kind, show::CallKind::kNothing);  // There is no fifth face.
   EXPECT_EQ(TheImport().heads.buttons[1].kind, show::CallKind::kFace);
+  EXPECT_EQ(TheImport().heads.second_buttons[0].kind, show::CallKind::kNothing);
+  EXPECT_EQ(TheImport().heads.second_buttons[1].mode, show::CallMode::kToggle);
+  EXPECT_EQ(TheImport().heads.keys[0].call.kind, show::CallKind::kNothing);
+  EXPECT_EQ(TheImport().heads.face_fades.size(), TheImport().heads.cast.faces.size());
 }
 
 TEST(ImportedHead, IsDrawnFinerThanItIsKept) {

@@ -27,6 +27,10 @@ show::Show NamedShow() {
     show.cast.expressions[i].name = "in_mood_" + std::to_string(i);
   show.scenes[0].name = "studio";
   show.scenes[1].name = "kitchen";
+  show.second_buttons[2] = {show::CallKind::kExpression, 1, show::CallMode::kToggle};
+  show.second_buttons[3] = {show::CallKind::kFace, 1};
+  show.second_buttons[4] = {show::CallKind::kSheet, 0};
+  show.roles.mixes = {{show::CallKind::kFace, 2}};
   show.keys = {{kKeyQ, {show::CallKind::kStyle, static_cast<std::uint16_t>(scene::Style::kWire)}}};
   return show;
 }
@@ -84,6 +88,20 @@ TEST_F(AuthoredLabels, NameEveryButtonByWhatItCalls) {
   EXPECT_EQ(labels_.buttons[6].group, "expression");
   EXPECT_EQ(labels_.buttons[21].text, "Wireframe");
   EXPECT_EQ(labels_.buttons[31].text, "") << "it calls nothing";
+}
+
+TEST_F(AuthoredLabels, NameTheButtonsOfTheSecondSheetAndWhichOfThemFillADial) {
+  EXPECT_EQ(labels_.second_buttons[2].text, "In mood 1");
+  EXPECT_EQ(labels_.second_buttons[2].group, "") << "a toggle joins what was called";
+  EXPECT_EQ(labels_.second_buttons[3].text, "Face 1");
+  EXPECT_EQ(labels_.second_buttons[3].group, "face");
+  EXPECT_EQ(labels_.second_buttons[4].text, "Sheet 1");
+}
+
+TEST_F(AuthoredLabels, NameTheLevelsOfSingleFaces) {
+  ASSERT_EQ(labels_.levels.size(), show::kNamedLevels + 1) << "as many as the show plays";
+  EXPECT_EQ(labels_.levels.back().text, "Face face 2");
+  EXPECT_EQ(labels_.levels.back().unit, "%");
 }
 
 TEST_F(AuthoredLabels, NameTheKeysThatDoSomething) {

@@ -55,6 +55,8 @@ TEST(PackDiff, ComparesControlsByTheNamesOfWhatTheyCall) {
   after.cast.faces.insert(after.cast.faces.begin() + 1, after.cast.faces[0]);
   after.cast.faces[1].name = "twin";
   after.buttons[3].index = 3;
+  after.keys[1].call.index = 2;
+  after.face_fades.insert(after.face_fades.begin() + 1, show::ItemFade{});
   EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("face \"twin\": is new"));
   after.buttons[3].index = 1;
   EXPECT_THAT(Differences(SmallShow(), after),
@@ -66,7 +68,19 @@ TEST(PackDiff, SaysWhatAKeyCallsOtherwise) {
   after.keys[0].call.index = 0;
   EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("key 20: style flat is now style wire"));
   after.keys.clear();
-  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("key 20: style flat is now nothing"));
+  EXPECT_THAT(Differences(SmallShow(), after), ElementsAre("key 20: style flat is now nothing",
+                                                           "key 21: momentary face round is now nothing"));
+}
+
+TEST(PackDiff, SaysWhatTheSecondSheetCallsAndHowItemsFadeOtherwise) {
+  Show after = SmallShow();
+  after.second_buttons[4].mode = show::CallMode::kMomentary;
+  after.face_fades[1].out_s = 2;
+  EXPECT_THAT(
+      Differences(SmallShow(), after),
+      ElementsAre(
+          "button 5 of the second sheet: toggle expression smile is now momentary expression smile",
+          "face \"round\": fade in 0.00 s, out 90.00 s, slow end is now in 0.00 s, out 2.00 s, slow end"));
 }
 
 TEST(PackDiff, SaysWhatASceneDoesOtherwise) {

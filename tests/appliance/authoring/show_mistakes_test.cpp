@@ -27,7 +27,8 @@ const Mistake kInTheScript[] = {
     {"ButtonOfNoFace", "show.toml", "face kaori\"", "face karoi\"",
      "show.toml:[0-9]+: button 1: there is no face \"karoi\"; did you mean \"kaori\"[?]"},
     {"ButtonOfNoKind", "show.toml", "\"face kaori\"", "\"fcae kaori\"",
-     "show.toml:[0-9]+: button 1: \"fcae\" is none of face, expression, style, scene, cue; did you mean "
+     "show.toml:[0-9]+: button 1: \"fcae\" is none of face, expression, style, scene, cue, sheet; did you "
+     "mean "
      "\"face\"[?]"},
     {"ButtonTooFew", "show.toml", "\"expression sleepy\"", "",
      "show.toml:[0-9]+: buttons: 31 are given; the box has 32"},
@@ -143,7 +144,7 @@ const Mistake kInTheCues[] = {
      "cues.toml:[0-9]+: list.panic.name: there is no scene \"sudio\"; did you mean \"studio\"[?]"},
     {"GuardInSeconds", "cues.toml", "go_guard_ms = 300", "go_guard_s = 0.3",
      "cues.toml:[0-9]+: list.go_guard_s: is not known here"},
-    {"KeyOfNoCallOfTheList", "show.toml", "\"cue go\"", "\"cue goo\"",
+    {"KeyOfNoCallOfTheList", "show.toml", "enter = \"cue go\"", "enter = \"cue goo\"",
      "show.toml:[0-9]+: keys.enter: the cue list knows no \"goo\"; it knows go, back, stop"},
 };
 

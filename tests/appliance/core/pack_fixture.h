@@ -20,7 +20,10 @@ inline show::Show SmallShow() {
   show.cast = MakeSyntheticCast({.columns = 16, .rows = 12});
   show.cast.textures = {{2, 2, std::vector<std::uint8_t>(16, 200)}};
   show.buttons[3] = {show::CallKind::kFace, 2};
-  show.keys = {{0x14, {show::CallKind::kStyle, 1}}};
+  show.second_buttons[4] = {show::CallKind::kExpression, 1, show::CallMode::kToggle};
+  show.keys = {{0x14, {show::CallKind::kStyle, 1}},
+               {0x15, {show::CallKind::kFace, 1, show::CallMode::kMomentary}}};
+  show.face_fades = {{}, {.in_s = 0, .out_s = 90, .curve = show::FadeCurve::kSlowEnd}};
   show.scenes.resize(1);
   show.scenes[0].name = "opening";
   show.scenes[0].backdrop = {{0.1F, 0.2F, 0.3F}, {}, scene::BackdropKind::kPicture, {0.5F, 0.4F, 0.3F}, 0};
@@ -47,6 +50,7 @@ inline show::Show SmallShow() {
        .gaze = show::kNoTarget,
        .wait = {show::CuePerson::kVoiceQuiet, 1, 20}}};
   show.roles.handover_s = 0.5F;
+  show.roles.mixes = {{show::CallKind::kExpression, 2}};
   show.roles.roles[1].maps[0].points = {{0, 0}, {0.5F, 0.25F}, {1, 1}};
   show.roles.roles[2].maps.back().takeover = show::Takeover::kScale;
   return show;

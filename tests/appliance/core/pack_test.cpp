@@ -31,7 +31,7 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->cast.expressions[1].displacement, show.cast.expressions[1].displacement);
   EXPECT_EQ(loaded->cast.topology.lids[1].upper, show.cast.topology.lids[1].upper);
   EXPECT_EQ(loaded->buttons[3].index, 2);
-  ASSERT_EQ(loaded->keys.size(), 1U);
+  ASSERT_EQ(loaded->keys.size(), 2U);
   EXPECT_EQ(loaded->keys[0].key_usage, 0x14);
   EXPECT_EQ(loaded->keys[0].call.kind, show::CallKind::kStyle);
   EXPECT_EQ(loaded->motions[0].curves[0].keys[1].value, 0.3F);
@@ -62,6 +62,12 @@ TEST_F(PackTest, AShowComesOutAsItWentIn) {
   EXPECT_EQ(loaded->gaze_targets[1].at_m, show.gaze_targets[1].at_m);
   EXPECT_EQ(loaded->scenes[0].life, show.scenes[0].life);
   EXPECT_EQ(loaded->scenes[0].gaze, 1);
+  EXPECT_EQ(loaded->second_buttons[4].kind, show::CallKind::kExpression);
+  EXPECT_EQ(loaded->second_buttons[4].mode, show::CallMode::kToggle);
+  EXPECT_EQ(loaded->keys[1].call.mode, show::CallMode::kMomentary);
+  EXPECT_EQ(loaded->face_fades, show.face_fades);
+  ASSERT_EQ(loaded->roles.mixes.size(), 1U);
+  EXPECT_EQ(loaded->roles.mixes[0].index, 2);
   EXPECT_EQ(list.cues[1].life, show.cue_list.cues[1].life);
   EXPECT_EQ(list.cues[1].gaze, show::kNoTarget);
   EXPECT_FALSE(list.cues[0].gaze);
@@ -138,9 +144,19 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 const ShowFault kShowFaults[] = {
     {"ButtonOfNoKnownKind",
      [](Show& s) {
-       s.buttons[7] = {show::CallKind{6}, 0};
+       s.buttons[7] = {show::CallKind{7}, 0};
      },
      "button 8: calls number 0 of 0"},
+    {"ButtonThatTogglesAScene",
+     [](Show& s) {
+       s.second_buttons[1] = {show::CallKind::kScene, 0, show::CallMode::kToggle};
+     },
+     "button 2 of the second sheet: only faces, expressions and sheets are toggles or momentary"},
+    {"FadeThatNeverEnds", [](Show& s) { s.face_fades[1].out_s = 1e9F; },
+     "fades: one of faces is longer than 1800 s, or none"},
+    {"FadeThatIsNoTime", [](Show& s) { s.face_fades[1].in_s = kNan; }, "fades: one of faces"},
+    {"LevelOfNoExpression", [](Show& s) { s.roles.mixes[0].index = 99; },
+     "roles: a level is of a face or an expression that the show has not"},
     {"CueOfNoFace",
      [](Show& s) {
        s.cue_list.cues[1].face = show::CueCall{99, 1};

@@ -10,6 +10,9 @@ namespace {
 TEST_F(LifeTest, AllocatesNothingInAFrameWhateverSheDoesByHerself) {
   show_.cue_list.cues = {{.number = "1", .life = show::LifeAmounts{2, 1, 1, 1, 2}, .gaze = kWing}};
   show::Track(show_);
+  show_.buttons[26] = {show::CallKind::kExpression, 5, show::CallMode::kToggle};
+  show_.buttons[27] = {show::CallKind::kFace, 2, show::CallMode::kMomentary};
+  show_.buttons[28] = {show::CallKind::kSheet, 1, show::CallMode::kToggle};
   int blinks = 0, glances = 0, accents = 0;
   const auto live = [&](Duration time) {
     for (const Time end = now_ + time; now_ < end;) {
@@ -34,6 +37,10 @@ TEST_F(LifeTest, AllocatesNothingInAFrameWhateverSheDoesByHerself) {
   live(2s);
   board_.sticks[0].value.x = board_.sticks[1].value.x = 0;
   Push(5 + kWinks);
+  for (const int button : {26, 27, 28}) Push(button);  // A toggle, a button that is held, the second sheet.
+  board_.surface.value.buttons_down = 1U << 27U;
+  live(1s);
+  board_.surface.value.buttons_down = 0;
   Strike(0x20);
   live(10s);
   EXPECT_EQ(tests::AllocationCount() - before, 0U);

@@ -77,8 +77,9 @@ TEST_F(BoardCallsTest, WhatTheShowHasNotIsRefusedAndCounted) {
   Make(CallVerb::kGoTo, CueKey("99"));
   Make(CallVerb::kStandBy, CueKey(""));
   Make(CallVerb::kCue, 77);
+  Make(CallVerb::kLevel, static_cast<std::uint32_t>(show::Level::kMix1));
   Step();
-  EXPECT_EQ(state_.calls_refused, 3U);
+  EXPECT_EQ(state_.calls_refused, 4U);
   EXPECT_EQ(run().standby, 0);
 }
 

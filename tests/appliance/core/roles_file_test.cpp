@@ -28,7 +28,9 @@ class RolesFileTest : public ::testing::Test {
     std::ofstream(file) << text;
     return file;
   }
-  std::vector<std::string> Read(const std::string& text) { return ReadRolesFile(Write(text), roles_); }
+  std::vector<std::string> Read(const std::string& text) {
+    return ReadRolesFile(Write(text), items_, roles_);
+  }
   // A file with one map in one role of the left stick.
   std::vector<std::string> ReadMap(const std::string& map) {
     return Read("[[role]]\nname = \"head\"\ndevice = \"left stick\"\n[[role.map]]\n" + map);
@@ -36,6 +38,7 @@ class RolesFileTest : public ::testing::Test {
 
   std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) /
                                   ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  Items items_{.faces = {"kaori", "dog"}, .expressions = {"neutral", "angry", "laugh"}};
   show::Roles roles_;
 };
 
@@ -148,9 +151,9 @@ TEST_F(RolesFileTest, ComesBackFromItsText) {
   roles_.roles[1].maps[0].points = {{0, 0}, {0.3F, 0.1F}, {1, 1}};
   roles_.roles[1].maps[3].takeover = show::Takeover::kScale;
   roles_.roles[2].maps[0].dead = 0.07F;
-  const std::string text = TextOf(roles_);
+  const std::string text = TextOf(roles_, items_);
   ASSERT_THAT(Read(text), IsEmpty()) << text;
-  EXPECT_EQ(TextOf(roles_), text);
+  EXPECT_EQ(TextOf(roles_, items_), text);
   EXPECT_EQ(roles_.roles[1].maps[0].to, show::UsualRoles().roles[1].maps[0].to) << "to the bit";
 }
 
@@ -168,7 +171,7 @@ device = "right stick"
 control = "twist"
 level = "lid_left"
 )"),
-                              roles_);
+                              items_, roles_);
   ASSERT_THAT(faults, IsEmpty());
   const show::Role& head = roles_.roles[1];
   EXPECT_EQ(head.device, show::Device::kLeftStick) << "as the show has it";
@@ -181,12 +184,41 @@ level = "lid_left"
 
 TEST_F(RolesFileTest, OfTheBoxThatIsWrongChangesNothing) {
   roles_ = show::UsualRoles();
-  const std::string before = TextOf(roles_);
-  const auto faults = LayOver(
-      Write("[[role]]\nname = \"head\"\n[[role.map]]\ncontrol = \"dial 1\"\nlevel = \"head_yaw\"\n"), roles_);
+  const std::string before = TextOf(roles_, items_);
+  const auto faults =
+      LayOver(Write("[[role]]\nname = \"head\"\n[[role.map]]\ncontrol = \"dial 1\"\nlevel = \"head_yaw\"\n"),
+              items_, roles_);
   EXPECT_THAT(faults,
               ElementsAre(AllOf(HasSubstr("roles.toml"), HasSubstr("its device has no such control"))));
-  EXPECT_EQ(TextOf(roles_), before);
+  EXPECT_EQ(TextOf(roles_, items_), before);
+}
+
+TEST_F(RolesFileTest, PlaysFacesAndExpressionsOfTheShowByTheirNames) {
+  EXPECT_THAT(Read(R"([[role]]
+name = "mixer"
+device = "dial box"
+[[role.map]]
+control = "dial 1"
+level = "expression angry"
+[[role.map]]
+control = "dial 2"
+level = "face dog"
+[[role.map]]
+control = "dial 3"
+level = "expression angry"
+)"),
+              IsEmpty());
+  ASSERT_EQ(roles_.mixes.size(), 2U) << "one level for each, however many maps it has";
+  EXPECT_EQ(roles_.mixes[0].kind, show::CallKind::kExpression);
+  EXPECT_EQ(roles_.mixes[0].index, 1);
+  EXPECT_EQ(roles_.mixes[1].kind, show::CallKind::kFace);
+  EXPECT_EQ(roles_.roles[0].maps[2].level, show::MixLevel(1)) << "maps of one level stand together";
+  const std::string text = TextOf(roles_, items_);
+  ASSERT_THAT(Read(text), IsEmpty()) << text;
+  EXPECT_EQ(TextOf(roles_, items_), text);
+  EXPECT_THAT(ReadMap("control = \"slider\"\nlevel = \"expression angyr\"\n"),
+              ElementsAre(AllOf(HasSubstr("roles.toml:6"), HasSubstr("there is no expression \"angyr\""),
+                                HasSubstr("did you mean \"angry\""))));
 }
 
 }  // namespace

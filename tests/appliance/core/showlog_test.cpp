@@ -4,6 +4,7 @@
 #include <cstring>
 #include <random>
 
+#include "appliance/core/performance/levels.h"
 #include "tests/appliance/core/showlog_fixture.h"
 #include "tests/render/allocation_count.h"
 
@@ -57,6 +58,40 @@ TEST_F(ShowLogTest, PlaysAgainToTheBit) {
   // Bits and not numbers. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   EXPECT_EQ(std::memcmp(&replay.made().state.levels, &state_.levels, sizeof(state_.levels)), 0);
   RecordProperty("replay_bits_differ", static_cast<int>(differ));
+}
+
+TEST_F(ShowLogTest, PlaysTogglesHeldButtonsAndTheSecondSheetAgainToTheBit) {
+  show_.buttons[26] = {show::CallKind::kExpression, 4, show::CallMode::kToggle};
+  show_.buttons[27] = {show::CallKind::kFace, 2, show::CallMode::kMomentary};
+  show_.buttons[28] = {show::CallKind::kSheet, 1, show::CallMode::kMomentary};
+  show_.second_buttons[29] = {show::CallKind::kExpression, 6, show::CallMode::kToggle};
+  show_.expression_fades.resize(7);
+  show_.expression_fades[4] = {.in_s = 0.4F, .out_s = 90, .curve = show::FadeCurve::kSlowEnd};
+  show_.roles.mixes = {{show::CallKind::kExpression, 8}};
+  show_.roles.roles[0].maps.push_back({.control = show::Control::kDial, .level = show::MixLevel(0), .to = 1});
+  performance::BeginLevels(state_, show_.roles);
+  int kept = 0;
+  for (int k = 0; k < 120; ++k) {  // Two chunks, and a part of the third.
+    board_.surface.value.buttons_down = static_cast<std::uint32_t>(k) % 8 << 26U;
+    for (int button = 26; button < 30; ++button)
+      if ((k + button) % 3 == 0) Push(button);
+    Play(37);
+    kept += state_.kept[1].call.kind != show::CallKind::kNothing ? 1 : 0;
+  }
+  EXPECT_GT(kept, 20) << "something was kept";
+  const auto log = Read();
+  ASSERT_TRUE(log) << log.error().message();
+  Replay whole(*log, show_);
+  while (whole.Next()) {
+  }
+  EXPECT_EQ(whole.frames(), shown_.size());
+  EXPECT_EQ(whole.frames_that_differ(), 0U);
+  Replay later(*log, show_);
+  later.GoTo(log->chunks()[1].head.first);
+  while (later.Next()) {
+  }
+  EXPECT_GT(later.frames(), 1000U);
+  EXPECT_EQ(later.frames_that_differ(), 0U) << "from the state that the chunk holds";
 }
 
 TEST_F(ShowLogTest, SaysWhereAnotherShowPlaysOtherwise) {

@@ -138,6 +138,14 @@ TEST_F(Faults, OfTheLampsAreTriedThreeTimesAndThenLeftUntilTheNextPlug) {
   EXPECT_EQ(fault_.written, 4);
 }
 
+TEST_F(Faults, OfABoxThatForgetsItsLampsLastASecond) {
+  Play(milliseconds(100));
+  const int before = fault_.written;
+  Play(seconds(10));
+  EXPECT_GE(fault_.written - before, 9) << "they are told again though none has changed";
+  EXPECT_LE(fault_.written - before, 11);
+}
+
 TEST_F(Faults, OfTheLampsOfABusyBoxAreNone) {
   fault_.write = std::errc::resource_unavailable_try_again;
   Play(milliseconds(100));

@@ -133,6 +133,24 @@ TEST_F(LastFaceTest, IsWrittenWhenAnOperatorChangedItAndNotTwiceInHalfAMinute) {
   EXPECT_EQ(looks_, 3) << "nobody touched anything";
 }
 
+TEST_F(LastFaceTest, ATogglesItemIsKeptAndNoPictureIsTakenWhileAButtonIsHeld) {
+  show_.buttons[30] = {show::CallKind::kExpression, 3, show::CallMode::kToggle};
+  show_.buttons[31] = {show::CallKind::kFace, 2, show::CallMode::kMomentary};
+  Play(31s);
+  ASSERT_EQ(looks_, 1);
+  Push(30);
+  Push(31);
+  board_.surface.value.buttons_down = 1U << 31U;
+  Play(10s);
+  EXPECT_EQ(looks_, 1) << "it will not be held tomorrow";
+  board_.surface.value.buttons_down = 0;
+  Play(2s);
+  EXPECT_EQ(looks_, 2);
+  state_ = RecallLastFace(place_, show_, board_, now_).value();
+  EXPECT_EQ(Weight(Step().weights.expressions, 3), 1);
+  EXPECT_EQ(Weight(performed_.scene.weights.faces, 2), 0);
+}
+
 TEST_F(LastFaceTest, AFaceThatLiesThereAlreadyIsNotWrittenAgain) {
   Begin(state_);
   Play(60s);

@@ -1,0 +1,37 @@
+// What a button or a key calls.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace kaori::show {
+
+inline constexpr int kButtonCount = 32;
+inline constexpr std::uint16_t kSheetCount = 2;  // Of buttons.
+
+// `index` of a call is into faces, expressions, styles or scenes, a CueVerb, or a sheet.
+enum class CallKind : std::uint8_t { kNothing, kFace, kExpression, kStyle, kScene, kCue, kSheet };
+
+enum class CallMode : std::uint8_t {
+  kCall,       // It takes the place of what was called before.
+  kToggle,     // It joins that, and a second push lets it go.
+  kMomentary,  // It joins that for as long as it is held down.
+};
+inline constexpr std::array<std::string_view, 3> kCallModeNames{"call", "toggle", "momentary"};
+
+// Whether something of this kind can join others instead of taking their place.
+constexpr bool Joins(CallKind kind) {
+  return kind == CallKind::kFace || kind == CallKind::kExpression || kind == CallKind::kSheet;
+}
+
+// An index that is out of range is a fault of the show, which CheckShow finds.
+struct Call {
+  CallKind kind = CallKind::kNothing;
+  std::uint16_t index = 0;
+  CallMode mode = CallMode::kCall;
+  friend bool operator==(const Call&, const Call&) = default;
+};
+
+}  // namespace kaori::show
