@@ -1,6 +1,7 @@
 #include "drivers/web/http_server.h"
 
 #include <microhttpd.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -16,6 +17,13 @@ constexpr unsigned kIdleTimeout_s = 30;
 constexpr Duration kRequestLimit = std::chrono::seconds(10);  // Handshake, headers and body.
 constexpr Duration kReplyLimit = std::chrono::seconds(30);    // A reply of one piece.
 constexpr int kRunsAtOnce = 64;  // A client that never stops sending must not hold the loop.
+// MHD counts connections that we have closed and it has not noticed; it accepts no more than ten before it looks.
+constexpr unsigned kMoreOfMhd = 16;
+// In GnuTLS's words: no version, cipher or key exchange that RFC 9325 advises against.
+constexpr const char* kTlsPriorities =
+    "NORMAL:-VERS-ALL:+VERS-TLS1.3:+VERS-TLS1.2:-CIPHER-ALL:+AES-256-GCM:+CHACHA20-POLY1305:+AES-128-GCM:"
+    "-MAC-ALL:+AEAD:-KX-ALL:+ECDHE-ECDSA:+ECDHE-RSA";
+constexpr std::string_view kZeroByte = "%00";
 
 // A page of ours may load nothing from elsewhere, and no other page may put it into a frame: a page on
 // the internet that guesses the box's address can neither read nor press anything.
@@ -67,10 +75,24 @@ struct HttpServer::Callbacks {
         MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT)->socket_context);
   }
 
-  static void SetLimit(HttpServer& server, MHD_Connection* connection, Duration limit) {
+  // Its request begins, or is whole and the reply begins.
+  static void BeginRequest(HttpServer& server, MHD_Connection* connection) {
     Connection& entry = ConnectionOf(connection);
-    entry.limit = limit;
+    entry.limit = kRequestLimit;
     entry.since = server.clock_.now();
+    entry.is_idle = true;
+  }
+  static void BeginReply(HttpServer& server, MHD_Connection* connection) {
+    Connection& entry = ConnectionOf(connection);
+    entry.limit = kReplyLimit;
+    entry.since = server.clock_.now();
+    entry.is_idle = false;
+  }
+
+  // MHD's decoder ends a path at its first zero byte. Such a path stays as it was sent, and Begin refuses it.
+  static std::size_t Decode(void*, MHD_Connection*, char* text) {
+    const std::string_view sent = text;
+    return sent.find(kZeroByte) == std::string_view::npos ? MHD_http_unescape(text) : sent.size();
   }
 
   // MHD's notification of connections.
@@ -82,7 +104,13 @@ struct HttpServer::Callbacks {
       return;
     }
     const int fd = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
-    *slot = &server.connections_.emplace_back(Connection{fd, kRequestLimit, server.clock_.now()});
+    const sockaddr* client =
+        MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS)->client_addr;
+    const std::uint32_t address = reinterpret_cast<const sockaddr_in*>(client)->sin_addr.s_addr;
+    Connection& newest = server.connections_.emplace_back(
+        Connection{.fd = fd, .address = address, .limit = kRequestLimit, .since = server.clock_.now()});
+    *slot = &newest;
+    server.KeepShares(newest);
   }
 
   // The guard's answer to a request's headers.
@@ -98,8 +126,12 @@ struct HttpServer::Callbacks {
   static MHD_Result Begin(HttpServer& server, MHD_Connection* connection, const char* path,
                           const char* method, void** exchange) {
     if (const auto refusal = Refuse(server, connection, method)) {
-      SetLimit(server, connection, kReplyLimit);
+      BeginReply(server, connection);
       return SendText(connection, MHD_HTTP_FORBIDDEN, *refusal);
+    }
+    if (std::string_view(path).find(kZeroByte) != std::string_view::npos) {
+      BeginReply(server, connection);
+      return SendText(connection, MHD_HTTP_BAD_REQUEST, "a path has no zero byte");
     }
     // Owned by MHD's connection until Complete deletes it, whatever happens.
     *exchange = new Exchange{{.method = method,
@@ -128,7 +160,7 @@ struct HttpServer::Callbacks {
       *part_bytes = 0;
       return MHD_YES;
     }
-    SetLimit(server, connection, kReplyLimit);
+    BeginReply(server, connection);
     if (exchange.too_long) return SendText(connection, MHD_HTTP_CONTENT_TOO_LARGE, "4096 bytes at most");
     unsigned status = MHD_HTTP_OK;
     MHD_Response* response = server.Respond(exchange.request, connection, &status);
@@ -138,7 +170,7 @@ struct HttpServer::Callbacks {
   static void Complete(void* context, MHD_Connection* connection, void** slot, MHD_RequestTerminationCode) {
     delete static_cast<Exchange*>(*slot);
     *slot = nullptr;
-    SetLimit(*static_cast<HttpServer*>(context), connection, kRequestLimit);
+    BeginRequest(*static_cast<HttpServer*>(context), connection);
   }
 };
 
@@ -156,19 +188,20 @@ Result<void> HttpServer::Start() {
   if (!listener) return tl::unexpected(listener.error());
   // MHD ends a list of options where it finds this one.
   constexpr MHD_OptionItem kEnd{MHD_OPTION_END, 0, nullptr};
-  std::array<MHD_OptionItem, 3> secure{kEnd, kEnd, kEnd};
+  std::array<MHD_OptionItem, 4> secure{kEnd, kEnd, kEnd, kEnd};
   unsigned flags = MHD_USE_EPOLL | MHD_ALLOW_SUSPEND_RESUME;
   if (options_.certificate) {
     flags |= MHD_USE_TLS;
     secure[0] = {MHD_OPTION_HTTPS_MEM_KEY, 0, options_.certificate->key.data()};
     secure[1] = {MHD_OPTION_HTTPS_MEM_CERT, 0, options_.certificate->chain.data()};
+    secure[2] = {MHD_OPTION_HTTPS_PRIORITIES, 0, const_cast<char*>(kTlsPriorities)};
   }
-  daemon_ = MHD_start_daemon(flags, 0, nullptr, nullptr, &Callbacks::Access, this, MHD_OPTION_LISTEN_SOCKET,
-                             listener->get(), MHD_OPTION_CONNECTION_LIMIT, options_.most_connections,
-                             MHD_OPTION_PER_IP_CONNECTION_LIMIT, options_.most_of_one_address,
-                             MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s, MHD_OPTION_NOTIFY_COMPLETED,
-                             &Callbacks::Complete, this, MHD_OPTION_NOTIFY_CONNECTION, &Callbacks::Connect,
-                             this, MHD_OPTION_ARRAY, secure.data(), MHD_OPTION_END);
+  daemon_ = MHD_start_daemon(
+      flags, 0, nullptr, nullptr, &Callbacks::Access, this, MHD_OPTION_LISTEN_SOCKET, listener->get(),
+      MHD_OPTION_CONNECTION_LIMIT, options_.most_connections + kMoreOfMhd, MHD_OPTION_UNESCAPE_CALLBACK,
+      &Callbacks::Decode, nullptr, MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s, MHD_OPTION_NOTIFY_COMPLETED,
+      &Callbacks::Complete, this, MHD_OPTION_NOTIFY_CONNECTION, &Callbacks::Connect, this, MHD_OPTION_ARRAY,
+      secure.data(), MHD_OPTION_END);
   if (daemon_ == nullptr && options_.certificate)
     return FailInput("start the web server: its certificate or key is not valid");
   if (daemon_ == nullptr) return Fail(std::errc::io_error, "start the web server");
@@ -202,14 +235,35 @@ void HttpServer::Run() {
   }
 }
 
-// MHD's own timeout starts anew with each byte. MHD notices that the socket was shut down, and closes it.
+// MHD notices that the socket was shut down, and closes it.
+void HttpServer::Close(Connection& entry) {
+  ::shutdown(entry.fd, SHUT_RDWR);
+  entry.is_closed = true;
+}
+
+// MHD's own timeout starts anew with each byte.
 void HttpServer::CloseSlowConnections() {
   const Time now = clock_.now();
-  for (Connection& entry : connections_) {
-    if (entry.limit == Duration{} || now - entry.since < entry.limit) continue;
-    ::shutdown(entry.fd, SHUT_RDWR);
-    entry.limit = {};
-  }
+  for (Connection& entry : connections_)
+    if (!entry.is_closed && entry.limit > Duration{} && now - entry.since >= entry.limit) Close(entry);
+}
+
+std::size_t HttpServer::CountOf(std::optional<std::uint32_t> address) const {
+  return static_cast<std::size_t>(std::ranges::count_if(connections_, [&](const Connection& each) {
+    return !each.is_closed && (!address || each.address == *address);
+  }));
+}
+
+// The list is in the order in which they came, the newest last: it goes itself where all others are busy.
+void HttpServer::KeepShares(Connection& newest) {
+  std::optional<std::uint32_t> of;
+  if (CountOf(newest.address) > options_.most_of_one_address)
+    of = newest.address;
+  else if (CountOf(of) <= options_.most_connections)
+    return;
+  Close(*std::ranges::find_if(connections_, [&](const Connection& each) {
+    return !each.is_closed && each.is_idle && (!of || each.address == *of);
+  }));
 }
 
 MHD_Response* HttpServer::Respond(const Request& request, MHD_Connection* connection, unsigned* status) {

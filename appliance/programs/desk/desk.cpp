@@ -15,9 +15,6 @@ namespace {
 using web::Reply;
 using web::Request;
 
-// A page has a connection for its events and one for each picture that it shows.
-constexpr unsigned kMaxConnections = 64;
-constexpr unsigned kMaxOfOneAddress = 24;  // A browser opens six; one host must not keep the others out.
 // A page draws the mouth from the states: 16 a second look continuous.
 constexpr Duration kStatePeriod = std::chrono::milliseconds(60);
 // An unchanged state is sent this often, since listeners that are gone are noticed only when something is sent.
@@ -77,8 +74,6 @@ Result<std::unique_ptr<Desk>> Desk::Open(DeskOptions options, const board::Board
       {.port = desk->options_.port,
        .reach = desk->options_.reach,
        .certificate = desk->options_.certificate,
-       .most_connections = kMaxConnections,
-       .most_of_one_address = kMaxOfOneAddress,
        .guard = [rules =
                      OriginRules{OwnNames(), secure}](const web::Visitor& v) { return Refusal(v, rules); }},
       loop, clock, [self = desk.get()](const Request& request) { return self->Answer(request); });

@@ -19,17 +19,20 @@ namespace kaori::tests {
 
 class Visitor {
  public:
-  // Connects to 127.0.0.1. `pump` runs the other side.
-  Visitor(std::uint16_t port, std::function<void()> pump)
+  // Connects to 127.0.0.1, from 127.0.0.`host`. `pump` runs the other side.
+  Visitor(std::uint16_t port, std::function<void()> pump, std::uint32_t host = 1)
       : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)), pump_(std::move(pump)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl((INADDR_LOOPBACK & ~0xFFU) | host);
+    ::bind(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address));
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     connected_ = ::connect(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
   }
 
   bool connected() const { return connected_; }
+  int fd() const { return fd_.get(); }
 
   // False when the other side has hung up.
   bool Send(std::string_view bytes) {

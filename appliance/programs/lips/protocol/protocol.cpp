@@ -24,7 +24,7 @@ constexpr std::uint32_t kNoStep = 255;
 constexpr std::size_t kMaxComplaint = 160;
 
 // What follows the verb of a command.
-enum class Arguments : std::uint8_t { kNone, kPosition, kNumber, kName, kNameAndNumbers };
+enum class Arguments : std::uint8_t { kNone, kPosition, kNumber, kStep, kNameAndNumbers };
 struct Verb {
   std::string_view word;
   CommandKind kind;
@@ -34,7 +34,7 @@ constexpr Verb kVerbs[] = {
     {"sample", CommandKind::kSample, Arguments::kPosition},
     {"find", CommandKind::kFind, Arguments::kNone},
     {"set", CommandKind::kSet, Arguments::kNameAndNumbers},
-    {"begin", CommandKind::kBegin, Arguments::kName},
+    {"begin", CommandKind::kBegin, Arguments::kStep},
     {"stop", CommandKind::kStop, Arguments::kNone},
     {"undo", CommandKind::kUndo, Arguments::kNone},
     {"saved", CommandKind::kSaved, Arguments::kNone},
@@ -62,15 +62,21 @@ bool SplitNumber(std::string_view& text, T& into) {
   return number.has_value();
 }
 
-// Numbers must be finite: what is done with them need not look any more.
+bool IsShare(float value) {
+  return value >= 0 && value <= 1;
+}
+
+// Numbers must be finite, and positions within the picture: what is done with them need not look any more.
 bool ParseArguments(std::string_view& text, Arguments arguments, Command& into) {
-  const bool named = arguments == Arguments::kName || arguments == Arguments::kNameAndNumbers;
+  const bool named = arguments == Arguments::kStep || arguments == Arguments::kNameAndNumbers;
   if (named) into.name = SplitWord(text);
   if (named && into.name.empty()) return false;
-  if (arguments == Arguments::kNone || arguments == Arguments::kName) return true;
+  if (arguments == Arguments::kStep) return StepNamed(into.name).has_value();
+  if (arguments == Arguments::kNone) return true;
   if (!SplitNumber(text, into.a) || !std::isfinite(into.a)) return false;
   if (arguments == Arguments::kNumber) return true;
-  return SplitNumber(text, into.b) && std::isfinite(into.b);
+  if (!SplitNumber(text, into.b) || !std::isfinite(into.b)) return false;
+  return arguments != Arguments::kPosition || (IsShare(into.a) && IsShare(into.b));
 }
 
 // Writes a packet from its first word to its last.
@@ -144,6 +150,9 @@ Result<Command> ParseCommand(std::string_view text) {
   Command command;
   if (text.size() > kMaxCommandBytes)
     return FailInput(fmt::format("a command has at most {} bytes", kMaxCommandBytes));
+  // Not even at the end: a name with a line end in it would be written into logs and settings as two lines.
+  if (std::ranges::any_of(text, [](unsigned char each) { return each < 0x20 || each == 0x7F; }))
+    return FailInput("a command has no control characters");
   if (!SplitNumber(text, command.number)) return FailInput("a command begins with its number");
   const std::string word(SplitWord(text));
   const auto* verb = std::ranges::find(kVerbs, word, &Verb::word);
@@ -157,6 +166,14 @@ Result<Command> ParseCommand(std::string_view text) {
 std::string_view NameOf(CalibrationStep step) {
   constexpr std::array<std::string_view, kStepCount> kNames{"shut", "open", "wide", "narrow", "speak"};
   return kNames[static_cast<std::size_t>(step)];
+}
+
+std::optional<CalibrationStep> StepNamed(std::string_view name) {
+  for (std::size_t n = 0; n < kStepCount; ++n) {
+    const auto step = static_cast<CalibrationStep>(n);
+    if (NameOf(step) == name) return step;
+  }
+  return std::nullopt;
 }
 
 // The size of the shared memory is in it, so that both ends agree on slots.

@@ -38,6 +38,8 @@ enum class CalibrationStep : std::uint8_t { kShut, kOpen, kWide, kNarrow, kSpeak
 inline constexpr int kStepCount = 5;
 // The step's name in commands: "shut", "open", "wide", "narrow" or "speak".
 std::string_view NameOf(CalibrationStep step);
+// The inverse of NameOf; none for any other name.
+std::optional<CalibrationStep> StepNamed(std::string_view name);
 
 enum class CommandKind : std::uint8_t {
   kSample,    // Samples the paint at (a, b), in parts of the picture from its left top corner.
@@ -70,7 +72,8 @@ inline constexpr std::size_t kMaxCommandBytes = 160;
 std::string CommandText(const Command& command);
 
 // The inverse of CommandText. Errors:
-//   invalid_argument  the text is too long, has no number, an unknown verb or wrong arguments
+//   invalid_argument  the text is too long, has a control character, no number, an unknown verb or wrong arguments: a
+//                     position beside the picture, a step that there is not, a number that is not finite
 Result<Command> ParseCommand(std::string_view text);
 
 // The state of the calibration. The lips send it ten times a second, and at once when it changed.

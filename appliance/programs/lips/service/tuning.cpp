@@ -101,12 +101,10 @@ std::string Tuning::ExecuteNow(const Command& command) {
 }
 
 std::string Tuning::Begin(const std::string& name) {
-  for (int step = 0; step < kStepCount; ++step)
-    if (NameOf(static_cast<CalibrationStep>(step)) == name) {
-      calibration_.Begin(static_cast<CalibrationStep>(step));
-      return {};
-    }
-  return "there is no calibration step " + name;
+  const auto step = StepNamed(name);
+  if (!step) return "there is no calibration step " + name;
+  calibration_.Begin(*step);
+  return {};
 }
 
 // Nothing stands for a generation that was never saved.

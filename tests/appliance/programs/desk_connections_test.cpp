@@ -1,0 +1,152 @@
+// The desk's connections: who is slow, says nothing, offers weak ciphers or fills the places.
+#include <gmock/gmock.h>
+#include <gnutls/gnutls.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/resource.h>
+
+#include "tests/appliance/programs/desk_visitors_fixture.h"
+
+namespace kaori::tests {
+namespace {
+
+using namespace std::chrono_literals;  // NOLINT: tests speak in seconds.
+using ::testing::HasSubstr;
+
+// Whether a client that offers just this, in GnuTLS's words, and trusts every certificate, agrees with the desk.
+bool AgreesOnTls(desk::Desk& desk, const char* offered, Visitor visitor) {
+  gnutls_certificate_credentials_t credentials = nullptr;
+  gnutls_session_t session = nullptr;
+  gnutls_certificate_allocate_credentials(&credentials);
+  gnutls_init(&session, GNUTLS_CLIENT | GNUTLS_NONBLOCK);
+  EXPECT_EQ(gnutls_priority_set_direct(session, offered, nullptr), GNUTLS_E_SUCCESS) << offered;
+  gnutls_credentials_set(session, GNUTLS_CRD_CERTIFICATE, credentials);
+  gnutls_transport_set_int(session, visitor.fd());
+  int state = GNUTLS_E_AGAIN;
+  for (int turn = 0; turn < 2000 && state < 0 && gnutls_error_is_fatal(state) == 0; ++turn) {
+    state = gnutls_handshake(session);
+    desk.Step();
+    pollfd wait{visitor.fd(), POLLIN, 0};
+    ::poll(&wait, 1, 1);
+  }
+  gnutls_deinit(session);
+  gnutls_certificate_free_credentials(credentials);
+  return state == GNUTLS_E_SUCCESS;
+}
+
+TEST_F(DeskVisitors, WhoSendByteByByteAreDisconnectedAfterTenSeconds) {
+  Visitor slow = Come();
+  const std::string request = RequestOf({}, port_);
+  for (int second = 0; second < 9; ++second) {
+    ASSERT_TRUE(slow.Send(request.substr(static_cast<std::size_t>(second), 1)));
+    fixture_.Play(1s);
+  }
+  EXPECT_EQ(desk_->connections(), 1U);
+  slow.Send(request.substr(9, 1));
+  fixture_.Play(2s);
+  EXPECT_TRUE(slow.IsCutOff());
+  EXPECT_EQ(desk_->connections(), 0U);
+}
+
+TEST_F(DeskVisitors, WhoSendABodyByteByByteAreDisconnectedToo) {
+  Visitor slow = Come();
+  slow.Send(fmt::format(
+      "POST /pair HTTP/1.1\r\nHost: 127.0.0.1\r\nOrigin: http://127.0.0.1\r\nContent-Length: 6\r\n\r\n"));
+  for (int second = 0; second < 5; ++second) {
+    slow.Send("1");
+    fixture_.Play(2200ms);
+  }
+  EXPECT_TRUE(slow.IsCutOff());
+}
+
+TEST_F(DeskVisitors, WhoSpeakNoTlsToASecureDeskAreDisconnected) {
+  MakeSecure();
+  Visitor plain = Come();
+  plain.Send(RequestOf({}, port_));
+  EXPECT_TRUE(plain.IsCutOff());
+  Visitor garbage = Come();
+  garbage.Send("\x16\x03\x01\xff\xff" + std::string(70'000, '\x01'));
+  EXPECT_TRUE(garbage.IsCutOff());
+  Visitor silent = Come();
+  silent.Send("\x16\x03\x01");
+  fixture_.Play(9s);
+  EXPECT_EQ(desk_->connections(), 1U);
+  fixture_.Play(2s);
+  EXPECT_TRUE(silent.IsCutOff()) << "in the middle of the handshake";
+  EXPECT_EQ(desk_->connections(), 0U);
+}
+
+TEST_F(DeskVisitors, AgreeOnNewTlsWithAuthenticatedEncryptionAlone) {
+  MakeSecure();
+  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL", Come()));
+  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL:-VERS-ALL:+VERS-TLS1.3", Come()));
+  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL:-VERS-ALL:+VERS-TLS1.2", Come()));
+  EXPECT_TRUE(AgreesOnTls(*desk_, "NORMAL:-VERS-ALL:+VERS-TLS1.2:-CIPHER-ALL:+AES-128-GCM", Come()));
+  for (const char* weak : {"LEGACY:-VERS-ALL:+VERS-TLS1.0", "LEGACY:-VERS-ALL:+VERS-TLS1.1",
+                           "LEGACY:-VERS-ALL:+VERS-TLS1.0:+VERS-TLS1.1",
+                           "NORMAL:-VERS-ALL:+VERS-TLS1.2:-CIPHER-ALL:+AES-128-CBC:+AES-256-CBC",
+                           "NORMAL:-VERS-ALL:+VERS-TLS1.2:-KX-ALL:+RSA",
+                           "NORMAL:-VERS-ALL:+VERS-TLS1.2:-CIPHER-ALL:+AES-128-CCM-8"})
+    EXPECT_FALSE(AgreesOnTls(*desk_, weak, Come())) << weak;
+}
+
+TEST_F(DeskVisitors, GetNoSecureDeskWithAnInvalidCertificate) {
+  desk_.reset();
+  const auto opened = desk::Desk::Open(
+      {.port = 0, .reach = web::Reach::kThisMachine, .certificate = web::Certificate{"a", "b"}},
+      fixture_.board, loop_, fixture_.clock);
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message(), HasSubstr("certificate"));
+  fixture_.each_step = nullptr;
+}
+
+TEST_F(DeskVisitors, OfOneAddressDoNotFillTheDesk) {
+  std::vector<std::unique_ptr<Visitor>> crowd;
+  for (int n = 0; n < 100; ++n) {
+    crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
+    desk_->Step();
+  }
+  EXPECT_LE(desk_->connections(), 24U);
+  fixture_.Play(11s);
+  EXPECT_EQ(desk_->connections(), 0U);
+}
+
+TEST_F(DeskVisitors, DoNotWaitForAThousandWhoSayNothingOrHalfAWord) {
+  rlimit descriptors{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &descriptors), 0);
+  descriptors.rlim_cur = descriptors.rlim_max;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &descriptors), 0);
+  std::vector<std::unique_ptr<Visitor>> crowd;
+  for (int n = 0; n < 1000; ++n) {
+    crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
+    if (n % 2 == 1) crowd.back()->Send("GET / HT");
+  }
+  EXPECT_EQ(Status({}), 200) << "of the crowd's own address";
+  EXPECT_LE(desk_->connections(), 24U);
+}
+
+TEST_F(DeskVisitors, OfOneAddressWhoAllWatchLeaveRoomForOthers) {
+  const Asked watch{.path = "/events", .cookie = Pair()};
+  std::vector<std::unique_ptr<Visitor>> crowd;
+  for (int n = 0; n < 40; ++n) {
+    crowd.push_back(std::make_unique<Visitor>(port_, Pump()));
+    crowd.back()->Send(RequestOf(watch, port_));
+    for (int turn = 0; turn < 5; ++turn) desk_->Step();
+  }
+  EXPECT_EQ(desk_->connections(), 24U);
+  Visitor next = Come();
+  next.Send(RequestOf({}, port_));
+  EXPECT_TRUE(next.IsCutOff()) << "those who watch go on";
+  Visitor other(port_, Pump(), 2);
+  other.Send(RequestOf({}, port_));
+  EXPECT_EQ(StatusOf(other.Receive(IsWhole)), 200);
+}
+
+TEST_F(DeskVisitors, WhoAskForAPathWithAZeroByteAreRefused) {
+  for (const char* path : {"/%00", "/hello%00", "/%00/main.js", "/main.js%00.png"})
+    EXPECT_EQ(Status({.path = path}), 400) << path;
+  EXPECT_EQ(Status({.path = "/main%2Ejs"}), 200) << "other bytes may be written so";
+}
+
+}  // namespace
+}  // namespace kaori::tests
