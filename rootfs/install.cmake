@@ -20,10 +20,12 @@ install(DIRECTORY ${overlay}/udev/rules.d DESTINATION ${KAORI_UDEV_DIR})
 file(GLOB units CONFIGURE_DEPENDS ${overlay}/systemd/system/kaori*.service ${overlay}/systemd/system/kaori*.socket
      ${overlay}/systemd/system/kaori.target)
 install(FILES ${units} DESTINATION ${KAORI_UNIT_DIR})
-install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR})
+install(DIRECTORY ${overlay}/systemd/system/kaori-.service.d ${overlay}/systemd/system/kaori.target.wants DESTINATION ${KAORI_UNIT_DIR}
+        PATTERN mend-data.service EXCLUDE)
 
 if(KAORI_BOX_SYSTEM)
-  install(FILES ${overlay}/systemd/system/var-lib-kaori.mount DESTINATION ${KAORI_UNIT_DIR})
+  install(FILES ${overlay}/systemd/system/var-lib-kaori.mount ${overlay}/systemd/system/mend-data.service DESTINATION ${KAORI_UNIT_DIR})
+  install(FILES ${overlay}/systemd/system/kaori.target.wants/mend-data.service DESTINATION ${KAORI_UNIT_DIR}/kaori.target.wants)
   install(FILES ${overlay}/systemd/system/default.target DESTINATION ${KAORI_UNIT_DIR})
 else()
   # Beside whatever else the system does: `systemctl enable kaori.target` starts the show with it, and its data have a folder.

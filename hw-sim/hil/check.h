@@ -131,6 +131,8 @@ std::vector<Check> SpeedChecks();
 std::vector<Check> AloneChecks();
 // A changed root is refused, and UEFI starts the disk.
 std::vector<Check> DiskChecks();
+// A data partition that is ruined is mended.
+std::vector<Check> DataChecks();
 // The screens that a box may find, and what is on its screen from power to the face.
 std::vector<Check> DisplayChecks();
 // Screens are plugged in and unplugged, and one shows the box's status.
@@ -139,9 +141,9 @@ std::vector<Check> OutputChecks();
 std::vector<Check> LastFaceChecks();
 // Input sampled late and early, on a screen with real vertical blanks.
 std::vector<Check> SamplingChecks();
-// The last picture stays, and a box that hangs starts again.
 // Programs that hang are replaced.
 std::vector<Check> HangChecks();
+// The last picture stays, and a box that hangs starts again.
 std::vector<Check> RecoveryChecks();
 // How soon the first picture and the first face come.
 std::vector<Check> StartChecks();

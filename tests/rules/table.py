@@ -37,6 +37,7 @@ MAY_INCLUDE = (
     ("appliance/core/performance/", _DRAWING + ("appliance/core/board/", "appliance/core/show/")),
     ("appliance/core/showlog/", _BASE + _DRAWING + ("appliance/core/board/", "appliance/core/show/", "appliance/core/performance/")),
     ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/",)),
+    ("appliance/programs/data/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
     ("appliance/programs/input/", _DECODE + ("appliance/core/board/", "appliance/core/toml/")),
     ("appliance/programs/editor/", _PROGRAM),

@@ -139,6 +139,13 @@ void Report(const std::string& line) {
 // Nothing that is kept may bring devices, rights or programs with it.
 constexpr unsigned long kPlainMount = MS_NODEV | MS_NOSUID | MS_NOEXEC;
 
+// The device of a data partition that cannot be mounted, for kaori-data; empty where it can be, or where there is none.
+std::string g_ruined;
+
+// ext4 keeps copies of its superblock. These are where it and its first copy lie, with blocks of 1 KiB and of 4 KiB
+// (ext4(5), sb=, in KiB).
+constexpr std::array<const char*, 3> kSuperblocks{"", "sb=8193", "sb=131072"};
+
 // Mounts what a show keeps. Where this fails systemd tries once more, and the show plays without. /proc and
 // /sys come first: the partition is looked for in the latter. systemd finds both mounted.
 void MountData() {
@@ -147,8 +154,15 @@ void MountData() {
   const auto partition = kaori::boot::FindDataPartition("/sys/class/block");
   if (!partition) return Report("there is no data partition beside the root: nothing is kept");
   const std::string device = "/dev/" + *partition;
-  if (::mount(device.c_str(), kData, "ext4", kPlainMount, nullptr) != 0)
-    Report("the data partition " + device + " cannot be mounted: nothing is kept");
+  const auto mounts = [&](const char* options) {
+    return ::mount(device.c_str(), kData, "ext4", kPlainMount, options) == 0;
+  };
+  const auto* const by = std::ranges::find_if(kSuperblocks, mounts);
+  if (by == kSuperblocks.begin()) return;
+  if (by != kSuperblocks.end())
+    return Report("the data partition " + device + " has lost its first superblock and is mounted by a copy");
+  Report("the data partition " + device + " cannot be mounted: nothing is kept until the service key is on");
+  g_ruined = device;
 }
 
 // Reads ahead in a process of its own, while a processor has nothing else to do; at most half of the free memory.
@@ -181,6 +195,7 @@ void ApplySettings() {
   WriteSetting("status_screen", profile.status_screen);
   WriteSetting("root_hash", kaori::boot::RootHashOf(kaori::ReadFile("/proc/cmdline").value_or("")));
   WriteSetting("faults", g_faults);
+  if (!g_ruined.empty()) WriteSetting("data_ruined", g_ruined);
 }
 
 // Everything before systemd. The splash has a process of its own, so that a slow card holds nothing up.

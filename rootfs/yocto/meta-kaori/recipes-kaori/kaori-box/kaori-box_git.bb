@@ -27,7 +27,7 @@ DEPENDS:append:class-native = " nlohmann-json-native qhull-native tinygltf-nativ
 
 PACKAGECONFIG ??= ""
 PACKAGECONFIG:class-native = ""
-PACKAGECONFIG[box] = "-DKAORI_BOX_SYSTEM=ON,-DKAORI_BOX_SYSTEM=OFF"
+PACKAGECONFIG[box] = "-DKAORI_BOX_SYSTEM=ON,-DKAORI_BOX_SYSTEM=OFF,,e2fsprogs-e2fsck e2fsprogs-mke2fs"
 PACKAGECONFIG[camera] = "-DKAORI_LIBCAMERA=ON,-DKAORI_LIBCAMERA=OFF,libcamera"
 PACKAGECONFIG[desk] = "-DKAORI_DESK=ON,-DKAORI_DESK=OFF,gnutls libmicrohttpd"
 

@@ -1,0 +1,35 @@
+#include "appliance/programs/data/folders.h"
+
+#include <pwd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace kaori::data {
+namespace {
+
+// The mode is set before the folder is given away: afterwards it is no longer this program's to change.
+Result<void> MakeFolder(const std::string& path, const Folder& folder) {
+  const passwd* user = ::getpwnam(folder.user);
+  if (user == nullptr) return FailInput(std::string("there is no user ") + folder.user);
+  if (::mkdir(path.c_str(), folder.mode) < 0 || ::chmod(path.c_str(), folder.mode) < 0 ||
+      ::chown(path.c_str(), user->pw_uid, user->pw_gid) < 0)
+    return FailErrno("make " + path);
+  return {};
+}
+
+}  // namespace
+
+Result<void> MakeFolders(const std::string& into, std::span<const Folder> folders) {
+  std::error_code failed;
+  std::filesystem::remove_all(into, failed);
+  if (!failed) std::filesystem::create_directories(into, failed);
+  if (failed) return Fail(std::errc::io_error, "make " + into + ": " + failed.message());
+  for (const Folder& folder : folders)
+    if (auto made = MakeFolder(into + "/" + folder.name, folder); !made) return made;
+  return {};
+}
+
+}  // namespace kaori::data

@@ -1,0 +1,109 @@
+// kaori-data: mends the data partition, once the service key is on.
+//
+// It runs only on a box whose data partition could not be mounted: kaori-boot leaves its device's name in a file. The show
+// plays meanwhile, and keeps nothing. Nobody's settings are touched before somebody with the key wants it.
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "appliance/core/board/board.h"
+#include "appliance/core/board/lines.h"
+#include "appliance/programs/data/folders.h"
+#include "appliance/programs/data/mend.h"
+#include "appliance/programs/data/run.h"
+#include "drivers/base/clock.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "drivers/base/program.h"
+#include "drivers/base/read_file.h"
+#include "drivers/base/whole_file.h"
+
+namespace {
+
+using kaori::Result;
+
+constexpr std::string_view kHelp =
+    R"(kaori-data: mends the data partition of a box, once the service key is on
+
+  --board FILE      the board, shared with the other programs (/run/kaori/board)
+  --settings FOLDER what kaori-boot left when the box started (/run/kaori-profile)
+
+What e2fsck can save is saved. A partition that is beyond mending is made anew, and what it kept is lost.
+)";
+
+struct Settings {
+  std::string board = "/run/kaori/board", folder = "/run/kaori-profile";
+};
+
+constexpr auto kPeriod = std::chrono::milliseconds(100);
+// A key that is turned, and not one that chatters or a line that is plugged in.
+constexpr auto kHeld = std::chrono::seconds(2);
+constexpr unsigned kReadOnly = 0444;
+constexpr const char* kFolders = "/run/kaori-data/folders";
+
+// Whether the service key is on now. The board is opened each time: this program makes none, and one that was made anew
+// has to be found.
+bool IsKeyOn(const std::string& path) {
+  const auto board = kaori::board::Board::Open(path);
+  if (!board) return false;
+  const auto lines = board->Read<kaori::board::Lines>();
+  return lines.source == kaori::board::SourceState::kLive &&
+         kaori::board::IsOn(lines.value, kaori::board::Line::kService);
+}
+
+// Blocks until the key has been on for kHeld. Errors: those of the loop.
+Result<void> AwaitKey(const std::string& board) {
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return tl::unexpected(loop.error());
+  const kaori::SteadyClock clock;
+  kaori::Time off = clock.now();
+  return loop->RunEvery(kPeriod, [&] {
+    if (!IsKeyOn(board)) off = clock.now();
+    if (clock.now() - off >= kHeld) loop->Stop();
+  });
+}
+
+// The programs that keep something find the partition when they start. The last picture stays meanwhile.
+void RestartKeepers() {
+  for (const char* unit : {"kaori-stage.service", "kaori-lips.service"})
+    if (const auto status = kaori::data::RunToEnd({"/bin/systemctl", "restart", "--no-block", unit});
+        !status)
+      kaori::LogWarning("{}", status.error().message());
+}
+
+// The file is removed last, and says until then that the mending is not done.
+Result<void> MendWhatIsNamedIn(const Settings& settings, const std::string& file) {
+  const auto device = kaori::ReadFile(file);
+  if (!device) return tl::unexpected(device.error());
+  kaori::Log("the service key is on: {} is mended", *device);
+  if (auto made = kaori::data::MakeFolders(kFolders); !made) return made;
+  const auto mended =
+      kaori::data::Mend({.device = *device, .folders = kFolders, .run = kaori::data::RunToEnd});
+  if (!mended) return tl::unexpected(mended.error());
+  const std::string faults = settings.folder + "/faults";
+  const std::string after = kaori::data::FaultsAfter(kaori::ReadFile(faults).value_or(""), *mended);
+  kaori::LogWarning("{}", after);
+  if (auto told = kaori::WriteWholeFile(faults, {kaori::AsBytes(after)}, kReadOnly); !told) return told;
+  RestartKeepers();
+  std::error_code failed;
+  std::filesystem::remove(file, failed);
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::BeginProgram("kaori-data");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--board", settings.board).Text("--settings", settings.folder);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  const std::string file = settings.folder + "/data_ruined";
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return kaori::Log("the data partition is whole"), 0;
+  if (auto held = AwaitKey(settings.board); !held) return kaori::ExitWithError(held.error());
+  if (auto mended = MendWhatIsNamedIn(settings, file); !mended) return kaori::ExitWithError(mended.error());
+  return 0;
+}

@@ -1,0 +1,36 @@
+// A data partition that cannot be mounted is mended, or made anew where it is beyond mending.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "drivers/base/result.h"
+
+namespace kaori::data {
+
+// How the partition and its place are named, and how programs are run: a test runs others.
+struct Partition {
+  std::string device;   // "/dev/vda5".
+  std::string folders;  // What a new file system has in it, with owners and modes (folders.h).
+  std::string unit = "var-lib-kaori.mount";  // systemd's, which mounts it for all programs.
+  // Runs a program to its end and gives its exit status (run.h).
+  std::function<Result<int>(const std::vector<std::string>&)> run;
+};
+
+enum class Mended {
+  kWhole,    // What was kept is there again, as far as e2fsck found it; the rest is in lost+found.
+  kMadeAnew  // Nothing of it was to be saved.
+};
+
+// Lets e2fsck mend the file system and has it mounted. Only where one of them fails a new file system takes its place,
+// with what lies in `folders`. The partition must not be mounted. Blocks for minutes on a slow disk. A power
+// cut at any moment leaves a partition that this call mends. Errors: those of running the programs; io_error, where the
+// new file system could not be made or mounted either.
+Result<Mended> Mend(const Partition& partition);
+
+// Faults as kaori-boot left them, a line each, after the mending: what it said of this partition is replaced by what has
+// become of it.
+std::string FaultsAfter(const std::string& faults, Mended mended);
+
+}  // namespace kaori::data

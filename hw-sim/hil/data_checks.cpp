@@ -1,0 +1,166 @@
+// A data partition that is ruined: the face plays, and the service key brings a partition back that keeps again.
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "hw-sim/hil/check.h"
+#include "hw-sim/hil/disk_copy.h"
+#include "hw-sim/hil/process.h"
+#include "hw-sim/hil/strategy.h"
+
+namespace kaori::hil {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr Duration kDataAnswer = seconds(60);
+// e2fsck and mke2fs read and write some megabytes; the programs start anew after them.
+constexpr Duration kLongestMending = seconds(300);
+constexpr int kServiceLine = 2;  // Of the bridge, as docs/image.md wires it.
+constexpr std::size_t kBlock_bytes = 1024;
+constexpr const char* kFaults = "read /run/kaori-profile/faults";
+constexpr const char* kKeptSettings = "read /var/lib/kaori/settings/box.toml";
+
+// A way in which a partition is ruined, what the box says of it, and what the key makes of it.
+struct Ruin {
+  const char* name;
+  const char* debugfs;        // A change by debugfs; null: none.
+  std::size_t from_bytes;     // Noise from here on,
+  std::size_t noise_bytes;    // so much of it.
+  std::string_view at_start;  // What the status says before the key is on.
+  std::string_view at_end;    // And after; empty: there is nothing to mend.
+  bool keeps_settings;        // Whether what was kept is there again.
+};
+
+constexpr std::array kRuins{
+    Ruin{"a torn superblock", nullptr, kBlock_bytes, kBlock_bytes, "is mounted by a copy", "", true},
+    Ruin{"a lost journal", "clri <8>", 0, 0, "cannot be mounted", "is mended", true},
+    Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, "cannot be mounted", "what was kept is lost", false}};
+
+Setup RuinedSetup(const std::string& disk) {
+  return {.sound = false, .keeps_disk = true, .width_px = 320, .height_px = 180, .disk = disk};
+}
+
+// A copy of the image's disk whose data partition is ruined.
+Result<std::string> RuinedDisk(Scene& scene, const Ruin& ruin) {
+  const QemuOptions& options = scene.target.machine().options();
+  const std::string disk = options.image + "/kaori.disk", copy = options.folder + "/ruined.disk";
+  const auto data = PartitionStart_bytes(disk, "data");
+  if (!data) return tl::unexpected(data.error());
+  if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, options.folder + "/cp.log"); !ok)
+    return tl::unexpected(ok.error());
+  if (ruin.debugfs != nullptr)
+    if (auto ok = RunToEnd({"debugfs", "-w", "-R", ruin.debugfs, fmt::format("{}?offset={}", copy, *data)},
+                           options.folder + "/debugfs.log");
+        !ok)
+      return tl::unexpected(ok.error());
+  std::string noise(ruin.noise_bytes, '\0');
+  for (char& byte : noise) byte = static_cast<char>(scene.chance());
+  std::fstream file(copy, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(static_cast<std::streamoff>(*data + ruin.from_bytes));
+  file.write(noise.data(), static_cast<std::streamsize>(noise.size()));
+  if (!file.flush()) return Fail(std::errc::io_error, "write " + copy);
+  return copy;
+}
+
+// Errors: invalid_argument, the box says something else; with what it says.
+Result<void> WantSaid(Scene& scene, const Ruin& ruin, std::string_view words, Duration longest) {
+  std::string faults;
+  const auto says = [&] {
+    faults = scene.target.agent().Ask(kFaults, kDataAnswer).value_or("");
+    return faults.find(words) != std::string::npos;
+  };
+  if (scene.target.Until(says, longest)) return {};
+  return FailInput(fmt::format("{}: the box does not say \"{}\", but \"{}\"", ruin.name, words, faults));
+}
+
+// The partition is mounted, and has what it should have.
+Result<void> WantKept(Scene& scene, const Ruin& ruin) {
+  const auto mounts = scene.target.agent().Ask("read /proc/mounts", kDataAnswer);
+  if (!mounts) return tl::unexpected(mounts.error());
+  if (mounts->find(" /var/lib/kaori ext4 rw") == std::string::npos)
+    return FailInput(fmt::format("{}: nothing is mounted that could keep anything", ruin.name));
+  const bool settings = scene.target.agent().Ask(kKeptSettings, kDataAnswer).has_value();
+  if (settings != ruin.keeps_settings)
+    return FailInput(
+        fmt::format("{}: the settings that were kept are {}", ruin.name, settings ? "there" : "lost"));
+  return {};
+}
+
+// The key is turned on until the box says what became of the partition.
+Result<void> TurnKey(Scene& scene, const Ruin& ruin) {
+  const auto lines = [](const BoardView& board) { return board.lines_live; };
+  if (auto seen = scene.target.UntilBoard(lines, kDataAnswer, "see the lines"); !seen)
+    return tl::unexpected(seen.error());
+  scene.target.rig().gpio().Close(kServiceLine);
+  auto said = WantSaid(scene, ruin, ruin.at_end, kLongestMending);
+  scene.target.rig().gpio().Open(kServiceLine);
+  if (!said) return said;
+  const auto plays = [](const BoardView& board) { return board.stage.live && board.lips_live; };
+  if (auto seen = scene.target.UntilBoard(plays, kLongestMending, "see stage and lips again"); !seen)
+    return tl::unexpected(seen.error());
+  return scene.ShootFace("ruined", fmt::format("After {}, mended", ruin.name));
+}
+
+Result<void> WantMended(Scene& scene, const Ruin& ruin) {
+  const auto disk = RuinedDisk(scene, ruin);
+  if (!disk) return tl::unexpected(disk.error());
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(RuinedSetup(*disk));
+  if (ok) ok = WantSaid(scene, ruin, ruin.at_start, seconds(5));
+  if (ok && !ruin.at_end.empty()) ok = TurnKey(scene, ruin);
+  if (ok) ok = WantKept(scene, ruin);
+  box.Off();
+  // The next start finds a whole one.
+  if (ok && !ruin.at_end.empty()) {
+    ok = box.Play(RuinedSetup(*disk));
+    if (ok) ok = WantKept(scene, ruin);
+    if (ok && WantSaid(scene, ruin, "the data partition", seconds(2)))
+      ok = FailInput(fmt::format("{}: the next start has something to say of the partition", ruin.name));
+    box.Off();
+  }
+  std::filesystem::remove(*disk);
+  return ok;
+}
+
+Result<void> Ruined(Scene& scene) {
+  for (const Ruin& ruin : kRuins)
+    if (auto ok = WantMended(scene, ruin); !ok) return ok;
+  scene.finding.said =
+      "a torn superblock: mounted by its copy; a lost journal: mended; noise: made anew, each by the service "
+      "key";
+  return {};
+}
+
+// The control: while the key is off nothing is mended.
+Result<void> NothingIsMendedWithoutTheKey(Scene& scene) {
+  const Ruin& ruin = kRuins.back();
+  const auto disk = RuinedDisk(scene, ruin);
+  if (!disk) return tl::unexpected(disk.error());
+  PlayStrategy box(scene.target);
+  auto ok = box.Play(RuinedSetup(*disk));
+  if (ok)
+    ok = WantFoundWrong(WantSaid(scene, ruin, ruin.at_end, seconds(30)), "it is made anew without the key");
+  box.Off();
+  std::filesystem::remove(*disk);
+  return ok;
+}
+
+}  // namespace
+
+std::vector<Check> DataChecks() {
+  return {{"ruined-data",
+           "A ruined data partition is mended or made anew by the service key",
+           false,
+           Ruined,
+           RuinedSetup(""),
+           {},
+           NothingIsMendedWithoutTheKey,
+           true}};
+}
+
+}  // namespace kaori::hil

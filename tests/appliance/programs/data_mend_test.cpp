@@ -1,0 +1,162 @@
+// What becomes of a data partition that cannot be mounted, with the real e2fsck and mke2fs on a file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "appliance/programs/data/folders.h"
+#include "appliance/programs/data/mend.h"
+#include "appliance/programs/data/run.h"
+
+namespace kaori::data {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr std::uint64_t kMiB = 1U << 20U;
+
+class DataPartition : public ::testing::Test {
+ protected:
+  DataPartition() : folder_(fs::path(::testing::TempDir()) / fmt::format("data-partition-{}", ::getpid())) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "kept/lips");
+    std::ofstream(folder_ / "kept/lips/lips.settings") << "mouth.open = 0.7\n";
+    std::ofstream(file()).flush();
+    fs::resize_file(file(), 64 * kMiB);
+    EXPECT_EQ(Run({"/sbin/mke2fs", "-q", "-F", "-t", "ext4", "-d", (folder_ / "kept").string(), file()}),
+              0);
+    EXPECT_TRUE(MakeFolders((folder_ / "empty").string(), kOfThisTest));
+  }
+  ~DataPartition() override { fs::remove_all(folder_); }
+
+  static int Run(const std::vector<std::string>& words) { return RunToEnd(words).value_or(-1); }
+  std::string file() const { return (folder_ / "data").string(); }
+
+  // In systemd's place stands e2fsck, which only looks: what is not clean is not mounted.
+  Partition AsPartition() {
+    return {
+        .device = file(),
+        .folders = (folder_ / "empty").string(),
+        .run = [this](const auto& words) -> Result<int> {
+          asked_.push_back(words[0] + " " + words[1]);
+          if (words[0] != "/bin/systemctl") return RunToEnd(words);
+          return words[1] == "start" ? RunToEnd({"/sbin/e2fsck", "-f", "-n", file()}) : Result<int>(0);
+        }};
+  }
+
+  // Noise over a part of the file.
+  void Ruin(std::uint64_t from, std::uint64_t bytes) const {
+    std::mt19937 chance(7);  // NOLINT: the same noise each time.
+    std::string noise(bytes, '\0');
+    for (char& byte : noise) byte = static_cast<char>(chance());
+    std::fstream(file(), std::ios::binary | std::ios::in | std::ios::out)
+        .seekp(static_cast<std::streamoff>(from))
+        .write(noise.data(), static_cast<std::streamsize>(bytes));
+  }
+
+  // A file of the file system; empty where it is not there.
+  std::string Kept(const std::string& path) const {
+    const std::string copy = (folder_ / "copy").string();
+    fs::remove(copy);
+    Run({"/sbin/debugfs", "-R", fmt::format("dump {} {}", path, copy), file()});
+    std::ifstream stream(copy);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  bool HasFolder(const std::string& name) const {
+    fs::remove_all(folder_ / "all");
+    fs::create_directories(folder_ / "all");
+    Run({"/sbin/debugfs", "-R", fmt::format("rdump / {}", (folder_ / "all").string()), file()});
+    return fs::is_directory(folder_ / "all" / name);
+  }
+
+  static constexpr std::array<Folder, 2> kOfThisTest{Folder{"settings", "root", 0755},
+                                                     Folder{"own", "nobody", 0700}};
+  fs::path folder_;
+  std::vector<std::string> asked_;
+};
+
+TEST_F(DataPartition, KeepsWhatItHasWhereItsSuperblockAndGroupsAreZero) {
+  Ruin(1024, 4096);
+  EXPECT_EQ(Mend(AsPartition()), Mended::kWhole);
+  EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n");
+}
+
+TEST_F(DataPartition, KeepsWhatItHasWhereItsJournalIsGone) {
+  ASSERT_EQ(Run({"/sbin/debugfs", "-w", "-R", "clri <8>", file()}), 0);
+  EXPECT_EQ(Mend(AsPartition()), Mended::kWhole);
+  EXPECT_EQ(Kept("/lips/lips.settings"), "mouth.open = 0.7\n");
+}
+
+TEST_F(DataPartition, IsMadeAnewWhereNothingIsLeft) {
+  Ruin(0, 60 * kMiB);
+  EXPECT_EQ(Mend(AsPartition()), Mended::kMadeAnew);
+  EXPECT_EQ(Kept("/lips/lips.settings"), "");
+  EXPECT_TRUE(HasFolder("settings"));
+  EXPECT_TRUE(HasFolder("own"));
+  EXPECT_EQ(asked_.front(), "/sbin/e2fsck -f") << "what can be saved is saved first";
+}
+
+// A cut between any two programs leaves a partition that the next try mends.
+TEST_F(DataPartition, IsMendedByTheNextTryWherePowerWasCut) {
+  for (std::size_t last = 1; last <= 5; ++last) {
+    Ruin(0, 60 * kMiB);
+    Partition cut = AsPartition();
+    std::size_t count = 0;
+    cut.run = [&, run = cut.run](const std::vector<std::string>& words) -> Result<int> {
+      return ++count > last ? Fail(std::errc::io_error, "the power is off") : run(words);
+    };
+    static_cast<void>(Mend(cut));
+    EXPECT_TRUE(Mend(AsPartition())) << "cut after program " << last;
+    EXPECT_TRUE(HasFolder("own")) << "cut after program " << last;
+  }
+}
+
+TEST_F(DataPartition, ThatTakesNothingIsAnErrorThatNamesTheProgram) {
+  Partition broken = AsPartition();
+  broken.run = [](const auto&) -> Result<int> { return 8; };
+  const auto mended = Mend(broken);
+  ASSERT_FALSE(mended);
+  EXPECT_THAT(mended.error().message(), HasSubstr("mke2fs"));
+  EXPECT_THAT(mended.error().message(), HasSubstr(file()));
+}
+
+TEST_F(DataPartition, FoldersHaveTheirModesAndOwners) {
+  struct stat own {};
+  ASSERT_EQ(::stat((folder_ / "empty/own").c_str(), &own), 0);
+  EXPECT_EQ(own.st_mode & 07777U, 0700U);
+  if (::geteuid() == 0) EXPECT_EQ(own.st_uid, 65534U);
+  constexpr std::array<Folder, 1> kUnknown{Folder{"own", "nobody-of-that-name", 0700}};
+  const auto made = MakeFolders((folder_ / "other").string(), kUnknown);
+  ASSERT_FALSE(made);
+  EXPECT_THAT(made.error().message(), HasSubstr("nobody-of-that-name"));
+}
+
+TEST(DataFaults, SayWhatBecameOfThePartition) {
+  const std::string before =
+      "box.toml:3: there is no profile \"stge\"\nthe data partition /dev/vda5 cannot be mounted: nothing is "
+      "kept\n";
+  for (const auto& [mended, said] :
+       {std::pair{Mended::kWhole, "is mended"}, std::pair{Mended::kMadeAnew, "is lost"}}) {
+    const std::string after = FaultsAfter(before, mended);
+    EXPECT_THAT(after, HasSubstr("stge"));
+    EXPECT_THAT(after, HasSubstr(said));
+    EXPECT_THAT(after, Not(HasSubstr("cannot be mounted")));
+  }
+}
+
+TEST(DataPrograms, ThatAreMissingOrEndBySignalAreSeen) {
+  EXPECT_FALSE(RunToEnd({"/sbin/no-such-program"}));
+  EXPECT_EQ(RunToEnd({"/bin/sh", "-c", "exit 3"}), 3);
+  EXPECT_EQ(RunToEnd({"/bin/sh", "-c", "kill -9 $$"}), 128 + 9);
+}
+
+}  // namespace
+}  // namespace kaori::data
