@@ -22,9 +22,7 @@ constexpr int kFirstPassed = 3;
 // A manager that is busy starting other units answers within a
 // second; a hung one must not hang the stage.
 constexpr int kServiceLongestWait_ms = 5000;
-// How long a program that is watched may be silent: so many of its usual turns, and never less than this.
-// At 60 frames/s 30 turns are half a second, which an audience sees as a hitch and not as a failure.
-constexpr int kPatientTurns = 30;
+// A program that is watched may be silent for so long at least.
 constexpr Duration kShortestSilence = std::chrono::milliseconds(250);
 
 std::string_view Variable(const char* name) {

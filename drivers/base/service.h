@@ -37,9 +37,12 @@ class Watchdog {
   static std::optional<Watchdog> Wanted();
 
   // Called from the loop every kPeriod, or as often as the loop gets round. `turn` is how long a turn of the loop
-  // usually takes, 0 where that is not yet known: 30 turns may be silent, but never less than 250 ms. Errors: those of
-  // Tell.
+  // usually takes, 0 where that is not yet known: kPatientTurns may be silent, but never less than 250 ms. Errors: those
+  // of Tell.
   Result<void> Beat(Duration turn);
+
+  // At 60 frames/s 30 turns are half a second, which an audience sees as a hitch and not as a failure.
+  static constexpr int kPatientTurns = 30;
 
   // Twenty times a second: a limit of 250 ms leaves room for some that come late.
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);

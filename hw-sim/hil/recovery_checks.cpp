@@ -27,7 +27,8 @@ const Setup kSmall{.plugged = false, .sound = false, .width_px = 480, .height_px
 const Setup kWatched{
     .plugged = false, .sound = false, .watchdog_resets = true, .width_px = 320, .height_px = 180};
 
-// How the stage is made to end. A stage that hangs before it knows its pace has two minutes, as its unit says.
+// How the stage is made to end. A stage that hangs before it knows its pace has 20 of its slowest turns so far, and never
+// more than the two minutes of its unit.
 struct Death {
   const char* name;
   const char* question;  // To the agent.

@@ -29,6 +29,8 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr microseconds kLongestSilence = seconds(120);  // As the stage's unit says.
+constexpr microseconds kFirstSilence =
+    seconds(10);  // While it does not know its pace, of a machine that has time.
 constexpr Duration kCalm = seconds(1);
 constexpr Duration kBusy = seconds(5);
 constexpr int kNeighbours = 4;
@@ -132,8 +134,14 @@ class WatchedStage : public ::testing::Test {
     StartStage();
   }
 
-  // A new stage does not know its own pace at once: until then it asks for as long as its unit says.
+  // A new stage does not know its own pace at once: until then it asks for ten seconds, or more where it is slow.
   void StartStage() {
+    StartNewStage();
+    ASSERT_TRUE(manager_->Until([&] { return manager_->limit() < kFirstSilence; }, kLongestBegin))
+        << programs_.LogOf("kaori-stage");
+  }
+
+  void StartNewStage() {
     manager_->Expect();
     programs_.Start("kaori-stage",
                     {"--links", programs_.links(), "--board", programs_.board(), "--pack",
@@ -156,6 +164,13 @@ TEST_F(WatchedStage, BesideBusyProgramsIsNeverSilentForLongerThanItAskedFor) {
   manager_->Listen(kCalm);
   EXPECT_GT(manager_->worst(), 0);
   EXPECT_LT(manager_->worst(), 1);
+}
+
+TEST_F(WatchedStage, ThatHasJustBegunAsksForSecondsAndNotForMinutes) {
+  programs_.Kill("kaori-stage");
+  StartNewStage();
+  EXPECT_GE(manager_->limit(), kFirstSilence);
+  EXPECT_LT(manager_->limit(), kLongestSilence / 2);
 }
 
 TEST_F(WatchedStage, ThatHangsIsSilentAndPlaysAgainAfterItsDeath) {

@@ -10,11 +10,13 @@
 #include "appliance/programs/stage/service_display.h"
 #include "appliance/programs/stage/show_now.h"
 #include "drivers/base/log.h"
+#include "drivers/base/service.h"
 
 namespace kaori::stage {
 namespace {
 
 constexpr Duration kSecond = std::chrono::seconds(1);
+constexpr std::uint64_t kFirstFrames = 100;  // Among them are those that compile shaders.
 // The age of the lips is logged when it changes by more than a quarter and 5 ms, and not more often than
 // every ten seconds.
 constexpr Duration kSameAge = std::chrono::milliseconds(5);
@@ -128,8 +130,11 @@ std::optional<Time> Stage::wakes_at() const {
 
 // The first frames compile shaders, and say little of those that follow.
 Duration Stage::usual_turn() const {
-  constexpr std::uint64_t kFirstFrames = 100;
-  return frame_ < kFirstFrames ? Duration() : pacer_.usual();
+  constexpr int kSlowestTurns = 20;
+  constexpr Duration kLeastSilence = std::chrono::seconds(10);
+  if (frame_ == 0) return {};
+  if (frame_ >= kFirstFrames) return pacer_.usual();
+  return std::max(slowest_turn_ * kSlowestTurns, kLeastSilence) / service::Watchdog::kPatientTurns;
 }
 
 // The plan stands until its frame is drawn: a late waking is late, and not a plan for another blank.
@@ -163,6 +168,7 @@ Result<void> Stage::Draw(const ports::PixelBuffer& picture) {
   Report(snapshot, CpuOfProcess() - cpu_before);
   if (after_frame_) after_frame_(state_, scene, clock_.now());
   if (frame_ > 1 && studio_.Prepare()) Log("all drawing is rehearsed");
+  if (frame_ <= kFirstFrames) slowest_turn_ = std::max(slowest_turn_, clock_.now() - now);
   return {};
 }
 

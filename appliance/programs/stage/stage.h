@@ -77,7 +77,8 @@ class Stage {
   // jump is seen later. Some 30 times a second are enough.
   void StepUnseen();
 
-  // How long a frame usually takes, for the watchdog; 0 until 100 were drawn.
+  // How long a frame usually takes, for the watchdog; 0 before the first. Until 100 were drawn, which may compile shaders, it
+  // is so much that the watchdog waits for 20 of the slowest so far, and for ten seconds at least.
   Duration usual_turn() const;
 
   // True where it goes on from the state of an earlier stage.
@@ -128,6 +129,7 @@ class Stage {
   std::optional<FramePacer::Plan> plan_;  // Of the frame that is next, once the screen has room for it.
   // Number of the newest frame that was presented, counted from 1 since this stage began.
   std::uint64_t frame_ = 0;
+  Duration slowest_turn_{};  // Of the first frames.
   // When the input was sampled for that frame.
   Time read_{};
   MouthClock mouth_clock_;
