@@ -131,6 +131,8 @@ std::vector<Check> SpeedChecks();
 std::vector<Check> AloneChecks();
 // A changed root is refused, and UEFI starts the disk.
 std::vector<Check> DiskChecks();
+// The PC's power button, in a show and in service.
+std::vector<Check> PowerChecks();
 // A data partition that is ruined is mended.
 std::vector<Check> DataChecks();
 // The screens that a box may find, and what is on its screen from power to the face.

@@ -75,7 +75,7 @@ std::vector<Check> AllChecks() {
         LineChecks(),     SoundChecks(),         LibcameraChecks(), CableChecks(),   HangChecks(),
         ToolChecks(),     AuthorisationChecks(), AloneChecks(),     SpeedChecks(),   GadgetChecks(),
         LoopChecks(),     SamplingChecks(),      DisplayChecks(),   OutputChecks(),  LastFaceChecks(),
-        RecoveryChecks(), DataChecks(),          DiskChecks(),      StartChecks()})
+        RecoveryChecks(), PowerChecks(),         DataChecks(),      DiskChecks(),    StartChecks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -135,6 +135,11 @@ Result<void> QemuDriver::PullUnauthorised() {
   return qmp_->Do("device_del", {{"id", "unauthorised"}});
 }
 
+Result<void> QemuDriver::PressPower() {
+  if (!qmp_) return Fail(std::errc::no_such_device, "press the power button");
+  return qmp_->Do("system_powerdown");
+}
+
 std::string QemuDriver::log() const {
   return TextOf(options_.folder + "/qemu.log");
 }

@@ -37,6 +37,8 @@ class QemuDriver final : public PowerProtocol, public VideoProtocol, public Unau
   Result<void> PlugScreen(int head, int width_px, int height_px) override;
   Result<void> PlugUnauthorised(UnauthorisedDevice device) override;
   Result<void> PullUnauthorised() override;
+  // A short press of the machine's power button. Errors: as Qmp::Do; no_such_device, it is off.
+  Result<void> PressPower();
 
   // The processors' time of QEMU since it was started; zero while it is off.
   Duration worked() const { return process_ ? process_->worked() : Duration{}; }

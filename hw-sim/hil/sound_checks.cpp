@@ -18,6 +18,7 @@ using std::chrono::seconds;
 // For machines that have little of a processor.
 constexpr Duration kSoundAnswer = seconds(120);
 constexpr Duration kSoundLongest = seconds(120);
+constexpr Duration kSilence = seconds(20);  // Longer than a voice needs to move the mouth.
 // In the guest.
 constexpr const char* kVoice = "/tmp/voice.wav";
 constexpr int kVoiceSeconds = 4;
@@ -95,14 +96,15 @@ struct Mouth {
   }
 };
 
-Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
+// The voice speaks into the loop, or nobody does. Errors: invalid_argument, the mouth or the loudspeaker does not follow.
+Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
   const auto hears = [](const BoardView& board) { return board.voice_live; };
   if (auto ok = scene.target.UntilBoard(hears, kSoundLongest, "see that the microphone is heard"); !ok)
     return tl::unexpected(ok.error());
   if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
-  const auto speaker = scene.target.agent().Ask(
-      // What is played into one side of the loop is heard at the other.
-      fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice), kSoundAnswer);
+  // What is played into one side of the loop is heard at the other.
+  const std::string play = fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice);
+  const auto speaker = scene.target.agent().Ask(speaks ? play : "clock", kSoundAnswer);
   if (!speaker) return tl::unexpected(speaker.error());
   Mouth mouth;
   const auto moved = [&](const BoardView& board) {
@@ -110,11 +112,12 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
     // Likeness is asked last, since it reads a file that grows.
     return mouth.spoke && mouth.most - mouth.least >= kOpen && HeardVoice(scene) >= kLike;
   };
-  const auto heard =
-      scene.target.UntilBoard(moved, kSoundLongest, "see the mouth follow the voice, and hear it");
+  const auto heard = scene.target.UntilBoard(moved, speaks ? kSoundLongest : kSilence,
+                                             "see the mouth follow the voice, and hear it");
   static_cast<void>(scene.Shoot("voice", "It speaks"));
-  scene.finding.texts.emplace_back(
-      "aplay", scene.target.agent().Ask("end " + *speaker, kSoundAnswer).value_or("it said nothing"));
+  if (speaks)
+    scene.finding.texts.emplace_back(
+        "aplay", scene.target.agent().Ask("end " + *speaker, kSoundAnswer).value_or("it said nothing"));
   scene.finding.figures["voice_heard_likeness"] = HeardVoice(scene);
   scene.finding.said =
       fmt::format("the mouth moved from {:.2f} to {:.2f}, {:.0f} dB; at the loudspeaker {:.2f} like it",
@@ -124,7 +127,7 @@ Result<void> SpeakAndWatch(Scene& scene, const std::string& loop) {
 }
 
 // From a voice in the kernel's loop, by the box's own program, to the board and to the card's loudspeaker.
-Result<void> Voice(Scene& scene) {
+Result<void> VoiceOrSilence(Scene& scene, bool speaks) {
   const auto cards = CardsOf(scene, "HDA-Intel"), loops = CardsOf(scene, "Loopback");
   if (cards.empty() || loops.empty())
     return scene.Skip("this kernel has no loop of sound (snd-aloop) beside its card");
@@ -139,10 +142,19 @@ Result<void> Voice(Scene& scene) {
           loops[0], cards[0]),
       kSoundAnswer);
   if (!program) return tl::unexpected(program.error());
-  auto spoken = SpeakAndWatch(scene, loops[0]);
+  auto spoken = SpeakAndWatch(scene, loops[0], speaks);
   const auto said = scene.target.agent().Ask("end " + *program, kSoundAnswer);
   scene.finding.texts.emplace_back("kaori-lips", said ? *said : said.error().message());
   return spoken;
+}
+
+Result<void> Voice(Scene& scene) {
+  return VoiceOrSilence(scene, true);
+}
+
+// The control: the same, but that nobody speaks.
+Result<void> SilenceIsNotFollowed(Scene& scene) {
+  return WantFoundWrong(VoiceOrSilence(scene, false), "the mouth moves although nobody speaks");
 }
 
 }  // namespace
@@ -157,7 +169,8 @@ std::vector<Check> LoopChecks() {
            false,
            Voice,
            {.bench_kernel = true},
-           "kaori-lips.service"}};
+           {},
+           SilenceIsNotFollowed}};
 }
 
 }  // namespace kaori::hil

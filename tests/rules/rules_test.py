@@ -53,6 +53,7 @@ AGAINST = (
     ("render/passes/a.h", '"drivers/decode/dial_box.h"', "render/passes/ may include only"),
     ("appliance/programs/boot/a.h", '"appliance/core/board/board.h"', "appliance/programs/boot/ may include only"),
     ("appliance/programs/data/a.h", '"appliance/programs/boot/boot.h"', "appliance/programs/data/ may include only"),
+    ("appliance/programs/power/a.h", '"appliance/programs/data/mend.h"', "appliance/programs/power/ may include only"),
     ("appliance/programs/fdkeeper/a.h", '"drivers/ports/camera.h"', "appliance/programs/fdkeeper/ may include only"),
     ("appliance/programs/editor/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/editor/ may include only"),
     ("appliance/programs/status/a.h", '"appliance/programs/stage/stage.h"', "appliance/programs/status/ may include only"),

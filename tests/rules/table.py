@@ -39,6 +39,7 @@ MAY_INCLUDE = (
     ("appliance/programs/boot/", _BASE + ("appliance/core/last_face/",)),
     ("appliance/programs/data/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
+    ("appliance/programs/power/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/input/", _DECODE + ("appliance/core/board/", "appliance/core/toml/")),
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),

@@ -25,4 +25,9 @@ inline bool IsOn(const Lines& lines, Line line) {
   return (lines.active >> static_cast<unsigned>(line) & 1U) != 0;
 }
 
+// Whether somebody works at the box: the key is on, and the line is heard of.
+inline bool IsServiceKeyOn(const Stamped<Lines>& lines) {
+  return lines.source == SourceState::kLive && IsOn(lines.value, Line::kService);
+}
+
 }  // namespace kaori::board

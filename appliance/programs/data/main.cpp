@@ -11,13 +11,13 @@
 #include "appliance/core/board/lines.h"
 #include "appliance/programs/data/folders.h"
 #include "appliance/programs/data/mend.h"
-#include "appliance/programs/data/run.h"
 #include "drivers/base/clock.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/base/read_file.h"
+#include "drivers/base/run_program.h"
 #include "drivers/base/whole_file.h"
 
 namespace {
@@ -48,9 +48,7 @@ constexpr const char* kFolders = "/run/kaori-data/folders";
 bool IsKeyOn(const std::string& path) {
   const auto board = kaori::board::Board::Open(path);
   if (!board) return false;
-  const auto lines = board->Read<kaori::board::Lines>();
-  return lines.source == kaori::board::SourceState::kLive &&
-         kaori::board::IsOn(lines.value, kaori::board::Line::kService);
+  return kaori::board::IsServiceKeyOn(board->Read<kaori::board::Lines>());
 }
 
 // Blocks until the key has been on for kHeld. Errors: those of the loop.
@@ -68,8 +66,7 @@ Result<void> AwaitKey(const std::string& board) {
 // The programs that keep something find the partition when they start. The last picture stays meanwhile.
 void RestartKeepers() {
   for (const char* unit : {"kaori-stage.service", "kaori-lips.service"})
-    if (const auto status = kaori::data::RunToEnd({"/bin/systemctl", "restart", "--no-block", unit});
-        !status)
+    if (const auto status = kaori::RunProgram({"/bin/systemctl", "restart", "--no-block", unit}); !status)
       kaori::LogWarning("{}", status.error().message());
 }
 
@@ -79,8 +76,7 @@ Result<void> MendWhatIsNamedIn(const Settings& settings, const std::string& file
   if (!device) return tl::unexpected(device.error());
   kaori::Log("the service key is on: {} is mended", *device);
   if (auto made = kaori::data::MakeFolders(kFolders); !made) return made;
-  const auto mended =
-      kaori::data::Mend({.device = *device, .folders = kFolders, .run = kaori::data::RunToEnd});
+  const auto mended = kaori::data::Mend({.device = *device, .folders = kFolders, .run = kaori::RunProgram});
   if (!mended) return tl::unexpected(mended.error());
   const std::string faults = settings.folder + "/faults";
   const std::string after = kaori::data::FaultsAfter(kaori::ReadFile(faults).value_or(""), *mended);

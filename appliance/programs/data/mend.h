@@ -14,7 +14,7 @@ struct Partition {
   std::string device;   // "/dev/vda5".
   std::string folders;  // What a new file system has in it, with owners and modes (folders.h).
   std::string unit = "var-lib-kaori.mount";  // systemd's, which mounts it for all programs.
-  // Runs a program to its end and gives its exit status (run.h).
+  // Runs a program to its end and gives its exit status (drivers/base/run_program.h).
   std::function<Result<int>(const std::vector<std::string>&)> run;
 };
 

@@ -35,7 +35,8 @@ Facts ReadFacts(const Places& places) {
               WordOf(places.settings / "root_hash"),
               WordOf(places.settings / "status_screen"),
               LinesOf(places.settings / "faults"),
-              ParseScreens(ReadFile(places.screens).value_or(""))};
+              ParseScreens(ReadFile(places.screens).value_or("")),
+              LinesOf(places.notices / "power")};
   std::error_code none;
   for (const char* profile : kProfiles)
     if (std::filesystem::exists(places.settings / profile, none)) facts.profile = profile;

@@ -14,6 +14,7 @@ namespace kaori::status {
 struct Places {
   std::filesystem::path settings = "/run/kaori-profile";  // What kaori-boot leaves there.
   std::filesystem::path screens = "/run/kaori/screens";   // The stage's screens_file.h.
+  std::filesystem::path notices = "/run/kaori-notices";   // What kaori-power leaves there.
 };
 
 // Compared as a whole, to see whether anything has changed.
@@ -25,6 +26,8 @@ struct Facts {
   std::vector<std::string> faults;
   // As the stage wrote them last; they stay there when the stage is gone.
   std::vector<ports::Output> screens;  // In the order of their parts of the picture.
+  // What whoever stands before the box is to know of what he has just done, one line each.
+  std::vector<std::string> notices;
 
   friend bool operator==(const Facts&, const Facts&) = default;
 };

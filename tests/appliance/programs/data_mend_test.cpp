@@ -12,7 +12,7 @@
 
 #include "appliance/programs/data/folders.h"
 #include "appliance/programs/data/mend.h"
-#include "appliance/programs/data/run.h"
+#include "drivers/base/run_program.h"
 
 namespace kaori::data {
 namespace {
@@ -31,25 +31,23 @@ class DataPartition : public ::testing::Test {
     std::ofstream(folder_ / "kept/lips/lips.settings") << "mouth.open = 0.7\n";
     std::ofstream(file()).flush();
     fs::resize_file(file(), 64 * kMiB);
-    EXPECT_EQ(Run({"/sbin/mke2fs", "-q", "-F", "-t", "ext4", "-d", (folder_ / "kept").string(), file()}),
-              0);
+    EXPECT_EQ(Run({"/sbin/mke2fs", "-q", "-F", "-t", "ext4", "-d", (folder_ / "kept").string(), file()}), 0);
     EXPECT_TRUE(MakeFolders((folder_ / "empty").string(), kOfThisTest));
   }
   ~DataPartition() override { fs::remove_all(folder_); }
 
-  static int Run(const std::vector<std::string>& words) { return RunToEnd(words).value_or(-1); }
+  static int Run(const std::vector<std::string>& words) { return RunProgram(words).value_or(-1); }
   std::string file() const { return (folder_ / "data").string(); }
 
   // In systemd's place stands e2fsck, which only looks: what is not clean is not mounted.
   Partition AsPartition() {
-    return {
-        .device = file(),
-        .folders = (folder_ / "empty").string(),
-        .run = [this](const auto& words) -> Result<int> {
-          asked_.push_back(words[0] + " " + words[1]);
-          if (words[0] != "/bin/systemctl") return RunToEnd(words);
-          return words[1] == "start" ? RunToEnd({"/sbin/e2fsck", "-f", "-n", file()}) : Result<int>(0);
-        }};
+    return {.device = file(),
+            .folders = (folder_ / "empty").string(),
+            .run = [this](const auto& words) -> Result<int> {
+              asked_.push_back(words[0] + " " + words[1]);
+              if (words[0] != "/bin/systemctl") return RunProgram(words);
+              return words[1] == "start" ? RunProgram({"/sbin/e2fsck", "-f", "-n", file()}) : Result<int>(0);
+            }};
   }
 
   // Noise over a part of the file.
@@ -150,12 +148,6 @@ TEST(DataFaults, SayWhatBecameOfThePartition) {
     EXPECT_THAT(after, HasSubstr(said));
     EXPECT_THAT(after, Not(HasSubstr("cannot be mounted")));
   }
-}
-
-TEST(DataPrograms, ThatAreMissingOrEndBySignalAreSeen) {
-  EXPECT_FALSE(RunToEnd({"/sbin/no-such-program"}));
-  EXPECT_EQ(RunToEnd({"/bin/sh", "-c", "exit 3"}), 3);
-  EXPECT_EQ(RunToEnd({"/bin/sh", "-c", "kill -9 $$"}), 128 + 9);
 }
 
 }  // namespace

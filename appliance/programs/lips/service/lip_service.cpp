@@ -55,8 +55,7 @@ void LipService::Step() {
 
 // Whether the key switch at the box is on.
 bool LipService::ServiceSwitched() const {
-  const auto lines = board_.Read<board::Lines>();
-  return lines.source == board::SourceState::kLive && board::IsOn(lines.value, board::Line::kService);
+  return board::IsServiceKeyOn(board_.Read<board::Lines>());
 }
 
 // The section is written at each step of a calibration, so that a reader notices by its age when the lips are gone.

@@ -1,4 +1,4 @@
-#include "appliance/programs/data/run.h"
+#include "drivers/base/run_program.h"
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -6,7 +6,7 @@
 
 #include <cerrno>
 
-namespace kaori::data {
+namespace kaori {
 namespace {
 
 constexpr int kSignalled = 128;
@@ -28,7 +28,7 @@ Result<pid_t> Spawn(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Result<int> RunToEnd(const std::vector<std::string>& words) {
+Result<int> RunProgram(const std::vector<std::string>& words) {
   const auto child = Spawn(words);
   if (!child) return tl::unexpected(child.error());
   int status = 0;
@@ -37,4 +37,4 @@ Result<int> RunToEnd(const std::vector<std::string>& words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalled + WTERMSIG(status);
 }
 
-}  // namespace kaori::data
+}  // namespace kaori

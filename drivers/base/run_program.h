@@ -1,4 +1,4 @@
-// Other programs, run to their end.
+// Another program, run to its end.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 #include "drivers/base/result.h"
 
-namespace kaori::data {
+namespace kaori {
 
 // Runs the program at the path words[0], and waits until it has ended; what it says goes where this program's own errors
 // go. Gives its exit status, or 128 and the number of the signal that ended it, as shells do. Blocks. Errors: those of
 // posix_spawn(3) and waitpid(2).
-Result<int> RunToEnd(const std::vector<std::string>& words);
+Result<int> RunProgram(const std::vector<std::string>& words);
 
-}  // namespace kaori::data
+}  // namespace kaori

@@ -1,0 +1,93 @@
+// kaori-power: what a short press of the PC's power button does.
+//
+// In a show it does nothing and says so; while the service key is on it stops the box. A long press is the hardware's, and
+// to take the mains away is always safe.
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "appliance/core/board/board.h"
+#include "appliance/core/board/lines.h"
+#include "appliance/programs/power/power_button.h"
+#include "drivers/base/event_loop.h"
+#include "drivers/base/log.h"
+#include "drivers/base/options.h"
+#include "drivers/base/program.h"
+#include "drivers/base/run_program.h"
+#include "drivers/base/whole_file.h"
+
+namespace {
+
+constexpr std::string_view kHelp =
+    R"(kaori-power: stops the box by its power button, while the service key is on
+
+  --board FILE    the board, shared with the other programs (/run/kaori/board)
+  --notice FILE   what the status picture says of a press that did nothing (/run/kaori-notices/power)
+)";
+
+struct Settings {
+  std::string board = "/run/kaori/board", notice = "/run/kaori-notices/power";
+};
+
+constexpr const char* kIgnored =
+    "the power button was pressed: turn the service key on and press it again to stop the box\n";
+constexpr const char* kStops = "the power button was pressed with the service key on: the box stops\n";
+constexpr unsigned kReadOnly = 0444;
+// How long the notice stands: longer than somebody looks for it.
+constexpr auto kNoticeStands = std::chrono::minutes(1);
+constexpr auto kNoticePeriod = std::chrono::seconds(1);
+
+// The board is opened at each press: this program makes none, and one that was made anew has to be found.
+bool IsKeyOn(const std::string& path) {
+  const auto board = kaori::board::Board::Open(path);
+  return board && kaori::board::IsServiceKeyOn(board->Read<kaori::board::Lines>());
+}
+
+// The notice of a press that did nothing is taken back after a while.
+void ForgetNotice(const std::string& file) {
+  std::error_code none;
+  const auto written = std::filesystem::last_write_time(file, none);
+  if (!none && std::filesystem::file_time_type::clock::now() - written >= kNoticeStands)
+    std::filesystem::remove(file, none);
+}
+
+void HandlePress(const Settings& settings) {
+  const bool stops = IsKeyOn(settings.board);
+  const std::string_view notice = stops ? kStops : kIgnored;
+  kaori::LogWarning("{}", notice.substr(0, notice.size() - 1));
+  if (auto told = kaori::WriteWholeFile(settings.notice, {kaori::AsBytes(notice)}, kReadOnly); !told)
+    kaori::LogWarning("{}", told.error().message());
+  if (!stops) return;
+  const auto status = kaori::RunProgram({"/bin/systemctl", "poweroff"});
+  if (!status || *status != 0)
+    kaori::LogError("systemctl poweroff: {}", status ? std::to_string(*status) : status.error().message());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  kaori::BeginProgram("kaori-power");
+  Settings settings;
+  kaori::Options options(kHelp);
+  options.Text("--board", settings.board).Text("--notice", settings.notice);
+  if (const auto status = options.Parse(argc, argv)) return *status;
+  std::vector<kaori::power::PowerButton> buttons = kaori::power::PowerButton::FindAll();
+  if (buttons.empty()) return kaori::Log("this machine has no power button"), 0;
+  auto loop = kaori::EventLoop::Open();
+  if (!loop) return kaori::ExitWithError(loop.error());
+  for (kaori::power::PowerButton& button : buttons) {
+    const auto read = [&] {
+      const auto pressed = button.ReadPress();
+      if (pressed && *pressed) HandlePress(settings);
+      if (pressed) return;
+      kaori::LogWarning("{}", pressed.error().message());
+      loop->Forget(button.fd());
+    };
+    if (auto watched = loop->Watch(button.fd(), read); !watched) return kaori::ExitWithError(watched.error());
+  }
+  if (auto ran = loop->RunEvery(kNoticePeriod, [&] { ForgetNotice(settings.notice); }); !ran)
+    return kaori::ExitWithError(ran.error());
+  return 0;
+}
