@@ -110,7 +110,7 @@ class HttpServer {
   // The port that is listened on.
   std::uint16_t port() const;
   // How many connections are open.
-  std::size_t connections() const { return connections_.size(); }
+  std::size_t connections() const { return CountOf(std::nullopt); }
 
   // Sends and receives what is possible now, and closes connections that are too slow. To be
   // called after a feed was published to, and 10 times a second at least: MHD's own time-outs have

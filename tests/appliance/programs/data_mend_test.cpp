@@ -130,7 +130,9 @@ TEST_F(DataPartition, FoldersHaveTheirModesAndOwners) {
   struct stat own {};
   ASSERT_EQ(::stat((folder_ / "empty/own").c_str(), &own), 0);
   EXPECT_EQ(own.st_mode & 07777U, 0700U);
-  if (::geteuid() == 0) EXPECT_EQ(own.st_uid, 65534U);
+  if (::geteuid() == 0) {
+    EXPECT_EQ(own.st_uid, 65534U);
+  }
   constexpr std::array<Folder, 1> kUnknown{Folder{"own", "nobody-of-that-name", 0700}};
   const auto made = MakeFolders((folder_ / "other").string(), kUnknown);
   ASSERT_FALSE(made);

@@ -1,4 +1,5 @@
 // The desk's connections: who is slow, says nothing, offers weak ciphers or fills the places.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gnutls/gnutls.h>
 #include <gtest/gtest.h>
@@ -21,6 +22,7 @@ bool AgreesOnTls(desk::Desk& desk, const char* offered, Visitor visitor) {
   gnutls_init(&session, GNUTLS_CLIENT | GNUTLS_NONBLOCK);
   EXPECT_EQ(gnutls_priority_set_direct(session, offered, nullptr), GNUTLS_E_SUCCESS) << offered;
   gnutls_credentials_set(session, GNUTLS_CRD_CERTIFICATE, credentials);
+  ::fcntl(visitor.fd(), F_SETFL, O_NONBLOCK);
   gnutls_transport_set_int(session, visitor.fd());
   int state = GNUTLS_E_AGAIN;
   for (int turn = 0; turn < 2000 && state < 0 && gnutls_error_is_fatal(state) == 0; ++turn) {
