@@ -42,7 +42,7 @@ constexpr std::array kRuins{
     Ruin{"noise", nullptr, 0, std::size_t{48} << 20U, "cannot be mounted", "what was kept is lost", false}};
 
 Setup RuinedSetup(const std::string& disk) {
-  return {.sound = false, .keeps_disk = true, .width_px = 320, .height_px = 180, .disk = disk};
+  return {.sound = false, .keeps_disk = true, .width_px = 480, .height_px = 270, .disk = disk};
 }
 
 // A copy of the image's disk whose data partition is ruined.

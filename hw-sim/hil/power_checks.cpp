@@ -13,7 +13,7 @@ constexpr Duration kPowerAnswer = seconds(60);
 constexpr Duration kLongestStop = seconds(180);
 constexpr Duration kPlaysOn = seconds(15);  // Longer than a stop of this machine takes to begin.
 constexpr int kServiceKey = 2;              // A line of the bridge, as docs/image.md wires it.
-const Setup kPowered{.sound = false, .width_px = 320, .height_px = 180};
+const Setup kPowered{.sound = false, .width_px = 480, .height_px = 270};
 
 // Errors: invalid_argument, the machine has ended, or says nothing of the button.
 Result<void> WantIgnored(Scene& scene) {

@@ -132,6 +132,11 @@ Result<void> VoiceOrSilence(Scene& scene, bool speaks) {
   if (cards.empty() || loops.empty())
     return scene.Skip("this kernel has no loop of sound (snd-aloop) beside its card");
   const PausedUnit others(scene, "kaori-lips.service");
+  // What is live from now on is live by the program that is started here. Who speaks into the loop before that has opened
+  // its other side finds no way to play into it.
+  const auto gone = [](const BoardView& board) { return !board.voice_live; };
+  if (auto ok = scene.target.UntilBoard(gone, kSoundLongest, "see that the box's own lips are gone"); !ok)
+    return tl::unexpected(ok.error());
   // Ten times as long as the voice that is compared, so that it goes on while the box is watched.
   if (auto ok = Ask(scene, fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
   static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
