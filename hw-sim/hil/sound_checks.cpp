@@ -96,11 +96,19 @@ struct Mouth {
   }
 };
 
-// The voice speaks into the loop, or nobody does. Errors: invalid_argument, the mouth or the loudspeaker does not follow.
-Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
-  const auto hears = [](const BoardView& board) { return board.voice_live; };
+// Waits until the lips of the check hear the loop; what is on the board before that is the box's own lips', which are
+// stopped. Who speaks into the loop before its other side is open finds no way to play into it.
+Result<void> AwaitEar(Scene& scene, std::uint32_t blocks_before) {
+  const auto hears = [&](const BoardView& board) {
+    return board.voice_live && board.voice_blocks != blocks_before;
+  };
   if (auto ok = scene.target.UntilBoard(hears, kSoundLongest, "see that the microphone is heard"); !ok)
     return tl::unexpected(ok.error());
+  return {};
+}
+
+// The voice speaks into the loop, or nobody does. Errors: invalid_argument, the mouth or the loudspeaker does not follow.
+Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
   if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
   // What is played into one side of the loop is heard at the other.
   const std::string play = fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice);
@@ -132,11 +140,8 @@ Result<void> VoiceOrSilence(Scene& scene, bool speaks) {
   if (cards.empty() || loops.empty())
     return scene.Skip("this kernel has no loop of sound (snd-aloop) beside its card");
   const PausedUnit others(scene, "kaori-lips.service");
-  // What is live from now on is live by the program that is started here. Who speaks into the loop before that has opened
-  // its other side finds no way to play into it.
-  const auto gone = [](const BoardView& board) { return !board.voice_live; };
-  if (auto ok = scene.target.UntilBoard(gone, kSoundLongest, "see that the box's own lips are gone"); !ok)
-    return tl::unexpected(ok.error());
+  const auto before = scene.target.Board();
+  if (!before) return tl::unexpected(before.error());
   // Ten times as long as the voice that is compared, so that it goes on while the box is watched.
   if (auto ok = Ask(scene, fmt::format("voice {} {}", kVoice, 10 * kVoiceSeconds)); !ok) return ok;
   static_cast<void>(Ask(scene, fmt::format("tool amixer -q -c {} sset Master 100% unmute", cards[0])));
@@ -147,7 +152,8 @@ Result<void> VoiceOrSilence(Scene& scene, bool speaks) {
           loops[0], cards[0]),
       kSoundAnswer);
   if (!program) return tl::unexpected(program.error());
-  auto spoken = SpeakAndWatch(scene, loops[0], speaks);
+  auto spoken = AwaitEar(scene, before->voice_blocks);
+  if (spoken) spoken = SpeakAndWatch(scene, loops[0], speaks);
   const auto said = scene.target.agent().Ask("end " + *program, kSoundAnswer);
   scene.finding.texts.emplace_back("kaori-lips", said ? *said : said.error().message());
   return spoken;
