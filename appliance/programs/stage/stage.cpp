@@ -132,9 +132,11 @@ std::optional<Time> Stage::wakes_at() const {
 Duration Stage::usual_turn() const {
   constexpr int kSlowestTurns = 20;
   constexpr Duration kLeastSilence = std::chrono::seconds(10);
+  constexpr int kPatientTurns = service::Watchdog::kPatientTurns;
   if (frame_ == 0) return {};
   if (frame_ >= kFirstFrames) return pacer_.usual();
-  return std::max(slowest_turn_ * kSlowestTurns, kLeastSilence) / service::Watchdog::kPatientTurns;
+  const Duration silence = std::max(slowest_turn_ * kSlowestTurns, kLeastSilence);
+  return (silence + Duration(kPatientTurns - 1)) / kPatientTurns;  // Rounded up.
 }
 
 // The plan stands until its frame is drawn: a late waking is late, and not a plan for another blank.

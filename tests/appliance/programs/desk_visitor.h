@@ -25,7 +25,7 @@ class Visitor {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl((INADDR_LOOPBACK & ~0xFFU) | host);
-    ::bind(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address));
+    static_cast<void>(::bind(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)));
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     connected_ = ::connect(fd_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
