@@ -13,6 +13,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import format  # noqa: A004, E402  The check of that name; the folder must be on the path first.
+import report  # noqa: E402
 import tidy  # noqa: E402
 import unused  # noqa: E402
 import words  # noqa: E402
@@ -160,6 +161,36 @@ class Tidy(Tree):
         self.write("drivers/a.cpp", "int Divide(int by) {\n  if (by == 0) return 1 / by;\n  return by;\n}\n")
         self.assertEqual(self.found("drivers/a.cpp"), [])
         self.assertIn("clang-analyzer-core.DivideZero", "".join(self.found("drivers/a.cpp", analyze=True)))
+
+
+class Report(Tree):
+    """Every figure of out/house.json is counted, and none is a constant."""
+
+    def setUp(self):
+        super().setUp()
+        for name in (".clang-format", ".clang-tidy"):
+            shutil.copy(REPOSITORY / name, self.root)
+        self.build = self.root / "build"
+        self.build.mkdir()
+        (self.build / "build.ninja").write_text("")
+        (self.build / "compile_commands.json").write_text("[]")
+        self.write("drivers/base/a.h", "// A header.\n#pragma once\nint a();\nint b();  // Not a line of comment.\n")
+
+    def test_says_nothing_of_what_was_not_measured(self):
+        found = report.figures(self.root, self.build)
+        self.assertEqual(found, {"cycles": 0, "refused_words": 0, "unformatted": 0, "tidy_warnings": 0, "comment_percent": 25.0,
+                                 "contract_suites": 0, "product_lines": 4, "build_demo_cpu_s": None, "build_test_cpu_s": None,
+                                 "build_kernel_cpu_s": None})
+
+    def test_counts_what_is_wrong_and_what_is_there(self):
+        self.write("drivers/base/b.h", '#include "drivers/hid/b.h"\nint seat;\n')
+        self.write("drivers/hid/b.h", '#include "drivers/base/b.h"\nint   x;\n')
+        self.write("tests/contracts/camera_contract.h", "// A suite.\n")
+        self.write("out/build_cpu.json", '{"build_demo_cpu_s": 1.5, "build_test_cpu_s": 2.5, "build_kernel_cpu_s": 3.5}')
+        found = report.figures(self.root, self.build)
+        self.assertEqual(found, {"cycles": 1, "refused_words": 1, "unformatted": 1, "tidy_warnings": 0, "comment_percent": 12.5,
+                                 "contract_suites": 1, "product_lines": 8, "build_demo_cpu_s": 1.5, "build_test_cpu_s": 2.5,
+                                 "build_kernel_cpu_s": 3.5})
 
 
 if __name__ == "__main__":

@@ -42,6 +42,22 @@ class Image(unittest.TestCase):
             self.assertIn("there is no show at", refusal(build, *usual[:4], "--pack", f"{folder}/none"))
 
 
+class Progress(unittest.TestCase):
+    """A kernel builds for minutes; rootfs/image/progress says how far it is."""
+
+    def said(self, lines, total):
+        done = subprocess.run([REPOSITORY / "rootfs/image/progress", "objects", str(total)], input="".join(f"{line}\n" for line in lines),
+                              capture_output=True, text=True, check=True)
+        return [line.strip() for line in done.stdout.splitlines()]
+
+    def test_comes_with_each_tenth_of_what_is_to_be_compiled(self):
+        lines = ["make: entering", "  CC      a.o", "  LD      a"] + ["  CC      b.o"] * 18 + ["  AS      c.o"]
+        self.assertEqual(self.said(lines, 20), [f"{count} of 20 objects" for count in range(2, 21, 2)])
+
+    def test_is_counted_where_the_end_is_not_known(self):
+        self.assertEqual(self.said(["  CC a.o"] * 250, 0), ["100 objects", "200 objects"])
+
+
 def stored(shaders):
     """A store as Mesa writes it, in the order in which shaders were compiled, and its index."""
     store = index = shader_store.MARK

@@ -100,6 +100,63 @@ said=$(PATH="$copy/bin:$PATH" timeout 20 "$copy/box" build 2>&1)
 said=$(PATH="$copy/bin:$PATH" flock "$copy/out/build/release/box.lock" timeout 2 "$copy/box" build 2>&1)
 [[ $said == *"$waits"* ]] || { echo "box build beside another build said: $said"; failures=$((failures + 1)); }
 
+# What a command needs is installed before anything is configured, OpenCV that came after the build was configured is found,
+# and the build machine refuses warnings. The programs in place of those that install and build write down what they are
+# asked to do.
+done=$copy/done
+mkdir -p "$copy/out/build/release/bin"
+for program in apt-get cmake ninja; do printf '#!/bin/sh\necho "%s $*" >>"%s"\n' $program "$done" >"$copy/bin/$program"; done
+printf '#!/bin/sh\nexec "$@"\n' >"$copy/bin/sudo"
+printf '#!/bin/sh\n' >"$copy/out/build/release/bin/kaori-benchmark"
+chmod +x "$copy"/bin/* "$copy"/out/build/release/bin/*
+
+does() {  # does "what is done, as a pattern over all of its lines" arguments of box ...
+  : >"$done"
+  PATH="$copy/bin:$PATH" timeout 20 "$copy/box" "${@:2}" >/dev/null 2>&1
+  # shellcheck disable=SC2053  # A pattern.
+  [[ $(<"$done") == $1 ]] || { echo "box ${*:2} did, where $1 was wanted: $(<"$done")"; failures=$((failures + 1)); }
+}
+
+printf '#!/bin/sh\nshift 2\nfor p; do case $p in *opencv*) ;; *) echo "installed $p" ;; esac; done\n' >"$copy/bin/dpkg-query"
+does 'apt-get update*apt-get install*libopencv-core-dev*libopencv-imgproc-dev*cmake*ninja*' bench
+printf '#!/bin/sh\nshift 2\nfor p; do echo "installed $p"; done\n' >"$copy/bin/dpkg-query"
+touch "$copy/out/build/release/build.ninja"
+does 'ninja*' bench
+echo "OPENCV_CORE:FILEPATH=OPENCV_CORE-NOTFOUND" >"$copy/out/build/release/CMakeCache.txt"
+does 'cmake*ninja*' bench
+rm "$copy/out/build/release/build.ninja"
+CI=yes does 'cmake*-D KAORI_WERROR=ON*ninja*' build
+CI='' does 'cmake --preset release'$'\n''ninja*' build
+
+# How far a build is stands in a line every ten seconds, and what is no progress is not lost. Each line here takes six.
+said=$(bash -c "$(sed -n '/^show_progress()/,/^}/p' "$BOX")"'
+  read() { builtin read "$@" && SECONDS=$((SECONDS + 6)); }
+  show_progress' <<<$'ninja: Entering directory\n[1 of 4, 6s] a\n[2 of 4, 12s] b\na warning\n[3 of 4, 24s] c\n[4 of 4, 30s] d')
+wanted=$'building: 1 of 4 steps\na warning\nbuilding: 3 of 4 steps'
+[ "$said" = "$wanted" ] || { echo "the progress of a build was said as: $said"; failures=$((failures + 1)); }
+
+# A demo says who reaches its page. The programs that it starts only write the address and wait.
+# shellcheck disable=SC2016  # For the program itself.
+printf '#!/bin/sh\nwhile [ $# -gt 0 ]; do [ "$1" != --address-file ] || echo http://127.0.0.1:1/ >"$2"; shift; done\nexec sleep 60\n' |
+  tee "$copy"/out/build/release/bin/kaori-{sim,input,lips,stage} >/dev/null
+chmod +x "$copy"/out/build/release/bin/*
+
+demo_says() {  # demo_says "a part of its last line" arguments of box demo ...
+  local demo
+  PATH="$copy/bin:$PATH" "$copy/box" demo "${@:2}" >"$copy/demo" 2>&1 &
+  demo=$!
+  for _ in $(seq 200); do
+    if grep -qF "$1" "$copy/demo" || ! kill -0 $demo 2>/dev/null; then break; fi
+    sleep 0.1
+  done
+  kill $demo
+  wait $demo
+  grep -qF "$1" "$copy/demo" || { echo "box demo ${*:2} said: $(<"$copy/demo")"; failures=$((failures + 1)); }
+}
+
+demo_says "Only this machine reaches it; --listen ADDRESS lets others in."
+demo_says "WARNING: the page is served on 0.0.0.0. Whoever reaches this port sees the picture and plays the face" --listen 0.0.0.0
+
 # What ./box fuzz starts are the targets that there are, each with the inputs that are kept for it.
 targets=$(sed -n 's/^kaori_fuzz(\([a-z_]*\).*/\1/p' "$REPOSITORY/tests/fuzz/CMakeLists.txt" | sort)
 kept=$(ls "$REPOSITORY/tests/fuzz/corpus" | sort)
