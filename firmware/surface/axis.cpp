@@ -5,18 +5,22 @@
 namespace kaori::surface {
 namespace {
 
+// What a report says at the end of the way.
 constexpr std::int32_t kAxisFull = 32767;
 constexpr std::int32_t kSliderFull = 65535;
+// In units of a report: what noise of the converter is left after the filter moves a value by less.
 constexpr std::int32_t kLeastMove = 4;
 // An axis with less way than this to one side (of 16380) is broken, or was never moved.
 constexpr std::uint16_t kLeastWay = 1000;
 // One hundredth of the way is where the stick rests, and another is taken from each end that was taught.
 constexpr std::int32_t kHundredth = 100;
 
+// Of three: a single spike, however high, does not pass.
 std::uint16_t Median(std::uint16_t a, std::uint16_t b, std::uint16_t c) {
   return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
+// Sixteenths of a code to whole ones, rounded.
 std::uint16_t Whole(std::uint32_t value_q4) {
   return static_cast<std::uint16_t>((value_q4 + 8) >> 4);
 }
@@ -27,6 +31,7 @@ bool IsValid(const AxisEnds& ends) {
   return ends.low + kLeastWay <= ends.centre && ends.centre + kLeastWay <= ends.high;
 }
 
+// The first sum stands for the two before it, so that an axis has a value at once and does not climb to it.
 bool AxisFilter::Sample(std::uint16_t code) {
   sum_ = static_cast<std::uint16_t>(sum_ + (code & 0xFFFU));
   if (++samples_ < 4) return false;
@@ -42,6 +47,7 @@ bool AxisFilter::Sample(std::uint16_t code) {
   return true;
 }
 
+// Each side by its own way, since the middle of a potentiometer is seldom half-way.
 std::int16_t AxisValue(std::uint32_t value_q4, const AxisEnds& ends) {
   const std::int32_t away = static_cast<std::int32_t>(value_q4) - (ends.centre << 4);
   const std::int32_t way = (away < 0 ? ends.centre - ends.low : ends.high - ends.centre) << 4;
@@ -53,12 +59,14 @@ std::int16_t AxisValue(std::uint32_t value_q4, const AxisEnds& ends) {
   return static_cast<std::int16_t>(away < 0 ? -scaled : scaled);
 }
 
+// From end to end, without a place of rest.
 std::uint16_t SliderValue(std::uint32_t value_q4, const AxisEnds& ends) {
   const std::int32_t way = (ends.high - ends.low) << 4;
   const auto at = std::clamp<std::int32_t>(static_cast<std::int32_t>(value_q4) - (ends.low << 4), 0, way);
   return static_cast<std::uint16_t>(std::int64_t{at} * kSliderFull / way);
 }
 
+// Small moves are noise, but the middle and both ends are always said: a stick that is let go must read 0.
 bool HasMoved(std::int32_t said, std::int32_t now, std::int32_t low, std::int32_t high) {
   if (said == now) return false;
   const std::int32_t by = now < said ? said - now : now - said;
@@ -72,6 +80,7 @@ void AxisTeacher::See(std::uint32_t value_q4) {
   high_ = std::max(high_, Whole(value_q4));
 }
 
+// A hundredth less than was seen on each side, so that both ends are reached every time.
 AxisEnds AxisTeacher::ends() const {
   return {.low = static_cast<std::uint16_t>(low_ + (centre_ - low_) / kHundredth),
           .centre = centre_,

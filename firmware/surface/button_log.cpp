@@ -2,6 +2,8 @@
 
 namespace kaori::surface {
 
+// States wait in a ring until reports have told them. One more is kept only where a button would otherwise lose
+// an edge; without a host nobody waits for edges, and the newest state is enough.
 void ButtonLog::Note(std::uint32_t pressed, bool hosted) {
   if (pressed == newest()) return;
   if (count_ == 0) return Append(pressed);
@@ -19,6 +21,7 @@ void ButtonLog::Append(std::uint32_t pressed) {
   ++count_;
 }
 
+// The oldest state that was not told. Without one things stand as they were told.
 std::uint32_t ButtonLog::Next() {
   if (count_ == 0) return told_;
   told_ = at(0);

@@ -5,6 +5,7 @@
 
 namespace kaori::surface {
 
+// Lamps stay for kTicksToDark after the host has gone. The lamp test lights all of them, whoever is there.
 std::uint32_t DialBox::Tick(std::uint32_t closed) {
   log_.Note(buttons_.Look(closed), host_ == Host::kThere);
   if (host_ == Host::kGone && ticks_alone_ < kTicksToDark) ++ticks_alone_;
@@ -34,6 +35,7 @@ std::optional<wire::DialBoxReport> DialBox::NextReport() {
   return report;
 }
 
+// GET_REPORT: input as things stand, output as the lamps were set, feature as the status of the whole device.
 std::size_t DialBox::Answer(ReportKind kind, std::span<std::uint8_t> into) {
   if (kind == ReportKind::kInput) {
     std::ranges::copy(wire::Encode(Standing()), into.begin());
@@ -47,6 +49,7 @@ std::size_t DialBox::Answer(ReportKind kind, std::span<std::uint8_t> into) {
   return wire::kSurfaceFeatureBytes;
 }
 
+// SET_REPORT. A report of another length than the descriptor says is refused whole.
 bool DialBox::Accept(ReportKind kind, std::span<const std::uint8_t> report) {
   if (kind == ReportKind::kOutput && report.size() == wire::kDialBoxLampBytes) {
     lamps_.set_lit(wire::DecodeLamps(report.first<wire::kDialBoxLampBytes>()));
@@ -64,6 +67,8 @@ std::size_t DialBox::NextInput(std::span<std::uint8_t> into) {
   return wire::kDialBoxReportBytes;
 }
 
+// A host that comes back is told how the buttons stand; turns that were made without one are told as well, since
+// the positions that reports have told do not change meanwhile.
 void DialBox::SetHost(Host host) {
   if (host == Host::kThere && host_ == Host::kGone) log_.Restart();
   if (host == Host::kGone && host_ != Host::kGone) ticks_alone_ = 0;

@@ -10,6 +10,7 @@ namespace kaori::surface {
 namespace {
 
 constexpr std::uint32_t kStoreMagic = 0x3154534B;  // "KST1"
+// As flash_store.h draws a copy: magic, generation and length before the bytes, the check behind them.
 constexpr std::size_t kHeadBytes = 10;
 constexpr std::size_t kTailBytes = 4;
 static_assert(kHeadBytes + kMostStoredBytes + kTailBytes <= kPageBytes);
@@ -23,6 +24,8 @@ std::uint32_t CopyAt(std::uint32_t number) {
   return kStoreAt + number * kSectorBytes;
 }
 
+// A copy whose check fails was cut off while it was written, and is none. The length is looked at first: it says
+// how far the check reaches.
 std::optional<Copy> ReadCopy(const Flash& flash, std::uint32_t number) {
   const auto page = flash.Read(CopyAt(number), kPageBytes);
   const std::size_t length = wire::GetU16(page, 8);
@@ -49,6 +52,7 @@ std::optional<std::span<const std::uint8_t>> Load(const Flash& flash) {
   return newer->bytes;
 }
 
+// The same bytes again wear no flash. Generations are compared by their distance, so that they may wrap.
 void Store(Flash& flash, std::span<const std::uint8_t> bytes) {
   bytes = bytes.first(std::min(bytes.size(), kMostStoredBytes));
   const auto first = ReadCopy(flash, 0);

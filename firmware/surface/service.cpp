@@ -4,6 +4,7 @@
 
 namespace kaori::surface {
 
+// The serial number of the status is the first word of the chip's own.
 wire::SurfaceStatus Service::Status(std::uint32_t double_steps) const {
   return {.firmware_major = unit_.major,
           .firmware_minor = unit_.minor,
@@ -16,6 +17,8 @@ wire::SurfaceStatus Service::Status(std::uint32_t double_steps) const {
           .chip_id = unit_.chip_id};
 }
 
+// Every argument is looked at before anything changes. A restart only sets a flag: the answer to this very command
+// has to leave first.
 bool Service::Accept(const wire::SurfaceCommand& command, Lamps& lamps) {
   if (command.length > wire::kSurfaceDataBytes) return false;
   switch (command.operation) {
@@ -35,6 +38,7 @@ bool Service::Accept(const wire::SurfaceCommand& command, Lamps& lamps) {
   }
 }
 
+// The updater checks the order of these; here is only who is called.
 bool Service::Update(const wire::SurfaceCommand& command) {
   const auto data = std::span(command.data);
   switch (command.operation) {

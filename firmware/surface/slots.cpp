@@ -10,12 +10,15 @@ namespace kaori::surface {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x3146534B;  // "KSF1"
+// Places of the header and the record, as slots.h draws them.
 constexpr std::size_t kImageInHeader = 8;
 constexpr std::size_t kCheckInHeader = kImageInHeader + wire::kSurfaceImageBytes;
 constexpr std::size_t kCheckBytes = 4;
 constexpr std::size_t kKeptInRecord = kTries;
+// What erased flash reads as.
 constexpr std::uint8_t kUntouched = 0xFF;
 
+// The record has a page of its own: it is programmed while the header beside it must stay as it is.
 std::uint32_t RecordAt(Slot slot) {
   return At(slot) + kPageBytes;
 }
@@ -56,6 +59,8 @@ Slot Other(Slot slot) {
   return slot == Slot::kA ? Slot::kB : Slot::kA;
 }
 
+// The check covers magic, generation and image, so that a header that a power cut left half written, or one
+// whose cells have aged, is none. Lengths are looked at before anybody reads so far.
 std::optional<SlotHeader> ReadHeader(const Flash& flash, Slot slot) {
   const auto bytes = flash.Read(At(slot), kPageBytes);
   if (wire::GetU32(bytes, 0) != kMagic) return std::nullopt;
@@ -83,6 +88,7 @@ std::span<const std::uint8_t> Image(const Flash& flash, Slot slot, const wire::S
   return flash.Read(ImageAt(slot), image.length);
 }
 
+// Reads the whole image, 252 KiB at most. The first stage does so at each start.
 bool HasItsHash(const Flash& flash, Slot slot, const wire::SurfaceImage& image) {
   return Sha256Of(Image(flash, slot, image)) == image.sha256;
 }
@@ -95,6 +101,9 @@ void Keep(Flash& flash, Slot slot) {
   if (!IsKept(flash, slot)) Clear(flash, slot, kKeptInRecord);
 }
 
+// The newest whole image, unless it was tried three times without saying that it is well; then the one before.
+// Where both have used up their tries the newest is started all the same: a box that may not play is worse than
+// one that tries again. A try is written down before it is made, so that an image that hangs counts.
 std::optional<Slot> Choose(Flash& flash) {
   std::array<Candidate, 2> whole{};
   std::size_t count = 0;

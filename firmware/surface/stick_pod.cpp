@@ -7,10 +7,13 @@
 namespace kaori::surface {
 namespace {
 
+// The ends of what reports say: both sides of an axis are alike, -32768 is never said.
 constexpr std::int32_t kAxisEnd = 32767;
 constexpr std::int32_t kSliderEnd = 65535;
+// Of the sixteen switches the first twelve are buttons, the last four the hat.
 constexpr unsigned kHatShift = 12;
 constexpr std::uint32_t kButtonMask = (1U << wire::kStickPodButtons) - 1;
+// Of one axis in flash: three numbers of 16 bits.
 constexpr std::size_t kEndsBytes = 6;
 
 // By the four switches of a hat, up 1, right 2, down 4, left 8: two neighbours are the way between them, all else is none.
@@ -20,6 +23,7 @@ constexpr std::array<std::uint8_t, 16> kHats{
 
 using Stored = std::array<std::uint8_t, StickPod::kAxes * kEndsBytes>;
 
+// Low, centre, high, axis by axis, little-endian.
 Stored Encode(const std::array<AxisEnds, StickPod::kAxes>& ends) {
   Stored bytes{};
   for (std::size_t n = 0; n < ends.size(); ++n) {
@@ -32,6 +36,7 @@ Stored Encode(const std::array<AxisEnds, StickPod::kAxes>& ends) {
 
 }  // namespace
 
+// An axis whose stored ends make no sense keeps the usual ones, and the others theirs.
 StickPod::StickPod(const Unit& unit, Updater* updater, Flash* flash)
     : service_(unit, updater), flash_(flash) {
   const auto stored = flash != nullptr ? Load(*flash) : std::nullopt;
@@ -44,6 +49,7 @@ StickPod::StickPod(const Unit& unit, Updater* updater, Flash* flash)
   }
 }
 
+// All filters give a value at the same tick, every fourth, so that the axes of a report belong together.
 void StickPod::Tick(std::uint32_t closed, const Codes& codes) {
   log_.Note(switches_.Look(closed & 0xFFFFU), host_ == Host::kThere);
   bool is_new = false;
@@ -54,11 +60,13 @@ void StickPod::Tick(std::uint32_t closed, const Codes& codes) {
   Follow();
 }
 
+// A slider has no middle to rest in: its whole way is one side.
 std::int32_t StickPod::Value(std::size_t axis) const {
   const std::uint32_t value_q4 = filters_[axis].value_q4();
   return axis == kSlider ? SliderValue(value_q4, ends_[axis]) : AxisValue(value_q4, ends_[axis]);
 }
 
+// Values that move by no more than noise are not followed, or a stick that nobody touches would send reports.
 void StickPod::Follow() {
   for (std::size_t n = 0; n < kAxes; ++n) {
     const std::int32_t now = Value(n);
@@ -84,6 +92,7 @@ std::optional<wire::StickPodReport> StickPod::NextReport() {
   return Report(log_.Next());
 }
 
+// GET_REPORT. A pod has no lamps, so there is no output report to ask for; it counts no double steps.
 std::size_t StickPod::Answer(ReportKind kind, std::span<std::uint8_t> into) {
   if (kind == ReportKind::kInput) {
     std::ranges::copy(wire::Encode(Standing()), into.begin());
@@ -102,6 +111,8 @@ bool StickPod::Accept(ReportKind kind, std::span<const std::uint8_t> report) {
   return service_.Accept(command, lamps_);
 }
 
+// Between the two commands a person moves every control to its ends. What was learnt counts for all axes or for
+// none: one that was not moved is not valid, and a pod that is half taught would be worse than an untaught one.
 bool StickPod::Calibrate(bool begins) {
   if (begins) {
     teachers_ = {AxisTeacher(filters_[kX].value_q4()), AxisTeacher(filters_[kY].value_q4()),

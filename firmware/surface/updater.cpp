@@ -4,6 +4,8 @@
 
 namespace kaori::surface {
 
+// An image of another device or of a time before `oldest_version` is refused, and so is a second update while
+// the running one is on trial: the other slot is all there is to go back to.
 bool Updater::Begin(const wire::SurfaceImage& image) {
   if (image.product != running_.product || image.version < running_.oldest_version) return false;
   if (image.length == 0 || image.length > kMostImageBytes) return false;
@@ -16,6 +18,8 @@ bool Updater::Begin(const wire::SurfaceImage& image) {
   return true;
 }
 
+// Bytes come in order and without gaps; pages of flash are written as they fill. A page that does not read back
+// as it was written ends the update, and the host has to begin again.
 bool Updater::Data(std::uint32_t offset, std::span<const std::uint8_t> bytes) {
   if (step_ != Step::kTaking || offset != taken_) return false;
   if (bytes.size() > image_.length - taken_) return false;
@@ -31,6 +35,7 @@ bool Updater::Data(std::uint32_t offset, std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+// A sector is erased when its first page comes, so that no command waits for more than one of them.
 bool Updater::WritePage() {
   const std::uint32_t begin = (taken_ - 1) / kPageBytes * kPageBytes;
   const std::uint32_t at = ImageAt(Other(running_.slot)) + begin;
@@ -40,6 +45,8 @@ bool Updater::WritePage() {
   return std::ranges::equal(flash_.Read(at, page.size()), page);
 }
 
+// The header makes the slot a choice of the next start. It is written only after the hash of all that lies in
+// flash, and not of what came over the cable, was found right.
 bool Updater::End() {
   const Slot slot = Other(running_.slot);
   if (step_ != Step::kTaking || taken_ != image_.length) return false;
@@ -58,6 +65,7 @@ std::uint32_t Updater::NextGeneration() const {
   return header ? header->generation + 1 : 1;
 }
 
+// An image on trial says so until the box has told it to stay (kKeep).
 wire::SurfaceState Updater::state() const {
   if (step_ == Step::kTaking) return wire::SurfaceState::kUpdates;
   if (step_ == Step::kWhole) return wire::SurfaceState::kReady;

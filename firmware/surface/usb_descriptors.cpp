@@ -9,12 +9,14 @@
 namespace kaori::surface {
 namespace {
 
+// Indices of the strings; 0 lists the languages.
 constexpr std::uint8_t kMakerString = 1, kNameString = 2, kSerialString = 3;
 constexpr std::string_view kMaker = "Kaori";
 constexpr std::uint8_t kInterfaceType = 4, kEndpointType = 5;  // bDescriptorType (USB 2.0, table 9-5).
 constexpr std::uint8_t kHidClass = 3;
 constexpr std::uint8_t kInterruptTransfers = 3;  // bmAttributes of an endpoint.
 constexpr std::uint8_t kEveryFrame = 1;          // At full speed: each millisecond.
+// bmAttributes of the configuration: bit 7 is always set, bit 6 would say that it has power of its own.
 constexpr std::uint8_t kBusPowered = 0x80;
 constexpr std::uint8_t kPower = 300 / 2;  // 300 mA, in units of 2 mA.
 
@@ -81,6 +83,8 @@ void WriteText(std::string_view text, Writer& writer) {
   for (const char letter : text) writer.Bytes({static_cast<std::uint8_t>(letter), 0});
 }
 
+// The serial number is the chip's own in sixteen hexadecimal digits, so that two boxes of one kind keep their
+// roles whichever socket they are in. A name is cut to what fits into a packet.
 void WriteString(const UsbIdentity& identity, std::uint8_t index, Writer& writer) {
   if (index == 0)  // English (United States) is all we speak.
     writer.Bytes({4, static_cast<std::uint8_t>(DescriptorType::kString), 0x09, 0x04});

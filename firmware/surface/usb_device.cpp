@@ -15,22 +15,28 @@ constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kSetFeature = 3, kSetA
                        kGetDescriptor = 6;
 constexpr std::uint8_t kGetConfiguration = 8, kSetConfiguration = 9, kGetInterface = 10, kSetInterface = 11;
 constexpr std::uint8_t kGetReport = 1, kGetIdle = 2, kSetReport = 9, kSetIdle = 10;
+// The one feature of an endpoint that a host may switch (USB 2.0, table 9-6).
 constexpr std::uint16_t kEndpointHalt = 0;
 constexpr std::uint8_t kOurConfiguration = 1;
 constexpr std::uint16_t kMostAddress = 127;
 
+// wValue of descriptors and reports carries two numbers: the type in its high byte, the index in its low one
+// (USB 2.0, 9.4.3; HID 1.11, 7.2.1).
 std::uint8_t High(std::uint16_t value) {
   return static_cast<std::uint8_t>(value >> 8);
 }
 std::uint8_t Low(std::uint16_t value) {
   return static_cast<std::uint8_t>(value & 0xFF);
 }
+// Of a host's word a ReportKind is made only after this.
 bool IsReportKind(std::uint8_t kind) {
   return kind >= 1 && kind <= 3;
 }
 
 }  // namespace
 
+// A reset of the bus: the device is back in its default state (USB 2.0, 9.1.1.3), without an address and a
+// configuration. What a transfer was about to say is forgotten, for its host may be another one.
 void UsbDevice::HandleReset() {
   port_.CancelControl();
   port_.CloseEndpoints();
@@ -43,6 +49,8 @@ void UsbDevice::HandleReset() {
   TellHost();
 }
 
+// The bus was silent for 3 ms. Configuration and address stay (9.1.1.6); the lamps go dark, for a suspended
+// device may draw next to nothing.
 void UsbDevice::HandleSuspend() {
   suspended_ = true;
   TellHost();
@@ -53,10 +61,13 @@ void UsbDevice::HandleResume() {
   TellHost();
 }
 
+// The surface only wants to know whether anybody listens; USB's six states become three.
 void UsbDevice::TellHost() {
   function_.SetHost(configuration_ == 0 ? Host::kGone : suspended_ ? Host::kAsleep : Host::kThere);
 }
 
+// The beginning of a control transfer: bmRequestType, bRequest, wValue, wIndex, wLength (USB 2.0, 9.3). A host
+// may begin one at any time, also in the middle of another.
 void UsbDevice::HandleSetup(std::span<const std::uint8_t, 8> packet) {
   // Whatever the transfer before has armed would be taken for the answer to this one.
   port_.CancelControl();
@@ -90,6 +101,8 @@ void UsbDevice::Finish(bool accepted) {
   }
 }
 
+// The next packet of the answer. An answer that is shorter than the host wanted and fills its last packet is
+// followed by an empty one, or the host would wait for more (8.5.3.2).
 void UsbDevice::SendNext() {
   const auto packet = answer_.first(std::min(answer_.size(), kPacketBytes));
   answer_ = answer_.subspan(packet.size());
@@ -98,6 +111,8 @@ void UsbDevice::SendNext() {
   port_.SendControl(packet);
 }
 
+// The host has fetched what was armed. The address counts only from the end of the status stage on (9.4.6):
+// before, the host still speaks to address 0.
 void UsbDevice::HandleControlSent() {
   if (stage_ == Stage::kDataIn) {
     if (!answer_.empty() || ends_short_) return SendNext();
@@ -109,6 +124,8 @@ void UsbDevice::HandleControlSent() {
   if (new_address_ != 0) port_.SetAddress(new_address_);
 }
 
+// Data of the host, or the empty packet of its status stage. More than was announced is refused and not
+// written: the buffer has no room beyond.
 void UsbDevice::HandleControlReceived(std::span<const std::uint8_t> packet) {
   if (stage_ == Stage::kStatusOut) stage_ = Stage::kSetup;
   if (stage_ != Stage::kDataOut) return;
@@ -121,12 +138,15 @@ void UsbDevice::HandleControlReceived(std::span<const std::uint8_t> packet) {
   port_.ReceiveControl();
 }
 
+// For answers of a byte or two, which need memory that lasts until they are fetched.
 bool UsbDevice::AnswerBytes(std::initializer_list<std::uint8_t> bytes) {
   std::ranges::copy(bytes, buffer_.begin());
   answer_ = std::span(buffer_).first(bytes.size());
   return true;
 }
 
+// Requests to the host, by whom they ask: device, interface, endpoint, HID. False stalls the transfer, which is
+// how a device says that it does not know a request (9.2.7).
 bool UsbDevice::Answer() {
   switch (setup_.type & ~kToHost) {
     case kDevice:
@@ -173,6 +193,8 @@ bool UsbDevice::AnswerEndpoint() {
   return AnswerBytes({static_cast<std::uint8_t>(halt(setup_.index) ? 1 : 0), 0});
 }
 
+// Device and configuration descriptors are asked of the device, HID's own of the interface (HID 1.11, 7.1.1);
+// the other way round neither is given. The report descriptor is sent from where it lies.
 bool UsbDevice::AnswerDescriptor() {
   const auto type = static_cast<DescriptorType>(High(setup_.value));
   const bool of_interface = (setup_.type & 0x1F) == kInterface;
@@ -186,6 +208,7 @@ bool UsbDevice::AnswerDescriptor() {
   return !answer_.empty();
 }
 
+// Requests without an answer. What only a configured device has is refused before that (9.4).
 bool UsbDevice::Do() {
   switch (setup_.type) {
     case kDevice:
@@ -211,6 +234,7 @@ bool UsbDevice::Do() {
   }
 }
 
+// The endpoints beside 0, which there are only while the device is configured.
 bool UsbDevice::is_endpoint(std::uint16_t index) const {
   return configured() && (index == kInputEndpoint || (index == kOutputEndpoint && identity_.takes_output));
 }
@@ -227,6 +251,7 @@ bool UsbDevice::DoForEndpoint() {
   return true;
 }
 
+// Also the one that is set already begins anew: data toggles start at 0 and halts end (9.1.1.5).
 bool UsbDevice::SetConfiguration(std::uint16_t value) {
   if (value != 0 && value != kOurConfiguration) return false;
   port_.CloseEndpoints();
@@ -237,6 +262,8 @@ bool UsbDevice::SetConfiguration(std::uint16_t value) {
   return true;
 }
 
+// An input report is made only when the endpoint is free for it, so that what the host fetches is as new as it
+// can be: reports do not queue behind each other.
 void UsbDevice::Poll() {
   if (!configured() || suspended_ || input_halted_ || !port_.IsInputFree()) return;
   std::array<std::uint8_t, kPacketBytes> report;

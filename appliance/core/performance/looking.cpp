@@ -39,10 +39,12 @@ constexpr float kFarthest_m = 300;
 // A spring stick keeps its level for 0.7 s after it has come to rest (levels.h); she does not wait much longer.
 constexpr float kHandOver_s = 0.25F, kHandHolds_s = 0.05F, kHeadTaken_s = 0.6F;
 
+// Yaw and pitch, each by its own bound.
 bool Within(glm::vec2 angles, glm::vec2 most) {
   return std::abs(angles.x) <= most.x && std::abs(angles.y) <= most.y;
 }
 
+// How far the head has followed the eyes, in radians: yaw and pitch.
 glm::vec2 HeadNow(const GazeLife& life) {
   return glm::mix(life.head_from_rad, life.head_to_rad, WayDone(life.head_since_s, life.head_length_s));
 }
@@ -107,6 +109,7 @@ class Looker {
   }
 
  private:
+  // The head as hands and motions hold it, with what it follows of the gaze.
   HeadPose Pose() const {
     scene::Head head = input_.head;
     const glm::vec2 follows = HeadNow(life_) * SmoothStep(life_.head_share);
@@ -115,11 +118,13 @@ class Looker {
     return {head, input_.eyes_m, input_.pivot_m};
   }
 
+  // Whom she looks at when nothing draws her away: straight ahead, the one who is named, or the house.
   glm::vec3 Base() const {
     if (life_.ahead != 0) return pose_.Ahead(glm::length(input_.house_m));
     return named_ ? input_.target_m : input_.house_m;
   }
 
+  // Clocks stop at kLongSince_s: an evening long they would lose their fractions.
   void Count(float dt_s) {
     for (float* clock : {&life_.since_s, &life_.head_since_s}) *clock = std::min(kLongSince_s, *clock + dt_s);
   }
@@ -164,6 +169,8 @@ class Looker {
     if (!Within(pose_.MiddleTo(life_.to_m), life_.away != 0 ? kReach_rad : kOffAhead_rad)) Burst(0);
   }
 
+  // When looking at somebody is over she glances about for a while, then looks back. Fixations too short to be
+  // followed by another one are lengthened to the end of their stretch.
   void NextFixation(float ago_s) {
     const bool over = life_.left_s <= kApart_s;
     if (over && (life_.away != 0 || input_.glance < kNoGlance)) return Burst(ago_s);
@@ -192,6 +199,7 @@ class Looker {
     return pose_.middle_m() + DirectionOf(AnglesOf(way) + off) * glm::length(way);
   }
 
+  // The direction that this part of all glances, 0 to 100, falls to.
   static float Eighth(float percent) {
     std::size_t n = 0;
     while (n + 1 < kEighths.size() && percent >= kEighths[n]) percent -= kEighths[n++];

@@ -41,6 +41,7 @@ face::Terms Current(const Mixture& mixture, float amount) {
   return Normalised(terms);
 }
 
+// The new fade begins at the mixture that is seen now, so that a call in the middle of another makes no jump.
 void Call(Mixture& mixture, std::uint16_t item, float fade_s, float amount, show::FadeCurve curve) {
   mixture.from = Current(mixture, amount);
   mixture.to = item;
@@ -49,6 +50,7 @@ void Call(Mixture& mixture, std::uint16_t item, float fade_s, float amount, show
   mixture.progress = fade_s > 0 ? 0.0F : 1.0F;
 }
 
+// A fade without a length was at its end when it was called.
 void Advance(Mixture& mixture, float dt_s) {
   if (mixture.duration_s > 0) mixture.progress = std::min(1.0F, mixture.progress + dt_s / mixture.duration_s);
 }

@@ -20,9 +20,11 @@ constexpr Pll kUsbPll{kPllUsb, 100, 5, 5};     // 1200 MHz, 48 MHz
 constexpr std::uint32_t kPllPower = 4, kPllTimes = 8, kPllDivisors = 12;
 constexpr std::uint32_t kPowerDown = 1U << 0, kDividersDown = 1U << 3, kOscillatorDown = 1U << 5;
 
+// Clocks (2.15.7): the system's has a glitchless switch between the reference and an auxiliary source.
 constexpr std::uint32_t kClockEnable = 1U << 11;
 constexpr std::uint32_t kReferenceIsCrystal = 2, kSystemIsAuxiliary = 1;
 
+// Who drives a pin (2.19.2), and what its pad does (2.19.6.3).
 constexpr std::uint32_t kFunctionSpi = 1, kFunctionProcessor = 5;
 constexpr std::uint32_t kPadInput = 1U << 6, kPadPullUp = 1U << 3, kPadSchmitt = 1U << 1,
                         kPadDrive4mA = 1U << 4;
@@ -37,6 +39,7 @@ constexpr std::uint32_t kTickEnable = 1U << 9, kTickCycles = 12;
 // "SLT" and the number of the slot.
 constexpr std::uint32_t kSlotMark = 0x534C5400;
 
+// In the order that the data sheet asks for: divisor, power, wait for the lock, and only then the dividers behind it.
 void StartPll(const Pll& pll) {
   At(pll.address) = 1;  // The crystal is not divided.
   At(pll.address + kPllTimes) = pll.times;
@@ -49,6 +52,7 @@ void StartPll(const Pll& pll) {
 
 }  // namespace
 
+// A block that comes out of reset needs some cycles, and its registers do not answer before.
 void Release(std::uint32_t blocks) {
   ClearAt(kResets) = blocks;
   while ((At(kResetDone) & blocks) != blocks) {
@@ -78,6 +82,7 @@ void StartClocks() {
   At(kClockUsbControl) = kClockEnable;   // that of USB its own PLL.
 }
 
+// An output is low before it is driven, so that no line spikes as the power comes.
 void SetUp(std::span<const Pin> pins) {
   Release(kResetIoBank | kResetPads);
   for (const Pin& pin : pins) {
@@ -91,6 +96,8 @@ void SetUp(std::span<const Pin> pins) {
   }
 }
 
+// The tick of the watchdog is the crystal by 12: one a microsecond. Longer times than the counter holds become the
+// longest, 8.4 s.
 void Watch(std::uint32_t milliseconds) {
   const std::uint32_t count = milliseconds * kWatchdogPerMs;
   At(kWatchdogTick) = kTickEnable | kTickCycles;
@@ -106,10 +113,12 @@ void Restart() {
   }
 }
 
+// Scratch registers outlive a restart by the watchdog: the first stage tells the image where it came from.
 void TellSlot(std::uint32_t slot) {
   At(kWatchdogScratch0) = kSlotMark | slot;
 }
 
+// Slot A where nobody told, as when a debugger has started the image.
 std::uint32_t ToldSlot() {
   const std::uint32_t told = At(kWatchdogScratch0);
   return (told & ~1U) == kSlotMark ? told & 1U : 0;

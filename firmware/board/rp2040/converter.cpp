@@ -15,6 +15,7 @@ constexpr std::uint32_t kSelect = 1U << kConverterSelectPin;
 
 }  // namespace
 
+// The select line is high before the SPI is on: a converter that saw half a command would answer the next one wrong.
 void Converter::Start() {
   Release(kResetSpi1);
   At(kPinsSet) = kSelect;

@@ -21,6 +21,7 @@ std::uint32_t RomHalf(std::uint32_t address) {
   return *reinterpret_cast<const volatile std::uint16_t*>(address);
 }
 
+// Walks the ROM's table to the code. All codes of this file are in every ROM of the chip, so that there is an end.
 template <class Function>
 Function Rom(std::uint16_t code) {
   std::uint32_t entry = RomHalf(kFunctionTable);
@@ -37,6 +38,8 @@ using UsbBoot = void (*)(std::uint32_t lamp_pins, std::uint32_t disabled);
 // Blocks of 64 KB would be erased by D8h where they fit: a sector never does.
 constexpr std::uint32_t kBlockBytes = 65536;
 constexpr std::uint8_t kBlockErase = 0xD8;
+// How long the watchdog waits while the flash works. A command takes 0.4 s at most (Flash); the rest is for a chip that
+// is slow with age.
 constexpr std::uint32_t kLongestOperationMs = 8000;
 
 // The flash takes commands from its making on, and is memory again after it.
@@ -74,10 +77,12 @@ std::uint8_t Exchange(std::uint8_t out) {
 
 }  // namespace
 
+// Flash is memory to the processor while no command runs (2.6.3).
 std::span<const std::uint8_t> RomFlash::Read(std::uint32_t at, std::size_t bytes) const {
   return {reinterpret_cast<const std::uint8_t*>(kFlashMemory + at), bytes};
 }
 
+// Interrupts look at the dials meanwhile: they and all that they call lie in RAM, for which the image is linked.
 void RomFlash::Erase(std::uint32_t at) {
   const CommandMode mode;
   Rom<RangeErase>(Code('R', 'E'))(at, surface::kSectorBytes, kBlockBytes, kBlockErase);
@@ -92,6 +97,7 @@ void RomFlash::Program(std::uint32_t at, std::span<const std::uint8_t> bytes) {
   Rom<RangeProgram>(Code('R', 'P'))(at, page.data(), surface::kPageBytes);
 }
 
+// Command 4Bh of the W25Q flash: four bytes that say nothing, then eight of the number that each chip has alone.
 std::array<std::uint8_t, 8> RomFlash::UniqueId() {
   constexpr std::uint8_t kReadUniqueId = 0x4B;
   const CommandMode mode;
@@ -104,6 +110,7 @@ std::array<std::uint8_t, 8> RomFlash::UniqueId() {
   return id;
 }
 
+// The chip's own loader: it shows itself as a disk onto which an image can be copied.
 void StartRomLoader() {
   Rom<UsbBoot>(Code('U', 'B'))(0, 0);
   for (;;) {

@@ -23,6 +23,8 @@ void ShiftRegisters::Start() {
   At(kSpi0 + kSpiControl1) = kEnable;
 }
 
+// One pulse of the strobe takes the switches into the 74HC165s and shows what the 74HC595s were sent last time; then
+// 32 bits go each way at once. The lamps are therefore one exchange late, 0.25 ms.
 std::uint32_t ShiftRegisters::Exchange(std::uint32_t lamps) {
   // A 74HC165 wants 24 ns at 3 V; each store takes 8 ns, and the registers of the pins answer at once.
   for (int n = 0; n < 8; ++n) At(kPinsClear) = kStrobe;

@@ -44,6 +44,8 @@ void HandOver(std::uint32_t buffer, std::uint32_t word) {
   At(buffer) = word | kAvailable;
 }
 
+// Packets of one endpoint are even and odd in turn (DATA0, DATA1): a host that sees the same twice knows that its
+// answer was lost.
 void Send(std::uint32_t buffer, std::uint32_t place, std::span<const std::uint8_t> packet, bool& odd) {
   volatile std::uint8_t* to = Data(place);
   for (std::size_t n = 0; n < packet.size(); ++n) to[n] = packet[n];
@@ -51,6 +53,7 @@ void Send(std::uint32_t buffer, std::uint32_t place, std::span<const std::uint8_
   odd = !odd;
 }
 
+// Lets the host send one packet. Until then it is told to wait (NAK) by the controller itself.
 void Receive(std::uint32_t buffer, bool& odd) {
   HandOver(buffer, static_cast<std::uint32_t>(surface::kPacketBytes) | kLast | (odd ? kOdd : 0));
   odd = !odd;
@@ -67,6 +70,8 @@ std::span<const std::uint8_t> Received(std::uint32_t buffer, std::uint32_t place
 
 }  // namespace
 
+// The memory is not cleared by a reset, and an old buffer word would send an old report. The pull-up comes last:
+// from then on the host sees a device.
 void UsbController::Start() {
   Release(kResetUsb);
   for (std::uint32_t place = 0; place < kMemoryBytes; place += 4) At(kUsbMemory + place) = 0;
