@@ -18,6 +18,7 @@ BARS = {
     "update_cuts": (">=", 1000), "update_cuts_dead": ("<=", 0),
     "button_us": ("<=", 2500), "report_latency_cycles": ("<=", 12500), "lossless_edge_rate_hz": (">=", 20000),
     "emulated_is_shipped": (">=", 1), "controls_passed": ("<=", 0), "serial_false_values_after_gap": ("<=", 0),
+    "box_update_cuts_dead": ("<=", 0),
 }
 SUMMED = ("edges_tested", "usb_requests")
 

@@ -16,6 +16,7 @@ endif()
 
 set(overlay ${PROJECT_SOURCE_DIR}/rootfs/overlay/usr/lib)
 install(FILES ${PROJECT_BINARY_DIR}/shows/kaori.kaori DESTINATION ${CMAKE_INSTALL_DATADIR}/kaori)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/appliance/shows/kaori/surfaces DESTINATION ${CMAKE_INSTALL_DATADIR}/kaori)
 install(DIRECTORY ${overlay}/udev/rules.d DESTINATION ${KAORI_UDEV_DIR})
 file(GLOB units CONFIGURE_DEPENDS ${overlay}/systemd/system/kaori*.service ${overlay}/systemd/system/kaori*.socket
      ${overlay}/systemd/system/kaori.target)

@@ -42,6 +42,17 @@ Result<DialBoxDecoder> DialBoxDecoder::For(const ports::HidIdentity& identity, c
   return DialBoxDecoder(std::move(*layout), before);
 }
 
+Result<DialBoxDecoder> DialBoxDecoder::ForSurface(const ports::HidIdentity& identity) {
+  auto layout = LayoutOf(identity);
+  if (!layout) return tl::unexpected(layout.error());
+  const auto has_buttons = [&](const ReportField& field) {
+    return field.kind == ReportKind::kInput && HoldsPage(*layout, field, kButtonPage);
+  };
+  if (FindInputs(*layout, kUsageDial, 1).empty() && std::ranges::none_of(layout->fields, has_buttons))
+    return Fail(std::errc::not_supported, "find a dial or a button on " + identity.port);
+  return DialBoxDecoder(std::move(*layout), {});
+}
+
 DialBoxDecoder::DialBoxDecoder(ReportLayout layout, const DialSample& before)
     : layout_(std::move(layout)), buttons_(kButtonPage, kFirstButton), sample_(before) {
   for (const ElementRef ref : FindInputs(layout_, kUsageDial, kMaxDials)) dials_.push_back({ref, {}});

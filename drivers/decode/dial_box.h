@@ -37,6 +37,12 @@ class DialBoxDecoder {
   //   not_supported     the device has no endless dial
   static Result<DialBoxDecoder> For(const ports::HidIdentity& identity, const DialSample& before = {});
 
+  // The same for any device that has a dial or a button, whatever it is for: for surfaces that a person has written a map for.
+  // Errors:
+  //   invalid_argument  the report descriptor is broken
+  //   not_supported     it has neither
+  static Result<DialBoxDecoder> ForSurface(const ports::HidIdentity& identity);
+
   // Decodes one input report and returns the new sample. A dial that this report
   // does not have keeps its count. `report` begins with its id where the descriptor
   // has ids; `at` becomes the sample's time. Errors:

@@ -27,6 +27,23 @@ constexpr auto kShuttle = std::to_array<std::uint8_t>({
     0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xC0,              // 16 x 1 bit
 });
 
+// 512 bytes: report 01, a command (0: keys), a length of 16 bits, a byte for each key, and padding.
+constexpr std::size_t kDeckReportBytes = 511;  // Behind its number.
+template <std::uint8_t kKeys>
+constexpr auto DeckDescriptor() {
+  constexpr std::size_t kRest = kDeckReportBytes - 3 - kKeys;
+  return std::to_array<std::uint8_t>({
+      0x06, 0x00,         0xFF,       0x09,  0x01, 0xA1,  0x01, 0x85, 0x01,  // Vendor FF00, report 1
+      0x15, 0x00,         0x26,       0xFF,  0x00, 0x75,  0x08, 0x95, 0x03, 0x81, 0x01,  // 3 bytes of head
+      0x05, 0x09,         0x19,       0x01,  0x29, kKeys, 0x25, 0x01,                    // Buttons 1..
+      0x75, 0x08,         0x95,       kKeys, 0x81, 0x02,                                 // a byte each
+      0x96, kRest & 0xFF, kRest >> 8, 0x81,  0x01, 0xC0,                                 // Padding
+  });
+}
+constexpr auto kDeck15 = DeckDescriptor<15>();
+constexpr auto kDeck32 = DeckDescriptor<32>();
+constexpr auto kDeck8 = DeckDescriptor<8>();
+
 // 8 bytes: a bit for each modifier, padding, and the usages of up to six keys.
 constexpr auto kBootKeyboard = std::to_array<std::uint8_t>({
     0x05, 0x01, 0x09, 0x06, 0xA1, 0x01,                          // Keyboard
@@ -44,13 +61,20 @@ struct Known {
   std::span<const std::uint8_t> descriptor;
 };
 
-// PowerMate, and two devices that report as it does; ShuttleXpress, ShuttlePRO and ShuttlePRO v2.
-constexpr std::array<Known, 6> kKnown = {{{0x077D, 0x0410, kPowerMate},
-                                          {0x077D, 0x04AA, kPowerMate},
-                                          {0x05F3, 0x0240, kPowerMate},
-                                          {0x0B33, 0x0020, kShuttle},
-                                          {0x0B33, 0x0010, kShuttle},
-                                          {0x0B33, 0x0030, kShuttle}}};
+// PowerMate, and two devices that report as it does; ShuttleXpress, ShuttlePRO and ShuttlePRO v2; Stream Deck
+// V2, MK.2, XL, XL V2, Neo and +.
+constexpr std::array<Known, 12> kKnown = {{{0x077D, 0x0410, kPowerMate},
+                                           {0x077D, 0x04AA, kPowerMate},
+                                           {0x05F3, 0x0240, kPowerMate},
+                                           {0x0B33, 0x0020, kShuttle},
+                                           {0x0B33, 0x0010, kShuttle},
+                                           {0x0B33, 0x0030, kShuttle},
+                                           {0x0FD9, 0x006D, kDeck15},
+                                           {0x0FD9, 0x0080, kDeck15},
+                                           {0x0FD9, 0x006C, kDeck32},
+                                           {0x0FD9, 0x008F, kDeck32},
+                                           {0x0FD9, 0x009A, kDeck8},
+                                           {0x0FD9, 0x0084, kDeck8}}};
 
 }  // namespace
 

@@ -7,7 +7,8 @@
 namespace kaori::decode {
 
 // What the box can do with a device; kOther is left alone.
-enum class DeviceKind : std::uint8_t { kOther, kDialBox, kJoystick, kKeyboard, kPointer };
+// kSurface is never recognised: it is what a person has written a map for.
+enum class DeviceKind : std::uint8_t { kOther, kDialBox, kJoystick, kKeyboard, kPointer, kSurface };
 
 // The kind of a device, by its application collections and its inputs. The first one that fits counts:
 //   kDialBox   has a dial that turns without end: relative, or absolute and wrapping

@@ -33,10 +33,13 @@ class HidrawChannel final : public ports::HidChannel {
   const ports::HidIdentity& identity() const override { return identity_; }
   Result<ports::HidInput> Read(std::span<std::uint8_t> into) override;
   Result<void> Write(std::span<const std::uint8_t> report) override;
+  Result<std::size_t> GetFeature(std::span<std::uint8_t> into) override;
+  Result<void> SetFeature(std::span<const std::uint8_t> report) override;
 
  private:
   // The error of a failed call by its errno; `verb` ends with a space. Notes where the device is gone.
   tl::unexpected<Error> Failed(int error, const char* verb);
+  tl::unexpected<Error> FeatureFailed(int error, const char* verb);
   tl::unexpected<Error> Gone() const;
 
   // One GET_REPORT; its answer goes to the end of `initial_`.

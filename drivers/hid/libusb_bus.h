@@ -20,7 +20,10 @@ class LibusbBus final : public ports::HidBus {
   // Every device is listed, hidraw's access rights or not; Open needs those of
   // /dev/bus/usb. `clock` stamps reports. It must outlive the bus and its channels.
   // Errors: not_supported (libusb has no hot-plug), io_error.
-  static Result<std::unique_ptr<LibusbBus>> Open(const Clock& clock);
+  // `which` is what it lists: every HID device, or those alone that the kernel's own driver leaves to others
+  // (HID_QUIRK_IGNORE of hid-quirks.c), so that the bus may stand beside a HidrawBus.
+  enum class Which : std::uint8_t { kAll, kIgnoredByKernel };
+  static Result<std::unique_ptr<LibusbBus>> Open(const Clock& clock, Which which = Which::kAll);
   ~LibusbBus() override;
 
   int pollable() const override { return session_->pollable(); }
@@ -28,12 +31,13 @@ class LibusbBus final : public ports::HidBus {
   Result<std::unique_ptr<ports::HidChannel>> Open(const std::string& port) override;
 
  private:
-  LibusbBus(std::unique_ptr<LibusbSession> session, const Clock& clock);
+  LibusbBus(std::unique_ptr<LibusbSession> session, const Clock& clock, Which which);
 
   // For hot-plug and listings alone: every channel has a session
   // of its own, so that its descriptor wakes for it alone.
   std::unique_ptr<LibusbSession> session_;
   const Clock& clock_;
+  Which which_;
   // The registered call-back of libusb; 0: none.
   int hot_plug_ = 0;
 };

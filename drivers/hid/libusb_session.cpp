@@ -71,7 +71,10 @@ UsbHidInterface Described(const libusb_interface_descriptor& given) {
 void AddInterfaces(libusb_device* device, std::vector<UsbHidInterface>& into) {
   const std::string port = PortOf(device);
   libusb_config_descriptor* raw = nullptr;
-  if (port.empty() || libusb_get_active_config_descriptor(device, &raw) != 0) return;
+  libusb_device_descriptor identity{};
+  if (port.empty() || libusb_get_device_descriptor(device, &identity) != 0 ||
+      libusb_get_active_config_descriptor(device, &raw) != 0)
+    return;
   const std::unique_ptr<libusb_config_descriptor, FreeConfig> config(raw);
   for (const auto& interface : std::span(config->interface, config->bNumInterfaces)) {
     if (interface.num_altsetting < 1 || interface.altsetting[0].bInterfaceClass != LIBUSB_CLASS_HID) continue;
@@ -80,6 +83,8 @@ void AddInterfaces(libusb_device* device, std::vector<UsbHidInterface>& into) {
     described.port = described.number == 0
                          ? port
                          : fmt::format("{}:{}.{}", port, config->bConfigurationValue, described.number);
+    described.vendor = identity.idVendor;
+    described.product = identity.idProduct;
     described.device.reset(libusb_ref_device(device));
     into.push_back(std::move(described));
   }

@@ -30,6 +30,8 @@ struct UsbHidInterface {
   std::uint8_t out_endpoint = 0;
   // wMaxPacketSize of the IN endpoint, without the bits for extra transactions.
   std::uint16_t in_packet_bytes = 0;
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
   // A reference: the device's structure stays until it is let go of.
   std::unique_ptr<libusb_device, Unref> device;
 };

@@ -59,6 +59,20 @@ class HidChannel {
   //   resource_unavailable_try_again  too many reports are under way
   //   invalid_argument                `report` is empty
   virtual Result<void> Write(std::span<const std::uint8_t> report) = 0;
+
+  // The feature report whose id is byte 0 of `into` (0 where the descriptor has none), asked for now: the rest of `into` is
+  // filled, and the answer's length, id included, is given. May block as long as the kernel waits for a device. Errors:
+  //   not_supported   this channel has no such way
+  //   no_such_device, io_error   as Read; io_error too where the device refuses (STALL)
+  virtual Result<std::size_t> GetFeature(std::span<std::uint8_t> into) {
+    static_cast<void>(into);
+    return Fail(std::errc::not_supported, "read a feature of " + identity().port);
+  }
+  // Sends a feature report, byte 0 the id as above. Blocks and fails as GetFeature.
+  virtual Result<void> SetFeature(std::span<const std::uint8_t> report) {
+    static_cast<void>(report);
+    return Fail(std::errc::not_supported, "send a feature to " + identity().port);
+  }
 };
 
 // Where HID devices are plugged in: the kernel's hidraw, libusb, or the simulator's folder. A program

@@ -11,7 +11,7 @@ _CORE = tuple(f"appliance/core/{room}/" for room in ("board", "last_face", "toml
 _PROGRAM = _DECODE + ("render/",) + _CORE
 _SIMULATOR = _PORTS + ("hw-sim/devices/", "hw-sim/links/", "hw-sim/scenario/", "hw-sim/console/", "drivers/web/")
 EVERYTHING = tuple(room + "/" for room in SOURCE_ROOMS)
-CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "gpio", "camera", "audio", "scanout"))
+CONCRETE_DRIVERS = tuple(f"drivers/{kind}/" for kind in ("hid", "serial", "midi", "gpio", "camera", "audio", "scanout"))
 
 # (room, what it may include besides itself). The first row whose room begins the path counts. Every room exists.
 MAY_INCLUDE = (
@@ -41,6 +41,7 @@ MAY_INCLUDE = (
     ("appliance/programs/fdkeeper/", ("drivers/base/",)),
     ("appliance/programs/power/", _BASE + ("appliance/core/board/",)),
     ("appliance/programs/input/", _DECODE + ("appliance/core/board/", "appliance/core/toml/")),
+    ("appliance/programs/surface/", _DECODE + ("appliance/core/board/",)),
     ("appliance/programs/editor/", _PROGRAM),
     ("appliance/programs/status/", _PROGRAM),
     ("appliance/programs/lips/protocol/", _BASE),
@@ -74,6 +75,7 @@ LIBRARIES = (
     (("gpiod", "linux/gpio.h"), ("drivers/gpio/",)),
     (("libusb", "libudev.h", "linux/hidraw.h", "hidapi"), ("drivers/hid/",)),
     (("linux/videodev2.h",), ("drivers/camera/",)),
+    (("termios.h", "linux/serial.h"), ("drivers/serial/", "hw-sim/links/serial/")),
     (("alsa/",), ("drivers/audio/", "appliance/programs/desk/")),
     (("toml++/",), ("appliance/core/toml/value.cpp",)),  # Seconds to compile: everybody else reads its values.
     (("libqhull", "meshoptimizer.h", "tiny_gltf.h", "tiny_obj_loader.h"),

@@ -192,6 +192,7 @@ void ApplySettings() {
   ::mkdir(kProfiles, 0755);
   WriteSetting(profile.name, {});
   WriteSetting("lines", EnvironmentOf(profile.wiring));
+  WriteSetting("dials", DialsEnvironmentOf(profile));
   WriteSetting("status_screen", profile.status_screen);
   WriteSetting("root_hash", kaori::boot::RootHashOf(kaori::ReadFile("/proc/cmdline").value_or("")));
   WriteSetting("faults", g_faults);

@@ -66,6 +66,24 @@ std::string ParseScreen(std::string_view value, std::string& screen) {
   return {};
 }
 
+// The text goes into an environment file of systemd and is cut at blanks there. kaori-input checks it again; the two programs
+// share no code.
+std::string ParseDialBox(std::string_view value, std::string& dial_box) {
+  constexpr std::array<std::string_view, 3> kKinds{"=sgi", "=spectragraphics", "=dls80"};
+  constexpr std::size_t kLongestLine = 200;
+  const auto wanted = IsQuoted(value) ? value.substr(1, value.size() - 2) : std::string_view{};
+  const auto fits = [](char c) {
+    return IsOfScreenName(c) || (c != '\0' && std::string_view("/_.:=").find(c) != std::string_view::npos);
+  };
+  const bool is_line =
+      wanted.starts_with("/dev/") && wanted.size() <= kLongestLine && std::ranges::all_of(wanted, fits);
+  if (!is_line || std::ranges::none_of(kKinds, [&](auto kind) { return wanted.ends_with(kind); }))
+    return "expected a serial line and its kind of box, as in \"/dev/ttyUSB0=sgi\": sgi, spectragraphics or "
+           "dls80";
+  dial_box = wanted;
+  return {};
+}
+
 // Reads line by line; the first fault is the last thing it reads. Not a TOML parser: process 1 needs a
 // handful of lines and must not fail in a library. What it takes is a part of TOML, and sections that are not
 // its own may hold anything.
@@ -103,6 +121,7 @@ class Reading {
     if (!section_.empty()) return ParseWire(key, value, profile_.wiring);
     if (key == "profile") return ParseProfileName(value, profile_.name);
     if (key == "status_screen") return ParseScreen(value, profile_.status_screen);
+    if (key == "dial_box") return ParseDialBox(value, profile_.dial_box);
     return "there is no setting " + std::string(key);
   }
   // Half a file is not believed.
@@ -127,6 +146,10 @@ Profile ReadProfile(std::string_view text) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return reading.End();
+}
+
+std::string DialsEnvironmentOf(const Profile& profile) {
+  return profile.dial_box.empty() ? "KAORI_DIALS=\n" : "KAORI_DIALS=--serial " + profile.dial_box + "\n";
 }
 
 // A file that cannot be read at all (its message names it) counts as faulty; one that is missing stands for

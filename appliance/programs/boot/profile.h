@@ -16,6 +16,8 @@ namespace kaori::boot {
 //             "bench"   everything
 //   status_screen = "HDMI-A-2", or = 2   the screen that says how the box does, by its name or its number;
 //                       where it is the only one it is the show's
+//   dial_box = "/dev/serial/by-path/...=sgi"   a dial box of 1993 on a serial line, and which of the kinds sgi,
+//                       spectragraphics and dls80 it is
 // and in the section [lines] what ParseWire takes. Other sections are others' business.
 struct Profile {
   // "stage", "kiosk" or "bench".
@@ -23,12 +25,16 @@ struct Profile {
   // As the section [lines] says, over the box's default.
   Wiring wiring{};
   std::string status_screen{};  // Empty: none.
+  std::string dial_box{};       // A line and its kind of box; empty: none.
   std::string fault{};          // One line that names file and line; empty: none.
 };
 
 // Reads the words of a settings file. With a fault all else is the usual. Pure. The fault says "line N:
 // reason"; ChooseProfile adds the file's name.
 Profile ReadProfile(std::string_view text);
+
+// For kaori-input's unit: KAORI_DIALS, its option for a dial box on a serial line; empty where there is none.
+std::string DialsEnvironmentOf(const Profile& profile);
 
 // Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one
 // is left as it is: then the last good one counts, and the fault is named. Where there is none the usual

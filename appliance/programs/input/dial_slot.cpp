@@ -1,7 +1,12 @@
 #include "appliance/programs/input/dial_slot.h"
 
-#include "appliance/core/board/press_log.h"
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "drivers/base/log.h"
+#include "drivers/base/read_file.h"
+#include "drivers/decode/stream_deck.h"
 
 namespace kaori::input {
 namespace {
@@ -12,80 +17,88 @@ constexpr int kMaxLampFailures = 3;
 constexpr Duration kLampRetry = std::chrono::seconds(5);
 // Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see them.
 constexpr Duration kRepaint = std::chrono::seconds(1);
+constexpr std::size_t kMostPictureBytes = 64 * 1024;
 
 }  // namespace
 
-using board::SourceState;
+DialSlot::DialSlot(const board::Board& board, SurfaceSection& section, std::size_t device,
+                   const std::vector<SurfaceMap>& maps)
+    : board_(board), section_(section), device_(device), maps_(maps) {}
 
-DialSlot::DialSlot(const board::Board& board, board::Writer<board::Surface> writer, int counts_per_turn)
-    : board_(board), writer_(std::move(writer)), surface_(board.Read<board::Surface>()) {
-  surface_.value.counts_per_turn = counts_per_turn;
-  buttons_.down = {surface_.value.buttons_down};
-  buttons_.pushes = surface_.value.pushes;
-}
-
-// The decoder begins with the counts of the board, and the first position that a wrapping dial reports counts as no
-// turn: a plug does not move a dial. A box that was just plugged in has all lamps dark, so that lit_ is unknown.
+// The first position that a wrapping dial reports counts as no turn: a plug does not move a dial. A box that was just plugged
+// in has all lamps dark, so that lit_ is unknown.
 Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
-  decode::DialSample before;
-  before.counts = surface_.value.counts;
-  auto decoder = decode::DialBoxDecoder::For(identity, before);
+  const SurfaceMap* const map = MapFor(maps_, identity.vendor, identity.product);
+  auto decoder =
+      map != nullptr ? decode::DialBoxDecoder::ForSurface(identity) : decode::DialBoxDecoder::For(identity);
   if (!decoder) return tl::unexpected(decoder.error());
   decoder_ = std::move(*decoder);
-  buttons_.Plug();
+  map_ = map != nullptr ? map : &usual_;
+  passed_on_ = {};
+  rests_ = {};
   lit_.reset();
   lamps_after_ = now;
   lamp_failures_ = 0;
   plugged_ = now;
   held_confirmed_ = false;
-  surface_.at = now;
-  surface_.source = SourceState::kLive;
-  Write();
+  LoadPictures(identity);
+  section_.Plug(device_, now);
   return {};
 }
 
-// Counts are the decoder's, which goes on from those of the board; pushes come by way of the carried switches.
 Result<void> DialSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());
-  surface_.value.counts = sample->counts;
-  surface_.at = at;
-  buttons_.Accept(sample->buttons, [&](std::size_t button) {
-    board::Append(surface_.value.log, static_cast<std::uint32_t>(button), at);
-  });
-  held_confirmed_ = changed_ = true;
+  for (std::size_t n = 0; n < passed_on_.size(); ++n) {
+    const auto before = static_cast<std::uint32_t>(std::exchange(passed_on_[n], sample->counts[n]));
+    Turn(n, static_cast<std::int32_t>(static_cast<std::uint32_t>(sample->counts[n]) - before), at);
+  }
+  decode::Switches<1> buttons;
+  for (std::size_t n = 0; n < map_->buttons.size(); ++n) {
+    if (!map_->buttons[n]) continue;
+    buttons.down[0] |= (sample->buttons.down[0] >> n & 1U) << *map_->buttons[n];
+    buttons.pushes[*map_->buttons[n]] += sample->buttons.pushes[n];
+  }
+  section_.Switch(device_, buttons, at);
+  held_confirmed_ = true;
   return {};
 }
 
-void DialSlot::Publish() {
-  if (std::exchange(changed_, false)) Write();
+// A turn of any device is a turn; what division leaves over waits for the next.
+void DialSlot::Turn(std::size_t dial, std::int32_t counts, Time at) {
+  if (counts == 0 || !map_->dials[dial]) return;
+  std::int64_t turned = counts;
+  if (map_->counts_per_turn != 0) {
+    const std::int64_t parts = rests_[dial] + turned * section_.counts_per_turn();
+    turned = parts / map_->counts_per_turn;
+    rests_[dial] = parts % map_->counts_per_turn;
+  }
+  section_.Turn(*map_->dials[dial], static_cast<std::int32_t>(turned), at);
 }
 
-// A section that was never live stays absent: there never was a box.
 void DialSlot::Unplug(Time now) {
   decoder_.reset();
-  buttons_.Release();
-  if (surface_.source != SourceState::kLive) return;
-  surface_.source = SourceState::kStale;
-  surface_.at = now;
-  Write();
+  pages_.clear();
+  section_.Unplug(device_, now);
 }
 
-// The time of the section is left as it was: releasing what nobody holds any more is no new input.
 void DialSlot::Tick(Time now, ports::HidChannel* device) {
   if (device == nullptr || !decoder_) return;
   if (!held_confirmed_ && now - plugged_ >= kHeldStateTrust) {
-    buttons_.Release();
+    section_.Release(device_);
     held_confirmed_ = true;
-    Write();
   }
   ShowLamps(now, *device);
+  ShowPictures(*device);
 }
 
 // A box that is busy is told at the next tick; a box that is gone is noticed when it is read. Only other
 // failures count against the plug, and the first two of them are tried again in silence.
 void DialSlot::ShowLamps(Time now, ports::HidChannel& device) {
-  const std::uint32_t lit = board_.Read<board::Lamps>().value.lit;
+  const std::uint32_t on_board = board_.Read<board::Lamps>().value.lit;
+  std::uint32_t lit = 0;
+  for (std::size_t n = 0; n < map_->buttons.size(); ++n)
+    if (map_->buttons[n]) lit |= (on_board >> *map_->buttons[n] & 1U) << n;
   const bool same = lit_ == lit && now - told_ < kRepaint;
   if (same || now < lamps_after_ || lamp_failures_ == kMaxLampFailures) return;
   const auto report = decoder_->LampReport(lit);
@@ -94,15 +107,36 @@ void DialSlot::ShowLamps(Time now, ports::HidChannel& device) {
   if (told || told.error().cause == std::errc::resource_unavailable_try_again) return;
   lamps_after_ = now + kLampRetry;
   if (++lamp_failures_ == kMaxLampFailures)
-    LogWarning("{}; the lamps of the dial box stay as they are until it is plugged in again",
-               told.error().message());
+    LogWarning("{}; the lamps of the {} stay as they are until it is plugged in again",
+               told.error().message(), name());
 }
 
-// The carried switches are the truth about buttons; the section gets a copy.
-void DialSlot::Write() {
-  surface_.value.buttons_down = buttons_.down[0];
-  surface_.value.pushes = buttons_.pushes;
-  writer_.Write(surface_.value, surface_.at, surface_.source);
+// A key whose picture is missing stays as it is.
+void DialSlot::LoadPictures(const ports::HidIdentity& identity) {
+  pages_.clear();
+  const decode::StreamDeck deck = decode::StreamDeckOf(identity.vendor, identity.product);
+  if (map_->pictures.empty()) return;
+  for (int key = 0; key < deck.keys; ++key) {
+    const auto file = map_->pictures / fmt::format("{}.jpg", key + 1);
+    const auto jpeg = ReadFile(file, {.most_bytes = kMostPictureBytes});
+    if (!jpeg) {
+      if (jpeg.error().cause != std::errc::no_such_file_or_directory)
+        LogWarning("{}; the key stays as it is", jpeg.error().message());
+      continue;
+    }
+    const std::vector<std::uint8_t> bytes(jpeg->begin(), jpeg->end());
+    for (auto& page : decode::PicturePages(key, bytes)) pages_.push_back(std::move(page));
+  }
+}
+
+// A page takes the kernel about a millisecond, so that all pictures at once would hold up other devices.
+void DialSlot::ShowPictures(ports::HidChannel& device) {
+  if (pages_.empty()) return;
+  const auto sent = device.Write(pages_.front());
+  if (sent) pages_.pop_front();
+  if (sent || sent.error().cause == std::errc::resource_unavailable_try_again) return;
+  LogWarning("{}; its keys stay without pictures until it is plugged in again", sent.error().message());
+  pages_.clear();
 }
 
 }  // namespace kaori::input

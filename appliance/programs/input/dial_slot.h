@@ -1,12 +1,16 @@
-// The slot of the dial and button box: counts and pushes go to the board, lamps from the board to the box.
-// Firmware of the box: firmware/wire has the bytes of its reports.
+// The slot of a surface: counts and pushes go to the board, lamps from the board to the device.
+// Firmware of our own box: firmware/wire has the bytes of its reports.
 #pragma once
 
+#include <deque>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "appliance/core/board/board.h"
-#include "appliance/programs/input/carried_switches.h"
 #include "appliance/programs/input/device_slot.h"
+#include "appliance/programs/input/surface_map.h"
+#include "appliance/programs/input/surface_section.h"
 #include "drivers/decode/dial_box.h"
 
 namespace kaori::input {
@@ -15,39 +19,46 @@ namespace kaori::input {
 // plugged in again goes on where its dials stood on the board.
 class DialSlot final : public DeviceSlot {
  public:
-  // Borrows the board, which outlives the slot and whose section Lamps the box shows. `counts_per_turn` is
-  // how many counts one turn of a dial gives.
-  DialSlot(const board::Board& board, board::Writer<board::Surface> writer, int counts_per_turn);
+  // Borrows all of them; they outlive the slot. `device` is its number in the section. The section Lamps of the board is what
+  // the device shows.
+  DialSlot(const board::Board& board, SurfaceSection& section, std::size_t device,
+           const std::vector<SurfaceMap>& maps);
 
-  std::string_view name() const override { return "dial box"; }
+  std::string_view name() const override { return device_ == 0 ? "dial box" : "further surface"; }
   Result<void> Plug(const ports::HidIdentity& identity, Time now) override;
   Result<void> Accept(std::span<const std::uint8_t> report, Time at) override;
-  void Publish() override;
+  void Publish() override { section_.Publish(); }
   void Unplug(Time now) override;
   void Tick(Time now, ports::HidChannel* device) override;
 
  private:
+  // What the device's own dial turned, as counts of the board's.
+  void Turn(std::size_t dial, std::int32_t counts, Time at);
   // Sends one output report where the lamps on the board differ from those that the box was last told, and one
   // each second.
   void ShowLamps(Time now, ports::HidChannel& device);
-  // Publishes the section as it is, with the carried buttons.
-  void Write();
+  // Reads the pictures of a Stream Deck's keys, and sends one page of them at each tick.
+  void LoadPictures(const ports::HidIdentity& identity);
+  void ShowPictures(ports::HidChannel& device);
 
   const board::Board& board_;
-  board::Writer<board::Surface> writer_;
-  // The section as it was published last, but for buttons, which buttons_ has.
-  board::Stamped<board::Surface> surface_;
-  CarriedSwitches<1> buttons_;
+  SurfaceSection& section_;
+  std::size_t device_;
+  const std::vector<SurfaceMap>& maps_;
+  const SurfaceMap usual_;  // Of a device that no file names.
+  const SurfaceMap* map_ = &usual_;
   std::optional<decode::DialBoxDecoder> decoder_;
+  // Counts of the decoder that the section has, and parts of a count that are left over, both by the device's dial.
+  std::array<std::int32_t, decode::kMaxDials> passed_on_{};
+  std::array<std::int64_t, decode::kMaxDials> rests_{};
   std::optional<std::uint32_t> lit_;  // As the box was last told; empty after a plug, when all are dark.
   Time told_{};                       // And when.
   Time lamps_after_{};                // No lamp report is sent before this time.
   int lamp_failures_ = 0;             // Since the plug.
+  std::deque<std::vector<std::uint8_t>> pages_;  // Of pictures that are not sent yet.
   // When the box was plugged in, from which kHeldStateTrust counts.
   Time plugged_{};
   bool held_confirmed_ = true;  // False while held buttons are known only from before the plug.
-  // A report was accepted that is not published yet.
-  bool changed_ = false;
 };
 
 }  // namespace kaori::input

@@ -17,7 +17,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::size_t kReportBytes = 256;  // Reports of the box have up to 32, those of keyboards up to 64.
+constexpr std::size_t kReportBytes =
+    1024;                            // Ours have up to 32, those of keyboards 64, of a Stream Deck 512.
 constexpr int kReportsAtOnce = 256;  // A quarter of a second of a device that reports every millisecond.
 // The pause before a device that is present and cannot be opened, or a bus that failed, is tried again.
 constexpr Duration kRetry = milliseconds(250);
@@ -29,6 +30,7 @@ constexpr Duration kLoosePlug = milliseconds(10);
 constexpr Duration kOldestReport = milliseconds(1000);  // An older time of arrival is a fault of the device.
 // Index of the left stick among the bindings; the right one follows.
 constexpr std::size_t kFirstStick = 1;
+constexpr std::size_t kFirstFurtherSurface = 5;
 
 // Whether a read would find something, without waiting. The loop wakes the service for any of its descriptors
 // without saying for which one.
@@ -51,39 +53,26 @@ std::array<std::uint32_t, kSticks> PortsBefore(const board::Board& board) {
 
 }  // namespace
 
-// All or none: writers that were acquired before the one that fails are given back when this returns.
-Result<InputWriters> InputWriters::Acquire(const board::Board& board) {
-  auto surface = board.AcquireWriter<board::Surface>();
-  if (!surface) return tl::unexpected(surface.error());
-  auto left = board.AcquireWriter<board::Stick>(0);
-  if (!left) return tl::unexpected(left.error());
-  auto right = board.AcquireWriter<board::Stick>(1);
-  if (!right) return tl::unexpected(right.error());
-  auto keys = board.AcquireWriter<board::Keys>();
-  if (!keys) return tl::unexpected(keys.error());
-  auto pointer = board.AcquireWriter<board::Pointer>();
-  if (!pointer) return tl::unexpected(pointer.error());
-  auto lines = board.AcquireWriter<board::Lines>();
-  if (!lines) return tl::unexpected(lines.error());
-  auto calls = board::Caller::Acquire(board, board::CallWriter::kInput);
-  if (!calls) return tl::unexpected(calls.error());
-  return InputWriters{std::move(*surface), {std::move(*left), std::move(*right)},
-                      std::move(*keys),    std::move(*pointer),
-                      std::move(*lines),   std::move(*calls)};
-}
-
 // Slots read their sections here, before any device is opened.
 InputService::InputService(const board::Board& board, InputWriters writers, InputSources sources,
                            const InputSettings& settings, const Clock& clock)
     : board_(board),
       clock_(clock),
       lines_(board, std::move(writers.lines), std::move(writers.calls), std::move(sources.lines)),
+      maps_(std::move(sources.maps)),
+      surface_(board, std::move(writers.surface), settings.counts_per_turn, 1 + kFurtherSurfaces),
       roles_(settings.stick_ports, PortsBefore(board)),
       started_(clock.now()) {
   using decode::DeviceKind;
   for (ports::HidBus* bus : sources.buses) buses_.push_back({.bus = bus});
-  auto& [dials, left, right, keys, pointer] = bindings_;
-  dials.slot = std::make_unique<DialSlot>(board, std::move(writers.surface), settings.counts_per_turn);
+  auto &dials = bindings_[0], &left = bindings_[1], &right = bindings_[2], &keys = bindings_[3],
+       &pointer = bindings_[4];
+  dials.slot = std::make_unique<DialSlot>(board, surface_, 0, maps_);
+  for (std::size_t n = 0; n < kFurtherSurfaces; ++n) {
+    Binding& further = bindings_[kFirstFurtherSurface + n];
+    further.slot = std::make_unique<DialSlot>(board, surface_, 1 + n, maps_);
+    further.kind = DeviceKind::kSurface;
+  }
   dials.kind = DeviceKind::kDialBox;
   dials.only_port = settings.dial_box_port;
   left.slot = std::make_unique<StickSlot>(board, std::move(writers.sticks[0]), 0, settings);
@@ -160,7 +149,8 @@ void InputService::TryToAttach(const BusPort& port, Time now) {
   std::erase_if(skipped_, [&](const SkippedPort& skipped) { return skipped.port == port; });
   const auto layout = decode::LayoutOf((*device)->identity());
   if (!layout) return Skip(port, decode::DeviceKind::kOther, layout.error().message());
-  const decode::DeviceKind kind = decode::Recognise(*layout);
+  const bool has_map = MapFor(maps_, (*device)->identity().vendor, (*device)->identity().product) != nullptr;
+  const decode::DeviceKind kind = has_map ? decode::DeviceKind::kSurface : decode::Recognise(*layout);
   if (kind == decode::DeviceKind::kOther) return Skip(port, kind, "the device is not one that the show uses");
   Binding* binding = BindingFor(kind, port);
   if (binding == nullptr)
@@ -241,6 +231,9 @@ void InputService::ReadReports(Binding& binding, Time now) {
 void InputService::HandleReadError(Binding& binding, const Error& error, Time now) {
   if (error.cause == std::errc::resource_unavailable_try_again) return;
   const bool gone = error.cause == std::errc::no_such_device || ++binding.faults == kFaultsToDetach;
+  // What came, but torn, is worth a line; a transfer that failed is tried again by itself.
+  if (!gone && error.cause == std::errc::bad_message && !std::exchange(binding.bad_report_logged, true))
+    LogWarning("{}: {}; further ones are passed over silently", binding.slot->name(), error.attempt);
   if (gone) Detach(binding, error, now);
 }
 

@@ -13,6 +13,8 @@
 #include "appliance/programs/input/line_inputs.h"
 #include "appliance/programs/input/settings.h"
 #include "appliance/programs/input/stick_roles.h"
+#include "appliance/programs/input/surface_map.h"
+#include "appliance/programs/input/surface_section.h"
 #include "drivers/base/clock.h"
 #include "drivers/decode/recognise.h"
 #include "drivers/ports/gpio_lines.h"
@@ -38,7 +40,11 @@ struct InputWriters {
 struct InputSources {
   std::vector<ports::HidBus*> buses;  // Borrowed: the buses outlive the service.
   ports::GpioOpener lines;            // Empty where the box has no GPIO lines.
+  std::vector<SurfaceMap> maps{};     // Of surfaces that people own.
 };
+
+// How many surfaces with a map may play beside the dial box.
+inline constexpr std::size_t kFurtherSurfaces = 4;
 
 // The service runs in one thread and goes on from what the board holds. A device that cannot be read, opened
 // or recognised is logged once and never stops the service of the others.
@@ -133,8 +139,11 @@ class InputService {
   const Clock& clock_;
   std::vector<Bus> buses_;
   LineInputs lines_;
+  const std::vector<SurfaceMap> maps_;
+  SurfaceSection surface_;
   // The slots are made once and live as long as the service; devices come and go.
-  std::array<Binding, 5> bindings_;  // Dial box, left stick, right stick, keyboard, pointer.
+  // Dial box, left stick, right stick, keyboard, pointer, and further surfaces, which are devices with a map.
+  std::array<Binding, 5 + kFurtherSurfaces> bindings_;
   StickRoles roles_;
   // At most one entry for each port of a bus; it is dropped when the port is empty or the device is attached.
   std::vector<SkippedPort> skipped_;

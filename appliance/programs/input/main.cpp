@@ -21,10 +21,13 @@
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/gpio/chip_lines.h"
+#include "drivers/gpio/dial_bus.h"
 #include "drivers/gpio/local_lines.h"
 #include "drivers/hid/hidraw_bus.h"
 #include "drivers/hid/libusb_bus.h"
 #include "drivers/hid/local_bus.h"
+#include "drivers/midi/midi_bus.h"
+#include "drivers/serial/serial_bus.h"
 
 namespace {
 
@@ -36,6 +39,13 @@ constexpr std::string_view kHelp =
   --board FILE     the board, shared with the other programs
   --hidraw         read HID devices through the kernel's hidraw driver
   --usb            read HID devices on USB directly, without the kernel's driver
+  --serial LINE=BOX
+                   read a dial box of 1993 on a serial line, best named as in /dev/serial/by-path; BOX is sgi (SN-921),
+                   spectragraphics or dls80 (DLS80-1022, HP A4362A)
+  --dials CHIP:A,B,...
+                   dials on GPIO lines, two lines for each of them: gpiochip0:4,5,6,7
+  --surfaces FOLDER
+                   play surfaces that people own as the files of this folder say, those on MIDI too
   --links FOLDER   read the simulator's devices, whose sockets are in FOLDER, and its switches where no chip
                    is named
   --gpiochip NAME  the GPIO chip of the foot and service switches: gpiochip0, or its label
@@ -49,7 +59,7 @@ constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file, chip, lines;
+  std::string links, file, chip, lines, serial, surfaces, dials;
   bool hidraw = false, usb = false;
 };
 
@@ -93,18 +103,71 @@ kaori::Result<void> Add(kaori::Result<std::unique_ptr<Bus>> bus, Buses& buses) {
   return {};
 }
 
+kaori::Result<void> AddSerial(const std::string& text, int counts_per_turn, const kaori::Clock& clock,
+                              Buses& buses) {
+  auto options = kaori::serial::ParseSerialBox(text, counts_per_turn);
+  if (!options) return tl::unexpected(options.error());
+  return Add(kaori::serial::SerialBus::Open(std::move(*options), clock), buses);
+}
+
+// Those of the maps that are for MIDI.
+std::vector<kaori::midi::KnownSurface> MidiSurfacesOf(const std::vector<kaori::input::SurfaceMap>& maps) {
+  std::vector<kaori::midi::KnownSurface> surfaces;
+  for (const auto& map : maps)
+    for (const auto& id : map.usb)
+      if (map.midi)
+        surfaces.push_back({.name = map.name, .vendor = id.vendor, .product = id.product, .map = *map.midi});
+  return surfaces;
+}
+
+// A file that is faulty is named, and its device is not played; the others are.
+std::vector<kaori::input::SurfaceMap> ReadMaps(const std::string& folder) {
+  std::vector<kaori::input::SurfaceMap> maps;
+  if (folder.empty()) return maps;
+  for (const std::string& line : kaori::input::ReadSurfaceMaps(folder, maps)) kaori::LogWarning("{}", line);
+  return maps;
+}
+
+// A machine without USB has none of them, and plays on.
+void AddIgnoredByKernel(const kaori::Clock& clock, Buses& buses) {
+  using kaori::hid::LibusbBus;
+  if (auto ok = Add(LibusbBus::Open(clock, LibusbBus::Which::kIgnoredByKernel), buses); !ok)
+    kaori::LogWarning("{}; knobs that the kernel leaves alone are not played", ok.error().message());
+}
+
+kaori::Result<void> AddDials(const std::string& text, const kaori::Clock& clock, Buses& buses) {
+  const auto wiring = kaori::gpio::ParseDialWiring(text);
+  if (!wiring) return tl::unexpected(wiring.error());
+  const auto open = [wiring = *wiring] { return kaori::gpio::OpenDialLines(wiring.chip, wiring.offsets); };
+  return Add(kaori::gpio::DialBus::Open(open, clock), buses);
+}
+
 // A bus of real devices and the simulator's may run side by side: a desk with a real keyboard and simulated dials.
-kaori::Result<Buses> OpenBuses(const Settings& settings, const kaori::Clock& clock) {
+kaori::Result<Buses> OpenBuses(const Settings& settings, int counts_per_turn, const kaori::Clock& clock) {
   Buses buses;
   kaori::Result<void> ok;
   // Each of the two would take the devices away from the other again and again.
   if (settings.hidraw && settings.usb) return kaori::FailInput("--hidraw and --usb exclude each other");
   if (settings.hidraw) ok = Add(kaori::hid::HidrawBus::Open(clock), buses);
+  if (ok && settings.hidraw) AddIgnoredByKernel(clock, buses);
   if (ok && settings.usb) ok = Add(kaori::hid::LibusbBus::Open(clock), buses);
   if (ok && !settings.links.empty()) ok = Add(kaori::hid::LocalHidBus::Watch(settings.links), buses);
+  if (ok && !settings.serial.empty()) ok = AddSerial(settings.serial, counts_per_turn, clock, buses);
+  if (ok && !settings.dials.empty()) ok = AddDials(settings.dials, clock, buses);
   if (!ok) return tl::unexpected(ok.error());
-  if (buses.empty()) return kaori::FailInput("one of --hidraw, --usb and --links is needed");
+  if (buses.empty())
+    return kaori::FailInput("one of --hidraw, --usb, --serial, --dials and --links is needed");
   return buses;
+}
+
+// Null where no surface on MIDI is known.
+std::unique_ptr<kaori::midi::MidiBus> OpenMidi(const std::vector<kaori::midi::KnownSurface>& surfaces,
+                                               const kaori::Clock& clock) {
+  if (surfaces.empty()) return nullptr;
+  auto bus = kaori::midi::MidiBus::Open({}, surfaces, clock);
+  if (bus) return std::move(*bus);
+  kaori::LogWarning("{}; the show goes on without MIDI", bus.error().message());
+  return nullptr;
 }
 
 // Inputs are switches to ground; the output is a lamp that a high level lights.
@@ -143,13 +206,17 @@ int Play(const Settings& settings, kaori::EventLoop& loop) {
   auto writers = kaori::input::InputWriters::Acquire(*board);
   if (!writers) return kaori::ExitWithError(writers.error());
   const kaori::SteadyClock clock;
-  const auto buses = OpenBuses(settings, clock);
+  const auto buses = OpenBuses(settings, input_settings->counts_per_turn, clock);
   if (!buses) return kaori::ExitWithError(buses.error());
   auto lines = LinesOpener(settings, clock);
   if (!lines) kaori::LogWarning("{}; the show goes on without GPIO lines", lines.error().message());
   kaori::input::InputSources sources;
   if (lines) sources.lines = std::move(*lines);
   for (const auto& bus : *buses) sources.buses.push_back(bus.get());
+  sources.maps = ReadMaps(settings.surfaces);
+  const auto midi_surfaces = MidiSurfacesOf(sources.maps);
+  const auto midi = OpenMidi(midi_surfaces, clock);
+  if (midi) sources.buses.push_back(midi.get());
   kaori::input::InputService service(*board, std::move(*writers), std::move(sources), *input_settings, clock);
   ServiceWatch watch(service, loop);
   watch.Step();
@@ -170,6 +237,9 @@ int main(int argc, char** argv) {
       .Switch("--hidraw", settings.hidraw)
       .Switch("--usb", settings.usb)
       .Text("--links", settings.links)
+      .Text("--serial", settings.serial)
+      .Text("--dials", settings.dials)
+      .Text("--surfaces", settings.surfaces)
       .Text("--gpiochip", settings.chip)
       .Text("--lines", settings.lines)
       .Text("--settings", settings.file);

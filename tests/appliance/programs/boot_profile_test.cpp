@@ -72,6 +72,18 @@ TEST(Profile, AFaultInTheLinesIsNamedWithItsLine) {
   EXPECT_EQ(twice.name, "stage");
 }
 
+TEST(Profile, ADialBoxOnASerialLineIsNamedWithItsKind) {
+  const auto read = ReadProfile("dial_box = \"/dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0=sgi\"");
+  EXPECT_THAT(read.fault, IsEmpty());
+  EXPECT_EQ(DialsEnvironmentOf(read),
+            "KAORI_DIALS=--serial /dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0=sgi\n");
+  EXPECT_EQ(DialsEnvironmentOf(ReadProfile("")), "KAORI_DIALS=\n");
+  for (const char* wrong :
+       {"/dev/ttyUSB0", "/dev/ttyUSB0=sn921", "ttyUSB0=sgi", "/dev/tty USB0=sgi", "/dev/$HOME=sgi"})
+    EXPECT_THAT(ReadProfile("dial_box = \"" + std::string(wrong) + "\"").fault,
+                HasSubstr("line 1: expected a serial line and its kind of box"));
+}
+
 TEST(Profile, NamesTheScreenThatSaysHowTheBoxDoes) {
   EXPECT_THAT(ReadProfile("profile = \"stage\"\n").status_screen, IsEmpty());
   EXPECT_EQ(ReadProfile("status_screen = \"HDMI-A-2\"").status_screen, "HDMI-A-2");

@@ -1,0 +1,81 @@
+#include "drivers/decode/midi_surface.h"
+
+#include <algorithm>
+
+namespace kaori::decode {
+namespace {
+
+constexpr int kMiddle = 64;
+constexpr std::uint8_t kFull = 127;
+constexpr std::size_t kMostButtons = 32;
+
+std::int32_t TurnOf(MidiDialMode mode, int value) {
+  switch (mode) {
+    case MidiDialMode::kOffset:
+      return value - kMiddle;
+    case MidiDialMode::kTwos:
+      return value < kMiddle ? value : value - 2 * kMiddle;
+    case MidiDialMode::kSigned:
+      return value < kMiddle ? value : kMiddle - value;
+    case MidiDialMode::kAbsolute:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool MidiSurface::Accept(std::uint8_t byte) {
+  const auto message = parser_.Accept(byte);
+  if (!message || message->kind == MidiMessage::Kind::kOther) return false;
+  return message->kind == MidiMessage::Kind::kControl && Turn(*message) ? true : Press(*message);
+}
+
+bool MidiSurface::Turn(const MidiMessage& message) {
+  for (std::size_t n = 0; n < std::min(map_.dials.size(), counts_.size()); ++n) {
+    const MidiDial& dial = map_.dials[n];
+    if (dial.channel != message.channel || dial.control != message.number) continue;
+    std::int32_t turn = TurnOf(dial.mode, message.value);
+    if (dial.mode == MidiDialMode::kAbsolute) {
+      turn = message.value - positions_[n].value_or(message.value);
+      positions_[n] = message.value;
+    }
+    counts_[n] =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(counts_[n]) + static_cast<std::uint32_t>(turn));
+    return turn != 0;
+  }
+  return false;
+}
+
+bool MidiSurface::Press(const MidiMessage& message) {
+  const bool is_control = message.kind == MidiMessage::Kind::kControl;
+  const bool is_down = is_control ? message.value >= kMiddle : message.kind == MidiMessage::Kind::kNoteOn;
+  const auto is_meant = [&](const MidiButton& button) {
+    return button.is_control == is_control && button.channel == message.channel &&
+           button.number == message.number;
+  };
+  const auto found = std::ranges::find_if(map_.buttons, is_meant);
+  const auto n = static_cast<std::size_t>(found - map_.buttons.begin());
+  if (found == map_.buttons.end() || n >= kMostButtons) return false;
+  const std::uint32_t bit = std::uint32_t{1} << n;
+  const std::uint32_t before = down_;
+  down_ = is_down ? down_ | bit : down_ & ~bit;
+  return down_ != before;
+}
+
+std::vector<std::uint8_t> MidiSurface::LampBytes(std::uint32_t lit, bool again) {
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t n = 0; n < std::min(map_.buttons.size(), kMostButtons); ++n) {
+    const MidiButton& button = map_.buttons[n];
+    const bool is_lit = (lit >> n & 1U) != 0;
+    const bool is_known = lit_ && (*lit_ >> n & 1U) == (is_lit ? 1U : 0U);
+    if (!button.has_lamp || (is_known && !again)) continue;
+    const unsigned status = (button.is_control ? 0xB0U : 0x90U) + static_cast<unsigned>(button.channel - 1);
+    for (const unsigned byte : {status, unsigned{button.number}, is_lit ? unsigned{kFull} : 0U})
+      bytes.push_back(static_cast<std::uint8_t>(byte));
+  }
+  lit_ = lit;
+  return bytes;
+}
+
+}  // namespace kaori::decode

@@ -1,0 +1,62 @@
+#include "drivers/midi/midi_channel.h"
+
+#include <unistd.h>
+
+#include "firmware/wire/dial_box.h"
+
+namespace kaori::midi {
+
+MidiChannel::MidiChannel(UniqueFd node, const ports::HidIdentity& identity, const decode::MidiMap& map,
+                         const Clock& clock)
+    : node_(std::move(node)), identity_(identity), map_(map), clock_(clock), surface_(map) {
+  // Where it does not take it now it is as it was switched on, and its dials may do nothing.
+  (void)Send(map_.start);
+}
+
+Result<void> MidiChannel::Fill() {
+  const ssize_t got = ::read(node_.get(), bytes_.data(), bytes_.size());
+  if (got < 0 && (errno == EAGAIN || errno == EINTR))
+    return Fail(std::errc::resource_unavailable_try_again, "read " + identity_.port);
+  if (got <= 0) return Fail(std::errc::no_such_device, "read the MIDI device at " + identity_.port);
+  next_ = 0;
+  end_ = static_cast<std::size_t>(got);
+  read_at_ = clock_.now();
+  return {};
+}
+
+Result<ports::HidInput> MidiChannel::Read(std::span<std::uint8_t> into) {
+  const auto report = [&] {
+    return ports::HidInput{.at = read_at_,
+                           .bytes = reporter_.Report(surface_.counts(), surface_.buttons_down(), into)};
+  };
+  if (reporter_.has_rest()) return report();
+  Repaint(clock_.now());
+  for (;;) {
+    while (next_ < end_)
+      if (surface_.Accept(bytes_[next_++])) return report();
+    if (auto filled = Fill(); !filled) return tl::unexpected(filled.error());
+  }
+}
+
+void MidiChannel::Repaint(Time now) {
+  if (map_.repaint == Duration::zero() || now - painted_at_ < map_.repaint) return;
+  painted_at_ = now;
+  (void)Send(surface_.LampBytes(lit_, true));
+}
+
+Result<void> MidiChannel::Write(std::span<const std::uint8_t> report) {
+  if (report.size() != 1 + wire::kDialBoxLampBytes)
+    return FailInput("write an unknown report to " + identity_.port);
+  lit_ = wire::GetU32(report, 1);
+  return Send(surface_.LampBytes(lit_, false));
+}
+
+Result<void> MidiChannel::Send(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty() || ::write(node_.get(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()))
+    return {};
+  const bool is_full = errno == EAGAIN || errno == EINTR;
+  return Fail(is_full ? std::errc::resource_unavailable_try_again : std::errc::no_such_device,
+              "write to the MIDI device at " + identity_.port);
+}
+
+}  // namespace kaori::midi

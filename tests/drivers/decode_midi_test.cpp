@@ -1,0 +1,92 @@
+// MIDI streams, whole and torn.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drivers/decode/midi.h"
+#include "drivers/decode/midi_surface.h"
+#include "drivers/decode/stream_deck.h"
+
+namespace kaori::decode {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<MidiMessage> Parse(MidiParser& parser, std::initializer_list<int> bytes) {
+  std::vector<MidiMessage> messages;
+  for (const int byte : bytes)
+    if (const auto message = parser.Accept(static_cast<std::uint8_t>(byte))) messages.push_back(*message);
+  return messages;
+}
+
+TEST(Midi, RunningStatusHoldsUntilTheNextAndTheClockIsNoStatus) {
+  MidiParser parser;
+  const auto messages = Parse(parser, {0xB2, 7, 0xF8, 64, 8, 0xFE, 65, 0x92, 60, 100, 60, 0});
+  ASSERT_EQ(messages.size(), 4U);
+  EXPECT_EQ(messages[0].kind, MidiMessage::Kind::kControl);
+  EXPECT_EQ(messages[0].channel, 3);
+  EXPECT_EQ(messages[1].number, 8);
+  EXPECT_EQ(messages[1].value, 65);
+  EXPECT_EQ(messages[2].kind, MidiMessage::Kind::kNoteOn);
+  EXPECT_EQ(messages[3].kind, MidiMessage::Kind::kNoteOff) << "a note-on of velocity 0";
+}
+
+TEST(Midi, DataWithoutAStatusAndAfterASystemMessageMeanNothing) {
+  MidiParser parser;
+  EXPECT_TRUE(Parse(parser, {1, 2, 3, 0xB0, 1, 0xF6, 2, 3}).empty());
+  EXPECT_EQ(Parse(parser, {0xC0, 5, 6, 0xB0, 1, 2}).size(), 3U) << "a program change has one byte of data";
+}
+
+TEST(Midi, SysExIsKeptUpTo256BytesAndLongerOnesArePassedOver) {
+  MidiParser parser;
+  Parse(parser, {0xF0, 1, 0xF8, 2, 0xF7});
+  EXPECT_THAT(parser.sysex(), ElementsAre(1, 2));
+  Parse(parser, {0xF0, 3, 0x90, 60, 1});
+  EXPECT_TRUE(parser.sysex().empty()) << "another status ends it";
+  for (const std::size_t bytes : {kMostSysExBytes, kMostSysExBytes + 1}) {
+    Parse(parser, {0xF0});
+    for (std::size_t n = 0; n < bytes; ++n) Parse(parser, {5});
+    Parse(parser, {0xF7});
+    EXPECT_EQ(parser.sysex().size(), bytes == kMostSysExBytes ? bytes : 0U);
+  }
+}
+
+TEST(MidiSurface, EachModeOfADialTurnsItsWay) {
+  const struct {
+    MidiDialMode mode;
+    int forth, back;
+  } modes[] = {
+      {MidiDialMode::kOffset, 66, 62}, {MidiDialMode::kTwos, 2, 126}, {MidiDialMode::kSigned, 2, 66}};
+  for (const auto& mode : modes) {
+    MidiMap map{.dials = {{.channel = 1, .control = 9, .mode = mode.mode}}, .buttons = {}, .start = {}};
+    MidiSurface surface(map);
+    for (const int byte : {0xB0, 9, mode.forth, 9, mode.forth, 9, mode.back})
+      surface.Accept(static_cast<std::uint8_t>(byte));
+    EXPECT_EQ(surface.counts()[0], 2);
+  }
+}
+
+TEST(MidiSurface, LampsAreSentWhereTheyChangeAndAllOfThemAgain) {
+  const MidiMap map{.dials = {},
+                    .buttons = {{.channel = 2, .number = 5, .has_lamp = true},
+                                {.channel = 2, .number = 6},
+                                {.channel = 2, .number = 7, .has_lamp = true}},
+                    .start = {}};
+  MidiSurface surface(map);
+  EXPECT_THAT(surface.LampBytes(0x7, false), ElementsAre(0x91, 5, 127, 0x91, 7, 127));
+  EXPECT_THAT(surface.LampBytes(0x4, false), ElementsAre(0x91, 5, 0));
+  EXPECT_THAT(surface.LampBytes(0x4, true), ElementsAre(0x91, 5, 0, 0x91, 7, 127));
+}
+
+TEST(StreamDeck, APictureIsCutIntoPagesOfAThousandBytes) {
+  const std::vector<std::uint8_t> jpeg(1016 + 5, 0xAB);
+  const auto pages = PicturePages(7, jpeg);
+  ASSERT_EQ(pages.size(), 2U);
+  EXPECT_EQ(pages[0].size(), 1024U);
+  EXPECT_THAT(std::vector(pages[0].begin(), pages[0].begin() + 8), ElementsAre(2, 7, 7, 0, 0xF8, 0x03, 0, 0));
+  EXPECT_THAT(std::vector(pages[1].begin(), pages[1].begin() + 8), ElementsAre(2, 7, 7, 1, 5, 0, 1, 0));
+  EXPECT_EQ(StreamDeckOf(0x0FD9, 0x0080).keys, 15);
+  EXPECT_EQ(StreamDeckOf(0x0FD9, 0x0063).keys, 0) << "the Mini has another protocol";
+}
+
+}  // namespace
+}  // namespace kaori::decode
