@@ -1,19 +1,24 @@
 // A simulated joystick: two axes, twist, slider, hat and 12 buttons.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "firmware/surface/stick_pod.h"
 #include "firmware/wire/stick_pod.h"
 #include "hw-sim/devices/hid_device.h"
 #include "hw-sim/devices/operator_action.h"
-#include "hw-sim/devices/report_queue.h"
 
 namespace kaori::sim {
 
-// It does not spring back by itself: whoever lets it go moves it to the middle. Positions are exact;
-// reports round them to the device's counts. One thread.
+// An operator's hand on the potentiometers and switches of the pod's own firmware (firmware/surface). It does not spring back
+// by itself: whoever lets it go moves it to the middle. Positions are as fine as the pod's converter tells them, four codes of
+// 12 bits at a time. The hand is quicker than any: what the firmware sees of an action it sees within the call. One thread.
 class StickPod final : public HidDevice {
  public:
   // `port` is kStickLeft or kStickRight. Borrows the context.
-  StickPod(DevicePort port, const DeviceContext& context) : port_(port), context_(context) {}
+  StickPod(DevicePort port, const DeviceContext& context);
 
   // Test's side. Values beyond the stops are held at the stops.
   void Move(float x, float y);  // x: -1 left .. 1 right; y: -1 pulled back .. 1 pushed forwards.
@@ -27,37 +32,52 @@ class StickPod final : public HidDevice {
   float twist() const { return twist_; }
   float slider() const { return slider_; }
   // 0 up, clockwise in eighths to 7; -1 centred.
-  int hat() const;
-  std::uint16_t buttons_down() const { return waiting_.newest().buttons_down; }
+  int hat() const { return hat_; }
+  std::uint16_t buttons_down() const { return buttons_; }
 
-  // Appliance's side.
+  // Appliance's side, as HidDevice says.
   HidDeviceName device_name() const override;
-  std::optional<Time> next_due() const override { return waiting_.next_due(); }
+  std::optional<Time> next_due() const override;
   std::optional<Report> NextReport(Time now) override;
   Report Standing() const override;
   void HandleOutput(std::span<const std::uint8_t>) override {}
   void HostCame() override;
-  void HostLeft() override { waiting_.set_hosted(false); }
-  void PowerCycle() override { waiting_.Forget(); }
+  void HostLeft() override { firmware_->SetHost(surface::Host::kGone); }
+  void PowerCycle() override { PowerOn(); }
 
  private:
-  // Nothing in this report is said once: all of it stands.
-  static wire::StickPodReport Next(const wire::StickPodReport& last) { return last; }
-  // The report that waits, for a change that may share it with others.
-  wire::StickPodReport& Change();
+  void PowerOn();
+  // What the firmware sees at some looks: the switches as they are held, and the axes where they stand.
+  void Look(unsigned looks);
+  // As many looks as its filters need until they say where the axes stand.
+  void Settle();
+  // The switches close or open, and chatter before they rest.
+  void Switch(std::uint32_t changed, unsigned looks);
   // Told to the watcher only where it changes.
   void SetButton(int button, bool down);
+  // Does something to the firmware's lines, and notes since when it has something to say.
+  template <class Do>
+  void Change(Do act);
 
   // Which of the two: for the watcher, and for nothing else.
   DevicePort port_;
   const DeviceContext& context_;
-  // Positions and buttons as the next reports say them.
-  ReportQueue<wire::StickPodReport> waiting_{&Next};
+  // Made anew when the power comes.
+  std::optional<surface::StickPod> firmware_;
   // Exact, as they were set; the slider 0 .. 1, the others -1 .. 1.
   float x_ = 0;
   float y_ = 0;
   float twist_ = 0;
   float slider_ = 0;
+  int hat_ = -1;
+  std::uint16_t buttons_ = 0;  // Bit n: button n is held.
+  std::uint32_t closed_ = 0;   // The switches, as surface::StickPod::Tick has them.
+  // What the potentiometers give, in sums of four codes.
+  std::array<std::uint16_t, surface::StickPod::kAxes> sums_{};
+  unsigned code_of_four_ = 0;
+  // When a report first had something to say, and when the bus takes the next one.
+  Time changed_at_{};
+  Time free_at_{};
 };
 
 }  // namespace kaori::sim
