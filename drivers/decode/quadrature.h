@@ -28,7 +28,7 @@ class QuadratureDials {
   bool Accept(const DialEdge& edge);
   // Edges are missing: the levels are to be read, and told by Resume.
   bool needs_levels() const { return needs_levels_; }
-  // `levels` were read at `at`.
+  // `levels` were read at `at`, or right after it.
   void Resume(std::uint32_t levels, Time at);
 
   // Clockwise (A before B) is positive; four counts a cycle; they wrap.

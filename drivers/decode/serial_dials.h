@@ -27,7 +27,8 @@ inline constexpr Duration kSerialGap = std::chrono::milliseconds(10);
 // The rule of resynchronising. Three bytes without a mark can be read in three ways, so that no decoder finds back to them by
 // their values alone. Where a byte begins no message, or a dial jumps by more than a third of a turn, the line is only watched
 // until it was silent for kSerialGap; what comes then is a beginning. A fault lets one false value pass at most, but for a
-// few in a million where a byte looks right by chance; it is bounded by that jump, and none passes after the next gap. Pure; one decoder belongs to one opened line.
+// few in a million where a byte looks right by chance; it is bounded by that jump, and none passes after the next gap. Pure; one
+// decoder belongs to one opened line.
 class SerialDialDecoder {
  public:
   // `counts_per_turn` is 1 to 2^20.

@@ -40,11 +40,13 @@ class DialChannel final : public ports::HidChannel {
   Result<void> Write(std::span<const std::uint8_t>) override { return {}; }
 
  private:
-  // The error of a gap is told after the dials go on.
+  // The error of a gap is told after the dials go on. The time is that before the levels: an edge in between is in them
+  // already, and comes to no turn when it is read; passed over it would be missing.
   Result<void> Resume() {
+    const Time at = clock_.now();
     const auto levels = lines_->Levels();
     if (!levels) return tl::unexpected(levels.error());
-    dials_.Resume(*levels, clock_.now());
+    dials_.Resume(*levels, at);
     return Fail(std::errc::bad_message,
                 "the kernel dropped edges of the dials on GPIO lines; they moved nothing");
   }

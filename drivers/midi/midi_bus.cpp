@@ -80,6 +80,9 @@ Result<std::unique_ptr<ports::HidChannel>> MidiBus::Open(const std::string& port
                 fmt::format("use the MIDI device {:04x}:{:04x} at {}, for which there is no map", node.vendor,
                             node.product, port));
   UniqueFd fd(::open(node.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
+  // ENXIO: it has no way back, for lamps.
+  if (!fd.valid() && errno == ENXIO)
+    fd = UniqueFd(::open(node.path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!fd.valid()) return Fail(CauseOfOpen(errno), "open " + node.path.string() + " at " + port);
   const ports::HidIdentity identity{
       .port = port,

@@ -5,6 +5,12 @@
 #include "firmware/wire/dial_box.h"
 
 namespace kaori::midi {
+namespace {
+
+// What floods with bytes that say nothing does not hold up others; the loop comes again for the rest.
+constexpr int kFillsAtOnce = 16;
+
+}  // namespace
 
 MidiChannel::MidiChannel(UniqueFd node, const ports::HidIdentity& identity, const decode::MidiMap& map,
                          const Clock& clock)
@@ -31,11 +37,12 @@ Result<ports::HidInput> MidiChannel::Read(std::span<std::uint8_t> into) {
   };
   if (reporter_.has_rest()) return report();
   Repaint(clock_.now());
-  for (;;) {
+  for (int fills = 0; fills < kFillsAtOnce; ++fills) {
     while (next_ < end_)
       if (surface_.Accept(bytes_[next_++])) return report();
     if (auto filled = Fill(); !filled) return tl::unexpected(filled.error());
   }
+  return Fail(std::errc::resource_unavailable_try_again, "read " + identity_.port);
 }
 
 void MidiChannel::Repaint(Time now) {
@@ -51,10 +58,14 @@ Result<void> MidiChannel::Write(std::span<const std::uint8_t> report) {
   return Send(surface_.LampBytes(lit_, false));
 }
 
+// What was cut short is sent whole the next time: a status byte ends whatever message it comes into. EBADF is a device that
+// has no way back and is open for reading alone.
 Result<void> MidiChannel::Send(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty() || ::write(node_.get(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()))
-    return {};
-  const bool is_full = errno == EAGAIN || errno == EINTR;
+  if (bytes.empty()) return {};
+  const ssize_t sent = ::write(node_.get(), bytes.data(), bytes.size());
+  if (sent == static_cast<ssize_t>(bytes.size()) || (sent < 0 && errno == EBADF)) return {};
+  const bool is_full = sent >= 0 || errno == EAGAIN || errno == EINTR;
+  surface_.ForgetLamps();
   return Fail(is_full ? std::errc::resource_unavailable_try_again : std::errc::no_such_device,
               "write to the MIDI device at " + identity_.port);
 }

@@ -96,6 +96,7 @@ class HidBus {
   //   permission_denied        the device may not be opened
   //   device_or_resource_busy  another program uses it, or it has not answered yet; try again
   //   io_error                 it does not send its descriptors
+  //   not_supported            nobody has said what the device does; that stays so while it is plugged in
   virtual Result<std::unique_ptr<HidChannel>> Open(const std::string& port) = 0;
 };
 

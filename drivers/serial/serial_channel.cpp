@@ -7,6 +7,12 @@
 #include "firmware/wire/dial_box.h"
 
 namespace kaori::serial {
+namespace {
+
+// What floods with bytes that say nothing does not hold up others; the loop comes again for the rest.
+constexpr int kFillsAtOnce = 16;
+
+}  // namespace
 
 void SendDue(SpokenLine& spoken, Time now) {
   const auto bytes = spoken.session.Due(now);
@@ -45,7 +51,7 @@ Result<ports::HidInput> SerialChannel::Read(std::span<std::uint8_t> into) {
   SendDue(spoken_, clock_.now());
   const decode::SerialDialDecoder& decoder = spoken_.session.decoder();
   if (next_ == end_ && spoken_.session.Settle(clock_.now())) return Report(into);
-  for (;;) {
+  for (int fills = 0; fills < kFillsAtOnce; ++fills) {
     while (next_ < end_)
       if (spoken_.session.Accept(bytes_[next_++], read_at_)) return Report(into);
     if (spoken_.session.state() == decode::SerialDialSession::State::kStrange) {
@@ -59,6 +65,7 @@ Result<ports::HidInput> SerialChannel::Read(std::span<std::uint8_t> into) {
                   "a torn message on the serial line " + identity_.port + " was passed over");
     if (auto filled = Fill(); !filled) return tl::unexpected(filled.error());
   }
+  return Fail(std::errc::resource_unavailable_try_again, "read " + identity_.port);
 }
 
 ports::HidInput SerialChannel::Report(std::span<std::uint8_t> into) {

@@ -75,6 +75,9 @@ TEST(MidiSurface, LampsAreSentWhereTheyChangeAndAllOfThemAgain) {
   EXPECT_THAT(surface.LampBytes(0x7, false), ElementsAre(0x91, 5, 127, 0x91, 7, 127));
   EXPECT_THAT(surface.LampBytes(0x4, false), ElementsAre(0x91, 5, 0));
   EXPECT_THAT(surface.LampBytes(0x4, true), ElementsAre(0x91, 5, 0, 0x91, 7, 127));
+  EXPECT_THAT(surface.LampBytes(0x4, false), ElementsAre());
+  surface.ForgetLamps();
+  EXPECT_THAT(surface.LampBytes(0x4, false), ElementsAre(0x91, 5, 0, 0x91, 7, 127)) << "they were not sent";
 }
 
 TEST(StreamDeck, APictureIsCutIntoPagesOfAThousandBytes) {

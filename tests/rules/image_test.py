@@ -39,6 +39,7 @@ class Image(unittest.TestCase):
             self.assertIn("--disk many", refusal(build, *usual, "--disk", "many"))
             self.assertIn("there is no option --dusk", refusal(build, "--dusk", 1))
             self.assertIn("--out wants a value", refusal(build, "--out"))
+            self.assertIn(f"there is no update of a surface in {folder}", refusal(build, *usual, "--firmware", folder))
             self.assertIn("there is no show at", refusal(build, *usual[:4], "--pack", f"{folder}/none"))
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drivers/base/number.h"
 #include "drivers/base/read_file.h"
 #include "drivers/base/whole_file.h"
 
@@ -84,6 +85,15 @@ std::string ParseDialBox(std::string_view value, std::string& dial_box) {
   return {};
 }
 
+std::string ParseDialBoxCounts(std::string_view value, int& counts) {
+  constexpr int kMostCounts = 1 << 20;  // As kaori-input takes them.
+  const auto number = ParseNumber<int>(value);
+  if (!number || *number < 1 || *number > kMostCounts)
+    return "expected how many counts a turn has, a whole number from 1 to " + std::to_string(kMostCounts);
+  counts = *number;
+  return {};
+}
+
 // Reads line by line; the first fault is the last thing it reads. Not a TOML parser: process 1 needs a
 // handful of lines and must not fail in a library. What it takes is a part of TOML, and sections that are not
 // its own may hold anything.
@@ -122,6 +132,7 @@ class Reading {
     if (key == "profile") return ParseProfileName(value, profile_.name);
     if (key == "status_screen") return ParseScreen(value, profile_.status_screen);
     if (key == "dial_box") return ParseDialBox(value, profile_.dial_box);
+    if (key == "dial_box_counts") return ParseDialBoxCounts(value, profile_.dial_box_counts);
     return "there is no setting " + std::string(key);
   }
   // Half a file is not believed.
@@ -149,7 +160,11 @@ Profile ReadProfile(std::string_view text) {
 }
 
 std::string DialsEnvironmentOf(const Profile& profile) {
-  return profile.dial_box.empty() ? "KAORI_DIALS=\n" : "KAORI_DIALS=--serial " + profile.dial_box + "\n";
+  if (profile.dial_box.empty()) return "KAORI_DIALS=\n";
+  const auto counts = profile.dial_box_counts == 0
+                          ? std::string()
+                          : " --counts-per-turn " + std::to_string(profile.dial_box_counts);
+  return "KAORI_DIALS=--serial " + profile.dial_box + counts + "\n";
 }
 
 // A file that cannot be read at all (its message names it) counts as faulty; one that is missing stands for

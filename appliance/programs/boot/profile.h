@@ -18,6 +18,7 @@ namespace kaori::boot {
 //                       where it is the only one it is the show's
 //   dial_box = "/dev/serial/by-path/...=sgi"   a dial box of 1993 on a serial line, and which of the kinds sgi,
 //                       spectragraphics and dls80 it is
+//   dial_box_counts = 200   counts of one turn of its dials, 1 to 2^20
 // and in the section [lines] what ParseWire takes. Other sections are others' business.
 struct Profile {
   // "stage", "kiosk" or "bench".
@@ -26,6 +27,7 @@ struct Profile {
   Wiring wiring{};
   std::string status_screen{};  // Empty: none.
   std::string dial_box{};       // A line and its kind of box; empty: none.
+  int dial_box_counts = 0;      // Of one turn; 0: as kaori-input has it.
   std::string fault{};          // One line that names file and line; empty: none.
 };
 
@@ -33,7 +35,7 @@ struct Profile {
 // reason"; ChooseProfile adds the file's name.
 Profile ReadProfile(std::string_view text);
 
-// For kaori-input's unit: KAORI_DIALS, its option for a dial box on a serial line; empty where there is none.
+// For kaori-input's unit: KAORI_DIALS, its options for a dial box on a serial line; empty where there is none.
 std::string DialsEnvironmentOf(const Profile& profile);
 
 // Reads box.toml in `folder`, and keeps a sound one as box.last-good.toml, whole or not at all. A faulty one

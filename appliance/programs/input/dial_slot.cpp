@@ -17,7 +17,7 @@ constexpr int kMaxLampFailures = 3;
 constexpr Duration kLampRetry = std::chrono::seconds(5);
 // Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see them.
 constexpr Duration kRepaint = std::chrono::seconds(1);
-constexpr std::size_t kMostPictureBytes = 64 * 1024;
+constexpr std::size_t kMostPictureBytes = 64UL * 1024;
 
 }  // namespace
 

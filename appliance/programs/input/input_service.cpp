@@ -90,7 +90,7 @@ InputService::InputService(const board::Board& board, InputWriters writers, Inpu
 // shows what the lines say now.
 void InputService::Step() {
   const Time now = clock_.now();
-  if (ScanIsDue(now)) Scan(now);
+  Scan(now);
   for (Binding& binding : bindings_) {
     if (binding.device) ReadReports(binding, now);
     binding.slot->Tick(now, binding.device.get());
@@ -100,19 +100,15 @@ void InputService::Step() {
   lines_.SetTally(TallyLit(board_.Read<board::StageStatus>(), board_.Read<board::Lines>(), now));
 }
 
-// Listing ports costs system calls for each of them, so that it is done only when a bus has news, when a port
-// waits to be tried again, or when a slot has become free.
-bool InputService::ScanIsDue(Time now) const {
-  const auto readable = [](const Bus& bus) { return !bus.failed() && Readable(bus.bus->pollable()); };
-  if (scan_now_ || std::ranges::any_of(buses_, readable)) return true;
-  return now >= next_scan_ && (std::ranges::any_of(skipped_, &SkippedPort::try_again) ||
-                               std::ranges::any_of(buses_, &Bus::failed));
-}
-
+// Listing ports costs system calls for each of them, so that it is done only for a bus that has news, and for all of them
+// when a port waits to be tried again or when a slot has become free.
 void InputService::Scan(Time now) {
-  scan_now_ = false;
-  next_scan_ = now + kRetry;
-  for (std::size_t bus = 0; bus < buses_.size(); ++bus) ScanBus(bus, now);
+  const bool all =
+      scan_now_ || (now >= next_scan_ && (std::ranges::any_of(skipped_, &SkippedPort::try_again) ||
+                                          std::ranges::any_of(buses_, &Bus::failed)));
+  if (all) scan_now_ = false, next_scan_ = now + kRetry;
+  for (std::size_t bus = 0; bus < buses_.size(); ++bus)
+    if (all || (!buses_[bus].failed() && Readable(buses_[bus].bus->pollable()))) ScanBus(bus, now);
 }
 
 // Ports are tried in the order of PortBefore, so that two equal sticks get their roles by their ports and not by
@@ -145,8 +141,10 @@ void InputService::HandleBusError(Bus& bus, const Error& error) {
 // slot is closed again at the end of this function, so that other programs may use it.
 void InputService::TryToAttach(const BusPort& port, Time now) {
   auto device = buses_[port.bus].bus->Open(port.name);
-  if (!device) return RetryLater(port, device.error());
+  if (!device && device.error().cause != std::errc::not_supported)
+    return RetryLater(port, device.error(), now);
   std::erase_if(skipped_, [&](const SkippedPort& skipped) { return skipped.port == port; });
+  if (!device) return Skip(port, decode::DeviceKind::kOther, device.error().message());
   const auto layout = decode::LayoutOf((*device)->identity());
   if (!layout) return Skip(port, decode::DeviceKind::kOther, layout.error().message());
   const bool has_map = MapFor(maps_, (*device)->identity().vendor, (*device)->identity().product) != nullptr;
@@ -198,12 +196,13 @@ void InputService::Skip(const BusPort& port, decode::DeviceKind kind, const std:
 
 // udev may give the device's file its group only after the device is listed, so that "permission denied" may
 // come first. Each new cause is one line.
-void InputService::RetryLater(const BusPort& port, const Error& error) {
+void InputService::RetryLater(const BusPort& port, const Error& error, Time now) {
   const auto known = std::ranges::find(skipped_, port, &SkippedPort::port);
   if (known != skipped_.end() && known->cause == error.cause) return;
   LogWarning("{}; trying again every 250 ms", error.message());
   std::erase_if(skipped_, [&](const SkippedPort& skipped) { return skipped.port == port; });
   skipped_.push_back({.port = port, .try_again = true, .cause = error.cause});
+  next_scan_ = now + kRetry;
 }
 
 // The time of arrival is bounded on both sides: the kernel stamps it, but a faulty driver's stamp must not

@@ -108,11 +108,9 @@ class InputService {
     Time not_before{};
   };
 
-  // Lists the ports of all buses, or of one, and tries to attach what is new there.
+  // Lists the ports of the buses for which that is due, or of one, and tries to attach what is new there.
   void Scan(Time now);
   void ScanBus(std::size_t bus, Time now);
-  // Whether a bus has news, or something waits to be tried again.
-  bool ScanIsDue(Time now) const;
   // A bus that cannot list its ports: logged once for each cause, and asked again every 250 ms.
   void HandleBusError(Bus& bus, const Error& error);
   // Opens the device at a port, finds out what it is, and gives it to a slot or skips it.
@@ -120,7 +118,7 @@ class InputService {
   // Leaves a port alone until its device is pulled, or until a slot of this kind becomes free.
   void Skip(const BusPort& port, decode::DeviceKind kind, const std::string& why);
   // A device that is there and cannot be opened: tried again every 250 ms.
-  void RetryLater(const BusPort& port, const Error& error);
+  void RetryLater(const BusPort& port, const Error& error, Time now);
   // The free slot for a device of this kind at this port; null where there is none.
   Binding* BindingFor(decode::DeviceKind kind, const BusPort& port);
   Binding* StickBinding(const BusPort& port);

@@ -18,6 +18,7 @@
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/loop_watchdog.h"
+#include "drivers/base/number.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/gpio/chip_lines.h"
@@ -52,6 +53,8 @@ constexpr std::string_view kHelp =
   --lines go=0,blackout=1,service=2,presence=3,tally=4
                    the offsets of the lines on that chip, all or some of them: the first four are switches to
                    ground, tally is a lamp that is lit while the show is live
+  --counts-per-turn N
+                   counts of one turn of a dial of a dial box, in place of what the settings say
   --settings FILE  the ports of the devices, dead zones and curves (TOML)
 )";
 
@@ -59,7 +62,7 @@ constexpr kaori::Duration kTick = 5ms;  // For lamps, and for devices that could
 
 struct Settings {
   std::string board = "/dev/shm/kaori-board";
-  std::string links, file, chip, lines, serial, surfaces, dials;
+  std::string links, file, chip, lines, serial, surfaces, dials, counts;
   bool hidraw = false, usb = false;
 };
 
@@ -190,16 +193,24 @@ kaori::Result<kaori::ports::GpioOpener> LinesOpener(const Settings& settings, co
   };
 }
 
-kaori::Result<kaori::input::InputSettings> ReadSettings(const std::string& path) {
-  if (path.empty()) return kaori::input::InputSettings{};
-  return kaori::input::ReadSettings(path);
+// The file, and over it what the options say.
+kaori::Result<kaori::input::InputSettings> ReadSettings(const Settings& options) {
+  kaori::Result<kaori::input::InputSettings> settings;
+  if (!options.file.empty()) settings = kaori::input::ReadSettings(options.file);
+  if (!settings || options.counts.empty()) return settings;
+  const auto counts = kaori::ParseNumber<int>(options.counts);
+  if (!counts || *counts < 1 || *counts > kaori::input::kMostCountsOfATurn)
+    return kaori::FailInput("--counts-per-turn " + options.counts + ": expected a whole number from 1 to " +
+                            std::to_string(kaori::input::kMostCountsOfATurn));
+  settings->counts_per_turn = *counts;
+  return settings;
 }
 
 // The order follows what a failure means: settings that are wrong and a board that another kaori-input writes
 // end the program before any device is touched. GPIO lines are not worth ending for. The first step is made
 // before the loop runs, so that the board shows devices that are plugged in as soon as the program is there.
 int Play(const Settings& settings, kaori::EventLoop& loop) {
-  const auto input_settings = ReadSettings(settings.file);
+  const auto input_settings = ReadSettings(settings);
   if (!input_settings) return kaori::ExitWithError(input_settings.error());
   auto board = kaori::board::Board::Create(settings.board);
   if (!board) return kaori::ExitWithError(board.error());
@@ -242,6 +253,7 @@ int main(int argc, char** argv) {
       .Text("--surfaces", settings.surfaces)
       .Text("--gpiochip", settings.chip)
       .Text("--lines", settings.lines)
+      .Text("--counts-per-turn", settings.counts)
       .Text("--settings", settings.file);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();

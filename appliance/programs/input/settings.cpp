@@ -113,7 +113,7 @@ Result<InputSettings> ReadSettings(const std::string& path) {
   if (!value) return tl::unexpected(value.error());
   InputSettings settings;
   Reading reading(path, *value);
-  reading.Whole("dials", "counts_per_turn", settings.counts_per_turn, 1, 1 << 20);
+  reading.Whole("dials", "counts_per_turn", settings.counts_per_turn, 1, kMostCountsOfATurn);
   reading.Text("dials", "port", settings.dial_box_port);
   reading.Text("keyboard", "port", settings.keyboard_port);
   reading.Text("pointer", "port", settings.pointer_port);

@@ -11,6 +11,8 @@
 
 namespace kaori::input {
 
+inline constexpr int kMostCountsOfATurn = 1 << 20;
+
 // Ports are names as the bus gives them ("1-4.1" of USB: bus, then the socket of each hub on the way), and
 // stay the same over restarts of the box. A slot with a named port takes a device at that port and no other.
 struct InputSettings {

@@ -9,13 +9,13 @@
 #include <fmt/ranges.h>
 
 #include "appliance/core/toml/section.h"
+#include "appliance/programs/input/settings.h"
 
 namespace kaori::input {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostCountsPerTurn = 1 << 20;
 constexpr int kMostMidi = 127;
 constexpr int kMidiChannels = 16;
 constexpr double kLongestRepaint_s = 60;
@@ -130,6 +130,13 @@ decode::MidiMap ReadMidi(toml::Section midi) {
     map.repaint = FromSeconds(repaint_s);
   for (const toml::Section& dial : midi.Parts("dial")) ReadDials(dial, map);
   for (const toml::Section& button : midi.Parts("button")) ReadButtons(button, map);
+  const SurfaceMap own;
+  if (map.dials.size() > own.dials.size())
+    midi.Fault("dial",
+               fmt::format("are {} in all, and the board has {}", map.dials.size(), own.dials.size()));
+  if (map.buttons.size() > own.buttons.size())
+    midi.Fault("button",
+               fmt::format("are {} in all, and the board has {}", map.buttons.size(), own.buttons.size()));
   return map;
 }
 
@@ -138,7 +145,7 @@ SurfaceMap ReadMap(toml::Section file, const fs::path& folder) {
   SurfaceMap map;
   map.name = file.Text("name");
   map.usb = ReadUsb(file);
-  map.counts_per_turn = Whole(file, "counts_per_turn", 0, 0, kMostCountsPerTurn);
+  map.counts_per_turn = Whole(file, "counts_per_turn", 0, 0, kMostCountsOfATurn);
   ReadTargets(file, "dials", map.dials);
   ReadTargets(file, "buttons", map.buttons);
   const std::string pictures = file.TextOr("pictures", "");

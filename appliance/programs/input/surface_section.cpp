@@ -23,12 +23,14 @@ void SurfaceSection::Plug(std::size_t device, Time now) {
   Write();
 }
 
-// A section that was never live stays absent: there never was a box. A device that never came changes nothing for the others.
+// A section that was never live stays absent: there never was a box. A device that never came changes nothing for the others,
+// but for what it held before the program began.
 void SurfaceSection::Unplug(std::size_t device, Time now) {
+  const bool held = devices_[device].buttons.down[0] != 0;
   devices_[device].buttons.Release();
   const bool was_plugged = std::exchange(devices_[device].is_plugged, false);
   const bool is_last = std::ranges::none_of(devices_, &Device::is_plugged);
-  if (surface_.source != SourceState::kLive || (!was_plugged && !is_last)) return;
+  if (surface_.source != SourceState::kLive || (!was_plugged && !is_last && !held)) return;
   if (is_last) surface_.source = SourceState::kStale;
   surface_.at = now;
   Write();

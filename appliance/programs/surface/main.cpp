@@ -1,28 +1,33 @@
-// kaori-surface: says which control surfaces are plugged in, and brings new firmware onto one of them.
+// kaori-surface: says which control surfaces are plugged in, and brings new firmware onto one of them, or as a service of the
+// box onto all of them, one after the other.
 //
 // It ends with status 0 where the update is confirmed, 1 where it is not, and 2 where it is misused. Whatever happens the surface
 // plays on, from the new image or from the one before.
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "appliance/core/board/board.h"
 #include "appliance/core/board/lines.h"
 #include "appliance/programs/surface/surface_update.h"
+#include "appliance/programs/surface/update_service.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
 #include "drivers/base/options.h"
 #include "drivers/base/program.h"
 #include "drivers/hid/hidraw_bus.h"
-#include "firmware/wire/dial_box.h"
-#include "firmware/wire/stick_pod.h"
 
 namespace {
 
 using namespace std::chrono_literals;
 using kaori::surface_update::SurfaceUpdate;
+using kaori::surface_update::UpdateFile;
 
 constexpr std::string_view kHelp =
     R"(kaori-surface: says which control surfaces are plugged in, and updates one of them
@@ -30,21 +35,22 @@ constexpr std::string_view kHelp =
   --board FILE     the box's board, which says whether it is in service and whether a show runs
   --update FILE    an update, such as dial-box.update of ./box firmware
   --port PORT      the surface that gets it, such as 1-4.1
+  --updates FOLDER stay, and while the key switch says service bring the updates of this folder onto every surface
+                   that is older, one after the other
 )";
 
 constexpr kaori::Duration kStep = 20ms;
+constexpr kaori::Duration kServiceStep = 50ms;  // It is there all evening, and need not hurry.
+constexpr kaori::Duration kLook = 1s;
 // A stage that has presented nothing for so long does not run.
 constexpr kaori::Duration kStageIsDead = 5s;
 
 struct Settings {
-  std::string board = "/run/kaori/board", update, port;
+  std::string board = "/run/kaori/board", update, port, updates;
 };
 
-bool IsSurface(const kaori::ports::HidIdentity& identity) {
-  return (identity.vendor == kaori::wire::kDialBoxVendor &&
-          identity.product == kaori::wire::kDialBoxProduct) ||
-         (identity.vendor == kaori::wire::kStickPodVendor &&
-          identity.product == kaori::wire::kStickPodProduct);
+std::uint32_t ProductOf(const kaori::ports::HidIdentity& identity) {
+  return std::uint32_t{identity.vendor} << 16U | identity.product;
 }
 
 const char* Words(kaori::wire::SurfaceState state) {
@@ -66,8 +72,11 @@ int List(kaori::ports::HidBus& bus) {
   int dial_boxes = 0;
   for (const std::string& port : bus.Ports().value_or(std::vector<std::string>{})) {
     auto channel = bus.Open(port);
-    if (!channel || !IsSurface((*channel)->identity())) continue;
-    dial_boxes += (*channel)->identity().product == kaori::wire::kDialBoxProduct ? 1 : 0;
+    if (!channel) continue;
+    const std::uint32_t product = ProductOf((*channel)->identity());
+    if (product != kaori::surface_update::kDialBoxImage && product != kaori::surface_update::kStickPodImage)
+      continue;
+    dial_boxes += product == kaori::surface_update::kDialBoxImage ? 1 : 0;
     const auto status = kaori::surface_update::ReadStatus(**channel);
     if (status)
       fmt::print("{}: {}, version {}.{}, serial number {:08x}, double steps {}; it {}\n", port,
@@ -79,17 +88,27 @@ int List(kaori::ports::HidBus& bus) {
   return dial_boxes;
 }
 
-// Without a board there is no stage, and whoever works here is in service.
-kaori::surface_update::Circumstances CircumstancesOf(const std::string& path, int dial_boxes,
-                                                     kaori::Time now) {
+// As the board says; without one there is neither a stage nor a key. The board is opened at each look, since it may be made anew.
+struct BoxNow {
+  bool stage_runs = false;
+  bool key_is_on = false;
+  bool is_black = false;
+};
+BoxNow LookAt(const std::string& path, kaori::Time now) {
   namespace board = kaori::board;
-  auto opened = board::Board::Open(path);
-  if (!opened) return {.in_service = true, .show_runs = false, .dial_boxes = dial_boxes};
+  const auto opened = board::Board::Open(path);
+  if (!opened) return {};
   const auto lines = opened->Read<board::Lines>();
   const auto stage = opened->Read<board::StageStatus>();
-  const bool stage_runs = stage.source == board::SourceState::kLive && now - stage.at < kStageIsDead;
-  return {.in_service = !stage_runs || board::IsOn(lines.value, board::Line::kService),
-          .show_runs = stage_runs && !board::IsOn(lines.value, board::Line::kBlackout),
+  return {.stage_runs = stage.source == board::SourceState::kLive && now - stage.at < kStageIsDead,
+          .key_is_on = board::IsOn(lines.value, board::Line::kService),
+          .is_black = board::IsOn(lines.value, board::Line::kBlackout)};
+}
+
+// Whoever calls this program where no stage runs is in service.
+kaori::surface_update::Circumstances CircumstancesOf(const BoxNow& box, int dial_boxes) {
+  return {.in_service = !box.stage_runs || box.key_is_on,
+          .show_runs = box.stage_runs && !box.is_black,
           .dial_boxes = dial_boxes};
 }
 
@@ -97,8 +116,8 @@ int Update(const Settings& settings, kaori::ports::HidBus& bus, int dial_boxes, 
   const kaori::SteadyClock clock;
   const auto file = kaori::surface_update::ReadUpdateFile(settings.update);
   if (!file) return kaori::ExitWithError(file.error());
-  const auto may =
-      kaori::surface_update::MayUpdate(file->image, CircumstancesOf(settings.board, dial_boxes, clock.now()));
+  const auto may = kaori::surface_update::MayUpdate(
+      file->image, CircumstancesOf(LookAt(settings.board, clock.now()), dial_boxes));
   if (!may) return kaori::ExitWithError(may.error());
   SurfaceUpdate update(bus, settings.port, *file);
   SurfaceUpdate::State told = SurfaceUpdate::State::kSending;
@@ -122,19 +141,64 @@ int Update(const Settings& settings, kaori::ports::HidBus& bus, int dial_boxes, 
   return 1;
 }
 
+// A file that is no update is named, and the others count.
+std::vector<UpdateFile> ReadUpdates(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".update") paths.push_back(entry.path());
+  if (error) kaori::LogWarning("{}: {}", folder, error.message());
+  std::ranges::sort(paths);
+  std::vector<UpdateFile> files;
+  for (const fs::path& path : paths) {
+    auto file = kaori::surface_update::ReadUpdateFile(path);
+    if (file)
+      files.push_back(std::move(*file));
+    else
+      kaori::LogWarning("{}", file.error().message());
+  }
+  return files;
+}
+
+// A stage that has crashed is no service: here the key alone counts. The board is looked at once a second while nothing
+// is updated.
+int Serve(const Settings& settings, kaori::ports::HidBus& bus, kaori::EventLoop& loop) {
+  const kaori::SteadyClock clock;
+  kaori::surface_update::UpdateService service(bus, ReadUpdates(settings.updates));
+  kaori::surface_update::Circumstances box;
+  kaori::Time next_look{};
+  const auto step = [&] {
+    const kaori::Time now = clock.now();
+    if (!service.is_updating() && now >= next_look) {
+      next_look = now + kLook;
+      const BoxNow seen = LookAt(settings.board, now);
+      box = CircumstancesOf(seen, 0);
+      box.in_service = seen.key_is_on;
+    }
+    service.Step(box, now);
+  };
+  if (auto ok = loop.RunEvery(kServiceStep, step); !ok) return kaori::ExitWithError(ok.error());
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   kaori::BeginProgram("kaori-surface");
   Settings settings;
   kaori::Options options(kHelp);
-  options.Text("--board", settings.board).Text("--update", settings.update).Text("--port", settings.port);
+  options.Text("--board", settings.board)
+      .Text("--update", settings.update)
+      .Text("--port", settings.port)
+      .Text("--updates", settings.updates);
   if (const auto status = options.Parse(argc, argv)) return *status;
   auto loop = kaori::EventLoop::Open();
   if (!loop) return kaori::ExitWithError(loop.error());
   const kaori::SteadyClock clock;
   auto bus = kaori::hid::HidrawBus::Open(clock);
   if (!bus) return kaori::ExitWithError(bus.error());
+  if (!settings.updates.empty()) return Serve(settings, **bus, *loop);
   const int dial_boxes = List(**bus);
   if (settings.update.empty()) return 0;
   if (settings.port.empty()) {

@@ -13,21 +13,23 @@ namespace {
 
 using wire::SurfaceOperation;
 
-constexpr std::size_t kMostUpdateBytes = 512 * 1024;
+constexpr std::size_t kMostUpdateBytes = 512UL * 1024;
 constexpr int kMostAttempts = 3;
+// A cable that is loose: a surface that dies is back with the image before after three.
+constexpr int kMostLosses = 6;
 constexpr int kPiecesAtOnce = 8;
 constexpr Duration kAnswerTime = std::chrono::seconds(15);
 constexpr Duration kAskEvery = std::chrono::milliseconds(250);
-constexpr std::uint32_t kDialBox = std::uint32_t{wire::kDialBoxVendor} << 16U | wire::kDialBoxProduct;
+
+}  // namespace
 
 std::uint32_t VersionOf(const wire::SurfaceStatus& status) {
   return std::uint32_t{status.firmware_major} << 16U | status.firmware_minor;
 }
-std::string Words(std::uint32_t version) {
+
+std::string VersionWords(std::uint32_t version) {
   return fmt::format("{}.{}", version >> 16U, version & 0xFFFFU);
 }
-
-}  // namespace
 
 Result<UpdateFile> ReadUpdateFile(const std::filesystem::path& file) {
   const auto text = ReadFile(file, {.most_bytes = kMostUpdateBytes});
@@ -47,7 +49,7 @@ Result<UpdateFile> ReadUpdateFile(const std::filesystem::path& file) {
 Result<void> MayUpdate(const wire::SurfaceImage& image, const Circumstances& now) {
   const auto refuse = [](const char* why) { return FailInput(why, std::errc::operation_not_permitted); };
   if (!now.in_service) return refuse("surfaces are updated in service only: turn the key switch");
-  if (now.show_runs && image.product == kDialBox && now.dial_boxes < 2)
+  if (now.show_runs && image.product == kDialBoxImage && now.dial_boxes < 2)
     return refuse("this is the last dial box of a running show: black the stage out, or plug another one in");
   return {};
 }
@@ -117,7 +119,7 @@ Result<void> SurfaceUpdate::Begin() {
   if (!status) return tl::unexpected(status.error());
   if (VersionOf(*status) == version_sent() && status->state == wire::SurfaceState::kPlays) {
     state_ = State::kDone;
-    outcome_ = fmt::format("the surface at {} has version {} already", port_, Words(version_sent()));
+    outcome_ = fmt::format("the surface at {} has version {} already", port_, VersionWords(version_sent()));
     return {};
   }
   // The power went after the image was whole: what it starts now is this one.
@@ -160,7 +162,7 @@ void SurfaceUpdate::AwaitRestart(Time now) {
     give_up_at_ = now + kAnswerTime;
     if (VersionOf(*status) != version_sent())
       return Fail(fmt::format("the new image did not start; it plays version {} as before",
-                              Words(VersionOf(*status))));
+                              VersionWords(VersionOf(*status))));
     state_ = State::kTrying;
     trying_since_ = asked_at_ = now;
     return;
@@ -178,17 +180,19 @@ void SurfaceUpdate::Watch(Time now) {
   asked_at_ = now;
   const auto status = ReadStatus(*channel_);
   if (!status || VersionOf(*status) != version_sent()) {
+    if (++losses_ == kMostLosses) return Fail("it went away again and again while it tried the new image");
     channel_.reset();
     give_up_at_ = now + kAnswerTime;
     state_ = State::kRestarting;
     return;
   }
   if (now - trying_since_ < kProbation) return;
+  if (now - trying_since_ >= kProbation + kAnswerTime) return Fail("it does not confirm the new image");
   if (auto kept = Command(SurfaceOperation::kKeep); !kept) return;
   const auto after = ReadStatus(*channel_);
   if (!after || after->state != wire::SurfaceState::kPlays) return;
   state_ = State::kDone;
-  outcome_ = fmt::format("the surface at {} plays version {}", port_, Words(version_sent()));
+  outcome_ = fmt::format("the surface at {} plays version {}", port_, VersionWords(version_sent()));
 }
 
 void SurfaceUpdate::Fail(std::string why) {

@@ -11,6 +11,8 @@
 #include "drivers/base/clock.h"
 #include "drivers/base/result.h"
 #include "drivers/ports/hid_channel.h"
+#include "firmware/wire/dial_box.h"
+#include "firmware/wire/stick_pod.h"
 #include "firmware/wire/surface_feature.h"
 
 namespace kaori::surface_update {
@@ -22,6 +24,16 @@ struct UpdateFile {
 };
 // Errors: those of ReadFile; invalid_argument, where it is no such file or not all of it.
 Result<UpdateFile> ReadUpdateFile(const std::filesystem::path& file);
+
+// Products as updates name them: vendor id * 65536 + product id.
+inline constexpr std::uint32_t kDialBoxImage =
+    std::uint32_t{wire::kDialBoxVendor} << 16U | wire::kDialBoxProduct;
+inline constexpr std::uint32_t kStickPodImage =
+    std::uint32_t{wire::kStickPodVendor} << 16U | wire::kStickPodProduct;
+
+// Versions as updates name them, major * 65536 + minor; and as people do, "1.4".
+std::uint32_t VersionOf(const wire::SurfaceStatus& status);
+std::string VersionWords(std::uint32_t version);
 
 // What an update has to know of the box.
 struct Circumstances {
@@ -76,6 +88,7 @@ class SurfaceUpdate {
   bool begun_ = false;
   std::size_t sent_ = 0;
   int attempts_ = 0;
+  int losses_ = 0;     // How often it went away while it was tried.
   Time give_up_at_{};  // While nobody answers.
   Time trying_since_{};
   Time asked_at_{};

@@ -78,6 +78,11 @@ TEST(Profile, ADialBoxOnASerialLineIsNamedWithItsKind) {
   EXPECT_EQ(DialsEnvironmentOf(read),
             "KAORI_DIALS=--serial /dev/serial/by-path/pci-0000:00:14.0-usb-0:2:1.0-port0=sgi\n");
   EXPECT_EQ(DialsEnvironmentOf(ReadProfile("")), "KAORI_DIALS=\n");
+  EXPECT_EQ(DialsEnvironmentOf(ReadProfile("dial_box = \"/dev/ttyUSB0=dls80\"\ndial_box_counts = 200")),
+            "KAORI_DIALS=--serial /dev/ttyUSB0=dls80 --counts-per-turn 200\n");
+  for (const char* wrong : {"0", "1048577", "\"200\"", "200.5", ""})
+    EXPECT_THAT(ReadProfile("dial_box_counts = " + std::string(wrong)).fault,
+                HasSubstr("line 1: expected how many counts a turn has, a whole number from 1 to 1048576"));
   for (const char* wrong :
        {"/dev/ttyUSB0", "/dev/ttyUSB0=sn921", "ttyUSB0=sgi", "/dev/tty USB0=sgi", "/dev/$HOME=sgi"})
     EXPECT_THAT(ReadProfile("dial_box = \"" + std::string(wrong) + "\"").fault,

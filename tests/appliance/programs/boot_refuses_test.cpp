@@ -78,7 +78,7 @@ TEST(BootProgram, AppliesTheSettingsAndLeavesSystemdNoDescriptorOfItsOwn) {
   const Ran ran = RunAsFirstProcess("/proc/self/fd /run/kaori-profile");
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.said, "/proc/self/fd:\n" + inherited.said +
-                          "\n/run/kaori-profile:\nfaults\nlines\nroot_hash\nstage\nstatus_screen\n");
+                          "\n/run/kaori-profile:\ndials\nfaults\nlines\nroot_hash\nstage\nstatus_screen\n");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <deque>
+#include <functional>
+#include <utility>
 
 #include "drivers/gpio/dial_bus.h"
 #include "tests/appliance/programs/input_fixture.h"
@@ -22,6 +24,7 @@ struct SimulatedChip {
   std::uint32_t levels = 0;
   std::uint32_t sequence = 0;
   bool unplugged = false;
+  std::function<void()> after_levels{};  // Runs once, when the levels were read.
   std::array<int, 2> places{};
 
   void Turn(std::size_t dial, int counts, Time at) {
@@ -54,7 +57,11 @@ class SimulatedLines final : public gpio::DialLines {
     chip_.waiting.pop_front();
     return edge;
   }
-  Result<std::uint32_t> Levels() override { return chip_.levels; }
+  Result<std::uint32_t> Levels() override {
+    const std::uint32_t levels = chip_.levels;
+    if (const auto act = std::exchange(chip_.after_levels, {})) act();
+    return levels;
+  }
 
  private:
   SimulatedChip& chip_;
@@ -116,6 +123,22 @@ TEST_F(GpioDials, WhatTheChipDroppedMovesNothingAndIsSaidOnce) {
   const std::string said = ::testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr("the kernel dropped edges of the dials on GPIO lines; they moved nothing"));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
+TEST_F(GpioDials, AnEdgeThatComesWhileTheLevelsAreReadCounts) {
+  chip_.most = 100;
+  chip_.Turn(0, 150, clock_.now());
+  Play(milliseconds(3));
+  chip_.most = 1024;
+  chip_.after_levels = [this] {
+    clock_.Advance(milliseconds(1));
+    chip_.Turn(0, 1, clock_.now());
+  };
+  for (const int turn : {1, 5}) {
+    chip_.Turn(0, turn, clock_.now());
+    Play(milliseconds(3));
+  }
+  EXPECT_EQ(Surface().value.counts[0], 100 + 1 + 5);
 }
 
 TEST_F(GpioDials, AChipThatIsPulledIsWaitedFor) {

@@ -105,6 +105,22 @@ TEST_F(Faults, OfABusAreAskedAboutNowAndThenAndNotWaitedFor) {
   EXPECT_EQ(service_->pollables().size(), 2u);
 }
 
+TEST_F(Faults, OfABusThatHasNewsAllTheTimeAreNoNewsOfTheOthers) {
+  Fault quiet;
+  quiet.fd = UniqueFd(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
+  FaultyBus other(quiet);
+  board::BoardFile file;
+  const board::Board board = file.Open();
+  InputService service(board, InputWriters::Acquire(board).value(),
+                       InputSources{.buses = {&bus_, &other}, .lines = {}}, InputSettings{}, clock_);
+  for (int n = 0; n < 100; ++n) {
+    clock_.Advance(milliseconds(1));
+    service.Step();
+  }
+  EXPECT_EQ(fault_.listed, 100);
+  EXPECT_EQ(quiet.listed, 1);
+}
+
 TEST_F(Faults, OfADeviceThatIsGoneAsSoonAsItIsOpenedDoNotKeepTheServiceBusy) {
   fault_.read = std::errc::no_such_device;
   Play(seconds(2));

@@ -19,6 +19,7 @@ namespace kaori::input {
 namespace {
 
 namespace fs = std::filesystem;
+using board::SourceState;
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
 

@@ -12,7 +12,6 @@ namespace {
 
 using board::SourceState;
 using std::chrono::milliseconds;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Kind = sim::SerialDialBox::Kind;
 
@@ -28,9 +27,11 @@ class SerialBox : public ::testing::TestWithParam<Kind> {
 
   std::string path() const { return (file_.folder() / "dials-of-1993").string(); }
   void Start() {
-    bus_ =
-        serial::SerialBus::Open({.path = path(), .box = static_cast<decode::SerialBox>(GetParam())}, clock_)
-            .value();
+    bus_ = serial::SerialBus::Open({.path = path(),
+                                    .box = static_cast<decode::SerialBox>(GetParam()),
+                                    .look_every = milliseconds(1)},
+                                   clock_)
+               .value();
     service_.emplace(board_, InputWriters::Acquire(board_).value(),
                      InputSources{.buses = {bus_.get()}, .lines = {}}, InputSettings{}, clock_);
   }
@@ -72,9 +73,11 @@ INSTANTIATE_TEST_SUITE_P(All, SerialBox, ::testing::Values(Kind::kSgi, Kind::kSp
 
 TEST_P(SerialBox, TurnsAndPushesReachTheBoardAndLampsTheBox) {
   PlugIn();
-  // The first position of a box that tells positions is no turn.
-  for (const int dial : {0, 7}) box_.Turn(dial, 1);
-  Play(milliseconds(30));
+  // The first position of a box that tells positions is no turn, and counts after silence alone.
+  for (const int dial : {0, 7}) {
+    box_.Turn(dial, 1);
+    Play(milliseconds(30));
+  }
   const auto before = Surface().value.counts;
   box_.Turn(0, 128);
   box_.Turn(7, -256);

@@ -26,12 +26,12 @@ TEST_F(OwnedDevices, APowerMateIsOneDialOfTheBoardWhoseTurnIsATurn) {
   knob.Push(0);
   Play(milliseconds(80));
   EXPECT_EQ(Board().surface.value.counts[2], 128) << "half of 94 clicks is half of 256 counts";
-  EXPECT_EQ(Board().surface.value.buttons_down, 1U << 9U);
+  EXPECT_EQ(Board().surface.value.buttons_down, 1U << 10U);
   knob.Turn(-94);
   knob.Release(0);
   Play(milliseconds(5));
   EXPECT_EQ(Board().surface.value.counts[2], -128);
-  EXPECT_EQ(Board().surface.value.pushes[9], 1U);
+  EXPECT_EQ(Board().surface.value.pushes[10], 1U);
 }
 
 TEST_F(OwnedDevices, AShuttlesJogWheelTurnsOverItsEndAndItsRingTurnsNothing) {
@@ -71,6 +71,24 @@ TEST_F(OwnedDevices, ADialBoxAndFurtherSurfacesPlayTogether) {
   Play(milliseconds(10));
   EXPECT_EQ(Board().surface.value.buttons_down, 0U);
   EXPECT_EQ(Board().surface.source, SourceState::kLive) << "the others are there";
+}
+
+TEST_F(OwnedDevices, AButtonThatADialBoxHeldBeforeARestartIsLetGoWhereItDoesNotComeBack) {
+  sim::DeviceContext context{clock_, {}};
+  sim::DialBox box(context);
+  sim::OwnedDevice knob(OwnedKind::kPowerMate);
+  PlugIn("dial-box", box);
+  PlugIn("knob", knob);
+  Start();
+  box.Push(4);
+  Play(milliseconds(10));
+  ASSERT_EQ(Board().surface.value.buttons_down, 1U << 4U);
+  service_.reset();
+  cables_[0]->Unplug();
+  Start();
+  Play(milliseconds(600));
+  EXPECT_EQ(Board().surface.value.buttons_down, 0U);
+  EXPECT_EQ(Board().surface.source, SourceState::kLive) << "the knob is there";
 }
 
 TEST_F(OwnedDevices, AStreamDecksKeysShowTheirPictures) {

@@ -42,7 +42,8 @@ GROUPADD_PARAM:${PN} = "--system kaori; --system render"
 USERADD_PARAM:${PN} = "--system --no-create-home --shell /sbin/nologin --user-group kaori-stage; \
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-input; \
                        --system --no-create-home --shell /sbin/nologin --user-group kaori-lips; \
-                       --system --no-create-home --shell /sbin/nologin --user-group kaori-fdkeeper"
+                       --system --no-create-home --shell /sbin/nologin --user-group kaori-fdkeeper; \
+                       --system --no-create-home --shell /sbin/nologin --user-group kaori-surface"
 
 SYSTEMD_SERVICE:${PN} = "kaori.target"
 
