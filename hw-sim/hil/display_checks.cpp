@@ -20,6 +20,8 @@ constexpr double kSameFace = 0.06;            // As far as a face moves by itsel
 constexpr int kWidth_px = 320, kHeight_px = 240;
 constexpr const char* kStageEnded = "kaori-stage.service: Main process exited";
 
+// The machines of these checks. Screens are small, since the guest draws by its processor, which is emulated; nothing is
+// plugged in that a check does not need.
 const Setup kSilentScreen{
     .plugged = false, .sound = false, .tells_size = false, .width_px = kWidth_px, .height_px = kHeight_px};
 const Setup kOddScreen{.plugged = false, .sound = false, .width_px = 72, .height_px = 900};
@@ -55,10 +57,12 @@ Result<void> BusyMachine(Scene& scene) {
   return scene.WantNoRestart();
 }
 
+// The service manager says on the console when the stage has ended, for whatever reason.
 bool HasEnded(Scene& scene) {
   return scene.target.UntilConsole({kStageEnded}, Duration::zero());
 }
 
+// The stage says so also where no screen shows it.
 Result<void> AwaitFirstPicture(Scene& scene) {
   if (scene.target.UntilConsole({"the first picture is drawn"}, kLongestDisplayStart)) return {};
   return Fail(std::errc::timed_out, "wait for the first picture");
@@ -74,6 +78,7 @@ Result<void> PlayUnseen(Scene& scene, const Setup& setup) {
   return HasEnded(scene) ? FailInput("the stage ended without a graphics card") : Result<void>{};
 }
 
+// The machine goes off whatever was found: the next check starts its own.
 Result<void> WithoutCard(Scene& scene) {
   auto ok = PlayUnseen(scene, kNoCard);
   scene.target.machine().Off();
@@ -183,6 +188,8 @@ class HandoverWatch {
   bool lit_ = false;
 };
 
+// Pictures back to back, as fast as QEMU gives them, from power until some time after the stage was started. That nothing came
+// at all is a failure: nothing wrong would be seen then either.
 Result<void> WatchHandover(Scene& scene, HandoverWatch& watch) {
   Time ends = scene.target.clock().now() + kLongestDisplayStart;
   for (bool played = false; scene.target.clock().now() < ends;) {
@@ -229,6 +236,7 @@ Result<void> BlackIsFound(Scene& scene) {
 
 }  // namespace
 
+// Those that fail without the stage have it stopped as their control; the others bring a control of their own.
 std::vector<Check> DisplayChecks() {
   constexpr const char* kStage = "kaori-stage.service";
   return {{"silent-screen", "A screen that says nothing of itself shows the face", false, MovingFace,

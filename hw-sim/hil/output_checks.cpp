@@ -23,6 +23,7 @@ constexpr std::array<int, 3> kAmber{235, 170, 50}, kGreen{70, 190, 110};
 struct ScreenSize {
   int width_px = 0, height_px = 0;
 };
+// The two show screens differ in size, so that a picture says which of them it is of.
 constexpr std::array<ScreenSize, 2> kSizes{{{320, 240}, {400, 300}}};
 constexpr ScreenSize kStatusSize{640, 480};
 

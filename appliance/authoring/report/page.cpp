@@ -26,6 +26,7 @@ std::size_t Letters(const std::string& text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+// Nothing is filled up behind the last column.
 std::string Row(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -35,6 +36,7 @@ std::string Row(const std::vector<std::string>& cells, const std::vector<std::si
   return line + "\n";
 }
 
+// Names come from a show that anybody may have made: each is escaped.
 std::string Cells(const std::vector<std::string>& cells, std::string_view tag) {
   std::string row;
   for (const std::string& cell : cells) row += fmt::format("<{0}>{1}</{0}>", tag, Escaped(cell));
@@ -43,6 +45,7 @@ std::string Cells(const std::vector<std::string>& cells, std::string_view tag) {
 
 }  // namespace
 
+// For a terminal: each column as wide as its widest cell.
 std::string TextOfReport(const Report& report) {
   std::string text = report.title + "\n\n";
   for (const std::string& line : report.lines) text += line + "\n";
@@ -64,6 +67,7 @@ std::string TextOfReport(const Report& report) {
   return text;
 }
 
+// One file without scripts and without anything from elsewhere, which prints on A4.
 std::string PageOfReport(const Report& report) {
   std::string page = fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta "

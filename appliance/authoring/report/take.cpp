@@ -32,6 +32,7 @@ struct Sample {
   std::array<float, 7> values{};  // Head yaw, pitch, roll; gaze yaw, pitch; brows up, frown.
 };
 
+// A brow has two curves, one for each way, since a channel only goes from 0 to 1.
 Sample SampleOf(const performance::State& state, float at_s) {
   return {at_s,
           {state.head.yaw_rad, state.head.pitch_rad, state.head.roll_rad, state.gaze.yaw_rad,
@@ -72,6 +73,8 @@ Keys Thinned(const Keys& keys) {
   return kept;
 }
 
+// The log is played again up to the stretch and through it. A gap in it is refused: a motion across it would jump. Fewer than
+// three frames are no movement.
 Result<std::vector<Sample>> Samples(const showlog::LogFile& log, const show::Show& show,
                                     const TakeOptions& options) {
   showlog::Replay replay(log, show);
@@ -94,6 +97,8 @@ Result<std::vector<Sample>> Samples(const showlog::LogFile& log, const show::Sho
 
 }  // namespace
 
+// Curves begin and end at 0, as every motion does: both ends are eased in over options.ease_s. What did not move has no curve,
+// so that the motion leaves it to whoever plays then.
 Result<show::Motion> RecordTake(const showlog::LogFile& log, const show::Show& show,
                                 const TakeOptions& options) {
   const auto samples = Samples(log, show, options);
@@ -123,6 +128,7 @@ Result<show::Motion> RecordTake(const showlog::LogFile& log, const show::Show& s
   return motion;
 }
 
+// As a person would write it into show.toml: angles in degrees, channels by the name of their expression.
 std::string TextOfTake(const show::Motion& motion, const show::Show& show) {
   std::string text = fmt::format("[[motion]]\nname = \"{}\"\n", motion.name);
   for (const MotionCurve& curve : motion.curves) {

@@ -10,6 +10,7 @@ namespace {
 
 using show::CallKind;
 
+// Periods, and the part of each in which the lamp is lit: a fade breathes, a cue that waits blinks.
 constexpr float kBreath_s = 1, kBreathLit = 0.75F;
 constexpr float kBlink_s = 0.5F, kBlinkLit = 0.5F;
 // Two changes and back within half a second: whoever pushed sees that it was refused.
@@ -20,11 +21,13 @@ bool IsInLitPart(float since_s, float period_s, float lit) {
   return std::fmod(since_s, period_s) < lit * period_s;
 }
 
+// What was called last; what still fades out has no lamp any more.
 Lamp LampOfMixture(const Mixture& mixture, std::uint16_t index) {
   if (mixture.to != index) return Lamp::kOff;
   return mixture.progress < 1 ? Lamp::kBreathing : Lamp::kLit;
 }
 
+// BACK and STOP happen at once and leave nothing to show.
 Lamp LampOfCue(const State& state, show::CueVerb verb) {
   const CueRun& run = state.cue_run;
   const auto lit = [](bool on) { return on ? Lamp::kLit : Lamp::kOff; };
@@ -70,6 +73,7 @@ float FadeTime(const State& state, const show::Call& call) {
   return mixture.progress * mixture.duration_s;
 }
 
+// While the list is paused fades stand still, and their lamps are steady.
 bool IsLit(const State& state, const show::Call& call) {
   switch (LampOf(state, call)) {
     case Lamp::kOff:
@@ -84,6 +88,7 @@ bool IsLit(const State& state, const show::Call& call) {
   return false;
 }
 
+// In every other part of the half second after a GO that was refused.
 bool IsRefused(const State& state, const show::Call& call) {
   const auto part = static_cast<int>(state.cue_run.since_refused_s / kRefusal_s);
   return call.kind == CallKind::kCue && call.index == static_cast<std::uint16_t>(show::CueVerb::kGo) &&
@@ -113,6 +118,7 @@ Lamp LampOf(const State& state, const show::Call& call) {
   return Lamp::kOff;
 }
 
+// Bit n is button n. A refusal inverts the lamp, whatever it shows.
 std::uint32_t LitLamps(const State& state, const show::Show& show) {
   std::uint32_t lamps = 0;
   for (std::size_t i = 0; i < show.buttons.size(); ++i) {

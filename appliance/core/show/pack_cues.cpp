@@ -6,6 +6,7 @@ namespace {
 // As pack.fbs has it.
 constexpr std::int32_t kSetsNoGaze = -2;
 
+// A cue sets only what it names: what is absent here is absent in the pack.
 std::optional<pack::CueCall> Stored(const std::optional<CueCall>& call) {
   if (!call) return std::nullopt;
   return pack::CueCall(call->index, call->in_s);
@@ -27,6 +28,7 @@ const T* Address(const std::optional<T>& value) {
   return value ? &*value : nullptr;
 }
 
+// The way back, from what FlatBuffers keeps.
 std::optional<CueCall> Held(const pack::CueCall* call) {
   if (call == nullptr) return std::nullopt;
   return CueCall{Narrow<std::uint16_t>(call->index()), call->in_s()};
@@ -58,6 +60,7 @@ flatbuffers::Offset<pack::Cue> WriteCue(flatbuffers::FlatBufferBuilder& to, cons
                          cue.gaze.value_or(kSetsNoGaze));
 }
 
+// Whether indices and numbers mean anything is for CheckShow, which sees the whole show.
 Cue ReadCue(Copier& from, const pack::Cue& stored) {
   return {.number = from.Text(stored.number()),
           .name = from.Text(stored.name()),
@@ -81,6 +84,8 @@ Cue ReadCue(Copier& from, const pack::Cue& stored) {
 
 }  // namespace
 
+// A list that was made of the scenes is not stored: whoever loads the pack makes the same one of the same scenes. Tables are
+// written before the vector that names them, as FlatBuffers wants it.
 flatbuffers::Offset<pack::CueList> WriteCueList(flatbuffers::FlatBufferBuilder& to, const CueList& list) {
   std::vector<flatbuffers::Offset<pack::Cue>> offsets;
   if (!list.of_scenes)
@@ -90,6 +95,7 @@ flatbuffers::Offset<pack::CueList> WriteCueList(flatbuffers::FlatBufferBuilder& 
   return pack::CreateCueList(to, list.go_guard_s, list.goto_s, &panic, cues);
 }
 
+// Packs of before cues have none; `tracked` is computed once the whole show is read.
 CueList ReadCueList(Copier& from, const pack::CueList* stored) {
   if (stored == nullptr) return {};
   return {.go_guard_s = stored->go_guard_s(),

@@ -6,6 +6,7 @@
 namespace kaori::showlog {
 namespace {
 
+// Words of one mask.
 constexpr std::size_t kGroup = 8;
 constexpr std::size_t kMostSkipped = 254;  // In one byte; 255 says that the count goes on.
 

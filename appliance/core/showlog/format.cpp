@@ -11,24 +11,30 @@ namespace {
 using Bytes = std::span<std::uint8_t>;
 using ConstBytes = std::span<const std::uint8_t>;
 
+// Places of the head and of a chunk, as format.h draws them; all numbers are little-endian.
 constexpr std::size_t kHead_bytes = 56;  // Without the roles and the sum.
 constexpr std::size_t kSum_bytes = 8;
 constexpr std::size_t kChunkSumAt = kChunkHead_bytes - kSum_bytes;
 
+// Whether the bytes begin with it; fewer bytes than the mark has do not.
 bool HasMark(ConstBytes bytes, std::string_view mark) {
   return bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin());
 }
 
+// Over the head but for the place of the sum itself, and then over the frames.
 std::uint64_t ChunkSum(ConstBytes chunk) {
   return Fnv1a(chunk.subspan(kChunkHead_bytes), Fnv1a(chunk.first(kChunkSumAt)));
 }
 
 }  // namespace
 
+// Two programs of one evening find the time of the box's start by subtracting two clocks, which is never quite the same;
+// another evening differs by far more than a minute.
 bool IsSameEvening(const LogHead& a, const LogHead& b) {
   return std::chrono::abs(a.booted_at - b.booted_at) < std::chrono::minutes(1);
 }
 
+// Roles that are longer than a reader accepts are cut, so that what is written can always be read.
 std::vector<std::uint8_t> HeadBytes(const LogHead& head) {
   const std::size_t roles = std::min(head.roles.size(), kMostRoles_bytes);
   std::vector<std::uint8_t> bytes(kHead_bytes + roles + kSum_bytes);
@@ -47,6 +53,8 @@ std::vector<std::uint8_t> HeadBytes(const LogHead& head) {
   return bytes;
 }
 
+// Lengths are compared with what is there before anything is read by them, and the sum before anything is believed: a log
+// is cut off wherever the power went.
 std::optional<HeadRead> ReadHead(ConstBytes file) {
   if (file.size() < kHead_bytes + kSum_bytes || !HasMark(file, kFileMark) ||
       wire::GetU32(file, 8) != kVersion)
@@ -67,6 +75,7 @@ std::optional<HeadRead> ReadHead(ConstBytes file) {
   return read;
 }
 
+// The sum comes last, over all that the others have written.
 void SealChunk(const ChunkHead& head, Bytes chunk) {
   std::ranges::copy(kChunkMark, chunk.begin());
   wire::PutU32(chunk, 8, head.number);
@@ -79,6 +88,7 @@ void SealChunk(const ChunkHead& head, Bytes chunk) {
   wire::PutU64(chunk, kChunkSumAt, ChunkSum(chunk));
 }
 
+// Of the chunk that begins where `file` does. What is cut short or spoilt anywhere in it is none.
 std::optional<ChunkHead> ReadChunkHead(ConstBytes file) {
   if (file.size() < kChunkHead_bytes || !HasMark(file, kChunkMark)) return std::nullopt;
   const ChunkHead head{.number = wire::GetU32(file, 8),

@@ -12,16 +12,20 @@ namespace {
 
 using std::chrono::hours;
 
+// A writer begins another file once one is full, so that a larger one was written by nobody: the chunk that fills it and
+// the one behind it may go beyond.
 constexpr std::size_t kLargestFile_bytes = kFullFile_bytes + 2 * kMostChunk_bytes + kMostRoles_bytes;
 
 std::span<const std::uint8_t> BytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+// The file is at fault, and the line says so with its name.
 tl::unexpected<Error> Refuse(const std::string& name, std::string_view why) {
   return FailInput(fmt::format("{}: {}", name, why), std::errc::bad_message);
 }
 
+// Of a time of day: hours begin again at 24, since an evening may last beyond midnight.
 std::string ClockText(Duration day) {
   const auto s = std::chrono::duration_cast<std::chrono::seconds>(day).count();
   return fmt::format("{:02}:{:02}:{:02}", s / 3600 % 24, s / 60 % 60, s % 60);
@@ -29,6 +33,8 @@ std::string ClockText(Duration day) {
 
 }  // namespace
 
+// What is no log at all, what is one of another version, and what is torn are told apart: the second can still be played
+// with the programs that wrote it.
 Result<LogFile> LogFile::Read(const std::filesystem::path& file) {
   auto text = ReadFile(file, {.most_bytes = kLargestFile_bytes});
   if (!text) return tl::unexpected(text.error());
@@ -71,6 +77,7 @@ void LogFile::FindChunks(std::size_t at, const std::string& name) {
   name_gap(bytes.size());
 }
 
+// Since the midnight before the log's first frame, in the box's own time zone as it was then. It goes on beyond 24 hours.
 Duration LogFile::DayTime(Time at) const {
   const auto local = [this](Time t) {
     return head_.booted_at + t.time_since_epoch() + std::chrono::seconds(head_.utc_offset_s);
@@ -97,6 +104,7 @@ std::optional<Time> LogFile::AtDayTime(std::string_view text) const {
   return first + later;
 }
 
+// The date on which the log begins, as people in that time zone have it.
 std::string LogFile::Day() const {
   const Time first = chunks_.front().head.first;
   const std::chrono::sys_days day{std::chrono::floor<std::chrono::days>(std::chrono::sys_time<Duration>(

@@ -8,6 +8,8 @@
 
 namespace kaori::showlog {
 
+// A replay can only begin where a chunk does, whose first frame has a whole state: that is up to a chunk's length before
+// `at`, and whoever asked passes over the frames in between.
 void Replay::GoTo(Time at) {
   const auto& chunks = log_.chunks();
   chunk_ = 0;
@@ -16,6 +18,7 @@ void Replay::GoTo(Time at) {
   goes_on_ = false;
 }
 
+// A chunk that cannot be read is named and passed over; the next one begins with a state of its own.
 bool Replay::Next() {
   while (chunk_ < log_.chunks().size()) {
     const Chunk& chunk = log_.chunks()[chunk_];
@@ -48,6 +51,8 @@ void Replay::BeginChunk() {
   times_ = {};
 }
 
+// A frame: flags, what has changed on the board since the frame before, a state where the flags say so, and the sum of what
+// was made of it. Gives what is wrong with it, or nothing.
 std::optional<std::string> Replay::ReadFrame() {
   const auto bytes = log_.chunks()[chunk_].frames.subspan(at_);
   if (bytes.empty() || bytes[0] > (kWithState | kEventsOfBoard)) return "it ends before its last frame";
@@ -88,6 +93,7 @@ std::optional<std::string> Replay::ReadState(std::span<const std::uint8_t> from,
   return std::nullopt;
 }
 
+// The same function that the stage calls. Where its result has another sum, the frame is counted, and played all the same.
 void Replay::Make() {
   made_.state.seen = input_.seen;
   made_ = performance::Animate(made_.state, input_.board, input_.events, show_, input_.presented_at);
