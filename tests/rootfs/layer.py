@@ -101,7 +101,7 @@ def files_unpackaged(root, build):
 
 def users_missing(root):
     text = (root / RECIPE).read_text()
-    made = set(re.findall(r"[a-z-]+(?=;|$)", value_of(text, "USERADD_PARAM"))) | set(re.findall(r"[a-z]+(?=;|$)", value_of(text, "GROUPADD_PARAM")))
+    made = {"root"} | set(re.findall(r"[a-z-]+(?=;|$)", value_of(text, "USERADD_PARAM"))) | set(re.findall(r"[a-z]+(?=;|$)", value_of(text, "GROUPADD_PARAM")))
     for unit in sorted((root / "rootfs/overlay/usr/lib/systemd/system").glob("kaori-*.service")):
         for name in re.findall(r"(?m)^(?:User|Group)=(\S+)", unit.read_text()):
             if name not in made:

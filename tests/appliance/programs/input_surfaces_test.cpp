@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "hw-sim/devices/dial_box.h"
 #include "hw-sim/devices/owned_device.h"
 #include "tests/appliance/programs/input_owned_fixture.h"
 
