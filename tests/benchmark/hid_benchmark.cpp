@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "appliance/programs/input/dial_slot.h"
+#include "appliance/programs/input/surface_section.h"
 #include "drivers/base/clock.h"
 #include "firmware/wire/dial_box.h"
 
@@ -47,7 +48,9 @@ std::vector<Metric> MeasureHid(bool quick) {
   std::filesystem::remove(path);
   if (!writer) return {};
   const SteadyClock clock;
-  input::DialSlot dial_box(*board, std::move(*writer), wire::kDialCountsPerTurn);
+  input::SurfaceSection section(*board, std::move(*writer), wire::kDialCountsPerTurn, 1);
+  const std::vector<input::SurfaceMap> no_maps;
+  input::DialSlot dial_box(*board, section, 0, no_maps);
   if (!dial_box.Plug(DialBox(), clock.now())) return {};
   std::vector<double> rates;
   for (int i = 0; i < kHidRounds / (quick ? 10 : 1); ++i) rates.push_back(ReportsPerSecond(dial_box, clock));
