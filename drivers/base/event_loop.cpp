@@ -3,11 +3,12 @@
 #include <signal.h>
 #include <sys/epoll.h>
 #include <sys/signalfd.h>
-#include <sys/timerfd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+
+#include "drivers/base/timer.h"
 
 namespace kaori {
 namespace {
@@ -21,11 +22,6 @@ void Drain(int fd) {
   std::array<char, 256> ignored;
   while (::read(fd, ignored.data(), ignored.size()) > 0) {
   }
-}
-
-timespec ToTimespec(Duration d) {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(d);
-  return {seconds.count(), (d - seconds).count()};
 }
 
 }  // namespace
@@ -73,12 +69,10 @@ void EventLoop::Forget(int fd) {
 }
 
 Result<void> EventLoop::Every(Duration period, Handler handler) {
-  UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
-  if (!timer.valid()) return FailErrno("create a timer");
-  const itimerspec spec{ToTimespec(period), ToTimespec(period)};
-  if (::timerfd_settime(timer.get(), 0, &spec, nullptr) < 0) return FailErrno("start a timer");
-  const int fd = timer.get();
-  owned_.push_back(std::move(timer));
+  auto timer = OpenTimer(period, period, "create a timer");
+  if (!timer) return tl::unexpected(timer.error());
+  const int fd = timer->get();
+  owned_.push_back(std::move(*timer));
   return Watch(fd, [fd, handler = std::move(handler)] {
     Drain(fd);
     handler();

@@ -1,22 +1,16 @@
 #include "drivers/gpio/polled_line.h"
 
-#include <sys/timerfd.h>
 #include <unistd.h>
 
 #include <utility>
 
+#include "drivers/base/timer.h"
 #include "drivers/base/unique_fd.h"
 
 namespace kaori::gpio {
 namespace {
 
 constexpr Duration kPeriod = std::chrono::milliseconds(40);  // As Linux polls a CP2112.
-
-// timerfd wants seconds and nanoseconds apart.
-timespec Timespec(Duration length) {
-  const auto whole = std::chrono::duration_cast<std::chrono::seconds>(length);
-  return {.tv_sec = whole.count(), .tv_nsec = (length - whole).count()};
-}
 
 // A level that is asked for from outside counts as seen, so that one change never gives two edges.
 class PolledInput final : public InputLine {
@@ -60,11 +54,9 @@ class PolledInput final : public InputLine {
 
 Result<std::unique_ptr<InputLine>> PollLine(std::unique_ptr<InputLine> plain, Duration first,
                                             const Clock& clock) {
-  UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
-  const itimerspec period{.it_interval = Timespec(kPeriod), .it_value = Timespec(first)};
-  if (!timer.valid() || ::timerfd_settime(timer.get(), 0, &period, nullptr) < 0)
-    return FailErrno("make a timer to poll a GPIO line");
-  return std::make_unique<PolledInput>(std::move(plain), std::move(timer), clock);
+  auto timer = OpenTimer(first, kPeriod, "make a timer to poll a GPIO line");
+  if (!timer) return tl::unexpected(timer.error());
+  return std::make_unique<PolledInput>(std::move(plain), std::move(*timer), clock);
 }
 
 }  // namespace kaori::gpio

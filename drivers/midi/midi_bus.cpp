@@ -1,7 +1,6 @@
 #include "drivers/midi/midi_bus.h"
 
 #include <fcntl.h>
-#include <sys/timerfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 
 #include "drivers/base/open_cause.h"
 #include "drivers/base/read_file.h"
+#include "drivers/base/timer.h"
 #include "drivers/midi/midi_channel.h"
 #include "firmware/wire/dial_box.h"
 
@@ -41,12 +41,9 @@ fs::path UsbDeviceAbove(fs::path folder) {
 
 Result<std::unique_ptr<MidiBus>> MidiBus::Open(MidiFolders folders, const std::vector<KnownSurface>& surfaces,
                                                const Clock& clock) {
-  UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
-  const timespec period{0, folders.look_every.count()};
-  const itimerspec often{.it_interval = period, .it_value = period};
-  if (!timer.valid() || ::timerfd_settime(timer.get(), 0, &often, nullptr) != 0)
-    return FailErrno("look for MIDI devices now and then");
-  return std::unique_ptr<MidiBus>(new MidiBus(std::move(folders), surfaces, clock, std::move(timer)));
+  auto timer = OpenTimer(folders.look_every, folders.look_every, "look for MIDI devices now and then");
+  if (!timer) return tl::unexpected(timer.error());
+  return std::unique_ptr<MidiBus>(new MidiBus(std::move(folders), surfaces, clock, std::move(*timer)));
 }
 
 // A machine without sound has no such folder, which is no fault.

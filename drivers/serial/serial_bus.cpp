@@ -1,7 +1,6 @@
 #include "drivers/serial/serial_bus.h"
 
 #include <sys/stat.h>
-#include <sys/timerfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "drivers/base/timer.h"
 #include "drivers/serial/serial_line.h"
 
 namespace kaori::serial {
@@ -39,12 +39,9 @@ Result<SerialBoxOptions> ParseSerialBox(const std::string& text, int counts_per_
 }
 
 Result<std::unique_ptr<SerialBus>> SerialBus::Open(SerialBoxOptions options, const Clock& clock) {
-  UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
-  const timespec period{0, options.look_every.count()};
-  const itimerspec often{.it_interval = period, .it_value = period};
-  if (!timer.valid() || ::timerfd_settime(timer.get(), 0, &often, nullptr) != 0)
-    return FailErrno("look for serial lines now and then");
-  return std::unique_ptr<SerialBus>(new SerialBus(std::move(options), clock, std::move(timer)));
+  auto timer = OpenTimer(options.look_every, options.look_every, "look for serial lines now and then");
+  if (!timer) return tl::unexpected(timer.error());
+  return std::unique_ptr<SerialBus>(new SerialBus(std::move(options), clock, std::move(*timer)));
 }
 
 SerialBus::SerialBus(SerialBoxOptions options, const Clock& clock, UniqueFd timer)

@@ -1,12 +1,13 @@
 #include "hw-sim/console/console.h"
 
-#include <sys/timerfd.h>
+#include <unistd.h>
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "drivers/base/log.h"
+#include "drivers/base/timer.h"
 #include "hw-sim/console/guard.h"
 #include "hw-sim/console/input.h"
 #include "hw-sim/console/json.h"
@@ -69,11 +70,9 @@ std::string Console::address() const {
 
 // A timer of our own: EventLoop::Every has no end, and a console may end before its loop.
 Result<void> Console::StartTicking() {
-  ticks_ = UniqueFd(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
-  if (!ticks_.valid()) return FailErrno("create the console's timer");
-  const timespec period{0, kTick.count()};
-  const itimerspec spec{period, period};
-  if (::timerfd_settime(ticks_.get(), 0, &spec, nullptr) < 0) return FailErrno("start the console's timer");
+  auto ticks = OpenTimer(kTick, kTick, "start the console's timer");
+  if (!ticks) return tl::unexpected(ticks.error());
+  ticks_ = std::move(*ticks);
   return loop_.Watch(ticks_.get(), [this] { Tick(); });
 }
 
