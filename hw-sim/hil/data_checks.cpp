@@ -48,23 +48,20 @@ Setup RuinedSetup(const std::string& disk) {
 // A copy of the image's disk whose data partition is ruined.
 Result<std::string> RuinedDisk(Scene& scene, const Ruin& ruin) {
   const QemuOptions& options = scene.target.machine().options();
-  const std::string disk = options.image + "/kaori.disk", copy = options.folder + "/ruined.disk";
-  const auto data = PartitionStart_bytes(disk, "data");
-  if (!data) return tl::unexpected(data.error());
-  if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, options.folder + "/cp.log"); !ok)
-    return tl::unexpected(ok.error());
+  const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "ruined.disk", "data");
+  if (!copy) return tl::unexpected(copy.error());
   if (ruin.debugfs != nullptr)
-    if (auto ok = RunToEnd({"debugfs", "-w", "-R", ruin.debugfs, fmt::format("{}?offset={}", copy, *data)},
+    if (auto ok = RunToEnd({"debugfs", "-w", "-R", ruin.debugfs, NameInDebugfs(*copy)},
                            options.folder + "/debugfs.log");
         !ok)
       return tl::unexpected(ok.error());
   std::string noise(ruin.noise_bytes, '\0');
   for (char& byte : noise) byte = static_cast<char>(scene.chance());
-  std::fstream file(copy, std::ios::binary | std::ios::in | std::ios::out);
-  file.seekp(static_cast<std::streamoff>(*data + ruin.from_bytes));
+  std::fstream file(copy->file, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(static_cast<std::streamoff>(copy->start_bytes + ruin.from_bytes));
   file.write(noise.data(), static_cast<std::streamsize>(noise.size()));
-  if (!file.flush()) return Fail(std::errc::io_error, "write " + copy);
-  return copy;
+  if (!file.flush()) return Fail(std::errc::io_error, "write " + copy->file);
+  return copy->file;
 }
 
 // Errors: invalid_argument, the box says something else; with what it says.

@@ -9,7 +9,6 @@
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/picture.h"
-#include "hw-sim/hil/process.h"
 
 namespace kaori::hil {
 namespace {
@@ -33,19 +32,15 @@ std::string BytesOf(const std::string& path) {
 // A copy of the image's disk with one bit flipped so many bytes after the beginning of its root.
 Result<std::string> WithFlippedBit(Scene& scene, std::uint64_t offset_bytes) {
   const QemuOptions& options = scene.target.machine().options();
-  const std::string disk = options.image + "/kaori.disk", copy = options.folder + "/flipped.disk";
-  const auto root = PartitionStart_bytes(disk, "root-a");
-  if (!root) return tl::unexpected(root.error());
-  // A sparse copy: the disk is mostly empty.
-  if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, options.folder + "/cp.log"); !ok)
-    return tl::unexpected(ok.error());
-  std::fstream file(copy, std::ios::binary | std::ios::in | std::ios::out);
-  file.seekg(static_cast<std::streamoff>(*root + offset_bytes));
+  const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "flipped.disk", "root-a");
+  if (!copy) return tl::unexpected(copy.error());
+  std::fstream file(copy->file, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekg(static_cast<std::streamoff>(copy->start_bytes + offset_bytes));
   const int byte = file.get();
-  file.seekp(static_cast<std::streamoff>(*root + offset_bytes));
+  file.seekp(static_cast<std::streamoff>(copy->start_bytes + offset_bytes));
   file.put(static_cast<char>(byte ^ 1));
-  if (!file.flush()) return Fail(std::errc::io_error, "write " + copy);
-  return copy;
+  if (!file.flush()) return Fail(std::errc::io_error, "write " + copy->file);
+  return copy->file;
 }
 
 // Where the stage's program is in the root, by its first block: the file system stores files in

@@ -69,19 +69,29 @@ Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::s
   return FailInput(disk + " has no partition " + name);
 }
 
-Result<std::string> CopyWithSettings(const std::string& disk, const Setup& setup, const std::string& folder) {
-  const auto start = PartitionStart_bytes(disk, "data");
+Result<DiskCopy> CopyDisk(const std::string& disk, const std::string& folder, const std::string& name,
+                          const std::string& partition) {
+  const auto start = PartitionStart_bytes(disk, partition);
   if (!start) return tl::unexpected(start.error());
-  std::string copy = folder + "/settled.disk";
-  if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, folder + "/cp.log"); !ok)
+  DiskCopy copy{.file = folder + "/" + name, .start_bytes = *start};
+  if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy.file}, folder + "/cp.log"); !ok)
     return tl::unexpected(ok.error());
-  // "file?offset=bytes" is e2fsprogs' way to name a file system within a file.
-  const std::string data = fmt::format("{}?offset={}", copy, *start);
+  return copy;
+}
+
+std::string NameInDebugfs(const DiskCopy& copy) {
+  return fmt::format("{}?offset={}", copy.file, copy.start_bytes);
+}
+
+Result<std::string> CopyWithSettings(const std::string& disk, const Setup& setup, const std::string& folder) {
+  const auto copy = CopyDisk(disk, folder, "settled.disk", "data");
+  if (!copy) return tl::unexpected(copy.error());
+  const std::string data = NameInDebugfs(*copy);
   if (auto ok = Put(data, kSettings, setup.settings, folder); !ok) return tl::unexpected(ok.error());
   if (!setup.last_settings.empty())
     if (auto ok = Put(data, kLastSettings, setup.last_settings, folder); !ok)
       return tl::unexpected(ok.error());
-  return copy;
+  return copy->file;
 }
 
 }  // namespace kaori::hil

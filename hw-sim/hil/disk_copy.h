@@ -14,6 +14,20 @@ namespace kaori::hil {
 // table only. Errors: those of the file, invalid_argument (no GPT, no such partition).
 Result<std::uint64_t> PartitionStart_bytes(const std::string& disk, const std::string& name);
 
+// A copy of a disk, and where one of its partitions begins on it.
+struct DiskCopy {
+  std::string file;
+  std::uint64_t start_bytes = 0;
+};
+
+// Copies the disk to FOLDER/NAME; a second copy replaces the first. It is sparse, since the disk is mostly empty. Blocks while
+// it copies. Needs cp. Errors: as PartitionStart_bytes, and those of cp.
+Result<DiskCopy> CopyDisk(const std::string& disk, const std::string& folder, const std::string& name,
+                          const std::string& partition);
+
+// How programs of e2fsprogs name the file system of that partition within the file: "FILE?offset=BYTES".
+std::string NameInDebugfs(const DiskCopy& copy);
+
 // Writes DISK's copy into the folder, with the settings of `setup`; gives its path. A second copy
 // replaces the first. Blocks while it copies. Needs cp and debugfs, which writes into ext4 without
 // mounting it. Errors: as above, and those of the programs.

@@ -12,7 +12,6 @@
 #include "hw-sim/hil/check.h"
 #include "hw-sim/hil/disk_copy.h"
 #include "hw-sim/hil/picture.h"
-#include "hw-sim/hil/process.h"
 #include "hw-sim/hil/start_times.h"
 #include "hw-sim/hil/strategy.h"
 
@@ -45,12 +44,9 @@ Setup SetupOf(const std::string& disk, bool agent) {
 class KeptDisk {
  public:
   static Result<KeptDisk> Copy(const QemuOptions& options) {
-    const std::string disk = options.image + "/kaori.disk", copy = options.folder + "/kept.disk";
-    const auto data = PartitionStart_bytes(disk, "data");
-    if (!data) return tl::unexpected(data.error());
-    if (auto ok = RunToEnd({"cp", "--sparse=always", disk, copy}, options.folder + "/cp.log"); !ok)
-      return tl::unexpected(ok.error());
-    return KeptDisk(copy, *data);
+    const auto copy = CopyDisk(options.image + "/kaori.disk", options.folder, "kept.disk", "data");
+    if (!copy) return tl::unexpected(copy.error());
+    return KeptDisk(copy->file, copy->start_bytes);
   }
   const std::string& file() const { return file_; }
 

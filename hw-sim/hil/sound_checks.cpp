@@ -111,8 +111,10 @@ Result<void> AwaitEar(Scene& scene, std::uint32_t blocks_before) {
 Result<void> SpeakAndWatch(Scene& scene, const std::string& loop, bool speaks) {
   if (auto ok = scene.Shoot("voice", "Silence"); !ok) return ok;
   // What is played into one side of the loop is heard at the other.
-  const std::string play = fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice);
-  const auto speaker = scene.target.agent().Ask(speaks ? play : "clock", kSoundAnswer);
+  Result<std::string> speaker;
+  if (speaks)
+    speaker = scene.target.agent().Ask(fmt::format("start-tool aplay -q -D plughw:{},0,0 {}", loop, kVoice),
+                                       kSoundAnswer);
   if (!speaker) return tl::unexpected(speaker.error());
   Mouth mouth;
   const auto moved = [&](const BoardView& board) {
