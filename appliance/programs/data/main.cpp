@@ -7,8 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "appliance/core/board/board.h"
-#include "appliance/core/board/lines.h"
+#include "appliance/core/board/service_key.h"
 #include "appliance/programs/data/folders.h"
 #include "appliance/programs/data/mend.h"
 #include "drivers/base/clock.h"
@@ -43,14 +42,6 @@ constexpr auto kHeld = std::chrono::seconds(2);
 constexpr unsigned kReadOnly = 0444;
 constexpr const char* kFolders = "/run/kaori-data/folders";
 
-// Whether the service key is on now. The board is opened each time: this program makes none, and one that was made anew
-// has to be found.
-bool IsKeyOn(const std::string& path) {
-  const auto board = kaori::board::Board::Open(path);
-  if (!board) return false;
-  return kaori::board::IsServiceKeyOn(board->Read<kaori::board::Lines>());
-}
-
 // Blocks until the key has been on for kHeld. Errors: those of the loop.
 Result<void> AwaitKey(const std::string& board) {
   auto loop = kaori::EventLoop::Open();
@@ -58,7 +49,7 @@ Result<void> AwaitKey(const std::string& board) {
   const kaori::SteadyClock clock;
   kaori::Time off = clock.now();
   return loop->RunEvery(kPeriod, [&] {
-    if (!IsKeyOn(board)) off = clock.now();
+    if (!kaori::board::IsServiceKeyOnAt(board)) off = clock.now();
     if (clock.now() - off >= kHeld) loop->Stop();
   });
 }

@@ -8,8 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "appliance/core/board/board.h"
-#include "appliance/core/board/lines.h"
+#include "appliance/core/board/service_key.h"
 #include "appliance/programs/power/power_button.h"
 #include "drivers/base/event_loop.h"
 #include "drivers/base/log.h"
@@ -39,12 +38,6 @@ constexpr unsigned kReadOnly = 0444;
 constexpr auto kNoticeStands = std::chrono::minutes(1);
 constexpr auto kNoticePeriod = std::chrono::seconds(1);
 
-// The board is opened at each press: this program makes none, and one that was made anew has to be found.
-bool IsKeyOn(const std::string& path) {
-  const auto board = kaori::board::Board::Open(path);
-  return board && kaori::board::IsServiceKeyOn(board->Read<kaori::board::Lines>());
-}
-
 // The notice of a press that did nothing is taken back after a while.
 void ForgetNotice(const std::string& file) {
   std::error_code none;
@@ -54,7 +47,7 @@ void ForgetNotice(const std::string& file) {
 }
 
 void HandlePress(const Settings& settings) {
-  const bool stops = IsKeyOn(settings.board);
+  const bool stops = kaori::board::IsServiceKeyOnAt(settings.board);
   const std::string_view notice = stops ? kStops : kIgnored;
   kaori::LogWarning("{}", notice.substr(0, notice.size() - 1));
   if (auto told = kaori::WriteWholeFile(settings.notice, {kaori::AsBytes(notice)}, kReadOnly); !told)

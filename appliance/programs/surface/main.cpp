@@ -49,10 +49,6 @@ struct Settings {
   std::string board = "/run/kaori/board", update, port, updates;
 };
 
-std::uint32_t ProductOf(const kaori::ports::HidIdentity& identity) {
-  return std::uint32_t{identity.vendor} << 16U | identity.product;
-}
-
 const char* Words(kaori::wire::SurfaceState state) {
   switch (state) {
     case kaori::wire::SurfaceState::kPlays:
@@ -73,7 +69,7 @@ int List(kaori::ports::HidBus& bus) {
   for (const std::string& port : bus.Ports().value_or(std::vector<std::string>{})) {
     auto channel = bus.Open(port);
     if (!channel) continue;
-    const std::uint32_t product = ProductOf((*channel)->identity());
+    const std::uint32_t product = kaori::surface_update::ProductOf((*channel)->identity());
     if (product != kaori::surface_update::kDialBoxImage && product != kaori::surface_update::kStickPodImage)
       continue;
     dial_boxes += product == kaori::surface_update::kDialBoxImage ? 1 : 0;
@@ -101,7 +97,7 @@ BoxNow LookAt(const std::string& path, kaori::Time now) {
   const auto lines = opened->Read<board::Lines>();
   const auto stage = opened->Read<board::StageStatus>();
   return {.stage_runs = stage.source == board::SourceState::kLive && now - stage.at < kStageIsDead,
-          .key_is_on = board::IsOn(lines.value, board::Line::kService),
+          .key_is_on = board::IsServiceKeyOn(lines),
           .is_black = board::IsOn(lines.value, board::Line::kBlackout)};
 }
 

@@ -30,6 +30,9 @@ inline constexpr std::uint32_t kDialBoxImage =
     std::uint32_t{wire::kDialBoxVendor} << 16U | wire::kDialBoxProduct;
 inline constexpr std::uint32_t kStickPodImage =
     std::uint32_t{wire::kStickPodVendor} << 16U | wire::kStickPodProduct;
+inline std::uint32_t ProductOf(const ports::HidIdentity& identity) {
+  return std::uint32_t{identity.vendor} << 16U | identity.product;
+}
 
 // Versions as updates name them, major * 65536 + minor; and as people do, "1.4".
 std::uint32_t VersionOf(const wire::SurfaceStatus& status);

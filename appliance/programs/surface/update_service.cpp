@@ -10,10 +10,6 @@ namespace {
 
 constexpr Duration kLookEvery = std::chrono::seconds(1);
 
-std::uint32_t ProductOf(const ports::HidIdentity& identity) {
-  return std::uint32_t{identity.vendor} << 16U | identity.product;
-}
-
 }  // namespace
 
 void UpdateService::Step(Circumstances box, Time now) {
