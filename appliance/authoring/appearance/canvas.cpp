@@ -58,6 +58,7 @@ float Coverage(const Stroke& stroke, Nearest n) {
 }
 
 // Row-major; what lies outside counts as the nearest inside.
+// Rows from the top, as the atlas has its texels.
 std::size_t IndexOf(long x, long y, int size_px) {
   const auto inside = [size_px](long v) { return static_cast<std::size_t>(std::clamp(v, 0L, size_px - 1L)); };
   return inside(y) * static_cast<std::size_t>(size_px) + inside(x);
@@ -120,6 +121,7 @@ std::vector<std::size_t> NextWave(const std::vector<std::size_t>& wave,
 
 }  // namespace
 
+// In linear light: a mean of sRGB bytes would be too dark.
 void Paint::Mix(float amount, glm::vec3 over) {
   const float a = Clamp01(amount);
   colour = colour * (1 - a) + over * a;

@@ -27,6 +27,7 @@ glm::vec3 Along(const Patch& p, int row, int column) {
   return p.points[At(p, row + 1, column)] - p.points[At(p, row - 1, column)];
 }
 
+// As Along; a closed patch has no edges here.
 glm::vec3 Across(const Patch& p, int row, int column) {
   return p.points[At(p, row, column + 1)] - p.points[At(p, row, column - 1)];
 }
@@ -104,6 +105,7 @@ void ClothMesh::Rim(const Patch& patch, face::Index front, face::Index back) {
   }
 }
 
+// For cloth whose inside nobody sees, such as a body that goes out of the picture.
 void ClothMesh::AddPatch(const Patch& patch) {
   Cells(patch, Append(patch, patch.points), false);
 }

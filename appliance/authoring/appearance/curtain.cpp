@@ -8,6 +8,7 @@
 namespace kaori::appearance {
 namespace {
 
+// The scalp's cap is seen in gaps alone, so that few points are enough for it.
 constexpr int kCapRows = 8;
 constexpr int kCapColumns = 32;
 // Nearer to the skull than any hair, so that only gaps show it.

@@ -139,6 +139,7 @@ void DrawBrows(Canvas& canvas, const BrowLook& look) {
   }
 }
 
+// A seed for each side, as for brows, and none that brows have: no pattern comes back.
 void DrawMoustache(Canvas& canvas, const MoustacheLook& look) {
   if (look.amount <= 0) return;
   for (const float side : {1.0F, -1.0F}) {
@@ -147,6 +148,7 @@ void DrawMoustache(Canvas& canvas, const MoustacheLook& look) {
   }
 }
 
+// A line that is painted with a brush (ragged 0) gets no hairs.
 void DrawHairline(Canvas& canvas, const ScalpLook& look) {
   if (look.above_cm.empty()) return;
   const int hairs = static_cast<int>(900 * look.ragged);

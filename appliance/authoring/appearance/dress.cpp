@@ -71,6 +71,7 @@ Garment Sew(const face::Face& face, const ClothesLook& look) {
   return garment;
 }
 
+// In the order of Garment, on which the cross-fade of two faces relies.
 void AddClothes(face::Cast& cast, const ClothesLook& look, face::Face& face) {
   for (face::Prop& prop : Sew(face, look)) face.props.push_back(AddProp(cast, std::move(prop)));
 }

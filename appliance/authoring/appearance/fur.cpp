@@ -37,6 +37,7 @@ void AddTufts(ClothMesh& mesh, const Torso& torso, float from_deg, float to_deg,
 
 }  // namespace
 
+// Four props: the tag behind the strap has a colour of its own, which no look says.
 Garment SewFur(const std::string& face, const ClothesLook& look, const Neck& neck) {
   constexpr float kWider_cm = 0.3F;  // A dog's neck is no oval: its sides must not come through the coat.
   Neck wide = neck;

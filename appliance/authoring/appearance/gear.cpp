@@ -38,6 +38,7 @@ int RingsOf(const Points& path) {
   return 5 * static_cast<int>(path.size()) + 4;
 }
 
+// Ten columns round it: a rod is a few pixels wide on a screen.
 void AddRod(ClothMesh& mesh, const Points& path, float radius_cm) {
   AddTube(mesh, {.path = [&](float t) { return OnCurve(path, t); },
                  .radius_cm = [=](float) { return radius_cm; },

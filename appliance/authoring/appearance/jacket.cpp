@@ -107,6 +107,7 @@ void AddTie(ClothMesh& mesh, const Torso& torso, glm::vec3 knot_cm) {
 
 }  // namespace
 
+// The order is that of Garment: main, collar, accent.
 Garment SewJacket(const std::string& face, const ClothesLook& look, const Neck& neck) {
   const Torso torso{neck, look.shoulders_cm - 2.5F, 19.4F, 0, 0.14F};
   ClothMesh shirt;

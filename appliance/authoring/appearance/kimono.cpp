@@ -33,6 +33,8 @@ glm::vec3 BandPoint(const Torso& torso, const Band& band, float t, float across)
   return torso.At(band.side * (around + out_deg), inner_deg - down_deg, bulge_cm);
 }
 
+// Columns run the other way on the character's right, so that the face of the cloth looks outwards on both
+// sides.
 void AddBand(ClothMesh& mesh, const Torso& torso, const Band& band) {
   constexpr int kRows = 5;
   constexpr int kColumns = 40;

@@ -25,6 +25,7 @@ float Share(Section& s, std::string_view key, float otherwise) {
   return value;
 }
 
+// Without an upper bound; a caller that needs one says so in a fault of its own.
 float NotNegative(Section& s, std::string_view key, float otherwise) {
   const float value = RealOr(s, key, otherwise);
   if (value < 0) s.Fault(key, "must not be negative");
@@ -46,6 +47,7 @@ bool IsPair(const Value& v) {
 
 }  // namespace
 
+// The words of the fault tell a key that is missing from one of another form.
 glm::vec2 Pair(Section& s, std::string_view key) {
   const Value* value = s.Find(key);
   if (value != nullptr && IsPair(*value)) return {value->list[0].number, value->list[1].number};

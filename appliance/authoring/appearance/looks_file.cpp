@@ -25,6 +25,7 @@ constexpr toml::Range kIrisRadius_cm{0.1, 8};
 constexpr toml::Range kLash_cm{0, 5};
 constexpr float kLeastBrow_cm = 0.3F, kFarthestBrow_cm = 30;  // How far from the nose a brow ends.
 
+// For lips that do not say another colour.
 const glm::vec3 kInsideOfAMouth = Hex("#4a1214");
 
 // Spots are asked for only where their amount is not 0, and the table of a hide only for that hide.
@@ -73,6 +74,7 @@ BrowLook ReadBrows(Section s) {
   return brows;
 }
 
+// Both colours must be given, even where their amounts are 0.
 LidLook ReadLids(Section s) {
   s.AllowOnly({"shadow", "shadow_amount", "liner", "liner_amount", "flesh"});
   return {Colour(s, "shadow"), Share(s, "shadow_amount", 0.4F), Colour(s, "liner"),
@@ -100,6 +102,7 @@ face::EyeSurface ReadEyeSurface(Section& s) {
   return eye;
 }
 
+// The iris is the one length that an eye must have; an eye without lashes says nothing of them.
 EyePaint ReadEyes(Section s) {
   s.AllowOnly({"iris", "iris_radius", "lash_length", "lash_wing", "white", "veins", "pupil", "limbus",
                "spokes", "rings", "wet", "glow"});
@@ -108,11 +111,13 @@ EyePaint ReadEyes(Section s) {
           static_cast<float>(s.Length_cmOr("lash_wing", 0, kLash_cm)), ReadEyeSurface(s)};
 }
 
+// The flat colour must be given: it is all that the flat style shows of the surface.
 SurfacePaint ReadSurface(Section s) {
   s.AllowOnly({"softness", "metal", "flat", "print"});
   return {Share(s, "softness", 1), Share(s, "metal", 0), Colour(s, "flat"), Share(s, "print", 0)};
 }
 
+// Lengths must be given. Two of them divide where hairs are drawn, and so must be greater than 0.
 MoustacheLook ReadMoustache(Section s) {
   s.AllowOnly(
       {"amount", "colour", "from", "reach", "y", "fall", "thickness", "thins_over", "turns_over", "hairs"});

@@ -72,6 +72,8 @@ void PaintSkin(const Texel& texel, const SkinLook& look, Paint& paint) {
   PaintNostrils(p, look, paint);
 }
 
+// Hair that grows begins raggedly above its line; what is painted with a brush (ragged 0) is even, opaque and
+// matt.
 void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint) {
   if (look.above_cm.empty()) return;
   const glm::vec2 p = texel.mirrored();
@@ -84,6 +86,8 @@ void PaintScalp(const Texel& texel, const ScalpLook& look, Paint& paint) {
   paint.MixGloss(covered * (1 - look.ragged), 0.02F);
 }
 
+// x of p is the distance from the middle of the face on the unrolled surface, which all faces share; rings are
+// the eye's own and lie on the lids of each face.
 void PaintLids(const Texel& texel, const LidLook& look, Paint& paint) {
   const float k = texel.eye_ring;
   if (k <= 0) return;
@@ -110,6 +114,7 @@ void PaintLids(const Texel& texel, const LidLook& look, Paint& paint) {
   }
 }
 
+// What lies behind the lips is the bag's and gets none of their paint.
 void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
   const float k = texel.mouth_ring;
   if (k <= 0) return;
@@ -130,6 +135,7 @@ void PaintLips(const Texel& texel, const LipLook& look, Paint& paint) {
   paint.MixGloss(lip, look.gloss * (0.55F + 0.45F * Bell(k - 4.4F, 0.9F)) * (1.1F - 0.3F * lines));
 }
 
+// The last layer, since scalp, lids and brows know nothing of a bag.
 void PaintBag(const Texel& texel, const LipLook& look, Paint& paint) {
   const float inside = SmoothStep(0.1F, 0.9F, texel.bag);
   paint.Mix(inside, look.inside);

@@ -19,6 +19,7 @@ void PaintHide(const Texel& texel, const SkinLook& look, Paint& paint) {
   }
 }
 
+// In the order of the layers: each of them covers what was painted before it.
 void PaintTexel(const Texel& texel, const FaceLook& look, Paint& paint) {
   PaintHide(texel, look.skin, paint);
   PaintScalp(texel, look.scalp, paint);

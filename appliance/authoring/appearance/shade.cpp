@@ -82,6 +82,7 @@ void FinishSkin(const std::vector<sculpt::PaintAttributes>& attributes, const fa
   JoinSeams(topology.twin, open);
 }
 
+// Hair is lifted to its floor and not cut off there, so that its locks still differ in the dark.
 void FinishProp(std::vector<float> open, face::Prop& prop) {
   SmoothOver(prop.triangles, kPropSmoothing, open);
   const float floor = prop.part == face::Part::kHair ? kHairFloor : 0.0F;

@@ -16,6 +16,8 @@ Spot ReadSpot(toml::Section& s, std::string_view at, std::string_view radii) {
 
 }  // namespace
 
+// All creases are read, so that all of their faults are told. One whose path has another number of points than
+// three keeps three at the origin, which no caller sees after the fault.
 Creases ReadCreases(toml::Section s) {
   s.AllowOnly({"amount", "creases"});
   Creases creases{Share(s, "amount", 1), {}};
@@ -59,6 +61,7 @@ CoatLook ReadCoat(toml::Section s) {
   return coat;
 }
 
+// Three heights on the unrolled surface; all must be given.
 MetalLook ReadMetal(toml::Section s) {
   s.AllowOnly({"lid_groove", "knob", "belly"});
   return {Real(s, "lid_groove"), Real(s, "knob"), Real(s, "belly")};

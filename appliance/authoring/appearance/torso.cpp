@@ -21,6 +21,7 @@ float SmoothMin(float a, float b, float k) {
   return std::min(a, b) - h * h * h * k / 6;
 }
 
+// An estimate that is exact on the surface alone and may be too large off it, which Torso::At allows for.
 float Ellipsoid(glm::vec3 p, glm::vec3 centre, glm::vec3 radii) {
   const glm::vec3 q = p - centre;
   const float k0 = glm::length(q / radii);
@@ -35,6 +36,7 @@ struct Bone {
   float radius_b;
 };
 
+// Exact for equal radii, and a little too large for others.
 float Capsule(glm::vec3 p, const Bone& bone) {
   const glm::vec3 along = bone.b - bone.a;
   const float h = Clamp01(glm::dot(p - bone.a, along) / glm::dot(along, along));
@@ -130,6 +132,8 @@ glm::vec3 Torso::At(float around_deg, float elevation_deg, float off_cm) const {
   return skin + direction * (off_cm + wrinkles_cm * calm * Wrinkle(skin));
 }
 
+// Along one direction from the middle of the chest; a height that lies outside of 10 to 85 degrees gives the
+// nearer end.
 float Torso::ElevationAt(float around_deg, float y_cm) const {
   float low = 10;
   float high = 85;

@@ -15,6 +15,7 @@ using toml::Section;
 
 namespace {
 
+// Each of them costs a rod five rings of points (gear.cpp), and a bundle ten.
 constexpr std::size_t kMostPathPoints = 32;
 
 // In centimetres; outside of it a length was meant in metres or in millimetres.
@@ -114,6 +115,7 @@ GearLook ReadGear(Section s) {
   return gear;
 }
 
+// All three colours must be given, whatever the cut makes of them (clothes.h).
 ClothesLook ReadClothes(Section s) {
   s.AllowOnly({"cut", "main", "collar", "accent", "shoulders", "rise"});
   constexpr std::array<std::string_view, 6> kCuts{"blouse", "knit", "jacket", "fur", "kimono", "hull"};

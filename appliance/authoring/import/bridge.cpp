@@ -118,6 +118,7 @@ struct Matched {
   std::vector<sculpt::Pull> back;
 };
 
+// In the order of `from`. A landmark that `to` lacks is named in `missing`, and the warps do without it.
 Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to,
               std::vector<std::string>& missing) {
   Matched matched;
@@ -135,6 +136,7 @@ Matched Match(const std::vector<Landmark>& from, const std::vector<Landmark>& to
 
 }  // namespace
 
+// Two warps, since the inverse of a warp through landmarks has no formula.
 std::optional<Bridge> Bridge::Between(const HeadShape& from, const HeadShape& to,
                                       std::vector<std::string>& missing) {
   Matched matched = Match(FindLandmarks(from), FindLandmarks(to), missing);

@@ -102,6 +102,7 @@ class Walk {
     glm::mat4 parent;
   };
 
+  // The roots of a file that names no scene: nodes that are nobody's children.
   std::vector<int> Parentless() const {
     std::vector<bool> is_child(model_.nodes.size());
     for (const tinygltf::Node& node : model_.nodes)
@@ -227,6 +228,8 @@ std::vector<PlacedMesh> PlacedMeshes(const tinygltf::Model& model) {
   return Walk(model).All();
 }
 
+// glTF 2.0 gives targets no names; mesh.extras.targetNames is what its implementation note says that tools
+// write.
 std::vector<std::string> TargetNames(const tinygltf::Mesh& mesh, std::size_t count) {
   std::vector<std::string> names;
   const tinygltf::Value* given = mesh.extras.Has("targetNames") ? &mesh.extras.Get("targetNames") : nullptr;

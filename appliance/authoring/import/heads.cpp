@@ -83,6 +83,7 @@ std::string FreeName(const Heads& heads, const std::string& wanted) {
   return name;
 }
 
+// From one offset for each vertex of the model to one for each that is kept.
 Offsets OnSkin(const Heads& heads, const Offsets& offsets) {
   Offsets on_skin;
   for (const Index v : heads.skin) on_skin.push_back(offsets[v]);
@@ -125,6 +126,7 @@ void KeepByForm(HeadShape completed, Heads& heads) {
   form.lids = completed.lids;
 }
 
+// values[i] becomes what was at order[i].
 template <class T>
 void Reorder(const std::vector<Index>& order, std::vector<T>& values) {
   std::vector<T> ordered;
@@ -190,6 +192,7 @@ HeadShape ShapeOfHeads(const Heads& heads) {
   return shape;
 }
 
+// `parts` stays as it is: it goes by the vertices of the model, which keep their numbers.
 void Reorder(const std::vector<Index>& order, Heads& heads) {
   // The inverse permutation, for the triangles.
   std::vector<Index> number(order.size());

@@ -4,6 +4,7 @@
 
 namespace kaori::import {
 
+// Calls name faces by number: what lies beyond the last face of the cast is lost.
 void DropLostFaces(show::Show& show) {
   const std::size_t faces = show.cast.faces.size();
   const auto is_lost = [faces](const show::Call& call) {

@@ -62,6 +62,8 @@ double PlaceArea(const Model& model, const Triangle& t) {
 
 }  // namespace
 
+// Without vertices there is nothing more to say. Else every list is checked, whatever is wrong with the one
+// before; a size is taken of positions that are numbers only.
 void CheckModel(const Model& model, Findings& findings) {
   if (model.positions.empty()) return findings.Add(model.file, "", "has no vertices");
   if (AreNumbers(model, "positions", model.positions, findings)) CheckSize(model, findings);
@@ -70,6 +72,7 @@ void CheckModel(const Model& model, Findings& findings) {
     AreNumbers(model, fmt::format("target \"{}\"", target.name), target.offsets, findings);
 }
 
+// Counts first: where they differ, so do the triangles, and that need not be said.
 void CheckSameTopology(const Model& reference, const Model& other, Findings& findings) {
   if (other.positions.size() != reference.positions.size()) {
     findings.Add(other.file, "",

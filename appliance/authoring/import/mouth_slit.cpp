@@ -174,6 +174,7 @@ std::vector<LipPair> LipsOf(const HeadShape& head, const MeshGraph& graph) {
   return LipFinder(head, graph).Find();
 }
 
+// Both lips are spread along the skin, and JawShare weighs for each vertex which of them is nearer.
 Offsets JawByForm(const std::vector<PartOf>& part, const std::vector<LipPair>& lips, const HeadShape& head,
                   const MeshGraph& graph) {
   MeshGraph::Nearest upper(head.positions.size());

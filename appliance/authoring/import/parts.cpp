@@ -152,6 +152,8 @@ class Sorter {
     return jaw < kStaysUp ? PartOf::kUpperTeeth : PartOf::kLowerTeeth;
   }
 
+  // By the mesh's name in the file. A piece without the word may be teeth all the same: this only settles
+  // doubts.
   bool IsNamedTeeth(const Piece& piece) const {
     const std::string name = MeshName(model_, piece.vertices.front());
     return name.find("teeth") != std::string::npos || name.find("tooth") != std::string::npos;

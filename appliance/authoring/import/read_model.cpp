@@ -19,6 +19,7 @@ Result<std::vector<std::uint8_t>> ReadBytes(const std::filesystem::path& file) {
   });
 }
 
+// In small letters, since some tools write .GLB and .OBJ.
 std::string Ending(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(),
@@ -64,6 +65,8 @@ std::optional<Model> ReadModel(const std::filesystem::path& file, Findings& find
   return findings.size() == before ? std::move(model) : std::nullopt;
 }
 
+// Every file is read, whatever is wrong with the first, so that an artist hears of all faults at once. The
+// topology is compared among those that could be read.
 std::vector<Model> ReadModels(const std::vector<std::filesystem::path>& files, Findings& findings) {
   std::vector<Model> models;
   for (const auto& file : files)

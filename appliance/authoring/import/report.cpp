@@ -31,6 +31,7 @@ FitError Mean(const std::vector<ReportedShape>& shapes) {
   return mean;
 }
 
+// Nothing at all where there is no shape: an import without a show has no second table.
 std::string Shapes(const char* title, const std::vector<ReportedShape>& shapes) {
   if (shapes.empty()) return {};
   std::string text = TableHead(title, "shape", "means");

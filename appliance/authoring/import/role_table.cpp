@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 18> kVrm1Names{
     "happy", "angry", "sad",       "relaxed",    "surprised", "aa",       "ih",       "ou",        "ee",
     "oh",    "blink", "blinkLeft", "blinkRight", "lookUp",    "lookDown", "lookLeft", "lookRight", "neutral"};
 // VRM 0.x, blendShapeMaster, presetName.
+// Its word "unknown" is left out: it marks a preset that means nothing.
 constexpr std::array<std::string_view, 17> kVrm0Names{
     "neutral", "a",   "i",      "u",        "e",        "o",         "blink",   "joy",    "angry",
     "sorrow",  "fun", "lookup", "lookdown", "lookleft", "lookright", "blink_l", "blink_r"};
@@ -133,6 +134,7 @@ constexpr std::array kTable{
     RoleEntry{"surprised", kArkit, "jawOpen", 0.4F},
     RoleEntry{"surprised", kVrm1, "surprised", 1},
     RoleEntry{"surprised", kPlain, "surprised", 1},
+    // The five vowels, in the order of the Japanese syllabary.
     RoleEntry{"a", kVrm1, "aa", 1},
     RoleEntry{"a", kVrm0, "a", 1},
     RoleEntry{"a", kViseme, "viseme_aa", 1},
@@ -162,6 +164,8 @@ constexpr std::array kTable{
     RoleEntry{"o", kArkit, "mouthFunnel", 0.7F},
     RoleEntry{"o", kArkit, "jawOpen", 0.4F},
     RoleEntry{"o", kPlain, "o", 1},
+    // Lips that touch (p, b, m), and a lower lip under the upper teeth (f, v): VRM has no presets for
+    // consonants.
     RoleEntry{"m", kViseme, "viseme_PP", 1},
     RoleEntry{"m", kArkit, "mouthPressLeft", 0.8F},
     RoleEntry{"m", kArkit, "mouthPressRight", 0.8F},
@@ -169,6 +173,7 @@ constexpr std::array kTable{
     RoleEntry{"f", kArkit, "mouthRollLower", 0.8F},
     RoleEntry{"f", kArkit, "mouthUpperUpLeft", 0.3F},
     RoleEntry{"f", kArkit, "mouthUpperUpRight", 0.3F},
+    // The corners of a mouth's range, how far open by how wide: no other style has shapes for all of them.
     RoleEntry{"mouth_shut_narrow", kArkit, "mouthPucker", 0.7F},
     RoleEntry{"mouth_shut_narrow", kPlain, "pucker", 1},
     RoleEntry{"mouth_shut_wide", kArkit, "mouthStretchLeft", 0.9F},

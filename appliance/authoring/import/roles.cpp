@@ -77,6 +77,7 @@ bool Allowed(NameStyle style, NameOrigin origin) {
   return origin == NameOrigin::kPreset ? preset_style : !preset_style;
 }
 
+// Both sides are compared without case and separators: "eye_blink_left" is ARKit's eyeBlinkLeft.
 std::optional<Meaning> Find(NameStyle style, const std::string& letters) {
   for (const std::string_view name : NamesOf(style))
     if (Letters(name) == letters) return Meaning{style, std::string(name)};
@@ -152,6 +153,7 @@ std::optional<Meaning> MeaningOf(std::string_view name, NameOrigin origin) {
   return origin == NameOrigin::kTarget ? Find(kPlain, PlainWord(letters)) : std::nullopt;
 }
 
+// Each once, in the order in which the table first names it.
 std::vector<std::string> KnownRoles() {
   std::vector<std::string> names;
   for (const RoleEntry& entry : RoleTable())
@@ -159,6 +161,7 @@ std::vector<std::string> KnownRoles() {
   return names;
 }
 
+// In the order of KnownRoles; a role of which no style can make anything is left out.
 std::vector<Role> FindRoles(const std::vector<std::optional<Meaning>>& meanings) {
   std::vector<Role> roles;
   const Maker maker(meanings);

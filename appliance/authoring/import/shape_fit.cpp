@@ -71,6 +71,8 @@ std::vector<glm::dvec3> ShapeFit::Solve(const Offsets& offsets) const {
   return right;
 }
 
+// Three steps: how the points move in the head's axes, the same in each point's own frame, and what the net
+// misses even then, vertex by vertex.
 face::Expression ShapeFit::Fit(std::string name, face::ExpressionKind kind, const Offsets& offsets,
                                FitError& error) const {
   face::Expression expression{

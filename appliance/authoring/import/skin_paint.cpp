@@ -161,6 +161,8 @@ face::Texture PlainSkin(const Heads& heads) {
   return painting.Release();
 }
 
+// The ground goes on first, in the colour that the show's paint has where it fades. A triangle that would be
+// copied from across a seam of the show's texture keeps the ground.
 face::Texture PaintSkin(const Heads& heads, const std::vector<Spot>& spots, const face::Cast& show,
                         std::size_t like) {
   const face::Texture& source = show.textures[static_cast<std::size_t>(show.faces[like].surface.texture)];

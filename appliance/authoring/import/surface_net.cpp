@@ -143,6 +143,7 @@ class SurfaceNetBuilder {
 
 }  // namespace
 
+// Points that move are numbered in their order; one at rest is -1.
 std::vector<int> ColumnsOf(const PointChoice& choice) {
   std::vector<int> columns;
   int next = 0;

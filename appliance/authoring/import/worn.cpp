@@ -86,6 +86,7 @@ face::Prop Led(const face::Prop& prop, const face::MouthFit& fit, const face::Ca
 
 }  // namespace
 
+// The last name stands for all heads behind it; heads without any name are like the show's first face.
 std::vector<std::size_t> FacesToBeLike(const std::vector<std::string>& names, std::size_t heads,
                                        const face::Cast* show, Findings& findings) {
   std::vector<std::size_t> like(heads, 0);

@@ -67,6 +67,8 @@ Ball BallOf(const Warped& recipe, const EyeRecipe& reference) {
   return {reference.centre + recipe.eye_shift, recipe.eye_radius, recipe.lid_thickness};
 }
 
+// The warp moves every vertex; lids and grid are put right after it, and the ear grows out of the finished
+// grid.
 Result<HalfShape> PullToLandmarks(const Cage& cage, const HalfShape& reference, const EyeRecipe& eye,
                                   const Warped& recipe) {
   const auto warp = Warp::Through(BothSides(LeftPulls(cage.half, reference, eye, recipe)));

@@ -51,6 +51,7 @@ void AddVertices(Cage& cage, bool moving) {
   }
 }
 
+// Both vertices of a seam name each other. On the left and on the right they have the same place in the half.
 void LinkTwins(Cage& cage) {
   for (Index half = 0; half < cage.half.keys.size(); ++half) {
     if (!IsSeam(cage.half.keys[half])) continue;
@@ -90,6 +91,8 @@ Cage BuildCage() {
   return cage;
 }
 
+// The right half is the mirror image of the left one to the last bit: its x has the other sign and nothing
+// else.
 std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::dvec3>& half) {
   std::vector<glm::dvec3> whole;
   whole.reserve(cage.vertices.size());
@@ -97,6 +100,7 @@ std::vector<glm::dvec3> WholePositions(const Cage& cage, const std::vector<glm::
   return whole;
 }
 
+// Mirrored in u alone, so that a seam has u = 21 on one side and -21 on the other.
 std::vector<glm::dvec2> WholePlaces(const Cage& cage, const std::vector<glm::dvec2>& half) {
   std::vector<glm::dvec2> whole;
   whole.reserve(cage.vertices.size());

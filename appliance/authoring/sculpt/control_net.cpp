@@ -215,6 +215,8 @@ void SmoothOnce(const Cage& cage, const std::vector<std::vector<Index>>& neighbo
 
 }  // namespace
 
+// The linear weights come first and are whole for all points; smoothing then mixes rows of vertices that are
+// joined.
 Result<face::ControlNet> MakeControlNet(const Cage& cage, const HalfShape& reference,
                                         const ExpressionFile& file) {
   face::ControlNet net;

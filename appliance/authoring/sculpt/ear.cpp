@@ -100,6 +100,7 @@ Point Fill(const Side& side, int column, int row) {
   return across + along - corners;
 }
 
+// Positions and places are filled from the innermost ring alike, and only positions are sunk.
 void PlaceCap(const HalfTopology& half, HalfShape& shape) {
   const auto position = [&](int c, int r) { return shape.position[half.At(Region::kEarCap, c, r)]; };
   const auto place = [&](int c, int r) { return shape.place[half.At(Region::kEarCap, c, r)]; };
@@ -123,6 +124,7 @@ glm::dvec2 OnEarDisc(GridPoint at) {
   return DiscFromSquare({(kMiddleColumn - at.column) / half_width, (at.row - kMiddleRow) / half_height});
 }
 
+// The solid is asked where the skin lies: the upper half of an ear must not sink below it.
 void PlaceEar(const HalfTopology& half, const std::vector<Body>& bodies, const EarRecipe& ear,
               HalfShape& shape) {
   // The mean of the rim.

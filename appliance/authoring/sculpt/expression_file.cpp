@@ -70,10 +70,12 @@ class Reader {
     if (file_.points.size() < 3) section.Fault("", "there must be three points at least");
   }
 
+  // `vertex` comes from AsVertex, which knows names of vertices that are there and no others: At finds it.
   std::optional<glm::dvec2> PlaceOf(const Key& vertex) const {
     return reference_.place[half_.At(vertex.region, vertex.a, vertex.b)];
   }
 
+  // Stops at the first position that is none, since a list has one fault.
   void ReadBorder(toml::Section& file) {
     const toml::Value* border = file.Find("border");
     if (border == nullptr || border->kind != toml::Value::Kind::kList)
@@ -117,6 +119,7 @@ class Reader {
                           most_cm));
   }
 
+  // What has no kind is an expression; so is, after its fault, what has an unknown one.
   static face::ExpressionKind ReadKind(toml::Section& section) {
     const std::string kind = section.TextOr("kind", "expression");
     if (kind == "mouth") return face::ExpressionKind::kMouth;

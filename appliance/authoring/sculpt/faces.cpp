@@ -75,6 +75,7 @@ Result<std::vector<ShapedFace>> ShapeFaces(const Cage& cage, const CastRecipe& c
   return faces;
 }
 
+// Only what follows from the recipe's shape; clothes, textures and expressions are added by others.
 face::Face MakeFace(const Cage& cage, const FaceRecipe& recipe, const ShapedFace& shaped) {
   face::Face face;
   face.name = recipe.name;

@@ -76,6 +76,7 @@ double LidWidth(const HalfTopology& half, const HalfShape& shape) {
   return high - low;
 }
 
+// The mean of the lids' edge all round: where the middle of the eye's opening lies.
 glm::dvec3 LidMiddle(const HalfTopology& half, const HalfShape& shape) {
   glm::dvec3 middle{};
   for (int j = 0; j < kEyeRim; ++j) {
@@ -167,6 +168,7 @@ glm::dvec3 SpoutPoint(const Spout& spout, const Key& key, glm::dvec3 wall) {
          across(round.x * spout.hole_radius, round.y * spout.hole_radius);
 }
 
+// The wall as it was before is part of where the foot stands, so that each vertex is moved once.
 void DrawOutSpout(const HalfTopology& half, const Spout& spout, HalfShape& shape) {
   for (Index v = 0; v < half.keys.size(); ++v) {
     if (IsOnSpoutPatch(half.keys[v])) shape.position[v] = SpoutPoint(spout, half.keys[v], shape.position[v]);

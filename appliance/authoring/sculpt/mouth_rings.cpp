@@ -132,6 +132,7 @@ class Mouth {
 
 }  // namespace
 
+// Station by station, from ring 1 inwards: the bag hangs from the contact ring of its own station.
 void PlaceMouthRings(const HalfTopology& half, const std::vector<Body>& bodies, const MouthRecipe& mouth,
                      HalfShape& shape) {
   const Mouth rings(bodies, mouth);

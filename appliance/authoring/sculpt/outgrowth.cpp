@@ -28,6 +28,7 @@ struct Rim {
   glm::dvec3 forward{};
   glm::dvec3 up{};
 
+  // The sum of the areas of the triangles about the middle is the rim's normal, whether it is flat or not.
   Rim(const HalfTopology& half, const HalfShape& shape) {
     const auto at = [&](int j) {
       const GridPoint p = half.ear_rim[static_cast<std::size_t>(j % kEarRim)];
@@ -92,6 +93,7 @@ bool IsTurned(const FaceRecipe& face) {
   return std::holds_alternative<Turned>(face.shape);
 }
 
+// The neck below row kNeckRows, and the ear's block with its cap, out of which a kettle's handle is drawn too.
 bool Grows(const Key& key) {
   if (key.region == Region::kGrid) return key.b < kNeckRows;
   return key.region == Region::kEar || key.region == Region::kEarCap;
@@ -99,6 +101,8 @@ bool Grows(const Key& key) {
 
 }  // namespace
 
+// Withdrawn places are kept as offsets in metres from the face's own positions, in the order of the outgrowth.
+// In a cast of one kind nothing is mixed that differs in it, and the lists stay empty.
 void AddOutgrowths(const Cage& cage, const std::vector<ShapedFace>& shaped, const CastRecipe& recipe,
                    face::Cast& cast) {
   cast.topology.outgrowth.clear();

@@ -9,6 +9,7 @@ namespace kaori::sculpt {
 namespace {
 
 // Corners count as above.
+// Rings above the eye are positive and those below it negative.
 PaintAttributes OfEye(const Key& key) {
   const float sign = key.a <= kEyeRim / 2 ? 1.0F : -1.0F;
   return {.eye_ring = sign * static_cast<float>(key.b)};
@@ -22,6 +23,7 @@ PaintAttributes OfMouth(const Key& key) {
           .bag = key.b > kLipContactRing ? 1.0F : 0.0F};
 }
 
+// The spout's rim is half of its inside, where the paint changes from one to the other; its foot is the body's.
 PaintAttributes OfGrid(const Key& key) {
   if (!IsOnSpoutPatch(key)) return {};
   switch (SpoutPartOf(key)) {
@@ -35,6 +37,7 @@ PaintAttributes OfGrid(const Key& key) {
   return {.spout = 1};
 }
 
+// An ear counts from its rim outwards: 1 at the last ring and all over the cap.
 PaintAttributes Of(const Key& key) {
   switch (key.region) {
     case Region::kGrid:

@@ -56,6 +56,8 @@ void Append(const Spot& spot, const std::vector<Index>& side, face::SparseRows& 
 
 }  // namespace
 
+// A pair's spot is looked for once, on the left: on the right it has the mirrored vertices and the same
+// weights.
 face::SparseRows PointsOnSurface(const Cage& cage, const HalfShape& reference,
                                  const std::vector<AuthoredPoint>& points) {
   face::SparseRows rows;

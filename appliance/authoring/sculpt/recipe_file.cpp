@@ -31,6 +31,7 @@ void NeedPositive(toml::Section& section, std::string_view key, double value) {
   if (!(value > 0)) section.Fault(key, "must be greater than 0");
 }
 
+// The value is returned even where it is a fault: the verdict comes at the end, and nothing is built before it.
 double Positive(toml::Section& section, std::string_view key) {
   const double value = section.Number(key);
   NeedPositive(section, key, value);
@@ -88,6 +89,7 @@ EarRecipe ReadEar(toml::Section section) {
   return ear;
 }
 
+// [scale] of a carved face. A factor that is not said leaves its direction of the table as it is.
 AimScale ReadScale(toml::Section section) {
   section.AllowOnly({"x", "y_above_eyes", "y_below_eyes"});
   return {.x = section.NumberOr("x", 1),
@@ -161,6 +163,8 @@ Warped ReadWarped(toml::Section& file) {
   return warped;
 }
 
+// [spout] of a kettle, in centimetres like all of the file. Its lengths have no bounds; only an axis without a
+// length is refused, since it has no direction.
 Spout ReadSpout(toml::Section section) {
   section.AllowOnly(
       {"foot", "tip", "foot_width", "foot_height", "foot_out", "rim_radius", "hole_depth", "hole_radius"});
@@ -213,6 +217,7 @@ Turned ReadTurned(toml::Section& file) {
 
 }  // namespace
 
+// [aim] of cast.toml. Rows and columns must rise, since a spline runs through them in both directions.
 AimTable ReadAim(toml::Section aim) {
   aim.AllowOnly({"columns", "rows"});
   AimTable table{.columns = aim.Numbers("columns"), .rows = {}, .points = {}};
@@ -227,6 +232,8 @@ AimTable ReadAim(toml::Section aim) {
   return table;
 }
 
+// [mouth_fit]. In a face that is like another one `face` holds that one's values, and what is not said keeps
+// them.
 void ReadMouthFit(toml::Section section, FaceRecipe& face) {
   section.AllowOnly({"teeth_scale", "teeth_offset", "upper_teeth", "lower_teeth", "tongue"});
   face.teeth_scale = section.NumberOr("teeth_scale", face.teeth_scale);

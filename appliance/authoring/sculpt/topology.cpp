@@ -55,6 +55,8 @@ std::vector<face::Line> Wires(const Cage& cage) {
   return wires;
 }
 
+// 0 at `from` and before, 1 at `to` and beyond; `from` may be the larger of the two, as where something fades
+// out.
 float SmoothStep(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
   return static_cast<float>(t * t * (3 - 2 * t));
