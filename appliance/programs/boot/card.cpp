@@ -27,6 +27,7 @@ bool Ioctl(int fd, unsigned long request, void* argument) {
   return done == 0;
 }
 
+// The kernel's structs of DRM carry addresses in 64 bits, whatever the machine has.
 std::uint64_t AddressOf(const void* at) {
   return reinterpret_cast<std::uintptr_t>(at);
 }
@@ -159,6 +160,7 @@ std::vector<Splash> Card::ShowOnAll(const Still& still) const {
   return shown;
 }
 
+// What the ioctl answers is not asked: a program that is no master has nothing to give up.
 void Card::DropMaster() const {
   Ioctl(fd_.get(), DRM_IOCTL_DROP_MASTER, nullptr);
 }

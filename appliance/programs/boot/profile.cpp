@@ -85,6 +85,7 @@ std::string ParseDialBox(std::string_view value, std::string& dial_box) {
   return {};
 }
 
+// Returns what is wrong, or nothing; `counts` changes only where the value is right.
 std::string ParseDialBoxCounts(std::string_view value, int& counts) {
   constexpr int kMostCounts = 1 << 20;  // As kaori-input takes them.
   const auto number = ParseNumber<int>(value);

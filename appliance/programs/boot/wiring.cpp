@@ -12,6 +12,7 @@ namespace {
 constexpr int kMostLine = 63;
 constexpr std::size_t kLongestLabel = 32;
 
+// A string of TOML without escapes, which neither labels nor "none" need.
 std::optional<std::string_view> Unquoted(std::string_view value) {
   if (value.size() < 2 || value.front() != '"' || value.back() != '"') return std::nullopt;
   return value.substr(1, value.size() - 2);
@@ -24,6 +25,7 @@ bool IsLabel(std::string_view text) {
   return !text.empty() && text.size() <= kLongestLabel && std::ranges::all_of(text, fits);
 }
 
+// Returns why the value is refused, or nothing; so does ParseWire.
 std::string ParseChip(std::string_view value, std::string& chip) {
   const auto label = Unquoted(value);
   if (!label || !IsLabel(*label)) return "expected a chip's label in quotes";

@@ -22,6 +22,7 @@ Result<void> MakeFolder(const std::string& path, const Folder& folder) {
 
 }  // namespace
 
+// What lies there is of a run that was cut short, and may have owners and modes that are not meant.
 Result<void> MakeFolders(const std::string& into, std::span<const Folder> folders) {
   std::error_code failed;
   std::filesystem::remove_all(into, failed);

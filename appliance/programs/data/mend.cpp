@@ -40,6 +40,8 @@ Result<void> MakeAnew(const Partition& partition) {
 
 }  // namespace
 
+// Whatever keeps the old file system from being mended and mounted leads to a new one, also an e2fsck that
+// could not be run or did not come to its end.
 Result<Mended> Mend(const Partition& partition) {
   auto saved = RunWell(partition, {kCheck, "-f", "-y", partition.device}, kMostMended);
   if (saved) saved = Mount(partition);
@@ -50,6 +52,7 @@ Result<Mended> Mend(const Partition& partition) {
   return Mended::kMadeAnew;
 }
 
+// Faults of other things stay, in their order.
 std::string FaultsAfter(const std::string& faults, Mended mended) {
   std::string after;
   std::istringstream lines(faults);

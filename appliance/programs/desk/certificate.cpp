@@ -37,6 +37,7 @@ struct CloseCertificate {
 using Key = std::unique_ptr<gnutls_x509_privkey_int, CloseKey>;
 using Crt = std::unique_ptr<gnutls_x509_crt_int, CloseCertificate>;
 
+// Null where gnutls has no memory, which Read and Make answer as a failure.
 Key NewKey() {
   gnutls_x509_privkey_t key = nullptr;
   return gnutls_x509_privkey_init(&key) < 0 ? nullptr : Key(key);

@@ -82,6 +82,7 @@ Result<std::unique_ptr<Desk>> Desk::Open(DeskOptions options, const board::Board
   return desk;
 }
 
+// Four numbers and no name: the highest byte of the address comes first.
 std::string Desk::address() const {
   return fmt::format("{}://{}.{}.{}.{}:{}/", options_.certificate ? "https" : "http", address_ >> 24,
                      address_ >> 16 & 255U, address_ >> 8 & 255U, address_ & 255U, server_->port());

@@ -17,6 +17,7 @@ constexpr int kPacketsAtOnce = 64;
 
 }  // namespace
 
+// A connection that was just made is read at once: the hello may lie in it already.
 void LipConnection::Step(Time now) {
   if (!socket_.valid() && now >= retry_at_) Connect(now);
   if (socket_.valid()) ReceivePackets();
@@ -81,12 +82,14 @@ Result<std::uint32_t> LipConnection::Send(lips::Command command) {
   return command.number;
 }
 
+// A request that could not be sent is not repeated before its time: the next one comes half a second later.
 void LipConnection::RequestPictures(Time now) {
   if (now < request_at_) return;
   request_at_ = now + kRequestPeriod;
   static_cast<void>(SendNow({.kind = lips::CommandKind::kLook}));
 }
 
+// Errors: no_such_device while no lips are connected; those of SendPacket.
 Result<void> LipConnection::SendNow(const lips::Command& command) {
   if (!socket_.valid()) return Fail(std::errc::no_such_device, "send a command to the lips");
   const std::string text = lips::CommandText(command);

@@ -39,6 +39,7 @@ constexpr std::string_view kHelp =
   --address-file FILE  write the page's address to this file
 )";
 
+// Shorter than the 60 ms between two states or two pictures, which are what a visitor sees move.
 constexpr kaori::Duration kTick = 20ms;
 
 struct Settings {
@@ -74,6 +75,8 @@ kaori::Result<kaori::desk::DeskOptions> OptionsOf(const Settings& settings) {
   return options;
 }
 
+// Errors: those of writing the file. A service manager that cannot be told is logged, and the desk serves all
+// the same.
 kaori::Result<void> AnnounceAddress(const std::string& file, const std::string& address) {
   kaori::Log("the desk is at {}; its code is on the box's screen", address);
   if (auto told = kaori::service::Tell("READY=1"); !told) kaori::LogWarning("{}", told.error().message());

@@ -55,6 +55,7 @@ void Pairing::RenewCode() {
   changed_ = true;
 }
 
+// Compared as it came: six digits with zeros in front, and no blank in the middle.
 bool Pairing::IsCode(std::string_view text) const {
   return SameText(text, fmt::format("{:06}", code_));
 }
@@ -86,6 +87,7 @@ Verdict Pairing::Try(std::string_view code, std::string& session) {
   return Verdict::kAccepted;
 }
 
+// A session that has run out is unknown at once, though Step removes it later.
 bool Pairing::Knows(std::string_view session) const {
   const Time now = clock_.now();
   return std::ranges::any_of(
@@ -111,10 +113,12 @@ bool Pairing::Step() {
   return std::exchange(changed_, false);
 }
 
+// While nobody is paired the code stays on the screen, so that the first visitor has to ask for nothing.
 bool Pairing::shown() const {
   return sessions_.empty() || clock_.now() < shown_until_;
 }
 
+// Of the code and not of a session; 0 between its end and the Step that renews it.
 Duration Pairing::valid() const {
   return std::max(Duration{}, code_until_ - clock_.now());
 }

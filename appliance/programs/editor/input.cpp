@@ -17,6 +17,7 @@ using namespace std::chrono_literals;
 constexpr float kPullPerTurn_m = 0.010F;
 constexpr float kPullPerNotch_m = 0.0005F;
 constexpr float kScalePerTurn = 2;  // A turn doubles the expression, or halves it.
+// A turn shuts lids that were open all the way.
 constexpr float kLidsPerTurn = 1;
 constexpr Duration kPause = 800ms;  // A control that rests so long begins a new step.
 
@@ -25,11 +26,13 @@ constexpr float kStickRests = 0.35F;  // and let back so far it may go again.
 constexpr Duration kFirstRepeat = 450ms, kNextRepeat = 180ms;
 
 // Kinds of gestures that are not a dial.
+// Dials are 0 to 4, by their place in kEditorDials.
 constexpr int kWheelGesture = 100, kDragGesture = 101;
 
 }  // namespace
 
 // By positions of a US keyboard: HID says keys, and the layout of the keyboard is not known.
+// '\0' for a key that types nothing which a name may have.
 char TypedBy(std::uint8_t usage, bool shift) {
   if (usage >= key::kA && usage < key::k1) return static_cast<char>((shift ? 'A' : 'a') + (usage - key::kA));
   if (usage == key::k0) return '0';

@@ -21,6 +21,7 @@ constexpr std::size_t kHeadBytes = kMagic.size() + sizeof(std::uint64_t);
 // More than any session writes; a journal that is larger is read to here and cut off.
 constexpr std::uint64_t kMostBytes = 256U << 20U;
 
+// The fingerprint is written as it lies in memory, as everything in a record is (record.cpp).
 std::array<std::uint8_t, kHeadBytes> HeadOf(std::uint64_t fingerprint) {
   std::array<std::uint8_t, kHeadBytes> head{};
   std::memcpy(head.data(), kMagic.data(), kMagic.size());
@@ -140,6 +141,7 @@ Result<void> Journal::Clear() {
   return CutOff();
 }
 
+// Everything behind `end_` is of no record that counts.
 Result<void> Journal::CutOff() {
   if (::ftruncate(fd_.get(), static_cast<off_t>(end_)) < 0) return FailErrno("write " + file_.string());
   return {};

@@ -58,6 +58,7 @@ class Reader {
     if (!IsName(work_.name)) Complain(value, "the name must be letters, digits and _, 24 at most");
   }
 
+  // Left and right, from 0 (open) to 1 (shut).
   void ReadLids(const toml::Value& value) {
     const auto lids = Numbers(value, 2);
     if (!lids || !std::ranges::all_of(*lids, [](double lid) { return lid >= 0 && lid <= 1; }))

@@ -83,6 +83,7 @@ std::string WriteOwn(const Work& work, const Points& points) {
   return text;
 }
 
+// ASCII alone, in any locale: the name becomes a part of a file's name and a word of TOML.
 bool IsName(std::string_view name) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto allowed = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };

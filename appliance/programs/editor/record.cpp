@@ -13,6 +13,7 @@ namespace {
 // Length and checksum.
 constexpr std::size_t kRecordHeadBytes = sizeof(std::uint32_t) + sizeof(std::uint64_t);
 constexpr std::uint32_t kRecordMostBytes = 1U << 20U;  // A longer record is no record.
+// In bytes, of a name and of an origin; what is longer is cut.
 constexpr std::size_t kRecordLongestName = 200;
 
 // Undo and redo say which step by themselves; every other change brings the work as it was after it.
@@ -27,6 +28,7 @@ void Put(std::vector<std::uint8_t>& into, const T& value) {
   into.insert(into.end(), bytes, bytes + sizeof value);
 }
 
+// Two bytes of length, and then the text without an end.
 void PutText(std::vector<std::uint8_t>& into, const std::string& text) {
   const std::size_t length = std::min(text.size(), kRecordLongestName);
   Put(into, static_cast<std::uint16_t>(length));

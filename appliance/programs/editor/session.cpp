@@ -36,6 +36,7 @@ glm::vec3 PullOn(const Points& points, std::size_t handle, std::size_t point, gl
   return by_m * way * ShareAt(std::min(apart_m, mirrored_m), spread.smooth);
 }
 
+// Each axis by itself.
 glm::vec3 Bounded(glm::vec3 pull_m) {
   return glm::clamp(pull_m, -kFarthest_m, kFarthest_m);
 }
@@ -103,6 +104,7 @@ Change Session::ShutLids(float by, Gesture gesture) {
   return Step(std::move(work), gesture);
 }
 
+// A pull that follows begins a new step, even where the control is still moving; Redo does the same.
 Change Session::Undo() {
   gesture_ = 0;
   return history_.Undo() ? Change::kUndone : Change::kNone;

@@ -66,12 +66,14 @@ std::vector<fs::path> AsidesOf(const fs::path& folder) {
   return files;
 }
 
+// Errors: those of ReadFile; those of ReadOwn, of which the first fault is told.
 Result<Work> ReadWork(const fs::path& file, const Points& points, const face::Cast& cast) {
   const auto text = ReadFile(file, {.most_bytes = kStoreMost_bytes, .most_levels = kMostLevels});
   if (!text) return tl::unexpected(text.error());
   return ReadOwn(*text, file.string(), points, cast);
 }
 
+// Names are how people call an expression, so that two of one name could not be told apart.
 bool HasName(const Slots& slots, const std::string& name) {
   return std::ranges::any_of(slots, [&](const auto& own) { return own && own->name == name; });
 }
@@ -90,6 +92,7 @@ Result<void> ReadInto(const fs::path& file, const fs::path& named, Slots& slots,
   return {};
 }
 
+// A file that is not there is no error.
 Result<void> Remove(const fs::path& file) {
   std::error_code error;
   fs::remove(file, error);

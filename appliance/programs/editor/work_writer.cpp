@@ -39,6 +39,7 @@ void WorkWriter::Note(Change change, const Work& work) {
   writer_.Ask();
 }
 
+// Saving and removing go by slots: of two requests for one slot that wait, the later one counts.
 void WorkWriter::Save(const Work& work) {
   Request({work, false});
 }

@@ -26,6 +26,7 @@ constexpr const char* kPassed = "fdkeeper";
 
 // The socket of --socket, else the one that systemd has opened and passes on; it outlives the program, so
 // that a stage never finds it missing.
+// Errors: those of ListenForPackets; invalid_argument where there is neither an option nor a passed socket.
 kaori::Result<kaori::UniqueFd> Listener(const std::string& path) {
   if (!path.empty()) return kaori::ListenForPackets(path);
   if (auto passed = kaori::service::RetrieveFd(kPassed)) return std::move(*passed);

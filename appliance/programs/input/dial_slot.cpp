@@ -17,6 +17,7 @@ constexpr int kMaxLampFailures = 3;
 constexpr Duration kLampRetry = std::chrono::seconds(5);
 // Lamps are told again so often: some surfaces forget theirs, and nobody should have to touch a button to see them.
 constexpr Duration kRepaint = std::chrono::seconds(1);
+// Of one key's JPEG; ReadFile refuses a larger file, and the key stays as it is.
 constexpr std::size_t kMostPictureBytes = 64UL * 1024;
 
 }  // namespace
@@ -46,6 +47,9 @@ Result<void> DialSlot::Plug(const ports::HidIdentity& identity, Time now) {
   return {};
 }
 
+// The decoder's counts wrap at 32 bits: their difference is taken without a sign, so that a wrap is a step and
+// no leap. Where several buttons of the device are one of the board's, each of them holds it down and all
+// pushes count.
 Result<void> DialSlot::Accept(std::span<const std::uint8_t> report, Time at) {
   const auto sample = decoder_->Decode(report, at);
   if (!sample) return tl::unexpected(sample.error());
@@ -76,12 +80,15 @@ void DialSlot::Turn(std::size_t dial, std::int32_t counts, Time at) {
   section_.Turn(*map_->dials[dial], static_cast<std::int32_t>(turned), at);
 }
 
+// Pages that were not sent are dropped: the next plug loads all pictures anew.
 void DialSlot::Unplug(Time now) {
   decoder_.reset();
   pages_.clear();
   section_.Unplug(device_, now);
 }
 
+// Buttons that the board shows as held since before the plug are trusted for kHeldStateTrust and then let go,
+// unless a report has confirmed them.
 void DialSlot::Tick(Time now, ports::HidChannel* device) {
   if (device == nullptr || !decoder_) return;
   if (!held_confirmed_ && now - plugged_ >= kHeldStateTrust) {

@@ -40,10 +40,13 @@ Result<void> KeyboardSlot::Accept(std::span<const std::uint8_t> report, Time at)
   return {};
 }
 
+// With the time of the newest report since the last call.
 void KeyboardSlot::Publish() {
   if (std::exchange(changed_, false)) Write(at_);
 }
 
+// A key that was held when the cable went must not stay down. Where no keyboard ever was, the section stays
+// absent.
 void KeyboardSlot::Unplug(Time now) {
   decoder_.reset();
   keys_.Release();

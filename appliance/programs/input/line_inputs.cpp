@@ -9,6 +9,7 @@ namespace kaori::input {
 namespace {
 
 constexpr int kEdgesAtOnce = 256;  // A line that bounces without end must not keep the others waiting.
+// How often lines that are not there are asked for.
 constexpr Duration kLineRetry = std::chrono::seconds(1);
 
 }  // namespace
@@ -92,6 +93,7 @@ void LineInputs::ReadLevels(Time now) {
   levels_ = *levels;
 }
 
+// Also lines without an edge since the last step: their time of holding may be over now.
 void LineInputs::SettleAll(Time now) {
   for (std::uint32_t line = 0; line < changed_at_.size(); ++line) Settle(line, now);
 }
@@ -122,6 +124,7 @@ void LineInputs::SetTally(bool lit) {
   if (!later) shown_tally_ = lit;
 }
 
+// Whoever watches the chip's descriptor learns from the generation that it is closed.
 void LineInputs::HandleLoss(const Error& error, Time now) {
   LogWarning("{}; all GPIO lines count as released", error.message());
   lines_.reset();

@@ -106,6 +106,7 @@ kaori::Result<void> Add(kaori::Result<std::unique_ptr<Bus>> bus, Buses& buses) {
   return {};
 }
 
+// Errors: invalid_argument for a text that names no box; those of SerialBus::Open. Either ends the program.
 kaori::Result<void> AddSerial(const std::string& text, int counts_per_turn, const kaori::Clock& clock,
                               Buses& buses) {
   auto options = kaori::serial::ParseSerialBox(text, counts_per_turn);
@@ -138,6 +139,7 @@ void AddIgnoredByKernel(const kaori::Clock& clock, Buses& buses) {
     kaori::LogWarning("{}; knobs that the kernel leaves alone are not played", ok.error().message());
 }
 
+// Errors: those of ParseDialWiring and of DialBus::Open. Either ends the program.
 kaori::Result<void> AddDials(const std::string& text, const kaori::Clock& clock, Buses& buses) {
   const auto wiring = kaori::gpio::ParseDialWiring(text);
   if (!wiring) return tl::unexpected(wiring.error());

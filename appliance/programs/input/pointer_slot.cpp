@@ -12,6 +12,8 @@ constexpr std::uint32_t kButtons = 0x7;  // The board counts the pushes of three
 
 using board::SourceState;
 
+// Position, wheel and pushes go on from the board, and a button that was held there counts as held until a
+// report or kHeldStateTrust says otherwise.
 PointerSlot::PointerSlot(const board::Board& board, board::Writer<board::Pointer> writer,
                          const decode::PointerSettings& settings)
     : writer_(std::move(writer)), settings_(settings), pointer_(board.Read<board::Pointer>()) {
@@ -54,6 +56,7 @@ void PointerSlot::Publish() {
   if (std::exchange(changed_, false)) Write();
 }
 
+// The pointer stays where it is; only its buttons are let go. A section that is not live is left as it is.
 void PointerSlot::Unplug(Time now) {
   decoder_.reset();
   buttons_.Release();
@@ -63,6 +66,7 @@ void PointerSlot::Unplug(Time now) {
   Write();
 }
 
+// Silence since the plug means that nothing is held: a mouse at rest sends no report.
 void PointerSlot::Tick(Time now, ports::HidChannel* device) {
   if (device == nullptr || held_confirmed_ || now - plugged_ < kHeldStateTrust) return;
   buttons_.Release();

@@ -31,6 +31,7 @@ class Reading {
     into = static_cast<float>(value->number);
   }
 
+  // The file's reader has one kind for all numbers, so that a fraction is told from a whole number here.
   void Whole(std::string_view table, std::string_view key, int& into, int low, int high) {
     const toml::Value* value = Find(table, key, toml::Value::Kind::kNumber);
     if (value == nullptr) return;
@@ -82,6 +83,7 @@ class Reading {
     }
   }
 
+  // As compilers name a place, so that an editor can jump there.
   void Complain(const toml::Value& at, std::string_view table, std::string_view key, std::string_view what) {
     if (complaint_.empty())
       complaint_ = fmt::format("{}:{}:{}: {}.{} {}", path_, at.line, at.column, table, key, what);

@@ -49,6 +49,7 @@ bool PortBefore(std::string_view a, std::string_view b) {
   return a.size() < b.size();
 }
 
+// Ports are compared by their hashes, which stand for the names on the board.
 StickRoles::StickRoles(const std::array<std::string, kSticks>& named,
                        const std::array<std::uint32_t, kSticks>& before)
     : last_(before) {

@@ -20,6 +20,7 @@ bool AtRest(const board::Stick& stick) {
 
 using board::SourceState;
 
+// Goes on from the board, so that a restart of the program moves no axis.
 StickSlot::StickSlot(const board::Board& board, board::Writer<board::Stick> writer, int which,
                      const InputSettings& settings)
     : writer_(std::move(writer)),
@@ -76,6 +77,7 @@ void StickSlot::CalibrateOnPush(const decode::StickSample& sample) {
   stick_.value.centres = decoder_->centres();
 }
 
+// Live in any case: only a report sets `changed_`.
 void StickSlot::Publish() {
   if (std::exchange(changed_, false)) Write(stick_.at, SourceState::kLive);
 }

@@ -16,8 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// MIDI 1.0: a data byte has seven bits, and four bits of a status byte name the channel, which people count
+// from 1.
 constexpr int kMostMidi = 127;
 constexpr int kMidiChannels = 16;
+// The most that repaint_s may be: for so long a lamp may stay wrong on a surface that forgets what it was told.
 constexpr double kLongestRepaint_s = 60;
 
 // A whole number within both ends; a fault and `low` where it is anything else.
@@ -36,6 +39,8 @@ std::optional<unsigned> Hex(std::string_view text) {
   return value;
 }
 
+// Four digits on each side of the colon, as lsusb prints them: "77d:410" is a fault, and no number is guessed
+// for it.
 std::vector<SurfaceMap::UsbId> ReadUsb(toml::Section& file) {
   constexpr std::size_t kDigits = 4;
   std::vector<SurfaceMap::UsbId> ids;
@@ -69,6 +74,8 @@ void ReadTargets(toml::Section& file, std::string_view key,
   }
 }
 
+// Bytes as the manuals of MIDI devices print them, one blank between two; two blanks together are a fault.
+// After a fault there are no bytes at all, since half a message could set the device otherwise.
 std::vector<std::uint8_t> ReadBytes(toml::Section& section, std::string_view key) {
   std::vector<std::uint8_t> bytes;
   const std::string text = section.TextOr(key, "");
@@ -85,6 +92,8 @@ std::vector<std::uint8_t> ReadBytes(toml::Section& section, std::string_view key
   return bytes;
 }
 
+// One [[midi.dial]] stands for `count` dials of one mode, whose controls follow one another on one channel.
+// They are numbered on from the table before. A mode that does not exist adds none of them.
 void ReadDials(toml::Section dial, decode::MidiMap& map) {
   dial.AllowOnly({"channel", "control", "count", "mode"});
   const int channel = Whole(dial, "channel", 1, 1, kMidiChannels);
@@ -102,6 +111,8 @@ void ReadDials(toml::Section dial, decode::MidiMap& map) {
          .mode = static_cast<decode::MidiDialMode>(found - decode::kMidiDialModeNames.begin())});
 }
 
+// The same for [[midi.button]], by notes or by controls. A lamp has the number of its button
+// (decode::MidiButton).
 void ReadButtons(toml::Section button, decode::MidiMap& map) {
   button.AllowOnly({"channel", "note", "control", "count", "lamp"});
   const bool is_control = button.Has("control");
@@ -119,6 +130,7 @@ void ReadButtons(toml::Section button, decode::MidiMap& map) {
                            .has_lamp = lamp != nullptr && lamp->on});
 }
 
+// Dials and buttons are counted over all tables, since what is beyond the board's own would move nothing.
 decode::MidiMap ReadMidi(toml::Section midi) {
   midi.AllowOnly({"start", "repaint_s", "dial", "button"});
   decode::MidiMap map;
@@ -140,6 +152,7 @@ decode::MidiMap ReadMidi(toml::Section midi) {
   return map;
 }
 
+// A folder of pictures that is no absolute path begins where the file lies.
 SurfaceMap ReadMap(toml::Section file, const fs::path& folder) {
   file.AllowOnly({"name", "usb", "counts_per_turn", "dials", "buttons", "pictures", "midi"});
   SurfaceMap map;
@@ -156,10 +169,13 @@ SurfaceMap ReadMap(toml::Section file, const fs::path& folder) {
 
 }  // namespace
 
+// Until a file lists others each button of the device is the board's button of the same number.
 SurfaceMap::SurfaceMap() {
   for (std::size_t n = 0; n < buttons.size(); ++n) buttons[n] = static_cast<std::uint8_t>(n);
 }
 
+// By name, so that of two files for one device it is always the same that is refused. A folder that cannot be
+// read is the only fault then.
 std::vector<std::string> ReadSurfaceMaps(const fs::path& folder, std::vector<SurfaceMap>& maps) {
   std::error_code error;
   std::vector<fs::path> files;
@@ -186,6 +202,7 @@ std::vector<std::string> ReadSurfaceMaps(const fs::path& folder, std::vector<Sur
   return wrong;
 }
 
+// A walk over all ids: it is asked when a device is found and plugged in, not for each report.
 const SurfaceMap* MapFor(const std::vector<SurfaceMap>& maps, std::uint16_t vendor, std::uint16_t product) {
   const SurfaceMap::UsbId id{vendor, product};
   const auto found = std::ranges::find_if(

@@ -8,6 +8,8 @@ namespace kaori::input {
 
 using board::SourceState;
 
+// Goes on from the board. Whose the held buttons are is not known any more: they count as the first device's
+// until it confirms or releases them.
 SurfaceSection::SurfaceSection(const board::Board& board, board::Writer<board::Surface> writer,
                                int counts_per_turn, std::size_t devices)
     : writer_(std::move(writer)), surface_(board.Read<board::Surface>()), devices_(devices) {
@@ -15,6 +17,7 @@ SurfaceSection::SurfaceSection(const board::Board& board, board::Writer<board::S
   devices_.front().buttons.down = {surface_.value.buttons_down};
 }
 
+// One device that is there makes the section live, however many are not.
 void SurfaceSection::Plug(std::size_t device, Time now) {
   devices_[device].buttons.Plug();
   devices_[device].is_plugged = true;
@@ -44,6 +47,8 @@ void SurfaceSection::Turn(std::size_t dial, std::int32_t counts, Time at) {
   changed_ = true;
 }
 
+// Each push goes to the log as well, with its time: counts alone do not say in which order buttons were pushed
+// between two looks of a reader.
 void SurfaceSection::Switch(std::size_t device, const decode::Switches<1>& now, Time at) {
   devices_[device].buttons.Accept(now, [&](std::size_t button) {
     ++surface_.value.pushes[button];
@@ -62,6 +67,7 @@ void SurfaceSection::Publish() {
   if (std::exchange(changed_, false)) Write();
 }
 
+// A button is down while any of the devices holds it.
 void SurfaceSection::Write() {
   surface_.value.buttons_down = 0;
   for (const Device& device : devices_) surface_.value.buttons_down |= device.buttons.down[0];

@@ -126,6 +126,7 @@ Result<void> Calibration::SamplePaint(const decode::Planes& planes, float x, flo
   return {};
 }
 
+// A step that is under way is dropped, and changes nothing.
 void Calibration::Begin(CalibrationStep step) {
   measurement_ = Measurement{step, {}, {}, {}, {}, {}};
 }
@@ -221,6 +222,7 @@ void Calibration::Set(const LipSettings& to, std::uint32_t gesture) {
   gesture_ = gesture;
 }
 
+// A slider that is still being dragged begins a change of its own afterwards.
 bool Calibration::Revert() {
   if (before_.empty()) return false;
   settings_ = before_.back();

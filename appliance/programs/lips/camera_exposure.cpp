@@ -77,6 +77,7 @@ bool CameraExposure::Judge(const decode::Planes& planes, Time now) {
   return false;
 }
 
+// Whoever frees the exposure for a calibration has to hold it again: it is not held in the midst of one.
 void CameraExposure::HoldUnlessFreed() {
   if (!freed_) Hold();
 }

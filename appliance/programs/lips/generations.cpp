@@ -55,6 +55,7 @@ Result<std::optional<LipSettings>> ReadOne(const fs::path& file) {
   });
 }
 
+// A file that is missing leaves `into` empty and is no complaint; one that cannot be read leaves it as it was.
 void ReadInto(const fs::path& file, std::optional<LipSettings>& into, std::string& complaint) {
   const auto read = ReadOne(file);
   if (read)

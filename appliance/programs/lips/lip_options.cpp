@@ -67,6 +67,7 @@ Result<float> ParseRest(const std::string& text) {
 
 }  // namespace
 
+// Words alone: what --paint and --rest say is judged by SettingsOf, and other values by whoever uses them.
 std::optional<int> ParseOptions(int argc, char** argv, LipOptions& into) {
   Options options(kHelp);
   options.Text("--board", into.board)

@@ -16,6 +16,7 @@ struct Accessor {
   void (*set)(LipSettings&, float);
 };
 
+// Rounded to the nearest level; the ranges of the table keep it within a byte.
 std::uint8_t Level(float value) {
   return static_cast<std::uint8_t>(value + 0.5F);
 }
@@ -95,6 +96,7 @@ std::string ParseLine(std::string_view line, LipSettings& into) {
 
 }  // namespace
 
+// A switch reads as 0 or 1, so that every setting is a number for files, packets and pages.
 float ValueOf(const LipSettings& settings, std::size_t setting) {
   return kAccessors[setting].get(settings);
 }

@@ -71,6 +71,8 @@ float QualityOf(const Detection& detection) {
 
 }  // namespace
 
+// Sizes, counts and the learnt rest go on from the board; extents, and a rest width that is set, are the
+// settings'.
 MouthGauge::MouthGauge(const board::Lips& before, const GaugeSettings& settings)
     : lips_(before), height_(settings.smoothing), width_(settings.smoothing), opening_(settings.smoothing) {
   lips_.shut = settings.extents.shut;

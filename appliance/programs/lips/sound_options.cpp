@@ -20,6 +20,7 @@ Result<std::vector<show::Sound>> ClipsOf(const LipOptions& options) {
 
 }  // namespace
 
+// The option is judged here, once: DelayOf is asked at each tick and passes over what it cannot read.
 Result<voice::VoiceServiceSettings> SoundSettingsOf(const LipOptions& options, const LipSettings& lips) {
   if (!options.sound_delay.empty() && options.sound_delay != "off") {
     if (const auto delay = voice::ParseDelay(options.sound_delay); !delay)
@@ -34,6 +35,8 @@ voice::GateSettings GateOf(const VoiceSettings& voice) {
   return {.opens_db = voice.opens_db, .shuts_db = voice.opens_db - kGateHysteresis_db};
 }
 
+// The option comes before the saved setting. "off" falls through to the latter, which plays no part where there
+// is no loudspeaker. Nothing stands for the measured delay.
 voice::DelaySetting DelayOf(const LipOptions& options, const VoiceSettings& voice) {
   if (!options.sound_delay.empty())
     if (const auto delay = voice::ParseDelay(options.sound_delay)) return *delay;

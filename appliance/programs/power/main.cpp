@@ -46,6 +46,8 @@ void ForgetNotice(const std::string& file) {
     std::filesystem::remove(file, none);
 }
 
+// The board is opened at each press, since it may have been made anew. The notice is written before the box
+// stops, so that the status picture says why.
 void HandlePress(const Settings& settings) {
   const bool stops = kaori::board::IsServiceKeyOnAt(settings.board);
   const std::string_view notice = stops ? kStops : kIgnored;

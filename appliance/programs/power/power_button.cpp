@@ -14,9 +14,13 @@
 namespace kaori::power {
 namespace {
 
+// A press and its release are four events, each key with an EV_SYN behind it; more than 16 take another
+// read(2).
 constexpr std::size_t kEventsAtOnce = 16;
 constexpr std::size_t kBitsOfByte = 8;
 
+// The kernel's ACPI button names BUS_HOST as its bus; a keyboard on USB names BUS_USB. A device that does not
+// answer one of the two requests is none of the machine's.
 bool IsOfTheMachine(int fd) {
   input_id id{};
   std::array<std::uint8_t, KEY_CNT / kBitsOfByte> keys{};
@@ -26,12 +30,15 @@ bool IsOfTheMachine(int fd) {
   return powers && id.bustype == BUS_HOST;
 }
 
+// The value of a key's event is 0 for a release, 1 for a press and 2 for a repetition (the kernel's
+// Documentation/input/event-codes.rst).
 bool IsPress(const input_event& event) {
   return event.type == EV_KEY && event.code == KEY_POWER && event.value == 1;
 }
 
 }  // namespace
 
+// Devices that come later are not looked for: the machine's own buttons are there when the kernel has started.
 std::vector<PowerButton> PowerButton::FindAll(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> names;
   std::error_code failed;

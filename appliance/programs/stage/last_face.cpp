@@ -138,6 +138,7 @@ bool LastFace::Keep() {
   return true;
 }
 
+// Blocks until the disk has what was asked for.
 void LastFace::Finish() {
   writer_->Finish();
 }

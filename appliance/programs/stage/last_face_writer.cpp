@@ -31,6 +31,7 @@ void MakeState(const board::Performance& performance, std::vector<std::uint8_t>&
 
 }  // namespace
 
+// A cause is logged when it is another one than before. `failed_` is what LastFace asks before it compares.
 LastFace::Writer::Writer(LastFaceFile where)
     : where_(std::move(where)), writer_(std::chrono::milliseconds(0), [this] {
         const auto written = WriteOut();
@@ -42,6 +43,8 @@ LastFace::Writer::Writer(LastFaceFile where)
         return true;  // What was refused is dropped.
       }) {}
 
+// The picture lies in `image_` already, where LastFace let it be copied: the buffers are the writer's from here
+// on.
 void LastFace::Writer::Write(const board::Performance& performance) {
   performance_ = performance;
   writer_.Ask();

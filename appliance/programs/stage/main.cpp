@@ -54,6 +54,7 @@ constexpr std::string_view kHelp = R"(kaori-stage: draws the face that the board
   --early         sample the input right after each flip, not as late as drawing allows: to compare
 )";
 
+// The width of the small picture that is kept beside the last face.
 constexpr int kStillWidth_px = 480;
 
 struct Settings {

@@ -73,12 +73,16 @@ bool IsGuiding(const board::Stamped<board::LipsGuide>& guide, Time now) {
   return guide.source == board::SourceState::kLive && now - guide.at < kGuideSilence;
 }
 
+// Every button confirms a pose, and the three keys confirm or cancel (lips/service/guide.cpp). Other keys stay
+// the show's.
 void ConsumeGuideInput(performance::InputEvents& events) {
   events.Consume([](const performance::Press& press) {
     return !press.IsKey() || press.code == kEnter || press.code == kEscape || press.code == kPadEnter;
   });
 }
 
+// One lamp a pose: lit where it is done, blinking where it is asked for and faster while it is measured. All
+// four blink when the calibration waits to be saved.
 std::uint32_t GuideLamps(const board::LipsGuide& guide, Time now) {
   if (guide.step >= kPoses) return IsOn(now, kBlink) ? (1U << kPoses) - 1 : 0;
   const bool on = IsOn(now, guide.taking != 0 ? kFastBlink : kBlink);

@@ -33,6 +33,8 @@ struct LogOnDisk {
   std::optional<showlog::LogHead> head;  // None: it cannot be read, and counts as an evening.
 };
 
+// The beginning of the file is enough: the roles file is the one long part of a head, and 1 KB has room for the
+// rest.
 std::optional<showlog::LogHead> HeadOf(const fs::path& file) {
   const auto text = ReadBeginning(file, showlog::kMostRoles_bytes + 1024);
   if (!text) return std::nullopt;
@@ -56,11 +58,14 @@ std::vector<LogOnDisk> LogsIn(const fs::path& folder) {
   return logs;
 }
 
+// A head that cannot be read belongs to no evening but its own.
 bool IsSameEvening(const std::optional<showlog::LogHead>& a, const std::optional<showlog::LogHead>& b) {
   return a && b && showlog::IsSameEvening(*a, *b);
 }
 
 // Whether a stage that starts with this head goes on in that file.
+// `booted_at` is worked out anew at each start and drifts with the wall clock: it is left out of the
+// comparison.
 bool GoesOn(const LogOnDisk& log, showlog::LogHead head) {
   if (!IsSameEvening(log.head, head) || log.bytes >= showlog::kFullFile_bytes) return false;
   head.booted_at = log.head->booted_at;
@@ -110,6 +115,8 @@ Result<void> AppendTo(int fd, std::span<const std::uint8_t> bytes, const std::st
 
 }  // namespace
 
+// Each chunk is written as soon as the recorder hands it over. The writer is told of success in any case:
+// WriteOut has logged what was refused and released the chunk, so that there is nothing to try again.
 ShowLog::ShowLog(fs::path folder, const showlog::LogHead& head)
     : folder_(std::move(folder)),
       head_(showlog::HeadBytes(head)),
@@ -120,6 +127,7 @@ ShowLog::ShowLog(fs::path folder, const showlog::LogHead& head)
         return true;  // What was refused is dropped.
       }) {}
 
+// No file is made here: it comes with the first chunk, so that a stage that draws nothing leaves no empty log.
 Result<std::unique_ptr<ShowLog>> ShowLog::Open(const fs::path& folder, const showlog::LogHead& head) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -131,6 +139,8 @@ Result<std::unique_ptr<ShowLog>> ShowLog::Open(const fs::path& folder, const sho
   return log;
 }
 
+// A cause is told once, until a chunk reaches the disk or another cause comes. The chunk is released either
+// way.
 void ShowLog::WriteOut() {
   const auto chunk = recorder_.handed();
   if (chunk.empty()) return;
@@ -161,11 +171,13 @@ Result<void> ShowLog::Append(std::span<const std::uint8_t> chunk) {
   return AppendTo(fd.get(), chunk, file_.string());
 }
 
+// Close hands over what there is; the writer's Finish waits for it.
 void ShowLog::Finish() {
   recorder_.Close();
   writer_.Finish();
 }
 
+// What cannot be asked for stays 0 or empty: a log with half a head is still a log.
 showlog::LogHead HeadOfLog(std::uint64_t show, const fs::path& roles, Time now) {
   showlog::LogHead head{.show = show};
   // The whole program: it is in the kernel's memory, since it runs.

@@ -12,11 +12,13 @@ using board::LevelOwner;
 using performance::Owner;
 using show::Level;
 
+// The board's arrays hold every level and role that a show can have, so that nothing below needs a bound.
 static_assert(show::kLevelCount <= board::ShowNow::kMostLevels);
 static_assert(show::kMostRoles <= board::ShowNow::kMostRoles);
 
 constexpr float kDrives = 0.5F;  // Of the mouth: more than half is whose it is.
 
+// The bits of board::ShowNow::cue_state; several may be set at once.
 std::uint32_t CueStateOf(const performance::State& state) {
   const performance::CueRun& run = state.cue_run;
   return (run.paused != 0 ? board::kCuesPaused : 0U) | (run.panicking != 0 ? board::kCuesPanicking : 0U) |
@@ -24,6 +26,7 @@ std::uint32_t CueStateOf(const performance::State& state) {
          (run.phase == performance::CueRun::Phase::kPerson ? board::kCuesWaiting : 0U);
 }
 
+// A level at its rest has no owner.
 LevelOwner OwnerOf(const performance::LevelNow& level) {
   switch (level.owner) {
     case Owner::kRest:
@@ -52,6 +55,7 @@ void TellOfTheMouth(const performance::State& state, board::ShowNow& now) {
 
 }  // namespace
 
+// The mouth comes last, since lips and voice are written over what the levels of its two dials say.
 board::ShowNow ShowNowOf(const performance::State& state) {
   board::ShowNow now{.cue_active = state.cue_run.active,
                      .cue_standby = state.cue_run.standby,

@@ -105,6 +105,7 @@ const board::Snapshot& Stage::ReadBoard(Time now) {
   return snapshot;
 }
 
+// All that wait: after a late turn there may be more than one.
 Result<void> Stage::HandleFlips() {
   while (true) {
     const auto flip = screen_->ReadFlip();
@@ -124,6 +125,7 @@ void Stage::NoteFlip(const ports::Flip& flip) {
   status_.sampled_at = read_;
 }
 
+// Without a plan the screen has no room for a picture, and its descriptor wakes the loop.
 std::optional<Time> Stage::wakes_at() const {
   return screen_ && plan_ ? std::optional(plan_->begin) : std::nullopt;
 }

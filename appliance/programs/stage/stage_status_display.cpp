@@ -19,6 +19,8 @@ constexpr auto kDiskPause = 1s;        // Before a file that could not be writte
 
 }  // namespace
 
+// The file of screens is written on the writer's thread, from a copy that is taken under the lock: the stage's
+// thread never waits for a disk.
 StageStatusDisplay::StageStatusDisplay(const board::Board& board, const Clock& clock, status::Places places)
     : board_(board), clock_(clock), places_(std::move(places)), writer_(kDiskPause, [this] {
         std::unique_lock lock(text_mutex_);
@@ -52,6 +54,8 @@ void StageStatusDisplay::LookAtScreens(ports::Scanout* screen) {
   facts_read_ = {};
 }
 
+// The board is memory and read at each step; files are looked at once a second, or when the screens have
+// changed.
 std::vector<status::Line> StageStatusDisplay::Lines() {
   const Time now = clock_.now();
   if (facts_read_ == Time{} || now - facts_read_ >= kFactsPeriod) {

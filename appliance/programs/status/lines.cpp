@@ -159,6 +159,7 @@ void AddDevices(const State& state, std::vector<Line>& lines) {
 
 }  // namespace
 
+// The sound is read by itself: a snapshot does not have it.
 State Look(const board::Board& board, Facts facts, Time now) {
   return {board::ReadAll(board), board.Read<board::Sound>(), std::move(facts), now};
 }

@@ -39,8 +39,10 @@ constexpr std::string_view kHelp =
                    that is older, one after the other
 )";
 
+// The rhythm of one update while somebody waits for it at a terminal.
 constexpr kaori::Duration kStep = 20ms;
 constexpr kaori::Duration kServiceStep = 50ms;  // It is there all evening, and need not hurry.
+// How often the board is opened and read while nothing is updated.
 constexpr kaori::Duration kLook = 1s;
 // A stage that has presented nothing for so long does not run.
 constexpr kaori::Duration kStageIsDead = 5s;
@@ -49,6 +51,7 @@ struct Settings {
   std::string board = "/run/kaori/board", update, port, updates;
 };
 
+// The end of a sentence that begins with "it". Newer firmware may be in a state that is not of this list.
 const char* Words(kaori::wire::SurfaceState state) {
   switch (state) {
     case kaori::wire::SurfaceState::kPlays:
@@ -108,6 +111,8 @@ kaori::surface_update::Circumstances CircumstancesOf(const BoxNow& box, int dial
           .dial_boxes = dial_boxes};
 }
 
+// One surface, once: each change of state is a line for whoever waits. The loop may also be ended by a signal,
+// before there is an outcome; that is no success.
 int Update(const Settings& settings, kaori::ports::HidBus& bus, int dial_boxes, kaori::EventLoop& loop) {
   const kaori::SteadyClock clock;
   const auto file = kaori::surface_update::ReadUpdateFile(settings.update);

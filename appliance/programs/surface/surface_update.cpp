@@ -13,16 +13,23 @@ namespace {
 
 using wire::SurfaceOperation;
 
+// ReadFile refuses a larger file: it is no update of a surface.
 constexpr std::size_t kMostUpdateBytes = 512UL * 1024;
+// How often the sending is begun before the update has failed.
 constexpr int kMostAttempts = 3;
 // A cable that is loose: a surface that dies is back with the image before after three.
 constexpr int kMostLosses = 6;
+// Pieces of wire::kSurfaceDataBytes (56) in one step, so that the caller's loop goes round meanwhile.
 constexpr int kPiecesAtOnce = 8;
+// How long the port may stay without an answer before the update has failed: from the first step on, and anew
+// over each restart.
 constexpr Duration kAnswerTime = std::chrono::seconds(15);
+// How often a surface that tries the new image is asked for its version.
 constexpr Duration kAskEvery = std::chrono::milliseconds(250);
 
 }  // namespace
 
+// The larger number is the later version: each half has 16 bits in the report.
 std::uint32_t VersionOf(const wire::SurfaceStatus& status) {
   return std::uint32_t{status.firmware_major} << 16U | status.firmware_minor;
 }
@@ -31,6 +38,8 @@ std::string VersionWords(std::uint32_t version) {
   return fmt::format("{}.{}", version >> 16U, version & 0xFFFFU);
 }
 
+// Only lengths are judged here. Product, version and the hash of the image are the surface's to check: it
+// answers with a STALL what it refuses (wire/surface_feature.h).
 Result<UpdateFile> ReadUpdateFile(const std::filesystem::path& file) {
   const auto text = ReadFile(file, {.most_bytes = kMostUpdateBytes});
   if (!text) return tl::unexpected(text.error());
@@ -46,6 +55,8 @@ Result<UpdateFile> ReadUpdateFile(const std::filesystem::path& file) {
   return update;
 }
 
+// A dial box turns nothing while it restarts, so a running show keeps one that plays. Stick pods are not
+// counted.
 Result<void> MayUpdate(const wire::SurfaceImage& image, const Circumstances& now) {
   const auto refuse = [](const char* why) { return FailInput(why, std::errc::operation_not_permitted); };
   if (!now.in_service) return refuse("surfaces are updated in service only: turn the key switch");
@@ -67,6 +78,8 @@ Result<wire::SurfaceStatus> ReadStatus(ports::HidChannel& channel) {
 SurfaceUpdate::SurfaceUpdate(ports::HidBus& bus, std::string port, const UpdateFile& file)
     : bus_(bus), port_(std::move(port)), file_(file) {}
 
+// One state may lead into the next within a step. The time to give up counts from the first step, since the
+// constructor knows no time.
 void SurfaceUpdate::Step(Time now) {
   if (give_up_at_ == Time{}) give_up_at_ = now + kAnswerTime;
   if (state_ == State::kSending) Send(now);
@@ -74,6 +87,8 @@ void SurfaceUpdate::Step(Time now) {
   if (state_ == State::kTrying) Watch(now);
 }
 
+// The list of ports is asked first: over a restart an empty port is the usual state, and opening it would only
+// fail.
 bool SurfaceUpdate::HasChannel() {
   if (channel_) return true;
   const auto ports = bus_.Ports();
@@ -83,6 +98,8 @@ bool SurfaceUpdate::HasChannel() {
   return channel_ != nullptr;
 }
 
+// One feature report a command, behind the byte for the report's id. `data` has at most
+// wire::kSurfaceDataBytes; what it leaves free is 0.
 Result<void> SurfaceUpdate::Command(SurfaceOperation operation, std::span<const std::uint8_t> data,
                                     std::uint32_t offset) {
   wire::SurfaceCommand command{.operation = operation,
@@ -114,6 +131,8 @@ void SurfaceUpdate::Send(Time now) {
   if (++attempts_ == kMostAttempts) Fail("it was begun three times: " + ok.error().message());
 }
 
+// Asks first what the surface plays: it may have the image already, or try it since before a loss of power.
+// While it tries another one it is left alone, for that one is not confirmed.
 Result<void> SurfaceUpdate::Begin() {
   const auto status = ReadStatus(*channel_);
   if (!status) return tl::unexpected(status.error());
@@ -195,6 +214,7 @@ void SurfaceUpdate::Watch(Time now) {
   outcome_ = fmt::format("the surface at {} plays version {}", port_, VersionWords(version_sent()));
 }
 
+// The channel is closed at once: an update that has ended keeps no device open.
 void SurfaceUpdate::Fail(std::string why) {
   channel_.reset();
   state_ = State::kFailed;

@@ -8,10 +8,13 @@
 namespace kaori::surface_update {
 namespace {
 
+// A look opens every surface that is plugged in and asks it for its version.
 constexpr Duration kLookEvery = std::chrono::seconds(1);
 
 }  // namespace
 
+// The first surface that may have its update gets it, and the others come at later looks. A refusal is logged
+// when its words change, and not at each look.
 void UpdateService::Step(Circumstances box, Time now) {
   if (update_) return Go(now);
   if (!box.in_service || now < next_look_) return;
@@ -25,6 +28,7 @@ void UpdateService::Step(Circumstances box, Time now) {
   }
 }
 
+// The update borrows the file for as long as it runs: files_ never changes.
 void UpdateService::Begin(const Due& due) {
   refusal_.clear();
   chip_ = due.chip;
@@ -34,6 +38,8 @@ void UpdateService::Begin(const Due& due) {
   update_.emplace(bus_, due.port, *due.file);
 }
 
+// What failed is remembered by the chip and not by the port, so that a surface which is plugged in elsewhere is
+// known.
 void UpdateService::Go(Time now) {
   update_->Step(now);
   const bool is_done = update_->state() == SurfaceUpdate::State::kDone;
@@ -71,6 +77,8 @@ std::vector<UpdateService::Due> UpdateService::Look(int& dial_boxes) {
   return dues;
 }
 
+// Due is what is older than the newest file, and what tries that very version without a confirmation. A surface
+// that is newer than all files keeps what it has.
 std::optional<UpdateService::Due> UpdateService::DueAt(ports::HidChannel& channel) {
   const UpdateFile* const file = NewestFor(ProductOf(channel.identity()));
   if (file == nullptr) return std::nullopt;
@@ -83,6 +91,7 @@ std::optional<UpdateService::Due> UpdateService::DueAt(ports::HidChannel& channe
   return Due{.port = channel.identity().port, .chip = status->chip_id, .version = version, .file = file};
 }
 
+// A folder may hold several updates for one product.
 const UpdateFile* UpdateService::NewestFor(std::uint32_t product) const {
   const UpdateFile* newest = nullptr;
   for (const UpdateFile& file : files_)

@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint32_t kHello = 0x314C4B48;    // "HKL1"
 constexpr std::uint32_t kReport = 0x314C4B52;   // "RKL1"
 constexpr std::uint32_t kPicture = 0x314C4B50;  // "PKL1"
+// Five words and two: of the three packets only the report has a part of changing length, its complaint.
 constexpr std::size_t kNoteBytes = 20;
 constexpr std::size_t kHelloBytes = 8;
 constexpr std::uint32_t kNoStep = 255;
@@ -62,6 +63,7 @@ bool SplitNumber(std::string_view& text, T& into) {
   return number.has_value();
 }
 
+// A position in parts of the picture; both of its edges are in it.
 bool IsShare(float value) {
   return value >= 0 && value <= 1;
 }
@@ -88,6 +90,7 @@ class PacketWriter {
     wire::PutU32(bytes_, bytes_.size() - 4, word);
   }
   void Put(float value) { Put(std::bit_cast<std::uint32_t>(value)); }
+  // The length and then the bytes. The cut at kMaxComplaint may fall within a letter of UTF-8.
   void Put(std::string_view text) {
     text = text.substr(0, kMaxComplaint);
     Put(static_cast<std::uint32_t>(text.size()));
@@ -110,6 +113,8 @@ class PacketReader {
     left_ = left_.subspan(4);
     return word;
   }
+  // NaN and infinity read as 0 and make the whole packet unreadable, so that nobody behind has to look for
+  // them.
   float Value() {
     const auto value = std::bit_cast<float>(Word());
     whole_ = whole_ && std::isfinite(value);
@@ -163,6 +168,7 @@ Result<Command> ParseCommand(std::string_view text) {
   return command;
 }
 
+// In the order of the enumerators, which are the bits of Report::done.
 std::string_view NameOf(CalibrationStep step) {
   constexpr std::array<std::string_view, kStepCount> kNames{"shut", "open", "wide", "narrow", "speak"};
   return kNames[static_cast<std::size_t>(step)];
@@ -183,6 +189,7 @@ std::vector<std::uint8_t> HelloPacket() {
   return packet.Release();
 }
 
+// A hello with another size of shared memory comes from lips with other slots, and is none.
 bool IsHello(std::span<const std::uint8_t> packet) {
   return packet.size() == kHelloBytes && wire::GetU32(packet, 0) == kHello &&
          wire::GetU32(packet, 4) == kPictureSlots * kPictureSlotBytes;
@@ -228,6 +235,7 @@ std::optional<Report> ReadReport(std::span<const std::uint8_t> packet) {
   return reading.whole() && known ? std::optional(report) : std::nullopt;
 }
 
+// The slot is the desk's from the moment at which this packet is sent.
 std::vector<std::uint8_t> Packet(const PictureNote& note) {
   PacketWriter packet(kPicture);
   for (const std::uint32_t word : {note.slot, note.number, note.width_px, note.height_px}) packet.Put(word);

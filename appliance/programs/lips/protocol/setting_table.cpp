@@ -28,6 +28,7 @@ constexpr std::array<SettingRange, kSettingCount> kRanges{{
 
 }  // namespace
 
+// Not checked: a number that is too large reads beyond the table.
 SettingRange RangeOf(std::size_t setting) {
   return kRanges[setting];
 }

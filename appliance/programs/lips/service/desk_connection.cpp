@@ -26,6 +26,7 @@ Result<DeskConnection> DeskConnection::Open(const std::string& path) {
   return DeskConnection(std::move(*listener), path);
 }
 
+// A connection that was moved from has no listener, and leaves the file to the one that has.
 DeskConnection::~DeskConnection() {
   if (listener_.valid()) ::unlink(path_.c_str());
 }

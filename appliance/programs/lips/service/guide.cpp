@@ -101,6 +101,7 @@ void Guide::Abandon(Tuning& tuning) {
   active_ = false;
 }
 
+// For the stage, which shows it on the screen and by the lamps (stage/service_display.cpp).
 board::LipsGuide Guide::state(bool captions) const {
   return {.step = step_,
           .taking = measurement_ ? 1U : 0U,

@@ -30,6 +30,7 @@ struct Cells {
   const Chroma& at(int n) const { return chroma[static_cast<std::size_t>(n)]; }
 };
 
+// How far a colour is from grey, whatever its hue, in levels of chroma.
 float Tint(const Chroma& c) {
   return std::hypot(c.cb, c.cr);
 }
@@ -61,6 +62,7 @@ Cells CellsOf(const decode::Planes& planes) {
   return cells;
 }
 
+// Of an even count the upper of the two in the middle; `values` is not empty.
 float Median(std::vector<float> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -146,6 +148,7 @@ class Search {
     return patch;
   }
 
+  // x and y are sums over the middles of cells, in cells: WorthOf divides them.
   void Note(int cell, Patch& patch) const {
     patch.unlike += Between(cells_.at(cell), skin_);
     patch.x += static_cast<float>(cell % cells_.width) + 0.5F;

@@ -13,6 +13,7 @@ namespace {
 
 // A camera that works sends 15 pictures in this time at the least.
 constexpr Duration kPictureTimeout = std::chrono::seconds(1);
+// How often the settings file is looked at, in case another program has replaced it.
 constexpr Duration kFilePeriod = std::chrono::seconds(1);
 constexpr int kReachFound =
     2;  // A smaller reach around a point that is known to be paint, since lips may be thin.
@@ -24,6 +25,7 @@ std::filesystem::file_time_type TimeOf(const std::filesystem::path& file) {
   return none ? std::filesystem::file_time_type{} : at;
 }
 
+// As reports have it: empty where it succeeded.
 std::string ComplaintOf(const Result<void>& done) {
   return done ? std::string() : done.error().message();
 }
@@ -42,6 +44,7 @@ std::array<float, 4> BoxOf(const LipMeter& meter, const decode::Planes& planes) 
 
 }  // namespace
 
+// The settings in use are the caller's. The file is read only for what can be gone back to, and for its time.
 Tuning::Tuning(const LipSettings& now, std::filesystem::path file, TuningActions actions)
     : calibration_(now), file_(std::move(file)), actions_(std::move(actions)), used_(now) {
   if (!file_.empty()) {
@@ -51,6 +54,7 @@ Tuning::Tuning(const LipSettings& now, std::filesystem::path file, TuningActions
   Refresh();
 }
 
+// A save that was asked for is waited for, even where the program ends right after it.
 Tuning::~Tuning() {
   if (saving_.valid()) saving_.wait();
 }
@@ -149,6 +153,7 @@ void Tuning::SamplePaint(const decode::Planes& planes) {
   Answer(click, ComplaintOf(calibration_.SamplePaint(planes, click.a, click.b)));
 }
 
+// The desk numbers its commands and may have sent others since: the number says which one is meant.
 void Tuning::Answer(const Command& command, std::string complaint) {
   report_.answered = command.number;
   report_.complaint = std::move(complaint);

@@ -40,6 +40,7 @@ Duration Milliseconds(float ms) {
 
 }  // namespace
 
+// "off" is no delay; it is told apart before (lips/sound_options.cpp) and is named in the message only.
 Result<DelaySetting> ParseDelay(std::string_view text) {
   if (text == "auto") return DelaySetting();
   const auto ms = ParseNumber<double>(text);
@@ -55,6 +56,7 @@ DelayChoice::DelayChoice(const DelaySetting& setting, const board::Stamped<board
   if (!setting && measured) chosen_ = std::min(Milliseconds(before.value.asked_ms), kLongestDelay);
 }
 
+// Without a setting the delay stays as it is, until a measurement has stood for long enough.
 void DelayChoice::Use(const DelaySetting& setting) {
   setting_ = setting;
   if (setting) chosen_ = *setting;

@@ -33,6 +33,7 @@ float Ms(Duration time) {
   return static_cast<float>(Seconds(time) * 1e3);
 }
 
+// What is louder than full scale is cut and does not wrap; -32768 is never given, so that the scale is even.
 std::int16_t Sample16(float sample) {
   return static_cast<std::int16_t>(std::lround(32767 * std::clamp(sample, -1.0F, 1.0F)));
 }

@@ -9,6 +9,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr Duration kSilence = milliseconds(200);  // After this time the voice is stale.
+// How often a microphone that is not there is looked for.
 constexpr Duration kVoiceReaderRetry = milliseconds(250);
 constexpr Duration kGiveUp =
     milliseconds(2000);  // A stream that was silent for this long does not resume by itself.
@@ -32,6 +33,7 @@ VoiceReader::VoiceReader(ports::MicrophoneOpener open, board::Writer<board::Voic
       listener_(gate),
       last_block_(clock.now()) {}
 
+// Silence is judged last, so that what was read in this step counts.
 void VoiceReader::Step() {
   const Time now = clock_.now();
   if (!microphone_ && now >= retry_at_) TryOpen(now);
@@ -79,6 +81,7 @@ void VoiceReader::Process(const ports::SoundBlock& recorded, Time now) {
   writer_.Write(mouth_.Follow(voice), heard_at_, source_);
 }
 
+// The last mouth stays on the board with the time at which it was heard, and is marked as stale.
 void VoiceReader::Close(Time now, std::string_view why) {
   microphone_.reset();
   retry_at_ = now + kVoiceReaderRetry;

@@ -7,6 +7,7 @@
 namespace kaori::voice {
 namespace {
 
+// Half of the least sound that the speaker keeps waiting in its device (20 ms, speaker.cpp).
 constexpr Duration kTick = std::chrono::milliseconds(10);
 
 }  // namespace
@@ -36,6 +37,8 @@ Result<std::unique_ptr<VoiceService>> VoiceService::Acquire(SoundSources sources
   return service;
 }
 
+// The first step comes before the loop runs, so that the devices are open when it begins. A box that has
+// neither needs no timer.
 Result<void> VoiceService::Join(EventLoop& loop) {
   loop_ = &loop;
   Step();
