@@ -23,6 +23,7 @@ void* memset(void* to, int value, std::size_t bytes) {
   while (bytes-- != 0) *out++ = static_cast<std::uint8_t>(value);
   return to;
 }
+// Relies on the memcpy above, which goes forwards: that is right where the target lies in front.
 void* memmove(void* to, const void* from, std::size_t bytes) {
   auto* out = static_cast<std::uint8_t*>(to);
   const auto* in = static_cast<const std::uint8_t*>(from);

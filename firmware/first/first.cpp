@@ -13,6 +13,8 @@
 namespace kaori::rp2040 {
 namespace {
 
+// Images are linked for the beginning of RAM and begin with their vector table: the stack pointer, then the
+// entry.
 constexpr std::uint32_t kImageInRam = 0x20000000;
 // The first stage's own code begins above.
 constexpr std::uint32_t kRoomForImage = 0x3C000;
@@ -32,8 +34,11 @@ constexpr std::uint32_t kImageFeedsWithinMs = 8000;
 
 }  // namespace
 
+// The vector table that all programs share names it; here the timer never runs.
 void Look() {}
 
+// A header's length is looked at before anything is copied: a slot that was damaged must not write over this
+// code. The slot's number outlives the jump in a register of the watchdog, where the image finds it.
 void Main() {
   RomFlash flash;
   const auto slot = surface::Choose(flash);

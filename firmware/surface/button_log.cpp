@@ -30,6 +30,8 @@ std::uint32_t ButtonLog::Next() {
   return told_;
 }
 
+// States that no host fetched are dropped, for they were meant for one that has gone. One report with the newest
+// state takes their place; where all buttons are up and nothing waited, none is needed.
 void ButtonLog::Restart() {
   const std::uint32_t pressed = newest();
   const bool waits = !empty();

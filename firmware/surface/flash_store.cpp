@@ -44,6 +44,8 @@ std::uint32_t Newer(const std::optional<Copy>& first, const std::optional<Copy>&
 
 }  // namespace
 
+// Both copies are read and checked at each call; it is called when the power comes, and not while reports are
+// made.
 std::optional<std::span<const std::uint8_t>> Load(const Flash& flash) {
   const auto first = ReadCopy(flash, 0);
   const auto second = ReadCopy(flash, 1);

@@ -55,6 +55,7 @@ void Sha256::Block() {
   for (std::size_t n = 0; n < 8; ++n) state_[n] += mixed[n];
 }
 
+// In parts of any length, as pages of an image come: their hash is that of the whole.
 Sha256& Sha256::Update(std::span<const std::uint8_t> bytes) {
   for (const std::uint8_t byte : bytes) {
     block_[bytes_ % 64] = byte;

@@ -74,6 +74,8 @@ std::optional<SlotHeader> ReadHeader(const Flash& flash, Slot slot) {
   return header;
 }
 
+// One page is programmed and none erased: the slot's first sector must be blank. A cut within it leaves a header
+// whose check fails, which counts as none.
 void WriteHeader(Flash& flash, Slot slot, const SlotHeader& header) {
   std::array<std::uint8_t, kCheckInHeader + kCheckBytes> bytes{};
   wire::PutU32(bytes, 0, kMagic);

@@ -103,6 +103,8 @@ std::size_t StickPod::Answer(ReportKind kind, std::span<std::uint8_t> into) {
   return wire::kSurfaceFeatureBytes;
 }
 
+// SET_REPORT. Calibration is the pod's own command, 1 for its beginning and 0 for its end; all others are those
+// that every surface has. What is unknown, or of another length, is refused and changes nothing.
 bool StickPod::Accept(ReportKind kind, std::span<const std::uint8_t> report) {
   if (kind != ReportKind::kFeature || report.size() != wire::kSurfaceFeatureBytes) return false;
   const auto command = wire::DecodeSurfaceCommand(report.first<wire::kSurfaceFeatureBytes>());

@@ -177,6 +177,7 @@ bool UsbDevice::AnswerDevice() {
   return setup_.request == kGetDescriptor && AnswerDescriptor();
 }
 
+// Requests to an interface: there is one, number 0. False refuses them.
 bool UsbDevice::AnswerInterface() {
   if (setup_.index != 0) return false;
   // Linux asks for HID's descriptors before anything else, but after the configuration (7.1.1).

@@ -59,6 +59,9 @@ void Release(std::uint32_t blocks) {
   }
 }
 
+// The crystal comes first, since both PLLs multiply it; until they are locked the processor runs from the
+// reference clock, so that no PLL is changed under it. Each wait ends by the part itself: where one never
+// answers, the watchdog that runs already restarts the chip.
 void StartClocks() {
   At(kCrystalStartup) = kCrystalDelay;
   At(kCrystalControl) = kCrystalEnable;

@@ -10,6 +10,7 @@ namespace {
 constexpr std::uint32_t kBytesOf8Bits = 7;  // Motorola's format, clock low at rest, taken at the first edge.
 constexpr std::uint32_t kEnable = 1U << 1;
 constexpr std::uint32_t kPrescale = 126;  // 0.99 MHz, what it bears at 2.7 V.
+// The status register's RNE bit: a byte has come that was not read (RP2040 datasheet, 4.4.4).
 constexpr std::uint32_t kHasData = 1U << 2;
 constexpr std::uint32_t kSelect = 1U << kConverterSelectPin;
 

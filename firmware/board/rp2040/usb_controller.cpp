@@ -81,6 +81,8 @@ void UsbController::Start() {
   At(kUsbSieControl) = kTellEachControlBuffer | kPullUp;
 }
 
+// From the main loop, at each look; nothing in it waits. A status bit is cleared by writing it back, and before
+// the device is told: what comes while it answers sets the bit again and is found at the next look.
 void UsbController::Service(surface::UsbDevice& device) {
   const std::uint32_t status = At(kUsbSieStatus);
   if ((status & kBusReset) != 0) {
@@ -106,6 +108,8 @@ void UsbController::Service(surface::UsbDevice& device) {
   }
 }
 
+// A bit stands for one buffer that the host has fetched or filled. All bits that were read are cleared at once;
+// one that is set meanwhile stays for the next look.
 void UsbController::ServiceBuffers(surface::UsbDevice& device) {
   const std::uint32_t done = At(kUsbBufferStatus);
   if (done == 0) return;
@@ -147,6 +151,7 @@ void UsbController::SetAddress(std::uint8_t address) {
   At(kUsbAddress) = address;
 }
 
+// Both data toggles begin at DATA0 when a configuration is set (USB 2.0, 9.1.1.5).
 void UsbController::OpenEndpoints() {
   At(kInputControl) = kInterruptEndpoint | kInputData;
   At(kOutputControl) = kInterruptEndpoint | kOutputData;
@@ -155,6 +160,7 @@ void UsbController::OpenEndpoints() {
   ArmOutput();
 }
 
+// Bits of buffers that ended just before are cleared too: they would be told of a later configuration.
 void UsbController::CloseEndpoints() {
   At(kInputControl) = 0;
   At(kOutputControl) = 0;
@@ -164,6 +170,8 @@ void UsbController::CloseEndpoints() {
   input_free_ = true;
 }
 
+// A halt that is cleared begins at DATA0 again, whatever the toggle was (USB 2.0, 9.4.5). A report that waited in
+// the input buffer is lost with it.
 void UsbController::SetHalt(std::uint8_t endpoint, bool halted) {
   if (endpoint == surface::kInputEndpoint) {
     At(kInputBuffer) = halted ? kStall : 0;
