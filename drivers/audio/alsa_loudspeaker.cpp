@@ -16,6 +16,8 @@ Result<std::unique_ptr<AlsaLoudspeaker>> AlsaLoudspeaker::Open(const std::string
   return std::unique_ptr<AlsaLoudspeaker>(new AlsaLoudspeaker(name, clock, std::move(*pcm)));
 }
 
+// After an xrun nothing else is queued: the frames begin at once, so that their time follows from the delay
+// behind them less their own length.
 Result<ports::Playout> AlsaLoudspeaker::Write(std::span<const std::int16_t> samples) {
   if (broken_) return tl::unexpected(*broken_);
   const auto channels = static_cast<std::size_t>(pcm_->format().channels);

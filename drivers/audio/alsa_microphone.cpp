@@ -33,6 +33,8 @@ AlsaMicrophone::AlsaMicrophone(std::string name, const AlsaPreferences& preferen
   samples_.resize(kMostFrames * static_cast<std::size_t>(pcm_->format().channels));
 }
 
+// The block borrows `samples_` until the next Read. An error that a stream recovers from is no failure here: it
+// shows as the mark of a gap on the next block.
 Result<ports::SoundBlock> AlsaMicrophone::Read() {
   if (broken_) return tl::unexpected(*broken_);
   // Taken before reading: afterwards other frames are the oldest.
@@ -56,6 +58,8 @@ Time AlsaMicrophone::TimeOfOldest() {
   return status.at.value_or(clock_.now()) - Span(pcm_->format(), status.delay_frames);
 }
 
+// A capture that is only prepared never becomes readable: it is started here, where playback starts with its
+// first frames.
 Result<void> AlsaMicrophone::RecoverStream(long answer) {
   // The next block follows a gap.
   xrun_ = true;

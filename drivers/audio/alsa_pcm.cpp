@@ -123,6 +123,7 @@ class RealPcm final : public AlsaPcm {
   ports::SoundFormat format_;
 };
 
+// The stamp is on CLOCK_MONOTONIC, by SetSoftware; the delay is in frames and was true at the stamp.
 int RealPcm::Status(PcmStatus& into) {
   snd_pcm_status_t* status = nullptr;
   snd_pcm_status_alloca(&status);

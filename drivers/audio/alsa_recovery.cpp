@@ -25,6 +25,7 @@ std::errc CauseOf(long answer) {
   }
 }
 
+// EPIPE is an xrun, ESTRPIPE a stream that was suspended; all others end the stream (ALSA's PCM interface).
 Result<void> Recover(AlsaPcm& pcm, long answer, const std::string& name) {
   if (answer != -EPIPE && answer != -ESTRPIPE) {
     const bool gone = CauseOf(answer) == std::errc::no_such_device;

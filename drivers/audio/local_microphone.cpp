@@ -32,6 +32,8 @@ Result<ports::SoundBlock> LocalMicrophone::Read() {
   return ports::SoundBlock{Time(Duration(note->at_ns)), note->lost != 0, samples_};
 }
 
+// Of the causes only the two that a caller handles pass as they are; a packet that is too long breaks the
+// microphone.
 Result<std::span<const std::uint8_t>> LocalMicrophone::Receive() {
   const auto packet = ReceivePacket(socket_.get(), packet_);
   if (packet) return std::span<const std::uint8_t>(packet_).first(packet->bytes);

@@ -66,6 +66,8 @@ Result<std::unique_ptr<AlsaPcm>> OpenNearest(const SoundSearch& search, Directio
 
 }  // namespace
 
+// USB before all, since it was plugged in by somebody; then what is not at the end of a screen's cable; then
+// whatever is there. Empty: nothing is.
 std::string Nearest(std::span<const SoundDevice> devices) {
   for (const auto& wanted : {+[](const SoundDevice& d) { return d.usb; },
                              +[](const SoundDevice& d) { return !d.on_screen_cable; }}) {

@@ -26,6 +26,8 @@ void Drain(int fd) {
 
 }  // namespace
 
+// Threads that are made later inherit the mask. One that was made before still receives the signals, and the
+// program ends by them.
 Result<EventLoop> EventLoop::Open() {
   UniqueFd epoll(::epoll_create1(EPOLL_CLOEXEC));
   if (!epoll.valid()) return FailErrno("create an epoll set");
@@ -58,6 +60,7 @@ Result<void> EventLoop::Watch(int fd, Handler handler) {
   return {};
 }
 
+// The handler may be the one that is running: it is kept until the end of the turn, and destroyed then.
 void EventLoop::Forget(int fd) {
   const auto it = std::ranges::find(watched_, fd, [](const auto& w) { return w->fd; });
   if (it == watched_.end()) return;

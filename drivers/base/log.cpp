@@ -32,6 +32,7 @@ void SetLogName(std::string_view name) {
   LogName() = name;
 }
 
+// What cannot be written is lost: a log that failed has nowhere to be told.
 void LogLines(Severity severity, std::string_view lines) {
   const std::string prefix = IsJournal(STDERR_FILENO) ? fmt::format("<{}>", static_cast<int>(severity)) : "";
   std::string whole;

@@ -56,6 +56,7 @@ std::optional<int> Options::Parse(int argc, char** argv) {
   return std::nullopt;
 }
 
+// Five digits a side, so that no number overflows before it is compared.
 std::optional<Size> ParseSize(const std::string& text) {
   constexpr int kSmallest = 16, kLargest = 16384;
   Size size;

@@ -28,6 +28,7 @@ Result<pid_t> Spawn(const std::vector<std::string>& words) {
 
 }  // namespace
 
+// A program that a signal ended gives 128 and its number, as a shell does.
 Result<int> RunProgram(const std::vector<std::string>& words) {
   const auto child = Spawn(words);
   if (!child) return tl::unexpected(child.error());

@@ -101,6 +101,8 @@ Result<void> StoreFd(int fd, std::string_view name) {
   return AwaitManager();
 }
 
+// As sd_listen_fds_with_names(3) has it: names are in the order of the descriptors, with colons between.
+// Close-on-exec is set on the one that is given, which systemd passes without it.
 std::optional<UniqueFd> RetrieveFd(std::string_view name) {
   const auto count = ParseNumber<std::int64_t>(Variable("LISTEN_FDS"));
   if (!count || !IsForUs("LISTEN_PID")) return std::nullopt;

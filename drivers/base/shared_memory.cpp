@@ -38,6 +38,7 @@ Result<SharedMemory> SharedMemory::Adopt(UniqueFd descriptor, std::size_t bytes)
   return Map(std::move(descriptor), bytes);
 }
 
+// Takes the descriptor: while it is open another process can be given it.
 Result<SharedMemory> SharedMemory::Map(UniqueFd descriptor, std::size_t bytes) {
   void* start = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, descriptor.get(), 0);
   if (start == MAP_FAILED) return FailErrno("map shared memory");

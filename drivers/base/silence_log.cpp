@@ -13,6 +13,7 @@ constexpr Duration kQuiet = std::chrono::minutes(1);
 
 }  // namespace
 
+// Silences that follow soon are counted instead, and told with the next one that is said.
 void SilenceLog::Silent(Duration length, Time now) {
   said_ = now >= quiet_until_;
   if (!said_) {

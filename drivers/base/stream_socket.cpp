@@ -6,6 +6,7 @@
 
 namespace kaori {
 
+// A stream socket of this machine connects at once or fails: EAGAIN is a listener whose queue is full.
 Result<UniqueFd> ConnectToStream(const std::string& path) {
   const auto address = UnixAddress(path);
   if (!address) return Fail(std::errc::filename_too_long, "connect to " + path);

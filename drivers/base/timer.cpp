@@ -12,6 +12,7 @@ timespec TimespecOf(Duration time) {
 
 }  // namespace
 
+// On CLOCK_MONOTONIC, as every time here, and non-blocking: a read before it is due gives EAGAIN.
 Result<UniqueFd> OpenTimer(Duration first, Duration period, const char* attempt) {
   UniqueFd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
   const itimerspec times{.it_interval = TimespecOf(period), .it_value = TimespecOf(first)};

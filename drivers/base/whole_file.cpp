@@ -107,6 +107,7 @@ Result<void> WriteAll(int fd, std::span<const std::uint8_t> bytes, const std::st
   return {};
 }
 
+// A draft with a name is removed where a step fails, by its destructor.
 Result<void> WriteWholeFile(const std::filesystem::path& file,
                             std::initializer_list<std::span<const std::uint8_t>> pieces, unsigned mode) {
   auto draft = Begin(file, mode);

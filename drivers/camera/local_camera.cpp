@@ -53,6 +53,8 @@ tl::unexpected<Error> LocalCamera::ReceiveError(const Error& error) const {
   return Fail(waits || gone ? error.cause : std::errc::io_error, "read a frame of " + name_);
 }
 
+// The frame borrows its slot until the next call, which gives it back to the simulator: one that never calls
+// again keeps one slot and no more.
 Result<ports::CameraFrame> LocalCamera::Next() {
   if (broken_) return Fail(std::errc::io_error, "read the hello of " + name_);
   // The caller's frame ends with this call.

@@ -140,6 +140,8 @@ void JoystickDecoder::Release() {
   UpdateAxes();
 }
 
+// The sticks are expected to stand at rest now. An axis that is further off than a worn stick ever rests is held
+// by somebody, and keeps its centre.
 void JoystickDecoder::CalibrateCentre() {
   for (auto* axis : centred()) {
     if (!*axis || !(*axis)->raw) continue;
@@ -149,6 +151,7 @@ void JoystickDecoder::CalibrateCentre() {
   UpdateAxes();
 }
 
+// As parts of the way from the middle to the upper end, 0 where there is no such axis.
 JoystickDecoder::Centres JoystickDecoder::centres() const {
   Centres centres{};
   for (std::size_t n = 0; n < centres.size(); ++n)
@@ -157,6 +160,7 @@ JoystickDecoder::Centres JoystickDecoder::centres() const {
   return centres;
 }
 
+// A part that no stick can have, or that is no number, becomes the middle: files may hold anything.
 void JoystickDecoder::SetCentres(const Centres& centres) {
   for (std::size_t n = 0; n < centres.size(); ++n) {
     auto& axis = *centred()[n];

@@ -28,6 +28,7 @@ Result<KeyboardDecoder> KeyboardDecoder::For(const ports::HidIdentity& identity)
 
 KeyboardDecoder::KeyboardDecoder(ReportLayout layout) : layout_(std::move(layout)), keys_(kKeyboardPage, 0) {}
 
+// A report that cannot be read, or that names the roll-over error, leaves all keys as they were.
 Result<KeySample> KeyboardDecoder::Decode(std::span<const std::uint8_t> report, Time at) {
   const auto input = OpenInput(layout_, report);
   if (!input) return tl::unexpected(input.error());

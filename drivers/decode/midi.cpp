@@ -3,6 +3,7 @@
 namespace kaori::decode {
 namespace {
 
+// MIDI 1.0: bytes from 80 on are status bytes, those from F8 on real-time messages of one byte each.
 constexpr std::uint8_t kStatusBit = 0x80;
 constexpr std::uint8_t kSysEx = 0xF0;
 constexpr std::uint8_t kEndOfSysEx = 0xF7;
@@ -35,6 +36,8 @@ void MidiParser::AcceptStatus(std::uint8_t byte) {
   data_bytes_ = 0;
 }
 
+// Of a SysEx that is too long the count goes one beyond the limit, and no further: by that its end tells that it
+// is not whole. Data without a status are passed over, as after a system message.
 std::optional<MidiMessage> MidiParser::AcceptData(std::uint8_t byte) {
   if (in_sysex_) {
     if (sysex_bytes_ < kMostSysExBytes) sysex_[sysex_bytes_] = byte;

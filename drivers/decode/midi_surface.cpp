@@ -5,10 +5,12 @@
 namespace kaori::decode {
 namespace {
 
+// The middle of the seven bits: no turn where a value is an offset, and the least that holds a control's button.
 constexpr int kMiddle = 64;
 constexpr std::uint8_t kFull = 127;
 constexpr std::size_t kMostButtons = 32;
 
+// Detents or ticks, as the device counts them, clockwise positive. Positions are differenced by the caller.
 std::int32_t TurnOf(MidiDialMode mode, int value) {
   switch (mode) {
     case MidiDialMode::kOffset:
@@ -25,12 +27,14 @@ std::int32_t TurnOf(MidiDialMode mode, int value) {
 
 }  // namespace
 
+// A control that is no dial of the map, or did not turn it, may still be a button.
 bool MidiSurface::Accept(std::uint8_t byte) {
   const auto message = parser_.Accept(byte);
   if (!message || message->kind == MidiMessage::Kind::kOther) return false;
   return message->kind == MidiMessage::Kind::kControl && Turn(*message) ? true : Press(*message);
 }
 
+// The first dial of the map with this channel and control counts; counts wrap at 32 bits by unsigned arithmetic.
 bool MidiSurface::Turn(const MidiMessage& message) {
   for (std::size_t n = 0; n < std::min(map_.dials.size(), counts_.size()); ++n) {
     const MidiDial& dial = map_.dials[n];
@@ -47,6 +51,7 @@ bool MidiSurface::Turn(const MidiMessage& message) {
   return false;
 }
 
+// A message that repeats what is known already changes nothing, so that no report is made of it.
 bool MidiSurface::Press(const MidiMessage& message) {
   const bool is_control = message.kind == MidiMessage::Kind::kControl;
   const bool is_down = is_control ? message.value >= kMiddle : message.kind == MidiMessage::Kind::kNoteOn;
@@ -63,6 +68,8 @@ bool MidiSurface::Press(const MidiMessage& message) {
   return down_ != before;
 }
 
+// Note-on or control change, by what the button itself sends; value 127 lights and 0 darkens, since a note-on of
+// velocity 0 is a note-off (MIDI 1.0).
 std::vector<std::uint8_t> MidiSurface::LampBytes(std::uint32_t lit, bool again) {
   std::vector<std::uint8_t> bytes;
   for (std::size_t n = 0; n < std::min(map_.buttons.size(), kMostButtons); ++n) {

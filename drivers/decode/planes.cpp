@@ -117,6 +117,7 @@ Result<int> PlaneReader::Jpeg::ReadHeader(const CameraFrame& frame) const {
   return subsampling;
 }
 
+// The memory is kept for the next picture: nothing is allocated while size and subsampling stay as they are.
 Plane PlaneReader::Jpeg::MakePlane(int component, const CameraFormat& format, int subsampling) {
   auto& memory = memory_[static_cast<std::size_t>(component)];
   memory.resize(tjPlaneSizeYUV(component, format.width_px, 0, format.height_px, subsampling));

@@ -52,6 +52,7 @@ PointerDecoder::PointerDecoder(ReportLayout layout, const PointerSettings& setti
   sample_.buttons = {};
 }
 
+// A report that cannot be read moves nothing.
 Result<PointerSample> PointerDecoder::Decode(std::span<const std::uint8_t> report, Time at) {
   const auto input = OpenInput(layout_, report);
   if (!input) return tl::unexpected(input.error());

@@ -27,6 +27,7 @@ tl::unexpected<Error> FailAt(std::size_t offset_bytes, std::string_view reason) 
   return FailInput(fmt::format("report descriptor, byte {}: {}", offset_bytes, reason));
 }
 
+// Nothing: the descriptor's end. Never reads beyond the span, whatever lengths the items claim.
 Result<std::optional<Item>> ItemReader::Next() {
   // Long items are bounded by their own length, so the loop ends.
   while (at_ < descriptor_.size() && descriptor_[at_] == kLongItem) {
@@ -47,6 +48,7 @@ Result<void> ItemReader::SkipLongItem() {
   return {};
 }
 
+// The caller has checked that all of the item's data are there.
 Item ItemReader::ParseShortItem(std::uint8_t data_bytes) {
   const std::uint8_t prefix = descriptor_[at_];
   std::uint32_t value = 0;

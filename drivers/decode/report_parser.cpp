@@ -95,6 +95,7 @@ Result<ReportLayout> Parser::Run(std::span<const std::uint8_t> descriptor) {
   return std::move(layout_);
 }
 
+// Items of the reserved type are passed over, as Linux does.
 Result<void> Parser::Apply(const Item& item) {
   switch (item.type) {
     case ItemType::kMain:
@@ -208,6 +209,8 @@ Usage Parser::Application() const {
   return it == collections_.rend() ? 0 : it->usage;
 }
 
+// The report of the current id and this kind; made with its first field. Fields of one report may be spread over
+// the descriptor, and follow each other in the report all the same.
 ReportShape& Parser::ShapeOf(ReportKind kind) {
   const std::uint8_t id = globals_.report_id;
   const auto it =

@@ -37,6 +37,8 @@ std::int64_t Extract(const ReportField& field, std::uint32_t element, std::span<
   return static_cast<std::int64_t>(raw) - static_cast<std::int64_t>(sign << 1);
 }
 
+// Elements in the order of the descriptor. Arrays are left out: their elements name usages by value, and have
+// none of their own.
 std::vector<ElementRef> FindInputs(const ReportLayout& layout, Usage usage, std::size_t limit) {
   std::vector<ElementRef> found;
   for (std::uint32_t n = 0; n < layout.fields.size(); ++n) {

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint8_t kReset = 0x20;  // The box answers the same byte.
 constexpr std::uint8_t kFirstButtonByte = 0xC0;
+// A button's byte is C0 to DF where it went down, and 20 more where it came up.
 constexpr std::uint8_t kReleasedBit = 0x20;
 constexpr Duration kBackToBack = std::chrono::milliseconds(3);  // Not quite three bytes.
 constexpr Duration kAnswerTime = std::chrono::seconds(1);
@@ -49,6 +50,8 @@ bool SerialDialDecoder::Settle(Time now) {
   return ApplyButton(*std::exchange(waiting_button_, std::nullopt));
 }
 
+// Times decide before values: a gap ends whatever was begun, and a message that takes longer than the gap is
+// torn, although no silence was in it.
 bool SerialDialDecoder::Accept(std::uint8_t byte, Time at) {
   const bool settled = Settle(at);
   const bool is_late = state_ == State::kWithin && at - begun_at_ >= kSerialGap;
@@ -71,6 +74,8 @@ bool SerialDialDecoder::Accept(std::uint8_t byte, Time at) {
   return settled;
 }
 
+// Where it is none of the three beginnings the decoder is out of step: it watches until the next gap, and a
+// button that waited is dropped, for it may have been a dial's byte.
 bool SerialDialDecoder::Begin(std::uint8_t byte, Time at) {
   if (static_cast<std::size_t>(byte - FirstDialByte(box_)) < kMaxDials && byte >= FirstDialByte(box_)) {
     state_ = State::kWithin;
@@ -176,6 +181,8 @@ SerialDialSession::State SerialDialSession::state() const {
   return was_silent_ ? State::kSilent : State::kAsking;
 }
 
+// First the question, each second until it is answered; then once what starts the reports. A DLS80 is asked
+// nothing.
 std::vector<std::uint8_t> SerialDialSession::Due(Time now) {
   if (started_) return {};
   if (answered_) {

@@ -66,6 +66,7 @@ class Input final : public InputLine {
   Line line_;
 };
 
+// A line that is driven; released with the object, and what the chip does with it then is its driver's choice.
 class Output final : public OutputLine {
  public:
   explicit Output(Line line) : line_(std::move(line)) {}

@@ -89,6 +89,7 @@ Result<HidInput> HidrawChannel::Read(std::span<std::uint8_t> into) {
   return HidInput{.at = clock_.now(), .bytes = static_cast<std::size_t>(bytes)};
 }
 
+// A write of a part is a fault and not tried again: the rest alone would be taken for another report.
 Result<void> HidrawChannel::Write(std::span<const std::uint8_t> report) {
   if (gone_) return Gone();
   if (report.empty()) return FailInput("write an empty report to " + identity_.port);

@@ -49,6 +49,8 @@ void LibusbChannel::FreeTransfer::operator()(libusb_transfer* transfer) const {
   libusb_free_transfer(transfer);
 }
 
+// Each channel has a session of its own, whose descriptor wakes its owner for this device alone. Where a step
+// fails the destructor gives back what was claimed until then.
 Result<std::unique_ptr<LibusbChannel>> LibusbChannel::Open(const std::string& port, const Clock& clock) {
   auto session = LibusbSession::Open();
   if (!session) return tl::unexpected(session.error());
@@ -136,6 +138,8 @@ std::string LibusbChannel::ReadName(std::uint8_t index) {
   return name;
 }
 
+// All transfers are made here, so that neither Read nor Write allocates one. Several reads are under way at a
+// time: while one report is handled the next one has a place to go to.
 Result<void> LibusbChannel::Prepare() {
   const auto make = [this](Transfer& transfer, std::size_t bytes) {
     transfer.channel = this;

@@ -65,6 +65,8 @@ Result<std::vector<std::string>> MidiBus::Ports() {
   return ports;
 }
 
+// Each known surface is presented as a dial box, with the descriptor of ours: whoever reads it need not know
+// MIDI.
 Result<std::unique_ptr<ports::HidChannel>> MidiBus::Open(const std::string& port) {
   const auto found = nodes_.find(port);
   if (found == nodes_.end()) return Fail(std::errc::no_such_device, "open the MIDI device at " + port);

@@ -19,6 +19,7 @@ MidiChannel::MidiChannel(UniqueFd node, const ports::HidIdentity& identity, cons
   (void)Send(map_.start);
 }
 
+// Only when all that was read before is used up. The time is that of the reading, for raw MIDI has none.
 Result<void> MidiChannel::Fill() {
   const ssize_t got = ::read(node_.get(), bytes_.data(), bytes_.size());
   if (got < 0 && (errno == EAGAIN || errno == EINTR))
@@ -30,6 +31,8 @@ Result<void> MidiChannel::Fill() {
   return {};
 }
 
+// One report for each byte that changed something, so that a tap between two calls is not lost. A device that
+// floods is left after some fills, with "try again": the loop has other devices.
 Result<ports::HidInput> MidiChannel::Read(std::span<std::uint8_t> into) {
   const auto report = [&] {
     return ports::HidInput{.at = read_at_,

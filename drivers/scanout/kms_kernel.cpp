@@ -111,6 +111,7 @@ Connection KmsKernel::ConnectionOf(std::uint32_t connector) {
   return now ? scanout::ConnectionOf(now->connection) : Connection::kDisconnected;
 }
 
+// Asks the screen itself for its modes, over the cable: this may take tens of milliseconds.
 Result<KmsConnector> KmsKernel::Probe(std::uint32_t connector) {
   const DrmConnector now(drmModeGetConnector(card_, connector));
   if (!now) return Fail(std::errc::no_such_device, "probe a connector of the graphics card");
@@ -142,6 +143,7 @@ Result<DrmAtomic> KmsKernel::RequestOf(std::span<const KmsSetting> settings) {
   return request;
 }
 
+// Changes nothing on the screen. Of its reason to refuse the kernel tells no more than an errno.
 Result<void> KmsKernel::TestCommit(std::span<const KmsSetting> settings) {
   const auto request = RequestOf(settings);
   if (!request) return tl::unexpected(request.error());
@@ -215,6 +217,7 @@ std::uint32_t KmsKernel::FramebufferOn(std::uint32_t plane) {
   return now ? now->fb_id : 0;
 }
 
+// Whatever fails, nothing of it is left on the card.
 Result<KmsDumbBuffer> KmsKernel::CreateDumbBuffer(int width_px, int height_px) {
   const auto width = std::uint32_t(width_px), height = std::uint32_t(height_px);
   std::uint32_t handle = 0, pitch_bytes = 0;

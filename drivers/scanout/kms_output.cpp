@@ -101,6 +101,7 @@ std::uint32_t UsableOf(const std::vector<std::uint32_t>& planes) {
 
 }  // namespace
 
+// By index of the CRTC, 0 where it has none. A plane that fits several goes to the first of them without one.
 std::vector<std::uint32_t> PlanesOf(KmsDevice& card, std::size_t crtcs) {
   std::vector<std::uint32_t> planes(crtcs, 0);
   for (const KmsPlane& plane : card.PrimaryPlanes()) {
@@ -148,6 +149,8 @@ std::optional<KmsOutput> ExtractStatusOutput(KmsDevice& card, const std::string&
   return status;
 }
 
+// Nothing: all that could be tried was refused by the card. Whatever is shown in place of a mode that was wished
+// for, by a setting or by the screen, is marked as a substitute.
 std::optional<ChosenMode> ModeFor(const KmsConnector& connector, const KmsPreferences& preferences) {
   if (preferences.mode && !IsRefused(preferences, connector.id, *preferences.mode))
     return ChosenMode{*preferences.mode, ports::ModeOrigin::kWanted};

@@ -15,6 +15,7 @@ std::size_t ColumnsOf(std::size_t screens) {
 
 }  // namespace
 
+// Screens of different sizes keep their own pixels: a smaller one shows the upper left part of its cell.
 KmsWall Arrange(std::vector<KmsOutput> outputs) {
   const std::size_t columns = ColumnsOf(outputs.size());
   std::vector<int> widths_px(columns, 0);

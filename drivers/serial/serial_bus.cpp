@@ -25,6 +25,7 @@ std::string_view NameOf(decode::SerialBox box) {
 
 }  // namespace
 
+// The last "=" counts, since a path may have one.
 Result<SerialBoxOptions> ParseSerialBox(const std::string& text, int counts_per_turn) {
   const auto equals = text.rfind('=');
   const std::string kind = equals == std::string::npos ? "" : text.substr(equals + 1);
@@ -50,6 +51,8 @@ SerialBus::SerialBus(SerialBoxOptions options, const Clock& clock, UniqueFd time
       clock_(clock),
       timer_(std::move(timer)) {}
 
+// The timer's expirations are read and dropped: the bus is looked at because they came. A line is listed only
+// when its box answered, when a channel has it, or when there is a fault that Open can tell.
 Result<std::vector<std::string>> SerialBus::Ports() {
   std::uint64_t expirations = 0;
   (void)!::read(timer_.get(), &expirations, sizeof expirations);
@@ -93,6 +96,8 @@ bool SerialBus::is_ready() const {
   return !loan_.was_strange || spoken_->session.decoder().whole() > 0;
 }
 
+// Nothing while the box still has time to answer. A line that could not be opened is told first; then one that
+// speaks otherwise than it should, by the wrong kind or another speed; then silence.
 std::optional<Error> SerialBus::fault() const {
   if (refused_) return refused_;
   if (!spoken_ || is_ready()) return std::nullopt;

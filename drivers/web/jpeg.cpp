@@ -30,6 +30,7 @@ void JpegEncoder::Close::operator()(void* handle) const {
   tjDestroy(handle);
 }
 
+// The buffer is kept for the next picture. Chroma is halved both ways (4:2:0), which is enough for a page.
 Result<std::string> JpegEncoder::Encode(const Picture& picture, int quality) {
   const auto attempt = fmt::format("encode a picture of {}x{}", picture.width_px, picture.height_px);
   if (!Agrees(picture)) return FailInput(attempt);

@@ -64,6 +64,7 @@ std::vector<std::string> LacksOf(const libcamera::ControlInfoMap& has) {
 
 }  // namespace
 
+// On libcamera's thread, with each completed request. A value that the metadata lack keeps what was found before.
 void LibcameraHold::Note(const libcamera::ControlList& metadata) {
   const std::lock_guard lock(mutex_);
   if (const auto exposure = metadata.get(controls::ExposureTime)) found_.exposure_us = *exposure;
@@ -81,6 +82,7 @@ void LibcameraHold::Set(ports::CameraHold hold) {
   ++changes_;
 }
 
+// Controls that the camera has not are left out. While nothing is held it chooses by itself.
 void LibcameraHold::Write(const libcamera::ControlInfoMap& has, libcamera::ControlList& list) const {
   const std::lock_guard lock(mutex_);
   if (Has(has, controls::AeEnable)) list.set(controls::AeEnable, !held_);
@@ -181,6 +183,7 @@ Result<void> LibcameraDevice::MapBuffer(std::uint32_t index, libcamera::FrameBuf
   return {};
 }
 
+// A rung beyond those that the sensor has means its fastest rate.
 Result<void> LibcameraDevice::Start(std::size_t rung) {
   const libcamera::ControlInfoMap& has = camera_->controls();
   libcamera::ControlList list(has);
@@ -201,6 +204,7 @@ Result<void> LibcameraDevice::Start(std::size_t rung) {
   return {};
 }
 
+// Held values go with the first request after they changed, and stay in the camera from then on.
 Result<void> LibcameraDevice::Queue(std::uint32_t buffer) {
   libcamera::Request& request = *requests_[buffer];
   // A request that was completed must be reset before it is queued again; a new one must not.

@@ -22,6 +22,7 @@ void Completions::Disconnect() {
   Wake();
 }
 
+// Called by the reader's thread; Add and Disconnect come from the library's.
 std::vector<CompletedRequest> Completions::DrainAll() {
   const std::lock_guard lock(mutex_);
   // Under the lock: a completion between the two would wake nobody.
